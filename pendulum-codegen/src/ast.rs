@@ -1,0 +1,253 @@
+//! The declaration as written: syntax with spans, no meaning yet.
+
+use proc_macro2::{Span, TokenStream};
+use quote::ToTokens;
+use syn::Ident;
+
+use crate::expr::Rational;
+use crate::units::Unit;
+
+/// A whole declaration.
+#[derive(Debug)]
+pub struct Scene {
+    /// Documentation of the model.
+    pub docs: Vec<String>,
+    /// Visibility of the generated items.
+    pub vis: TokenStream,
+    /// Name of the model.
+    pub name: Ident,
+    /// Everything between the braces.
+    pub items: Items,
+}
+
+/// The items of a scene, by kind, each in the order of the text.
+#[derive(Debug, Default)]
+pub struct Items {
+    /// Parameters.
+    pub params: Vec<Param>,
+    /// Acceleration of gravity.
+    pub gravity: Option<Vector>,
+    /// Named expressions.
+    pub lets: Vec<Let>,
+    /// Inputs.
+    pub inputs: Vec<Input>,
+    /// Mass properties under a name.
+    pub shapes: Vec<Shape>,
+    /// Bodies.
+    pub bodies: Vec<Body>,
+    /// What to generate.
+    pub generate: Option<Vec<Ident>>,
+}
+
+/// `name: unit = default`
+#[derive(Debug)]
+pub struct Param {
+    /// Documentation of the field.
+    pub docs: Vec<String>,
+    /// Name.
+    pub name: Ident,
+    /// Unit.
+    pub unit: Unit,
+    /// Value where none is given.
+    pub default: Option<Expr>,
+}
+
+/// `let name = value,`
+#[derive(Debug)]
+pub struct Let {
+    /// Name.
+    pub name: Ident,
+    /// What it stands for.
+    pub value: Expr,
+}
+
+/// `input name: unit,`
+#[derive(Debug)]
+pub struct Input {
+    /// Documentation of the field.
+    pub docs: Vec<String>,
+    /// Name.
+    pub name: Ident,
+    /// Unit.
+    pub unit: Unit,
+}
+
+/// `shape name { .. }`
+#[derive(Debug)]
+pub struct Shape {
+    /// Name.
+    pub name: Ident,
+    /// What it weighs.
+    pub properties: Properties,
+}
+
+/// Mass properties: either mass, centre of mass and inertia, or solids.
+#[derive(Debug, Default)]
+pub struct Properties {
+    /// Mass.
+    pub mass: Option<Expr>,
+    /// Centre of mass in the body frame.
+    pub com: Option<Vector>,
+    /// Rotational inertia.
+    pub inertia: Option<Inertia>,
+    /// Solids that add up.
+    pub solids: Option<Vec<Solid>>,
+}
+
+/// `inertia: e`, `[xx, yy, zz]` or `[xx, yy, zz, xy, xz, yz]`, perhaps `about joint`
+#[derive(Debug)]
+pub struct Inertia {
+    /// One, three or six entries.
+    pub entries: Vec<Expr>,
+    /// About the origin of the body frame rather than about the centre of mass.
+    pub about_joint: bool,
+    /// The text of the entries.
+    pub tokens: TokenStream,
+}
+
+/// `kind(arguments)`
+#[derive(Debug)]
+pub struct Solid {
+    /// `point`, `rod`, `disk`, ...
+    pub kind: Ident,
+    /// What stands in the parentheses.
+    pub arguments: Vec<Argument>,
+}
+
+/// An argument of a solid or of a joint.
+#[derive(Debug)]
+pub enum Argument {
+    /// A number.
+    Scalar(Expr),
+    /// A list of numbers.
+    List(Vec<Expr>, TokenStream),
+    /// A list of lists.
+    Points(Vec<Vec<Expr>>, TokenStream),
+}
+
+/// `body name on parent: shape { .. }`
+#[derive(Debug)]
+pub struct Body {
+    /// Name.
+    pub name: Ident,
+    /// The body that carries it, or `ground`.
+    pub parent: Ident,
+    /// The shape it takes.
+    pub shape: Option<Ident>,
+    /// Its own mass properties.
+    pub properties: Properties,
+    /// How it hangs on its parent.
+    pub joint: Option<Joint>,
+    /// Name of the coordinate.
+    pub coordinate: Option<Ident>,
+    /// Whether the coordinate is measured from ground: the word `absolute`.
+    pub absolute: Option<Ident>,
+    /// Viscous friction.
+    pub friction: Option<Expr>,
+    /// Stiffness and rest position.
+    pub spring: Option<(Expr, Expr)>,
+    /// Joint force.
+    pub torque: Option<Expr>,
+}
+
+/// `kind(arguments) at point rpy angles`
+#[derive(Debug)]
+pub struct Joint {
+    /// `revolute`, `prismatic`, ...
+    pub kind: Ident,
+    /// What stands in the parentheses.
+    pub arguments: Vec<JointArgument>,
+    /// Where it sits in the parent's frame.
+    pub at: Option<Vector>,
+    /// How its frame is turned.
+    pub rpy: Option<Vector>,
+}
+
+/// An argument of a joint.
+#[derive(Debug)]
+pub enum JointArgument {
+    /// A coordinate axis: its number and its sign.
+    Axis(usize, bool, Ident),
+    /// Anything else.
+    Other(Argument),
+}
+
+/// Three components.
+#[derive(Debug)]
+pub struct Vector {
+    /// The components.
+    pub components: [Expr; 3],
+    /// The text.
+    pub tokens: TokenStream,
+}
+
+/// An expression with its text.
+#[derive(Debug)]
+pub struct Expr {
+    /// The outermost operation.
+    pub kind: ExprKind,
+    /// The text.
+    pub tokens: TokenStream,
+}
+
+/// An operation of the language of expressions.
+#[derive(Debug)]
+pub enum ExprKind {
+    /// A number, exactly.
+    Number(Rational),
+    /// A name.
+    Name(Ident),
+    /// `function(arguments)`.
+    Call(Ident, Vec<Expr>),
+    /// `-a`.
+    Neg(Box<Expr>),
+    /// `a + b` and so on.
+    Binary(Operator, Box<Expr>, Box<Expr>),
+    /// `a^b`.
+    Power(Box<Expr>, Box<Expr>),
+}
+
+/// An operator between two operands.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Operator {
+    /// `+`
+    Add,
+    /// `-`
+    Sub,
+    /// `*`
+    Mul,
+    /// `/`
+    Div,
+}
+
+impl ToTokens for Expr {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        self.tokens.to_tokens(tokens);
+    }
+}
+
+impl ToTokens for Vector {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        self.tokens.to_tokens(tokens);
+    }
+}
+
+impl ToTokens for Argument {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        match self {
+            Self::Scalar(e) => e.to_tokens(tokens),
+            Self::List(_, text) | Self::Points(_, text) => text.to_tokens(tokens),
+        }
+    }
+}
+
+impl Expr {
+    /// Where the expression begins.
+    pub fn span(&self) -> Span {
+        self.tokens
+            .clone()
+            .into_iter()
+            .next()
+            .map_or_else(Span::call_site, |token| token.span())
+    }
+}

@@ -1,0 +1,70 @@
+//! Physical checks that need the whole scene.
+
+use crate::ast::Scene;
+use crate::dynamics::Dynamics;
+use crate::error::Errors;
+use crate::expr::SymbolKind;
+use crate::model::Model;
+
+/// Pivots below this part of the largest diagonal entry are rounding.
+const SINGULAR: f64 = 1e-13;
+
+/// Refuses a scene whose mass matrix is singular in every state.
+pub fn check(scene: &Scene, model: &Model, dynamics: &Dynamics) -> Result<(), Errors> {
+    let mut errors = Errors::default();
+    if let Some(k) = without_inertia(model, dynamics) {
+        let name = &model.coordinates[k].name;
+        let body = scene
+            .items
+            .bodies
+            .iter()
+            .find(|body| body.coordinate.as_ref().is_some_and(|c| c == name));
+        if let Some(body) = body {
+            let fact = format!("coordinate `{name}` has no inertia, so the mass matrix is singular in every state");
+            errors.at(
+                body.name.span(),
+                fact,
+                format_args!("give `{}` mass or make the joint `fixed`", body.name),
+            );
+        }
+    }
+    errors.finish(())
+}
+
+/// A coordinate whose pivot vanishes in several states and for several parameters that have nothing special.
+fn without_inertia(model: &Model, dynamics: &Dynamics) -> Option<usize> {
+    let n = model.dof();
+    let entries: Vec<_> = dynamics.mass_matrix.iter().flatten().copied().collect();
+    let mut singular = None;
+    for sample in 0..3 {
+        // a Weyl sequence: numbers between 0.5 and 1.5 without a pattern
+        let mut position = f64::from(sample);
+        let values = model.graph.evaluate(&entries, |symbol| {
+            position += 1.0;
+            let number = (position * 0.618_033_988_749_895).fract() + 0.5;
+            if matches!(symbol.kind, SymbolKind::Parameter(_)) {
+                number
+            } else {
+                2.0 * number
+            }
+        });
+        let mut a: Vec<Vec<f64>> = values.chunks(n.max(1)).map(<[f64]>::to_vec).collect();
+        let largest = (0..n).map(|k| a[k][k].abs()).fold(0.0, f64::max);
+        let vanishes = |pivot: f64| pivot.is_nan() || pivot.abs() <= SINGULAR * largest;
+        let found = (0..n).rev().find(|&k| {
+            let pivot = a[k][k];
+            if vanishes(pivot) {
+                return true;
+            }
+            for i in 0..k {
+                for j in 0..k {
+                    let change = a[k][i] * a[k][j] / pivot;
+                    a[i][j] -= change;
+                }
+            }
+            false
+        });
+        singular = Some(found?);
+    }
+    singular
+}

@@ -1,0 +1,318 @@
+//! Expressions to statements: one `let` for each shared value, in the order in which values are needed.
+
+use std::collections::{BTreeMap, HashMap};
+
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{format_ident, quote};
+
+use crate::expr::{Binary, ExprId, Graph, Level, Node, Rational, Unary, ratio};
+use crate::model::Model;
+
+/// Longer expressions are broken up by a `let`.
+const MOST_OPERATIONS: usize = 8;
+
+/// How tightly a piece of Rust holds together.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Grip {
+    Sum,
+    Product,
+    Unary,
+    Atom,
+}
+
+/// A piece of Rust.
+#[derive(Clone, Debug)]
+struct Piece {
+    tokens: TokenStream,
+    grip: Grip,
+    operations: usize,
+}
+
+impl Piece {
+    fn atom(tokens: TokenStream) -> Self {
+        Self {
+            tokens,
+            grip: Grip::Atom,
+            operations: 0,
+        }
+    }
+
+    fn within(self, least: Grip) -> TokenStream {
+        let tokens = self.tokens;
+        if self.grip < least { quote!((#tokens)) } else { tokens }
+    }
+}
+
+/// Statements that compute some expressions.
+#[derive(Debug)]
+pub(super) struct Body<'m> {
+    graph: &'m Graph,
+    uses: HashMap<ExprId, usize>,
+    /// The angles whose sine, or cosine, is used.
+    sines: BTreeMap<ExprId, [bool; 2]>,
+    names: HashMap<ExprId, Piece>,
+    statements: TokenStream,
+    temporaries: usize,
+}
+
+/// A name that no declaration can clash with.
+pub(super) fn local(name: String) -> Ident {
+    Ident::new(&name, Span::mixed_site())
+}
+
+impl<'m> Body<'m> {
+    /// Code for some roots in which the given expressions are known under names.
+    pub(super) fn new(graph: &'m Graph, roots: &[ExprId], known: &HashMap<ExprId, Ident>) -> Self {
+        let names: HashMap<_, _> = known
+            .iter()
+            .map(|(&id, name)| (id, Piece::atom(quote!(#name))))
+            .collect();
+        let (mut uses, mut sines): (HashMap<ExprId, usize>, BTreeMap<_, [bool; 2]>) = Default::default();
+        let mut seen = std::collections::HashSet::new();
+        let mut stack = roots.to_vec();
+        while let Some(id) = stack.pop() {
+            *uses.entry(id).or_default() += 1;
+            if names.contains_key(&id) || !seen.insert(id) {
+                continue;
+            }
+            if let Node::Unary(op @ (Unary::Sin | Unary::Cos), angle) = graph.node(id) {
+                sines.entry(*angle).or_default()[usize::from(*op == Unary::Cos)] = true;
+            }
+            if graph.level(id) > Level::Constant {
+                stack.extend(graph.operands(id));
+            }
+        }
+        Self {
+            graph,
+            uses,
+            sines,
+            names,
+            statements: TokenStream::new(),
+            temporaries: 0,
+        }
+    }
+
+    /// The code of one root; what it needs becomes statements.
+    pub(super) fn value(&mut self, root: ExprId) -> TokenStream {
+        let is_leaf = self.graph.operands(root).next().is_none() || self.graph.level(root) == Level::Constant;
+        let is_angle = matches!(self.graph.node(root), Node::Unary(Unary::Sin | Unary::Cos, _));
+        if is_leaf || is_angle || self.names.contains_key(&root) || self.uses[&root] > 1 {
+            return self.piece(root).tokens;
+        }
+        self.operation(root).tokens
+    }
+
+    /// The statements so far.
+    pub(super) fn statements(self) -> TokenStream {
+        self.statements
+    }
+
+    fn piece(&mut self, id: ExprId) -> Piece {
+        if let Some(known) = self.names.get(&id) {
+            return known.clone();
+        }
+        if self.graph.level(id) == Level::Constant {
+            return Piece::atom(literal(self.graph, id));
+        }
+        if let Node::Unary(Unary::Sin | Unary::Cos, angle) = *self.graph.node(id) {
+            self.sine_and_cosine(angle);
+            return self.names[&id].clone();
+        }
+        let piece = self.operation(id);
+        if self.uses[&id] > 1 || piece.operations >= MOST_OPERATIONS {
+            return self.bind(id, &piece);
+        }
+        piece
+    }
+
+    fn bind(&mut self, id: ExprId, piece: &Piece) -> Piece {
+        let name = local(format!("t{}", self.temporaries));
+        self.temporaries += 1;
+        let tokens = &piece.tokens;
+        self.statements.extend(quote!(let #name = #tokens;));
+        let bound = Piece::atom(quote!(#name));
+        self.names.insert(id, bound.clone());
+        bound
+    }
+
+    fn sine_and_cosine(&mut self, angle: ExprId) {
+        let argument = self.piece(angle).within(Grip::Atom);
+        let suffix = match self.graph.as_symbol(angle) {
+            Some(symbol) => format!("_{}", symbol.name),
+            None => {
+                self.temporaries += 1;
+                (self.temporaries - 1).to_string()
+            }
+        };
+        let used = self.sines.get(&angle).copied().unwrap_or([true; 2]);
+        let [sine, cosine] = [("sin", used[0]), ("cos", used[1])]
+            .map(|(function, used)| used.then(|| local(format!("{function}{suffix}"))));
+        let [left, right] = [&sine, &cosine].map(|name| name.as_ref().map_or(quote!(_), |name| quote!(#name)));
+        self.statements
+            .extend(quote!(let (#left, #right) = #argument.sin_cos();));
+        for (op, name) in [(Unary::Sin, sine), (Unary::Cos, cosine)] {
+            let id = self.graph.find(&Node::Unary(op, angle));
+            if let (Some(id), Some(name)) = (id, name) {
+                self.names.insert(id, Piece::atom(quote!(#name)));
+            }
+        }
+    }
+
+    fn operation(&mut self, id: ExprId) -> Piece {
+        match self.graph.node(id).clone() {
+            // every symbol is known by name, and numbers are constants
+            Node::Number(_) | Node::Pi | Node::Symbol(_) => Piece::atom(literal(self.graph, id)),
+            Node::Unary(Unary::Neg, a) => {
+                let a = self.piece(a);
+                let operations = a.operations + 1;
+                let a = a.within(Grip::Unary);
+                Piece {
+                    tokens: quote!(-#a),
+                    grip: Grip::Unary,
+                    operations,
+                }
+            }
+            Node::Unary(op, a) => {
+                let a = self.piece(a);
+                let (operations, function) = (a.operations + 1, format_ident!("{}", op.spelling()));
+                let a = a.within(Grip::Atom);
+                Piece {
+                    tokens: quote!(#a.#function()),
+                    grip: Grip::Atom,
+                    operations,
+                }
+            }
+            Node::Binary(op, a, b) => {
+                let (a, b) = (self.piece(a), self.piece(b));
+                let operations = a.operations + b.operations + 1;
+                let (tokens, grip) = match op {
+                    Binary::Add => {
+                        let (a, b) = (a.within(Grip::Sum), b.within(Grip::Product));
+                        (quote!(#a + #b), Grip::Sum)
+                    }
+                    Binary::Sub => {
+                        let (a, b) = (a.within(Grip::Sum), b.within(Grip::Product));
+                        (quote!(#a - #b), Grip::Sum)
+                    }
+                    Binary::Mul => {
+                        let (a, b) = (a.within(Grip::Product), b.within(Grip::Unary));
+                        (quote!(#a * #b), Grip::Product)
+                    }
+                    Binary::Div => {
+                        let (a, b) = (a.within(Grip::Product), b.within(Grip::Unary));
+                        (quote!(#a / #b), Grip::Product)
+                    }
+                    Binary::Atan2 => {
+                        let (a, b) = (a.within(Grip::Atom), b.within(Grip::Sum));
+                        (quote!(#a.atan2(#b)), Grip::Atom)
+                    }
+                };
+                Piece {
+                    tokens,
+                    grip,
+                    operations,
+                }
+            }
+            Node::Power(a, n) => self.power(a, &n),
+        }
+    }
+
+    fn power(&mut self, base: ExprId, exponent: &Rational) -> Piece {
+        use num_traits::{Signed, ToPrimitive};
+        let count = exponent.abs().to_i64().filter(|_| exponent.is_integer());
+        if let Some(count) = count {
+            let mut factor = self.piece(base);
+            if factor.operations > 0 {
+                factor = self.bind(base, &factor);
+            }
+            let factor = factor.within(Grip::Unary);
+            let product = (1..count).fold(factor.clone(), |product, _| quote!(#product * #factor));
+            let operations = count as usize;
+            return if exponent.is_negative() {
+                let one = spelled(1.0);
+                let product = if count > 1 { quote!((#product)) } else { product };
+                Piece {
+                    tokens: quote!(#one / #product),
+                    grip: Grip::Product,
+                    operations,
+                }
+            } else {
+                Piece {
+                    tokens: product,
+                    grip: Grip::Product,
+                    operations: operations - 1,
+                }
+            };
+        }
+        let a = self.piece(base);
+        let operations = a.operations + 1;
+        let a = a.within(Grip::Atom);
+        if *exponent == ratio(1, 2) {
+            return Piece {
+                tokens: quote!(#a.sqrt()),
+                grip: Grip::Atom,
+                operations,
+            };
+        }
+        if *exponent == ratio(-1, 2) {
+            let one = spelled(1.0);
+            return Piece {
+                tokens: quote!(#one / #a.sqrt()),
+                grip: Grip::Product,
+                operations: operations + 1,
+            };
+        }
+        let exponent = spelled(exponent.to_f64().unwrap_or(f64::NAN));
+        Piece {
+            tokens: quote!(#a.powf(#exponent)),
+            grip: Grip::Atom,
+            operations,
+        }
+    }
+}
+
+/// A constant, folded.
+fn literal(graph: &Graph, id: ExprId) -> TokenStream {
+    spelled(graph.constant(id).unwrap_or(f64::NAN))
+}
+
+/// A number of the generic type, spelled so that it reads back exactly.
+pub(super) fn spelled(value: f64) -> TokenStream {
+    let text = format!("{:?}", value.abs());
+    let literal: Literal = text.parse().unwrap_or_else(|_| Literal::f64_unsuffixed(0.0));
+    if value.is_sign_negative() && value != 0.0 {
+        quote!(T::from_f64(-#literal))
+    } else {
+        quote!(T::from_f64(#literal))
+    }
+}
+
+/// Names of the state, the time and the inputs in generated functions, and the statement that takes the state apart.
+pub(super) fn unpack(model: &Model, roots: &[ExprId]) -> (HashMap<ExprId, Ident>, TokenStream) {
+    let used: std::collections::HashSet<ExprId> = model.graph.reachable(roots).into_iter().collect();
+    let mut known = HashMap::new();
+    let mut pattern = Vec::new();
+    for (prefix, part) in [("q", 0), ("qd", 1)] {
+        for coordinate in &model.coordinates {
+            let id = if part == 0 {
+                coordinate.position
+            } else {
+                coordinate.rate
+            };
+            let name = local(format!("{prefix}_{}", coordinate.name));
+            pattern.push(if used.contains(&id) { quote!(#name) } else { quote!(_) });
+            known.insert(id, name);
+        }
+    }
+    let mut statements = quote!(let [#(#pattern),*] = x.data.0[0];);
+    known.insert(model.time, local("t".to_owned()));
+    for input in &model.inputs {
+        let name = local(format!("u_{}", input.name));
+        if used.contains(&input.symbol) {
+            let field = format_ident!("{}", input.name);
+            statements.extend(quote!(let #name = u.#field;));
+        }
+        known.insert(input.symbol, name);
+    }
+    (known, statements)
+}

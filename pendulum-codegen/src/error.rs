@@ -1,0 +1,90 @@
+//! Errors in a declaration: collected, so that all are reported at once, each on the token at fault.
+
+use proc_macro2::{Span, TokenStream};
+use quote::ToTokens;
+
+/// The errors found so far.
+#[derive(Debug, Default)]
+pub struct Errors(Vec<syn::Error>);
+
+impl Errors {
+    /// Notes an error on a whole syntax node: what is wrong, and what to do about it.
+    pub fn on(&mut self, node: impl ToTokens, fact: impl std::fmt::Display, help: impl std::fmt::Display) {
+        self.0.push(syn::Error::new_spanned(node, message(fact, help)));
+    }
+
+    /// Notes an error on one place.
+    pub fn at(&mut self, span: Span, fact: impl std::fmt::Display, help: impl std::fmt::Display) {
+        self.0.push(at(span, fact, help));
+    }
+
+    /// Notes an error.
+    pub fn push(&mut self, error: syn::Error) {
+        self.0.push(error);
+    }
+
+    /// Keeps the value, or notes the error.
+    pub fn keep<T>(&mut self, result: syn::Result<T>) -> Option<T> {
+        result.map_err(|error| self.0.push(error)).ok()
+    }
+
+    /// Whether there are none.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// Ends a phase: the value, or all errors.
+    pub fn finish<T>(self, value: T) -> Result<T, Self> {
+        if self.0.is_empty() { Ok(value) } else { Err(self) }
+    }
+
+    /// The errors as `compile_error!` items.
+    pub fn to_compile_errors(&self) -> TokenStream {
+        self.0.iter().map(syn::Error::to_compile_error).collect()
+    }
+}
+
+impl std::fmt::Display for Errors {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        for (n, error) in self.0.iter().enumerate() {
+            let start = error.span().start();
+            let end = if n + 1 < self.0.len() { "\n" } else { "" };
+            write!(f, "{}:{}: {error}{end}", start.line, start.column + 1)?;
+        }
+        Ok(())
+    }
+}
+
+impl std::error::Error for Errors {}
+
+impl From<syn::Error> for Errors {
+    fn from(error: syn::Error) -> Self {
+        Self(vec![error])
+    }
+}
+
+/// An error on one place.
+pub(crate) fn at(span: Span, fact: impl std::fmt::Display, help: impl std::fmt::Display) -> syn::Error {
+    syn::Error::new(span, message(fact, help))
+}
+
+fn message(fact: impl std::fmt::Display, help: impl std::fmt::Display) -> String {
+    format!("{fact}\nhelp: {help}")
+}
+
+/// A help line for an unknown name: the nearest known one, if any is near, and all of them.
+pub(crate) fn suggestion<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> String {
+    let known: Vec<&str> = known.into_iter().collect();
+    let nearest = known
+        .iter()
+        .map(|candidate| (strsim::damerau_levenshtein(name, candidate), candidate))
+        .filter(|(distance, candidate)| *distance <= 1 + candidate.len().min(name.len()) / 4)
+        .min();
+    let list = known.join(", ");
+    match nearest {
+        Some((_, candidate)) if known.len() == 1 => format!("did you mean `{candidate}`?"),
+        Some((_, candidate)) => format!("did you mean `{candidate}`? known here: {list}"),
+        None if known.is_empty() => "nothing is declared that could stand here".to_owned(),
+        None => format!("known here: {list}"),
+    }
+}

@@ -1,0 +1,27 @@
+//! Symbolic expressions as a hash-consed graph, and their polynomial normal form.
+//!
+//! Arithmetic is exact: numbers are rationals of any size, roots and the sines of constants stay symbols until code is
+//! emitted. Two nodes are the same expression exactly when their ids are equal.
+
+mod derivative;
+mod eval;
+mod graph;
+mod normal;
+mod op;
+mod poly;
+mod print;
+
+pub use derivative::Derivative;
+pub use graph::{ExprId, Graph, Level, Node, Symbol, SymbolId, SymbolKind};
+pub use normal::{Normalizer, TooLarge};
+pub use op::{Binary, CostKind, Unary};
+pub use poly::{Monomial, Poly};
+pub use print::Printer;
+
+/// An exact number.
+pub type Rational = num_rational::BigRational;
+
+/// The rational `numerator / denominator`; the denominator must not be zero.
+pub fn ratio(numerator: i64, denominator: i64) -> Rational {
+    Rational::new(numerator.into(), denominator.into())
+}

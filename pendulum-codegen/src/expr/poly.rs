@@ -1,0 +1,172 @@
+//! Polynomials with rational coefficients over atoms of a graph.
+
+use std::collections::BTreeMap;
+
+use num_traits::{One, Zero};
+
+use super::{ExprId, Rational};
+
+/// A product of integer powers of atoms, sorted by atom; no power is zero.
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Monomial(Vec<(ExprId, i32)>);
+
+impl Monomial {
+    /// The atom alone.
+    pub fn atom(atom: ExprId) -> Self {
+        Self(vec![(atom, 1)])
+    }
+
+    /// The atoms and their powers, sorted by atom.
+    pub fn powers(&self) -> &[(ExprId, i32)] {
+        &self.0
+    }
+
+    /// Whether this is the empty product.
+    pub fn is_one(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// The power of one atom.
+    pub fn power_of(&self, atom: ExprId) -> i32 {
+        self.0.binary_search_by_key(&atom, |p| p.0).map_or(0, |at| self.0[at].1)
+    }
+
+    /// The product of two monomials.
+    #[must_use]
+    pub fn times(&self, other: &Self) -> Self {
+        let (mut a, mut b) = (self.0.iter().copied().peekable(), other.0.iter().copied().peekable());
+        let mut product = Vec::with_capacity(self.0.len() + other.0.len());
+        loop {
+            match (a.peek(), b.peek()) {
+                (Some(x), Some(y)) if x.0 == y.0 => {
+                    if x.1 + y.1 != 0 {
+                        product.push((x.0, x.1 + y.1));
+                    }
+                    (a.next(), b.next());
+                }
+                (Some(x), Some(y)) if x.0 < y.0 => product.extend(a.next()),
+                (_, Some(_)) => product.extend(b.next()),
+                (Some(_), None) => product.extend(a.next()),
+                (None, None) => return Self(product),
+            }
+        }
+    }
+
+    /// The product with an integer power of one atom.
+    #[must_use]
+    pub fn times_power(&self, atom: ExprId, power: i32) -> Self {
+        if power == 0 {
+            self.clone()
+        } else {
+            self.times(&Self(vec![(atom, power)]))
+        }
+    }
+
+    /// The reciprocal.
+    #[must_use]
+    pub fn recip(&self) -> Self {
+        Self(self.0.iter().map(|&(atom, power)| (atom, -power)).collect())
+    }
+
+    /// The factors for which `keep` holds, and the others.
+    pub fn partition(&self, mut keep: impl FnMut(ExprId) -> bool) -> (Self, Self) {
+        let (yes, no) = self.0.iter().partition(|(atom, _)| keep(*atom));
+        (Self(yes), Self(no))
+    }
+}
+
+/// A sum of monomials with rational coefficients; no coefficient is zero.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Poly(BTreeMap<Monomial, Rational>);
+
+impl Poly {
+    /// The constant polynomial.
+    pub fn constant(value: Rational) -> Self {
+        Self::term(Monomial::default(), value)
+    }
+
+    /// One atom.
+    pub fn atom(atom: ExprId) -> Self {
+        Self::term(Monomial::atom(atom), Rational::one())
+    }
+
+    /// One term.
+    pub fn term(monomial: Monomial, coefficient: Rational) -> Self {
+        let mut poly = Self::default();
+        poly.add_term(monomial, coefficient);
+        poly
+    }
+
+    /// The terms, sorted by monomial.
+    pub fn terms(&self) -> impl DoubleEndedIterator<Item = (&Monomial, &Rational)> {
+        self.0.iter()
+    }
+
+    /// The number of terms.
+    pub fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Whether there are no terms: the value is zero.
+    pub fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// The coefficient of a monomial.
+    pub fn coefficient(&self, monomial: &Monomial) -> Option<&Rational> {
+        self.0.get(monomial)
+    }
+
+    /// The only term, if there is just one.
+    pub fn as_term(&self) -> Option<(&Monomial, &Rational)> {
+        if self.0.len() == 1 { self.0.iter().next() } else { None }
+    }
+
+    /// The value, if no atom is left.
+    pub fn as_constant(&self) -> Option<Rational> {
+        match self.as_term() {
+            _ if self.is_empty() => Some(Rational::zero()),
+            Some((monomial, value)) if monomial.is_one() => Some(value.clone()),
+            _ => None,
+        }
+    }
+
+    /// Adds one term in place.
+    pub fn add_term(&mut self, monomial: Monomial, coefficient: Rational) {
+        use std::collections::btree_map::Entry;
+        if coefficient.is_zero() {
+            return;
+        }
+        match self.0.entry(monomial) {
+            Entry::Vacant(free) => {
+                free.insert(coefficient);
+            }
+            Entry::Occupied(mut sum) => {
+                *sum.get_mut() += coefficient;
+                if sum.get().is_zero() {
+                    sum.remove();
+                }
+            }
+        }
+    }
+
+    /// Removes a term and gives its coefficient.
+    pub fn remove(&mut self, monomial: &Monomial) -> Option<Rational> {
+        self.0.remove(monomial)
+    }
+
+    /// Adds `factor * other` in place.
+    pub fn add_scaled(&mut self, other: &Self, factor: &Rational) {
+        for (monomial, coefficient) in &other.0 {
+            self.add_term(monomial.clone(), coefficient * factor);
+        }
+    }
+
+    /// The product with a number.
+    #[must_use]
+    pub fn scaled(&self, factor: &Rational) -> Self {
+        let mut scaled = Self::default();
+        scaled.add_scaled(self, factor);
+        scaled
+    }
+}

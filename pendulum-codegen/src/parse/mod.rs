@@ -1,0 +1,225 @@
+//! Tokens to syntax tree. A mistake costs only the item or field it stands in: reading goes on behind it.
+
+mod body;
+mod expr;
+
+use proc_macro2::{TokenStream, TokenTree};
+use quote::ToTokens;
+use syn::parse::{Parse, ParseStream, Parser};
+use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, MetaNameValue, Token, Visibility, braced, bracketed, token};
+
+use crate::ast::{Input, Items, Let, Param, Scene, Shape};
+use crate::error::{Errors, at, suggestion};
+
+/// Reads a declaration. The scene is there unless its head could not be read; errors may stand beside it.
+pub fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
+    let mut errors = Errors::default();
+    let scene = (|input: ParseStream| {
+        let docs = docs(input)?;
+        let vis = input.parse::<Visibility>()?.into_token_stream();
+        let name: Ident = input.parse().map_err(|e| {
+            at(
+                e.span(),
+                "expected the name of the model",
+                "write `mechanism! { pub DoublePendulum { body .. } }`",
+            )
+        })?;
+        let inner;
+        braced!(inner in input);
+        let mut items = Items::default();
+        each(&inner, &mut errors, |input, errors| item(input, &mut items, errors));
+        if !input.is_empty() {
+            errors.at(
+                input.span(),
+                "one declaration holds one model",
+                "write another `mechanism!` for another model",
+            );
+            input.parse::<TokenStream>()?;
+        }
+        Ok(Scene { docs, vis, name, items })
+    })
+    .parse2(tokens);
+    let scene = errors.keep(scene);
+    (scene, errors)
+}
+
+/// Reads items until the end, each followed by a comma or ended by its braces. Behind a mistake it skips to the next item.
+fn each(input: ParseStream, errors: &mut Errors, mut item: impl FnMut(ParseStream, &mut Errors) -> syn::Result<()>) {
+    while !input.is_empty() {
+        let result = item(input, errors).and_then(|()| {
+            let closed = input.is_empty() || input.parse::<Option<Token![,]>>()?.is_some() || ended_by_brace(input);
+            if closed {
+                return Ok(());
+            }
+            Err(at(
+                input.span(),
+                "expected a comma",
+                "items end in a comma; products need a `*`",
+            ))
+        });
+        if errors.keep(result).is_none() {
+            skip(input);
+        }
+    }
+}
+
+/// Whether what comes next is the start of an item, so that the one before must have ended in braces.
+fn ended_by_brace(input: ParseStream) -> bool {
+    let item = input.peek(Token![#]) || input.peek(Token![let]);
+    item || (input.peek(Ident) && (input.peek2(Token![:]) || input.peek2(token::Brace) || input.peek2(Ident)))
+}
+
+fn skip(input: ParseStream) {
+    while let Ok(token) = input.parse::<TokenTree>() {
+        match token {
+            TokenTree::Punct(comma) if comma.as_char() == ',' => return,
+            TokenTree::Group(group) if group.delimiter() == proc_macro2::Delimiter::Brace => {
+                // a parse of nothing cannot fail here: the comma is optional
+                let _ = input.parse::<Option<Token![,]>>();
+                return;
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The lines of documentation comments; no other attribute has a meaning here.
+fn docs(input: ParseStream) -> syn::Result<Vec<String>> {
+    let line = |attribute: Attribute| match &attribute.meta {
+        Meta::NameValue(MetaNameValue {
+            path,
+            value: Expr::Lit(ExprLit {
+                lit: Lit::Str(text), ..
+            }),
+            ..
+        }) if path.is_ident("doc") => Ok(text.value()),
+        _ => Err(syn::Error::new_spanned(
+            attribute,
+            "only documentation comments may stand here\nhelp: remove the attribute",
+        )),
+    };
+    input.call(Attribute::parse_outer)?.into_iter().map(line).collect()
+}
+
+/// Puts a value where none was, or refuses the second one.
+fn once<T>(place: &mut Option<T>, value: T, key: &Ident) -> syn::Result<()> {
+    if place.is_some() {
+        return Err(at(
+            key.span(),
+            format_args!("`{key}` is given twice"),
+            "keep one of the two",
+        ));
+    }
+    *place = Some(value);
+    Ok(())
+}
+
+const ITEMS: [&str; 7] = ["params", "gravity", "let", "input", "shape", "body", "generate"];
+
+fn item(input: ParseStream, items: &mut Items, errors: &mut Errors) -> syn::Result<()> {
+    let docs = docs(input)?;
+    if input.parse::<Option<Token![let]>>()?.is_some() {
+        let name = input.parse()?;
+        input.parse::<Token![=]>()?;
+        items.lets.push(Let {
+            name,
+            value: input.parse()?,
+        });
+        return Ok(());
+    }
+    let key: Ident = input.parse().map_err(|e| {
+        at(
+            e.span(),
+            "expected an item of the scene",
+            format_args!("known here: {}", ITEMS.join(", ")),
+        )
+    })?;
+    match key.to_string().as_str() {
+        "params" => {
+            let inner;
+            braced!(inner in input);
+            each(&inner, errors, |input, _| {
+                items.params.push(input.parse()?);
+                Ok(())
+            });
+        }
+        "gravity" => {
+            input.parse::<Token![:]>()?;
+            once(&mut items.gravity, input.parse()?, &key)?;
+        }
+        "input" => {
+            let name = input.parse()?;
+            input.parse::<Token![:]>()?;
+            items.inputs.push(Input {
+                docs,
+                name,
+                unit: input.parse()?,
+            });
+        }
+        "shape" => {
+            let name = input.parse()?;
+            let inner;
+            braced!(inner in input);
+            let mut shape = Shape {
+                name,
+                properties: Default::default(),
+            };
+            each(&inner, errors, |input, _| {
+                body::shape_field(input, &mut shape.properties)
+            });
+            items.shapes.push(shape);
+        }
+        "body" => {
+            let body = body::body(input, errors)?;
+            items.bodies.push(body);
+        }
+        "generate" => {
+            input.parse::<Token![:]>()?;
+            let inner;
+            bracketed!(inner in input);
+            let list = inner.parse_terminated(Ident::parse, Token![,])?;
+            once(&mut items.generate, list.into_iter().collect(), &key)?;
+        }
+        other => {
+            return Err(at(
+                key.span(),
+                format_args!("unknown item `{other}`"),
+                suggestion(other, ITEMS),
+            ));
+        }
+    }
+    Ok(())
+}
+
+impl Parse for Param {
+    fn parse(input: ParseStream) -> syn::Result<Self> {
+        let docs = docs(input)?;
+        let name: Ident = input.parse().map_err(|e| {
+            at(
+                e.span(),
+                "expected the name of a parameter",
+                "write `name: unit = default`",
+            )
+        })?;
+        if !input.peek(Token![:]) {
+            return Err(at(
+                name.span(),
+                format_args!("parameter `{name}` has no unit"),
+                format_args!("write `{name}: kg`, or `{name}: 1` for a plain number"),
+            ));
+        }
+        input.parse::<Token![:]>()?;
+        let unit = input.parse()?;
+        let default = if input.parse::<Option<Token![=]>>()?.is_some() {
+            Some(input.parse()?)
+        } else {
+            None
+        };
+        Ok(Self {
+            docs,
+            name,
+            unit,
+            default,
+        })
+    }
+}

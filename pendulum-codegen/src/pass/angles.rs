@@ -1,0 +1,137 @@
+//! Products of sines and cosines back to sums of angles: `cos a cos b + sin a sin b` becomes `cos(a - b)`.
+
+use std::collections::BTreeSet;
+
+use num_traits::One;
+
+use crate::expr::{ExprId, Graph, Level, Monomial, Node, Normalizer, Poly, Rational, TooLarge, Unary, ratio};
+
+/// Polynomials with more terms are left as they are.
+const MOST_TERMS: usize = 2000;
+
+/// Rewrites a normal form with sums and differences of its angles wherever that leaves fewer terms. The result is equal in
+/// value, and shorter, but no longer canonical.
+pub fn collect(g: &mut Graph, normalizer: &mut Normalizer, poly: &Poly) -> Result<Poly, TooLarge> {
+    let mut poly = poly.clone();
+    if poly.len() > MOST_TERMS {
+        return Ok(poly);
+    }
+    while let Some(shorter) = step(g, normalizer, &poly)? {
+        poly = shorter;
+    }
+    Ok(poly)
+}
+
+/// Sine and cosine of one angle.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+struct Angle {
+    angle: ExprId,
+    sine: ExprId,
+    cosine: ExprId,
+}
+
+fn step(g: &mut Graph, normalizer: &mut Normalizer, poly: &Poly) -> Result<Option<Poly>, TooLarge> {
+    for (monomial, coefficient) in poly.terms() {
+        let angles = angles_of(g, monomial);
+        for (n, &a) in angles.iter().enumerate() {
+            for &b in &angles[n + 1..] {
+                for (x, y) in [(a, b), (b, a)] {
+                    if let Some(shorter) = pair(g, normalizer, poly, (monomial, coefficient), x, y)? {
+                        return Ok(Some(shorter));
+                    }
+                }
+            }
+        }
+    }
+    for (monomial, coefficient) in poly.terms() {
+        for a in angles_of(g, monomial) {
+            if let Some(shorter) = square(poly, (monomial, coefficient), a) {
+                return Ok(Some(shorter));
+            }
+        }
+    }
+    Ok(None)
+}
+
+fn angles_of(g: &mut Graph, monomial: &Monomial) -> Vec<Angle> {
+    let mut angles = BTreeSet::new();
+    for &(atom, _) in monomial.powers() {
+        if let Node::Unary(Unary::Sin | Unary::Cos, angle) = *g.node(atom)
+            && g.level(angle) == Level::State
+        {
+            let (sine, cosine) = (g.unary(Unary::Sin, angle), g.unary(Unary::Cos, angle));
+            angles.insert(Angle { angle, sine, cosine });
+        }
+    }
+    angles.into_iter().collect()
+}
+
+/// Two terms of the addition theorems, starting from `cos x cos y` or `sin x cos y`.
+fn pair(
+    g: &mut Graph,
+    normalizer: &mut Normalizer,
+    poly: &Poly,
+    (monomial, coefficient): (&Monomial, &Rational),
+    x: Angle,
+    y: Angle,
+) -> Result<Option<Poly>, TooLarge> {
+    let cases = [
+        // cos x cos y +- sin x sin y = cos(x -+ y)
+        (x.cosine, y.cosine, x.sine, y.sine, Unary::Cos, true),
+        // sin x cos y +- cos x sin y = sin(x +- y)
+        (x.sine, y.cosine, x.cosine, y.sine, Unary::Sin, false),
+    ];
+    for (p, q, r, s, op, opposite) in cases {
+        if monomial.power_of(p) < 1 || monomial.power_of(q) < 1 {
+            continue;
+        }
+        let rest = monomial.times_power(p, -1).times_power(q, -1);
+        let partner = rest.times_power(r, 1).times_power(s, 1);
+        let Some(other) = poly.coefficient(&partner) else {
+            continue;
+        };
+        let same = if other == coefficient {
+            true
+        } else if *other == -coefficient {
+            false
+        } else {
+            continue;
+        };
+        let angle = if same == opposite {
+            g.sub(x.angle, y.angle)
+        } else {
+            g.add(x.angle, y.angle)
+        };
+        let angle = normalizer.normal(g, angle)?;
+        let angle = normalizer.to_expr(g, &angle);
+        let whole = g.unary(op, angle);
+        let whole = match *g.node(whole) {
+            Node::Unary(Unary::Neg, positive) => Poly::term(Monomial::atom(positive), ratio(-1, 1)),
+            _ => Poly::atom(whole),
+        };
+        let new = normalizer.product(g, &Poly::term(rest, coefficient.clone()), &whole)?;
+        return Ok(shorter(poly, &[monomial, &partner], &new));
+    }
+    Ok(None)
+}
+
+/// `1 - sin^2` where it is `cos^2`.
+fn square(poly: &Poly, (monomial, coefficient): (&Monomial, &Rational), a: Angle) -> Option<Poly> {
+    if monomial.power_of(a.sine) < 2 {
+        return None;
+    }
+    let rest = monomial.times_power(a.sine, -2);
+    let other = poly.coefficient(&rest).filter(|other| **other == -coefficient)?;
+    let new = Poly::term(rest.times_power(a.cosine, 2), other.clone());
+    shorter(poly, &[monomial, &rest], &new)
+}
+
+/// The polynomial with some terms replaced, if it then has fewer.
+fn shorter(poly: &Poly, without: &[&Monomial], new: &Poly) -> Option<Poly> {
+    let mut replaced = poly.clone();
+    for monomial in without {
+        replaced.remove(monomial);
+    }
+    replaced.add_scaled(new, &Rational::one());
+    (replaced.len() < poly.len()).then_some(replaced)
+}

@@ -1,0 +1,58 @@
+//! Counted operations.
+
+use std::collections::BTreeSet;
+
+use crate::expr::{CostKind, ExprId, Graph, Level, Node, Unary};
+
+/// How many operations an evaluation takes. What depends on parameters alone is computed when the model is built, and is
+/// not counted.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Operations {
+    /// Additions, subtractions and negations.
+    pub additions: usize,
+    /// Multiplications.
+    pub multiplications: usize,
+    /// Divisions.
+    pub divisions: usize,
+    /// Angles of which the sine, the cosine or both are called.
+    pub sincos: usize,
+    /// Other functions, square roots included.
+    pub functions: usize,
+}
+
+impl Operations {
+    /// The operations that the roots need, each shared one once.
+    pub fn of(g: &Graph, roots: &[ExprId]) -> Self {
+        let mut operations = Self::default();
+        let mut angles = BTreeSet::new();
+        for id in g.reachable(roots) {
+            if g.level(id) < Level::State {
+                continue;
+            }
+            let kind = match g.node(id) {
+                Node::Number(_) | Node::Pi | Node::Symbol(_) => continue,
+                Node::Unary(Unary::Sin | Unary::Cos, angle) => {
+                    angles.insert(*angle);
+                    continue;
+                }
+                Node::Unary(op, _) => op.cost(),
+                Node::Binary(op, ..) => op.cost(),
+                Node::Power(..) => CostKind::Function,
+            };
+            match kind {
+                CostKind::Addition => operations.additions += 1,
+                CostKind::Multiplication => operations.multiplications += 1,
+                CostKind::Division => operations.divisions += 1,
+                CostKind::Sincos | CostKind::Function => operations.functions += 1,
+            }
+        }
+        operations.sincos = angles.len();
+        operations
+    }
+
+    /// One number to choose by, in multiples of an addition. Divisions and sines are latencies on current processors; they
+    /// hardly differ between the forms that are compared.
+    pub fn weight(&self) -> usize {
+        self.additions + self.multiplications + 6 * self.divisions + 20 * self.sincos + 20 * self.functions
+    }
+}

@@ -1,0 +1,141 @@
+//! How long a step may be.
+
+use nalgebra::SVector;
+
+use crate::real::Float;
+use crate::system::System;
+
+/// What an error is measured against: `atol + rtol |x|`, component by component.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Tolerance<T> {
+    pub(crate) rtol: T,
+    pub(crate) atol: T,
+}
+
+impl<T: Float> Tolerance<T> {
+    /// The mean square of `error / (atol + rtol max(|x0|, |x1|))`; the error is within the tolerance up to 1.
+    ///
+    /// The norm of Hairer, Nørsett, Wanner I, II.4, before its root is taken: the controller works on logarithms.
+    #[inline]
+    pub(crate) fn mean_square<const N: usize>(
+        &self,
+        error: &SVector<T, N>,
+        x0: &SVector<T, N>,
+        x1: &SVector<T, N>,
+    ) -> T {
+        let mut sum = T::default();
+        for i in 0..N {
+            let ratio = error[i] / (self.atol + self.rtol * x0[i].abs().max(x1[i].abs()));
+            sum += ratio * ratio;
+        }
+        sum / T::from_f64(N as f64)
+    }
+
+    /// A first step: so long that an explicit Euler step, judged by the change of the slope along it, is right to a hundredth.
+    ///
+    /// Hairer, Nørsett, Wanner I, II.4, "Starting step size". `order` is that of the error estimate, `h_max` bounds the result,
+    /// `direction` is 1 or -1. One evaluation of the right-hand side.
+    pub(crate) fn first_step<S, const N: usize>(
+        &self,
+        system: &S,
+        (t0, x0, f0): (T, &SVector<T, N>, &SVector<T, N>),
+        (order, h_max, direction): (usize, T, T),
+    ) -> T
+    where
+        S: System<T, N> + ?Sized,
+    {
+        let d0 = self.mean_square(x0, x0, x0).sqrt().to_f64();
+        let d1 = self.mean_square(f0, x0, x0).sqrt().to_f64();
+        let trial = if d0 < 1e-5 || d1 < 1e-5 { 1e-6 } else { 0.01 * d0 / d1 };
+        let trial = T::from_f64(trial).min(h_max);
+        let signed = trial * direction;
+        let f1 = system.rhs(t0 + signed, &(x0 + f0 * signed));
+        let d2 = (self.mean_square(&(f1 - f0), x0, x0).sqrt() / trial).to_f64();
+        let trial = trial.to_f64();
+        let steepest = d1.max(d2);
+        let h = if !d2.is_finite() {
+            trial * 1e-3
+        } else if steepest <= 1e-15 {
+            (trial * 1e-3).max(1e-6)
+        } else {
+            (0.01 / steepest).powf(1.0 / (order as f64 + 1.0))
+        };
+        T::from_f64(h.min(100.0 * trial)).min(h_max)
+    }
+}
+
+/// The PI controller of DOPRI5 (Hairer, Nørsett, Wanner I, 2nd ed., II.4 and IV.2), after K. Gustafsson, "Control theoretic
+/// techniques for stepsize selection in explicit Runge-Kutta methods", ACM Trans. Math. Softw. 17 (1991) 533-554.
+///
+/// After a step with the error `e_n` (1 is the tolerance) the next one is longer by `0.9 e_n^-alpha e_(n-1)^beta`, within 0.2
+/// and 10; `beta = 0.04` damps the steps of mildly stiff systems, and `alpha = 1 / (order + 1) - 0.75 beta`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Controller {
+    alpha: f64,
+    /// The logarithm of the last accepted error.
+    last: f64,
+    rejected: bool,
+}
+
+impl Controller {
+    const BETA: f64 = 0.04;
+    const SAFETY: f64 = 0.9;
+    const SHRINK: f64 = 0.2;
+    const GROW: f64 = 10.0;
+    /// A smaller error than this is not remembered as such: it says little about the next one.
+    const SMALLEST: f64 = 1e-4;
+
+    /// `order` is that of the error estimate.
+    pub(crate) fn new(order: usize) -> Self {
+        Self {
+            alpha: 1.0 / (order as f64 + 1.0) - 0.75 * Self::BETA,
+            last: Self::SMALLEST.ln(),
+            rejected: false,
+        }
+    }
+
+    /// The factor for the next step, after an accepted one with this mean square error.
+    #[inline]
+    pub(crate) fn accept(&mut self, mean_square: f64) -> f64 {
+        let error = 0.5 * mean_square.ln();
+        let factor = Self::SAFETY * (Self::BETA * self.last - self.alpha * error).exp();
+        let most = if self.rejected { 1.0 } else { Self::GROW };
+        self.last = error.max(Self::SMALLEST.ln());
+        self.rejected = false;
+        factor.clamp(Self::SHRINK, most)
+    }
+
+    /// The factor for the next attempt, after a rejected one with this mean square error.
+    pub(crate) fn reject(&mut self, mean_square: f64) -> f64 {
+        self.rejected = true;
+        let error = 0.5 * mean_square.ln();
+        (Self::SAFETY * (-self.alpha * error).exp()).max(Self::SHRINK)
+    }
+
+    /// The factor for the next attempt, after one that left the finite numbers and so has no error.
+    pub(crate) fn reject_non_finite(&mut self) -> f64 {
+        self.rejected = true;
+        0.25
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Controller;
+
+    #[test]
+    fn an_error_of_one_shrinks_the_step_a_little() {
+        let mut controller = Controller::new(4);
+        controller.last = 0.0;
+        assert!((controller.accept(1.0) - 0.9).abs() < 1e-15);
+    }
+
+    #[test]
+    fn the_factor_keeps_its_bounds() {
+        let mut controller = Controller::new(4);
+        assert_eq!(controller.accept(0.0), Controller::GROW);
+        assert_eq!(controller.reject(1e300), Controller::SHRINK);
+        assert_eq!(controller.accept(0.0), 1.0, "no growth after a rejection");
+        assert_eq!(controller.accept(0.0), Controller::GROW);
+    }
+}

@@ -1,0 +1,178 @@
+//! What can go wrong, as types: every error says what the fact is and what to do.
+
+use std::error::Error;
+use std::fmt;
+
+use nalgebra::SVector;
+
+use crate::real::Float;
+use crate::solution::Solution;
+
+/// A parameter that no mechanism can have.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize))]
+pub struct ParameterError {
+    /// The name of the parameter.
+    pub name: &'static str,
+    /// Its value.
+    pub value: f64,
+    /// The rule it breaks, as a sentence: "the mass of `upper` must be positive".
+    pub rule: &'static str,
+}
+
+impl fmt::Display for ParameterError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "parameter `{}` is {}: {}", self.name, self.value, self.rule)
+    }
+}
+
+impl Error for ParameterError {}
+
+/// Why an integration ended before its time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum Reason {
+    /// A setting or an argument makes no sense; nothing was integrated.
+    InvalidInput {
+        /// The name of the setting or argument.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+        /// The rule it breaks, as a sentence.
+        rule: &'static str,
+    },
+    /// The state or its derivative is infinite or not a number, and smaller steps did not help where the method may choose them.
+    NonFinite {
+        /// The first component of the state, or of its derivative, that is not finite.
+        component: usize,
+        /// The length of the step in which it appeared; 0 if it did at the initial point.
+        h: f64,
+    },
+    /// The tolerance asks for a step shorter than the time can resolve, or shorter than the least one allowed.
+    StepUnderflow {
+        /// The length of the step that was asked for.
+        h: f64,
+        /// The least length that is allowed.
+        least: f64,
+    },
+    /// The steps allowed were taken, rejected ones included, and the end was not reached.
+    TooManySteps {
+        /// The number of steps allowed.
+        max_steps: usize,
+    },
+}
+
+impl fmt::Display for Reason {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::InvalidInput { what, value, rule } => write!(f, "`{what}` is {value:?}: {rule}"),
+            Self::NonFinite { component, h: 0.0 } => write!(
+                f,
+                "component {component} of the right-hand side is not finite at the initial point; \
+                 check the parameters and the initial state"
+            ),
+            Self::NonFinite { component, h } => write!(
+                f,
+                "component {component} of the state or of its derivative is not finite after a step of {h:.3e}; \
+                 look for a singularity or a domain error of the right-hand side there, or end the integration earlier"
+            ),
+            Self::StepUnderflow { h, least } => write!(
+                f,
+                "the tolerance asks for a step of {h:.3e}, below the least of {least:.3e}; the solution is singular or jumps \
+                 there, or the tolerance is too tight for the noise of the right-hand side: loosen it or end earlier"
+            ),
+            Self::TooManySteps { max_steps } => write!(
+                f,
+                "{max_steps} steps did not reach the end; raise `max_steps` or loosen the tolerance, and if the steps are \
+                 far shorter than the motion asks for, the system is stiff and wants an implicit method"
+            ),
+        }
+    }
+}
+
+impl Error for Reason {}
+
+/// An integration that ended before its time, with all that it had reached.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SolveError<const N: usize, T = f64> {
+    /// Why it ended.
+    pub reason: Reason,
+    /// The solution up to the last good state; the initial point alone if no step succeeded.
+    ///
+    /// For [`Reason::InvalidInput`] that is the initial point as it was given, good or not.
+    pub solution: Box<Solution<N, T>>,
+}
+
+impl<const N: usize, T: Float> SolveError<N, T> {
+    /// An integration that did not come to its first step.
+    pub(crate) fn at_start(reason: Reason, t0: T, x0: SVector<T, N>) -> Self {
+        Self {
+            reason,
+            solution: Box::new(Solution::start(t0, x0)),
+        }
+    }
+
+    /// The last good time.
+    #[must_use]
+    pub fn t(&self) -> T {
+        self.solution.last().0
+    }
+
+    /// The last good state.
+    #[must_use]
+    pub fn x(&self) -> SVector<T, N> {
+        self.solution.last().1
+    }
+}
+
+impl<const N: usize, T: Float> fmt::Display for SolveError<N, T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self.reason {
+            Reason::InvalidInput { .. } => self.reason.fmt(f),
+            _ => write!(f, "stopped at t = {}: {}", self.t().to_f64(), self.reason),
+        }
+    }
+}
+
+impl<const N: usize, T: Float> Error for SolveError<N, T> {}
+
+/// A time at which a solution has no state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OutsideSpan {
+    /// The time asked for.
+    pub t: f64,
+    /// The first time of the solution.
+    pub start: f64,
+    /// The last time of the solution; before `start` if it went backward.
+    pub end: f64,
+}
+
+impl fmt::Display for OutsideSpan {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "the solution runs from t = {} to {} and has no state at {}; ask within, or integrate further",
+            self.start, self.end, self.t
+        )
+    }
+}
+
+impl Error for OutsideSpan {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_parameter_error_names_value_and_rule() {
+        const ERROR: ParameterError = ParameterError {
+            name: "m",
+            value: -1.0,
+            rule: "the mass of `upper` must be positive",
+        };
+        assert_eq!(
+            ERROR.to_string(),
+            "parameter `m` is -1: the mass of `upper` must be positive"
+        );
+    }
+}

@@ -1,0 +1,72 @@
+//! Numbers for mechanisms that are declared in Rust source: the systems, and the methods that integrate them.
+//!
+//! [`mechanism!`] turns a declaration of rigid bodies into a model that implements the traits of [`system`]; models
+//! written by hand can implement them as well. A method is a plain value with settings:
+//!
+//! ```
+//! use pendulum_core::prelude::*;
+//!
+//! /// A point on a rod of length 1 m; the state is the angle from the vertical and its rate.
+//! struct Swing {
+//!     gravity: f64,
+//! }
+//!
+//! impl System<f64, 2> for Swing {
+//!     fn rhs(&self, _t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
+//!         SVector::from([x[1], -self.gravity * x[0].sin()])
+//!     }
+//! }
+//!
+//! let swing = Swing { gravity: 9.8 };
+//! let solution = Rk45::new().rtol(1e-9).atol(1e-9).solve(&swing, 0.0, 10.0, [0.1, 0.0])?;
+//! let halfway = solution.at(5.0)?;
+//! assert!(halfway[0].abs() <= 0.1);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! | module | holds |
+//! |---|---|
+//! | [`system`] | what a model offers: right-hand side, Jacobian, energy, inputs |
+//! | [`real`] | the number types |
+//! | [`method`] | [`Rk4`], [`Rk45`], and the [`Stepper`] beneath them, which uses no heap |
+//! | [`tableau`] | Butcher tableaus as data |
+//! | [`solution`], [`dense`] | accepted points and the states between them |
+//! | [`error`] | what can go wrong |
+//! | [`cost`] | counted operations of generated functions |
+
+pub mod cost;
+pub mod dense;
+pub mod error;
+pub mod method;
+pub mod real;
+pub mod solution;
+pub mod system;
+pub mod tableau;
+
+mod control;
+
+pub use cost::{Cost, Operations};
+pub use dense::Step;
+pub use error::{OutsideSpan, ParameterError, Reason, SolveError};
+pub use method::{Rk4, Rk45, Stepper};
+pub use real::{Float, Real};
+pub use solution::{Solution, Statistics};
+pub use system::{Controlled, Energy, FnSystem, Jacobian, System, WithInputs};
+
+/// Declares a mechanism and generates its equations of motion.
+pub use pendulum_macros::mechanism;
+
+#[doc(hidden)]
+pub use nalgebra;
+#[cfg(feature = "serde")]
+#[doc(hidden)]
+pub use serde;
+
+/// All that a program with mechanisms usually needs: `use pendulum_core::prelude::*;`.
+pub mod prelude {
+    pub use crate::{
+        Controlled, Cost, Energy, Float, FnSystem, Jacobian, Operations, OutsideSpan, ParameterError, Real, Reason,
+        Rk4, Rk45, Solution, SolveError, Statistics, Step, Stepper, System, WithInputs, mechanism,
+    };
+    pub use nalgebra::{SMatrix, SVector};
+}

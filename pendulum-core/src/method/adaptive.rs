@@ -1,0 +1,212 @@
+//! Explicit Runge-Kutta methods with step-size control.
+
+use std::fmt;
+use std::marker::PhantomData;
+
+use nalgebra::SVector;
+
+use crate::control::{Controller, Tolerance};
+use crate::error::{Reason, SolveError};
+use crate::method::Stepper;
+use crate::method::input::{check_start, require};
+use crate::method::stepper::{Adaptation, Pace, least_step};
+use crate::real::Float;
+use crate::solution::Solution;
+use crate::system::System;
+use crate::tableau::Tableau;
+
+/// The embedded explicit Runge-Kutta pair of the tableau `B` with step-size control; [`Rk45`](crate::Rk45) is one.
+///
+/// A step is accepted if its estimated error `e` has `mean((e / (atol + rtol |x|))^2) <= 1`; the next one is chosen by a PI
+/// controller with the constants of Hairer's DOPRI5. The tolerances bound the error of one step: that of a whole
+/// trajectory is some multiple, which grows with the time and, in chaotic motion, exponentially.
+pub struct Adaptive<B, const STAGES: usize> {
+    rtol: Option<f64>,
+    atol: Option<f64>,
+    h0: Option<f64>,
+    h_min: f64,
+    h_max: f64,
+    max_steps: usize,
+    tableau: PhantomData<B>,
+}
+
+impl<B: Tableau<STAGES>, const STAGES: usize> Adaptive<B, STAGES> {
+    /// The method with its default settings.
+    #[must_use]
+    pub const fn new() -> Self {
+        const { assert!(B::TABLEAU.b_hat.is_some(), "no embedded method") };
+        Self {
+            rtol: None,
+            atol: None,
+            h0: None,
+            h_min: 0.0,
+            h_max: f64::INFINITY,
+            max_steps: 1_000_000,
+            tableau: PhantomData,
+        }
+    }
+
+    /// The relative tolerance, at least 10 ulps of the number type. Default: 1e-6, in `f32` 1.2e-5 (100 ulps).
+    #[must_use]
+    pub const fn rtol(mut self, rtol: f64) -> Self {
+        self.rtol = Some(rtol);
+        self
+    }
+
+    /// The absolute tolerance, positive, in the units of the state. Default: 1e-9, in `f32` 1.2e-7 (1 ulp).
+    #[must_use]
+    pub const fn atol(mut self, atol: f64) -> Self {
+        self.atol = Some(atol);
+        self
+    }
+
+    /// The first step to try. Default: found from the first and second derivative at the start.
+    #[must_use]
+    pub const fn h0(mut self, h0: f64) -> Self {
+        self.h0 = Some(h0);
+        self
+    }
+
+    /// The least step: where the tolerance asks for a shorter one, the integration ends in [`Reason::StepUnderflow`].
+    /// Default: 0. It is never less than 4 ulps of the time, and only the last step may be shorter.
+    #[must_use]
+    pub const fn h_min(mut self, h_min: f64) -> Self {
+        self.h_min = h_min;
+        self
+    }
+
+    /// The longest step. Default: infinite. The last step may be longer by 1 %.
+    #[must_use]
+    pub const fn h_max(mut self, h_max: f64) -> Self {
+        self.h_max = h_max;
+        self
+    }
+
+    /// The number of steps, accepted or rejected, after which the integration ends in [`Reason::TooManySteps`].
+    /// Default: a million.
+    #[must_use]
+    pub const fn max_steps(mut self, max_steps: usize) -> Self {
+        self.max_steps = max_steps;
+        self
+    }
+
+    /// Integrates `system` from the state `x0` at `t0` to `t1`, which may lie before `t0`.
+    ///
+    /// Where `t1 == t0` the solution is the initial point.
+    ///
+    /// # Errors
+    /// [`Reason::InvalidInput`] if a setting is out of its range, or if times or state are not finite;
+    /// [`Reason::NonFinite`], [`Reason::StepUnderflow`], [`Reason::TooManySteps`]. The error holds the solution up to the
+    /// last good state.
+    pub fn solve<S, T, const N: usize>(
+        &self,
+        system: &S,
+        t0: T,
+        t1: T,
+        x0: impl Into<SVector<T, N>>,
+    ) -> Result<Solution<N, T>, SolveError<N, T>>
+    where
+        S: System<T, N> + ?Sized,
+        T: Float,
+    {
+        let x0 = x0.into();
+        match self.stepper(system, t0, t1, x0) {
+            Ok(stepper) => stepper.collect(),
+            Err(reason) => Err(SolveError::at_start(reason, t0, x0)),
+        }
+    }
+
+    /// The same integration step by step, without a record and without a heap.
+    ///
+    /// # Errors
+    /// [`Reason::InvalidInput`], and [`Reason::NonFinite`] at the initial point.
+    pub fn stepper<'s, S, T, const N: usize>(
+        &self,
+        system: &'s S,
+        t0: T,
+        t1: T,
+        x0: impl Into<SVector<T, N>>,
+    ) -> Result<Stepper<'s, S, B, STAGES, N, T>, Reason>
+    where
+        S: System<T, N> + ?Sized,
+        T: Float,
+    {
+        let x0 = x0.into();
+        check_start(t0, t1, &x0)?;
+        let pace = Adaptation {
+            h: T::from_f64(self.h0.unwrap_or(0.0).min(self.h_max)),
+            h_min: T::from_f64(self.h_min),
+            h_max: T::from_f64(self.h_max),
+            max_steps: self.max_steps,
+            tolerance: self.tolerance()?,
+            controller: Controller::new(B::TABLEAU.order_hat),
+        };
+        self.check_steps(least_step(pace.h_min, t0.abs().max(t1.abs())).to_f64())?;
+        Stepper::new(system, t0, t1, x0, Pace::Adaptive(pace))
+    }
+
+    fn tolerance<T: Float>(&self) -> Result<Tolerance<T>, Reason> {
+        let ulp = T::EPSILON.to_f64();
+        let rtol = self.rtol.unwrap_or((1e-6_f64).max(100.0 * ulp));
+        let atol = self.atol.unwrap_or((1e-9_f64).max(ulp));
+        let rule = "a tolerance must be positive and finite";
+        require(rtol.is_finite() && rtol > 0.0, "rtol", rtol, rule)?;
+        require(atol.is_finite() && atol > 0.0, "atol", atol, rule)?;
+        require(
+            rtol >= 10.0 * ulp,
+            "rtol",
+            rtol,
+            "below 10 ulps of the number type rounding errors decide; take a larger one",
+        )?;
+        Ok(Tolerance {
+            rtol: T::from_f64(rtol),
+            atol: T::from_f64(atol),
+        })
+    }
+
+    fn check_steps(&self, least: f64) -> Result<(), Reason> {
+        if let Some(h0) = self.h0 {
+            let rule = "the first step must be positive and finite";
+            require(h0.is_finite() && h0 > 0.0, "h0", h0, rule)?;
+        }
+        require(
+            self.h_min.is_finite() && self.h_min >= 0.0,
+            "h_min",
+            self.h_min,
+            "the least step must be finite and not negative",
+        )?;
+        require(
+            self.h_max > 0.0 && self.h_max >= least,
+            "h_max",
+            self.h_max,
+            "the longest step must be positive, no less than `h_min`, and no less than the times resolve",
+        )
+    }
+}
+
+impl<B: Tableau<STAGES>, const STAGES: usize> Default for Adaptive<B, STAGES> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<B, const STAGES: usize> Clone for Adaptive<B, STAGES> {
+    fn clone(&self) -> Self {
+        *self
+    }
+}
+
+impl<B, const STAGES: usize> Copy for Adaptive<B, STAGES> {}
+
+impl<B, const STAGES: usize> fmt::Debug for Adaptive<B, STAGES> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Adaptive")
+            .field("rtol", &self.rtol)
+            .field("atol", &self.atol)
+            .field("h0", &self.h0)
+            .field("h_min", &self.h_min)
+            .field("h_max", &self.h_max)
+            .field("max_steps", &self.max_steps)
+            .finish()
+    }
+}

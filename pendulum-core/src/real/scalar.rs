@@ -1,0 +1,91 @@
+//! `Real` and `Float` for the floating-point types of the language.
+
+use super::{Float, Real};
+
+macro_rules! forward {
+    ($float:ident, $($method:ident($($argument:ident: $kind:ty),*) -> $output:ty;)*) => {
+        $(
+            #[inline]
+            fn $method(self, $($argument: $kind),*) -> $output {
+                $float::$method(self, $($argument),*)
+            }
+        )*
+    };
+}
+
+macro_rules! scalar {
+    ($float:ident) => {
+        impl Real for $float {
+            #[inline]
+            #[allow(
+                clippy::cast_possible_truncation,
+                reason = "rounding to the nearest is what `from_f64` promises"
+            )]
+            fn from_f64(v: f64) -> Self {
+                v as $float
+            }
+
+            #[inline]
+            fn signum(self) -> Self {
+                if self > 0.0 {
+                    1.0
+                } else if self < 0.0 {
+                    -1.0
+                } else {
+                    self
+                }
+            }
+
+            forward! { $float,
+                sin_cos() -> (Self, Self);
+                tan() -> Self;
+                exp() -> Self;
+                ln() -> Self;
+                sqrt() -> Self;
+                tanh() -> Self;
+                abs() -> Self;
+                atan2(x: Self) -> Self;
+                powf(exponent: Self) -> Self;
+            }
+        }
+
+        impl Float for $float {
+            const EPSILON: Self = $float::EPSILON;
+            const MIN_POSITIVE: Self = $float::MIN_POSITIVE;
+
+            #[inline]
+            fn to_f64(self) -> f64 {
+                f64::from(self)
+            }
+
+            forward! { $float,
+                is_finite() -> bool;
+                max(other: Self) -> Self;
+                min(other: Self) -> Self;
+            }
+        }
+    };
+}
+
+scalar!(f64);
+scalar!(f32);
+
+#[cfg(test)]
+mod tests {
+    use super::Real;
+
+    #[test]
+    fn the_sign_of_zero_is_zero() {
+        assert_eq!(Real::signum(0.0_f64), 0.0);
+        assert_eq!(Real::signum(-0.0_f32), 0.0);
+        assert_eq!(Real::signum(1e-300_f64), 1.0);
+        assert_eq!(Real::signum(-3.0_f32), -1.0);
+        assert!(Real::signum(f64::NAN).is_nan());
+    }
+
+    #[test]
+    fn constants_round_to_the_nearest() {
+        assert_eq!(<f32 as Real>::from_f64(0.1), 0.1_f32);
+        assert_eq!(<f64 as Real>::from_f64(0.1), 0.1);
+    }
+}

@@ -1,0 +1,190 @@
+//! What an integration returns: the accepted points and the states between them.
+
+use std::fmt;
+
+use nalgebra::SVector;
+
+use crate::dense::Step;
+use crate::error::OutsideSpan;
+use crate::real::Float;
+
+/// How much work an integration was.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Statistics {
+    /// Evaluations of the right-hand side, those for the first step size included.
+    pub evaluations: usize,
+    /// Steps that were accepted.
+    pub accepted: usize,
+    /// Steps that were tried and rejected.
+    pub rejected: usize,
+}
+
+/// A trajectory: the accepted points, and dense output between them.
+///
+/// There is always at least one point, the initial one; it stays alone if the integration was asked to end where it starts.
+/// Times ascend, or descend if it went backward in time.
+#[derive(Clone, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(
+        try_from = "Record<N, T>",
+        bound(
+            serialize = "T: Float + serde::Serialize",
+            deserialize = "T: Float + serde::Deserialize<'de>"
+        )
+    )
+)]
+pub struct Solution<const N: usize, T = f64> {
+    t: Vec<T>,
+    x: Vec<SVector<T, N>>,
+    /// `degree` vectors a step: `x(t_i + theta h) = x_i + c_1 theta + c_2 theta^2 + ..`.
+    coefficients: Vec<SVector<T, N>>,
+    degree: usize,
+    statistics: Statistics,
+}
+
+impl<const N: usize, T: Float> Solution<N, T> {
+    /// The solution that consists of its initial point.
+    pub(crate) fn start(t0: T, x0: SVector<T, N>) -> Self {
+        Self {
+            t: vec![t0],
+            x: vec![x0],
+            coefficients: Vec::new(),
+            degree: 0,
+            statistics: Statistics::default(),
+        }
+    }
+
+    pub(crate) fn push(&mut self, step: &Step<'_, N, T>) {
+        self.t.push(step.t1);
+        self.x.push(step.x1);
+        let before = self.coefficients.len();
+        self.coefficients.extend(step.coefficients());
+        self.degree = self.coefficients.len() - before;
+    }
+
+    pub(crate) fn set_statistics(&mut self, statistics: Statistics) {
+        self.statistics = statistics;
+    }
+
+    /// The times of the accepted points, the initial one first; the last is the end of the span exactly.
+    #[must_use]
+    pub fn t(&self) -> &[T] {
+        &self.t
+    }
+
+    /// The states at the times [`t`](Self::t).
+    #[must_use]
+    pub fn x(&self) -> &[SVector<T, N>] {
+        &self.x
+    }
+
+    /// The last time and the state there.
+    #[must_use]
+    pub fn last(&self) -> (T, SVector<T, N>) {
+        let last = self.t.len() - 1;
+        (self.t[last], self.x[last])
+    }
+
+    /// How much work the integration was.
+    #[must_use]
+    pub fn statistics(&self) -> Statistics {
+        self.statistics
+    }
+
+    /// The state at the time `t`, by the dense output of the method; at an accepted point, that point exactly.
+    ///
+    /// # Errors
+    /// If `t` is outside of the span, or NaN.
+    pub fn at(&self, t: T) -> Result<SVector<T, N>, OutsideSpan> {
+        let (start, end) = (self.t[0], self.t[self.t.len() - 1]);
+        let forward = start <= end;
+        let inside = if forward {
+            start <= t && t <= end
+        } else {
+            end <= t && t <= start
+        };
+        if !inside {
+            return Err(OutsideSpan {
+                t: t.to_f64(),
+                start: start.to_f64(),
+                end: end.to_f64(),
+            });
+        }
+        // The first point that is not before `t`: inside the span there is one.
+        let right = self
+            .t
+            .partition_point(|&point| if forward { point < t } else { point > t });
+        if self.t[right] == t {
+            return Ok(self.x[right]);
+        }
+        let left = right - 1;
+        let theta = (t - self.t[left]) / (self.t[right] - self.t[left]);
+        let mut x = SVector::from_element(T::default());
+        for coefficient in self.coefficients[left * self.degree..right * self.degree].iter().rev() {
+            x = (x + coefficient) * theta;
+        }
+        Ok(x + self.x[left])
+    }
+
+    /// The states at many times, in any order.
+    ///
+    /// # Errors
+    /// If one of them is outside of the span.
+    pub fn sample(&self, times: impl IntoIterator<Item = T>) -> Result<Vec<SVector<T, N>>, OutsideSpan> {
+        times.into_iter().map(|t| self.at(t)).collect()
+    }
+}
+
+/// In short: a trajectory may have a million points.
+impl<const N: usize, T: fmt::Debug> fmt::Debug for Solution<N, T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let last = self.t.len() - 1;
+        f.debug_struct("Solution")
+            .field("points", &self.t.len())
+            .field("start", &(&self.t[0], &self.x[0]))
+            .field("end", &(&self.t[last], &self.x[last]))
+            .field("statistics", &self.statistics)
+            .finish_non_exhaustive()
+    }
+}
+
+/// What is read, before it is known to be a solution.
+#[cfg(feature = "serde")]
+#[derive(serde::Deserialize)]
+#[serde(bound(deserialize = "T: Float + serde::Deserialize<'de>"))]
+struct Record<const N: usize, T> {
+    t: Vec<T>,
+    x: Vec<SVector<T, N>>,
+    coefficients: Vec<SVector<T, N>>,
+    degree: usize,
+    statistics: Statistics,
+}
+
+#[cfg(feature = "serde")]
+impl<const N: usize, T: Float> TryFrom<Record<N, T>> for Solution<N, T> {
+    type Error = &'static str;
+
+    fn try_from(record: Record<N, T>) -> Result<Self, Self::Error> {
+        let Some(steps) = record.t.len().checked_sub(1) else {
+            return Err("a solution has at least one point");
+        };
+        if record.x.len() != record.t.len() || steps.checked_mul(record.degree) != Some(record.coefficients.len()) {
+            return Err("a solution has a state for each time and coefficients for each step");
+        }
+        let forward = record.t[0] <= record.t[steps];
+        let ordered = |pair: &[T]| (pair[0] < pair[1]) == forward && pair[0] != pair[1];
+        if !record.t.windows(2).all(ordered) {
+            return Err("the times of a solution ascend or descend");
+        }
+        Ok(Self {
+            t: record.t,
+            x: record.x,
+            coefficients: record.coefficients,
+            degree: record.degree,
+            statistics: record.statistics,
+        })
+    }
+}

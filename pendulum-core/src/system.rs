@@ -1,0 +1,211 @@
+//! What a model offers: traits that the generated code implements, and that hand-written models can implement as well.
+//!
+//! Everywhere `x` is the state, `[q; qd]` for a mechanism: the coordinates first, then their rates, in the order of
+//! declaration and in SI units (m, rad, s). `N` is the length of the state, twice the number of degrees of freedom.
+
+use std::fmt;
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::real::Real;
+
+/// A system of first-order ordinary differential equations, `dx/dt = rhs(t, x)`.
+pub trait System<T: Real, const N: usize> {
+    /// The time derivative of the state; `[qd; qdd]` for a mechanism.
+    fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>;
+}
+
+/// A [`System`] that knows the derivative of its right-hand side.
+pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
+    /// Entry `(i, j)` is the derivative of component `i` of the right-hand side with respect to component `j` of the state.
+    fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N>;
+}
+
+/// A model that knows its energy, in joules.
+pub trait Energy<T: Real, const N: usize> {
+    /// Kinetic energy.
+    fn kinetic(&self, t: T, x: &SVector<T, N>) -> T;
+
+    /// Potential energy, up to the constant that its declaration leaves open.
+    fn potential(&self, t: T, x: &SVector<T, N>) -> T;
+
+    /// Kinetic and potential energy together; constant in time where nothing drives or brakes the model.
+    #[inline]
+    fn energy(&self, t: T, x: &SVector<T, N>) -> T {
+        self.kinetic(t, x) + self.potential(t, x)
+    }
+}
+
+/// A model with `M` inputs (controls), whose values are given at each evaluation.
+///
+/// With a law for the inputs it becomes a [`System`]: see [`WithInputs`].
+pub trait Controlled<T: Real, const N: usize, const M: usize> {
+    /// The inputs by name.
+    type Inputs: Copy;
+
+    /// The time derivative of the state under the inputs `u`.
+    fn rhs_with(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SVector<T, N>;
+
+    /// The derivative of [`rhs_with`](Controlled::rhs_with) with respect to the state, the inputs held fixed.
+    fn jacobian_with(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, N>;
+
+    /// The derivative of [`rhs_with`](Controlled::rhs_with) with respect to the inputs: one column for each, in the order of
+    /// their declaration.
+    fn input_jacobian(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, M>;
+}
+
+/// A [`Controlled`] model whose inputs follow a law: a [`System`] that can be integrated.
+///
+/// The law may use the state (feedback). There is no [`Jacobian`] here for that reason: the closed loop's is
+/// `jacobian_with + input_jacobian * K`, where only the author of the law knows its derivative `K` with respect to the state.
+///
+/// `M`, the number of inputs, is found by inference.
+pub struct WithInputs<'a, S: ?Sized, F, const M: usize> {
+    system: &'a S,
+    inputs: F,
+}
+
+impl<'a, S: ?Sized, F, const M: usize> WithInputs<'a, S, F, M> {
+    /// The model `system` with the inputs `inputs(t, x)`.
+    #[inline]
+    pub fn new<T, const N: usize>(system: &'a S, inputs: F) -> Self
+    where
+        T: Real,
+        S: Controlled<T, N, M>,
+        F: Fn(T, &SVector<T, N>) -> S::Inputs,
+    {
+        Self { system, inputs }
+    }
+}
+
+impl<T, S, F, const N: usize, const M: usize> System<T, N> for WithInputs<'_, S, F, M>
+where
+    T: Real,
+    S: Controlled<T, N, M> + ?Sized,
+    F: Fn(T, &SVector<T, N>) -> S::Inputs,
+{
+    #[inline]
+    fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
+        self.system.rhs_with(t, x, &(self.inputs)(t, x))
+    }
+}
+
+impl<T, S, F, const N: usize, const M: usize> Energy<T, N> for WithInputs<'_, S, F, M>
+where
+    T: Real,
+    S: Energy<T, N> + ?Sized,
+{
+    #[inline]
+    fn kinetic(&self, t: T, x: &SVector<T, N>) -> T {
+        self.system.kinetic(t, x)
+    }
+
+    #[inline]
+    fn potential(&self, t: T, x: &SVector<T, N>) -> T {
+        self.system.potential(t, x)
+    }
+}
+
+impl<S: ?Sized, F: Clone, const M: usize> Clone for WithInputs<'_, S, F, M> {
+    fn clone(&self) -> Self {
+        Self {
+            system: self.system,
+            inputs: self.inputs.clone(),
+        }
+    }
+}
+
+impl<S: ?Sized, F: Copy, const M: usize> Copy for WithInputs<'_, S, F, M> {}
+
+impl<S: fmt::Debug + ?Sized, F, const M: usize> fmt::Debug for WithInputs<'_, S, F, M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("WithInputs")
+            .field("system", &self.system)
+            .finish_non_exhaustive()
+    }
+}
+
+/// A function `f(t, x)` as a [`System`].
+///
+/// A type of its own, since closures that were systems themselves would forbid every other general implementation.
+///
+/// ```
+/// use pendulum_core::prelude::*;
+///
+/// let decay = FnSystem(|_t: f64, x: &SVector<f64, 1>| -x);
+/// let solution = Rk45::new().solve(&decay, 0.0, 1.0, [1.0])?;
+/// assert!((solution.last().1[0] - (-1.0_f64).exp()).abs() < 1e-6);
+/// # Ok::<(), SolveError<1>>(())
+/// ```
+#[derive(Clone, Copy)]
+pub struct FnSystem<F>(pub F);
+
+impl<T, F, const N: usize> System<T, N> for FnSystem<F>
+where
+    T: Real,
+    F: Fn(T, &SVector<T, N>) -> SVector<T, N>,
+{
+    #[inline]
+    fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
+        (self.0)(t, x)
+    }
+}
+
+impl<F> fmt::Debug for FnSystem<F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("FnSystem").finish_non_exhaustive()
+    }
+}
+
+impl<T: Real, S: System<T, N> + ?Sized, const N: usize> System<T, N> for &S {
+    #[inline]
+    fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
+        (**self).rhs(t, x)
+    }
+}
+
+impl<T: Real, S: Jacobian<T, N> + ?Sized, const N: usize> Jacobian<T, N> for &S {
+    #[inline]
+    fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
+        (**self).jacobian(t, x)
+    }
+}
+
+impl<T: Real, S: Energy<T, N> + ?Sized, const N: usize> Energy<T, N> for &S {
+    #[inline]
+    fn kinetic(&self, t: T, x: &SVector<T, N>) -> T {
+        (**self).kinetic(t, x)
+    }
+
+    #[inline]
+    fn potential(&self, t: T, x: &SVector<T, N>) -> T {
+        (**self).potential(t, x)
+    }
+
+    #[inline]
+    fn energy(&self, t: T, x: &SVector<T, N>) -> T {
+        (**self).energy(t, x)
+    }
+}
+
+impl<T: Real, S, const N: usize, const M: usize> Controlled<T, N, M> for &S
+where
+    S: Controlled<T, N, M> + ?Sized,
+{
+    type Inputs = S::Inputs;
+
+    #[inline]
+    fn rhs_with(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SVector<T, N> {
+        (**self).rhs_with(t, x, u)
+    }
+
+    #[inline]
+    fn jacobian_with(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, N> {
+        (**self).jacobian_with(t, x, u)
+    }
+
+    #[inline]
+    fn input_jacobian(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, M> {
+        (**self).input_jacobian(t, x, u)
+    }
+}

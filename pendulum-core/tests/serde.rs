@@ -1,0 +1,46 @@
+//! Results survive being written and read.
+#![cfg(feature = "serde")]
+
+use pendulum_core::prelude::*;
+
+#[test]
+fn a_solution_is_read_back_as_it_was_written() {
+    let swing = FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], -x[0].sin()]));
+    let solution = Rk45::new().solve(&swing, 0.0, 5.0, [0.5, 0.0]).expect("regular");
+    let text = serde_json::to_string(&solution).expect("writes");
+    let read: Solution<2> = serde_json::from_str(&text).expect("reads");
+    assert_eq!(read, solution);
+    assert_eq!(read.at(2.5), solution.at(2.5));
+}
+
+#[test]
+fn a_parameter_error_is_written_by_field() {
+    let error = ParameterError {
+        name: "m",
+        value: -1.0,
+        rule: "a mass must be positive",
+    };
+    let text = serde_json::to_string(&error).expect("writes");
+    assert_eq!(text, r#"{"name":"m","value":-1.0,"rule":"a mass must be positive"}"#);
+}
+
+#[test]
+fn what_is_not_a_solution_is_not_read_as_one() {
+    let statistics = r#""statistics":{"evaluations":0,"accepted":0,"rejected":0}"#;
+    let cases = [
+        (r#""t":[],"x":[],"coefficients":[],"degree":0"#, "at least one point"),
+        (
+            r#""t":[0.0],"x":[],"coefficients":[],"degree":0"#,
+            "a state for each time",
+        ),
+        (
+            r#""t":[0.0,1.0,0.5],"x":[[1.0],[1.0],[1.0]],"coefficients":[[0.0],[0.0]],"degree":1"#,
+            "ascend or descend",
+        ),
+    ];
+    for (fields, message) in cases {
+        let text = format!("{{{fields},{statistics}}}");
+        let error = serde_json::from_str::<Solution<1>>(&text).expect_err(message);
+        assert!(error.to_string().contains(message), "{error}");
+    }
+}

@@ -1,0 +1,11 @@
+//! The `mechanism!` macro. All of its work is done by `pendulum-codegen`, where it can be tested as a library.
+
+use proc_macro::TokenStream;
+
+/// Expands the declaration of a mechanism into its flat equations of motion.
+///
+/// The grammar, the generated items and the theory are documented in `pendulum_core`, which re-exports this macro.
+#[proc_macro]
+pub fn mechanism(input: TokenStream) -> TokenStream {
+    pendulum_codegen::expand(input.into()).into()
+}

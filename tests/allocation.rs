@@ -1,0 +1,112 @@
+//! No heap in a step, nor in a right-hand side: counted by the allocator itself.
+#![allow(
+    unsafe_code,
+    reason = "a global allocator is unsafe by its nature; this one counts and forwards"
+)]
+
+mod common;
+
+use std::alloc::{GlobalAlloc, Layout, System as Heap};
+use std::cell::Cell;
+
+use common::eq22::Eq22;
+use pendulum_core::prelude::*;
+
+struct Counting;
+
+thread_local! {
+    /// Allocations of this thread: those of the test harness are its own business.
+    static COUNT: Cell<usize> = const { Cell::new(0) };
+}
+
+// SAFETY: every call goes to the system's allocator with the arguments as they came.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        COUNT.set(COUNT.get() + 1);
+        // SAFETY: the caller keeps the contract of `alloc`.
+        unsafe { Heap.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        // SAFETY: the caller keeps the contract of `dealloc`.
+        unsafe { Heap.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+/// How often `work` allocates.
+fn allocations(work: impl FnOnce()) -> usize {
+    let before = COUNT.get();
+    work();
+    COUNT.get() - before
+}
+
+const START: [f64; 4] = [2.0, 2.5, 0.0, 0.0];
+
+#[test]
+fn the_count_counts() {
+    let boxed = || drop(std::hint::black_box(Box::new(1.0)));
+    assert_eq!(allocations(boxed), 1);
+}
+
+#[test]
+fn the_functions_of_a_model_do_not_allocate() {
+    let model = Eq22::paper(0.1);
+    let x = SVector::from(START);
+    let evaluate = || {
+        std::hint::black_box((model.rhs(0.0, &x), model.jacobian(0.0, &x)));
+        std::hint::black_box(model.energy(0.0, &x));
+    };
+    assert_eq!(allocations(evaluate), 0);
+}
+
+#[test]
+fn adaptive_steps_do_not_allocate() {
+    let model = Eq22::paper(0.0);
+    let mut steps = 0;
+    let integrate = || {
+        let mut stepper = Rk45::new().stepper(&model, 0.0, 100.0, START).expect("valid");
+        while let Some(step) = stepper.step().expect("regular") {
+            std::hint::black_box(step.at(step.t0 + 0.5 * step.h));
+            steps += 1;
+        }
+        assert!(stepper.statistics().rejected > 0);
+    };
+    assert_eq!(allocations(integrate), 0);
+    assert!(steps > 1000, "{steps}");
+}
+
+#[test]
+fn fixed_steps_do_not_allocate() {
+    let model = Eq22::paper(0.0);
+    let mut steps = 0;
+    let integrate = || {
+        let mut stepper = Rk4::new(0.01).stepper(&model, 0.0, 50.0, START).expect("valid");
+        while let Some(step) = stepper.step().expect("regular") {
+            std::hint::black_box(step.at(step.t0 + 0.5 * step.h));
+            steps += 1;
+        }
+    };
+    assert_eq!(allocations(integrate), 0);
+    assert_eq!(steps, 5000);
+}
+
+#[test]
+fn errors_of_a_stepper_do_not_allocate() {
+    let model = Eq22::paper(0.0);
+    let fail = || {
+        let mut stepper = Rk45::new()
+            .max_steps(10)
+            .stepper(&model, 0.0, 50.0, START)
+            .expect("valid");
+        let reason = loop {
+            if let Err(reason) = stepper.step() {
+                break reason;
+            }
+        };
+        assert_eq!(reason, Reason::TooManySteps { max_steps: 10 });
+    };
+    assert_eq!(allocations(fail), 0);
+}

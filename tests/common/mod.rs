@@ -1,0 +1,10 @@
+//! What several integration tests share.
+#![allow(
+    dead_code,
+    unreachable_pub,
+    reason = "each test is a crate of its own and uses a part of this"
+)]
+
+pub mod eq22;
+pub mod mechanisms;
+pub mod trajectories;
