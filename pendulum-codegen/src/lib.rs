@@ -14,4 +14,4 @@ mod pipeline;
 pub mod screw;
 pub mod units;
 
-pub use pipeline::{Function, Program, expand, program};
+pub use pipeline::{Function, Program, expand, model, program};

@@ -69,6 +69,15 @@ pub fn program(tokens: TokenStream) -> Result<Program, Errors> {
     }
 }
 
+/// The meaning of a declaration, or all that is wrong with it. Physical checks that need the dynamics are not made yet.
+pub fn model(tokens: TokenStream) -> Result<Model, Errors> {
+    let (scene, errors) = parse::parse(tokens);
+    match scene {
+        Some(scene) => lower::lower(&scene, errors),
+        None => Err(errors),
+    }
+}
+
 fn compile(scene: &Scene, errors: Errors) -> Result<Program, Errors> {
     let mut model = lower::lower(scene, errors)?;
     let dynamics = Dynamics::new(&mut model);

@@ -5,9 +5,9 @@ use crate::expr::{ExprId, Graph};
 /// How the system is solved. All give the same value; which is shortest depends on how many right-hand sides there are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Solver {
-    /// Closed form of one or two unknowns, by the adjugate.
+    /// Closed form of two unknowns, by the adjugate.
     Adjugate,
-    /// Closed form of one or two unknowns, by the entries of the inverse.
+    /// Closed form of two unknowns, by the entries of the inverse.
     Inverse,
     /// `L^T D L`, from the last coordinate to the first: the zeros between branches of a tree stay zero (Featherstone
     /// 2008, Sec. 6.5).
@@ -33,13 +33,7 @@ impl Factored {
         let mut pivots = Vec::new();
         let mut lower = vec![vec![g.zero(); n]; n];
         if solver != Solver::Ldl {
-            let determinant = determinant.unwrap_or_else(|| match n {
-                1 => a[0][0],
-                _ => {
-                    let (diagonal, off) = (g.mul(a[0][0], a[1][1]), g.powi(a[0][1], 2));
-                    g.sub(diagonal, off)
-                }
-            });
+            let determinant = determinant.unwrap_or_else(|| difference(g, a[0][0], a[1][1], a[0][1], a[0][1]));
             pivots.push(g.div(minus_one, determinant));
             return Self {
                 solver,
@@ -53,10 +47,11 @@ impl Factored {
             for j in 0..k {
                 lower[k][j] = g.mul(a[k][j], pivot);
             }
-            for i in 0..k {
-                for j in 0..=i {
-                    let change = g.mul(lower[k][i], a[k][j]);
-                    a[i][j] = g.add(a[i][j], change);
+            let (above, from_k) = a.split_at_mut(k);
+            for (i, row) in above.iter_mut().enumerate() {
+                for (entry, &of_k) in row[..=i].iter_mut().zip(&from_k[0]) {
+                    let change = g.mul(lower[k][i], of_k);
+                    *entry = g.add(*entry, change);
                 }
             }
             pivots.insert(0, pivot);
@@ -73,7 +68,6 @@ impl Factored {
     pub fn solve_negated(&self, g: &mut Graph, r: &[ExprId]) -> Vec<ExprId> {
         let n = r.len();
         match self.solver {
-            Solver::Adjugate | Solver::Inverse if n == 1 => vec![g.mul(r[0], self.pivots[0])],
             Solver::Adjugate => {
                 let a = &self.matrix;
                 let first = difference(g, a[1][1], r[0], a[0][1], r[1]);

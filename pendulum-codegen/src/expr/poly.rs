@@ -42,7 +42,8 @@ impl Monomial {
                     if x.1 + y.1 != 0 {
                         product.push((x.0, x.1 + y.1));
                     }
-                    (a.next(), b.next());
+                    a.next();
+                    b.next();
                 }
                 (Some(x), Some(y)) if x.0 < y.0 => product.extend(a.next()),
                 (_, Some(_)) => product.extend(b.next()),

@@ -63,17 +63,17 @@ pub(super) fn terms(g: &mut Graph, normalizer: &Normalizer, poly: &Poly) -> Vec<
         .collect()
 }
 
-/// The number by which a polynomial is a primitive one with a positive leading coefficient.
+/// The number to draw out of a sum: its sign, and the common factor of its coefficients unless one of them is 1 already.
 fn content(poly: &Poly) -> Rational {
-    let mut numerator = num_bigint::BigInt::ZERO;
-    let mut denominator = num_bigint::BigInt::one();
-    let mut negative = false;
-    for (n, (_, coefficient)) in poly.terms().enumerate() {
-        numerator = numerator.gcd(coefficient.numer());
-        denominator = denominator.lcm(coefficient.denom());
-        negative = if n == 0 { coefficient.is_negative() } else { negative };
-    }
-    let content = Rational::new(numerator, denominator);
+    let coefficients = || poly.terms().map(|(_, coefficient)| coefficient);
+    let negative = coefficients().next().is_some_and(Signed::is_negative);
+    let content = if coefficients().any(|coefficient| coefficient.abs().is_one()) {
+        Rational::one()
+    } else {
+        let numerator = coefficients().fold(num_bigint::BigInt::ZERO, |gcd, c| gcd.gcd(c.numer()));
+        let denominator = coefficients().fold(num_bigint::BigInt::one(), |lcm, c| lcm.lcm(c.denom()));
+        Rational::new(numerator, denominator)
+    };
     if negative { -content } else { content }
 }
 

@@ -140,14 +140,14 @@ fn expanded(
 
 /// The factorings of the mass matrix that may be shortest.
 fn factorings(g: &mut Graph, form: Form, dynamics: &Dynamics, determinant: Option<ExprId>) -> Vec<(Factored, Form)> {
-    let solvers: &[Solver] = if dynamics.residual.len() <= 2 {
+    let coupled = dynamics.residual.len() == 2 && !g.is_zero(dynamics.mass_matrix[0][1]);
+    let solvers: &[Solver] = if coupled {
         &[Solver::Adjugate, Solver::Inverse]
     } else {
         &[Solver::Ldl]
     };
-    let factored =
-        |g: &mut Graph, &solver: &Solver| (Factored::new(g, solver, &dynamics.mass_matrix, determinant), form);
-    solvers.iter().map(|solver| factored(g, solver)).collect()
+    let factored = |&solver: &Solver| (Factored::new(g, solver, &dynamics.mass_matrix, determinant), form);
+    solvers.iter().map(factored).collect()
 }
 
 /// The candidate that takes the fewest operations once its common parts are shared; the first of equals.

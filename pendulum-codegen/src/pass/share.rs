@@ -29,6 +29,9 @@ enum Item {
     Power(Ref, Rational),
 }
 
+/// The expression of each item that has one already, and whether it counts negative.
+type Built = Vec<Option<(ExprId, bool)>>;
+
 /// Two operands of one sum or product, and whether their signs differ.
 type Pair = (Ref, Ref, bool);
 
@@ -41,6 +44,7 @@ pub fn share(g: &mut Graph, roots: &[ExprId]) -> Vec<ExprId> {
     let apart: Vec<Operand> = roots.iter().map(|&root| parts.take(g, root)).collect();
     Extraction::run(&mut parts, false);
     Extraction::run(&mut parts, true);
+    parts.count_places(&apart);
     let mut built = vec![None; parts.items.len()];
     apart
         .into_iter()
@@ -59,6 +63,8 @@ struct Parts {
     divisions: HashMap<ExprId, usize>,
     /// Items that do not depend on the state.
     constant: Vec<bool>,
+    /// How often each item is used, once nothing changes any more.
+    places: Vec<usize>,
 }
 
 impl Parts {
@@ -82,6 +88,7 @@ impl Parts {
             uses,
             divisions,
             constant: Vec::new(),
+            places: Vec::new(),
         }
     }
 
@@ -262,7 +269,7 @@ impl Parts {
     }
 
     /// The expression of an item with the sign put somewhere.
-    fn finish(&self, g: &mut Graph, built: &mut Vec<Option<(ExprId, bool)>>, item: Ref, negative: bool) -> ExprId {
+    fn finish(&self, g: &mut Graph, built: &mut Built, item: Ref, negative: bool) -> ExprId {
         let (id, own) = self.build(g, built, item);
         if own == negative {
             return id;
@@ -282,7 +289,7 @@ impl Parts {
     }
 
     /// The expression of an item, and whether it counts negative.
-    fn build(&self, g: &mut Graph, built: &mut Vec<Option<(ExprId, bool)>>, item: Ref) -> (ExprId, bool) {
+    fn build(&self, g: &mut Graph, built: &mut Built, item: Ref) -> (ExprId, bool) {
         if let Some(known) = built[item] {
             return known;
         }
@@ -312,16 +319,20 @@ impl Parts {
         result
     }
 
-    fn build_sum(
-        &self,
-        g: &mut Graph,
-        built: &mut Vec<Option<(ExprId, bool)>>,
-        operands: &[Operand],
-    ) -> (ExprId, bool) {
-        let (mut constant, mut positive, mut negative) = (g.zero(), Vec::new(), Vec::new());
+    fn build_sum(&self, g: &mut Graph, built: &mut Built, operands: &[Operand]) -> (ExprId, bool) {
+        let mut terms = Vec::new();
         for &(item, minus) in operands {
             let (id, own) = self.build(g, built, item);
-            match (g.level(id) < Level::State, minus != own) {
+            terms.push((id, minus != own));
+        }
+        self.join(g, terms)
+    }
+
+    /// A sum of terms with signs: its value, and whether it counts negative.
+    fn join(&self, g: &mut Graph, terms: Vec<(ExprId, bool)>) -> (ExprId, bool) {
+        let (mut constant, mut positive, mut negative) = (g.zero(), Vec::new(), Vec::new());
+        for (id, minus) in terms {
+            match (g.level(id) < Level::State, minus) {
                 (true, false) => constant = g.add(constant, id),
                 (true, true) => constant = g.sub(constant, id),
                 (false, false) => positive.push(id),
@@ -331,6 +342,9 @@ impl Parts {
         match *g.node(constant) {
             _ if g.is_zero(constant) => {}
             Node::Unary(Unary::Neg, opposite) if !positive.is_empty() => negative.push(opposite),
+            Node::Number(_) if !positive.is_empty() && g.as_number(constant).is_some_and(Signed::is_negative) => {
+                negative.push(g.neg(constant));
+            }
             // as a first operand it makes a leading minus unnecessary, whatever its own sign
             _ => positive.insert(0, constant),
         }
@@ -349,12 +363,10 @@ impl Parts {
         )
     }
 
-    fn build_product(
-        &self,
-        g: &mut Graph,
-        built: &mut Vec<Option<(ExprId, bool)>>,
-        factors: &[Operand],
-    ) -> (ExprId, bool) {
+    fn build_product(&self, g: &mut Graph, built: &mut Built, factors: &[Operand]) -> (ExprId, bool) {
+        if let Some(sum) = self.distributed(g, built, factors) {
+            return sum;
+        }
         let (mut constant, mut state, mut negative) = (g.one(), Vec::new(), false);
         for &(item, _) in factors {
             let (id, own) = self.build(g, built, item);
@@ -374,6 +386,54 @@ impl Parts {
             .chain(state)
             .reduce(|a, b| g.exactly(Binary::Mul, a, b));
         (product.unwrap_or(g.one()), negative)
+    }
+}
+
+impl Parts {
+    fn count_places(&mut self, roots: &[Operand]) {
+        self.places = vec![0; self.items.len()];
+        let mut seen = vec![false; self.items.len()];
+        let mut stack: Vec<Ref> = roots.iter().map(|(item, _)| *item).collect();
+        while let Some(item) = stack.pop() {
+            self.places[item] += 1;
+            if !std::mem::replace(&mut seen[item], true) {
+                match &self.items[item] {
+                    Item::Leaf(_) => {}
+                    Item::Sum(operands) | Item::Product(operands) => {
+                        stack.extend(operands.iter().map(|(item, _)| *item))
+                    }
+                    Item::Unary(_, a) | Item::Power(a, _) => stack.push(*a),
+                    Item::Quotient(a, b) | Item::Atan2(a, b) => stack.extend([*a, *b]),
+                }
+            }
+        }
+    }
+
+    /// `k (k1 x + k2 y)` as `(k k1) x + (k k2) y`, where that saves the multiplication by `k`.
+    fn distributed(&self, g: &mut Graph, built: &mut Built, factors: &[Operand]) -> Option<(ExprId, bool)> {
+        let (constants, state): (Vec<Operand>, Vec<Operand>) =
+            factors.iter().partition(|(item, _)| self.constant[*item]);
+        let &[(sum, _)] = &state[..] else { return None };
+        let Item::Sum(terms) = &self.items[sum] else {
+            return None;
+        };
+        let takes_it = |&(term, _): &Operand| match &self.items[term] {
+            Item::Product(factors) => self.places[term] == 1 && factors.iter().any(|(item, _)| self.constant[*item]),
+            _ => self.constant[term],
+        };
+        if constants.is_empty() || self.places[sum] > 1 || !terms.iter().all(takes_it) {
+            return None;
+        }
+        let mut products = Vec::new();
+        for &(term, minus) in terms {
+            let own = match &self.items[term] {
+                Item::Product(factors) => factors.clone(),
+                _ => vec![(term, false)],
+            };
+            let (id, negative) = self.build_product(g, built, &[constants.clone(), own].concat());
+            products.push((id, negative != minus));
+        }
+        Some(self.join(g, products))
     }
 }
 

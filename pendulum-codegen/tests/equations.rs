@@ -1,0 +1,159 @@
+//! The generated equations against hand-written ones, in symbols: the difference has normal form zero.
+
+mod common;
+
+use std::collections::HashMap;
+
+use common::{assert_formula, dynamics, formula, normal_text, symbol};
+use pendulum_codegen::expr::{ExprId, Graph};
+use pendulum_codegen::model::Model;
+
+/// Williams (2023), Eq. 22: identical bodies and `c = d`.
+const EQ22: &str = "pub Eq22 {
+    params { m: kg, I: kg m^2, d: m, g: m/s^2, gamma1: N m s, gamma2: N m s }
+    gravity: [0, -g, 0],
+    shape plate { mass: m, com: [0, -d, 0], inertia: I }
+    body upper on ground: plate { joint: revolute(z), coordinate: theta1, friction: gamma1 }
+    body lower on upper: plate { joint: revolute(z) at [0, -d, 0], coordinate: theta2 absolute, friction: gamma2 }
+}";
+
+/// Different bodies and any `c` and `d`; `COORDINATE` is the second coordinate.
+const GENERAL: &str = "pub General {
+    params { m1: kg, m2: kg, I1: kg m^2, I2: kg m^2, c1: m, c2: m, d: m, g: m/s^2, gamma1: N m s, gamma2: N m s }
+    gravity: [0, -g, 0],
+    body upper on ground {
+        mass: m1, com: [0, -c1, 0], inertia: I1,
+        joint: revolute(z), coordinate: theta1, friction: gamma1,
+    }
+    body lower on upper {
+        mass: m2, com: [0, -c2, 0], inertia: I2,
+        joint: revolute(z) at [0, -d, 0], coordinate: COORDINATE, friction: gamma2,
+    }
+}";
+
+fn general(coordinate: &str) -> String {
+    GENERAL.replace("COORDINATE", coordinate)
+}
+
+#[test]
+fn eq22_is_generated_with_its_slips_mended() {
+    let (mut model, dynamics) = dynamics(EQ22);
+    let a = &dynamics.mass_matrix;
+    assert_formula(&mut model, "A11", a[0][0], "I + 2*m*d^2");
+    assert_formula(&mut model, "A12", a[0][1], "m*d^2*cos(theta1 - theta2)");
+    assert_formula(&mut model, "A21", a[1][0], "m*d^2*cos(theta1 - theta2)");
+    assert_formula(&mut model, "A22", a[1][1], "I + m*d^2");
+    let first = "m*d^2*dot(theta2)^2*sin(theta1 - theta2) + 2*m*g*d*sin(theta1)";
+    let second = "-m*d^2*dot(theta1)^2*sin(theta1 - theta2) + m*g*d*sin(theta2)";
+    assert_formula(&mut model, "bias of theta1", dynamics.bias[0], first);
+    assert_formula(&mut model, "bias of theta2", dynamics.bias[1], second);
+    let first = "-gamma1*dot(theta1) - gamma2*(dot(theta1) - dot(theta2))";
+    assert_formula(&mut model, "force of theta1", dynamics.force[0], first);
+    assert_formula(
+        &mut model,
+        "force of theta2",
+        dynamics.force[1],
+        "gamma2*(dot(theta1) - dot(theta2))",
+    );
+}
+
+#[test]
+fn different_bodies_and_any_distances_are_generated() {
+    let (mut model, dynamics) = dynamics(&general("theta2 absolute"));
+    let a = &dynamics.mass_matrix;
+    assert_formula(&mut model, "A11", a[0][0], "I1 + m1*c1^2 + m2*d^2");
+    assert_formula(&mut model, "A12", a[0][1], "m2*d*c2*cos(theta1 - theta2)");
+    assert_formula(&mut model, "A22", a[1][1], "I2 + m2*c2^2");
+    let first = "m2*d*c2*sin(theta1 - theta2)*dot(theta2)^2 + (m1*c1 + m2*d)*g*sin(theta1)";
+    let second = "-m2*d*c2*sin(theta1 - theta2)*dot(theta1)^2 + m2*c2*g*sin(theta2)";
+    assert_formula(&mut model, "bias of theta1", dynamics.bias[0], first);
+    assert_formula(&mut model, "bias of theta2", dynamics.bias[1], second);
+    let potential = "-(m1*c1 + m2*d)*g*cos(theta1) - m2*c2*g*cos(theta2)";
+    assert_formula(&mut model, "potential energy", dynamics.potential, potential);
+    let kinetic = "(I1 + m1*c1^2 + m2*d^2)*dot(theta1)^2/2 + (I2 + m2*c2^2)*dot(theta2)^2/2
+        + m2*d*c2*cos(theta1 - theta2)*dot(theta1)*dot(theta2)";
+    assert_formula(&mut model, "kinetic energy", dynamics.kinetic, kinetic);
+}
+
+/// The printed Eq. 22b has `theta2'^2` where `theta1'^2` belongs.
+#[test]
+fn the_printed_eq22b_differs_in_one_velocity_term() {
+    let (mut model, dynamics) = dynamics(EQ22);
+    let printed = formula(
+        &mut model,
+        "-m*d^2*dot(theta2)^2*sin(theta1 - theta2) + m*g*d*sin(theta2) - gamma2*(dot(theta1) - dot(theta2))",
+    );
+    let slip = model.graph.sub(printed, dynamics.residual[1]);
+    assert_formula(
+        &mut model,
+        "the slip",
+        slip,
+        "m*d^2*(dot(theta1)^2 - dot(theta2)^2)*sin(theta1 - theta2)",
+    );
+}
+
+/// With `q = T theta`, `A` becomes `T^T A T` and a force `T^T tau`.
+#[test]
+fn relative_and_absolute_coordinates_are_the_same_motion() {
+    let (mut absolute, of_absolute) = dynamics(&general("theta2 absolute"));
+    let (mut relative, of_relative) = dynamics(&general("theta2"));
+    // the relative angle is theta2 - theta1, in the symbols of the absolute angles
+    let mut new: HashMap<ExprId, ExprId> = HashMap::new();
+    for (angle, before) in [("theta2", "theta1"), ("dot(theta2)", "dot(theta1)")] {
+        let (angle, before) = (symbol(&relative, angle), symbol(&relative, before));
+        new.insert(angle, relative.graph.sub(angle, before));
+    }
+    let put = |model: &mut Model, x: ExprId| model.graph.substitute(&[x], new.clone())[0];
+    let a: Vec<ExprId> = of_relative
+        .mass_matrix
+        .iter()
+        .flatten()
+        .map(|&x| put(&mut relative, x))
+        .collect();
+    let g: &mut Graph = &mut relative.graph;
+    // T = [[1, 0], [-1, 1]]
+    let twice = g.add(a[1], a[1]);
+    let first = g.sub(a[0], twice);
+    let pulled_back = [(0, 0, g.add(first, a[3])), (0, 1, g.sub(a[1], a[3])), (1, 1, a[3])];
+    for (i, j, entry) in pulled_back {
+        let expected = normal_text(&mut absolute, of_absolute.mass_matrix[i][j]);
+        assert_eq!(normal_text(&mut relative, entry), expected, "A[{i}][{j}]");
+    }
+    for (of_relative, of_absolute) in [
+        (&of_relative.bias, &of_absolute.bias),
+        (&of_relative.force, &of_absolute.force),
+    ] {
+        let [first, second] = [0, 1].map(|k| put(&mut relative, of_relative[k]));
+        let first = relative.graph.sub(first, second);
+        for (ours, theirs) in [(first, of_absolute[0]), (second, of_absolute[1])] {
+            // A is a tensor, and so is the acceleration: T is constant, so nothing else appears
+            assert_eq!(normal_text(&mut relative, ours), normal_text(&mut absolute, theirs));
+        }
+    }
+    assert_eq!(normal_text(&mut absolute, of_absolute.potential), {
+        let potential = put(&mut relative, of_relative.potential);
+        normal_text(&mut relative, potential)
+    },);
+}
+
+/// What does not matter to a planar motion leaves no trace, though all screws have six components.
+#[test]
+fn a_planar_scene_comes_out_planar() {
+    let (mut flat, of_flat) = dynamics(&general("theta2"));
+    let deep = general("theta2")
+        .replace(
+            "com: [0, -c1, 0], inertia: I1",
+            "com: [0, -c1, 0.3], inertia: [2.5, 2.25, I1, 0, 0.125, -0.25]",
+        )
+        .replace(
+            "com: [0, -c2, 0], inertia: I2",
+            "com: [0, -c2, -0.7], inertia: [1.5, 1.25, I2, 0, -0.5, 0.0625]",
+        )
+        .replace("at [0, -d, 0]", "at [0, -d, 1.5]");
+    let (mut deep, of_deep) = dynamics(&deep);
+    let flat_entries = of_flat.mass_matrix.concat().into_iter().chain(of_flat.bias);
+    let deep_entries = of_deep.mass_matrix.concat().into_iter().chain(of_deep.bias);
+    for (flat_entry, deep_entry) in flat_entries.zip(deep_entries) {
+        assert_eq!(normal_text(&mut deep, deep_entry), normal_text(&mut flat, flat_entry));
+    }
+}

@@ -1,0 +1,112 @@
+//! The normal form: two expressions are equal exactly when they print the same.
+
+mod common;
+
+use common::{BUDGET, dynamics, formula, normal_text, numbers};
+use pendulum_codegen::expr::{Normalizer, TooLarge};
+use pendulum_codegen::pass::{Operations, collect, share};
+
+/// A scene that declares the symbols of the formulas: parameters a, b, c and coordinates x, y, z.
+const SYMBOLS: &str = "pub Symbols {
+    params { a: 1, b: 1, c: 1 }
+    body p on ground { mass: a, com: [0, b, 0], joint: revolute(z), coordinate: x }
+    body q on p { mass: c, com: [0, 1, 0], joint: revolute(z) at [0, 1, 0], coordinate: y }
+    body r on q { mass: 1, com: [0, 1, 0], joint: revolute(z) at [0, 1, 0], coordinate: z }
+}";
+
+const EQUAL: [(&str, &str); 14] = [
+    ("sin(x)^2 + cos(x)^2", "1"),
+    ("(a + b)^2 - a^2 - b^2", "2*a*b"),
+    ("sin(x + y)", "sin(x)*cos(y) + cos(x)*sin(y)"),
+    ("cos(x - y)", "cos(y - x)"),
+    ("cos(x)*cos(x + y) + sin(x)*sin(x + y)", "cos(y)"),
+    ("sin(3*x)", "3*sin(x) - 4*sin(x)^3"),
+    ("cos(x)^4", "1 - 2*sin(x)^2 + sin(x)^4"),
+    ("sin(x + pi/2)", "cos(x)"),
+    ("6^(1/2)*6^(1/2)*a", "6*a"),
+    ("a/(b + c) - b/(b + c)", "(a - b)/(b + c)"),
+    ("a*b/(a*c)", "b/c"),
+    ("0.1 + 0.2 - 0.3", "0"),
+    ("(a^2)^(1/2)*(a^2)^(1/2)", "a^2"),
+    ("exp(a + b) - exp(b + a)", "0"),
+];
+
+const DIFFERENT: [(&str, &str); 5] = [
+    ("sin(x)^2 - cos(x)^2", "1"),
+    ("sin(x + y)", "sin(x) + sin(y)"),
+    ("a*b", "a + b"),
+    ("tanh(x)", "x"),
+    ("0.1 + 0.2", "0.30000000000000001"),
+];
+
+#[test]
+fn equal_expressions_print_the_same() {
+    let (mut model, _) = dynamics(SYMBOLS);
+    for (left, right) in EQUAL {
+        let (x, y) = (formula(&mut model, left), formula(&mut model, right));
+        assert_eq!(
+            normal_text(&mut model, x),
+            normal_text(&mut model, y),
+            "{left} and {right}"
+        );
+    }
+    for (left, right) in DIFFERENT {
+        let (x, y) = (formula(&mut model, left), formula(&mut model, right));
+        assert_ne!(
+            normal_text(&mut model, x),
+            normal_text(&mut model, y),
+            "{left} and {right}"
+        );
+    }
+}
+
+/// Normal form, collected angles and shared parts are rewritings: the value stays.
+#[test]
+fn passes_do_not_change_values() {
+    let (mut model, dynamics) = dynamics(SYMBOLS);
+    let more = [
+        "sin(x + y)*cos(x)*a - a*cos(x + y)*sin(x) + b*sin(x)^2*c - b*c + (a + b + c)*dot(x)/(a + cos(y))",
+        "a*sin(x)*cos(y)*dot(z)^3 + a*cos(x)*sin(y)*dot(z)^3 - dot(z)/(2 + sin(x)^2) - (a + c + b)^(3/2)*x^-2",
+    ];
+    let mut originals = [dynamics.mass_matrix.concat(), dynamics.residual, vec![dynamics.kinetic]].concat();
+    originals.extend(more.map(|text| formula(&mut model, text)));
+    let g = &mut model.graph;
+    let mut normalizer = Normalizer::new(BUDGET);
+    let mut rewritten = Vec::new();
+    for &x in &originals {
+        let normal = normalizer.normal(g, x).expect("small enough");
+        rewritten.push(normalizer.to_expr(g, &normal));
+        let collected = collect(g, &mut normalizer, &normal).expect("small enough");
+        assert!(collected.len() <= normal.len());
+        rewritten.push(normalizer.to_expr(g, &collected));
+    }
+    let shared = share(g, &rewritten);
+    assert!(Operations::of(g, &shared).weight() <= Operations::of(g, &rewritten).weight());
+    for seed in 0..20 {
+        let mut next = numbers(31 * seed);
+        let values: std::collections::HashMap<String, f64> = g
+            .symbols()
+            .iter()
+            .map(|s| (s.name.clone(), next().abs() + 0.1))
+            .collect();
+        let all = [&originals[..], &rewritten, &shared].concat();
+        let all = g.evaluate(&all, |symbol| values[&symbol.name]);
+        let (originals, rest) = all.split_at(originals.len());
+        let (rewritten, shared) = rest.split_at(rewritten.len());
+        for (n, x) in originals.iter().enumerate() {
+            for y in [rewritten[2 * n], rewritten[2 * n + 1], shared[2 * n], shared[2 * n + 1]] {
+                assert!(
+                    (x - y).abs() <= 1e-12 * x.abs().max(1.0),
+                    "expression {n}: {x} became {y}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn a_polynomial_beyond_the_budget_is_given_up() {
+    let (mut model, _) = dynamics(SYMBOLS);
+    let x = formula(&mut model, "(a + b + c + x + y + z)^12");
+    assert_eq!(Normalizer::new(1000).normal(&mut model.graph, x), Err(TooLarge));
+}
