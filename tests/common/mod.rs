@@ -5,6 +5,10 @@
     reason = "each test is a crate of its own and uses a part of this"
 )]
 
+pub mod chains;
+pub mod dual;
 pub mod eq22;
 pub mod mechanisms;
+pub mod random;
+pub mod scenes;
 pub mod trajectories;

@@ -1,0 +1,127 @@
+//! Dual numbers: a value with one exact derivative. Generated code runs on them as on any `Real`, so its Jacobian can be checked
+//! to the last digits, without differences.
+
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use pendulum_core::real::Real;
+
+/// `value + slope e` with `e^2 = 0`.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Dual {
+    pub value: f64,
+    pub slope: f64,
+}
+
+impl Dual {
+    pub fn new(value: f64, slope: f64) -> Self {
+        Self { value, slope }
+    }
+
+    fn chain(self, value: f64, derivative: f64) -> Self {
+        Self::new(value, derivative * self.slope)
+    }
+}
+
+macro_rules! operator {
+    ($trait:ident, $method:ident, $assign:ident, $assigned:ident, |$a:ident, $b:ident| $value:expr, $slope:expr) => {
+        impl $trait for Dual {
+            type Output = Self;
+            fn $method(self, other: Self) -> Self {
+                let ($a, $b) = (self, other);
+                Self::new($value, $slope)
+            }
+        }
+        impl $assign for Dual {
+            fn $assigned(&mut self, other: Self) {
+                *self = $trait::$method(*self, other);
+            }
+        }
+    };
+}
+
+operator!(
+    Add,
+    add,
+    AddAssign,
+    add_assign,
+    |a, b| a.value + b.value,
+    a.slope + b.slope
+);
+operator!(
+    Sub,
+    sub,
+    SubAssign,
+    sub_assign,
+    |a, b| a.value - b.value,
+    a.slope - b.slope
+);
+operator!(
+    Mul,
+    mul,
+    MulAssign,
+    mul_assign,
+    |a, b| a.value * b.value,
+    a.slope * b.value + a.value * b.slope
+);
+operator!(
+    Div,
+    div,
+    DivAssign,
+    div_assign,
+    |a, b| a.value / b.value,
+    (a.slope - a.value / b.value * b.slope) / b.value
+);
+
+impl Neg for Dual {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self::new(-self.value, -self.slope)
+    }
+}
+
+impl Real for Dual {
+    fn from_f64(v: f64) -> Self {
+        Self::new(v, 0.0)
+    }
+    fn sin_cos(self) -> (Self, Self) {
+        let (s, c) = self.value.sin_cos();
+        (self.chain(s, c), self.chain(c, -s))
+    }
+    fn tan(self) -> Self {
+        let t = self.value.tan();
+        self.chain(t, 1.0 + t * t)
+    }
+    fn exp(self) -> Self {
+        let e = self.value.exp();
+        self.chain(e, e)
+    }
+    fn ln(self) -> Self {
+        self.chain(self.value.ln(), 1.0 / self.value)
+    }
+    fn sqrt(self) -> Self {
+        let root = self.value.sqrt();
+        self.chain(root, 0.5 / root)
+    }
+    fn tanh(self) -> Self {
+        let t = self.value.tanh();
+        self.chain(t, 1.0 - t * t)
+    }
+    fn abs(self) -> Self {
+        self.chain(self.value.abs(), Real::signum(self.value))
+    }
+    fn signum(self) -> Self {
+        self.chain(Real::signum(self.value), 0.0)
+    }
+    fn atan2(self, x: Self) -> Self {
+        let norm2 = self.value * self.value + x.value * x.value;
+        Self::new(
+            self.value.atan2(x.value),
+            (x.value * self.slope - self.value * x.slope) / norm2,
+        )
+    }
+    fn powf(self, exponent: Self) -> Self {
+        assert_eq!(exponent.slope, 0.0, "generated code has constant exponents");
+        let n = exponent.value;
+        self.chain(self.value.powf(n), n * self.value.powf(n - 1.0))
+    }
+}
