@@ -37,6 +37,8 @@ pub struct Items {
     pub bodies: Vec<Body>,
     /// What to generate.
     pub generate: Option<Vec<Ident>>,
+    /// Names of parameters and inputs that could not be read.
+    pub unread: Vec<Ident>,
 }
 
 /// `name: unit = default`
@@ -79,6 +81,8 @@ pub struct Shape {
     pub name: Ident,
     /// What it weighs.
     pub properties: Properties,
+    /// Whether a field could not be read, so that something may be missing.
+    pub unread: bool,
 }
 
 /// Mass properties: either mass, centre of mass and inertia, or solids.
@@ -148,6 +152,8 @@ pub struct Body {
     pub spring: Option<(Expr, Expr)>,
     /// Joint force.
     pub torque: Option<Expr>,
+    /// Whether a field could not be read, so that something may be missing.
+    pub unread: bool,
 }
 
 /// `kind(arguments) at point rpy angles`

@@ -1,6 +1,8 @@
 //! What stands in for a model whose declaration has errors, so that its uses are no errors of their own.
 
-use proc_macro2::TokenStream;
+use std::collections::BTreeSet;
+
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::{allowed, number};
@@ -10,7 +12,9 @@ use crate::ast::Scene;
 pub(crate) fn stub(scene: &Scene) -> TokenStream {
     let (vis, name, items) = (&scene.vis, &scene.name, &scene.items);
     let parameters = format_ident!("{name}Params");
-    let fields: Vec<_> = items.params.iter().map(|param| &param.name).collect();
+    let declared = items.params.iter().map(|param| &param.name).chain(&items.unread);
+    let fields: BTreeSet<&Ident> = declared.collect();
+    let fields = fields.into_iter();
     let dof = items.bodies.iter().filter(|body| body.coordinate.is_some()).count();
     let (length, dof) = (number(2 * dof), number(dof));
     let real = quote!(::pendulum_core::real::Real);

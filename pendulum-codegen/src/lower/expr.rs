@@ -50,7 +50,11 @@ impl Lower {
         let id = self.operation(expr, place)?;
         let level = self.graph.level(id);
         if level > place.most {
-            let help = "build it from numbers and parameters: it is computed once, when the model is built";
+            let help = if place.joint.is_some() {
+                "give the coefficient of viscous friction here, and any other law as `torque: ..`"
+            } else {
+                "build it from numbers and parameters: it is computed once, when the model is built"
+            };
             self.errors
                 .on(expr, format_args!("{} may not depend on the motion", place.what), help);
             return None;

@@ -43,8 +43,8 @@ impl Mass {
 }
 
 impl Lower {
-    /// The mass properties of a body or shape; none after an error.
-    pub(super) fn mass(&mut self, owner: &Ident, properties: &Properties) -> Option<Mass> {
+    /// The mass properties of a body or shape; none after an error. `unread` says that a field may be missing for being wrong.
+    pub(super) fn mass(&mut self, owner: &Ident, properties: &Properties, unread: bool) -> Option<Mass> {
         let Properties {
             mass,
             com,
@@ -78,7 +78,7 @@ impl Lower {
         let m = match mass {
             Some(e) => self.positive(e, &of("mass"), Requirement::Positive),
             None => {
-                if let Some(com) = com {
+                if let Some(com) = com.as_ref().filter(|_| !unread) {
                     self.errors.on(
                         com,
                         format_args!("`{owner}` has a centre of mass but no mass"),
@@ -455,14 +455,14 @@ impl Lower {
     }
 
     /// An expression that must be positive, or at least not negative.
-    fn positive(&mut self, e: &Expr, place: &Place, requirement: Requirement) -> Option<ExprId> {
+    pub(super) fn positive(&mut self, e: &Expr, place: &Place, requirement: Requirement) -> Option<ExprId> {
         let value = self.expr(e, place)?;
         self.require(e, value, requirement, place);
         Some(value)
     }
 
     /// Checks a number now; leaves a rule for `new` where it depends on parameters.
-    pub(super) fn require(&mut self, e: &Expr, value: ExprId, requirement: Requirement, place: &Place) {
+    fn require(&mut self, e: &Expr, value: ExprId, requirement: Requirement, place: &Place) {
         let must = if requirement == Requirement::Positive {
             "must be positive"
         } else {
@@ -476,20 +476,13 @@ impl Lower {
                 name,
                 text: format!("{} {must}", place.what),
             });
-        } else if self.graph.constant(value).is_some_and(|v| !requirement.allows(v, 0.0)) {
-            self.errors.on(
-                e,
-                format_args!(
-                    "{} is not {}",
-                    place.what,
-                    if requirement == Requirement::Positive {
-                        "positive"
-                    } else {
-                        "zero or more"
-                    }
-                ),
-                format_args!("it {must}"),
-            );
+        } else if let Some(number) = self
+            .graph
+            .constant(value)
+            .filter(|&number| !requirement.allows(number, 0.0))
+        {
+            self.errors
+                .on(e, format_args!("{} is {number}", place.what), format_args!("it {must}"));
         }
     }
 

@@ -11,7 +11,7 @@ use syn::Ident;
 
 use crate::ast::{self, Scene};
 use crate::error::{Errors, suggestion};
-use crate::expr::{ExprId, Graph, Level, SymbolKind};
+use crate::expr::{ExprId, Graph, Level, SymbolKind, ratio};
 use crate::model::{Body, Coordinate, Input, Model, Output, Parameter, Requirement, Rule, combine};
 use crate::screw::SpatialInertia;
 use expr::Place;
@@ -88,23 +88,6 @@ impl Lower {
                 bodies.push(lowered);
             }
         }
-        let used: BTreeSet<String> = items
-            .bodies
-            .iter()
-            .filter_map(|b| b.shape.as_ref())
-            .map(Ident::to_string)
-            .collect();
-        for shape in items
-            .shapes
-            .iter()
-            .filter(|shape| !used.contains(&shape.name.to_string()))
-        {
-            self.errors.at(
-                shape.name.span(),
-                format_args!("shape `{}` is never used", shape.name),
-                "remove it, or give it to a body: `body b on ground: shape { .. }`",
-            );
-        }
         let outputs = self.outputs(items.generate.as_deref());
         if items.bodies.is_empty() && self.errors.is_empty() {
             self.errors.at(
@@ -120,7 +103,9 @@ impl Lower {
             );
         }
         if self.errors.is_empty() {
+            // behind another error a name may be unused only because its use could not be read
             self.names.report_unused(&mut self.errors);
+            self.report_unused_shapes(items);
         }
         let Self {
             graph,
@@ -140,6 +125,26 @@ impl Lower {
             rules,
             outputs,
         })
+    }
+
+    fn report_unused_shapes(&mut self, items: &ast::Items) {
+        let used: BTreeSet<String> = items
+            .bodies
+            .iter()
+            .filter_map(|b| b.shape.as_ref())
+            .map(Ident::to_string)
+            .collect();
+        for shape in items
+            .shapes
+            .iter()
+            .filter(|shape| !used.contains(&shape.name.to_string()))
+        {
+            self.errors.at(
+                shape.name.span(),
+                format_args!("shape `{}` is never used", shape.name),
+                "remove it, or give it to a body: `body b on ground: shape { .. }`",
+            );
+        }
     }
 
     fn parameters(&mut self, params: &[ast::Param]) -> Vec<Parameter> {
@@ -299,7 +304,7 @@ impl Lower {
     fn shapes(&mut self, declared: &[ast::Shape]) -> BTreeMap<String, Option<Mass>> {
         let mut shapes = BTreeMap::new();
         for shape in declared {
-            let mass = self.mass(&shape.name, &shape.properties);
+            let mass = self.mass(&shape.name, &shape.properties, shape.unread);
             if shapes.insert(shape.name.to_string(), mass).is_some() {
                 self.errors.at(
                     shape.name.span(),
@@ -334,9 +339,8 @@ impl Lower {
         let motion = heading.as_ref().map(|(_, motion)| motion.clone()).unwrap_or_default();
         let position = combine(&mut self.graph, coordinates, &motion, |c| c.position);
         let rate = combine(&mut self.graph, coordinates, &motion, |c| c.rate);
-        let force = self.force(body, position, rate);
-        let potential = self.spring_energy(body, position);
-        let ((heading, motion), geometry) = (heading?, geometry?);
+        let forces = self.forces(body, position, rate);
+        let ((heading, motion), geometry, (force, potential)) = (heading?, geometry?, forces?);
         let inertia = match mass? {
             None => SpatialInertia::zero(&mut self.graph),
             Some(mass) => {
@@ -360,8 +364,8 @@ impl Lower {
             motion,
             heading,
             inertia,
-            force: force?,
-            potential: potential?,
+            force,
+            potential,
         })
     }
 
@@ -371,7 +375,7 @@ impl Lower {
         let has_own = own.mass.is_some() || own.com.is_some() || own.inertia.is_some() || own.solids.is_some();
         let Some(shape) = &body.shape else {
             return if has_own {
-                self.mass(&body.name, own).map(Some)
+                self.mass(&body.name, own, body.unread).map(Some)
             } else {
                 Some(None)
             };
@@ -397,6 +401,9 @@ impl Lower {
 
     fn joint_fits_coordinate(&mut self, body: &ast::Body, moves: Option<bool>) -> bool {
         let name = &body.name;
+        if body.unread {
+            return moves == Some(body.coordinate.is_some());
+        }
         match (moves, &body.coordinate) {
             (Some(true), None) => {
                 self.errors.at(
@@ -429,68 +436,51 @@ impl Lower {
         }
     }
 
-    fn force(&mut self, body: &ast::Body, position: ExprId, rate: ExprId) -> Option<ExprId> {
-        let name = &body.name;
-        let at_joint = |what: &str| Place {
-            what: format!("the {what} of `{name}`"),
+    /// The force of the joint along its coordinate, and its potential energy.
+    fn forces(&mut self, body: &ast::Body, position: ExprId, rate: ExprId) -> Option<(ExprId, ExprId)> {
+        let joint = Some((position, rate));
+        let friction = self.friction(body, joint);
+        let spring = self.spring(body, position);
+        let place = Place {
+            what: format!("the torque of `{}`", body.name),
             most: Level::State,
-            joint: Some((position, rate)),
+            joint,
         };
-        let mut force = Some(self.graph.zero());
-        let mut push = |lower: &mut Self, term: Option<ExprId>| {
-            force = force.zip(term).map(|(sum, term)| lower.graph.add(sum, term));
-        };
-        if let Some(friction) = &body.friction {
-            let place = Place {
-                most: Level::Parameter,
-                ..at_joint("friction")
-            };
-            let coefficient = self.expr(friction, &place);
-            if let Some(coefficient) = coefficient {
-                self.require(friction, coefficient, Requirement::NonNegative, &place);
-            }
-            let term = coefficient.map(|c| {
-                let product = self.graph.mul(c, rate);
-                self.graph.neg(product)
-            });
-            push(self, term);
-        }
-        if let Some((stiffness, rest)) = &body.spring {
-            let (k, rest) = (
-                self.expr(stiffness, &Place::fixed(format!("the stiffness of `{name}`"))),
-                self.expr(rest, &Place::fixed(format!("the rest position of `{name}`"))),
-            );
-            let term = k.zip(rest).map(|(k, rest)| {
-                let stretch = self.graph.sub(rest, position);
-                self.graph.mul(k, stretch)
-            });
-            push(self, term);
-        }
-        if let Some(torque) = &body.torque {
-            let term = self.expr(torque, &at_joint("torque"));
-            push(self, term);
-        }
-        force
+        let torque = body
+            .torque
+            .as_ref()
+            .map_or(Some(self.graph.zero()), |torque| self.expr(torque, &place));
+        let (spring, energy) = spring?;
+        let passive = self.graph.add(friction?, spring);
+        Some((self.graph.add(passive, torque?), energy))
     }
 
-    fn spring_energy(&mut self, body: &ast::Body, position: ExprId) -> Option<ExprId> {
-        let Some((stiffness, rest)) = &body.spring else {
+    fn friction(&mut self, body: &ast::Body, joint: Option<(ExprId, ExprId)>) -> Option<ExprId> {
+        let Some(friction) = &body.friction else {
             return Some(self.graph.zero());
         };
-        // errors have been noted where the force was built
-        let quiet = std::mem::take(&mut self.errors);
-        let (k, rest) = (
-            self.expr(stiffness, &Place::fixed("")),
-            self.expr(rest, &Place::fixed("")),
-        );
-        self.errors = quiet;
-        let (k, rest) = (k?, rest?);
+        // the rate is known here so that a law of friction gets the error that tells where it belongs
+        let place = Place {
+            joint,
+            ..Place::fixed(format!("the friction of `{}`", body.name))
+        };
+        let coefficient = self.positive(friction, &place, Requirement::NonNegative)?;
+        let product = self.graph.mul(coefficient, joint?.1);
+        Some(self.graph.neg(product))
+    }
+
+    fn spring(&mut self, body: &ast::Body, position: ExprId) -> Option<(ExprId, ExprId)> {
+        let Some((stiffness, rest)) = &body.spring else {
+            return Some((self.graph.zero(), self.graph.zero()));
+        };
+        let stiffness = self.expr(stiffness, &Place::fixed(format!("the stiffness of `{}`", body.name)));
+        let rest = self.expr(rest, &Place::fixed(format!("the rest position of `{}`", body.name)));
+        let (stiffness, rest) = (stiffness?, rest?);
         let g = &mut self.graph;
         let stretch = g.sub(position, rest);
-        let square = g.powi(stretch, 2);
-        let half = g.number(crate::expr::ratio(1, 2));
-        let energy = g.mul(k, square);
-        Some(g.mul(half, energy))
+        let pull = g.mul(stiffness, stretch);
+        let (square, half) = (g.mul(pull, stretch), g.number(ratio(1, 2)));
+        Some((g.neg(pull), g.mul(half, square)))
     }
 
     fn outputs(&mut self, generate: Option<&[Ident]>) -> BTreeSet<Output> {

@@ -33,7 +33,7 @@ impl Names {
             errors.at(
                 ident.span(),
                 format_args!("`{text}` is a word of the language"),
-                "choose another name",
+                "choose another name; `q` and `qd` are a joint's own coordinate and rate, `t` is time",
             );
         } else if let Some(first) = self.0.get(&text) {
             errors.at(

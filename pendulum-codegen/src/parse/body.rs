@@ -3,7 +3,7 @@
 use syn::parse::{Parse, ParseStream};
 use syn::{Ident, Token, braced, bracketed, parenthesized, token};
 
-use super::{docs, each, once};
+use super::{End, docs, each, once};
 use crate::ast::{Argument, Body, Inertia, Joint, JointArgument, Properties, Solid, Vector};
 use crate::error::{Errors, at, suggestion};
 
@@ -63,8 +63,9 @@ pub(super) fn body(input: ParseStream, errors: &mut Errors) -> syn::Result<Body>
         friction: None,
         spring: None,
         torque: None,
+        unread: false,
     };
-    each(&inner, errors, |input, _| body_field(input, &mut body));
+    body.unread = !each(&inner, errors, |input, _| body_field(input, &mut body));
     Ok(body)
 }
 
@@ -90,15 +91,16 @@ fn key(input: ParseStream, known: &[&str]) -> syn::Result<Ident> {
 }
 
 /// One field of a shape.
-pub(super) fn shape_field(input: ParseStream, properties: &mut Properties) -> syn::Result<()> {
+pub(super) fn shape_field(input: ParseStream, properties: &mut Properties) -> syn::Result<End> {
     let key = key(input, &SHAPE_FIELDS)?;
-    property(input, &key, properties)
+    property(input, &key, properties)?;
+    Ok(End::Comma)
 }
 
-fn body_field(input: ParseStream, body: &mut Body) -> syn::Result<()> {
+fn body_field(input: ParseStream, body: &mut Body) -> syn::Result<End> {
     let key = key(input, &BODY_FIELDS)?;
     match key.to_string().as_str() {
-        "joint" => once(&mut body.joint, input.parse()?, &key),
+        "joint" => once(&mut body.joint, input.parse()?, &key)?,
         "coordinate" => {
             once(&mut body.coordinate, input.parse()?, &key)?;
             if input.peek(Ident) {
@@ -112,10 +114,9 @@ fn body_field(input: ParseStream, body: &mut Body) -> syn::Result<()> {
                 }
                 body.absolute = Some(word);
             }
-            Ok(())
         }
-        "friction" => once(&mut body.friction, input.parse()?, &key),
-        "torque" => once(&mut body.torque, input.parse()?, &key),
+        "friction" => once(&mut body.friction, input.parse()?, &key)?,
+        "torque" => once(&mut body.torque, input.parse()?, &key)?,
         "spring" => {
             if !input.peek(token::Paren) {
                 return Err(at(
@@ -130,10 +131,11 @@ fn body_field(input: ParseStream, body: &mut Body) -> syn::Result<()> {
             inner.parse::<Token![,]>()?;
             let rest = inner.parse()?;
             super::expr::end_of(&inner)?;
-            once(&mut body.spring, (stiffness, rest), &key)
+            once(&mut body.spring, (stiffness, rest), &key)?;
         }
-        _ => property(input, &key, &mut body.properties),
+        _ => property(input, &key, &mut body.properties)?,
     }
+    Ok(End::Comma)
 }
 
 fn property(input: ParseStream, key: &Ident, properties: &mut Properties) -> syn::Result<()> {

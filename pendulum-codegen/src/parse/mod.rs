@@ -8,7 +8,7 @@ use quote::ToTokens;
 use syn::parse::{Parse, ParseStream, Parser};
 use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, MetaNameValue, Token, Visibility, braced, bracketed, token};
 
-use crate::ast::{Input, Items, Let, Param, Scene, Shape};
+use crate::ast::{Input, Items, Let, Param, Properties, Scene, Shape};
 use crate::error::{Errors, at, suggestion};
 
 /// Reads a declaration. The scene is there unless its head could not be read; errors may stand beside it.
@@ -24,6 +24,10 @@ pub fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
                 "write `mechanism! { pub DoublePendulum { body .. } }`",
             )
         })?;
+        if !input.peek(token::Brace) {
+            let help = format!("write `{name} {{ body .. }}`");
+            return Err(at(name.span(), format_args!("`{name}` has no items in braces"), help));
+        }
         let inner;
         braced!(inner in input);
         let mut items = Items::default();
@@ -43,30 +47,43 @@ pub fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
     (scene, errors)
 }
 
-/// Reads items until the end, each followed by a comma or ended by its braces. Behind a mistake it skips to the next item.
-fn each(input: ParseStream, errors: &mut Errors, mut item: impl FnMut(ParseStream, &mut Errors) -> syn::Result<()>) {
-    while !input.is_empty() {
-        let result = item(input, errors).and_then(|()| {
-            let closed = input.is_empty() || input.parse::<Option<Token![,]>>()?.is_some() || ended_by_brace(input);
-            if closed {
-                return Ok(());
-            }
-            Err(at(
-                input.span(),
-                "expected a comma",
-                "items end in a comma; products need a `*`",
-            ))
-        });
-        if errors.keep(result).is_none() {
-            skip(input);
-        }
-    }
+/// How an item ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum End {
+    /// With a comma.
+    Comma,
+    /// With its own braces; a comma may follow.
+    Braces,
 }
 
-/// Whether what comes next is the start of an item, so that the one before must have ended in braces.
-fn ended_by_brace(input: ParseStream) -> bool {
-    let item = input.peek(Token![#]) || input.peek(Token![let]);
-    item || (input.peek(Ident) && (input.peek2(Token![:]) || input.peek2(token::Brace) || input.peek2(Ident)))
+/// Reads items until the end. Behind a mistake it skips to the next item. Tells whether all could be read.
+fn each(
+    input: ParseStream,
+    errors: &mut Errors,
+    mut item: impl FnMut(ParseStream, &mut Errors) -> syn::Result<End>,
+) -> bool {
+    let before = errors.len();
+    while !input.is_empty() {
+        match item(input, errors).and_then(|end| Ok((end, input.parse::<Option<Token![,]>>()?))) {
+            Ok((End::Comma, None)) if !input.is_empty() => {
+                errors.at(
+                    input.span(),
+                    "expected a comma",
+                    "items end in a comma; products need a `*`",
+                );
+                // where the comma alone is missing, the next item can be read
+                if !(input.peek(Ident) && input.peek2(Token![:])) {
+                    skip(input);
+                }
+            }
+            Ok(_) => {}
+            Err(error) => {
+                errors.push(error);
+                skip(input);
+            }
+        }
+    }
+    errors.len() == before
 }
 
 fn skip(input: ParseStream) {
@@ -116,7 +133,7 @@ fn once<T>(place: &mut Option<T>, value: T, key: &Ident) -> syn::Result<()> {
 
 const ITEMS: [&str; 7] = ["params", "gravity", "let", "input", "shape", "body", "generate"];
 
-fn item(input: ParseStream, items: &mut Items, errors: &mut Errors) -> syn::Result<()> {
+fn item(input: ParseStream, items: &mut Items, errors: &mut Errors) -> syn::Result<End> {
     let docs = docs(input)?;
     if input.parse::<Option<Token![let]>>()?.is_some() {
         let name = input.parse()?;
@@ -125,7 +142,7 @@ fn item(input: ParseStream, items: &mut Items, errors: &mut Errors) -> syn::Resu
             name,
             value: input.parse()?,
         });
-        return Ok(());
+        return Ok(End::Comma);
     }
     let key: Ident = input.parse().map_err(|e| {
         at(
@@ -139,39 +156,38 @@ fn item(input: ParseStream, items: &mut Items, errors: &mut Errors) -> syn::Resu
             let inner;
             braced!(inner in input);
             each(&inner, errors, |input, _| {
-                items.params.push(input.parse()?);
-                Ok(())
+                items.params.push(named(input, &mut items.unread)?);
+                Ok(End::Comma)
             });
+            return Ok(End::Braces);
         }
         "gravity" => {
             input.parse::<Token![:]>()?;
             once(&mut items.gravity, input.parse()?, &key)?;
         }
         "input" => {
-            let name = input.parse()?;
-            input.parse::<Token![:]>()?;
-            items.inputs.push(Input {
-                docs,
-                name,
-                unit: input.parse()?,
-            });
+            let mut input = named::<Input>(input, &mut items.unread)?;
+            input.docs = docs;
+            items.inputs.push(input);
         }
         "shape" => {
             let name = input.parse()?;
             let inner;
             braced!(inner in input);
-            let mut shape = Shape {
+            let mut properties = Properties::default();
+            let unread = !each(&inner, errors, |input, _| body::shape_field(input, &mut properties));
+            let shape = Shape {
                 name,
-                properties: Default::default(),
+                properties,
+                unread,
             };
-            each(&inner, errors, |input, _| {
-                body::shape_field(input, &mut shape.properties)
-            });
             items.shapes.push(shape);
+            return Ok(End::Braces);
         }
         "body" => {
             let body = body::body(input, errors)?;
             items.bodies.push(body);
+            return Ok(End::Braces);
         }
         "generate" => {
             input.parse::<Token![:]>()?;
@@ -188,7 +204,32 @@ fn item(input: ParseStream, items: &mut Items, errors: &mut Errors) -> syn::Resu
             ));
         }
     }
-    Ok(())
+    Ok(End::Comma)
+}
+
+/// Reads something that begins with its name. The name is kept even if the rest is wrong, so that its uses are no errors too.
+fn named<T: Parse>(input: ParseStream, unread: &mut Vec<Ident>) -> syn::Result<T> {
+    let ahead = input.fork();
+    let read = input.parse();
+    if read.is_err()
+        && docs(&ahead).is_ok()
+        && let Ok(name) = ahead.parse()
+    {
+        unread.push(name);
+    }
+    read
+}
+
+impl Parse for Input {
+    fn parse(input: ParseStream) -> syn::Result<Self> {
+        let name = input.parse()?;
+        input.parse::<Token![:]>()?;
+        Ok(Self {
+            docs: Vec::new(),
+            name,
+            unit: input.parse()?,
+        })
+    }
 }
 
 impl Parse for Param {
