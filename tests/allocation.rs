@@ -9,7 +9,8 @@ mod common;
 use std::alloc::{GlobalAlloc, Layout, System as Heap};
 use std::cell::Cell;
 
-use common::eq22::Eq22;
+use common::mechanisms::Tree;
+use common::scenes::{DoublePendulum, DoublePendulumParams};
 use pendulum_core::prelude::*;
 
 struct Counting;
@@ -43,6 +44,15 @@ fn allocations(work: impl FnOnce()) -> usize {
     COUNT.get() - before
 }
 
+fn pendulum(gamma: f64) -> DoublePendulum {
+    let params = DoublePendulumParams {
+        gamma1: gamma,
+        gamma2: gamma,
+        ..Default::default()
+    };
+    DoublePendulum::new(params).expect("physical")
+}
+
 const START: [f64; 4] = [2.0, 2.5, 0.0, 0.0];
 
 #[test]
@@ -53,18 +63,25 @@ fn the_count_counts() {
 
 #[test]
 fn the_functions_of_a_model_do_not_allocate() {
-    let model = Eq22::paper(0.1);
+    let model = pendulum(0.1);
     let x = SVector::from(START);
     let evaluate = || {
         std::hint::black_box((model.rhs(0.0, &x), model.jacobian(0.0, &x)));
         std::hint::black_box(model.energy(0.0, &x));
     };
     assert_eq!(allocations(evaluate), 0);
+    let model = Tree::new(Default::default()).expect("physical");
+    let x = SVector::from([0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8]);
+    let evaluate = || {
+        std::hint::black_box((model.rhs(0.0, &x), model.jacobian(0.0, &x)));
+        std::hint::black_box((model.mass_matrix(0.0, &x), model.bias(0.0, &x)));
+    };
+    assert_eq!(allocations(evaluate), 0);
 }
 
 #[test]
 fn adaptive_steps_do_not_allocate() {
-    let model = Eq22::paper(0.0);
+    let model = pendulum(0.0);
     let mut steps = 0;
     let integrate = || {
         let mut stepper = Rk45::new().stepper(&model, 0.0, 100.0, START).expect("valid");
@@ -80,7 +97,7 @@ fn adaptive_steps_do_not_allocate() {
 
 #[test]
 fn fixed_steps_do_not_allocate() {
-    let model = Eq22::paper(0.0);
+    let model = pendulum(0.0);
     let mut steps = 0;
     let integrate = || {
         let mut stepper = Rk4::new(0.01).stepper(&model, 0.0, 50.0, START).expect("valid");
@@ -95,7 +112,7 @@ fn fixed_steps_do_not_allocate() {
 
 #[test]
 fn errors_of_a_stepper_do_not_allocate() {
-    let model = Eq22::paper(0.0);
+    let model = pendulum(0.0);
     let fail = || {
         let mut stepper = Rk45::new()
             .max_steps(10)

@@ -3,6 +3,7 @@
 
 mod common;
 
+use common::dual::Dual;
 use common::mechanisms::*;
 use nalgebra::{SMatrix, SVector};
 use pendulum_core::prelude::*;
@@ -75,6 +76,7 @@ macro_rules! agrees {
             const D: usize = $dof;
             const N: usize = 2 * D;
             let model = $model::new(Default::default()).expect("the parameters are physical");
+            let dual = $model::<Dual>::new(Default::default()).expect("the parameters are physical");
             assert_eq!($model::DOF, D);
             for sample in samples::<N, D>(stringify!($test)) {
                 let x = &sample.state;
@@ -87,6 +89,11 @@ macro_rules! agrees {
                 assert_eq!(rhs.fixed_rows::<D>(0), x.fixed_rows::<D>(D), "the rates come first");
                 assert_close("acceleration", rhs.fixed_rows::<D>(D).into_owned(), sample.acceleration);
                 assert_close("state Jacobian", model.jacobian(0.0, x), sample.state_jacobian);
+                let columns: [SVector<f64, N>; N] = std::array::from_fn(|k| {
+                    let x = SVector::from_fn(|n, _| Dual::new(x[n], if n == k { 1.0 } else { 0.0 }));
+                    dual.rhs(Dual::default(), &x).map(|component| component.slope)
+                });
+                assert_close("derivative", model.jacobian(0.0, x), SMatrix::from_columns(&columns));
                 assert!(model.mass_matrix(0.0, x).cholesky().is_some(), "the mass matrix is positive definite");
             }
         }
