@@ -116,7 +116,7 @@ fn the_jacobian_is_the_derivative() {
     for _ in 0..SAMPLES {
         let params = plates(random_plates(&mut random));
         let model = Plates::new(params).expect("physical");
-        let exact = Plates::<Dual>::new(params).expect("physical");
+        let exact = Plates::new(params).expect("physical").cast::<Dual>();
         let x = random_state(&mut random);
         let columns = [0, 1, 2, 3].map(|k| {
             let x = SVector::from_fn(|n, _| Dual::new(x[n], if n == k { 1.0 } else { 0.0 }));
@@ -244,7 +244,7 @@ fn the_loss_of_energy_is_the_power_of_friction() {
         c: 0.6,
         ..Default::default()
     };
-    let exact = DoublePendulum::<Dual>::new(params).expect("physical");
+    let exact = DoublePendulum::new(params).expect("physical").cast::<Dual>();
     let mut random = Random::new(5);
     for _ in 0..SAMPLES {
         let x = random_state(&mut random);
@@ -297,7 +297,9 @@ fn extreme_mass_ratios_lose_no_digits() {
 #[test]
 fn single_precision_runs_the_same_code() {
     let double = DoublePendulum::new(DoublePendulumParams::default()).expect("physical");
-    let single = DoublePendulum::<f32>::new(DoublePendulumParams::default()).expect("physical");
+    let single = DoublePendulum::new(DoublePendulumParams::default())
+        .expect("physical")
+        .cast::<f32>();
     let mut random = Random::new(6);
     for _ in 0..SAMPLES {
         let x = random_state(&mut random);
@@ -323,7 +325,7 @@ fn facts_are_constants_of_the_type() {
 fn impossible_parameters_are_refused() {
     let good = DoublePendulumParams::default();
     let refused = |params: DoublePendulumParams| {
-        let error = DoublePendulum::<f64>::new(params).expect_err("impossible");
+        let error = DoublePendulum::new(params).expect_err("impossible");
         (error.name, error.value, error.to_string())
     };
     let (name, value, text) = refused(DoublePendulumParams { m: -1.0, ..good });

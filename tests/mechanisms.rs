@@ -76,7 +76,7 @@ macro_rules! agrees {
             const D: usize = $dof;
             const N: usize = 2 * D;
             let model = $model::new(Default::default()).expect("the parameters are physical");
-            let dual = $model::<Dual>::new(Default::default()).expect("the parameters are physical");
+            let dual = $model::new(Default::default()).expect("the parameters are physical").cast::<Dual>();
             assert_eq!($model::DOF, D);
             for sample in samples::<N, D>(stringify!($test)) {
                 let x = &sample.state;

@@ -305,7 +305,7 @@ pub(super) fn unpack(model: &Model, roots: &[ExprId]) -> (HashMap<ExprId, Ident>
         }
     }
     let mut statements = quote!(let [#(#pattern),*] = x.data.0[0];);
-    known.insert(model.time, local("t".to_owned()));
+    known.insert(model.time, format_ident!("t"));
     for input in &model.inputs {
         let name = local(format!("u_{}", input.name));
         if used.contains(&input.symbol) {

@@ -180,7 +180,7 @@ impl Items<'_> {
         let (rule_count, constant_texts, allowed) = (number(checked.len()), self.constants_text(), allowed());
         quote! {
             #allowed
-            impl<T: ::pendulum_core::real::Real> #name<T> {
+            impl #name {
                 /// Builds the model: checks the parameters, and computes once whatever depends on them alone.
                 ///
                 /// # Errors
@@ -208,9 +208,18 @@ impl Items<'_> {
                             return Err(::pendulum_core::ParameterError { name, value, rule });
                         }
                     }
-                    Ok(Self { params, constants: constants.map(T::from_f64) })
+                    Ok(Self { params, constants })
                 }
 
+                /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
+                /// then rounded.
+                pub fn cast<T: ::pendulum_core::real::Real>(&self) -> #name<T> {
+                    #name { params: self.params, constants: self.constants.map(T::from_f64) }
+                }
+            }
+
+            #allowed
+            impl<T: ::pendulum_core::real::Real> #name<T> {
                 /// The parameters that the model was built from.
                 pub fn params(&self) -> &#parameters {
                     &self.params

@@ -28,13 +28,13 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
         #allowed
         #vis struct #name<T = f64>(::core::marker::PhantomData<T>);
         #allowed
-        impl<T: #real> #name<T> {
+        impl #name {
             pub fn new(_: #parameters) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
                 Ok(Self(::core::marker::PhantomData))
             }
-        }
-        #allowed
-        impl #name {
+            pub fn cast<T: #real>(&self) -> #name<T> {
+                #name(::core::marker::PhantomData)
+            }
             pub const DOF: usize = #dof;
             pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::ZERO;
             pub const EQUATIONS: &'static str = "";

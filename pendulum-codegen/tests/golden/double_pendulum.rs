@@ -74,7 +74,7 @@ pub struct DoublePendulum<T = f64> {
     constants: [T; 10],
 }
 #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-impl<T: ::pendulum_core::real::Real> DoublePendulum<T> {
+impl DoublePendulum {
     /// Builds the model: checks the parameters, and computes once whatever depends on them alone.
     ///
     /// # Errors
@@ -192,11 +192,19 @@ impl<T: ::pendulum_core::real::Real> DoublePendulum<T> {
                 });
             }
         }
-        Ok(Self {
-            params,
-            constants: constants.map(T::from_f64),
-        })
+        Ok(Self { params, constants })
     }
+    /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
+    /// then rounded.
+    pub fn cast<T: ::pendulum_core::real::Real>(&self) -> DoublePendulum<T> {
+        DoublePendulum {
+            params: self.params,
+            constants: self.constants.map(T::from_f64),
+        }
+    }
+}
+#[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+impl<T: ::pendulum_core::real::Real> DoublePendulum<T> {
     /// The parameters that the model was built from.
     pub fn params(&self) -> &DoublePendulumParams {
         &self.params

@@ -1,0 +1,92 @@
+//! The generated right-hand side and Jacobian of Eq. 22 beside the hand-written ones: `cargo bench --bench double_pendulum`.
+//!
+//! The last lines are ratios of times taken in turns, which hold on a noisy machine better than the times themselves.
+
+#[path = "../tests/common/eq22.rs"]
+#[allow(dead_code, unreachable_pub, reason = "shared with the tests, which use more of it")]
+mod eq22;
+#[path = "../tests/common/scenes.rs"]
+#[allow(unreachable_pub, reason = "shared with the tests")]
+mod scenes;
+
+use std::hint::black_box;
+use std::time::{Duration, Instant};
+
+use divan::Bencher;
+use eq22::Eq22;
+use nalgebra::SVector;
+use pendulum_core::prelude::*;
+use scenes::{DoublePendulum, DoublePendulumParams};
+
+/// Evaluations between two looks at the clock.
+const BATCH: usize = 1000;
+/// Pairs of batches; the ratio is the median over them.
+const PAIRS: usize = 2001;
+
+fn main() {
+    divan::main();
+    let (generated, by_hand, x) = (generated(), by_hand(), state());
+    let rhs = ratio(|| generated.rhs(0.0, black_box(&x)), || by_hand.rhs(0.0, black_box(&x)));
+    println!("generated / by hand, right-hand side: {rhs:.3}");
+    let jacobian = ratio(
+        || generated.jacobian(0.0, black_box(&x)),
+        || by_hand.jacobian(0.0, black_box(&x)),
+    );
+    println!("generated / by hand, Jacobian:        {jacobian:.3}");
+}
+
+fn generated() -> DoublePendulum {
+    match DoublePendulum::new(DoublePendulumParams::default()) {
+        Ok(model) => model,
+        Err(error) => panic!("the default parameters are physical: {error}"),
+    }
+}
+
+fn by_hand() -> Eq22 {
+    Eq22::paper(0.1)
+}
+
+fn state() -> SVector<f64, 4> {
+    SVector::from([0.7, -1.2, 0.4, 2.1])
+}
+
+/// The median ratio of the times of two functions, measured in turns.
+fn ratio<A, B>(first: impl Fn() -> A, second: impl Fn() -> B) -> f64 {
+    let mut ratios: Vec<f64> = (0..PAIRS)
+        .map(|_| time(&first).as_secs_f64() / time(&second).as_secs_f64())
+        .collect();
+    ratios.sort_by(f64::total_cmp);
+    ratios[PAIRS / 2]
+}
+
+fn time<A>(function: impl Fn() -> A) -> Duration {
+    let start = Instant::now();
+    for _ in 0..BATCH {
+        black_box(function());
+    }
+    start.elapsed()
+}
+
+#[divan::bench]
+fn rhs_generated(bencher: Bencher) {
+    let (model, x) = (generated(), state());
+    bencher.bench(|| model.rhs(0.0, black_box(&x)));
+}
+
+#[divan::bench]
+fn rhs_by_hand(bencher: Bencher) {
+    let (model, x) = (by_hand(), state());
+    bencher.bench(|| model.rhs(0.0, black_box(&x)));
+}
+
+#[divan::bench]
+fn jacobian_generated(bencher: Bencher) {
+    let (model, x) = (generated(), state());
+    bencher.bench(|| model.jacobian(0.0, black_box(&x)));
+}
+
+#[divan::bench]
+fn jacobian_by_hand(bencher: Bencher) {
+    let (model, x) = (by_hand(), state());
+    bencher.bench(|| model.jacobian(0.0, black_box(&x)));
+}
