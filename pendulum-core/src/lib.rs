@@ -1,6 +1,6 @@
-//! Numbers for mechanisms that are declared in Rust source: the systems, and the methods that integrate them.
+//! Mechanisms that are declared in Rust source: their generated equations of motion, and the methods that integrate them.
 //!
-//! [`mechanism!`] turns a declaration of rigid bodies into a model that implements the traits of [`system`]; models
+//! [`mechanism!`] turns a declaration of rigid bodies ([`language`]) into a model that implements the traits of [`system`]; models
 //! written by hand can implement them as well. A method is a plain value with settings:
 //!
 //! ```
@@ -26,6 +26,7 @@
 //!
 //! | module | holds |
 //! |---|---|
+//! | [`language`] | what [`mechanism!`] understands, and what it makes of it |
 //! | [`system`] | what a model offers: right-hand side, Jacobian, energy, inputs |
 //! | [`real`] | the number types |
 //! | [`method`] | [`Rk4`], [`Rk45`], and the [`Stepper`] beneath them, which uses no heap |
@@ -53,8 +54,11 @@ pub use real::{Float, Real};
 pub use solution::{Solution, Statistics};
 pub use system::{Controlled, Energy, FnSystem, Jacobian, System, WithInputs};
 
-/// Declares a mechanism and generates its equations of motion.
+/// Declares a mechanism and generates its equations of motion: see [`language`].
 pub use pendulum_macros::mechanism;
+
+#[doc = include_str!("language.md")]
+pub mod language {}
 
 #[doc(hidden)]
 pub use nalgebra;
@@ -70,3 +74,8 @@ pub mod prelude {
     };
     pub use nalgebra::{SMatrix, SVector};
 }
+
+/// The README's program is compiled with the tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../README.md")]
+mod readme {}

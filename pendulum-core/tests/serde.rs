@@ -13,6 +13,30 @@ fn a_solution_is_read_back_as_it_was_written() {
     assert_eq!(read.at(2.5), solution.at(2.5));
 }
 
+mechanism! {
+    pub Pendulum {
+        params { m: kg, l: m, g: m/s^2 = 9.8 }
+        gravity: [0, -g, 0],
+        body bob on ground { mass: m, com: [0, -l, 0], joint: revolute(z), coordinate: theta }
+    }
+}
+
+#[test]
+fn parameters_of_a_model_are_read_by_name() {
+    let params: PendulumParams = serde_json::from_str(r#"{"m":0.1,"l":2.5,"g":1.62}"#).expect("reads");
+    let expected = PendulumParams {
+        m: 0.1,
+        l: 2.5,
+        g: 1.62,
+    };
+    assert_eq!(params, expected);
+    assert_eq!(
+        serde_json::to_string(&params).expect("writes"),
+        r#"{"m":0.1,"l":2.5,"g":1.62}"#
+    );
+    assert!(Pendulum::new(params).is_ok());
+}
+
 #[test]
 fn a_parameter_error_is_written_by_field() {
     let error = ParameterError {
