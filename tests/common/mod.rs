@@ -10,5 +10,6 @@ pub mod dual;
 pub mod eq22;
 pub mod mechanisms;
 pub mod random;
+pub mod reference;
 pub mod scenes;
 pub mod trajectories;

@@ -1,8 +1,8 @@
 //! Expressions to statements: one `let` for each shared value, in the order in which values are needed.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
-use proc_macro2::{Ident, Literal, Span, TokenStream};
+use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
 use crate::expr::{Binary, ExprId, Graph, Level, Node, Rational, Unary, ratio};
@@ -43,6 +43,30 @@ impl Piece {
     }
 }
 
+/// More statements than this are put into blocks. Every `let` opens a scope inside the one before, and compilers that
+/// walk scopes by recursion (as LLVM does for debug information) run out of stack when some thousand are nested.
+const MOST_STATEMENTS: usize = 256;
+
+/// A `let`, and the names that it brings.
+#[derive(Debug)]
+struct Statement {
+    names: Vec<Ident>,
+    tokens: TokenStream,
+}
+
+/// All names in a piece of code.
+fn names_in(tokens: &TokenStream) -> HashSet<String> {
+    let mut names = HashSet::new();
+    for token in tokens.clone() {
+        match token {
+            TokenTree::Ident(name) => _ = names.insert(name.to_string()),
+            TokenTree::Group(group) => names.extend(names_in(&group.stream())),
+            _ => {}
+        }
+    }
+    names
+}
+
 /// Statements that compute some expressions.
 #[derive(Debug)]
 pub(super) struct Body<'m> {
@@ -51,7 +75,7 @@ pub(super) struct Body<'m> {
     /// The angles whose sine, or cosine, is used.
     sines: BTreeMap<ExprId, [bool; 2]>,
     names: HashMap<ExprId, Piece>,
-    statements: TokenStream,
+    statements: Vec<Statement>,
     temporaries: usize,
 }
 
@@ -68,7 +92,7 @@ impl<'m> Body<'m> {
             .map(|(&id, name)| (id, Piece::atom(quote!(#name))))
             .collect();
         let (mut uses, mut sines): (HashMap<ExprId, usize>, BTreeMap<_, [bool; 2]>) = Default::default();
-        let mut seen = std::collections::HashSet::new();
+        let mut seen = HashSet::new();
         let mut stack = roots.to_vec();
         while let Some(id) = stack.pop() {
             *uses.entry(id).or_default() += 1;
@@ -87,7 +111,7 @@ impl<'m> Body<'m> {
             uses,
             sines,
             names,
-            statements: TokenStream::new(),
+            statements: Vec::new(),
             temporaries: 0,
         }
     }
@@ -102,9 +126,25 @@ impl<'m> Body<'m> {
         self.operation(root).tokens
     }
 
-    /// The statements so far.
-    pub(super) fn statements(self) -> TokenStream {
-        self.statements
+    /// The statements, and behind them the result that they are for.
+    pub(super) fn finish(self, result: &TokenStream) -> TokenStream {
+        let mut code = TokenStream::new();
+        let mut needed = names_in(result);
+        if self.statements.len() <= MOST_STATEMENTS {
+            code.extend(self.statements.iter().map(|statement| &statement.tokens).cloned());
+        } else {
+            // from the last chunk to the first, since each hands out only what is needed behind it
+            let mut chunks = Vec::new();
+            for chunk in self.statements.chunks(MOST_STATEMENTS).rev() {
+                let defined = chunk.iter().flat_map(|statement| &statement.names);
+                let out: Vec<&Ident> = defined.filter(|name| needed.contains(&name.to_string())).collect();
+                let inside = chunk.iter().map(|statement| &statement.tokens);
+                chunks.push(quote!(let (#(#out,)*) = { #(#inside)* (#(#out,)*) };));
+                needed.extend(chunk.iter().flat_map(|statement| names_in(&statement.tokens)));
+            }
+            code.extend(chunks.into_iter().rev());
+        }
+        quote!(#code #result)
     }
 
     fn piece(&mut self, id: ExprId) -> Piece {
@@ -129,7 +169,11 @@ impl<'m> Body<'m> {
         let name = local(format!("t{}", self.temporaries));
         self.temporaries += 1;
         let tokens = &piece.tokens;
-        self.statements.extend(quote!(let #name = #tokens;));
+        let statement = quote!(let #name = #tokens;);
+        self.statements.push(Statement {
+            names: vec![name.clone()],
+            tokens: statement,
+        });
         let bound = Piece::atom(quote!(#name));
         self.names.insert(id, bound.clone());
         bound
@@ -148,8 +192,9 @@ impl<'m> Body<'m> {
         let [sine, cosine] = [("sin", used[0]), ("cos", used[1])]
             .map(|(function, used)| used.then(|| local(format!("{function}{suffix}"))));
         let [left, right] = [&sine, &cosine].map(|name| name.as_ref().map_or(quote!(_), |name| quote!(#name)));
-        self.statements
-            .extend(quote!(let (#left, #right) = #argument.sin_cos();));
+        let tokens = quote!(let (#left, #right) = #argument.sin_cos(););
+        let names = [&sine, &cosine].into_iter().flatten().cloned().collect();
+        self.statements.push(Statement { names, tokens });
         for (op, name) in [(Unary::Sin, sine), (Unary::Cos, cosine)] {
             let id = self.graph.find(&Node::Unary(op, angle));
             if let (Some(id), Some(name)) = (id, name) {
@@ -289,7 +334,7 @@ pub(super) fn spelled(value: f64) -> TokenStream {
 
 /// Names of the state, the time and the inputs in generated functions, and the statement that takes the state apart.
 pub(super) fn unpack(model: &Model, roots: &[ExprId]) -> (HashMap<ExprId, Ident>, TokenStream) {
-    let used: std::collections::HashSet<ExprId> = model.graph.reachable(roots).into_iter().collect();
+    let used: HashSet<ExprId> = model.graph.reachable(roots).into_iter().collect();
     let mut known = HashMap::new();
     let mut pattern = Vec::new();
     for (prefix, part) in [("q", 0), ("qd", 1)] {

@@ -240,8 +240,8 @@ impl Items<'_> {
         let pattern = quote!(let [#(#pattern),*] = given;);
         let mut body = Body::new(&model.graph, roots, &known);
         let values: Vec<_> = roots.iter().map(|&root| body.value(root)).collect();
-        let statements = body.statements();
-        quote!({ #pattern #statements [#(#values),*] })
+        let code = body.finish(&quote!([#(#values),*]));
+        quote!({ #pattern #code })
     }
 
     /// Constants of the type that need no evaluation.
@@ -420,8 +420,8 @@ impl Items<'_> {
         let mut body = Body::new(graph, roots, &known);
         let values: Vec<_> = roots.iter().map(|&root| body.value(root)).collect();
         let result = result(&values);
-        let statements = body.statements();
-        quote!({ #head #statements #result })
+        let code = body.finish(&result);
+        quote!({ #head #code })
     }
 }
 
