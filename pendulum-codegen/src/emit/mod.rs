@@ -2,6 +2,7 @@
 
 mod body;
 mod equations;
+mod functions;
 mod stub;
 
 use std::collections::HashMap;
@@ -17,7 +18,7 @@ use crate::expr::{ExprId, Printer};
 use crate::model::{ROUNDING, Requirement};
 use crate::pass::Operations;
 use crate::pipeline::{Function, Program};
-use body::{Body, local, spelled, unpack};
+use body::{Body, local};
 
 /// Everything that a declaration stands for.
 pub(crate) fn items(scene: &Scene, program: &Program) -> TokenStream {
@@ -290,139 +291,6 @@ impl Items<'_> {
             }
         }
     }
-
-    fn functions(&self) -> TokenStream {
-        let all = &self.program.functions;
-        let (name, dof) = (self.name(), self.dof());
-        let (length, size, allowed) = (number(2 * dof), number(dof), allowed());
-        let real = quote!(::pendulum_core::real::Real);
-        let vector = quote!(::pendulum_core::nalgebra::SVector<T, #length>);
-        let matrix = quote!(::pendulum_core::nalgebra::SMatrix<T, #length, #length>);
-        let mut items = TokenStream::new();
-        let arguments = quote!(&self, t: T, x: &#vector);
-        let rhs = all.get(&Function::Rhs).map(|chosen| {
-            let rates = self.program.model.coordinates.iter().map(|c| c.rate);
-            let roots: Vec<ExprId> = rates.chain(chosen.roots.iter().copied()).collect();
-            self.block(
-                &roots,
-                |values| quote!(::pendulum_core::nalgebra::SVector::from([#(#values),*])),
-            )
-        });
-        let jacobian = all
-            .get(&Function::Jacobian)
-            .map(|chosen| self.block(&chosen.roots, |values| state_columns(dof, values)));
-        let inputs = number(self.program.model.inputs.len());
-        if !self.program.model.inputs.is_empty() {
-            if let (Some(rhs), Some(jacobian), Some(chosen)) = (&rhs, &jacobian, all.get(&Function::InputJacobian)) {
-                let by_inputs = self.block(&chosen.roots, |values| {
-                    let zeros = vec![spelled(0.0); dof];
-                    let columns = values.chunks(dof).map(|column| quote!([#(#zeros,)* #(#column),*]));
-                    quote!(::pendulum_core::nalgebra::SMatrix::from([#(#columns),*]))
-                });
-                let inputs_name = self.inputs_name();
-                let with_inputs = quote!(#arguments, u: &#inputs_name<T>);
-                items.extend(quote! {
-                    #allowed
-                    impl<T: #real> ::pendulum_core::Controlled<T, #length, #inputs> for #name<T> {
-                        type Inputs = #inputs_name<T>;
-                        #[inline]
-                        fn rhs_with(#with_inputs) -> #vector #rhs
-                        #[inline]
-                        fn jacobian_with(#with_inputs) -> #matrix #jacobian
-                        #[inline]
-                        fn input_jacobian(#with_inputs) -> ::pendulum_core::nalgebra::SMatrix<T, #length, #inputs> #by_inputs
-                    }
-                    impl<T: #real> #name<T> {
-                        /// The model with a law for its inputs: a `System`.
-                        pub fn with_inputs<F>(&self, inputs: F) -> ::pendulum_core::WithInputs<'_, Self, F, #inputs>
-                        where
-                            F: Fn(T, &#vector) -> #inputs_name<T>,
-                        {
-                            ::pendulum_core::WithInputs::new(self, inputs)
-                        }
-                    }
-                });
-            }
-        } else {
-            if let Some(rhs) = rhs {
-                items.extend(quote! {
-                    #allowed
-                    impl<T: #real> ::pendulum_core::System<T, #length> for #name<T> {
-                        #[inline]
-                        fn rhs(#arguments) -> #vector #rhs
-                    }
-                });
-            }
-            if let Some(jacobian) = jacobian {
-                items.extend(quote! {
-                    #allowed
-                    impl<T: #real> ::pendulum_core::Jacobian<T, #length> for #name<T> {
-                        #[inline]
-                        fn jacobian(#arguments) -> #matrix #jacobian
-                    }
-                });
-            }
-        }
-        if let (Some(kinetic), Some(potential)) = (all.get(&Function::Kinetic), all.get(&Function::Potential)) {
-            let [kinetic, potential] =
-                [kinetic, potential].map(|chosen| self.block(&chosen.roots, |values| quote!(#(#values)*)));
-            items.extend(quote! {
-                #allowed
-                impl<T: #real> ::pendulum_core::Energy<T, #length> for #name<T> {
-                    #[inline]
-                    fn kinetic(#arguments) -> T #kinetic
-                    #[inline]
-                    fn potential(#arguments) -> T #potential
-                }
-            });
-        }
-        if let Some(chosen) = all.get(&Function::MassMatrix) {
-            let block = self.block(&chosen.roots, |values| symmetric(dof, values));
-            items.extend(quote! {
-                #allowed
-                impl<T: #real> #name<T> {
-                    /// The mass matrix.
-                    #[inline]
-                    pub fn mass_matrix(#arguments) -> ::pendulum_core::nalgebra::SMatrix<T, #size, #size> #block
-                }
-            });
-        }
-        if let Some(chosen) = all.get(&Function::Bias) {
-            let block = self.block(
-                &chosen.roots,
-                |values| quote!(::pendulum_core::nalgebra::SVector::from([#(#values),*])),
-            );
-            items.extend(quote! {
-                #allowed
-                impl<T: #real> #name<T> {
-                    /// The bias: velocity terms and gravity, as generalised forces.
-                    #[inline]
-                    pub fn bias(#arguments) -> ::pendulum_core::nalgebra::SVector<T, #size> #block
-                }
-            });
-        }
-        items
-    }
-
-    /// A block that computes roots from the state `x`, the time `t`, the inputs `u` and the constants of the model.
-    fn block(&self, roots: &[ExprId], result: impl FnOnce(&[TokenStream]) -> TokenStream) -> TokenStream {
-        let graph = &self.program.model.graph;
-        let (mut known, mut head) = unpack(&self.program.model, roots);
-        let used = graph.reachable(roots);
-        for (n, constant) in self.program.constants.iter().enumerate() {
-            let (name, index) = (local(format!("k{n}")), number(n));
-            let read = used.binary_search(constant).is_ok();
-            known.insert(*constant, name.clone());
-            if read {
-                head.extend(quote!(let #name = self.constants[#index];));
-            }
-        }
-        let mut body = Body::new(graph, roots, &known);
-        let values: Vec<_> = roots.iter().map(|&root| body.value(root)).collect();
-        let result = result(&values);
-        let code = body.finish(&result);
-        quote!({ #head #code })
-    }
 }
 
 /// A parameter's or an input's field.
@@ -441,28 +309,4 @@ fn unit_line(unit: &str) -> String {
     } else {
         format!("In {unit}.")
     }
-}
-
-/// The state Jacobian, column by column: its upper half is known.
-fn state_columns(dof: usize, values: &[TokenStream]) -> TokenStream {
-    let columns = values.chunks(dof).enumerate().map(|(k, column)| {
-        let upper = (0..dof).map(|i| spelled(if k == i + dof { 1.0 } else { 0.0 }));
-        quote!([#(#upper,)* #(#column),*])
-    });
-    quote!(::pendulum_core::nalgebra::SMatrix::from([#(#columns),*]))
-}
-
-/// A symmetric matrix from its upper triangle, row by row.
-fn symmetric(dof: usize, values: &[TokenStream]) -> TokenStream {
-    let names: Vec<_> = (0..values.len()).map(|n| local(format!("a{n}"))).collect();
-    let at = |i: usize, j: usize| {
-        let (i, j) = (i.min(j), i.max(j));
-        &names[i * dof - i * (i + 1) / 2 + j]
-    };
-    let columns = (0..dof).map(|j| {
-        let column = (0..dof).map(|i| at(i, j));
-        quote!([#(#column),*])
-    });
-    let columns: Vec<_> = columns.collect();
-    quote!(#(let #names = #values;)* ::pendulum_core::nalgebra::SMatrix::from([#(#columns),*]))
 }

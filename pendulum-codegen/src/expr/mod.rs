@@ -3,6 +3,7 @@
 //! Arithmetic is exact: numbers are rationals of any size, roots and the sines of constants stay symbols until code is
 //! emitted. Two nodes are the same expression exactly when their ids are equal.
 
+mod build;
 mod derivative;
 mod eval;
 mod graph;

@@ -1,42 +1,71 @@
-//! Mass properties: direct ones and solids, to spatial inertia in the body frame.
+//! Mass properties to spatial inertia in the body frame.
 
+use proc_macro2::TokenStream;
 use syn::Ident;
 
 use super::Lower;
 use super::expr::Place;
-use crate::ast::{Argument, Expr, Inertia, Properties, Solid};
-use crate::error::suggestion;
-use crate::expr::{ExprId, Level, ratio};
-use crate::model::{Requirement, Rule};
-use crate::screw::{SpatialInertia, Symmetric3, Vec3, dot, scale, sub, sum};
+use crate::ast::{Inertia, Properties};
+use crate::expr::ExprId;
+use crate::model::Requirement;
+use crate::screw::{SpatialInertia, Symmetric3, Vec3, dot, mat_vec};
 
-/// Mass properties before the axis is known that a scalar inertia turns about.
+/// Mass properties before the axis is known that a single number for the inertia is about.
 #[derive(Clone, Debug)]
 pub(super) struct Mass {
+    /// All of it but that number.
     rigid: SpatialInertia,
-    /// A scalar inertia, about the axis of the joint, and its text for errors.
-    scalar: Option<(ExprId, proc_macro2::TokenStream)>,
+    about_axis: Option<AboutAxis>,
+}
+
+/// An inertia about the axis that the body turns about.
+#[derive(Clone, Debug)]
+struct AboutAxis {
+    moment: ExprId,
+    /// Where the number is about the joint: the inertia of the mass at the centre of mass, which is in the number.
+    included: Option<Symmetric3>,
+    tokens: TokenStream,
+}
+
+/// About which axes a body may turn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Turns {
+    /// It does not turn.
+    Never,
+    /// About one, given in the body frame.
+    About(Vec3),
+    /// About several.
+    Freely,
 }
 
 impl Mass {
-    /// The spatial inertia of a body that turns about `axis`, in its own frame; none where it may turn about several axes.
-    pub(super) fn about(self, lower: &mut Lower, body: &Ident, axis: Option<Option<Vec3>>) -> Option<SpatialInertia> {
-        let Some((scalar, tokens)) = self.scalar else {
+    /// The spatial inertia of a body in its own frame; none after an error.
+    pub(super) fn of_body(self, lower: &mut Lower, body: &Ident, turns: Turns) -> Option<SpatialInertia> {
+        let (Some(given), mut rigid) = (self.about_axis, self.rigid) else {
             return Some(self.rigid);
         };
-        let Some(axis) = axis else {
-            lower.errors.on(
-                tokens,
-                format_args!("the inertia of `{body}` is one number, but the body turns about more than one axis"),
-                "give the principal moments `[ixx, iyy, izz]`, or all six",
-            );
-            return None;
-        };
-        let mut rigid = self.rigid;
-        if let Some(axis) = axis {
-            let g = &mut lower.graph;
-            let about_axis = Symmetric3::outer(g, scalar, axis);
-            rigid.about_origin = rigid.about_origin.plus(g, about_axis);
+        match turns {
+            Turns::Never => {}
+            Turns::About(axis) => {
+                if let Some(included) = given.included {
+                    let along = mat_vec(&mut lower.graph, included.full(), axis);
+                    let included = dot(&mut lower.graph, axis, along);
+                    let about_com = lower.graph.sub(given.moment, included);
+                    lower.physical_about_axis(body, &given.tokens, given.moment, about_com);
+                }
+                let moment = Symmetric3::outer(&mut lower.graph, given.moment, axis);
+                rigid.about_origin = rigid.about_origin.plus(&mut lower.graph, moment);
+            }
+            Turns::Freely => {
+                let fact =
+                    format!("the inertia of `{body}` is one number, but the body turns about more than one axis");
+                lower.errors.on(
+                    given.tokens,
+                    fact,
+                    "give the principal moments `[ixx, iyy, izz]`, or all six",
+                );
+                return None;
+            }
         }
         Some(rigid)
     }
@@ -45,90 +74,102 @@ impl Mass {
 impl Lower {
     /// The mass properties of a body or shape; none after an error. `unread` says that a field may be missing for being wrong.
     pub(super) fn mass(&mut self, owner: &Ident, properties: &Properties, unread: bool) -> Option<Mass> {
-        let Properties {
-            mass,
-            com,
-            inertia,
-            solids,
-        } = properties;
-        if let Some(solids) = solids {
-            if let Some(other) = [
-                mass.as_ref().map(Expr::span),
-                com.as_ref().map(|v| v.components[0].span()),
-                inertia.as_ref().map(|i| i.entries[0].span()),
-            ]
-            .into_iter()
-            .flatten()
-            .next()
-            {
-                self.errors.at(
-                    other,
-                    format_args!("`{owner}` is given by its solids already"),
-                    "give either solids, or mass, com and inertia",
-                );
-                return None;
-            }
-            return Some(Mass {
-                rigid: self.solids(owner, solids)?,
-                scalar: None,
-            });
-        }
-        let of = |what: &str| Place::fixed(format!("the {what} of `{owner}`"));
-        let zero = self.graph.zero();
-        let m = match mass {
-            Some(e) => self.positive(e, &of("mass"), Requirement::Positive),
-            None => {
-                if let Some(com) = com.as_ref().filter(|_| !unread) {
-                    self.errors.on(
-                        com,
-                        format_args!("`{owner}` has a centre of mass but no mass"),
-                        "give it `mass: ..`, or remove `com`",
-                    );
-                }
-                Some(zero)
-            }
+        let Some(solids) = &properties.solids else {
+            return self.direct(owner, properties, unread);
         };
-        let c = com
-            .as_ref()
-            .map_or(Some([zero; 3]), |v| self.vector(v, &of("centre of mass")));
-        let moments = match inertia {
-            Some(inertia) => self.moments(owner, inertia, &of("inertia")),
-            None => Some((Symmetric3([zero; 6]), None)),
-        };
-        let (m, c, (moments, scalar)) = (m?, c?, moments?);
-        let about_joint = inertia.as_ref().is_some_and(|i| i.about_joint);
-        let mut rigid = SpatialInertia::of_body(&mut self.graph, m, c, moments);
-        if about_joint {
-            rigid.about_origin = moments;
+        let Properties { mass, com, inertia, .. } = properties;
+        let com = com.as_ref().map(|com| &com.components[0]);
+        let inertia = inertia.as_ref().map(|inertia| &inertia.entries[0]);
+        if let Some(other) = mass.as_ref().or(com).or(inertia) {
+            let help = "give either solids, or mass, com and inertia";
+            self.errors.at(
+                other.span(),
+                format_args!("`{owner}` is given by its solids already"),
+                help,
+            );
+            return None;
         }
-        if let Some(inertia) = inertia {
-            let shift = Symmetric3::of_point(&mut self.graph, m, c);
-            let about_com = if about_joint {
-                moments.minus(&mut self.graph, shift)
-            } else {
-                moments
-            };
-            match scalar {
-                None => self.physical(owner, inertia, about_com),
-                Some(s) => self.require(&inertia.entries[0], s, Requirement::NonNegative, &of("inertia")),
-            }
-        }
-        if scalar.is_some() && about_joint {
-            // the scalar replaces the whole moment about the axis, the parallel-axis part included
-            rigid.about_origin = Symmetric3([zero; 6]);
-        }
-        let scalar = scalar.zip(inertia.as_ref()).map(|(s, i)| (s, i.tokens.clone()));
-        Some(Mass { rigid, scalar })
+        Some(Mass {
+            rigid: self.solids(owner, solids)?,
+            about_axis: None,
+        })
     }
 
-    fn moments(&mut self, owner: &Ident, inertia: &Inertia, place: &Place) -> Option<(Symmetric3, Option<ExprId>)> {
+    /// Mass, centre of mass and inertia as they are given.
+    fn direct(&mut self, owner: &Ident, properties: &Properties, unread: bool) -> Option<Mass> {
+        let Properties { mass, com, inertia, .. } = properties;
+        let of = |what: &str| Place::fixed(format!("the {what} of `{owner}`"));
+        let zero = self.graph.zero();
+        if let (None, Some(com), false) = (mass, com, unread) {
+            let fact = format!("`{owner}` has a centre of mass but no mass");
+            self.errors.on(com, fact, "give it `mass: ..`, or remove `com`");
+        }
+        let mass = mass
+            .as_ref()
+            .map_or(Some(zero), |e| self.positive(e, &of("mass"), Requirement::Positive));
+        let com = com
+            .as_ref()
+            .map_or(Some([zero; 3]), |v| self.vector(v, &of("centre of mass")));
+        let Some(inertia) = inertia else {
+            let none = Symmetric3::zero(&mut self.graph);
+            let rigid = SpatialInertia::of_body(&mut self.graph, mass?, com?, none);
+            return Some(Mass {
+                rigid,
+                about_axis: None,
+            });
+        };
+        let moments = self.moments(owner, inertia, &of("inertia"));
+        let (mass, com, moments) = (mass?, com?, moments?);
+        let g = &mut self.graph;
+        let shift = Symmetric3::of_point(g, mass, com);
+        let none = Symmetric3::zero(g);
+        let mut rigid = SpatialInertia::of_body(g, mass, com, none);
+        if inertia.about_joint {
+            rigid.about_origin = none;
+        }
+        match moments {
+            Moments::AboutAxis(moment) => {
+                self.require(
+                    &inertia.entries[0],
+                    moment,
+                    Requirement::NonNegative,
+                    &of("inertia").what,
+                );
+                let included = inertia.about_joint.then_some(shift);
+                let about_axis = AboutAxis {
+                    moment,
+                    included,
+                    tokens: inertia.tokens.clone(),
+                };
+                Some(Mass {
+                    rigid,
+                    about_axis: Some(about_axis),
+                })
+            }
+            Moments::All(moments) => {
+                rigid.about_origin = rigid.about_origin.plus(&mut self.graph, moments);
+                let about_com = if inertia.about_joint {
+                    moments.minus(&mut self.graph, shift)
+                } else {
+                    moments
+                };
+                self.physical(owner, inertia, about_com);
+                Some(Mass {
+                    rigid,
+                    about_axis: None,
+                })
+            }
+        }
+    }
+
+    fn moments(&mut self, owner: &Ident, inertia: &Inertia, place: &Place) -> Option<Moments> {
         let entries: Vec<_> = inertia.entries.iter().map(|e| self.expr(e, place)).collect();
         let entries: Vec<_> = entries.into_iter().collect::<Option<_>>()?;
         let zero = self.graph.zero();
         match entries[..] {
-            [scalar] => Some((Symmetric3([zero; 6]), Some(scalar))),
-            [xx, yy, zz] => Some((Symmetric3([xx, yy, zz, zero, zero, zero]), None)),
-            [xx, yy, zz, xy, xz, yz] => Some((Symmetric3([xx, yy, zz, xy, xz, yz]), None)),
+            [about_axis] => Some(Moments::AboutAxis(about_axis)),
+            [xx, yy, zz] => Some(Moments::All(Symmetric3([xx, yy, zz, zero, zero, zero]))),
+            [xx, yy, zz, xy, xz, yz] => Some(Moments::All(Symmetric3([xx, yy, zz, xy, xz, yz]))),
             _ => {
                 let help = "give one number (planar scenes), `[ixx, iyy, izz]`, or `[ixx, iyy, izz, ixy, ixz, iyz]`";
                 self.errors.on(
@@ -140,388 +181,12 @@ impl Lower {
             }
         }
     }
-
-    /// A rotational inertia is that of some mass exactly when `tr(J)/2 - J` has no negative eigenvalue (Traversaro et al. 2016).
-    fn physical(&mut self, owner: &Ident, inertia: &Inertia, about_com: Symmetric3) {
-        let g = &mut self.graph;
-        let [xx, yy, zz, xy, xz, yz] = about_com.0;
-        let trace = sum(g, [xx, yy, zz]);
-        let second = [xx, yy, zz].map(|i| {
-            let twice = g.add(i, i);
-            g.sub(trace, twice)
-        });
-        let off = [xy, xz, yz].map(|o| {
-            let twice = g.add(o, o);
-            g.neg(twice)
-        });
-        let square = g.powi(trace, 2);
-        let cube = g.powi(trace, 3);
-        let mut conditions = vec![(second[0], trace), (second[1], trace), (second[2], trace)];
-        for (i, j, o) in [(0, 1, 0), (0, 2, 1), (1, 2, 2)] {
-            let (product, off2) = (g.mul(second[i], second[j]), g.powi(off[o], 2));
-            conditions.push((g.sub(product, off2), square));
-        }
-        let [a, b, c] = second;
-        let [d, e, f] = off;
-        let determinant = {
-            let abc = sum3(g, a, b, c);
-            let def = sum3(g, d, e, f);
-            let twice = g.add(def, def);
-            let (ff, ee, dd) = (sum3(g, a, f, f), sum3(g, b, e, e), sum3(g, c, d, d));
-            let negative = sum(g, [ff, ee, dd]);
-            let positive = g.add(abc, twice);
-            g.sub(positive, negative)
-        };
-        conditions.push((determinant, cube));
-        let text = |g: &crate::expr::Graph, x| crate::expr::Printer::new(g).print(x);
-        for (n, &(value, scale)) in conditions.iter().enumerate() {
-            let constant = self.graph.constant(value).zip(self.graph.constant(scale));
-            let Some((value_now, scale_now)) = constant else {
-                let (p, q, r) = [("iyy", "izz", "ixx"), ("ixx", "izz", "iyy"), ("ixx", "iyy", "izz")][n.min(2)];
-                let rule = match n {
-                    0..=2 => format!("the inertia of `{owner}` must satisfy {p} + {q} >= {r}"),
-                    _ => format!(
-                        "the inertia of `{owner}` must be that of a rigid body: its principal moments obey the triangle inequality"
-                    ),
-                };
-                let name = format!("inertia of {owner}");
-                self.rule(Rule {
-                    value,
-                    requirement: Requirement::NonNegativeWithin(scale),
-                    name,
-                    text: rule,
-                });
-                continue;
-            };
-            if !Requirement::NonNegativeWithin(scale).allows(value_now, scale_now.abs()) {
-                let moments = [xx, yy, zz].map(|m| text(&self.graph, m));
-                let (p, q, r) = [(1, 2, 0), (0, 2, 1), (0, 1, 2)][n.min(2)];
-                let names = ["ixx", "iyy", "izz"];
-                let (fact, help) = if n <= 2 && inertia.entries.len() == 3 && !inertia.about_joint {
-                    (
-                        format!(
-                            "principal moments break the triangle inequality: {} + {} < {}",
-                            moments[p], moments[q], moments[r]
-                        ),
-                        format!("a rigid body needs {} + {} >= {}", names[p], names[q], names[r]),
-                    )
-                } else {
-                    (
-                        format!("no rigid body has the inertia of `{owner}`: its principal moments about the centre of mass break the triangle inequality"),
-                        "check the signs and the order [ixx, iyy, izz, ixy, ixz, iyz], and the point that it is taken about".to_owned(),
-                    )
-                };
-                self.errors.on(&inertia.tokens, fact, help);
-                return;
-            }
-        }
-    }
-
-    fn solids(&mut self, owner: &Ident, solids: &[Solid]) -> Option<SpatialInertia> {
-        let mut total = Some(SpatialInertia::zero(&mut self.graph));
-        for solid in solids {
-            let part = self.solid(owner, solid);
-            total = total.zip(part).map(|(total, part)| total.plus(&mut self.graph, &part));
-        }
-        total
-    }
-
-    fn solid(&mut self, owner: &Ident, solid: &Solid) -> Option<SpatialInertia> {
-        const KINDS: [(&str, &str); 7] = [
-            ("point", "point(mass, [x, y, z])"),
-            ("rod", "rod(mass, [x, y, z], [x, y, z])"),
-            ("disk", "disk(mass, radius, [x, y, z])"),
-            ("plate", "plate(mass, [[x, y], [x, y], [x, y]])"),
-            ("cuboid", "cuboid(mass, [dx, dy, dz], [x, y, z])"),
-            ("cylinder", "cylinder(mass, radius, [x, y, z], [x, y, z])"),
-            ("sphere", "sphere(mass, radius, [x, y, z])"),
-        ];
-        let kind = solid.kind.to_string();
-        let Some((_, form)) = KINDS.iter().find(|(known, _)| *known == kind) else {
-            let help = suggestion(&kind, KINDS.map(|(known, _)| known));
-            self.errors
-                .at(solid.kind.span(), format_args!("unknown solid `{kind}`"), help);
-            return None;
-        };
-        let place = Place::fixed(format!("a {kind} of `{owner}`"));
-        let wrong = |lower: &mut Self| {
-            lower.errors.at(
-                solid.kind.span(),
-                format_args!("a {kind} takes other arguments"),
-                format_args!("write `{form}`"),
-            );
-            None
-        };
-        let [Argument::Scalar(mass), rest @ ..] = &solid.arguments[..] else {
-            return wrong(self);
-        };
-        let mass = self.positive(
-            mass,
-            &Place::fixed(format!("the mass of a {kind} of `{owner}`")),
-            Requirement::Positive,
-        );
-        let radius = |lower: &mut Self, e| {
-            lower.positive(
-                e,
-                &Place::fixed(format!("the radius of a {kind} of `{owner}`")),
-                Requirement::NonNegative,
-            )
-        };
-        match (kind.as_str(), rest) {
-            ("point", [at]) => {
-                let at = self.triple(at, &place);
-                let zero = Symmetric3::zero(&mut self.graph);
-                Some(SpatialInertia::of_body(&mut self.graph, mass?, at?, zero))
-            }
-            ("rod", [from, to]) => {
-                let (from, to) = (self.triple(from, &place), self.triple(to, &place));
-                Some(self.rod(mass?, from?, to?))
-            }
-            ("disk", [Argument::Scalar(r), at]) => {
-                let (r, at) = (radius(self, r), self.triple(at, &place));
-                let quarter = self.times_square(mass?, r?, 4);
-                let half = self.graph.add(quarter, quarter);
-                let moments = Symmetric3::diagonal(&mut self.graph, [quarter, quarter, half]);
-                Some(SpatialInertia::of_body(&mut self.graph, mass?, at?, moments))
-            }
-            ("sphere", [Argument::Scalar(r), at]) => {
-                let (r, at) = (radius(self, r), self.triple(at, &place));
-                let fifth = self.times_square(mass?, r?, 5);
-                let moment = self.graph.add(fifth, fifth);
-                let moments = Symmetric3::diagonal(&mut self.graph, [moment; 3]);
-                Some(SpatialInertia::of_body(&mut self.graph, mass?, at?, moments))
-            }
-            ("cuboid", [size @ Argument::List(sides, _), at]) => {
-                let (size, at) = (self.triple(size, &place), self.triple(at, &place));
-                let (mass, size, at) = (mass?, size?, at?);
-                for (side, value) in sides.iter().zip(size) {
-                    self.require(
-                        side,
-                        value,
-                        Requirement::NonNegative,
-                        &Place::fixed(format!("a side of a cuboid of `{owner}`")),
-                    );
-                }
-                let [x, y, z] = size.map(|side| self.times_square(mass, side, 12));
-                let g = &mut self.graph;
-                let moments = [g.add(y, z), g.add(x, z), g.add(x, y)];
-                let moments = Symmetric3::diagonal(g, moments);
-                Some(SpatialInertia::of_body(g, mass, at, moments))
-            }
-            ("cylinder", [Argument::Scalar(r), from, to]) => {
-                let (r, from, to) = (radius(self, r), self.triple(from, &place), self.triple(to, &place));
-                let (mass, r, from, to) = (mass?, r?, from?, to?);
-                let rod = self.rod(mass, from, to);
-                let axis = sub(&mut self.graph, to, from);
-                let length2 = dot(&mut self.graph, axis, axis);
-                if self.graph.is_zero(length2) {
-                    self.errors.at(
-                        solid.kind.span(),
-                        format_args!("a cylinder of `{owner}` has no length"),
-                        "give two different ends, or write a disk",
-                    );
-                    return None;
-                }
-                // a rod, and a disk about the rod's direction u: m r^2/4 (1 + u u^T)
-                let quarter = self.times_square(mass, r, 4);
-                let g = &mut self.graph;
-                let along = g.div(quarter, length2);
-                let round = Symmetric3::diagonal(g, [quarter; 3]);
-                let axial = Symmetric3::outer(g, along, axis);
-                let about_origin = rod.about_origin.plus(g, round).plus(g, axial);
-                Some(SpatialInertia { about_origin, ..rod })
-            }
-            ("plate", [Argument::Points(points, tokens)]) => {
-                let corners: Vec<_> = points
-                    .iter()
-                    .map(|point| match &point[..] {
-                        [x, y] => self.expr(x, &place).zip(self.expr(y, &place)),
-                        _ => {
-                            self.errors.on(
-                                tokens,
-                                "a corner of a plate has two coordinates",
-                                format_args!("write `{form}`"),
-                            );
-                            None
-                        }
-                    })
-                    .collect();
-                let corners: Vec<_> = corners.into_iter().collect::<Option<_>>()?;
-                self.plate(owner, mass?, &corners, tokens)
-            }
-            _ => wrong(self),
-        }
-    }
-
-    /// `mass * length^2 / divisor`
-    fn times_square(&mut self, mass: ExprId, length: ExprId, divisor: i64) -> ExprId {
-        let g = &mut self.graph;
-        let square = g.powi(length, 2);
-        let product = g.mul(mass, square);
-        let factor = g.number(ratio(1, divisor));
-        g.mul(factor, product)
-    }
-
-    fn rod(&mut self, mass: ExprId, from: Vec3, to: Vec3) -> SpatialInertia {
-        let g = &mut self.graph;
-        let both = crate::screw::add(g, from, to);
-        let half = g.number(ratio(1, 2));
-        let middle = scale(g, half, both);
-        let twelfth = g.number(ratio(1, 12));
-        let twelfth = g.mul(twelfth, mass);
-        let length = sub(g, to, from);
-        let moments = Symmetric3::of_point(g, twelfth, length);
-        SpatialInertia::of_body(g, mass, middle, moments)
-    }
-
-    /// A uniform polygon in the xy plane, as a sum over the triangles between its sides and the origin (Green).
-    fn plate(
-        &mut self,
-        owner: &Ident,
-        mass: ExprId,
-        corners: &[(ExprId, ExprId)],
-        tokens: &proc_macro2::TokenStream,
-    ) -> Option<SpatialInertia> {
-        if corners.len() < 3 {
-            self.errors.on(
-                tokens,
-                format_args!("a plate of `{owner}` has {} corners", corners.len()),
-                "a plate needs three corners or more",
-            );
-            return None;
-        }
-        let constants: Option<Vec<_>> = corners
-            .iter()
-            .map(|&(x, y)| self.graph.constant(x).zip(self.graph.constant(y)))
-            .collect();
-        if let Some(corners) = &constants
-            && !is_simple(corners)
-        {
-            self.errors.on(
-                tokens,
-                format_args!("the sides of a plate of `{owner}` cross or touch"),
-                "list the corners in order around the plate, each once",
-            );
-            return None;
-        }
-        let g = &mut self.graph;
-        let mut sums = [g.zero(); 6]; // 2 area, 6 area (x, y), 12 integrals of (x^2, y^2), 24 of xy
-        for (n, &(x0, y0)) in corners.iter().enumerate() {
-            let (x1, y1) = corners[(n + 1) % corners.len()];
-            let (positive, negative) = (g.mul(x0, y1), g.mul(x1, y0));
-            let twice = g.sub(positive, negative);
-            let (sx, sy) = (g.add(x0, x1), g.add(y0, y1));
-            let xx = squares(g, x0, x1, sx);
-            let yy = squares(g, y0, y1, sy);
-            let (a, b, c) = (g.mul(x0, y0), g.mul(x1, y1), g.mul(sx, sy));
-            let xy = sum(g, [a, b, c]);
-            let one = g.one();
-            for (total, factor) in sums.iter_mut().zip([one, sx, sy, xx, yy, xy]) {
-                let term = g.mul(twice, factor);
-                *total = g.add(*total, term);
-            }
-        }
-        let density = g.div(mass, sums[0]); // mass / (2 area)
-        let [_, x, y, xx, yy, xy] = sums;
-        let mut part = |total: ExprId, share: i64| {
-            let factor = g.number(ratio(1, share));
-            let product = g.mul(density, total);
-            g.mul(factor, product)
-        };
-        // of twice the area: 2/6 for the first moments, 2/12 and 2/24 for the second ones
-        let (x, y, xx, yy, xy) = (part(x, 3), part(y, 3), part(xx, 6), part(yy, 6), part(xy, 12));
-        let zero = g.zero();
-        let about_origin = Symmetric3([yy, xx, g.add(xx, yy), g.neg(xy), zero, zero]);
-        Some(SpatialInertia {
-            mass,
-            moment: [x, y, zero],
-            about_origin,
-        })
-    }
-
-    fn triple(&mut self, argument: &Argument, place: &Place) -> Option<Vec3> {
-        if let Argument::List(entries, _) = argument
-            && let [x, y, z] = &entries[..]
-        {
-            let [x, y, z] = [x, y, z].map(|e| self.expr(e, place));
-            return Some([x?, y?, z?]);
-        }
-        self.errors.on(
-            argument,
-            format_args!("expected a point in {}", place.what),
-            "write its three coordinates `[x, y, z]`",
-        );
-        None
-    }
-
-    /// An expression that must be positive, or at least not negative.
-    pub(super) fn positive(&mut self, e: &Expr, place: &Place, requirement: Requirement) -> Option<ExprId> {
-        let value = self.expr(e, place)?;
-        self.require(e, value, requirement, place);
-        Some(value)
-    }
-
-    /// Checks a number now; leaves a rule for `new` where it depends on parameters.
-    fn require(&mut self, e: &Expr, value: ExprId, requirement: Requirement, place: &Place) {
-        let must = if requirement == Requirement::Positive {
-            "must be positive"
-        } else {
-            "must not be negative"
-        };
-        if self.graph.level(value) == Level::Parameter {
-            let name = crate::expr::Printer::new(&self.graph).print(value);
-            self.rule(Rule {
-                value,
-                requirement,
-                name,
-                text: format!("{} {must}", place.what),
-            });
-        } else if let Some(number) = self
-            .graph
-            .constant(value)
-            .filter(|&number| !requirement.allows(number, 0.0))
-        {
-            self.errors
-                .on(e, format_args!("{} is {number}", place.what), format_args!("it {must}"));
-        }
-    }
-
-    fn rule(&mut self, rule: Rule) {
-        let same = |known: &Rule| known.value == rule.value && known.requirement == rule.requirement;
-        if !self.rules.iter().any(same) {
-            self.rules.push(rule);
-        }
-    }
 }
 
-fn sum3(g: &mut crate::expr::Graph, a: ExprId, b: ExprId, c: ExprId) -> ExprId {
-    let ab = g.mul(a, b);
-    g.mul(ab, c)
-}
-
-/// `a^2 + a b + b^2 = (a + b)^2 - a b`, written without a cancellation.
-fn squares(g: &mut crate::expr::Graph, a: ExprId, b: ExprId, sum_of_both: ExprId) -> ExprId {
-    let (a2, with_b) = (g.powi(a, 2), g.mul(b, sum_of_both));
-    g.add(a2, with_b)
-}
-
-/// Whether no two sides of a polygon share a point but their common corner.
-fn is_simple(corners: &[(f64, f64)]) -> bool {
-    let n = corners.len();
-    let side = |k: usize| (corners[k % n], corners[(k + 1) % n]);
-    let turn = |a: (f64, f64), b: (f64, f64), c: (f64, f64)| (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0);
-    let between = |a: (f64, f64), b: (f64, f64), p: (f64, f64)| {
-        p.0 >= a.0.min(b.0) && p.0 <= a.0.max(b.0) && p.1 >= a.1.min(b.1) && p.1 <= a.1.max(b.1)
-    };
-    let meet = |(a, b), (c, d)| {
-        let [p, q, r, s] = [turn(a, b, c), turn(a, b, d), turn(c, d, a), turn(c, d, b)];
-        (p * q < 0.0 && r * s < 0.0)
-            || (p == 0.0 && between(a, b, c))
-            || (q == 0.0 && between(a, b, d))
-            || (r == 0.0 && between(c, d, a))
-            || (s == 0.0 && between(c, d, b))
-    };
-    let area: f64 = (0..n).map(|k| turn((0.0, 0.0), side(k).0, side(k).1)).sum();
-    let crossing = (0..n).any(|i| (i + 2..n).filter(|j| (j + 1) % n != i).any(|j| meet(side(i), side(j))));
-    area.is_normal() && !crossing && (0..n).all(|k| corners[k] != corners[(k + 1) % n])
+/// A rotational inertia as it is given.
+enum Moments {
+    /// About the one axis that the body turns about.
+    AboutAxis(ExprId),
+    /// About all axes.
+    All(Symmetric3),
 }

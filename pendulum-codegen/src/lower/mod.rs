@@ -1,9 +1,13 @@
 //! Syntax to meaning: names resolved, joints and masses as screws, all in one graph.
 
 mod expr;
+mod force;
 mod joint;
 mod mass;
+mod order;
+mod physical;
 mod scope;
+mod solid;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -11,11 +15,11 @@ use syn::Ident;
 
 use crate::ast::{self, Scene};
 use crate::error::{Errors, suggestion};
-use crate::expr::{ExprId, Graph, Level, SymbolKind, ratio};
-use crate::model::{Body, Coordinate, Input, Model, Output, Parameter, Requirement, Rule, combine};
-use crate::screw::SpatialInertia;
+use crate::expr::{ExprId, Graph, Level, SymbolKind};
+use crate::model::{Body, Coordinate, Input, Model, Output, Parameter, Rule, combine};
+use crate::screw::{SpatialInertia, mat_vec, transpose};
 use expr::Place;
-use mass::Mass;
+use mass::{Mass, Turns};
 use scope::Names;
 
 /// The state of lowering one scene.
@@ -229,74 +233,6 @@ impl Lower {
             .collect()
     }
 
-    /// The bodies, each behind its parent. Bodies that hang on nothing, or on each other, are reported and left out.
-    fn order(&mut self, bodies: &[ast::Body]) -> Vec<usize> {
-        let mut index = BTreeMap::new();
-        for (n, body) in bodies.iter().enumerate() {
-            let name = body.name.to_string();
-            if name == "ground" {
-                self.errors
-                    .at(body.name.span(), "`ground` is there already", "choose another name");
-            } else if index.insert(name, n).is_some() {
-                self.errors.at(
-                    body.name.span(),
-                    format_args!("body `{}` is declared twice", body.name),
-                    "rename one of the two",
-                );
-            }
-        }
-        let mut order: Vec<usize> = Vec::new();
-        let mut waiting: Vec<usize> = (0..bodies.len()).collect();
-        loop {
-            let ready = |n: &usize| {
-                let parent = bodies[*n].parent.to_string();
-                parent == "ground" || index.get(&parent).is_some_and(|p| order.contains(p))
-            };
-            let (now, later): (Vec<usize>, Vec<usize>) = waiting.iter().partition(|n| ready(n));
-            if now.is_empty() {
-                break;
-            }
-            order.extend(now);
-            waiting = later;
-        }
-        for n in waiting {
-            let parent = &bodies[n].parent;
-            let text = parent.to_string();
-            if !index.contains_key(&text) {
-                let known = bodies
-                    .iter()
-                    .map(|b| b.name.to_string())
-                    .filter(|name| bodies[n].name != name)
-                    .chain(["ground".to_owned()])
-                    .collect::<Vec<_>>();
-                self.errors.at(
-                    parent.span(),
-                    format_args!("no body named `{parent}`"),
-                    suggestion(&text, known.iter().map(String::as_str)),
-                );
-            } else if self.hangs_on_itself(bodies, &index, n) {
-                self.errors.at(
-                    parent.span(),
-                    format_args!("`{}` hangs on itself", bodies[n].name),
-                    "follow the parents: each chain must end on `ground`",
-                );
-            }
-        }
-        order
-    }
-
-    fn hangs_on_itself(&self, bodies: &[ast::Body], index: &BTreeMap<String, usize>, start: usize) -> bool {
-        let parent = |n: usize| index.get(&bodies[n].parent.to_string()).copied();
-        let mut at = parent(start);
-        for _ in 0..bodies.len() {
-            if at == Some(start) {
-                return true;
-            }
-            at = at.and_then(parent);
-        }
-        false
-    }
-
     fn index_of_parent(&self, body: &ast::Body) -> Option<usize> {
         self.placed.get(&body.parent.to_string()).copied()
     }
@@ -344,15 +280,15 @@ impl Lower {
         let inertia = match mass? {
             None => SpatialInertia::zero(&mut self.graph),
             Some(mass) => {
-                let axis = match (heading.station, heading.axis) {
+                let turns = match (heading.station, heading.axis) {
                     (None, Some(axis)) => {
-                        let back = crate::screw::transpose(heading.rest);
-                        Some(Some(crate::screw::mat_vec(&mut self.graph, back, axis)))
+                        let back = transpose(heading.rest);
+                        Turns::About(mat_vec(&mut self.graph, back, axis))
                     }
-                    (None, None) => Some(None),
-                    (Some(_), _) => None,
+                    (None, None) => Turns::Never,
+                    (Some(_), _) => Turns::Freely,
                 };
-                mass.about(self, &body.name, axis)?
+                mass.of_body(self, &body.name, turns)?
             }
         };
         Some(Body {
@@ -434,53 +370,6 @@ impl Lower {
             }
             _ => true,
         }
-    }
-
-    /// The force of the joint along its coordinate, and its potential energy.
-    fn forces(&mut self, body: &ast::Body, position: ExprId, rate: ExprId) -> Option<(ExprId, ExprId)> {
-        let joint = Some((position, rate));
-        let friction = self.friction(body, joint);
-        let spring = self.spring(body, position);
-        let place = Place {
-            what: format!("the torque of `{}`", body.name),
-            most: Level::State,
-            joint,
-        };
-        let torque = body
-            .torque
-            .as_ref()
-            .map_or(Some(self.graph.zero()), |torque| self.expr(torque, &place));
-        let (spring, energy) = spring?;
-        let passive = self.graph.add(friction?, spring);
-        Some((self.graph.add(passive, torque?), energy))
-    }
-
-    fn friction(&mut self, body: &ast::Body, joint: Option<(ExprId, ExprId)>) -> Option<ExprId> {
-        let Some(friction) = &body.friction else {
-            return Some(self.graph.zero());
-        };
-        // the rate is known here so that a law of friction gets the error that tells where it belongs
-        let place = Place {
-            joint,
-            ..Place::fixed(format!("the friction of `{}`", body.name))
-        };
-        let coefficient = self.positive(friction, &place, Requirement::NonNegative)?;
-        let product = self.graph.mul(coefficient, joint?.1);
-        Some(self.graph.neg(product))
-    }
-
-    fn spring(&mut self, body: &ast::Body, position: ExprId) -> Option<(ExprId, ExprId)> {
-        let Some((stiffness, rest)) = &body.spring else {
-            return Some((self.graph.zero(), self.graph.zero()));
-        };
-        let stiffness = self.expr(stiffness, &Place::fixed(format!("the stiffness of `{}`", body.name)));
-        let rest = self.expr(rest, &Place::fixed(format!("the rest position of `{}`", body.name)));
-        let (stiffness, rest) = (stiffness?, rest?);
-        let g = &mut self.graph;
-        let stretch = g.sub(position, rest);
-        let pull = g.mul(stiffness, stretch);
-        let (square, half) = (g.mul(pull, stretch), g.number(ratio(1, 2)));
-        Some((g.neg(pull), g.mul(half, square)))
     }
 
     fn outputs(&mut self, generate: Option<&[Ident]>) -> BTreeSet<Output> {

@@ -4,6 +4,7 @@ mod angles;
 mod closed;
 mod cost;
 mod factor;
+mod pairs;
 mod share;
 mod trig;
 

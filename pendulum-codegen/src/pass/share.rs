@@ -4,22 +4,22 @@
 //! its own, again and again until no pair is shared; then what is left is put together. Constants of one product or sum
 //! come together, so that they are computed once, when the model is built.
 
-use std::cmp::Reverse;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::HashMap;
 
 use num_traits::{One, Signed, ToPrimitive};
 
+use super::pairs::Extraction;
 use crate::expr::{Binary, ExprId, Graph, Level, Node, Rational, Unary, ratio};
 
 /// The number of an item.
-type Ref = usize;
+pub(super) type Ref = usize;
 
 /// An operand, and whether it counts negative. Factors of a product are never negative: the product is.
-type Operand = (Ref, bool);
+pub(super) type Operand = (Ref, bool);
 
 /// A value taken apart.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
-enum Item {
+pub(super) enum Item {
     Leaf(ExprId),
     Sum(Vec<Operand>),
     Product(Vec<Operand>),
@@ -31,9 +31,6 @@ enum Item {
 
 /// The expression of each item that has one already, and whether it counts negative.
 type Built = Vec<Option<(ExprId, bool)>>;
-
-/// Two operands of one sum or product, and whether their signs differ.
-type Pair = (Ref, Ref, bool);
 
 /// Powers up to this one are products.
 const MOST_POWER: i64 = 16;
@@ -53,8 +50,8 @@ pub fn share(g: &mut Graph, roots: &[ExprId]) -> Vec<ExprId> {
 }
 
 /// All items, without repetition.
-struct Parts {
-    items: Vec<Item>,
+pub(super) struct Parts {
+    pub(super) items: Vec<Item>,
     refs: HashMap<Item, Ref>,
     taken: HashMap<ExprId, Operand>,
     /// How often each expression is used.
@@ -62,7 +59,7 @@ struct Parts {
     /// How many quotients have this divisor.
     divisions: HashMap<ExprId, usize>,
     /// Items that do not depend on the state.
-    constant: Vec<bool>,
+    pub(super) constant: Vec<bool>,
     /// How often each item is used, once nothing changes any more.
     places: Vec<usize>,
 }
@@ -92,7 +89,7 @@ impl Parts {
         }
     }
 
-    fn item(&mut self, item: Item, constant: bool) -> Ref {
+    pub(super) fn item(&mut self, item: Item, constant: bool) -> Ref {
         if let Some(&known) = self.refs.get(&item) {
             return known;
         }
@@ -439,131 +436,4 @@ impl Parts {
 
 fn is_product(exponent: &Rational) -> bool {
     exponent.denom().is_one() && (2..=MOST_POWER).contains(&exponent.to_i64().unwrap_or(0))
-}
-
-/// The search for common pairs in all sums, or in all products.
-struct Extraction<'p> {
-    parts: &'p mut Parts,
-    sums: bool,
-    /// In which items each pair stands, and how often.
-    places: HashMap<Pair, BTreeMap<Ref, usize>>,
-    /// Pairs that stand in two places or more; the most frequent last.
-    queue: BTreeSet<(usize, Reverse<Pair>)>,
-}
-
-impl<'p> Extraction<'p> {
-    fn run(parts: &'p mut Parts, sums: bool) {
-        let mut search = Extraction {
-            parts,
-            sums,
-            places: HashMap::new(),
-            queue: BTreeSet::new(),
-        };
-        for item in 0..search.parts.items.len() {
-            search.count(item, true);
-        }
-        while let Some((_, Reverse(pair))) = search.queue.pop_last() {
-            search.extract(pair);
-        }
-    }
-
-    fn operands(&self, item: Ref) -> Option<&Vec<Operand>> {
-        match (&self.parts.items[item], self.sums) {
-            (Item::Sum(operands), true) | (Item::Product(operands), false) => Some(operands),
-            _ => None,
-        }
-    }
-
-    /// The pairs of one item, each with the number of times it can be taken out.
-    fn pairs(&self, item: Ref) -> Vec<(Pair, usize)> {
-        let Some(operands) = self.operands(item) else {
-            return Vec::new();
-        };
-        let mut multiplicity: BTreeMap<Operand, usize> = BTreeMap::new();
-        for &operand in operands {
-            *multiplicity.entry(operand).or_default() += 1;
-        }
-        let distinct: Vec<(Operand, usize)> = multiplicity.into_iter().collect();
-        let mut pairs: BTreeMap<Pair, usize> = BTreeMap::new();
-        for (n, &((a, minus_a), count_a)) in distinct.iter().enumerate() {
-            if !self.sums && count_a > 1 && !self.parts.constant[a] {
-                pairs.insert((a, a, false), count_a / 2);
-            }
-            for &((b, minus_b), count_b) in &distinct[n + 1..] {
-                if a != b && !(self.parts.constant[a] && self.parts.constant[b]) {
-                    *pairs.entry((a, b, minus_a != minus_b)).or_default() += count_a.min(count_b);
-                }
-            }
-        }
-        pairs.into_iter().collect()
-    }
-
-    /// Adds the pairs of an item to the count, or takes them off.
-    fn count(&mut self, item: Ref, add: bool) {
-        for (pair, times) in self.pairs(item) {
-            let places = self.places.entry(pair).or_default();
-            let before: usize = places.values().sum();
-            if add {
-                places.insert(item, times);
-            } else {
-                places.remove(&item);
-            }
-            let after: usize = places.values().sum();
-            self.queue.remove(&(before, Reverse(pair)));
-            if after >= 2 {
-                self.queue.insert((after, Reverse(pair)));
-            }
-        }
-    }
-
-    fn extract(&mut self, pair: Pair) {
-        let (a, b, opposite) = pair;
-        let content = vec![(a, false), (b, opposite)];
-        let whole = if self.sums {
-            Item::Sum(content)
-        } else {
-            Item::Product(content)
-        };
-        let places: Vec<Ref> = self
-            .places
-            .get(&pair)
-            .into_iter()
-            .flat_map(|places| places.keys().copied())
-            .collect();
-        let whole = self.parts.item(whole, false);
-        for item in places {
-            if item == whole {
-                continue;
-            }
-            self.count(item, false);
-            let Some(mut operands) = self.operands(item).cloned() else {
-                continue;
-            };
-            for minus in [false, true] {
-                let (first, second) = ((a, minus), (b, minus != opposite));
-                while let Some((i, j)) = positions(&operands, first, second) {
-                    operands.remove(i.max(j));
-                    operands.remove(i.min(j));
-                    operands.push((whole, minus));
-                }
-            }
-            operands.sort_unstable();
-            self.parts.items[item] = if self.sums {
-                Item::Sum(operands)
-            } else {
-                Item::Product(operands)
-            };
-            self.count(item, true);
-        }
-    }
-}
-
-/// Where two different operands stand.
-fn positions(operands: &[Operand], first: Operand, second: Operand) -> Option<(usize, usize)> {
-    let i = operands.iter().position(|operand| *operand == first)?;
-    let j = operands
-        .iter()
-        .enumerate()
-        .position(|(n, operand)| n != i && *operand == second)?;
-    Some((i, j))
 }

@@ -1,0 +1,211 @@
+//! The functions of a generated model.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::body::{Body, local, spelled, unpack};
+use super::{Items, allowed, number};
+use crate::expr::ExprId;
+use crate::pipeline::Function;
+
+/// What the functions have in common.
+struct Signature {
+    arguments: TokenStream,
+    vector: TokenStream,
+    matrix: TokenStream,
+}
+
+impl Items<'_> {
+    /// The implementations of the traits, and the methods beside them.
+    pub(super) fn functions(&self) -> TokenStream {
+        let motion = if self.program.model.inputs.is_empty() {
+            self.system()
+        } else {
+            self.controlled()
+        };
+        [motion, self.energy(), self.mass_matrix(), self.bias()]
+            .into_iter()
+            .flatten()
+            .collect()
+    }
+
+    /// The arguments of every function, and the types of a vector and a matrix of the size of the state.
+    fn signature(&self) -> Signature {
+        let length = number(2 * self.dof());
+        let vector = quote!(::pendulum_core::nalgebra::SVector<T, #length>);
+        let matrix = quote!(::pendulum_core::nalgebra::SMatrix<T, #length, #length>);
+        Signature {
+            arguments: quote!(&self, t: T, x: &#vector),
+            vector,
+            matrix,
+        }
+    }
+
+    /// `impl Trait<T, N> for Model<T>`, or the inherent `impl Model<T>`.
+    fn implement(&self, of_trait: Option<TokenStream>, items: TokenStream) -> TokenStream {
+        let (name, allowed, of_trait) = (
+            &self.scene.name,
+            allowed(),
+            of_trait.map(|of_trait| quote!(#of_trait for)),
+        );
+        quote! {
+            #allowed
+            impl<T: ::pendulum_core::real::Real> #of_trait #name<T> { #items }
+        }
+    }
+
+    fn rhs_block(&self) -> Option<TokenStream> {
+        let chosen = self.program.functions.get(&Function::Rhs)?;
+        let rates = self.program.model.coordinates.iter().map(|c| c.rate);
+        let roots: Vec<ExprId> = rates.chain(chosen.roots.iter().copied()).collect();
+        Some(self.block(
+            &roots,
+            |values| quote!(::pendulum_core::nalgebra::SVector::from([#(#values),*])),
+        ))
+    }
+
+    fn jacobian_block(&self) -> Option<TokenStream> {
+        let chosen = self.program.functions.get(&Function::Jacobian)?;
+        Some(self.block(&chosen.roots, |values| state_columns(self.dof(), values)))
+    }
+
+    fn system(&self) -> Option<TokenStream> {
+        let (length, rhs) = (number(2 * self.dof()), self.rhs_block()?);
+        let Signature {
+            arguments,
+            vector,
+            matrix,
+        } = self.signature();
+        let of_trait = Some(quote!(::pendulum_core::System<T, #length>));
+        let system = self.implement(of_trait, quote!(#[inline] fn rhs(#arguments) -> #vector #rhs));
+        let jacobian = self.jacobian_block().map(|jacobian| {
+            let of_trait = Some(quote!(::pendulum_core::Jacobian<T, #length>));
+            self.implement(of_trait, quote!(#[inline] fn jacobian(#arguments) -> #matrix #jacobian))
+        });
+        Some(quote!(#system #jacobian))
+    }
+
+    fn controlled(&self) -> Option<TokenStream> {
+        let dof = self.dof();
+        let (length, count) = (number(2 * dof), number(self.program.model.inputs.len()));
+        let (rhs, jacobian) = (self.rhs_block()?, self.jacobian_block()?);
+        let by_inputs = self.block(&self.program.functions.get(&Function::InputJacobian)?.roots, |values| {
+            let zeros = vec![spelled(0.0); dof];
+            let columns = values.chunks(dof).map(|column| quote!([#(#zeros,)* #(#column),*]));
+            quote!(::pendulum_core::nalgebra::SMatrix::from([#(#columns),*]))
+        });
+        let Signature {
+            arguments,
+            vector,
+            matrix,
+        } = self.signature();
+        let inputs = self.inputs_name();
+        let arguments = quote!(#arguments, u: &#inputs<T>);
+        let functions = quote! {
+            type Inputs = #inputs<T>;
+            #[inline]
+            fn rhs_with(#arguments) -> #vector #rhs
+            #[inline]
+            fn jacobian_with(#arguments) -> #matrix #jacobian
+            #[inline]
+            fn input_jacobian(#arguments) -> ::pendulum_core::nalgebra::SMatrix<T, #length, #count> #by_inputs
+        };
+        let controlled = self.implement(Some(quote!(::pendulum_core::Controlled<T, #length, #count>)), functions);
+        let with_inputs = quote! {
+            /// The model with a law for its inputs: a `System`.
+            pub fn with_inputs<F>(&self, inputs: F) -> ::pendulum_core::WithInputs<'_, Self, F, #count>
+            where
+                F: Fn(T, &#vector) -> #inputs<T>,
+            {
+                ::pendulum_core::WithInputs::new(self, inputs)
+            }
+        };
+        let inherent = self.implement(None, with_inputs);
+        Some(quote!(#controlled #inherent))
+    }
+
+    fn energy(&self) -> Option<TokenStream> {
+        let all = &self.program.functions;
+        let scalar = |function| Some(self.block(&all.get(&function)?.roots, |values| quote!(#(#values)*)));
+        let (kinetic, potential) = (scalar(Function::Kinetic)?, scalar(Function::Potential)?);
+        let (length, Signature { arguments, .. }) = (number(2 * self.dof()), self.signature());
+        let functions = quote! {
+            #[inline]
+            fn kinetic(#arguments) -> T #kinetic
+            #[inline]
+            fn potential(#arguments) -> T #potential
+        };
+        Some(self.implement(Some(quote!(::pendulum_core::Energy<T, #length>)), functions))
+    }
+
+    fn mass_matrix(&self) -> Option<TokenStream> {
+        let chosen = self.program.functions.get(&Function::MassMatrix)?;
+        let block = self.block(&chosen.roots, |values| symmetric(self.dof(), values));
+        let (dof, Signature { arguments, .. }) = (number(self.dof()), self.signature());
+        let function = quote! {
+            /// The mass matrix.
+            #[inline]
+            pub fn mass_matrix(#arguments) -> ::pendulum_core::nalgebra::SMatrix<T, #dof, #dof> #block
+        };
+        Some(self.implement(None, function))
+    }
+
+    fn bias(&self) -> Option<TokenStream> {
+        let chosen = self.program.functions.get(&Function::Bias)?;
+        let block = self.block(
+            &chosen.roots,
+            |values| quote!(::pendulum_core::nalgebra::SVector::from([#(#values),*])),
+        );
+        let (dof, Signature { arguments, .. }) = (number(self.dof()), self.signature());
+        let function = quote! {
+            /// The bias: velocity terms and gravity, as generalised forces.
+            #[inline]
+            pub fn bias(#arguments) -> ::pendulum_core::nalgebra::SVector<T, #dof> #block
+        };
+        Some(self.implement(None, function))
+    }
+
+    /// A block that computes roots from the state `x`, the time `t`, the inputs `u` and the constants of the model.
+    fn block(&self, roots: &[ExprId], result: impl FnOnce(&[TokenStream]) -> TokenStream) -> TokenStream {
+        let graph = &self.program.model.graph;
+        let (mut known, mut head) = unpack(&self.program.model, roots);
+        let used = graph.reachable(roots);
+        for (n, constant) in self.program.constants.iter().enumerate() {
+            let (name, index) = (local(format!("k{n}")), number(n));
+            let read = used.binary_search(constant).is_ok();
+            known.insert(*constant, name.clone());
+            if read {
+                head.extend(quote!(let #name = self.constants[#index];));
+            }
+        }
+        let mut body = Body::new(graph, roots, &known);
+        let values: Vec<_> = roots.iter().map(|&root| body.value(root)).collect();
+        let result = result(&values);
+        let code = body.finish(&result);
+        quote!({ #head #code })
+    }
+}
+
+/// The state Jacobian, column by column: its upper half is known.
+fn state_columns(dof: usize, values: &[TokenStream]) -> TokenStream {
+    let columns = values.chunks(dof).enumerate().map(|(k, column)| {
+        let upper = (0..dof).map(|i| spelled(if k == i + dof { 1.0 } else { 0.0 }));
+        quote!([#(#upper,)* #(#column),*])
+    });
+    quote!(::pendulum_core::nalgebra::SMatrix::from([#(#columns),*]))
+}
+
+/// A symmetric matrix from its upper triangle, row by row.
+fn symmetric(dof: usize, values: &[TokenStream]) -> TokenStream {
+    let names: Vec<_> = (0..values.len()).map(|n| local(format!("a{n}"))).collect();
+    let at = |i: usize, j: usize| {
+        let (i, j) = (i.min(j), i.max(j));
+        &names[i * dof - i * (i + 1) / 2 + j]
+    };
+    let columns = (0..dof).map(|j| {
+        let column = (0..dof).map(|i| at(i, j));
+        quote!([#(#column),*])
+    });
+    let columns: Vec<_> = columns.collect();
+    quote!(#(let #names = #values;)* ::pendulum_core::nalgebra::SMatrix::from([#(#columns),*]))
+}

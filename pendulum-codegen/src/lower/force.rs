@@ -1,0 +1,56 @@
+//! Forces along joints.
+
+use super::Lower;
+use super::expr::Place;
+use crate::ast;
+use crate::expr::{ExprId, Level, ratio};
+use crate::model::Requirement;
+
+impl Lower {
+    /// The force of the joint along its coordinate, and its potential energy.
+    pub(super) fn forces(&mut self, body: &ast::Body, position: ExprId, rate: ExprId) -> Option<(ExprId, ExprId)> {
+        let joint = Some((position, rate));
+        let friction = self.friction(body, joint);
+        let spring = self.spring(body, position);
+        let place = Place {
+            what: format!("the torque of `{}`", body.name),
+            most: Level::State,
+            joint,
+        };
+        let torque = body
+            .torque
+            .as_ref()
+            .map_or(Some(self.graph.zero()), |torque| self.expr(torque, &place));
+        let (spring, energy) = spring?;
+        let passive = self.graph.add(friction?, spring);
+        Some((self.graph.add(passive, torque?), energy))
+    }
+
+    fn friction(&mut self, body: &ast::Body, joint: Option<(ExprId, ExprId)>) -> Option<ExprId> {
+        let Some(friction) = &body.friction else {
+            return Some(self.graph.zero());
+        };
+        // the rate is known here so that a law of friction gets the error that tells where it belongs
+        let place = Place {
+            joint,
+            ..Place::fixed(format!("the friction of `{}`", body.name))
+        };
+        let coefficient = self.positive(friction, &place, Requirement::NonNegative)?;
+        let product = self.graph.mul(coefficient, joint?.1);
+        Some(self.graph.neg(product))
+    }
+
+    fn spring(&mut self, body: &ast::Body, position: ExprId) -> Option<(ExprId, ExprId)> {
+        let Some((stiffness, rest)) = &body.spring else {
+            return Some((self.graph.zero(), self.graph.zero()));
+        };
+        let stiffness = self.expr(stiffness, &Place::fixed(format!("the stiffness of `{}`", body.name)));
+        let rest = self.expr(rest, &Place::fixed(format!("the rest position of `{}`", body.name)));
+        let (stiffness, rest) = (stiffness?, rest?);
+        let g = &mut self.graph;
+        let stretch = g.sub(position, rest);
+        let pull = g.mul(stiffness, stretch);
+        let (square, half) = (g.mul(pull, stretch), g.number(ratio(1, 2)));
+        Some((g.neg(pull), g.mul(half, square)))
+    }
+}

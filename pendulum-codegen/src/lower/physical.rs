@@ -1,0 +1,175 @@
+//! What numbers must obey: checked now where they are constant, left as rules for `new` where they depend on parameters.
+
+use proc_macro2::TokenStream;
+use quote::ToTokens;
+use syn::Ident;
+
+use super::Lower;
+use super::expr::Place;
+use crate::ast::{Expr, Inertia};
+use crate::expr::{ExprId, Graph, Level, Printer};
+use crate::model::{Requirement, Rule};
+use crate::screw::{Symmetric3, sum};
+
+/// The three ways to write that the largest principal moment is at most the sum of the others, for each axis.
+const TRIANGLES: [[&str; 3]; 3] = [["iyy", "izz", "ixx"], ["ixx", "izz", "iyy"], ["ixx", "iyy", "izz"]];
+
+impl Lower {
+    /// An expression that must be positive, or at least not negative.
+    pub(super) fn positive(&mut self, e: &Expr, place: &Place, requirement: Requirement) -> Option<ExprId> {
+        let value = self.expr(e, place)?;
+        self.require(e, value, requirement, &place.what);
+        Some(value)
+    }
+
+    /// Checks a number, which errors call `what`.
+    pub(super) fn require(&mut self, at: &impl ToTokens, value: ExprId, requirement: Requirement, what: &str) {
+        let must = if requirement == Requirement::Positive {
+            "must be positive"
+        } else {
+            "must not be negative"
+        };
+        if let Some(number) = self.broken_by(value, requirement) {
+            self.errors
+                .on(at, format_args!("{what} is {number}"), format_args!("it {must}"));
+        } else if self.graph.level(value) == Level::Parameter {
+            let name = Printer::new(&self.graph).print(value);
+            self.rule(Rule {
+                value,
+                requirement,
+                name,
+                text: format!("{what} {must}"),
+            });
+        }
+    }
+
+    /// Checks a rotational inertia about the centre of mass.
+    ///
+    /// It is that of some mass exactly when `tr(J)/2 - J`, the matrix of second moments, has no negative eigenvalue
+    /// (Traversaro et al. 2016), that is, when no principal minor of it is negative.
+    pub(super) fn physical(&mut self, owner: &Ident, inertia: &Inertia, about_com: Symmetric3) {
+        let diagonal = inertia.entries.len() == 3 && !inertia.about_joint;
+        for (n, (value, scale)) in minors(&mut self.graph, about_com).into_iter().enumerate() {
+            let requirement = Requirement::NonNegativeWithin(scale);
+            if self.broken_by(value, requirement).is_some() {
+                let (fact, help) = match TRIANGLES.get(n) {
+                    Some([p, q, r]) if diagonal => {
+                        let text = |name: &str| {
+                            let at = ["ixx", "iyy", "izz"].iter().position(|known| *known == name).unwrap_or(0);
+                            Printer::new(&self.graph).print(about_com.0[at])
+                        };
+                        let fact = format!("principal moments break the triangle inequality: {} + {} < {}", text(p), text(q), text(r));
+                        (fact, format!("a rigid body needs {p} + {q} >= {r}"))
+                    }
+                    _ => (
+                        format!("no rigid body has the inertia of `{owner}`: its principal moments about the centre of mass break the triangle inequality"),
+                        "check the signs, the order [ixx, iyy, izz, ixy, ixz, iyz], and the point that it is taken about".to_owned(),
+                    ),
+                };
+                self.errors.on(&inertia.tokens, fact, help);
+                return;
+            }
+            if self.graph.level(value) == Level::Parameter {
+                let text = match TRIANGLES.get(n) {
+                    Some([p, q, r]) => {
+                        format!("the inertia of `{owner}` about its centre of mass must satisfy {p} + {q} >= {r}")
+                    }
+                    None => format!("the principal moments of inertia of `{owner}` must obey the triangle inequality"),
+                };
+                self.rule(Rule {
+                    value,
+                    requirement,
+                    name: format!("inertia of {owner}"),
+                    text,
+                });
+            }
+        }
+    }
+
+    /// Checks an inertia about the joint's axis: what is left about the centre of mass must not be negative.
+    pub(super) fn physical_about_axis(
+        &mut self,
+        owner: &Ident,
+        at: &TokenStream,
+        about_axis: ExprId,
+        about_com: ExprId,
+    ) {
+        let requirement = Requirement::NonNegativeWithin(about_axis);
+        if let Some(number) = self.broken_by(about_com, requirement) {
+            let fact = format!(
+                "the inertia of `{owner}` about its joint is too small: {number} is left about the centre of mass"
+            );
+            self.errors.on(
+                at,
+                fact,
+                "it must be at least the mass times the squared distance of the centre of mass from the axis",
+            );
+        } else if self.graph.level(about_com) == Level::Parameter {
+            let text = format!(
+                "the inertia of `{owner}` about its joint must not be less than that of its mass at the centre of mass"
+            );
+            self.rule(Rule {
+                value: about_com,
+                requirement,
+                name: format!("inertia of {owner}"),
+                text,
+            });
+        }
+    }
+
+    /// The value of a constant that does not obey.
+    fn broken_by(&self, value: ExprId, requirement: Requirement) -> Option<f64> {
+        let scale = match requirement {
+            Requirement::NonNegativeWithin(scale) => self.graph.constant(scale)?.abs(),
+            _ => 0.0,
+        };
+        self.graph
+            .constant(value)
+            .filter(|&number| !requirement.allows(number, scale))
+    }
+
+    fn rule(&mut self, rule: Rule) {
+        let same = |known: &Rule| known.value == rule.value && known.requirement == rule.requirement;
+        if !self.rules.iter().any(same) {
+            self.rules.push(rule);
+        }
+    }
+}
+
+/// The principal minors of `tr(J) - 2 J`, each with a number of the size of its terms.
+fn minors(g: &mut Graph, about_com: Symmetric3) -> [(ExprId, ExprId); 7] {
+    let [xx, yy, zz, xy, xz, yz] = about_com.0;
+    let trace = sum(g, [xx, yy, zz]);
+    let (square, cube) = (g.powi(trace, 2), g.powi(trace, 3));
+    let [a, b, c] = [xx, yy, zz].map(|moment| {
+        let twice = g.add(moment, moment);
+        g.sub(trace, twice)
+    });
+    // the off-diagonal entries are -2 J_ij; their signs matter in the determinant only
+    let [d, e, f] = [xy, xz, yz].map(|product| {
+        let twice = g.add(product, product);
+        g.neg(twice)
+    });
+    let mut minor = |p: ExprId, q: ExprId, off: ExprId| {
+        let (product, square) = (g.mul(p, q), g.mul(off, off));
+        g.sub(product, square)
+    };
+    let (ab, ac, bc) = (minor(a, b, d), minor(a, c, e), minor(b, c, f));
+    // expanded along the first row
+    let (first, dc, ef) = (g.mul(a, bc), g.mul(d, c), g.mul(e, f));
+    let second = g.sub(dc, ef);
+    let (df, be) = (g.mul(d, f), g.mul(b, e));
+    let third = g.sub(df, be);
+    let (second, third) = (g.mul(d, second), g.mul(e, third));
+    let difference = g.sub(first, second);
+    let determinant = g.add(difference, third);
+    [
+        (a, trace),
+        (b, trace),
+        (c, trace),
+        (ab, square),
+        (ac, square),
+        (bc, square),
+        (determinant, cube),
+    ]
+}

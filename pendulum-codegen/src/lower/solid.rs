@@ -1,0 +1,278 @@
+//! Solids of uniform density: mass, first moment and inertia about the origin of the body frame.
+
+use syn::Ident;
+
+use super::Lower;
+use super::expr::Place;
+use crate::ast::{Argument, Solid};
+use crate::error::suggestion;
+use crate::expr::{ExprId, Graph, ratio};
+use crate::model::Requirement;
+use crate::screw::{SpatialInertia, Symmetric3, Vec3, add, dot, scale, sub, sum};
+
+impl Lower {
+    /// The sum of solids; none after an error.
+    pub(super) fn solids(&mut self, owner: &Ident, solids: &[Solid]) -> Option<SpatialInertia> {
+        let mut total = Some(SpatialInertia::zero(&mut self.graph));
+        for solid in solids {
+            let part = self.solid(owner, solid);
+            total = total.zip(part).map(|(total, part)| total.plus(&mut self.graph, &part));
+        }
+        total
+    }
+
+    fn solid(&mut self, owner: &Ident, solid: &Solid) -> Option<SpatialInertia> {
+        const KINDS: [(&str, &str); 7] = [
+            ("point", "point(mass, [x, y, z])"),
+            ("rod", "rod(mass, [x, y, z], [x, y, z])"),
+            ("disk", "disk(mass, radius, [x, y, z])"),
+            ("plate", "plate(mass, [[x, y], [x, y], [x, y]])"),
+            ("cuboid", "cuboid(mass, [dx, dy, dz], [x, y, z])"),
+            ("cylinder", "cylinder(mass, radius, [x, y, z], [x, y, z])"),
+            ("sphere", "sphere(mass, radius, [x, y, z])"),
+        ];
+        let kind = solid.kind.to_string();
+        let Some((_, form)) = KINDS.iter().find(|(known, _)| *known == kind) else {
+            let help = suggestion(&kind, KINDS.map(|(known, _)| known));
+            self.errors
+                .at(solid.kind.span(), format_args!("unknown solid `{kind}`"), help);
+            return None;
+        };
+        let place = Place::fixed(format!("a {kind} of `{owner}`"));
+        let wrong = |lower: &mut Self| {
+            lower.errors.at(
+                solid.kind.span(),
+                format_args!("a {kind} takes other arguments"),
+                format_args!("write `{form}`"),
+            );
+            None
+        };
+        let [Argument::Scalar(mass), rest @ ..] = &solid.arguments[..] else {
+            return wrong(self);
+        };
+        let mass = self.positive(
+            mass,
+            &Place::fixed(format!("the mass of a {kind} of `{owner}`")),
+            Requirement::Positive,
+        );
+        let radius = |lower: &mut Self, e| {
+            lower.positive(
+                e,
+                &Place::fixed(format!("the radius of a {kind} of `{owner}`")),
+                Requirement::NonNegative,
+            )
+        };
+        match (kind.as_str(), rest) {
+            ("point", [at]) => {
+                let at = self.triple(at, &place);
+                let zero = Symmetric3::zero(&mut self.graph);
+                Some(SpatialInertia::of_body(&mut self.graph, mass?, at?, zero))
+            }
+            ("rod", [from, to]) => {
+                let (from, to) = (self.triple(from, &place), self.triple(to, &place));
+                Some(self.rod(mass?, from?, to?))
+            }
+            ("disk", [Argument::Scalar(r), at]) => {
+                let (r, at) = (radius(self, r), self.triple(at, &place));
+                let quarter = self.times_square(mass?, r?, 4);
+                let half = self.graph.add(quarter, quarter);
+                let moments = Symmetric3::diagonal(&mut self.graph, [quarter, quarter, half]);
+                Some(SpatialInertia::of_body(&mut self.graph, mass?, at?, moments))
+            }
+            ("sphere", [Argument::Scalar(r), at]) => {
+                let (r, at) = (radius(self, r), self.triple(at, &place));
+                let fifth = self.times_square(mass?, r?, 5);
+                let moment = self.graph.add(fifth, fifth);
+                let moments = Symmetric3::diagonal(&mut self.graph, [moment; 3]);
+                Some(SpatialInertia::of_body(&mut self.graph, mass?, at?, moments))
+            }
+            ("cuboid", [size @ Argument::List(sides, _), at]) => {
+                let (size, at) = (self.triple(size, &place), self.triple(at, &place));
+                let (mass, size, at) = (mass?, size?, at?);
+                for (side, value) in sides.iter().zip(size) {
+                    self.require(
+                        side,
+                        value,
+                        Requirement::NonNegative,
+                        &format!("a side of a cuboid of `{owner}`"),
+                    );
+                }
+                let [x, y, z] = size.map(|side| self.times_square(mass, side, 12));
+                let g = &mut self.graph;
+                let moments = [g.add(y, z), g.add(x, z), g.add(x, y)];
+                let moments = Symmetric3::diagonal(g, moments);
+                Some(SpatialInertia::of_body(g, mass, at, moments))
+            }
+            ("cylinder", [Argument::Scalar(r), from, to]) => {
+                let (r, from, to) = (radius(self, r), self.triple(from, &place), self.triple(to, &place));
+                let (mass, r, from, to) = (mass?, r?, from?, to?);
+                let rod = self.rod(mass, from, to);
+                let axis = sub(&mut self.graph, to, from);
+                let length2 = dot(&mut self.graph, axis, axis);
+                if self.graph.is_zero(length2) {
+                    self.errors.at(
+                        solid.kind.span(),
+                        format_args!("a cylinder of `{owner}` has no length"),
+                        "give two different ends, or write a disk",
+                    );
+                    return None;
+                }
+                // a rod, and a disk about the rod's direction u: m r^2/4 (1 + u u^T)
+                let quarter = self.times_square(mass, r, 4);
+                let g = &mut self.graph;
+                let along = g.div(quarter, length2);
+                let round = Symmetric3::diagonal(g, [quarter; 3]);
+                let axial = Symmetric3::outer(g, along, axis);
+                let about_origin = rod.about_origin.plus(g, round).plus(g, axial);
+                Some(SpatialInertia { about_origin, ..rod })
+            }
+            ("plate", [Argument::Points(points, tokens)]) => {
+                let corners: Vec<_> = points
+                    .iter()
+                    .map(|point| match &point[..] {
+                        [x, y] => self.expr(x, &place).zip(self.expr(y, &place)),
+                        _ => {
+                            self.errors.on(
+                                tokens,
+                                "a corner of a plate has two coordinates",
+                                format_args!("write `{form}`"),
+                            );
+                            None
+                        }
+                    })
+                    .collect();
+                let corners: Vec<_> = corners.into_iter().collect::<Option<_>>()?;
+                self.plate(owner, mass?, &corners, tokens)
+            }
+            _ => wrong(self),
+        }
+    }
+
+    /// `mass * length^2 / divisor`
+    fn times_square(&mut self, mass: ExprId, length: ExprId, divisor: i64) -> ExprId {
+        let g = &mut self.graph;
+        let square = g.powi(length, 2);
+        let product = g.mul(mass, square);
+        let factor = g.number(ratio(1, divisor));
+        g.mul(factor, product)
+    }
+
+    fn rod(&mut self, mass: ExprId, from: Vec3, to: Vec3) -> SpatialInertia {
+        let g = &mut self.graph;
+        let both = add(g, from, to);
+        let half = g.number(ratio(1, 2));
+        let middle = scale(g, half, both);
+        let twelfth = g.number(ratio(1, 12));
+        let twelfth = g.mul(twelfth, mass);
+        let length = sub(g, to, from);
+        let moments = Symmetric3::of_point(g, twelfth, length);
+        SpatialInertia::of_body(g, mass, middle, moments)
+    }
+
+    /// A uniform polygon in the xy plane, as a sum over the triangles between its sides and the origin (Green).
+    fn plate(
+        &mut self,
+        owner: &Ident,
+        mass: ExprId,
+        corners: &[(ExprId, ExprId)],
+        tokens: &proc_macro2::TokenStream,
+    ) -> Option<SpatialInertia> {
+        if corners.len() < 3 {
+            self.errors.on(
+                tokens,
+                format_args!("a plate of `{owner}` has {} corners", corners.len()),
+                "a plate needs three corners or more",
+            );
+            return None;
+        }
+        let constants: Option<Vec<_>> = corners
+            .iter()
+            .map(|&(x, y)| self.graph.constant(x).zip(self.graph.constant(y)))
+            .collect();
+        if let Some(corners) = &constants
+            && !is_simple(corners)
+        {
+            self.errors.on(
+                tokens,
+                format_args!("the sides of a plate of `{owner}` cross or touch"),
+                "list the corners in order around the plate, each once",
+            );
+            return None;
+        }
+        let g = &mut self.graph;
+        let mut sums = [g.zero(); 6]; // 2 area, 6 area (x, y), 12 integrals of (x^2, y^2), 24 of xy
+        for (n, &(x0, y0)) in corners.iter().enumerate() {
+            let (x1, y1) = corners[(n + 1) % corners.len()];
+            let (positive, negative) = (g.mul(x0, y1), g.mul(x1, y0));
+            let twice = g.sub(positive, negative);
+            let (sx, sy) = (g.add(x0, x1), g.add(y0, y1));
+            let xx = squares(g, x0, x1, sx);
+            let yy = squares(g, y0, y1, sy);
+            let (a, b, c) = (g.mul(x0, y0), g.mul(x1, y1), g.mul(sx, sy));
+            let xy = sum(g, [a, b, c]);
+            let one = g.one();
+            for (total, factor) in sums.iter_mut().zip([one, sx, sy, xx, yy, xy]) {
+                let term = g.mul(twice, factor);
+                *total = g.add(*total, term);
+            }
+        }
+        let density = g.div(mass, sums[0]); // mass / (2 area)
+        let [_, x, y, xx, yy, xy] = sums;
+        let mut part = |total: ExprId, share: i64| {
+            let factor = g.number(ratio(1, share));
+            let product = g.mul(density, total);
+            g.mul(factor, product)
+        };
+        // of twice the area: 2/6 for the first moments, 2/12 and 2/24 for the second ones
+        let (x, y, xx, yy, xy) = (part(x, 3), part(y, 3), part(xx, 6), part(yy, 6), part(xy, 12));
+        let zero = g.zero();
+        let about_origin = Symmetric3([yy, xx, g.add(xx, yy), g.neg(xy), zero, zero]);
+        Some(SpatialInertia {
+            mass,
+            moment: [x, y, zero],
+            about_origin,
+        })
+    }
+
+    fn triple(&mut self, argument: &Argument, place: &Place) -> Option<Vec3> {
+        if let Argument::List(entries, _) = argument
+            && let [x, y, z] = &entries[..]
+        {
+            let [x, y, z] = [x, y, z].map(|e| self.expr(e, place));
+            return Some([x?, y?, z?]);
+        }
+        self.errors.on(
+            argument,
+            format_args!("expected a point in {}", place.what),
+            "write its three coordinates `[x, y, z]`",
+        );
+        None
+    }
+}
+
+/// `a^2 + a b + b^2 = (a + b)^2 - a b`, written without a cancellation.
+fn squares(g: &mut Graph, a: ExprId, b: ExprId, sum_of_both: ExprId) -> ExprId {
+    let (a2, with_b) = (g.powi(a, 2), g.mul(b, sum_of_both));
+    g.add(a2, with_b)
+}
+
+/// Whether no two sides of a polygon share a point but their common corner.
+fn is_simple(corners: &[(f64, f64)]) -> bool {
+    let n = corners.len();
+    let side = |k: usize| (corners[k % n], corners[(k + 1) % n]);
+    let turn = |a: (f64, f64), b: (f64, f64), c: (f64, f64)| (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0);
+    let between = |a: (f64, f64), b: (f64, f64), p: (f64, f64)| {
+        p.0 >= a.0.min(b.0) && p.0 <= a.0.max(b.0) && p.1 >= a.1.min(b.1) && p.1 <= a.1.max(b.1)
+    };
+    let meet = |(a, b), (c, d)| {
+        let [p, q, r, s] = [turn(a, b, c), turn(a, b, d), turn(c, d, a), turn(c, d, b)];
+        (p * q < 0.0 && r * s < 0.0)
+            || (p == 0.0 && between(a, b, c))
+            || (q == 0.0 && between(a, b, d))
+            || (r == 0.0 && between(c, d, a))
+            || (s == 0.0 && between(c, d, b))
+    };
+    let area: f64 = (0..n).map(|k| turn((0.0, 0.0), side(k).0, side(k).1)).sum();
+    let crossing = (0..n).any(|i| (i + 2..n).filter(|j| (j + 1) % n != i).any(|j| meet(side(i), side(j))));
+    area.is_normal() && !crossing && (0..n).all(|k| corners[k] != corners[(k + 1) % n])
+}
