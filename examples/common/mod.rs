@@ -1,0 +1,4 @@
+//! What examples share.
+
+pub(crate) mod chart;
+mod typeset;
