@@ -3,6 +3,8 @@
 mod coefficients;
 mod jacobian;
 mod kinematics;
+mod links;
+mod recursive;
 mod solve;
 
 pub use coefficients::Coefficients;
@@ -10,9 +12,10 @@ pub use jacobian::partials;
 pub use kinematics::Kinematics;
 pub use solve::{Factored, Solver};
 
-use crate::expr::{ExprId, ratio};
-use crate::model::{Model, combine};
+use crate::expr::{ExprId, Graph, ratio};
+use crate::model::{Combination, Coordinate, Model, combine};
 use crate::screw::sum;
+use recursive::Recursive;
 
 /// `mass_matrix * qdd + bias = force`, in the coordinates of the scene.
 #[derive(Clone, Debug)]
@@ -32,90 +35,131 @@ pub struct Dynamics {
 }
 
 impl Dynamics {
-    /// The dynamics of a model, from A, B and C pulled back to its coordinates (Williams 2023, Sec. 2).
+    /// The dynamics of a model from A, B and C (Williams 2023, Sec. 2): the definition that other forms are proved equal to.
     pub fn new(model: &mut Model) -> Self {
         let mut kinematics = Kinematics::new(model);
         let coefficients = Coefficients::new(model, &mut kinematics);
-        let n = model.dof();
-        let zero = model.graph.zero();
-        let mut dynamics = Self {
-            mass_matrix: vec![vec![zero; n]; n],
-            bias: vec![zero; n],
-            force: vec![zero; n],
-            residual: vec![zero; n],
-            kinetic: zero,
-            potential: kinematics.potential(&mut model.graph),
-        };
-        dynamics.pull_back(model, &coefficients);
-        dynamics.energy(model);
-        dynamics
-    }
-
-    /// With `q = T theta` the mass matrix becomes `T^T A T`, and a generalised force `T^T tau`.
-    fn pull_back(&mut self, model: &mut Model, coefficients: &Coefficients) {
         let Model {
             graph: g,
             bodies,
             coordinates,
             ..
         } = model;
-        for (&(i, j), &entry) in &coefficients.a {
-            for &(k, t) in &bodies[i].motion {
-                for &(l, u) in &bodies[j].motion {
-                    let factor = g.integer(t * u);
-                    let term = g.mul(factor, entry);
-                    let sides: &[(usize, usize)] = if i == j { &[(k, l)] } else { &[(k, l), (l, k)] };
-                    for &(k, l) in sides {
-                        self.mass_matrix[k][l] = g.add(self.mass_matrix[k][l], term);
-                    }
-                }
-            }
-        }
         let rates: Vec<ExprId> = bodies
             .iter()
             .map(|b| combine(g, coordinates, &b.motion, |c| c.rate))
             .collect();
-        let mut along_joints: Vec<ExprId> = (0..bodies.len())
-            .map(|i| coefficients.c.get(&i).copied().unwrap_or(g.zero()))
-            .collect();
+        let mut along: Vec<ExprId> = vec![g.zero(); bodies.len()];
+        for (&i, &entry) in &coefficients.c {
+            along[i] = entry;
+        }
         for (&(i, j, k), &entry) in &coefficients.b {
             let factor = g.integer(if j == k { 1 } else { 2 });
             let rates = g.mul(rates[j], rates[k]);
             let rates = g.mul(factor, rates);
             let term = g.mul(entry, rates);
-            along_joints[i] = g.add(along_joints[i], term);
+            along[i] = g.add(along[i], term);
         }
-        for (body, along) in bodies.iter().zip(along_joints) {
-            for &(k, t) in &body.motion {
-                let factor = g.integer(t);
-                let (bias, force) = (g.mul(factor, along), g.mul(factor, body.force));
-                self.bias[k] = g.add(self.bias[k], bias);
-                self.force[k] = g.add(self.force[k], force);
-            }
-        }
-        for (k, residual) in self.residual.iter_mut().enumerate() {
-            *residual = g.sub(self.bias[k], self.force[k]);
-        }
+        let motions: Vec<Combination> = bodies.iter().map(|body| body.motion.clone()).collect();
+        let entries: Vec<_> = coefficients.a.iter().map(|(&(i, j), &entry)| (i, j, entry)).collect();
+        let potential = kinematics.potential(&mut model.graph);
+        Self::assemble(model, &motions, &entries, &along, potential)
     }
 
-    fn energy(&mut self, model: &mut Model) {
+    /// The same dynamics by recursion over links in base parameters; `potential` is the potential energy of gravity and springs.
+    pub fn recursive(model: &mut Model, potential: ExprId) -> Self {
+        let Recursive {
+            links,
+            mass_matrix,
+            bias,
+        } = Recursive::new(model);
+        let motions: Vec<Combination> = links.iter().map(|link| link.motion.clone()).collect();
+        let joints = sum(
+            &mut model.graph,
+            model.bodies.iter().map(|b| b.potential).collect::<Vec<_>>(),
+        );
+        let of_gravity = model.graph.sub(potential, joints);
+        Self::assemble(model, &motions, &mass_matrix, &bias, of_gravity)
+    }
+
+    /// The dynamics in the coordinates of the scene, from entries `(i, j, A_ij)` with `i <= j` and the bias along joints whose
+    /// coordinates are `q_i = motions[i]`. With `q = T theta` the mass matrix becomes `T^T A T`, a force `T^T tau`.
+    fn assemble(
+        model: &mut Model,
+        motions: &[Combination],
+        entries: &[(usize, usize, ExprId)],
+        bias: &[ExprId],
+        of_gravity: ExprId,
+    ) -> Self {
         let Model {
             graph: g,
             bodies,
             coordinates,
             ..
         } = model;
-        let mut products = Vec::new();
-        for (row, a) in self.mass_matrix.iter().zip(coordinates.iter()) {
-            for (&entry, b) in row.iter().zip(coordinates.iter()) {
-                let rates = g.mul(a.rate, b.rate);
-                products.push(g.mul(entry, rates));
+        let (n, zero) = (coordinates.len(), g.zero());
+        let mut mass_matrix = vec![vec![zero; n]; n];
+        for &(i, j, entry) in entries {
+            for &(k, t) in &motions[i] {
+                for &(l, u) in &motions[j] {
+                    let factor = g.integer(t * u);
+                    let term = g.mul(factor, entry);
+                    let sides: &[(usize, usize)] = if i == j { &[(k, l)] } else { &[(k, l), (l, k)] };
+                    for &(k, l) in sides {
+                        mass_matrix[k][l] = g.add(mass_matrix[k][l], term);
+                    }
+                }
             }
         }
-        let twice = sum(g, products);
-        let half = g.number(ratio(1, 2));
-        self.kinetic = g.mul(half, twice);
+        let forces = bodies.iter().map(|body| (&body.motion, body.force));
+        let force = pull_back(g, n, forces);
+        let bias = pull_back(g, n, motions.iter().zip(bias.iter().copied()));
+        let residual = bias
+            .iter()
+            .zip(&force)
+            .map(|(&bias, &force)| g.sub(bias, force))
+            .collect();
         let joints = sum(g, bodies.iter().map(|b| b.potential).collect::<Vec<_>>());
-        self.potential = g.add(self.potential, joints);
+        let potential = g.add(of_gravity, joints);
+        let kinetic = kinetic(g, &mass_matrix, coordinates);
+        Self {
+            mass_matrix,
+            bias,
+            force,
+            residual,
+            kinetic,
+            potential,
+        }
     }
+}
+
+/// `T^T tau`
+fn pull_back<'a>(
+    g: &mut Graph,
+    n: usize,
+    along_joints: impl Iterator<Item = (&'a Combination, ExprId)>,
+) -> Vec<ExprId> {
+    let mut pulled = vec![g.zero(); n];
+    for (motion, along) in along_joints {
+        for &(k, t) in motion {
+            let factor = g.integer(t);
+            let term = g.mul(factor, along);
+            pulled[k] = g.add(pulled[k], term);
+        }
+    }
+    pulled
+}
+
+/// Half of `qd^T A qd`.
+fn kinetic(g: &mut Graph, mass_matrix: &[Vec<ExprId>], coordinates: &[Coordinate]) -> ExprId {
+    let mut twice = g.zero();
+    for (row, a) in mass_matrix.iter().zip(coordinates) {
+        for (&entry, b) in row.iter().zip(coordinates) {
+            let rates = g.mul(a.rate, b.rate);
+            let term = g.mul(entry, rates);
+            twice = g.add(twice, term);
+        }
+    }
+    let half = g.number(ratio(1, 2));
+    g.mul(half, twice)
 }

@@ -28,6 +28,8 @@ pub enum Form {
     Closed(Preference),
     /// The graph of A, B and C as it was built.
     Shared,
+    /// Newton and Euler's recursion and composite bodies, on links in base parameters.
+    Recursive,
 }
 
 /// The shortest code that was found for one function.
@@ -54,6 +56,7 @@ impl Forms {
     pub fn new(model: &mut Model, dynamics: &Dynamics) -> Self {
         let angles = model.base_angles();
         let mut normalizer = Normalizer::with_angles(BUDGET, angles);
+        let recursive = Dynamics::recursive(model, dynamics.potential);
         let g = &mut model.graph;
         let mut forms = Vec::new();
         if let Ok(closed) = Closed::new(g, &mut normalizer, dynamics) {
@@ -63,6 +66,7 @@ impl Forms {
             }
         }
         forms.push((Form::Shared, dynamics.clone(), None));
+        forms.push((Form::Recursive, recursive, None));
         Self { forms, normalizer }
     }
 

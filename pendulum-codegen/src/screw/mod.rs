@@ -5,11 +5,13 @@
 //! of the graph, so a planar scene written in these terms comes out planar.
 
 mod inertia;
+mod moments;
 mod transform;
 mod twist;
 mod vector;
 
 pub use inertia::SpatialInertia;
+pub use moments::{MassMoments, Turn};
 pub use transform::Transform;
 pub(crate) use transform::{identity, rotation};
 pub use twist::{Twist, Wrench, bracket};

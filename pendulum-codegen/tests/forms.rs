@@ -1,0 +1,86 @@
+//! Every form of the dynamics has the values of A, B and C.
+
+mod common;
+
+use common::numbers;
+use pendulum_codegen::dynamics::Dynamics;
+use pendulum_codegen::expr::ExprId;
+
+const SCENES: [&str; 5] = [
+    // every kind of joint on skew axes
+    "pub Arm {
+        gravity: [1, -2, -9.81],
+        body a on ground { mass: 2, com: [0.1, 0.2, 0.3], inertia: [0.3, 0.4, 0.5, 0.01, 0.02, 0.03],
+            joint: revolute([1, 2, -1]) at [0.1, 0, 0.4], coordinate: q1 }
+        body b on a { mass: 1.5, com: [0, -0.3, 0.1], inertia: [0.2, 0.3, 0.25, -0.02, 0.01, 0],
+            joint: helical([0, 1, 1], 0.2) at [0.3, 0.1, 0] rpy [0.4, -0.7, 1.1], coordinate: q2 }
+        body c on b { mass: 0.7, com: [0.2, 0, 0], inertia: [0.1, 0.1, 0.1],
+            joint: screw([0.3, 0, 1, 0.2, -0.5, 0.1]) at [0, 0, 0.5], coordinate: q3 }
+        body d on c { mass: 0.5, com: [0, 0.1, 0.2], inertia: [0.05, 0.06, 0.07, 0.01, 0, 0.02],
+            joint: prismatic([1, 1, 0]) rpy [0, 0.3, 0], coordinate: q4 }
+        body e on d { mass: 0.5, com: [0, 0.1, 0.2], inertia: [0.05, 0.06, 0.07],
+            joint: revolute(y) at [0.1, 0.2, 0.3], coordinate: q5 }
+    }",
+    // branches in and out of a group of parallel axes, opposite ones, constant turns between them, bodies fixed in between
+    "pub Tree {
+        gravity: [0, 3, -9.81],
+        body base on ground { mass: 1, com: [0.1, 0, 0], joint: fixed rpy [0.2, 0, 0] }
+        body trunk on base { mass: 4, com: [0, 0.05, -0.3], inertia: [0.3, 0.2, 0.1], joint: revolute(x), coordinate: q1 }
+        body left on trunk { mass: 1, com: [0.1, 0, -0.2], inertia: [0.02, 0.03, 0.02],
+            joint: revolute(-x) at [0.2, 0, -0.5] rpy [0.5, 0, 0], coordinate: q2 }
+        body bracket on trunk { mass: 0.2, com: [0, 0.1, 0], joint: fixed at [0, 0.2, 0] rpy [pi/2, 0, pi/3] }
+        body right on bracket { mass: 0.7, com: [0, 0.1, -0.1], inertia: [0.02, 0.03, 0.02, 0.001, 0.002, 0.003],
+            joint: revolute(y) at [-0.2, 0, 0.1], coordinate: q3 }
+        body hand on left { mass: 0.5, com: [0, 0.02, -0.1], inertia: [0.01, 0.02, 0.02, 0, 0.001, 0],
+            joint: revolute(x) at [0.1, 0.3, -0.4], coordinate: q4 }
+        body slider on left { mass: 0.4, com: [0.1, 0.02, -0.1], inertia: [0.01, 0.02, 0.02],
+            joint: prismatic([0, 1, 1]) at [0.1, 0.3, -0.4], coordinate: q5 }
+        body nail on slider { mass: 0.3, com: [0.1, 0.2, -0.1], joint: fixed at [0, 0, 0.3] rpy [0, 0.4, 0] }
+        body wheel on hand { mass: 0.4, com: [0.1, 0.02, -0.1], inertia: [0.01, 0.02, 0.02],
+            joint: revolute([0, 1, 2]) at [0.1, 0.3, -0.4], coordinate: q6 }
+    }",
+    // parameters, absolute and relative angles, friction and springs
+    "pub Chain {
+        params { m: kg, l: m, k: N m, c: N m s }
+        gravity: [0, -9.81, 0],
+        body a on ground { mass: m, com: [0.1, -l, 0], inertia: 0.1, joint: revolute(z), coordinate: q1, friction: c }
+        body b on a { mass: 2, com: [0.1, -0.2, 0], inertia: 0.2, joint: prismatic([1, -2, 0]) at [0, -l, 0], coordinate: q2 }
+        body d on b { mass: m, com: [0, -l, 0], inertia: 0.1, joint: revolute(-z) at [0.1, 0, 0], coordinate: q3, spring: (k, 1) }
+        body e on d { mass: 1, com: [0.2, -0.5, 0], inertia: 0.1, joint: revolute(z) at [0, -1, 0], coordinate: q4 absolute }
+    }",
+    "pub Slides {
+        gravity: [1, 2, 3],
+        body a on ground { mass: 1, com: [0.1, 0.2, 0.3], inertia: [0.1, 0.1, 0.1], joint: prismatic([1, 2, 2]), coordinate: q1 }
+        body b on a { mass: 2, com: [0.1, 0.2, 0.3], inertia: [0.1, 0.1, 0.1], joint: prismatic(y), coordinate: q2 }
+    }",
+    "pub Screws {
+        gravity: [1, 2, 3],
+        body a on ground { mass: 1, com: [0.1, 0.2, 0.3], inertia: [0.1, 0.2, 0.2], joint: helical(x, 0.3), coordinate: q1 }
+        body b on a { mass: 2, com: [0.1, 0.2, 0.3], inertia: [0.1, 0.1, 0.15], joint: helical(x, -0.1) at [0, 0.2, 0], coordinate: q2 }
+        body c on b { mass: 2, com: [0.1, 0.2, 0.3], inertia: [0.1, 0.1, 0.15], joint: revolute(-x) at [1, 0.2, 0], coordinate: q3 }
+    }",
+];
+
+#[test]
+fn the_recursion_is_a_b_and_c() {
+    for scene in SCENES {
+        let (mut model, dynamics) = common::dynamics(scene);
+        let recursive = Dynamics::recursive(&mut model, dynamics.potential);
+        let all =
+            |d: &Dynamics| -> Vec<ExprId> { [d.mass_matrix.concat(), d.bias.clone(), d.residual.clone()].concat() };
+        let (ours, theirs) = (all(&recursive), all(&dynamics));
+        for seed in 0..20 {
+            let mut next = numbers(13 * seed);
+            let values = model.graph.evaluate(&[&ours[..], &theirs].concat(), |_| 3.0 * next());
+            let (ours, theirs) = values.split_at(ours.len());
+            let scale = theirs.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+            for (n, (x, y)) in ours.iter().zip(theirs).enumerate() {
+                assert!(
+                    (x - y).abs() <= 1e-12 * scale,
+                    "{x} is not {y}: number {n} of {} in {scene}",
+                    ours.len()
+                );
+            }
+        }
+    }
+}
