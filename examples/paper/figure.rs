@@ -1,76 +1,64 @@
-//! Fig. 2 of the paper: angles and rates against time, for three frictions.
+//! Figure 2 of the paper: angles and rates for three strengths of friction.
 
 use std::error::Error;
-use std::path::{Path, PathBuf};
 
 use pendulum_core::prelude::*;
 
-use crate::chart::{Axis, BLUE, Curve, Figure, Line, Row, VERMILION};
-use crate::{END, Motion};
+use crate::common::chart::{Axis, BLUE, Curve, Figure, Line, Row, VERMILION};
 
-/// Told apart by colour and by dashes.
-const THETA1: Line = Line {
+const UPPER: Line = Line {
     color: BLUE,
-    width: 2.5,
+    width: 3.2,
     dashed: false,
 };
-const THETA2: Line = Line {
+const LOWER: Line = Line {
     color: VERMILION,
-    width: 2.5,
+    width: 3.2,
     dashed: true,
 };
 
-/// Points of a curve, less than two pixels apart.
-const POINTS: u32 = 1000;
+/// Points for each curve: enough for it to look smooth.
+const POINTS: u32 = 800;
 
-/// Draws the figure, and returns the files that it is in.
-pub fn draw(motions: &[Motion]) -> Result<[PathBuf; 2], Box<dyn Error>> {
-    let rows: Result<Vec<Row>, OutsideSpan> = motions.iter().map(row).collect();
-    let figure = Figure {
-        title: "Compound double pendulum with friction (Williams 2023, Fig. 2)".to_owned(),
+/// One row of panels for each solution, named by its friction.
+pub(crate) fn figure2(runs: &[(f64, Solution<4>)], t_end: f64) -> Result<Figure, Box<dyn Error>> {
+    let rows = runs.iter().map(|(gamma, solution)| row(*gamma, solution, t_end));
+    let axis = |label: &str, range| Axis {
+        label: label.to_owned(),
+        range,
+        ticks: 5,
+    };
+    Ok(Figure {
+        title: "Compound double pendulum with friction, released from rest at θ₁ = 0°, θ₂ = 4°".to_owned(),
         subtitle:
-            "Released at rest from θ₁ = 0°, θ₂ = 4°;  m = 1 kg, I = 1 kg m², c = d = 1 m, g = 9.8 m/s², γ₁ = γ₂ = γ"
+            "After Williams (2023), Fig. 2: equal plates, m = 1 kg, inertia 1 kg m², c = d = 1 m; g = 9.8 m/s²; γ₁ = γ₂ = γ"
                 .to_owned(),
         size: (1600, 1500),
         legend: vec![
-            (THETA1, "θ₁, upper plate".to_owned()),
-            (THETA2, "θ₂, lower plate".to_owned()),
+            (UPPER, "upper plate: θ₁ and dθ₁/dt".to_owned()),
+            (LOWER, "lower plate: θ₂ and dθ₂/dt".to_owned()),
         ],
-        x: axis("time t (s)", 0.0, END, 5),
-        columns: vec![
-            axis("angle (degrees)", -5.0, 5.0, 5),
-            axis("rate (degrees/s)", -20.0, 20.0, 5),
-        ],
-        rows: rows?,
-    };
-    figure.save(Path::new("out/paper/fig2"))
-}
-
-/// The panels of one friction: the angles, and the rates.
-fn row(motion: &Motion) -> Result<Row, OutsideSpan> {
-    let times: Vec<f64> = (0..=POINTS).map(|n| END * f64::from(n) / f64::from(POINTS)).collect();
-    let states = motion.rk45.sample(times.iter().copied())?;
-    let curve = |line, component: usize| Curve {
-        line,
-        points: times
-            .iter()
-            .zip(&states)
-            .map(|(&t, x)| (t, x[component].to_degrees()))
-            .collect(),
-    };
-    Ok(Row {
-        caption: format!("γ = {} N m s", motion.gamma),
-        panels: vec![
-            vec![curve(THETA1, 0), curve(THETA2, 1)],
-            vec![curve(THETA1, 2), curve(THETA2, 3)],
-        ],
+        x: axis("time t (s)", 0.0..t_end),
+        columns: vec![axis("angle θ (°)", -4.6..4.6), axis("rate dθ/dt (°/s)", -11.5..11.5)],
+        rows: rows.collect::<Result<_, _>>()?,
     })
 }
 
-fn axis(label: &str, from: f64, to: f64, ticks: usize) -> Axis {
-    Axis {
-        label: label.to_owned(),
-        range: from..to,
-        ticks,
-    }
+fn row(gamma: f64, solution: &Solution<4>, t_end: f64) -> Result<Row, OutsideSpan> {
+    let times: Vec<f64> = (0..=POINTS).map(|n| t_end * f64::from(n) / f64::from(POINTS)).collect();
+    let states = solution.sample(times.iter().copied())?;
+    let curve = |line, component: usize| {
+        let degrees = states.iter().map(|x| x[component].to_degrees());
+        Curve {
+            line,
+            points: times.iter().copied().zip(degrees).collect(),
+        }
+    };
+    Ok(Row {
+        caption: format!("γ = {gamma} N m s"),
+        panels: vec![
+            vec![curve(UPPER, 0), curve(LOWER, 1)],
+            vec![curve(UPPER, 2), curve(LOWER, 3)],
+        ],
+    })
 }

@@ -1,24 +1,21 @@
-//! Section 4 of the paper on real numbers: H. Williams, "Chaotic dynamics of the compound double pendulum with friction",
-//! Forces in Mechanics (2023), Eq. 22 and Fig. 2.
+//! Section 4 of the paper on real numbers: H. Williams, "A compound double pendulum with friction" (2023).
 //!
-//! `cargo run --release --example paper` declares the pendulum, prints its generated equations beside those of the paper,
-//! compares its motion with reference data, and draws Fig. 2 into `out/paper/`.
+//! `cargo run --release --example paper` declares the pendulum, shows the generated equations beside the paper's Eq. 22,
+//! integrates the paper's three cases, compares where they end with reference trajectories, and draws Fig. 2.
 
-#[path = "../common/chart.rs"]
-mod chart;
+#[path = "../common/mod.rs"]
+mod common;
 mod figure;
 mod reference;
-#[path = "../common/typeset.rs"]
-mod typeset;
 
 use std::error::Error;
+use std::path::Path;
 
 use pendulum_core::prelude::*;
-use reference::Reference;
 
 mechanism! {
     /// Two identical plates on axles with friction: Williams (2023), Eq. 22.
-    pub DoublePendulum {
+    DoublePendulum {
         params {
             /// Mass of each plate.
             m: kg = 1.0,
@@ -52,135 +49,120 @@ mechanism! {
     }
 }
 
-/// The paper's three frictions, the same in both axles, in N m s.
+/// The paper's friction coefficients, in N m s; both axles have the same.
 const GAMMAS: [f64; 3] = [1.0, 0.4, 0.1];
 
-/// The length of the motion, in s.
-const END: f64 = 20.0;
-
-/// Relative and absolute tolerance of the adaptive method.
-const TOLERANCE: f64 = 1e-10;
-
-/// Step of the fixed-step method, in s.
-const STEP: f64 = 0.01;
-
-/// Eq. 22 in the order of the generated text; it holds for identical plates with `c = d`.
-const EQ_22: &str = "\
-A[theta1, theta1] = inertia + 2*m*d^2
-A[theta1, theta2] = m*d^2*cos(theta1 - theta2)
-A[theta2, theta2] = inertia + m*d^2
-b[theta1] = 2*m*d*g*sin(theta1) + m*d^2*dot(theta2)^2*sin(theta1 - theta2)
-b[theta2] = -m*d^2*dot(theta1)^2*sin(theta1 - theta2) + m*d*g*sin(theta2)
-Q[theta1] = -gamma1*dot(theta1) - gamma2*(dot(theta1) - dot(theta2))
-Q[theta2] = gamma2*(dot(theta1) - dot(theta2))";
-
-/// The motion with one friction, by an accurate method and by a plain one.
-struct Motion {
-    gamma: f64,
-    model: DoublePendulum,
-    rk45: Solution<4>,
-    rk4: Solution<4>,
-}
-
-impl Motion {
-    fn new(gamma: f64) -> Result<Self, Box<dyn Error>> {
-        let model = DoublePendulum::new(DoublePendulumParams {
-            gamma1: gamma,
-            gamma2: gamma,
-            ..Default::default()
-        })?;
-        let start = [0.0, 4.0_f64.to_radians(), 0.0, 0.0];
-        let rk45 = Rk45::new().rtol(TOLERANCE).atol(TOLERANCE);
-        Ok(Self {
-            gamma,
-            rk45: rk45.solve(&model, 0.0, END, start)?,
-            rk4: Rk4::new(STEP).solve(&model, 0.0, END, start)?,
-            model,
-        })
-    }
-
-    /// Energy above that at rest at each accepted point, in J.
-    fn energies(&self) -> Vec<f64> {
-        let rest = self.model.energy(0.0, &SVector::zeros());
-        let points = self.rk45.t().iter().zip(self.rk45.x());
-        points.map(|(&t, x)| self.model.energy(t, x) - rest).collect()
-    }
-}
+/// The end of the paper's Fig. 2, in seconds.
+const T_END: f64 = 20.0;
 
 fn main() -> Result<(), Box<dyn Error>> {
     print_equations();
-    let motions = GAMMAS.map(Motion::new).into_iter().collect::<Result<Vec<_>, _>>()?;
-    print_end_states(&motions)?;
-    print_energies(&motions)?;
-    for path in figure::draw(&motions)? {
+    print_operations();
+    println!(
+        "From theta1 = 0, theta2 = 4 degrees at rest to t = {T_END} s; gamma in N m s, angles in rad, rates in rad/s"
+    );
+    println!("error: the largest of the four differences from the reference (45-digit extrapolation)");
+    let mut runs = Vec::new();
+    for gamma in GAMMAS {
+        runs.push((gamma, run(gamma)?));
+    }
+    println!("\nFig. 2, drawn from the dense output of Rk45:");
+    for path in figure::figure2(&runs, T_END)?.save(Path::new("out/paper/fig2"))? {
         println!("{}", path.display());
     }
     Ok(())
 }
 
+/// Eq. 22, corrected: the left sides as in `EQUATIONS`, whose `theta'` are written `dot(theta)`.
+///
+/// The paper prints theta2'^2 in b[theta2]; with that the energy is not conserved at gamma1 = gamma2 = 0.
+const EQ_22: [(&str, &str); 7] = [
+    ("A[theta1, theta1]", "I + 2 m d^2"),
+    ("A[theta1, theta2]", "m d^2 cos(theta1 - theta2)"),
+    ("A[theta2, theta2]", "I + m d^2"),
+    (
+        "b[theta1]",
+        "m d^2 theta2'^2 sin(theta1 - theta2) + 2 m g d sin(theta1)",
+    ),
+    ("b[theta2]", "-m d^2 theta1'^2 sin(theta1 - theta2) + m g d sin(theta2)"),
+    ("Q[theta1]", "-gamma1 theta1' - gamma2 (theta1' - theta2')"),
+    ("Q[theta2]", "gamma2 (theta1' - theta2')"),
+];
+
+/// Each generated term with that of Eq. 22 below it.
 fn print_equations() {
-    println!("GENERATED EQUATIONS\n{}", DoublePendulum::EQUATIONS);
-    println!("EQ. 22, corrected, in the same order. It has identical plates, as here, and c = d:\n\n{EQ_22}\n");
-    println!("Printed, Eq. 22b has dot(theta2)^2 where b[theta2] has dot(theta1)^2; that would not conserve energy.\n");
-    println!("OPERATIONS");
-    println!("right-hand side  {}", DoublePendulum::COST.rhs);
-    println!("Jacobian         {}\n", DoublePendulum::COST.jacobian);
-}
-
-fn print_end_states(motions: &[Motion]) -> Result<(), Box<dyn Error>> {
-    println!("END STATES, t = {END} s from theta1 = 0, theta2 = 4 degrees at rest; rad and rad/s");
-    println!(
-        "{:<7}{:<15}{:>14}{:>14}{:>14}{:>14}{:>11}{:>7}{:>13}",
-        "gamma", "", "theta1", "theta2", "dot(theta1)", "dot(theta2)", "error", "steps", "evaluations"
-    );
-    for motion in motions {
-        let reference = Reference::of(motion.gamma)?;
-        let gamma = motion.gamma.to_string();
-        println!("{gamma:<7}{:<15}{}", "reference", numbers(&reference.end));
-        let rows = [
-            (format!("Rk45, {TOLERANCE:e}"), &motion.rk45),
-            (format!("Rk4, h = {STEP}"), &motion.rk4),
-        ];
-        for (method, solution) in rows {
-            let (_, end) = solution.last();
-            let (error, statistics) = ((end - reference.end).amax(), solution.statistics());
-            println!(
-                "{:<7}{method:<15}{}{error:>11.1e}{:>7}{:>13}",
-                "",
-                numbers(&end),
-                statistics.accepted + statistics.rejected,
-                statistics.evaluations
-            );
+    println!("The generated equations, and below each term that of Williams (2023), Eq. 22, corrected:");
+    println!("two identical plates, whose centre of mass is as far from the axle as the other axle, c = d\n");
+    for line in DoublePendulum::EQUATIONS.lines() {
+        println!("{}", format!("  {line}").trim_end());
+        let term = line.split(" = ").next();
+        if let Some((term, by_hand)) = EQ_22.iter().find(|(name, _)| Some(*name) == term) {
+            println!("  {:>width$} = {by_hand}", "Eq. 22", width = term.len());
         }
     }
+    println!("\n  Printed in the paper's b[theta2], but not energy-conserving: theta2'^2 in place of theta1'^2.\n");
+}
+
+fn print_operations() {
+    println!("Operations of one evaluation");
+    println!("  right-hand side  {}", DoublePendulum::COST.rhs);
+    println!("  state Jacobian   {}\n", DoublePendulum::COST.jacobian);
+}
+
+/// Integrates the case with the friction `gamma` in both axles by two methods, and prints how well they did.
+fn run(gamma: f64) -> Result<Solution<4>, Box<dyn Error>> {
+    let params = DoublePendulumParams {
+        gamma1: gamma,
+        gamma2: gamma,
+        ..Default::default()
+    };
+    let pendulum = DoublePendulum::new(params)?;
+    let start = [0.0, 4.0_f64.to_radians(), 0.0, 0.0];
+    let adaptive = Rk45::new()
+        .rtol(1e-10)
+        .atol(1e-10)
+        .solve(&pendulum, 0.0, T_END, start)?;
+    let fixed = Rk4::new(0.01).solve(&pendulum, 0.0, T_END, start)?;
+    let reference = reference::state(&format!("paper_gamma_{gamma}"), T_END)?;
+
+    print_header(gamma);
+    print_row("reference", &reference);
     println!();
-    Ok(())
-}
-
-/// The components of a state, side by side.
-fn numbers(x: &SVector<f64, 4>) -> String {
-    x.iter().map(|component| format!("{component:>14.10}")).collect()
-}
-
-/// Friction takes energy all the time: if it rose, the model or the method were wrong.
-fn print_energies(motions: &[Motion]) -> Result<(), Box<dyn Error>> {
-    println!("ENERGY above rest, in J, by Rk45");
-    println!(
-        "{:<7}{:>14}{:>14}{:>11}",
-        "gamma",
-        "t = 0 s",
-        format!("t = {END} s"),
-        "left"
-    );
-    for motion in motions {
-        let energies = motion.energies();
-        if energies.windows(2).any(|pair| pair[1] > pair[0]) {
-            return Err(format!("with friction {} the energy rises", motion.gamma).into());
-        }
-        let (start, end) = (energies[0], energies[energies.len() - 1]);
-        let left = 100.0 * end / start;
-        println!("{:<7}{start:>14.6}{end:>14.6}{left:>9.2} %", motion.gamma);
+    for (name, solution) in [("Rk45, tol 1e-10", &adaptive), ("Rk4, h = 0.01", &fixed)] {
+        let (_, end) = solution.last();
+        print_row(name, &end);
+        let work = solution.statistics();
+        let error = (end - reference).amax();
+        println!("  {error:>7.1e}  {:>5}  {:>5}", work.accepted, work.evaluations);
     }
-    println!();
-    Ok(())
+    print_energy(&pendulum, &adaptive);
+    Ok(adaptive)
+}
+
+fn print_header(gamma: f64) {
+    print!("\n  {:<16}", format!("gamma = {gamma}"));
+    for name in ["theta1", "theta2", "theta1'", "theta2'"] {
+        print!("  {name:>15}");
+    }
+    println!("  {:>7}  {:>5}  {:>5}", "error", "steps", "evals");
+}
+
+fn print_row(name: &str, x: &SVector<f64, 4>) {
+    print!("  {name:<16}");
+    for component in x {
+        print!("  {component:>15.12}");
+    }
+}
+
+/// The energy above that of hanging at rest: with friction it only falls.
+fn print_energy(pendulum: &DoublePendulum, solution: &Solution<4>) {
+    let rest = pendulum.energy(0.0, &SVector::zeros());
+    let points = solution.t().iter().zip(solution.x());
+    let energies: Vec<f64> = points.map(|(&t, x)| pendulum.energy(t, x) - rest).collect();
+    let steps = energies.len() - 1;
+    let falling = energies.windows(2).filter(|pair| pair[1] < pair[0]).count();
+    println!(
+        "  energy {:.6e} J at the start, {:.6e} J at the end; it falls in {falling} of {steps} steps",
+        energies[0], energies[steps],
+    );
 }

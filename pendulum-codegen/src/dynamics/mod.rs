@@ -28,6 +28,8 @@ pub struct Dynamics {
     pub force: Vec<ExprId>,
     /// The bias less the forces.
     pub residual: Vec<ExprId>,
+    /// `A qdd + bias - force`, zero along the motion, with the accelerations as the symbols of the coordinates.
+    pub balance: Vec<ExprId>,
     /// Kinetic energy.
     pub kinetic: ExprId,
     /// Potential energy of gravity and springs.
@@ -63,7 +65,9 @@ impl Dynamics {
         let motions: Vec<Combination> = bodies.iter().map(|body| body.motion.clone()).collect();
         let entries: Vec<_> = coefficients.a.iter().map(|(&(i, j), &entry)| (i, j, entry)).collect();
         let potential = kinematics.potential(&mut model.graph);
-        Self::assemble(model, &motions, &entries, &along, potential)
+        let mut dynamics = Self::assemble(model, &motions, &entries, &along, potential);
+        dynamics.write_balance(&mut model.graph, &model.coordinates);
+        dynamics
     }
 
     /// The same dynamics by recursion over links in base parameters; `potential` is the potential energy of gravity and springs.
@@ -72,6 +76,7 @@ impl Dynamics {
             links,
             mass_matrix,
             bias,
+            inertial,
         } = Recursive::new(model);
         let motions: Vec<Combination> = links.iter().map(|link| link.motion.clone()).collect();
         let joints = sum(
@@ -79,7 +84,12 @@ impl Dynamics {
             model.bodies.iter().map(|b| b.potential).collect::<Vec<_>>(),
         );
         let of_gravity = model.graph.sub(potential, joints);
-        Self::assemble(model, &motions, &mass_matrix, &bias, of_gravity)
+        let mut dynamics = Self::assemble(model, &motions, &mass_matrix, &bias, of_gravity);
+        let g = &mut model.graph;
+        let inertial = pull_back(g, dynamics.bias.len(), motions.iter().zip(inertial));
+        let pairs = inertial.into_iter().zip(&dynamics.force);
+        dynamics.balance = pairs.map(|(inertial, &force)| g.sub(inertial, force)).collect();
+        dynamics
     }
 
     /// The dynamics in the coordinates of the scene, from entries `(i, j, A_ij)` with `i <= j` and the bias along joints whose
@@ -127,9 +137,23 @@ impl Dynamics {
             bias,
             force,
             residual,
+            balance: Vec::new(),
             kinetic,
             potential,
         }
+    }
+
+    /// Writes the balance out from the mass matrix and the residual.
+    pub fn write_balance(&mut self, g: &mut Graph, coordinates: &[Coordinate]) {
+        let rows = self.mass_matrix.iter().zip(&self.residual);
+        self.balance = rows
+            .map(|(row, &residual)| {
+                row.iter().zip(coordinates).fold(residual, |sum, (&entry, coordinate)| {
+                    let term = g.mul(entry, coordinate.acceleration);
+                    g.add(sum, term)
+                })
+            })
+            .collect();
     }
 }
 

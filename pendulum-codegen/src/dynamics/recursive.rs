@@ -17,6 +17,8 @@ pub(super) struct Recursive {
     /// `A_ij` for `i <= j`, where link i carries link j or is it.
     pub(super) mass_matrix: Vec<(usize, usize, ExprId)>,
     pub(super) bias: Vec<ExprId>,
+    /// `A qdd + bias` with the second rates as symbols: what a motion takes.
+    pub(super) inertial: Vec<ExprId>,
 }
 
 /// The frame in which a link is computed: at its origin, turned as its station is.
@@ -43,13 +45,25 @@ impl Recursive {
     pub(super) fn new(model: &mut Model) -> Self {
         let links = links(model);
         let frames = frames(model, &links);
-        let g = &mut model.graph;
-        let bias = bias(g, &links, &frames, model.gravity);
+        let Model {
+            graph: g,
+            coordinates,
+            gravity,
+            ..
+        } = model;
+        let still = vec![g.zero(); links.len()];
+        let bias = inverse_dynamics(g, &links, &frames, *gravity, &still);
+        let second_rates: Vec<ExprId> = links
+            .iter()
+            .map(|link| combine(g, coordinates, &link.motion, |c| c.acceleration))
+            .collect();
+        let inertial = inverse_dynamics(g, &links, &frames, *gravity, &second_rates);
         let mass_matrix = mass_matrix(g, &links, &frames);
         Self {
             links,
             mass_matrix,
             bias,
+            inertial,
         }
     }
 }
@@ -223,10 +237,16 @@ struct Motion {
     field: Mat3,
 }
 
-/// The bias along each joint: what a motion without second rates takes, in a frame that falls upwards with gravity.
-fn bias(g: &mut Graph, links: &[Link], frames: &[Frame], gravity: Vec3) -> Vec<ExprId> {
+/// The force along each joint that a motion takes, by Newton and Euler, in a frame that falls upwards with gravity.
+fn inverse_dynamics(
+    g: &mut Graph,
+    links: &[Link],
+    frames: &[Frame],
+    gravity: Vec3,
+    second_rates: &[ExprId],
+) -> Vec<ExprId> {
     let mut motions: Vec<Motion> = Vec::new();
-    for (link, frame) in links.iter().zip(frames) {
+    for ((link, frame), &second_rate) in links.iter().zip(frames).zip(second_rates) {
         let parent = link.parent.map(|p| &frames[p]);
         let (w, alpha, a) = match link.parent.map(|p| &motions[p]) {
             Some(Motion { w, alpha, a, field }) => {
@@ -246,6 +266,11 @@ fn bias(g: &mut Graph, links: &[Link], frames: &[Frame], gravity: Vec3) -> Vec<E
             vector[1] = g.sub(vector[1], across);
         }
         w[2] = g.add(w[2], frame.turning);
+        if link.turns {
+            alpha[2] = g.add(alpha[2], second_rate);
+        }
+        let slide = g.mul(link.pitch, second_rate);
+        a[2] = g.add(a[2], slide);
         let field = acceleration_field(g, w, alpha);
         motions.push(Motion { w, alpha, a, field });
     }

@@ -4,6 +4,7 @@ use super::angles::collect;
 use super::factor::{Preference, Term, factor, polynomial, terms};
 use crate::dynamics::Dynamics;
 use crate::expr::{ExprId, Graph, Level, Normalizer, Poly, TooLarge};
+use crate::model::Coordinate;
 
 /// Dynamics whose entries are lists of terms.
 #[derive(Debug)]
@@ -49,9 +50,9 @@ impl Closed {
     }
 
     /// The dynamics as expressions, with common factors drawn out.
-    pub fn factored(&self, g: &mut Graph, preference: Preference) -> Dynamics {
+    pub fn factored(&self, g: &mut Graph, coordinates: &[Coordinate], preference: Preference) -> Dynamics {
         let mut short = |terms: &Vec<Term>| factor(g, terms, preference);
-        Dynamics {
+        let mut dynamics = Dynamics {
             mass_matrix: self
                 .mass_matrix
                 .iter()
@@ -60,9 +61,12 @@ impl Closed {
             bias: self.bias.iter().map(&mut short).collect(),
             force: self.force.iter().map(&mut short).collect(),
             residual: self.residual.iter().map(&mut short).collect(),
+            balance: Vec::new(),
             kinetic: short(&self.kinetic),
             potential: short(&self.potential),
-        }
+        };
+        dynamics.write_balance(g, coordinates);
+        dynamics
     }
 
     /// The determinant of the mass matrix, where it has two rows.

@@ -57,11 +57,13 @@ impl Forms {
         let angles = model.base_angles();
         let mut normalizer = Normalizer::with_angles(BUDGET, angles);
         let recursive = Dynamics::recursive(model, dynamics.potential);
-        let g = &mut model.graph;
+        let Model {
+            graph: g, coordinates, ..
+        } = model;
         let mut forms = Vec::new();
         if let Ok(closed) = Closed::new(g, &mut normalizer, dynamics) {
             for preference in Preference::ALL {
-                let factored = closed.factored(g, preference);
+                let factored = closed.factored(g, coordinates, preference);
                 forms.push((Form::Closed(preference), factored, closed.determinant(g, preference)));
             }
         }
@@ -106,7 +108,7 @@ impl Forms {
         } = model;
         let mut candidates = Vec::new();
         for (form, dynamics, determinant) in &self.forms {
-            let mut columns = vec![partials(g, dynamics, coordinates, variables)];
+            let mut columns = vec![partials(g, dynamics, variables)];
             if let Form::Closed(preference) = *form {
                 columns.extend(expanded(g, &mut self.normalizer, &columns[0], preference));
             }
