@@ -315,7 +315,7 @@ fn facts_are_constants_of_the_type() {
     assert_eq!(DoublePendulum::COORDINATES, ["theta1", "theta2"]);
     let text = DoublePendulum::EQUATIONS;
     assert!(
-        text.contains("A[theta1, theta2] = m*c*d*cos(theta2 - theta1)"),
+        text.contains("A[theta1, theta2] = m*c*d*cos(theta1 - theta2)"),
         "{text}"
     );
     assert!(text.contains("A[theta1, theta1] = inertia + m*c^2 + m*d^2"), "{text}");

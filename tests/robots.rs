@@ -15,3 +15,12 @@ agrees! {
     ur5: Ur5, 6;
     panda: Panda, 7;
 }
+
+/// Additions and multiplications, of the right-hand side and of the Jacobian with all that it needs. CasADi's C code of the same
+/// models, after its own elimination of common subexpressions, has 890 and 5649 for UR5, 1910 and 9806 for Panda.
+#[test]
+fn the_code_is_short() {
+    let counts = [Ur5::COST.rhs, Ur5::COST.jacobian, Panda::COST.rhs, Panda::COST.jacobian].map(|cost| cost.flops());
+    let most = [400, 1800, 1200, 7500];
+    assert!(counts.iter().zip(most).all(|(&count, most)| count <= most), "{counts:?}");
+}

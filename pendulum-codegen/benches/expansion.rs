@@ -42,3 +42,8 @@ fn double_pendulum(bencher: Bencher) {
 fn mechanism(bencher: Bencher, model: &str) {
     expand(bencher, include_str!("../../tests/common/mechanisms.rs"), model);
 }
+
+#[divan::bench(args = ["Ur5", "Panda"], sample_count = 10)]
+fn robot(bencher: Bencher, model: &str) {
+    expand(bencher, include_str!("../../tests/common/robots.rs"), model);
+}

@@ -276,7 +276,7 @@ impl Graph {
         let opposite = match *self.node(x) {
             Node::Unary(Unary::Neg, y) => Some(y),
             // a - b and b - a have one sine and cosine between them
-            Node::Binary(Binary::Sub, a, b) if a < b => Some(self.sub(b, a)),
+            Node::Binary(Binary::Sub, a, b) if a > b => Some(self.sub(b, a)),
             _ => None,
         };
         match (op, opposite) {

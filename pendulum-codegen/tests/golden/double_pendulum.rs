@@ -45,10 +45,10 @@ impl ::core::default::Default for DoublePendulumParams {
 A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints
 
 A[theta1, theta1] = inertia + m*c^2 + m*d^2
-A[theta1, theta2] = m*c*d*cos(theta2 - theta1)
+A[theta1, theta2] = m*c*d*cos(theta1 - theta2)
 A[theta2, theta2] = inertia + m*c^2
-b[theta1] = (m*c*g + m*d*g)*sin(theta1) - m*c*d*dot(theta2)^2*sin(theta2 - theta1)
-b[theta2] = m*c*d*dot(theta1)^2*sin(theta2 - theta1) + m*c*g*sin(theta2)
+b[theta1] = m*c*d*dot(theta2)^2*sin(theta1 - theta2) + (m*c*g + m*d*g)*sin(theta1)
+b[theta2] = m*c*g*sin(theta2) - m*c*d*dot(theta1)^2*sin(theta1 - theta2)
 Q[theta1] = gamma2*dot(theta2) - (gamma1 + gamma2)*dot(theta1)
 Q[theta2] = gamma2*dot(theta1) - gamma2*dot(theta2)
 ```
@@ -225,7 +225,7 @@ impl DoublePendulum {
             functions: 0,
         },
         jacobian: ::pendulum_core::Operations {
-            additions: 27,
+            additions: 28,
             multiplications: 50,
             divisions: 1,
             sincos: 2,
@@ -248,7 +248,7 @@ impl DoublePendulum {
         ..::pendulum_core::Cost::ZERO
     };
     /// The equations of motion as text.
-    pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[theta1, theta1] = inertia + m*c^2 + m*d^2\nA[theta1, theta2] = m*c*d*cos(theta2 - theta1)\nA[theta2, theta2] = inertia + m*c^2\nb[theta1] = (m*c*g + m*d*g)*sin(theta1) - m*c*d*dot(theta2)^2*sin(theta2 - theta1)\nb[theta2] = m*c*d*dot(theta1)^2*sin(theta2 - theta1) + m*c*g*sin(theta2)\nQ[theta1] = gamma2*dot(theta2) - (gamma1 + gamma2)*dot(theta1)\nQ[theta2] = gamma2*dot(theta1) - gamma2*dot(theta2)\n";
+    pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[theta1, theta1] = inertia + m*c^2 + m*d^2\nA[theta1, theta2] = m*c*d*cos(theta1 - theta2)\nA[theta2, theta2] = inertia + m*c^2\nb[theta1] = m*c*d*dot(theta2)^2*sin(theta1 - theta2) + (m*c*g + m*d*g)*sin(theta1)\nb[theta2] = m*c*g*sin(theta2) - m*c*d*dot(theta1)^2*sin(theta1 - theta2)\nQ[theta1] = gamma2*dot(theta2) - (gamma1 + gamma2)*dot(theta1)\nQ[theta2] = gamma2*dot(theta1) - gamma2*dot(theta2)\n";
 }
 #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
 impl<T: ::pendulum_core::real::Real> ::pendulum_core::System<T, 4>
@@ -270,11 +270,11 @@ for DoublePendulum<T> {
         let k7 = self.constants[7];
         let (sin_theta1, cos_theta1) = q_theta1.sin_cos();
         let (sin_theta2, cos_theta2) = q_theta2.sin_cos();
-        let t0 = k3 * (cos_theta1 * sin_theta2 - sin_theta1 * cos_theta2);
+        let t0 = k3 * (sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2);
         let t1 = T::from_f64(-1.0) / (k7 + t0 * t0);
-        let t2 = k5 * sin_theta1 + k6 * qd_theta1 - qd_theta2 * (k0 + qd_theta2 * t0);
-        let t3 = k3 * (cos_theta1 * cos_theta2 + sin_theta2 * sin_theta1);
-        let t4 = k4 * sin_theta2 + k0 * qd_theta2 + qd_theta1 * (qd_theta1 * t0 - k0);
+        let t2 = k5 * sin_theta1 + k6 * qd_theta1 + qd_theta2 * (qd_theta2 * t0 - k0);
+        let t3 = k3 * (cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2);
+        let t4 = k4 * sin_theta2 + k0 * qd_theta2 - qd_theta1 * (k0 + qd_theta1 * t0);
         ::pendulum_core::nalgebra::SVector::from([
             qd_theta1,
             qd_theta2,
@@ -303,31 +303,31 @@ for DoublePendulum<T> {
         let k7 = self.constants[7];
         let (sin_theta1, cos_theta1) = q_theta1.sin_cos();
         let (sin_theta2, cos_theta2) = q_theta2.sin_cos();
-        let t0 = cos_theta1 * sin_theta2 - sin_theta1 * cos_theta2;
+        let t0 = sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2;
         let t1 = k3 * t0;
         let t2 = T::from_f64(-1.0) / (k7 + t1 * t1);
         let t3 = k1 * t2;
         let t4 = k3 * qd_theta2;
-        let t5 = cos_theta1 * cos_theta2 + sin_theta2 * sin_theta1;
+        let t5 = cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2;
         let t6 = k3 * qd_theta1;
-        let t7 = t0 * t6 - k0;
-        let t8 = k4 * sin_theta2 + k0 * qd_theta2 + qd_theta1 * t7;
+        let t7 = k0 + t0 * t6;
+        let t8 = k4 * sin_theta2 + k0 * qd_theta2 - qd_theta1 * t7;
         let t9 = k2 * t2;
-        let t10 = k0 + t0 * t4;
-        let t11 = k5 * sin_theta1 + k6 * qd_theta1 - qd_theta2 * t10;
+        let t10 = t0 * t4 - k0;
+        let t11 = k5 * sin_theta1 + k6 * qd_theta1 + qd_theta2 * t10;
         let t12 = k3 * t2 * t5;
-        let t13 = qd_theta2 * t4 * t5 + t1 * (t8 * t9 - t11 * t12);
+        let t13 = qd_theta2 * t4 * t5 - t1 * (t8 * t9 - t11 * t12);
         let t14 = k5 * cos_theta1 + t13;
-        let t15 = t1 * (t3 * t11 - t8 * t12) - t5 * qd_theta1 * t6;
-        let t16 = k4 * cos_theta2 - t15;
+        let t15 = t5 * qd_theta1 * t6 + t1 * (t3 * t11 - t8 * t12);
+        let t16 = t15 + k4 * cos_theta2;
         let t17 = t7 + t1 * qd_theta1;
         let t18 = t10 + qd_theta2 * t1;
         ::pendulum_core::nalgebra::SMatrix::from([
             [
                 T::from_f64(0.0),
                 T::from_f64(0.0),
-                t3 * t14 - t12 * t15,
-                t9 * t15 - t12 * t14,
+                t3 * t14 + t12 * t15,
+                -(t9 * t15 + t12 * t14),
             ],
             [
                 T::from_f64(0.0),
@@ -338,14 +338,14 @@ for DoublePendulum<T> {
             [
                 T::from_f64(1.0),
                 T::from_f64(0.0),
-                k6 * t3 - t12 * t17,
-                t9 * t17 - k6 * t12,
+                k6 * t3 + t12 * t17,
+                -(t9 * t17 + k6 * t12),
             ],
             [
                 T::from_f64(0.0),
                 T::from_f64(1.0),
-                -(t3 * t18 + k0 * t12),
-                k0 * t9 + t12 * t18,
+                t3 * t18 - k0 * t12,
+                k0 * t9 - t12 * t18,
             ],
         ])
     }
@@ -361,7 +361,7 @@ for DoublePendulum<T> {
         let k3 = self.constants[3];
         let k8 = self.constants[8];
         let k9 = self.constants[9];
-        let (_, cos0) = (q_theta2 - q_theta1).sin_cos();
+        let (_, cos0) = (q_theta1 - q_theta2).sin_cos();
         k9 * qd_theta2 * qd_theta2 + qd_theta1 * (k3 * qd_theta2 * cos0 + k8 * qd_theta1)
     }
     #[inline]
