@@ -133,9 +133,9 @@ fn a_spring_keeps_its_energy() {
         .atol(1e-10)
         .solve(&model, 0.0, 10.0, [1.5, 0.0])
         .expect("regular");
-    for (t, x) in solution.t().iter().zip(solution.x()) {
+    for (t, x) in solution.points() {
         assert_relative_eq!(x[0], 0.5 + (2.0 * t).cos(), epsilon = 1e-8);
-        assert_relative_eq!(model.energy(*t, x), 4.0, epsilon = 1e-7);
+        assert_relative_eq!(model.energy(t, x), 4.0, epsilon = 1e-7);
     }
 }
 

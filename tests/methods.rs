@@ -25,8 +25,7 @@ fn exact(t: f64) -> SVector<f64, 2> {
 
 /// The largest errors of a solution of [`curve`]: at the accepted points, and between them.
 fn errors(solution: &Solution<2>) -> (f64, f64) {
-    let points = solution.t().iter().zip(solution.x());
-    let at_points = points.map(|(&t, x)| (x - exact(t)).amax());
+    let at_points = solution.points().map(|(t, x)| (x - exact(t)).amax());
     let between = solution.t().windows(2).flat_map(|pair| {
         let time = move |theta: f64| pair[0] + theta * (pair[1] - pair[0]);
         [0.2, 0.5, 0.7].map(time)
@@ -81,7 +80,7 @@ fn dense_output_is_smooth_across_the_points() {
     // Value and slope agree from both sides, to the rounding errors of a difference over 1e-6.
     let system = FnSystem(curve);
     let solution = Rk45::new().solve(&system, 0.0, 2.0, exact(0.0)).expect("regular");
-    for (&t, x) in solution.t().iter().zip(solution.x()).skip(1).rev().skip(1) {
+    for (t, x) in solution.points().skip(1).rev().skip(1) {
         let (before, after) = (
             solution.at(t - 1e-6).expect("within"),
             solution.at(t + 1e-6).expect("within"),

@@ -157,8 +157,7 @@ fn print_row(name: &str, x: &SVector<f64, 4>) {
 /// The energy above that of hanging at rest: with friction it only falls.
 fn print_energy(pendulum: &DoublePendulum, solution: &Solution<4>) {
     let rest = pendulum.energy(0.0, &SVector::zeros());
-    let points = solution.t().iter().zip(solution.x());
-    let energies: Vec<f64> = points.map(|(&t, x)| pendulum.energy(t, x) - rest).collect();
+    let energies: Vec<f64> = solution.points().map(|(t, x)| pendulum.energy(t, x) - rest).collect();
     let steps = energies.len() - 1;
     let falling = energies.windows(2).filter(|pair| pair[1] < pair[0]).count();
     println!(

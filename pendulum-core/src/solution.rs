@@ -81,6 +81,11 @@ impl<const N: usize, T: Float> Solution<N, T> {
         &self.x
     }
 
+    /// The accepted points: each time with the state there.
+    pub fn points(&self) -> impl DoubleEndedIterator<Item = (T, &SVector<T, N>)> + ExactSizeIterator {
+        self.t.iter().copied().zip(&self.x)
+    }
+
     /// The last time and the state there.
     #[must_use]
     pub fn last(&self) -> (T, SVector<T, N>) {
