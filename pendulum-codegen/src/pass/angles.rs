@@ -6,15 +6,15 @@ use num_traits::One;
 
 use crate::expr::{ExprId, Graph, Level, Monomial, Node, Normalizer, Poly, Rational, TooLarge, Unary, ratio};
 
-/// Polynomials with more terms are left as they are.
-const MOST_TERMS: usize = 2000;
+/// A polynomial with more terms is no closed form that anybody would want: recursive forms are far shorter then.
+const MOST_TERMS: usize = 200;
 
 /// Rewrites a normal form with sums and differences of its angles wherever that leaves fewer terms. The result is equal in
 /// value, and shorter, but no longer canonical.
 pub fn collect(g: &mut Graph, normalizer: &mut Normalizer, poly: &Poly) -> Result<Poly, TooLarge> {
     let mut poly = poly.clone();
     if poly.len() > MOST_TERMS {
-        return Ok(poly);
+        return Err(TooLarge);
     }
     while let Some(shorter) = step(g, normalizer, &poly)? {
         poly = shorter;
@@ -110,7 +110,9 @@ fn pair(
             _ => Poly::atom(whole),
         };
         let new = normalizer.product(g, &Poly::term(rest, coefficient.clone()), &whole)?;
-        return Ok(shorter(poly, &[monomial, &partner], &new));
+        if let Some(shorter) = shorter(poly, &[monomial, &partner], &new) {
+            return Ok(Some(shorter));
+        }
     }
     Ok(None)
 }

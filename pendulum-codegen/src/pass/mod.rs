@@ -19,7 +19,7 @@ use crate::expr::{ExprId, Graph, Normalizer};
 use crate::model::Model;
 
 /// How many products of terms the closed form of a scene may take. Larger scenes keep the shared graph.
-const BUDGET: usize = 60_000;
+const BUDGET: usize = 20_000;
 
 /// A form of the dynamics.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
