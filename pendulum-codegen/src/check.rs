@@ -6,7 +6,7 @@ use crate::error::Errors;
 use crate::expr::SymbolKind;
 use crate::model::Model;
 
-/// Pivots below this part of the largest diagonal entry are rounding.
+/// Pivots below this part of the diagonal entry that they are left of are rounding.
 const SINGULAR: f64 = 1e-13;
 
 /// Refuses a scene whose mass matrix is singular in every state.
@@ -21,11 +21,19 @@ pub fn check(scene: &Scene, model: &Model, dynamics: &Dynamics) -> Result<(), Er
             .find(|body| body.coordinate.as_ref().is_some_and(|c| c == name));
         if let Some(body) = body {
             let fact = format!("coordinate `{name}` has no inertia, so the mass matrix is singular in every state");
-            errors.at(
-                body.name.span(),
-                fact,
-                format_args!("give `{}` mass or make the joint `fixed`", body.name),
-            );
+            let massless = model
+                .bodies
+                .iter()
+                .any(|b| b.coordinate == Some(k) && model.graph.is_zero(b.inertia.mass));
+            let help = if massless {
+                format!("give `{}` mass or make the joint `fixed`", body.name)
+            } else {
+                format!(
+                    "the joint of `{}` moves no mass that other joints do not move in the same way: check where its mass and its axis are",
+                    body.name
+                )
+            };
+            errors.at(body.name.span(), fact, help);
         }
     }
     errors.finish(())
@@ -49,11 +57,10 @@ fn without_inertia(model: &Model, dynamics: &Dynamics) -> Option<usize> {
             }
         });
         let mut a: Vec<Vec<f64>> = values.chunks(n.max(1)).map(<[f64]>::to_vec).collect();
-        let largest = (0..n).map(|k| a[k][k].abs()).fold(0.0, f64::max);
-        let vanishes = |pivot: f64| pivot.is_nan() || pivot.abs() <= SINGULAR * largest;
+        let own: Vec<f64> = (0..n).map(|k| a[k][k].abs()).collect();
         let found = (0..n).rev().find(|&k| {
             let pivot = a[k][k];
-            if vanishes(pivot) {
+            if pivot.is_nan() || pivot.abs() <= SINGULAR * own[k] {
                 return true;
             }
             for i in 0..k {

@@ -192,7 +192,10 @@ impl Model {
 
     /// The names of the coordinates.
     pub fn coordinate_names(&self) -> Vec<&str> {
-        self.coordinates.iter().map(|c| c.name.as_str()).collect()
+        self.coordinates
+            .iter()
+            .map(|c| c.name.trim_start_matches("r#"))
+            .collect()
     }
 
     /// What each turning coordinate is in base angles: the absolute angles of parallel joints within their station.

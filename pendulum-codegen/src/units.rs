@@ -5,7 +5,7 @@ use syn::{Ident, LitInt, Token};
 
 use crate::error::{at, suggestion};
 
-/// A product of powers of metre, kilogram, second and kelvin and ampere; the radian is 1.
+/// A product of powers of metre, kilogram, second, ampere and kelvin; the radian is 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
 pub struct Dimension {
     /// The powers of m, kg, s, A and K.

@@ -143,6 +143,24 @@ impl Dynamics {
         }
     }
 
+    /// Every expression of the dynamics, in one list.
+    pub fn entries(&self) -> Vec<ExprId> {
+        let lists = [&self.bias, &self.force, &self.residual, &self.balance];
+        let rows = self.mass_matrix.iter().chain(lists);
+        rows.flatten().copied().chain([self.kinetic, self.potential]).collect()
+    }
+
+    /// The same dynamics with other expressions, in the order of [`Dynamics::entries`].
+    #[must_use]
+    pub fn with_entries(mut self, entries: Vec<ExprId>) -> Self {
+        let lists = [&mut self.bias, &mut self.force, &mut self.residual, &mut self.balance];
+        let places = self.mass_matrix.iter_mut().chain(lists).flatten();
+        for (place, entry) in places.chain([&mut self.kinetic, &mut self.potential]).zip(entries) {
+            *place = entry;
+        }
+        self
+    }
+
     /// Writes the balance out from the mass matrix and the residual.
     pub fn write_balance(&mut self, g: &mut Graph, coordinates: &[Coordinate]) {
         let rows = self.mass_matrix.iter().zip(&self.residual);

@@ -79,9 +79,9 @@ pub(super) struct Body<'m> {
     temporaries: usize,
 }
 
-/// A name that no declaration can clash with.
+/// A name that no declaration can clash with. The mark of a raw identifier has no place behind a prefix.
 pub(super) fn local(name: String) -> Ident {
-    Ident::new(&name, Span::mixed_site())
+    Ident::new(&name.replace("r#", ""), Span::mixed_site())
 }
 
 impl<'m> Body<'m> {

@@ -3,60 +3,111 @@
 use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, TokenStream};
-use quote::{format_ident, quote};
+use quote::{ToTokens, format_ident, quote};
 
 use super::{allowed, number};
 use crate::ast::Scene;
 
-/// Types of the right shape that are never run.
+/// Types that have everything a declaration could ask for, for states of any length, and that are never run.
 pub(crate) fn stub(scene: &Scene) -> TokenStream {
     let (vis, name, items) = (&scene.vis, &scene.name, &scene.items);
-    let parameters = format_ident!("{name}Params");
+    let [parameters, inputs] = ["Params", "Inputs"].map(|suffix| format_ident!("{name}{suffix}"));
+    // what could not be read may have been a parameter or an input
     let declared = items.params.iter().map(|param| &param.name).chain(&items.unread);
-    let fields: BTreeSet<&Ident> = declared.collect();
-    let fields = fields.into_iter();
-    let dof = items.bodies.iter().filter(|body| body.coordinate.is_some()).count();
-    let (length, dof) = (number(2 * dof), number(dof));
+    let fields = declared.collect::<BTreeSet<&Ident>>().into_iter();
+    let controls = items.inputs.iter().map(|input| &input.name).chain(&items.unread);
+    let controls = controls.collect::<BTreeSet<&Ident>>();
+    let marker = controls
+        .is_empty()
+        .then(|| quote!(stub: ::core::marker::PhantomData<T>));
+    let controls = controls.into_iter();
+    let count = items.bodies.iter().filter(|body| body.coordinate.is_some()).count();
+    let dof = number(count);
+    // the length of the state tells a law of inputs its types; without any coordinate, the length was not read
+    let (length, any_length) = if count > 0 {
+        (number(2 * count).into_token_stream(), None)
+    } else {
+        (quote!(N), Some(quote!(, const N: usize)))
+    };
     let real = quote!(::pendulum_core::real::Real);
-    let vector = quote!(::pendulum_core::nalgebra::SVector<T, #length>);
+    let vector = quote!(::pendulum_core::nalgebra::SVector<T, N>);
+    let matrix = quote!(::pendulum_core::nalgebra::SMatrix);
+    let zeros = quote!(::pendulum_core::nalgebra::SMatrix::from_element(T::from_f64(0.0)));
     let allowed = allowed();
+    let allowed = quote!(#allowed #[allow(dead_code, missing_docs)]);
+    let (system, inherent) = (quote!(&self, _: T, x: &#vector), quote!(&self, _: T, _: &#vector));
     quote! {
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
         #allowed
         #vis struct #parameters { #(pub #fields: f64),* }
+        #[derive(Clone, Copy, Debug, Default, PartialEq)]
+        #allowed
+        #vis struct #inputs<T = f64> { #(pub #controls: T,)* #marker }
         #[derive(Clone, Copy, Debug, PartialEq)]
         #allowed
-        #vis struct #name<T = f64>(::core::marker::PhantomData<T>);
+        #vis struct #name<T = f64>(::core::marker::PhantomData<T>, #parameters);
         #allowed
         impl #name {
-            pub fn new(_: #parameters) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
-                Ok(Self(::core::marker::PhantomData))
-            }
-            pub fn cast<T: #real>(&self) -> #name<T> {
-                #name(::core::marker::PhantomData)
-            }
             pub const DOF: usize = #dof;
+            pub const COORDINATES: [&'static str; #dof] = [""; #dof];
             pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::ZERO;
             pub const EQUATIONS: &'static str = "";
+            pub fn new(params: #parameters) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
+                Ok(Self(::core::marker::PhantomData, params))
+            }
+            pub fn cast<T: #real>(&self) -> #name<T> {
+                #name(::core::marker::PhantomData, self.1)
+            }
         }
         #allowed
-        impl<T: #real> ::pendulum_core::System<T, #length> for #name<T> {
-            fn rhs(&self, _: T, x: &#vector) -> #vector {
+        impl<T: #real> #name<T> {
+            pub fn params(&self) -> &#parameters {
+                &self.1
+            }
+            pub fn with_inputs<F #any_length>(&self, _: F) -> Self
+            where
+                F: Fn(T, &::pendulum_core::nalgebra::SVector<T, #length>) -> #inputs<T>,
+            {
+                *self
+            }
+            pub fn mass_matrix<const N: usize>(#inherent) -> #matrix<T, #dof, #dof> {
+                #zeros
+            }
+            pub fn bias<const N: usize>(#inherent) -> #matrix<T, #dof, 1> {
+                #zeros
+            }
+        }
+        #allowed
+        impl<T: #real, const N: usize> ::pendulum_core::System<T, N> for #name<T> {
+            fn rhs(#system) -> #vector {
                 *x
             }
         }
         #allowed
-        impl<T: #real> ::pendulum_core::Jacobian<T, #length> for #name<T> {
-            fn jacobian(&self, _: T, _: &#vector) -> ::pendulum_core::nalgebra::SMatrix<T, #length, #length> {
-                ::pendulum_core::nalgebra::SMatrix::from([[T::from_f64(0.0); #length]; #length])
+        impl<T: #real, const N: usize> ::pendulum_core::Jacobian<T, N> for #name<T> {
+            fn jacobian(#inherent) -> #matrix<T, N, N> {
+                #zeros
             }
         }
         #allowed
-        impl<T: #real> ::pendulum_core::Energy<T, #length> for #name<T> {
-            fn kinetic(&self, _: T, _: &#vector) -> T {
+        impl<T: #real, const N: usize, const M: usize> ::pendulum_core::Controlled<T, N, M> for #name<T> {
+            type Inputs = #inputs<T>;
+            fn rhs_with(#system, _: &Self::Inputs) -> #vector {
+                *x
+            }
+            fn jacobian_with(#inherent, _: &Self::Inputs) -> #matrix<T, N, N> {
+                #zeros
+            }
+            fn input_jacobian(#inherent, _: &Self::Inputs) -> #matrix<T, N, M> {
+                #zeros
+            }
+        }
+        #allowed
+        impl<T: #real, const N: usize> ::pendulum_core::Energy<T, N> for #name<T> {
+            fn kinetic(#inherent) -> T {
                 T::from_f64(0.0)
             }
-            fn potential(&self, _: T, _: &#vector) -> T {
+            fn potential(#inherent) -> T {
                 T::from_f64(0.0)
             }
         }

@@ -127,11 +127,11 @@ impl Graph {
         &self.symbols
     }
 
-    /// Declares a symbol.
+    /// Declares a symbol. The mark of a raw identifier is no part of its name.
     pub fn symbol(&mut self, name: &str, kind: SymbolKind) -> ExprId {
         let id = SymbolId(self.symbols.len() as u32);
         self.symbols.push(Symbol {
-            name: name.to_owned(),
+            name: name.replace("r#", ""),
             kind,
         });
         self.intern(Node::Symbol(id))

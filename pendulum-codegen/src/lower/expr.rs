@@ -59,14 +59,6 @@ impl Lower {
                 .on(expr, format_args!("{} may not depend on the motion", place.what), help);
             return None;
         }
-        if level == Level::Constant && self.graph.constant(id).is_some_and(|value| !value.is_finite()) {
-            self.errors.on(
-                expr,
-                format_args!("{} has no finite value", place.what),
-                "look for a division by zero or the root or logarithm of a negative number",
-            );
-            return None;
-        }
         Some(id)
     }
 
@@ -76,7 +68,20 @@ impl Lower {
         Some([x?, y?, z?])
     }
 
+    /// An operation, whose value must be finite where it is constant.
     fn operation(&mut self, expr: &Expr, place: &Place) -> Option<ExprId> {
+        let id = self.unchecked(expr, place)?;
+        let constant = self.graph.level(id) == Level::Constant && self.graph.as_number(id).is_none();
+        if constant && self.graph.constant(id).is_some_and(|value| !value.is_finite()) {
+            let help = "look for a division by zero or the root or logarithm of a negative number";
+            self.errors
+                .on(expr, format_args!("a part of {} has no finite value", place.what), help);
+            return None;
+        }
+        Some(id)
+    }
+
+    fn unchecked(&mut self, expr: &Expr, place: &Place) -> Option<ExprId> {
         match &expr.kind {
             ExprKind::Number(n) => Some(self.graph.number(n.clone())),
             ExprKind::Name(name) => self.name(name, place),
@@ -147,15 +152,18 @@ impl Lower {
         }
         let value = self.names.value(&text);
         if value.is_none() && !self.broken.contains(&text) {
-            let more: &[&str] = if place.joint.is_some() {
-                &["t", "q", "qd", "pi"]
-            } else {
-                &["t", "pi"]
+            let more: &[&str] = match (place.most, place.joint) {
+                (Level::State, Some(_)) => &["t", "q", "qd", "pi"],
+                (Level::State, None) => &["t", "pi"],
+                _ => &["pi"],
             };
             let help = if self.names.is_declared(&text) {
                 "a `let` may use only what stands before it".to_owned()
             } else {
-                suggestion(&text, self.names.known(more))
+                {
+                    let fits = |id: ExprId| self.graph.level(id) <= place.most;
+                    suggestion(&text, self.names.known(fits, more))
+                }
             };
             self.errors.at(
                 name.span(),

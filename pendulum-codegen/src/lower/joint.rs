@@ -6,9 +6,9 @@ use super::Lower;
 use super::expr::Place;
 use crate::ast::{self, Argument, JointArgument};
 use crate::error::suggestion;
-use crate::expr::{ExprId, Graph, Level, Normalizer};
-use crate::model::{Body, Combination, Heading, plus_scaled};
-use crate::screw::{Transform, Twist, Vec3, cross, dot, identity, mat_mul, mat_vec, rotation, scale};
+use crate::expr::{ExprId, Graph, Level, Normalizer, Printer};
+use crate::model::{Body, Combination, Heading, Requirement, Rule, plus_scaled};
+use crate::screw::{Transform, Twist, Vec3, add, dot, identity, mat_mul, mat_vec, rotation, scale, sub};
 
 /// The geometry of a joint.
 #[derive(Debug)]
@@ -101,7 +101,7 @@ impl Lower {
                     [entries[3], entries[4], entries[5]],
                 );
                 let turns = angular != still;
-                let Some(length) = self.inverse_length(if turns { angular } else { linear }) else {
+                let Some(length) = self.inverse_length(body, if turns { angular } else { linear }) else {
                     self.errors.on(
                         tokens,
                         format_args!("the screw of the joint of `{body}` is zero"),
@@ -138,7 +138,7 @@ impl Lower {
                 let entries: Vec<_> = entries.iter().map(|e| self.expr(e, &place)).collect();
                 let entries: Vec<_> = entries.into_iter().collect::<Option<_>>()?;
                 let vector = [entries[0], entries[1], entries[2]];
-                let Some(length) = self.inverse_length(vector) else {
+                let Some(length) = self.inverse_length(body, vector) else {
                     self.errors.on(
                         tokens,
                         format_args!("the axis of the joint of `{body}` is zero"),
@@ -167,12 +167,25 @@ impl Lower {
         }
     }
 
-    /// `1 / |v|`; none for the zero vector.
-    fn inverse_length(&mut self, v: Vec3) -> Option<ExprId> {
+    /// `1 / |v|`; none for the zero vector. A vector of parameters must not vanish either.
+    fn inverse_length(&mut self, body: &Ident, v: Vec3) -> Option<ExprId> {
         let g = &mut self.graph;
         let square = dot(g, v, v);
-        let zero = g.constant(square).is_some_and(|square| square == 0.0);
-        (!zero).then(|| g.power(square, crate::expr::ratio(-1, 2)))
+        if g.constant(square).is_some_and(|square| square == 0.0) {
+            return None;
+        }
+        let length = g.power(square, crate::expr::ratio(-1, 2));
+        if g.level(square) == Level::Parameter {
+            let name = Printer::new(g).print(square);
+            let text = format!("the axis of the joint of `{body}` must not be zero");
+            self.rule(Rule {
+                value: square,
+                requirement: Requirement::Positive,
+                name,
+                text,
+            });
+        }
+        Some(length)
     }
 
     /// How the joint turns its body, and what its relative coordinate is in the coordinates of the scene.
@@ -259,18 +272,14 @@ impl Lower {
     }
 }
 
-/// Whether two unit vectors are parallel for all parameters: 1, or -1 if they point in opposite directions.
+/// Whether two unit vectors are equal for all parameters: 1, or -1 if they are opposite; none where that cannot be proved.
 fn parallel(g: &mut Graph, a: Vec3, b: Vec3) -> Option<i64> {
-    if a == b {
+    let mut normalizer = Normalizer::new(BUDGET);
+    let mut vanishes = |g: &mut Graph, v: Vec3| v.into_iter().all(|x| normalizer.is_zero(g, x) == Ok(true));
+    let difference = sub(g, a, b);
+    if vanishes(g, difference) {
         return Some(1);
     }
-    let normal = cross(g, a, b);
-    let mut normalizer = Normalizer::new(BUDGET);
-    if !normal.into_iter().all(|x| normalizer.is_zero(g, x) == Ok(true)) {
-        return None;
-    }
-    let cosine = dot(g, a, b);
-    debug_assert!(g.level(cosine) <= Level::Parameter);
-    let value = g.evaluate(&[cosine], |_| 0.6)[0];
-    Some(if value < 0.0 { -1 } else { 1 })
+    let sum = add(g, a, b);
+    vanishes(g, sum).then_some(-1)
 }

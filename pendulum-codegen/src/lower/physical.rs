@@ -128,7 +128,7 @@ impl Lower {
             .filter(|&number| !requirement.allows(number, scale))
     }
 
-    fn rule(&mut self, rule: Rule) {
+    pub(super) fn rule(&mut self, rule: Rule) {
         let same = |known: &Rule| known.value == rule.value && known.requirement == rule.requirement;
         if !self.rules.iter().any(same) {
             self.rules.push(rule);

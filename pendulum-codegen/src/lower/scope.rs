@@ -89,14 +89,10 @@ impl Names {
         known.rate
     }
 
-    /// The declared names, in order, and those of the language that may stand in an expression.
-    pub(super) fn known<'a>(&'a self, more: &[&'a str]) -> Vec<&'a str> {
-        let mut names: Vec<_> = self
-            .0
-            .iter()
-            .filter(|(_, name)| name.value.is_some())
-            .map(|(text, name)| (name.order, text.as_str()))
-            .collect();
+    /// The declared names whose values fit, in order, and some of the language.
+    pub(super) fn known<'a>(&'a self, fits: impl Fn(ExprId) -> bool, more: &[&'a str]) -> Vec<&'a str> {
+        let fitting = self.0.iter().filter(|(_, name)| name.value.is_some_and(&fits));
+        let mut names: Vec<_> = fitting.map(|(text, name)| (name.order, text.as_str())).collect();
         names.sort_unstable();
         names
             .into_iter()

@@ -13,6 +13,16 @@ use crate::screw::{SpatialInertia, Symmetric3, Vec3, add, dot, scale, sub, sum};
 impl Lower {
     /// The sum of solids; none after an error.
     pub(super) fn solids(&mut self, owner: &Ident, solids: &[Solid]) -> Option<SpatialInertia> {
+        if solids.is_empty() {
+            let help =
+                "list one or more, such as `point(m, [0, -l, 0])`, or leave the field out for a body without mass";
+            self.errors.at(
+                owner.span(),
+                format_args!("the list of solids of `{owner}` is empty"),
+                help,
+            );
+            return None;
+        }
         let mut total = Some(SpatialInertia::zero(&mut self.graph));
         for solid in solids {
             let part = self.solid(owner, solid);

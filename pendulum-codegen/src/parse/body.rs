@@ -232,7 +232,8 @@ impl Parse for Joint {
             at: None,
             rpy: None,
         };
-        while input.peek(Ident) {
+        // a word before a colon is the next field, behind a comma that is missing
+        while input.peek(Ident) && !input.peek2(Token![:]) {
             let word: Ident = input.parse()?;
             match word.to_string().as_str() {
                 "at" => once(&mut joint.at, input.parse::<Vector>()?, &word)?,

@@ -9,10 +9,45 @@ use crate::ast::{Argument, Expr, ExprKind, Operator, Vector};
 use crate::error::at;
 use crate::expr::{Rational, ratio};
 
+/// The longest expression, in tokens, and how deep its brackets may be nested: later stages work by recursion.
+const MOST_TOKENS: usize = 2000;
+const MOST_NESTING: usize = 100;
+
 impl Parse for Expr {
     fn parse(input: ParseStream) -> syn::Result<Self> {
+        let (tokens, nesting) = size_until_comma(input.cursor().token_stream());
+        if tokens > MOST_TOKENS || nesting > MOST_NESTING {
+            let fact = "the expression is too long, or its brackets are nested too deep";
+            let help = format!(
+                "up to {MOST_TOKENS} tokens and {MOST_NESTING} levels may stand here; name its parts with `let`"
+            );
+            return Err(at(input.span(), fact, help));
+        }
         sum(input)
     }
+}
+
+/// The number of tokens before the next comma, and how deep they are nested; the count ends where there are far too many.
+fn size_until_comma(tokens: TokenStream) -> (usize, usize) {
+    let (mut count, mut deepest) = (0, 0);
+    let mut levels = vec![tokens.into_iter()];
+    while let Some(level) = levels.last_mut() {
+        match level.next() {
+            Some(TokenTree::Punct(comma)) if comma.as_char() == ',' && levels.len() == 1 => break,
+            Some(TokenTree::Group(group)) => levels.push(group.stream().into_iter()),
+            Some(_) => {}
+            None => {
+                levels.pop();
+                continue;
+            }
+        }
+        count += 1;
+        deepest = deepest.max(levels.len() - 1);
+        if count > MOST_TOKENS {
+            break;
+        }
+    }
+    (count, deepest)
 }
 
 /// Parses with `parser` and keeps the tokens that it took.
@@ -29,76 +64,83 @@ fn recorded<T>(
     Ok((value, tokens))
 }
 
+/// An expression with all of its tokens.
+fn whole(input: ParseStream, parser: impl FnOnce(ParseStream) -> syn::Result<Expr>) -> syn::Result<Expr> {
+    let (expr, tokens) = recorded(input, parser)?;
+    Ok(Expr { tokens, ..expr })
+}
+
+/// An expression whose tokens are still those of its first operand; `whole` completes them.
+fn joined(first: TokenStream, kind: ExprKind) -> Expr {
+    Expr { kind, tokens: first }
+}
+
 fn sum(input: ParseStream) -> syn::Result<Expr> {
-    let start = input.fork();
-    let mut left = term(input)?;
-    loop {
-        let operator = if input.parse::<Option<Token![+]>>()?.is_some() {
-            Operator::Add
-        } else if input.parse::<Option<Token![-]>>()?.is_some() {
-            Operator::Sub
-        } else {
-            return Ok(left);
-        };
-        let right = term(input)?;
-        left = joined(
-            &start,
-            input,
-            ExprKind::Binary(operator, Box::new(left), Box::new(right)),
-        )?;
-    }
+    whole(input, |input| {
+        let mut left = term(input)?;
+        loop {
+            let operator = if input.parse::<Option<Token![+]>>()?.is_some() {
+                Operator::Add
+            } else if input.parse::<Option<Token![-]>>()?.is_some() {
+                Operator::Sub
+            } else {
+                return Ok(left);
+            };
+            let right = term(input)?;
+            left = joined(
+                left.tokens.clone(),
+                ExprKind::Binary(operator, Box::new(left), Box::new(right)),
+            );
+        }
+    })
 }
 
 fn term(input: ParseStream) -> syn::Result<Expr> {
-    let start = input.fork();
-    if input.parse::<Option<Token![-]>>()?.is_some() {
-        let operand = term(input)?;
-        return joined(&start, input, ExprKind::Neg(Box::new(operand)));
-    }
-    let mut left = power(input)?;
-    loop {
-        let operator = if input.parse::<Option<Token![*]>>()?.is_some() {
-            Operator::Mul
-        } else if input.parse::<Option<Token![/]>>()?.is_some() {
-            Operator::Div
-        } else {
-            return Ok(left);
-        };
-        let right = if input.peek(Token![-]) {
-            term(input)?
-        } else {
-            power(input)?
-        };
-        left = joined(
-            &start,
-            input,
-            ExprKind::Binary(operator, Box::new(left), Box::new(right)),
-        )?;
-    }
+    whole(input, |input| {
+        if input.parse::<Option<Token![-]>>()?.is_some() {
+            let operand = term(input)?;
+            return Ok(joined(operand.tokens.clone(), ExprKind::Neg(Box::new(operand))));
+        }
+        let mut left = power(input)?;
+        loop {
+            let operator = if input.parse::<Option<Token![*]>>()?.is_some() {
+                Operator::Mul
+            } else if input.parse::<Option<Token![/]>>()?.is_some() {
+                Operator::Div
+            } else {
+                return Ok(left);
+            };
+            let right = if input.peek(Token![-]) {
+                term(input)?
+            } else {
+                power(input)?
+            };
+            left = joined(
+                left.tokens.clone(),
+                ExprKind::Binary(operator, Box::new(left), Box::new(right)),
+            );
+        }
+    })
 }
 
 fn power(input: ParseStream) -> syn::Result<Expr> {
-    let start = input.fork();
-    let base = atom(input)?;
-    if input.parse::<Option<Token![^]>>()?.is_none() {
-        return Ok(base);
-    }
-    let minus = input.fork();
-    let exponent = if input.parse::<Option<Token![-]>>()?.is_some() {
-        let operand = power(input)?;
-        joined(&minus, input, ExprKind::Neg(Box::new(operand)))?
-    } else {
-        power(input)?
-    };
-    joined(&start, input, ExprKind::Power(Box::new(base), Box::new(exponent)))
-}
-
-fn joined(start: ParseStream, end: ParseStream, kind: ExprKind) -> syn::Result<Expr> {
-    let (from, mut tokens) = (start.fork(), TokenStream::new());
-    while from.cursor() != end.cursor() {
-        tokens.extend([from.parse::<TokenTree>()?]);
-    }
-    Ok(Expr { kind, tokens })
+    whole(input, |input| {
+        let base = atom(input)?;
+        if input.parse::<Option<Token![^]>>()?.is_none() {
+            return Ok(base);
+        }
+        let exponent = whole(input, |input| {
+            if input.parse::<Option<Token![-]>>()?.is_none() {
+                return power(input);
+            }
+            let operand = power(input)?;
+            Ok(joined(operand.tokens.clone(), ExprKind::Neg(Box::new(operand))))
+        })?;
+        Ok(joined(
+            base.tokens.clone(),
+            ExprKind::Power(Box::new(base), Box::new(exponent)),
+        ))
+    })
 }
 
 fn atom(input: ParseStream) -> syn::Result<Expr> {
@@ -106,7 +148,7 @@ fn atom(input: ParseStream) -> syn::Result<Expr> {
         if input.peek(token::Paren) {
             let inner;
             parenthesized!(inner in input);
-            let inside: Expr = inner.parse()?;
+            let inside = sum(&inner)?;
             end_of(&inner)?;
             return Ok(inside.kind);
         }
@@ -126,7 +168,7 @@ fn atom(input: ParseStream) -> syn::Result<Expr> {
         }
         let inner;
         parenthesized!(inner in input);
-        let arguments = inner.parse_terminated(Expr::parse, Token![,])?;
+        let arguments = inner.parse_terminated(sum, Token![,])?;
         Ok(ExprKind::Call(name, arguments.into_iter().collect()))
     })?;
     Ok(Expr { kind, tokens })

@@ -2,6 +2,7 @@
 
 mod angles;
 mod closed;
+mod constants;
 mod cost;
 mod factor;
 mod pairs;
@@ -67,8 +68,11 @@ impl Forms {
                 forms.push((Form::Closed(preference), factored, closed.determinant(g, preference)));
             }
         }
-        forms.push((Form::Shared, dynamics.clone(), None));
-        forms.push((Form::Recursive, recursive, None));
+        // constants that are zero, or equal, for a reason that shows in their normal form only
+        for (form, dynamics) in [(Form::Shared, dynamics.clone()), (Form::Recursive, recursive)] {
+            let folded = constants::fold(g, &dynamics.entries());
+            forms.push((form, dynamics.with_entries(folded), None));
+        }
         Self { forms, normalizer }
     }
 

@@ -184,7 +184,7 @@ impl DoublePendulum {
         ];
         for (name, value) in names.into_iter().zip(constants) {
             if !value.is_finite() {
-                let rule = "this combination of parameters must be finite: perhaps a coordinate has no inertia";
+                let rule = "this combination of parameters must be finite: a divisor is zero, or a coordinate has no inertia";
                 return Err(::pendulum_core::ParameterError {
                     name,
                     value,

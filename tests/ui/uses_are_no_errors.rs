@@ -1,0 +1,21 @@
+//! One mistake is one error, whatever the model is used for.
+
+use pendulum_core::prelude::*;
+
+mechanism! {
+    pub Cart {
+        params { m: kg = 1 }
+        input push: N,
+        generate: [rhs, jacobian, energy, mass_matrix, bias],
+        body cart ground { mass: m, joint: prismatic(x), coordinate: s, torque: push }
+    }
+}
+
+fn main() {
+    let cart = Cart::new(CartParams { m: 2.0 }).unwrap();
+    let pushed = cart.with_inputs(|_t, _x: &SVector<f64, 2>| CartInputs { push: 1.0 });
+    let solution = Rk45::new().solve(&pushed, 0.0, 1.0, [0.0, 0.0]).unwrap();
+    let x = solution.last().1;
+    let _ = (cart.mass_matrix(0.0, &x), cart.bias(0.0, &x), cart.energy(0.0, &x), cart.params().m);
+    let _ = (Cart::DOF, Cart::COORDINATES, Cart::COST, Cart::EQUATIONS, cart.cast::<f32>());
+}
