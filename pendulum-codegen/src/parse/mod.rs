@@ -24,6 +24,11 @@ pub fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
                 "write `mechanism! { pub DoublePendulum { body .. } }`",
             )
         })?;
+        if ["T", "bool", "f64", "str", "usize"].iter().any(|taken| name == taken) {
+            // no stand-in can be made under such a name either
+            let fact = format!("`{name}` is a type that the generated code uses itself");
+            return Err(at(name.span(), fact, "choose another name, such as `DoublePendulum`"));
+        }
         if !input.peek(token::Brace) {
             let help = format!("write `{name} {{ body .. }}`");
             return Err(at(name.span(), format_args!("`{name}` has no items in braces"), help));
