@@ -80,8 +80,11 @@ fn passes_do_not_change_values() {
         assert!(collected.len() <= normal.len());
         rewritten.push(normalizer.to_expr(g, &collected));
     }
-    let shared = share(g, &rewritten);
-    assert!(Operations::of(g, &shared).weight() <= Operations::of(g, &rewritten).weight());
+    let plain = share(g, &rewritten, false);
+    let shared = share(g, &rewritten, true);
+    for shared in [&plain, &shared] {
+        assert!(Operations::of(g, shared).weight() <= Operations::of(g, &rewritten).weight());
+    }
     for seed in 0..20 {
         let mut next = numbers(31 * seed);
         let values: std::collections::HashMap<String, f64> = g
@@ -89,12 +92,16 @@ fn passes_do_not_change_values() {
             .iter()
             .map(|s| (s.name.clone(), next().abs() + 0.1))
             .collect();
-        let all = [&originals[..], &rewritten, &shared].concat();
+        let all = [&originals[..], &rewritten, &shared, &plain].concat();
         let all = g.evaluate(&all, |symbol| values[&symbol.name]);
         let (originals, rest) = all.split_at(originals.len());
-        let (rewritten, shared) = rest.split_at(rewritten.len());
+        let (rewritten, rest) = rest.split_at(rewritten.len());
+        let (shared, plain) = rest.split_at(rewritten.len());
         for (n, x) in originals.iter().enumerate() {
-            for y in [rewritten[2 * n], rewritten[2 * n + 1], shared[2 * n], shared[2 * n + 1]] {
+            for y in [rewritten, shared, plain]
+                .into_iter()
+                .flat_map(|list| [list[2 * n], list[2 * n + 1]])
+            {
                 assert!(
                     (x - y).abs() <= 1e-12 * x.abs().max(1.0),
                     "expression {n}: {x} became {y}"

@@ -22,6 +22,9 @@ use crate::model::Model;
 /// How many products of terms the closed form of a scene may take. Larger scenes keep the shared graph.
 const BUDGET: usize = 20_000;
 
+/// A candidate that is longer than another by this factor is not worth the search for its common parts.
+const HOPELESS: usize = 4;
+
 /// A form of the dynamics.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Form {
@@ -163,20 +166,33 @@ fn factorings(g: &mut Graph, form: Form, dynamics: &Dynamics, determinant: Optio
 
 /// The candidate that takes the fewest operations once its common parts are shared; the first of equals.
 fn choose(g: &mut Graph, candidates: Vec<(Form, Vec<ExprId>)>) -> Chosen {
+    let lowered: Vec<(Form, Vec<ExprId>, usize)> = candidates
+        .into_iter()
+        .map(|(form, roots)| {
+            let roots = trig::lower(g, &roots);
+            let weight = Operations::of(g, &roots).weight();
+            (form, roots, weight)
+        })
+        .collect();
+    let least = lowered.iter().map(|(.., weight)| *weight).min().unwrap_or(0);
     let mut best: Option<Chosen> = None;
-    for (form, roots) in candidates {
-        let roots = trig::lower(g, &roots);
-        let roots = share(g, &roots);
-        let operations = Operations::of(g, &roots);
-        if best
-            .as_ref()
-            .is_none_or(|best| operations.weight() < best.operations.weight())
-        {
-            best = Some(Chosen {
-                roots,
-                operations,
-                form,
-            });
+    for (form, lowered, weight) in lowered {
+        if weight > HOPELESS * least {
+            continue;
+        }
+        for factor in [false, true] {
+            let roots = share(g, &lowered, factor);
+            let operations = Operations::of(g, &roots);
+            if best
+                .as_ref()
+                .is_none_or(|best| operations.weight() < best.operations.weight())
+            {
+                best = Some(Chosen {
+                    roots,
+                    operations,
+                    form,
+                });
+            }
         }
     }
     // every scene has at least the form it was built in

@@ -4,7 +4,7 @@
 //! its own, again and again until no pair is shared; then what is left is put together. Constants of one product or sum
 //! come together, so that they are computed once, when the model is built.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 
 use num_traits::{One, Signed, ToPrimitive};
 
@@ -35,10 +35,15 @@ type Built = Vec<Option<(ExprId, bool)>>;
 /// Powers up to this one are products.
 const MOST_POWER: i64 = 16;
 
-/// Rewrites the roots so that common parts are shared. Their values do not change, up to rounding.
-pub fn share(g: &mut Graph, roots: &[ExprId]) -> Vec<ExprId> {
+/// Rewrites the roots so that common parts are shared. Their values do not change, up to rounding. `factor` says that factors which
+/// terms of one sum share are drawn out first: that saves products, and may hide others that sums share.
+pub fn share(g: &mut Graph, roots: &[ExprId], factor: bool) -> Vec<ExprId> {
     let mut parts = Parts::new(g, roots);
     let apart: Vec<Operand> = roots.iter().map(|&root| parts.take(g, root)).collect();
+    if factor {
+        parts.count_places(&apart);
+        parts.factor_sums();
+    }
     Extraction::run(&mut parts, false);
     Extraction::run(&mut parts, true);
     parts.count_places(&apart);
@@ -404,6 +409,56 @@ impl Parts {
                 }
             }
         }
+    }
+
+    /// `f x + f y + z` as `f (x + y) + z` in every sum, the most frequent factor first, where the products are used nowhere else.
+    fn factor_sums(&mut self) {
+        let mut item = 0;
+        while item < self.items.len() {
+            while let Item::Sum(operands) = &self.items[item]
+                && let Some(factor) = self.most_frequent_factor(operands)
+            {
+                let (with, mut rest): (Vec<Operand>, Vec<Operand>) = operands
+                    .iter()
+                    .partition(|(operand, _)| self.own_factors(*operand).contains(&(factor, false)));
+                let mut inside = Vec::new();
+                for (operand, minus) in with {
+                    let mut others: Vec<Ref> = self.own_factors(operand).iter().map(|(other, _)| *other).collect();
+                    if let Some(at) = others.iter().position(|other| *other == factor) {
+                        others.remove(at);
+                    }
+                    inside.push((self.product(others), minus));
+                }
+                let (inside, minus) = self.sum(inside);
+                rest.push((self.product(vec![factor, inside]), minus));
+                rest.sort_unstable();
+                self.items[item] = Item::Sum(rest);
+            }
+            item += 1;
+        }
+    }
+
+    /// The factors of a product that is used once; none for anything else.
+    fn own_factors(&self, item: Ref) -> &[Operand] {
+        match &self.items[item] {
+            Item::Product(factors) if self.places.get(item).is_none_or(|&places| places == 1) => factors,
+            _ => &[],
+        }
+    }
+
+    fn most_frequent_factor(&self, operands: &[Operand]) -> Option<Ref> {
+        let mut counts: BTreeMap<Ref, usize> = BTreeMap::new();
+        for (operand, _) in operands {
+            let mut factors: Vec<Ref> = self.own_factors(*operand).iter().map(|(factor, _)| *factor).collect();
+            factors.dedup();
+            for factor in factors {
+                *counts.entry(factor).or_default() += 1;
+            }
+        }
+        let best = counts
+            .into_iter()
+            .max_by_key(|&(factor, count)| (count, std::cmp::Reverse(factor)));
+        best.filter(|&(_, count)| count >= 2).map(|(factor, _)| factor)
     }
 
     /// `k (k1 x + k2 y)` as `(k k1) x + (k k2) y`, where that saves the multiplication by `k`.

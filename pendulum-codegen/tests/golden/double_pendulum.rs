@@ -316,11 +316,11 @@ for DoublePendulum<T> {
         let t10 = t0 * t4 - k0;
         let t11 = k5 * sin_theta1 + k6 * qd_theta1 + qd_theta2 * t10;
         let t12 = k3 * t2 * t5;
-        let t13 = qd_theta2 * t4 * t5 - t1 * (t8 * t9 - t11 * t12);
+        let t13 = qd_theta2 * t4 * t5 - (t8 * t9 - t11 * t12) * t1;
         let t14 = k5 * cos_theta1 + t13;
         let t15 = t5 * qd_theta1 * t6 + t1 * (t3 * t11 - t8 * t12);
         let t16 = t15 + k4 * cos_theta2;
-        let t17 = t7 + t1 * qd_theta1;
+        let t17 = t7 + qd_theta1 * t1;
         let t18 = t10 + qd_theta2 * t1;
         ::pendulum_core::nalgebra::SMatrix::from([
             [
