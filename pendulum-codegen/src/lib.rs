@@ -15,7 +15,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! One way through, no way back: tokens ([`parse`], [`ast`], [`units`]) to a typed scene ([`lower`], [`model`], [`check`]) to expressions of
+//! One way through, no way back: tokens ([`parse`], [`ast`], [`units`]) to a typed scene ([`lower`], [`mod@model`], [`check`]) to expressions of
 //! its motion ([`screw`], [`dynamics`], on the graph of [`expr`]) to the shortest forms of them ([`pass`]) to Rust. Spans stop at the
 //! model; what lies behind it knows nothing of syntax. The same declaration gives the same code, byte for byte.
 
