@@ -64,10 +64,10 @@ impl Dynamics {
         }
         let motions: Vec<Combination> = bodies.iter().map(|body| body.motion.clone()).collect();
         let entries: Vec<_> = coefficients.a.iter().map(|(&(i, j), &entry)| (i, j, entry)).collect();
-        let potential = kinematics.potential(&mut model.graph);
-        let mut dynamics = Self::assemble(model, &motions, &entries, &along, potential);
-        dynamics.write_balance(&mut model.graph, &model.coordinates);
-        dynamics
+        let of_gravity = kinematics.potential(g);
+        let of_joints = sum(g, bodies.iter().map(|b| b.potential).collect::<Vec<_>>());
+        let potential = g.add(of_gravity, of_joints);
+        Self::assemble(model, &motions, &entries, &along, None, potential)
     }
 
     /// The same dynamics by recursion over links in base parameters; `potential` is the potential energy of gravity and springs.
@@ -79,27 +79,19 @@ impl Dynamics {
             inertial,
         } = Recursive::new(model);
         let motions: Vec<Combination> = links.iter().map(|link| link.motion.clone()).collect();
-        let joints = sum(
-            &mut model.graph,
-            model.bodies.iter().map(|b| b.potential).collect::<Vec<_>>(),
-        );
-        let of_gravity = model.graph.sub(potential, joints);
-        let mut dynamics = Self::assemble(model, &motions, &mass_matrix, &bias, of_gravity);
-        let g = &mut model.graph;
-        let inertial = pull_back(g, dynamics.bias.len(), motions.iter().zip(inertial));
-        let pairs = inertial.into_iter().zip(&dynamics.force);
-        dynamics.balance = pairs.map(|(inertial, &force)| g.sub(inertial, force)).collect();
-        dynamics
+        Self::assemble(model, &motions, &mass_matrix, &bias, Some(&inertial), potential)
     }
 
     /// The dynamics in the coordinates of the scene, from entries `(i, j, A_ij)` with `i <= j` and the bias along joints whose
-    /// coordinates are `q_i = motions[i]`. With `q = T theta` the mass matrix becomes `T^T A T`, a force `T^T tau`.
+    /// coordinates are `q_i = motions[i]`. With `q = T theta` the mass matrix becomes `T^T A T`, a force `T^T tau`. `inertial` is
+    /// `A qdd + bias` along the joints, where a form of it is known that is shorter than the two written out.
     fn assemble(
         model: &mut Model,
         motions: &[Combination],
         entries: &[(usize, usize, ExprId)],
         bias: &[ExprId],
-        of_gravity: ExprId,
+        inertial: Option<&[ExprId]>,
+        potential: ExprId,
     ) -> Self {
         let Model {
             graph: g,
@@ -124,20 +116,24 @@ impl Dynamics {
         let forces = bodies.iter().map(|body| (&body.motion, body.force));
         let force = pull_back(g, n, forces);
         let bias = pull_back(g, n, motions.iter().zip(bias.iter().copied()));
-        let residual = bias
-            .iter()
-            .zip(&force)
-            .map(|(&bias, &force)| g.sub(bias, force))
-            .collect();
-        let joints = sum(g, bodies.iter().map(|b| b.potential).collect::<Vec<_>>());
-        let potential = g.add(of_gravity, joints);
+        let less_forces = |g: &mut Graph, list: &[ExprId]| -> Vec<ExprId> {
+            list.iter().zip(&force).map(|(&x, &force)| g.sub(x, force)).collect()
+        };
+        let residual = less_forces(g, &bias);
+        let balance = match inertial {
+            Some(inertial) => {
+                let inertial = pull_back(g, n, motions.iter().zip(inertial.iter().copied()));
+                less_forces(g, &inertial)
+            }
+            None => balance(g, &mass_matrix, &residual, coordinates),
+        };
         let kinetic = kinetic(g, &mass_matrix, coordinates);
         Self {
             mass_matrix,
             bias,
             force,
             residual,
-            balance: Vec::new(),
+            balance,
             kinetic,
             potential,
         }
@@ -160,19 +156,23 @@ impl Dynamics {
         }
         self
     }
+}
 
-    /// Writes the balance out from the mass matrix and the residual.
-    pub fn write_balance(&mut self, g: &mut Graph, coordinates: &[Coordinate]) {
-        let rows = self.mass_matrix.iter().zip(&self.residual);
-        self.balance = rows
-            .map(|(row, &residual)| {
-                row.iter().zip(coordinates).fold(residual, |sum, (&entry, coordinate)| {
-                    let term = g.mul(entry, coordinate.acceleration);
-                    g.add(sum, term)
-                })
-            })
-            .collect();
-    }
+/// `A qdd + residual`, written out.
+pub(crate) fn balance(
+    g: &mut Graph,
+    mass_matrix: &[Vec<ExprId>],
+    residual: &[ExprId],
+    coordinates: &[Coordinate],
+) -> Vec<ExprId> {
+    let rows = mass_matrix.iter().zip(residual);
+    rows.map(|(row, &residual)| {
+        row.iter().zip(coordinates).fold(residual, |sum, (&entry, coordinate)| {
+            let term = g.mul(entry, coordinate.acceleration);
+            g.add(sum, term)
+        })
+    })
+    .collect()
 }
 
 /// `T^T tau`

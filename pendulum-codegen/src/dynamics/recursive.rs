@@ -106,9 +106,7 @@ fn frames(model: &mut Model, links: &[Link]) -> Vec<Frame> {
         let along = scale(g, slide, link.placement.rotation.map(|row| row[2]));
         let offset = add(g, link.placement.translation, along);
         let offset = link.parent.map_or(offset, |parent| frames[parent].of_body(g, offset));
-        let inertia = link.inertia.rotated(g, rest);
-        let inertia = inside.map_or(inertia, |turn| inertia.turned(g, turn));
-        frames.push(Frame {
+        let mut frame = Frame {
             same_station: follows[n],
             placement: link.placement.rotation,
             own,
@@ -117,8 +115,10 @@ fn frames(model: &mut Model, links: &[Link]) -> Vec<Frame> {
             offset,
             turning: if link.turns { rate } else { g.zero() },
             sliding: g.mul(link.pitch, rate),
-            inertia,
-        });
+            inertia: link.inertia,
+        };
+        frame.inertia = frame.inertia_of_body(g, &link.inertia);
+        frames.push(frame);
     }
     frames
 }
@@ -129,6 +129,14 @@ impl Frame {
         let Some(turn) = self.inside else { return v };
         let v = mat_vec(g, self.rest, v);
         turn.forward(g, v)
+    }
+
+    /// An inertia of the link's body, in the frame of the link.
+    fn inertia_of_body(&self, g: &mut Graph, inertia: &MassMoments) -> MassMoments {
+        match self.inside {
+            Some(turn) => inertia.rotated(g, self.rest).turned(g, turn),
+            None => *inertia,
+        }
     }
 
     /// The inverse of [`Frame::of_body`].
@@ -164,9 +172,7 @@ impl Frame {
         if !self.same_station {
             seen = self.own.map_or(seen, |turn| seen.turned(g, turn));
             seen = seen.rotated(g, self.placement);
-            if let Some(turn) = parent.inside {
-                seen = seen.rotated(g, parent.rest).turned(g, turn);
-            }
+            seen = parent.inertia_of_body(g, &seen);
         }
         seen.moved(g, self.offset)
     }

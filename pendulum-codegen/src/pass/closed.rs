@@ -2,7 +2,7 @@
 
 use super::angles::collect;
 use super::factor::{Preference, Term, factor, polynomial, terms};
-use crate::dynamics::Dynamics;
+use crate::dynamics::{Dynamics, balance};
 use crate::expr::{ExprId, Graph, Level, Normalizer, Poly, TooLarge};
 use crate::model::Coordinate;
 
@@ -52,21 +52,20 @@ impl Closed {
     /// The dynamics as expressions, with common factors drawn out.
     pub fn factored(&self, g: &mut Graph, coordinates: &[Coordinate], preference: Preference) -> Dynamics {
         let mut short = |terms: &Vec<Term>| factor(g, terms, preference);
-        let mut dynamics = Dynamics {
-            mass_matrix: self
-                .mass_matrix
-                .iter()
-                .map(|row| row.iter().map(&mut short).collect())
-                .collect(),
-            bias: self.bias.iter().map(&mut short).collect(),
-            force: self.force.iter().map(&mut short).collect(),
-            residual: self.residual.iter().map(&mut short).collect(),
-            balance: Vec::new(),
-            kinetic: short(&self.kinetic),
-            potential: short(&self.potential),
-        };
-        dynamics.write_balance(g, coordinates);
-        dynamics
+        let mut all = |lists: &[Vec<Term>]| -> Vec<ExprId> { lists.iter().map(&mut short).collect() };
+        let mass_matrix: Vec<Vec<ExprId>> = self.mass_matrix.iter().map(|row| all(row)).collect();
+        let [bias, force, residual] = [&self.bias, &self.force, &self.residual].map(|lists| all(lists));
+        let [kinetic, potential] = [&self.kinetic, &self.potential].map(&mut short);
+        let balance = balance(g, &mass_matrix, &residual, coordinates);
+        Dynamics {
+            mass_matrix,
+            bias,
+            force,
+            residual,
+            balance,
+            kinetic,
+            potential,
+        }
     }
 
     /// The determinant of the mass matrix, where it has two rows.
