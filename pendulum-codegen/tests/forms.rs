@@ -3,8 +3,9 @@
 mod common;
 
 use common::numbers;
-use pendulum_codegen::dynamics::Dynamics;
+use pendulum_codegen::dynamics::{Dynamics, partials, partials_by_recursion};
 use pendulum_codegen::expr::ExprId;
+use pendulum_codegen::model::Model;
 
 const SCENES: [&str; 5] = [
     // every kind of joint on skew axes
@@ -68,19 +69,36 @@ fn the_recursion_is_a_b_and_c() {
         let recursive = Dynamics::recursive(&mut model, dynamics.potential);
         let all =
             |d: &Dynamics| -> Vec<ExprId> { [d.mass_matrix.concat(), d.bias.clone(), d.residual.clone()].concat() };
-        let (ours, theirs) = (all(&recursive), all(&dynamics));
-        for seed in 0..20 {
-            let mut next = numbers(13 * seed);
-            let values = model.graph.evaluate(&[&ours[..], &theirs].concat(), |_| 3.0 * next());
-            let (ours, theirs) = values.split_at(ours.len());
-            let scale = theirs.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
-            for (n, (x, y)) in ours.iter().zip(theirs).enumerate() {
-                assert!(
-                    (x - y).abs() <= 1e-12 * scale,
-                    "{x} is not {y}: number {n} of {} in {scene}",
-                    ours.len()
-                );
-            }
+        agree(&model, &all(&recursive), &all(&dynamics), scene);
+    }
+}
+
+#[test]
+fn the_derivatives_of_the_recursion_are_those_of_its_expressions() {
+    for scene in SCENES {
+        let (mut model, dynamics) = common::dynamics(scene);
+        let recursive = Dynamics::recursive(&mut model, dynamics.potential);
+        let state = model.state();
+        let coordinates = model.coordinates.clone();
+        let known = partials_by_recursion(&mut model.graph, &recursive, &coordinates, &state).expect("a tangent");
+        let derived = partials(&mut model.graph, &dynamics, &state);
+        agree(&model, &known.concat(), &derived.concat(), scene);
+    }
+}
+
+/// Two lists of expressions have the same values at random states, to rounding.
+fn agree(model: &Model, ours: &[ExprId], theirs: &[ExprId], scene: &str) {
+    for seed in 0..20 {
+        let mut next = numbers(13 * seed);
+        let values = model.graph.evaluate(&[ours, theirs].concat(), |_| 3.0 * next());
+        let (ours, theirs) = values.split_at(ours.len());
+        let scale = theirs.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
+        for (n, (x, y)) in ours.iter().zip(theirs).enumerate() {
+            assert!(
+                (x - y).abs() <= 1e-12 * scale,
+                "{x} is not {y}: number {n} of {} in {scene}",
+                ours.len()
+            );
         }
     }
 }

@@ -4,6 +4,7 @@
 //! that of the right-hand side, so one factorisation serves both.
 
 use crate::expr::{Derivative, ExprId, Graph};
+use crate::model::Coordinate;
 
 use super::Dynamics;
 
@@ -13,6 +14,33 @@ pub fn partials(g: &mut Graph, dynamics: &Dynamics, variables: &[ExprId]) -> Vec
     let column = |&variable: &ExprId| {
         let mut derivative = Derivative::by(variable);
         dynamics.balance.iter().map(|&row| derivative.of(g, row)).collect()
+    };
+    variables.iter().map(column).collect()
+}
+
+/// The same by the state, from the derivatives of inverse dynamics that the recursion knows without deriving expressions; none
+/// where it does not, or by other variables.
+pub fn partials_by_recursion(
+    g: &mut Graph,
+    dynamics: &Dynamics,
+    coordinates: &[Coordinate],
+    variables: &[ExprId],
+) -> Option<Vec<Vec<ExprId>>> {
+    let tangent = dynamics.tangent.as_ref()?;
+    let column = |&variable: &ExprId| {
+        let of = |part: fn(&Coordinate) -> ExprId| coordinates.iter().position(|c| part(c) == variable);
+        let (matrix, k) = match (of(|c| c.position), of(|c| c.rate)) {
+            (Some(k), _) => (&tangent.by_position, k),
+            (None, Some(k)) => (&tangent.by_rate, k),
+            (None, None) => return None,
+        };
+        let mut derivative = Derivative::by(variable);
+        let rows = matrix.iter().zip(&dynamics.force);
+        let entry = |(row, &force): (&Vec<ExprId>, &ExprId)| {
+            let of_force = derivative.of(g, force);
+            g.sub(row[k], of_force)
+        };
+        Some(rows.map(entry).collect())
     };
     variables.iter().map(column).collect()
 }

@@ -1,21 +1,22 @@
 //! The dynamics of a model: from screws to the mass matrix, the bias, the forces and the energy in its coordinates.
 
 mod coefficients;
+mod frames;
 mod jacobian;
 mod kinematics;
 mod links;
 mod recursive;
 mod solve;
+mod tangent;
 
 pub use coefficients::Coefficients;
-pub use jacobian::partials;
+pub use jacobian::{partials, partials_by_recursion};
 pub use kinematics::Kinematics;
 pub use solve::{Factored, Solver};
 
 use crate::expr::{ExprId, Graph, ratio};
 use crate::model::{Combination, Coordinate, Model, combine};
 use crate::screw::sum;
-use recursive::Recursive;
 
 /// `mass_matrix * qdd + bias = force`, in the coordinates of the scene.
 #[derive(Clone, Debug)]
@@ -30,10 +31,35 @@ pub struct Dynamics {
     pub residual: Vec<ExprId>,
     /// `A qdd + bias - force`, zero along the motion, with the accelerations as the symbols of the coordinates.
     pub balance: Vec<ExprId>,
+    /// Derivatives of `A qdd + bias`, where they are known in a form of their own.
+    pub tangent: Option<Tangent>,
     /// Kinetic energy.
     pub kinetic: ExprId,
     /// Potential energy of gravity and springs.
     pub potential: ExprId,
+}
+
+/// Derivatives of `A qdd + bias` (rows) at fixed accelerations, which stand in them as the symbols of the coordinates.
+#[derive(Clone, Debug)]
+pub struct Tangent {
+    /// By the coordinates.
+    pub by_position: Vec<Vec<ExprId>>,
+    /// By their rates.
+    pub by_rate: Vec<Vec<ExprId>>,
+}
+
+/// An entry of a matrix over the joints: row, column and value.
+type Entry = (usize, usize, ExprId);
+
+/// The dynamics along joints whose coordinates are `q_i = motions[i]` in those of the scene.
+#[derive(Debug)]
+struct AlongJoints {
+    motions: Vec<Combination>,
+    /// `A_ij` for `i <= j`.
+    mass_matrix: Vec<Entry>,
+    bias: Vec<ExprId>,
+    /// `A qdd + bias` and its derivatives, where a form of them is known that is shorter than `A` and `bias` written out.
+    inertial: Option<(Vec<ExprId>, tangent::Tangent)>,
 }
 
 impl Dynamics {
@@ -62,57 +88,70 @@ impl Dynamics {
             let term = g.mul(entry, rates);
             along[i] = g.add(along[i], term);
         }
-        let motions: Vec<Combination> = bodies.iter().map(|body| body.motion.clone()).collect();
-        let entries: Vec<_> = coefficients.a.iter().map(|(&(i, j), &entry)| (i, j, entry)).collect();
         let of_gravity = kinematics.potential(g);
         let of_joints = sum(g, bodies.iter().map(|b| b.potential).collect::<Vec<_>>());
         let potential = g.add(of_gravity, of_joints);
-        Self::assemble(model, &motions, &entries, &along, None, potential)
+        let along = AlongJoints {
+            motions: bodies.iter().map(|body| body.motion.clone()).collect(),
+            mass_matrix: coefficients.a.iter().map(|(&(i, j), &entry)| (i, j, entry)).collect(),
+            bias: along,
+            inertial: None,
+        };
+        along.in_coordinates(model, potential)
     }
 
     /// The same dynamics by recursion over links in base parameters; `potential` is the potential energy of gravity and springs.
     pub fn recursive(model: &mut Model, potential: ExprId) -> Self {
-        let Recursive {
-            links,
+        recursive::along_joints(model).in_coordinates(model, potential)
+    }
+
+    /// Every expression of the dynamics, in one list.
+    pub fn entries(&self) -> Vec<ExprId> {
+        let mut copy = self.clone();
+        copy.places().into_iter().map(|place| *place).collect()
+    }
+
+    /// The same dynamics with other expressions, in the order of [`Dynamics::entries`].
+    #[must_use]
+    pub fn with_entries(mut self, entries: Vec<ExprId>) -> Self {
+        for (place, entry) in self.places().into_iter().zip(entries) {
+            *place = entry;
+        }
+        self
+    }
+
+    fn places(&mut self) -> Vec<&mut ExprId> {
+        let lists = [&mut self.bias, &mut self.force, &mut self.residual, &mut self.balance];
+        let tangent = self
+            .tangent
+            .iter_mut()
+            .flat_map(|t| t.by_position.iter_mut().chain(&mut t.by_rate));
+        let rows = self.mass_matrix.iter_mut().chain(lists).chain(tangent);
+        rows.flatten().chain([&mut self.kinetic, &mut self.potential]).collect()
+    }
+}
+
+impl AlongJoints {
+    /// The dynamics in the coordinates of the scene. With `q = T theta` the mass matrix becomes `T^T A T`, a force `T^T tau`.
+    fn in_coordinates(self, model: &mut Model, potential: ExprId) -> Dynamics {
+        let Self {
+            motions,
             mass_matrix,
             bias,
             inertial,
-        } = Recursive::new(model);
-        let motions: Vec<Combination> = links.iter().map(|link| link.motion.clone()).collect();
-        Self::assemble(model, &motions, &mass_matrix, &bias, Some(&inertial), potential)
-    }
-
-    /// The dynamics in the coordinates of the scene, from entries `(i, j, A_ij)` with `i <= j` and the bias along joints whose
-    /// coordinates are `q_i = motions[i]`. With `q = T theta` the mass matrix becomes `T^T A T`, a force `T^T tau`. `inertial` is
-    /// `A qdd + bias` along the joints, where a form of it is known that is shorter than the two written out.
-    fn assemble(
-        model: &mut Model,
-        motions: &[Combination],
-        entries: &[(usize, usize, ExprId)],
-        bias: &[ExprId],
-        inertial: Option<&[ExprId]>,
-        potential: ExprId,
-    ) -> Self {
+        } = self;
         let Model {
             graph: g,
             bodies,
             coordinates,
             ..
         } = model;
-        let (n, zero) = (coordinates.len(), g.zero());
-        let mut mass_matrix = vec![vec![zero; n]; n];
-        for &(i, j, entry) in entries {
-            for &(k, t) in &motions[i] {
-                for &(l, u) in &motions[j] {
-                    let factor = g.integer(t * u);
-                    let term = g.mul(factor, entry);
-                    let sides: &[(usize, usize)] = if i == j { &[(k, l)] } else { &[(k, l), (l, k)] };
-                    for &(k, l) in sides {
-                        mass_matrix[k][l] = g.add(mass_matrix[k][l], term);
-                    }
-                }
-            }
-        }
+        let n = coordinates.len();
+        let both = mass_matrix.iter().flat_map(|&(i, j, entry)| {
+            let mirrored = (i != j).then_some((j, i, entry));
+            std::iter::once((i, j, entry)).chain(mirrored)
+        });
+        let mass_matrix = pull_back_matrix(g, n, &motions, both);
         let forces = bodies.iter().map(|body| (&body.motion, body.force));
         let force = pull_back(g, n, forces);
         let bias = pull_back(g, n, motions.iter().zip(bias.iter().copied()));
@@ -120,41 +159,28 @@ impl Dynamics {
             list.iter().zip(&force).map(|(&x, &force)| g.sub(x, force)).collect()
         };
         let residual = less_forces(g, &bias);
-        let balance = match inertial {
-            Some(inertial) => {
+        let balance = match &inertial {
+            Some((inertial, _)) => {
                 let inertial = pull_back(g, n, motions.iter().zip(inertial.iter().copied()));
                 less_forces(g, &inertial)
             }
             None => balance(g, &mass_matrix, &residual, coordinates),
         };
+        let tangent = inertial.map(|(_, along)| Tangent {
+            by_position: pull_back_matrix(g, n, &motions, along.by_position),
+            by_rate: pull_back_matrix(g, n, &motions, along.by_rate),
+        });
         let kinetic = kinetic(g, &mass_matrix, coordinates);
-        Self {
+        Dynamics {
             mass_matrix,
             bias,
             force,
             residual,
             balance,
+            tangent,
             kinetic,
             potential,
         }
-    }
-
-    /// Every expression of the dynamics, in one list.
-    pub fn entries(&self) -> Vec<ExprId> {
-        let lists = [&self.bias, &self.force, &self.residual, &self.balance];
-        let rows = self.mass_matrix.iter().chain(lists);
-        rows.flatten().copied().chain([self.kinetic, self.potential]).collect()
-    }
-
-    /// The same dynamics with other expressions, in the order of [`Dynamics::entries`].
-    #[must_use]
-    pub fn with_entries(mut self, entries: Vec<ExprId>) -> Self {
-        let lists = [&mut self.bias, &mut self.force, &mut self.residual, &mut self.balance];
-        let places = self.mass_matrix.iter_mut().chain(lists).flatten();
-        for (place, entry) in places.chain([&mut self.kinetic, &mut self.potential]).zip(entries) {
-            *place = entry;
-        }
-        self
     }
 }
 
@@ -187,6 +213,26 @@ fn pull_back<'a>(
             let factor = g.integer(t);
             let term = g.mul(factor, along);
             pulled[k] = g.add(pulled[k], term);
+        }
+    }
+    pulled
+}
+
+/// `T^T M T`
+fn pull_back_matrix(
+    g: &mut Graph,
+    n: usize,
+    motions: &[Combination],
+    entries: impl IntoIterator<Item = Entry>,
+) -> Vec<Vec<ExprId>> {
+    let mut pulled = vec![vec![g.zero(); n]; n];
+    for (i, j, entry) in entries {
+        for &(k, t) in &motions[i] {
+            for &(l, u) in &motions[j] {
+                let factor = g.integer(t * u);
+                let term = g.mul(factor, entry);
+                pulled[k][l] = g.add(pulled[k][l], term);
+            }
         }
     }
     pulled

@@ -1,201 +1,42 @@
 //! The faster form for large scenes: the bias by Newton and Euler's recursion, the mass matrix by composite bodies.
 //!
-//! Luh, Walker and Paul (1980) and Walker and Orin (1982), on links in base parameters. A link alone turns its own frame; parallel links in
-//! a row share the frame before the first of them, in which their angles add up and nothing has to be turned between them.
+//! Luh, Walker and Paul (1980) and Walker and Orin (1982), on links in base parameters.
 
+use super::frames::{Frame, frames};
 use super::links::{Link, links};
-use crate::expr::{ExprId, Graph, Unary};
-use crate::model::{Combination, Model, combine, plus_scaled};
-use crate::screw::{
-    MassMoments, Mat3, Symmetric3, Turn, Vec3, Wrench, add, cross, identity, mat_mul, mat_vec, scale, sum, transpose,
-};
+use super::tangent::Tangent;
+use super::{AlongJoints, Entry};
+use crate::expr::{ExprId, Graph};
+use crate::model::{Model, combine};
+use crate::screw::{MassMoments, Mat3, Symmetric3, Vec3, Wrench, add, cross, mat_vec, scale, sum};
 
-/// Mass matrix and bias along the joints of the links.
-#[derive(Debug)]
-pub(super) struct Recursive {
-    pub(super) links: Vec<Link>,
-    /// `A_ij` for `i <= j`, where link i carries link j or is it.
-    pub(super) mass_matrix: Vec<(usize, usize, ExprId)>,
-    pub(super) bias: Vec<ExprId>,
-    /// `A qdd + bias` with the second rates as symbols: what a motion takes.
-    pub(super) inertial: Vec<ExprId>,
-}
-
-/// The frame in which a link is computed: at its origin, turned as its station is.
-#[derive(Debug)]
-struct Frame {
-    /// Whether the link before is in the same station.
-    same_station: bool,
-    /// From the parent's body frame to the station, where that is a new one.
-    placement: Mat3,
-    /// The turn of the frame itself, where the link is alone in its station.
-    own: Option<Turn>,
-    /// The turn of the body in its station, where several share it, behind the constant rotation `rest`.
-    inside: Option<Turn>,
-    rest: Mat3,
-    /// The origin of the link from that of its parent, in the parent's frame.
-    offset: Vec3,
-    /// Rates of turning and sliding along z.
-    turning: ExprId,
-    sliding: ExprId,
-    inertia: MassMoments,
-}
-
-impl Recursive {
-    pub(super) fn new(model: &mut Model) -> Self {
-        let links = links(model);
-        let frames = frames(model, &links);
-        let Model {
-            graph: g,
-            coordinates,
-            gravity,
-            ..
-        } = model;
-        let still = vec![g.zero(); links.len()];
-        let bias = inverse_dynamics(g, &links, &frames, *gravity, &still);
-        let second_rates: Vec<ExprId> = links
-            .iter()
-            .map(|link| combine(g, coordinates, &link.motion, |c| c.acceleration))
-            .collect();
-        let inertial = inverse_dynamics(g, &links, &frames, *gravity, &second_rates);
-        let mass_matrix = mass_matrix(g, &links, &frames);
-        Self {
-            links,
-            mass_matrix,
-            bias,
-            inertial,
-        }
-    }
-}
-
-/// Whether a link turns about the direction of its parent, which turns too.
-fn continues(g: &mut Graph, links: &[Link], n: usize) -> bool {
-    let (link, one) = (&links[n], g.one());
-    link.turns && link.parent.is_some_and(|p| links[p].turns) && link.placement.rotation[2][2] == one
-}
-
-fn frames(model: &mut Model, links: &[Link]) -> Vec<Frame> {
+/// The dynamics along the joints of the links.
+pub(super) fn along_joints(model: &mut Model) -> AlongJoints {
+    let links = links(model);
+    let frames = frames(model, &links);
     let Model {
-        graph: g, coordinates, ..
+        graph: g,
+        coordinates,
+        gravity,
+        ..
     } = model;
-    let follows: Vec<bool> = (0..links.len()).map(|n| continues(g, links, n)).collect();
-    let shared = |n: usize| follows[n] || (0..links.len()).any(|m| links[m].parent == Some(n) && follows[m]);
-    // the angle of each body in its station, and its constant rotation there
-    let mut angles: Vec<Combination> = Vec::new();
-    let mut frames: Vec<Frame> = Vec::new();
-    for (n, link) in links.iter().enumerate() {
-        let (before, rest) = match link.parent {
-            Some(parent) if follows[n] => {
-                let rest = mat_mul(g, frames[parent].rest, link.placement.rotation);
-                (angles[parent].clone(), rest)
-            }
-            _ => (Combination::new(), identity(g)),
-        };
-        angles.push(plus_scaled(&before, &link.motion, 1));
-        let turn = link.turns.then(|| {
-            let angle = combine(g, coordinates, &angles[n], |c| c.position);
-            Turn {
-                sine: g.unary(Unary::Sin, angle),
-                cosine: g.unary(Unary::Cos, angle),
-            }
-        });
-        let (own, inside) = if shared(n) { (None, turn) } else { (turn, None) };
-        let position = combine(g, coordinates, &link.motion, |c| c.position);
-        let rate = combine(g, coordinates, &link.motion, |c| c.rate);
-        let slide = g.mul(link.pitch, position);
-        let along = scale(g, slide, link.placement.rotation.map(|row| row[2]));
-        let offset = add(g, link.placement.translation, along);
-        let offset = link.parent.map_or(offset, |parent| frames[parent].of_body(g, offset));
-        let mut frame = Frame {
-            same_station: follows[n],
-            placement: link.placement.rotation,
-            own,
-            inside,
-            rest,
-            offset,
-            turning: if link.turns { rate } else { g.zero() },
-            sliding: g.mul(link.pitch, rate),
-            inertia: link.inertia,
-        };
-        frame.inertia = frame.inertia_of_body(g, &link.inertia);
-        frames.push(frame);
-    }
-    frames
-}
-
-impl Frame {
-    /// A vector of the link's body, in the frame of the link.
-    fn of_body(&self, g: &mut Graph, v: Vec3) -> Vec3 {
-        let Some(turn) = self.inside else { return v };
-        let v = mat_vec(g, self.rest, v);
-        turn.forward(g, v)
-    }
-
-    /// An inertia of the link's body, in the frame of the link.
-    fn inertia_of_body(&self, g: &mut Graph, inertia: &MassMoments) -> MassMoments {
-        match self.inside {
-            Some(turn) => inertia.rotated(g, self.rest).turned(g, turn),
-            None => *inertia,
-        }
-    }
-
-    /// The inverse of [`Frame::of_body`].
-    fn to_body(&self, g: &mut Graph, v: Vec3) -> Vec3 {
-        let Some(turn) = self.inside else { return v };
-        let v = turn.back(g, v);
-        mat_vec(g, transpose(self.rest), v)
-    }
-
-    /// A vector of the frame of the parent, in this frame.
-    fn of_parent(&self, g: &mut Graph, parent: Option<&Frame>, v: Vec3) -> Vec3 {
-        if self.same_station {
-            return v;
-        }
-        let v = parent.map_or(v, |parent| parent.to_body(g, v));
-        let v = mat_vec(g, transpose(self.placement), v);
-        self.own.map_or(v, |turn| turn.back(g, v))
-    }
-
-    /// The inverse of [`Frame::of_parent`].
-    fn to_parent(&self, g: &mut Graph, parent: &Frame, v: Vec3) -> Vec3 {
-        if self.same_station {
-            return v;
-        }
-        let v = self.own.map_or(v, |turn| turn.forward(g, v));
-        let v = mat_vec(g, self.placement, v);
-        parent.of_body(g, v)
-    }
-
-    /// An inertia of this frame, in that of the parent.
-    fn inertia_to_parent(&self, g: &mut Graph, parent: &Frame, inertia: &MassMoments) -> MassMoments {
-        let mut seen = *inertia;
-        if !self.same_station {
-            seen = self.own.map_or(seen, |turn| seen.turned(g, turn));
-            seen = seen.rotated(g, self.placement);
-            seen = parent.inertia_of_body(g, &seen);
-        }
-        seen.moved(g, self.offset)
-    }
-
-    /// A force and a moment about the link's origin, in the frame and about the origin of the parent.
-    fn wrench_to_parent(&self, g: &mut Graph, parent: &Frame, wrench: &Wrench) -> Wrench {
-        let force = self.to_parent(g, parent, wrench.force);
-        let moment = self.to_parent(g, parent, wrench.moment);
-        let lever = cross(g, self.offset, force);
-        Wrench {
-            moment: add(g, moment, lever),
-            force,
-        }
-    }
-
-    /// The part of a wrench that moves the joint of the link.
-    fn along_joint(&self, g: &mut Graph, link: &Link, wrench: &Wrench) -> ExprId {
-        let slide = g.mul(link.pitch, wrench.force[2]);
-        if link.turns {
-            g.add(wrench.moment[2], slide)
-        } else {
-            slide
-        }
+    let still = vec![g.zero(); links.len()];
+    let (_, wrenches) = inverse_dynamics(g, &links, &frames, *gravity, &still);
+    let bias = forces(g, &links, &frames, &wrenches);
+    let second_rates: Vec<ExprId> = links
+        .iter()
+        .map(|link| combine(g, coordinates, &link.motion, |c| c.acceleration))
+        .collect();
+    let (motions, wrenches) = inverse_dynamics(g, &links, &frames, *gravity, &second_rates);
+    let inertial = forces(g, &links, &frames, &wrenches);
+    let composites = composites(g, &links, &frames);
+    let mass_matrix = mass_matrix(g, &links, &frames, &composites);
+    let tangent = Tangent::new(g, &links, &frames, &composites, &motions, &wrenches);
+    AlongJoints {
+        motions: links.into_iter().map(|link| link.motion).collect(),
+        mass_matrix,
+        bias,
+        inertial: Some((inertial, tangent)),
     }
 }
 
@@ -235,22 +76,26 @@ fn inertial_moment(g: &mut Graph, u: &Mat3, second: Symmetric3) -> Vec3 {
     })
 }
 
-/// What moves one link, and what that takes.
-struct Motion {
-    w: Vec3,
+/// How a link moves, in its frame.
+#[derive(Debug)]
+pub(super) struct Motion {
+    /// Angular velocity.
+    pub(super) w: Vec3,
     alpha: Vec3,
-    a: Vec3,
-    field: Mat3,
+    /// Acceleration of the origin, in a frame that falls upwards with gravity.
+    pub(super) a: Vec3,
+    /// The acceleration of every other point against the origin.
+    pub(super) field: Mat3,
 }
 
-/// The force along each joint that a motion takes, by Newton and Euler, in a frame that falls upwards with gravity.
+/// How the links move, and the wrench that each takes with all that it carries, by Newton and Euler.
 fn inverse_dynamics(
     g: &mut Graph,
     links: &[Link],
     frames: &[Frame],
     gravity: Vec3,
     second_rates: &[ExprId],
-) -> Vec<ExprId> {
+) -> (Vec<Motion>, Vec<Wrench>) {
     let mut motions: Vec<Motion> = Vec::new();
     for ((link, frame), &second_rate) in links.iter().zip(frames).zip(second_rates) {
         let parent = link.parent.map(|p| &frames[p]);
@@ -299,19 +144,29 @@ fn inverse_dynamics(
             force: add(g, force, carried.force),
         };
     }
+    (motions, wrenches)
+}
+
+/// The forces along the joints.
+fn forces(g: &mut Graph, links: &[Link], frames: &[Frame], wrenches: &[Wrench]) -> Vec<ExprId> {
     (0..links.len())
         .map(|n| frames[n].along_joint(g, &links[n], &wrenches[n]))
         .collect()
 }
 
-/// `A_ij`: the momentum of all that link j carries, when its joint alone moves at unit rate, along the joint of each link below.
-fn mass_matrix(g: &mut Graph, links: &[Link], frames: &[Frame]) -> Vec<(usize, usize, ExprId)> {
+/// Each link with all that it carries.
+fn composites(g: &mut Graph, links: &[Link], frames: &[Frame]) -> Vec<MassMoments> {
     let mut composites: Vec<MassMoments> = frames.iter().map(|frame| frame.inertia).collect();
     for n in (0..links.len()).rev() {
         let Some(parent) = links[n].parent else { continue };
         let carried = frames[n].inertia_to_parent(g, &frames[parent], &composites[n]);
         composites[parent] = composites[parent].plus(g, &carried);
     }
+    composites
+}
+
+/// `A_ij`: the momentum of all that link j carries, when its joint alone moves at unit rate, along the joint of each link below.
+fn mass_matrix(g: &mut Graph, links: &[Link], frames: &[Frame], composites: &[MassMoments]) -> Vec<Entry> {
     let mut entries = Vec::new();
     for (j, link) in links.iter().enumerate() {
         let mut wrench = momentum(g, link, &composites[j]);
@@ -327,7 +182,7 @@ fn mass_matrix(g: &mut Graph, links: &[Link], frames: &[Frame]) -> Vec<(usize, u
 }
 
 /// Momentum and angular momentum at unit rate of a joint.
-fn momentum(g: &mut Graph, link: &Link, inertia: &MassMoments) -> Wrench {
+pub(super) fn momentum(g: &mut Graph, link: &Link, inertia: &MassMoments) -> Wrench {
     let zero = g.zero();
     let [hx, hy, _] = inertia.first;
     let Symmetric3([xx, yy, _, _, xz, yz]) = inertia.second;

@@ -63,6 +63,7 @@ impl Closed {
             force,
             residual,
             balance,
+            tangent: None,
             kinetic,
             potential,
         }

@@ -15,7 +15,7 @@ pub use cost::Operations;
 pub use factor::Preference;
 pub use share::share;
 
-use crate::dynamics::{Dynamics, Factored, Solver, partials};
+use crate::dynamics::{Dynamics, Factored, Solver, partials, partials_by_recursion};
 use crate::expr::{ExprId, Graph, Normalizer};
 use crate::model::Model;
 
@@ -116,6 +116,7 @@ impl Forms {
         let mut candidates = Vec::new();
         for (form, dynamics, determinant) in &self.forms {
             let mut columns = vec![partials(g, dynamics, variables)];
+            columns.extend(partials_by_recursion(g, dynamics, coordinates, variables));
             if let Form::Closed(preference) = *form {
                 columns.extend(expanded(g, &mut self.normalizer, &columns[0], preference));
             }

@@ -42,6 +42,14 @@ impl MassMoments {
         }
     }
 
+    /// The rotational inertia about the origin: `J = tr(S) 1 - S`.
+    pub fn rotational(&self, g: &mut Graph) -> Mat3 {
+        let Symmetric3([xx, yy, zz, xy, xz, yz]) = self.second;
+        let diagonal = [g.add(yy, zz), g.add(xx, zz), g.add(xx, yy)];
+        let [xy, xz, yz] = [xy, xz, yz].map(|x| g.neg(x));
+        Symmetric3([diagonal[0], diagonal[1], diagonal[2], xy, xz, yz]).full()
+    }
+
     /// The sum of two.
     pub fn plus(&self, g: &mut Graph, other: &Self) -> Self {
         Self {
