@@ -197,3 +197,61 @@ fn raw_names_and_small_inertias_are_taken() {
     assert_relative_eq!(rhs[2], 1e-3, max_relative = 1e-9);
     assert_eq!(Raw::COORDINATES, ["move", "fn"]);
 }
+
+mechanism! {
+    /// Inertial parameters, lengths, friction and a stiffness, under an input.
+    pub Driven {
+        params {
+            m1: kg = 1.2, m2: kg = 0.7, l: m = 0.8, c: m = 0.4, j: kg m^2 = 0.05,
+            g: m/s^2 = 9.8, gamma: N m s = 0.3, k: N m = 2, rest: rad = 0.2,
+        }
+        gravity: [0, -g, 0],
+        generate: [rhs, parameter_jacobian],
+        input u: N m,
+        body upper on ground {
+            mass: m1, com: [0, -c, 0], inertia: [j, j/3, j],
+            joint: revolute(z), coordinate: q1, friction: gamma, torque: u,
+        }
+        body lower on upper {
+            mass: m2, com: [c/4, -c, 0.1], inertia: [j, 2*j, j],
+            joint: revolute([0, 1, 2]) at [0, -l, 0], coordinate: q2, spring: (k, rest),
+        }
+    }
+}
+
+/// The derivative by a parameter against differences, extrapolated to order four.
+#[test]
+fn accelerations_are_derived_by_every_parameter() {
+    let params = DrivenParams::default();
+    let model = Driven::new(params).expect("physical");
+    let (x, u) = (SVector::from([0.7, -0.4, 1.3, 2.1]), DrivenInputs { u: 0.6 });
+    let derivatives = model.parameter_jacobian(0.0, &x, &u);
+    let fields: [fn(&mut DrivenParams) -> &mut f64; 9] = [
+        |p| &mut p.m1,
+        |p| &mut p.m2,
+        |p| &mut p.l,
+        |p| &mut p.c,
+        |p| &mut p.j,
+        |p| &mut p.g,
+        |p| &mut p.gamma,
+        |p| &mut p.k,
+        |p| &mut p.rest,
+    ];
+    let h = 1e-3;
+    for (column, field) in fields.into_iter().enumerate() {
+        let moved = |step: f64| {
+            let mut params = params;
+            *field(&mut params) += step;
+            Driven::new(params).expect("physical").rhs_with(0.0, &x, &u)
+        };
+        let central = |h: f64| (moved(h) - moved(-h)) / (2.0 * h);
+        let slope = (4.0 * central(0.5 * h) - central(h)) / 3.0;
+        let slope = slope.fixed_rows::<2>(2);
+        assert!(slope.amax() > 1e-2, "parameter {column} does something");
+        assert_relative_eq!(
+            derivatives.column(column).into_owned(),
+            slope.into_owned(),
+            max_relative = 1e-8
+        );
+    }
+}

@@ -127,16 +127,25 @@ pub enum Output {
     MassMatrix,
     /// The bias: velocity terms and gravity.
     Bias,
+    /// The momenta of the coordinates.
+    Momentum,
+    /// The forces that given accelerations take.
+    InverseDynamics,
+    /// The derivatives of the accelerations by the parameters.
+    ParameterJacobian,
 }
 
 impl Output {
     /// Every output with its name in `generate`.
-    pub const ALL: [(&'static str, Output); 5] = [
+    pub const ALL: [(&'static str, Output); 8] = [
         ("rhs", Output::Rhs),
         ("jacobian", Output::Jacobian),
         ("energy", Output::Energy),
         ("mass_matrix", Output::MassMatrix),
         ("bias", Output::Bias),
+        ("momentum", Output::Momentum),
+        ("inverse_dynamics", Output::InverseDynamics),
+        ("parameter_jacobian", Output::ParameterJacobian),
     ];
 }
 

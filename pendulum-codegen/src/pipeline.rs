@@ -1,13 +1,13 @@
 //! The whole path on one screen: tokens, syntax tree, model, dynamics, short forms, code.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use proc_macro2::TokenStream;
 
 use crate::ast::Scene;
 use crate::dynamics::Dynamics;
 use crate::error::Errors;
-use crate::expr::{ExprId, Level, Node};
+use crate::expr::{ExprId, Graph, Level, Node};
 use crate::model::{Model, Output};
 use crate::pass::{Chosen, Forms};
 use crate::{check, emit, lower, parse};
@@ -29,6 +29,30 @@ pub enum Function {
     MassMatrix,
     /// The bias.
     Bias,
+    /// The momenta of the coordinates.
+    Momentum,
+    /// The forces that accelerations take, which stand in them as the symbols of the coordinates.
+    InverseDynamics,
+    /// The derivatives of the accelerations by the parameters, column by column.
+    ParameterJacobian,
+}
+
+impl Function {
+    /// The name of the generated function.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Rhs => "rhs",
+            Self::Jacobian => "jacobian",
+            Self::InputJacobian => "input_jacobian",
+            Self::Kinetic => "kinetic",
+            Self::Potential => "potential",
+            Self::MassMatrix => "mass_matrix",
+            Self::Bias => "bias",
+            Self::Momentum => "momentum",
+            Self::InverseDynamics => "inverse_dynamics",
+            Self::ParameterJacobian => "parameter_jacobian",
+        }
+    }
 }
 
 /// All that is known of a scene when its code is written.
@@ -97,37 +121,53 @@ fn compile(scene: &Scene, errors: Errors) -> Result<Program, Errors> {
     })
 }
 
+/// What a function reads off the dynamics.
+type Part<'a> = dyn Fn(&mut Graph, &Dynamics) -> Vec<ExprId> + 'a;
+
 fn functions(model: &mut Model, forms: &mut Forms) -> BTreeMap<Function, Chosen> {
-    let wants = |output| model.outputs.contains(&output);
+    let wants = |model: &Model, output| model.outputs.contains(&output);
     let controlled = !model.inputs.is_empty();
     // a Jacobian without its right-hand side, or an input without the derivative by it, is no use to anybody
-    let jacobian = wants(Output::Jacobian) || (controlled && wants(Output::Rhs));
-    let rhs = wants(Output::Rhs) || jacobian;
-    let (energy, mass_matrix, bias) = (wants(Output::Energy), wants(Output::MassMatrix), wants(Output::Bias));
+    let jacobian = wants(model, Output::Jacobian) || (controlled && wants(model, Output::Rhs));
+    let rhs = wants(model, Output::Rhs) || jacobian;
     let mut functions = BTreeMap::new();
     if rhs {
         functions.insert(Function::Rhs, forms.accelerations(&mut model.graph));
     }
-    if jacobian {
-        let state = model.state();
-        functions.insert(Function::Jacobian, forms.jacobian(model, &state));
+    let inputs: Vec<ExprId> = model.inputs.iter().map(|input| input.symbol).collect();
+    let parameters = model.parameters.iter().map(|parameter| parameter.symbol).collect();
+    let derivatives = [
+        (Function::Jacobian, jacobian, model.state()),
+        (Function::InputJacobian, jacobian && controlled, inputs.clone()),
+        (
+            Function::ParameterJacobian,
+            wants(model, Output::ParameterJacobian),
+            parameters,
+        ),
+    ];
+    for (function, _, variables) in derivatives.into_iter().filter(|(_, wanted, _)| *wanted) {
+        functions.insert(function, forms.jacobian(model, &variables));
     }
-    if jacobian && controlled {
-        let inputs: Vec<_> = model.inputs.iter().map(|input| input.symbol).collect();
-        functions.insert(Function::InputJacobian, forms.jacobian(model, &inputs));
-    }
-    let g = &mut model.graph;
-    if energy {
-        functions.insert(Function::Kinetic, forms.part(g, |dynamics| vec![dynamics.kinetic]));
-        functions.insert(Function::Potential, forms.part(g, |dynamics| vec![dynamics.potential]));
-    }
-    if mass_matrix {
-        let upper = |row: (usize, &Vec<ExprId>)| row.1[row.0..].to_vec();
-        let part = |d: &Dynamics| d.mass_matrix.iter().enumerate().flat_map(upper).collect();
-        functions.insert(Function::MassMatrix, forms.part(g, part));
-    }
-    if bias {
-        functions.insert(Function::Bias, forms.part(g, |dynamics| dynamics.bias.clone()));
+    // what inputs do is asked of inverse dynamics, not given
+    let zero = model.graph.zero();
+    let without_inputs: HashMap<_, _> = inputs.into_iter().map(|input| (input, zero)).collect();
+    let upper = |row: (usize, &Vec<ExprId>)| row.1[row.0..].to_vec();
+    let parts: [(Function, Output, &Part); 6] = [
+        (Function::Kinetic, Output::Energy, &|_, d| vec![d.kinetic]),
+        (Function::Potential, Output::Energy, &|_, d| vec![d.potential]),
+        (Function::MassMatrix, Output::MassMatrix, &|_, d| {
+            d.mass_matrix.iter().enumerate().flat_map(upper).collect()
+        }),
+        (Function::Bias, Output::Bias, &|_, d| d.bias.clone()),
+        (Function::Momentum, Output::Momentum, &|_, d| d.momentum.clone()),
+        (Function::InverseDynamics, Output::InverseDynamics, &|g, d| {
+            g.substitute(&d.balance, without_inputs.clone())
+        }),
+    ];
+    for (function, output, part) in parts {
+        if wants(model, output) {
+            functions.insert(function, forms.part(&mut model.graph, part));
+        }
     }
     functions
 }

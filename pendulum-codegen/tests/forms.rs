@@ -74,6 +74,23 @@ fn the_recursion_is_a_b_and_c() {
 }
 
 #[test]
+fn articulated_bodies_move_by_a_b_and_c() {
+    for scene in SCENES {
+        let (mut model, dynamics) = common::dynamics(scene);
+        let accelerations = Dynamics::articulated(&mut model);
+        let symbols = model.coordinates.iter().map(|c| c.acceleration);
+        let known = symbols.zip(accelerations).collect();
+        let g = &mut model.graph;
+        let left = g.substitute(&dynamics.balance, known);
+        let zero = vec![g.zero(); left.len()];
+        // what is left of A qdd + bias - force, beside the bias
+        let zero: Vec<ExprId> = zero.into_iter().chain(dynamics.bias.iter().copied()).collect();
+        let left: Vec<ExprId> = left.into_iter().chain(dynamics.bias).collect();
+        agree(&model, &left, &zero, scene);
+    }
+}
+
+#[test]
 fn the_derivatives_of_the_recursion_are_those_of_its_expressions() {
     for scene in SCENES {
         let (mut model, dynamics) = common::dynamics(scene);

@@ -19,13 +19,25 @@ pub struct Operations {
 
 impl Operations {
     /// No operations.
-    pub const ZERO: Self = Self {
-        additions: 0,
-        multiplications: 0,
-        divisions: 0,
-        sincos: 0,
-        functions: 0,
-    };
+    pub const ZERO: Self = Self::new(0, 0, 0, 0, 0);
+
+    /// Counts in the order of the fields.
+    #[must_use]
+    pub const fn new(
+        additions: usize,
+        multiplications: usize,
+        divisions: usize,
+        sincos: usize,
+        functions: usize,
+    ) -> Self {
+        Self {
+            additions,
+            multiplications,
+            divisions,
+            sincos,
+            functions,
+        }
+    }
 
     /// Additions and multiplications together: the figure by which forward dynamics are usually compared.
     #[must_use]
@@ -57,56 +69,116 @@ impl fmt::Display for Operations {
     }
 }
 
-/// The operations of each function of a generated model; [`Operations::ZERO`] for functions that were not asked for.
+/// What one generated function takes, and what it would have taken in other forms.
+///
+/// The generator writes each function in every form of the dynamics that it knows, and keeps the shortest by weighed operations.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub struct FunctionCost {
+    /// Its operations.
+    pub operations: Operations,
+    /// The form that it is written in, for example "recursion, L^T D L".
+    pub form: &'static str,
+    /// The best of each other kind of form and its operations, from the shortest on. Forms of more than twice the weight were not
+    /// searched for common parts, and are counted as they stood.
+    pub others: &'static [(&'static str, Operations)],
+}
+
+impl FunctionCost {
+    /// A function that was not asked for.
+    pub const ZERO: Self = Self {
+        operations: Operations::ZERO,
+        form: "",
+        others: &[],
+    };
+
+    /// Additions and multiplications together.
+    #[must_use]
+    pub const fn flops(&self) -> usize {
+        self.operations.flops()
+    }
+}
+
+/// Lists the operations; the alternate form `{:#}` is a table of all forms.
+impl fmt::Display for FunctionCost {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if !f.alternate() {
+            return self.operations.fmt(f);
+        }
+        write!(f, "{}: {}", self.form, self.operations)?;
+        for (form, operations) in self.others {
+            write!(f, "\n{form}: {operations}")?;
+        }
+        Ok(())
+    }
+}
+
+/// The cost of each function of a generated model; [`FunctionCost::ZERO`] for functions that were not asked for.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct Cost {
     /// [`System::rhs`](crate::System::rhs).
-    pub rhs: Operations,
+    pub rhs: FunctionCost,
     /// [`Jacobian::jacobian`](crate::Jacobian::jacobian).
-    pub jacobian: Operations,
+    pub jacobian: FunctionCost,
     /// [`Controlled::input_jacobian`](crate::Controlled::input_jacobian).
-    pub input_jacobian: Operations,
+    pub input_jacobian: FunctionCost,
     /// [`Energy::kinetic`](crate::Energy::kinetic).
-    pub kinetic: Operations,
+    pub kinetic: FunctionCost,
     /// [`Energy::potential`](crate::Energy::potential).
-    pub potential: Operations,
+    pub potential: FunctionCost,
     /// The mass matrix.
-    pub mass_matrix: Operations,
-    /// The bias: all forces that stand beside `A qdd` in the equations of motion.
-    pub bias: Operations,
+    pub mass_matrix: FunctionCost,
+    /// The bias: velocity terms and gravity.
+    pub bias: FunctionCost,
+    /// The momenta of the coordinates.
+    pub momentum: FunctionCost,
+    /// The forces that accelerations take.
+    pub inverse_dynamics: FunctionCost,
+    /// The derivatives of the accelerations by the parameters.
+    pub parameter_jacobian: FunctionCost,
 }
 
 impl Cost {
     /// A model without functions.
     pub const ZERO: Self = Self {
-        rhs: Operations::ZERO,
-        jacobian: Operations::ZERO,
-        input_jacobian: Operations::ZERO,
-        kinetic: Operations::ZERO,
-        potential: Operations::ZERO,
-        mass_matrix: Operations::ZERO,
-        bias: Operations::ZERO,
+        rhs: FunctionCost::ZERO,
+        jacobian: FunctionCost::ZERO,
+        input_jacobian: FunctionCost::ZERO,
+        kinetic: FunctionCost::ZERO,
+        potential: FunctionCost::ZERO,
+        mass_matrix: FunctionCost::ZERO,
+        bias: FunctionCost::ZERO,
+        momentum: FunctionCost::ZERO,
+        inverse_dynamics: FunctionCost::ZERO,
+        parameter_jacobian: FunctionCost::ZERO,
     };
 }
 
 #[cfg(test)]
 mod tests {
-    use super::Operations;
+    use super::{FunctionCost, Operations};
 
     #[test]
     fn operations_are_listed_with_their_plurals() {
-        let operations = Operations {
-            additions: 21,
-            multiplications: 12,
-            divisions: 1,
-            sincos: 2,
-            ..Operations::ZERO
-        };
+        let operations = Operations::new(21, 12, 1, 2, 0);
         assert_eq!(
             operations.to_string(),
             "21 additions, 12 multiplications, 1 division, 2 sine-cosine pairs"
         );
         assert_eq!(operations.flops(), 33);
         assert_eq!(Operations::ZERO.to_string(), "no operations");
+    }
+
+    #[test]
+    fn every_form_has_a_line() {
+        const COST: FunctionCost = FunctionCost {
+            operations: Operations::ZERO,
+            form: "recursion",
+            others: &[("closed form", Operations::new(2, 0, 0, 0, 0))],
+        };
+        assert_eq!(COST.to_string(), "no operations");
+        assert_eq!(
+            format!("{COST:#}"),
+            "recursion: no operations\nclosed form: 2 additions"
+        );
     }
 }

@@ -46,7 +46,7 @@ pub mod tableau;
 
 mod control;
 
-pub use cost::{Cost, Operations};
+pub use cost::{Cost, FunctionCost, Operations};
 pub use dense::Step;
 pub use error::{OutsideSpan, ParameterError, Reason, SolveError};
 pub use method::{Rk4, Rk45, Stepper};
@@ -69,8 +69,8 @@ pub use serde;
 /// All that a program with mechanisms usually needs: `use pendulum_core::prelude::*;`.
 pub mod prelude {
     pub use crate::{
-        Controlled, Cost, Energy, Float, FnSystem, Jacobian, Operations, OutsideSpan, ParameterError, Real, Reason,
-        Rk4, Rk45, Solution, SolveError, Statistics, Step, Stepper, System, WithInputs, mechanism,
+        Controlled, Cost, Energy, Float, FnSystem, FunctionCost, Jacobian, Operations, OutsideSpan, ParameterError,
+        Real, Reason, Rk4, Rk45, Solution, SolveError, Statistics, Step, Stepper, System, WithInputs, mechanism,
     };
     pub use nalgebra::{SMatrix, SVector};
 }

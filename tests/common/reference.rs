@@ -90,6 +90,11 @@ macro_rules! agrees {
                 $crate::common::reference::assert_close("potential", tolerance, scalar(model.potential(0.0, x)), scalar(sample.potential));
                 $crate::common::reference::assert_close("mass matrix", tolerance, model.mass_matrix(0.0, x), sample.mass_matrix);
                 $crate::common::reference::assert_close("bias", tolerance, model.bias(0.0, x), sample.bias);
+                let rates = x.fixed_rows::<D>(D).into_owned();
+                $crate::common::reference::assert_close("momentum", tolerance, model.momentum(0.0, x), sample.mass_matrix * rates);
+                // at the acceleration of the motion nothing else acts, so twice that takes the mass matrix times it
+                let taken = model.inverse_dynamics(0.0, x, &(2.0 * sample.acceleration));
+                $crate::common::reference::assert_close("inverse dynamics", tolerance, taken, sample.mass_matrix * sample.acceleration);
                 let rhs = model.rhs(0.0, x);
                 assert_eq!(rhs.fixed_rows::<D>(0), x.fixed_rows::<D>(D), "the rates come first");
                 $crate::common::reference::assert_close("acceleration", tolerance, rhs.fixed_rows::<D>(D).into_owned(), sample.acceleration);

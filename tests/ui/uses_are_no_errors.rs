@@ -6,7 +6,7 @@ mechanism! {
     pub Cart {
         params { m: kg = 1 }
         input push: N,
-        generate: [rhs, jacobian, energy, mass_matrix, bias],
+        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, inverse_dynamics, parameter_jacobian],
         body cart ground { mass: m, joint: prismatic(x), coordinate: s, torque: push }
     }
 }
@@ -17,5 +17,7 @@ fn main() {
     let solution = Rk45::new().solve(&pushed, 0.0, 1.0, [0.0, 0.0]).unwrap();
     let x = solution.last().1;
     let _ = (cart.mass_matrix(0.0, &x), cart.bias(0.0, &x), cart.energy(0.0, &x), cart.params().m);
+    let _ = (cart.momentum(0.0, &x), cart.inverse_dynamics(0.0, &x, &[1.0].into()));
+    let _ = cart.parameter_jacobian(0.0, &x, &CartInputs { push: 1.0 });
     let _ = (Cart::DOF, Cart::COORDINATES, Cart::COST, Cart::EQUATIONS, cart.cast::<f32>());
 }

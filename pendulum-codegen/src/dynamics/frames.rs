@@ -6,10 +6,12 @@
 use super::links::Link;
 use crate::expr::{ExprId, Graph, Unary};
 use crate::model::{Combination, Model, combine, plus_scaled};
-use crate::screw::{MassMoments, Mat3, Turn, Vec3, Wrench, add, cross, identity, mat_mul, mat_vec, scale, transpose};
+use crate::screw::{
+    MassMoments, Mat3, Symmetric3, Turn, Vec3, Wrench, add, cross, identity, mat_mul, mat_vec, scale, transpose,
+};
 
 /// The frame in which a link is computed: at its origin, turned as its station is.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub(super) struct Frame {
     /// Whether the link before is in the same station.
     same_station: bool,
@@ -80,13 +82,27 @@ pub(super) fn frames(model: &mut Model, links: &[Link]) -> Vec<Frame> {
             sliding: g.mul(link.pitch, rate),
             inertia: link.inertia,
         };
-        frame.inertia = frame.inertia_of_body(g, &link.inertia);
+        frame.inertia = MassMoments {
+            mass: link.inertia.mass,
+            first: frame.of_body(g, link.inertia.first),
+            second: frame.tensor_of_body(g, link.inertia.second),
+        };
         frames.push(frame);
     }
     frames
 }
 
 impl Frame {
+    /// The same place, with nothing moving.
+    pub(super) fn at_rest(&self, g: &mut Graph) -> Self {
+        let (turning, sliding) = (g.zero(), g.zero());
+        Self {
+            turning,
+            sliding,
+            ..self.clone()
+        }
+    }
+
     /// A vector of the link's body, in the frame of the link.
     fn of_body(&self, g: &mut Graph, v: Vec3) -> Vec3 {
         let Some(turn) = self.inside else { return v };
@@ -94,12 +110,11 @@ impl Frame {
         turn.forward(g, v)
     }
 
-    /// An inertia of the link's body, in the frame of the link.
-    fn inertia_of_body(&self, g: &mut Graph, inertia: &MassMoments) -> MassMoments {
-        match self.inside {
-            Some(turn) => inertia.rotated(g, self.rest).turned(g, turn),
-            None => *inertia,
-        }
+    /// A symmetric tensor of the link's body, in the frame of the link.
+    fn tensor_of_body(&self, g: &mut Graph, tensor: Symmetric3) -> Symmetric3 {
+        let Some(turn) = self.inside else { return tensor };
+        let tensor = tensor.rotated(g, self.rest);
+        turn.forward_tensor(g, tensor)
     }
 
     /// The inverse of [`Frame::of_body`].
@@ -129,15 +144,24 @@ impl Frame {
         parent.of_body(g, v)
     }
 
+    /// A symmetric tensor of this frame, in that of the parent.
+    pub(super) fn tensor_to_parent(&self, g: &mut Graph, parent: &Frame, tensor: Symmetric3) -> Symmetric3 {
+        if self.same_station {
+            return tensor;
+        }
+        let tensor = self.own.map_or(tensor, |turn| turn.forward_tensor(g, tensor));
+        let tensor = tensor.rotated(g, self.placement);
+        parent.tensor_of_body(g, tensor)
+    }
+
     /// An inertia of this frame, in that of the parent.
     pub(super) fn inertia_to_parent(&self, g: &mut Graph, parent: &Frame, inertia: &MassMoments) -> MassMoments {
-        let mut seen = *inertia;
-        if !self.same_station {
-            seen = self.own.map_or(seen, |turn| seen.turned(g, turn));
-            seen = seen.rotated(g, self.placement);
-            seen = parent.inertia_of_body(g, &seen);
-        }
-        seen.moved(g, self.offset)
+        let turned = MassMoments {
+            mass: inertia.mass,
+            first: self.to_parent(g, parent, inertia.first),
+            second: self.tensor_to_parent(g, parent, inertia.second),
+        };
+        turned.moved(g, self.offset)
     }
 
     /// A force and a moment about the link's origin, in the frame and about the origin of the parent.

@@ -22,6 +22,10 @@ pub(super) struct Link {
     pub(super) inertia: MassMoments,
     /// The joint coordinate in the coordinates of the scene.
     pub(super) motion: Combination,
+    /// The coordinate that the joint brings into the scene: `motion` holds it with factor 1 or -1, and coordinates of links below.
+    pub(super) coordinate: usize,
+    /// The force along the joint: friction, spring and torque.
+    pub(super) force: ExprId,
 }
 
 /// The links of a model, each behind its parent.
@@ -36,7 +40,7 @@ pub(super) fn links(model: &mut Model) -> Vec<Link> {
             None => (None, Transform::identity(g)),
         };
         let joint = base.then(g, &body.placement);
-        let Some(screw) = body.screw else {
+        let (Some(screw), Some(coordinate)) = (body.screw, body.coordinate) else {
             if let Some(owner) = owner {
                 let carried = joint.inertia(g, &body.inertia);
                 let carried = MassMoments::new(g, &carried);
@@ -47,12 +51,13 @@ pub(super) fn links(model: &mut Model) -> Vec<Link> {
         };
         let turns = screw.angular != [g.zero(); 3];
         let mut direction = if turns { screw.angular } else { screw.linear };
-        let mut motion = body.motion.clone();
+        let (mut motion, mut force) = (body.motion.clone(), body.force);
         // an axis against that of the parent is turned round, together with its coordinate, so that the two are parallel
         let [_, _, along] = mat_vec(g, joint.rotation, direction);
         if turns && along == g.integer(-1) {
             direction = direction.map(|x| g.neg(x));
             motion = plus_scaled(&Vec::new(), &motion, -1);
+            force = g.neg(force);
         }
         // the axis passes through w x v; a slide has no place
         let place = if turns {
@@ -78,6 +83,8 @@ pub(super) fn links(model: &mut Model) -> Vec<Link> {
             pitch,
             inertia: MassMoments::new(g, &own),
             motion,
+            coordinate,
+            force,
         });
         owners.push((Some(links.len() - 1), back));
     }

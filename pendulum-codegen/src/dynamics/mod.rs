@@ -1,5 +1,6 @@
 //! The dynamics of a model: from screws to the mass matrix, the bias, the forces and the energy in its coordinates.
 
+mod articulated;
 mod coefficients;
 mod frames;
 mod jacobian;
@@ -33,6 +34,8 @@ pub struct Dynamics {
     pub balance: Vec<ExprId>,
     /// Derivatives of `A qdd + bias`, where they are known in a form of their own.
     pub tangent: Option<Tangent>,
+    /// Momenta of the coordinates: `A qd`, the derivatives of the kinetic energy by the rates.
+    pub momentum: Vec<ExprId>,
     /// Kinetic energy.
     pub kinetic: ExprId,
     /// Potential energy of gravity and springs.
@@ -58,8 +61,19 @@ struct AlongJoints {
     /// `A_ij` for `i <= j`.
     mass_matrix: Vec<Entry>,
     bias: Vec<ExprId>,
-    /// `A qdd + bias` and its derivatives, where a form of them is known that is shorter than `A` and `bias` written out.
-    inertial: Option<(Vec<ExprId>, tangent::Tangent)>,
+    /// What is known in a form that is shorter than `A` and `bias` written out.
+    inertial: Option<Inertial>,
+}
+
+/// What a recursion knows along the joints without a mass matrix.
+#[derive(Debug)]
+struct Inertial {
+    /// `A qdd + bias`.
+    forces: Vec<ExprId>,
+    /// Its derivatives.
+    tangent: tangent::Tangent,
+    /// `A qd`.
+    momenta: Vec<ExprId>,
 }
 
 impl Dynamics {
@@ -105,6 +119,11 @@ impl Dynamics {
         recursive::along_joints(model).in_coordinates(model, potential)
     }
 
+    /// The accelerations by articulated bodies: without a mass matrix.
+    pub fn articulated(model: &mut Model) -> Vec<ExprId> {
+        articulated::accelerations(model)
+    }
+
     /// Every expression of the dynamics, in one list.
     pub fn entries(&self) -> Vec<ExprId> {
         let mut copy = self.clone();
@@ -121,7 +140,13 @@ impl Dynamics {
     }
 
     fn places(&mut self) -> Vec<&mut ExprId> {
-        let lists = [&mut self.bias, &mut self.force, &mut self.residual, &mut self.balance];
+        let lists = [
+            &mut self.bias,
+            &mut self.force,
+            &mut self.residual,
+            &mut self.balance,
+            &mut self.momentum,
+        ];
         let tangent = self
             .tangent
             .iter_mut()
@@ -159,18 +184,25 @@ impl AlongJoints {
             list.iter().zip(&force).map(|(&x, &force)| g.sub(x, force)).collect()
         };
         let residual = less_forces(g, &bias);
-        let balance = match &inertial {
-            Some((inertial, _)) => {
-                let inertial = pull_back(g, n, motions.iter().zip(inertial.iter().copied()));
-                less_forces(g, &inertial)
+        let (balance, tangent, momentum) = match inertial {
+            Some(Inertial {
+                forces,
+                tangent,
+                momenta,
+            }) => {
+                let [forces, momenta] = [forces, momenta].map(|along| pull_back(g, n, motions.iter().zip(along)));
+                let tangent = Tangent {
+                    by_position: pull_back_matrix(g, n, &motions, tangent.by_position),
+                    by_rate: pull_back_matrix(g, n, &motions, tangent.by_rate),
+                };
+                (less_forces(g, &forces), Some(tangent), momenta)
             }
-            None => balance(g, &mass_matrix, &residual, coordinates),
+            None => {
+                let momentum = momentum(g, &mass_matrix, coordinates);
+                (balance(g, &mass_matrix, &residual, coordinates), None, momentum)
+            }
         };
-        let tangent = inertial.map(|(_, along)| Tangent {
-            by_position: pull_back_matrix(g, n, &motions, along.by_position),
-            by_rate: pull_back_matrix(g, n, &motions, along.by_rate),
-        });
-        let kinetic = kinetic(g, &mass_matrix, coordinates);
+        let kinetic = kinetic(g, &momentum, coordinates);
         Dynamics {
             mass_matrix,
             bias,
@@ -178,6 +210,7 @@ impl AlongJoints {
             residual,
             balance,
             tangent,
+            momentum,
             kinetic,
             potential,
         }
@@ -238,16 +271,22 @@ fn pull_back_matrix(
     pulled
 }
 
-/// Half of `qd^T A qd`.
-fn kinetic(g: &mut Graph, mass_matrix: &[Vec<ExprId>], coordinates: &[Coordinate]) -> ExprId {
-    let mut twice = g.zero();
-    for (row, a) in mass_matrix.iter().zip(coordinates) {
-        for (&entry, b) in row.iter().zip(coordinates) {
-            let rates = g.mul(a.rate, b.rate);
-            let term = g.mul(entry, rates);
-            twice = g.add(twice, term);
-        }
-    }
-    let half = g.number(ratio(1, 2));
+/// `A qd`
+pub(crate) fn momentum(g: &mut Graph, mass_matrix: &[Vec<ExprId>], coordinates: &[Coordinate]) -> Vec<ExprId> {
+    let row = |row: &Vec<ExprId>| {
+        let terms: Vec<ExprId> = row.iter().zip(coordinates).map(|(&a, c)| g.mul(a, c.rate)).collect();
+        sum(g, terms)
+    };
+    mass_matrix.iter().map(row).collect()
+}
+
+/// Half of `qd . momentum`.
+fn kinetic(g: &mut Graph, momentum: &[ExprId], coordinates: &[Coordinate]) -> ExprId {
+    let terms: Vec<ExprId> = momentum
+        .iter()
+        .zip(coordinates)
+        .map(|(&p, c)| g.mul(p, c.rate))
+        .collect();
+    let (half, twice) = (g.number(ratio(1, 2)), sum(g, terms));
     g.mul(half, twice)
 }

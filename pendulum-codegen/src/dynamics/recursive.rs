@@ -5,7 +5,7 @@
 use super::frames::{Frame, frames};
 use super::links::{Link, links};
 use super::tangent::Tangent;
-use super::{AlongJoints, Entry};
+use super::{AlongJoints, Entry, Inertial};
 use crate::expr::{ExprId, Graph};
 use crate::model::{Model, combine};
 use crate::screw::{MassMoments, Mat3, Symmetric3, Vec3, Wrench, add, cross, mat_vec, scale, sum};
@@ -32,16 +32,29 @@ pub(super) fn along_joints(model: &mut Model) -> AlongJoints {
     let composites = composites(g, &links, &frames);
     let mass_matrix = mass_matrix(g, &links, &frames, &composites);
     let tangent = Tangent::new(g, &links, &frames, &composites, &motions, &wrenches);
+    // from rest and without gravity, accelerations equal to the rates take forces equal to the momenta
+    let weightless = [g.zero(); 3];
+    let resting: Vec<Frame> = frames.iter().map(|frame| frame.at_rest(g)).collect();
+    let rates: Vec<ExprId> = links
+        .iter()
+        .map(|link| combine(g, coordinates, &link.motion, |c| c.rate))
+        .collect();
+    let (_, momenta) = inverse_dynamics(g, &links, &resting, weightless, &rates);
+    let momenta = forces(g, &links, &frames, &momenta);
     AlongJoints {
         motions: links.into_iter().map(|link| link.motion).collect(),
         mass_matrix,
         bias,
-        inertial: Some((inertial, tangent)),
+        inertial: Some(Inertial {
+            forces: inertial,
+            tangent,
+            momenta,
+        }),
     }
 }
 
 /// `U` with `U r` the acceleration of a point at `r` against the origin: `alpha x r + w x (w x r)`.
-fn acceleration_field(g: &mut Graph, w: Vec3, alpha: Vec3) -> Mat3 {
+pub(super) fn acceleration_field(g: &mut Graph, w: Vec3, alpha: Vec3) -> Mat3 {
     let square = w.map(|x| g.powi(x, 2));
     std::array::from_fn(|i| {
         std::array::from_fn(|j| {
@@ -61,7 +74,7 @@ fn acceleration_field(g: &mut Graph, w: Vec3, alpha: Vec3) -> Mat3 {
 }
 
 /// The moment `integral r x (U r) dm`, from the second moments of mass.
-fn inertial_moment(g: &mut Graph, u: &Mat3, second: Symmetric3) -> Vec3 {
+pub(super) fn inertial_moment(g: &mut Graph, u: &Mat3, second: Symmetric3) -> Vec3 {
     let s = second.full();
     [(1, 2), (2, 0), (0, 1)].map(|(i, j)| {
         // sum_k U_jk S_ik - U_ik S_jk; the two terms in S_ij go together

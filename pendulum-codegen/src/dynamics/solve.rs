@@ -43,7 +43,14 @@ impl Factored {
             };
         }
         for k in (0..n).rev() {
-            let pivot = g.div(minus_one, a[k][k]);
+            let pivot = match determinant {
+                // what is left of a difference of products, taken from where it is known without the difference
+                Some(determinant) if k == 0 => {
+                    let numerator = g.neg(matrix[1][1]);
+                    g.div(numerator, determinant)
+                }
+                _ => g.div(minus_one, a[k][k]),
+            };
             for j in 0..k {
                 lower[k][j] = g.mul(a[k][j], pivot);
             }

@@ -194,7 +194,7 @@ impl Variation {
         let force = add(g, pushed, twisted);
         let lever = cross(g, inertia.first, self.push);
         let rotational = inertia.rotational(g);
-        let about_origin = mat_vec(g, rotational, self.twist);
+        let about_origin = mat_vec(g, rotational.full(), self.twist);
         let gyration = flow.gyration(g);
         let gyrated = mat_vec(g, transpose(gyration), self.spin);
         let gyrated = scale(g, two, gyrated);

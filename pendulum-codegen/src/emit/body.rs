@@ -350,6 +350,15 @@ pub(super) fn unpack(model: &Model, roots: &[ExprId]) -> (HashMap<ExprId, Ident>
         }
     }
     let mut statements = quote!(let [#(#pattern),*] = x.data.0[0];);
+    if model.coordinates.iter().any(|c| used.contains(&c.acceleration)) {
+        let mut pattern = Vec::new();
+        for coordinate in &model.coordinates {
+            let name = local(format!("qdd_{}", coordinate.name));
+            known.insert(coordinate.acceleration, name.clone());
+            pattern.push(name);
+        }
+        statements.extend(quote!(let [#(#pattern),*] = qdd.data.0[0];));
+    }
     known.insert(model.time, format_ident!("t"));
     for input in &model.inputs {
         let name = local(format!("u_{}", input.name));

@@ -1,7 +1,7 @@
 //! The functions of a generated model.
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::body::{Body, local, spelled, unpack};
 use super::{Items, allowed, number};
@@ -23,10 +23,7 @@ impl Items<'_> {
         } else {
             self.controlled()
         };
-        [motion, self.energy(), self.mass_matrix(), self.bias()]
-            .into_iter()
-            .flatten()
-            .collect()
+        [motion, self.energy(), self.inherent()].into_iter().flatten().collect()
     }
 
     /// The arguments of every function, and the types of a vector and a matrix of the size of the state.
@@ -58,10 +55,7 @@ impl Items<'_> {
         let chosen = self.program.functions.get(&Function::Rhs)?;
         let rates = self.program.model.coordinates.iter().map(|c| c.rate);
         let roots: Vec<ExprId> = rates.chain(chosen.roots.iter().copied()).collect();
-        Some(self.block(
-            &roots,
-            |values| quote!(::pendulum_core::nalgebra::SVector::from([#(#values),*])),
-        ))
+        Some(self.block(&roots, vector))
     }
 
     fn jacobian_block(&self) -> Option<TokenStream> {
@@ -138,31 +132,67 @@ impl Items<'_> {
         Some(self.implement(Some(quote!(::pendulum_core::Energy<T, #length>)), functions))
     }
 
-    fn mass_matrix(&self) -> Option<TokenStream> {
-        let chosen = self.program.functions.get(&Function::MassMatrix)?;
-        let block = self.block(&chosen.roots, |values| symmetric(self.dof(), values));
-        let (dof, Signature { arguments, .. }) = (number(self.dof()), self.signature());
-        let function = quote! {
-            /// The mass matrix.
-            #[inline]
-            pub fn mass_matrix(#arguments) -> ::pendulum_core::nalgebra::SMatrix<T, #dof, #dof> #block
-        };
-        Some(self.implement(None, function))
-    }
-
-    fn bias(&self) -> Option<TokenStream> {
-        let chosen = self.program.functions.get(&Function::Bias)?;
-        let block = self.block(
-            &chosen.roots,
-            |values| quote!(::pendulum_core::nalgebra::SVector::from([#(#values),*])),
-        );
-        let (dof, Signature { arguments, .. }) = (number(self.dof()), self.signature());
-        let function = quote! {
-            /// The bias: velocity terms and gravity, as generalised forces.
-            #[inline]
-            pub fn bias(#arguments) -> ::pendulum_core::nalgebra::SVector<T, #dof> #block
-        };
-        Some(self.implement(None, function))
+    /// The methods that belong to no trait.
+    fn inherent(&self) -> Option<TokenStream> {
+        let (dof, parameters) = (number(self.dof()), number(self.program.model.parameters.len()));
+        let vector = quote!(::pendulum_core::nalgebra::SVector<T, #dof>);
+        let matrix = |columns| quote!(::pendulum_core::nalgebra::SMatrix<T, #dof, #columns>);
+        let accelerations = quote!(, qdd: &#vector);
+        let inputs = self.inputs_name();
+        let inputs = (!self.program.model.inputs.is_empty()).then(|| quote!(, u: &#inputs<T>));
+        let columns = |values: &[TokenStream]| columns(self.dof(), values);
+        let methods: [Method; 5] = [
+            Method {
+                function: Function::MassMatrix,
+                doc: "The mass matrix.",
+                more: None,
+                output: matrix(dof.clone()),
+                result: &|values| symmetric(self.dof(), values),
+            },
+            Method {
+                function: Function::Bias,
+                doc: "The bias: velocity terms and gravity, as generalised forces.",
+                more: None,
+                output: vector.clone(),
+                result: &self::vector,
+            },
+            Method {
+                function: Function::Momentum,
+                doc: "The momenta of the coordinates: the mass matrix times their rates.",
+                more: None,
+                output: vector.clone(),
+                result: &self::vector,
+            },
+            Method {
+                function: Function::InverseDynamics,
+                doc: "The generalised forces that the accelerations `qdd` take, beside gravity and the forces of the joints. Inputs count as zero: \
+                      where each coordinate has one, these are their values.",
+                more: Some(accelerations),
+                output: vector.clone(),
+                result: &self::vector,
+            },
+            Method {
+                function: Function::ParameterJacobian,
+                doc: "The derivatives of the accelerations by the parameters: one column for each, in the order of their declaration.",
+                more: inputs,
+                output: matrix(parameters),
+                result: &columns,
+            },
+        ];
+        let Signature { arguments, .. } = self.signature();
+        let methods = methods.into_iter().filter_map(|method| {
+            let chosen = self.program.functions.get(&method.function)?;
+            let block = self.block(&chosen.roots, method.result);
+            let Method { doc, more, output, .. } = method;
+            let name = format_ident!("{}", method.function.name());
+            Some(quote! {
+                #[doc = #doc]
+                #[inline]
+                pub fn #name(#arguments #more) -> #output #block
+            })
+        });
+        let methods: TokenStream = methods.collect();
+        (!methods.is_empty()).then(|| self.implement(None, methods))
     }
 
     /// A block that computes roots from the state `x`, the time `t`, the inputs `u` and the constants of the model.
@@ -184,6 +214,26 @@ impl Items<'_> {
         let code = body.finish(&result);
         quote!({ #head #code })
     }
+}
+
+/// A method that belongs to no trait.
+struct Method<'a> {
+    function: Function,
+    doc: &'static str,
+    /// What it takes beside the time and the state.
+    more: Option<TokenStream>,
+    output: TokenStream,
+    result: &'a dyn Fn(&[TokenStream]) -> TokenStream,
+}
+
+fn vector(values: &[TokenStream]) -> TokenStream {
+    quote!(::pendulum_core::nalgebra::SVector::from([#(#values),*]))
+}
+
+/// A matrix from its columns of length `dof`.
+fn columns(dof: usize, values: &[TokenStream]) -> TokenStream {
+    let columns = values.chunks(dof).map(|column| quote!([#(#column),*]));
+    quote!(::pendulum_core::nalgebra::SMatrix::from([#(#columns),*]))
 }
 
 /// The state Jacobian, column by column: its upper half is known.

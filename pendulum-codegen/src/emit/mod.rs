@@ -17,7 +17,7 @@ use crate::ast::Scene;
 use crate::expr::{ExprId, Printer};
 use crate::model::{ROUNDING, Requirement};
 use crate::pass::Operations;
-use crate::pipeline::{Function, Program};
+use crate::pipeline::Program;
 use body::{Body, local};
 
 /// Everything that a declaration stands for.
@@ -250,32 +250,14 @@ impl Items<'_> {
         let (name, dof, coordinates) = (self.name(), number(self.dof()), self.program.model.coordinate_names());
         let equations = &self.program.equations;
         let costs = self.program.functions.iter().map(|(function, chosen)| {
-            let field = match function {
-                Function::Rhs => quote!(rhs),
-                Function::Jacobian => quote!(jacobian),
-                Function::InputJacobian => quote!(input_jacobian),
-                Function::Kinetic => quote!(kinetic),
-                Function::Potential => quote!(potential),
-                Function::MassMatrix => quote!(mass_matrix),
-                Function::Bias => quote!(bias),
-            };
-            let Operations {
-                additions,
-                multiplications,
-                divisions,
-                sincos,
-                functions,
-            } = chosen.operations;
-            let [additions, multiplications, divisions, sincos, functions] =
-                [additions, multiplications, divisions, sincos, functions].map(number);
+            let (field, form) = (format_ident!("{}", function.name()), chosen.form.to_string());
+            let own = operations(&chosen.operations);
+            let others = chosen.others.iter().map(|(form, count)| {
+                let (form, count) = (form.to_string(), operations(count));
+                quote!((#form, #count))
+            });
             quote! {
-                #field: ::pendulum_core::Operations {
-                    additions: #additions,
-                    multiplications: #multiplications,
-                    divisions: #divisions,
-                    sincos: #sincos,
-                    functions: #functions,
-                }
+                #field: ::pendulum_core::FunctionCost { operations: #own, form: #form, others: &[#(#others),*] }
             }
         });
         quote! {
@@ -284,13 +266,27 @@ impl Items<'_> {
                 pub const DOF: usize = #dof;
                 /// The names of the coordinates, in the order in which they, and then their rates, stand in the state.
                 pub const COORDINATES: [&'static str; #dof] = [#(#coordinates),*];
-                /// Counted operations of each generated function.
+                /// Counted operations of each generated function, in the form that it has and in others.
                 pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost { #(#costs,)* ..::pendulum_core::Cost::ZERO };
                 /// The equations of motion as text.
                 pub const EQUATIONS: &'static str = #equations;
             }
         }
     }
+}
+
+/// Counted operations, as a value of the core's type.
+fn operations(operations: &Operations) -> TokenStream {
+    let Operations {
+        additions,
+        multiplications,
+        divisions,
+        sincos,
+        functions,
+    } = operations;
+    let [additions, multiplications, divisions, sincos, functions] =
+        [additions, multiplications, divisions, sincos, functions].map(|&count| number(count));
+    quote!(::pendulum_core::Operations::new(#additions, #multiplications, #divisions, #sincos, #functions))
 }
 
 /// A parameter's or an input's field.

@@ -36,6 +36,13 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
     let allowed = allowed();
     let allowed = quote!(#allowed #[allow(dead_code, missing_docs)]);
     let (system, inherent) = (quote!(&self, _: T, x: &#vector), quote!(&self, _: T, _: &#vector));
+    let count = number(items.params.len());
+    let with_inputs = (!items.inputs.is_empty()).then(|| quote!(, _: &#inputs<T>));
+    let parameter_jacobian = quote! {
+        pub fn parameter_jacobian<const N: usize>(#inherent #with_inputs) -> #matrix<T, #dof, #count> {
+            #zeros
+        }
+    };
     quote! {
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
         #allowed
@@ -76,6 +83,13 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             pub fn bias<const N: usize>(#inherent) -> #matrix<T, #dof, 1> {
                 #zeros
             }
+            pub fn momentum<const N: usize>(#inherent) -> #matrix<T, #dof, 1> {
+                #zeros
+            }
+            pub fn inverse_dynamics<const N: usize, const D: usize>(#inherent, _: &#matrix<T, D, 1>) -> #matrix<T, D, 1> {
+                #zeros
+            }
+            #parameter_jacobian
         }
         #allowed
         impl<T: #real, const N: usize> ::pendulum_core::System<T, N> for #name<T> {

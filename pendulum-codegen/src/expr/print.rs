@@ -181,6 +181,7 @@ impl<'g> Printer<'g> {
                 let left = self.gather_factors(*a, false, power.clone(), factors);
                 self.gather_factors(*b, false, -power, factors) != left
             }
+            Node::Number(n) if (-n).is_one() && power.is_integer() => (power.to_integer() % 2i32) != 0.into(),
             Node::Unary(Unary::Neg, a) if power.is_integer() => {
                 let odd = (power.to_integer() % 2i32) != 0.into();
                 self.gather_factors(*a, false, power, factors) != odd

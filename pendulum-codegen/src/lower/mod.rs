@@ -92,7 +92,7 @@ impl Lower {
                 bodies.push(lowered);
             }
         }
-        let outputs = self.outputs(items.generate.as_deref());
+        let outputs = self.outputs(items.generate.as_deref(), !parameters.is_empty());
         if items.bodies.is_empty() && self.errors.is_empty() {
             self.errors.at(
                 scene.name.span(),
@@ -372,7 +372,7 @@ impl Lower {
         }
     }
 
-    fn outputs(&mut self, generate: Option<&[Ident]>) -> BTreeSet<Output> {
+    fn outputs(&mut self, generate: Option<&[Ident]>, has_parameters: bool) -> BTreeSet<Output> {
         let Some(list) = generate else {
             return [Output::Rhs, Output::Jacobian, Output::Energy].into();
         };
@@ -385,6 +385,13 @@ impl Lower {
                         ident.span(),
                         format_args!("`{name}` is listed twice"),
                         "keep one of the two",
+                    );
+                }
+                Some((_, Output::ParameterJacobian)) if !has_parameters => {
+                    self.errors.at(
+                        ident.span(),
+                        "there are no parameters to derive by",
+                        "declare the quantities of interest in `params { .. }`; numbers are constants",
                     );
                 }
                 Some(_) => {}

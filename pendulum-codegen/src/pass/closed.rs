@@ -13,6 +13,7 @@ pub struct Closed {
     bias: Vec<Vec<Term>>,
     force: Vec<Vec<Term>>,
     residual: Vec<Vec<Term>>,
+    momentum: Vec<Vec<Term>>,
     kinetic: Vec<Term>,
     potential: Vec<Term>,
     /// The determinant of a mass matrix of two rows. Expanded in symbols it is a sum of the terms that are left after all
@@ -33,6 +34,7 @@ impl Closed {
         let bias = all(g, &dynamics.bias)?;
         let force = all(g, &dynamics.force)?;
         let residual = all(g, &dynamics.residual)?;
+        let momentum = all(g, &dynamics.momentum)?;
         let [kinetic, potential] = [dynamics.kinetic, dynamics.potential].map(|x| list(g, x));
         let determinant = match &mass_matrix[..] {
             [first, second] => Some(determinant(g, normalizer, &first[0], &first[1], &second[1])?),
@@ -43,6 +45,7 @@ impl Closed {
             bias,
             force,
             residual,
+            momentum,
             kinetic: kinetic?,
             potential: potential?,
             determinant,
@@ -54,7 +57,8 @@ impl Closed {
         let mut short = |terms: &Vec<Term>| factor(g, terms, preference);
         let mut all = |lists: &[Vec<Term>]| -> Vec<ExprId> { lists.iter().map(&mut short).collect() };
         let mass_matrix: Vec<Vec<ExprId>> = self.mass_matrix.iter().map(|row| all(row)).collect();
-        let [bias, force, residual] = [&self.bias, &self.force, &self.residual].map(|lists| all(lists));
+        let [bias, force, residual, momentum] =
+            [&self.bias, &self.force, &self.residual, &self.momentum].map(|lists| all(lists));
         let [kinetic, potential] = [&self.kinetic, &self.potential].map(&mut short);
         let balance = balance(g, &mass_matrix, &residual, coordinates);
         Dynamics {
@@ -64,6 +68,7 @@ impl Closed {
             residual,
             balance,
             tangent: None,
+            momentum,
             kinetic,
             potential,
         }

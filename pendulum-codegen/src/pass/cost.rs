@@ -2,6 +2,8 @@
 
 use std::collections::BTreeSet;
 
+use num_traits::{Signed, ToPrimitive};
+
 use crate::expr::{CostKind, ExprId, Graph, Level, Node, Unary};
 
 /// How many operations an evaluation takes. What depends on parameters alone is computed when the model is built, and is
@@ -37,6 +39,13 @@ impl Operations {
                 }
                 Node::Unary(op, _) => op.cost(),
                 Node::Binary(op, ..) => op.cost(),
+                Node::Power(_, n) if n.is_integer() => {
+                    // written out as a product
+                    let factors = n.abs().to_integer().to_usize().unwrap_or(usize::MAX);
+                    operations.multiplications += factors.saturating_sub(1);
+                    operations.divisions += usize::from(n.is_negative());
+                    continue;
+                }
                 Node::Power(..) => CostKind::Function,
             };
             match kind {

@@ -5,6 +5,7 @@ mod closed;
 mod constants;
 mod cost;
 mod factor;
+mod form;
 mod pairs;
 mod share;
 mod trig;
@@ -13,7 +14,10 @@ pub use angles::collect;
 pub use closed::Closed;
 pub use cost::Operations;
 pub use factor::Preference;
+pub use form::{Basis, Derivatives, Form};
 pub use share::share;
+
+use std::collections::HashMap;
 
 use crate::dynamics::{Dynamics, Factored, Solver, partials, partials_by_recursion};
 use crate::expr::{ExprId, Graph, Normalizer};
@@ -22,19 +26,9 @@ use crate::model::Model;
 /// How many products of terms the closed form of a scene may take. Larger scenes keep the shared graph.
 const BUDGET: usize = 20_000;
 
-/// A candidate that is longer than another by this factor is not worth the search for its common parts.
-const HOPELESS: usize = 4;
-
-/// A form of the dynamics.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Form {
-    /// Expanded to normal form, then factored.
-    Closed(Preference),
-    /// The graph of A, B and C as it was built.
-    Shared,
-    /// Newton and Euler's recursion and composite bodies, on links in base parameters.
-    Recursive,
-}
+/// A candidate that is longer than another by this factor is not searched for common parts: that has not been seen to halve
+/// what is left of any scene.
+const HOPELESS: usize = 2;
 
 /// The shortest code that was found for one function.
 #[derive(Clone, Debug)]
@@ -45,13 +39,20 @@ pub struct Chosen {
     pub operations: Operations,
     /// The form that won.
     pub form: Form,
+    /// What the best form on each other basis takes, from the shortest on.
+    pub others: Vec<(Form, Operations)>,
 }
+
+/// A form of a function, and what it computes.
+type Candidate = (Form, Vec<ExprId>);
 
 /// All forms of the dynamics of a scene.
 #[derive(Debug)]
 pub struct Forms {
     /// Dynamics and, where it is known in a better form, the determinant of the mass matrix.
-    forms: Vec<(Form, Dynamics, Option<ExprId>)>,
+    forms: Vec<(Basis, Dynamics, Option<ExprId>)>,
+    /// The accelerations by articulated bodies.
+    articulated: Vec<ExprId>,
     normalizer: Normalizer,
 }
 
@@ -61,6 +62,7 @@ impl Forms {
         let angles = model.base_angles();
         let mut normalizer = Normalizer::with_angles(BUDGET, angles);
         let recursive = Dynamics::recursive(model, dynamics.potential);
+        let articulated = Dynamics::articulated(model);
         let Model {
             graph: g, coordinates, ..
         } = model;
@@ -68,43 +70,48 @@ impl Forms {
         if let Ok(closed) = Closed::new(g, &mut normalizer, dynamics) {
             for preference in Preference::ALL {
                 let factored = closed.factored(g, coordinates, preference);
-                forms.push((Form::Closed(preference), factored, closed.determinant(g, preference)));
+                forms.push((Basis::Closed(preference), factored, closed.determinant(g, preference)));
             }
         }
         // constants that are zero, or equal, for a reason that shows in their normal form only
-        for (form, dynamics) in [(Form::Shared, dynamics.clone()), (Form::Recursive, recursive)] {
+        for (basis, dynamics) in [(Basis::Shared, dynamics.clone()), (Basis::Recursive, recursive)] {
             let folded = constants::fold(g, &dynamics.entries());
-            forms.push((form, dynamics.with_entries(folded), None));
+            forms.push((basis, dynamics.with_entries(folded), None));
         }
-        Self { forms, normalizer }
+        let articulated = constants::fold(g, &articulated);
+        Self {
+            forms,
+            articulated,
+            normalizer,
+        }
     }
 
     /// The dynamics in closed form with its products expanded, if the scene is small enough to have it.
     pub fn closed(&self) -> Option<&Dynamics> {
         self.forms
             .iter()
-            .find(|(form, ..)| *form == Form::Closed(Preference::Expanded))
+            .find(|(basis, ..)| *basis == Basis::Closed(Preference::Expanded))
             .map(|(_, dynamics, _)| dynamics)
     }
 
     /// The shortest code for something that every form of the dynamics has.
-    pub fn part(&self, g: &mut Graph, part: impl Fn(&Dynamics) -> Vec<ExprId>) -> Chosen {
-        let candidates: Vec<_> = self
-            .forms
-            .iter()
-            .map(|(form, dynamics, _)| (*form, part(dynamics)))
-            .collect();
+    pub fn part(&self, g: &mut Graph, part: impl Fn(&mut Graph, &Dynamics) -> Vec<ExprId>) -> Chosen {
+        let candidates = self.forms.iter();
+        let candidates = candidates.map(|(basis, dynamics, _)| (Form::of(*basis), part(g, dynamics)));
+        let candidates = candidates.collect();
         choose(g, candidates)
     }
 
     /// The shortest code for the accelerations.
     pub fn accelerations(&self, g: &mut Graph) -> Chosen {
         let mut candidates = Vec::new();
-        for (form, dynamics, determinant) in &self.forms {
-            for (factored, form) in factorings(g, *form, dynamics, *determinant) {
+        for (basis, dynamics, determinant) in &self.forms {
+            for (factored, solver) in factorings(g, dynamics, *determinant) {
+                let form = Form::of(*basis).solved_by(solver);
                 candidates.push((form, factored.solve_negated(g, &dynamics.residual)));
             }
         }
+        candidates.push((Form::of(Basis::Articulated), self.articulated.clone()));
         choose(g, candidates)
     }
 
@@ -114,21 +121,26 @@ impl Forms {
             graph: g, coordinates, ..
         } = model;
         let mut candidates = Vec::new();
-        for (form, dynamics, determinant) in &self.forms {
-            let mut columns = vec![partials(g, dynamics, variables)];
-            columns.extend(partials_by_recursion(g, dynamics, coordinates, variables));
-            if let Form::Closed(preference) = *form {
-                columns.extend(expanded(g, &mut self.normalizer, &columns[0], preference));
+        for (basis, dynamics, determinant) in &self.forms {
+            let derived = partials(g, dynamics, variables);
+            let mut columns = Vec::new();
+            if let Basis::Closed(preference) = *basis {
+                let expanded = expanded(g, &mut self.normalizer, &derived, preference);
+                columns.extend(expanded.map(|columns| (Derivatives::Expanded, columns)));
             }
-            for (factored, form) in factorings(g, *form, dynamics, *determinant) {
+            columns.push((Derivatives::Graph, derived));
+            let by_recursion = partials_by_recursion(g, dynamics, coordinates, variables);
+            columns.extend(by_recursion.map(|columns| (Derivatives::Recursion, columns)));
+            for (factored, solver) in factorings(g, dynamics, *determinant) {
                 let accelerations = factored.solve_negated(g, &dynamics.residual);
                 let symbols = coordinates.iter().map(|c| c.acceleration);
-                let known: std::collections::HashMap<_, _> = symbols.zip(accelerations).collect();
-                for columns in &columns {
+                let known: HashMap<_, _> = symbols.zip(accelerations).collect();
+                for (derivatives, columns) in &columns {
                     let solved: Vec<ExprId> = columns
                         .iter()
                         .flat_map(|column| factored.solve_negated(g, column))
                         .collect();
+                    let form = Form::of(*basis).solved_by(solver).derived_by(*derivatives);
                     candidates.push((form, g.substitute(&solved, known.clone())));
                 }
             }
@@ -154,52 +166,58 @@ fn expanded(
 }
 
 /// The factorings of the mass matrix that may be shortest.
-fn factorings(g: &mut Graph, form: Form, dynamics: &Dynamics, determinant: Option<ExprId>) -> Vec<(Factored, Form)> {
+fn factorings(g: &mut Graph, dynamics: &Dynamics, determinant: Option<ExprId>) -> Vec<(Factored, Solver)> {
     let coupled = dynamics.residual.len() == 2 && !g.is_zero(dynamics.mass_matrix[0][1]);
     let solvers: &[Solver] = if coupled {
-        &[Solver::Adjugate, Solver::Inverse]
+        &[Solver::Adjugate, Solver::Inverse, Solver::Ldl]
     } else {
         &[Solver::Ldl]
     };
-    let factored = |&solver: &Solver| (Factored::new(g, solver, &dynamics.mass_matrix, determinant), form);
+    let factored = |&solver: &Solver| (Factored::new(g, solver, &dynamics.mass_matrix, determinant), solver);
     solvers.iter().map(factored).collect()
 }
 
-/// The candidate that takes the fewest operations once its common parts are shared; the first of equals.
-fn choose(g: &mut Graph, candidates: Vec<(Form, Vec<ExprId>)>) -> Chosen {
-    let lowered: Vec<(Form, Vec<ExprId>, usize)> = candidates
-        .into_iter()
-        .map(|(form, roots)| {
-            let roots = trig::lower(g, &roots);
-            let weight = Operations::of(g, &roots).weight();
-            (form, roots, weight)
-        })
-        .collect();
-    let least = lowered.iter().map(|(.., weight)| *weight).min().unwrap_or(0);
-    let mut best: Option<Chosen> = None;
-    for (form, lowered, weight) in lowered {
-        if weight > HOPELESS * least {
-            continue;
-        }
-        for factor in [false, true] {
-            let roots = share(g, &lowered, factor);
-            let operations = Operations::of(g, &roots);
-            if best
-                .as_ref()
-                .is_none_or(|best| operations.weight() < best.operations.weight())
-            {
-                best = Some(Chosen {
-                    roots,
-                    operations,
-                    form,
-                });
+/// The candidate that takes the fewest operations once its common parts are shared; the first of equals. There is at least one.
+fn choose(g: &mut Graph, candidates: Vec<Candidate>) -> Chosen {
+    let lowered = candidates.into_iter().map(|(form, roots)| {
+        let roots = trig::lower(g, &roots);
+        let operations = Operations::of(g, &roots);
+        (form, roots, operations)
+    });
+    let lowered: Vec<(Form, Vec<ExprId>, Operations)> = lowered.collect();
+    let least = lowered
+        .iter()
+        .map(|(.., operations)| operations.weight())
+        .min()
+        .unwrap_or(0);
+    let mut counted: Vec<(Form, Vec<ExprId>, Operations)> = Vec::new();
+    for (form, mut roots, mut operations) in lowered {
+        if operations.weight() <= HOPELESS * least {
+            let original = roots.clone();
+            for factor in [false, true] {
+                let shared = share(g, &original, factor);
+                let count = Operations::of(g, &shared);
+                if count.weight() < operations.weight() {
+                    (roots, operations) = (shared, count);
+                }
             }
         }
+        counted.push((form, roots, operations));
     }
-    // every scene has at least the form it was built in
-    best.unwrap_or(Chosen {
-        roots: Vec::new(),
-        operations: Operations::default(),
-        form: Form::Shared,
-    })
+    counted.sort_by_key(|(.., operations)| operations.weight());
+    let mut counted = counted.into_iter();
+    let (form, roots, operations) = counted.next().unwrap_or_default();
+    let mut others: Vec<(Form, Operations)> = Vec::new();
+    for (other, _, operations) in counted {
+        let known = others.iter().map(|(form, _)| form.basis).chain([form.basis]);
+        if !known.into_iter().any(|basis| basis == other.basis) {
+            others.push((other, operations));
+        }
+    }
+    Chosen {
+        roots,
+        operations,
+        form,
+        others,
+    }
 }

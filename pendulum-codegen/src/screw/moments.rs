@@ -43,11 +43,11 @@ impl MassMoments {
     }
 
     /// The rotational inertia about the origin: `J = tr(S) 1 - S`.
-    pub fn rotational(&self, g: &mut Graph) -> Mat3 {
+    pub fn rotational(&self, g: &mut Graph) -> Symmetric3 {
         let Symmetric3([xx, yy, zz, xy, xz, yz]) = self.second;
         let diagonal = [g.add(yy, zz), g.add(xx, zz), g.add(xx, yy)];
         let [xy, xz, yz] = [xy, xz, yz].map(|x| g.neg(x));
-        Symmetric3([diagonal[0], diagonal[1], diagonal[2], xy, xz, yz]).full()
+        Symmetric3([diagonal[0], diagonal[1], diagonal[2], xy, xz, yz])
     }
 
     /// The sum of two.
@@ -68,31 +68,13 @@ impl MassMoments {
         }
     }
 
-    /// The same mass, seen from a frame in which its own frame is turned about z.
-    pub fn turned(&self, g: &mut Graph, turn: Turn) -> Self {
-        let Symmetric3([xx, yy, zz, xy, xz, yz]) = self.second;
-        let [xz, yz, _] = turn.forward(g, [xz, yz, zz]);
-        // with d = xx - yy: xx' = yy + c (c d - 2 s xy), yy' = xx - c (..), xy' = xy + s (..)
-        let difference = g.sub(xx, yy);
-        let twice = g.add(xy, xy);
-        let (p, q) = (g.mul(turn.cosine, difference), g.mul(turn.sine, twice));
-        let m = g.sub(p, q);
-        let (cm, sm) = (g.mul(turn.cosine, m), g.mul(turn.sine, m));
-        let second = Symmetric3([g.add(yy, cm), g.sub(xx, cm), zz, g.add(xy, sm), xz, yz]);
-        Self {
-            mass: self.mass,
-            first: turn.forward(g, self.first),
-            second,
-        }
-    }
-
     /// The same mass, seen from a frame in which its own frame sits at `p`: `S + p h^T + h p^T + m p p^T`.
     pub fn moved(&self, g: &mut Graph, p: Vec3) -> Self {
         let h = self.first;
         let carried = scale(g, self.mass, p);
         let first = add(g, h, carried);
         // (h + m p) p^T + p h^T
-        let shift = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].map(|(i, j)| {
+        let shift = Symmetric3::PLACES.map(|(i, j)| {
             let (left, right) = (g.mul(first[i], p[j]), g.mul(p[i], h[j]));
             g.add(left, right)
         });
@@ -123,6 +105,19 @@ impl Turn {
             g.mul(self.cosine, y),
         );
         [g.sub(cx, sy), g.add(sx, cy), z]
+    }
+
+    /// A symmetric tensor of the turned frame, in the frame that it is turned in.
+    pub fn forward_tensor(self, g: &mut Graph, tensor: Symmetric3) -> Symmetric3 {
+        let Symmetric3([xx, yy, zz, xy, xz, yz]) = tensor;
+        let [xz, yz, _] = self.forward(g, [xz, yz, zz]);
+        // with d = xx - yy: xx' = yy + c (c d - 2 s xy), yy' = xx - c (..), xy' = xy + s (..)
+        let difference = g.sub(xx, yy);
+        let twice = g.add(xy, xy);
+        let (p, q) = (g.mul(self.cosine, difference), g.mul(self.sine, twice));
+        let m = g.sub(p, q);
+        let (cm, sm) = (g.mul(self.cosine, m), g.mul(self.sine, m));
+        Symmetric3([g.add(yy, cm), g.sub(xx, cm), zz, g.add(xy, sm), xz, yz])
     }
 
     /// The inverse of [`Turn::forward`].

@@ -73,7 +73,7 @@ impl Transform {
         let own = Symmetric3::of_point(g, inertia.mass, p);
         let both = dot(g, p, moment);
         let both = g.add(both, both);
-        let mixed = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].map(|(i, j)| {
+        let mixed = Symmetric3::PLACES.map(|(i, j)| {
             let (u, v) = (g.mul(p[i], moment[j]), g.mul(p[j], moment[i]));
             let cross = g.add(u, v);
             if i == j { g.sub(both, cross) } else { g.neg(cross) }

@@ -64,6 +64,9 @@ pub fn mat_mul(g: &mut Graph, a: Mat3, b: Mat3) -> Mat3 {
 }
 
 impl Symmetric3 {
+    /// Row and column of each entry, in the order in which they are stored.
+    pub const PLACES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
+
     /// The matrix of zeros.
     pub fn zero(g: &mut Graph) -> Self {
         Self([g.zero(); 6])
@@ -77,7 +80,7 @@ impl Symmetric3 {
 
     /// `factor a a^T`.
     pub fn outer(g: &mut Graph, factor: ExprId, a: Vec3) -> Self {
-        Self([(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].map(|(i, j)| {
+        Self(Self::PLACES.map(|(i, j)| {
             let product = g.mul(a[i], a[j]);
             g.mul(factor, product)
         }))
@@ -110,6 +113,6 @@ impl Symmetric3 {
     /// `rotation * self * rotation^T`.
     pub fn rotated(self, g: &mut Graph, rotation: Mat3) -> Self {
         let left = mat_mul(g, rotation, self.full());
-        Self([(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)].map(|(i, j)| dot(g, left[i], rotation[j])))
+        Self(Self::PLACES.map(|(i, j)| dot(g, left[i], rotation[j])))
     }
 }

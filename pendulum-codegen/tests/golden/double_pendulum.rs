@@ -58,20 +58,22 @@ Q[theta2] = gamma2*dot(theta1) - gamma2*dot(theta2)
 ```text
 k0 = gamma2
 k1 = inertia + m*c^2
-k2 = inertia + m*c^2 + m*d^2
-k3 = m*c*d
-k4 = m*c*g
-k5 = m*c*g + m*d*g
-k6 = gamma1 + gamma2
-k7 = 2*m*inertia*c^2 + m*inertia*d^2 + m^2*c^4 + inertia^2
-k8 = 0.5*(inertia + m*c^2 + m*d^2)
-k9 = 0.5*(inertia + m*c^2)
+k2 = m*c*d
+k3 = m*c*g
+k4 = m*c*g + m*d*g
+k5 = gamma1 + gamma2
+k6 = 2*m*inertia*c^2 + m*inertia*d^2 + m^2*c^4 + inertia^2
+k7 = 0.5*(inertia + m*c^2 + m*d^2)
+k8 = 0.5*(inertia + m*c^2)
+k9 = -1/(inertia + m*c^2)
+k10 = -m*c*d/(inertia + m*c^2)
+k11 = -gamma2/(inertia + m*c^2)
 ```
 */
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DoublePendulum<T = f64> {
     params: DoublePendulumParams,
-    constants: [T; 10],
+    constants: [T; 12],
 }
 #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
 impl DoublePendulum {
@@ -89,28 +91,31 @@ impl DoublePendulum {
             [p_m, p_inertia, p_gamma1, p_gamma2]
         }
         #[inline]
-        fn constants<T: ::pendulum_core::real::Real>(given: [T; 7]) -> [T; 10] {
+        fn constants<T: ::pendulum_core::real::Real>(given: [T; 7]) -> [T; 12] {
             let [p_m, p_inertia, p_c, p_d, p_g, p_gamma1, p_gamma2] = given;
             let t0 = p_c * p_c;
             let t1 = p_m * t0;
             let t2 = p_inertia + t1;
-            let t3 = p_d * p_d;
-            let t4 = p_inertia + (t1 + p_m * t3);
-            let t5 = p_m * p_c;
-            let t6 = p_g * t5;
-            let t7 = t0 * (p_inertia * (T::from_f64(2.0) * p_m)) + t3 * (p_m * p_inertia)
+            let t3 = p_m * p_c;
+            let t4 = p_d * t3;
+            let t5 = p_g * t3;
+            let t6 = p_d * p_d;
+            let t7 = t0 * (p_inertia * (T::from_f64(2.0) * p_m)) + t6 * (p_m * p_inertia)
                 + p_m * p_m * (p_c * p_c * p_c * p_c);
+            let t8 = T::from_f64(-1.0) / t2;
             [
                 p_gamma2,
                 t2,
                 t4,
-                p_d * t5,
-                t6,
-                t6 + p_g * (p_m * p_d),
+                t5,
+                t5 + p_g * (p_m * p_d),
                 p_gamma1 + p_gamma2,
                 t7 + p_inertia * p_inertia,
-                T::from_f64(0.5) * t4,
+                T::from_f64(0.5) * (p_inertia + (t1 + p_m * t6)),
                 T::from_f64(0.5) * t2,
+                t8,
+                t4 * t8,
+                p_gamma2 * t8,
             ]
         }
         let given: [f64; 7] = [
@@ -170,10 +175,9 @@ impl DoublePendulum {
             });
         }
         let constants = constants(given);
-        let names: [&'static str; 10] = [
+        let names: [&'static str; 12] = [
             "gamma2",
             "inertia + m*c^2",
-            "inertia + m*c^2 + m*d^2",
             "m*c*d",
             "m*c*g",
             "m*c*g + m*d*g",
@@ -181,6 +185,9 @@ impl DoublePendulum {
             "2*m*inertia*c^2 + m*inertia*d^2 + m^2*c^4 + inertia^2",
             "0.5*(inertia + m*c^2 + m*d^2)",
             "0.5*(inertia + m*c^2)",
+            "-1/(inertia + m*c^2)",
+            "-m*c*d/(inertia + m*c^2)",
+            "-gamma2/(inertia + m*c^2)",
         ];
         for (name, value) in names.into_iter().zip(constants) {
             if !value.is_finite() {
@@ -215,35 +222,84 @@ impl DoublePendulum {
     pub const DOF: usize = 2;
     /// The names of the coordinates, in the order in which they, and then their rates, stand in the state.
     pub const COORDINATES: [&'static str; 2] = ["theta1", "theta2"];
-    /// Counted operations of each generated function.
+    /// Counted operations of each generated function, in the form that it has and in others.
     pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost {
-        rhs: ::pendulum_core::Operations {
-            additions: 11,
-            multiplications: 21,
-            divisions: 1,
-            sincos: 2,
-            functions: 0,
+        rhs: ::pendulum_core::FunctionCost {
+            operations: ::pendulum_core::Operations::new(12, 19, 1, 2, 0),
+            form: "closed form, factors of the state first, L^T D L",
+            others: &[
+                (
+                    "closed form, factors of parameters first, L^T D L",
+                    ::pendulum_core::Operations::new(12, 19, 1, 2, 0),
+                ),
+                (
+                    "closed form, expanded, L^T D L",
+                    ::pendulum_core::Operations::new(12, 19, 1, 2, 0),
+                ),
+                (
+                    "recursion, adjugate",
+                    ::pendulum_core::Operations::new(24, 30, 1, 2, 0),
+                ),
+                (
+                    "A, B and C, adjugate",
+                    ::pendulum_core::Operations::new(32, 40, 1, 2, 0),
+                ),
+                ("articulated bodies", ::pendulum_core::Operations::new(30, 46, 2, 2, 0)),
+            ],
         },
-        jacobian: ::pendulum_core::Operations {
-            additions: 28,
-            multiplications: 50,
-            divisions: 1,
-            sincos: 2,
-            functions: 0,
+        jacobian: ::pendulum_core::FunctionCost {
+            operations: ::pendulum_core::Operations::new(31, 46, 1, 2, 0),
+            form: "closed form, factors of the state first, L^T D L, derived in the graph",
+            others: &[
+                (
+                    "closed form, factors of parameters first, L^T D L, derived and expanded",
+                    ::pendulum_core::Operations::new(31, 46, 1, 2, 0),
+                ),
+                (
+                    "closed form, expanded, L^T D L, derived and expanded",
+                    ::pendulum_core::Operations::new(31, 46, 1, 2, 0),
+                ),
+                (
+                    "recursion, inverse, derived in the graph",
+                    ::pendulum_core::Operations::new(50, 65, 1, 2, 0),
+                ),
+                (
+                    "A, B and C, inverse, derived in the graph",
+                    ::pendulum_core::Operations::new(86, 94, 1, 2, 0),
+                ),
+            ],
         },
-        kinetic: ::pendulum_core::Operations {
-            additions: 3,
-            multiplications: 6,
-            divisions: 0,
-            sincos: 1,
-            functions: 0,
+        kinetic: ::pendulum_core::FunctionCost {
+            operations: ::pendulum_core::Operations::new(3, 6, 0, 1, 0),
+            form: "closed form, factors of the state first",
+            others: &[
+                (
+                    "closed form, expanded",
+                    ::pendulum_core::Operations::new(3, 6, 0, 1, 0),
+                ),
+                (
+                    "closed form, factors of parameters first",
+                    ::pendulum_core::Operations::new(3, 7, 0, 1, 0),
+                ),
+                ("recursion", ::pendulum_core::Operations::new(15, 23, 0, 2, 0)),
+                ("A, B and C", ::pendulum_core::Operations::new(22, 23, 0, 2, 0)),
+            ],
         },
-        potential: ::pendulum_core::Operations {
-            additions: 2,
-            multiplications: 2,
-            divisions: 0,
-            sincos: 2,
-            functions: 0,
+        potential: ::pendulum_core::FunctionCost {
+            operations: ::pendulum_core::Operations::new(2, 2, 0, 2, 0),
+            form: "closed form, factors of the state first",
+            others: &[
+                (
+                    "closed form, factors of parameters first",
+                    ::pendulum_core::Operations::new(2, 2, 0, 2, 0),
+                ),
+                (
+                    "closed form, expanded",
+                    ::pendulum_core::Operations::new(2, 2, 0, 2, 0),
+                ),
+                ("A, B and C", ::pendulum_core::Operations::new(3, 2, 0, 2, 0)),
+                ("recursion", ::pendulum_core::Operations::new(3, 2, 0, 2, 0)),
+            ],
         },
         ..::pendulum_core::Cost::ZERO
     };
@@ -267,19 +323,21 @@ for DoublePendulum<T> {
         let k4 = self.constants[4];
         let k5 = self.constants[5];
         let k6 = self.constants[6];
-        let k7 = self.constants[7];
+        let k9 = self.constants[9];
+        let k10 = self.constants[10];
         let (sin_theta1, cos_theta1) = q_theta1.sin_cos();
         let (sin_theta2, cos_theta2) = q_theta2.sin_cos();
-        let t0 = k3 * (sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2);
-        let t1 = T::from_f64(-1.0) / (k7 + t0 * t0);
-        let t2 = k5 * sin_theta1 + k6 * qd_theta1 + qd_theta2 * (qd_theta2 * t0 - k0);
-        let t3 = k3 * (cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2);
-        let t4 = k4 * sin_theta2 + k0 * qd_theta2 - qd_theta1 * (k0 + qd_theta1 * t0);
+        let t0 = k2 * (sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2);
+        let t1 = k3 * sin_theta2 + k0 * qd_theta2 - qd_theta1 * (k0 + qd_theta1 * t0);
+        let t2 = k10 * (cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2);
+        let t3 = k4 * sin_theta1 + k5 * qd_theta1 + qd_theta2 * (qd_theta2 * t0 - k0)
+            + t1 * t2;
+        let t4 = k1 / (k6 + t0 * t0) * t3;
         ::pendulum_core::nalgebra::SVector::from([
             qd_theta1,
             qd_theta2,
-            t1 * (k1 * t2 - t3 * t4),
-            t1 * (k2 * t4 - t2 * t3),
+            -t4,
+            k9 * t1 - t2 * t4,
         ])
     }
 }
@@ -300,53 +358,35 @@ for DoublePendulum<T> {
         let k4 = self.constants[4];
         let k5 = self.constants[5];
         let k6 = self.constants[6];
-        let k7 = self.constants[7];
+        let k9 = self.constants[9];
+        let k10 = self.constants[10];
+        let k11 = self.constants[11];
         let (sin_theta1, cos_theta1) = q_theta1.sin_cos();
         let (sin_theta2, cos_theta2) = q_theta2.sin_cos();
         let t0 = sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2;
-        let t1 = k3 * t0;
-        let t2 = T::from_f64(-1.0) / (k7 + t1 * t1);
-        let t3 = k1 * t2;
-        let t4 = k3 * qd_theta2;
-        let t5 = cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2;
-        let t6 = k3 * qd_theta1;
-        let t7 = k0 + t0 * t6;
-        let t8 = k4 * sin_theta2 + k0 * qd_theta2 - qd_theta1 * t7;
-        let t9 = k2 * t2;
-        let t10 = t0 * t4 - k0;
-        let t11 = k5 * sin_theta1 + k6 * qd_theta1 + qd_theta2 * t10;
-        let t12 = k3 * t2 * t5;
-        let t13 = qd_theta2 * t4 * t5 - (t8 * t9 - t11 * t12) * t1;
-        let t14 = k5 * cos_theta1 + t13;
-        let t15 = t5 * qd_theta1 * t6 + t1 * (t3 * t11 - t8 * t12);
-        let t16 = t15 + k4 * cos_theta2;
-        let t17 = t7 + qd_theta1 * t1;
-        let t18 = t10 + qd_theta2 * t1;
+        let t1 = k2 * t0;
+        let t2 = k1 / (k6 + t1 * t1);
+        let t3 = k2 * qd_theta2;
+        let t4 = cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2;
+        let t5 = k2 * qd_theta1;
+        let t6 = k0 + t0 * t5;
+        let t7 = k3 * sin_theta2 + k0 * qd_theta2 - qd_theta1 * t6;
+        let t8 = k10 * t4;
+        let t9 = t0 * t3 - k0;
+        let t10 = t2 * (k4 * sin_theta1 + k5 * qd_theta1 + qd_theta2 * t9 + t7 * t8);
+        let t11 = qd_theta2 * t3 * t4 - (k9 * t7 - t8 * t10) * t1;
+        let t12 = t4 * qd_theta1 * t5 - t10 * t1;
+        let t13 = t2 * (k4 * cos_theta1 + t11 - t8 * t12);
+        let t14 = t12 + k3 * cos_theta2;
+        let t15 = t2 * (t8 * t14 - t11);
+        let t16 = t6 + qd_theta1 * t1;
+        let t17 = t2 * (k5 - t8 * t16);
+        let t18 = t2 * (t9 + qd_theta2 * t1 + k0 * t8);
         ::pendulum_core::nalgebra::SMatrix::from([
-            [
-                T::from_f64(0.0),
-                T::from_f64(0.0),
-                t3 * t14 + t12 * t15,
-                -(t9 * t15 + t12 * t14),
-            ],
-            [
-                T::from_f64(0.0),
-                T::from_f64(0.0),
-                -(t3 * t13 + t12 * t16),
-                t9 * t16 + t12 * t13,
-            ],
-            [
-                T::from_f64(1.0),
-                T::from_f64(0.0),
-                k6 * t3 + t12 * t17,
-                -(t9 * t17 + k6 * t12),
-            ],
-            [
-                T::from_f64(0.0),
-                T::from_f64(1.0),
-                t3 * t18 - k0 * t12,
-                k0 * t9 - t12 * t18,
-            ],
+            [T::from_f64(0.0), T::from_f64(0.0), -t13, -(k9 * t12 + t8 * t13)],
+            [T::from_f64(0.0), T::from_f64(0.0), -t15, k9 * t14 - t8 * t15],
+            [T::from_f64(1.0), T::from_f64(0.0), -t17, -(k9 * t16 + t8 * t17)],
+            [T::from_f64(0.0), T::from_f64(1.0), -t18, k11 - t8 * t18],
         ])
     }
 }
@@ -358,19 +398,19 @@ for DoublePendulum<T> {
         let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
         let k1 = self.constants[1];
         let k2 = self.constants[2];
-        let k3 = self.constants[3];
+        let k7 = self.constants[7];
         let k8 = self.constants[8];
-        let k9 = self.constants[9];
         let (_, cos0) = (q_theta1 - q_theta2).sin_cos();
-        k9 * qd_theta2 * qd_theta2 + qd_theta1 * (k3 * qd_theta2 * cos0 + k8 * qd_theta1)
+        qd_theta2 * (qd_theta2 * k8)
+            + qd_theta1 * (cos0 * (qd_theta2 * k2) + qd_theta1 * k7)
     }
     #[inline]
     fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 4>) -> T {
         let [q_theta1, q_theta2, _, _] = x.data.0[0];
+        let k3 = self.constants[3];
         let k4 = self.constants[4];
-        let k5 = self.constants[5];
         let (_, cos_theta1) = q_theta1.sin_cos();
         let (_, cos_theta2) = q_theta2.sin_cos();
-        -(k5 * cos_theta1 + k4 * cos_theta2)
+        -(cos_theta1 * k4 + cos_theta2 * k3)
     }
 }

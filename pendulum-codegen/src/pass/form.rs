@@ -1,0 +1,91 @@
+//! The forms in which the same motion can be written, and what they are called.
+
+use std::fmt;
+
+use super::Preference;
+use crate::dynamics::Solver;
+
+/// A form of one function.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Form {
+    /// How the dynamics are written.
+    pub basis: Basis,
+    /// How the accelerations are solved from them, where they are.
+    pub solver: Option<Solver>,
+    /// How they are derived, where they are.
+    pub derivatives: Option<Derivatives>,
+}
+
+/// How the dynamics are written.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Basis {
+    /// Expanded to normal form, then factored.
+    Closed(Preference),
+    /// The graph of A, B and C as it was built.
+    #[default]
+    Shared,
+    /// Newton and Euler's recursion and composite bodies, on links in base parameters.
+    Recursive,
+    /// Articulated bodies, on the same links.
+    Articulated,
+}
+
+/// How inverse dynamics are derived by the state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Derivatives {
+    /// Expression by expression, in the graph.
+    Graph,
+    /// In the graph, and then expanded to normal form.
+    Expanded,
+    /// By a recursion of their own.
+    Recursion,
+}
+
+impl Form {
+    pub(super) fn of(basis: Basis) -> Self {
+        Self {
+            basis,
+            ..Self::default()
+        }
+    }
+
+    pub(super) fn solved_by(self, solver: Solver) -> Self {
+        Self {
+            solver: Some(solver),
+            ..self
+        }
+    }
+
+    pub(super) fn derived_by(self, derivatives: Derivatives) -> Self {
+        Self {
+            derivatives: Some(derivatives),
+            ..self
+        }
+    }
+}
+
+/// For example "recursion, L^T D L, derived by recursion".
+impl fmt::Display for Form {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self.basis {
+            Basis::Closed(Preference::State) => "closed form, factors of the state first",
+            Basis::Closed(Preference::Parameter) => "closed form, factors of parameters first",
+            Basis::Closed(Preference::Expanded) => "closed form, expanded",
+            Basis::Shared => "A, B and C",
+            Basis::Recursive => "recursion",
+            Basis::Articulated => "articulated bodies",
+        })?;
+        f.write_str(match self.solver {
+            Some(Solver::Adjugate) => ", adjugate",
+            Some(Solver::Inverse) => ", inverse",
+            Some(Solver::Ldl) => ", L^T D L",
+            None => "",
+        })?;
+        f.write_str(match self.derivatives {
+            Some(Derivatives::Graph) => ", derived in the graph",
+            Some(Derivatives::Expanded) => ", derived and expanded",
+            Some(Derivatives::Recursion) => ", derived by recursion",
+            None => "",
+        })
+    }
+}
