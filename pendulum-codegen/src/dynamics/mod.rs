@@ -1,6 +1,7 @@
 //! The dynamics of a model: from screws to the mass matrix, the bias, the forces and the energy in its coordinates.
 
 mod articulated;
+mod base;
 mod coefficients;
 mod frames;
 mod jacobian;
@@ -10,6 +11,7 @@ mod recursive;
 mod solve;
 mod tangent;
 
+pub use base::base_parameters;
 pub use coefficients::Coefficients;
 pub use jacobian::{partials, partials_by_recursion};
 pub use kinematics::Kinematics;
