@@ -1,10 +1,11 @@
-//! Expressions to statements: one `let` for each shared value, in the order in which values are needed.
+//! Expressions to statements: one `let` for each shared value.
 
 use std::collections::{BTreeMap, HashMap, HashSet};
 
 use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
+use super::schedule::{Step, schedule};
 use crate::expr::{Binary, ExprId, Graph, Level, Node, Rational, Unary, ratio};
 use crate::model::Model;
 
@@ -47,9 +48,10 @@ impl Piece {
 /// walk scopes by recursion (as LLVM does for debug information) run out of stack when some thousand are nested.
 const MOST_STATEMENTS: usize = 256;
 
-/// A `let`, and the names that it brings.
+/// A `let`, what it was made for, and the names that it brings.
 #[derive(Debug)]
 struct Statement {
+    id: ExprId,
     names: Vec<Ident>,
     tokens: TokenStream,
 }
@@ -85,8 +87,29 @@ pub(super) fn local(name: String) -> Ident {
 }
 
 impl<'m> Body<'m> {
-    /// Code for some roots in which the given expressions are known under names.
-    pub(super) fn new(graph: &'m Graph, roots: &[ExprId], known: &HashMap<ExprId, Ident>) -> Self {
+    /// Code that computes roots, in which the given expressions are known under names, and behind it the result that it is for.
+    pub(super) fn code(
+        graph: &'m Graph,
+        roots: &[ExprId],
+        known: &HashMap<ExprId, Ident>,
+        result: impl FnOnce(&[TokenStream]) -> TokenStream,
+    ) -> TokenStream {
+        // once to find the statements, and once to write them in the order in which they shall stand
+        let mut draft = Self::new(graph, roots, known);
+        draft.values(roots);
+        let order: Vec<ExprId> = schedule(&draft.steps(roots))
+            .into_iter()
+            .map(|n| draft.statements[n].id)
+            .collect();
+        let mut body = Self::new(graph, roots, known);
+        for id in order {
+            body.statement(id, roots.contains(&id));
+        }
+        let values = body.values(roots);
+        body.finish(&result(&values))
+    }
+
+    fn new(graph: &'m Graph, roots: &[ExprId], known: &HashMap<ExprId, Ident>) -> Self {
         let names: HashMap<_, _> = known
             .iter()
             .map(|(&id, name)| (id, Piece::atom(quote!(#name))))
@@ -116,18 +139,57 @@ impl<'m> Body<'m> {
         }
     }
 
-    /// The code of one root; what it needs becomes statements.
-    pub(super) fn value(&mut self, root: ExprId) -> TokenStream {
-        let is_leaf = self.graph.operands(root).next().is_none() || self.graph.level(root) == Level::Constant;
-        let is_angle = matches!(self.graph.node(root), Node::Unary(Unary::Sin | Unary::Cos, _));
-        if is_leaf || is_angle || self.names.contains_key(&root) || self.uses[&root] > 1 {
-            return self.piece(root).tokens;
+    /// The code of each root; what it needs becomes statements.
+    fn values(&mut self, roots: &[ExprId]) -> Vec<TokenStream> {
+        let few = roots.len() <= MOST_OPERATIONS;
+        let value = |&root: &ExprId| {
+            let is_leaf = self.graph.operands(root).next().is_none() || self.graph.level(root) == Level::Constant;
+            let is_angle = matches!(self.graph.node(root), Node::Unary(Unary::Sin | Unary::Cos, _));
+            if is_leaf || is_angle || self.names.contains_key(&root) || self.uses[&root] > 1 {
+                return self.piece(root).tokens;
+            }
+            let piece = self.operation(root);
+            // a few results stand where they are returned; of many, what they are made of would have to wait until then
+            if few {
+                piece.tokens
+            } else {
+                self.bind(root, &piece).tokens
+            }
+        };
+        roots.iter().map(value).collect()
+    }
+
+    /// Makes a statement of an expression whose operands have theirs.
+    fn statement(&mut self, id: ExprId, is_result: bool) {
+        let is_angle = matches!(self.graph.node(id), Node::Unary(Unary::Sin | Unary::Cos, _));
+        if is_result && !is_angle {
+            let piece = self.operation(id);
+            self.bind(id, &piece);
+        } else {
+            self.piece(id);
         }
-        self.operation(root).tokens
+    }
+
+    /// What each statement needs of the others.
+    fn steps(&self, roots: &[ExprId]) -> Vec<Step> {
+        let mut origins: HashMap<String, usize> = HashMap::new();
+        for (n, statement) in self.statements.iter().enumerate() {
+            origins.extend(statement.names.iter().map(|name| (name.to_string(), n)));
+        }
+        let step = |(n, statement): (usize, &Statement)| {
+            let names = names_in(&statement.tokens);
+            let needs = names.iter().filter_map(|name| origins.get(name).copied());
+            Step {
+                defines: statement.names.len(),
+                needs: needs.filter(|&need| need != n).collect(),
+                is_result: self.uses[&statement.id] == 1 && roots.contains(&statement.id),
+            }
+        };
+        self.statements.iter().enumerate().map(step).collect()
     }
 
     /// The statements, and behind them the result that they are for.
-    pub(super) fn finish(self, result: &TokenStream) -> TokenStream {
+    fn finish(self, result: &TokenStream) -> TokenStream {
         let mut code = TokenStream::new();
         let mut needed = names_in(result);
         if self.statements.len() <= MOST_STATEMENTS {
@@ -155,7 +217,7 @@ impl<'m> Body<'m> {
             return Piece::atom(literal(self.graph, id));
         }
         if let Node::Unary(Unary::Sin | Unary::Cos, angle) = *self.graph.node(id) {
-            self.sine_and_cosine(angle);
+            self.sine_and_cosine(id, angle);
             return self.names[&id].clone();
         }
         let piece = self.operation(id);
@@ -171,6 +233,7 @@ impl<'m> Body<'m> {
         let tokens = &piece.tokens;
         let statement = quote!(let #name = #tokens;);
         self.statements.push(Statement {
+            id,
             names: vec![name.clone()],
             tokens: statement,
         });
@@ -179,7 +242,7 @@ impl<'m> Body<'m> {
         bound
     }
 
-    fn sine_and_cosine(&mut self, angle: ExprId) {
+    fn sine_and_cosine(&mut self, id: ExprId, angle: ExprId) {
         let argument = self.piece(angle).within(Grip::Atom);
         let suffix = match self.graph.as_symbol(angle) {
             Some(symbol) => format!("_{}", symbol.name),
@@ -194,11 +257,11 @@ impl<'m> Body<'m> {
         let [left, right] = [&sine, &cosine].map(|name| name.as_ref().map_or(quote!(_), |name| quote!(#name)));
         let tokens = quote!(let (#left, #right) = #argument.sin_cos(););
         let names = [&sine, &cosine].into_iter().flatten().cloned().collect();
-        self.statements.push(Statement { names, tokens });
+        self.statements.push(Statement { id, names, tokens });
         for (op, name) in [(Unary::Sin, sine), (Unary::Cos, cosine)] {
-            let id = self.graph.find(&Node::Unary(op, angle));
-            if let (Some(id), Some(name)) = (id, name) {
-                self.names.insert(id, Piece::atom(quote!(#name)));
+            let value = self.graph.find(&Node::Unary(op, angle));
+            if let (Some(value), Some(name)) = (value, name) {
+                self.names.insert(value, Piece::atom(quote!(#name)));
             }
         }
     }

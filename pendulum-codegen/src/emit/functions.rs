@@ -208,10 +208,7 @@ impl Items<'_> {
                 head.extend(quote!(let #name = self.constants[#index];));
             }
         }
-        let mut body = Body::new(graph, roots, &known);
-        let values: Vec<_> = roots.iter().map(|&root| body.value(root)).collect();
-        let result = result(&values);
-        let code = body.finish(&result);
+        let code = Body::code(graph, roots, &known, result);
         quote!({ #head #code })
     }
 }

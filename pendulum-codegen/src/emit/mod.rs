@@ -3,6 +3,7 @@
 mod body;
 mod equations;
 mod functions;
+mod schedule;
 mod stub;
 
 use std::collections::HashMap;
@@ -239,9 +240,7 @@ impl Items<'_> {
         let known: HashMap<ExprId, Ident> = names.collect();
         let pattern = model.parameters.iter().map(|p| &known[&p.symbol]);
         let pattern = quote!(let [#(#pattern),*] = given;);
-        let mut body = Body::new(&model.graph, roots, &known);
-        let values: Vec<_> = roots.iter().map(|&root| body.value(root)).collect();
-        let code = body.finish(&quote!([#(#values),*]));
+        let code = Body::code(&model.graph, roots, &known, |values| quote!([#(#values),*]));
         quote!({ #pattern #code })
     }
 

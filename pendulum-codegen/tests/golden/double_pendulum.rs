@@ -93,30 +93,24 @@ impl DoublePendulum {
         #[inline]
         fn constants<T: ::pendulum_core::real::Real>(given: [T; 7]) -> [T; 12] {
             let [p_m, p_inertia, p_c, p_d, p_g, p_gamma1, p_gamma2] = given;
-            let t0 = p_c * p_c;
-            let t1 = p_m * t0;
-            let t2 = p_inertia + t1;
-            let t3 = p_m * p_c;
-            let t4 = p_d * t3;
-            let t5 = p_g * t3;
-            let t6 = p_d * p_d;
-            let t7 = t0 * (p_inertia * (T::from_f64(2.0) * p_m)) + t6 * (p_m * p_inertia)
-                + p_m * p_m * (p_c * p_c * p_c * p_c);
-            let t8 = T::from_f64(-1.0) / t2;
-            [
-                p_gamma2,
-                t2,
-                t4,
-                t5,
-                t5 + p_g * (p_m * p_d),
-                p_gamma1 + p_gamma2,
-                t7 + p_inertia * p_inertia,
-                T::from_f64(0.5) * (p_inertia + (t1 + p_m * t6)),
-                T::from_f64(0.5) * t2,
-                t8,
-                t4 * t8,
-                p_gamma2 * t8,
-            ]
+            let t0 = p_gamma1 + p_gamma2;
+            let t1 = p_c * p_c;
+            let t2 = p_m * t1;
+            let t3 = p_inertia + t2;
+            let t4 = T::from_f64(0.5) * t3;
+            let t5 = T::from_f64(-1.0) / t3;
+            let t6 = p_gamma2 * t5;
+            let t7 = p_m * p_c;
+            let t8 = p_d * t7;
+            let t9 = t8 * t5;
+            let t10 = p_g * t7;
+            let t11 = t10 + p_g * (p_m * p_d);
+            let t12 = p_d * p_d;
+            let t13 = T::from_f64(0.5) * (p_inertia + (t2 + p_m * t12));
+            let t14 = t1 * (p_inertia * (T::from_f64(2.0) * p_m))
+                + t12 * (p_m * p_inertia) + p_m * p_m * (p_c * p_c * p_c * p_c);
+            let t15 = t14 + p_inertia * p_inertia;
+            [p_gamma2, t3, t8, t10, t11, t0, t15, t13, t4, t5, t9, t6]
         }
         let given: [f64; 7] = [
             params.m,
@@ -361,32 +355,32 @@ for DoublePendulum<T> {
         let k9 = self.constants[9];
         let k10 = self.constants[10];
         let k11 = self.constants[11];
+        let t0 = k2 * qd_theta2;
+        let t1 = k2 * qd_theta1;
         let (sin_theta1, cos_theta1) = q_theta1.sin_cos();
         let (sin_theta2, cos_theta2) = q_theta2.sin_cos();
-        let t0 = sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2;
-        let t1 = k2 * t0;
-        let t2 = k1 / (k6 + t1 * t1);
-        let t3 = k2 * qd_theta2;
-        let t4 = cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2;
-        let t5 = k2 * qd_theta1;
-        let t6 = k0 + t0 * t5;
-        let t7 = k3 * sin_theta2 + k0 * qd_theta2 - qd_theta1 * t6;
-        let t8 = k10 * t4;
-        let t9 = t0 * t3 - k0;
-        let t10 = t2 * (k4 * sin_theta1 + k5 * qd_theta1 + qd_theta2 * t9 + t7 * t8);
-        let t11 = qd_theta2 * t3 * t4 - (k9 * t7 - t8 * t10) * t1;
-        let t12 = t4 * qd_theta1 * t5 - t10 * t1;
-        let t13 = t2 * (k4 * cos_theta1 + t11 - t8 * t12);
-        let t14 = t12 + k3 * cos_theta2;
-        let t15 = t2 * (t8 * t14 - t11);
-        let t16 = t6 + qd_theta1 * t1;
-        let t17 = t2 * (k5 - t8 * t16);
-        let t18 = t2 * (t9 + qd_theta2 * t1 + k0 * t8);
+        let t2 = sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2;
+        let t3 = k2 * t2;
+        let t4 = k1 / (k6 + t3 * t3);
+        let t5 = cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2;
+        let t6 = k0 + t2 * t1;
+        let t7 = t2 * t0 - k0;
+        let t8 = k3 * sin_theta2 + k0 * qd_theta2 - qd_theta1 * t6;
+        let t9 = t6 + qd_theta1 * t3;
+        let t10 = k10 * t5;
+        let t11 = t4 * (k5 - t10 * t9);
+        let t12 = t4 * (k4 * sin_theta1 + k5 * qd_theta1 + qd_theta2 * t7 + t8 * t10);
+        let t13 = qd_theta2 * t0 * t5 - (k9 * t8 - t10 * t12) * t3;
+        let t14 = t5 * qd_theta1 * t1 - t12 * t3;
+        let t15 = t4 * (k4 * cos_theta1 + t13 - t10 * t14);
+        let t16 = t14 + k3 * cos_theta2;
+        let t17 = t4 * (t10 * t16 - t13);
+        let t18 = t4 * (t7 + qd_theta2 * t3 + k0 * t10);
         ::pendulum_core::nalgebra::SMatrix::from([
-            [T::from_f64(0.0), T::from_f64(0.0), -t13, -(k9 * t12 + t8 * t13)],
-            [T::from_f64(0.0), T::from_f64(0.0), -t15, k9 * t14 - t8 * t15],
-            [T::from_f64(1.0), T::from_f64(0.0), -t17, -(k9 * t16 + t8 * t17)],
-            [T::from_f64(0.0), T::from_f64(1.0), -t18, k11 - t8 * t18],
+            [T::from_f64(0.0), T::from_f64(0.0), -t15, -(k9 * t14 + t10 * t15)],
+            [T::from_f64(0.0), T::from_f64(0.0), -t17, k9 * t16 - t10 * t17],
+            [T::from_f64(1.0), T::from_f64(0.0), -t11, -(k9 * t9 + t10 * t11)],
+            [T::from_f64(0.0), T::from_f64(1.0), -t18, k11 - t10 * t18],
         ])
     }
 }
