@@ -7,7 +7,7 @@ use pendulum_codegen::dynamics::{Dynamics, partials, partials_by_recursion};
 use pendulum_codegen::expr::ExprId;
 use pendulum_codegen::model::Model;
 
-const SCENES: [&str; 5] = [
+const SCENES: [&str; 6] = [
     // every kind of joint on skew axes
     "pub Arm {
         gravity: [1, -2, -9.81],
@@ -39,6 +39,16 @@ const SCENES: [&str; 5] = [
         body nail on slider { mass: 0.3, com: [0.1, 0.2, -0.1], joint: fixed at [0, 0, 0.3] rpy [0, 0.4, 0] }
         body wheel on hand { mass: 0.4, com: [0.1, 0.02, -0.1], inertia: [0.01, 0.02, 0.02],
             joint: revolute([0, 1, 2]) at [0.1, 0.3, -0.4], coordinate: q6 }
+    }",
+    // symbolic inertia that is handed down across skew axes
+    "pub Symbols {
+        params { m1: kg, m2: kg, m3: kg, x: m, y: m, z: m, a: kg m^2, b: kg m^2, c: kg m^2, d: kg m^2, l: m, g: m/s^2 }
+        gravity: [0, 0, -g],
+        body first on ground { mass: m1, com: [x, y, z], inertia: [a, b, c, d, 0, 0], joint: revolute(z), coordinate: q1 }
+        body second on first { mass: m2, com: [y, z, x], inertia: [b, c, a, 0, d, 0],
+            joint: revolute([0, 3, 4]) at [l, 0, z], coordinate: q2 }
+        body other on first { mass: m3, com: [z, x, y], inertia: [c, a, b, 0, 0, d], joint: revolute(x) at [0, l, 0], coordinate: q3 }
+        body tip on other { mass: m2, com: [x, 0, z], inertia: [c, b, b], joint: prismatic(x) at [0, 0, l], coordinate: q4 }
     }",
     // parameters, absolute and relative angles, friction and springs
     "pub Chain {
