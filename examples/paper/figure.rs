@@ -4,7 +4,8 @@ use std::error::Error;
 
 use pendulum_core::prelude::*;
 
-use crate::common::chart::{Axis, BLUE, Curve, Figure, Line, Row, VERMILION};
+use crate::common::chart::{Axis, Curve, Figure, Line, Row};
+use crate::common::page::{BLUE, VERMILION};
 
 const UPPER: Line = Line {
     color: BLUE,

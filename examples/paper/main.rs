@@ -11,6 +11,7 @@ mod reference;
 use std::error::Error;
 use std::path::Path;
 
+use common::page::Picture;
 use pendulum_core::prelude::*;
 
 mechanism! {

@@ -1,0 +1,128 @@
+//! A picture drawn once, written as SVG and as PNG, in the style of all charts.
+
+use std::error::Error;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use plotters::coord::Shift;
+use plotters::prelude::*;
+
+use super::typeset::{FAMILY, LINE_PER_EM, Typeset, register_fonts};
+
+/// Colours that people with any colour vision can tell apart (Okabe and Ito, 2008), the darker ones.
+pub(crate) const BLUE: RGBColor = RGBColor(0, 114, 178);
+pub(crate) const VERMILION: RGBColor = RGBColor(213, 94, 0);
+
+pub(crate) const INK: RGBColor = RGBColor(34, 34, 34);
+pub(crate) const GREY: RGBColor = RGBColor(95, 95, 95);
+pub(crate) const GRID: RGBColor = RGBColor(226, 226, 226);
+
+/// Space around the page, in pixels of the picture.
+pub(crate) const MARGIN: f64 = 36.0;
+
+/// What can be drawn.
+pub(crate) trait Picture {
+    /// In pixels.
+    fn size(&self) -> (u32, u32);
+
+    /// Draws on a page whose lengths are those of [`px`].
+    fn draw<B: DrawingBackend>(&self, page: &DrawingArea<B, Shift>) -> Result<(), Box<dyn Error>>
+    where
+        B::ErrorType: 'static;
+
+    /// Writes `stem` with the endings svg and png, and says where.
+    fn save(&self, stem: &Path) -> Result<[PathBuf; 2], Box<dyn Error>> {
+        register_fonts()?;
+        let files = [("svg", self.svg()?.into_bytes()), ("png", self.png()?)];
+        if let Some(folder) = stem.parent() {
+            fs::create_dir_all(folder)
+                .map_err(|error| format!("cannot make the folder {}: {error}", folder.display()))?;
+        }
+        let mut paths = [PathBuf::new(), PathBuf::new()];
+        for (path, (ending, contents)) in paths.iter_mut().zip(files) {
+            *path = stem.with_added_extension(ending);
+            fs::write(&path, contents).map_err(|error| format!("cannot write {}: {error}", path.display()))?;
+        }
+        Ok(paths)
+    }
+
+    /// plotters draws on whole pixels; in a drawing several times too large, scaled down by its view box, they do not show.
+    fn svg(&self) -> Result<String, Box<dyn Error>> {
+        let (width, height) = self.size();
+        let fine = (width * FINENESS, height * FINENESS);
+        let mut text = String::new();
+        self.draw(&SVGBackend::with_string(&mut text, fine).into_drawing_area())?;
+        Ok(text.replacen(
+            &format!(r#"width="{}" height="{}""#, fine.0, fine.1),
+            &format!(r#"width="{width}" height="{height}""#),
+            1,
+        ))
+    }
+
+    /// Drawn just as large and averaged down, which makes the edges smooth.
+    fn png(&self) -> Result<Vec<u8>, Box<dyn Error>> {
+        let (width, height) = self.size();
+        let fine = (width * FINENESS, height * FINENESS);
+        let mut pixels = vec![0; 3 * fine.0 as usize * fine.1 as usize];
+        self.draw(&Typeset(BitMapBackend::with_buffer(&mut pixels, fine)).into_drawing_area())?;
+        encode(&shrink(&pixels, fine.0 as usize), self.size())
+    }
+}
+
+/// How many pixels of the drawing make one of the picture, in each direction.
+const FINENESS: u32 = 4;
+
+/// A length in pixels of the drawing, from one in pixels of the picture.
+pub(crate) fn px(length: f64) -> i32 {
+    (length * f64::from(FINENESS)).round() as i32
+}
+
+pub(crate) fn width(width: f64) -> u32 {
+    px(width).unsigned_abs()
+}
+
+/// Text whose em has that many pixels of the picture.
+pub(crate) fn text(em: f64, color: RGBColor) -> TextStyle<'static> {
+    styled(em, color, FontStyle::Normal)
+}
+
+pub(crate) fn bold(em: f64) -> TextStyle<'static> {
+    styled(em, INK, FontStyle::Bold)
+}
+
+fn styled(em: f64, color: RGBColor, style: FontStyle) -> TextStyle<'static> {
+    let size = em * LINE_PER_EM * f64::from(FINENESS);
+    let mut text = TextStyle::from((FAMILY, size, style).into_font());
+    text.color = color.to_backend_color();
+    text
+}
+
+/// Averages squares of `FINENESS` by `FINENESS` pixels; `width` is that of the large picture.
+fn shrink(pixels: &[u8], width: usize) -> Vec<u8> {
+    let fineness = FINENESS as usize;
+    let mut small = Vec::with_capacity(pixels.len() / (fineness * fineness));
+    for rows in pixels.chunks_exact(3 * width * fineness) {
+        for x in (0..width).step_by(fineness) {
+            for channel in 0..3 {
+                let row = |y: usize| (x..x + fineness).map(move |x| u32::from(rows[3 * (y * width + x) + channel]));
+                let sum: u32 = (0..fineness).flat_map(row).sum();
+                let count = FINENESS * FINENESS;
+                small.push(((sum + count / 2) / count) as u8);
+            }
+        }
+    }
+    small
+}
+
+fn encode(pixels: &[u8], (width, height): (u32, u32)) -> Result<Vec<u8>, Box<dyn Error>> {
+    let mut file = Vec::new();
+    let mut encoder = png::Encoder::new(&mut file, width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_compression(png::Compression::High);
+    // Plain colours beside each other pack best as they are.
+    encoder.set_filter(png::Filter::NoFilter);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(pixels)?;
+    writer.finish()?;
+    Ok(file)
+}
