@@ -1,0 +1,207 @@
+"""The standard algorithms on CasADi's scalar graphs: Newton and Euler's recursion, composite and articulated bodies.
+
+After R. Featherstone, Rigid Body Dynamics Algorithms (2008), chapters 5 to 8. The PyPI wheel of Pinocchio has no bindings
+to CasADi, so the graphs are built here. All quantities are in the frame of their body, as in Pinocchio, and all joints are
+revolute.
+"""
+
+import casadi as cs
+
+
+def vector(values):
+    return cs.SX(cs.DM(values))
+
+
+def skew(a):
+    """The matrix of the cross product with `a`."""
+    return cs.vertcat(
+        cs.horzcat(0, -a[2], a[1]),
+        cs.horzcat(a[2], 0, -a[0]),
+        cs.horzcat(-a[1], a[0], 0),
+    )
+
+
+def scaled(inverse, a):
+    """The product with an inverse, kept: by itself, CasADi makes a division `x / d` of each `(1 / d) x`."""
+    a = cs.sparsify(a)
+    cs.GlobalOptions.setSimplificationOnTheFly(False)
+    product = inverse * a
+    cs.GlobalOptions.setSimplificationOnTheFly(True)
+    return cs.densify(product)
+
+
+def symmetric(a):
+    """The lower triangle of `a` on both sides: what is computed above it is dropped."""
+    return cs.tril2symm(cs.tril(a))
+
+
+class Link:
+    """The numbers of a body, and the rotation from its frame to its parent's."""
+
+    def __init__(self, body, q):
+        self.parent = body.parent
+        self.axis = vector(body.axis)
+        self.at = vector(body.at)
+        self.mass = body.mass
+        com = cs.DM(body.com)
+        self.moment = cs.SX(body.mass * com)
+        self.inertia = cs.SX(cs.DM(body.inertia) + body.mass * (cs.dot(com, com) * cs.DM.eye(3) - com @ com.T))
+        s, c = cs.sin(q), cs.cos(q)
+        turn = c * cs.SX.eye(3) + s * skew(self.axis) + (1 - c) * (self.axis @ self.axis.T)
+        # About a coordinate axis, `c + (1 - c)` would stay in the graph.
+        along = [n for n in range(3) if abs(body.axis[n]) == 1]
+        for n in along:
+            turn[n, n] = 1
+        self.turn = vector(body.turn) @ turn
+
+
+def links(robot, q):
+    return [Link(body, q[n]) for n, body in enumerate(robot.bodies)]
+
+
+def inverse_dynamics(robot, links, qd, qdd):
+    """Newton and Euler's recursion (RNEA): the torques of the joints."""
+    motions = []
+    for n, link in enumerate(links):
+        if link.parent < 0:
+            rate, turning, pull = cs.SX(3, 1), cs.SX(3, 1), -vector(robot.gravity)
+        else:
+            rate, turning, pull, whirl = motions[link.parent]
+            pull = pull + whirl @ link.at
+        back = link.turn.T
+        rate, turning, pull = back @ rate, back @ turning, back @ pull
+        spin = link.axis * qd[n]
+        turning = turning + link.axis * qdd[n] + cs.cross(rate, spin)
+        rate = rate + spin
+        # Acceleration of a point at `p` is `pull + whirl p`.
+        whirl = skew(turning) + (rate @ rate.T - cs.dot(rate, rate) * cs.SX.eye(3))
+        motions.append((rate, turning, pull, whirl))
+    wrenches = []
+    for link, (rate, turning, pull, whirl) in zip(links, motions):
+        momentum = link.inertia @ rate
+        torque = link.inertia @ turning + cs.cross(rate, momentum) + cs.cross(link.moment, pull)
+        wrenches.append([torque, link.mass * pull + whirl @ link.moment])
+    torques = [None] * len(links)
+    for n in reversed(range(len(links))):
+        link = links[n]
+        torque, force = wrenches[n]
+        torques[n] = cs.dot(link.axis, torque)
+        if link.parent >= 0:
+            force = link.turn @ force
+            wrenches[link.parent][0] += link.turn @ torque + cs.cross(link.at, force)
+            wrenches[link.parent][1] += force
+    return cs.vertcat(*torques)
+
+
+def mass_matrix(links):
+    """Composite rigid bodies (CRBA): the lower triangle as rows."""
+    count = len(links)
+    composite = [[link.mass, link.moment, link.inertia] for link in links]
+    rows = [[cs.SX(0)] * count for _ in links]
+    for n in reversed(range(count)):
+        link = links[n]
+        mass, moment, inertia = composite[n]
+        torque, force = inertia @ link.axis, cs.cross(link.axis, moment)
+        rows[n][n] = cs.dot(link.axis, torque)
+        at = n
+        while links[at].parent >= 0:
+            force = links[at].turn @ force
+            torque = links[at].turn @ torque + cs.cross(links[at].at, force)
+            at = links[at].parent
+            rows[n][at] = cs.dot(links[at].axis, torque)
+        if link.parent >= 0:
+            onto = composite[link.parent]
+            turned = link.turn @ moment
+            both = link.at @ turned.T
+            shift = 2 * cs.trace(both) * cs.SX.eye(3) - both - both.T
+            steiner = mass * (cs.dot(link.at, link.at) * cs.SX.eye(3) - link.at @ link.at.T)
+            onto[0] = onto[0] + mass
+            onto[1] = onto[1] + turned + mass * link.at
+            onto[2] = symmetric(onto[2] + link.turn @ inertia @ link.turn.T + shift + steiner)
+    return rows
+
+
+class Factor:
+    """`M = L^T D L`, from the tips to the root, which keeps the zeros of trees."""
+
+    def __init__(self, rows):
+        rows = [list(row) for row in rows]
+        self.rows, self.inverse = rows, [None] * len(rows)
+        for k in reversed(range(len(rows))):
+            self.inverse[k] = 1 / rows[k][k]
+            for i in reversed(range(k)):
+                quotient = scaled(self.inverse[k], rows[k][i])
+                for j in range(i + 1):
+                    rows[i][j] = rows[i][j] - quotient * rows[k][j]
+                rows[k][i] = quotient
+
+    def solve(self, right):
+        x = [right[n, :] for n in range(right.shape[0])]
+        for i in reversed(range(len(x))):
+            for j in range(i):
+                x[j] = x[j] - self.rows[i][j] * x[i]
+        for i in range(len(x)):
+            x[i] = scaled(self.inverse[i], x[i])
+            for j in range(i):
+                x[i] = x[i] - self.rows[i][j] * x[j]
+        return cs.vertcat(*x)
+
+
+def articulated(robot, links, qd, tau):
+    """Articulated bodies (ABA): the accelerations of the joints. Inertias are blocks: turning, mixed, shifting."""
+    count = len(links)
+    rates, drifts, inertias, biases = [], [], [], []
+    for n, link in enumerate(links):
+        spin = link.axis * qd[n]
+        rate, speed = spin, cs.SX(3, 1)
+        if link.parent >= 0:
+            turning, shifting = rates[link.parent]
+            rate = link.turn.T @ turning + spin
+            speed = link.turn.T @ (shifting + cs.cross(turning, link.at))
+        rates.append((rate, speed))
+        drifts.append((cs.cross(rate, spin), cs.cross(speed, spin)))
+        momentum = link.mass * speed + cs.cross(rate, link.moment)
+        angular = link.inertia @ rate + cs.cross(link.moment, speed)
+        biases.append([cs.cross(rate, angular) + cs.cross(speed, momentum), cs.cross(rate, momentum)])
+        inertias.append([link.inertia, skew(link.moment), link.mass * cs.SX.eye(3)])
+    pivots = [None] * count
+    for n in reversed(range(count)):
+        link = links[n]
+        (turning, mixed, shifting), (torque, force) = inertias[n], biases[n]
+        u, v = turning @ link.axis, mixed.T @ link.axis
+        inverse = 1 / cs.dot(link.axis, u)
+        rest = tau[n] - cs.dot(link.axis, torque)
+        pivots[n] = (u, v, inverse, rest)
+        if link.parent < 0:
+            continue
+        turning = symmetric(turning - inverse * (u @ u.T))
+        mixed = mixed - inverse * (u @ v.T)
+        shifting = symmetric(shifting - inverse * (v @ v.T))
+        (drift, slide), share = drifts[n], inverse * rest
+        torque = torque + turning @ drift + mixed @ slide + u * share
+        force = force + mixed.T @ drift + shifting @ slide + v * share
+        # Into the parent's frame, and to its origin.
+        turn, cross = link.turn, skew(link.at)
+        shifting = symmetric(turn @ shifting @ turn.T)
+        mixed = turn @ mixed @ turn.T
+        turning = turn @ turning @ turn.T
+        lever = mixed @ cross
+        onto = inertias[link.parent]
+        onto[0] = symmetric(onto[0] + turning - lever - lever.T - cross @ shifting @ cross)
+        onto[1] = onto[1] + mixed + cross @ shifting
+        onto[2] = onto[2] + shifting
+        force = turn @ force
+        biases[link.parent][0] += turn @ torque + cs.cross(link.at, force)
+        biases[link.parent][1] += force
+    qdd, accelerations = [], []
+    for n, link in enumerate(links):
+        turning, pull = cs.SX(3, 1), -vector(robot.gravity)
+        if link.parent >= 0:
+            turning, pull = accelerations[link.parent]
+            pull = pull + cs.cross(turning, link.at)
+        drift, slide = drifts[n]
+        turning, pull = link.turn.T @ turning + drift, link.turn.T @ pull + slide
+        u, v, inverse, rest = pivots[n]
+        qdd.append(inverse * (rest - cs.dot(u, turning) - cs.dot(v, pull)))
+        accelerations.append((turning + link.axis * qdd[n], pull))
+    return cs.vertcat(*qdd)

@@ -1,0 +1,45 @@
+//! What the figures were measured on.
+
+use std::fs;
+use std::process::Command;
+
+/// Lines that belong above every table.
+pub(crate) fn describe() -> Vec<String> {
+    vec![
+        format!("date: {}", says("date", &["+%F"])),
+        format!("processor: {}", processor()),
+        format!("Rust: {}, release, {}", says("rustc", &["--version"]), wide()),
+    ]
+}
+
+/// The first line that a program prints, or that it is missing.
+pub(crate) fn says(program: &str, arguments: &[&str]) -> String {
+    let output = Command::new(program).args(arguments).output();
+    let text = output.map(|output| String::from_utf8_lossy(&output.stdout).into_owned());
+    text.ok()
+        .and_then(|text| text.lines().next().map(str::to_owned))
+        .unwrap_or_else(|| format!("no {program}"))
+}
+
+fn processor() -> String {
+    let info = fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
+    let field = |name: &str| {
+        let line = info.lines().find(|line| line.starts_with(name))?;
+        line.split_once(':').map(|(_, value)| value.trim().to_owned())
+    };
+    let family = field("cpu family").map_or(String::new(), |family| format!(", family {family}"));
+    let name = field("model name").unwrap_or_else(|| std::env::consts::ARCH.to_owned());
+    let cores = std::thread::available_parallelism().map_or(1, usize::from);
+    format!("{name}{family}, {cores} cores in sight")
+}
+
+/// The widest instructions that this program was compiled for.
+fn wide() -> &'static str {
+    if cfg!(target_feature = "avx512f") {
+        "for this processor (AVX-512)"
+    } else if cfg!(target_feature = "avx2") {
+        "for this processor (AVX2)"
+    } else {
+        "for every processor of this kind"
+    }
+}

@@ -1,0 +1,42 @@
+//! Measurements of the generated code beside its peers, each written as a table and a chart into `out/`.
+
+mod bars;
+mod machine;
+#[path = "../../examples/common/page.rs"]
+#[allow(dead_code, reason = "shared with the examples, which use more colours")]
+mod page;
+mod peers;
+mod report;
+mod timing;
+#[path = "../../examples/common/typeset.rs"]
+mod typeset;
+
+use std::error::Error;
+use std::process::ExitCode;
+
+type Measurement = fn() -> Result<(), Box<dyn Error>>;
+
+/// What can be measured: `cargo run --release -- NAME`.
+const MEASUREMENTS: [(&str, Measurement); 1] = [("peers", peers::measure)];
+
+fn main() -> ExitCode {
+    let wanted: Vec<String> = std::env::args().skip(1).collect();
+    if let Some(name) = wanted
+        .iter()
+        .find(|name| MEASUREMENTS.iter().all(|(known, _)| known != name))
+    {
+        let known: Vec<&str> = MEASUREMENTS.iter().map(|&(known, _)| known).collect();
+        eprintln!("no measurement named `{name}`; there is {}", known.join(", "));
+        return ExitCode::FAILURE;
+    }
+    for (name, measure) in MEASUREMENTS {
+        if !wanted.is_empty() && !wanted.iter().any(|wanted| wanted == name) {
+            continue;
+        }
+        if let Err(error) = measure() {
+            eprintln!("{name}: {error}");
+            return ExitCode::FAILURE;
+        }
+    }
+    ExitCode::SUCCESS
+}

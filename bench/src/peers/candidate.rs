@@ -1,0 +1,71 @@
+//! Functions that compete.
+
+use pendulum_core::Operations;
+use serde::{Deserialize, Serialize};
+
+use super::compile::Job;
+
+/// The name of the generated code among the peers.
+pub(crate) const OURS: &str = "pendulum";
+
+/// The models, as the peers' files call them, and as people do.
+pub(crate) const MODELS: [(&str, &str); 3] = [
+    ("eq22", "Double pendulum, Eq. 22"),
+    ("ur5", "UR5, six joints"),
+    ("panda", "Panda, seven joints"),
+];
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "snake_case")]
+pub(crate) enum Function {
+    /// The accelerations of the coordinates.
+    Rhs,
+    /// These, and their derivatives by coordinates and rates.
+    Jacobian,
+    /// The derivatives alone, which no peer gives.
+    JacobianAlone,
+}
+
+impl Function {
+    pub(crate) fn title(self) -> &'static str {
+        match self {
+            Self::Rhs => "right-hand side",
+            Self::Jacobian => "right-hand side and Jacobian",
+            Self::JacobianAlone => "Jacobian alone",
+        }
+    }
+
+    /// With what it is timed.
+    pub(crate) fn group(self) -> Self {
+        match self {
+            Self::Rhs => Self::Rhs,
+            Self::Jacobian | Self::JacobianAlone => Self::Jacobian,
+        }
+    }
+}
+
+/// One way to evaluate a function of a model.
+pub(crate) struct Candidate {
+    pub model: String,
+    pub function: Function,
+    pub peer: String,
+    /// The algorithm, and for C how it was compiled.
+    pub form: String,
+    pub operations: Option<Operations>,
+    pub program: Program,
+    /// The same with hardly any sine and cosine.
+    pub cheap: Option<Program>,
+    /// How a peer was compiled, and the name of its function.
+    pub job: Option<(Job, String)>,
+}
+
+pub(crate) type Run = dyn Fn(&[f64]);
+pub(crate) type Value = dyn Fn(&[f64]) -> Vec<f64>;
+
+/// Code that can be run.
+pub(crate) struct Program {
+    /// Evaluates a row of states, one after the other.
+    pub run: Box<Run>,
+    /// Accelerations, then the derivatives, column by column, as far as they belong to the function.
+    pub value: Box<Value>,
+}

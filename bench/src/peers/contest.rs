@@ -1,0 +1,139 @@
+//! Timing: all forms of the peers first, then the better ones of each peer beside the generated code.
+
+use std::error::Error;
+use std::hint::black_box;
+use std::time::Duration;
+
+use pendulum_core::real::Real;
+
+use super::candidate::{Candidate, Function, OURS, Program};
+use super::entrants;
+use super::random::Random;
+use super::results::Row;
+use crate::timing::{Times, in_turns};
+
+/// States that are evaluated one after the other, in each pass. So few that the processor learns which branches the sines and
+/// cosines of the platform take, as it does where the states are those of a motion.
+const STATES: usize = 256;
+/// How long the forms of all peers compete, and how long the best of them, for each function of a model.
+const HEATS: Duration = Duration::from_secs(5);
+const FINAL: Duration = Duration::from_secs(20);
+/// Forms of a peer slower than its best one by no more than this factor may just have been disturbed, and run again.
+const CLOSE: f64 = 1.3;
+
+/// Coordinates within a turn, rates within 3 rad/s; the length of a state, and that many of them.
+pub(crate) fn states(model: &str, count: usize) -> Result<(usize, Vec<f64>), String> {
+    let (length, _) = entrants::sizes(model, Function::Rhs)?;
+    let mut random = Random::new(22);
+    Ok((length, (0..length * count).map(|_| random.between(-3.0, 3.0)).collect()))
+}
+
+/// The rows of one function of one model: the best of each peer, in the order of their times, and the forms that lost.
+pub(crate) fn hold(candidates: &[Candidate], model: &str, function: Function) -> Result<Vec<Row>, Box<dyn Error>> {
+    let (length, states) = states(model, STATES)?;
+    let entered: Vec<&Candidate> = candidates
+        .iter()
+        .filter(|candidate| candidate.model == model && candidate.function.group() == function)
+        .collect();
+    let heats = time(
+        &entered.iter().map(|candidate| &candidate.program).collect::<Vec<_>>(),
+        &states,
+        HEATS,
+    );
+    let least: Vec<f64> = heats.iter().map(Times::least).collect();
+    let advances = |n: usize| {
+        let same = |k: &usize| entered[*k].peer == entered[n].peer && entered[*k].function == entered[n].function;
+        (0..entered.len()).filter(same).all(|k| least[n] <= CLOSE * least[k])
+    };
+    let (best, lost): (Vec<usize>, Vec<usize>) = (0..entered.len()).partition(|&n| advances(n));
+    let mut rows = finals(&best.iter().map(|&n| entered[n]).collect::<Vec<_>>(), length, &states)?;
+    // Of each peer, one form stays.
+    for n in 0..rows.len() {
+        let rival = |row: &Row| row.peer == rows[n].peer && row.function == rows[n].function;
+        rows[n].heat = rows.iter().any(|row| rival(row) && row.least < rows[n].least);
+    }
+    rows.extend(lost.iter().map(|&n| Row {
+        heat: true,
+        ..Row::new(entered[n], &heats[n])
+    }));
+    rows.sort_by(|a, b| {
+        (a.heat, a.least)
+            .partial_cmp(&(b.heat, b.least))
+            .unwrap_or(std::cmp::Ordering::Equal)
+    });
+    Ok(rows)
+}
+
+fn finals(best: &[&Candidate], length: usize, states: &[f64]) -> Result<Vec<Row>, Box<dyn Error>> {
+    let made: Vec<Option<Program>> = best
+        .iter()
+        .map(|candidate| entrants::cheap(candidate))
+        .collect::<Result<_, _>>()?;
+    let cheap: Vec<Option<&Program>> = best
+        .iter()
+        .zip(&made)
+        .map(|(candidate, made)| candidate.cheap.as_ref().or(made.as_ref()))
+        .collect();
+    let pairs = best
+        .iter()
+        .find(|candidate| candidate.peer == OURS)
+        .and_then(|ours| ours.operations);
+    let sines = sines(length, pairs.map_or(0, |operations| operations.sincos));
+    // The functions, then those of them that have one without sine and cosine, then the sines and cosines.
+    let programs: Vec<&Program> = best.iter().map(|candidate| &candidate.program).collect();
+    let others: Vec<&Program> = cheap.iter().flatten().copied().chain([&sines]).collect();
+    let times = time(&[programs, others].concat(), states, FINAL);
+    let (times, mut others) = times.split_at(best.len());
+    let mut rows = Vec::new();
+    let mut without = Vec::new();
+    for cheap in &cheap {
+        without.push(match (cheap, others) {
+            (Some(_), [first, rest @ ..]) => {
+                others = rest;
+                Some(first)
+            }
+            _ => None,
+        });
+    }
+    let ours = |function: Function| {
+        best.iter()
+            .position(|candidate| candidate.peer == OURS && candidate.function == function)
+    };
+    for (n, candidate) in best.iter().enumerate() {
+        let mut row = Row::new(candidate, &times[n]);
+        row.least_without = without[n].map(Times::least);
+        if candidate.peer == OURS {
+            row.sines = others.first().map(Times::least);
+        } else if let Some(ours) = ours(candidate.function) {
+            row.ratio = Some(times[ours].over(&times[n]));
+            row.ratio_of_least = Some(times[ours].least() / times[n].least());
+            row.ratio_without = without[ours].zip(without[n]).map(|(a, b)| a.least() / b.least());
+        }
+        rows.push(row);
+    }
+    Ok(rows)
+}
+
+fn time(programs: &[&Program], states: &[f64], budget: Duration) -> Vec<Times> {
+    let runs: Vec<Box<dyn Fn() + '_>> = programs
+        .iter()
+        .map(|program| Box::new(|| (program.run)(black_box(states))) as Box<dyn Fn()>)
+        .collect();
+    let runs: Vec<&dyn Fn()> = runs.iter().map(AsRef::as_ref).collect();
+    in_turns(&runs, STATES, budget)
+}
+
+/// The sines and cosines of the first coordinates and nothing else.
+fn sines(length: usize, pairs: usize) -> Program {
+    let run = move |states: &[f64]| {
+        for x in states.chunks_exact(length) {
+            for &angle in &x[..pairs] {
+                black_box(Real::sin_cos(angle));
+            }
+        }
+    };
+    Program {
+        run: Box::new(run),
+        value: Box::new(|_| Vec::new()),
+    }
+}

@@ -1,0 +1,153 @@
+//! The peers' functions as candidates: each way of compiling them is one.
+
+use std::error::Error;
+use std::path::Path;
+
+use super::candidate::{Candidate, Function, Program};
+use super::compile::{self, Job};
+use super::generate::{Generated, Source};
+use crate::machine;
+
+/// How the peers' C is compiled; which is faster depends on the code. The last has no fused multiplications and additions,
+/// as the generated code has none: it shows what they give.
+const FLAGS: [&[&str]; 3] = [
+    &["-O2"],
+    &["-O3", "-march=native"],
+    &["-O3", "-march=native", "-ffp-contract=off"],
+];
+const CPP_FLAGS: [&str; 4] = ["-O3", "-march=native", "-DNDEBUG", "-std=c++17"];
+
+/// The peers' functions in all ways of compiling them; says what compilers there are in the header.
+pub(crate) fn compiled(
+    generated: &mut Generated,
+    folder: &Path,
+    header: &mut Vec<String>,
+) -> Result<Vec<Candidate>, Box<dyn Error>> {
+    let compilers: Vec<&str> = ["gcc", "clang"].into_iter().filter(|name| runs(name)).collect();
+    for compiler in &compilers {
+        let flags: Vec<String> = FLAGS.iter().map(|flags| format!("`{}`", flags.join(" "))).collect();
+        header.push(format!(
+            "C: {}, the best of {}",
+            machine::says(compiler, &["--version"]),
+            flags.join(", ")
+        ));
+    }
+    if compilers.is_empty() && !generated.candidates.is_empty() {
+        generated
+            .notes
+            .push("all peers: there is no C compiler; `sudo apt-get install gcc g++`".to_owned());
+    }
+    let has_cpp = runs("g++");
+    if has_cpp {
+        header.push(format!(
+            "C++: {}, `{}`",
+            machine::says("g++", &["--version"]),
+            CPP_FLAGS.join(" ")
+        ));
+    } else if generated.candidates.iter().any(|source| source.file.ends_with("cpp")) {
+        generated
+            .notes
+            .push("Pinocchio: there is no C++ compiler; `sudo apt-get install g++`".to_owned());
+    }
+    let mut variants: Vec<(Source, Job)> = Vec::new();
+    for source in &generated.candidates {
+        if source.file.ends_with("cpp") {
+            if has_cpp {
+                let includes = generated.include.iter().map(|path| format!("-I{path}"));
+                let flags = CPP_FLAGS.iter().map(|&flag| flag.to_owned()).chain(includes).collect();
+                variants.push((source.clone(), job(folder, source, "g++", flags)));
+            }
+            continue;
+        }
+        for compiler in &compilers {
+            for flags in FLAGS {
+                let flags = flags.iter().map(|&flag| flag.to_owned()).collect();
+                variants.push((source.clone(), job(folder, source, compiler, flags)));
+            }
+        }
+    }
+    // One library serves several functions.
+    let mut jobs: Vec<Job> = Vec::new();
+    for (_, job) in &variants {
+        if !jobs.contains(job) {
+            jobs.push(job.clone());
+        }
+    }
+    let libraries = compile::compile(&jobs)?;
+    let library = |job: &Job| jobs.iter().position(|known| known == job).map(|n| &libraries[n]);
+    let mut candidates = Vec::new();
+    for (source, job) in variants {
+        let Some(library) = library(&job) else { continue };
+        let program = load(&source, library)?;
+        let cpp = source.file.ends_with("cpp");
+        let form = if cpp {
+            source.form.clone()
+        } else {
+            format!("{}; {}", source.form, job.describe())
+        };
+        candidates.push(Candidate {
+            model: source.model,
+            function: source.function,
+            peer: source.peer,
+            form,
+            operations: source.operations.map(Into::into),
+            program,
+            cheap: None,
+            job: Some((job, source.symbol)),
+        });
+    }
+    Ok(candidates)
+}
+
+fn runs(program: &str) -> bool {
+    !machine::says(program, &["--version"]).starts_with("no ")
+}
+
+fn job(folder: &Path, source: &Source, compiler: &str, flags: Vec<String>) -> Job {
+    Job {
+        source: folder.join(&source.file),
+        compiler: compiler.to_owned(),
+        flags,
+        cheap: false,
+    }
+}
+
+fn load(source: &Source, library: &Path) -> Result<Program, Box<dyn Error>> {
+    let (states, results) = sizes(&source.model, source.function)?;
+    compile::load(library, &source.symbol, states, results)
+}
+
+/// The lengths of the state, and of what a peer's function writes.
+pub(crate) fn sizes(model: &str, function: Function) -> Result<(usize, usize), String> {
+    let dof = match model {
+        "eq22" => 2,
+        "ur5" => 6,
+        "panda" => 7,
+        _ => return Err(format!("the peers have a model that is not known here: {model}")),
+    };
+    let results = if function == Function::Rhs {
+        dof
+    } else {
+        dof + 2 * dof * dof
+    };
+    Ok((2 * dof, results))
+}
+
+/// The same function with hardly any sine and cosine. For C only: Pinocchio's headers have more in them by these names.
+pub(crate) fn cheap(candidate: &Candidate) -> Result<Option<Program>, Box<dyn Error>> {
+    let Some((job, symbol)) = &candidate.job else {
+        return Ok(None);
+    };
+    if job.source.extension().is_none_or(|ending| ending != "c") {
+        return Ok(None);
+    }
+    let job = Job {
+        cheap: true,
+        ..job.clone()
+    };
+    let (states, results) = sizes(&candidate.model, candidate.function)?;
+    let [library] = &compile::compile(&[job])?[..] else {
+        return Ok(None);
+    };
+    Ok(Some(compile::load(library, symbol, states, results)?))
+}

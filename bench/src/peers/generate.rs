@@ -1,0 +1,100 @@
+//! Has the peers' code written by Python.
+
+use std::error::Error;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use pendulum_core::Operations;
+use serde::Deserialize;
+
+/// What `peers/generate.py` lists.
+#[derive(Default, Deserialize)]
+pub(crate) struct Generated {
+    pub candidates: Vec<Source>,
+    /// What was left out, and why.
+    pub notes: Vec<String>,
+    /// The packages.
+    pub versions: Vec<String>,
+    /// Folders of C++ headers.
+    pub include: Vec<String>,
+}
+
+/// A function in a C or C++ file.
+#[derive(Clone, Deserialize)]
+pub(crate) struct Source {
+    pub model: String,
+    pub function: super::candidate::Function,
+    pub peer: String,
+    pub form: String,
+    pub file: String,
+    pub symbol: String,
+    pub operations: Option<Counted>,
+}
+
+/// As `pendulum_core::Operations`.
+#[derive(Clone, Copy, Deserialize)]
+pub(crate) struct Counted {
+    pub additions: usize,
+    pub multiplications: usize,
+    pub divisions: usize,
+    pub sincos: usize,
+    pub functions: usize,
+}
+
+impl From<Counted> for Operations {
+    fn from(counted: Counted) -> Self {
+        let Counted {
+            additions,
+            multiplications,
+            divisions,
+            sincos,
+            functions,
+        } = counted;
+        Self {
+            additions,
+            multiplications,
+            divisions,
+            sincos,
+            functions,
+        }
+    }
+}
+
+pub(crate) fn generate(root: &Path, folder: &Path) -> Result<Generated, Box<dyn Error>> {
+    let python = python(root);
+    let data = root.join("../tests/data/robots.json");
+    let output = Command::new(&python)
+        .arg(root.join("peers/generate.py"))
+        .args([&data, &root.join("peers/double_pendulum.json"), folder])
+        .output();
+    let output = match output {
+        Ok(output) => output,
+        Err(error) => {
+            let note = format!(
+                "all peers: {} does not start ({error}); `sudo apt-get install python3 python3-venv`, and see README.md",
+                python.display()
+            );
+            return Ok(Generated {
+                notes: vec![note],
+                ..Generated::default()
+            });
+        }
+    };
+    if !output.status.success() {
+        return Err(format!("peers/generate.py failed:\n{}", String::from_utf8_lossy(&output.stderr)).into());
+    }
+    Ok(serde_json::from_str(&fs::read_to_string(
+        folder.join("candidates.json"),
+    )?)?)
+}
+
+/// `$PYTHON`, or that of the environment beside the README, or the system's.
+fn python(root: &Path) -> PathBuf {
+    let local = root.join(".venv/bin/python");
+    match std::env::var_os("PYTHON") {
+        Some(python) => python.into(),
+        None if local.exists() => local,
+        None => "python3".into(),
+    }
+}

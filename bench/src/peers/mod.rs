@@ -1,0 +1,66 @@
+//! Right-hand sides and Jacobians of three mechanisms, beside those that other software makes.
+//!
+//! First every form of every peer competes with the others of that peer; then the best of each meets the generated code.
+
+mod agree;
+mod candidate;
+mod cheap;
+mod compile;
+mod contest;
+mod entrants;
+#[path = "../../../tests/common/eq22.rs"]
+#[allow(dead_code, reason = "shared with the tests, which use more of it")]
+mod eq22;
+mod generate;
+mod ours;
+#[path = "../../../tests/common/random.rs"]
+mod random;
+mod results;
+#[path = "../../../tests/common/robots.rs"]
+mod robots;
+#[path = "../../../tests/common/scenes.rs"]
+mod scenes;
+mod write;
+
+use std::error::Error;
+use std::path::Path;
+
+use candidate::{Function, MODELS};
+use results::Results;
+
+use crate::machine;
+
+pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let out = root.join("out");
+    let mut header = machine::describe();
+    header.iter().for_each(|line| println!("{line}"));
+    println!("generating and compiling the peers; the first time takes minutes");
+    let mut generated = generate::generate(root, &out.join("build"))?;
+    let mut candidates = ours::candidates()?;
+    candidates.extend(entrants::compiled(&mut generated, &out.join("build"), &mut header)?);
+    header.extend(generated.versions.iter().map(|version| format!("peer: {version}")));
+    for note in &generated.notes {
+        println!("left out: {note}");
+    }
+    let worst = agree::check(&candidates)?;
+    header.push(format!(
+        "largest difference between any two results, of the largest entry: {worst:.0e}"
+    ));
+    let mut rows = Vec::new();
+    for (model, _) in MODELS {
+        for function in [Function::Rhs, Function::Jacobian] {
+            println!("timing {model}, {}", function.title());
+            rows.extend(contest::hold(&candidates, model, function)?);
+        }
+    }
+    let results = Results {
+        header,
+        notes: generated.notes,
+        rows,
+    };
+    for path in write::all(&results, &out)? {
+        println!("{}", path.display());
+    }
+    Ok(())
+}

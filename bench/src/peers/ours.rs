@@ -1,0 +1,164 @@
+//! The generated code, and that by hand.
+
+use std::error::Error;
+use std::hint::black_box;
+
+use nalgebra::{SMatrix, SVector};
+use pendulum_core::prelude::*;
+use pendulum_core::real::Real;
+use pendulum_core::{Cost, FunctionCost, Operations};
+use serde::Deserialize;
+
+use super::candidate::{Candidate, Function, OURS, Program};
+use super::cheap::Cheap;
+use super::eq22::{Eq22, Plate};
+use super::robots::{Panda, PandaParams, Ur5, Ur5Params};
+use super::scenes::{DoublePendulum, DoublePendulumParams};
+
+/// The numbers of the double pendulum. They are not the round ones of the paper, since products with 1 would vanish from the
+/// code of those peers that hold numbers instead of parameters.
+pub(crate) const PENDULUM: &str = include_str!("../../peers/double_pendulum.json");
+
+#[derive(Deserialize)]
+struct Pendulum {
+    m: f64,
+    inertia: f64,
+    c: f64,
+    d: f64,
+    g: f64,
+    gamma1: f64,
+    gamma2: f64,
+}
+
+pub(crate) fn candidates() -> Result<Vec<Candidate>, Box<dyn Error>> {
+    let mut all = Vec::new();
+    let Pendulum {
+        m,
+        inertia,
+        c,
+        d,
+        g,
+        gamma1,
+        gamma2,
+    } = serde_json::from_str(PENDULUM)?;
+    // Parameters are known when the program runs, not before.
+    let params = black_box(DoublePendulumParams {
+        m,
+        inertia,
+        c,
+        d,
+        g,
+        gamma1,
+        gamma2,
+    });
+    let pendulum = DoublePendulum::new(params)?;
+    add::<_, _, 4>(
+        &mut all,
+        "eq22",
+        OURS,
+        pendulum,
+        pendulum.cast::<Cheap>(),
+        Some(DoublePendulum::COST),
+    );
+    let plate = |friction| Plate {
+        mass: m,
+        inertia,
+        c,
+        friction,
+    };
+    let (upper, lower) = black_box((plate(gamma1), plate(gamma2)));
+    let hands = (
+        Eq22::<f64>::new(upper, lower, d, g),
+        Eq22::<Cheap>::new(upper, lower, d, g),
+    );
+    add::<_, _, 4>(&mut all, "eq22", "by hand", hands.0, hands.1, None);
+    let ur5 = Ur5::new(Ur5Params::default())?;
+    add::<_, _, 12>(&mut all, "ur5", OURS, ur5, ur5.cast::<Cheap>(), Some(Ur5::COST));
+    let panda = Panda::new(PandaParams::default())?;
+    add::<_, _, 14>(&mut all, "panda", OURS, panda, panda.cast::<Cheap>(), Some(Panda::COST));
+    Ok(all)
+}
+
+/// The right-hand side, and the Jacobian with and without the right-hand side beside it, which is a call of its own.
+fn add<S, C, const N: usize>(all: &mut Vec<Candidate>, model: &str, peer: &str, system: S, cheap: C, cost: Option<Cost>)
+where
+    S: Jacobian<f64, N> + Clone + 'static,
+    C: Jacobian<Cheap, N> + Clone + 'static,
+{
+    let sum = |a: Operations, b: Operations| Operations {
+        additions: a.additions + b.additions,
+        multiplications: a.multiplications + b.multiplications,
+        divisions: a.divisions + b.divisions,
+        sincos: a.sincos + b.sincos,
+        functions: a.functions + b.functions,
+    };
+    let form = |cost: Option<FunctionCost>| cost.map_or(String::new(), |cost| format!(": {}", cost.form));
+    let mut push = |function, form: &str, operations, program, cheap| {
+        all.push(Candidate {
+            model: model.to_owned(),
+            function,
+            peer: peer.to_owned(),
+            form: form.to_owned(),
+            operations,
+            program,
+            cheap: Some(cheap),
+            job: None,
+        });
+    };
+    let (s, c) = (system.clone(), cheap.clone());
+    push(
+        Function::Rhs,
+        &format!("rhs{}", form(cost.map(|cost| cost.rhs))),
+        cost.map(|cost| cost.rhs.operations),
+        program(move |x| s.rhs(0.0, x), |xdot| accelerations(&xdot)),
+        program(move |x| c.rhs(Cheap(0.0), x), |_| Vec::new()),
+    );
+    let (s, c) = (system.clone(), cheap.clone());
+    push(
+        Function::Jacobian,
+        &format!("rhs, then jacobian{}", form(cost.map(|cost| cost.jacobian))),
+        cost.map(|cost| sum(cost.rhs.operations, cost.jacobian.operations)),
+        program(
+            move |x| (s.rhs(0.0, x), s.jacobian(0.0, x)),
+            |(xdot, jacobian)| [accelerations(&xdot), blocks(&jacobian)].concat(),
+        ),
+        program(
+            move |x| (c.rhs(Cheap(0.0), x), c.jacobian(Cheap(0.0), x)),
+            |_| Vec::new(),
+        ),
+    );
+    push(
+        Function::JacobianAlone,
+        &format!("jacobian{}", form(cost.map(|cost| cost.jacobian))),
+        cost.map(|cost| cost.jacobian.operations),
+        program(move |x| system.jacobian(0.0, x), |jacobian| blocks(&jacobian)),
+        program(move |x| cheap.jacobian(Cheap(0.0), x), |_| Vec::new()),
+    );
+}
+
+fn program<T, R, const N: usize>(
+    function: impl Fn(&SVector<T, N>) -> R + Clone + 'static,
+    flat: impl Fn(R) -> Vec<f64> + 'static,
+) -> Program
+where
+    T: Real,
+{
+    let timed = function.clone();
+    Program {
+        run: Box::new(move |states| {
+            for x in states.chunks_exact(N) {
+                black_box(timed(&SVector::from_fn(|n, _| T::from_f64(x[n]))));
+            }
+        }),
+        value: Box::new(move |x| flat(function(&SVector::from_fn(|n, _| T::from_f64(x[n]))))),
+    }
+}
+
+fn accelerations<const N: usize>(xdot: &SVector<f64, N>) -> Vec<f64> {
+    xdot.as_slice()[N / 2..].to_vec()
+}
+
+/// The lower half, column by column: the derivatives of the accelerations by coordinates and rates.
+fn blocks<const N: usize>(jacobian: &SMatrix<f64, N, N>) -> Vec<f64> {
+    jacobian.rows(N / 2, N / 2).iter().copied().collect()
+}
