@@ -79,6 +79,7 @@ impl fmt::Display for Form {
             Some(Solver::Adjugate) => ", adjugate",
             Some(Solver::Inverse) => ", inverse",
             Some(Solver::Ldl) => ", L^T D L",
+            Some(Solver::Pairs) => ", L^T D L by pairs",
             None => "",
         })?;
         f.write_str(match self.derivatives {
