@@ -28,7 +28,8 @@
 //! |---|---|
 //! | [`language`] | what [`mechanism!`] understands, and what it makes of it |
 //! | [`system`] | what a model offers: right-hand side, Jacobian, energy, inputs |
-//! | [`real`] | the number types |
+//! | [`real`] | the number types, scalars and lanes |
+//! | [`ensemble`] | many trajectories at a time, in the lanes of vector registers |
 //! | [`method`] | [`Rk4`], [`Rk45`], and the [`Stepper`] beneath them, which uses no heap |
 //! | [`tableau`] | Butcher tableaus as data |
 //! | [`solution`], [`dense`] | accepted points and the states between them |
@@ -37,6 +38,7 @@
 
 pub mod cost;
 pub mod dense;
+pub mod ensemble;
 pub mod error;
 pub mod method;
 pub mod real;
@@ -48,11 +50,12 @@ mod control;
 
 pub use cost::{Cost, FunctionCost, Operations};
 pub use dense::Step;
+pub use ensemble::EnsembleError;
 pub use error::{OutsideSpan, ParameterError, Reason, SolveError};
 pub use method::{Rk4, Rk45, Stepper};
 pub use real::{Float, Real};
 pub use solution::{Solution, Statistics};
-pub use system::{Controlled, Energy, FnSystem, Jacobian, System, WithInputs};
+pub use system::{Controlled, Energy, FnSystem, Jacobian, Model, System, WithInputs};
 
 /// Declares a mechanism and generates its equations of motion: see [`language`].
 pub use pendulum_macros::mechanism;
@@ -69,8 +72,9 @@ pub use serde;
 /// All that a program with mechanisms usually needs: `use pendulum_core::prelude::*;`.
 pub mod prelude {
     pub use crate::{
-        Controlled, Cost, Energy, Float, FnSystem, FunctionCost, Jacobian, Operations, OutsideSpan, ParameterError,
-        Real, Reason, Rk4, Rk45, Solution, SolveError, Statistics, Step, Stepper, System, WithInputs, mechanism,
+        Controlled, Cost, Energy, EnsembleError, Float, FnSystem, FunctionCost, Jacobian, Model, Operations,
+        OutsideSpan, ParameterError, Real, Reason, Rk4, Rk45, Solution, SolveError, Statistics, Step, Stepper, System,
+        WithInputs, mechanism,
     };
     pub use nalgebra::{SMatrix, SVector};
 }

@@ -8,11 +8,30 @@ use std::fmt;
 use nalgebra::{SMatrix, SVector};
 
 use crate::real::Real;
+use crate::real::lanes::Lanes;
 
 /// A system of first-order ordinary differential equations, `dx/dt = rhs(t, x)`.
 pub trait System<T: Real, const N: usize> {
     /// The time derivative of the state; `[qd; qdd]` for a mechanism.
     fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>;
+}
+
+/// A model whose right-hand side can be had in any number type; `N` is the length of its state.
+///
+/// [`mechanism!`](crate::mechanism) implements it for models without inputs, in double precision.
+pub trait Model<const N: usize> {
+    /// The model in another number type.
+    type In<T: Real>: System<T, N>;
+
+    /// The same model in another number type; its constants are rounded.
+    fn cast<T: Real>(&self) -> Self::In<T>;
+
+    /// A model for each lane, so that parameters may differ: `models(i)` is that of lane `i`.
+    ///
+    /// What is left of the models beside their constants, such as their parameters by name, is that of the first.
+    fn gather<'m, V: Lanes>(models: impl Fn(usize) -> &'m Self) -> Self::In<V>
+    where
+        Self: 'm;
 }
 
 /// A [`System`] that knows the derivative of its right-hand side.

@@ -18,8 +18,8 @@ fn a_right_hand_side_that_ends_is_followed_to_its_end() {
         matches!(error.reason, Reason::NonFinite { component: 1, .. }),
         "{error}"
     );
-    // Up to the least step, 4 ulps.
-    assert!(error.t() <= 1.0 && error.t() > 1.0 - 8.0 * f64::EPSILON);
+    // The least step is 4 ulps, and one that leads beyond the end is quartered: nothing is left to try within 16 ulps.
+    assert!(error.t() <= 1.0 && error.t() > 1.0 - 16.0 * f64::EPSILON);
     // The defaults' tolerance of 1e-6 and as much for several steps.
     assert_abs_diff_eq!(error.x()[0], (-1.0_f64).exp(), epsilon = 5e-6);
     assert_abs_diff_eq!(

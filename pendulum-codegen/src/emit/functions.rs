@@ -4,6 +4,7 @@ use proc_macro2::TokenStream;
 use quote::{format_ident, quote};
 
 use super::body::{Body, local, spelled, unpack};
+use super::lanes::inlined_into_lanes;
 use super::{Items, allowed, number};
 use crate::expr::ExprId;
 use crate::pipeline::Function;
@@ -71,7 +72,8 @@ impl Items<'_> {
             matrix,
         } = self.signature();
         let of_trait = Some(quote!(::pendulum_core::System<T, #length>));
-        let system = self.implement(of_trait, quote!(#[inline] fn rhs(#arguments) -> #vector #rhs));
+        let inline = inlined_into_lanes();
+        let system = self.implement(of_trait, quote!(#inline fn rhs(#arguments) -> #vector #rhs));
         let jacobian = self.jacobian_block().map(|jacobian| {
             let of_trait = Some(quote!(::pendulum_core::Jacobian<T, #length>));
             self.implement(of_trait, quote!(#[inline] fn jacobian(#arguments) -> #matrix #jacobian))

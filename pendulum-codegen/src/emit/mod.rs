@@ -3,6 +3,7 @@
 mod body;
 mod equations;
 mod functions;
+mod lanes;
 mod schedule;
 mod stub;
 
@@ -31,6 +32,7 @@ pub(crate) fn items(scene: &Scene, program: &Program) -> TokenStream {
         items.constructor(),
         items.facts(),
         items.functions(),
+        items.over_numbers().unwrap_or_default(),
     ];
     parts.into_iter().collect()
 }

@@ -98,6 +98,19 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             }
         }
         #allowed
+        impl<const N: usize> ::pendulum_core::Model<N> for #name {
+            type In<T: #real> = #name<T>;
+            fn cast<T: #real>(&self) -> #name<T> {
+                #name::cast(self)
+            }
+            fn gather<'m, V: ::pendulum_core::real::lanes::Lanes>(models: impl Fn(usize) -> &'m Self) -> #name<V>
+            where
+                Self: 'm,
+            {
+                models(0).cast()
+            }
+        }
+        #allowed
         impl<T: #real, const N: usize> ::pendulum_core::Jacobian<T, N> for #name<T> {
             fn jacobian(#inherent) -> #matrix<T, N, N> {
                 #zeros

@@ -303,7 +303,8 @@ impl DoublePendulum {
 #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
 impl<T: ::pendulum_core::real::Real> ::pendulum_core::System<T, 4>
 for DoublePendulum<T> {
-    #[inline]
+    #[cfg_attr(debug_assertions, inline)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
     fn rhs(
         &self,
         t: T,
@@ -406,5 +407,29 @@ for DoublePendulum<T> {
         let (_, cos_theta1) = q_theta1.sin_cos();
         let (_, cos_theta2) = q_theta2.sin_cos();
         -(cos_theta1 * k4 + cos_theta2 * k3)
+    }
+}
+#[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+impl ::pendulum_core::Model<4> for DoublePendulum {
+    type In<T: ::pendulum_core::real::Real> = DoublePendulum<T>;
+    fn cast<T: ::pendulum_core::real::Real>(&self) -> DoublePendulum<T> {
+        DoublePendulum::cast(self)
+    }
+    #[inline]
+    fn gather<'m, V: ::pendulum_core::real::lanes::Lanes>(
+        models: impl Fn(usize) -> &'m Self,
+    ) -> DoublePendulum<V>
+    where
+        Self: 'm,
+    {
+        let scalar = <<V as ::pendulum_core::real::lanes::Lanes>::Scalar as ::pendulum_core::real::Real>::from_f64;
+        DoublePendulum {
+            params: models(0).params,
+            constants: ::core::array::from_fn(|k| {
+                <V as ::pendulum_core::real::lanes::Lanes>::from_fn(|lane| scalar(
+                    models(lane).constants[k],
+                ))
+            }),
+        }
     }
 }

@@ -2,12 +2,16 @@
 
 use nalgebra::SVector;
 
-use crate::real::Float;
+use crate::real::Real;
 use crate::system::System;
 use crate::tableau::Tableau;
 
 /// The most stages that [`attempt`] spells out.
 const MAX_STAGES: usize = 20;
+
+/// The right-hand side of a system with no more states than this, two bodies, takes few operations, and most of them wait for one
+/// another.
+pub(crate) const SHORT: usize = 4;
 
 /// Evaluates the stages of a step from `(t, x)` to `t_new` and returns the state there.
 ///
@@ -15,8 +19,8 @@ const MAX_STAGES: usize = 20;
 ///
 /// The stages are spelled out up to `MAX_STAGES`, since compilers do not unroll a loop over calls of the right-hand side:
 /// so each sees its row of the tableau as constants, and zero coefficients vanish.
-#[inline]
-pub(super) fn attempt<B, S, T, const STAGES: usize, const N: usize>(
+#[inline(always)]
+pub(crate) fn attempt<B, S, T, const STAGES: usize, const N: usize>(
     system: &S,
     (t, x): (T, &SVector<T, N>),
     t_new: T,
@@ -25,7 +29,7 @@ pub(super) fn attempt<B, S, T, const STAGES: usize, const N: usize>(
 where
     B: Tableau<STAGES>,
     S: System<T, N> + ?Sized,
-    T: Float,
+    T: Real,
 {
     const {
         assert!(STAGES >= 2 && STAGES <= MAX_STAGES);
@@ -40,7 +44,10 @@ where
         ($($i:literal)*) => { $(
             if $i < STAGES {
                 let row = const { &Row::of::<B>($i) };
-                x_new = x + weighted_sum::<T, STAGES, N>(&row.a, $i, stages) * h;
+                let change = weighted_sum::<T, STAGES, N>(h, &row.a, $i, stages);
+                for (component, x_new) in x_new.data.0[0].iter_mut().enumerate() {
+                    *x_new = x.data.0[0][component] + change.data.0[0][component];
+                }
                 // Not t + h, which may differ in the last bit.
                 let time = if row.c == 1.0 { t_new } else { t + h * T::from_f64(row.c) };
                 stages[$i] = system.rhs(time, &x_new);
@@ -51,20 +58,32 @@ where
     x_new
 }
 
-/// `sum_(i < count) weights_i stages_i`, passing over zero weights.
+/// `sum_(i < count) (h weights_i) stages_i`, passing over zero weights.
+///
+/// The products `h weights_i` are formed first: once, where the components would each want one, and off the path from a stage to
+/// the next. The components are spelled out, since arithmetic of whole vectors is functions, which compilers need not inline: in lanes
+/// they must.
 #[inline(always)]
-pub(super) fn weighted_sum<T: Float, const STAGES: usize, const N: usize>(
+pub(super) fn weighted_sum<T: Real, const STAGES: usize, const N: usize>(
+    h: T,
     weights: &[f64; STAGES],
     count: usize,
     stages: &[SVector<T, N>; STAGES],
 ) -> SVector<T, N> {
-    let mut sum = stages[0] * T::from_f64(weights[0]);
-    for i in 1..count {
-        if weights[i] != 0.0 {
-            sum += stages[i] * T::from_f64(weights[i]);
+    let mut sums = [T::default(); N];
+    let mut is_first = true;
+    for i in 0..count {
+        if weights[i] == 0.0 {
+            continue;
         }
+        let weight = h * T::from_f64(weights[i]);
+        for (component, sum) in sums.iter_mut().enumerate() {
+            let term = weight * stages[i].data.0[0][component];
+            *sum = if is_first { term } else { *sum + term };
+        }
+        is_first = false;
     }
-    sum
+    SVector::from(sums)
 }
 
 /// One row of a tableau.

@@ -7,7 +7,8 @@ use nalgebra::SVector;
 
 use crate::error::{Reason, SolveError};
 use crate::method::Stepper;
-use crate::method::input::{check_start, require};
+use crate::method::grid::Grid;
+use crate::method::input::check_start;
 use crate::method::stepper::Pace;
 use crate::real::Float;
 use crate::solution::Solution;
@@ -19,7 +20,7 @@ use crate::tableau::Tableau;
 /// The steps end at the multiples `t0 + i h`, formed without summing up, and the last one is shortened so that it ends at
 /// `t1` exactly.
 pub struct Fixed<B, const STAGES: usize> {
-    h: f64,
+    pub(crate) h: f64,
     tableau: PhantomData<B>,
 }
 
@@ -75,21 +76,10 @@ impl<B: Tableau<STAGES>, const STAGES: usize> Fixed<B, STAGES> {
     {
         let x0 = x0.into();
         check_start(t0, t1, &x0)?;
-        let h = self.h;
-        require(h.is_finite() && h > 0.0, "h", h, "the step must be positive and finite")?;
-        let largest = t0.abs().max(t1.abs());
-        require(
-            T::from_f64(h) >= T::from_f64(LEAST_ULPS) * T::EPSILON * largest,
-            "h",
-            h,
-            "the step is too short for the times to resolve; count time from a nearer origin or lengthen it",
-        )?;
-        Stepper::new(system, t0, t1, x0, Pace::Fixed { h: T::from_f64(h) })
+        let grid = Grid::new(self.h, t0, t1)?;
+        Stepper::new(system, t0, t1, x0, Pace::Fixed(grid))
     }
 }
-
-/// The least step in ulps of the time: a shorter one would be mostly rounding error.
-const LEAST_ULPS: f64 = 16.0;
 
 impl<B, const STAGES: usize> Clone for Fixed<B, STAGES> {
     fn clone(&self) -> Self {

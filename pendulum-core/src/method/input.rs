@@ -6,7 +6,7 @@ use crate::error::Reason;
 use crate::real::Float;
 
 /// An error unless `holds`.
-pub(super) fn require(holds: bool, what: &'static str, value: f64, rule: &'static str) -> Result<(), Reason> {
+pub(crate) fn require(holds: bool, what: &'static str, value: f64, rule: &'static str) -> Result<(), Reason> {
     if holds {
         Ok(())
     } else {
@@ -14,14 +14,19 @@ pub(super) fn require(holds: bool, what: &'static str, value: f64, rule: &'stati
     }
 }
 
-/// Checks the span of time and the initial state.
-pub(super) fn check_start<T: Float, const N: usize>(t0: T, t1: T, x0: &SVector<T, N>) -> Result<(), Reason> {
+/// Checks the span of time.
+pub(crate) fn check_span<T: Float>(t0: T, t1: T) -> Result<(), Reason> {
     let finite = "a time must be finite";
     require(t0.is_finite(), "t0", t0.to_f64(), finite)?;
     require(t1.is_finite(), "t1", t1.to_f64(), finite)?;
     let span = t1 - t0;
     let rule = "the span of time must be finite: integrate it in parts";
-    require(span.is_finite(), "t1 - t0", span.to_f64(), rule)?;
+    require(span.is_finite(), "t1 - t0", span.to_f64(), rule)
+}
+
+/// Checks the span of time and the initial state.
+pub(super) fn check_start<T: Float, const N: usize>(t0: T, t1: T, x0: &SVector<T, N>) -> Result<(), Reason> {
+    check_span(t0, t1)?;
     for x in x0.iter() {
         let rule = "the initial state must be finite";
         require(x.is_finite(), "x0", x.to_f64(), rule)?;

@@ -3,10 +3,15 @@
 mod adaptive;
 mod explicit;
 mod fixed;
+mod grid;
 mod input;
 mod rk4;
 mod rk45;
 mod stepper;
+
+pub(crate) use explicit::{SHORT, attempt};
+pub(crate) use grid::Grid;
+pub(crate) use input::{check_span, require};
 
 pub use adaptive::Adaptive;
 pub use fixed::Fixed;

@@ -8,7 +8,8 @@ use nalgebra::SVector;
 use crate::control::{Controller, Tolerance};
 use crate::dense::Step;
 use crate::error::{Reason, SolveError};
-use crate::method::explicit::{attempt, weighted_sum};
+use crate::method::explicit::{SHORT, attempt, weighted_sum};
+use crate::method::grid::Grid;
 use crate::real::Float;
 use crate::solution::{Solution, Statistics};
 use crate::system::System;
@@ -53,7 +54,7 @@ pub struct Stepper<'s, S: ?Sized, B, const STAGES: usize, const N: usize, T = f6
 #[derive(Clone, Copy, Debug)]
 pub(super) enum Pace<T> {
     /// A grid from the start on.
-    Fixed { h: T },
+    Fixed(Grid<T>),
     /// As the tolerance asks.
     Adaptive(Adaptation<T>),
 }
@@ -70,8 +71,6 @@ pub(super) struct Adaptation<T> {
     pub(super) controller: Controller,
 }
 
-/// What remains of a span shorter than this many ulps of its times is added to the last step of a grid.
-const SLACK_ULPS: f64 = 8.0;
 /// The least adaptive step in ulps of the time.
 const LEAST_ULPS: f64 = 4.0;
 /// The last adaptive step may be longer than planned by this factor.
@@ -134,7 +133,7 @@ where
             return Ok(None);
         }
         match self.pace {
-            Pace::Fixed { h } => self.step_on_grid(h)?,
+            Pace::Fixed(grid) => self.step_on_grid(&grid)?,
             Pace::Adaptive(pace) => self.step_within_tolerance(pace)?,
         }
         Ok(Some(Step {
@@ -192,14 +191,8 @@ where
         T::from_f64(if self.t1 < self.t0 { -1.0 } else { 1.0 })
     }
 
-    fn step_on_grid(&mut self, h: T) -> Result<(), Reason> {
-        // Multiples of h from the start on: adding h again and again would gather its rounding errors.
-        let count = T::from_f64((self.statistics.accepted + 1) as f64);
-        let direction = self.direction();
-        let grid = self.t0 + direction * (h * count);
-        let slack = T::from_f64(SLACK_ULPS) * T::EPSILON * self.t0.abs().max(self.t1.abs());
-        let is_last = (self.t1 - grid) * direction <= slack;
-        let t_new = if is_last { self.t1 } else { grid };
+    fn step_on_grid(&mut self, grid: &Grid<T>) -> Result<(), Reason> {
+        let t_new = grid.end_of(self.statistics.accepted + 1);
         let x_new = self.attempt(t_new);
         match self.non_finite(&x_new) {
             None => {
@@ -242,7 +235,7 @@ where
                 pace.controller.reject_non_finite()
             } else {
                 let weights = const { &B::TABLEAU.error_weights() };
-                let error = weighted_sum(weights, STAGES, &self.stages) * h;
+                let error = weighted_sum(h, weights, STAGES, &self.stages);
                 let mean_square = pace.tolerance.mean_square(&error, &self.x, &x_new).to_f64();
                 if mean_square <= 1.0 {
                     let factor = T::from_f64(pace.controller.accept(mean_square));
@@ -274,7 +267,14 @@ where
     fn attempt(&mut self, t_new: T) -> SVector<T, N> {
         self.statistics.evaluations += STAGES - 1;
         self.stages[0] = self.slope;
-        attempt::<B, _, _, _, _>(self.system, (self.t, &self.x), t_new, &mut self.stages)
+        let (start, stages) = ((self.t, &self.x), &mut self.stages);
+        if const { N <= SHORT } {
+            attempt::<B, S, _, _, _>(self.system, start, t_new, stages)
+        } else {
+            // The right-hand side of a reference may stay a function of its own, where that of a generated model is always inlined: many
+            // copies of a long one are slower than calls.
+            attempt::<B, &S, _, _, _>(&self.system, start, t_new, stages)
+        }
     }
 
     /// The first component in which the state or the derivative at the end of an attempt is not finite.

@@ -1,6 +1,6 @@
 //! `Real` and `Float` for the floating-point types of the language.
 
-use super::{Float, Real};
+use super::{Float, Real, sincos};
 
 macro_rules! forward {
     ($float:ident, $($method:ident($($argument:ident: $kind:ty),*) -> $output:ty;)*) => {
@@ -14,7 +14,7 @@ macro_rules! forward {
 }
 
 macro_rules! scalar {
-    ($float:ident) => {
+    ($float:ident, $sin_cos:expr) => {
         impl Real for $float {
             #[inline]
             #[allow(
@@ -23,6 +23,11 @@ macro_rules! scalar {
             )]
             fn from_f64(v: f64) -> Self {
                 v as $float
+            }
+
+            #[inline]
+            fn sin_cos(self) -> (Self, Self) {
+                $sin_cos(self)
             }
 
             #[inline]
@@ -37,7 +42,6 @@ macro_rules! scalar {
             }
 
             forward! { $float,
-                sin_cos() -> (Self, Self);
                 tan() -> Self;
                 exp() -> Self;
                 ln() -> Self;
@@ -67,8 +71,11 @@ macro_rules! scalar {
     };
 }
 
-scalar!(f64);
-scalar!(f32);
+scalar!(f64, sincos::sin_cos);
+scalar!(f32, |x: f32| {
+    let (sin, cos) = sincos::sin_cos(f64::from(x));
+    (f32::from_f64(sin), f32::from_f64(cos))
+});
 
 #[cfg(test)]
 mod tests {

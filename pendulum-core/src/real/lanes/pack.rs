@@ -1,0 +1,173 @@
+//! Lanes as a [`Real`].
+
+use std::fmt;
+use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+
+use super::Lanes;
+use super::register::{Pair, Register};
+use crate::real::{Real, sincos};
+
+/// Lanes in the registers `R`: see [`F64x4`], [`F64x8`], [`F32x8`] and [`F32x16`].
+#[derive(Clone, Copy)]
+pub struct Pack<R>(R);
+
+/// Four lanes of `f64`, on any machine; [`Isa`](super::Isa) finds faster ones.
+pub type F64x4 = Pack<Pair<Pair<f64>>>;
+/// Eight lanes of `f64`, on any machine; [`Isa`](super::Isa) finds faster ones.
+pub type F64x8 = Pack<Pair<Pair<Pair<f64>>>>;
+/// Eight lanes of `f32`, on any machine; [`Isa`](super::Isa) finds faster ones.
+pub type F32x8 = Pack<Pair<Pair<Pair<f32>>>>;
+/// Sixteen lanes of `f32`, on any machine; [`Isa`](super::Isa) finds faster ones.
+pub type F32x16 = Pack<Pair<Pair<Pair<Pair<f32>>>>>;
+
+impl<R: Register> Pack<R> {
+    /// `f` of each lane.
+    #[inline(always)]
+    fn map(self, f: impl Fn(R::Scalar) -> R::Scalar) -> Self {
+        Self::from_fn(|i| f(self.lane(i)))
+    }
+
+    /// `f` of each lane of two.
+    #[inline(always)]
+    fn zip(self, other: Self, f: impl Fn(R::Scalar, R::Scalar) -> R::Scalar) -> Self {
+        Self::from_fn(|i| f(self.lane(i), other.lane(i)))
+    }
+}
+
+impl<R: Register> Lanes for Pack<R> {
+    type Scalar = R::Scalar;
+    type Double = Pack<Pair<R>>;
+    const LANES: usize = R::LANES;
+
+    #[inline(always)]
+    fn splat(v: R::Scalar) -> Self {
+        Self(R::splat(v))
+    }
+
+    #[inline(always)]
+    fn from_fn(mut f: impl FnMut(usize) -> R::Scalar) -> Self {
+        Self(R::from_fn(&mut f))
+    }
+
+    #[inline(always)]
+    fn lane(&self, i: usize) -> R::Scalar {
+        assert!(i < R::LANES, "a lane below {}, not {i}", R::LANES);
+        self.0.lane(i)
+    }
+}
+
+impl<R: Register> Real for Pack<R> {
+    #[inline(always)]
+    fn from_f64(v: f64) -> Self {
+        Self::splat(R::Scalar::from_f64(v))
+    }
+
+    #[inline(always)]
+    fn sin_cos(self) -> (Self, Self) {
+        let (sin, cos) = sincos::sin_cos(self.0.widen());
+        (Self(R::narrow(sin)), Self(R::narrow(cos)))
+    }
+
+    #[inline(always)]
+    fn sqrt(self) -> Self {
+        Self(self.0.sqrt())
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        Self(self.0.abs())
+    }
+
+    #[inline]
+    fn tan(self) -> Self {
+        self.map(Real::tan)
+    }
+
+    #[inline]
+    fn exp(self) -> Self {
+        self.map(Real::exp)
+    }
+
+    #[inline]
+    fn ln(self) -> Self {
+        self.map(Real::ln)
+    }
+
+    #[inline]
+    fn tanh(self) -> Self {
+        self.map(Real::tanh)
+    }
+
+    #[inline]
+    fn signum(self) -> Self {
+        self.map(Real::signum)
+    }
+
+    #[inline]
+    fn atan2(self, x: Self) -> Self {
+        self.zip(x, Real::atan2)
+    }
+
+    #[inline]
+    fn powf(self, exponent: Self) -> Self {
+        self.zip(exponent, Real::powf)
+    }
+}
+
+macro_rules! operators {
+    ($($trait:ident, $method:ident, $assign:ident, $assigned:ident;)*) => { $(
+        impl<R: Register> $trait for Pack<R> {
+            type Output = Self;
+
+            #[inline(always)]
+            fn $method(self, other: Self) -> Self {
+                Self($trait::$method(self.0, other.0))
+            }
+        }
+
+        impl<R: Register> $assign for Pack<R> {
+            #[inline(always)]
+            fn $assigned(&mut self, other: Self) {
+                *self = $trait::$method(*self, other);
+            }
+        }
+    )* };
+}
+
+operators! {
+    Add, add, AddAssign, add_assign;
+    Sub, sub, SubAssign, sub_assign;
+    Mul, mul, MulAssign, mul_assign;
+    Div, div, DivAssign, div_assign;
+}
+
+impl<R: Register> Neg for Pack<R> {
+    type Output = Self;
+
+    #[inline(always)]
+    fn neg(self) -> Self {
+        Self(-self.0)
+    }
+}
+
+/// Zeros.
+impl<R: Register> Default for Pack<R> {
+    #[inline(always)]
+    fn default() -> Self {
+        Self::splat(R::Scalar::default())
+    }
+}
+
+/// Equal in all lanes.
+impl<R: Register> PartialEq for Pack<R> {
+    #[inline]
+    fn eq(&self, other: &Self) -> bool {
+        (0..R::LANES).all(|i| self.lane(i) == other.lane(i))
+    }
+}
+
+impl<R: Register> fmt::Debug for Pack<R> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_list().entries((0..R::LANES).map(|i| self.lane(i))).finish()
+    }
+}

@@ -1,0 +1,27 @@
+//! The ways into code for an instruction set.
+
+use super::super::{Kernel, Lanes};
+
+macro_rules! enter {
+    ($(#[$doc:meta])* $name:ident, $feature:tt) => {
+        $(#[$doc])*
+        pub(in super::super) fn $name<K: Kernel<V::Scalar>, V: Lanes>(kernel: K) -> K::Output {
+            #[target_feature(enable = $feature)]
+            fn inside<K: Kernel<V::Scalar>, V: Lanes>(kernel: K) -> K::Output {
+                kernel.run::<V>()
+            }
+            assert!(is_x86_feature_detected!($feature));
+            // SAFETY: the machine has the feature, as the line above makes sure.
+            unsafe { inside::<K, V>(kernel) }
+        }
+    };
+}
+
+enter! {
+    /// Runs a kernel on lanes `V` with AVX2.
+    avx2, "avx2"
+}
+enter! {
+    /// Runs a kernel on lanes `V` with AVX-512.
+    avx512, "avx512f"
+}
