@@ -17,7 +17,7 @@ use crate::{check, emit, lower, parse};
 pub enum Function {
     /// The accelerations, for the right-hand side.
     Rhs,
-    /// Their derivatives by the state, column by column.
+    /// The accelerations, and behind them their derivatives by the state, column by column.
     Jacobian,
     /// Their derivatives by the inputs, column by column.
     InputJacobian,
@@ -146,7 +146,8 @@ fn functions(model: &mut Model, forms: &mut Forms) -> BTreeMap<Function, Chosen>
         ),
     ];
     for (function, _, variables) in derivatives.into_iter().filter(|(_, wanted, _)| *wanted) {
-        functions.insert(function, forms.jacobian(model, &variables));
+        let with_accelerations = function == Function::Jacobian;
+        functions.insert(function, forms.jacobian(model, &variables, with_accelerations));
     }
     // what inputs do is asked of inverse dynamics, not given
     let zero = model.graph.zero();

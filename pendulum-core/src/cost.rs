@@ -117,7 +117,7 @@ impl fmt::Display for FunctionCost {
 pub struct Cost {
     /// [`System::rhs`](crate::System::rhs).
     pub rhs: FunctionCost,
-    /// [`Jacobian::jacobian`](crate::Jacobian::jacobian).
+    /// [`Jacobian::rhs_and_jacobian`](crate::Jacobian::rhs_and_jacobian): the Jacobian together with the right-hand side.
     pub jacobian: FunctionCost,
     /// [`Controlled::input_jacobian`](crate::Controlled::input_jacobian).
     pub input_jacobian: FunctionCost,

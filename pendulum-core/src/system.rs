@@ -38,6 +38,12 @@ pub trait Model<const N: usize> {
 pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
     /// Entry `(i, j)` is the derivative of component `i` of the right-hand side with respect to component `j` of the state.
     fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N>;
+
+    /// Both at once. Generated models compute their common parts once, and give the right-hand side of [`System::rhs`] up to rounding.
+    #[inline]
+    fn rhs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
+        (self.rhs(t, x), self.jacobian(t, x))
+    }
 }
 
 /// A model that knows its energy, in joules.
@@ -67,6 +73,12 @@ pub trait Controlled<T: Real, const N: usize, const M: usize> {
 
     /// The derivative of [`rhs_with`](Controlled::rhs_with) with respect to the state, the inputs held fixed.
     fn jacobian_with(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, N>;
+
+    /// Both at once, as [`Jacobian::rhs_and_jacobian`].
+    #[inline]
+    fn rhs_and_jacobian_with(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> (SVector<T, N>, SMatrix<T, N, N>) {
+        (self.rhs_with(t, x, u), self.jacobian_with(t, x, u))
+    }
 
     /// The derivative of [`rhs_with`](Controlled::rhs_with) with respect to the inputs: one column for each, in the order of
     /// their declaration.
@@ -188,6 +200,11 @@ impl<T: Real, S: Jacobian<T, N> + ?Sized, const N: usize> Jacobian<T, N> for &S 
     fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
         (**self).jacobian(t, x)
     }
+
+    #[inline]
+    fn rhs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
+        (**self).rhs_and_jacobian(t, x)
+    }
 }
 
 impl<T: Real, S: Energy<T, N> + ?Sized, const N: usize> Energy<T, N> for &S {
@@ -221,6 +238,11 @@ where
     #[inline]
     fn jacobian_with(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, N> {
         (**self).jacobian_with(t, x, u)
+    }
+
+    #[inline]
+    fn rhs_and_jacobian_with(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> (SVector<T, N>, SMatrix<T, N, N>) {
+        (**self).rhs_and_jacobian_with(t, x, u)
     }
 
     #[inline]

@@ -98,7 +98,10 @@ macro_rules! agrees {
                 let rhs = model.rhs(0.0, x);
                 assert_eq!(rhs.fixed_rows::<D>(0), x.fixed_rows::<D>(D), "the rates come first");
                 $crate::common::reference::assert_close("acceleration", tolerance, rhs.fixed_rows::<D>(D).into_owned(), sample.acceleration);
-                $crate::common::reference::assert_close("state Jacobian", tolerance, model.jacobian(0.0, x), sample.state_jacobian);
+                let (together, jacobian) = model.rhs_and_jacobian(0.0, x);
+                $crate::common::reference::assert_close("right-hand side", tolerance, together, rhs);
+                assert_eq!(jacobian, model.jacobian(0.0, x));
+                $crate::common::reference::assert_close("state Jacobian", tolerance, jacobian, sample.state_jacobian);
                 let columns: [SVector<f64, N>; N] = std::array::from_fn(|k| {
                     let x = SVector::from_fn(|n, _| $crate::common::dual::Dual::new(x[n], if n == k { 1.0 } else { 0.0 }));
                     dual.rhs($crate::common::dual::Dual::default(), &x).map(|component| component.slope)

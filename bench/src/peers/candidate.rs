@@ -22,8 +22,6 @@ pub(crate) enum Function {
     Rhs,
     /// These, and their derivatives by coordinates and rates.
     Jacobian,
-    /// The derivatives alone, which no peer gives.
-    JacobianAlone,
 }
 
 impl Function {
@@ -31,15 +29,6 @@ impl Function {
         match self {
             Self::Rhs => "right-hand side",
             Self::Jacobian => "right-hand side and Jacobian",
-            Self::JacobianAlone => "Jacobian alone",
-        }
-    }
-
-    /// With what it is timed.
-    pub(crate) fn group(self) -> Self {
-        match self {
-            Self::Rhs => Self::Rhs,
-            Self::Jacobian | Self::JacobianAlone => Self::Jacobian,
         }
     }
 }

@@ -33,7 +33,7 @@ pub(crate) fn hold(candidates: &[Candidate], model: &str, function: Function) ->
     let (length, states) = states(model, STATES)?;
     let entered: Vec<&Candidate> = candidates
         .iter()
-        .filter(|candidate| candidate.model == model && candidate.function.group() == function)
+        .filter(|candidate| candidate.model == model && candidate.function == function)
         .collect();
     let heats = time(
         &entered.iter().map(|candidate| &candidate.program).collect::<Vec<_>>(),
@@ -42,14 +42,14 @@ pub(crate) fn hold(candidates: &[Candidate], model: &str, function: Function) ->
     );
     let least: Vec<f64> = heats.iter().map(Times::least).collect();
     let advances = |n: usize| {
-        let same = |k: &usize| entered[*k].peer == entered[n].peer && entered[*k].function == entered[n].function;
+        let same = |k: &usize| entered[*k].peer == entered[n].peer;
         (0..entered.len()).filter(same).all(|k| least[n] <= CLOSE * least[k])
     };
     let (best, lost): (Vec<usize>, Vec<usize>) = (0..entered.len()).partition(|&n| advances(n));
     let mut rows = finals(&best.iter().map(|&n| entered[n]).collect::<Vec<_>>(), length, &states)?;
     // Of each peer, one form stays.
     for n in 0..rows.len() {
-        let rival = |row: &Row| row.peer == rows[n].peer && row.function == rows[n].function;
+        let rival = |row: &Row| row.peer == rows[n].peer;
         rows[n].heat = rows.iter().any(|row| rival(row) && row.least < rows[n].least);
     }
     rows.extend(lost.iter().map(|&n| Row {
@@ -95,16 +95,13 @@ fn finals(best: &[&Candidate], length: usize, states: &[f64]) -> Result<Vec<Row>
             _ => None,
         });
     }
-    let ours = |function: Function| {
-        best.iter()
-            .position(|candidate| candidate.peer == OURS && candidate.function == function)
-    };
+    let ours = best.iter().position(|candidate| candidate.peer == OURS);
     for (n, candidate) in best.iter().enumerate() {
         let mut row = Row::new(candidate, &times[n]);
         row.least_without = without[n].map(Times::least);
         if candidate.peer == OURS {
             row.sines = others.first().map(Times::least);
-        } else if let Some(ours) = ours(candidate.function) {
+        } else if let Some(ours) = ours {
             row.ratio = Some(times[ours].over(&times[n]));
             row.ratio_of_least = Some(times[ours].least() / times[n].least());
             row.ratio_without = without[ours].zip(without[n]).map(|(a, b)| a.least() / b.least());

@@ -6,7 +6,7 @@ use std::hint::black_box;
 use nalgebra::{SMatrix, SVector};
 use pendulum_core::prelude::*;
 use pendulum_core::real::Real;
-use pendulum_core::{Cost, FunctionCost, Operations};
+use pendulum_core::{Cost, FunctionCost};
 use serde::Deserialize;
 
 use super::candidate::{Candidate, Function, OURS, Program};
@@ -79,19 +79,12 @@ pub(crate) fn candidates() -> Result<Vec<Candidate>, Box<dyn Error>> {
     Ok(all)
 }
 
-/// The right-hand side, and the Jacobian with and without the right-hand side beside it, which is a call of its own.
+/// The right-hand side, and with it the Jacobian.
 fn add<S, C, const N: usize>(all: &mut Vec<Candidate>, model: &str, peer: &str, system: S, cheap: C, cost: Option<Cost>)
 where
     S: Jacobian<f64, N> + Clone + 'static,
     C: Jacobian<Cheap, N> + Clone + 'static,
 {
-    let sum = |a: Operations, b: Operations| Operations {
-        additions: a.additions + b.additions,
-        multiplications: a.multiplications + b.multiplications,
-        divisions: a.divisions + b.divisions,
-        sincos: a.sincos + b.sincos,
-        functions: a.functions + b.functions,
-    };
     let form = |cost: Option<FunctionCost>| cost.map_or(String::new(), |cost| format!(": {}", cost.form));
     let mut push = |function, form: &str, operations, program, cheap| {
         all.push(Candidate {
@@ -113,26 +106,15 @@ where
         program(move |x| s.rhs(0.0, x), |xdot| accelerations(&xdot)),
         program(move |x| c.rhs(Cheap(0.0), x), |_| Vec::new()),
     );
-    let (s, c) = (system.clone(), cheap.clone());
     push(
         Function::Jacobian,
-        &format!("rhs, then jacobian{}", form(cost.map(|cost| cost.jacobian))),
-        cost.map(|cost| sum(cost.rhs.operations, cost.jacobian.operations)),
+        &format!("rhs_and_jacobian{}", form(cost.map(|cost| cost.jacobian))),
+        cost.map(|cost| cost.jacobian.operations),
         program(
-            move |x| (s.rhs(0.0, x), s.jacobian(0.0, x)),
+            move |x| system.rhs_and_jacobian(0.0, x),
             |(xdot, jacobian)| [accelerations(&xdot), blocks(&jacobian)].concat(),
         ),
-        program(
-            move |x| (c.rhs(Cheap(0.0), x), c.jacobian(Cheap(0.0), x)),
-            |_| Vec::new(),
-        ),
-    );
-    push(
-        Function::JacobianAlone,
-        &format!("jacobian{}", form(cost.map(|cost| cost.jacobian))),
-        cost.map(|cost| cost.jacobian.operations),
-        program(move |x| system.jacobian(0.0, x), |jacobian| blocks(&jacobian)),
-        program(move |x| cheap.jacobian(Cheap(0.0), x), |_| Vec::new()),
+        program(move |x| cheap.rhs_and_jacobian(Cheap(0.0), x), |_| Vec::new()),
     );
 }
 

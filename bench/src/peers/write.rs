@@ -62,15 +62,13 @@ fn summary(results: &Results) -> String {
             let Some(ours) = of(results, model, function).find(|row| row.peer == OURS) else {
                 continue;
             };
-            // `COST.jacobian` counts the derivatives without the accelerations.
-            let counted = of(results, model, [Function::Rhs, Function::JacobianAlone][at]).find(|row| row.peer == OURS);
             let rivals = of(results, model, function).filter(|row| row.peer != OURS && row.peer != BY_HAND);
             let best = rivals.min_by(|a, b| a.least.total_cmp(&b.least));
             rows.push(vec![
                 title.to_owned(),
                 function.title().to_owned(),
                 best.map_or("none".to_owned(), |row| format!("{}, {}", row.peer, row.form)),
-                count(counted.and_then(|row| row.flops)),
+                count(ours.flops),
                 operations[at].to_string(),
                 count(best.and_then(|row| row.flops)),
                 number(Some(ours.least)),

@@ -74,9 +74,9 @@ impl Factored {
 
     fn eliminate(&mut self, g: &mut Graph, a: &mut [Vec<ExprId>], pivot: Pivot) {
         let Range { start, end } = pivot.coordinates;
-        for j in 0..start {
-            let column: Vec<ExprId> = (start..end).map(|k| a[k][j]).collect();
-            for (k, entry) in (start..end).zip(pivot.times(g, &column)) {
+        let columns: Vec<Vec<ExprId>> = (0..start).map(|j| (start..end).map(|k| a[k][j]).collect()).collect();
+        for (j, column) in columns.iter().enumerate() {
+            for (k, entry) in (start..end).zip(pivot.times(g, column)) {
                 self.lower[k][j] = entry;
             }
         }

@@ -53,15 +53,26 @@ impl Items<'_> {
     }
 
     fn rhs_block(&self) -> Option<TokenStream> {
-        let chosen = self.program.functions.get(&Function::Rhs)?;
-        let rates = self.program.model.coordinates.iter().map(|c| c.rate);
-        let roots: Vec<ExprId> = rates.chain(chosen.roots.iter().copied()).collect();
-        Some(self.block(&roots, vector))
+        let roots = &self.program.functions.get(&Function::Rhs)?.roots;
+        Some(self.block(&self.with_rates(roots), vector))
     }
 
+    /// Right-hand side and Jacobian together.
     fn jacobian_block(&self) -> Option<TokenStream> {
-        let chosen = self.program.functions.get(&Function::Jacobian)?;
-        Some(self.block(&chosen.roots, |values| state_columns(self.dof(), values)))
+        let roots = &self.program.functions.get(&Function::Jacobian)?.roots;
+        let dof = self.dof();
+        let pair = |values: &[TokenStream]| {
+            let (rhs, columns) = values.split_at(2 * dof);
+            let (rhs, jacobian) = (vector(rhs), state_columns(dof, columns));
+            quote!((#rhs, #jacobian))
+        };
+        Some(self.block(&self.with_rates(roots), pair))
+    }
+
+    /// The rates, which come first in every right-hand side, and behind them other roots.
+    fn with_rates(&self, roots: &[ExprId]) -> Vec<ExprId> {
+        let rates = self.program.model.coordinates.iter().map(|c| c.rate);
+        rates.chain(roots.iter().copied()).collect()
     }
 
     fn system(&self) -> Option<TokenStream> {
@@ -76,7 +87,15 @@ impl Items<'_> {
         let system = self.implement(of_trait, quote!(#inline fn rhs(#arguments) -> #vector #rhs));
         let jacobian = self.jacobian_block().map(|jacobian| {
             let of_trait = Some(quote!(::pendulum_core::Jacobian<T, #length>));
-            self.implement(of_trait, quote!(#[inline] fn jacobian(#arguments) -> #matrix #jacobian))
+            let functions = quote! {
+                #[inline]
+                fn jacobian(#arguments) -> #matrix {
+                    self.rhs_and_jacobian(t, x).1
+                }
+                #[inline]
+                fn rhs_and_jacobian(#arguments) -> (#vector, #matrix) #jacobian
+            };
+            self.implement(of_trait, functions)
         });
         Some(quote!(#system #jacobian))
     }
@@ -102,7 +121,11 @@ impl Items<'_> {
             #[inline]
             fn rhs_with(#arguments) -> #vector #rhs
             #[inline]
-            fn jacobian_with(#arguments) -> #matrix #jacobian
+            fn jacobian_with(#arguments) -> #matrix {
+                self.rhs_and_jacobian_with(t, x, u).1
+            }
+            #[inline]
+            fn rhs_and_jacobian_with(#arguments) -> (#vector, #matrix) #jacobian
             #[inline]
             fn input_jacobian(#arguments) -> ::pendulum_core::nalgebra::SMatrix<T, #length, #count> #by_inputs
         };

@@ -115,8 +115,9 @@ impl Forms {
         choose(g, candidates)
     }
 
-    /// The shortest code for the derivatives of the accelerations by some symbols: column by column.
-    pub fn jacobian(&mut self, model: &mut Model, variables: &[ExprId]) -> Chosen {
+    /// The shortest code for the derivatives of the accelerations by some symbols: column by column, and before them the accelerations
+    /// themselves if these are wanted too.
+    pub fn jacobian(&mut self, model: &mut Model, variables: &[ExprId], with_accelerations: bool) -> Chosen {
         let Model {
             graph: g, coordinates, ..
         } = model;
@@ -134,14 +135,15 @@ impl Forms {
             for (factored, solver) in factorings(g, dynamics, *determinant) {
                 let accelerations = factored.solve_negated(g, &dynamics.residual);
                 let symbols = coordinates.iter().map(|c| c.acceleration);
-                let known: HashMap<_, _> = symbols.zip(accelerations).collect();
+                let known: HashMap<_, _> = symbols.zip(accelerations.iter().copied()).collect();
                 for (derivatives, columns) in &columns {
-                    let solved: Vec<ExprId> = columns
-                        .iter()
-                        .flat_map(|column| factored.solve_negated(g, column))
-                        .collect();
-                    let form = Form::of(*basis).solved_by(solver).derived_by(*derivatives);
-                    candidates.push((form, g.substitute(&solved, known.clone())));
+                    let columns = columns.iter().flat_map(|column| factored.solve_negated(g, column));
+                    let solved: Vec<ExprId> = columns.collect();
+                    let mut roots = g.substitute(&solved, known.clone());
+                    if with_accelerations {
+                        roots.splice(0..0, accelerations.iter().copied());
+                    }
+                    candidates.push((Form::of(*basis).solved_by(solver).derived_by(*derivatives), roots));
                 }
             }
         }

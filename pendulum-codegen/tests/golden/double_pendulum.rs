@@ -58,16 +58,16 @@ Q[theta2] = gamma2*dot(theta1) - gamma2*dot(theta2)
 ```text
 k0 = gamma2
 k1 = inertia + m*c^2
-k2 = m*c*d
-k3 = m*c*g
-k4 = m*c*g + m*d*g
-k5 = gamma1 + gamma2
-k6 = 2*m*inertia*c^2 + m*inertia*d^2 + m^2*c^4 + inertia^2
-k7 = 0.5*(inertia + m*c^2 + m*d^2)
-k8 = 0.5*(inertia + m*c^2)
-k9 = -1/(inertia + m*c^2)
-k10 = -m*c*d/(inertia + m*c^2)
-k11 = -gamma2/(inertia + m*c^2)
+k2 = inertia + m*c^2 + m*d^2
+k3 = m*c*d
+k4 = m*c*g
+k5 = m*c*g + m*d*g
+k6 = gamma1 + gamma2
+k7 = 2*m*inertia*c^2 + m*inertia*d^2 + m^2*c^4 + inertia^2
+k8 = 0.5*(inertia + m*c^2 + m*d^2)
+k9 = 0.5*(inertia + m*c^2)
+k10 = -1/(inertia + m*c^2)
+k11 = -m*c*d/(inertia + m*c^2)
 ```
 */
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -99,18 +99,18 @@ impl DoublePendulum {
             let t3 = p_inertia + t2;
             let t4 = T::from_f64(0.5) * t3;
             let t5 = T::from_f64(-1.0) / t3;
-            let t6 = p_gamma2 * t5;
-            let t7 = p_m * p_c;
-            let t8 = p_d * t7;
-            let t9 = t8 * t5;
-            let t10 = p_g * t7;
-            let t11 = t10 + p_g * (p_m * p_d);
-            let t12 = p_d * p_d;
-            let t13 = T::from_f64(0.5) * (p_inertia + (t2 + p_m * t12));
-            let t14 = t1 * (p_inertia * (T::from_f64(2.0) * p_m))
-                + t12 * (p_m * p_inertia) + p_m * p_m * (p_c * p_c * p_c * p_c);
-            let t15 = t14 + p_inertia * p_inertia;
-            [p_gamma2, t3, t8, t10, t11, t0, t15, t13, t4, t5, t9, t6]
+            let t6 = p_d * p_d;
+            let t7 = p_inertia + (t2 + p_m * t6);
+            let t8 = t1 * (p_inertia * (T::from_f64(2.0) * p_m)) + t6 * (p_m * p_inertia)
+                + p_m * p_m * (p_c * p_c * p_c * p_c);
+            let t9 = t8 + p_inertia * p_inertia;
+            let t10 = T::from_f64(0.5) * t7;
+            let t11 = p_m * p_c;
+            let t12 = p_d * t11;
+            let t13 = t12 * t5;
+            let t14 = p_g * t11;
+            let t15 = t14 + p_g * (p_m * p_d);
+            [p_gamma2, t3, t7, t12, t14, t15, t0, t9, t10, t4, t5, t13]
         }
         let given: [f64; 7] = [
             params.m,
@@ -172,6 +172,7 @@ impl DoublePendulum {
         let names: [&'static str; 12] = [
             "gamma2",
             "inertia + m*c^2",
+            "inertia + m*c^2 + m*d^2",
             "m*c*d",
             "m*c*g",
             "m*c*g + m*d*g",
@@ -181,7 +182,6 @@ impl DoublePendulum {
             "0.5*(inertia + m*c^2)",
             "-1/(inertia + m*c^2)",
             "-m*c*d/(inertia + m*c^2)",
-            "-gamma2/(inertia + m*c^2)",
         ];
         for (name, value) in names.into_iter().zip(constants) {
             if !value.is_finite() {
@@ -242,16 +242,16 @@ impl DoublePendulum {
             ],
         },
         jacobian: ::pendulum_core::FunctionCost {
-            operations: ::pendulum_core::Operations::new(31, 46, 1, 2, 0),
-            form: "closed form, factors of the state first, L^T D L, derived in the graph",
+            operations: ::pendulum_core::Operations::new(28, 50, 1, 2, 0),
+            form: "closed form, factors of the state first, inverse, derived in the graph",
             others: &[
                 (
-                    "closed form, factors of parameters first, L^T D L, derived and expanded",
-                    ::pendulum_core::Operations::new(31, 46, 1, 2, 0),
+                    "closed form, factors of parameters first, inverse, derived and expanded",
+                    ::pendulum_core::Operations::new(28, 50, 1, 2, 0),
                 ),
                 (
-                    "closed form, expanded, L^T D L, derived and expanded",
-                    ::pendulum_core::Operations::new(31, 46, 1, 2, 0),
+                    "closed form, expanded, inverse, derived and expanded",
+                    ::pendulum_core::Operations::new(28, 50, 1, 2, 0),
                 ),
                 (
                     "recursion, inverse, derived in the graph",
@@ -313,26 +313,26 @@ for DoublePendulum<T> {
         let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
         let k0 = self.constants[0];
         let k1 = self.constants[1];
-        let k2 = self.constants[2];
         let k3 = self.constants[3];
         let k4 = self.constants[4];
         let k5 = self.constants[5];
         let k6 = self.constants[6];
-        let k9 = self.constants[9];
+        let k7 = self.constants[7];
         let k10 = self.constants[10];
+        let k11 = self.constants[11];
         let (sin_theta1, cos_theta1) = q_theta1.sin_cos();
         let (sin_theta2, cos_theta2) = q_theta2.sin_cos();
-        let t0 = k2 * (sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2);
-        let t1 = k3 * sin_theta2 + k0 * qd_theta2 - qd_theta1 * (k0 + qd_theta1 * t0);
-        let t2 = k10 * (cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2);
-        let t3 = k4 * sin_theta1 + k5 * qd_theta1 + qd_theta2 * (qd_theta2 * t0 - k0)
+        let t0 = k3 * (sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2);
+        let t1 = k4 * sin_theta2 + k0 * qd_theta2 - qd_theta1 * (k0 + qd_theta1 * t0);
+        let t2 = k11 * (cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2);
+        let t3 = k5 * sin_theta1 + k6 * qd_theta1 + qd_theta2 * (qd_theta2 * t0 - k0)
             + t1 * t2;
-        let t4 = k1 / (k6 + t0 * t0) * t3;
+        let t4 = k1 / (k7 + t0 * t0) * t3;
         ::pendulum_core::nalgebra::SVector::from([
             qd_theta1,
             qd_theta2,
             -t4,
-            k9 * t1 - t2 * t4,
+            k10 * t1 - t2 * t4,
         ])
     }
 }
@@ -345,6 +345,17 @@ for DoublePendulum<T> {
         t: T,
         x: &::pendulum_core::nalgebra::SVector<T, 4>,
     ) -> ::pendulum_core::nalgebra::SMatrix<T, 4, 4> {
+        self.rhs_and_jacobian(t, x).1
+    }
+    #[inline]
+    fn rhs_and_jacobian(
+        &self,
+        t: T,
+        x: &::pendulum_core::nalgebra::SVector<T, 4>,
+    ) -> (
+        ::pendulum_core::nalgebra::SVector<T, 4>,
+        ::pendulum_core::nalgebra::SMatrix<T, 4, 4>,
+    ) {
         let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
         let k0 = self.constants[0];
         let k1 = self.constants[1];
@@ -353,36 +364,47 @@ for DoublePendulum<T> {
         let k4 = self.constants[4];
         let k5 = self.constants[5];
         let k6 = self.constants[6];
-        let k9 = self.constants[9];
-        let k10 = self.constants[10];
-        let k11 = self.constants[11];
-        let t0 = k2 * qd_theta2;
-        let t1 = k2 * qd_theta1;
+        let k7 = self.constants[7];
+        let t0 = k3 * qd_theta2;
+        let t1 = k3 * qd_theta1;
         let (sin_theta1, cos_theta1) = q_theta1.sin_cos();
         let (sin_theta2, cos_theta2) = q_theta2.sin_cos();
         let t2 = sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2;
-        let t3 = k2 * t2;
-        let t4 = k1 / (k6 + t3 * t3);
-        let t5 = cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2;
+        let t3 = t0 * t2 - k0;
+        let t4 = k5 * sin_theta1 + k6 * qd_theta1 + qd_theta2 * t3;
+        let t5 = k3 * t2;
         let t6 = k0 + t2 * t1;
-        let t7 = t2 * t0 - k0;
-        let t8 = k3 * sin_theta2 + k0 * qd_theta2 - qd_theta1 * t6;
-        let t9 = t6 + qd_theta1 * t3;
-        let t10 = k10 * t5;
-        let t11 = t4 * (k5 - t10 * t9);
-        let t12 = t4 * (k4 * sin_theta1 + k5 * qd_theta1 + qd_theta2 * t7 + t8 * t10);
-        let t13 = qd_theta2 * t0 * t5 - (k9 * t8 - t10 * t12) * t3;
-        let t14 = t5 * qd_theta1 * t1 - t12 * t3;
-        let t15 = t4 * (k4 * cos_theta1 + t13 - t10 * t14);
-        let t16 = t14 + k3 * cos_theta2;
-        let t17 = t4 * (t10 * t16 - t13);
-        let t18 = t4 * (t7 + qd_theta2 * t3 + k0 * t10);
-        ::pendulum_core::nalgebra::SMatrix::from([
-            [T::from_f64(0.0), T::from_f64(0.0), -t15, -(k9 * t14 + t10 * t15)],
-            [T::from_f64(0.0), T::from_f64(0.0), -t17, k9 * t16 - t10 * t17],
-            [T::from_f64(1.0), T::from_f64(0.0), -t11, -(k9 * t9 + t10 * t11)],
-            [T::from_f64(0.0), T::from_f64(1.0), -t18, k11 - t10 * t18],
-        ])
+        let t7 = t3 + qd_theta2 * t5;
+        let t8 = T::from_f64(-1.0) / (k7 + t5 * t5);
+        let t9 = k1 * t8;
+        let t10 = k4 * sin_theta2 + k0 * qd_theta2 - qd_theta1 * t6;
+        let t11 = t6 + qd_theta1 * t5;
+        let t12 = cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2;
+        let t13 = k3 * t8 * t12;
+        let t14 = k2 * t8;
+        let t15 = k6 * t9 + t13 * t11;
+        let t16 = -(k6 * t13 + t14 * t11);
+        let t17 = t9 * t7 - k0 * t13;
+        let t18 = k0 * t14 - t13 * t7;
+        let t19 = t4 * t9 - t10 * t13;
+        let t20 = t10 * t14 - t4 * t13;
+        let t21 = qd_theta2 * t0 * t12 - t20 * t5;
+        let t22 = qd_theta1 * t1 * t12 + t19 * t5;
+        let t23 = k5 * cos_theta1 + t21;
+        let t24 = t22 + k4 * cos_theta2;
+        let t25 = t9 * t23 + t13 * t22;
+        let t26 = -(t13 * t23 + t14 * t22);
+        let t27 = -(t9 * t21 + t13 * t24);
+        let t28 = t14 * t24 + t13 * t21;
+        (
+            ::pendulum_core::nalgebra::SVector::from([qd_theta1, qd_theta2, t19, t20]),
+            ::pendulum_core::nalgebra::SMatrix::from([
+                [T::from_f64(0.0), T::from_f64(0.0), t25, t26],
+                [T::from_f64(0.0), T::from_f64(0.0), t27, t28],
+                [T::from_f64(1.0), T::from_f64(0.0), t15, t16],
+                [T::from_f64(0.0), T::from_f64(1.0), t17, t18],
+            ]),
+        )
     }
 }
 #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
@@ -393,20 +415,21 @@ for DoublePendulum<T> {
         let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
         let k1 = self.constants[1];
         let k2 = self.constants[2];
-        let k7 = self.constants[7];
+        let k3 = self.constants[3];
         let k8 = self.constants[8];
+        let k9 = self.constants[9];
         let (_, cos0) = (q_theta1 - q_theta2).sin_cos();
-        qd_theta2 * (qd_theta2 * k8)
-            + qd_theta1 * (cos0 * (qd_theta2 * k2) + qd_theta1 * k7)
+        qd_theta2 * (qd_theta2 * k9)
+            + qd_theta1 * (cos0 * (qd_theta2 * k3) + qd_theta1 * k8)
     }
     #[inline]
     fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 4>) -> T {
         let [q_theta1, q_theta2, _, _] = x.data.0[0];
-        let k3 = self.constants[3];
         let k4 = self.constants[4];
+        let k5 = self.constants[5];
         let (_, cos_theta1) = q_theta1.sin_cos();
         let (_, cos_theta2) = q_theta2.sin_cos();
-        -(cos_theta1 * k4 + cos_theta2 * k3)
+        -(cos_theta1 * k5 + cos_theta2 * k4)
     }
 }
 #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
