@@ -76,6 +76,8 @@ pub(super) struct Body<'m> {
     uses: HashMap<ExprId, usize>,
     /// The angles whose sine, or cosine, is used.
     sines: BTreeMap<ExprId, [bool; 2]>,
+    /// Those of them that need no other sine or cosine and are not computed yet.
+    independent: Vec<ExprId>,
     names: HashMap<ExprId, Piece>,
     statements: Vec<Statement>,
     temporaries: usize,
@@ -129,10 +131,15 @@ impl<'m> Body<'m> {
                 stack.extend(graph.operands(id));
             }
         }
+        let is_sine = |id: &ExprId| matches!(graph.node(*id), Node::Unary(Unary::Sin | Unary::Cos, _));
+        let independent = sines.keys().copied();
+        let independent = independent.filter(|&angle| !graph.reachable(&[angle]).iter().any(is_sine));
+        let independent = independent.collect();
         Self {
             graph,
             uses,
             sines,
+            independent,
             names,
             statements: Vec::new(),
             temporaries: 0,
@@ -217,7 +224,7 @@ impl<'m> Body<'m> {
             return Piece::atom(literal(self.graph, id));
         }
         if let Node::Unary(Unary::Sin | Unary::Cos, angle) = *self.graph.node(id) {
-            self.sine_and_cosine(id, angle);
+            self.sines_and_cosines(id, angle);
             return self.names[&id].clone();
         }
         let piece = self.operation(id);
@@ -242,28 +249,46 @@ impl<'m> Body<'m> {
         bound
     }
 
-    fn sine_and_cosine(&mut self, id: ExprId, angle: ExprId) {
-        let argument = self.piece(angle).within(Grip::Atom);
-        let suffix = match self.graph.as_symbol(angle) {
-            Some(symbol) => format!("_{}", symbol.name),
-            None => {
-                self.temporaries += 1;
-                (self.temporaries - 1).to_string()
-            }
+    /// Sines and cosines of an angle, and of all others that can be computed with it: two take hardly longer than one.
+    fn sines_and_cosines(&mut self, id: ExprId, angle: ExprId) {
+        let batch = if self.independent.contains(&angle) {
+            std::mem::take(&mut self.independent)
+        } else {
+            vec![angle]
         };
-        let used = self.sines.get(&angle).copied().unwrap_or([true; 2]);
-        let [sine, cosine] = [("sin", used[0]), ("cos", used[1])]
-            .map(|(function, used)| used.then(|| local(format!("{function}{suffix}"))));
-        let [left, right] = [&sine, &cosine].map(|name| name.as_ref().map_or(quote!(_), |name| quote!(#name)));
-        let tokens = quote!(let (#left, #right) = #argument.sin_cos(););
-        let names = [&sine, &cosine].into_iter().flatten().cloned().collect();
-        self.statements.push(Statement { id, names, tokens });
-        for (op, name) in [(Unary::Sin, sine), (Unary::Cos, cosine)] {
-            let value = self.graph.find(&Node::Unary(op, angle));
-            if let (Some(value), Some(name)) = (value, name) {
-                self.names.insert(value, Piece::atom(quote!(#name)));
-            }
+        let (mut arguments, mut patterns, mut names) = (Vec::new(), Vec::new(), Vec::new());
+        for &angle in &batch {
+            arguments.push(self.piece(angle));
+            let suffix = match self.graph.as_symbol(angle) {
+                Some(symbol) => format!("_{}", symbol.name),
+                None => {
+                    self.temporaries += 1;
+                    (self.temporaries - 1).to_string()
+                }
+            };
+            let used = self.sines.get(&angle).copied().unwrap_or([true; 2]);
+            let pair = [("sin", Unary::Sin, used[0]), ("cos", Unary::Cos, used[1])].map(|(function, op, used)| {
+                if !used {
+                    return quote!(_);
+                }
+                let name = local(format!("{function}{suffix}"));
+                if let Some(value) = self.graph.find(&Node::Unary(op, angle)) {
+                    self.names.insert(value, Piece::atom(quote!(#name)));
+                }
+                names.push(name.clone());
+                quote!(#name)
+            });
+            let [sine, cosine] = pair;
+            patterns.push(quote!((#sine, #cosine)));
         }
+        let tokens = if let ([argument], [pattern]) = (&arguments[..], &patterns[..]) {
+            let argument = argument.clone().within(Grip::Atom);
+            quote!(let #pattern = #argument.sin_cos();)
+        } else {
+            let arguments = arguments.into_iter().map(|argument| argument.tokens);
+            quote!(let [#(#patterns),*] = T::sin_cos_each([#(#arguments),*]);)
+        };
+        self.statements.push(Statement { id, names, tokens });
     }
 
     fn operation(&mut self, id: ExprId) -> Piece {

@@ -320,8 +320,10 @@ for DoublePendulum<T> {
         let k7 = self.constants[7];
         let k10 = self.constants[10];
         let k11 = self.constants[11];
-        let (sin_theta1, cos_theta1) = q_theta1.sin_cos();
-        let (sin_theta2, cos_theta2) = q_theta2.sin_cos();
+        let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = T::sin_cos_each([
+            q_theta1,
+            q_theta2,
+        ]);
         let t0 = k3 * (sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2);
         let t1 = k4 * sin_theta2 + k0 * qd_theta2 - qd_theta1 * (k0 + qd_theta1 * t0);
         let t2 = k11 * (cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2);
@@ -367,8 +369,10 @@ for DoublePendulum<T> {
         let k7 = self.constants[7];
         let t0 = k3 * qd_theta2;
         let t1 = k3 * qd_theta1;
-        let (sin_theta1, cos_theta1) = q_theta1.sin_cos();
-        let (sin_theta2, cos_theta2) = q_theta2.sin_cos();
+        let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = T::sin_cos_each([
+            q_theta1,
+            q_theta2,
+        ]);
         let t2 = sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2;
         let t3 = t0 * t2 - k0;
         let t4 = k5 * sin_theta1 + k6 * qd_theta1 + qd_theta2 * t3;
@@ -427,8 +431,7 @@ for DoublePendulum<T> {
         let [q_theta1, q_theta2, _, _] = x.data.0[0];
         let k4 = self.constants[4];
         let k5 = self.constants[5];
-        let (_, cos_theta1) = q_theta1.sin_cos();
-        let (_, cos_theta2) = q_theta2.sin_cos();
+        let [(_, cos_theta1), (_, cos_theta2)] = T::sin_cos_each([q_theta1, q_theta2]);
         -(cos_theta1 * k5 + cos_theta2 * k4)
     }
 }

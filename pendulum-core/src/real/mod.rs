@@ -41,6 +41,16 @@ pub trait Real:
     /// For `f64` and `f32` the errors are below 1 ulp, and the bits are the same on every machine.
     fn sin_cos(self) -> (Self, Self);
 
+    /// Sine and cosine of several angles: the same as those of each.
+    #[inline(always)]
+    fn sin_cos_each<const M: usize>(angles: [Self; M]) -> [(Self, Self); M] {
+        let mut all = [(Self::default(), Self::default()); M];
+        for (sin_cos, angle) in all.iter_mut().zip(angles) {
+            *sin_cos = angle.sin_cos();
+        }
+        all
+    }
+
     /// Tangent of an angle in radians.
     fn tan(self) -> Self;
 

@@ -80,6 +80,27 @@ pub(crate) fn sin_cos<A: Angle>(x: A) -> (A, A) {
     shifted.turn(sin, cos)
 }
 
+/// Two angles in the vector register that every machine of the kind has.
+#[cfg(target_arch = "x86_64")]
+type Two = super::lanes::Xmm64;
+#[cfg(not(target_arch = "x86_64"))]
+type Two = super::lanes::Pair<f64>;
+
+/// Sines and cosines of several angles, two at a time: the same bits as one by one.
+#[inline(always)]
+pub(crate) fn sin_cos_each<const M: usize>(angles: [f64; M]) -> [(f64, f64); M] {
+    let mut all = [(0.0, 0.0); M];
+    let (pairs, last) = all.as_chunks_mut::<2>();
+    for (pair, angles) in pairs.iter_mut().zip(angles.as_chunks::<2>().0) {
+        let (sin, cos) = sin_cos(Two::from_fn(&mut |i| angles[i]));
+        *pair = [(sin.lane(0), cos.lane(0)), (sin.lane(1), cos.lane(1))];
+    }
+    if let (Some(last), Some(&angle)) = (last.first_mut(), angles.last()) {
+        *last = sin_cos(angle);
+    }
+    all
+}
+
 /// A polynomial in `z`, by Estrin's scheme: three short chains instead of a long one.
 #[inline(always)]
 fn polynomial<A: Angle>(c: &[f64; 6], z: A, z2: A) -> A {

@@ -39,7 +39,11 @@ mod register;
 mod x86;
 
 pub use isa::{Isa, Kernel, Lane};
+#[cfg(not(target_arch = "x86_64"))]
+pub(super) use register::Pair;
 pub(super) use register::Register;
+#[cfg(target_arch = "x86_64")]
+pub(super) use x86::Xmm64;
 
 pub use pack::{F32x8, F32x16, F64x4, F64x8, Pack};
 

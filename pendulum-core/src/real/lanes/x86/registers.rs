@@ -1,7 +1,7 @@
 //! The vector registers as types: one row for each.
 //!
 //! Values of these types are made in kernels only, which run beyond [`enter`](super::enter): there the machine is known to have the
-//! instructions. Nobody else can name the types.
+//! instructions. Nobody else can name the types. Those of `xmm` registers are on every x86-64 machine.
 
 use std::arch::x86_64::*;
 use std::array;
@@ -107,6 +107,9 @@ macro_rules! register {
 }
 
 register! {
+    /// An `xmm` register of `f64`.
+    Xmm64 = 2 f64 in __m128d,
+    _mm_set1_pd _mm_add_pd _mm_sub_pd _mm_mul_pd _mm_div_pd _mm_sqrt_pd, same same Xmm64;
     /// A `ymm` register of `f64`.
     Ymm64 = 4 f64 in __m256d,
     _mm256_set1_pd _mm256_add_pd _mm256_sub_pd _mm256_mul_pd _mm256_div_pd _mm256_sqrt_pd, same same Ymm64;
@@ -143,6 +146,7 @@ macro_rules! bits {
 }
 
 bits! {
+    Xmm64 _mm_castpd_si128 _mm_castsi128_pd _mm_xor_si128 _mm_andnot_si128;
     Ymm64 _mm256_castpd_si256 _mm256_castsi256_pd _mm256_xor_si256 _mm256_andnot_si256;
     Zmm64 _mm512_castpd_si512 _mm512_castsi512_pd _mm512_xor_si512 _mm512_andnot_si512;
     Ymm32 _mm256_castps_si256 _mm256_castsi256_ps _mm256_xor_si256 _mm256_andnot_si256;
@@ -191,6 +195,35 @@ fn narrow_zmm(Pair(low, high): Pair<Zmm64>) -> Zmm32 {
         let low = _mm512_castpd256_pd512(_mm256_castps_pd(_mm512_cvtpd_ps(low.0)));
         let high = _mm256_castps_pd(_mm512_cvtpd_ps(high.0));
         Zmm32(_mm512_castpd_ps(_mm512_insertf64x4::<1>(low, high)))
+    }
+}
+
+impl Angle for Xmm64 {
+    #[inline(always)]
+    fn any_beyond(self, limit: f64) -> bool {
+        // SAFETY: every x86-64 machine has the instructions.
+        unsafe { _mm_movemask_pd(_mm_cmpgt_pd(self.abs().0, _mm_set1_pd(limit))) != 0 }
+    }
+
+    #[inline(always)]
+    fn turn(self, sin: Self, cos: Self) -> (Self, Self) {
+        // SAFETY: every x86-64 machine has the instructions.
+        unsafe {
+            let (n, one) = (_mm_castpd_si128(self.0), _mm_set1_epi64x(1));
+            let (sin, cos) = (_mm_castpd_si128(sin.0), _mm_castpd_si128(cos.0));
+            let odd = _mm_sub_epi64(_mm_setzero_si128(), _mm_and_si128(n, one));
+            let swap = _mm_and_si128(_mm_xor_si128(sin, cos), odd);
+            let turned = |v: __m128i, n: __m128i| {
+                let sign = _mm_and_si128(_mm_slli_epi64::<62>(n), _mm_set1_epi64x(i64::MIN));
+                Self(_mm_castsi128_pd(_mm_xor_si128(_mm_xor_si128(v, swap), sign)))
+            };
+            (turned(sin, n), turned(cos, _mm_add_epi64(n, one)))
+        }
+    }
+
+    #[inline(always)]
+    fn far(self) -> (Self, Self) {
+        one_by_one(self)
     }
 }
 
