@@ -4,6 +4,7 @@ mod angles;
 mod closed;
 mod constants;
 mod cost;
+mod exact;
 mod factor;
 mod form;
 mod pairs;
@@ -30,6 +31,9 @@ const BUDGET: usize = 20_000;
 /// what is left of any scene.
 const HOPELESS: usize = 2;
 
+/// How much longer than the shortest the code may be that loses no digits to cancellation: by one part in this many.
+const WORTH_OF_DIGITS: usize = 8;
+
 /// The shortest code that was found for one function.
 #[derive(Clone, Debug)]
 pub struct Chosen {
@@ -51,6 +55,8 @@ type Candidate = (Form, Vec<ExprId>);
 pub struct Forms {
     /// Dynamics and, where it is known in a better form, the determinant of the mass matrix.
     forms: Vec<(Basis, Dynamics, Option<ExprId>)>,
+    /// The accelerations of two coordinates with all that cancels gone.
+    exact: Vec<Candidate>,
     /// The accelerations by articulated bodies.
     articulated: Vec<ExprId>,
     normalizer: Normalizer,
@@ -66,11 +72,14 @@ impl Forms {
         let Model {
             graph: g, coordinates, ..
         } = model;
-        let mut forms = Vec::new();
+        let (mut forms, mut exact) = (Vec::new(), Vec::new());
         if let Ok(closed) = Closed::new(g, &mut normalizer, dynamics) {
             for preference in Preference::ALL {
                 let factored = closed.factored(g, coordinates, preference);
-                forms.push((Basis::Closed(preference), factored, closed.determinant(g, preference)));
+                let accelerations = closed.exact(g, &factored, preference);
+                exact.extend(accelerations.map(|x| (Form::of(Basis::Closed(preference)).exactly(), x)));
+                let determinant = closed.determinant(g, preference);
+                forms.push((Basis::Closed(preference), factored, determinant));
             }
         }
         // constants that are zero, or equal, for a reason that shows in their normal form only
@@ -81,6 +90,7 @@ impl Forms {
         let articulated = constants::fold(g, &articulated);
         Self {
             forms,
+            exact,
             articulated,
             normalizer,
         }
@@ -111,6 +121,7 @@ impl Forms {
                 candidates.push((form, factored.solve_negated(g, &dynamics.residual)));
             }
         }
+        candidates.extend(self.exact.iter().cloned());
         candidates.push((Form::of(Basis::Articulated), self.articulated.clone()));
         choose(g, candidates)
     }
@@ -180,6 +191,7 @@ fn factorings(g: &mut Graph, dynamics: &Dynamics, determinant: Option<ExprId>) -
 }
 
 /// The candidate that takes the fewest operations once its common parts are shared; the first of equals. There is at least one.
+/// An exact one may take a few more.
 fn choose(g: &mut Graph, candidates: Vec<Candidate>) -> Chosen {
     let lowered = candidates.into_iter().map(|(form, roots)| {
         let roots = trig::lower(g, &roots);
@@ -207,6 +219,13 @@ fn choose(g: &mut Graph, candidates: Vec<Candidate>) -> Chosen {
         counted.push((form, roots, operations));
     }
     counted.sort_by_key(|(.., operations)| operations.weight());
+    let least = counted.first().map_or(0, |(.., operations)| operations.weight());
+    let exact = counted
+        .iter()
+        .position(|(form, _, operations)| form.exact && operations.weight() <= least + least / WORTH_OF_DIGITS);
+    if let Some(at) = exact {
+        counted[..=at].rotate_right(1);
+    }
     let mut counted = counted.into_iter();
     let (form, roots, operations) = counted.next().unwrap_or_default();
     let mut others: Vec<(Form, Operations)> = Vec::new();

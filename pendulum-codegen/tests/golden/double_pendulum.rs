@@ -64,16 +64,18 @@ k4 = m*c*g
 k5 = m*c*g + m*d*g
 k6 = gamma1 + gamma2
 k7 = 2*m*inertia*c^2 + m*inertia*d^2 + m^2*c^4 + inertia^2
-k8 = 0.5*(inertia + m*c^2 + m*d^2)
-k9 = 0.5*(inertia + m*c^2)
-k10 = -1/(inertia + m*c^2)
-k11 = -m*c*d/(inertia + m*c^2)
+k8 = m*inertia*c*g/(inertia + m*c^2) + m*inertia*d*g/(inertia + m*c^2) + m^2*c^3*g/(inertia + m*c^2)
+k9 = m^2*c^2*d*g/(inertia + m*c^2)
+k10 = 0.5*(inertia + m*c^2 + m*d^2)
+k11 = 0.5*(inertia + m*c^2)
+k12 = -1/(inertia + m*c^2)
+k13 = -m*c*d/(inertia + m*c^2)
 ```
 */
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DoublePendulum<T = f64> {
     params: DoublePendulumParams,
-    constants: [T; 12],
+    constants: [T; 14],
 }
 #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
 impl DoublePendulum {
@@ -91,26 +93,32 @@ impl DoublePendulum {
             [p_m, p_inertia, p_gamma1, p_gamma2]
         }
         #[inline]
-        fn constants<T: ::pendulum_core::real::Real>(given: [T; 7]) -> [T; 12] {
+        fn constants<T: ::pendulum_core::real::Real>(given: [T; 7]) -> [T; 14] {
             let [p_m, p_inertia, p_c, p_d, p_g, p_gamma1, p_gamma2] = given;
             let t0 = p_gamma1 + p_gamma2;
             let t1 = p_c * p_c;
             let t2 = p_m * t1;
             let t3 = p_inertia + t2;
             let t4 = T::from_f64(0.5) * t3;
-            let t5 = T::from_f64(-1.0) / t3;
-            let t6 = p_d * p_d;
-            let t7 = p_inertia + (t2 + p_m * t6);
-            let t8 = t1 * (p_inertia * (T::from_f64(2.0) * p_m)) + t6 * (p_m * p_inertia)
-                + p_m * p_m * (p_c * p_c * p_c * p_c);
-            let t9 = t8 + p_inertia * p_inertia;
-            let t10 = T::from_f64(0.5) * t7;
-            let t11 = p_m * p_c;
-            let t12 = p_d * t11;
-            let t13 = t12 * t5;
-            let t14 = p_g * t11;
-            let t15 = t14 + p_g * (p_m * p_d);
-            [p_gamma2, t3, t7, t12, t14, t15, t0, t9, t10, t4, t5, t13]
+            let t5 = p_d * p_d;
+            let t6 = p_inertia + (t2 + p_m * t5);
+            let t7 = T::from_f64(0.5) * t6;
+            let t8 = p_m * p_c;
+            let t9 = p_d * t8;
+            let t10 = p_g * t8;
+            let t11 = t10 + p_g * (p_m * p_d);
+            let t12 = p_m * p_inertia;
+            let t13 = p_m * p_m;
+            let t14 = t1 * (p_inertia * (T::from_f64(2.0) * p_m)) + t5 * t12
+                + t13 * (p_c * p_c * p_c * p_c);
+            let t15 = t14 + p_inertia * p_inertia;
+            let t16 = T::from_f64(1.0) / t3;
+            let t17 = p_g * (p_c * t12) * t16 + t16 * (p_g * (p_d * t12))
+                + t16 * (p_g * (t13 * (p_c * p_c * p_c)));
+            let t18 = t16 * (p_g * (p_d * (t1 * t13)));
+            let t19 = T::from_f64(-1.0) / t3;
+            let t20 = t9 * t19;
+            [p_gamma2, t3, t6, t9, t10, t11, t0, t15, t17, t18, t7, t4, t19, t20]
         }
         let given: [f64; 7] = [
             params.m,
@@ -169,7 +177,7 @@ impl DoublePendulum {
             });
         }
         let constants = constants(given);
-        let names: [&'static str; 12] = [
+        let names: [&'static str; 14] = [
             "gamma2",
             "inertia + m*c^2",
             "inertia + m*c^2 + m*d^2",
@@ -178,6 +186,8 @@ impl DoublePendulum {
             "m*c*g + m*d*g",
             "gamma1 + gamma2",
             "2*m*inertia*c^2 + m*inertia*d^2 + m^2*c^4 + inertia^2",
+            "m*inertia*c*g/(inertia + m*c^2) + m*inertia*d*g/(inertia + m*c^2) + m^2*c^3*g/(inertia + m*c^2)",
+            "m^2*c^2*d*g/(inertia + m*c^2)",
             "0.5*(inertia + m*c^2 + m*d^2)",
             "0.5*(inertia + m*c^2)",
             "-1/(inertia + m*c^2)",
@@ -219,8 +229,8 @@ impl DoublePendulum {
     /// Counted operations of each generated function, in the form that it has and in others.
     pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost {
         rhs: ::pendulum_core::FunctionCost {
-            operations: ::pendulum_core::Operations::new(12, 19, 1, 2, 0),
-            form: "closed form, factors of the state first, L^T D L",
+            operations: ::pendulum_core::Operations::new(13, 21, 1, 2, 0),
+            form: "closed form, factors of the state first, exact quotient",
             others: &[
                 (
                     "closed form, factors of parameters first, L^T D L",
@@ -315,24 +325,26 @@ for DoublePendulum<T> {
         let k1 = self.constants[1];
         let k3 = self.constants[3];
         let k4 = self.constants[4];
-        let k5 = self.constants[5];
         let k6 = self.constants[6];
         let k7 = self.constants[7];
-        let k10 = self.constants[10];
-        let k11 = self.constants[11];
+        let k8 = self.constants[8];
+        let k9 = self.constants[9];
+        let k12 = self.constants[12];
+        let k13 = self.constants[13];
         let (sin_theta1, cos_theta1) = q_theta1.sin_cos();
         let (sin_theta2, cos_theta2) = q_theta2.sin_cos();
-        let t0 = k3 * (sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2);
-        let t1 = k4 * sin_theta2 + k0 * qd_theta2 - qd_theta1 * (k0 + qd_theta1 * t0);
-        let t2 = k11 * (cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2);
-        let t3 = k5 * sin_theta1 + k6 * qd_theta1 + qd_theta2 * (qd_theta2 * t0 - k0)
-            + t1 * t2;
-        let t4 = k1 / (k7 + t0 * t0) * t3;
+        let t0 = sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2;
+        let t1 = k3 * t0;
+        let t2 = k8 * sin_theta1 + k9 * cos_theta2 * t0 + k6 * qd_theta1
+            + qd_theta2 * (qd_theta2 * t1 - k0);
+        let t3 = k13 * (cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2);
+        let t4 = k0 * qd_theta2 - qd_theta1 * (k0 + qd_theta1 * t1);
+        let t5 = k1 / (k7 + t1 * t1) * (t2 + t3 * t4);
         ::pendulum_core::nalgebra::SVector::from([
             qd_theta1,
             qd_theta2,
-            -t4,
-            k10 * t1 - t2 * t4,
+            -t5,
+            k12 * (t4 + k4 * sin_theta2) - t3 * t5,
         ])
     }
 }
@@ -416,11 +428,11 @@ for DoublePendulum<T> {
         let k1 = self.constants[1];
         let k2 = self.constants[2];
         let k3 = self.constants[3];
-        let k8 = self.constants[8];
-        let k9 = self.constants[9];
+        let k10 = self.constants[10];
+        let k11 = self.constants[11];
         let (_, cos0) = (q_theta1 - q_theta2).sin_cos();
-        qd_theta2 * (qd_theta2 * k9)
-            + qd_theta1 * (cos0 * (qd_theta2 * k3) + qd_theta1 * k8)
+        qd_theta2 * (qd_theta2 * k11)
+            + qd_theta1 * (cos0 * (qd_theta2 * k3) + qd_theta1 * k10)
     }
     #[inline]
     fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 4>) -> T {
