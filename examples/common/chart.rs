@@ -26,13 +26,16 @@ pub(crate) struct Figure {
 /// Panels beside each other, below a caption.
 pub(crate) struct Row {
     pub caption: String,
+    /// The keys of the lines that only this row has.
+    pub legend: Vec<(Line, String)>,
     /// The curves of the panel in each column.
     pub panels: Vec<Vec<Curve>>,
 }
 
-/// A linear axis.
+/// An axis. A logarithmic one has decades as its numbers: points on it are given by their logarithms to base ten.
 pub(crate) struct Axis {
     pub label: String,
+    pub logarithmic: bool,
     pub range: Range<f64>,
     /// About how many ticks.
     pub ticks: usize,
@@ -65,7 +68,7 @@ impl Picture for Figure {
         page.fill(&WHITE)?;
         page.draw_text(&self.title, &bold(32.0), (px(MARGIN), px(MARGIN)))?;
         page.draw_text(&self.subtitle, &text(23.0, GREY), (px(MARGIN), px(MARGIN + 46.0)))?;
-        self.draw_legend(page, MARGIN + 112.0)?;
+        draw_legend(page, &self.legend, (px(MARGIN), px(MARGIN + 112.0)))?;
         let rows = page
             .margin(px(MARGIN + 138.0), px(FOOTER), px(MARGIN), px(MARGIN))
             .split_evenly((self.rows.len(), 1));
@@ -79,24 +82,6 @@ impl Picture for Figure {
 }
 
 impl Figure {
-    /// The keys of the lines, beside each other at the height `y`.
-    fn draw_legend<B: DrawingBackend>(&self, page: &DrawingArea<B, Shift>, y: f64) -> Result<(), Box<dyn Error>>
-    where
-        B::ErrorType: 'static,
-    {
-        let style = text(24.0, INK).pos(Pos::new(HPos::Left, VPos::Center));
-        let mut x = px(MARGIN);
-        for (line, name) in &self.legend {
-            let end = x + px(74.0);
-            line.draw(page, vec![(x, px(y)), (end, px(y))])?;
-            let start = end + px(14.0);
-            page.draw_text(name, &style, (start, px(y)))?;
-            let (width, _) = page.estimate_text_size(name, &style)?;
-            x = start + i32::try_from(width)? + px(56.0);
-        }
-        Ok(())
-    }
-
     fn draw_row<B: DrawingBackend>(&self, row: &Row, area: &DrawingArea<B, Shift>) -> Result<(), Box<dyn Error>>
     where
         B::ErrorType: 'static,
@@ -104,6 +89,9 @@ impl Figure {
         let (head, body) = area.split_vertically(px(56.0));
         let style = bold(25.0).pos(Pos::new(HPos::Left, VPos::Center));
         head.draw_text(&row.caption, &style, (px(LABELS), px(32.0)))?;
+        let (width, _) = head.estimate_text_size(&row.caption, &style)?;
+        let start = px(LABELS + 48.0) + i32::try_from(width)?;
+        draw_legend(&head, &row.legend, (start, px(32.0)))?;
         let panels = body.split_evenly((1, self.columns.len()));
         for ((curves, y), panel) in row.panels.iter().zip(&self.columns).zip(panels) {
             self.draw_panel(curves, y, &panel)?;
@@ -135,8 +123,8 @@ impl Figure {
             .set_all_tick_mark_size(px(7.0))
             .label_style(text(22.0, INK))
             .axis_desc_style(text(23.0, INK))
-            .x_label_formatter(&tick)
-            .y_label_formatter(&tick)
+            .x_label_formatter(&|value| self.x.tick(*value))
+            .y_label_formatter(&|value| y.tick(*value))
             .y_desc(&y.label)
             .draw()?;
         for Curve { line, points } in curves {
@@ -158,6 +146,44 @@ impl Figure {
             page.draw_text(&self.x.label, &style, (px(middle), px(height - 0.62 * FOOTER)))?;
         }
         Ok(())
+    }
+}
+
+/// The keys of lines, beside each other from `(x, y)` on, in pixels of the drawing.
+fn draw_legend<B: DrawingBackend>(
+    page: &DrawingArea<B, Shift>,
+    legend: &[(Line, String)],
+    (mut x, y): (i32, i32),
+) -> Result<(), Box<dyn Error>>
+where
+    B::ErrorType: 'static,
+{
+    let style = text(24.0, INK).pos(Pos::new(HPos::Left, VPos::Center));
+    for (line, name) in legend {
+        let end = x + px(74.0);
+        line.draw(page, vec![(x, y), (end, y)])?;
+        let start = end + px(14.0);
+        page.draw_text(name, &style, (start, y))?;
+        let (width, _) = page.estimate_text_size(name, &style)?;
+        x = start + i32::try_from(width)? + px(56.0);
+    }
+    Ok(())
+}
+
+impl Axis {
+    /// What stands beside a tick: a number with a true minus sign, or a power of ten.
+    fn tick(&self, value: f64) -> String {
+        // The sum rounds off what is left of steps like 0.1, and turns -0 into 0.
+        let value = (value * 1e9).round() / 1e9 + 0.0;
+        if !self.logarithmic {
+            return value.to_string().replace('-', "\u{2212}");
+        }
+        let superscript = |c: char| match c.to_digit(10) {
+            Some(digit) => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize],
+            None => '⁻',
+        };
+        let exponent: String = value.round().to_string().chars().map(superscript).collect();
+        format!("10{exponent}")
     }
 }
 
@@ -183,10 +209,3 @@ impl Line {
 const FOOTER: f64 = 62.0;
 const LABELS: f64 = 96.0;
 const RIGHT: f64 = 24.0;
-
-/// A number beside a tick, with a true minus sign.
-fn tick(value: &f64) -> String {
-    // The sum rounds off what is left of steps like 0.1, and turns -0 into 0.
-    let value = (value * 1e9).round() / 1e9 + 0.0;
-    value.to_string().replace('-', "\u{2212}")
-}

@@ -26,6 +26,7 @@ pub(crate) fn figure2(runs: &[(f64, Solution<4>)], t_end: f64) -> Result<Figure,
     let rows = runs.iter().map(|(gamma, solution)| row(*gamma, solution, t_end));
     let axis = |label: &str, range| Axis {
         label: label.to_owned(),
+        logarithmic: false,
         range,
         ticks: 5,
     };
@@ -57,6 +58,7 @@ fn row(gamma: f64, solution: &Solution<4>, t_end: f64) -> Result<Row, OutsideSpa
     };
     Ok(Row {
         caption: format!("γ = {gamma} N m s"),
+        legend: Vec::new(),
         panels: vec![
             vec![curve(UPPER, 0), curve(LOWER, 1)],
             vec![curve(UPPER, 2), curve(LOWER, 3)],

@@ -87,7 +87,11 @@ fn spatial_chains_grow_with_the_square_of_their_length_at_most() {
 fn the_chosen_form_is_never_beaten() {
     for scene in [planar, spatial].iter().flat_map(|of| [2, 3, 5].map(of)) {
         let chosen = right_hand_side(&scene);
-        let least = chosen.operations.weight();
+        // a form that loses no digits is worth an eighth more
+        let least = match chosen.operations.weight() {
+            weight if chosen.form.exact => weight * 8 / 9,
+            weight => weight,
+        };
         assert!(chosen.others.len() >= 2, "forms are compared: {:?}", chosen.others);
         assert!(
             chosen.others.iter().all(|(_, other)| other.weight() >= least),

@@ -8,8 +8,10 @@
 pub mod chains;
 pub mod dual;
 pub mod eq22;
+pub mod lopsided;
 pub mod mechanisms;
 pub mod random;
+pub mod ratios;
 pub mod reference;
 pub mod scenes;
 pub mod trajectories;

@@ -12,14 +12,26 @@ const MOST_TERMS: usize = 200;
 /// Rewrites a normal form with sums and differences of its angles wherever that leaves fewer terms. The result is equal in
 /// value, and shorter, but no longer canonical.
 pub fn collect(g: &mut Graph, normalizer: &mut Normalizer, poly: &Poly) -> Result<Poly, TooLarge> {
-    let mut poly = poly.clone();
     if poly.len() > MOST_TERMS {
         return Err(TooLarge);
     }
+    let mut poly = poly.clone();
     while let Some(shorter) = step(g, normalizer, &poly)? {
         poly = shorter;
     }
     Ok(poly)
+}
+
+/// The same, beginning with squares: `sin a - cos(a - b) sin b` hides that it is `cos b sin(a - b)`, which this finds.
+pub(super) fn collect_squares_first(g: &mut Graph, normalizer: &mut Normalizer, poly: &Poly) -> Result<Poly, TooLarge> {
+    if poly.len() > MOST_TERMS {
+        return Err(TooLarge);
+    }
+    let mut poly = poly.clone();
+    while let Some(shorter) = squares(g, &poly) {
+        poly = shorter;
+    }
+    collect(g, normalizer, &poly)
 }
 
 /// Sine and cosine of one angle.
@@ -43,14 +55,18 @@ fn step(g: &mut Graph, normalizer: &mut Normalizer, poly: &Poly) -> Result<Optio
             }
         }
     }
+    Ok(squares(g, poly))
+}
+
+fn squares(g: &mut Graph, poly: &Poly) -> Option<Poly> {
     for (monomial, coefficient) in poly.terms() {
         for a in angles_of(g, monomial) {
             if let Some(shorter) = square(poly, (monomial, coefficient), a) {
-                return Ok(Some(shorter));
+                return Some(shorter);
             }
         }
     }
-    Ok(None)
+    None
 }
 
 fn angles_of(g: &mut Graph, monomial: &Monomial) -> Vec<Angle> {

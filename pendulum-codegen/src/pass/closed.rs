@@ -1,6 +1,7 @@
 //! The closed form of a small scene: every entry expanded to normal form, then written as short as it goes.
 
 use super::angles::collect;
+use super::exact::Eliminated;
 use super::factor::{Preference, Term, factor, polynomial, terms};
 use crate::dynamics::{Dynamics, balance};
 use crate::expr::{ExprId, Graph, Level, Normalizer, Poly, TooLarge};
@@ -19,6 +20,8 @@ pub struct Closed {
     /// The determinant of a mass matrix of two rows. Expanded in symbols it is a sum of the terms that are left after all
     /// exact cancellations, so no digits are lost where one body is much heavier than the other.
     determinant: Option<Vec<Term>>,
+    /// The residual for that determinant, where anything cancels in it.
+    eliminated: Option<Eliminated>,
 }
 
 impl Closed {
@@ -40,6 +43,8 @@ impl Closed {
             [first, second] => Some(determinant(g, normalizer, &first[0], &first[1], &second[1])?),
             _ => None,
         };
+        // a scene may be too large for this and have a closed form
+        let eliminated = Eliminated::new(g, normalizer, dynamics).ok().flatten();
         Ok(Self {
             mass_matrix,
             bias,
@@ -49,6 +54,7 @@ impl Closed {
             kinetic: kinetic?,
             potential: potential?,
             determinant,
+            eliminated,
         })
     }
 
@@ -77,6 +83,13 @@ impl Closed {
     /// The determinant of the mass matrix, where it has two rows.
     pub fn determinant(&self, g: &mut Graph, preference: Preference) -> Option<ExprId> {
         self.determinant.as_ref().map(|terms| factor(g, terms, preference))
+    }
+
+    /// The accelerations without the loss of digits, where other forms have it.
+    pub fn exact(&self, g: &mut Graph, factored: &Dynamics, preference: Preference) -> Option<Vec<ExprId>> {
+        let determinant = self.determinant(g, preference)?;
+        let eliminated = self.eliminated.as_ref()?;
+        Some(eliminated.accelerations(g, factored, determinant, preference))
     }
 }
 

@@ -12,6 +12,8 @@ pub struct Form {
     pub basis: Basis,
     /// How the accelerations are solved from them, where they are.
     pub solver: Option<Solver>,
+    /// Whether what cancels in the solution did so in symbols.
+    pub exact: bool,
     /// How they are derived, where they are.
     pub derivatives: Option<Derivatives>,
 }
@@ -56,6 +58,10 @@ impl Form {
         }
     }
 
+    pub(super) fn exactly(self) -> Self {
+        Self { exact: true, ..self }
+    }
+
     pub(super) fn derived_by(self, derivatives: Derivatives) -> Self {
         Self {
             derivatives: Some(derivatives),
@@ -82,6 +88,9 @@ impl fmt::Display for Form {
             Some(Solver::Pairs) => ", L^T D L by pairs",
             None => "",
         })?;
+        if self.exact {
+            f.write_str(", exact quotient")?;
+        }
         f.write_str(match self.derivatives {
             Some(Derivatives::Graph) => ", derived in the graph",
             Some(Derivatives::Expanded) => ", derived and expanded",

@@ -4,6 +4,7 @@ mod angles;
 mod closed;
 mod constants;
 mod cost;
+mod exact;
 mod factor;
 mod form;
 mod pairs;
@@ -21,7 +22,7 @@ use std::collections::HashMap;
 
 use crate::dynamics::{Dynamics, Factored, Solver, partials, partials_by_recursion};
 use crate::expr::{ExprId, Graph, Normalizer};
-use crate::model::Model;
+use crate::model::{Body, Model};
 
 /// How many products of terms the closed form of a scene may take. Larger scenes keep the shared graph.
 const BUDGET: usize = 20_000;
@@ -29,6 +30,9 @@ const BUDGET: usize = 20_000;
 /// A candidate that is longer than another by this factor is not searched for common parts: that has not been seen to halve
 /// what is left of any scene.
 const HOPELESS: usize = 2;
+
+/// How much longer than the shortest the code may be that loses no digits to cancellation: by one part in this many.
+const WORTH_OF_DIGITS: usize = 8;
 
 /// The shortest code that was found for one function.
 #[derive(Clone, Debug)]
@@ -51,6 +55,8 @@ type Candidate = (Form, Vec<ExprId>);
 pub struct Forms {
     /// Dynamics and, where it is known in a better form, the determinant of the mass matrix.
     forms: Vec<(Basis, Dynamics, Option<ExprId>)>,
+    /// The accelerations of two coordinates with all that cancels gone.
+    exact: Vec<Candidate>,
     /// The accelerations by articulated bodies.
     articulated: Vec<ExprId>,
     normalizer: Normalizer,
@@ -64,13 +70,20 @@ impl Forms {
         let recursive = Dynamics::recursive(model, dynamics.potential);
         let articulated = Dynamics::articulated(model);
         let Model {
-            graph: g, coordinates, ..
+            graph: g,
+            coordinates,
+            bodies,
+            ..
         } = model;
-        let mut forms = Vec::new();
+        let lopsided = is_lopsided(g, bodies);
+        let (mut forms, mut exact) = (Vec::new(), Vec::new());
         if let Ok(closed) = Closed::new(g, &mut normalizer, dynamics) {
             for preference in Preference::ALL {
                 let factored = closed.factored(g, coordinates, preference);
-                forms.push((Basis::Closed(preference), factored, closed.determinant(g, preference)));
+                let accelerations = lopsided.then(|| closed.exact(g, &factored, preference)).flatten();
+                exact.extend(accelerations.map(|x| (Form::of(Basis::Closed(preference)).exactly(), x)));
+                let determinant = closed.determinant(g, preference);
+                forms.push((Basis::Closed(preference), factored, determinant));
             }
         }
         // constants that are zero, or equal, for a reason that shows in their normal form only
@@ -81,6 +94,7 @@ impl Forms {
         let articulated = constants::fold(g, &articulated);
         Self {
             forms,
+            exact,
             articulated,
             normalizer,
         }
@@ -111,6 +125,7 @@ impl Forms {
                 candidates.push((form, factored.solve_negated(g, &dynamics.residual)));
             }
         }
+        candidates.extend(self.exact.iter().cloned());
         candidates.push((Form::of(Basis::Articulated), self.articulated.clone()));
         choose(g, candidates)
     }
@@ -132,23 +147,46 @@ impl Forms {
             columns.push((Derivatives::Graph, derived));
             let by_recursion = partials_by_recursion(g, dynamics, coordinates, variables);
             columns.extend(by_recursion.map(|columns| (Derivatives::Recursion, columns)));
+            let exact = self.exact.iter().filter(|(form, _)| form.basis == *basis);
             for (factored, solver) in factorings(g, dynamics, *determinant) {
-                let accelerations = factored.solve_negated(g, &dynamics.residual);
-                let symbols = coordinates.iter().map(|c| c.acceleration);
-                let known: HashMap<_, _> = symbols.zip(accelerations.iter().copied()).collect();
+                let form = Form::of(*basis).solved_by(solver);
+                let mut ways = vec![(form, factored.solve_negated(g, &dynamics.residual))];
+                ways.extend(
+                    exact
+                        .clone()
+                        .map(|(_, accelerations)| (form.exactly(), accelerations.clone())),
+                );
                 for (derivatives, columns) in &columns {
-                    let columns = columns.iter().flat_map(|column| factored.solve_negated(g, column));
-                    let solved: Vec<ExprId> = columns.collect();
-                    let mut roots = g.substitute(&solved, known.clone());
-                    if with_accelerations {
-                        roots.splice(0..0, accelerations.iter().copied());
+                    let solved = columns.iter().flat_map(|column| factored.solve_negated(g, column));
+                    let solved: Vec<ExprId> = solved.collect();
+                    for (form, accelerations) in &ways {
+                        let symbols = coordinates.iter().map(|c| c.acceleration);
+                        let known: HashMap<_, _> = symbols.zip(accelerations.iter().copied()).collect();
+                        let mut roots = g.substitute(&solved, known);
+                        if with_accelerations {
+                            roots.splice(0..0, accelerations.iter().copied());
+                        }
+                        candidates.push((form.derived_by(*derivatives), roots));
                     }
-                    candidates.push((Form::of(*basis).solved_by(solver).derived_by(*derivatives), roots));
                 }
             }
         }
         choose(g, candidates)
     }
+}
+
+/// Whether one body may be much heavier than another: their masses are different expressions, other than numbers of one size.
+fn is_lopsided(g: &Graph, bodies: &[Body]) -> bool {
+    /// Less than two digits can cancel between masses of this ratio.
+    const EVEN: f64 = 100.0;
+    let size = |id| g.constant(id).map(f64::abs);
+    let uneven = |a: ExprId, b: ExprId| match (size(a), size(b)) {
+        (Some(a), Some(b)) => a.max(b) > EVEN * a.min(b),
+        _ => a != b,
+    };
+    let masses = bodies.iter().map(|body| body.inertia.mass);
+    let masses: Vec<ExprId> = masses.filter(|&mass| !g.is_zero(mass)).collect();
+    masses.iter().any(|&mass| uneven(mass, masses[0]))
 }
 
 /// Columns of derivatives in closed form; none if they grow too large.
@@ -180,6 +218,7 @@ fn factorings(g: &mut Graph, dynamics: &Dynamics, determinant: Option<ExprId>) -
 }
 
 /// The candidate that takes the fewest operations once its common parts are shared; the first of equals. There is at least one.
+/// An exact one may take a few more.
 fn choose(g: &mut Graph, candidates: Vec<Candidate>) -> Chosen {
     let lowered = candidates.into_iter().map(|(form, roots)| {
         let roots = trig::lower(g, &roots);
@@ -207,6 +246,13 @@ fn choose(g: &mut Graph, candidates: Vec<Candidate>) -> Chosen {
         counted.push((form, roots, operations));
     }
     counted.sort_by_key(|(.., operations)| operations.weight());
+    let least = counted.first().map_or(0, |(.., operations)| operations.weight());
+    let exact = counted
+        .iter()
+        .position(|(form, _, operations)| form.exact && operations.weight() <= least + least / WORTH_OF_DIGITS);
+    if let Some(at) = exact {
+        counted[..=at].rotate_right(1);
+    }
     let mut counted = counted.into_iter();
     let (form, roots, operations) = counted.next().unwrap_or_default();
     let mut others: Vec<(Form, Operations)> = Vec::new();
