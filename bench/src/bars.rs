@@ -1,4 +1,4 @@
-//! Horizontal bars on a logarithmic axis, in rows and columns of panels.
+//! Horizontal bars, in rows and columns of panels.
 
 use std::error::Error;
 
@@ -12,6 +12,8 @@ use crate::page::{BLUE, GREY, GRID, INK, MARGIN, Picture, bold, px, text, width}
 pub(crate) struct Bars {
     pub title: String,
     pub subtitle: String,
+    /// Powers of ten in equal distances; or from zero.
+    pub logarithmic: bool,
     pub columns: Vec<String>,
     /// A caption, and the bars of the panel in each column.
     pub rows: Vec<(String, Vec<Vec<Bar>>)>,
@@ -49,20 +51,24 @@ impl Bars {
         (MARGIN + column as f64 * wide + NAMES, wide - NAMES - NUMBERS)
     }
 
-    /// Powers of ten that hold all bars of a column.
-    fn range(&self, column: usize) -> (i32, i32) {
+    /// What holds all bars of a column.
+    fn scale(&self, column: usize) -> Scale {
         let values = || {
             self.rows
                 .iter()
                 .flat_map(|(_, panels)| &panels[column])
                 .map(|bar| bar.value)
         };
+        let most = values().fold(0.0, f64::max);
+        if !self.logarithmic {
+            return Scale::Linear(most);
+        }
         let low = values().fold(f64::INFINITY, f64::min).log10().floor();
-        let high = values().fold(0.0, f64::max).log10().ceil();
+        let high = most.log10().ceil();
         if low.is_finite() && high > low {
-            (low as i32, high as i32)
+            Scale::Logarithmic(low as i32, high as i32)
         } else {
-            (0, 1)
+            Scale::Logarithmic(0, 1)
         }
     }
 
@@ -71,8 +77,8 @@ impl Bars {
         B::ErrorType: 'static,
     {
         let (left, length) = self.axis(column);
-        let (low, high) = self.range(column);
-        let x = |value: f64| left + length * (value.log10() - f64::from(low)) / f64::from(high - low);
+        let scale = self.scale(column);
+        let x = |value: f64| left + length * scale.part(value);
         page.draw_text(&self.columns[column], &bold(25.0), (px(left - NAMES), px(HEAD - 46.0)))?;
         let mut top = HEAD;
         for (caption, panels) in &self.rows {
@@ -84,7 +90,7 @@ impl Bars {
                 &text(23.0, GREY).pos(middle),
                 (px(left - NAMES), px(top + 0.62 * CAPTION)),
             )?;
-            for (value, strong) in ticks(low, high) {
+            for (value, strong) in scale.ticks() {
                 let line = GRID.stroke_width(width(if strong { 2.0 } else { 0.75 }));
                 let x = px(x(value));
                 page.draw(&PathElement::new(vec![(x, px(first - 3.0)), (x, px(last + 3.0))], line))?;
@@ -97,16 +103,12 @@ impl Bars {
                 let color = if bar.ours { BLUE } else { PALE };
                 let corners = [(px(left), px(y - 0.37 * BAR)), (px(x(bar.value)), px(y + 0.37 * BAR))];
                 page.draw(&Rectangle::new(corners, color.filled()))?;
-                page.draw_text(
-                    &nanoseconds(bar.value),
-                    &style.pos(middle),
-                    (px(x(bar.value) + 9.0), px(y)),
-                )?;
+                page.draw_text(&short(bar.value), &style.pos(middle), (px(x(bar.value) + 9.0), px(y)))?;
             }
             top += row_height(panels);
         }
         let style = text(21.0, GREY).pos(Pos::new(HPos::Center, VPos::Center));
-        for (value, _) in ticks(low, high).filter(|&(_, strong)| strong) {
+        for (value, _) in scale.ticks().into_iter().filter(|&(_, strong)| strong) {
             page.draw_text(&format!("{value}"), &style, (px(x(value)), px(top + 4.0)))?;
         }
         Ok(())
@@ -138,15 +140,47 @@ fn row_height(panels: &[Vec<Bar>]) -> f64 {
     CAPTION + GAP + BAR * panels.iter().map(Vec::len).max().unwrap_or(0) as f64
 }
 
-/// The powers of ten, marked, and their multiples.
-fn ticks(low: i32, high: i32) -> impl Iterator<Item = (f64, bool)> {
-    (low..=high).flat_map(move |power| {
-        let multiples = if power == high { 1..2 } else { 1..10 };
-        multiples.map(move |n| (f64::from(n) * 10.0_f64.powi(power), n == 1))
-    })
+/// The axis of a column.
+#[derive(Clone, Copy)]
+enum Scale {
+    /// Between two powers of ten.
+    Logarithmic(i32, i32),
+    /// From zero to this.
+    Linear(f64),
 }
 
-fn nanoseconds(value: f64) -> String {
+impl Scale {
+    /// Where a value stands: 0 at the left end of the axis, 1 at the right.
+    fn part(self, value: f64) -> f64 {
+        match self {
+            Self::Logarithmic(low, high) => (value.log10() - f64::from(low)) / f64::from(high - low),
+            Self::Linear(most) => value / most,
+        }
+    }
+
+    /// The marked values, with their number or without.
+    fn ticks(self) -> Vec<(f64, bool)> {
+        match self {
+            Self::Logarithmic(low, high) => (low..=high)
+                .flat_map(|power| {
+                    let multiples = if power == high { 1..2 } else { 1..10 };
+                    multiples.map(move |n| (f64::from(n) * 10.0_f64.powi(power), n == 1))
+                })
+                .collect(),
+            Self::Linear(most) => {
+                // Two to five round steps.
+                let power = 10.0_f64.powf((most / 2.0).log10().floor());
+                let step = [5.0, 2.0, 1.0].map(|n| n * power);
+                let step = step.into_iter().find(|step| 2.0 * step <= most).unwrap_or(power);
+                (0..=(most / step) as i32)
+                    .map(|n| (step * f64::from(n), true))
+                    .collect()
+            }
+        }
+    }
+}
+
+fn short(value: f64) -> String {
     if value < 100.0 {
         format!("{value:.1}")
     } else {

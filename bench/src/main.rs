@@ -1,12 +1,16 @@
 //! Measurements of the generated code beside its peers, each written as a table and a chart into `out/`.
 
 mod bars;
+mod compile;
+mod lanes;
+mod library;
 mod machine;
 #[path = "../../examples/common/page.rs"]
 #[allow(dead_code, reason = "shared with the examples, which use more colours")]
 mod page;
 mod peers;
 mod report;
+mod rust;
 mod timing;
 #[path = "../../examples/common/typeset.rs"]
 mod typeset;
@@ -17,7 +21,7 @@ use std::process::ExitCode;
 type Measurement = fn() -> Result<(), Box<dyn Error>>;
 
 /// What can be measured: `cargo run --release -- NAME`.
-const MEASUREMENTS: [(&str, Measurement); 1] = [("peers", peers::measure)];
+const MEASUREMENTS: [(&str, Measurement); 2] = [("peers", peers::measure), ("lanes", lanes::measure)];
 
 fn main() -> ExitCode {
     let wanted: Vec<String> = std::env::args().skip(1).collect();

@@ -17,6 +17,10 @@ pub(crate) fn table(head: &[&str], words: usize, rows: &[Vec<String>]) -> String
     text
 }
 
+pub(crate) fn list(lines: &[String]) -> String {
+    lines.iter().map(|line| format!("- {line}\n")).collect()
+}
+
 /// Three significant digits; nothing for what was not measured.
 pub(crate) fn number(value: Option<f64>) -> String {
     match value {

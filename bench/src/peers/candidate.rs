@@ -3,7 +3,8 @@
 use pendulum_core::Operations;
 use serde::{Deserialize, Serialize};
 
-use super::compile::Job;
+use crate::compile::Job;
+use crate::library::Program;
 
 /// The name of the generated code among the peers.
 pub(crate) const OURS: &str = "pendulum";
@@ -46,15 +47,4 @@ pub(crate) struct Candidate {
     pub cheap: Option<Program>,
     /// How a peer was compiled, and the name of its function.
     pub job: Option<(Job, String)>,
-}
-
-pub(crate) type Run = dyn Fn(&[f64]);
-pub(crate) type Value = dyn Fn(&[f64]) -> Vec<f64>;
-
-/// Code that can be run.
-pub(crate) struct Program {
-    /// Evaluates a row of states, one after the other.
-    pub run: Box<Run>,
-    /// Accelerations, then the derivatives, column by column, as far as they belong to the function.
-    pub value: Box<Value>,
 }

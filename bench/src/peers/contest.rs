@@ -6,10 +6,11 @@ use std::time::Duration;
 
 use pendulum_core::real::Real;
 
-use super::candidate::{Candidate, Function, OURS, Program};
+use super::candidate::{Candidate, Function, OURS};
 use super::entrants;
 use super::random::Random;
 use super::results::Row;
+use crate::library::Program;
 use crate::timing::{Times, in_turns};
 
 /// States that are evaluated one after the other, in each pass. So few that the processor learns which branches the sines and
@@ -67,7 +68,7 @@ pub(crate) fn hold(candidates: &[Candidate], model: &str, function: Function) ->
 fn finals(best: &[&Candidate], length: usize, states: &[f64]) -> Result<Vec<Row>, Box<dyn Error>> {
     let made: Vec<Option<Program>> = best
         .iter()
-        .map(|candidate| entrants::cheap(candidate))
+        .map(|candidate| entrants::cheapened(candidate))
         .collect::<Result<_, _>>()?;
     let cheap: Vec<Option<&Program>> = best
         .iter()

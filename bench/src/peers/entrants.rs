@@ -3,9 +3,11 @@
 use std::error::Error;
 use std::path::Path;
 
-use super::candidate::{Candidate, Function, Program};
-use super::compile::{self, Job};
+use super::candidate::{Candidate, Function};
+use super::cheap;
 use super::generate::{Generated, Source};
+use crate::compile::{self, Job};
+use crate::library::{self, Program};
 use crate::machine;
 
 /// How the peers' C is compiled; which is faster depends on the code. The last has no fused multiplications and additions,
@@ -108,13 +110,13 @@ fn job(folder: &Path, source: &Source, compiler: &str, flags: Vec<String>) -> Jo
         source: folder.join(&source.file),
         compiler: compiler.to_owned(),
         flags,
-        cheap: false,
+        before: None,
     }
 }
 
 fn load(source: &Source, library: &Path) -> Result<Program, Box<dyn Error>> {
     let (states, results) = sizes(&source.model, source.function)?;
-    compile::load(library, &source.symbol, states, results)
+    library::load(library, &source.symbol, states, results)
 }
 
 /// The lengths of the state, and of what a peer's function writes.
@@ -134,7 +136,7 @@ pub(crate) fn sizes(model: &str, function: Function) -> Result<(usize, usize), S
 }
 
 /// The same function with hardly any sine and cosine. For C only: Pinocchio's headers have more in them by these names.
-pub(crate) fn cheap(candidate: &Candidate) -> Result<Option<Program>, Box<dyn Error>> {
+pub(crate) fn cheapened(candidate: &Candidate) -> Result<Option<Program>, Box<dyn Error>> {
     let Some((job, symbol)) = &candidate.job else {
         return Ok(None);
     };
@@ -142,12 +144,12 @@ pub(crate) fn cheap(candidate: &Candidate) -> Result<Option<Program>, Box<dyn Er
         return Ok(None);
     }
     let job = Job {
-        cheap: true,
+        before: Some(cheap::IN_C),
         ..job.clone()
     };
     let (states, results) = sizes(&candidate.model, candidate.function)?;
     let [library] = &compile::compile(&[job])?[..] else {
         return Ok(None);
     };
-    Ok(Some(compile::load(library, symbol, states, results)?))
+    Ok(Some(library::load(library, symbol, states, results)?))
 }

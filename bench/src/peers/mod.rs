@@ -5,7 +5,6 @@
 mod agree;
 mod candidate;
 mod cheap;
-mod compile;
 mod contest;
 mod entrants;
 #[path = "../../../tests/common/eq22.rs"]

@@ -7,7 +7,7 @@ use super::candidate::{Function, MODELS, OURS};
 use super::results::{Results, Row};
 use crate::bars::{Bar, Bars};
 use crate::page::Picture;
-use crate::report::{count, number, table, write};
+use crate::report::{count, list, number, table, write};
 
 /// Code that was written by hand is shown, but is no generator to be faster than.
 const BY_HAND: &str = "by hand";
@@ -31,7 +31,6 @@ pub(crate) fn all(results: &Results, out: &Path) -> Result<Vec<PathBuf>, Box<dyn
 }
 
 fn markdown(results: &Results) -> String {
-    let list = |lines: &[String]| lines.iter().map(|line| format!("- {line}\n")).collect::<String>();
     let mut text = format!("# The generated code and its peers\n\n{}\n", list(&results.header));
     if !results.notes.is_empty() {
         text += &format!("Left out:\n\n{}\n", list(&results.notes));
@@ -179,6 +178,7 @@ fn chart(results: &Results) -> Bars {
         title: "Time of one evaluation".to_owned(),
         subtitle: "The generated code and the best form of each peer, taken in turns; nanoseconds, logarithmic"
             .to_owned(),
+        logarithmic: true,
         columns: functions.map(|function| capital(function.title())).to_vec(),
         rows: MODELS
             .iter()

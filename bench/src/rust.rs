@@ -1,0 +1,133 @@
+//! Rust compiled into shared libraries by calls of `rustc` alone: what it depends on has been built before.
+
+use std::error::Error;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Output};
+use std::time::{Duration, Instant};
+
+use serde::Deserialize;
+
+/// For which processors code is compiled.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Processors {
+    /// All of this kind, as by a plain `cargo build --release`.
+    All,
+    /// This one, as the rest of the measurements.
+    This,
+}
+
+/// A compiler with `pendulum_core` at hand.
+pub(crate) struct Rust {
+    folder: PathBuf,
+    core: PathBuf,
+    processors: Processors,
+}
+
+/// A line of what cargo says of its work.
+#[derive(Deserialize)]
+struct Message {
+    #[serde(default)]
+    target: Target,
+    #[serde(default)]
+    filenames: Vec<PathBuf>,
+}
+
+#[derive(Default, Deserialize)]
+struct Target {
+    name: String,
+}
+
+impl Processors {
+    fn name(self) -> &'static str {
+        match self {
+            Self::All => "all",
+            Self::This => "this",
+        }
+    }
+
+    fn flags(self) -> &'static str {
+        match self {
+            Self::All => "",
+            Self::This => "-Ctarget-cpu=native",
+        }
+    }
+}
+
+impl Rust {
+    /// Builds `pendulum_core` in release, in a crate of its own below `build`, unless it is there from an earlier run.
+    pub(crate) fn new(root: &Path, build: &Path, processors: Processors) -> Result<Self, Box<dyn Error>> {
+        let folder = build.join("rust").join(processors.name());
+        fs::create_dir_all(folder.join("src"))?;
+        fs::write(folder.join("src/lib.rs"), "")?;
+        let manifest = format!(
+            "[workspace]\n[package]\nname = \"base\"\nversion = \"0.1.0\"\nedition = \"2024\"\n\
+             [dependencies]\npendulum-core = {{ path = {:?} }}\n\
+             [profile.release.build-override]\nopt-level = 2\n",
+            root.join("../pendulum-core").canonicalize()?
+        );
+        fs::write(folder.join("Cargo.toml"), manifest)?;
+        // The versions of the measurements themselves.
+        fs::copy(root.join("Cargo.lock"), folder.join("Cargo.lock"))?;
+        let mut command = Command::new("cargo");
+        command
+            .args(["build", "--release", "--message-format=json"])
+            .env("RUSTFLAGS", processors.flags())
+            .env("CARGO_TARGET_DIR", folder.join("target"))
+            .current_dir(&folder);
+        let output = run(&mut command)?;
+        let core = String::from_utf8_lossy(&output.stdout)
+            .lines()
+            .filter_map(|line| serde_json::from_str::<Message>(line).ok())
+            .filter(|message| message.target.name == "pendulum_core")
+            .flat_map(|message| message.filenames)
+            .find(|file| file.extension().is_some_and(|ending| ending == "rlib"))
+            .ok_or("cargo does not say where pendulum_core is")?;
+        Ok(Self {
+            folder,
+            core,
+            processors,
+        })
+    }
+
+    /// The shared library `name` from a source, and how long the compiler took.
+    pub(crate) fn library(&self, name: &str, source: &str) -> Result<(PathBuf, Duration), Box<dyn Error>> {
+        let (input, library) = (
+            self.folder.join(format!("{name}.rs")),
+            self.folder.join(format!("{name}.so")),
+        );
+        fs::write(&input, source)?;
+        let dependencies = self.core.parent().unwrap_or(&self.folder);
+        let mut command = Command::new("rustc");
+        command
+            .args(["--edition", "2024", "--crate-type", "cdylib", "--crate-name", name])
+            .args(["-Copt-level=3", "-Cembed-bitcode=no", "--cap-lints", "allow"])
+            .args(Some(self.processors.flags()).filter(|flags| !flags.is_empty()))
+            .arg("-L")
+            .arg(format!("dependency={}", dependencies.display()))
+            .arg("--extern")
+            .arg(format!("pendulum_core={}", self.core.display()))
+            .arg(&input)
+            .arg("-o")
+            .arg(&library)
+            .current_dir(&self.folder);
+        // A library that this process has loaded is not written over.
+        match fs::remove_file(&library) {
+            Err(error) if error.kind() != std::io::ErrorKind::NotFound => return Err(error.into()),
+            _ => {}
+        }
+        let start = Instant::now();
+        run(&mut command)?;
+        Ok((library, start.elapsed()))
+    }
+}
+
+fn run(command: &mut Command) -> Result<Output, Box<dyn Error>> {
+    let program = command.get_program().to_string_lossy().into_owned();
+    let output = command.output().map_err(|error| format!("{program}: {error}"))?;
+    if output.status.success() {
+        Ok(output)
+    } else {
+        Err(format!("{program}:\n{}", String::from_utf8_lossy(&output.stderr)).into())
+    }
+}
