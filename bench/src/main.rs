@@ -1,16 +1,21 @@
 //! Measurements of the generated code beside its peers, each written as a table and a chart into `out/`.
 
 mod bars;
+#[path = "../../pendulum-codegen/tests/common/chains.rs"]
+mod chains;
 mod compile;
+mod generated;
 mod lanes;
 mod library;
 mod machine;
 #[path = "../../examples/common/page.rs"]
 #[allow(dead_code, reason = "shared with the examples, which use more colours")]
 mod page;
+mod panels;
 mod peers;
 mod report;
 mod rust;
+mod scaling;
 mod timing;
 #[path = "../../examples/common/typeset.rs"]
 mod typeset;
@@ -21,7 +26,11 @@ use std::process::ExitCode;
 type Measurement = fn() -> Result<(), Box<dyn Error>>;
 
 /// What can be measured: `cargo run --release -- NAME`.
-const MEASUREMENTS: [(&str, Measurement); 2] = [("peers", peers::measure), ("lanes", lanes::measure)];
+const MEASUREMENTS: [(&str, Measurement); 3] = [
+    ("peers", peers::measure),
+    ("lanes", lanes::measure),
+    ("scaling", scaling::measure),
+];
 
 fn main() -> ExitCode {
     let wanted: Vec<String> = std::env::args().skip(1).collect();

@@ -1,0 +1,152 @@
+//! How the generator and its code grow with the number of joints: planar and spatial chains.
+
+mod results;
+mod write;
+
+use std::error::Error;
+use std::hint::black_box;
+use std::path::Path;
+use std::time::Duration;
+
+use pendulum_codegen::Function;
+use pendulum_codegen::pass::{Basis, Chosen};
+use results::{Counted, Results, Robot, Row};
+
+use crate::chains::{planar, spatial};
+use crate::generated::Declaration;
+use crate::library::{self, Program};
+use crate::machine;
+use crate::rust::{Processors, Rust};
+use crate::timing::in_turns;
+
+const LENGTHS: std::ops::RangeInclusive<usize> = 2..=12;
+/// What is generated, the function whose operations and time are given, and its title.
+pub(crate) const FUNCTIONS: [(&str, Function, &str); 2] = [
+    ("rhs", Function::Rhs, "right-hand side"),
+    ("rhs, jacobian", Function::Jacobian, "with Jacobian"),
+];
+/// For each scene, how long it may be expanded, compiled and run again to find the least time.
+const BUDGETS: [Duration; 3] = [
+    Duration::from_secs(2),
+    Duration::from_secs(3),
+    Duration::from_millis(500),
+];
+/// States that are evaluated one after the other.
+const STATES: usize = 64;
+
+const ROBOTS: &str = include_str!("../../../tests/common/robots.rs");
+
+pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let out = root.join("out");
+    let rust = Rust::new(root, &out.join("build"), Processors::This)?;
+    let mut rows = Vec::new();
+    for (chain, declare) in [("planar", planar as fn(usize, &str) -> String), ("spatial", spatial)] {
+        for (generate, function, title) in FUNCTIONS {
+            for n in LENGTHS {
+                let declaration = Declaration {
+                    name: "Chain".to_owned(),
+                    text: declare(n, generate),
+                    parameters: match chain {
+                        "planar" => vec![("g", 9.81), ("m", 1.0), ("c", 0.1)],
+                        _ => Vec::new(),
+                    },
+                };
+                let row = row(&rust, &declaration, (chain, n), (function, title))?;
+                println!(
+                    "{chain}, {n}, {title}: {} operations, expanded in {:.3} s, compiled in {:.2} s, {:.0} ns",
+                    row.operations, row.expansion, row.compilation, row.nanoseconds
+                );
+                rows.push(row);
+            }
+        }
+    }
+    let robots = [("Ur5", "UR5"), ("Panda", "Panda")]
+        .into_iter()
+        .map(|(name, title)| robot(&rust, name, title))
+        .collect::<Result<_, _>>()?;
+    let header = machine::describe();
+    for path in write::all(&Results { header, rows, robots }, &out)? {
+        println!("{}", path.display());
+    }
+    Ok(())
+}
+
+fn row(
+    rust: &Rust,
+    declaration: &Declaration,
+    (chain, n): (&'static str, usize),
+    (function, title): (Function, &'static str),
+) -> Result<Row, Box<dyn Error>> {
+    let program = declaration.program()?;
+    let chosen = program.functions.get(&function).ok_or("a function is missing")?;
+    let (items, expansion) = declaration.expand(BUDGETS[0])?;
+    let wanted: Vec<Function> = program.functions.keys().copied().collect();
+    let source = declaration.source(&items, &wanted);
+    let name = format!("{chain}_{n}_{}", function.name());
+    let (library, compilation) = declaration.compile(rust, &name, &source, BUDGETS[1])?;
+    let states: Vec<f64> = (0..2 * n * STATES).map(|k| (0.37 * k as f64).sin()).collect();
+    let results = if function == Function::Rhs { 2 * n } else { 4 * n * n };
+    let run = library::load(&library, function.name(), 2 * n, results)?;
+    Ok(Row {
+        chain,
+        joints: n,
+        function: title,
+        form: chosen.form.to_string(),
+        operations: chosen.operations.additions + chosen.operations.multiplications,
+        divisions: chosen.operations.divisions,
+        bases: bases(chosen),
+        expansion: expansion.as_secs_f64(),
+        compilation: compilation.as_secs_f64(),
+        nanoseconds: nanoseconds(&run, &states),
+    })
+}
+
+fn nanoseconds(program: &Program, states: &[f64]) -> f64 {
+    let run = || (program.run)(black_box(states));
+    let times = in_turns(&[&run], STATES, BUDGETS[2]);
+    times.first().map_or(f64::NAN, crate::timing::Times::least)
+}
+
+/// The additions and multiplications of the best form on each basis; the closed forms are one.
+fn bases(chosen: &Chosen) -> Vec<Counted> {
+    let all = [(chosen.form, chosen.operations)]
+        .into_iter()
+        .chain(chosen.others.iter().copied());
+    let mut bases: Vec<Counted> = Vec::new();
+    for (form, operations) in all {
+        let basis = match form.basis {
+            Basis::Closed(_) => "closed form",
+            Basis::Shared => "A, B and C",
+            Basis::Recursive => "recursion",
+            Basis::Articulated => "articulated bodies",
+        };
+        // They come from the shortest on.
+        if bases.iter().all(|known| known.basis != basis) {
+            bases.push(Counted {
+                basis,
+                operations: operations.additions + operations.multiplications,
+            });
+        }
+    }
+    bases
+}
+
+/// The times of a robot with Jacobian: by steps, and by one call of the compiler with the macro in it.
+fn robot(rust: &Rust, name: &str, title: &'static str) -> Result<Robot, Box<dyn Error>> {
+    let declaration = Declaration::read(ROBOTS, name, "rhs, jacobian")?;
+    let (items, expansion) = declaration.expand(4 * BUDGETS[0])?;
+    let functions = FUNCTIONS.map(|(_, function, _)| function);
+    let budget = 4 * BUDGETS[1];
+    let source = declaration.source(&items, &functions);
+    let (_, compilation) = declaration.compile(rust, &name.to_lowercase(), &source, budget)?;
+    let call = format!("pendulum_core::mechanism! {{ {} }}", declaration.text);
+    let source = declaration.source(&call, &functions);
+    let (_, together) = declaration.compile(rust, &format!("{}_macro", name.to_lowercase()), &source, budget)?;
+    Ok(Robot {
+        name: title,
+        expansion: expansion.as_secs_f64(),
+        compilation: compilation.as_secs_f64(),
+        together: together.as_secs_f64(),
+    })
+}
