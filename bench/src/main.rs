@@ -3,6 +3,7 @@
 mod bars;
 #[path = "../../pendulum-codegen/tests/common/chains.rs"]
 mod chains;
+mod cheap;
 mod compile;
 mod generated;
 mod lanes;
@@ -19,6 +20,7 @@ mod scaling;
 mod timing;
 #[path = "../../examples/common/typeset.rs"]
 mod typeset;
+mod weights;
 
 use std::error::Error;
 use std::process::ExitCode;
@@ -26,10 +28,11 @@ use std::process::ExitCode;
 type Measurement = fn() -> Result<(), Box<dyn Error>>;
 
 /// What can be measured: `cargo run --release -- NAME`.
-const MEASUREMENTS: [(&str, Measurement); 3] = [
+const MEASUREMENTS: [(&str, Measurement); 4] = [
     ("peers", peers::measure),
     ("lanes", lanes::measure),
     ("scaling", scaling::measure),
+    ("weights", weights::measure),
 ];
 
 fn main() -> ExitCode {

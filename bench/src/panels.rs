@@ -43,6 +43,7 @@ const RIGHT: f64 = 34.0;
 const HEAD: f64 = 196.0;
 const CAPTION: f64 = 54.0;
 const FOOTER: f64 = 96.0;
+const BETWEEN: f64 = 48.0;
 
 /// A panel on the page, and its ranges.
 struct Frame {
@@ -80,7 +81,7 @@ impl Panels {
         let ends = (self.x_ticks.first(), self.x_ticks.last());
         Frame {
             left: MARGIN + LABELS + column as f64 * (PANEL.0 + LABELS + RIGHT),
-            top: HEAD + CAPTION + row as f64 * (PANEL.1 + CAPTION + 24.0),
+            top: HEAD + CAPTION + row as f64 * (PANEL.1 + CAPTION + BETWEEN),
             x: (ends.0.copied().unwrap_or(1.0), ends.1.copied().unwrap_or(10.0)),
             y: self.range(column),
         }
@@ -108,7 +109,7 @@ impl Panels {
             let y = 10.0_f64.powi(power);
             line((frame.x.0, y), (frame.x.1, y), 1.5)?;
             let (left, at) = frame.place((frame.x.0, y));
-            page.draw_text(&y.to_string(), &beside, (left - px(9.0), at))?;
+            page.draw_text(&power_of_ten(power), &beside, (left - px(9.0), at))?;
         }
         Ok(())
     }
@@ -183,10 +184,19 @@ impl Panels {
     }
 }
 
+/// In digits as far as they are read at sight.
+fn power_of_ten(power: i32) -> String {
+    if power < 5 {
+        return 10.0_f64.powi(power).to_string();
+    }
+    let digits = ["⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"];
+    format!("10{}", digits.get(power as usize).copied().unwrap_or("…"))
+}
+
 impl Picture for Panels {
     fn size(&self) -> (u32, u32) {
         let wide = 2.0 * MARGIN + self.columns.len() as f64 * (PANEL.0 + LABELS + RIGHT);
-        let high = HEAD + self.rows.len() as f64 * (PANEL.1 + CAPTION + 24.0) + FOOTER - 24.0;
+        let high = HEAD + self.rows.len() as f64 * (PANEL.1 + CAPTION + BETWEEN) + FOOTER - BETWEEN;
         (wide as u32, high as u32)
     }
 

@@ -47,6 +47,11 @@ impl Times {
         median(self.0.clone())
     }
 
+    /// The median over the rounds of this time less the other one of the same round.
+    pub(crate) fn minus(&self, other: &Self) -> f64 {
+        median(self.0.iter().zip(&other.0).map(|(a, b)| a - b).collect())
+    }
+
     /// The median over the rounds of this time divided by the other one of the same round.
     pub(crate) fn over(&self, other: &Self) -> f64 {
         median(self.0.iter().zip(&other.0).map(|(a, b)| a / b).collect())

@@ -4,8 +4,8 @@ use std::error::Error;
 use std::path::Path;
 
 use super::candidate::{Candidate, Function};
-use super::cheap;
 use super::generate::{Generated, Source};
+use crate::cheap;
 use crate::compile::{self, Job};
 use crate::library::{self, Program};
 use crate::machine;

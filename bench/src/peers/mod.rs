@@ -4,7 +4,6 @@
 
 mod agree;
 mod candidate;
-mod cheap;
 mod contest;
 mod entrants;
 #[path = "../../../tests/common/eq22.rs"]

@@ -14,7 +14,7 @@ use results::{Counted, Results, Robot, Row};
 
 use crate::chains::{planar, spatial};
 use crate::generated::Declaration;
-use crate::library::{self, Program};
+use crate::library;
 use crate::machine;
 use crate::rust::{Processors, Rust};
 use crate::timing::in_turns;
@@ -25,12 +25,10 @@ pub(crate) const FUNCTIONS: [(&str, Function, &str); 2] = [
     ("rhs", Function::Rhs, "right-hand side"),
     ("rhs, jacobian", Function::Jacobian, "with Jacobian"),
 ];
-/// For each scene, how long it may be expanded, compiled and run again to find the least time.
-const BUDGETS: [Duration; 3] = [
-    Duration::from_secs(2),
-    Duration::from_secs(3),
-    Duration::from_millis(500),
-];
+/// For each scene, how long it may be expanded and compiled again to find the least time.
+const BUDGETS: [Duration; 2] = [Duration::from_secs(2), Duration::from_secs(3)];
+/// How long all evaluations take turns.
+const TURNS: Duration = Duration::from_secs(30);
 /// States that are evaluated one after the other.
 const STATES: usize = 64;
 
@@ -40,7 +38,7 @@ pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let out = root.join("out");
     let rust = Rust::new(root, &out.join("build"), Processors::This)?;
-    let mut rows = Vec::new();
+    let (mut rows, mut runs) = (Vec::new(), Vec::new());
     for (chain, declare) in [("planar", planar as fn(usize, &str) -> String), ("spatial", spatial)] {
         for (generate, function, title) in FUNCTIONS {
             for n in LENGTHS {
@@ -52,14 +50,19 @@ pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
                         _ => Vec::new(),
                     },
                 };
-                let row = row(&rust, &declaration, (chain, n), (function, title))?;
+                let (row, run) = row(&rust, &declaration, (chain, n), (function, title))?;
                 println!(
-                    "{chain}, {n}, {title}: {} operations, expanded in {:.3} s, compiled in {:.2} s, {:.0} ns",
-                    row.operations, row.expansion, row.compilation, row.nanoseconds
+                    "{chain}, {n}, {title}: {} operations, expanded in {:.3} s, compiled in {:.2} s",
+                    row.operations, row.expansion, row.compilation
                 );
                 rows.push(row);
+                runs.push(run);
             }
         }
+    }
+    let calls: Vec<&dyn Fn()> = runs.iter().map(AsRef::as_ref).collect();
+    for (row, times) in rows.iter_mut().zip(in_turns(&calls, STATES, TURNS)) {
+        row.nanoseconds = times.least();
     }
     let robots = [("Ur5", "UR5"), ("Panda", "Panda")]
         .into_iter()
@@ -72,23 +75,24 @@ pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+/// All but the time of an evaluation, and what evaluates some states.
 fn row(
     rust: &Rust,
     declaration: &Declaration,
     (chain, n): (&'static str, usize),
     (function, title): (Function, &'static str),
-) -> Result<Row, Box<dyn Error>> {
-    let program = declaration.program()?;
-    let chosen = program.functions.get(&function).ok_or("a function is missing")?;
+) -> Result<(Row, Box<dyn Fn()>), Box<dyn Error>> {
+    let functions = declaration.program()?.functions;
+    let chosen = functions.get(&function).ok_or("a function is missing")?;
     let (items, expansion) = declaration.expand(BUDGETS[0])?;
-    let wanted: Vec<Function> = program.functions.keys().copied().collect();
+    let wanted: Vec<Function> = functions.keys().copied().collect();
     let source = declaration.source(&items, &wanted);
     let name = format!("{chain}_{n}_{}", function.name());
     let (library, compilation) = declaration.compile(rust, &name, &source, BUDGETS[1])?;
     let states: Vec<f64> = (0..2 * n * STATES).map(|k| (0.37 * k as f64).sin()).collect();
     let results = if function == Function::Rhs { 2 * n } else { 4 * n * n };
-    let run = library::load(&library, function.name(), 2 * n, results)?;
-    Ok(Row {
+    let program = library::load(&library, function.name(), 2 * n, results)?;
+    let row = Row {
         chain,
         joints: n,
         function: title,
@@ -98,14 +102,9 @@ fn row(
         bases: bases(chosen),
         expansion: expansion.as_secs_f64(),
         compilation: compilation.as_secs_f64(),
-        nanoseconds: nanoseconds(&run, &states),
-    })
-}
-
-fn nanoseconds(program: &Program, states: &[f64]) -> f64 {
-    let run = || (program.run)(black_box(states));
-    let times = in_turns(&[&run], STATES, BUDGETS[2]);
-    times.first().map_or(f64::NAN, crate::timing::Times::least)
+        nanoseconds: f64::NAN,
+    };
+    Ok((row, Box::new(move || (program.run)(black_box(&states)))))
 }
 
 /// The additions and multiplications of the best form on each basis; the closed forms are one.

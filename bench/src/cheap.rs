@@ -1,13 +1,14 @@
-//! Numbers whose sine and cosine cost nearly nothing, to see what the rest of a function takes.
+//! Numbers whose sines and cosines, or divisions, cost nearly nothing, to see what the rest of a function takes.
 
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use pendulum_core::real::Real;
 
-/// An `f64` with `x / 2` for the sine and `x + 1/4` for the cosine; the results mean nothing.
+/// An `f64` that without `SINES` has `x / 2` for the sine and `x + 1/4` for the cosine, and without `DIVISIONS` multiplies instead;
+/// the results mean nothing.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 #[repr(transparent)]
-pub(crate) struct Cheap(pub f64);
+pub(crate) struct Cheap<const SINES: bool = false, const DIVISIONS: bool = true>(pub f64);
 
 /// The same in C, for the peers: included before all else.
 pub(crate) const IN_C: &str = "\
@@ -21,7 +22,7 @@ static inline double cheap_cos(double x) { return x + 0.25; }
 macro_rules! operators {
     ($($operator:ident $method:ident, $assign:ident $in_place:ident;)*) => {
         $(
-            impl $operator for Cheap {
+            impl<const SINES: bool, const DIVISIONS: bool> $operator for Cheap<SINES, DIVISIONS> {
                 type Output = Self;
 
                 #[inline]
@@ -30,7 +31,7 @@ macro_rules! operators {
                 }
             }
 
-            impl $assign for Cheap {
+            impl<const SINES: bool, const DIVISIONS: bool> $assign for Cheap<SINES, DIVISIONS> {
                 #[inline]
                 fn $in_place(&mut self, other: Self) {
                     $assign::$in_place(&mut self.0, other.0);
@@ -44,10 +45,25 @@ operators! {
     Add add, AddAssign add_assign;
     Sub sub, SubAssign sub_assign;
     Mul mul, MulAssign mul_assign;
-    Div div, DivAssign div_assign;
 }
 
-impl Neg for Cheap {
+impl<const SINES: bool, const DIVISIONS: bool> Div for Cheap<SINES, DIVISIONS> {
+    type Output = Self;
+
+    #[inline]
+    fn div(self, other: Self) -> Self {
+        Self(if DIVISIONS { self.0 / other.0 } else { self.0 * other.0 })
+    }
+}
+
+impl<const SINES: bool, const DIVISIONS: bool> DivAssign for Cheap<SINES, DIVISIONS> {
+    #[inline]
+    fn div_assign(&mut self, other: Self) {
+        *self = *self / other;
+    }
+}
+
+impl<const SINES: bool, const DIVISIONS: bool> Neg for Cheap<SINES, DIVISIONS> {
     type Output = Self;
 
     #[inline]
@@ -59,6 +75,7 @@ impl Neg for Cheap {
 macro_rules! forward {
     ($($method:ident)*) => {
         $(
+            #[inline]
             fn $method(self) -> Self {
                 Self(Real::$method(self.0))
             }
@@ -66,7 +83,7 @@ macro_rules! forward {
     };
 }
 
-impl Real for Cheap {
+impl<const SINES: bool, const DIVISIONS: bool> Real for Cheap<SINES, DIVISIONS> {
     #[inline]
     fn from_f64(v: f64) -> Self {
         Self(v)
@@ -74,7 +91,12 @@ impl Real for Cheap {
 
     #[inline]
     fn sin_cos(self) -> (Self, Self) {
-        (Self(0.5 * self.0), Self(self.0 + 0.25))
+        if SINES {
+            let (sin, cos) = Real::sin_cos(self.0);
+            (Self(sin), Self(cos))
+        } else {
+            (Self(0.5 * self.0), Self(self.0 + 0.25))
+        }
     }
 
     fn atan2(self, x: Self) -> Self {

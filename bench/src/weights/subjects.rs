@@ -1,0 +1,143 @@
+//! The generated functions whose times are taken.
+
+use std::error::Error;
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use pendulum_codegen::Function;
+use pendulum_codegen::pass::Operations;
+
+use super::STATES;
+use crate::chains::{planar, spatial};
+use crate::generated::Declaration;
+use crate::library::{self, Program};
+use crate::rust::Rust;
+
+/// A model, compiled.
+pub(crate) struct Subject {
+    pub name: String,
+    pub dof: usize,
+    pub states: Vec<f64>,
+    rhs: Operations,
+    jacobian: Operations,
+    library: PathBuf,
+}
+
+/// What is left out of a function: fewer than it has, in the same code, tell more than other functions with fewer.
+#[derive(Clone, Copy)]
+pub(crate) struct Variant {
+    pub symbol: &'static str,
+    pub sines: bool,
+    pub divisions: bool,
+}
+
+pub(crate) const VARIANTS: [Variant; 4] = [
+    variant("both", true, true),
+    variant("divisions", false, true),
+    variant("sines", true, false),
+    variant("neither", false, false),
+];
+
+const fn variant(symbol: &'static str, sines: bool, divisions: bool) -> Variant {
+    Variant {
+        symbol,
+        sines,
+        divisions,
+    }
+}
+
+/// Jacobians of more joints take long to compile, four times over.
+const LARGEST_JACOBIAN: usize = 6;
+
+impl Subject {
+    /// Those of the right-hand side or of the Jacobian, if it is timed.
+    pub(crate) fn operations(&self, jacobian: bool) -> Option<Operations> {
+        match jacobian {
+            false => Some(self.rhs),
+            true => (self.dof <= LARGEST_JACOBIAN).then_some(self.jacobian),
+        }
+    }
+
+    pub(crate) fn load(&self, symbol: &str) -> Result<Program, Box<dyn Error>> {
+        library::load(&self.library, symbol, 2 * self.dof, 0)
+    }
+}
+
+pub(crate) fn all(root: &Path, rust: &Rust) -> Result<Vec<Subject>, Box<dyn Error>> {
+    let generate = "rhs, jacobian";
+    let shared = root.join("../tests/common");
+    let mut declarations = Vec::new();
+    for (file, names) in [
+        ("scenes.rs", &["DoublePendulum"][..]),
+        (
+            "mechanisms.rs",
+            &[
+                "Eq22Joint",
+                "IrregularPlates",
+                "Chain5",
+                "CartPole",
+                "Furuta",
+                "ScrewJoint",
+                "Elbow3",
+                "Tree",
+                "SpringPendulumRig",
+            ],
+        ),
+        ("robots.rs", &["Ur5", "Panda"]),
+    ] {
+        let source = fs::read_to_string(shared.join(file))?;
+        for name in names {
+            declarations.push(((*name).to_owned(), Declaration::read(&source, name, generate)?));
+        }
+    }
+    for n in 3..=8 {
+        for (chain, declare) in [("planar", planar as fn(usize, &str) -> String), ("spatial", spatial)] {
+            let parameters = match chain {
+                "planar" => vec![("g", 9.81), ("m", 1.0), ("c", 0.1)],
+                _ => Vec::new(),
+            };
+            let declaration = Declaration {
+                name: "Chain".to_owned(),
+                text: declare(n, generate),
+                parameters,
+            };
+            declarations.push((format!("{chain}{n}"), declaration));
+        }
+    }
+    declarations
+        .into_iter()
+        .map(|(name, declaration)| {
+            println!("compiling {name}");
+            subject(rust, name, &declaration)
+        })
+        .collect()
+}
+
+fn subject(rust: &Rust, name: String, declaration: &Declaration) -> Result<Subject, Box<dyn Error>> {
+    let program = declaration.program()?;
+    let operations = |function| {
+        let chosen = program.functions.get(&function).ok_or("a function is missing")?;
+        Ok::<Operations, &str>(chosen.operations)
+    };
+    let items = declaration.expand(std::time::Duration::ZERO)?.0;
+    let loops = [include_str!("../cheap.rs"), include_str!("../../weights/loops.rs")].map(without_head);
+    let source = declaration.source(&items, &[]) + &format!("mod cheap {{ {} }}\n{}", loops[0], loops[1]);
+    let (library, _) = rust.library(&format!("weights_{}", name.to_lowercase()), &source)?;
+    let dof = program.model.coordinates.len();
+    Ok(Subject {
+        dof,
+        states: (0..2 * dof * STATES).map(|k| (0.37 * k as f64).sin()).collect(),
+        rhs: operations(Function::Rhs)?,
+        jacobian: operations(Function::Jacobian)?,
+        library,
+        name,
+    })
+}
+
+/// Without the lines that may stand at the head of a file only.
+fn without_head(text: &str) -> String {
+    text.lines()
+        .filter(|line| !line.starts_with("//!"))
+        .collect::<Vec<_>>()
+        .join("\n")
+}
