@@ -83,6 +83,10 @@ impl Bars {
         let mut top = HEAD;
         for (caption, panels) in &self.rows {
             let bars = &panels[column];
+            if bars.is_empty() {
+                top += row_height(panels);
+                continue;
+            }
             let (first, last) = (top + CAPTION, top + CAPTION + BAR * bars.len() as f64);
             let middle = Pos::new(HPos::Left, VPos::Center);
             page.draw_text(

@@ -138,21 +138,10 @@ impl Panels {
                 GREY.stroke_width(width(1.0)),
             ))?;
             let name = ["n", "n²", "n³"].get(power as usize - 1).copied().unwrap_or_default();
-            let outside = if top < 0.999 * frame.y.1 {
-                Pos::new(HPos::Left, VPos::Center)
-            } else {
-                Pos::new(HPos::Center, VPos::Bottom)
-            };
-            let (dx, dy) = if top < 0.999 * frame.y.1 {
-                (6.0, 0.0)
-            } else {
-                (0.0, -5.0)
-            };
-            page.draw_text(
-                name,
-                &text(18.0, GREY).pos(outside),
-                (ends[1].0 + px(dx), ends[1].1 + px(dy)),
-            )?;
+            // Beside its end; where that is cut off at the top, below it.
+            let down = if top < 0.999 * frame.y.1 { 0.0 } else { 9.0 };
+            let beside = text(18.0, GREY).pos(Pos::new(HPos::Left, VPos::Center));
+            page.draw_text(name, &beside, (ends[1].0 + px(6.0), ends[1].1 + px(down)))?;
         }
         let points: Vec<(i32, i32)> = curve.points.iter().map(|&point| frame.place(point)).collect();
         if curve.width > 2.0 {
