@@ -78,8 +78,8 @@ pub struct FunctionCost {
     pub operations: Operations,
     /// The form that it is written in, for example "recursion, L^T D L".
     pub form: &'static str,
-    /// The best of each other kind of form and its operations, from the shortest on. Forms of more than twice the weight were not
-    /// searched for common parts, and are counted as they stood.
+    /// The best of each other kind of form and its operations, from the shortest on. Those much longer than the shortest were
+    /// not searched for common parts, and are counted as they stood.
     pub others: &'static [(&'static str, Operations)],
 }
 

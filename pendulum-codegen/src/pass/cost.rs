@@ -59,9 +59,15 @@ impl Operations {
         operations
     }
 
-    /// One number to choose by, in multiples of an addition. Divisions and sines are latencies on current processors; they
-    /// hardly differ between the forms that are compared.
+    /// One number to choose by, in multiples of an addition. The weights are rounded from the times of generated functions with their
+    /// own sines, by least squares and by one operation more (`bench/`, measurement `weights`): there a division takes 4 to 9
+    /// additions, a sine-cosine pair 77 to 102, an exponential 30 to 70, and a square root 1 to 8, since others are computed meanwhile.
     pub fn weight(&self) -> usize {
-        self.additions + self.multiplications + 6 * self.divisions + 20 * self.sincos + 20 * self.functions
+        self.arithmetic() + 80 * self.sincos + 30 * self.functions
+    }
+
+    /// The part of the weight in which the forms of one function differ: they hardly do in their sines.
+    pub(super) fn arithmetic(&self) -> usize {
+        self.additions + self.multiplications + 6 * self.divisions
     }
 }

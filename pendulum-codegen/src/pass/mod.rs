@@ -27,9 +27,9 @@ use crate::model::{Body, Model};
 /// How many products of terms the closed form of a scene may take. Larger scenes keep the shared graph.
 const BUDGET: usize = 20_000;
 
-/// A candidate that is longer than another by this factor is not searched for common parts: that has not been seen to halve
-/// what is left of any scene.
-const HOPELESS: usize = 2;
+/// A candidate that is longer than another by this ratio, sines and functions aside, which all share, is not searched for common
+/// parts: none has been seen to win.
+const HOPELESS: [usize; 2] = [9, 4];
 
 /// How much longer than the shortest the code may be that loses no digits to cancellation: by one part in this many.
 const WORTH_OF_DIGITS: usize = 8;
@@ -228,12 +228,12 @@ fn choose(g: &mut Graph, candidates: Vec<Candidate>) -> Chosen {
     let lowered: Vec<(Form, Vec<ExprId>, Operations)> = lowered.collect();
     let least = lowered
         .iter()
-        .map(|(.., operations)| operations.weight())
+        .map(|(.., operations)| operations.arithmetic())
         .min()
         .unwrap_or(0);
     let mut counted: Vec<(Form, Vec<ExprId>, Operations)> = Vec::new();
     for (form, mut roots, mut operations) in lowered {
-        if operations.weight() <= HOPELESS * least {
+        if HOPELESS[1] * operations.arithmetic() <= HOPELESS[0] * least {
             let original = roots.clone();
             for factor in [false, true] {
                 let shared = share(g, &original, factor);

@@ -259,7 +259,7 @@ impl DoublePendulum {
                 ),
                 (
                     "A, B and C, inverse, derived in the graph",
-                    ::pendulum_core::Operations::new(86, 94, 1, 2, 0),
+                    ::pendulum_core::Operations::new(98, 99, 1, 2, 0),
                 ),
             ],
         },
