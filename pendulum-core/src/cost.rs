@@ -15,11 +15,14 @@ pub struct Operations {
     pub sincos: usize,
     /// Other functions: `tan`, `exp`, `ln`, `sqrt`, `tanh`, `atan2`, `powf`, `abs`, `signum`.
     pub functions: usize,
+    /// The longest chain of operations that wait for each other, in additions: a division counts 4, a sine-cosine pair 20, another
+    /// function 10. However many units a processor has, an evaluation takes this long.
+    pub chain: usize,
 }
 
 impl Operations {
     /// No operations.
-    pub const ZERO: Self = Self::new(0, 0, 0, 0, 0);
+    pub const ZERO: Self = Self::new(0, 0, 0, 0, 0, 0);
 
     /// Counts in the order of the fields.
     #[must_use]
@@ -29,6 +32,7 @@ impl Operations {
         divisions: usize,
         sincos: usize,
         functions: usize,
+        chain: usize,
     ) -> Self {
         Self {
             additions,
@@ -36,6 +40,7 @@ impl Operations {
             divisions,
             sincos,
             functions,
+            chain,
         }
     }
 
@@ -159,7 +164,7 @@ mod tests {
 
     #[test]
     fn operations_are_listed_with_their_plurals() {
-        let operations = Operations::new(21, 12, 1, 2, 0);
+        let operations = Operations::new(21, 12, 1, 2, 0, 33);
         assert_eq!(
             operations.to_string(),
             "21 additions, 12 multiplications, 1 division, 2 sine-cosine pairs"
@@ -173,7 +178,7 @@ mod tests {
         const COST: FunctionCost = FunctionCost {
             operations: Operations::ZERO,
             form: "recursion",
-            others: &[("closed form", Operations::new(2, 0, 0, 0, 0))],
+            others: &[("closed form", Operations::new(2, 0, 0, 0, 0, 1))],
         };
         assert_eq!(COST.to_string(), "no operations");
         assert_eq!(

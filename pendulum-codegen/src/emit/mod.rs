@@ -284,10 +284,10 @@ fn operations(operations: &Operations) -> TokenStream {
         divisions,
         sincos,
         functions,
+        chain,
     } = operations;
-    let [additions, multiplications, divisions, sincos, functions] =
-        [additions, multiplications, divisions, sincos, functions].map(|&count| number(count));
-    quote!(::pendulum_core::Operations::new(#additions, #multiplications, #divisions, #sincos, #functions))
+    let counts = [additions, multiplications, divisions, sincos, functions, chain].map(|&count| number(count));
+    quote!(::pendulum_core::Operations::new(#(#counts),*))
 }
 
 /// A parameter's or an input's field.

@@ -1,6 +1,6 @@
 //! Counted operations.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 use num_traits::{Signed, ToPrimitive};
 
@@ -20,6 +20,8 @@ pub struct Operations {
     pub sincos: usize,
     /// Other functions, square roots included.
     pub functions: usize,
+    /// The longest chain of operations that wait for each other, in additions: a division counts 4, a sine 20, another function 10.
+    pub chain: usize,
 }
 
 impl Operations {
@@ -56,18 +58,73 @@ impl Operations {
             }
         }
         operations.sincos = angles.len();
+        operations.chain = chain(g, roots);
         operations
     }
 
-    /// One number to choose by, in multiples of an addition. The weights are rounded from the times of generated functions with their
-    /// own sines, by least squares and by one operation more (`bench/`, measurement `weights`): there a division takes 4 to 9
-    /// additions, a sine-cosine pair 77 to 102, an exponential 30 to 70, and a square root 1 to 8, since others are computed meanwhile.
+    /// One number to choose by: the time of an evaluation, in multiples of an addition among many.
+    ///
+    /// Work keeps a processor busy, and a chain of operations that wait for each other keeps it waiting; the less of the two hides behind
+    /// the other. A processor that looks ahead beyond a short function does other work meanwhile. The weights are rounded from
+    /// the times of generated functions (`bench/`, measurements `weights` and `scaling`): among others a division takes 4 to 9 additions,
+    /// an exponential 30 to 70, a sine-cosine pair 77 to 102, and half of that where two are computed together; an addition that is
+    /// waited for takes as long as some twelve.
     pub fn weight(&self) -> usize {
-        self.arithmetic() + 80 * self.sincos + 30 * self.functions
+        /// An addition that is waited for.
+        const WAIT: usize = 12;
+        /// How much work a processor looks ahead.
+        const AHEAD: usize = 500;
+        let work = self.arithmetic() + 40 * self.sincos + 30 * self.functions;
+        let chain = WAIT * self.chain * work / (work + AHEAD);
+        // the larger of the two, and a little more where they are of one size
+        let [work, chain] = [work, chain].map(|part| (part as u128).pow(8));
+        (work + chain).isqrt().isqrt().isqrt() as usize
     }
 
-    /// The part of the weight in which the forms of one function differ: they hardly do in their sines.
+    /// The part of the work in which the forms of one function differ: they hardly do in their sines.
     pub(super) fn arithmetic(&self) -> usize {
         self.additions + self.multiplications + 6 * self.divisions
+    }
+}
+
+/// The longest chain of operations from the state to a root, in additions that wait for each other.
+fn chain(g: &Graph, roots: &[ExprId]) -> usize {
+    let mut ends: HashMap<ExprId, usize> = HashMap::new();
+    for id in g.reachable(roots) {
+        let before = g
+            .operands(id)
+            .filter_map(|operand| ends.get(&operand))
+            .max()
+            .copied()
+            .unwrap_or(0);
+        let own = match g.node(id) {
+            _ if g.level(id) < Level::State => continue,
+            Node::Number(_) | Node::Pi | Node::Symbol(_) | Node::Unary(Unary::Neg, _) => 0,
+            Node::Unary(op, _) => waiting(op.cost()),
+            Node::Binary(op, ..) => waiting(op.cost()),
+            // squares mostly, and roots
+            Node::Power(_, n) => waiting(if n.is_integer() {
+                CostKind::Multiplication
+            } else {
+                CostKind::Division
+            }),
+        };
+        ends.insert(id, before + own);
+    }
+    roots
+        .iter()
+        .filter_map(|root| ends.get(root))
+        .max()
+        .copied()
+        .unwrap_or(0)
+}
+
+/// How long a result is waited for.
+fn waiting(kind: CostKind) -> usize {
+    match kind {
+        CostKind::Addition | CostKind::Multiplication => 1,
+        CostKind::Division => 4,
+        CostKind::Function => 10,
+        CostKind::Sincos => 20,
     }
 }

@@ -219,80 +219,83 @@ impl DoublePendulum {
     /// Counted operations of each generated function, in the form that it has and in others.
     pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost {
         rhs: ::pendulum_core::FunctionCost {
-            operations: ::pendulum_core::Operations::new(12, 19, 1, 2, 0),
+            operations: ::pendulum_core::Operations::new(12, 19, 1, 2, 0, 32),
             form: "closed form, factors of the state first, L^T D L",
             others: &[
                 (
                     "closed form, factors of parameters first, L^T D L",
-                    ::pendulum_core::Operations::new(12, 19, 1, 2, 0),
+                    ::pendulum_core::Operations::new(12, 19, 1, 2, 0, 32),
                 ),
                 (
                     "closed form, expanded, L^T D L",
-                    ::pendulum_core::Operations::new(12, 19, 1, 2, 0),
+                    ::pendulum_core::Operations::new(12, 19, 1, 2, 0, 33),
                 ),
                 (
                     "recursion, adjugate",
-                    ::pendulum_core::Operations::new(24, 30, 1, 2, 0),
+                    ::pendulum_core::Operations::new(24, 30, 1, 2, 0, 37),
                 ),
                 (
                     "A, B and C, adjugate",
-                    ::pendulum_core::Operations::new(32, 40, 1, 2, 0),
+                    ::pendulum_core::Operations::new(32, 40, 1, 2, 0, 38),
                 ),
-                ("articulated bodies", ::pendulum_core::Operations::new(30, 46, 2, 2, 0)),
+                (
+                    "articulated bodies",
+                    ::pendulum_core::Operations::new(30, 46, 2, 2, 0, 48),
+                ),
             ],
         },
         jacobian: ::pendulum_core::FunctionCost {
-            operations: ::pendulum_core::Operations::new(28, 50, 1, 2, 0),
+            operations: ::pendulum_core::Operations::new(28, 50, 1, 2, 0, 38),
             form: "closed form, factors of the state first, inverse, derived in the graph",
             others: &[
                 (
-                    "closed form, factors of parameters first, inverse, derived and expanded",
-                    ::pendulum_core::Operations::new(28, 50, 1, 2, 0),
+                    "closed form, factors of parameters first, inverse, derived in the graph",
+                    ::pendulum_core::Operations::new(28, 50, 1, 2, 0, 38),
                 ),
                 (
                     "closed form, expanded, inverse, derived and expanded",
-                    ::pendulum_core::Operations::new(28, 50, 1, 2, 0),
+                    ::pendulum_core::Operations::new(28, 50, 1, 2, 0, 38),
                 ),
                 (
                     "recursion, inverse, derived in the graph",
-                    ::pendulum_core::Operations::new(50, 65, 1, 2, 0),
+                    ::pendulum_core::Operations::new(50, 65, 1, 2, 0, 49),
                 ),
                 (
                     "A, B and C, inverse, derived in the graph",
-                    ::pendulum_core::Operations::new(98, 99, 1, 2, 0),
+                    ::pendulum_core::Operations::new(98, 99, 1, 2, 0, 44),
                 ),
             ],
         },
         kinetic: ::pendulum_core::FunctionCost {
-            operations: ::pendulum_core::Operations::new(3, 6, 0, 1, 0),
+            operations: ::pendulum_core::Operations::new(3, 6, 0, 1, 0, 25),
             form: "closed form, factors of the state first",
             others: &[
                 (
                     "closed form, expanded",
-                    ::pendulum_core::Operations::new(3, 6, 0, 1, 0),
+                    ::pendulum_core::Operations::new(3, 6, 0, 1, 0, 26),
                 ),
                 (
                     "closed form, factors of parameters first",
-                    ::pendulum_core::Operations::new(3, 7, 0, 1, 0),
+                    ::pendulum_core::Operations::new(3, 7, 0, 1, 0, 25),
                 ),
-                ("recursion", ::pendulum_core::Operations::new(15, 23, 0, 2, 0)),
-                ("A, B and C", ::pendulum_core::Operations::new(22, 23, 0, 2, 0)),
+                ("recursion", ::pendulum_core::Operations::new(15, 23, 0, 2, 0, 32)),
+                ("A, B and C", ::pendulum_core::Operations::new(22, 23, 0, 2, 0, 35)),
             ],
         },
         potential: ::pendulum_core::FunctionCost {
-            operations: ::pendulum_core::Operations::new(2, 2, 0, 2, 0),
+            operations: ::pendulum_core::Operations::new(2, 2, 0, 2, 0, 22),
             form: "closed form, factors of the state first",
             others: &[
                 (
                     "closed form, factors of parameters first",
-                    ::pendulum_core::Operations::new(2, 2, 0, 2, 0),
+                    ::pendulum_core::Operations::new(2, 2, 0, 2, 0, 22),
                 ),
                 (
                     "closed form, expanded",
-                    ::pendulum_core::Operations::new(2, 2, 0, 2, 0),
+                    ::pendulum_core::Operations::new(2, 2, 0, 2, 0, 22),
                 ),
-                ("A, B and C", ::pendulum_core::Operations::new(3, 2, 0, 2, 0)),
-                ("recursion", ::pendulum_core::Operations::new(3, 2, 0, 2, 0)),
+                ("A, B and C", ::pendulum_core::Operations::new(3, 2, 0, 2, 0, 23)),
+                ("recursion", ::pendulum_core::Operations::new(3, 2, 0, 2, 0, 23)),
             ],
         },
         ..::pendulum_core::Cost::ZERO
