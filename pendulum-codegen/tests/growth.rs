@@ -25,7 +25,7 @@ fn flops(operations: Operations) -> usize {
 
 #[test]
 fn planar_chains_grow_with_the_square_of_their_length_at_most() {
-    let chains: Vec<(usize, Chosen)> = [5, 6, 7, 8].map(|n| (n, right_hand_side(&planar(n)))).into();
+    let chains: Vec<(usize, Chosen)> = [5, 6, 7, 8].map(|n| (n, right_hand_side(&planar(n, "rhs")))).into();
     let shares: Vec<f64> = chains
         .iter()
         .map(|(n, chosen)| flops(chosen.operations) as f64 / (n * n) as f64)
