@@ -57,6 +57,8 @@ impl From<Counted> for Operations {
             divisions,
             sincos,
             functions,
+            // not counted
+            chain: 0,
         }
     }
 }
