@@ -80,7 +80,7 @@ impl Bars {
         let scale = self.scale(column);
         let x = |value: f64| left + length * scale.part(value);
         page.draw_text(&self.columns[column], &bold(25.0), (px(left - NAMES), px(HEAD - 46.0)))?;
-        let mut top = HEAD;
+        let (mut top, mut bottom) = (HEAD, HEAD);
         for (caption, panels) in &self.rows {
             let bars = &panels[column];
             if bars.is_empty() {
@@ -110,10 +110,11 @@ impl Bars {
                 page.draw_text(&short(bar.value), &style.pos(middle), (px(x(bar.value) + 9.0), px(y)))?;
             }
             top += row_height(panels);
+            bottom = top;
         }
         let style = text(21.0, GREY).pos(Pos::new(HPos::Center, VPos::Center));
         for (value, _) in scale.ticks().into_iter().filter(|&(_, strong)| strong) {
-            page.draw_text(&format!("{value}"), &style, (px(x(value)), px(top + 4.0)))?;
+            page.draw_text(&format!("{value}"), &style, (px(x(value)), px(bottom + 4.0)))?;
         }
         Ok(())
     }

@@ -99,6 +99,16 @@ impl<const SINES: bool, const DIVISIONS: bool> Real for Cheap<SINES, DIVISIONS> 
         }
     }
 
+    // Those of `f64` are computed together.
+    #[inline(always)]
+    fn sin_cos_each<const M: usize>(angles: [Self; M]) -> [(Self, Self); M] {
+        if SINES {
+            f64::sin_cos_each(angles.map(|angle| angle.0)).map(|(sin, cos)| (Self(sin), Self(cos)))
+        } else {
+            angles.map(Real::sin_cos)
+        }
+    }
+
     fn atan2(self, x: Self) -> Self {
         Self(self.0.atan2(x.0))
     }

@@ -75,13 +75,16 @@ pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+/// Evaluates some states.
+type Run = Box<dyn Fn()>;
+
 /// All but the time of an evaluation, and what evaluates some states.
 fn row(
     rust: &Rust,
     declaration: &Declaration,
     (chain, n): (&'static str, usize),
     (function, title): (Function, &'static str),
-) -> Result<(Row, Box<dyn Fn()>), Box<dyn Error>> {
+) -> Result<(Row, Run), Box<dyn Error>> {
     let functions = declaration.program()?.functions;
     let chosen = functions.get(&function).ok_or("a function is missing")?;
     let (items, expansion) = declaration.expand(BUDGETS[0])?;
