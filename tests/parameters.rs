@@ -255,3 +255,23 @@ fn accelerations_are_derived_by_every_parameter() {
         );
     }
 }
+
+mechanism! {
+    /// Powers that are no whole numbers, of a parameter alone.
+    pub Powers {
+        params { w: 1 = 4.0 }
+        generate: [rhs, parameter_jacobian],
+        body a on ground { mass: w^(3/2), joint: prismatic(x), coordinate: s, torque: w^(5/2)*s - sqrt(w)*w^(-3/2) }
+    }
+}
+
+#[test]
+fn half_powers_of_parameters_are_constants() {
+    let model = Powers::new(PowersParams::default()).expect("physical");
+    // 8 s'' = 32 s - 2/8
+    let rhs = model.rhs(0.0, &SVector::from([0.5, 0.0]));
+    assert_relative_eq!(rhs[1], (32.0 * 0.5 - 0.25) / 8.0, epsilon = 1e-14);
+    // s'' = w s - w^(-5/2)
+    let slope = model.parameter_jacobian(0.0, &SVector::from([0.5, 0.0]));
+    assert_relative_eq!(slope[(0, 0)], 0.5 + 2.5 * 4.0_f64.powf(-3.5), epsilon = 1e-14);
+}

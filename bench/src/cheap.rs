@@ -101,11 +101,11 @@ impl<const SINES: bool, const DIVISIONS: bool> Real for Cheap<SINES, DIVISIONS> 
 
     // Those of `f64` are computed together.
     #[inline(always)]
-    fn sin_cos_each<const M: usize>(angles: [Self; M]) -> [(Self, Self); M] {
+    fn sin_cos_pair(self, other: Self) -> [(Self, Self); 2] {
         if SINES {
-            f64::sin_cos_each(angles.map(|angle| angle.0)).map(|(sin, cos)| (Self(sin), Self(cos)))
+            self.0.sin_cos_pair(other.0).map(|(sin, cos)| (Self(sin), Self(cos)))
         } else {
-            angles.map(Real::sin_cos)
+            [self.sin_cos(), other.sin_cos()]
         }
     }
 

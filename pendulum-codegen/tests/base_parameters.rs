@@ -121,4 +121,8 @@ fn slides_have_a_mass() {
     let joints = chain(&["revolute(z)", "revolute(x) at [0, 0, 1]", "prismatic([0, 1, 0])"]);
     let (count, rank) = counts("[0, 0, -9.81]", &joints);
     assert!(count >= rank, "{count} for {rank}");
+    // whichever way the axis points
+    let [up, down] =
+        ["prismatic(z)", "prismatic(-z)"].map(|slide| counts("[0, 0, -9.81]", &chain(&["revolute(z)", slide])));
+    assert_eq!(up, down);
 }

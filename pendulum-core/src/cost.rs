@@ -76,15 +76,16 @@ impl fmt::Display for Operations {
 
 /// What one generated function takes, and what it would have taken in other forms.
 ///
-/// The generator writes each function in every form of the dynamics that it knows, and keeps the shortest by weighed operations.
+/// The generator writes each function in every form of the dynamics that it knows, and keeps that of the least weight.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub struct FunctionCost {
     /// Its operations.
     pub operations: Operations,
     /// The form that it is written in, for example "recursion, L^T D L".
     pub form: &'static str,
-    /// The best of each other kind of form and its operations, from the shortest on. Those much longer than the shortest were
-    /// not searched for common parts, and are counted as they stood.
+    /// The best of each other kind of form and its operations, from the least weight on: the time that operations and their longest
+    /// chain are expected to take. Forms of more than twice the operations were not searched for common parts, and are counted
+    /// as they stood.
     pub others: &'static [(&'static str, Operations)],
 }
 
@@ -109,9 +110,13 @@ impl fmt::Display for FunctionCost {
         if !f.alternate() {
             return self.operations.fmt(f);
         }
-        write!(f, "{}: {}", self.form, self.operations)?;
+        write!(
+            f,
+            "{}: {}, longest chain {}",
+            self.form, self.operations, self.operations.chain
+        )?;
         for (form, operations) in self.others {
-            write!(f, "\n{form}: {operations}")?;
+            write!(f, "\n{form}: {operations}, longest chain {}", operations.chain)?;
         }
         Ok(())
     }
@@ -158,6 +163,31 @@ impl Cost {
     };
 }
 
+/// A line for each function that was asked for; the alternate form `{:#}` has one for each form of it.
+impl fmt::Display for Cost {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let functions = [
+            ("rhs", &self.rhs),
+            ("jacobian", &self.jacobian),
+            ("input_jacobian", &self.input_jacobian),
+            ("kinetic", &self.kinetic),
+            ("potential", &self.potential),
+            ("mass_matrix", &self.mass_matrix),
+            ("bias", &self.bias),
+            ("momentum", &self.momentum),
+            ("inverse_dynamics", &self.inverse_dynamics),
+            ("parameter_jacobian", &self.parameter_jacobian),
+        ];
+        let mut separator = "";
+        for (name, cost) in functions.into_iter().filter(|(_, cost)| !cost.form.is_empty()) {
+            write!(f, "{separator}{name}: ")?;
+            cost.fmt(f)?;
+            separator = "\n";
+        }
+        Ok(())
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::{FunctionCost, Operations};
@@ -183,7 +213,12 @@ mod tests {
         assert_eq!(COST.to_string(), "no operations");
         assert_eq!(
             format!("{COST:#}"),
-            "recursion: no operations\nclosed form: 2 additions"
+            "recursion: no operations, longest chain 0\nclosed form: 2 additions, longest chain 1"
         );
+        let all = super::Cost {
+            bias: COST,
+            ..super::Cost::ZERO
+        };
+        assert_eq!(all.to_string(), "bias: no operations");
     }
 }

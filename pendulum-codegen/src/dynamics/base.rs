@@ -87,7 +87,8 @@ impl Path {
             (false, Turning::Nothing) => vec![mass],
             (false, Turning::About(axis)) => {
                 let first = [hx, hy, hz].into_iter().zip(axis);
-                let across = first.filter(|&(_, along)| along != g.one()).map(|(h, _)| h);
+                let units = [g.one(), g.integer(-1)];
+                let across = first.filter(|(_, along)| !units.contains(along)).map(|(h, _)| h);
                 std::iter::once(mass).chain(across).collect()
             }
             (false, Turning::Freely) => vec![mass, hx, hy, hz],

@@ -249,13 +249,13 @@ impl<'m> Body<'m> {
         bound
     }
 
-    /// Sines and cosines of an angle, and of all others that can be computed with it: two take hardly longer than one.
+    /// Sine and cosine of an angle, and of another one that can be computed with it: two take hardly longer than one.
     fn sines_and_cosines(&mut self, id: ExprId, angle: ExprId) {
-        let batch = if self.independent.contains(&angle) {
-            std::mem::take(&mut self.independent)
-        } else {
-            vec![angle]
-        };
+        let mut batch = vec![angle];
+        if let Some(at) = self.independent.iter().position(|&other| other == angle) {
+            self.independent.remove(at);
+            batch.extend((!self.independent.is_empty()).then(|| self.independent.remove(0)));
+        }
         let (mut arguments, mut patterns, mut names) = (Vec::new(), Vec::new(), Vec::new());
         for &angle in &batch {
             arguments.push(self.piece(angle));
@@ -281,12 +281,11 @@ impl<'m> Body<'m> {
             let [sine, cosine] = pair;
             patterns.push(quote!((#sine, #cosine)));
         }
-        let tokens = if let ([argument], [pattern]) = (&arguments[..], &patterns[..]) {
-            let argument = argument.clone().within(Grip::Atom);
-            quote!(let #pattern = #argument.sin_cos();)
-        } else {
-            let arguments = arguments.into_iter().map(|argument| argument.tokens);
-            quote!(let [#(#patterns),*] = T::sin_cos_each([#(#arguments),*]);)
+        let mut arguments = arguments.into_iter();
+        let receiver = arguments.next().map(|argument| argument.within(Grip::Atom));
+        let tokens = match arguments.next() {
+            None => quote!(let #(#patterns)* = #receiver.sin_cos();),
+            Some(Piece { tokens: other, .. }) => quote!(let [#(#patterns),*] = #receiver.sin_cos_pair(#other);),
         };
         self.statements.push(Statement { id, names, tokens });
     }

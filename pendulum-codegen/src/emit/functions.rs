@@ -190,8 +190,8 @@ impl Items<'_> {
             },
             Method {
                 function: Function::InverseDynamics,
-                doc: "The generalised forces that the accelerations `qdd` take, beside gravity and the forces of the joints. Inputs count as zero: \
-                      where each coordinate has one, these are their values.",
+                doc: "The generalised forces `A qdd + b - Q` that must act beside gravity and the forces of the joints for the accelerations `qdd`: \
+                      zero along a free motion. Inputs count as zero: where each coordinate has one, these are their values.",
                 more: Some(accelerations),
                 output: vector.clone(),
                 result: &self::vector,

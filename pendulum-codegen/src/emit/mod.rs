@@ -208,7 +208,7 @@ impl Items<'_> {
                     let names: [&'static str; #constants] = [#(#constant_texts),*];
                     for (name, value) in names.into_iter().zip(constants) {
                         if !value.is_finite() {
-                            let rule = "this combination of parameters must be finite: a divisor is zero, or a coordinate has no inertia";
+                            let rule = "this combination of parameters must be finite: it overflows, a divisor is zero, or a coordinate has no inertia";
                             return Err(::pendulum_core::ParameterError { name, value, rule });
                         }
                     }

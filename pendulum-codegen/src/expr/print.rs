@@ -186,12 +186,7 @@ impl<'g> Printer<'g> {
                 let odd = (power.to_integer() % 2i32) != 0.into();
                 self.gather_factors(*a, false, power, factors) != odd
             }
-            Node::Power(a, n) if n.is_integer() || *n.denom() != 2.into() => {
-                factors.push((*a, n * power));
-                false
-            }
-            Node::Power(a, n) if !n.is_positive() => {
-                // a root below a fraction bar; the root itself is in the graph whenever such a power is
+            Node::Power(a, n) if *n != ratio(1, 2) => {
                 factors.push((*a, n * power));
                 false
             }

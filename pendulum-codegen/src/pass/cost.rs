@@ -66,19 +66,19 @@ impl Operations {
     ///
     /// Work keeps a processor busy, and a chain of operations that wait for each other keeps it waiting; the less of the two hides behind
     /// the other. A processor that looks ahead beyond a short function does other work meanwhile. The weights are rounded from
-    /// the times of generated functions (`bench/`, measurements `weights` and `scaling`): among others a division takes 4 to 9 additions,
-    /// an exponential 30 to 70, a sine-cosine pair 77 to 102, and half of that where two are computed together; an addition that is
-    /// waited for takes as long as some twelve.
+    /// the times of generated functions (`bench/`, measurements `weights` and `scaling`): among others a division takes 5 to 10 additions,
+    /// a sine-cosine pair 56 to 81, another function 30 to 70; an addition that is waited for takes as long as some twelve.
     pub fn weight(&self) -> usize {
         /// An addition that is waited for.
         const WAIT: usize = 12;
         /// How much work a processor looks ahead.
         const AHEAD: usize = 500;
-        let work = self.arithmetic() + 40 * self.sincos + 30 * self.functions;
+        let work = self.arithmetic() + 60 * self.sincos + 30 * self.functions;
         let chain = WAIT * self.chain * work / (work + AHEAD);
-        // the larger of the two, and a little more where they are of one size
-        let [work, chain] = [work, chain].map(|part| (part as u128).pow(8));
-        (work + chain).isqrt().isqrt().isqrt() as usize
+        // the larger of the two, and a little more where they are of one size: (work^8 + chain^8)^(1/8)
+        let (larger, smaller) = (work.max(chain) as f64, work.min(chain) as f64);
+        let more = 1.0 + (smaller / larger.max(1.0)).powi(8);
+        (larger * more.sqrt().sqrt().sqrt()) as usize
     }
 
     /// The part of the work in which the forms of one function differ: they hardly do in their sines.
@@ -126,5 +126,28 @@ fn waiting(kind: CostKind) -> usize {
         CostKind::Division => 4,
         CostKind::Function => 10,
         CostKind::Sincos => 20,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::Operations;
+
+    #[test]
+    fn weights_grow_with_work_and_with_chains_of_any_length() {
+        let of = |additions, chain| Operations {
+            additions,
+            chain,
+            ..Operations::default()
+        };
+        let mut last = 0;
+        for power in 1..9 {
+            let weight = of(10_usize.pow(power), 5).weight();
+            assert!(weight > last, "{weight} for 10^{power}");
+            last = weight;
+        }
+        assert!(of(1000, 300).weight() > of(1000, 100).weight());
+        // a chain that many operations hide
+        assert_eq!(of(100_000, 10).weight(), 100_000);
     }
 }

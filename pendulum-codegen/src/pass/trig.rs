@@ -10,7 +10,7 @@ use crate::expr::{ExprId, Graph, Level, Node, Normalizer, Rational, SymbolKind, 
 type Angle = BTreeMap<ExprId, i64>;
 
 /// Replaces sines and cosines of sums of coordinates by products of others that are there anyway. A call costs as much as
-/// a dozen multiplications, the addition theorem three operations.
+/// dozens of multiplications, the addition theorem three operations.
 pub(super) fn lower(g: &mut Graph, roots: &[ExprId]) -> Vec<ExprId> {
     let mut needed: BTreeSet<ExprId> = BTreeSet::new();
     for id in g.reachable(roots) {

@@ -185,7 +185,7 @@ impl DoublePendulum {
         ];
         for (name, value) in names.into_iter().zip(constants) {
             if !value.is_finite() {
-                let rule = "this combination of parameters must be finite: a divisor is zero, or a coordinate has no inertia";
+                let rule = "this combination of parameters must be finite: it overflows, a divisor is zero, or a coordinate has no inertia";
                 return Err(::pendulum_core::ParameterError {
                     name,
                     value,
@@ -249,8 +249,8 @@ impl DoublePendulum {
             form: "closed form, factors of the state first, inverse, derived in the graph",
             others: &[
                 (
-                    "closed form, factors of parameters first, inverse, derived in the graph",
-                    ::pendulum_core::Operations::new(28, 50, 1, 2, 0, 38),
+                    "closed form, factors of parameters first, inverse, derived and expanded",
+                    ::pendulum_core::Operations::new(28, 50, 1, 2, 0, 39),
                 ),
                 (
                     "closed form, expanded, inverse, derived and expanded",
@@ -323,10 +323,8 @@ for DoublePendulum<T> {
         let k7 = self.constants[7];
         let k10 = self.constants[10];
         let k11 = self.constants[11];
-        let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = T::sin_cos_each([
-            q_theta1,
-            q_theta2,
-        ]);
+        let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
+            .sin_cos_pair(q_theta2);
         let t0 = k3 * (sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2);
         let t1 = k4 * sin_theta2 + k0 * qd_theta2 - qd_theta1 * (k0 + qd_theta1 * t0);
         let t2 = k11 * (cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2);
@@ -372,10 +370,8 @@ for DoublePendulum<T> {
         let k7 = self.constants[7];
         let t0 = k3 * qd_theta2;
         let t1 = k3 * qd_theta1;
-        let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = T::sin_cos_each([
-            q_theta1,
-            q_theta2,
-        ]);
+        let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
+            .sin_cos_pair(q_theta2);
         let t2 = sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2;
         let t3 = t0 * t2 - k0;
         let t4 = k5 * sin_theta1 + k6 * qd_theta1 + qd_theta2 * t3;
@@ -434,7 +430,7 @@ for DoublePendulum<T> {
         let [q_theta1, q_theta2, _, _] = x.data.0[0];
         let k4 = self.constants[4];
         let k5 = self.constants[5];
-        let [(_, cos_theta1), (_, cos_theta2)] = T::sin_cos_each([q_theta1, q_theta2]);
+        let [(_, cos_theta1), (_, cos_theta2)] = q_theta1.sin_cos_pair(q_theta2);
         -(cos_theta1 * k5 + cos_theta2 * k4)
     }
 }

@@ -41,14 +41,10 @@ pub trait Real:
     /// For `f64` and `f32` the errors are below 1 ulp, and the bits are the same on every machine.
     fn sin_cos(self) -> (Self, Self);
 
-    /// Sine and cosine of several angles: the same as those of each.
+    /// Sine and cosine of two angles: the same as those of each. Scalars compute them together, in one vector register.
     #[inline(always)]
-    fn sin_cos_each<const M: usize>(angles: [Self; M]) -> [(Self, Self); M] {
-        let mut all = [(Self::default(), Self::default()); M];
-        for (sin_cos, angle) in all.iter_mut().zip(angles) {
-            *sin_cos = angle.sin_cos();
-        }
-        all
+    fn sin_cos_pair(self, other: Self) -> [(Self, Self); 2] {
+        [self.sin_cos(), other.sin_cos()]
     }
 
     /// Tangent of an angle in radians.

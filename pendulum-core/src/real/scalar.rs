@@ -27,13 +27,13 @@ macro_rules! scalar {
 
             #[inline]
             fn sin_cos(self) -> (Self, Self) {
-                Self::sin_cos_each([self])[0]
+                rounded(sincos::sin_cos(f64::from(self)))
             }
 
-            // In `f64`, and rounded once. Inlined, since the way of an array through memory takes longer than a sine.
+            // Inlined, since the way of an array through memory takes as long as a sine.
             #[inline(always)]
-            fn sin_cos_each<const M: usize>(angles: [Self; M]) -> [(Self, Self); M] {
-                sincos::sin_cos_each(angles.map(f64::from)).map(|(sin, cos)| (Self::from_f64(sin), Self::from_f64(cos)))
+            fn sin_cos_pair(self, other: Self) -> [(Self, Self); 2] {
+                sincos::sin_cos_pair([self, other].map(f64::from)).map(rounded)
             }
 
             #[inline]
@@ -75,6 +75,12 @@ macro_rules! scalar {
             }
         }
     };
+}
+
+/// Sine and cosine, which are computed in `f64`.
+#[inline(always)]
+fn rounded<T: Real>((sin, cos): (f64, f64)) -> (T, T) {
+    (T::from_f64(sin), T::from_f64(cos))
 }
 
 scalar!(f64);

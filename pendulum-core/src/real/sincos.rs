@@ -86,19 +86,11 @@ type Two = super::lanes::Xmm64;
 #[cfg(not(target_arch = "x86_64"))]
 type Two = super::lanes::Pair<f64>;
 
-/// Sines and cosines of several angles, two at a time: the same bits as one by one.
+/// Sines and cosines of two angles together: the same bits as one by one.
 #[inline(always)]
-pub(crate) fn sin_cos_each<const M: usize>(angles: [f64; M]) -> [(f64, f64); M] {
-    let mut all = [(0.0, 0.0); M];
-    let (pairs, last) = all.as_chunks_mut::<2>();
-    for (pair, angles) in pairs.iter_mut().zip(angles.as_chunks::<2>().0) {
-        let (sin, cos) = sin_cos(Two::from_fn(&mut |i| angles[i]));
-        *pair = [(sin.lane(0), cos.lane(0)), (sin.lane(1), cos.lane(1))];
-    }
-    if let (Some(last), Some(&angle)) = (last.first_mut(), angles.last()) {
-        *last = sin_cos(angle);
-    }
-    all
+pub(crate) fn sin_cos_pair(angles: [f64; 2]) -> [(f64, f64); 2] {
+    let (sin, cos) = sin_cos(Two::from_fn(&mut |i| angles[i]));
+    [0, 1].map(|i| (sin.lane(i), cos.lane(i)))
 }
 
 /// A polynomial in `z`, by Estrin's scheme: three short chains instead of a long one.
