@@ -17,7 +17,8 @@ impl<B: Tableau<STAGES>, const STAGES: usize> Fixed<B, STAGES> {
     /// Integrates a model from each of many states at `t0` to `t1`, and returns the states there.
     ///
     /// There is one model for each start, or a single one for all. Each trajectory is bit for bit what [`solve`](Self::solve) gives
-    /// for it alone; there is no record of the way. Beside the result no heap is used.
+    /// for it alone; there is no record of the way. Beside the result no heap is used. Without optimisation, and with debug assertions,
+    /// the code is not inlined as wide registers need it, and lanes are slower than scalars.
     ///
     /// ```
     /// use pendulum_core::prelude::*;

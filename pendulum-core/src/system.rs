@@ -19,6 +19,10 @@ pub trait System<T: Real, const N: usize> {
 /// A model whose right-hand side can be had in any number type; `N` is the length of its state.
 ///
 /// [`mechanism!`](crate::mechanism) implements it for models without inputs, in double precision.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no model that runs in other number types",
+    note = "`mechanism!` makes one of a scene without inputs whose `generate` has `rhs`"
+)]
 pub trait Model<const N: usize> {
     /// The model in another number type.
     type In<T: Real>: System<T, N>;
