@@ -50,28 +50,26 @@ pub(super) fn accelerations(model: &mut Model) -> Vec<ExprId> {
         });
     }
     let drifts: Vec<Acceleration> = (0..links.len()).map(|k| drift(g, &links, &frames, &spins, k)).collect();
-    let mut joints: Vec<Option<Joint>> = vec![None; links.len()];
+    let mut joints: Vec<Joint> = Vec::new();
     for k in (0..links.len()).rev() {
         let (link, frame) = (&links[k], &frames[k]);
         let joint = inertias[k].give_way(g, link, frame, &wrenches[k]);
-        joints[k] = Some(joint);
+        joints.push(joint);
         let Some(parent) = link.parent else { continue };
         let carried = inertias[k].without(g, link, &joint);
         let pushed = carried.times(g, &drifts[k]);
-        let left = scale_wrench(g, joint.mobility, &joint.momentum);
-        let left = scale_wrench(g, joint.force, &left);
-        let sum = add_wrenches(g, &wrenches[k], &pushed);
-        let sum = add_wrenches(g, &sum, &left);
+        let left = joint.momentum.scaled(g, joint.mobility).scaled(g, joint.force);
         let below = &frames[parent];
-        let sum = frame.wrench_to_parent(g, below, &sum);
-        wrenches[parent] = add_wrenches(g, &wrenches[parent], &sum);
+        let wrench = wrenches[k].plus(g, &pushed).plus(g, &left);
+        let wrench = frame.wrench_to_parent(g, below, &wrench);
+        wrenches[parent] = wrenches[parent].plus(g, &wrench);
         let carried = carried.to_parent(g, frame, below);
         inertias[parent] = inertias[parent].plus(g, &carried);
     }
+    joints.reverse();
     let mut accelerations = vec![g.zero(); n];
     let mut motions: Vec<Acceleration> = Vec::new();
-    for (k, link) in links.iter().enumerate() {
-        let Some(joint) = joints[k] else { continue };
+    for (k, (link, joint)) in links.iter().zip(&joints).enumerate() {
         let parent = link.parent.map(|p| &frames[p]);
         let [alpha, a] = match link.parent.map(|p| motions[p]) {
             Some([alpha, a]) => {
@@ -156,13 +154,13 @@ impl Articulated {
             moment: self.coupling.map(|row| row[2]),
             force: self.translation.full()[2],
         };
-        let mut momentum = scale_wrench(g, link.pitch, &slid);
+        let mut momentum = slid.scaled(g, link.pitch);
         if link.turns {
             let turned = Wrench {
                 moment: self.rotation.full()[2],
                 force: self.coupling[2],
             };
-            momentum = add_wrenches(g, &momentum, &turned);
+            momentum = momentum.plus(g, &turned);
         }
         let (inertia, taken) = (
             frame.along_joint(g, link, &momentum),
@@ -179,7 +177,7 @@ impl Articulated {
     /// The inertia that is left when the joint gives way.
     fn without(&self, g: &mut Graph, link: &Link, joint: &Joint) -> Self {
         let Wrench { moment, force } = joint.momentum;
-        let given = scale_wrench(g, joint.mobility, &joint.momentum);
+        let given = joint.momentum.scaled(g, joint.mobility);
         let zero = g.zero();
         // a push along the joint meets no resistance any more: exactly, and not up to rounding
         let (no_turn, no_slide) = (link.turns && g.is_zero(link.pitch), !link.turns);
@@ -222,9 +220,7 @@ impl Articulated {
     fn to_parent(self, g: &mut Graph, frame: &Frame, parent: &Frame) -> Self {
         let [rotation, translation] =
             [self.rotation, self.translation].map(|tensor| frame.tensor_to_parent(g, parent, tensor));
-        let rows = self.coupling.map(|row| frame.to_parent(g, parent, row));
-        let columns = transpose(rows).map(|column| frame.to_parent(g, parent, column));
-        let coupling = transpose(columns);
+        let coupling = frame.matrix_to_parent(g, parent, self.coupling);
         // with [o] the cross product by the offset: H' = H + [o] M, J' = J - H [o] + [o] H'^T
         let o = crossing(g, frame.offset);
         let swept = mat_mul(g, o, translation.full());
@@ -256,18 +252,4 @@ fn crossing(g: &mut Graph, [x, y, z]: Vec3) -> Mat3 {
 
 fn plus(g: &mut Graph, a: Mat3, b: Mat3) -> Mat3 {
     std::array::from_fn(|i| add(g, a[i], b[i]))
-}
-
-fn scale_wrench(g: &mut Graph, factor: ExprId, wrench: &Wrench) -> Wrench {
-    Wrench {
-        moment: scale(g, factor, wrench.moment),
-        force: scale(g, factor, wrench.force),
-    }
-}
-
-fn add_wrenches(g: &mut Graph, a: &Wrench, b: &Wrench) -> Wrench {
-    Wrench {
-        moment: add(g, a.moment, b.moment),
-        force: add(g, a.force, b.force),
-    }
 }

@@ -144,6 +144,13 @@ impl Frame {
         parent.of_body(g, v)
     }
 
+    /// A tensor of this frame, in that of the parent: turned in its rows, then in its columns.
+    pub(super) fn matrix_to_parent(&self, g: &mut Graph, parent: &Frame, tensor: Mat3) -> Mat3 {
+        let rows = tensor.map(|row| self.to_parent(g, parent, row));
+        let columns = transpose(rows).map(|column| self.to_parent(g, parent, column));
+        transpose(columns)
+    }
+
     /// A symmetric tensor of this frame, in that of the parent.
     pub(super) fn tensor_to_parent(&self, g: &mut Graph, parent: &Frame, tensor: Symmetric3) -> Symmetric3 {
         if self.same_station {

@@ -274,7 +274,7 @@ fn pull_back_matrix(
 }
 
 /// `A qd`
-pub(crate) fn momentum(g: &mut Graph, mass_matrix: &[Vec<ExprId>], coordinates: &[Coordinate]) -> Vec<ExprId> {
+fn momentum(g: &mut Graph, mass_matrix: &[Vec<ExprId>], coordinates: &[Coordinate]) -> Vec<ExprId> {
     let row = |row: &Vec<ExprId>| {
         let terms: Vec<ExprId> = row.iter().zip(coordinates).map(|(&a, c)| g.mul(a, c.rate)).collect();
         sum(g, terms)

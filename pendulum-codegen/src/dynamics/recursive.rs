@@ -151,11 +151,7 @@ fn inverse_dynamics(
     for n in (0..links.len()).rev() {
         let Some(parent) = links[n].parent else { continue };
         let carried = frames[n].wrench_to_parent(g, &frames[parent], &wrenches[n]);
-        let Wrench { moment, force } = wrenches[parent];
-        wrenches[parent] = Wrench {
-            moment: add(g, moment, carried.moment),
-            force: add(g, force, carried.force),
-        };
+        wrenches[parent] = wrenches[parent].plus(g, &carried);
     }
     (motions, wrenches)
 }
@@ -215,8 +211,5 @@ pub(super) fn momentum(g: &mut Graph, link: &Link, inertia: &MassMoments) -> Wre
     // a turn about z: z x h, and J z
     let moment = [g.neg(xz), g.neg(yz), g.add(xx, yy)];
     let force = [g.neg(hy), hx, zero];
-    Wrench {
-        moment: add(g, moment, slide.moment),
-        force: add(g, force, slide.force),
-    }
+    Wrench { moment, force }.plus(g, &slide)
 }

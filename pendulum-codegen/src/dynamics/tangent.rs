@@ -134,10 +134,7 @@ fn flows(
         let momentum = frame.to_parent(g, below, flows[n].momentum);
         let own = scale(g, composites[n].mass, velocities[n]);
         let momentum = add(g, momentum, own);
-        // the tensor is turned in its rows, then in its columns
-        let rows = flows[n].moments.map(|row| frame.to_parent(g, below, row));
-        let columns = transpose(rows).map(|column| frame.to_parent(g, below, column));
-        let turned = transpose(columns);
+        let turned = frame.matrix_to_parent(g, below, flows[n].moments);
         let moments: Mat3 = std::array::from_fn(|i| {
             std::array::from_fn(|j| {
                 let (carried, swept) = (g.mul(first[i], velocities[n][j]), g.mul(frame.offset[i], momentum[j]));

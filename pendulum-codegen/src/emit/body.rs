@@ -131,9 +131,8 @@ impl<'m> Body<'m> {
                 stack.extend(graph.operands(id));
             }
         }
-        let is_sine = |id: &ExprId| matches!(graph.node(*id), Node::Unary(Unary::Sin | Unary::Cos, _));
         let independent = sines.keys().copied();
-        let independent = independent.filter(|&angle| !graph.reachable(&[angle]).iter().any(is_sine));
+        let independent = independent.filter(|&angle| !graph.reachable(&[angle]).iter().any(|&id| is_sine(graph, id)));
         let independent = independent.collect();
         Self {
             graph,
@@ -151,8 +150,7 @@ impl<'m> Body<'m> {
         let few = roots.len() <= MOST_OPERATIONS;
         let value = |&root: &ExprId| {
             let is_leaf = self.graph.operands(root).next().is_none() || self.graph.level(root) == Level::Constant;
-            let is_angle = matches!(self.graph.node(root), Node::Unary(Unary::Sin | Unary::Cos, _));
-            if is_leaf || is_angle || self.names.contains_key(&root) || self.uses[&root] > 1 {
+            if is_leaf || is_sine(self.graph, root) || self.names.contains_key(&root) || self.uses[&root] > 1 {
                 return self.piece(root).tokens;
             }
             let piece = self.operation(root);
@@ -168,8 +166,7 @@ impl<'m> Body<'m> {
 
     /// Makes a statement of an expression whose operands have theirs.
     fn statement(&mut self, id: ExprId, is_result: bool) {
-        let is_angle = matches!(self.graph.node(id), Node::Unary(Unary::Sin | Unary::Cos, _));
-        if is_result && !is_angle {
+        if is_result && !is_sine(self.graph, id) {
             let piece = self.operation(id);
             self.bind(id, &piece);
         } else {
@@ -401,6 +398,11 @@ impl<'m> Body<'m> {
             operations,
         }
     }
+}
+
+/// Whether an expression is a sine or a cosine.
+fn is_sine(graph: &Graph, id: ExprId) -> bool {
+    matches!(graph.node(id), Node::Unary(Unary::Sin | Unary::Cos, _))
 }
 
 /// A constant, folded.

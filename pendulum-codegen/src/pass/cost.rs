@@ -20,7 +20,8 @@ pub struct Operations {
     pub sincos: usize,
     /// Other functions, square roots included.
     pub functions: usize,
-    /// The longest chain of operations that wait for each other, in additions: a division counts 4, a sine 20, another function 10.
+    /// The longest chain of operations that wait for each other, in additions: a division counts 4, a sine-cosine pair 20,
+    /// another function 10.
     pub chain: usize,
 }
 

@@ -1,4 +1,4 @@
-//! From dynamics to short code: forms of the same motion are made, counted, and the shortest is kept.
+//! From dynamics to short code: forms of the same motion are made, weighed, and the lightest is kept.
 
 mod angles;
 mod closed;
@@ -217,7 +217,7 @@ fn factorings(g: &mut Graph, dynamics: &Dynamics, determinant: Option<ExprId>) -
     solvers.iter().map(factored).collect()
 }
 
-/// The candidate that takes the fewest operations once its common parts are shared; the first of equals. There is at least one.
+/// The candidate of the least weight once its common parts are shared; the first of equals. There is at least one.
 /// An exact one may take a few more.
 fn choose(g: &mut Graph, candidates: Vec<Candidate>) -> Chosen {
     let lowered = candidates.into_iter().map(|(form, roots)| {

@@ -2,7 +2,7 @@
 
 use crate::expr::{ExprId, Graph};
 
-use super::{Vec3, add, cross, dot};
+use super::{Vec3, add, cross, dot, scale};
 
 /// A twist, in rad/s and m/s, or a screw axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -23,6 +23,22 @@ pub struct Wrench {
 }
 
 impl Wrench {
+    /// The sum of two wrenches about the same origin.
+    pub fn plus(&self, g: &mut Graph, other: &Self) -> Self {
+        Self {
+            moment: add(g, self.moment, other.moment),
+            force: add(g, self.force, other.force),
+        }
+    }
+
+    /// `factor` times the wrench.
+    pub fn scaled(&self, g: &mut Graph, factor: ExprId) -> Self {
+        Self {
+            moment: scale(g, factor, self.moment),
+            force: scale(g, factor, self.force),
+        }
+    }
+
     /// The power of the wrench along a twist.
     pub fn power(&self, g: &mut Graph, twist: &Twist) -> ExprId {
         let rotation = dot(g, self.moment, twist.angular);
