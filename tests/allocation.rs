@@ -86,7 +86,7 @@ fn adaptive_steps_do_not_allocate() {
     let integrate = || {
         let mut stepper = Rk45::new().stepper(&model, 0.0, 100.0, START).expect("valid");
         while let Some(step) = stepper.step().expect("regular") {
-            std::hint::black_box(step.at(step.t0 + 0.5 * step.h));
+            std::hint::black_box(stepper.dense().at(step.t0 + 0.5 * step.h));
             steps += 1;
         }
         assert!(stepper.statistics().rejected > 0);
@@ -102,7 +102,7 @@ fn fixed_steps_do_not_allocate() {
     let integrate = || {
         let mut stepper = Rk4::new(0.01).stepper(&model, 0.0, 50.0, START).expect("valid");
         while let Some(step) = stepper.step().expect("regular") {
-            std::hint::black_box(step.at(step.t0 + 0.5 * step.h));
+            std::hint::black_box(stepper.dense().at(step.t0 + 0.5 * step.h));
             steps += 1;
         }
     };

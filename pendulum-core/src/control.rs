@@ -7,9 +7,11 @@ use crate::system::System;
 
 /// What an error is measured against: `atol + rtol |x|`, component by component.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Tolerance<T> {
-    pub(crate) rtol: T,
-    pub(crate) atol: T,
+pub struct Tolerance<T> {
+    /// Relative.
+    pub rtol: T,
+    /// Absolute.
+    pub atol: T,
 }
 
 impl<T: Float> Tolerance<T> {
@@ -112,8 +114,8 @@ impl Controller {
         (Self::SAFETY * (-self.alpha * error).exp()).max(Self::SHRINK)
     }
 
-    /// The factor for the next attempt, after one that left the finite numbers and so has no error.
-    pub(crate) fn reject_non_finite(&mut self) -> f64 {
+    /// The factor for the next attempt, after one that arrived nowhere and so has no error.
+    pub(crate) fn reject_failed(&mut self) -> f64 {
         self.rejected = true;
         0.25
     }

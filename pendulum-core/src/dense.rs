@@ -5,8 +5,8 @@ use nalgebra::SVector;
 use crate::real::Float;
 
 /// An accepted step from `(t0, x0)` to `(t1, x1)`.
-#[derive(Clone, Copy, Debug)]
-pub struct Step<'a, const N: usize, T = f64> {
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Step<const N: usize, T = f64> {
     /// The time at which the step starts.
     pub t0: T,
     /// The time at which it ends.
@@ -17,46 +17,69 @@ pub struct Step<'a, const N: usize, T = f64> {
     pub x0: SVector<T, N>,
     /// The state at its end.
     pub x1: SVector<T, N>,
-    pub(crate) stages: &'a [SVector<T, N>],
-    /// The polynomials of the dense output, row by row, each as long as `stages`.
-    pub(crate) weights: &'static [f64],
 }
 
-impl<const N: usize, T: Float> Step<'_, N, T> {
-    /// The derivative of the state at the start of the step.
-    #[must_use]
-    pub fn slope0(&self) -> SVector<T, N> {
-        self.stages[0]
+impl<const N: usize, T: Float> Step<N, T> {
+    #[inline]
+    pub(crate) fn new((t0, x0): (T, SVector<T, N>), (t1, x1): (T, SVector<T, N>)) -> Self {
+        let h = t1 - t0;
+        Self { t0, t1, h, x0, x1 }
     }
 
-    /// The derivative of the state at the end of the step.
-    #[must_use]
-    pub fn slope1(&self) -> SVector<T, N> {
-        self.stages[self.stages.len() - 1]
+    /// A step of no length.
+    pub(crate) fn at_rest(t: T, x: SVector<T, N>) -> Self {
+        Self::new((t, x), (t, x))
+    }
+}
+
+/// The states within a step: dense output, of which [`Step`] holds the ends.
+#[derive(Clone, Copy, Debug)]
+pub struct Dense<'a, const N: usize, T = f64> {
+    step: Step<N, T>,
+    coefficients: &'a [SVector<T, N>],
+}
+
+impl<'a, const N: usize, T: Float> Dense<'a, N, T> {
+    /// `coefficients` are the vectors `c_1, c_2, ..` of `x0 + c_1 theta + c_2 theta^2 + ..`, `theta` the fraction of the step.
+    pub(crate) fn new(step: Step<N, T>, coefficients: &'a [SVector<T, N>]) -> Self {
+        Self { step, coefficients }
     }
 
-    /// The state at the time `t`, by the dense output of the method; a `t` outside of the step extrapolates.
+    /// The step.
+    #[must_use]
+    pub fn step(&self) -> &Step<N, T> {
+        &self.step
+    }
+
+    /// The state at the time `t`; a `t` outside of the step extrapolates.
     #[must_use]
     pub fn at(&self, t: T) -> SVector<T, N> {
-        if t == self.t1 {
-            return self.x1;
+        if t == self.step.t1 || self.coefficients.is_empty() {
+            return self.step.x1;
         }
-        let theta = (t - self.t0) / self.h;
-        let mut x = SVector::from_element(T::default());
-        for coefficient in self.coefficients().rev() {
-            x = (x + coefficient) * theta;
-        }
-        x + self.x0
+        polynomial(
+            &self.step.x0,
+            self.coefficients.iter(),
+            (t - self.step.t0) / self.step.h,
+        )
     }
 
-    /// The vectors `c_1, c_2, ..` of the dense output `x0 + c_1 theta + c_2 theta^2 + ..`, `theta` the fraction of the step.
-    pub(crate) fn coefficients(&self) -> impl DoubleEndedIterator<Item = SVector<T, N>> {
-        self.weights.chunks_exact(self.stages.len()).map(|row| {
-            let mut sum = SVector::from_element(T::default());
-            for (&weight, stage) in row.iter().zip(self.stages) {
-                sum += stage * T::from_f64(weight);
-            }
-            sum * self.h
-        })
+    /// The coefficients of the polynomial in the fraction of the step, from the first power on.
+    pub(crate) fn coefficients(&self) -> &'a [SVector<T, N>] {
+        self.coefficients
     }
+}
+
+/// `x0 + c_1 theta + c_2 theta^2 + ..`
+#[inline]
+pub(crate) fn polynomial<'a, T: Float, const N: usize>(
+    x0: &SVector<T, N>,
+    coefficients: impl DoubleEndedIterator<Item = &'a SVector<T, N>>,
+    theta: T,
+) -> SVector<T, N> {
+    let mut x = SVector::from_element(T::default());
+    for coefficient in coefficients.rev() {
+        x = (x + coefficient) * theta;
+    }
+    x + x0
 }

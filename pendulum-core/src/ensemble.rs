@@ -7,16 +7,16 @@ use std::marker::PhantomData;
 use nalgebra::SVector;
 
 use crate::error::Reason;
-use crate::method::{Fixed, Grid, SHORT, Stepper, attempt, check_span, require};
+use crate::method::{Explicit, Fixed, Grid, Method, SHORT, Scheme, Stepper, attempt, check_span, require};
 use crate::real::Float;
 use crate::real::lanes::{Isa, Kernel, Lane, Lanes};
 use crate::system::{Model, System};
 use crate::tableau::Tableau;
 
-impl<B: Tableau<STAGES>, const STAGES: usize> Fixed<B, STAGES> {
+impl<B: Tableau<STAGES>, const STAGES: usize> Fixed<Explicit<B, STAGES>> {
     /// Integrates a model from each of many states at `t0` to `t1`, and returns the states there.
     ///
-    /// There is one model for each start, or a single one for all. Each trajectory is bit for bit what [`solve`](Self::solve) gives
+    /// There is one model for each start, or a single one for all. Each trajectory is bit for bit what [`solve`](Method::solve) gives
     /// for it alone; there is no record of the way. Beside the result no heap is used. Without optimisation, and with debug assertions,
     /// the code is not inlined as wide registers need it, and lanes are slower than scalars.
     ///
@@ -41,7 +41,7 @@ impl<B: Tableau<STAGES>, const STAGES: usize> Fixed<B, STAGES> {
     ///
     /// # Errors
     /// [`EnsembleError::InvalidInput`] if there are neither one nor as many models as starts, or if times or step are not what
-    /// [`solve`](Self::solve) takes. [`EnsembleError::Stopped`] names the trajectories that did not come to their end, a bad start
+    /// [`solve`](Method::solve) takes. [`EnsembleError::Stopped`] names the trajectories that did not come to their end, a bad start
     /// included, and has the final states of the others.
     pub fn ensemble<M, T, const N: usize>(
         &self,
@@ -110,21 +110,13 @@ impl<B: Tableau<STAGES>, const STAGES: usize> Fixed<B, STAGES> {
 }
 
 /// The last good point, and if it is not the end, why.
-fn to_the_end<S, B, T, const STAGES: usize, const N: usize>(
-    mut stepper: Stepper<'_, S, B, STAGES, N, T>,
-) -> (T, SVector<T, N>, Option<Reason>)
+fn to_the_end<C, S, T, const N: usize>(mut stepper: Stepper<'_, C, S, N, T>) -> (T, SVector<T, N>, Option<Reason>)
 where
+    C: Scheme<S, T, N>,
     S: System<T, N>,
-    B: Tableau<STAGES>,
     T: Float,
 {
-    let reason = loop {
-        match stepper.step() {
-            Ok(Some(_)) => {}
-            Ok(None) => break None,
-            Err(reason) => break Some(reason),
-        }
-    };
+    let reason = stepper.run().err();
     (stepper.t(), stepper.x(), reason)
 }
 
@@ -176,7 +168,7 @@ where
             let member = |lane: usize| lane.min(states.len() - 1);
             let system = M::gather::<V>(|lane| model_of(self.models, group * V::LANES + member(lane)));
             let x = SVector::from_fn(|k, _| V::from_fn(|lane| states[member(lane)][k]));
-            let (x, slope) = march::<B, _, V, STAGES, N>(&system, &self.grid, x);
+            let (x, slope) = march::<B, _, V, STAGES, N>(&system, self.grid, x);
             for (lane, state) in states.iter_mut().enumerate() {
                 *state = x.map(|x| x.lane(lane));
                 // The stepper wants a finite derivative at the end, too.
@@ -192,7 +184,7 @@ where
 #[inline(always)]
 fn march<B, S, V, const STAGES: usize, const N: usize>(
     system: &S,
-    grid: &Grid<V::Scalar>,
+    mut grid: Grid<V::Scalar>,
     mut x: SVector<V, N>,
 ) -> (SVector<V, N>, SVector<V, N>)
 where
@@ -205,12 +197,10 @@ where
     if t != grid.t1() {
         stages[0] = system.rhs(V::splat(t), &x);
     }
-    let mut step = 0;
     while t != grid.t1() {
-        step += 1;
-        let t_new = grid.end_of(step);
+        let t_new = grid.next();
         x = attempt::<B, _, _, _, _>(system, (V::splat(t), &x), V::splat(t_new), &mut stages);
-        stages[0] = stages[STAGES - 1];
+        stages[0] = system.rhs(V::splat(t_new), &x);
         t = t_new;
     }
     (x, stages[0])

@@ -55,6 +55,11 @@ pub enum Reason {
         /// The least length that is allowed.
         least: f64,
     },
+    /// The equations of an implicit step could not be solved, and smaller steps did not help where the method may choose them.
+    NoConvergence {
+        /// The length of the step.
+        h: f64,
+    },
     /// The steps allowed were taken, rejected ones included, and the end was not reached.
     TooManySteps {
         /// The number of steps allowed.
@@ -80,6 +85,11 @@ impl fmt::Display for Reason {
                 f,
                 "the tolerance asks for a step of {h:.3e}, below the least of {least:.3e}; the solution is singular or jumps \
                  there, or the tolerance is too tight for the noise of the right-hand side: loosen it or end earlier"
+            ),
+            Self::NoConvergence { h } => write!(
+                f,
+                "the equations of an implicit step of {h:.3e} have no solution that the iteration finds; take shorter steps, or look \
+                 for a jump of the right-hand side there"
             ),
             Self::TooManySteps { max_steps } => write!(
                 f,

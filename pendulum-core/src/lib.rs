@@ -30,7 +30,7 @@
 //! | [`system`] | what a model offers: right-hand side, Jacobian, energy, inputs |
 //! | [`real`] | the number types, scalars and lanes |
 //! | [`ensemble`] | many trajectories at a time, in the lanes of vector registers |
-//! | [`method`] | [`Rk4`], [`Rk45`], and the [`Stepper`] beneath them, which uses no heap |
+//! | [`method`] | the methods, and the [`Stepper`] beneath them, which uses no heap |
 //! | [`tableau`] | Butcher tableaus as data |
 //! | [`solution`], [`dense`] | accepted points and the states between them |
 //! | [`error`] | what can go wrong |
@@ -49,10 +49,10 @@ pub mod tableau;
 mod control;
 
 pub use cost::{Cost, FunctionCost, Operations};
-pub use dense::Step;
+pub use dense::{Dense, Step};
 pub use ensemble::EnsembleError;
 pub use error::{OutsideSpan, ParameterError, Reason, SolveError};
-pub use method::{Rk4, Rk45, Stepper};
+pub use method::{Method, Rk4, Rk45, Stepper};
 pub use real::{Float, Real};
 pub use solution::{Solution, Statistics};
 pub use system::{Controlled, Energy, FnSystem, Jacobian, Model, System, WithInputs};
@@ -72,9 +72,9 @@ pub use serde;
 /// All that a program with mechanisms usually needs: `use pendulum_core::prelude::*;`.
 pub mod prelude {
     pub use crate::{
-        Controlled, Cost, Energy, EnsembleError, Float, FnSystem, FunctionCost, Jacobian, Model, Operations,
-        OutsideSpan, ParameterError, Real, Reason, Rk4, Rk45, Solution, SolveError, Statistics, Step, Stepper, System,
-        WithInputs, mechanism,
+        Controlled, Cost, Dense, Energy, EnsembleError, Float, FnSystem, FunctionCost, Jacobian, Method, Model,
+        Operations, OutsideSpan, ParameterError, Real, Reason, Rk4, Rk45, Solution, SolveError, Statistics, Step,
+        Stepper, System, WithInputs, mechanism,
     };
     pub use nalgebra::{SMatrix, SVector};
 }

@@ -4,7 +4,7 @@ use std::fmt;
 
 use nalgebra::SVector;
 
-use crate::dense::Step;
+use crate::dense::{Dense, polynomial};
 use crate::error::OutsideSpan;
 use crate::real::Float;
 
@@ -18,6 +18,16 @@ pub struct Statistics {
     pub accepted: usize,
     /// Steps that were tried and rejected.
     pub rejected: usize,
+    /// Evaluations of the Jacobian, by implicit methods.
+    pub jacobians: usize,
+    /// Matrices that implicit methods factored, real and complex.
+    pub factorizations: usize,
+    /// Iterations in which implicit methods solved for their stages.
+    pub iterations: usize,
+    /// Accepted steps that `Auto` left to its implicit method.
+    pub stiff: usize,
+    /// How often `Auto` changed between its methods.
+    pub switches: usize,
 }
 
 /// A trajectory: the accepted points, and dense output between them.
@@ -39,9 +49,10 @@ pub struct Statistics {
 pub struct Solution<const N: usize, T = f64> {
     t: Vec<T>,
     x: Vec<SVector<T, N>>,
-    /// `degree` vectors a step: `x(t_i + theta h) = x_i + c_1 theta + c_2 theta^2 + ..`.
+    /// Those of the steps, one after the other: `x(t_i + theta h) = x_i + c_1 theta + c_2 theta^2 + ..`.
     coefficients: Vec<SVector<T, N>>,
-    degree: usize,
+    /// Where those of each step end.
+    ends: Vec<usize>,
     statistics: Statistics,
 }
 
@@ -52,17 +63,17 @@ impl<const N: usize, T: Float> Solution<N, T> {
             t: vec![t0],
             x: vec![x0],
             coefficients: Vec::new(),
-            degree: 0,
+            ends: Vec::new(),
             statistics: Statistics::default(),
         }
     }
 
-    pub(crate) fn push(&mut self, step: &Step<'_, N, T>) {
+    pub(crate) fn push(&mut self, dense: &Dense<'_, N, T>) {
+        let step = dense.step();
         self.t.push(step.t1);
         self.x.push(step.x1);
-        let before = self.coefficients.len();
-        self.coefficients.extend(step.coefficients());
-        self.degree = self.coefficients.len() - before;
+        self.coefficients.extend(dense.coefficients());
+        self.ends.push(self.coefficients.len());
     }
 
     pub(crate) fn set_statistics(&mut self, statistics: Statistics) {
@@ -127,11 +138,9 @@ impl<const N: usize, T: Float> Solution<N, T> {
         }
         let left = right - 1;
         let theta = (t - self.t[left]) / (self.t[right] - self.t[left]);
-        let mut x = SVector::from_element(T::default());
-        for coefficient in self.coefficients[left * self.degree..right * self.degree].iter().rev() {
-            x = (x + coefficient) * theta;
-        }
-        Ok(x + self.x[left])
+        let first = if left == 0 { 0 } else { self.ends[left - 1] };
+        let coefficients = self.coefficients[first..self.ends[left]].iter();
+        Ok(polynomial(&self.x[left], coefficients, theta))
     }
 
     /// The states at many times, in any order.
@@ -164,7 +173,7 @@ struct Record<const N: usize, T> {
     t: Vec<T>,
     x: Vec<SVector<T, N>>,
     coefficients: Vec<SVector<T, N>>,
-    degree: usize,
+    ends: Vec<usize>,
     statistics: Statistics,
 }
 
@@ -176,7 +185,10 @@ impl<const N: usize, T: Float> TryFrom<Record<N, T>> for Solution<N, T> {
         let Some(steps) = record.t.len().checked_sub(1) else {
             return Err("a solution has at least one point");
         };
-        if record.x.len() != record.t.len() || steps.checked_mul(record.degree) != Some(record.coefficients.len()) {
+        let rows = record.ends.len() == steps
+            && record.ends.is_sorted()
+            && record.ends.last().map_or(0, |&end| end) == record.coefficients.len();
+        if record.x.len() != record.t.len() || !rows {
             return Err("a solution has a state for each time and coefficients for each step");
         }
         let forward = record.t[0] <= record.t[steps];
@@ -188,7 +200,7 @@ impl<const N: usize, T: Float> TryFrom<Record<N, T>> for Solution<N, T> {
             t: record.t,
             x: record.x,
             coefficients: record.coefficients,
-            degree: record.degree,
+            ends: record.ends,
             statistics: record.statistics,
         })
     }

@@ -24,11 +24,22 @@ pub struct ButcherTableau<const S: usize> {
     pub order: usize,
     /// The order of the embedded method; 0 where there is none.
     pub order_hat: usize,
+    /// Further stages that dense output alone needs: stage `S + i` is evaluated from the `S + i` before it.
+    pub extra: &'static [ExtraStage],
     /// The weights of the dense output as polynomials: at the fraction `theta` of a step,
-    /// `b_i(theta) = sum_j dense[j][i] theta^(j + 1)`.
-    pub dense: &'static [[f64; S]],
+    /// `b_i(theta) = sum_j dense[j][i] theta^(j + 1)`. Rows are as long as `S + extra.len()`.
+    pub dense: &'static [&'static [f64]],
     /// The order of the dense output: within one step its error falls as `h^(dense_order + 1)`.
     pub dense_order: usize,
+}
+
+/// A stage that dense output alone needs.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ExtraStage {
+    /// The coefficients of the stages before it.
+    pub a: &'static [f64],
+    /// Its time in fractions of a step.
+    pub c: f64,
 }
 
 impl<const S: usize> ButcherTableau<S> {
@@ -45,6 +56,12 @@ impl<const S: usize> ButcherTableau<S> {
             i += 1;
         }
         weights
+    }
+
+    /// Whether the error estimate uses the last stage, the derivative at the end of the step.
+    #[must_use]
+    pub const fn error_wants_the_last_stage(&self) -> bool {
+        self.error_weights()[S - 1] != 0.0
     }
 
     /// Whether the last stage is the derivative at the end of the step, as the documentation of the type demands.
@@ -76,7 +93,7 @@ pub struct Kutta4;
 impl Tableau<5> for Kutta4 {
     const TABLEAU: ButcherTableau<5> = {
         const B: [f64; 5] = [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0, 0.0];
-        const DENSE: &[[f64; 5]; 4] = &hermite(B, [0.0; 5]);
+        const DENSE: [[f64; 5]; 4] = hermite(B, [0.0; 5]);
         ButcherTableau {
             a: [
                 [0.0; 5],
@@ -90,7 +107,8 @@ impl Tableau<5> for Kutta4 {
             b_hat: None,
             order: 4,
             order_hat: 0,
-            dense: DENSE.split_at(3).0,
+            extra: &[],
+            dense: &[&DENSE[0], &DENSE[1], &DENSE[2]],
             dense_order: 3,
         }
     };
@@ -125,7 +143,7 @@ impl Tableau<7> for DormandPrince5 {
             -1_453_857_185.0 / 822_651_844.0,
             69_997_945.0 / 29_380_423.0,
         ];
-        const DENSE: &[[f64; 7]; 4] = &hermite(B, D);
+        const DENSE: [[f64; 7]; 4] = hermite(B, D);
         ButcherTableau {
             a: [
                 [0.0; 7],
@@ -165,7 +183,8 @@ impl Tableau<7> for DormandPrince5 {
             ]),
             order: 5,
             order_hat: 4,
-            dense: DENSE,
+            extra: &[],
+            dense: &[&DENSE[0], &DENSE[1], &DENSE[2], &DENSE[3]],
             dense_order: 4,
         }
     };

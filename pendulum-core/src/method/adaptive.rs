@@ -1,40 +1,39 @@
-//! Explicit Runge-Kutta methods with step-size control.
-
-use std::fmt;
-use std::marker::PhantomData;
+//! Steps as long as a tolerance allows.
 
 use nalgebra::SVector;
 
 use crate::control::{Controller, Tolerance};
-use crate::error::{Reason, SolveError};
-use crate::method::Stepper;
+use crate::error::Reason;
 use crate::method::input::{check_start, require};
+use crate::method::scheme::{Family, Scheme};
 use crate::method::stepper::{Adaptation, Pace, least_step};
+use crate::method::{Method, Stepper};
 use crate::real::Float;
-use crate::solution::Solution;
 use crate::system::System;
-use crate::tableau::Tableau;
 
-/// The embedded explicit Runge-Kutta pair of the tableau `B` with step-size control; [`Rk45`](crate::Rk45) is one.
+/// A method that chooses the length of its steps; [`Rk45`](crate::Rk45) is one. `F` is what a step of it does.
 ///
 /// A step is accepted if its estimated error `e` has `mean((e / (atol + rtol |x|))^2) <= 1`; the next one is chosen by a PI
-/// controller with the constants of Hairer's DOPRI5. The tolerances bound the error of one step: that of a whole
-/// trajectory is some multiple, which grows with the time and, in chaotic motion, exponentially.
-pub struct Adaptive<B, const STAGES: usize> {
+/// controller with the constants of Hairer's DOPRI5, or by the method itself. The tolerances bound the error of one step: that of a
+/// whole trajectory is some multiple, which grows with the time and, in chaotic motion, exponentially.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Adaptive<F> {
     rtol: Option<f64>,
     atol: Option<f64>,
     h0: Option<f64>,
     h_min: f64,
     h_max: f64,
     max_steps: usize,
-    tableau: PhantomData<B>,
+    pub(super) family: F,
 }
 
-impl<B: Tableau<STAGES>, const STAGES: usize> Adaptive<B, STAGES> {
+impl<F> Adaptive<F> {
     /// The method with its default settings.
     #[must_use]
-    pub const fn new() -> Self {
-        const { assert!(B::TABLEAU.b_hat.is_some(), "no embedded method") };
+    pub fn new() -> Self
+    where
+        F: Default,
+    {
         Self {
             rtol: None,
             atol: None,
@@ -42,7 +41,7 @@ impl<B: Tableau<STAGES>, const STAGES: usize> Adaptive<B, STAGES> {
             h_min: 0.0,
             h_max: f64::INFINITY,
             max_steps: 1_000_000,
-            tableau: PhantomData,
+            family: F::default(),
         }
     }
 
@@ -90,62 +89,7 @@ impl<B: Tableau<STAGES>, const STAGES: usize> Adaptive<B, STAGES> {
         self
     }
 
-    /// Integrates `system` from the state `x0` at `t0` to `t1`, which may lie before `t0`.
-    ///
-    /// Where `t1 == t0` the solution is the initial point.
-    ///
-    /// # Errors
-    /// [`Reason::InvalidInput`] if a setting is out of its range, or if times or state are not finite;
-    /// [`Reason::NonFinite`], [`Reason::StepUnderflow`], [`Reason::TooManySteps`]. The error holds the solution up to the
-    /// last good state.
-    pub fn solve<S, T, const N: usize>(
-        &self,
-        system: &S,
-        t0: T,
-        t1: T,
-        x0: impl Into<SVector<T, N>>,
-    ) -> Result<Solution<N, T>, SolveError<N, T>>
-    where
-        S: System<T, N> + ?Sized,
-        T: Float,
-    {
-        let x0 = x0.into();
-        match self.stepper(system, t0, t1, x0) {
-            Ok(stepper) => stepper.collect(),
-            Err(reason) => Err(SolveError::at_start(reason, t0, x0)),
-        }
-    }
-
-    /// The same integration step by step, without a record and without a heap.
-    ///
-    /// # Errors
-    /// [`Reason::InvalidInput`], and [`Reason::NonFinite`] at the initial point.
-    pub fn stepper<'s, S, T, const N: usize>(
-        &self,
-        system: &'s S,
-        t0: T,
-        t1: T,
-        x0: impl Into<SVector<T, N>>,
-    ) -> Result<Stepper<'s, S, B, STAGES, N, T>, Reason>
-    where
-        S: System<T, N> + ?Sized,
-        T: Float,
-    {
-        let x0 = x0.into();
-        check_start(t0, t1, &x0)?;
-        let pace = Adaptation {
-            h: T::from_f64(self.h0.unwrap_or(0.0).min(self.h_max)),
-            h_min: T::from_f64(self.h_min),
-            h_max: T::from_f64(self.h_max),
-            max_steps: self.max_steps,
-            tolerance: self.tolerance()?,
-            controller: Controller::new(B::TABLEAU.order_hat),
-        };
-        self.check_steps(least_step(pace.h_min, t0.abs().max(t1.abs())).to_f64())?;
-        Stepper::new(system, t0, t1, x0, Pace::Adaptive(pace))
-    }
-
-    fn tolerance<T: Float>(&self) -> Result<Tolerance<T>, Reason> {
+    pub(crate) fn tolerance<T: Float>(&self) -> Result<Tolerance<T>, Reason> {
         let ulp = T::EPSILON.to_f64();
         let rtol = self.rtol.unwrap_or((1e-6_f64).max(100.0 * ulp));
         let atol = self.atol.unwrap_or((1e-9_f64).max(ulp));
@@ -184,29 +128,40 @@ impl<B: Tableau<STAGES>, const STAGES: usize> Adaptive<B, STAGES> {
     }
 }
 
-impl<B: Tableau<STAGES>, const STAGES: usize> Default for Adaptive<B, STAGES> {
+impl<F: Default> Default for Adaptive<F> {
     fn default() -> Self {
         Self::new()
     }
 }
 
-impl<B, const STAGES: usize> Clone for Adaptive<B, STAGES> {
-    fn clone(&self) -> Self {
-        *self
-    }
-}
+impl<F, S, T, const N: usize> Method<S, T, N> for Adaptive<F>
+where
+    F: Family<S, T, N>,
+    S: System<T, N> + ?Sized,
+    T: Float,
+{
+    type Scheme = F::Scheme;
 
-impl<B, const STAGES: usize> Copy for Adaptive<B, STAGES> {}
-
-impl<B, const STAGES: usize> fmt::Debug for Adaptive<B, STAGES> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("Adaptive")
-            .field("rtol", &self.rtol)
-            .field("atol", &self.atol)
-            .field("h0", &self.h0)
-            .field("h_min", &self.h_min)
-            .field("h_max", &self.h_max)
-            .field("max_steps", &self.max_steps)
-            .finish()
+    fn stepper<'s>(
+        &self,
+        system: &'s S,
+        t0: T,
+        t1: T,
+        x0: impl Into<SVector<T, N>>,
+    ) -> Result<Stepper<'s, Self::Scheme, S, N, T>, Reason> {
+        let x0 = x0.into();
+        check_start(t0, t1, &x0)?;
+        let tolerance = self.tolerance()?;
+        let scheme = self.family.scheme(Some(tolerance));
+        let pace = Adaptation {
+            h: T::from_f64(self.h0.unwrap_or(0.0).min(self.h_max)),
+            h_min: T::from_f64(self.h_min),
+            h_max: T::from_f64(self.h_max),
+            max_steps: self.max_steps,
+            tolerance,
+            controller: Controller::new(scheme.error_order()),
+        };
+        self.check_steps(least_step(pace.h_min, t0.abs().max(t1.abs())).to_f64())?;
+        Stepper::new(system, scheme, (t0, t1), x0, Pace::Adaptive(pace))
     }
 }

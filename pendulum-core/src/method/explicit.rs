@@ -1,21 +1,159 @@
-//! One step of an explicit Runge-Kutta method, whatever its tableau.
+//! Explicit Runge-Kutta methods, whatever their tableau.
+
+use std::marker::PhantomData;
 
 use nalgebra::SVector;
 
-use crate::real::Real;
+use crate::control::Tolerance;
+use crate::dense::Step;
+use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
+use crate::real::{Float, Real};
+use crate::solution::Statistics;
 use crate::system::System;
 use crate::tableau::Tableau;
 
+/// The explicit Runge-Kutta method of the tableau `B`.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Explicit<B, const STAGES: usize>(PhantomData<B>);
+
+impl<B, const STAGES: usize> Explicit<B, STAGES> {
+    /// The method.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self(PhantomData)
+    }
+}
+
+impl<B, S, T, const STAGES: usize, const N: usize> Family<S, T, N> for Explicit<B, STAGES>
+where
+    B: Tableau<STAGES>,
+    S: System<T, N> + ?Sized,
+    T: Float,
+{
+    type Scheme = Stages<B, STAGES, N, T>;
+
+    #[inline]
+    fn scheme(&self, tolerance: Option<Tolerance<T>>) -> Self::Scheme {
+        Stages {
+            tolerance,
+            slope: SVector::from_element(T::default()),
+            stages: [SVector::from_element(T::default()); STAGES],
+            coefficients: [SVector::from_element(T::default()); MAX_DEGREE],
+            tableau: PhantomData,
+        }
+    }
+}
+
+/// The stages of a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Stages<B, const STAGES: usize, const N: usize, T> {
+    tolerance: Option<Tolerance<T>>,
+    /// The derivative where the next step starts.
+    slope: SVector<T, N>,
+    stages: [SVector<T, N>; STAGES],
+    coefficients: [SVector<T, N>; MAX_DEGREE],
+    tableau: PhantomData<B>,
+}
+
+impl<B, S, T, const STAGES: usize, const N: usize> Scheme<S, T, N> for Stages<B, STAGES, N, T>
+where
+    B: Tableau<STAGES>,
+    S: System<T, N> + ?Sized,
+    T: Float,
+{
+    #[inline]
+    fn error_order(&self) -> usize {
+        B::TABLEAU.order_hat
+    }
+
+    #[inline]
+    fn begin(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
+        work.evaluations += 1;
+        self.slope = system.rhs(t, x);
+        self.slope
+    }
+
+    #[inline]
+    fn attempt(
+        &mut self,
+        system: &S,
+        (t, x): (T, &SVector<T, N>),
+        t_new: T,
+        work: &mut Statistics,
+    ) -> Result<Attempt<N, T>, Stalled> {
+        self.stages[0] = self.slope;
+        // The right-hand side of a reference may stay a function of its own, where that of a generated model is always inlined: many
+        // copies of a long one are slower than calls.
+        let x_new = if const { N <= SHORT } {
+            attempt::<B, S, _, _, _>(system, (t, x), t_new, &mut self.stages)
+        } else {
+            attempt::<B, &S, _, _, _>(&system, (t, x), t_new, &mut self.stages)
+        };
+        work.evaluations += STAGES - 2;
+        let mean_square = match &self.tolerance {
+            None => T::default(),
+            Some(tolerance) => {
+                if const { B::TABLEAU.error_wants_the_last_stage() } {
+                    work.evaluations += 1;
+                    self.stages[STAGES - 1] = system.rhs(t_new, &x_new);
+                }
+                let weights = const { &B::TABLEAU.error_weights() };
+                let error = weighted_sum((t_new - t).abs(), weights, STAGES, &self.stages);
+                tolerance.mean_square(&error, x, &x_new)
+            }
+        };
+        Ok(Attempt { x: x_new, mean_square })
+    }
+
+    #[inline]
+    fn finish(&mut self, system: &S, step: &Step<N, T>, work: &mut Statistics) -> Result<(), NonFinite> {
+        if self.tolerance.is_none() || const { !B::TABLEAU.error_wants_the_last_stage() } {
+            work.evaluations += 1;
+            self.stages[STAGES - 1] = system.rhs(step.t1, &step.x1);
+        }
+        NonFinite::check(&self.stages[STAGES - 1])?;
+        self.slope = self.stages[STAGES - 1];
+        Ok(())
+    }
+
+    fn dense(&mut self, system: &S, step: &Step<N, T>, work: &mut Statistics) -> &[SVector<T, N>] {
+        let tableau = const { &B::TABLEAU };
+        let mut extra = [SVector::from_element(T::default()); MAX_EXTRA];
+        let sum = |weights: &[f64], extra: &[SVector<T, N>]| {
+            let mut sum = SVector::from_element(T::default());
+            for (&weight, stage) in weights.iter().zip(self.stages.iter().chain(extra)) {
+                if weight != 0.0 {
+                    sum += stage * T::from_f64(weight);
+                }
+            }
+            sum * step.h
+        };
+        for (i, row) in tableau.extra.iter().enumerate() {
+            let x = step.x0 + sum(row.a, &extra[..i]);
+            extra[i] = system.rhs(step.t0 + step.h * T::from_f64(row.c), &x);
+        }
+        work.evaluations += tableau.extra.len();
+        for (coefficient, row) in self.coefficients.iter_mut().zip(tableau.dense) {
+            *coefficient = sum(row, &extra[..tableau.extra.len()]);
+        }
+        &self.coefficients[..tableau.dense.len()]
+    }
+}
+
 /// The most stages that [`attempt`] spells out.
 const MAX_STAGES: usize = 20;
+/// The most further stages of a dense output.
+const MAX_EXTRA: usize = 10;
+/// The highest degree of a dense output.
+const MAX_DEGREE: usize = 9;
 
 /// The right-hand side of a system with no more states than this, two bodies, takes few operations, and most of them wait for one
 /// another.
 pub(crate) const SHORT: usize = 4;
 
-/// Evaluates the stages of a step from `(t, x)` to `t_new` and returns the state there.
+/// Evaluates the stages of a step from `(t, x)` to `t_new`, but for the first and the last, and returns the state there.
 ///
-/// `stages[0]` is the derivative at the start, given; the others are filled, the last with the derivative at the end.
+/// `stages[0]` is the derivative at the start, given. The last one is the derivative at the end: `rhs(t_new, x_new)`.
 ///
 /// The stages are spelled out up to `MAX_STAGES`, since compilers do not unroll a loop over calls of the right-hand side:
 /// so each sees its row of the tableau as constants, and zero coefficients vanish.
@@ -33,29 +171,37 @@ where
 {
     const {
         assert!(STAGES >= 2 && STAGES <= MAX_STAGES);
+        assert!(B::TABLEAU.extra.len() <= MAX_EXTRA && B::TABLEAU.dense.len() <= MAX_DEGREE);
         assert!(
             B::TABLEAU.ends_in_the_next_first_stage(),
             "add the derivative at the end of the step as a last stage of weight 0"
         );
     }
     let h = t_new - t;
-    let mut x_new = *x;
     macro_rules! stages {
         ($($i:literal)*) => { $(
-            if $i < STAGES {
+            if $i + 1 < STAGES {
                 let row = const { &Row::of::<B>($i) };
-                let change = weighted_sum::<T, STAGES, N>(h, &row.a, $i, stages);
-                for (component, x_new) in x_new.data.0[0].iter_mut().enumerate() {
-                    *x_new = x.data.0[0][component] + change.data.0[0][component];
-                }
+                let x = shifted(x, &weighted_sum::<T, STAGES, N>(h, &row.a, $i, stages));
                 // Not t + h, which may differ in the last bit.
                 let time = if row.c == 1.0 { t_new } else { t + h * T::from_f64(row.c) };
-                stages[$i] = system.rhs(time, &x_new);
+                stages[$i] = system.rhs(time, &x);
             }
         )* };
     }
-    stages!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18 19);
-    x_new
+    stages!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18);
+    let weights = const { &B::TABLEAU.b };
+    shifted(x, &weighted_sum::<T, STAGES, N>(h, weights, STAGES - 1, stages))
+}
+
+/// `x + change`, the components spelled out; see [`weighted_sum`].
+#[inline(always)]
+fn shifted<T: Real, const N: usize>(x: &SVector<T, N>, change: &SVector<T, N>) -> SVector<T, N> {
+    let mut sum = *x;
+    for (sum, change) in sum.data.0[0].iter_mut().zip(&change.data.0[0]) {
+        *sum += *change;
+    }
+    sum
 }
 
 /// `sum_(i < count) (h weights_i) stages_i`, passing over zero weights.
@@ -64,7 +210,7 @@ where
 /// the next. The components are spelled out, since arithmetic of whole vectors is functions, which compilers need not inline: in lanes
 /// they must.
 #[inline(always)]
-pub(super) fn weighted_sum<T: Real, const STAGES: usize, const N: usize>(
+pub(crate) fn weighted_sum<T: Real, const STAGES: usize, const N: usize>(
     h: T,
     weights: &[f64; STAGES],
     count: usize,

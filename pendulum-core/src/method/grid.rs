@@ -11,6 +11,8 @@ pub(crate) struct Grid<T> {
     t1: T,
     /// Positive, whatever the direction of time.
     h: T,
+    /// The number of the time that was reached last.
+    reached: usize,
 }
 
 /// The least step in ulps of the time: a shorter one would be mostly rounding error.
@@ -26,6 +28,7 @@ impl<T: Float> Grid<T> {
             t0,
             t1,
             h: T::from_f64(h),
+            reached: 0,
         };
         require(
             grid.h >= T::from_f64(LEAST_ULPS) * T::EPSILON * grid.largest(),
@@ -44,10 +47,32 @@ impl<T: Float> Grid<T> {
         self.t1
     }
 
-    /// The time at which step `i` ends, counted from 1.
+    /// Goes on by one: the time there.
     #[inline]
-    pub(crate) fn end_of(&self, i: usize) -> T {
-        let direction = T::from_f64(if self.t1 < self.t0 { -1.0 } else { 1.0 });
+    pub(crate) fn next(&mut self) -> T {
+        self.reached += 1;
+        self.time(self.reached)
+    }
+
+    /// Goes to the time `t` within the span: the next one is behind it.
+    pub(crate) fn go_to(&mut self, t: T) {
+        self.reached = ((t - self.t0).abs() / self.h).to_f64() as usize;
+        // Rounding errors may put the quotient on either side, and a time that is nearly reached is no step away.
+        let next = self.time(self.reached + 1);
+        let near = T::from_f64(LEAST_ULPS) * T::EPSILON * self.largest();
+        if next != self.t1 && (next - t).abs() <= near {
+            self.reached += 1;
+        }
+    }
+
+    fn direction(&self) -> T {
+        T::from_f64(if self.t1 < self.t0 { -1.0 } else { 1.0 })
+    }
+
+    /// The time `i`; beyond the last, the end.
+    #[inline]
+    fn time(&self, i: usize) -> T {
+        let direction = self.direction();
         // Multiples of h from the start on: adding h again and again would gather its rounding errors.
         let time = self.t0 + direction * (self.h * T::from_f64(i as f64));
         let slack = T::from_f64(SLACK_ULPS) * T::EPSILON * self.largest();

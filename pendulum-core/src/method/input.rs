@@ -26,8 +26,14 @@ pub(crate) fn check_span<T: Float>(t0: T, t1: T) -> Result<(), Reason> {
 
 /// Checks the span of time and the initial state.
 pub(super) fn check_start<T: Float, const N: usize>(t0: T, t1: T, x0: &SVector<T, N>) -> Result<(), Reason> {
+    const { assert!(N > 0, "a state has at least one component") };
     check_span(t0, t1)?;
-    for x in x0.iter() {
+    check_state(x0)
+}
+
+/// Checks a state to start from.
+pub(super) fn check_state<T: Float, const N: usize>(x: &SVector<T, N>) -> Result<(), Reason> {
+    for x in x.iter() {
         let rule = "the initial state must be finite";
         require(x.is_finite(), "x0", x.to_f64(), rule)?;
     }

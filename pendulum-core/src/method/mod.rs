@@ -5,16 +5,91 @@ mod explicit;
 mod fixed;
 mod grid;
 mod input;
-mod rk4;
-mod rk45;
+mod scheme;
 mod stepper;
+
+use nalgebra::SVector;
+
+use crate::error::{Reason, SolveError};
+use crate::real::Float;
+use crate::solution::Solution;
+use crate::system::System;
+use crate::tableau::{DormandPrince5, Kutta4};
 
 pub(crate) use explicit::{SHORT, attempt};
 pub(crate) use grid::Grid;
 pub(crate) use input::{check_span, require};
 
 pub use adaptive::Adaptive;
+pub use explicit::Explicit;
 pub use fixed::Fixed;
-pub use rk4::Rk4;
-pub use rk45::Rk45;
+pub use scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
 pub use stepper::Stepper;
+
+/// A method of integration.
+pub trait Method<S: ?Sized, T: Float, const N: usize> {
+    /// What a step of it works with.
+    type Scheme: Scheme<S, T, N>;
+
+    /// The integration of `system` from the state `x0` at `t0` to `t1`, which may lie before `t0`, step by step: without a record and
+    /// without a heap.
+    ///
+    /// # Errors
+    /// [`Reason::InvalidInput`] if a setting is out of its range, or if times or state are not finite, and [`Reason::NonFinite`] if the
+    /// derivative at the initial point is not.
+    fn stepper<'s>(
+        &self,
+        system: &'s S,
+        t0: T,
+        t1: T,
+        x0: impl Into<SVector<T, N>>,
+    ) -> Result<Stepper<'s, Self::Scheme, S, N, T>, Reason>;
+
+    /// The trajectory of `system` from the state `x0` at `t0` to `t1`, which may lie before `t0`.
+    ///
+    /// Where `t1 == t0` it is the initial point.
+    ///
+    /// # Errors
+    /// Those of [`stepper`](Self::stepper) and of [`Stepper::step`]. The error holds the solution up to the last good state.
+    fn solve(&self, system: &S, t0: T, t1: T, x0: impl Into<SVector<T, N>>) -> Result<Solution<N, T>, SolveError<N, T>>
+    where
+        S: System<T, N>,
+    {
+        let x0 = x0.into();
+        match self.stepper(system, t0, t1, x0) {
+            Ok(stepper) => stepper.collect(),
+            Err(reason) => Err(SolveError::at_start(reason, t0, x0)),
+        }
+    }
+}
+
+/// The classical Runge-Kutta method of order 4 with a fixed step; see [`Fixed`].
+///
+/// Four evaluations a step; the states between the steps are of order 3.
+///
+/// ```
+/// use pendulum_core::prelude::*;
+///
+/// let swing = FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], -x[0].sin()]));
+/// let solution = Rk4::new(0.01).solve(&swing, 0.0, 1.0, [0.5, 0.0])?;
+/// assert_eq!(solution.t().len(), 101);
+/// # Ok::<(), SolveError<2>>(())
+/// ```
+pub type Rk4 = Fixed<Explicit<Kutta4, 5>>;
+
+/// The Runge-Kutta pair 5(4) of Dormand and Prince with step-size control; see [`Adaptive`] for its settings.
+///
+/// Six evaluations a step; the states between the steps are of order 4.
+///
+/// ```
+/// use pendulum_core::prelude::*;
+///
+/// let swing = FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], -x[0].sin()]));
+/// let solution = Rk45::new().rtol(1e-9).atol(1e-9).solve(&swing, 0.0, 10.0, [0.5, 0.0])?;
+/// let (t, x) = solution.last();
+/// let energy = |x: &SVector<f64, 2>| 0.5 * x[1] * x[1] - x[0].cos();
+/// assert_eq!(t, 10.0);
+/// assert!((energy(&x) - energy(&solution.at(0.0)?)).abs() < 1e-8);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub type Rk45 = Adaptive<Explicit<DormandPrince5, 7>>;

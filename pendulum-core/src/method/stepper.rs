@@ -1,23 +1,22 @@
-//! Stepping without a record: no heap at all.
+//! The engine of all methods: stepping without a record, and without a heap.
 
 use std::fmt;
-use std::marker::PhantomData;
 
 use nalgebra::SVector;
 
 use crate::control::{Controller, Tolerance};
-use crate::dense::Step;
+use crate::dense::{Dense, Step};
 use crate::error::{Reason, SolveError};
-use crate::method::explicit::{SHORT, attempt, weighted_sum};
 use crate::method::grid::Grid;
+use crate::method::input::{check_state, require};
+use crate::method::scheme::{Attempt, NonFinite, Scheme, Stalled};
 use crate::real::Float;
 use crate::solution::{Solution, Statistics};
 use crate::system::System;
-use crate::tableau::Tableau;
 
 /// An integration under way, one accepted step at a time and without a heap.
 ///
-/// Made by the `stepper` of a method. After an error it stays at the last good point.
+/// Made by the [`stepper`](crate::Method::stepper) of a method, whose `C` is. After an error it stays at the last good point.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
@@ -33,21 +32,15 @@ use crate::tableau::Tableau;
 /// # Ok::<(), Reason>(())
 /// ```
 #[derive(Clone)]
-pub struct Stepper<'s, S: ?Sized, B, const STAGES: usize, const N: usize, T = f64> {
+pub struct Stepper<'s, C, S: ?Sized, const N: usize, T = f64> {
     system: &'s S,
-    /// Where it starts, ends and is.
-    t0: T,
-    t1: T,
-    t: T,
-    x: SVector<T, N>,
-    /// The derivative at `(t, x)`.
-    slope: SVector<T, N>,
-    /// The start of the last accepted step, and its stages.
-    previous: (T, SVector<T, N>),
-    stages: [SVector<T, N>; STAGES],
+    scheme: C,
     pace: Pace<T>,
+    /// Where it ends.
+    t1: T,
+    /// The last accepted step; of no length where there is none.
+    last: Step<N, T>,
     statistics: Statistics,
-    tableau: PhantomData<B>,
 }
 
 /// How the next step is chosen. All lengths are positive.
@@ -76,26 +69,55 @@ const LEAST_ULPS: f64 = 4.0;
 /// The last adaptive step may be longer than planned by this factor.
 const STRETCH: f64 = 1.01;
 
-impl<'s, S, B, T, const STAGES: usize, const N: usize> Stepper<'s, S, B, STAGES, N, T>
+/// Why an attempt was no step.
+enum Failure {
+    Stalled,
+    NonFinite(usize),
+}
+
+impl From<Stalled> for Failure {
+    fn from(Stalled: Stalled) -> Self {
+        Self::Stalled
+    }
+}
+
+impl From<NonFinite> for Failure {
+    fn from(NonFinite(component): NonFinite) -> Self {
+        Self::NonFinite(component)
+    }
+}
+
+impl Failure {
+    /// The reason to give up, after a step of length `h`.
+    fn reason(&self, h: f64) -> Reason {
+        match *self {
+            Self::Stalled => Reason::NoConvergence { h },
+            Self::NonFinite(component) => Reason::NonFinite { component, h },
+        }
+    }
+}
+
+impl<'s, C, S, T, const N: usize> Stepper<'s, C, S, N, T>
 where
+    C: Scheme<S, T, N>,
     S: System<T, N> + ?Sized,
-    B: Tableau<STAGES>,
     T: Float,
 {
-    /// A stepper at its start. An adaptive `pace` whose `h` is 0 finds its first step itself.
-    pub(super) fn new(system: &'s S, t0: T, t1: T, x0: SVector<T, N>, pace: Pace<T>) -> Result<Self, Reason> {
+    /// A stepper at its start.
+    pub(super) fn new(
+        system: &'s S,
+        scheme: C,
+        (t0, t1): (T, T),
+        x0: SVector<T, N>,
+        pace: Pace<T>,
+    ) -> Result<Self, Reason> {
         let mut stepper = Self {
             system,
-            t0,
-            t1,
-            t: t0,
-            x: x0,
-            slope: SVector::from_element(T::default()),
-            previous: (t0, x0),
-            stages: [SVector::from_element(T::default()); STAGES],
+            scheme,
             pace,
+            t1,
+            last: Step::at_rest(t0, x0),
             statistics: Statistics::default(),
-            tableau: PhantomData,
         };
         if t0 != t1 {
             stepper.begin()?;
@@ -105,18 +127,21 @@ where
 
     /// The time reached.
     #[must_use]
+    #[inline]
     pub fn t(&self) -> T {
-        self.t
+        self.last.t1
     }
 
     /// The state reached.
     #[must_use]
+    #[inline]
     pub fn x(&self) -> SVector<T, N> {
-        self.x
+        self.last.x1
     }
 
     /// How much work it was so far.
     #[must_use]
+    #[inline]
     pub fn statistics(&self) -> Statistics {
         self.statistics
     }
@@ -126,33 +151,71 @@ where
     /// The last step ends at the end of the span exactly.
     ///
     /// # Errors
-    /// [`Reason::NonFinite`], and from adaptive methods [`Reason::StepUnderflow`] and [`Reason::TooManySteps`].
+    /// [`Reason::NonFinite`] and, from implicit methods, [`Reason::NoConvergence`]; where the method chooses its steps,
+    /// [`Reason::StepUnderflow`] and [`Reason::TooManySteps`].
     #[inline]
-    pub fn step(&mut self) -> Result<Option<Step<'_, N, T>>, Reason> {
-        if self.t == self.t1 {
+    pub fn step(&mut self) -> Result<Option<Step<N, T>>, Reason> {
+        if self.t() == self.t1 {
             return Ok(None);
         }
         match self.pace {
-            Pace::Fixed(grid) => self.step_on_grid(&grid)?,
-            Pace::Adaptive(pace) => self.step_within_tolerance(pace)?,
+            Pace::Fixed(grid) => self.step_on_grid(grid),
+            Pace::Adaptive(pace) => self.step_within_tolerance(pace),
         }
-        Ok(Some(Step {
-            t0: self.previous.0,
-            t1: self.t,
-            h: self.t - self.previous.0,
-            x0: self.previous.1,
-            x1: self.x,
-            stages: &self.stages,
-            weights: B::TABLEAU.dense.as_flattened(),
-        }))
+        .inspect_err(|_| self.last = Step::at_rest(self.t(), self.x()))?;
+        self.statistics.accepted += 1;
+        Ok(Some(self.last))
+    }
+
+    /// The states within the step that was taken last, by the dense output of the method. Some methods evaluate the right-hand side a
+    /// few more times for it. Before the first step, and after a failed one, it is the point reached.
+    pub fn dense(&mut self) -> Dense<'_, N, T> {
+        let coefficients = if self.last.t0 == self.last.t1 {
+            &[]
+        } else {
+            self.scheme.dense(self.system, &self.last, &mut self.statistics)
+        };
+        Dense::new(self.last, coefficients)
+    }
+
+    /// Goes on to the end, without a record: the state there.
+    ///
+    /// # Errors
+    /// As [`step`](Self::step).
+    #[inline]
+    pub fn run(&mut self) -> Result<SVector<T, N>, Reason> {
+        while self.step()?.is_some() {}
+        Ok(self.x())
+    }
+
+    /// Jumps to the state `x` at the time `t`, and goes on from there to the end: a reset, or another try.
+    ///
+    /// # Errors
+    /// [`Reason::InvalidInput`] if `t` does not lie between the start of the last step and the end of the span, or if the state is not
+    /// finite; [`Reason::NonFinite`] if its derivative is not. The stepper is then where it was.
+    pub fn restart(&mut self, t: T, x: SVector<T, N>) -> Result<(), Reason> {
+        let (from, to) = (self.last.t0.min(self.t1), self.last.t0.max(self.t1));
+        let rule = "the time to go on from must lie between the start of the last step and the end";
+        require(from <= t && t <= to, "t", t.to_f64(), rule)?;
+        check_state(&x)?;
+        let before = self.last;
+        self.last = Step::at_rest(t, x);
+        if let Pace::Fixed(grid) = &mut self.pace {
+            grid.go_to(t);
+        }
+        if t == self.t1 {
+            return Ok(());
+        }
+        self.begin().inspect_err(|_| self.last = before)
     }
 
     /// Goes on to the end and keeps a record.
     pub(super) fn collect(mut self) -> Result<Solution<N, T>, SolveError<N, T>> {
-        let mut solution = Solution::start(self.t, self.x);
+        let mut solution = Solution::start(self.t(), self.x());
         loop {
-            match self.step() {
-                Ok(Some(step)) => solution.push(&step),
+            let taken = self.step();
+            match taken {
+                Ok(Some(_)) => solution.push(&self.dense()),
                 Ok(None) => {
                     solution.set_statistics(self.statistics);
                     return Ok(solution);
@@ -168,51 +231,55 @@ where
         }
     }
 
+    /// Evaluates the initial point, and finds the length of a first step where none is known.
     fn begin(&mut self) -> Result<(), Reason> {
-        self.slope = self.system.rhs(self.t0, &self.x);
-        self.statistics.evaluations = 1;
-        if let Some(component) = non_finite(&self.slope) {
+        let (t, x) = (self.t(), self.x());
+        let slope = self.scheme.begin(self.system, t, &x, &mut self.statistics);
+        if let Err(NonFinite(component)) = NonFinite::check(&slope) {
             return Err(Reason::NonFinite { component, h: 0.0 });
         }
         let direction = self.direction();
-        let span = (self.t1 - self.t0).abs();
+        let span = (self.t1 - t).abs();
         if let Pace::Adaptive(pace) = &mut self.pace
             && pace.h == T::default()
+            && !C::PROPOSES
         {
-            let start = (self.t0, &self.x, &self.slope);
-            let bounds = (B::TABLEAU.order_hat, pace.h_max.min(span), direction);
-            pace.h = pace.tolerance.first_step(self.system, start, bounds);
+            let bounds = (self.scheme.error_order(), pace.h_max.min(span), direction);
+            pace.h = pace.tolerance.first_step(self.system, (t, &x, &slope), bounds);
             self.statistics.evaluations += 1;
         }
         Ok(())
     }
 
     fn direction(&self) -> T {
-        T::from_f64(if self.t1 < self.t0 { -1.0 } else { 1.0 })
+        T::from_f64(if self.t1 < self.t() { -1.0 } else { 1.0 })
     }
 
-    fn step_on_grid(&mut self, grid: &Grid<T>) -> Result<(), Reason> {
-        let t_new = grid.end_of(self.statistics.accepted + 1);
-        let x_new = self.attempt(t_new);
-        match self.non_finite(&x_new) {
-            None => {
-                self.advance(t_new, x_new);
-                Ok(())
-            }
-            Some(component) => {
-                self.statistics.rejected += 1;
-                Err(Reason::NonFinite {
-                    component,
-                    h: (t_new - self.t).to_f64(),
-                })
+    #[inline]
+    fn step_on_grid(&mut self, mut grid: Grid<T>) -> Result<(), Reason> {
+        let t_new = grid.next();
+        self.pace = Pace::Fixed(grid);
+        let reached = self.attempt(t_new).and_then(|attempt| self.advance(t_new, &attempt));
+        reached.map_err(|failure| {
+            self.statistics.rejected += 1;
+            failure.reason((t_new - self.t()).to_f64())
+        })
+    }
+
+    #[inline]
+    fn step_within_tolerance(&mut self, mut pace: Adaptation<T>) -> Result<(), Reason> {
+        let (t, direction) = (self.t(), self.direction());
+        let least = least_step(pace.h_min, t);
+        let remaining = (self.t1 - t).abs();
+        if let Some(h) = self.scheme.propose(self.system, t, &self.last.x1, &mut self.statistics) {
+            pace.h = h.min(pace.h_max);
+            if pace.h < least && pace.h < remaining {
+                return Err(Reason::StepUnderflow {
+                    h: pace.h.to_f64(),
+                    least: least.to_f64(),
+                });
             }
         }
-    }
-
-    fn step_within_tolerance(&mut self, mut pace: Adaptation<T>) -> Result<(), Reason> {
-        let direction = self.direction();
-        let least = least_step(pace.h_min, self.t);
-        let remaining = (self.t1 - self.t).abs();
         pace.h = pace.h.max(least);
         loop {
             if self.statistics.accepted + self.statistics.rejected >= pace.max_steps {
@@ -224,78 +291,73 @@ where
             let t_new = if remaining <= pace.h * T::from_f64(STRETCH) {
                 self.t1
             } else if remaining < pace.h + pace.h {
-                self.t + direction * (remaining * T::from_f64(0.5))
+                t + direction * (remaining * T::from_f64(0.5))
             } else {
-                self.t + direction * pace.h
+                t + direction * pace.h
             };
-            let h = (t_new - self.t).abs();
-            let x_new = self.attempt(t_new);
-            let not_finite = self.non_finite(&x_new);
-            let factor = if not_finite.is_some() {
-                pace.controller.reject_non_finite()
-            } else {
-                let weights = const { &B::TABLEAU.error_weights() };
-                let error = weighted_sum(h, weights, STAGES, &self.stages);
-                let mean_square = pace.tolerance.mean_square(&error, &self.x, &x_new).to_f64();
-                if mean_square <= 1.0 {
-                    let factor = T::from_f64(pace.controller.accept(mean_square));
-                    pace.h = (h * factor).min(pace.h_max);
-                    self.pace = Pace::Adaptive(pace);
-                    self.advance(t_new, x_new);
-                    return Ok(());
+            let h = (t_new - t).abs();
+            let failure = match self.attempt(t_new) {
+                Ok(attempt) => {
+                    let mean_square = attempt.mean_square.to_f64();
+                    if mean_square <= 1.0 {
+                        match self.advance(t_new, &attempt) {
+                            Ok(()) => {
+                                let factor = T::from_f64(pace.controller.accept(mean_square));
+                                pace.h = (h * factor).min(pace.h_max);
+                                self.pace = Pace::Adaptive(pace);
+                                return Ok(());
+                            }
+                            Err(failure) => failure,
+                        }
+                    } else {
+                        let factor = pace.controller.reject(mean_square);
+                        self.shorten(&mut pace, h * T::from_f64(factor), least, None)?;
+                        continue;
+                    }
                 }
-                pace.controller.reject(mean_square)
+                Err(failure) => failure,
             };
-            self.statistics.rejected += 1;
-            pace.h = h * T::from_f64(factor);
-            if pace.h < least {
-                return Err(match not_finite {
-                    Some(component) => Reason::NonFinite {
-                        component,
-                        h: (t_new - self.t).to_f64(),
-                    },
-                    None => Reason::StepUnderflow {
-                        h: pace.h.to_f64(),
-                        least: least.to_f64(),
-                    },
-                });
-            }
+            let factor = pace.controller.reject_failed();
+            self.shorten(
+                &mut pace,
+                h * T::from_f64(factor),
+                least,
+                Some(failure.reason((t_new - t).to_f64())),
+            )?;
         }
     }
 
-    #[inline]
-    fn attempt(&mut self, t_new: T) -> SVector<T, N> {
-        self.statistics.evaluations += STAGES - 1;
-        self.stages[0] = self.slope;
-        let (start, stages) = ((self.t, &self.x), &mut self.stages);
-        if const { N <= SHORT } {
-            attempt::<B, S, _, _, _>(self.system, start, t_new, stages)
-        } else {
-            // The right-hand side of a reference may stay a function of its own, where that of a generated model is always inlined: many
-            // copies of a long one are slower than calls.
-            attempt::<B, &S, _, _, _>(&self.system, start, t_new, stages)
+    /// Takes a shorter step after a rejected one, unless it is too short: then that is the error, or the cause that is known.
+    #[cold]
+    fn shorten(&mut self, pace: &mut Adaptation<T>, h: T, least: T, cause: Option<Reason>) -> Result<(), Reason> {
+        self.statistics.rejected += 1;
+        pace.h = h;
+        if h >= least {
+            return Ok(());
         }
+        Err(cause.unwrap_or(Reason::StepUnderflow {
+            h: h.to_f64(),
+            least: least.to_f64(),
+        }))
     }
 
-    /// The first component in which the state or the derivative at the end of an attempt is not finite.
+    /// Tries a step to `t_new`: where it arrives is finite, and so is its error.
     #[inline]
-    fn non_finite(&self, x_new: &SVector<T, N>) -> Option<usize> {
-        non_finite(x_new).or_else(|| non_finite(&self.stages[STAGES - 1]))
+    fn attempt(&mut self, t_new: T) -> Result<Attempt<N, T>, Failure> {
+        let start = (self.last.t1, &self.last.x1);
+        let attempt = self.scheme.attempt(self.system, start, t_new, &mut self.statistics)?;
+        NonFinite::check(&attempt.x)?;
+        Ok(attempt)
     }
 
+    /// Makes an attempt the last step.
     #[inline]
-    fn advance(&mut self, t_new: T, x_new: SVector<T, N>) {
-        self.statistics.accepted += 1;
-        self.previous = (self.t, self.x);
-        self.t = t_new;
-        self.x = x_new;
-        self.slope = self.stages[STAGES - 1];
+    fn advance(&mut self, t_new: T, attempt: &Attempt<N, T>) -> Result<(), Failure> {
+        let step = Step::new((self.last.t1, self.last.x1), (t_new, attempt.x));
+        self.scheme.finish(self.system, &step, &mut self.statistics)?;
+        self.last = step;
+        Ok(())
     }
-}
-
-#[inline]
-fn non_finite<T: Float, const N: usize>(v: &SVector<T, N>) -> Option<usize> {
-    v.iter().position(|component| !component.is_finite())
 }
 
 /// The least adaptive step at the time `t`: what was asked for, but no less than the time resolves.
@@ -305,15 +367,15 @@ pub(super) fn least_step<T: Float>(h_min: T, t: T) -> T {
         .max(T::MIN_POSITIVE)
 }
 
-impl<S, B, T, const STAGES: usize, const N: usize> fmt::Debug for Stepper<'_, S, B, STAGES, N, T>
+impl<C, S, T, const N: usize> fmt::Debug for Stepper<'_, C, S, N, T>
 where
     S: ?Sized,
     T: Float,
 {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Stepper")
-            .field("t", &self.t)
-            .field("x", &self.x)
+            .field("t", &self.last.t1)
+            .field("x", &self.last.x1)
             .field("t1", &self.t1)
             .field("statistics", &self.statistics)
             .finish_non_exhaustive()
