@@ -64,6 +64,22 @@ impl<'a, const N: usize, T: Float> Dense<'a, N, T> {
         )
     }
 
+    /// The state at a fraction of the step.
+    pub(crate) fn at_fraction(&self, theta: T) -> SVector<T, N> {
+        if theta == T::from_f64(1.0) {
+            return self.step.x1;
+        }
+        polynomial(&self.step.x0, self.coefficients.iter(), theta)
+    }
+
+    /// The time at a fraction of the step.
+    pub(crate) fn time(&self, theta: T) -> T {
+        if theta == T::from_f64(1.0) {
+            return self.step.t1;
+        }
+        self.step.t0 + theta * self.step.h
+    }
+
     /// The coefficients of the polynomial in the fraction of the step, from the first power on.
     pub(crate) fn coefficients(&self) -> &'a [SVector<T, N>] {
         self.coefficients

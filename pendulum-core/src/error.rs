@@ -60,6 +60,18 @@ pub enum Reason {
         /// The length of the step.
         h: f64,
     },
+    /// The function of an event is infinite or not a number.
+    EventNotFinite {
+        /// The place of the event among those given.
+        event: usize,
+        /// The time at which that was seen.
+        t: f64,
+    },
+    /// An event resets the state again and again within the resolution of time, as the rebounds of a ball that comes to rest.
+    EventsAccumulate {
+        /// The place of the event among those given.
+        event: usize,
+    },
     /// The steps allowed were taken, rejected ones included, and the end was not reached.
     TooManySteps {
         /// The number of steps allowed.
@@ -90,6 +102,15 @@ impl fmt::Display for Reason {
                 f,
                 "the equations of an implicit step of {h:.3e} have no solution that the iteration finds; take shorter steps, or look \
                  for a jump of the right-hand side there"
+            ),
+            Self::EventNotFinite { event, t } => write!(
+                f,
+                "the function of event {event} is not finite at t = {t}; extend its domain, or end the integration before"
+            ),
+            Self::EventsAccumulate { event } => write!(
+                f,
+                "event {event} occurs again and again and time stands still, as where rebounds come to rest; make it terminal below some \
+                 speed, and go on with a model of the contact"
             ),
             Self::TooManySteps { max_steps } => write!(
                 f,

@@ -33,6 +33,7 @@
 //! | [`method`] | the methods, and the [`Stepper`] beneath them, which uses no heap |
 //! | [`tableau`] | Butcher tableaus as data |
 //! | [`solution`], [`dense`] | accepted points and the states between them |
+//! | [`event`] | what happens along a trajectory |
 //! | [`error`] | what can go wrong |
 //! | [`cost`] | counted operations of generated functions |
 
@@ -40,6 +41,7 @@ pub mod cost;
 pub mod dense;
 pub mod ensemble;
 pub mod error;
+pub mod event;
 pub mod method;
 pub mod real;
 pub mod solution;
@@ -52,6 +54,7 @@ pub use cost::{Cost, FunctionCost, Operations};
 pub use dense::{Dense, Step};
 pub use ensemble::EnsembleError;
 pub use error::{OutsideSpan, ParameterError, Reason, SolveError};
+pub use event::{Direction, Event, Occurrence};
 pub use method::{Method, Rk4, Rk45, Stepper};
 pub use real::{Float, Real};
 pub use solution::{Solution, Statistics};
@@ -72,9 +75,9 @@ pub use serde;
 /// All that a program with mechanisms usually needs: `use pendulum_core::prelude::*;`.
 pub mod prelude {
     pub use crate::{
-        Controlled, Cost, Dense, Energy, EnsembleError, Float, FnSystem, FunctionCost, Jacobian, Method, Model,
-        Operations, OutsideSpan, ParameterError, Real, Reason, Rk4, Rk45, Solution, SolveError, Statistics, Step,
-        Stepper, System, WithInputs, mechanism,
+        Controlled, Cost, Dense, Direction, Energy, EnsembleError, Event, Float, FnSystem, FunctionCost, Jacobian,
+        Method, Model, Occurrence, Operations, OutsideSpan, ParameterError, Real, Reason, Rk4, Rk45, Solution,
+        SolveError, Statistics, Step, Stepper, System, WithInputs, mechanism,
     };
     pub use nalgebra::{SMatrix, SVector};
 }

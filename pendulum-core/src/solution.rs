@@ -6,6 +6,7 @@ use nalgebra::SVector;
 
 use crate::dense::{Dense, polynomial};
 use crate::error::OutsideSpan;
+use crate::event::Occurrence;
 use crate::real::Float;
 
 /// How much work an integration was.
@@ -33,7 +34,8 @@ pub struct Statistics {
 /// A trajectory: the accepted points, and dense output between them.
 ///
 /// There is always at least one point, the initial one; it stays alone if the integration was asked to end where it starts.
-/// Times ascend, or descend if it went backward in time.
+/// Times ascend, or descend if it went backward in time; where an event reset the state, a time stands twice, with the states before and
+/// after.
 #[derive(Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -53,6 +55,7 @@ pub struct Solution<const N: usize, T = f64> {
     coefficients: Vec<SVector<T, N>>,
     /// Where those of each step end.
     ends: Vec<usize>,
+    events: Vec<Occurrence<N, T>>,
     statistics: Statistics,
 }
 
@@ -64,6 +67,7 @@ impl<const N: usize, T: Float> Solution<N, T> {
             x: vec![x0],
             coefficients: Vec::new(),
             ends: Vec::new(),
+            events: Vec::new(),
             statistics: Statistics::default(),
         }
     }
@@ -74,6 +78,33 @@ impl<const N: usize, T: Float> Solution<N, T> {
         self.x.push(step.x1);
         self.coefficients.extend(dense.coefficients());
         self.ends.push(self.coefficients.len());
+    }
+
+    /// The part of a step up to the fraction `theta`.
+    pub(crate) fn push_part(&mut self, dense: &Dense<'_, N, T>, theta: T) {
+        let t = dense.time(theta);
+        if t == self.last().0 {
+            return;
+        }
+        self.t.push(t);
+        self.x.push(dense.at_fraction(theta));
+        let mut power = T::from_f64(1.0);
+        for coefficient in dense.coefficients() {
+            power *= theta;
+            self.coefficients.push(coefficient * power);
+        }
+        self.ends.push(self.coefficients.len());
+    }
+
+    /// Another state at the last time.
+    pub(crate) fn jump(&mut self, t: T, x: SVector<T, N>) {
+        self.t.push(t);
+        self.x.push(x);
+        self.ends.push(self.coefficients.len());
+    }
+
+    pub(crate) fn note(&mut self, event: Occurrence<N, T>) {
+        self.events.push(event);
     }
 
     pub(crate) fn set_statistics(&mut self, statistics: Statistics) {
@@ -104,13 +135,20 @@ impl<const N: usize, T: Float> Solution<N, T> {
         (self.t[last], self.x[last])
     }
 
+    /// The events that occurred, in the order in which they did.
+    #[must_use]
+    pub fn events(&self) -> &[Occurrence<N, T>] {
+        &self.events
+    }
+
     /// How much work the integration was.
     #[must_use]
     pub fn statistics(&self) -> Statistics {
         self.statistics
     }
 
-    /// The state at the time `t`, by the dense output of the method; at an accepted point, that point exactly.
+    /// The state at the time `t`, by the dense output of the method; at an accepted point, that point exactly, and where
+    /// the state was reset, the state after.
     ///
     /// # Errors
     /// If `t` is outside of the span, or NaN.
@@ -129,14 +167,15 @@ impl<const N: usize, T: Float> Solution<N, T> {
                 end: end.to_f64(),
             });
         }
-        // The first point that is not before `t`: inside the span there is one.
-        let right = self
+        // The last point that is not behind `t`: inside the span there is one.
+        let left = self
             .t
-            .partition_point(|&point| if forward { point < t } else { point > t });
-        if self.t[right] == t {
-            return Ok(self.x[right]);
+            .partition_point(|&point| if forward { point <= t } else { point >= t })
+            - 1;
+        if self.t[left] == t {
+            return Ok(self.x[left]);
         }
-        let left = right - 1;
+        let right = left + 1;
         let theta = (t - self.t[left]) / (self.t[right] - self.t[left]);
         let first = if left == 0 { 0 } else { self.ends[left - 1] };
         let coefficients = self.coefficients[first..self.ends[left]].iter();
@@ -174,6 +213,7 @@ struct Record<const N: usize, T> {
     x: Vec<SVector<T, N>>,
     coefficients: Vec<SVector<T, N>>,
     ends: Vec<usize>,
+    events: Vec<Occurrence<N, T>>,
     statistics: Statistics,
 }
 
@@ -192,7 +232,7 @@ impl<const N: usize, T: Float> TryFrom<Record<N, T>> for Solution<N, T> {
             return Err("a solution has a state for each time and coefficients for each step");
         }
         let forward = record.t[0] <= record.t[steps];
-        let ordered = |pair: &[T]| (pair[0] < pair[1]) == forward && pair[0] != pair[1];
+        let ordered = |pair: &[T]| pair[0] == pair[1] || (pair[0] < pair[1]) == forward;
         if !record.t.windows(2).all(ordered) {
             return Err("the times of a solution ascend or descend");
         }
@@ -201,6 +241,7 @@ impl<const N: usize, T: Float> TryFrom<Record<N, T>> for Solution<N, T> {
             x: record.x,
             coefficients: record.coefficients,
             ends: record.ends,
+            events: record.events,
             statistics: record.statistics,
         })
     }

@@ -7,10 +7,13 @@ mod grid;
 mod input;
 mod scheme;
 mod stepper;
+mod watch;
+mod zero;
 
 use nalgebra::SVector;
 
 use crate::error::{Reason, SolveError};
+use crate::event::Event;
 use crate::real::Float;
 use crate::solution::Solution;
 use crate::system::System;
@@ -58,6 +61,30 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
         let x0 = x0.into();
         match self.stepper(system, t0, t1, x0) {
             Ok(stepper) => stepper.collect(),
+            Err(reason) => Err(SolveError::at_start(reason, t0, x0)),
+        }
+    }
+
+    /// [`solve`](Self::solve) with events: [`Solution::events`] tells which occurred, and when.
+    ///
+    /// A terminal event is the end of the solution. Where an event resets the state, the solution has two points at one time.
+    ///
+    /// # Errors
+    /// Those of [`solve`](Self::solve), [`Reason::EventNotFinite`], and [`Reason::EventsAccumulate`].
+    fn solve_with(
+        &self,
+        system: &S,
+        t0: T,
+        t1: T,
+        x0: impl Into<SVector<T, N>>,
+        events: &[Event<'_, N, T>],
+    ) -> Result<Solution<N, T>, SolveError<N, T>>
+    where
+        S: System<T, N>,
+    {
+        let x0 = x0.into();
+        match self.stepper(system, t0, t1, x0) {
+            Ok(stepper) => watch::collect(stepper, events),
             Err(reason) => Err(SolveError::at_start(reason, t0, x0)),
         }
     }

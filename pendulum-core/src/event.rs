@@ -1,0 +1,126 @@
+//! Events: where a function of time and state passes zero, and what happens there.
+
+use std::fmt;
+
+use nalgebra::SVector;
+
+/// Something that happens where a function `g(t, x)` passes zero along a trajectory; for [`Method::solve_with`](crate::Method::solve_with).
+///
+/// An event occurs where `g` reaches zero or changes its sign: once, whether that is within a step, at the end of one, or at the start
+/// of the integration. It is found on the dense output of the method, to the accuracy of that and to the last bits of the time. Two
+/// zeros in one step are found even if the sign is the same at both ends: `g` is looked at in ten places of each step, and where it
+/// comes near zero between them its extremum is searched.
+///
+/// ```
+/// use pendulum_core::prelude::*;
+///
+/// // a ball that is dropped and rebounds with four fifths of its speed
+/// let ball = FnSystem(|_t: f64, _x: &SVector<f64, 2>| SVector::from([_x[1], -9.81]));
+/// let bounce = Event::new(|_t, x: &SVector<f64, 2>| x[0])
+///     .falling()
+///     .reset(|_t, x| SVector::from([0.0, -0.8 * x[1]]));
+/// let top = Event::new(|_t, x: &SVector<f64, 2>| x[1]).falling();
+/// let solution = Rk45::new().solve_with(&ball, 0.0, 1.5, [1.0, 0.0], &[bounce, top])?;
+/// let bounces: Vec<f64> = solution.events().iter().filter(|event| event.index == 0).map(|event| event.t).collect();
+/// let fall = (2.0_f64 / 9.81).sqrt();
+/// assert!((bounces[0] - fall).abs() < 1e-12 && (bounces[1] - 2.6 * fall).abs() < 1e-12);
+/// # Ok::<(), SolveError<2>>(())
+/// ```
+pub struct Event<'e, const N: usize, T = f64> {
+    pub(crate) function: Box<dyn Fn(T, &SVector<T, N>) -> T + 'e>,
+    pub(crate) direction: Direction,
+    pub(crate) terminal: bool,
+    pub(crate) reset: Option<Reset<'e, N, T>>,
+}
+
+/// The state behind an event, from that before it.
+type Reset<'e, const N: usize, T> = Box<dyn Fn(T, &SVector<T, N>) -> SVector<T, N> + 'e>;
+
+/// Which passages of zero count.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+pub enum Direction {
+    /// Both ways.
+    #[default]
+    Either,
+    /// From below zero, as time goes on in the direction of the integration.
+    Rising,
+    /// From above zero.
+    Falling,
+}
+
+impl<'e, const N: usize, T> Event<'e, N, T> {
+    /// The event that `function` passes zero, in whatever direction; nothing happens but that it is noted.
+    #[must_use]
+    pub fn new(function: impl Fn(T, &SVector<T, N>) -> T + 'e) -> Self {
+        Self {
+            function: Box::new(function),
+            direction: Direction::Either,
+            terminal: false,
+            reset: None,
+        }
+    }
+
+    /// Only where the function rises through zero, as time goes on in the direction of the integration.
+    #[must_use]
+    pub fn rising(mut self) -> Self {
+        self.direction = Direction::Rising;
+        self
+    }
+
+    /// Only where the function falls through zero, as time goes on in the direction of the integration.
+    #[must_use]
+    pub fn falling(mut self) -> Self {
+        self.direction = Direction::Falling;
+        self
+    }
+
+    /// Ends the integration, behind the reset if there is one.
+    #[must_use]
+    pub fn terminal(mut self) -> Self {
+        self.terminal = true;
+        self
+    }
+
+    /// Goes on from the state `reset(t, x)`, `x` being the state before.
+    ///
+    /// No event is noted for what a reset itself does to the functions.
+    #[must_use]
+    pub fn reset(mut self, reset: impl Fn(T, &SVector<T, N>) -> SVector<T, N> + 'e) -> Self {
+        self.reset = Some(Box::new(reset));
+        self
+    }
+
+    /// Whether it does more than to be noted.
+    pub(crate) fn acts(&self) -> bool {
+        self.terminal || self.reset.is_some()
+    }
+}
+
+impl<const N: usize, T> fmt::Debug for Event<'_, N, T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("Event")
+            .field("direction", &self.direction)
+            .field("terminal", &self.terminal)
+            .field("resets", &self.reset.is_some())
+            .finish_non_exhaustive()
+    }
+}
+
+/// An event that occurred.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(
+    feature = "serde",
+    serde(bound(
+        serialize = "T: nalgebra::Scalar + serde::Serialize",
+        deserialize = "T: nalgebra::Scalar + serde::Deserialize<'de>"
+    ))
+)]
+pub struct Occurrence<const N: usize, T = f64> {
+    /// Which: its place among the events that were given.
+    pub index: usize,
+    /// When.
+    pub t: T,
+    /// The state there, before a reset.
+    pub x: SVector<T, N>,
+}
