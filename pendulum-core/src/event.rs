@@ -27,11 +27,14 @@ use nalgebra::SVector;
 /// # Ok::<(), SolveError<2>>(())
 /// ```
 pub struct Event<'e, const N: usize, T = f64> {
-    pub(crate) function: Box<dyn Fn(T, &SVector<T, N>) -> T + 'e>,
+    pub(crate) function: Function<'e, N, T>,
     pub(crate) direction: Direction,
     pub(crate) terminal: bool,
     pub(crate) reset: Option<Reset<'e, N, T>>,
 }
+
+/// The value that passes zero.
+type Function<'e, const N: usize, T> = Box<dyn Fn(T, &SVector<T, N>) -> T + 'e>;
 
 /// The state behind an event, from that before it.
 type Reset<'e, const N: usize, T> = Box<dyn Fn(T, &SVector<T, N>) -> SVector<T, N> + 'e>;
