@@ -32,6 +32,7 @@
 //! | [`ensemble`] | many trajectories at a time, in the lanes of vector registers |
 //! | [`method`] | [`Rk4`], [`Rk45`], and the [`Stepper`] beneath them, which uses no heap |
 //! | [`tableau`] | Butcher tableaus as data |
+//! | [`taylor`] | power series of motions |
 //! | [`solution`], [`dense`] | accepted points and the states between them |
 //! | [`error`] | what can go wrong |
 //! | [`cost`] | counted operations of generated functions |
@@ -45,6 +46,7 @@ pub mod real;
 pub mod solution;
 pub mod system;
 pub mod tableau;
+pub mod taylor;
 
 mod control;
 
@@ -56,6 +58,7 @@ pub use method::{Rk4, Rk45, Stepper};
 pub use real::{Float, Real};
 pub use solution::{Solution, Statistics};
 pub use system::{Controlled, Energy, FnSystem, Jacobian, Model, System, WithInputs};
+pub use taylor::{TaylorModel, TaylorSeries};
 
 /// Declares a mechanism and generates its equations of motion: see [`language`].
 pub use pendulum_macros::mechanism;
@@ -74,7 +77,7 @@ pub mod prelude {
     pub use crate::{
         Controlled, Cost, Energy, EnsembleError, Float, FnSystem, FunctionCost, Jacobian, Model, Operations,
         OutsideSpan, ParameterError, Real, Reason, Rk4, Rk45, Solution, SolveError, Statistics, Step, Stepper, System,
-        WithInputs, mechanism,
+        TaylorModel, TaylorSeries, WithInputs, mechanism,
     };
     pub use nalgebra::{SMatrix, SVector};
 }
