@@ -133,11 +133,13 @@ pub enum Output {
     InverseDynamics,
     /// The derivatives of the accelerations by the parameters.
     ParameterJacobian,
+    /// The coefficients of the motion in powers of time.
+    Taylor,
 }
 
 impl Output {
     /// Every output with its name in `generate`.
-    pub const ALL: [(&'static str, Output); 8] = [
+    pub const ALL: [(&'static str, Output); 9] = [
         ("rhs", Output::Rhs),
         ("jacobian", Output::Jacobian),
         ("energy", Output::Energy),
@@ -146,6 +148,7 @@ impl Output {
         ("momentum", Output::Momentum),
         ("inverse_dynamics", Output::InverseDynamics),
         ("parameter_jacobian", Output::ParameterJacobian),
+        ("taylor", Output::Taylor),
     ];
 }
 

@@ -9,7 +9,7 @@ use crate::dynamics::Dynamics;
 use crate::error::Errors;
 use crate::expr::{ExprId, Graph, Level, Node};
 use crate::model::{Model, Output};
-use crate::pass::{Chosen, Forms};
+use crate::pass::{Chosen, Forms, Taylor};
 use crate::{check, emit, lower, parse};
 
 /// A function of the generated model.
@@ -62,6 +62,8 @@ pub struct Program {
     pub model: Model,
     /// The code of each function.
     pub functions: BTreeMap<Function, Chosen>,
+    /// The code of the Taylor series, where it was asked for.
+    pub taylor: Option<Taylor>,
     /// What is computed once, when the model is built: everything that depends on parameters alone.
     pub constants: Vec<ExprId>,
     /// The equations of motion as text.
@@ -108,7 +110,11 @@ fn compile(scene: &Scene, errors: Errors) -> Result<Program, Errors> {
     check::check(scene, &model, &dynamics)?;
     let mut forms = Forms::new(&mut model, &dynamics);
     let functions = functions(&mut model, &mut forms);
-    let constants = constants(&model, &functions);
+    let taylor = model
+        .outputs
+        .contains(&Output::Taylor)
+        .then(|| forms.taylor(&mut model));
+    let constants = constants(&model, &functions, taylor.as_ref());
     let equations = match forms.closed() {
         Some(closed) => emit::equations(&model, closed, true),
         None => emit::equations(&model, &dynamics, false),
@@ -116,6 +122,7 @@ fn compile(scene: &Scene, errors: Errors) -> Result<Program, Errors> {
     Ok(Program {
         model,
         functions,
+        taylor,
         constants,
         equations,
     })
@@ -129,7 +136,7 @@ fn functions(model: &mut Model, forms: &mut Forms) -> BTreeMap<Function, Chosen>
     let controlled = !model.inputs.is_empty();
     // a Jacobian without its right-hand side, or an input without the derivative by it, is no use to anybody
     let jacobian = wants(model, Output::Jacobian) || (controlled && wants(model, Output::Rhs));
-    let rhs = wants(model, Output::Rhs) || jacobian;
+    let rhs = wants(model, Output::Rhs) || wants(model, Output::Taylor) || jacobian;
     let mut functions = BTreeMap::new();
     if rhs {
         functions.insert(Function::Rhs, forms.accelerations(&mut model.graph));
@@ -174,17 +181,13 @@ fn functions(model: &mut Model, forms: &mut Forms) -> BTreeMap<Function, Chosen>
 }
 
 /// The expressions of parameters that the functions read.
-fn constants(model: &Model, functions: &BTreeMap<Function, Chosen>) -> Vec<ExprId> {
+fn constants(model: &Model, functions: &BTreeMap<Function, Chosen>, taylor: Option<&Taylor>) -> Vec<ExprId> {
     let g = &model.graph;
     let mut constants = BTreeSet::new();
-    for chosen in functions.values() {
-        let of_state = g
-            .reachable(&chosen.roots)
-            .into_iter()
-            .filter(|&id| g.level(id) == Level::State);
-        let read = of_state
-            .flat_map(|id| g.operands(id))
-            .chain(chosen.roots.iter().copied());
+    let of_series = taylor.into_iter().flat_map(|taylor| [&taylor.start, &taylor.order]);
+    for roots in functions.values().map(|chosen| &chosen.roots).chain(of_series) {
+        let of_state = g.reachable(roots).into_iter().filter(|&id| g.level(id) == Level::State);
+        let read = of_state.flat_map(|id| g.operands(id)).chain(roots.iter().copied());
         constants.extend(read.filter(|&id| g.level(id) == Level::Parameter));
     }
     debug_assert!(constants.iter().all(|&id| !matches!(g.node(id), Node::Number(_))));

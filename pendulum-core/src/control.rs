@@ -33,6 +33,16 @@ impl<T: Float> Tolerance<T> {
         sum / T::from_f64(N as f64)
     }
 
+    /// The largest `|v| / (atol + rtol |x|)` of the components.
+    #[inline]
+    pub(crate) fn largest<const N: usize>(&self, v: &SVector<T, N>, x: &SVector<T, N>) -> T {
+        let mut largest = T::default();
+        for i in 0..N {
+            largest = largest.max(v[i].abs() / (self.atol + self.rtol * x[i].abs()));
+        }
+        largest
+    }
+
     /// A first step: so long that an explicit Euler step, judged by the change of the slope along it, is right to a hundredth.
     ///
     /// Hairer, Nørsett, Wanner I, II.4, "Starting step size". `order` is that of the error estimate, `h_max` bounds the result,
@@ -74,7 +84,7 @@ impl<T: Float> Tolerance<T> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Controller {
     alpha: f64,
-    /// The logarithm of the last accepted error.
+    /// The binary logarithm of the last accepted error.
     last: f64,
     rejected: bool,
 }
@@ -84,14 +94,14 @@ impl Controller {
     const SAFETY: f64 = 0.9;
     const SHRINK: f64 = 0.2;
     const GROW: f64 = 10.0;
-    /// A smaller error than this is not remembered as such: it says little about the next one.
-    const SMALLEST: f64 = 1e-4;
+    /// The binary logarithm of 1e-4. A smaller error is not remembered as such: it says little about the next one.
+    const SMALLEST_LOG: f64 = -13.287_712_379_549_449;
 
     /// `order` is that of the error estimate.
     pub(crate) fn new(order: usize) -> Self {
         Self {
             alpha: 1.0 / (order as f64 + 1.0) - 0.75 * Self::BETA,
-            last: Self::SMALLEST.ln(),
+            last: Self::SMALLEST_LOG,
             rejected: false,
         }
     }
@@ -99,10 +109,10 @@ impl Controller {
     /// The factor for the next step, after an accepted one with this mean square error.
     #[inline]
     pub(crate) fn accept(&mut self, mean_square: f64) -> f64 {
-        let error = 0.5 * mean_square.ln();
-        let factor = Self::SAFETY * (Self::BETA * self.last - self.alpha * error).exp();
+        let error = 0.5 * log2(mean_square);
+        let factor = Self::SAFETY * exp2(Self::BETA * self.last - self.alpha * error);
         let most = if self.rejected { 1.0 } else { Self::GROW };
-        self.last = error.max(Self::SMALLEST.ln());
+        self.last = error.max(Self::SMALLEST_LOG);
         self.rejected = false;
         factor.clamp(Self::SHRINK, most)
     }
@@ -110,8 +120,8 @@ impl Controller {
     /// The factor for the next attempt, after a rejected one with this mean square error.
     pub(crate) fn reject(&mut self, mean_square: f64) -> f64 {
         self.rejected = true;
-        let error = 0.5 * mean_square.ln();
-        (Self::SAFETY * (-self.alpha * error).exp()).max(Self::SHRINK)
+        let error = 0.5 * log2(mean_square);
+        (Self::SAFETY * exp2(-self.alpha * error)).max(Self::SHRINK)
     }
 
     /// The factor for the next attempt, after one that arrived nowhere and so has no error.
@@ -121,9 +131,49 @@ impl Controller {
     }
 }
 
+/// The binary logarithm of a positive normal number, to 1e-7; far below 0 at 0.
+///
+/// Step sizes need no more, and so they are the same on every machine, which the platform's functions do not promise.
+#[inline(always)]
+pub(crate) fn log2(x: f64) -> f64 {
+    const SQRT_HALF: u64 = std::f64::consts::FRAC_1_SQRT_2.to_bits();
+    // x = 2^e m with m in [sqrt(1/2), sqrt(2))
+    let shifted = x.to_bits().wrapping_sub(SQRT_HALF) as i64;
+    let exponent = shifted >> 52;
+    let m = f64::from_bits(x.to_bits().wrapping_sub((exponent << 52) as u64));
+    let s = (m - 1.0) / (m + 1.0);
+    let s2 = s * s;
+    exponent as f64 + s * (2.0 + s2 * (2.0 / 3.0 + s2 * (2.0 / 5.0 + s2 * (2.0 / 7.0)))) * std::f64::consts::LOG2_E
+}
+
+/// 2 to the power of `x`, to 2e-7; `x` is kept within the exponents of numbers.
+#[inline(always)]
+pub(crate) fn exp2(x: f64) -> f64 {
+    let x = x.clamp(-1022.0, 1023.0);
+    // Adding and subtracting 1.5 * 2^52 rounds to the nearest integer.
+    const ROUND: f64 = 6_755_399_441_055_744.0;
+    let whole = x + ROUND - ROUND;
+    let y = (x - whole) * std::f64::consts::LN_2;
+    let power =
+        1.0 + y * (1.0 + y * (0.5 + y * (1.0 / 6.0 + y * (1.0 / 24.0 + y * (1.0 / 120.0 + y * (1.0 / 720.0))))));
+    power * f64::from_bits(((whole as i64 + 1023) as u64) << 52)
+}
+
 #[cfg(test)]
 mod tests {
-    use super::Controller;
+    use super::{Controller, exp2, log2};
+
+    #[test]
+    fn logarithm_and_power_are_good_enough() {
+        for i in -3000..3000 {
+            let x = 1.007_f64.powi(i) * 1.3;
+            assert!((log2(x) - x.log2()).abs() < 1e-7, "{x}");
+            let y = f64::from(i) * 0.0717;
+            assert!((exp2(y) / y.exp2() - 1.0).abs() < 2e-7, "{y}");
+        }
+        assert!(log2(0.0) < -1000.0 && log2(f64::INFINITY) > 1000.0);
+        assert!(exp2(f64::NAN).is_nan());
+    }
 
     #[test]
     fn an_error_of_one_shrinks_the_step_a_little() {

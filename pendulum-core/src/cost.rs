@@ -145,6 +145,10 @@ pub struct Cost {
     pub inverse_dynamics: FunctionCost,
     /// The derivatives of the accelerations by the parameters.
     pub parameter_jacobian: FunctionCost,
+    /// One order of [`TaylorSeries::series`](crate::TaylorSeries::series), without the sums of the products of series.
+    pub taylor: FunctionCost,
+    /// The number of these products: for order `k` each takes `k - 1` multiplications and additions.
+    pub taylor_products: usize,
 }
 
 impl Cost {
@@ -160,6 +164,8 @@ impl Cost {
         momentum: FunctionCost::ZERO,
         inverse_dynamics: FunctionCost::ZERO,
         parameter_jacobian: FunctionCost::ZERO,
+        taylor: FunctionCost::ZERO,
+        taylor_products: 0,
     };
 }
 
@@ -177,6 +183,7 @@ impl fmt::Display for Cost {
             ("momentum", &self.momentum),
             ("inverse_dynamics", &self.inverse_dynamics),
             ("parameter_jacobian", &self.parameter_jacobian),
+            ("taylor, each order", &self.taylor),
         ];
         let mut separator = "";
         for (name, cost) in functions.into_iter().filter(|(_, cost)| !cost.form.is_empty()) {

@@ -32,6 +32,7 @@
 //! | [`ensemble`] | many trajectories at a time, in the lanes of vector registers |
 //! | [`method`] | the methods, and the [`Stepper`] beneath them, which uses no heap |
 //! | [`tableau`] | Butcher tableaus as data |
+//! | [`taylor`] | power series of motions |
 //! | [`solution`], [`dense`] | accepted points and the states between them |
 //! | [`event`] | what happens along a trajectory |
 //! | [`error`] | what can go wrong |
@@ -47,6 +48,7 @@ pub mod real;
 pub mod solution;
 pub mod system;
 pub mod tableau;
+pub mod taylor;
 
 mod control;
 
@@ -55,10 +57,11 @@ pub use dense::{Dense, Step};
 pub use ensemble::EnsembleError;
 pub use error::{OutsideSpan, ParameterError, Reason, SolveError};
 pub use event::{Direction, Event, Occurrence};
-pub use method::{Method, Rk4, Rk45, Stepper};
+pub use method::{Method, Rk4, Rk45, Stepper, Taylor};
 pub use real::{Float, Real};
 pub use solution::{Solution, Statistics};
 pub use system::{Controlled, Energy, FnSystem, Jacobian, Model, System, WithInputs};
+pub use taylor::{TaylorModel, TaylorSeries};
 
 /// Declares a mechanism and generates its equations of motion: see [`language`].
 pub use pendulum_macros::mechanism;
@@ -74,11 +77,14 @@ pub use serde;
 
 /// All that a program with mechanisms usually needs: `use pendulum_core::prelude::*;`.
 pub mod prelude {
-    pub use crate::{
-        Controlled, Cost, Dense, Direction, Energy, EnsembleError, Event, Float, FnSystem, FunctionCost, Jacobian,
-        Method, Model, Occurrence, Operations, OutsideSpan, ParameterError, Real, Reason, Rk4, Rk45, Solution,
-        SolveError, Statistics, Step, Stepper, System, WithInputs, mechanism,
-    };
+    pub use crate::mechanism;
+    pub use crate::{Controlled, Energy, FnSystem, Jacobian, Model, System, TaylorModel, TaylorSeries, WithInputs};
+    pub use crate::{Cost, FunctionCost, Operations, ParameterError};
+    pub use crate::{Dense, OutsideSpan, Solution, Statistics, Step, Stepper};
+    pub use crate::{Direction, Event, Occurrence};
+    pub use crate::{EnsembleError, Reason, SolveError};
+    pub use crate::{Float, Real};
+    pub use crate::{Method, Rk4, Rk45, Taylor};
     pub use nalgebra::{SMatrix, SVector};
 }
 

@@ -1,6 +1,8 @@
 //! The functions of a generated model.
 
-use proc_macro2::TokenStream;
+use std::collections::HashMap;
+
+use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::body::{Body, local, spelled, unpack};
@@ -221,10 +223,19 @@ impl Items<'_> {
     }
 
     /// A block that computes roots from the state `x`, the time `t`, the inputs `u` and the constants of the model.
-    fn block(&self, roots: &[ExprId], result: impl FnOnce(&[TokenStream]) -> TokenStream) -> TokenStream {
-        let graph = &self.program.model.graph;
+    pub(super) fn block(&self, roots: &[ExprId], result: impl FnOnce(&[TokenStream]) -> TokenStream) -> TokenStream {
         let (mut known, mut head) = unpack(&self.program.model, roots);
-        let used = graph.reachable(roots);
+        let (constants, read) = self.constants_read(roots);
+        known.extend(constants);
+        head.extend(read);
+        let code = Body::code(&self.program.model.graph, roots, &known, result);
+        quote!({ #head #code })
+    }
+
+    /// The names of the constants of the model, and statements for those that some roots read.
+    pub(super) fn constants_read(&self, roots: &[ExprId]) -> (HashMap<ExprId, Ident>, TokenStream) {
+        let (mut known, mut head) = (HashMap::new(), TokenStream::new());
+        let used = self.program.model.graph.reachable(roots);
         for (n, constant) in self.program.constants.iter().enumerate() {
             let (name, index) = (local(format!("k{n}")), number(n));
             let read = used.binary_search(constant).is_ok();
@@ -233,8 +244,7 @@ impl Items<'_> {
                 head.extend(quote!(let #name = self.constants[#index];));
             }
         }
-        let code = Body::code(graph, roots, &known, result);
-        quote!({ #head #code })
+        (known, head)
     }
 }
 

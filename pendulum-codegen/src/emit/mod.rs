@@ -6,6 +6,7 @@ mod functions;
 mod lanes;
 mod schedule;
 mod stub;
+mod taylor;
 
 use std::collections::HashMap;
 
@@ -18,7 +19,7 @@ pub(crate) use stub::stub;
 use crate::ast::Scene;
 use crate::expr::{ExprId, Printer};
 use crate::model::{ROUNDING, Requirement};
-use crate::pass::Operations;
+use crate::pass::{Form, Operations};
 use crate::pipeline::Program;
 use body::{Body, local};
 
@@ -32,6 +33,7 @@ pub(crate) fn items(scene: &Scene, program: &Program) -> TokenStream {
         items.constructor(),
         items.facts(),
         items.functions(),
+        items.taylor().unwrap_or_default(),
         items.over_numbers().unwrap_or_default(),
     ];
     parts.into_iter().collect()
@@ -251,16 +253,20 @@ impl Items<'_> {
         let (name, dof, coordinates) = (self.name(), number(self.dof()), self.program.model.coordinate_names());
         let equations = &self.program.equations;
         let costs = self.program.functions.iter().map(|(function, chosen)| {
-            let (field, form) = (format_ident!("{}", function.name()), chosen.form.to_string());
-            let own = operations(&chosen.operations);
-            let others = chosen.others.iter().map(|(form, count)| {
-                let (form, count) = (form.to_string(), operations(count));
-                quote!((#form, #count))
-            });
-            quote! {
-                #field: ::pendulum_core::FunctionCost { operations: #own, form: #form, others: &[#(#others),*] }
-            }
+            let others = chosen.others.iter().map(|(form, count)| (form.to_string(), *count));
+            cost(function.name(), &chosen.form.to_string(), &chosen.operations, others)
         });
+        let of_series = self.program.taylor.as_ref().map(|taylor| {
+            let text = |form: &Form, slots: &usize| format!("{form}, {slots} products of series");
+            let others = taylor
+                .others
+                .iter()
+                .map(|(form, slots, count)| (text(form, slots), *count));
+            let cost = cost("taylor", &text(&taylor.form, &taylor.slots), &taylor.operations, others);
+            let slots = number(taylor.slots);
+            quote!(#cost, taylor_products: #slots)
+        });
+        let costs = costs.chain(of_series);
         quote! {
             impl #name {
                 /// The number of degrees of freedom; the state has twice as many components.
@@ -273,6 +279,18 @@ impl Items<'_> {
                 pub const EQUATIONS: &'static str = #equations;
             }
         }
+    }
+}
+
+/// A field of the costs: the operations of a function in its form and in others.
+fn cost(field: &str, form: &str, own: &Operations, others: impl Iterator<Item = (String, Operations)>) -> TokenStream {
+    let (field, own) = (format_ident!("{field}"), operations(own));
+    let others = others.map(|(form, count)| {
+        let count = operations(&count);
+        quote!((#form, #count))
+    });
+    quote! {
+        #field: ::pendulum_core::FunctionCost { operations: #own, form: #form, others: &[#(#others),*] }
     }
 }
 

@@ -111,6 +111,18 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             }
         }
         #allowed
+        impl<T: #real, const N: usize> ::pendulum_core::TaylorSeries<T, N> for #name<T> {
+            type Workspace = ();
+            fn workspace(&self) {}
+            fn series(&self, _: T, _: &mut [#vector], _: &mut ()) {}
+        }
+        #allowed
+        impl<const N: usize> ::pendulum_core::TaylorModel<N> for #name {
+            type Workspace<T: #real> = ();
+            fn workspace<T: #real>() {}
+            fn series<T: #real>(_: &#name<T>, _: T, _: &mut [#vector], _: &mut ()) {}
+        }
+        #allowed
         impl<T: #real, const N: usize> ::pendulum_core::Jacobian<T, N> for #name<T> {
             fn jacobian(#inherent) -> #matrix<T, N, N> {
                 #zeros

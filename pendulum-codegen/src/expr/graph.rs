@@ -43,6 +43,8 @@ pub enum SymbolKind {
     Input(usize),
     /// Time.
     Time,
+    /// A quantity of one order of a power series in time.
+    Coefficient(usize),
 }
 
 /// A named symbol.

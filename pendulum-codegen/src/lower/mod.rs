@@ -92,7 +92,7 @@ impl Lower {
                 bodies.push(lowered);
             }
         }
-        let outputs = self.outputs(items.generate.as_deref(), !parameters.is_empty());
+        let outputs = self.outputs(items.generate.as_deref(), !parameters.is_empty(), !inputs.is_empty());
         if items.bodies.is_empty() && self.errors.is_empty() {
             self.errors.at(
                 scene.name.span(),
@@ -372,7 +372,7 @@ impl Lower {
         }
     }
 
-    fn outputs(&mut self, generate: Option<&[Ident]>, has_parameters: bool) -> BTreeSet<Output> {
+    fn outputs(&mut self, generate: Option<&[Ident]>, has_parameters: bool, has_inputs: bool) -> BTreeSet<Output> {
         let Some(list) = generate else {
             return [Output::Rhs, Output::Jacobian, Output::Energy].into();
         };
@@ -392,6 +392,13 @@ impl Lower {
                         ident.span(),
                         "there are no parameters to derive by",
                         "declare the quantities of interest in `params { .. }`; numbers are constants",
+                    );
+                }
+                Some((_, Output::Taylor)) if has_inputs => {
+                    self.errors.at(
+                        ident.span(),
+                        "the Taylor series of a motion under inputs is not known: their law is given after the code is written",
+                        "leave out `taylor`, or write the law into a `torque` in place of the input",
                     );
                 }
                 Some(_) => {}

@@ -8,7 +8,9 @@ mod exact;
 mod factor;
 mod form;
 mod pairs;
+mod series;
 mod share;
+mod taylor;
 mod trig;
 
 pub use angles::collect;
@@ -16,7 +18,9 @@ pub use closed::Closed;
 pub use cost::Operations;
 pub use factor::Preference;
 pub use form::{Basis, Derivatives, Form};
+pub use series::Symbols;
 pub use share::share;
+pub use taylor::Taylor;
 
 use std::collections::HashMap;
 

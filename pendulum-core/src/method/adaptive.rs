@@ -152,7 +152,7 @@ where
         let x0 = x0.into();
         check_start(t0, t1, &x0)?;
         let tolerance = self.tolerance()?;
-        let scheme = self.family.scheme(Some(tolerance));
+        let scheme = self.family.scheme(system, Some(tolerance))?;
         let pace = Adaptation {
             h: T::from_f64(self.h0.unwrap_or(0.0).min(self.h_max)),
             h_min: T::from_f64(self.h_min),

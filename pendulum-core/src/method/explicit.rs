@@ -6,6 +6,7 @@ use nalgebra::SVector;
 
 use crate::control::Tolerance;
 use crate::dense::Step;
+use crate::error::Reason;
 use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
 use crate::real::{Float, Real};
 use crate::solution::Statistics;
@@ -33,14 +34,15 @@ where
     type Scheme = Stages<B, STAGES, N, T>;
 
     #[inline]
-    fn scheme(&self, tolerance: Option<Tolerance<T>>) -> Self::Scheme {
-        Stages {
+    fn scheme(&self, _system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
+        let zero = SVector::from_element(T::default());
+        Ok(Stages {
             tolerance,
-            slope: SVector::from_element(T::default()),
-            stages: [SVector::from_element(T::default()); STAGES],
-            coefficients: [SVector::from_element(T::default()); MAX_DEGREE],
+            slope: zero,
+            stages: [zero; STAGES],
+            coefficients: [zero; MAX_DEGREE],
             tableau: PhantomData,
-        }
+        })
     }
 }
 

@@ -52,6 +52,7 @@ where
         let x0 = x0.into();
         check_start(t0, t1, &x0)?;
         let grid = Grid::new(self.h, t0, t1)?;
-        Stepper::new(system, self.family.scheme(None), (t0, t1), x0, Pace::Fixed(grid))
+        let scheme = self.family.scheme(system, None)?;
+        Stepper::new(system, scheme, (t0, t1), x0, Pace::Fixed(grid))
     }
 }

@@ -7,6 +7,7 @@ mod grid;
 mod input;
 mod scheme;
 mod stepper;
+mod taylor;
 mod watch;
 mod zero;
 
@@ -28,6 +29,7 @@ pub use explicit::Explicit;
 pub use fixed::Fixed;
 pub use scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
 pub use stepper::Stepper;
+pub use taylor::{PowerSeries, Taylor};
 
 /// A method of integration.
 pub trait Method<S: ?Sized, T: Float, const N: usize> {

@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 use crate::control::Tolerance;
 use crate::dense::Step;
+use crate::error::Reason;
 use crate::real::Float;
 use crate::solution::Statistics;
 
@@ -13,7 +14,10 @@ pub trait Family<S: ?Sized, T: Float, const N: usize> {
     type Scheme: Scheme<S, T, N>;
 
     /// The scheme for steps within a tolerance, or for steps of a given length, which have none.
-    fn scheme(&self, tolerance: Option<Tolerance<T>>) -> Self::Scheme;
+    ///
+    /// # Errors
+    /// [`Reason::InvalidInput`] if a setting of the family is out of its range.
+    fn scheme(&self, system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason>;
 }
 
 /// The work of single steps: tried, finished, and interpolated.

@@ -1,0 +1,151 @@
+//! Power series of motions, and the products of series that their recurrences take.
+//!
+//! Around a time `t` a motion is `x(tau) = sum_k x_k (tau - t)^k`. The coefficients follow one from the other: those of order `k`
+//! of everything that the right-hand side computes give the state's of order `k + 1` (Jorba and Zou, "A software package for the numerical
+//! integration of ODEs by means of high-order Taylor methods", Experimental Mathematics 2005; Griewank and Walther, "Evaluating Derivatives"
+//! 2008, ch. 13). [`mechanism!`](crate::mechanism) writes the recurrences of a scene whose `generate` has `taylor`.
+
+use nalgebra::SVector;
+
+use crate::real::Real;
+use crate::system::{Model, System};
+
+/// The highest order of a series.
+pub const MAX_ORDER: usize = 24;
+
+/// A [`System`] that knows the power series of its motions.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not know the power series of its motions",
+    note = "`mechanism!` makes one that does of a scene without inputs whose `generate` has `taylor`"
+)]
+pub trait TaylorSeries<T: Real, const N: usize>: System<T, N> {
+    /// What the recurrences remember of the orders before: of some kilobytes, without heap.
+    type Workspace: Clone;
+
+    /// A workspace, for any number of series one after the other.
+    fn workspace(&self) -> Self::Workspace;
+
+    /// Computes `x[1..]` from `x[0]`, the state at `t`: the motion is `sum_k x[k] (tau - t)^k`, with `x[k]` in the units of the state over s^k.
+    ///
+    /// The order is `x.len() - 1`. Where the motion has no series, as at the edge of a square root, coefficients are not finite; `abs` and
+    /// `signum` count as smooth, with the side that they are on at `t`, and as constant where their argument is zero.
+    ///
+    /// # Panics
+    /// If the order is above [`MAX_ORDER`].
+    fn series(&self, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace);
+}
+
+/// A [`Model`] whose series can be had in every number type, lanes included.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is no model that knows the power series of its motions in other number types",
+    note = "`mechanism!` makes one of a scene without inputs whose `generate` has `taylor`"
+)]
+pub trait TaylorModel<const N: usize>: Model<N> {
+    /// [`TaylorSeries::Workspace`] of the model in a number type.
+    type Workspace<T: Real>: Clone;
+
+    /// [`TaylorSeries::workspace`] of the model in a number type.
+    fn workspace<T: Real>() -> Self::Workspace<T>;
+
+    /// [`TaylorSeries::series`] of the model in a number type.
+    fn series<T: Real>(system: &Self::In<T>, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace<T>);
+}
+
+impl<T: Real, S: TaylorSeries<T, N> + ?Sized, const N: usize> TaylorSeries<T, N> for &S {
+    type Workspace = S::Workspace;
+
+    #[inline]
+    fn workspace(&self) -> Self::Workspace {
+        (**self).workspace()
+    }
+
+    #[inline]
+    fn series(&self, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace) {
+        (**self).series(t, x, work);
+    }
+}
+
+/// `M` products of two series each, coefficient by coefficient: the workspace of generated recurrences.
+///
+/// The coefficients of one order lie side by side, so that the sums of all products are one loop over them, in vector registers.
+#[derive(Clone, Debug)]
+pub struct Products<T, const M: usize> {
+    /// Row `k - 1` holds the coefficients of order `k`; those of order 0, and of the highest, are in no interior sum.
+    left: [[T; M]; MAX_ORDER - 2],
+    right: [[T; M]; MAX_ORDER - 2],
+}
+
+impl<T: Real, const M: usize> Products<T, M> {
+    /// Of nothing yet.
+    #[must_use]
+    #[inline]
+    pub fn new() -> Self {
+        let zeros = [[T::default(); M]; MAX_ORDER - 2];
+        Self {
+            left: zeros,
+            right: zeros,
+        }
+    }
+
+    /// Sets the coefficients of order `k >= 1` of both sides of all products.
+    #[inline(always)]
+    pub fn set(&mut self, k: usize, left: [T; M], right: [T; M]) {
+        if let (Some(l), Some(r)) = (self.left.get_mut(k - 1), self.right.get_mut(k - 1)) {
+            *l = left;
+            *r = right;
+        }
+    }
+
+    /// The interior sums of order `k >= 1`: `sum_(j = 1 .. k - 1) left_j right_(k - j)` of each product.
+    #[must_use]
+    #[inline(always)]
+    pub fn sums(&self, k: usize) -> [T; M] {
+        let (left, right) = (&self.left[..k - 1], &self.right[..k - 1]);
+        let mut sums = [T::default(); M];
+        let mut at = 0;
+        while at + 8 <= M {
+            block::<T, M, 8>(left, right, at, &mut sums);
+            at += 8;
+        }
+        while at + 4 <= M {
+            block::<T, M, 4>(left, right, at, &mut sums);
+            at += 4;
+        }
+        while at < M {
+            block::<T, M, 1>(left, right, at, &mut sums);
+            at += 1;
+        }
+        sums
+    }
+}
+
+#[inline(always)]
+fn block<T: Real, const M: usize, const B: usize>(left: &[[T; M]], right: &[[T; M]], at: usize, sums: &mut [T; M]) {
+    let (mut even, mut odd) = ([T::default(); B], [T::default(); B]);
+    let n = left.len();
+    let mut j = 0;
+    while j + 2 <= n {
+        let (l0, l1) = (&left[j][at..at + B], &left[j + 1][at..at + B]);
+        let (r0, r1) = (&right[n - 1 - j][at..at + B], &right[n - 2 - j][at..at + B]);
+        for m in 0..B {
+            even[m] += l0[m] * r0[m];
+            odd[m] += l1[m] * r1[m];
+        }
+        j += 2;
+    }
+    if j < n {
+        let (l0, r0) = (&left[j][at..at + B], &right[n - 1 - j][at..at + B]);
+        for m in 0..B {
+            even[m] += l0[m] * r0[m];
+        }
+    }
+    for m in 0..B {
+        sums[at + m] = even[m] + odd[m];
+    }
+}
+
+impl<T: Real, const M: usize> Default for Products<T, M> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
