@@ -18,7 +18,7 @@ use crate::event::Event;
 use crate::real::Float;
 use crate::solution::Solution;
 use crate::system::System;
-use crate::tableau::{DormandPrince5, Kutta4};
+use crate::tableau::{DormandPrince5, Kutta4, Tsitouras5, Verner7, Verner9};
 
 pub(crate) use explicit::{SHORT, attempt};
 pub(crate) use grid::Grid;
@@ -122,3 +122,18 @@ pub type Rk4 = Fixed<Explicit<Kutta4, 5>>;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub type Rk45 = Adaptive<Explicit<DormandPrince5, 7>>;
+
+/// The Runge-Kutta pair 5(4) of Tsitouras with step-size control; see [`Adaptive`] for its settings.
+///
+/// Six evaluations a step, as for [`Rk45`], with smaller errors; the states between the steps are of order 4.
+pub type Tsit5 = Adaptive<Explicit<Tsitouras5, 7>>;
+
+/// The Runge-Kutta pair 7(6) of Verner with step-size control; see [`Adaptive`] for its settings.
+///
+/// Ten evaluations a step; the states between the steps are of order 7, and take five more where they are asked for.
+pub type Vern7 = Adaptive<Explicit<Verner7, 11>>;
+
+/// The Runge-Kutta pair 9(8) of Verner with step-size control; see [`Adaptive`] for its settings.
+///
+/// Sixteen evaluations a step; the states between the steps are of order 9, and take nine more where they are asked for.
+pub type Vern9 = Adaptive<Explicit<Verner9, 17>>;
