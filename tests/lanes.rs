@@ -135,14 +135,14 @@ fn pendulums(count: usize) -> (Vec<DoublePendulum>, Vec<SVector<f64, 4>>) {
 }
 
 /// An ensemble on all instruction sets against trajectories one by one.
-fn assert_ensemble<M, T, const N: usize>(models: &[M], (t0, t1): (T, T), starts: &[SVector<T, N>])
+fn assert_ensemble<A, M, T, const N: usize>(method: A, models: &[M], (t0, t1): (T, T), starts: &[SVector<T, N>])
 where
+    A: Ensemble<M, T, N> + Method<M::In<T>, T, N>,
     M: Model<N>,
     T: Lane + Debug,
 {
-    let method = Rk4::new(0.01);
     for isa in Isa::available() {
-        let ends = method.ensemble_on(isa, models, t0, t1, starts).expect("regular");
+        let ends = method.ensemble_on(isa, models, (t0, t1), starts).expect("regular");
         for (i, (end, start)) in ends.iter().zip(starts).enumerate() {
             let model = models.get(i).unwrap_or(&models[0]).cast::<T>();
             let alone = method.solve(&model, t0, t1, *start).expect("regular").last().1;
@@ -158,17 +158,31 @@ where
 fn pendulums_that_differ() {
     // more than one group, and one that is not full
     let (models, starts) = pendulums(45);
-    assert_ensemble(&models, (0.0, 2.0), &starts);
-    assert_ensemble(&models, (1.0, -0.503), &starts);
-    assert_ensemble(&models, (1.0, 1.0), &starts);
     let single: Vec<_> = starts.iter().map(|x| x.map(|x| x as f32)).collect();
-    assert_ensemble(&models, (0.0, 2.0), &single);
+    macro_rules! assert_ensembles {
+        ($($method:expr;)*) => { $(
+            assert_ensemble($method, &models, (0.0, 2.0), &starts);
+            assert_ensemble($method, &models, (1.0, -0.503), &starts);
+            assert_ensemble($method, &models, (1.0, 1.0), &starts);
+            assert_ensemble($method, &models, (0.0, 2.0), &single);
+        )* };
+    }
+    assert_ensembles! {
+        Rk4::new(0.01);
+        Rk45::new();
+        Rk45::new().h0(0.01).h_max(0.02);
+        Vern9::new().rtol(1e-5);
+        Taylor::new();
+        Taylor::new().order(7);
+    }
 }
 
 #[test]
 fn one_model_for_all() {
     let (models, starts) = pendulums(20);
-    assert_ensemble(&models[..1], (0.0, 1.0), &starts);
+    assert_ensemble(Rk4::new(0.01), &models[..1], (0.0, 1.0), &starts);
+    assert_ensemble(Tsit5::new(), &models[..1], (0.0, 1.0), &starts);
+    assert_ensemble(Taylor::new(), &models[..1], (0.0, 1.0), &starts);
 }
 
 #[test]
@@ -177,7 +191,9 @@ fn a_robot() {
     let starts: Vec<_> = (0..11)
         .map(|_| SVector::from_fn(|_, _| random.between(-1.0, 1.0)))
         .collect();
-    assert_ensemble(&[Ur5::new(Ur5Params {}).expect("physical")], (0.0, 0.2), &starts);
+    let robot = [Ur5::new(Ur5Params {}).expect("physical")];
+    assert_ensemble(Rk4::new(0.01), &robot, (0.0, 0.2), &starts);
+    assert_ensemble(Vern7::new(), &robot, (0.0, 0.2), &starts);
 }
 
 #[test]
@@ -222,16 +238,21 @@ impl Model<1> for Burst {
 
 #[test]
 fn a_trajectory_that_bursts_is_named_and_spoils_no_other() {
+    assert_burst(Rk4::new(0.01));
+    assert_burst(Rk45::new());
+    assert_burst(Vern7::new().max_steps(40));
+}
+
+fn assert_burst<A: Ensemble<Burst, f64, 1> + Method<Burst, f64, 1>>(method: A) {
     let models = [0.1, 1.0, 0.2, 0.3].map(Burst);
     let starts = [1.0, 1.0, f64::NAN, 1.0].map(|x| SVector::from([x]));
-    let method = Rk4::new(0.01);
     let error = method
         .ensemble(&models, 0.0, 2.0, &starts)
         .expect_err("a pole, and no number");
     assert!(
         error
             .to_string()
-            .starts_with("2 of 4 trajectories stopped, the first, 1, at t = 1."),
+            .starts_with("2 of 4 trajectories stopped, the first, 1, at t = "),
         "{error}"
     );
     let EnsembleError::Stopped { stopped, x } = error else {

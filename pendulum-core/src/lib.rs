@@ -54,7 +54,7 @@ mod control;
 
 pub use cost::{Cost, FunctionCost, Operations};
 pub use dense::{Dense, Step};
-pub use ensemble::EnsembleError;
+pub use ensemble::{Ensemble, EnsembleError};
 pub use error::{OutsideSpan, ParameterError, Reason, SolveError};
 pub use event::{Direction, Event, Occurrence};
 pub use method::{Method, Rk4, Rk45, Stepper, Taylor, Tsit5, Vern7, Vern9};
@@ -82,7 +82,7 @@ pub mod prelude {
     pub use crate::{Cost, FunctionCost, Operations, ParameterError};
     pub use crate::{Dense, OutsideSpan, Solution, Statistics, Step, Stepper};
     pub use crate::{Direction, Event, Occurrence};
-    pub use crate::{EnsembleError, Reason, SolveError};
+    pub use crate::{Ensemble, EnsembleError, Reason, SolveError};
     pub use crate::{Float, Real};
     pub use crate::{Method, Rk4, Rk45, Taylor, Tsit5, Vern7, Vern9};
     pub use nalgebra::{SMatrix, SVector};

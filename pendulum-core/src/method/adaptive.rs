@@ -5,8 +5,8 @@ use nalgebra::SVector;
 use crate::control::{Controller, Tolerance};
 use crate::error::Reason;
 use crate::method::input::{check_start, require};
+use crate::method::pace::{Adaptation, Pace};
 use crate::method::scheme::{Family, Scheme};
-use crate::method::stepper::{Adaptation, Pace, least_step};
 use crate::method::{Method, Stepper};
 use crate::real::Float;
 use crate::system::System;
@@ -24,7 +24,7 @@ pub struct Adaptive<F> {
     h_min: f64,
     h_max: f64,
     max_steps: usize,
-    pub(super) family: F,
+    pub(crate) family: F,
 }
 
 impl<F> Adaptive<F> {
@@ -87,6 +87,26 @@ impl<F> Adaptive<F> {
     pub const fn max_steps(mut self, max_steps: usize) -> Self {
         self.max_steps = max_steps;
         self
+    }
+
+    /// The pace of an integration from `t0` to `t1`.
+    pub(crate) fn pace<T: Float>(
+        &self,
+        tolerance: Tolerance<T>,
+        error_order: usize,
+        (t0, t1): (T, T),
+    ) -> Result<Adaptation<T>, Reason> {
+        let pace = Adaptation {
+            h: T::from_f64(self.h0.unwrap_or(0.0).min(self.h_max)),
+            h_min: T::from_f64(self.h_min),
+            h_max: T::from_f64(self.h_max),
+            max_steps: self.max_steps,
+            error_order,
+            tolerance,
+            controller: Controller::new(error_order),
+        };
+        self.check_steps(pace.least(t0.abs().max(t1.abs())).to_f64())?;
+        Ok(pace)
     }
 
     pub(crate) fn tolerance<T: Float>(&self) -> Result<Tolerance<T>, Reason> {
@@ -153,15 +173,7 @@ where
         check_start(t0, t1, &x0)?;
         let tolerance = self.tolerance()?;
         let scheme = self.family.scheme(system, Some(tolerance))?;
-        let pace = Adaptation {
-            h: T::from_f64(self.h0.unwrap_or(0.0).min(self.h_max)),
-            h_min: T::from_f64(self.h_min),
-            h_max: T::from_f64(self.h_max),
-            max_steps: self.max_steps,
-            tolerance,
-            controller: Controller::new(scheme.error_order()),
-        };
-        self.check_steps(least_step(pace.h_min, t0.abs().max(t1.abs())).to_f64())?;
+        let pace = self.pace(tolerance, scheme.error_order(), (t0, t1))?;
         Stepper::new(system, scheme, (t0, t1), x0, Pace::Adaptive(pace))
     }
 }

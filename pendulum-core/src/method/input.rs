@@ -32,7 +32,7 @@ pub(super) fn check_start<T: Float, const N: usize>(t0: T, t1: T, x0: &SVector<T
 }
 
 /// Checks a state to start from.
-pub(super) fn check_state<T: Float, const N: usize>(x: &SVector<T, N>) -> Result<(), Reason> {
+pub(crate) fn check_state<T: Float, const N: usize>(x: &SVector<T, N>) -> Result<(), Reason> {
     for x in x.iter() {
         let rule = "the initial state must be finite";
         require(x.is_finite(), "x0", x.to_f64(), rule)?;

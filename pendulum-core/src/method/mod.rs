@@ -5,6 +5,7 @@ mod explicit;
 mod fixed;
 mod grid;
 mod input;
+mod pace;
 mod scheme;
 mod stepper;
 mod taylor;
@@ -20,9 +21,11 @@ use crate::solution::Solution;
 use crate::system::System;
 use crate::tableau::{DormandPrince5, Kutta4, Tsitouras5, Verner7, Verner9};
 
-pub(crate) use explicit::{SHORT, attempt};
+pub(crate) use explicit::{SHORT, attempt, weighted_sum};
 pub(crate) use grid::Grid;
-pub(crate) use input::{check_span, require};
+pub(crate) use input::{check_span, check_state, require};
+pub(crate) use pace::Adaptation;
+pub(crate) use taylor::{length, order_for};
 
 pub use adaptive::Adaptive;
 pub use explicit::Explicit;

@@ -4,11 +4,11 @@ use std::fmt;
 
 use nalgebra::SVector;
 
-use crate::control::{Controller, Tolerance};
 use crate::dense::{Dense, Step};
 use crate::error::{Reason, SolveError};
 use crate::method::grid::Grid;
 use crate::method::input::{check_state, require};
+use crate::method::pace::{Adaptation, Pace};
 use crate::method::scheme::{Attempt, NonFinite, Scheme, Stalled};
 use crate::real::Float;
 use crate::solution::{Solution, Statistics};
@@ -42,32 +42,6 @@ pub struct Stepper<'s, C, S: ?Sized, const N: usize, T = f64> {
     last: Step<N, T>,
     statistics: Statistics,
 }
-
-/// How the next step is chosen. All lengths are positive.
-#[derive(Clone, Copy, Debug)]
-pub(super) enum Pace<T> {
-    /// A grid from the start on.
-    Fixed(Grid<T>),
-    /// As the tolerance asks.
-    Adaptive(Adaptation<T>),
-}
-
-/// The state of an adaptive pace.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Adaptation<T> {
-    /// The next step; 0 before the first.
-    pub(super) h: T,
-    pub(super) h_min: T,
-    pub(super) h_max: T,
-    pub(super) max_steps: usize,
-    pub(super) tolerance: Tolerance<T>,
-    pub(super) controller: Controller,
-}
-
-/// The least adaptive step in ulps of the time.
-const LEAST_ULPS: f64 = 4.0;
-/// The last adaptive step may be longer than planned by this factor.
-const STRETCH: f64 = 1.01;
 
 /// Why an attempt was no step.
 enum Failure {
@@ -238,21 +212,14 @@ where
         if let Err(NonFinite(component)) = NonFinite::check(&slope) {
             return Err(Reason::NonFinite { component, h: 0.0 });
         }
-        let direction = self.direction();
-        let span = (self.t1 - t).abs();
         if let Pace::Adaptive(pace) = &mut self.pace
             && pace.h == T::default()
             && !C::PROPOSES
         {
-            let bounds = (self.scheme.error_order(), pace.h_max.min(span), direction);
-            pace.h = pace.tolerance.first_step(self.system, (t, &x, &slope), bounds);
+            pace.h = pace.first_step(self.system, (t, &x, &slope), self.t1);
             self.statistics.evaluations += 1;
         }
         Ok(())
-    }
-
-    fn direction(&self) -> T {
-        T::from_f64(if self.t1 < self.t() { -1.0 } else { 1.0 })
     }
 
     #[inline]
@@ -268,77 +235,43 @@ where
 
     #[inline]
     fn step_within_tolerance(&mut self, mut pace: Adaptation<T>) -> Result<(), Reason> {
-        let (t, direction) = (self.t(), self.direction());
-        let least = least_step(pace.h_min, t);
-        let remaining = (self.t1 - t).abs();
+        let t = self.t();
         if let Some(h) = self.scheme.propose(self.system, t, &self.last.x1, &mut self.statistics) {
-            pace.h = h.min(pace.h_max);
-            if pace.h < least && pace.h < remaining {
-                return Err(Reason::StepUnderflow {
-                    h: pace.h.to_f64(),
-                    least: least.to_f64(),
-                });
-            }
+            pace.propose(h, t, (self.t1 - t).abs())?;
         }
+        let least = pace.least(t);
         pace.h = pace.h.max(least);
         loop {
-            if self.statistics.accepted + self.statistics.rejected >= pace.max_steps {
-                return Err(Reason::TooManySteps {
-                    max_steps: pace.max_steps,
-                });
-            }
-            // No tiny last step: stretch this one a little to the end, or share what remains between two.
-            let t_new = if remaining <= pace.h * T::from_f64(STRETCH) {
-                self.t1
-            } else if remaining < pace.h + pace.h {
-                t + direction * (remaining * T::from_f64(0.5))
-            } else {
-                t + direction * pace.h
-            };
+            pace.check_steps(self.statistics.accepted + self.statistics.rejected)?;
+            let t_new = pace.end_of_step(t, self.t1);
             let h = (t_new - t).abs();
             let failure = match self.attempt(t_new) {
-                Ok(attempt) => {
-                    let mean_square = attempt.mean_square.to_f64();
-                    if mean_square <= 1.0 {
-                        match self.advance(t_new, &attempt) {
-                            Ok(()) => {
-                                let factor = T::from_f64(pace.controller.accept(mean_square));
-                                pace.h = (h * factor).min(pace.h_max);
-                                self.pace = Pace::Adaptive(pace);
-                                return Ok(());
-                            }
-                            Err(failure) => failure,
-                        }
-                    } else {
-                        let factor = pace.controller.reject(mean_square);
-                        self.shorten(&mut pace, h * T::from_f64(factor), least, None)?;
-                        continue;
+                Ok(attempt) if attempt.mean_square <= T::from_f64(1.0) => match self.advance(t_new, &attempt) {
+                    Ok(()) => {
+                        pace.accept(h, attempt.mean_square);
+                        self.pace = Pace::Adaptive(pace);
+                        return Ok(());
                     }
+                    Err(failure) => Some(failure),
+                },
+                Ok(attempt) => {
+                    pace.reject(h, Some(attempt.mean_square));
+                    None
                 }
-                Err(failure) => failure,
+                Err(failure) => Some(failure),
             };
-            let factor = pace.controller.reject_failed();
-            self.shorten(
-                &mut pace,
-                h * T::from_f64(factor),
-                least,
-                Some(failure.reason((t_new - t).to_f64())),
-            )?;
+            self.statistics.rejected += 1;
+            if failure.is_some() {
+                pace.reject(h, None);
+            }
+            if pace.h < least {
+                let underflow = Reason::StepUnderflow {
+                    h: pace.h.to_f64(),
+                    least: least.to_f64(),
+                };
+                return Err(failure.map_or(underflow, |failure| failure.reason((t_new - t).to_f64())));
+            }
         }
-    }
-
-    /// Takes a shorter step after a rejected one, unless it is too short: then that is the error, or the cause that is known.
-    #[cold]
-    fn shorten(&mut self, pace: &mut Adaptation<T>, h: T, least: T, cause: Option<Reason>) -> Result<(), Reason> {
-        self.statistics.rejected += 1;
-        pace.h = h;
-        if h >= least {
-            return Ok(());
-        }
-        Err(cause.unwrap_or(Reason::StepUnderflow {
-            h: h.to_f64(),
-            least: least.to_f64(),
-        }))
     }
 
     /// Tries a step to `t_new`: where it arrives is finite, and so is its error.
@@ -358,13 +291,6 @@ where
         self.last = step;
         Ok(())
     }
-}
-
-/// The least adaptive step at the time `t`: what was asked for, but no less than the time resolves.
-pub(super) fn least_step<T: Float>(h_min: T, t: T) -> T {
-    h_min
-        .max(T::from_f64(LEAST_ULPS) * T::EPSILON * t.abs())
-        .max(T::MIN_POSITIVE)
 }
 
 impl<C, S, T, const N: usize> fmt::Debug for Stepper<'_, C, S, N, T>

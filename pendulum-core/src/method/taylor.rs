@@ -40,7 +40,7 @@ pub type Taylor = Adaptive<PowerSeries>;
 /// The kind of method that [`Taylor`] is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct PowerSeries {
-    order: Option<usize>,
+    pub(crate) order: Option<usize>,
 }
 
 /// The order without a tolerance.

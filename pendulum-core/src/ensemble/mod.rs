@@ -1,0 +1,171 @@
+//! Many trajectories of one method, in the lanes of the machine's vector registers.
+
+mod adaptive;
+mod fixed;
+
+use std::error::Error;
+use std::fmt;
+
+use nalgebra::SVector;
+
+pub use adaptive::InLanes;
+
+use crate::error::Reason;
+use crate::method::{Method, NonFinite, require};
+use crate::real::Float;
+use crate::real::lanes::{Isa, Lane};
+use crate::system::Model;
+
+/// A method that takes many trajectories at a time.
+pub trait Ensemble<M, T: Lane, const N: usize> {
+    /// Integrates a model from each of many states at `t0` to `t1`, and returns the states there.
+    ///
+    /// There is one model for each start, or a single one for all. Each trajectory is bit for bit what [`solve`](Method::solve) gives
+    /// for it alone; there is no record of the way. Beside the result no heap is used. Without optimisation, and with debug assertions,
+    /// the code is not inlined as wide registers need it, and lanes are slower than scalars.
+    ///
+    /// ```
+    /// use pendulum_core::prelude::*;
+    ///
+    /// mechanism! {
+    ///     pub Swing {
+    ///         params { l: m = 1.0 }
+    ///         gravity: [0, -9.81, 0],
+    ///         body bob on ground { mass: 1, com: [0, -l, 0], joint: revolute(z), coordinate: angle }
+    ///     }
+    /// }
+    ///
+    /// let lengths = (1..=100).map(|i| Swing::new(SwingParams { l: 0.1 * f64::from(i) }));
+    /// let swings = lengths.collect::<Result<Vec<_>, _>>()?;
+    /// let starts = vec![SVector::from([0.5, 0.0]); swings.len()];
+    /// let ends = Rk4::new(0.001).ensemble(&swings, 0.0, 10.0, &starts)?;
+    /// assert_eq!(ends[41], Rk4::new(0.001).solve(&swings[41], 0.0, 10.0, starts[41])?.last().1);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// Where the method chooses its steps, each trajectory has its own, and where one ends, the next takes its place.
+    ///
+    /// # Errors
+    /// [`EnsembleError::InvalidInput`] if there are neither one nor as many models as starts, or if times or settings are not what
+    /// [`solve`](Method::solve) takes. [`EnsembleError::Stopped`] names the trajectories that did not come to their end, a bad start
+    /// included, and has the final states of the others.
+    fn ensemble(
+        &self,
+        models: &[M],
+        t0: T,
+        t1: T,
+        starts: &[SVector<T, N>],
+    ) -> Result<Vec<SVector<T, N>>, EnsembleError<N, T>> {
+        self.ensemble_on(Isa::widest(), models, (t0, t1), starts)
+    }
+
+    /// [`ensemble`](Self::ensemble) with a given instruction set, for comparisons: the results are the same bits. The span of time is `(t0, t1)`.
+    ///
+    /// # Errors
+    /// As for [`ensemble`](Self::ensemble).
+    fn ensemble_on(
+        &self,
+        isa: Isa,
+        models: &[M],
+        span: (T, T),
+        starts: &[SVector<T, N>],
+    ) -> Result<Vec<SVector<T, N>>, EnsembleError<N, T>>;
+}
+
+/// A trajectory that ended before its time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stopped<T = f64> {
+    /// Its place among the starts.
+    pub index: usize,
+    /// The last good time.
+    pub t: T,
+    /// Why it ended.
+    pub reason: Reason,
+}
+
+/// Why an ensemble did not come to its end as a whole.
+#[derive(Clone, Debug, PartialEq)]
+pub enum EnsembleError<const N: usize, T = f64> {
+    /// A setting or an argument makes no sense; nothing was integrated.
+    InvalidInput(Reason),
+    /// Some trajectories ended before their time.
+    Stopped {
+        /// Which, in ascending order; at least one.
+        stopped: Vec<Stopped<T>>,
+        /// The final states of all others, and the last good states of these.
+        x: Vec<SVector<T, N>>,
+    },
+}
+
+impl<const N: usize, T> From<Reason> for EnsembleError<N, T> {
+    fn from(reason: Reason) -> Self {
+        Self::InvalidInput(reason)
+    }
+}
+
+impl<const N: usize, T: Float> fmt::Display for EnsembleError<N, T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::InvalidInput(reason) => reason.fmt(f),
+            Self::Stopped { stopped, x } => {
+                write!(f, "{} of {} trajectories stopped", stopped.len(), x.len())?;
+                if let Some(Stopped { index, t, reason }) = stopped.first() {
+                    write!(f, ", the first, {index}, at t = {}: {reason}", t.to_f64())?;
+                }
+                Ok(())
+            }
+        }
+    }
+}
+
+impl<const N: usize, T: Float> Error for EnsembleError<N, T> {}
+
+fn check_models<M, X>(models: &[M], starts: &[X]) -> Result<(), Reason> {
+    require(
+        models.len() == 1 || models.len() == starts.len(),
+        "models",
+        models.len() as f64,
+        "an ensemble takes one model for all starts, or one for each",
+    )
+}
+
+/// The final states `x`, of which those that are not finite have been stopped: the same trajectories alone tell where they ended, and why.
+fn conclude<A, M, T, const N: usize>(
+    method: &A,
+    models: &[M],
+    (t0, t1): (T, T),
+    starts: &[SVector<T, N>],
+    mut x: Vec<SVector<T, N>>,
+) -> Result<Vec<SVector<T, N>>, EnsembleError<N, T>>
+where
+    A: Method<M::In<T>, T, N>,
+    M: Model<N>,
+    T: Float,
+{
+    let mut stopped = Vec::new();
+    for (index, x) in x.iter_mut().enumerate() {
+        if NonFinite::check(x).is_ok() {
+            continue;
+        }
+        let model = model_of(models, index).cast::<T>();
+        let (t, reason);
+        (t, *x, reason) = match method.stepper(&model, t0, t1, starts[index]) {
+            Ok(mut stepper) => {
+                let reason = stepper.run().err();
+                (stepper.t(), stepper.x(), reason)
+            }
+            Err(reason) => (t0, starts[index], Some(reason)),
+        };
+        stopped.extend(reason.map(|reason| Stopped { index, t, reason }));
+    }
+    if stopped.is_empty() {
+        Ok(x)
+    } else {
+        Err(EnsembleError::Stopped { stopped, x })
+    }
+}
+
+/// The model of trajectory `i`.
+fn model_of<M>(models: &[M], i: usize) -> &M {
+    if let [model] = models { model } else { &models[i] }
+}
