@@ -365,7 +365,7 @@ where
 
     /// Plans the next step of a trajectory.
     #[inline(always)]
-    fn plan<V: Lanes<Scalar = T>>(&self, member: &mut Member<T>, proposed: Option<T>) -> Result<(), Reason> {
+    fn plan(&self, member: &mut Member<T>, proposed: Option<T>) -> Result<(), Reason> {
         let t1 = self.span.1;
         if let Some(h) = proposed {
             member.pace.propose(h, member.t, (t1 - member.t).abs())?;
