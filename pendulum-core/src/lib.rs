@@ -36,6 +36,7 @@
 //! | [`solution`], [`dense`] | accepted points and the states between them |
 //! | [`event`] | what happens along a trajectory |
 //! | [`error`] | what can go wrong |
+//! | [`linear`] | linear equations of the size of a state |
 //! | [`cost`] | counted operations of generated functions |
 
 pub mod cost;
@@ -43,6 +44,7 @@ pub mod dense;
 pub mod ensemble;
 pub mod error;
 pub mod event;
+pub mod linear;
 pub mod method;
 pub mod real;
 pub mod solution;
