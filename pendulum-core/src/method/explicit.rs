@@ -198,7 +198,7 @@ where
 
 /// `x + change`, the components spelled out; see [`weighted_sum`].
 #[inline(always)]
-fn shifted<T: Real, const N: usize>(x: &SVector<T, N>, change: &SVector<T, N>) -> SVector<T, N> {
+pub(super) fn shifted<T: Real, const N: usize>(x: &SVector<T, N>, change: &SVector<T, N>) -> SVector<T, N> {
     let mut sum = *x;
     for (sum, change) in sum.data.0[0].iter_mut().zip(&change.data.0[0]) {
         *sum += *change;
