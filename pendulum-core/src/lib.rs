@@ -59,7 +59,7 @@ pub use dense::{Dense, Step};
 pub use ensemble::EnsembleError;
 pub use error::{OutsideSpan, ParameterError, Reason, SolveError};
 pub use event::{Direction, Event, Occurrence};
-pub use method::{Method, Rk4, Rk45, Rodas4, Rodas5P, Stepper, Taylor, Tsit5, Vern7, Vern9};
+pub use method::{Method, Radau5, Rk4, Rk45, Rodas4, Rodas5P, Stepper, Taylor, Tsit5, Vern7, Vern9};
 pub use real::{Float, Real};
 pub use solution::{Solution, Statistics};
 pub use system::{Controlled, Energy, FnSystem, Jacobian, Model, System, WithInputs};
@@ -86,7 +86,7 @@ pub mod prelude {
     pub use crate::{Direction, Event, Occurrence};
     pub use crate::{EnsembleError, Reason, SolveError};
     pub use crate::{Float, Real};
-    pub use crate::{Method, Rk4, Rk45, Rodas4, Rodas5P, Taylor, Tsit5, Vern7, Vern9};
+    pub use crate::{Method, Radau5, Rk4, Rk45, Rodas4, Rodas5P, Taylor, Tsit5, Vern7, Vern9};
     pub use nalgebra::{SMatrix, SVector};
 }
 

@@ -1,10 +1,12 @@
 //! The methods of integration: plain values with settings, each with `solve` and `stepper`.
 
 mod adaptive;
+mod collocation;
 mod explicit;
 mod fixed;
 mod grid;
 mod input;
+mod radau;
 mod rosenbrock;
 mod scheme;
 mod stepper;
@@ -28,6 +30,7 @@ pub(crate) use input::{check_span, require};
 pub use adaptive::Adaptive;
 pub use explicit::Explicit;
 pub use fixed::Fixed;
+pub use radau::RadauIIA;
 pub use rosenbrock::Rosenbrock;
 pub use scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
 pub use stepper::Stepper;
@@ -173,3 +176,11 @@ pub type Rodas4 = Adaptive<Rosenbrock<tableau::Rodas4, 6>>;
 /// # Ok::<(), SolveError<1>>(())
 /// ```
 pub type Rodas5P = Adaptive<Rosenbrock<tableau::Rodas5P, 8>>;
+
+/// The method Radau IIA of order 5 for stiff systems; see [`Adaptive`] for its settings, and [`RadauIIA`].
+///
+/// Three evaluations an iteration and one Jacobian a step; the states between the steps are of order 3. The error estimate is of order 3
+/// as well, so that steps are shorter than need be and errors far below a narrow tolerance.
+///
+/// It bears more than [`Rodas5P`], which is cheaper: Jacobians that are not exact, and right-hand sides with strong nonlinearities.
+pub type Radau5 = Adaptive<RadauIIA>;
