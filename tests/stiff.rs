@@ -22,6 +22,8 @@ mod driven {
     }
 }
 
+use common::scenes::{DoublePendulum, DoublePendulumParams};
+use common::trajectories::scene;
 use driven::{Driven, DrivenParams};
 
 #[test]
@@ -38,4 +40,89 @@ fn the_generated_derivative_by_time_is_that_of_the_right_hand_side() {
         assert!(exact.amax() > 0.1 && exact[0] == 0.0, "{exact}");
     }
     assert_eq!(Driven::<f64>::COST.time_derivative.operations.sincos, 2);
+}
+
+/// Eq. 22 with friction that settles all velocities within milliseconds.
+fn stiff(gamma: f64) -> DoublePendulum {
+    let params = DoublePendulumParams {
+        gamma1: gamma,
+        gamma2: gamma,
+        ..Default::default()
+    };
+    DoublePendulum::new(params).expect("physical")
+}
+
+const START: [f64; 4] = [1.0, -1.0, 0.0, 0.0];
+
+/// Both methods at a tolerance.
+fn solve(system: &DoublePendulum, tolerance: f64, t1: f64) -> [Solution<4>; 2] {
+    [
+        Rodas5P::new()
+            .rtol(tolerance)
+            .atol(tolerance)
+            .solve(system, 0.0, t1, START)
+            .expect("regular"),
+        Radau5::new()
+            .rtol(tolerance)
+            .atol(tolerance)
+            .solve(system, 0.0, t1, START)
+            .expect("regular"),
+    ]
+}
+
+#[test]
+fn a_stiff_trajectory_agrees_with_its_reference() {
+    let reference = scene("stiff_axles").points();
+    let system = stiff(1e4);
+    for tolerance in [1e-4, 1e-6, 1e-8, 1e-10, 1e-12] {
+        for solution in solve(&system, tolerance, 5.0) {
+            let mut worst = 0.0_f64;
+            for &(t, expected) in &reference {
+                worst = worst.max((solution.at(t).expect("within") - SVector::from(expected)).amax());
+            }
+            assert!(worst < 10.0 * tolerance, "{tolerance:e}: {worst:e}");
+        }
+    }
+}
+
+#[test]
+fn steps_fall_with_the_friction_where_those_of_explicit_methods_grow() {
+    let steps = [1e2, 1e3, 1e4].map(|gamma| solve(&stiff(gamma), 1e-6, 10.0).map(|s| s.statistics().accepted));
+    let explicit = Rk45::new().solve(&stiff(1e2), 0.0, 10.0, START).expect("regular");
+    for method in 0..2 {
+        assert!(
+            steps[0][method] > steps[1][method] && steps[1][method] > steps[2][method],
+            "{steps:?}"
+        );
+        assert!(steps[2][method] < 40, "{steps:?}");
+    }
+    assert!(explicit.statistics().accepted > 300);
+}
+
+#[test]
+fn forth_and_back_is_where_it_began() {
+    let system = stiff(0.0);
+    let swing = [2.0, 2.5, 0.0, 0.0];
+    macro_rules! check {
+        ($method:expr) => {{
+            let there = $method
+                .rtol(1e-10)
+                .atol(1e-10)
+                .solve(&system, 0.0, 3.0, swing)
+                .expect("regular")
+                .last()
+                .1;
+            let back = $method
+                .rtol(1e-10)
+                .atol(1e-10)
+                .solve(&system, 3.0, 0.0, there)
+                .expect("regular")
+                .last()
+                .1;
+            let error = (back - SVector::from(swing)).amax();
+            assert!(error < 1e-7, "{error:e}");
+        }};
+    }
+    check!(Rodas5P::new());
+    check!(Radau5::new());
 }
