@@ -2,9 +2,9 @@
 
 use pendulum_core::method::{Fixed, RadauIIA, Rosenbrock};
 use pendulum_core::prelude::*;
-use pendulum_core::tableau::Steinebach5;
+use pendulum_core::tableau;
 
-type FixedRodas5P = Fixed<Rosenbrock<Steinebach5, 8>>;
+type FixedRodas5P = Fixed<Rosenbrock<tableau::Rodas5P, 8>>;
 type FixedRadau5 = Fixed<RadauIIA>;
 
 /// `x = (1 / (1 + t^2), 1 + t^2)`: not autonomous, not linear, not stiff.
