@@ -54,9 +54,14 @@ fn stiff(gamma: f64) -> DoublePendulum {
 
 const START: [f64; 4] = [1.0, -1.0, 0.0, 0.0];
 
-/// Both methods at a tolerance.
-fn solve(system: &DoublePendulum, tolerance: f64, t1: f64) -> [Solution<4>; 2] {
+/// All methods at a tolerance.
+fn solve(system: &DoublePendulum, tolerance: f64, t1: f64) -> [Solution<4>; 3] {
     [
+        Rodas4::new()
+            .rtol(tolerance)
+            .atol(tolerance)
+            .solve(system, 0.0, t1, START)
+            .expect("regular"),
         Rodas5P::new()
             .rtol(tolerance)
             .atol(tolerance)
@@ -89,7 +94,7 @@ fn a_stiff_trajectory_agrees_with_its_reference() {
 fn steps_fall_with_the_friction_where_those_of_explicit_methods_grow() {
     let steps = [1e2, 1e3, 1e4].map(|gamma| solve(&stiff(gamma), 1e-6, 10.0).map(|s| s.statistics().accepted));
     let explicit = Rk45::new().solve(&stiff(1e2), 0.0, 10.0, START).expect("regular");
-    for method in 0..2 {
+    for method in 0..3 {
         assert!(
             steps[0][method] > steps[1][method] && steps[1][method] > steps[2][method],
             "{steps:?}"
@@ -123,6 +128,7 @@ fn forth_and_back_is_where_it_began() {
             assert!(error < 1e-7, "{error:e}");
         }};
     }
+    check!(Rodas4::new());
     check!(Rodas5P::new());
     check!(Radau5::new());
 }

@@ -4,28 +4,39 @@ use pendulum_core::method::{Fixed, RadauIIA, Rosenbrock};
 use pendulum_core::prelude::*;
 use pendulum_core::tableau;
 
+type FixedRodas4 = Fixed<Rosenbrock<tableau::Rodas4, 6>>;
 type FixedRodas5P = Fixed<Rosenbrock<tableau::Rodas5P, 8>>;
 type FixedRadau5 = Fixed<RadauIIA>;
 
-/// `x = (1 / (1 + t^2), 1 + t^2)`: not autonomous, not linear, not stiff.
-struct Rational;
+/// `x = (1 / (1 + t^2), exp(sin(t)))`: not autonomous, not linear, not stiff.
+struct Known;
 
-impl<T: Real> System<T, 2> for Rational {
+impl Known {
+    /// The factor of `x_0 x_1^2` in the second component.
+    fn factor<T: Real>(t: T) -> T {
+        let (sin, cos) = t.sin_cos();
+        cos * (-sin).exp() * (T::from_f64(1.0) + t * t)
+    }
+}
+
+impl<T: Real> System<T, 2> for Known {
     fn rhs(&self, t: T, x: &SVector<T, 2>) -> SVector<T, 2> {
-        let twice = t + t;
-        SVector::from([-(twice * x[0] * x[0]), twice * x[0] * x[1]])
+        SVector::from([-((t + t) * x[0] * x[0]), Self::factor(t) * x[0] * x[1] * x[1]])
     }
 }
 
-impl<T: Real> Jacobian<T, 2> for Rational {
+impl<T: Real> Jacobian<T, 2> for Known {
     fn jacobian(&self, t: T, x: &SVector<T, 2>) -> SMatrix<T, 2, 2> {
-        let twice = t + t;
-        SMatrix::from([[-(twice * (x[0] + x[0])), twice * x[1]], [T::default(), twice * x[0]]])
+        let factor = Self::factor(t);
+        SMatrix::from([
+            [-((t + t) * (x[0] + x[0])), factor * x[1] * x[1]],
+            [T::default(), factor * x[0] * (x[1] + x[1])],
+        ])
     }
 }
 
-fn rational(t: f64) -> SVector<f64, 2> {
-    SVector::from([1.0 / (1.0 + t * t), 1.0 + t * t])
+fn known(t: f64) -> SVector<f64, 2> {
+    SVector::from([1.0 / (1.0 + t * t), t.sin().exp()])
 }
 
 /// The problem of A. Prothero and A. Robinson (Math. Comput. 28 (1974) 145-162): `x = sin(t)` whatever the rate.
@@ -80,75 +91,75 @@ fn end<M: Method<S, f64, N>, S: System<f64, N>, const N: usize>(
     method.solve(system, t0, t1, x0).expect("regular").last().1
 }
 
+/// The end of a motion from the state 1 over the time 1 in one step of each method.
+fn in_one_step(system: &Linear) -> [f64; 3] {
+    [
+        end(FixedRodas4::new(1.0), system, (0.0, 1.0), [1.0])[0],
+        end(FixedRodas5P::new(1.0), system, (0.0, 1.0), [1.0])[0],
+        end(FixedRadau5::new(1.0), system, (0.0, 1.0), [1.0])[0],
+    ]
+}
+
+/// The same test for each method, with what is known of it.
+macro_rules! for_each {
+    ($test:ident: $rodas4:expr, $rodas5p:expr, $radau5:expr) => {
+        $test(FixedRodas4::new, $rodas4);
+        $test(FixedRodas5P::new, $rodas5p);
+        $test(FixedRadau5::new, $radau5);
+    };
+}
+
 #[test]
-fn the_order_is_5_on_a_problem_that_is_not_autonomous() {
-    let steps = [0.2, 0.1, 0.05, 0.025];
-    let rodas = steps.map(|h| (end(FixedRodas5P::new(h), &Rational, (0.0, 2.0), rational(0.0)) - rational(2.0)).amax());
-    let radau = steps.map(|h| (end(FixedRadau5::new(h), &Rational, (0.0, 2.0), rational(0.0)) - rational(2.0)).amax());
-    for errors in [rodas, radau] {
+fn the_order_shows_on_a_problem_that_is_not_autonomous() {
+    fn check<M: Method<Known, f64, 2>>(method: fn(f64) -> M, order: f64) {
+        let error = |h| (end(method(h), &Known, (0.0, 2.0), known(0.0)) - known(2.0)).amax();
+        let errors = [0.04, 0.02, 0.01].map(error);
         let orders = orders(&errors);
-        assert!((orders[2] - 5.0).abs() < 0.3, "{orders:?} {errors:?}");
-        assert!(errors[3] < 1e-7, "{errors:?}");
+        assert!((orders[1] - order).abs() < 0.2, "{orders:?} {errors:?}");
+        assert!(errors[2] < 1e-6, "{errors:?}");
     }
+    for_each!(check: 4.0, 5.0, 5.0);
 }
 
 #[test]
 fn dense_output_has_its_order() {
-    let errors = |solve: &dyn Fn(f64) -> SVector<f64, 2>| {
-        let error = |h: f64| (solve(h) - rational(1.0 + 0.7 * h)).amax();
-        orders(&[0.1, 0.05, 0.025].map(error))
-    };
-    let start = rational(1.0);
-    let rodas = errors(&|h| {
-        let solution = FixedRodas5P::new(h)
-            .solve(&Rational, 1.0, 1.0 + h, start)
-            .expect("regular");
-        solution.at(1.0 + 0.7 * h).expect("within")
-    });
-    let radau = errors(&|h| {
-        let solution = FixedRadau5::new(h)
-            .solve(&Rational, 1.0, 1.0 + h, start)
-            .expect("regular");
-        solution.at(1.0 + 0.7 * h).expect("within")
-    });
-    // within one step: one more than the order
-    assert!((rodas[1] - 5.0).abs() < 0.3, "{rodas:?}");
-    assert!((radau[1] - 4.0).abs() < 0.3, "{radau:?}");
+    fn check<M: Method<Known, f64, 2>>(method: fn(f64) -> M, order: f64) {
+        let error = |h: f64| {
+            let solution = method(h).solve(&Known, 1.0, 1.0 + h, known(1.0)).expect("regular");
+            let t = 1.0 + 0.7 * h;
+            (solution.at(t).expect("within") - known(t)).amax()
+        };
+        // within one step: one more than the order
+        let orders = orders(&[0.1, 0.05, 0.025, 0.0125].map(error));
+        assert!((orders[2] - order - 1.0).abs() < 0.3, "{orders:?}");
+    }
+    for_each!(check: 3.0, 4.0, 3.0);
 }
 
 #[test]
 fn a_stiff_follower_is_followed() {
-    let steps = [0.2, 0.1, 0.05, 0.025];
-    let follower = Follower { rate: 1e6 };
-    let rodas = steps.map(|h| (end(FixedRodas5P::new(h), &follower, (0.0, 2.0), [0.0])[0] - 2.0_f64.sin()).abs());
-    let radau = steps.map(|h| (end(FixedRadau5::new(h), &follower, (0.0, 2.0), [0.0])[0] - 2.0_f64.sin()).abs());
-    // Of order 3 where the rate is infinite, but divided by the rate: the ends of the steps lie where the fast motion has died out.
-    for errors in [&rodas, &radau] {
-        assert!((orders(errors)[2] - 3.0).abs() < 0.1, "{errors:?}");
+    fn check<M: Method<Follower, f64, 1>>(method: fn(f64) -> M, (order, most): (f64, f64)) {
+        let follower = Follower { rate: 1e6 };
+        let error = |h| (end(method(h), &follower, (0.0, 2.0), [0.0])[0] - 2.0_f64.sin()).abs();
+        let errors = [0.1, 0.05, 0.025].map(error);
+        // Of a lower order where the rate is large, but divided by the rate: a step ends where the fast motion has died out.
+        assert!((orders(&errors)[1] - order).abs() < 0.1, "{errors:?}");
+        assert!(errors[2] < most, "{errors:?}");
     }
-    assert!(rodas[3] < 1e-9 && radau[3] < 1e-12, "{rodas:?} {radau:?}");
+    for_each!(check: (1.0, 1e-9), (3.0, 1e-12), (3.0, 1e-12));
 }
 
 #[test]
 fn what_is_infinitely_stiff_dies_out_in_one_step() {
-    let after = |z: f64| {
-        let linear = Linear { z };
-        [
-            end(FixedRodas5P::new(1.0), &linear, (0.0, 1.0), [1.0])[0],
-            end(FixedRadau5::new(1.0), &linear, (0.0, 1.0), [1.0])[0],
-        ]
-    };
-    for x in after(-1e10) {
+    for x in in_one_step(&Linear { z: -1e10 }) {
         assert!(x.abs() < 1e-8, "{x}");
     }
-    // and it is stable between: the largest modulus on the real axis is at 0
-    for z in [-0.5, -2.0, -10.0, -100.0, -1e4] {
-        assert!(after(z).iter().all(|x| x.abs() < 1.0), "{z}");
-    }
-    // The stability function of Radau IIA is the Padé approximation (2, 3) of the exponential: Hairer and Wanner II, Table IV.5.6.
-    for z in [-0.5_f64, -3.0, 1.2, -40.0] {
+    for z in [-0.5_f64, -2.0, -10.0, -100.0, -1e4] {
+        let after = in_one_step(&Linear { z });
+        assert!(after.iter().all(|x| x.abs() < 1.0), "{z}: {after:?}");
+        // The stability function of Radau IIA is the Padé approximation (2, 3) of the exponential: Hairer and Wanner II, Table IV.5.6.
         let pade = (1.0 + 0.4 * z + 0.05 * z * z) / (1.0 - 0.6 * z + 0.15 * z * z - z * z * z / 60.0);
-        assert!((after(z)[1] - pade).abs() < 1e-14 * (1.0 + pade.abs()), "{z}");
+        assert!((after[2] - pade).abs() < 1e-14, "{z}");
     }
 }
 
@@ -256,14 +267,14 @@ fn relaxation_of_van_der_pol() {
 
 #[test]
 fn single_precision_has_its_own_tolerance() {
-    let expected = rational(2.0);
+    let expected = known(2.0);
     let rodas = Rodas5P::new()
-        .solve(&Rational, 0.0_f32, 2.0, [1.0, 1.0])
+        .solve(&Known, 0.0_f32, 2.0, [1.0, 1.0])
         .expect("regular")
         .last()
         .1;
     let radau = Radau5::new()
-        .solve(&Rational, 0.0_f32, 2.0, [1.0, 1.0])
+        .solve(&Known, 0.0_f32, 2.0, [1.0, 1.0])
         .expect("regular")
         .last()
         .1;
