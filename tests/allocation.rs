@@ -111,6 +111,27 @@ fn fixed_steps_do_not_allocate() {
 }
 
 #[test]
+fn implicit_steps_do_not_allocate() {
+    let model = pendulum(10.0);
+    let mut steps = 0;
+    macro_rules! integrate {
+        ($method:expr) => {
+            let mut stepper = $method.stepper(&model, 0.0, 20.0, START).expect("valid");
+            while let Some(step) = stepper.step().expect("regular") {
+                std::hint::black_box(stepper.dense().at(step.t0 + 0.5 * step.h));
+                steps += 1;
+            }
+        };
+    }
+    let integrate = || {
+        integrate!(Rodas5P::new());
+        integrate!(Radau5::new());
+    };
+    assert_eq!(allocations(integrate), 0);
+    assert!(steps > 100, "{steps}");
+}
+
+#[test]
 fn errors_of_a_stepper_do_not_allocate() {
     let model = pendulum(0.0);
     let fail = || {

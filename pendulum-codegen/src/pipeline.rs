@@ -19,6 +19,8 @@ pub enum Function {
     Rhs,
     /// The accelerations, and behind them their derivatives by the state, column by column.
     Jacobian,
+    /// Their derivatives by the time, where it occurs.
+    TimeDerivative,
     /// Their derivatives by the inputs, column by column.
     InputJacobian,
     /// Kinetic energy.
@@ -43,6 +45,7 @@ impl Function {
         match self {
             Self::Rhs => "rhs",
             Self::Jacobian => "jacobian",
+            Self::TimeDerivative => "time_derivative",
             Self::InputJacobian => "input_jacobian",
             Self::Kinetic => "kinetic",
             Self::Potential => "potential",
@@ -138,13 +141,22 @@ fn functions(model: &mut Model, forms: &mut Forms) -> BTreeMap<Function, Chosen>
     let jacobian = wants(model, Output::Jacobian) || (controlled && wants(model, Output::Rhs));
     let rhs = wants(model, Output::Rhs) || wants(model, Output::Taylor) || jacobian;
     let mut functions = BTreeMap::new();
+    let mut is_autonomous = true;
     if rhs {
-        functions.insert(Function::Rhs, forms.accelerations(&mut model.graph));
+        let accelerations = forms.accelerations(&mut model.graph);
+        is_autonomous = !model.graph.reachable(&accelerations.roots).contains(&model.time);
+        functions.insert(Function::Rhs, accelerations);
     }
     let inputs: Vec<ExprId> = model.inputs.iter().map(|input| input.symbol).collect();
     let parameters = model.parameters.iter().map(|parameter| parameter.symbol).collect();
     let derivatives = [
         (Function::Jacobian, jacobian, model.state()),
+        // a law for inputs depends on time in its own way: nothing of it is known here
+        (
+            Function::TimeDerivative,
+            jacobian && !controlled && !is_autonomous,
+            vec![model.time],
+        ),
         (Function::InputJacobian, jacobian && controlled, inputs.clone()),
         (
             Function::ParameterJacobian,

@@ -99,11 +99,19 @@ impl Controller {
 
     /// `order` is that of the error estimate.
     pub(crate) fn new(order: usize) -> Self {
-        Self {
-            alpha: 1.0 / (order as f64 + 1.0) - 0.75 * Self::BETA,
+        let mut controller = Self {
+            alpha: 0.0,
             last: Self::SMALLEST_LOG,
             rejected: false,
-        }
+        };
+        controller.set_order(order);
+        controller
+    }
+
+    /// Goes on with an estimate of another order.
+    #[inline]
+    pub(crate) fn set_order(&mut self, order: usize) {
+        self.alpha = 1.0 / (order as f64 + 1.0) - 0.75 * Self::BETA;
     }
 
     /// The factor for the next step, after an accepted one with this mean square error.

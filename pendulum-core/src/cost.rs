@@ -129,6 +129,8 @@ pub struct Cost {
     pub rhs: FunctionCost,
     /// [`Jacobian::rhs_and_jacobian`](crate::Jacobian::rhs_and_jacobian): the Jacobian together with the right-hand side.
     pub jacobian: FunctionCost,
+    /// [`Jacobian::time_derivative`](crate::Jacobian::time_derivative), where the time occurs.
+    pub time_derivative: FunctionCost,
     /// [`Controlled::input_jacobian`](crate::Controlled::input_jacobian).
     pub input_jacobian: FunctionCost,
     /// [`Energy::kinetic`](crate::Energy::kinetic).
@@ -156,6 +158,7 @@ impl Cost {
     pub const ZERO: Self = Self {
         rhs: FunctionCost::ZERO,
         jacobian: FunctionCost::ZERO,
+        time_derivative: FunctionCost::ZERO,
         input_jacobian: FunctionCost::ZERO,
         kinetic: FunctionCost::ZERO,
         potential: FunctionCost::ZERO,
@@ -175,6 +178,7 @@ impl fmt::Display for Cost {
         let functions = [
             ("rhs", &self.rhs),
             ("jacobian", &self.jacobian),
+            ("time_derivative", &self.time_derivative),
             ("input_jacobian", &self.input_jacobian),
             ("kinetic", &self.kinetic),
             ("potential", &self.potential),

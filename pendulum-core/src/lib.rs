@@ -36,6 +36,7 @@
 //! | [`solution`], [`dense`] | accepted points and the states between them |
 //! | [`event`] | what happens along a trajectory |
 //! | [`error`] | what can go wrong |
+//! | [`linear`] | linear equations of the size of a state |
 //! | [`cost`] | counted operations of generated functions |
 
 pub mod cost;
@@ -43,6 +44,7 @@ pub mod dense;
 pub mod ensemble;
 pub mod error;
 pub mod event;
+pub mod linear;
 pub mod method;
 pub mod real;
 pub mod solution;
@@ -57,7 +59,7 @@ pub use dense::{Dense, Step};
 pub use ensemble::{Ensemble, EnsembleError};
 pub use error::{OutsideSpan, ParameterError, Reason, SolveError};
 pub use event::{Direction, Event, Occurrence};
-pub use method::{Method, Rk4, Rk45, Stepper, Taylor, Tsit5, Vern7, Vern9};
+pub use method::{Auto, Method, Radau5, Rk4, Rk45, Rodas4, Rodas5P, Stepper, Taylor, Tsit5, Vern7, Vern9};
 pub use real::{Float, Real};
 pub use solution::{Solution, Statistics};
 pub use system::{Controlled, Energy, FnSystem, Jacobian, Model, System, WithInputs};
@@ -78,13 +80,13 @@ pub use serde;
 /// All that a program with mechanisms usually needs: `use pendulum_core::prelude::*;`.
 pub mod prelude {
     pub use crate::mechanism;
+    pub use crate::{Auto, Method, Radau5, Rk4, Rk45, Rodas4, Rodas5P, Taylor, Tsit5, Vern7, Vern9};
     pub use crate::{Controlled, Energy, FnSystem, Jacobian, Model, System, TaylorModel, TaylorSeries, WithInputs};
     pub use crate::{Cost, FunctionCost, Operations, ParameterError};
     pub use crate::{Dense, OutsideSpan, Solution, Statistics, Step, Stepper};
     pub use crate::{Direction, Event, Occurrence};
     pub use crate::{Ensemble, EnsembleError, Reason, SolveError};
     pub use crate::{Float, Real};
-    pub use crate::{Method, Rk4, Rk45, Taylor, Tsit5, Vern7, Vern9};
     pub use nalgebra::{SMatrix, SVector};
 }
 

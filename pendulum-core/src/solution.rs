@@ -25,9 +25,9 @@ pub struct Statistics {
     pub factorizations: usize,
     /// Iterations in which implicit methods solved for their stages.
     pub iterations: usize,
-    /// Accepted steps that `Auto` left to its implicit method.
+    /// Accepted steps that [`Auto`](crate::Auto) left to its implicit method.
     pub stiff: usize,
-    /// How often `Auto` changed between its methods.
+    /// How often [`Auto`](crate::Auto) changed between its methods.
     pub switches: usize,
 }
 

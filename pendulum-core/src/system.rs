@@ -7,8 +7,8 @@ use std::fmt;
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::real::Real;
 use crate::real::lanes::Lanes;
+use crate::real::{Float, Real};
 
 /// A system of first-order ordinary differential equations, `dx/dt = rhs(t, x)`.
 pub trait System<T: Real, const N: usize> {
@@ -47,6 +47,22 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
     #[inline]
     fn rhs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
         (self.rhs(t, x), self.jacobian(t, x))
+    }
+
+    /// The derivative of the right-hand side with respect to the time, the state held fixed; Rosenbrock methods want it.
+    ///
+    /// Generated models know it exactly. By default it is a central difference over `cbrt(EPSILON) max(|t|, 1)` to either side, for two
+    /// evaluations of the right-hand side: where that varies over times of about 1 s, it is right to about 10 digits, in `f32` to 4.
+    /// Zero where the time does not occur: a system that knows that saves the evaluations.
+    #[inline]
+    fn time_derivative(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>
+    where
+        T: Float,
+    {
+        let one = T::from_f64(1.0);
+        let reach = T::from_f64(T::EPSILON.to_f64().cbrt()) * t.abs().max(one);
+        let (before, after) = (t - reach, t + reach);
+        (self.rhs(after, x) - self.rhs(before, x)) / (after - before)
     }
 }
 
@@ -208,6 +224,14 @@ impl<T: Real, S: Jacobian<T, N> + ?Sized, const N: usize> Jacobian<T, N> for &S 
     #[inline]
     fn rhs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
         (**self).rhs_and_jacobian(t, x)
+    }
+
+    #[inline]
+    fn time_derivative(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>
+    where
+        T: Float,
+    {
+        (**self).time_derivative(t, x)
     }
 }
 

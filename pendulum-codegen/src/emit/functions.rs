@@ -71,6 +71,18 @@ impl Items<'_> {
         Some(self.block(&self.with_rates(roots), pair))
     }
 
+    /// The derivative of the right-hand side by the time; zeros where that does not occur.
+    fn time_derivative_block(&self) -> TokenStream {
+        let zeros = vec![spelled(0.0); self.dof()];
+        match self.program.functions.get(&Function::TimeDerivative) {
+            Some(chosen) => self.block(&chosen.roots, |values| vector(&[&zeros, values].concat())),
+            None => {
+                let zeros = vector(&[&zeros[..], &zeros].concat());
+                quote!({ #zeros })
+            }
+        }
+    }
+
     /// The rates, which come first in every right-hand side, and behind them other roots.
     fn with_rates(&self, roots: &[ExprId]) -> Vec<ExprId> {
         let rates = self.program.model.coordinates.iter().map(|c| c.rate);
@@ -88,6 +100,7 @@ impl Items<'_> {
         let inline = inlined_into_lanes();
         let system = self.implement(of_trait, quote!(#inline fn rhs(#arguments) -> #vector #rhs));
         let jacobian = self.jacobian_block().map(|jacobian| {
+            let time_derivative = self.time_derivative_block();
             let of_trait = Some(quote!(::pendulum_core::Jacobian<T, #length>));
             let functions = quote! {
                 #[inline]
@@ -96,6 +109,11 @@ impl Items<'_> {
                 }
                 #[inline]
                 fn rhs_and_jacobian(#arguments) -> (#vector, #matrix) #jacobian
+                #[inline]
+                fn time_derivative(#arguments) -> #vector
+                where
+                    T: ::pendulum_core::Float,
+                #time_derivative
             };
             self.implement(of_trait, functions)
         });

@@ -409,6 +409,22 @@ for DoublePendulum<T> {
             ]),
         )
     }
+    #[inline]
+    fn time_derivative(
+        &self,
+        t: T,
+        x: &::pendulum_core::nalgebra::SVector<T, 4>,
+    ) -> ::pendulum_core::nalgebra::SVector<T, 4>
+    where
+        T: ::pendulum_core::Float,
+    {
+        ::pendulum_core::nalgebra::SVector::from([
+            T::from_f64(0.0),
+            T::from_f64(0.0),
+            T::from_f64(0.0),
+            T::from_f64(0.0),
+        ])
+    }
 }
 #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
 impl<T: ::pendulum_core::real::Real> ::pendulum_core::Energy<T, 4>

@@ -315,10 +315,8 @@ where
                 F::begin(&system, t, &x, &mut memory);
             }
             for (lane, member) in members.iter_mut().enumerate() {
-                let stopped = member.index.is_some()
-                    && self
-                        .plan::<V>(member, F::propose(&memory, &x, lane, &tolerance))
-                        .is_err();
+                let stopped =
+                    member.index.is_some() && self.plan(member, F::propose(&memory, &x, lane, &tolerance)).is_err();
                 if stopped {
                     self.leave(member, None);
                 }

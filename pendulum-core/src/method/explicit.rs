@@ -57,6 +57,38 @@ pub struct Stages<B, const STAGES: usize, const N: usize, T> {
     tableau: PhantomData<B>,
 }
 
+impl<B, T, const STAGES: usize, const N: usize> Stages<B, STAGES, N, T>
+where
+    B: Tableau<STAGES>,
+    T: Float,
+{
+    /// `|h lambda|` of the step accepted last, of length `h`, `lambda` the fastest rate of the system: from the last two stages, which are the
+    /// derivatives at two states at the same time; 0 where they are the same.
+    pub(super) fn stiffness(&self, h: T) -> T {
+        let weights = const {
+            assert!(
+                B::TABLEAU.c[STAGES - 2] == 1.0,
+                "the last but one stage is not at the end of the step"
+            );
+            let (mut weights, row) = (B::TABLEAU.b, B::TABLEAU.a[STAGES - 2]);
+            let mut i = 0;
+            while i < STAGES {
+                weights[i] -= row[i];
+                i += 1;
+            }
+            weights
+        };
+        let size = |v: SVector<T, N>| v.iter().fold(T::default(), |sum, &v| sum + v * v).sqrt();
+        let apart = size(weighted_sum(h, &weights, STAGES, &self.stages));
+        let change = size(self.stages[STAGES - 1] - self.stages[STAGES - 2]);
+        if apart > T::default() {
+            h.abs() * change / apart
+        } else {
+            T::default()
+        }
+    }
+}
+
 impl<B, S, T, const STAGES: usize, const N: usize> Scheme<S, T, N> for Stages<B, STAGES, N, T>
 where
     B: Tableau<STAGES>,
@@ -198,7 +230,7 @@ where
 
 /// `x + change`, the components spelled out; see [`weighted_sum`].
 #[inline(always)]
-fn shifted<T: Real, const N: usize>(x: &SVector<T, N>, change: &SVector<T, N>) -> SVector<T, N> {
+pub(super) fn shifted<T: Real, const N: usize>(x: &SVector<T, N>, change: &SVector<T, N>) -> SVector<T, N> {
     let mut sum = *x;
     for (sum, change) in sum.data.0[0].iter_mut().zip(&change.data.0[0]) {
         *sum += *change;

@@ -1,11 +1,15 @@
 //! The methods of integration: plain values with settings, each with `solve` and `stepper`.
 
 mod adaptive;
+mod auto;
+mod collocation;
 mod explicit;
 mod fixed;
 mod grid;
 mod input;
 mod pace;
+mod radau;
+mod rosenbrock;
 mod scheme;
 mod stepper;
 mod taylor;
@@ -19,7 +23,7 @@ use crate::event::Event;
 use crate::real::Float;
 use crate::solution::Solution;
 use crate::system::System;
-use crate::tableau::{DormandPrince5, Kutta4, Tsitouras5, Verner7, Verner9};
+use crate::tableau::{self, DormandPrince5, Kutta4, Tsitouras5, Verner7, Verner9};
 
 pub(crate) use explicit::{SHORT, attempt, weighted_sum};
 pub(crate) use grid::Grid;
@@ -28,8 +32,11 @@ pub(crate) use pace::Adaptation;
 pub(crate) use taylor::{length, order_for};
 
 pub use adaptive::Adaptive;
+pub use auto::{Auto, Switching};
 pub use explicit::Explicit;
 pub use fixed::Fixed;
+pub use radau::RadauIIA;
+pub use rosenbrock::Rosenbrock;
 pub use scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
 pub use stepper::Stepper;
 pub use taylor::{PowerSeries, Taylor};
@@ -140,3 +147,45 @@ pub type Vern7 = Adaptive<Explicit<Verner7, 11>>;
 ///
 /// Sixteen evaluations a step; the states between the steps are of order 9, and take nine more where they are asked for.
 pub type Vern9 = Adaptive<Explicit<Verner9, 17>>;
+
+/// The Rosenbrock method Rodas of order 4 for stiff systems; see [`Adaptive`] for its settings, and [`tableau::Rodas4`].
+///
+/// Six evaluations, one Jacobian and one factorisation a step; the states between the steps are of order 3.
+pub type Rodas4 = Adaptive<Rosenbrock<tableau::Rodas4, 6>>;
+
+/// The Rosenbrock method Rodas5P of order 5 for stiff systems; see [`Adaptive`] for its settings, and [`tableau::Rodas5P`].
+///
+/// Eight evaluations, one Jacobian and one factorisation a step; the states between the steps are of order 4.
+///
+/// ```
+/// use pendulum_core::prelude::*;
+///
+/// /// Follows the cosine of time, from which it strays for a microsecond only.
+/// struct Follower;
+///
+/// impl System<f64, 1> for Follower {
+///     fn rhs(&self, t: f64, x: &SVector<f64, 1>) -> SVector<f64, 1> {
+///         SVector::from([-1e6 * (x[0] - t.cos()) - t.sin()])
+///     }
+/// }
+///
+/// impl Jacobian<f64, 1> for Follower {
+///     fn jacobian(&self, _t: f64, _x: &SVector<f64, 1>) -> SMatrix<f64, 1, 1> {
+///         SMatrix::from([[-1e6]])
+///     }
+/// }
+///
+/// let solution = Rodas5P::new().solve(&Follower, 0.0, 10.0, [2.0])?;
+/// assert!((solution.last().1[0] - 10.0_f64.cos()).abs() < 1e-6);
+/// assert!(solution.statistics().accepted < 100);
+/// # Ok::<(), SolveError<1>>(())
+/// ```
+pub type Rodas5P = Adaptive<Rosenbrock<tableau::Rodas5P, 8>>;
+
+/// The method Radau IIA of order 5 for stiff systems; see [`Adaptive`] for its settings, and [`RadauIIA`].
+///
+/// Three evaluations an iteration and one Jacobian a step; the states between the steps are of order 3. The error estimate is of order 3
+/// as well, so that steps are shorter than need be and errors far below a narrow tolerance.
+///
+/// It bears more than [`Rodas5P`], which is cheaper: Jacobians that are not exact, and right-hand sides with strong nonlinearities.
+pub type Radau5 = Adaptive<RadauIIA>;

@@ -24,7 +24,7 @@ pub trait Family<S: ?Sized, T: Float, const N: usize> {
 ///
 /// The engine holds time and state, chooses the length of steps, and looks whether what comes back is finite.
 pub trait Scheme<S: ?Sized, T: Float, const N: usize> {
-    /// Whether [`propose`](Self::propose) chooses the steps.
+    /// Whether [`propose`](Self::prepare) chooses the steps.
     const PROPOSES: bool = false;
 
     /// The order `q` of the error estimate: the estimate falls as `h^(q + 1)`.
@@ -33,9 +33,9 @@ pub trait Scheme<S: ?Sized, T: Float, const N: usize> {
     /// Goes to an initial point, or to one after a jump: the derivative there.
     fn begin(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N>;
 
-    /// The length that the next step should have, from methods that know before they try; else `None`.
+    /// Gets ready for a step from `(t, x)`: the length that it should have, from methods that know before they try; else `None`.
     #[inline]
-    fn propose(&mut self, _system: &S, _t: T, _x: &SVector<T, N>, _work: &mut Statistics) -> Option<T> {
+    fn prepare(&mut self, _system: &S, _t: T, _x: &SVector<T, N>, _work: &mut Statistics) -> Option<T> {
         None
     }
 

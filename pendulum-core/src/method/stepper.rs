@@ -236,9 +236,10 @@ where
     #[inline]
     fn step_within_tolerance(&mut self, mut pace: Adaptation<T>) -> Result<(), Reason> {
         let t = self.t();
-        if let Some(h) = self.scheme.propose(self.system, t, &self.last.x1, &mut self.statistics) {
+        if let Some(h) = self.scheme.prepare(self.system, t, &self.last.x1, &mut self.statistics) {
             pace.propose(h, t, (self.t1 - t).abs())?;
         }
+        pace.controller.set_order(self.scheme.error_order());
         let least = pace.least(t);
         pace.h = pace.h.max(least);
         loop {

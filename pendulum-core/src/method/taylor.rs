@@ -143,7 +143,7 @@ where
     }
 
     #[inline]
-    fn propose(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> Option<T> {
+    fn prepare(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> Option<T> {
         self.find(system, t, x, work);
         let tolerance = self.tolerance.as_ref()?;
         let size = |order: usize| log2(tolerance.largest(&self.x[order], x).to_f64());

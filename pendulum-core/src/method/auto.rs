@@ -1,0 +1,257 @@
+//! The method that looks for itself whether a system is stiff.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::control::Tolerance;
+use crate::dense::Step;
+use crate::error::Reason;
+use crate::method::explicit::Stages;
+use crate::method::rosenbrock::LinearStages;
+use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
+use crate::method::{Adaptive, Explicit, Rosenbrock};
+use crate::real::Float;
+use crate::solution::Statistics;
+use crate::system::Jacobian;
+use crate::tableau::{self, Tsitouras5, Verner7, Verner9};
+
+/// An explicit method as long as the system allows, and [`Rodas5P`](crate::Rodas5P) where it is stiff; see [`Adaptive`] for its settings.
+///
+/// The explicit method is that of Tsitouras for tolerances above 1e-4, Verner's of order 7 above 1e-8, and that of order 9 below. In each
+/// step it measures `|h lambda|`, the length of the step times the fastest rate of the system, as `h |f(x1) - f(x2)| / |x1 - x2|` of the two
+/// states that it knows at the end of the step (Hairer and Wanner II, IV.2). Where that is at the limit of its stability again and
+/// again, stability and not the tolerance keeps the steps short, and the implicit method takes over. That one measures the same by power
+/// iteration with its Jacobian, and hands back once explicit steps of the same length would be stable.
+///
+/// [`Statistics`] tell how many steps were implicit, and how often the method changed.
+///
+/// ```
+/// use pendulum_core::prelude::*;
+///
+/// mechanism! {
+///     pub Creep {
+///         params { gamma: N m s = 1e4 }
+///         gravity: [0, -9.81, 0],
+///         body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle, friction: gamma }
+///     }
+/// }
+///
+/// let creep = Creep::new(CreepParams::default())?;
+/// let statistics = Auto::new().solve(&creep, 0.0, 100.0, [1.0, 0.0])?.statistics();
+/// assert!(statistics.switches == 1 && statistics.stiff < 100 && statistics.accepted < 200);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub type Auto = Adaptive<Switching>;
+
+/// The kind of method that [`Auto`] is.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Switching;
+
+/// A tolerance above this is for the method of Tsitouras.
+const LOOSE: f64 = 1e-4;
+/// One above this for Verner's method of order 7.
+const MIDDLE: f64 = 1e-8;
+/// An explicit step at so much of the limit of its stability is kept short by that: the error estimates grow before the errors do (Verner's of
+/// order 9 hovers about 0.6).
+const AT_THE_LIMIT: f64 = 0.55;
+/// So many such steps make a system stiff, if there are not `FREE` others in between.
+const STIFF: usize = 8;
+/// So many steps that are not at the limit forget those that were.
+const FREE: usize = 4;
+/// An implicit step at no more than this part of the limit could as well be explicit; `FREE` in a row are.
+const WITHIN: f64 = 0.3;
+
+impl<S, T, const N: usize> Family<S, T, N> for Switching
+where
+    S: Jacobian<T, N> + ?Sized,
+    T: Float,
+{
+    type Scheme = Switch<N, T>;
+
+    fn scheme(&self, system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
+        let least = tolerance
+            .as_ref()
+            .map_or(0.0, |tolerance| tolerance.rtol.max(tolerance.atol).to_f64());
+        let explicit = if least > LOOSE {
+            Free::Tsit5(Family::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
+        } else if least > MIDDLE {
+            Free::Vern7(Family::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
+        } else {
+            Free::Vern9(Family::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
+        };
+        Ok(Switch {
+            explicit,
+            implicit: Family::<S, T, N>::scheme(&Rosenbrock::default(), system, tolerance)?,
+            is_stiff: false,
+            changes: false,
+            at_limit: 0,
+            free: 0,
+            fastest: SVector::from_element(T::from_f64(1.0)),
+        })
+    }
+}
+
+/// Both methods, of which one is at work.
+#[derive(Clone, Debug)]
+pub struct Switch<const N: usize, T> {
+    explicit: Free<N, T>,
+    implicit: LinearStages<tableau::Rodas5P, 8, N, T>,
+    is_stiff: bool,
+    /// Whether the other one is to take the next step.
+    changes: bool,
+    /// Steps at the limit of stability.
+    at_limit: usize,
+    /// Steps in a row that are not.
+    free: usize,
+    /// The direction of the fastest change, for power iteration.
+    fastest: SVector<T, N>,
+}
+
+/// The explicit method.
+#[derive(Clone, Debug)]
+enum Free<const N: usize, T> {
+    Tsit5(Stages<Tsitouras5, 7, N, T>),
+    Vern7(Stages<Verner7, 11, N, T>),
+    Vern9(Stages<Verner9, 17, N, T>),
+}
+
+/// The explicit method, whichever it is.
+macro_rules! explicit {
+    ($free:expr, $stages:ident => $value:expr) => {
+        match $free {
+            Free::Tsit5($stages) => $value,
+            Free::Vern7($stages) => $value,
+            Free::Vern9($stages) => $value,
+        }
+    };
+}
+
+impl<const N: usize, T: Float> Free<N, T> {
+    /// The limit of stability on the negative real axis.
+    fn limit(&self) -> f64 {
+        match self {
+            Self::Tsit5(_) => 3.5,
+            Self::Vern7(_) => 4.6,
+            Self::Vern9(_) => 4.4,
+        }
+    }
+}
+
+impl<const N: usize, T: Float> Switch<N, T> {
+    /// Looks at an explicit step: whether it was one too many at the limit of stability.
+    fn is_too_stiff(&mut self, h: T) -> bool {
+        let measured = explicit!(&self.explicit, stages => stages.stiffness(h));
+        if measured.to_f64() > AT_THE_LIMIT * self.explicit.limit() {
+            self.at_limit += 1;
+            self.free = 0;
+        } else {
+            self.free += 1;
+            if self.free >= FREE {
+                self.at_limit = 0;
+            }
+        }
+        self.at_limit >= STIFF
+    }
+
+    /// Looks at an implicit step: whether explicit steps of such lengths would have been stable for a while.
+    fn is_free(&mut self, h: T) -> bool {
+        let rate = fastest_rate(self.implicit.jacobian(), &mut self.fastest);
+        if (h.abs() * rate).to_f64() <= WITHIN * self.explicit.limit() {
+            self.free += 1;
+        } else {
+            self.free = 0;
+        }
+        self.free >= FREE
+    }
+}
+
+/// The size of the largest eigenvalue of a matrix by a few power iterations from `v`, which turns to its direction.
+///
+/// A pair of complex ones makes `v` turn on and on: the mean over some iterations smooths that.
+fn fastest_rate<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, v: &mut SVector<T, N>) -> T {
+    const ITERATIONS: i32 = 4;
+    let size = |v: &SVector<T, N>| v.iter().fold(T::default(), |sum, &v| sum + v * v).sqrt();
+    let mut product = T::from_f64(1.0);
+    for _ in 0..ITERATIONS {
+        let before = size(v);
+        let mut image: SVector<T, N> = SVector::from_element(T::default());
+        for (column, &v) in matrix.data.0.iter().zip(v.iter()) {
+            for (image, &entry) in image.iter_mut().zip(column) {
+                *image += entry * v;
+            }
+        }
+        let after = size(&image);
+        if !(after.is_finite() && after > T::default() && before > T::default()) {
+            *v = SVector::from_element(T::from_f64(1.0));
+            return T::default();
+        }
+        product *= after / before;
+        *v = image * (T::from_f64(1.0) / after);
+    }
+    product.sqrt().sqrt()
+}
+
+impl<S, T, const N: usize> Scheme<S, T, N> for Switch<N, T>
+where
+    S: Jacobian<T, N> + ?Sized,
+    T: Float,
+{
+    fn error_order(&self) -> usize {
+        if self.is_stiff {
+            Scheme::<S, T, N>::error_order(&self.implicit)
+        } else {
+            explicit!(&self.explicit, stages => Scheme::<S, T, N>::error_order(stages))
+        }
+    }
+
+    fn begin(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
+        (self.changes, self.at_limit, self.free) = (false, 0, 0);
+        if self.is_stiff {
+            self.implicit.begin(system, t, x, work)
+        } else {
+            explicit!(&mut self.explicit, stages => stages.begin(system, t, x, work))
+        }
+    }
+
+    fn prepare(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> Option<T> {
+        if self.changes {
+            self.is_stiff = !self.is_stiff;
+            work.switches += 1;
+            self.begin(system, t, x, work);
+        }
+        None
+    }
+
+    fn attempt(
+        &mut self,
+        system: &S,
+        start: (T, &SVector<T, N>),
+        t_new: T,
+        work: &mut Statistics,
+    ) -> Result<Attempt<N, T>, Stalled> {
+        if self.is_stiff {
+            self.implicit.attempt(system, start, t_new, work)
+        } else {
+            explicit!(&mut self.explicit, stages => stages.attempt(system, start, t_new, work))
+        }
+    }
+
+    fn finish(&mut self, system: &S, step: &Step<N, T>, work: &mut Statistics) -> Result<(), NonFinite> {
+        if self.is_stiff {
+            self.implicit.finish(system, step, work)?;
+            work.stiff += 1;
+            self.changes = self.is_free(step.h);
+        } else {
+            explicit!(&mut self.explicit, stages => stages.finish(system, step, work))?;
+            self.changes = self.is_too_stiff(step.h);
+        }
+        Ok(())
+    }
+
+    fn dense(&mut self, system: &S, step: &Step<N, T>, work: &mut Statistics) -> &[SVector<T, N>] {
+        if self.is_stiff {
+            self.implicit.dense(system, step, work)
+        } else {
+            explicit!(&mut self.explicit, stages => stages.dense(system, step, work))
+        }
+    }
+}

@@ -1,0 +1,110 @@
+//! The equations of collocation methods: simplified Newton iterations, one eigenvalue of the method at a time.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::linear::{Complex, Field, Lu, Singular};
+use crate::real::Float;
+
+/// An eigenvalue of the matrix `a_ij` of a method with its eigenvectors, of which `left . right` is 1.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Mode<F, const STAGES: usize> {
+    pub(super) value: F,
+    pub(super) left: [F; STAGES],
+    pub(super) right: [F; STAGES],
+}
+
+/// The eigenvalues of a method with two or three stages: a pair of complex ones, and a real one where there is a third stage.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Modes<const STAGES: usize> {
+    pub(super) real: Option<Mode<f64, STAGES>>,
+    /// The one whose imaginary part is positive.
+    pub(super) pair: Mode<Complex<f64>, STAGES>,
+}
+
+/// The matrix of the iteration, `G d_i - h sum_j a_ij F d_j`, factored: the stages come apart along the eigenvectors of `a_ij`, and a real
+/// and a complex matrix of the size of the state remain (E. Hairer, G. Wanner, "Solving Ordinary Differential Equations II", IV.8).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Pencil<T, const STAGES: usize, const N: usize> {
+    real: Option<(Mode<f64, STAGES>, Lu<T, N>)>,
+    pair: (Mode<Complex<f64>, STAGES>, Lu<Complex<T>, N>),
+}
+
+impl<T: Float, const STAGES: usize, const N: usize> Pencil<T, STAGES, N> {
+    /// The matrix for a step of length `h`; `g` and `f` are the derivatives by the state of the variables and of their rates.
+    #[inline]
+    pub(super) fn new(
+        modes: &Modes<STAGES>,
+        h: T,
+        g: &SMatrix<T, N, N>,
+        f: &SMatrix<T, N, N>,
+    ) -> Result<Self, Singular> {
+        let (g, f) = (&g.data.0, &f.data.0);
+        let real = match modes.real {
+            None => None,
+            Some(mode) => {
+                let factor = h * T::from_f64(mode.value);
+                let entry = |j: usize, i: usize| g[j][i] - factor * f[j][i];
+                Some((mode, Lu::new(columns(entry))?))
+            }
+        };
+        let (re, im) = (
+            h * T::from_f64(modes.pair.value.re),
+            h * T::from_f64(modes.pair.value.im),
+        );
+        let entry = |j: usize, i: usize| Complex::new(g[j][i] - re * f[j][i], -(im * f[j][i]));
+        Ok(Self {
+            real,
+            pair: (modes.pair, Lu::new(columns(entry))?),
+        })
+    }
+
+    /// The `d` of `G d - h mu F d = r` with the real eigenvalue `mu`; none where the method has none.
+    #[inline]
+    pub(super) fn solve_real(&self, r: &SVector<T, N>) -> Option<SVector<T, N>> {
+        let (_, lu) = self.real.as_ref()?;
+        Some(SVector::from(lu.solve(&r.data.0[0])))
+    }
+
+    /// How many matrices were factored.
+    pub(super) fn factorizations(&self) -> usize {
+        1 + usize::from(self.real.is_some())
+    }
+
+    /// The `d_i` for which the matrix gives the residuals `r_i`.
+    #[inline]
+    pub(super) fn solve(&self, residuals: &[SVector<T, N>; STAGES]) -> [SVector<T, N>; STAGES] {
+        let (mode, lu) = &self.pair;
+        let left = mode.left.map(|l| Complex::new(T::from_f64(l.re), T::from_f64(l.im)));
+        // the other one of the pair adds the conjugate: twice the real part
+        let right = mode
+            .right
+            .map(|r| Complex::new(T::from_f64(2.0 * r.re), T::from_f64(2.0 * r.im)));
+        let along = std::array::from_fn(|k| {
+            residuals.iter().zip(left).fold(Complex::default(), |sum, (r, l)| {
+                sum + Complex::new(l.re * r[k], l.im * r[k])
+            })
+        });
+        let along = lu.solve(&along);
+        let mut changes = right.map(|r| SVector::from_fn(|k, _| r.re * along[k].re - r.im * along[k].im));
+        if let Some((mode, lu)) = &self.real {
+            let left = mode.left.map(T::from_f64);
+            let along = std::array::from_fn(|k| {
+                residuals
+                    .iter()
+                    .zip(left)
+                    .fold(T::default(), |sum, (r, l)| sum + l * r[k])
+            });
+            let along = SVector::from(lu.solve(&along));
+            for (change, right) in changes.iter_mut().zip(mode.right) {
+                *change += along * T::from_f64(right);
+            }
+        }
+        changes
+    }
+}
+
+/// A matrix by its columns: `entry(j, i)` is that of column `j` and row `i`.
+#[inline]
+fn columns<F: Field, const N: usize>(entry: impl Fn(usize, usize) -> F) -> [[F; N]; N] {
+    std::array::from_fn(|j| std::array::from_fn(|i| entry(j, i)))
+}

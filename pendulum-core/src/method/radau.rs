@@ -1,0 +1,316 @@
+//! The method Radau IIA of order 5.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::control::Tolerance;
+use crate::dense::Step;
+use crate::error::Reason;
+use crate::linear::{Complex, Singular};
+use crate::method::collocation::{Mode, Modes, Pencil};
+use crate::method::explicit::SHORT;
+use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
+use crate::real::Float;
+use crate::solution::Statistics;
+use crate::system::{Jacobian, System};
+
+/// The method Radau IIA with three stages, for systems that know their Jacobian: of order 5, stiffly accurate and L-stable.
+///
+/// A step fits a cubic polynomial to the differential equation at three of its times, the last of which is its end. Simplified Newton
+/// iterations solve for it, with the Jacobian of the start of the step. E. Hairer, G. Wanner, "Solving Ordinary Differential Equations II",
+/// 2nd ed. (1996), IV.5 and IV.8; "Stiff differential equations solved by Radau methods", J. Comput. Appl. Math. 111 (1999) 93-111.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct RadauIIA;
+
+/// The number of stages.
+const STAGES: usize = 3;
+/// Their times in fractions of a step: `(4 -+ sqrt(6)) / 10` and 1.
+const C: [f64; STAGES] = [0.155_051_025_721_682_2, 0.644_948_974_278_317_8, 1.0];
+/// Its coefficients.
+const A: [[f64; STAGES]; STAGES] = [
+    [
+        0.196_815_477_223_660_4,
+        -0.065_535_425_850_198_39,
+        0.023_770_974_348_220_15,
+    ],
+    [
+        0.394_424_314_739_087_3,
+        0.292_073_411_665_228_5,
+        -0.041_548_752_125_997_93,
+    ],
+    [0.376_403_062_700_467_25, 0.512_485_826_188_421_6, 1.0 / 9.0],
+];
+/// The real eigenvalue of `A`.
+const MU: f64 = 0.274_888_829_595_677_34;
+/// The eigenvectors of `A`.
+const MODES: Modes<STAGES> = Modes {
+    real: Some(Mode {
+        value: MU,
+        left: [4.178_718_591_551_905, 0.327_682_820_761_062_37, 0.523_376_445_499_449_5],
+        right: [0.094_438_762_488_975_24, 0.250_213_122_965_333_3, 1.0],
+    }),
+    pair: Mode {
+        value: Complex::new(0.162_555_585_202_161_32, 0.184_949_324_407_140_8),
+        left: [
+            Complex::new(-2.089_359_295_775_952_6, 0.251_436_317_472_893_4),
+            Complex::new(-0.163_841_410_380_531_18, -1.285_963_474_927_802_6),
+            Complex::new(0.238_311_777_250_275_22, 0.298_019_602_414_112_46),
+        ],
+        right: [
+            Complex::new(-0.141_255_295_020_954_2, -0.030_029_194_105_147_424),
+            Complex::new(0.204_129_352_293_799_94, 0.382_942_112_757_261_9),
+            Complex::new(1.0, 0.0),
+        ],
+    },
+};
+/// The coefficients of the polynomial without constant that has the value 1 at one of the times and 0 at the others: a row for each
+/// power, a column for each time.
+const POWERS: [[f64; STAGES]; STAGES] = [
+    [10.048_809_399_827_416, -1.382_142_733_160_749, 1.0 / 3.0],
+    [-25.629_591_447_076_64, 10.296_258_113_743_306, -8.0 / 3.0],
+    [15.580_782_047_249_224, -8.914_115_380_582_556, 10.0 / 3.0],
+];
+/// The order of the embedded method.
+const ORDER_HAT: usize = 3;
+
+/// The most iterations of a step within a tolerance: where more are needed, a shorter step takes less work.
+const MOST: usize = 7;
+/// Those of a step of a given length, which may not be shortened.
+const MOST_FIXED: usize = 50;
+/// The tolerance of steps of a given length, in ulps: their equations are solved to what rounding leaves.
+const ULPS: f64 = 100.0;
+
+impl<S, T, const N: usize> Family<S, T, N> for RadauIIA
+where
+    S: Jacobian<T, N> + ?Sized,
+    T: Float,
+{
+    type Scheme = RadauStages<N, T>;
+
+    #[inline]
+    fn scheme(&self, _system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
+        let zero = SVector::from_element(T::default());
+        Ok(RadauStages {
+            tolerance,
+            slope: zero,
+            jacobian: SMatrix::from_element(T::default()),
+            rises: [zero; STAGES],
+            coefficients: [zero; STAGES],
+            h: T::default(),
+            eta: T::from_f64(1.0),
+            is_doubtful: true,
+        })
+    }
+}
+
+/// The stages of a step of a method of Radau.
+#[derive(Clone, Copy, Debug)]
+pub struct RadauStages<const N: usize, T> {
+    tolerance: Option<Tolerance<T>>,
+    /// The derivative where the next step starts, and its derivative by the state.
+    slope: SVector<T, N>,
+    jacobian: SMatrix<T, N, N>,
+    /// By how much the stages differ from the state at the start.
+    rises: [SVector<T, N>; STAGES],
+    /// The polynomial of the last step and its length, 0 where there is none.
+    coefficients: [SVector<T, N>; STAGES],
+    h: T,
+    /// How the error of the last iteration compared with its change.
+    eta: T,
+    /// Whether the step is a first one, or another try after a rejected one.
+    is_doubtful: bool,
+}
+
+impl<const N: usize, T: Float> RadauStages<N, T> {
+    /// Continues the polynomial of the last step over one of length `h`.
+    #[inline]
+    fn predict(&mut self, h: T) {
+        if self.h == T::default() {
+            self.rises = [SVector::from_element(T::default()); STAGES];
+            return;
+        }
+        let one = T::from_f64(1.0);
+        let ratio = h / self.h;
+        let [c1, c2, c3] = &self.coefficients;
+        for (rise, c) in self.rises.iter_mut().zip(C) {
+            let excess = ratio * T::from_f64(c);
+            let theta = one + excess;
+            // theta^k - 1 without the loss of digits
+            let (second, third) = (theta + one, theta * theta + theta + one);
+            *rise = (c1 + c2 * second + c3 * third) * excess;
+        }
+    }
+
+    /// Solves for the stages.
+    #[inline(always)]
+    fn iterate<S>(
+        &mut self,
+        system: &S,
+        (t, x): (T, &SVector<T, N>),
+        t_new: T,
+        pencil: &Pencil<T, STAGES, N>,
+        work: &mut Statistics,
+    ) -> Result<(), Stalled>
+    where
+        S: System<T, N> + ?Sized,
+    {
+        let (h, one) = (t_new - t, T::from_f64(1.0));
+        let ulps = T::from_f64(ULPS) * T::EPSILON;
+        let (tolerance, most) = match self.tolerance {
+            Some(tolerance) => (tolerance, MOST),
+            None => (Tolerance { rtol: ulps, atol: ulps }, MOST_FIXED),
+        };
+        // So far below the tolerance is the error of the iteration, but for what rounding leaves: Hairer and Wanner, IV.8.
+        let rounding = T::from_f64(10.0) * T::EPSILON / tolerance.rtol;
+        let kappa = tolerance.rtol.sqrt().min(T::from_f64(0.03)).max(rounding);
+        let mut eta = self.eta.max(T::EPSILON).powf(T::from_f64(0.8));
+        let mut last = T::default();
+        for iteration in 1..=most {
+            work.iterations += 1;
+            work.evaluations += STAGES;
+            let slopes: [SVector<T, N>; STAGES] = std::array::from_fn(|i| {
+                let time = if C[i] == 1.0 { t_new } else { t + h * T::from_f64(C[i]) };
+                system.rhs(time, &(x + self.rises[i]))
+            });
+            let residuals = std::array::from_fn(|i| {
+                let row = A[i].map(|a| h * T::from_f64(a));
+                self.rises[i] - (slopes[0] * row[0] + slopes[1] * row[1] + slopes[2] * row[2])
+            });
+            let changes = pencil.solve(&residuals);
+            let mut sum = T::default();
+            for (rise, change) in self.rises.iter_mut().zip(&changes) {
+                *rise -= change;
+                sum += tolerance.mean_square(change, x, x);
+            }
+            let norm = (sum / T::from_f64(STAGES as f64)).sqrt();
+            if !norm.is_finite() {
+                // Let it be told from where the step arrives.
+                return Ok(());
+            }
+            let mut rate = T::default();
+            if iteration > 1 {
+                rate = norm / last;
+                eta = if rate < one {
+                    rate / (one - rate)
+                } else {
+                    one / T::EPSILON
+                };
+            }
+            if eta * norm <= kappa || norm <= rounding {
+                self.eta = eta.min(one);
+                return Ok(());
+            }
+            // No more iterations if they are to fail: they diverge, or come closer too slowly.
+            let at_best = (iteration..most).fold(eta * norm, |error, _| error * rate);
+            if at_best > kappa {
+                return Err(Stalled);
+            }
+            last = norm;
+        }
+        Err(Stalled)
+    }
+
+    /// The error of a step of length `h`: by how much the slope of its polynomial at the start differs from that of the system, which
+    /// `slope` is, filtered by the matrix of the iteration. Hairer and Wanner, IV.8, Eq. 8.19.
+    #[inline]
+    fn error(&self, slope: &SVector<T, N>, h: T, pencil: &Pencil<T, STAGES, N>) -> SVector<T, N> {
+        let difference = (slope * h - combined(&POWERS[0], &self.rises)) * T::from_f64(MU);
+        pencil.solve_real(&difference).unwrap_or(difference)
+    }
+
+    /// The mean square error of the step that was solved for, in units of the tolerance.
+    #[inline]
+    fn estimate<S>(
+        &self,
+        system: &S,
+        (t, x): (T, &SVector<T, N>),
+        (h, x_new): (T, &SVector<T, N>),
+        pencil: &Pencil<T, STAGES, N>,
+        work: &mut Statistics,
+    ) -> T
+    where
+        S: System<T, N> + ?Sized,
+    {
+        let Some(tolerance) = &self.tolerance else {
+            return T::default();
+        };
+        let error = self.error(&self.slope, h, pencil);
+        let mean_square = tolerance.mean_square(&error, x, x_new);
+        if mean_square <= T::from_f64(1.0) || !self.is_doubtful {
+            return mean_square;
+        }
+        // Of components that die out within the step the estimate is far too large, until it is filtered once more: Eq. 8.20.
+        work.evaluations += 1;
+        let error = self.error(&system.rhs(t, &(x + error)), h, pencil);
+        tolerance.mean_square(&error, x, x_new)
+    }
+}
+
+impl<S, T, const N: usize> Scheme<S, T, N> for RadauStages<N, T>
+where
+    S: Jacobian<T, N> + ?Sized,
+    T: Float,
+{
+    #[inline]
+    fn error_order(&self) -> usize {
+        ORDER_HAT
+    }
+
+    #[inline]
+    fn begin(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
+        work.evaluations += 1;
+        work.jacobians += 1;
+        (self.slope, self.jacobian) = system.rhs_and_jacobian(t, x);
+        (self.h, self.eta, self.is_doubtful) = (T::default(), T::from_f64(1.0), true);
+        self.slope
+    }
+
+    #[inline]
+    fn attempt(
+        &mut self,
+        system: &S,
+        (t, x): (T, &SVector<T, N>),
+        t_new: T,
+        work: &mut Statistics,
+    ) -> Result<Attempt<N, T>, Stalled> {
+        let h = t_new - t;
+        let identity = SMatrix::from_fn(|i, j| T::from_f64(if i == j { 1.0 } else { 0.0 }));
+        let pencil = Pencil::new(&MODES, h, &identity, &self.jacobian).map_err(|Singular| Stalled)?;
+        work.factorizations += pencil.factorizations();
+        self.predict(h);
+        let solved = if const { N <= SHORT } {
+            self.iterate::<S>(system, (t, x), t_new, &pencil, work)
+        } else {
+            self.iterate::<&S>(&system, (t, x), t_new, &pencil, work)
+        };
+        let x_new = x + self.rises[STAGES - 1];
+        let mean_square = solved.map(|()| self.estimate(system, (t, x), (h, &x_new), &pencil, work));
+        self.is_doubtful = true;
+        Ok(Attempt {
+            x: x_new,
+            mean_square: mean_square?,
+        })
+    }
+
+    #[inline]
+    fn finish(&mut self, system: &S, step: &Step<N, T>, work: &mut Statistics) -> Result<(), NonFinite> {
+        work.evaluations += 1;
+        work.jacobians += 1;
+        let (slope, jacobian) = system.rhs_and_jacobian(step.t1, &step.x1);
+        NonFinite::check(&slope)?;
+        (self.slope, self.jacobian) = (slope, jacobian);
+        self.coefficients = std::array::from_fn(|power| combined(&POWERS[power], &self.rises));
+        (self.h, self.is_doubtful) = (step.h, false);
+        Ok(())
+    }
+
+    fn dense(&mut self, _system: &S, _step: &Step<N, T>, _work: &mut Statistics) -> &[SVector<T, N>] {
+        &self.coefficients
+    }
+}
+
+/// `sum_i weights_i vectors_i`.
+#[inline]
+fn combined<T: Float, const N: usize>(weights: &[f64; STAGES], vectors: &[SVector<T, N>; STAGES]) -> SVector<T, N> {
+    let [a, b, c] = weights.map(T::from_f64);
+    vectors[0] * a + vectors[1] * b + vectors[2] * c
+}

@@ -1,0 +1,261 @@
+//! Rosenbrock methods: implicit ones that solve linear equations only, whatever their tableau.
+
+use std::marker::PhantomData;
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::control::Tolerance;
+use crate::dense::Step;
+use crate::error::Reason;
+use crate::linear::{Lu, Singular};
+use crate::method::explicit::{SHORT, shifted, weighted_sum};
+use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
+use crate::real::Float;
+use crate::solution::Statistics;
+use crate::system::{Jacobian, System};
+use crate::tableau::{RosenbrockMethod, RosenbrockTableau};
+
+/// The Rosenbrock method of the tableau `B`, for systems that know their Jacobian.
+///
+/// A step evaluates the Jacobian once, factors one matrix, and solves one system of linear equations for each stage: there is no iteration
+/// that might not converge.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Rosenbrock<B, const STAGES: usize>(PhantomData<B>);
+
+impl<B, S, T, const STAGES: usize, const N: usize> Family<S, T, N> for Rosenbrock<B, STAGES>
+where
+    B: RosenbrockMethod<STAGES>,
+    S: Jacobian<T, N> + ?Sized,
+    T: Float,
+{
+    type Scheme = LinearStages<B, STAGES, N, T>;
+
+    #[inline]
+    fn scheme(&self, _system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
+        let zero = SVector::from_element(T::default());
+        Ok(LinearStages {
+            tolerance,
+            start: Linearisation {
+                slope: zero,
+                jacobian: SMatrix::from_element(T::default()),
+                drift: zero,
+            },
+            stages: [zero; STAGES],
+            coefficients: [zero; MAX_DEGREE],
+            tableau: PhantomData,
+        })
+    }
+}
+
+/// The stages of a step of a Rosenbrock method.
+#[derive(Clone, Copy, Debug)]
+pub struct LinearStages<B, const STAGES: usize, const N: usize, T> {
+    tolerance: Option<Tolerance<T>>,
+    /// The system where the next step starts.
+    start: Linearisation<N, T>,
+    /// The `u_i` of the tableau.
+    stages: [SVector<T, N>; STAGES],
+    coefficients: [SVector<T, N>; MAX_DEGREE],
+    tableau: PhantomData<B>,
+}
+
+/// A system to first order about a point.
+#[derive(Clone, Copy, Debug)]
+struct Linearisation<const N: usize, T> {
+    slope: SVector<T, N>,
+    /// The derivative of the slope by the state.
+    jacobian: SMatrix<T, N, N>,
+    /// The derivative of the slope by the time.
+    drift: SVector<T, N>,
+}
+
+impl<const N: usize, T: Float> Linearisation<N, T> {
+    #[inline]
+    fn new<S>(system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> Self
+    where
+        S: Jacobian<T, N> + ?Sized,
+    {
+        work.evaluations += 1;
+        work.jacobians += 1;
+        let (slope, jacobian) = system.rhs_and_jacobian(t, x);
+        let drift = system.time_derivative(t, x);
+        Self { slope, jacobian, drift }
+    }
+}
+
+impl<B, T, const STAGES: usize, const N: usize> LinearStages<B, STAGES, N, T>
+where
+    B: RosenbrockMethod<STAGES>,
+    T: Float,
+{
+    /// The Jacobian where the next step starts.
+    pub(super) fn jacobian(&self) -> &SMatrix<T, N, N> {
+        &self.start.jacobian
+    }
+
+    /// Solves for the stages, which are spelled out for the reasons that explicit methods have: the state at the end.
+    #[inline(always)]
+    fn solve_stages<S>(&mut self, system: &S, (t, x): (T, &SVector<T, N>), t_new: T) -> Result<SVector<T, N>, Singular>
+    where
+        S: System<T, N> + ?Sized,
+    {
+        const { assert!(STAGES >= 1 && STAGES <= MAX_STAGES && B::TABLEAU.dense.len() <= MAX_DEGREE) };
+        let (one, h) = (T::from_f64(1.0), t_new - t);
+        let h_gamma = h * T::from_f64(const { B::TABLEAU.gamma });
+        let lu = Lu::new(shifted_identity(one, h_gamma, &self.start.jacobian))?;
+        macro_rules! stages {
+            ($($i:literal)*) => { $(
+                if $i < STAGES {
+                    let row = const { &Row::of::<B>($i) };
+                    let slope = if $i == 0 {
+                        self.start.slope
+                    } else {
+                        let x = shifted(x, &weighted_sum(one, &row.a, $i, &self.stages));
+                        // Not t + h, which may differ in the last bit.
+                        let time = if row.alpha == 1.0 { t_new } else { t + h * T::from_f64(row.alpha) };
+                        system.rhs(time, &x)
+                    };
+                    let mut right = weighted_sum(one, &row.c, $i, &self.stages);
+                    let of_time = h * T::from_f64(row.gamma);
+                    for (i, right) in right.data.0[0].iter_mut().enumerate() {
+                        let mut slope = slope.data.0[0][i];
+                        if row.gamma != 0.0 {
+                            slope += of_time * self.start.drift.data.0[0][i];
+                        }
+                        *right += h_gamma * slope;
+                    }
+                    self.stages[$i] = SVector::from(lu.solve(&right.data.0[0]));
+                }
+            )* };
+        }
+        stages!(0 1 2 3 4 5 6 7);
+        let weights = const { &B::TABLEAU.b };
+        Ok(shifted(x, &weighted_sum(one, weights, STAGES, &self.stages)))
+    }
+}
+
+impl<B, S, T, const STAGES: usize, const N: usize> Scheme<S, T, N> for LinearStages<B, STAGES, N, T>
+where
+    B: RosenbrockMethod<STAGES>,
+    S: Jacobian<T, N> + ?Sized,
+    T: Float,
+{
+    #[inline]
+    fn error_order(&self) -> usize {
+        B::TABLEAU.order_hat
+    }
+
+    #[inline]
+    fn begin(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
+        self.start = Linearisation::new(system, t, x, work);
+        self.start.slope
+    }
+
+    #[inline]
+    fn attempt(
+        &mut self,
+        system: &S,
+        (t, x): (T, &SVector<T, N>),
+        t_new: T,
+        work: &mut Statistics,
+    ) -> Result<Attempt<N, T>, Stalled> {
+        work.factorizations += 1;
+        work.evaluations += STAGES - 1;
+        let x_new = if const { N <= SHORT } {
+            self.solve_stages::<S>(system, (t, x), t_new)
+        } else {
+            self.solve_stages::<&S>(&system, (t, x), t_new)
+        };
+        let x_new = x_new.map_err(|Singular| Stalled)?;
+        let mean_square = match &self.tolerance {
+            None => T::default(),
+            Some(tolerance) => {
+                let weights = const { &error_weights(&B::TABLEAU) };
+                let error = weighted_sum(T::from_f64(1.0), weights, STAGES, &self.stages);
+                tolerance.mean_square(&error, x, &x_new)
+            }
+        };
+        Ok(Attempt { x: x_new, mean_square })
+    }
+
+    #[inline]
+    fn finish(&mut self, system: &S, step: &Step<N, T>, work: &mut Statistics) -> Result<(), NonFinite> {
+        let end = Linearisation::new(system, step.t1, &step.x1, work);
+        NonFinite::check(&end.slope)?;
+        self.start = end;
+        Ok(())
+    }
+
+    fn dense(&mut self, _system: &S, _step: &Step<N, T>, _work: &mut Statistics) -> &[SVector<T, N>] {
+        let rows = const { B::TABLEAU.dense };
+        for (coefficient, row) in self.coefficients.iter_mut().zip(rows) {
+            *coefficient = SVector::from_element(T::default());
+            for (stage, &weight) in self.stages.iter().zip(*row) {
+                *coefficient += stage * T::from_f64(weight);
+            }
+        }
+        &self.coefficients[..rows.len()]
+    }
+}
+
+/// The most stages that a step spells out.
+const MAX_STAGES: usize = 8;
+/// The highest degree of a dense output.
+const MAX_DEGREE: usize = 4;
+
+/// `shift - h J`, by columns.
+#[inline]
+pub(super) fn shifted_identity<T: Float, const N: usize>(shift: T, h: T, jacobian: &SMatrix<T, N, N>) -> [[T; N]; N] {
+    let mut columns = jacobian.data.0;
+    for (k, column) in columns.iter_mut().enumerate() {
+        for entry in column.iter_mut() {
+            *entry = -(h * *entry);
+        }
+        column[k] += shift;
+    }
+    columns
+}
+
+/// The weights of the error estimate.
+const fn error_weights<const STAGES: usize>(tableau: &RosenbrockTableau<STAGES>) -> [f64; STAGES] {
+    let mut weights = tableau.b;
+    let mut i = 0;
+    while i < STAGES {
+        weights[i] -= tableau.b_hat[i];
+        i += 1;
+    }
+    weights
+}
+
+/// One row of a tableau, as the solver wants it: multiplied by `h gamma`, so that no entry of the matrix grows beyond all bounds where
+/// `h` is small.
+struct Row<const STAGES: usize> {
+    a: [f64; STAGES],
+    c: [f64; STAGES],
+    alpha: f64,
+    gamma: f64,
+}
+
+impl<const STAGES: usize> Row<STAGES> {
+    /// Row `i`; a row of zeros beyond the last, where the compiler asks in code that is never reached.
+    const fn of<B: RosenbrockMethod<STAGES>>(i: usize) -> Self {
+        let mut row = Self {
+            a: [0.0; STAGES],
+            c: [0.0; STAGES],
+            alpha: 0.0,
+            gamma: 0.0,
+        };
+        if i < STAGES {
+            let tableau: RosenbrockTableau<STAGES> = B::TABLEAU;
+            row.a = tableau.a[i];
+            row.alpha = tableau.alpha[i];
+            row.gamma = tableau.gamma_sums[i];
+            let mut j = 0;
+            while j < STAGES {
+                row.c[j] = tableau.gamma * tableau.c[i][j];
+                j += 1;
+            }
+        }
+        row
+    }
+}
