@@ -16,6 +16,7 @@ mod panels;
 mod peers;
 mod report;
 mod rust;
+mod scale;
 mod scaling;
 mod timing;
 #[path = "../../examples/common/typeset.rs"]
