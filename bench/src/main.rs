@@ -14,6 +14,7 @@ mod machine;
 mod page;
 mod panels;
 mod peers;
+mod python;
 mod report;
 mod rust;
 mod scale;
