@@ -37,7 +37,7 @@ pub(crate) struct Curve {
     pub points: Vec<(f64, f64)>,
     /// Exponents of the powers that are drawn through the first point.
     pub guides: Vec<i32>,
-    /// Stands beside the first point.
+    /// Stands above the first point.
     pub name: String,
 }
 
@@ -150,8 +150,8 @@ impl Panels {
         }
         page.draw(&PathElement::new(points, curve.color.stroke_width(width(curve.width))))?;
         let (left, at) = frame.place((x, y));
-        let beside = text(17.0, curve.color).pos(Pos::new(HPos::Right, VPos::Center));
-        page.draw_text(&curve.name, &beside, (left - px(7.0), at))?;
+        let above = text(17.0, curve.color).pos(Pos::new(HPos::Left, VPos::Bottom));
+        page.draw_text(&curve.name, &above, (left - px(3.0), at - px(6.0)))?;
         Ok(())
     }
 

@@ -67,7 +67,7 @@ impl Scale {
 /// A number in digits as far as they are read at sight, beyond that as a power of ten, which it must be.
 pub(crate) fn label(value: f64) -> String {
     let power = value.log10().round() as i32;
-    if value == 0.0 || (-2..5).contains(&power) {
+    if value == 0.0 || (-1..5).contains(&power) {
         return value.to_string();
     }
     let superscript = |c: char| match c.to_digit(10) {
