@@ -7,6 +7,7 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use crate::page::{BLUE, GREY, GRID, INK, MARGIN, Picture, bold, px, text, width};
+use crate::scale::Scale;
 
 /// Panels of bars; all of a column share their axis.
 pub(crate) struct Bars {
@@ -59,16 +60,10 @@ impl Bars {
                 .flat_map(|(_, panels)| &panels[column])
                 .map(|bar| bar.value)
         };
-        let most = values().fold(0.0, f64::max);
-        if !self.logarithmic {
-            return Scale::Linear(most);
-        }
-        let low = values().fold(f64::INFINITY, f64::min).log10().floor();
-        let high = most.log10().ceil();
-        if low.is_finite() && high > low {
-            Scale::Logarithmic(low as i32, high as i32)
+        if self.logarithmic {
+            Scale::around(values())
         } else {
-            Scale::Logarithmic(0, 1)
+            Scale::Linear(values().fold(0.0, f64::max))
         }
     }
 
@@ -143,46 +138,6 @@ impl Picture for Bars {
 /// A row is as high as its fullest panel.
 fn row_height(panels: &[Vec<Bar>]) -> f64 {
     CAPTION + GAP + BAR * panels.iter().map(Vec::len).max().unwrap_or(0) as f64
-}
-
-/// The axis of a column.
-#[derive(Clone, Copy)]
-enum Scale {
-    /// Between two powers of ten.
-    Logarithmic(i32, i32),
-    /// From zero to this.
-    Linear(f64),
-}
-
-impl Scale {
-    /// Where a value stands: 0 at the left end of the axis, 1 at the right.
-    fn part(self, value: f64) -> f64 {
-        match self {
-            Self::Logarithmic(low, high) => (value.log10() - f64::from(low)) / f64::from(high - low),
-            Self::Linear(most) => value / most,
-        }
-    }
-
-    /// The marked values, with their number or without.
-    fn ticks(self) -> Vec<(f64, bool)> {
-        match self {
-            Self::Logarithmic(low, high) => (low..=high)
-                .flat_map(|power| {
-                    let multiples = if power == high { 1..2 } else { 1..10 };
-                    multiples.map(move |n| (f64::from(n) * 10.0_f64.powi(power), n == 1))
-                })
-                .collect(),
-            Self::Linear(most) => {
-                // Two to five round steps.
-                let power = 10.0_f64.powf((most / 2.0).log10().floor());
-                let step = [5.0, 2.0, 1.0].map(|n| n * power);
-                let step = step.into_iter().find(|step| 2.0 * step <= most).unwrap_or(power);
-                (0..=(most / step) as i32)
-                    .map(|n| (step * f64::from(n), true))
-                    .collect()
-            }
-        }
-    }
 }
 
 fn short(value: f64) -> String {

@@ -1,4 +1,4 @@
-//! Measurements of the generated code beside its peers, each written as a table and a chart into `out/`.
+//! Measurements of the generated code and of the methods beside their peers, each written as a table and a chart into `out/`.
 
 mod bars;
 #[path = "../../pendulum-codegen/tests/common/chains.rs"]
@@ -9,13 +9,16 @@ mod generated;
 mod lanes;
 mod library;
 mod machine;
+mod methods;
 #[path = "../../examples/common/page.rs"]
 #[allow(dead_code, reason = "shared with the examples, which use more colours")]
 mod page;
 mod panels;
 mod peers;
+mod python;
 mod report;
 mod rust;
+mod scale;
 mod scaling;
 mod timing;
 #[path = "../../examples/common/typeset.rs"]
@@ -28,11 +31,12 @@ use std::process::ExitCode;
 type Measurement = fn() -> Result<(), Box<dyn Error>>;
 
 /// What can be measured: `cargo run --release -- NAME`.
-const MEASUREMENTS: [(&str, Measurement); 4] = [
+const MEASUREMENTS: [(&str, Measurement); 5] = [
     ("peers", peers::measure),
     ("lanes", lanes::measure),
     ("scaling", scaling::measure),
     ("weights", weights::measure),
+    ("methods", methods::measure),
 ];
 
 fn main() -> ExitCode {

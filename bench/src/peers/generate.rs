@@ -2,11 +2,13 @@
 
 use std::error::Error;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::Command;
 
 use pendulum_core::Operations;
 use serde::Deserialize;
+
+use crate::python::python;
 
 /// What `peers/generate.py` lists.
 #[derive(Default, Deserialize)]
@@ -89,14 +91,4 @@ pub(crate) fn generate(root: &Path, folder: &Path) -> Result<Generated, Box<dyn 
     Ok(serde_json::from_str(&fs::read_to_string(
         folder.join("candidates.json"),
     )?)?)
-}
-
-/// `$PYTHON`, or that of the environment beside the README, or the system's.
-fn python(root: &Path) -> PathBuf {
-    let local = root.join(".venv/bin/python");
-    match std::env::var_os("PYTHON") {
-        Some(python) => python.into(),
-        None if local.exists() => local,
-        None => "python3".into(),
-    }
 }

@@ -8,7 +8,7 @@ mod contest;
 mod entrants;
 #[path = "../../../tests/common/eq22.rs"]
 #[allow(dead_code, reason = "shared with the tests, which use more of it")]
-mod eq22;
+pub(crate) mod eq22;
 mod generate;
 mod ours;
 #[path = "../../../tests/common/random.rs"]

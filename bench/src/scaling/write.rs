@@ -146,6 +146,7 @@ fn chart(results: &Results) -> Panels {
                     width: 1.2,
                     points,
                     guides: Vec::new(),
+                    name: String::new(),
                 }));
             }
             let points = of(results, chain, function).map(|row| (row.joints as f64, value(row)));
@@ -155,6 +156,7 @@ fn chart(results: &Results) -> Panels {
                 width: 3.2,
                 points: points.collect(),
                 guides,
+                name: String::new(),
             });
         }
         curves
@@ -163,13 +165,14 @@ fn chart(results: &Results) -> Panels {
         title: "Growth with the number of joints".to_owned(),
         subtitle: "Chains of 2 to 12 joints; both axes logarithmic; thin: the best form on each other basis; dashed: powers of n"
             .to_owned(),
-        legend: vec![
+        legend: vec![vec![
             (BLUE, 3.2, FUNCTIONS[0].2.to_owned()),
             (VERMILION, 3.2, FUNCTIONS[1].2.to_owned()),
             (GREY, 1.2, "other bases, in the colour of the function".to_owned()),
-        ],
+        ]],
         x: "joints".to_owned(),
         x_ticks: vec![2.0, 3.0, 4.0, 6.0, 8.0, 12.0],
+        panel: (292.0, 300.0),
         columns: columns
             .iter()
             .map(|(label, _)| Column {

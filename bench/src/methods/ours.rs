@@ -1,0 +1,64 @@
+//! Our own methods.
+
+use pendulum_core::prelude::*;
+
+use super::entrant::{End, Entrant, OURS, Scenes};
+use super::lanes::Together;
+
+/// A line for each: its name, what it is for, and the method of a tolerance.
+macro_rules! methods {
+    ($($name:literal, $scenes:ident: $method:expr;)*) => {
+        vec![$(
+            Entrant::new(OURS, $name, Scenes::$scenes, |scene, tolerance| {
+                let method: fn(f64) -> _ = $method;
+                let stepper = method(tolerance).stepper(&scene.model, 0.0, scene.t1, scene.x0);
+                let mut stepper = stepper.map_err(|reason| reason.to_string())?;
+                while stepper.step().map_err(|reason| reason.to_string())?.is_some() {}
+                Ok(End {
+                    t: stepper.t(),
+                    x: stepper.x().into(),
+                    evaluations: Some(stepper.statistics().evaluations),
+                })
+            }),
+        )*]
+    };
+}
+
+/// The same for those that integrate many trajectories in lanes.
+macro_rules! ensembles {
+    ($($name:literal: $method:expr;)*) => {
+        vec![$(
+            Together {
+                by: OURS,
+                method: $name,
+                integrate: Box::new(|scene, tolerance, starts| {
+                    let method: fn(f64) -> _ = $method;
+                    let ends = method(tolerance).ensemble(&[scene.model], 0.0, scene.t1, starts);
+                    ends.map_err(|error| error.to_string())
+                }),
+            },
+        )*]
+    };
+}
+
+/// Methods that take steps of one length take such a one that an error of order 4 is about the tolerance.
+pub(crate) fn entrants() -> Vec<Entrant> {
+    methods! {
+        "Rk4", Smooth: |tolerance| Rk4::new(tolerance.powf(0.25));
+        "Rk45", All: |tolerance| Rk45::new().rtol(tolerance).atol(tolerance);
+        "Tsit5", Smooth: |tolerance| Tsit5::new().rtol(tolerance).atol(tolerance);
+        "Vern7", Smooth: |tolerance| Vern7::new().rtol(tolerance).atol(tolerance);
+        "Vern9", Smooth: |tolerance| Vern9::new().rtol(tolerance).atol(tolerance);
+        "Taylor", Smooth: |tolerance| Taylor::new().rtol(tolerance).atol(tolerance);
+    }
+}
+
+pub(crate) fn ensembles() -> Vec<Together> {
+    ensembles! {
+        "Rk4": |tolerance| Rk4::new(tolerance.powf(0.25));
+        "Rk45": |tolerance| Rk45::new().rtol(tolerance).atol(tolerance);
+        "Tsit5": |tolerance| Tsit5::new().rtol(tolerance).atol(tolerance);
+        "Vern7": |tolerance| Vern7::new().rtol(tolerance).atol(tolerance);
+        "Vern9": |tolerance| Vern9::new().rtol(tolerance).atol(tolerance);
+    }
+}

@@ -1,0 +1,160 @@
+//! The results as `methods.md`, `methods.json` and a chart.
+
+use std::error::Error;
+use std::path::{Path, PathBuf};
+
+use plotters::style::RGBColor;
+
+use super::entrant::OURS;
+use super::results::{Curve, Point, Results, SceneResults};
+use crate::page::{BLUE, Picture, VERMILION};
+use crate::panels::{self, Column, Panels};
+use crate::report::{count, list, number, table, write};
+
+/// Errors of the final state.
+const TARGETS: [f64; 4] = [1e-6, 1e-8, 1e-10, 1e-12];
+
+/// Libraries and their colours, which people with any colour vision can tell apart (Okabe and Ito, 2008).
+const LIBRARIES: [(&str, RGBColor); 8] = [
+    (OURS, BLUE),
+    ("heyoka", VERMILION),
+    ("GSL", RGBColor(0, 158, 115)),
+    ("Boost.odeint", RGBColor(230, 159, 0)),
+    ("CVODE", RGBColor(34, 34, 34)),
+    ("ode_solvers", RGBColor(204, 121, 167)),
+    ("differential-equations", RGBColor(86, 180, 233)),
+    ("diffsol", RGBColor(150, 150, 150)),
+];
+
+pub(crate) fn all(results: &Results, out: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
+    let text = markdown(results);
+    println!("\n{text}");
+    let mut files = vec![
+        write(out.join("methods.md"), &text)?,
+        write(out.join("methods.json"), &serde_json::to_string_pretty(results)?)?,
+    ];
+    files.extend(chart(results).save(&out.join("methods"))?);
+    Ok(files)
+}
+
+fn markdown(results: &Results) -> String {
+    let mut text = format!("# Time to reach an error\n\n{}\n", list(&results.header));
+    if !results.notes.is_empty() {
+        text += &format!("Left out:\n\n{}\n", list(&results.notes));
+    }
+    text += "Microseconds for a trajectory with the cheapest setting whose final state is as accurate, the least and the median; \
+             evaluations of the right-hand side with that setting, where the library tells.\n\n";
+    for scene in &results.scenes {
+        text += &format!("## {}: {}\n\n{}\n", scene.name, scene.title, contest(&scene.alone));
+        if !scene.together.is_empty() {
+            text += &format!("In lanes, for each trajectory:\n\n{}\n", contest(&scene.together));
+        }
+    }
+    text
+}
+
+/// A row for each method, the fastest to 1e-8 first.
+fn contest(curves: &[Curve]) -> String {
+    let mut curves: Vec<&Curve> = curves.iter().collect();
+    let key = |curve: &Curve, target: f64| curve.reaching(target).map_or(f64::INFINITY, |point| point.least);
+    curves.sort_by(|a, b| {
+        let by = |target| key(a, target).total_cmp(&key(b, target));
+        by(TARGETS[1]).then(by(TARGETS[0]))
+    });
+    let mut head = vec!["by".to_owned(), "method".to_owned()];
+    head.extend(TARGETS.map(|target| format!("{target:.0e}")));
+    head.extend(TARGETS.map(|target| format!("evaluations, {target:.0e}")));
+    let rows: Vec<Vec<String>> = curves.iter().map(|curve| row(curve)).collect();
+    table(&head.iter().map(String::as_str).collect::<Vec<_>>(), 2, &rows)
+}
+
+fn row(curve: &Curve) -> Vec<String> {
+    let bold = |word: &str| {
+        if curve.by == OURS {
+            format!("**{word}**")
+        } else {
+            word.to_owned()
+        }
+    };
+    let mut cells = vec![bold(curve.by), bold(curve.method)];
+    let time = |point: &Point| {
+        let [least, median] = [point.least, point.median].map(|time| number(Some(1e-3 * time)));
+        format!("{least} ({median})")
+    };
+    cells.extend(TARGETS.map(|target| curve.reaching(target).map_or(String::new(), time)));
+    cells.extend(TARGETS.map(|target| count(curve.reaching(target).and_then(|point| point.evaluations))));
+    cells
+}
+
+// The ends of the axis of errors.
+const RANGE: (f64, f64) = (1e-14, 1e-2);
+
+fn chart(results: &Results) -> Panels {
+    let key = |(library, color): (&str, RGBColor)| (color, if library == OURS { 4.0 } else { 2.5 }, library.to_owned());
+    type Select = fn(&SceneResults) -> &[Curve];
+    let rows: [(&str, Select); 2] = [
+        ("One at a time", |scene| &scene.alone),
+        ("In lanes", |scene| &scene.together),
+    ];
+    Panels {
+        title: "Time to reach an error".to_owned(),
+        subtitle: "Microseconds for a trajectory over the error of its end; of each library the method that is the first to reach 1e-8, of ours all"
+            .to_owned(),
+        legend: LIBRARIES.chunks(4).map(|row| row.iter().copied().map(key).collect()).collect(),
+        x: "error of the final state".to_owned(),
+        x_ticks: (0..=6).map(|n| RANGE.0 * 100.0_f64.powi(n)).collect(),
+        panel: (480.0, 480.0),
+        columns: results
+            .scenes
+            .iter()
+            .map(|scene| Column {
+                label: format!("{}, {}", scene.name, scene.title),
+            })
+            .collect(),
+        rows: rows
+            .map(|(caption, curves)| {
+                let panels = results.scenes.iter().map(|scene| panel(curves(scene)));
+                (caption.to_owned(), panels.collect())
+            })
+            .into(),
+    }
+}
+
+fn panel(curves: &[Curve]) -> Vec<panels::Curve> {
+    let mut drawn = Vec::new();
+    for (library, color) in LIBRARIES.into_iter().rev() {
+        let of = curves.iter().filter(|curve| curve.by == library);
+        let key = |curve: &Curve| curve.reaching(TARGETS[1]).map_or(f64::INFINITY, |point| point.least);
+        let best = of.clone().min_by(|a, b| key(a).total_cmp(&key(b)));
+        for curve in of {
+            let is_best = best.is_some_and(|best| best.method == curve.method);
+            if library == OURS || is_best {
+                drawn.push(panels::Curve {
+                    color,
+                    width: if library == OURS && is_best { 4.0 } else { 2.5 },
+                    points: front(curve),
+                    guides: Vec::new(),
+                    name: if library == OURS {
+                        curve.method.to_owned()
+                    } else {
+                        String::new()
+                    },
+                });
+            }
+        }
+    }
+    drawn
+}
+
+/// The settings that no other one of the method beats in both, in microseconds, from the most accurate on.
+fn front(curve: &Curve) -> Vec<(f64, f64)> {
+    let in_range = |point: &&Point| (RANGE.0..=RANGE.1).contains(&point.error);
+    let mut points: Vec<&Point> = curve.points.iter().filter(in_range).collect();
+    points.retain(|point| {
+        curve
+            .reaching(point.error)
+            .is_some_and(|best| best.least >= point.least)
+    });
+    points.sort_by(|a, b| a.error.total_cmp(&b.error));
+    points.iter().map(|point| (point.error, 1e-3 * point.least)).collect()
+}
