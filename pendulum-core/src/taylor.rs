@@ -65,6 +65,9 @@ impl<T: Real, S: TaylorSeries<T, N> + ?Sized, const N: usize> TaylorSeries<T, N>
     }
 }
 
+/// How many products are summed side by side: few enough that their sums stay in registers, those of lanes as well.
+const BLOCK: usize = 4;
+
 /// `M` products of two series each, coefficient by coefficient: the workspace of generated recurrences.
 ///
 /// The coefficients of one order lie side by side, so that the sums of all products are one loop over them, in vector registers.
@@ -96,20 +99,19 @@ impl<T: Real, const M: usize> Products<T, M> {
         }
     }
 
-    /// The interior sums of order `k >= 1`: `sum_(j = 1 .. k - 1) left_j right_(k - j)` of each product.
+    /// The interior sums of order `k`: `sum_(j = 1 .. k - 1) left_j right_(k - j)` of each product, from the orders before.
+    ///
+    /// # Panics
+    /// If `k` is 0, or above [`MAX_ORDER`].
     #[must_use]
     #[inline(always)]
     pub fn sums(&self, k: usize) -> [T; M] {
         let (left, right) = (&self.left[..k - 1], &self.right[..k - 1]);
         let mut sums = [T::default(); M];
         let mut at = 0;
-        while at + 8 <= M {
-            block::<T, M, 8>(left, right, at, &mut sums);
-            at += 8;
-        }
-        while at + 4 <= M {
-            block::<T, M, 4>(left, right, at, &mut sums);
-            at += 4;
+        while at + BLOCK <= M {
+            block::<T, M, BLOCK>(left, right, at, &mut sums);
+            at += BLOCK;
         }
         while at < M {
             block::<T, M, 1>(left, right, at, &mut sums);
@@ -119,24 +121,21 @@ impl<T: Real, const M: usize> Products<T, M> {
     }
 }
 
+/// The sums of `B` products side by side, in two parts each, so that an addition need not wait for the one before.
 #[inline(always)]
 fn block<T: Real, const M: usize, const B: usize>(left: &[[T; M]], right: &[[T; M]], at: usize, sums: &mut [T; M]) {
     let (mut even, mut odd) = ([T::default(); B], [T::default(); B]);
-    let n = left.len();
-    let mut j = 0;
-    while j + 2 <= n {
-        let (l0, l1) = (&left[j][at..at + B], &left[j + 1][at..at + B]);
-        let (r0, r1) = (&right[n - 1 - j][at..at + B], &right[n - 2 - j][at..at + B]);
+    let (left, left_rest) = left.as_chunks::<2>();
+    let (right_rest, right) = right.as_rchunks::<2>();
+    for ([l0, l1], [r1, r0]) in left.iter().zip(right.iter().rev()) {
         for m in 0..B {
-            even[m] += l0[m] * r0[m];
-            odd[m] += l1[m] * r1[m];
+            even[m] += l0[at + m] * r0[at + m];
+            odd[m] += l1[at + m] * r1[at + m];
         }
-        j += 2;
     }
-    if j < n {
-        let (l0, r0) = (&left[j][at..at + B], &right[n - 1 - j][at..at + B]);
+    if let ([l0], [r0]) = (left_rest, right_rest) {
         for m in 0..B {
-            even[m] += l0[m] * r0[m];
+            even[m] += l0[at + m] * r0[at + m];
         }
     }
     for m in 0..B {

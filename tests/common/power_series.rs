@@ -9,11 +9,11 @@ use nalgebra::SVector;
 use pendulum_core::prelude::*;
 
 /// Coefficients kept.
-pub const LENGTH: usize = 22;
+pub(crate) const LENGTH: usize = 22;
 
 /// `sum_k self.0[k] h^k`
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Series(pub [f64; LENGTH]);
+pub(crate) struct Series(pub(crate) [f64; LENGTH]);
 
 impl Series {
     fn from_fn(coefficient: impl FnMut(usize) -> f64) -> Self {
@@ -36,7 +36,11 @@ impl Series {
 }
 
 /// The coefficients of a motion: each pass through the right-hand side makes one more of them right.
-pub fn motion<S: System<Series, N>, const N: usize>(system: &S, t: f64, x: SVector<f64, N>) -> Vec<SVector<f64, N>> {
+pub(crate) fn motion<S: System<Series, N>, const N: usize>(
+    system: &S,
+    t: f64,
+    x: SVector<f64, N>,
+) -> Vec<SVector<f64, N>> {
     let time = Series::from_fn(|k| [t, 1.0].get(k).copied().unwrap_or(0.0));
     let mut state = x.map(Series::from_f64);
     for k in 1..LENGTH {

@@ -6,7 +6,7 @@ mechanism! {
     /// Universal Robots UR5: six revolute joints.
     pub Ur5 {
         gravity: [0, 0, -9.81],
-        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, inverse_dynamics],
+        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, inverse_dynamics, taylor],
         body b1 on ground {
             mass: 3.7, com: [0.0, 0.0, 0.0],
             inertia: [0.010267495893, 0.010267495893, 0.00666],
@@ -50,7 +50,7 @@ mechanism! {
     /// Franka Emika Panda: seven revolute joints.
     pub Panda {
         gravity: [0, 0, -9.81],
-        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, inverse_dynamics],
+        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, inverse_dynamics, taylor],
         body b1 on ground {
             mass: 4.970684, com: [0.003875, 0.002081, -0.04762],
             inertia: [0.70337, 0.70661, 0.009117, -0.000139, 0.006772, 0.019169],

@@ -14,7 +14,7 @@ use crate::expr::{Binary, ExprId, Graph, Level, Node, Rational, SymbolKind, Unar
 use crate::model::Model;
 
 /// One side of a product of series.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Side {
     /// The value whose coefficients they are.
     pub value: ExprId,
@@ -23,7 +23,7 @@ pub(super) struct Side {
 }
 
 /// The product of two series: its sum of order `k` takes coefficients `1 .. k - 1` of both.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(super) struct Slot {
     /// Its coefficients from the first on.
     pub left: Side,
@@ -281,11 +281,10 @@ impl<'s> Recurrences<'s> {
             return g.zero();
         }
         let ((p, u), (q, v)) = (scaled(g, left.value), scaled(g, right.value));
-        let (mut left, mut right) = (Side { value: u, ..left }, Side { value: v, ..right });
-        if !left.weighted && right < left {
-            (left, right) = (right, left);
-        }
-        let slot = Slot { left, right };
+        let slot = Slot {
+            left: Side { value: u, ..left },
+            right: Side { value: v, ..right },
+        };
         let n = *self.known.entry(slot).or_insert(self.slots.len());
         if n == self.slots.len() {
             self.slots.push(slot);
