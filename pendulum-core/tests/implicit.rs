@@ -150,6 +150,32 @@ fn a_stiff_follower_is_followed() {
 }
 
 #[test]
+fn a_fast_start_is_resolved_within_the_tolerance() {
+    fn check<M: Method<Follower, f64, 1>>(method: M) {
+        let follower = Follower { rate: 1e3 };
+        let solution = method.solve(&follower, 0.0, 1.0, [2.0]).expect("regular");
+        let exact = |t: f64| t.sin() + 2.0 * (-1e3 * t).exp();
+        let error = solution.points().map(|(t, x)| (x[0] - exact(t)).abs());
+        let worst = error.fold(0.0, f64::max);
+        assert!(worst < 1e-5, "{worst:e}");
+    }
+    // the first step is rejected: what is estimated after that counts
+    check(Rodas4::new().rtol(1e-5).atol(1e-5).h0(1.0));
+    check(Rodas5P::new().rtol(1e-5).atol(1e-5).h0(1.0));
+    check(Radau5::new().rtol(1e-5).atol(1e-5).h0(1.0));
+}
+
+#[test]
+fn linear_equations_take_one_iteration_and_one_more_to_see_it() {
+    let solution = FixedRadau5::new(0.5)
+        .solve(&Linear { z: -3.0 }, 0.0, 5.0, [1.0])
+        .expect("regular");
+    let work = solution.statistics();
+    assert_eq!((work.accepted, work.factorizations, work.jacobians), (10, 20, 11));
+    assert!(work.iterations <= 20, "{}", work.iterations);
+}
+
+#[test]
 fn what_is_infinitely_stiff_dies_out_in_one_step() {
     for x in in_one_step(&Linear { z: -1e10 }) {
         assert!(x.abs() < 1e-8, "{x}");
