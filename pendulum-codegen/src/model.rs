@@ -129,6 +129,8 @@ pub enum Output {
     Bias,
     /// The momenta of the coordinates.
     Momentum,
+    /// Canonical variables, their rates, and the derivatives of both.
+    Canonical,
     /// The forces that given accelerations take.
     InverseDynamics,
     /// The derivatives of the accelerations by the parameters.
@@ -139,13 +141,14 @@ pub enum Output {
 
 impl Output {
     /// Every output with its name in `generate`.
-    pub const ALL: [(&'static str, Output); 9] = [
+    pub const ALL: [(&'static str, Output); 10] = [
         ("rhs", Output::Rhs),
         ("jacobian", Output::Jacobian),
         ("energy", Output::Energy),
         ("mass_matrix", Output::MassMatrix),
         ("bias", Output::Bias),
         ("momentum", Output::Momentum),
+        ("canonical", Output::Canonical),
         ("inverse_dynamics", Output::InverseDynamics),
         ("parameter_jacobian", Output::ParameterJacobian),
         ("taylor", Output::Taylor),

@@ -33,6 +33,10 @@ pub enum Function {
     Bias,
     /// The momenta of the coordinates.
     Momentum,
+    /// The momenta, and behind them their rates.
+    Canonical,
+    /// The derivatives of the momenta by the state, column by column, and behind them those of their rates.
+    CanonicalJacobian,
     /// The forces that accelerations take, which stand in them as the symbols of the coordinates.
     InverseDynamics,
     /// The derivatives of the accelerations by the parameters, column by column.
@@ -52,6 +56,8 @@ impl Function {
             Self::MassMatrix => "mass_matrix",
             Self::Bias => "bias",
             Self::Momentum => "momentum",
+            Self::Canonical => "canonical",
+            Self::CanonicalJacobian => "canonical_jacobian",
             Self::InverseDynamics => "inverse_dynamics",
             Self::ParameterJacobian => "parameter_jacobian",
         }
@@ -139,7 +145,8 @@ fn functions(model: &mut Model, forms: &mut Forms) -> BTreeMap<Function, Chosen>
     let controlled = !model.inputs.is_empty();
     // a Jacobian without its right-hand side, or an input without the derivative by it, is no use to anybody
     let jacobian = wants(model, Output::Jacobian) || (controlled && wants(model, Output::Rhs));
-    let rhs = wants(model, Output::Rhs) || wants(model, Output::Taylor) || jacobian;
+    let brings_rhs = [Output::Rhs, Output::Canonical, Output::Taylor];
+    let rhs = jacobian || brings_rhs.into_iter().any(|output| wants(model, output));
     let mut functions = BTreeMap::new();
     let mut is_autonomous = true;
     if rhs {
@@ -167,6 +174,10 @@ fn functions(model: &mut Model, forms: &mut Forms) -> BTreeMap<Function, Chosen>
     for (function, _, variables) in derivatives.into_iter().filter(|(_, wanted, _)| *wanted) {
         let with_accelerations = function == Function::Jacobian;
         functions.insert(function, forms.jacobian(model, &variables, with_accelerations));
+    }
+    if wants(model, Output::Canonical) {
+        functions.insert(Function::Canonical, forms.canonical(model));
+        functions.insert(Function::CanonicalJacobian, forms.canonical_jacobian(model));
     }
     // what inputs do is asked of inverse dynamics, not given
     let zero = model.graph.zero();

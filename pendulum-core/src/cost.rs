@@ -143,6 +143,10 @@ pub struct Cost {
     pub bias: FunctionCost,
     /// The momenta of the coordinates.
     pub momentum: FunctionCost,
+    /// [`Canonical::canonical`](crate::Canonical::canonical).
+    pub canonical: FunctionCost,
+    /// [`Canonical::canonical_jacobian`](crate::Canonical::canonical_jacobian).
+    pub canonical_jacobian: FunctionCost,
     /// The forces that accelerations take.
     pub inverse_dynamics: FunctionCost,
     /// The derivatives of the accelerations by the parameters.
@@ -165,6 +169,8 @@ impl Cost {
         mass_matrix: FunctionCost::ZERO,
         bias: FunctionCost::ZERO,
         momentum: FunctionCost::ZERO,
+        canonical: FunctionCost::ZERO,
+        canonical_jacobian: FunctionCost::ZERO,
         inverse_dynamics: FunctionCost::ZERO,
         parameter_jacobian: FunctionCost::ZERO,
         taylor: FunctionCost::ZERO,
@@ -185,6 +191,8 @@ impl fmt::Display for Cost {
             ("mass_matrix", &self.mass_matrix),
             ("bias", &self.bias),
             ("momentum", &self.momentum),
+            ("canonical", &self.canonical),
+            ("canonical_jacobian", &self.canonical_jacobian),
             ("inverse_dynamics", &self.inverse_dynamics),
             ("parameter_jacobian", &self.parameter_jacobian),
             ("taylor, each order", &self.taylor),

@@ -66,6 +66,25 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
     }
 }
 
+/// A mechanism in canonical variables: its coordinates and their momenta, `y = [q; p]` with `p = A(q) qd`.
+///
+/// Both `y` and its rate are functions of the state `x = [q; qd]`, so nothing is divided by: `dp/dt = dL/dq + Q`, with the Lagrangian `L`
+/// and the forces `Q` that have no potential. A momentum has the unit of energy times time over that of its coordinate. Structure-preserving
+/// methods such as [`Gauss4`](crate::Gauss4) step in these variables, in which the motion without friction is a canonical map.
+///
+/// [`mechanism!`](crate::mechanism) implements it for scenes without inputs whose `generate` has `canonical`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no canonical equations",
+    note = "`mechanism!` writes those of a scene without inputs whose `generate` has `canonical`"
+)]
+pub trait Canonical<T: Real, const N: usize>: System<T, N> {
+    /// The variables `y = [q; p]`, and their rates `dy/dt = [qd; dp/dt]`.
+    fn canonical(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>);
+
+    /// The derivatives of both with respect to the state.
+    fn canonical_jacobian(&self, t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>);
+}
+
 /// A model that knows its energy, in joules.
 pub trait Energy<T: Real, const N: usize> {
     /// Kinetic energy.
@@ -232,6 +251,18 @@ impl<T: Real, S: Jacobian<T, N> + ?Sized, const N: usize> Jacobian<T, N> for &S 
         T: Float,
     {
         (**self).time_derivative(t, x)
+    }
+}
+
+impl<T: Real, S: Canonical<T, N> + ?Sized, const N: usize> Canonical<T, N> for &S {
+    #[inline]
+    fn canonical(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>) {
+        (**self).canonical(t, x)
+    }
+
+    #[inline]
+    fn canonical_jacobian(&self, t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>) {
+        (**self).canonical_jacobian(t, x)
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod articulated;
 mod base;
+mod canonical;
 mod coefficients;
 mod frames;
 mod jacobian;
@@ -12,8 +13,9 @@ mod solve;
 mod tangent;
 
 pub use base::base_parameters;
+pub use canonical::{momentum_partials, momentum_rates};
 pub use coefficients::Coefficients;
-pub use jacobian::{partials, partials_by_recursion};
+pub use jacobian::{derived, partials, partials_by_recursion};
 pub use kinematics::Kinematics;
 pub use solve::{Factored, Solver};
 

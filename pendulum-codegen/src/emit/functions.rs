@@ -26,7 +26,10 @@ impl Items<'_> {
         } else {
             self.controlled()
         };
-        [motion, self.energy(), self.inherent()].into_iter().flatten().collect()
+        [motion, self.canonical(), self.energy(), self.inherent()]
+            .into_iter()
+            .flatten()
+            .collect()
     }
 
     /// The arguments of every function, and the types of a vector and a matrix of the size of the state.
@@ -65,7 +68,7 @@ impl Items<'_> {
         let dof = self.dof();
         let pair = |values: &[TokenStream]| {
             let (rhs, columns) = values.split_at(2 * dof);
-            let (rhs, jacobian) = (vector(rhs), state_columns(dof, columns));
+            let (rhs, jacobian) = (vector(rhs), state_columns(dof, dof, columns));
             quote!((#rhs, #jacobian))
         };
         Some(self.block(&self.with_rates(roots), pair))
@@ -161,6 +164,42 @@ impl Items<'_> {
         };
         let inherent = self.implement(None, with_inputs);
         Some(quote!(#controlled #inherent))
+    }
+
+    fn canonical(&self) -> Option<TokenStream> {
+        let (model, functions) = (&self.program.model, &self.program.functions);
+        let dof = self.dof();
+        let positions = model.coordinates.iter().map(|c| c.position);
+        // coordinates and momenta, then the rates of both
+        let roots = &functions.get(&Function::Canonical)?.roots;
+        let (momenta, rates) = roots.split_at(dof);
+        let roots: Vec<ExprId> = positions
+            .chain(momenta.iter().copied())
+            .chain(self.with_rates(rates))
+            .collect();
+        let variables = self.block(&roots, |values| {
+            let (variables, rates) = values.split_at(2 * dof);
+            let (variables, rates) = (self::vector(variables), self::vector(rates));
+            quote!((#variables, #rates))
+        });
+        let derivatives = self.block(&functions.get(&Function::CanonicalJacobian)?.roots, |values| {
+            let (momenta, rates) = values.split_at(2 * dof * dof);
+            let (momenta, rates) = (state_columns(dof, 0, momenta), state_columns(dof, dof, rates));
+            quote!((#momenta, #rates))
+        });
+        let length = number(2 * dof);
+        let Signature {
+            arguments,
+            vector,
+            matrix,
+        } = self.signature();
+        let functions = quote! {
+            #[inline]
+            fn canonical(#arguments) -> (#vector, #vector) #variables
+            #[inline]
+            fn canonical_jacobian(#arguments) -> (#matrix, #matrix) #derivatives
+        };
+        Some(self.implement(Some(quote!(::pendulum_core::Canonical<T, #length>)), functions))
     }
 
     fn energy(&self) -> Option<TokenStream> {
@@ -286,10 +325,11 @@ fn columns(dof: usize, values: &[TokenStream]) -> TokenStream {
     quote!(::pendulum_core::nalgebra::SMatrix::from([#(#columns),*]))
 }
 
-/// The state Jacobian, column by column: its upper half is known.
-fn state_columns(dof: usize, values: &[TokenStream]) -> TokenStream {
+/// The derivatives of a vector of the length of the state, column by column. Its upper half is that of the state from the component
+/// `first` on: the coordinates, or their rates.
+fn state_columns(dof: usize, first: usize, values: &[TokenStream]) -> TokenStream {
     let columns = values.chunks(dof).enumerate().map(|(k, column)| {
-        let upper = (0..dof).map(|i| spelled(if k == i + dof { 1.0 } else { 0.0 }));
+        let upper = (0..dof).map(|i| spelled(if k == i + first { 1.0 } else { 0.0 }));
         quote!([#(#upper,)* #(#column),*])
     });
     quote!(::pendulum_core::nalgebra::SMatrix::from([#(#columns),*]))

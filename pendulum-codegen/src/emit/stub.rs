@@ -129,6 +129,15 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             }
         }
         #allowed
+        impl<T: #real, const N: usize> ::pendulum_core::Canonical<T, N> for #name<T> {
+            fn canonical(#system) -> (#vector, #vector) {
+                (*x, *x)
+            }
+            fn canonical_jacobian(#inherent) -> (#matrix<T, N, N>, #matrix<T, N, N>) {
+                (#zeros, #zeros)
+            }
+        }
+        #allowed
         impl<T: #real, const N: usize, const M: usize> ::pendulum_core::Controlled<T, N, M> for #name<T> {
             type Inputs = #inputs<T>;
             fn rhs_with(#system, _: &Self::Inputs) -> #vector {

@@ -4,10 +4,10 @@ use std::collections::HashMap;
 
 use super::{Binary, ExprId, Graph, Node, Unary};
 
-/// The derivative by one symbol. It remembers what it has derived, so shared parts are derived once.
+/// The derivative by one symbol, or along a direction. It remembers what it has derived, so shared parts are derived once.
 #[derive(Debug)]
 pub struct Derivative {
-    by: ExprId,
+    by: Option<ExprId>,
     known: HashMap<ExprId, ExprId>,
 }
 
@@ -15,14 +15,22 @@ impl Derivative {
     /// The derivative by the symbol `by`.
     pub fn by(by: ExprId) -> Self {
         Self {
-            by,
+            by: Some(by),
             known: HashMap::new(),
+        }
+    }
+
+    /// The derivative along a direction: the sum of the derivatives by some symbols, each times its component.
+    pub fn along(components: impl IntoIterator<Item = (ExprId, ExprId)>) -> Self {
+        Self {
+            by: None,
+            known: components.into_iter().collect(),
         }
     }
 
     /// The derivative of `x`.
     pub fn of(&mut self, graph: &mut Graph, x: ExprId) -> ExprId {
-        if x == self.by {
+        if Some(x) == self.by {
             return graph.one();
         }
         if let Some(&known) = self.known.get(&x) {

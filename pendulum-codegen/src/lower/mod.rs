@@ -394,6 +394,13 @@ impl Lower {
                         "declare the quantities of interest in `params { .. }`; numbers are constants",
                     );
                 }
+                Some((_, Output::Canonical)) if has_inputs => {
+                    self.errors.at(
+                        ident.span(),
+                        "the canonical equations of a motion under inputs are not known: their law is given after the code is written",
+                        "leave out `canonical`, or write the law into a `torque` in place of the input",
+                    );
+                }
                 Some((_, Output::Taylor)) if has_inputs => {
                     self.errors.at(
                         ident.span(),

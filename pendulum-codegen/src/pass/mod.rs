@@ -24,7 +24,9 @@ pub use taylor::Taylor;
 
 use std::collections::HashMap;
 
-use crate::dynamics::{Dynamics, Factored, Solver, partials, partials_by_recursion};
+use crate::dynamics::{
+    Dynamics, Factored, Solver, derived, momentum_partials, momentum_rates, partials, partials_by_recursion,
+};
 use crate::expr::{ExprId, Graph, Normalizer};
 use crate::model::{Body, Model};
 
@@ -143,12 +145,7 @@ impl Forms {
         let mut candidates = Vec::new();
         for (basis, dynamics, determinant) in &self.forms {
             let derived = partials(g, dynamics, variables);
-            let mut columns = Vec::new();
-            if let Basis::Closed(preference) = *basis {
-                let expanded = expanded(g, &mut self.normalizer, &derived, preference);
-                columns.extend(expanded.map(|columns| (Derivatives::Expanded, columns)));
-            }
-            columns.push((Derivatives::Graph, derived));
+            let mut columns = ways(g, &mut self.normalizer, *basis, derived);
             let by_recursion = partials_by_recursion(g, dynamics, coordinates, variables);
             columns.extend(by_recursion.map(|columns| (Derivatives::Recursion, columns)));
             let exact = self.exact.iter().filter(|(form, _)| form.basis == *basis);
@@ -177,6 +174,58 @@ impl Forms {
         }
         choose(g, candidates)
     }
+
+    /// The shortest code for the momenta and, behind them, their rates.
+    pub fn canonical(&mut self, model: &mut Model) -> Chosen {
+        let Model {
+            graph: g, coordinates, ..
+        } = model;
+        let mut candidates = Vec::new();
+        for (basis, dynamics, _) in &self.forms {
+            let rates = vec![momentum_rates(g, dynamics, coordinates)];
+            for (derivatives, rates) in ways(g, &mut self.normalizer, *basis, rates) {
+                let roots = dynamics.momentum.iter().copied().chain(rates.into_iter().flatten());
+                candidates.push((Form::of(*basis).derived_by(derivatives), roots.collect()));
+            }
+        }
+        choose(g, candidates)
+    }
+
+    /// The shortest code for the derivatives of the momenta by the state, column by column, and behind them those of their rates.
+    pub fn canonical_jacobian(&mut self, model: &mut Model) -> Chosen {
+        let state = model.state();
+        let Model {
+            graph: g, coordinates, ..
+        } = model;
+        let mut candidates = Vec::new();
+        for (basis, dynamics, _) in &self.forms {
+            let rates = vec![momentum_rates(g, dynamics, coordinates)];
+            let momenta = momentum_partials(g, dynamics, coordinates);
+            for (_, rates) in ways(g, &mut self.normalizer, *basis, rates) {
+                let columns = momenta.iter().cloned().chain(derived(g, &rates[0], &state)).collect();
+                for (derivatives, columns) in ways(g, &mut self.normalizer, *basis, columns) {
+                    let roots = columns.into_iter().flatten().collect();
+                    candidates.push((Form::of(*basis).derived_by(derivatives), roots));
+                }
+            }
+        }
+        choose(g, candidates)
+    }
+}
+
+/// Columns of derivatives as they are, and in closed form where that is the basis.
+fn ways(
+    g: &mut Graph,
+    normalizer: &mut Normalizer,
+    basis: Basis,
+    columns: Vec<Vec<ExprId>>,
+) -> Vec<(Derivatives, Vec<Vec<ExprId>>)> {
+    let expanded = match basis {
+        Basis::Closed(preference) => expanded(g, normalizer, &columns, preference),
+        _ => None,
+    };
+    let expanded = expanded.map(|columns| (Derivatives::Expanded, columns));
+    expanded.into_iter().chain([(Derivatives::Graph, columns)]).collect()
 }
 
 /// Whether one body may be much heavier than another: their masses are different expressions, other than numbers of one size.

@@ -1,0 +1,29 @@
+//! The motion in canonical variables: the coordinates and their momenta `p = A qd`.
+//!
+//! `dp/dt = A qdd + (dA/dt) qd`, and `A qdd` is what the forces leave of the bias. So there is nothing to solve and nothing to divide
+//! by. The right-hand side is `dL/dq + Q` of Lagrange's equations: half of `(dA/dt) qd` cancels against the bias, which a normal form
+//! sees.
+
+use crate::expr::{Derivative, ExprId, Graph};
+use crate::model::Coordinate;
+
+use super::{Dynamics, derived};
+
+/// The rates of the momenta, in the state.
+pub fn momentum_rates(g: &mut Graph, dynamics: &Dynamics, coordinates: &[Coordinate]) -> Vec<ExprId> {
+    let mut along_motion = Derivative::along(coordinates.iter().map(|c| (c.position, c.rate)));
+    let rows = dynamics.momentum.iter().zip(&dynamics.residual);
+    rows.map(|(&momentum, &residual)| {
+        let swept = along_motion.of(g, momentum);
+        g.sub(swept, residual)
+    })
+    .collect()
+}
+
+/// The derivatives of the momenta by the state, column by column. Those by the rates are the mass matrix.
+pub fn momentum_partials(g: &mut Graph, dynamics: &Dynamics, coordinates: &[Coordinate]) -> Vec<Vec<ExprId>> {
+    let positions: Vec<ExprId> = coordinates.iter().map(|c| c.position).collect();
+    let mut columns = derived(g, &dynamics.momentum, &positions);
+    columns.extend(dynamics.mass_matrix.iter().cloned());
+    columns
+}
