@@ -59,10 +59,12 @@ pub use dense::{Dense, Step};
 pub use ensemble::{Ensemble, EnsembleError};
 pub use error::{OutsideSpan, ParameterError, Reason, SolveError};
 pub use event::{Direction, Event, Occurrence};
-pub use method::{Auto, Method, Radau5, Rk4, Rk45, Rodas4, Rodas5P, Stepper, Taylor, Tsit5, Vern7, Vern9};
+pub use method::{
+    Auto, Gauss4, Gauss6, Method, Radau5, Rk4, Rk45, Rodas4, Rodas5P, Stepper, Taylor, Tsit5, Vern7, Vern9,
+};
 pub use real::{Float, Real};
 pub use solution::{Solution, Statistics};
-pub use system::{Controlled, Energy, FnSystem, Jacobian, Model, System, WithInputs};
+pub use system::{Canonical, Controlled, Energy, FnSystem, Jacobian, Model, System, WithInputs};
 pub use taylor::{TaylorModel, TaylorSeries};
 
 /// Declares a mechanism and generates its equations of motion: see [`language`].
@@ -80,8 +82,10 @@ pub use serde;
 /// All that a program with mechanisms usually needs: `use pendulum_core::prelude::*;`.
 pub mod prelude {
     pub use crate::mechanism;
-    pub use crate::{Auto, Method, Radau5, Rk4, Rk45, Rodas4, Rodas5P, Taylor, Tsit5, Vern7, Vern9};
-    pub use crate::{Controlled, Energy, FnSystem, Jacobian, Model, System, TaylorModel, TaylorSeries, WithInputs};
+    pub use crate::{Auto, Gauss4, Gauss6, Method, Radau5, Rk4, Rk45, Rodas4, Rodas5P, Taylor, Tsit5, Vern7, Vern9};
+    pub use crate::{
+        Canonical, Controlled, Energy, FnSystem, Jacobian, Model, System, TaylorModel, TaylorSeries, WithInputs,
+    };
     pub use crate::{Cost, FunctionCost, Operations, ParameterError};
     pub use crate::{Dense, OutsideSpan, Solution, Statistics, Step, Stepper};
     pub use crate::{Direction, Event, Occurrence};

@@ -5,8 +5,11 @@ mod auto;
 mod collocation;
 mod explicit;
 mod fixed;
+mod gauss;
 mod grid;
+mod hermite;
 mod input;
+mod legendre;
 mod pace;
 mod radau;
 mod rosenbrock;
@@ -35,6 +38,7 @@ pub use adaptive::Adaptive;
 pub use auto::{Auto, Switching};
 pub use explicit::Explicit;
 pub use fixed::Fixed;
+pub use gauss::Gauss;
 pub use radau::RadauIIA;
 pub use rosenbrock::Rosenbrock;
 pub use scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
@@ -189,3 +193,32 @@ pub type Rodas5P = Adaptive<Rosenbrock<tableau::Rodas5P, 8>>;
 ///
 /// It bears more than [`Rodas5P`], which is cheaper: Jacobians that are not exact, and right-hand sides with strong nonlinearities.
 pub type Radau5 = Adaptive<RadauIIA>;
+
+/// The Gauss-Legendre method of order 4 in canonical variables, with a fixed step; see [`Gauss`].
+///
+/// The states between the steps are of order 3.
+///
+/// ```
+/// use pendulum_core::prelude::*;
+///
+/// mechanism! {
+///     pub Swing {
+///         gravity: [0, -9.81, 0],
+///         generate: [canonical, energy],
+///         body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle }
+///     }
+/// }
+/// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+/// let swing = Swing::new(SwingParams {})?;
+/// let start = SVector::from([1.0, 0.0]);
+/// let end = Gauss4::new(0.05).stepper(&swing, 0.0, 1000.0, start)?.run()?;
+/// assert!((swing.energy(1000.0, &end) - swing.energy(0.0, &start)).abs() < 1e-4);
+/// # Ok(())
+/// # }
+/// ```
+pub type Gauss4 = Fixed<Gauss<2>>;
+
+/// The Gauss-Legendre method of order 6 in canonical variables, with a fixed step; see [`Gauss`].
+///
+/// The states between the steps are of order 5.
+pub type Gauss6 = Fixed<Gauss<3>>;

@@ -1,0 +1,267 @@
+//! The methods of Gauss and Legendre, in coordinates and momenta.
+
+use nalgebra::SVector;
+
+use crate::control::Tolerance;
+use crate::dense::Step;
+use crate::error::Reason;
+use crate::linear::Lu;
+use crate::method::collocation::Pencil;
+use crate::method::hermite;
+use crate::method::input::require;
+use crate::method::legendre::{Legendre, Table};
+use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
+use crate::real::Float;
+use crate::solution::Statistics;
+use crate::system::Canonical;
+
+/// The Gauss-Legendre method of two or three stages, of order 4 or 6, in canonical variables.
+///
+/// It is symplectic and symmetric (E. Hairer, C. Lubich, G. Wanner, "Geometric Numerical Integration", II.1.3 and VI.4): without
+/// friction the energy of a regular motion stays within a bound that falls with the power of the step which is the order of the method,
+/// momenta that are conserved stay so up to rounding, and a way back retraces the way forth.
+///
+/// There is no estimate of the error, so it takes fixed steps only.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Gauss<const STAGES: usize>;
+
+impl<S, T, const STAGES: usize, const N: usize> Family<S, T, N> for Gauss<STAGES>
+where
+    Self: Legendre<STAGES>,
+    S: Canonical<T, N> + ?Sized,
+    T: Float,
+{
+    type Scheme = Stages<STAGES, N, T>;
+
+    fn scheme(&self, _system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
+        if let Some(tolerance) = tolerance {
+            let rule = "the method does not estimate its error, so it cannot keep a tolerance: give it a fixed step";
+            require(false, "rtol", tolerance.rtol.to_f64(), rule)?;
+        }
+        let zeros = SVector::from_element(T::default());
+        let start = Point { y: zeros, lost: zeros };
+        Ok(Stages {
+            start,
+            slope: zeros,
+            before: None,
+            tried: (start, [zeros; STAGES]),
+            coefficients: [zeros; 5],
+        })
+    }
+}
+
+/// The stages of a step.
+#[derive(Clone, Copy, Debug)]
+pub struct Stages<const STAGES: usize, const N: usize, T> {
+    /// Where the next step starts.
+    start: Point<N, T>,
+    /// The derivative of the state where it began.
+    slope: SVector<T, N>,
+    /// The last step: its start, its stages and its length.
+    before: Option<(SVector<T, N>, [SVector<T, N>; STAGES], T)>,
+    /// Where the step that was tried last ends, and its stages.
+    tried: (Point<N, T>, [SVector<T, N>; STAGES]),
+    coefficients: [SVector<T, N>; 5],
+}
+
+/// A point in canonical variables, which are the state that the method steps on.
+#[derive(Clone, Copy, Debug)]
+struct Point<const N: usize, T> {
+    y: SVector<T, N>,
+    /// What was rounded off when the last step was added (compensated summation).
+    lost: SVector<T, N>,
+}
+
+/// An iteration that takes longer does not converge.
+const MAX_ITERATIONS: usize = 100;
+
+/// The first iterations may lead away, from starting values that were better than it shows; later ones must not.
+const MAX_RISES: usize = 2;
+
+/// A vector for each stage.
+type Vectors<const STAGES: usize, const N: usize, T> = [SVector<T, N>; STAGES];
+
+impl<const STAGES: usize, const N: usize, T: Float> Stages<STAGES, N, T>
+where
+    Gauss<STAGES>: Legendre<STAGES>,
+{
+    const TABLE: Table<STAGES> = Gauss::<STAGES>::TABLE;
+
+    /// Starting values: the polynomial through start, stages and end of the last step, carried on; before there is one, a straight line.
+    fn predicted(&self, x: &SVector<T, N>, h: T) -> [SVector<T, N>; STAGES] {
+        let table = const { &Self::TABLE };
+        let Some((x0, stages, before)) = &self.before else {
+            return table.c.map(|c| x + self.slope * (h * T::from_f64(c)));
+        };
+        let ratio = h / *before;
+        table.c.map(|c| {
+            let weights = table.weights(T::from_f64(1.0) + ratio * T::from_f64(c));
+            let states = [x0].into_iter().chain(stages).chain([x]);
+            states
+                .zip(weights)
+                .fold(SVector::from_element(T::default()), |sum, (state, weight)| {
+                    sum + state * weight
+                })
+        })
+    }
+
+    /// Solves for the stages of a step from `x` at `t`: the stages, and the products `h b_i f_i` of their rates. Not finite where a rate is
+    /// not.
+    #[inline]
+    fn solve<S: Canonical<T, N> + ?Sized>(
+        &self,
+        system: &S,
+        (t, x): (T, &SVector<T, N>),
+        h: T,
+        work: &mut Statistics,
+    ) -> Result<(Vectors<STAGES, N, T>, Vectors<STAGES, N, T>), Stalled> {
+        let Table { c, b, w, modes, .. } = const { &Self::TABLE };
+        let [one_half, zero] = [0.5, 0.0].map(T::from_f64);
+        let mut stages = self.predicted(x, h);
+        // in the middle of the step, where the stages are on both sides
+        let middle = stages
+            .iter()
+            .fold(SVector::from_element(zero), |sum, stage| sum + stage)
+            * T::from_f64(1.0 / STAGES as f64);
+        let (of_variables, of_rates) = system.canonical_jacobian(t + h * one_half, &middle);
+        let pencil = Pencil::new(modes, h, &of_variables, &of_rates).map_err(|_| Stalled)?;
+        work.jacobians += 1;
+        work.factorizations += pencil.factorizations();
+        let (mut before, mut rises) = (T::from_f64(f64::INFINITY), 0);
+        for _ in 0..MAX_ITERATIONS {
+            work.iterations += 1;
+            work.evaluations += STAGES;
+            let (mut parts, mut residuals) = (stages, stages);
+            let mut half = SVector::from_element(zero);
+            for i in 0..STAGES {
+                let (variables, rates) = system.canonical(t + h * T::from_f64(c[i]), &stages[i]);
+                parts[i] = rates * (h * T::from_f64(b[i]));
+                half += parts[i] * one_half;
+                // increments, which are smaller than the variables, and so are their rounding errors
+                residuals[i] = (self.start.y - variables) + self.start.lost;
+            }
+            for i in 0..STAGES {
+                let swept = |sum, j: usize| sum + parts[j] * T::from_f64(w[i][j]);
+                residuals[i] += (0..STAGES).fold(half, swept);
+            }
+            let changes = pencil.solve(&residuals);
+            let (change, size) = (largest(&changes), largest(&stages));
+            if !change.is_finite() {
+                return if before.is_finite() {
+                    Err(Stalled)
+                } else {
+                    Ok((stages, parts))
+                };
+            }
+            // Until the changes are rounding, which does not fall on: what an iteration leaves undone would be a drift.
+            if change >= before || change == zero {
+                if change <= T::EPSILON.sqrt() * size {
+                    return Ok((stages, parts));
+                }
+                rises += 1;
+                if rises > MAX_RISES {
+                    return Err(Stalled);
+                }
+            }
+            before = change;
+            for (stage, change) in stages.iter_mut().zip(&changes) {
+                *stage += change;
+            }
+        }
+        Err(Stalled)
+    }
+}
+
+impl<S, T, const STAGES: usize, const N: usize> Scheme<S, T, N> for Stages<STAGES, N, T>
+where
+    Gauss<STAGES>: Legendre<STAGES>,
+    S: Canonical<T, N> + ?Sized,
+    T: Float,
+{
+    fn error_order(&self) -> usize {
+        2 * STAGES
+    }
+
+    fn begin(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
+        work.evaluations += 2;
+        self.slope = system.rhs(t, x);
+        self.before = None;
+        self.start = Point {
+            y: system.canonical(t, x).0,
+            lost: SVector::from_element(T::default()),
+        };
+        self.slope
+    }
+
+    #[inline]
+    fn attempt(
+        &mut self,
+        system: &S,
+        (t, x): (T, &SVector<T, N>),
+        t_new: T,
+        work: &mut Statistics,
+    ) -> Result<Attempt<N, T>, Stalled> {
+        let (stages, parts) = self.solve(system, (t, x), t_new - t, work)?;
+        let increment = parts.iter().fold(self.start.lost, |sum, part| sum + part);
+        let (y, lost) = sum_and_rest(&self.start.y, &increment);
+        if NonFinite::check(&y).is_err() {
+            return Ok(Attempt {
+                x: y,
+                mean_square: T::default(),
+            });
+        }
+        // The coordinates are there; their rates solve A qd = p, from some rates nearby.
+        let nearby = SVector::from_fn(|k, _| if 2 * k < N { y[k] } else { stages[STAGES - 1][k] });
+        let (of_variables, _) = system.canonical_jacobian(t_new, &nearby);
+        let missing = y - system.canonical(t_new, &nearby).0;
+        let change = Lu::new(of_variables.data.0)
+            .map_err(|_| Stalled)?
+            .solve(&missing.data.0[0]);
+        work.evaluations += 1;
+        work.jacobians += 1;
+        work.factorizations += 1;
+        self.tried = (Point { y, lost }, stages);
+        Ok(Attempt {
+            x: nearby + SVector::from(change),
+            mean_square: T::default(),
+        })
+    }
+
+    #[inline]
+    fn finish(&mut self, _system: &S, step: &Step<N, T>, _work: &mut Statistics) -> Result<(), NonFinite> {
+        let (end, stages) = self.tried;
+        self.start = end;
+        self.before = Some((step.x0, stages, step.h));
+        Ok(())
+    }
+
+    fn dense(&mut self, system: &S, step: &Step<N, T>, work: &mut Statistics) -> &[SVector<T, N>] {
+        let count = 2 * STAGES - 1;
+        if STAGES == 2 {
+            self.coefficients[..3].copy_from_slice(&hermite::cubic(system, step, work));
+        } else {
+            self.coefficients = hermite::quintic(system, step, work);
+        }
+        &self.coefficients[..count]
+    }
+}
+
+/// The sum rounded, and what the rounding took (D. E. Knuth, "The Art of Computer Programming 2", 4.2.2, Theorem B).
+fn sum_and_rest<T: Float, const N: usize>(a: &SVector<T, N>, b: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>) {
+    let sum = a + b;
+    let of_b = sum - a;
+    let of_a = sum - of_b;
+    (sum, (a - of_a) + (b - of_b))
+}
+
+/// The size of the largest component; not finite if one is not.
+fn largest<T: Float, const N: usize>(vectors: &[SVector<T, N>]) -> T {
+    let mut largest = T::default();
+    let mut sum = T::default();
+    for component in vectors.iter().flat_map(|vector| vector.iter()) {
+        largest = largest.max(component.abs());
+        sum += *component;
+    }
+    // the larger of a number and NaN is the number
+    if sum.is_finite() { largest } else { sum }
+}

@@ -1,0 +1,208 @@
+//! The methods of Gauss and Legendre as data.
+
+use crate::linear::Complex;
+use crate::method::collocation::{Mode, Modes};
+use crate::method::gauss::Gauss;
+use crate::real::Real;
+
+/// What a method consists of. With `w` antisymmetric its coefficients, `a_ij = b_j (1/2 + w_ij)`, have `b_i a_ij + b_j a_ji = b_i b_j`
+/// however they are rounded, which is what makes a method symplectic (E. Hairer, R. I. McLachlan, A. Razakarivony, "Achieving
+/// Brouwer's law with implicit Runge-Kutta methods", BIT 48 (2008) 231-243).
+#[derive(Clone, Copy, Debug)]
+pub struct Table<const STAGES: usize> {
+    pub(super) c: [f64; STAGES],
+    pub(super) b: [f64; STAGES],
+    pub(super) w: [[f64; STAGES]; STAGES],
+    pub(super) modes: Modes<STAGES>,
+    /// One over the products of the differences between start, nodes and end of a step.
+    over: [f64; MOST_POINTS],
+}
+
+/// Start, nodes and end of a step with three stages.
+const MOST_POINTS: usize = 5;
+
+impl<const STAGES: usize> Table<STAGES> {
+    const fn new(c: [f64; STAGES], b: [f64; STAGES], w: [[f64; STAGES]; STAGES], modes: Modes<STAGES>) -> Self {
+        let mut over = [1.0; MOST_POINTS];
+        let mut j = 0;
+        while j < STAGES + 2 {
+            let mut k = 0;
+            while k < STAGES + 2 {
+                if k != j {
+                    over[j] /= point(&c, j) - point(&c, k);
+                }
+                k += 1;
+            }
+            j += 1;
+        }
+        Self { c, b, w, modes, over }
+    }
+
+    /// What the values at start, nodes and end of a step count for at its fraction `theta`, in the polynomial through all of them.
+    #[inline]
+    pub(super) fn weights<T: Real>(&self, theta: T) -> impl Iterator<Item = T> {
+        (0..STAGES + 2).map(move |j| {
+            let others = (0..STAGES + 2).filter(|&k| k != j);
+            others.fold(T::from_f64(self.over[j]), |product, k| {
+                product * (theta - T::from_f64(point(&self.c, k)))
+            })
+        })
+    }
+}
+
+/// Start, node or end of a step.
+const fn point<const STAGES: usize>(c: &[f64; STAGES], k: usize) -> f64 {
+    match k {
+        0 => 0.0,
+        k if k <= STAGES => c[k - 1],
+        _ => 1.0,
+    }
+}
+
+/// The numbers of stages that there are methods of.
+pub trait Legendre<const STAGES: usize> {
+    /// The method.
+    const TABLE: Table<STAGES>;
+}
+
+impl Legendre<2> for Gauss<2> {
+    const TABLE: Table<2> = {
+        /// The root of 1/3.
+        const W: f64 = 0.577_350_269_189_625_7;
+        Table::new(
+            [0.5 - 0.5 * W, 0.5 + 0.5 * W],
+            [0.5; 2],
+            [[0.0, -W], [W, 0.0]],
+            Modes {
+                real: None,
+                pair: Mode {
+                    value: Complex::new(0.25, 0.25 * W),
+                    left: [Complex::new(0.5, 0.0), Complex::new(0.0, 0.133_974_596_215_561_35)],
+                    right: [Complex::new(1.0, 0.0), Complex::new(0.0, -3.732_050_807_568_877)],
+                },
+            },
+        )
+    };
+}
+
+impl Legendre<3> for Gauss<3> {
+    const TABLE: Table<3> = {
+        /// The root of 3/5.
+        const ROOT: f64 = 0.774_596_669_241_483_4;
+        const W: f64 = 0.75 * ROOT;
+        const FAR: f64 = 0.6 * ROOT;
+        Table::new(
+            [0.5 - 0.5 * ROOT, 0.5, 0.5 + 0.5 * ROOT],
+            [5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0],
+            [[0.0, -W, -FAR], [W, 0.0, -W], [FAR, W, 0.0]],
+            Modes {
+                real: Some(Mode {
+                    value: 0.215_314_423_116_112_18,
+                    left: [
+                        0.432_312_113_783_858_36,
+                        0.082_196_421_283_245_77,
+                        0.031_192_119_675_403_814,
+                    ],
+                    right: [1.0, 1.646_978_911_232_442, 13.859_658_089_371_628],
+                }),
+                pair: Mode {
+                    value: Complex::new(0.142_342_788_441_943_92, 0.135_799_925_708_153_8),
+                    left: [
+                        Complex::new(0.283_843_943_108_070_8, 0.128_867_600_636_716_23),
+                        Complex::new(-0.041_098_210_641_622_88, 0.154_546_015_144_924_58),
+                        Complex::new(-0.015_596_059_837_701_907, -0.027_663_137_569_708_934),
+                    ],
+                    right: [
+                        Complex::new(1.0, 0.0),
+                        Complex::new(-2.252_297_366_341_166_3, -2.198_353_169_286_191_3),
+                        Complex::new(-7.924_480_066_670_396, 5.793_026_094_808_575),
+                    ],
+                },
+            },
+        )
+    };
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Legendre, Table};
+    use crate::linear::Complex;
+    use crate::method::gauss::Gauss;
+
+    /// The coefficient `a_ij`.
+    fn a<const STAGES: usize>(table: &Table<STAGES>, i: usize, j: usize) -> f64 {
+        table.b[j] * (0.5 + table.w[i][j])
+    }
+
+    /// The largest error of an identity that holds for the exact numbers.
+    fn worst<const STAGES: usize>(table: &Table<STAGES>) -> f64 {
+        let all = 0..STAGES;
+        let mut errors = Vec::new();
+        // collocation: sum_j a_ij c_j^(k-1) = c_i^k / k, and the weights integrate up to degree 2 s - 1
+        for k in 1..=2 * STAGES as i32 {
+            let moment = |weight: &dyn Fn(usize) -> f64| -> f64 {
+                all.clone().map(|j| weight(j) * table.c[j].powi(k - 1)).sum()
+            };
+            errors.push(moment(&|j| table.b[j]) - 1.0 / f64::from(k));
+            if k <= STAGES as i32 {
+                errors.extend(
+                    all.clone()
+                        .map(|i| moment(&|j| a(table, i, j)) - table.c[i].powi(k) / f64::from(k)),
+                );
+            }
+        }
+        // left and right eigenvectors
+        let pair = table.modes.pair;
+        let real = table.modes.real.map(|mode| {
+            let complex = |x: f64| Complex::new(x, 0.0);
+            (complex(mode.value), mode.left.map(complex), mode.right.map(complex))
+        });
+        for (value, left, right) in [Some((pair.value, pair.left, pair.right)), real].into_iter().flatten() {
+            let scaled = |x: Complex<f64>, factor: f64| Complex::new(factor * x.re, factor * x.im);
+            let product = all
+                .clone()
+                .fold(Complex::new(-1.0, 0.0), |sum, j| sum + left[j] * right[j]);
+            errors.extend([product.re, product.im]);
+            for i in all.clone() {
+                let of_left = all
+                    .clone()
+                    .fold(-(value * left[i]), |sum, j| sum + scaled(left[j], a(table, j, i)));
+                let of_right = all
+                    .clone()
+                    .fold(-(value * right[i]), |sum, j| sum + scaled(right[j], a(table, i, j)));
+                errors.extend([of_left.re, of_left.im, of_right.re, of_right.im]);
+            }
+        }
+        errors.into_iter().map(f64::abs).fold(0.0, f64::max)
+    }
+
+    #[test]
+    fn the_coefficients_collocate_at_the_nodes_and_come_apart_along_the_eigenvectors() {
+        // a few roundings of numbers up to 14
+        assert!(worst(&Gauss::<2>::TABLE) < 4e-16);
+        assert!(worst(&Gauss::<3>::TABLE) < 4e-15);
+    }
+
+    #[test]
+    fn the_weights_reproduce_a_polynomial() {
+        let table = Gauss::<3>::TABLE;
+        let quartic = |x: f64| 1.0 + x * (2.0 - x * (3.0 - x * (0.5 + x)));
+        let values = [0.0, table.c[0], table.c[1], table.c[2], 1.0].map(quartic);
+        let sum: f64 = table
+            .weights(1.7)
+            .zip(values)
+            .map(|(weight, value)| weight * value)
+            .sum();
+        assert!((sum - quartic(1.7)).abs() < 1e-13);
+    }
+
+    #[test]
+    fn rounded_coefficients_are_symplectic() {
+        let table = Gauss::<3>::TABLE;
+        for i in 0..3 {
+            for j in 0..3 {
+                assert_eq!(table.w[i][j], -table.w[j][i]);
+            }
+        }
+    }
+}
