@@ -132,6 +132,26 @@ fn implicit_steps_do_not_allocate() {
 }
 
 #[test]
+fn steps_in_canonical_variables_do_not_allocate() {
+    fn steps<M: Method<Tree, f64, 8>>(method: &M) -> usize {
+        let model = Tree::new(Default::default()).expect("physical");
+        let mut steps = 0;
+        let integrate = || {
+            let start = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8];
+            let mut stepper = method.stepper(&model, 0.0, 5.0, start).expect("valid");
+            while let Some(step) = stepper.step().expect("regular") {
+                std::hint::black_box(stepper.dense().at(step.t0 + 0.5 * step.h));
+                steps += 1;
+            }
+        };
+        assert_eq!(allocations(integrate), 0);
+        steps
+    }
+    assert_eq!(steps(&Gauss4::new(0.01)), 500);
+    assert_eq!(steps(&Gauss6::new(0.02)), 250);
+}
+
+#[test]
 fn errors_of_a_stepper_do_not_allocate() {
     let model = pendulum(0.0);
     let fail = || {

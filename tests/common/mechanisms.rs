@@ -6,7 +6,7 @@ mechanism! {
     /// Eq. 22: identical bodies, c = d = 1, I about the centre of mass, absolute angles.
     pub Eq22 {
         gravity: [0, -9.8, 0],
-        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, inverse_dynamics],
+        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, canonical, inverse_dynamics],
         body b1 on ground {
             mass: 1, com: [0, -1, 0],
             inertia: [1, 1, 1],
@@ -28,7 +28,7 @@ mechanism! {
     /// the same bodies in relative joint angles.
     pub Eq22Joint {
         gravity: [0, -9.8, 0],
-        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, inverse_dynamics],
+        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, canonical, inverse_dynamics],
         body b1 on ground {
             mass: 1, com: [0, -1, 0],
             inertia: [1, 1, 1],
@@ -50,7 +50,7 @@ mechanism! {
     /// c != d, different plates, centres of mass off the line of the axles.
     pub IrregularPlates {
         gravity: [0, -9.81, 0],
-        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, inverse_dynamics],
+        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, canonical, inverse_dynamics],
         body b1 on ground {
             mass: 1.7, com: [0.13, -0.43, 0],
             inertia: [0.2, 0.15, 0.31],
@@ -72,7 +72,7 @@ mechanism! {
     /// five planar rods.
     pub Chain5 {
         gravity: [0, -9.81, 0],
-        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, inverse_dynamics],
+        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, canonical, inverse_dynamics],
         body b1 on ground {
             mass: 1.0, com: [0, -0.5, 0],
             inertia: [0.08, 0.005, 0.08],
@@ -115,7 +115,7 @@ mechanism! {
     /// prismatic cart along x, pole about z.
     pub CartPole {
         gravity: [0, -9.81, 0],
-        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, inverse_dynamics],
+        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, canonical, inverse_dynamics],
         body b1 on ground {
             mass: 2.0, com: [0, 0, 0],
             inertia: [0.1, 0.1, 0.1],
@@ -137,7 +137,7 @@ mechanism! {
     /// rotary arm about y (vertical), pendulum about the arm's x axis, full inertia.
     pub Furuta {
         gravity: [0, -9.81, 0],
-        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, inverse_dynamics],
+        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, canonical, inverse_dynamics],
         body b1 on ground {
             mass: 0.3, com: [0.12, 0.01, 0.0],
             inertia: [0.012, 0.02, 0.017, 0.001, -0.002, 0.0015],
@@ -159,7 +159,7 @@ mechanism! {
     /// helical joint (pitch in m/rad) carrying a revolute one on a skew axis.
     pub ScrewJoint {
         gravity: [0, 0, -9.81],
-        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, inverse_dynamics],
+        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, canonical, inverse_dynamics],
         body b1 on ground {
             mass: 1.1, com: [0.05, 0.02, 0.1],
             inertia: [0.031, 0.027, 0.018, -0.004, 0.002, 0.003],
@@ -181,7 +181,7 @@ mechanism! {
     /// spatial 3R arm.
     pub Elbow3 {
         gravity: [0, 0, -9.81],
-        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, inverse_dynamics],
+        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, canonical, inverse_dynamics],
         body b1 on ground {
             mass: 3.0, com: [0.01, 0.02, 0.15],
             inertia: [0.03, 0.03, 0.02],
@@ -210,7 +210,7 @@ mechanism! {
     /// branched: torso with two arms, one prismatic.
     pub Tree {
         gravity: [0, 0, -9.81],
-        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, inverse_dynamics],
+        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, canonical, inverse_dynamics],
         body b1 on ground {
             mass: 4.0, com: [0, 0.05, -0.3],
             inertia: [0.031, 0.027, 0.018, -0.004, 0.002, 0.003],
@@ -246,7 +246,7 @@ mechanism! {
     /// revolute then prismatic along the arm (the elastic pendulum without its spring).
     pub SpringPendulumRig {
         gravity: [0, -9.81, 0],
-        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, inverse_dynamics],
+        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, canonical, inverse_dynamics],
         body b1 on ground {
             mass: 0.2, com: [0, -0.1, 0],
             inertia: [0.01, 0.01, 0.002],
