@@ -142,7 +142,7 @@ fn every_order_by_itself() {
 }
 
 #[test]
-#[should_panic(expected = "range end index")]
+#[should_panic(expected = "the order of a series is at most 24")]
 fn beyond_the_highest_order() {
     let model = pendulums(0.1);
     model.series(0.0, &mut [SVector::zeros(); MAX_ORDER + 2], &mut model.workspace());

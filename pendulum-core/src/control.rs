@@ -33,12 +33,15 @@ impl<T: Float> Tolerance<T> {
         sum / T::from_f64(N as f64)
     }
 
-    /// The largest `|v| / (atol + rtol |x|)` of the components.
-    #[inline]
-    pub(crate) fn largest<const N: usize>(&self, v: &SVector<T, N>, x: &SVector<T, N>) -> T {
-        let mut largest = T::default();
+    /// The largest `|v| / (atol + rtol |x|)` of the components, of several `v`.
+    #[inline(always)]
+    pub(crate) fn largest<const M: usize, const N: usize>(&self, v: &[SVector<T, N>; M], x: &SVector<T, N>) -> [T; M] {
+        let mut largest = [T::default(); M];
         for i in 0..N {
-            largest = largest.max(v[i].abs() / (self.atol + self.rtol * x[i].abs()));
+            let weight = T::from_f64(1.0) / (self.atol + self.rtol * x[i].abs());
+            for (largest, v) in largest.iter_mut().zip(v) {
+                *largest = largest.max(v[i].abs() * weight);
+            }
         }
         largest
     }

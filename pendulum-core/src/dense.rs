@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::real::Float;
+use crate::real::{Float, Real};
 
 /// An accepted step from `(t0, x0)` to `(t1, x1)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -57,11 +57,7 @@ impl<'a, const N: usize, T: Float> Dense<'a, N, T> {
         if t == self.step.t1 || self.coefficients.is_empty() {
             return self.step.x1;
         }
-        polynomial(
-            &self.step.x0,
-            self.coefficients.iter(),
-            (t - self.step.t0) / self.step.h,
-        )
+        polynomial(&self.step.x0, self.coefficients, (t - self.step.t0) / self.step.h)
     }
 
     /// The state at a fraction of the step.
@@ -69,7 +65,7 @@ impl<'a, const N: usize, T: Float> Dense<'a, N, T> {
         if theta == T::from_f64(1.0) {
             return self.step.x1;
         }
-        polynomial(&self.step.x0, self.coefficients.iter(), theta)
+        polynomial(&self.step.x0, self.coefficients, theta)
     }
 
     /// The time at a fraction of the step.
@@ -86,16 +82,26 @@ impl<'a, const N: usize, T: Float> Dense<'a, N, T> {
     }
 }
 
-/// `x0 + c_1 theta + c_2 theta^2 + ..`
-#[inline]
-pub(crate) fn polynomial<'a, T: Float, const N: usize>(
+/// `x0 + c_1 theta + c_2 theta^2 + ..`; the odd and the even powers by themselves, since each step of a sum waits for the one before.
+#[inline(always)]
+pub(crate) fn polynomial<T: Real, const N: usize>(
     x0: &SVector<T, N>,
-    coefficients: impl DoubleEndedIterator<Item = &'a SVector<T, N>>,
+    coefficients: &[SVector<T, N>],
     theta: T,
 ) -> SVector<T, N> {
-    let mut x = SVector::from_element(T::default());
-    for coefficient in coefficients.rev() {
-        x = (x + coefficient) * theta;
+    let square = theta * theta;
+    let (mut odd, mut even) = ([T::default(); N], [T::default(); N]);
+    for pair in coefficients.chunks(2).rev() {
+        for (odd, &coefficient) in odd.iter_mut().zip(&pair[0].data.0[0]) {
+            *odd = *odd * square + coefficient;
+        }
+        for (even, &coefficient) in even.iter_mut().zip(pair.get(1).iter().flat_map(|pair| &pair.data.0[0])) {
+            *even = *even * square + coefficient;
+        }
     }
-    x + x0
+    let mut x = *x0;
+    for (x, (&odd, &even)) in x.data.0[0].iter_mut().zip(odd.iter().zip(&even)) {
+        *x += theta * (odd + theta * even);
+    }
+    x
 }

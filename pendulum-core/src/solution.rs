@@ -178,7 +178,7 @@ impl<const N: usize, T: Float> Solution<N, T> {
         let right = left + 1;
         let theta = (t - self.t[left]) / (self.t[right] - self.t[left]);
         let first = if left == 0 { 0 } else { self.ends[left - 1] };
-        let coefficients = self.coefficients[first..self.ends[left]].iter();
+        let coefficients = &self.coefficients[first..self.ends[left]];
         Ok(polynomial(&self.x[left], coefficients, theta))
     }
 

@@ -65,6 +65,11 @@ impl<T: Real, S: TaylorSeries<T, N> + ?Sized, const N: usize> TaylorSeries<T, N>
     }
 }
 
+/// Whether a number is no vector of lanes, which is read from memory as it was written.
+const fn is_scalar<T>() -> bool {
+    size_of::<T>() <= size_of::<f64>()
+}
+
 /// How many products are summed side by side: few enough that their sums stay in registers, those of lanes as well.
 const BLOCK: usize = 4;
 
@@ -99,14 +104,17 @@ impl<T: Real, const M: usize> Products<T, M> {
         }
     }
 
-    /// The interior sums of order `k`: `sum_(j = 1 .. k - 1) left_j right_(k - j)` of each product, from the orders before.
+    /// Of the interior sums of order `k`, `sum_(j = 1 .. k - 1) left_j right_(k - j)` of each product, and of scalars all but the terms with coefficients
+    /// of order `k - 1`, which [`Newest::add`] adds.
     ///
     /// # Panics
-    /// If `k` is 0, or above [`MAX_ORDER`].
+    /// If `k` is not below [`MAX_ORDER`].
     #[must_use]
     #[inline(always)]
     pub fn sums(&self, k: usize) -> [T; M] {
-        let (left, right) = (&self.left[..k - 1], &self.right[..k - 1]);
+        assert!(k < MAX_ORDER, "the order of a series is at most {MAX_ORDER}");
+        let end = k.saturating_sub(2).max(1);
+        let (left, right) = (&self.left[1..end], &self.right[1..end]);
         let mut sums = [T::default(); M];
         let mut at = 0;
         while at + BLOCK <= M {
@@ -117,6 +125,19 @@ impl<T: Real, const M: usize> Products<T, M> {
             block::<T, M, 1>(left, right, at, &mut sums);
             at += 1;
         }
+        if const { is_scalar::<T>() } {
+            // Through memory, once: else compilers pair the products as the code behind this pairs their sums, and load each number by itself.
+            std::hint::black_box(&mut sums);
+        } else if k > 1 {
+            let (newest_l, newest_r) = (&self.left[k - 2], &self.right[k - 2]);
+            for m in 0..M {
+                let mut newest = self.left[0][m] * newest_r[m];
+                if k > 2 {
+                    newest += newest_l[m] * self.right[0][m];
+                }
+                sums[m] += newest;
+            }
+        }
         sums
     }
 }
@@ -125,21 +146,72 @@ impl<T: Real, const M: usize> Products<T, M> {
 #[inline(always)]
 fn block<T: Real, const M: usize, const B: usize>(left: &[[T; M]], right: &[[T; M]], at: usize, sums: &mut [T; M]) {
     let (mut even, mut odd) = ([T::default(); B], [T::default(); B]);
-    let (left, left_rest) = left.as_chunks::<2>();
-    let (right_rest, right) = right.as_rchunks::<2>();
-    for ([l0, l1], [r1, r0]) in left.iter().zip(right.iter().rev()) {
+    let (pairs_l, rest_l) = left.as_chunks::<2>();
+    let (rest_r, pairs_r) = right.as_rchunks::<2>();
+    for ([l0, l1], [r1, r0]) in pairs_l.iter().zip(pairs_r.iter().rev()) {
         for m in 0..B {
             even[m] += l0[at + m] * r0[at + m];
             odd[m] += l1[at + m] * r1[at + m];
         }
     }
-    if let ([l0], [r0]) = (left_rest, right_rest) {
+    if let ([l0], [r0]) = (rest_l, rest_r) {
         for m in 0..B {
             even[m] += l0[at + m] * r0[at + m];
         }
     }
     for m in 0..B {
         sums[at + m] = even[m] + odd[m];
+    }
+}
+
+/// The newest coefficients of [`Products`], by value.
+///
+/// What was written to memory number by number takes its time until it can be read in vectors. So, for scalars, the terms with the newest coefficients are
+/// summed from here, and last, and the loop over all the others need not wait for them.
+#[derive(Clone, Copy, Debug)]
+pub struct Newest<T, const M: usize> {
+    /// Left and right, of order 1. The right ones are told from order 3 on: in the sum of order 2 there is one term, not two.
+    first: [[T; M]; 2],
+    /// Left and right, of the order before.
+    last: [[T; M]; 2],
+}
+
+impl<T: Real, const M: usize> Newest<T, M> {
+    /// None yet.
+    #[inline(always)]
+    pub fn new() -> Self {
+        let zero = [[T::default(); M]; 2];
+        Self {
+            first: zero,
+            last: zero,
+        }
+    }
+
+    /// Adds the terms with the coefficients of order `k - 1` to the sums of order `k`.
+    #[inline(always)]
+    pub fn add(&self, mut sums: [T; M]) -> [T; M] {
+        if const { !is_scalar::<T>() } {
+            return sums;
+        }
+        for m in 0..M {
+            sums[m] += self.first[0][m] * self.last[1][m] + self.last[0][m] * self.first[1][m];
+        }
+        sums
+    }
+
+    /// Takes the coefficients of order `k`.
+    #[inline(always)]
+    pub fn push(&mut self, k: usize, left: [T; M], right: [T; M]) {
+        if const { !is_scalar::<T>() } {
+            return;
+        }
+        if k == 1 {
+            self.first[0] = left;
+        }
+        if k == 2 {
+            self.first[1] = self.last[1];
+        }
+        self.last = [left, right];
     }
 }
 

@@ -97,7 +97,9 @@ impl Items<'_> {
             let (left, right) = sides.split_at(taylor.slots);
             let rates = &state[dof..];
             quote! {
-                work.set(k, [#(#left),*], [#(#right),*]);
+                let (left, right) = ([#(#left),*], [#(#right),*]);
+                newest.push(k, left, right);
+                work.set(k, left, right);
                 x[k + 1] = ::pendulum_core::nalgebra::SVector::from([
                     #(#rates * over_next,)* #((#accelerations) * over_next),*
                 ]);
@@ -105,12 +107,13 @@ impl Items<'_> {
         });
         quote! {
             #head
+            let mut newest = ::pendulum_core::taylor::Newest::new();
             for k in 1..x.len() - 1 {
                 let #order = T::from_f64(k as f64);
                 let #over_order = over_next;
                 over_next = T::from_f64(1.0) / T::from_f64((k + 1) as f64);
                 #time
-                let [#(#sums),*] = work.sums(k);
+                let [#(#sums),*] = newest.add(work.sums(k));
                 let [#(#state),*] = x[k].data.0[0];
                 #code
             }

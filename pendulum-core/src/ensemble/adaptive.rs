@@ -3,7 +3,8 @@
 use nalgebra::SVector;
 
 use super::{Ensemble, EnsembleError, check_models, conclude, model_of};
-use crate::control::{Tolerance, log2};
+use crate::control::Tolerance;
+use crate::dense::polynomial;
 use crate::error::Reason;
 use crate::method::{
     Adaptation, Adaptive, Explicit, Family, NonFinite, PowerSeries, SHORT, Scheme, attempt, check_span, check_state,
@@ -147,9 +148,9 @@ where
         tolerance: &Tolerance<T>,
     ) -> Option<T> {
         let of_lane = |v: &SVector<V, N>| v.map(|v| v.lane(lane));
-        let (order, x) = (series.order, of_lane(x));
-        let size = |order: usize| log2(tolerance.largest(&of_lane(&series.x[order]), &x).to_f64());
-        Some(T::from_f64(length(order, size(order - 1), size(order))))
+        let order = series.order;
+        let terms = [order - 1, order].map(|order| of_lane(&series.x[order]));
+        Some(length(order, tolerance, &of_lane(x), &terms))
     }
 
     #[inline(always)]
@@ -159,17 +160,7 @@ where
         t_new: V,
         series: &mut Self::Memory<V>,
     ) -> (SVector<V, N>, Option<SVector<V, N>>) {
-        let h = t_new - t;
-        let mut sums = [V::default(); N];
-        for coefficient in series.x[1..=series.order].iter().rev() {
-            for (sum, coefficient) in sums.iter_mut().zip(&coefficient.data.0[0]) {
-                *sum = (*sum + *coefficient) * h;
-            }
-        }
-        for (sum, x) in sums.iter_mut().zip(&x.data.0[0]) {
-            *sum += *x;
-        }
-        (SVector::from(sums), None)
+        (polynomial(x, &series.x[1..=series.order], t_new - t), None)
     }
 
     #[inline(always)]
@@ -253,6 +244,8 @@ struct Member<T> {
     t_new: T,
     pace: Adaptation<T>,
     steps: usize,
+    /// Whether the last step was rejected: then the length of the next one is known.
+    rejected: bool,
 }
 
 impl<F, M, T, const N: usize> March<'_, F, M, T, N>
@@ -274,6 +267,7 @@ where
             t_new: t1,
             pace: self.pace,
             steps: 0,
+            rejected: false,
         }; MOST_LANES];
         let members = &mut members[..V::LANES];
         // Lanes that are left over go on in the first state, without a step.
@@ -295,6 +289,7 @@ where
                             t_new: t0,
                             pace,
                             steps: 0,
+                            rejected: false,
                         };
                         set_lane(&mut x, lane, &self.x[next]);
                     } else {
@@ -365,7 +360,7 @@ where
     #[inline(always)]
     fn plan(&self, member: &mut Member<T>, proposed: Option<T>) -> Result<(), Reason> {
         let t1 = self.span.1;
-        if let Some(h) = proposed {
+        if let (false, Some(h)) = (member.rejected, proposed) {
             member.pace.propose(h, member.t, (t1 - member.t).abs())?;
         }
         member.pace.check_steps(member.steps)?;
@@ -398,10 +393,12 @@ where
         if is_finite && mean_square <= T::from_f64(1.0) {
             member.pace.accept(h, mean_square);
             member.t = member.t_new;
+            member.rejected = false;
             return true;
         }
         let least = member.pace.least(member.t);
         member.pace.reject(h, is_finite.then_some(mean_square));
+        member.rejected = true;
         if member.pace.h < least {
             self.leave(member, None);
         }

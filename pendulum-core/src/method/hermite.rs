@@ -47,7 +47,7 @@ where
     for _ in 0..2 {
         let [left, right] = [0.5 - OFFSET, 0.5 + OFFSET].map(|theta| {
             let theta = T::from_f64(theta);
-            let x = polynomial(&step.x0, coefficients.iter(), theta);
+            let x = polynomial(&step.x0, &coefficients, theta);
             let slope = system.rhs(step.t0 + theta * step.h, &x) * step.h;
             slope - (c1 + (c2 * two + c3 * (three * theta)) * theta)
         });

@@ -8,6 +8,7 @@ use crate::error::Reason;
 use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
 use crate::method::{Adaptive, require};
 use crate::real::Float;
+use crate::real::lanes::{Isa, Kernel, Lane, Lanes};
 use crate::solution::Statistics;
 use crate::taylor::{MAX_ORDER, TaylorSeries};
 
@@ -58,7 +59,7 @@ impl Taylor {
 impl<S, T, const N: usize> Family<S, T, N> for PowerSeries
 where
     S: TaylorSeries<T, N> + ?Sized,
-    T: Float,
+    T: Lane,
 {
     type Scheme = Series<S::Workspace, N, T>;
 
@@ -74,6 +75,7 @@ where
         Ok(Series {
             tolerance,
             order,
+            isa: Isa::for_scalars(),
             known: false,
             x: [zero; MAX_ORDER + 1],
             coefficients: [zero; MAX_ORDER],
@@ -90,11 +92,37 @@ pub(crate) fn order_for<T: Float>(tolerance: &Tolerance<T>) -> usize {
     order.clamp(4, MAX_ORDER)
 }
 
-/// The length of a step whose last two terms are within the tolerance: from the binary logarithms of their size in units of it.
+/// The length of a step from `x` whose last two terms, those with the coefficients `terms`, are within the tolerance.
 #[inline(always)]
-pub(crate) fn length(order: usize, last_but_one: f64, last: f64) -> f64 {
-    let (p, q) = (order as f64, order as f64 - 1.0);
-    exp2((-last / p).min(-last_but_one / q))
+pub(crate) fn length<T: Float, const N: usize>(
+    order: usize,
+    tolerance: &Tolerance<T>,
+    x: &SVector<T, N>,
+    terms: &[SVector<T, N>; 2],
+) -> T {
+    let [last_but_one, last] = tolerance.largest(terms, x).map(|size| -log2(size.to_f64()));
+    T::from_f64(exp2((last / order as f64).min(last_but_one / (order as f64 - 1.0))))
+}
+
+/// A series, as code that may use wider registers: its loops over products have the numbers side by side.
+struct Recurrences<'a, S: ?Sized, W, const N: usize, T> {
+    system: &'a S,
+    t: T,
+    x: &'a mut [SVector<T, N>],
+    work: &'a mut W,
+}
+
+impl<S, T, const N: usize> Kernel<T> for Recurrences<'_, S, S::Workspace, N, T>
+where
+    S: TaylorSeries<T, N> + ?Sized,
+    T: Lane,
+{
+    type Output = ();
+
+    #[inline(always)]
+    fn run<V: Lanes<Scalar = T>>(self) {
+        self.system.series(self.t, self.x, self.work);
+    }
 }
 
 /// The power series of a step.
@@ -102,6 +130,7 @@ pub(crate) fn length(order: usize, last_but_one: f64, last: f64) -> f64 {
 pub struct Series<W, const N: usize, T> {
     tolerance: Option<Tolerance<T>>,
     order: usize,
+    isa: Isa,
     /// Whether the series is that of the point reached.
     known: bool,
     x: [SVector<T, N>; MAX_ORDER + 1],
@@ -110,7 +139,7 @@ pub struct Series<W, const N: usize, T> {
     work: W,
 }
 
-impl<W, const N: usize, T: Float> Series<W, N, T> {
+impl<W, const N: usize, T: Lane> Series<W, N, T> {
     #[inline]
     fn find<S>(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics)
     where
@@ -118,7 +147,12 @@ impl<W, const N: usize, T: Float> Series<W, N, T> {
     {
         if !self.known {
             self.x[0] = *x;
-            system.series(t, &mut self.x[..=self.order], &mut self.work);
+            self.isa.run(Recurrences {
+                system,
+                t,
+                x: &mut self.x[..=self.order],
+                work: &mut self.work,
+            });
             self.known = true;
             work.evaluations += 1;
         }
@@ -128,7 +162,7 @@ impl<W, const N: usize, T: Float> Series<W, N, T> {
 impl<S, T, const N: usize> Scheme<S, T, N> for Series<S::Workspace, N, T>
 where
     S: TaylorSeries<T, N> + ?Sized,
-    T: Float,
+    T: Lane,
 {
     const PROPOSES: bool = true;
 
@@ -146,9 +180,8 @@ where
     fn prepare(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> Option<T> {
         self.find(system, t, x, work);
         let tolerance = self.tolerance.as_ref()?;
-        let size = |order: usize| log2(tolerance.largest(&self.x[order], x).to_f64());
-        let h = length(self.order, size(self.order - 1), size(self.order));
-        Some(T::from_f64(h))
+        let terms = [self.x[self.order - 1], self.x[self.order]];
+        Some(length(self.order, tolerance, x, &terms))
     }
 
     #[inline]
@@ -161,7 +194,7 @@ where
     ) -> Result<Attempt<N, T>, Stalled> {
         self.find(system, t, x, work);
         Ok(Attempt {
-            x: polynomial(x, self.x[1..=self.order].iter(), t_new - t),
+            x: polynomial(x, &self.x[1..=self.order], t_new - t),
             mean_square: T::default(),
         })
     }

@@ -49,6 +49,15 @@ impl Isa {
         Self::available().next().unwrap_or(Self(Set::Portable))
     }
 
+    /// An instruction set for scalar code whose loops compilers turn into vectors: such loops are short, and the widest registers gain nothing.
+    pub(crate) fn for_scalars() -> Self {
+        #[cfg(target_arch = "x86_64")]
+        if is_x86_feature_detected!("avx2") {
+            return Self(Set::Avx2);
+        }
+        Self(Set::Portable)
+    }
+
     /// Runs a kernel on lanes of one register each.
     #[inline]
     pub fn run<T: Lane, K: Kernel<T>>(self, kernel: K) -> K::Output {
