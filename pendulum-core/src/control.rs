@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::real::Float;
+use crate::real::{Float, Real};
 use crate::system::System;
 
 /// What an error is measured against: `atol + rtol |x|`, component by component.
@@ -14,38 +14,44 @@ pub struct Tolerance<T> {
     pub atol: T,
 }
 
-impl<T: Float> Tolerance<T> {
-    /// The mean square of `error / (atol + rtol max(|x0|, |x1|))`; the error is within the tolerance up to 1.
+impl<T: Real> Tolerance<T> {
+    /// The mean square of `error / (atol + rtol (|x0| + |x1|) / 2)`; the error is within the tolerance up to 1.
     ///
-    /// The norm of Hairer, Nørsett, Wanner I, II.4, before its root is taken: the controller works on logarithms.
-    #[inline]
+    /// The norm of Hairer, Nørsett, Wanner I, II.4, with the mean of both states in place of the larger, which lanes can have as well, and before its
+    /// root is taken: the controller works on logarithms.
+    #[inline(always)]
     pub(crate) fn mean_square<const N: usize>(
         &self,
         error: &SVector<T, N>,
         x0: &SVector<T, N>,
         x1: &SVector<T, N>,
     ) -> T {
+        let half = self.rtol * T::from_f64(0.5);
         let mut sum = T::default();
         for i in 0..N {
-            let ratio = error[i] / (self.atol + self.rtol * x0[i].abs().max(x1[i].abs()));
+            let size = x0.data.0[0][i].abs() + x1.data.0[0][i].abs();
+            let ratio = error.data.0[0][i] / (self.atol + half * size);
             sum += ratio * ratio;
         }
-        sum / T::from_f64(N as f64)
+        sum * T::from_f64(1.0 / N as f64)
     }
 
-    /// The largest `|v| / (atol + rtol |x|)` of the components, of several `v`.
+    /// The mean squares of `v / (atol + rtol |x|)`, of two `v`.
     #[inline(always)]
-    pub(crate) fn largest<const M: usize, const N: usize>(&self, v: &[SVector<T, N>; M], x: &SVector<T, N>) -> [T; M] {
-        let mut largest = [T::default(); M];
+    pub(crate) fn mean_squares<const N: usize>(&self, v: [&SVector<T, N>; 2], x: &SVector<T, N>) -> [T; 2] {
+        let mut sums = [T::default(); 2];
         for i in 0..N {
-            let weight = T::from_f64(1.0) / (self.atol + self.rtol * x[i].abs());
-            for (largest, v) in largest.iter_mut().zip(v) {
-                *largest = largest.max(v[i].abs() * weight);
+            let weight = T::from_f64(1.0) / (self.atol + self.rtol * x.data.0[0][i].abs());
+            for (sum, v) in sums.iter_mut().zip(v) {
+                let ratio = v.data.0[0][i] * weight;
+                *sum += ratio * ratio;
             }
         }
-        largest
+        sums.map(|sum| sum * T::from_f64(1.0 / N as f64))
     }
+}
 
+impl<T: Float> Tolerance<T> {
     /// A first step: so long that an explicit Euler step, judged by the change of the slope along it, is right to a hundredth.
     ///
     /// Hairer, Nørsett, Wanner I, II.4, "Starting step size". `order` is that of the error estimate, `h_max` bounds the result,

@@ -31,21 +31,24 @@ pub trait InLanes<M: Model<N>, T: Lane, const N: usize>: Family<M::In<T>, T, N> 
     /// Goes to the states `x` at `t`.
     fn begin<V: Lanes<Scalar = T>>(system: &M::In<V>, t: V, x: &SVector<V, N>, memory: &mut Self::Memory<V>);
 
-    /// The length that the next step of a lane should have, where the method knows.
-    fn propose<V: Lanes<Scalar = T>>(
+    /// What the length of the next step follows from, where the method knows that before it tries.
+    fn prepare<V: Lanes<Scalar = T>>(
         memory: &Self::Memory<V>,
         x: &SVector<V, N>,
-        lane: usize,
-        tolerance: &Tolerance<T>,
-    ) -> Option<T>;
+        tolerance: &Tolerance<V>,
+    ) -> Option<[V; 2]>;
 
-    /// Tries a step: the states at its end, and their errors.
+    /// The length, from that of a lane.
+    fn propose<V: Lanes<Scalar = T>>(memory: &Self::Memory<V>, prepared: [T; 2]) -> T;
+
+    /// Tries a step: the states at its end, and the mean squares of their errors in units of the tolerance.
     fn attempt<V: Lanes<Scalar = T>>(
         system: &M::In<V>,
         start: (V, &SVector<V, N>),
         t_new: V,
+        tolerance: &Tolerance<V>,
         memory: &mut Self::Memory<V>,
-    ) -> (SVector<V, N>, Option<SVector<V, N>>);
+    ) -> (SVector<V, N>, V);
 
     /// Accepts the step in all lanes; `false` if the next one must [`begin`](Self::begin).
     fn finish<V: Lanes<Scalar = T>>(system: &M::In<V>, end: (V, &SVector<V, N>), memory: &mut Self::Memory<V>) -> bool;
@@ -71,13 +74,17 @@ where
     }
 
     #[inline(always)]
-    fn propose<V: Lanes<Scalar = T>>(
+    fn prepare<V: Lanes<Scalar = T>>(
         _stages: &Self::Memory<V>,
         _x: &SVector<V, N>,
-        _lane: usize,
-        _tolerance: &Tolerance<T>,
-    ) -> Option<T> {
+        _tolerance: &Tolerance<V>,
+    ) -> Option<[V; 2]> {
         None
+    }
+
+    #[inline(always)]
+    fn propose<V: Lanes<Scalar = T>>(_stages: &Self::Memory<V>, _prepared: [T; 2]) -> T {
+        T::default()
     }
 
     #[inline(always)]
@@ -85,14 +92,16 @@ where
         system: &M::In<V>,
         (t, x): (V, &SVector<V, N>),
         t_new: V,
+        tolerance: &Tolerance<V>,
         stages: &mut Self::Memory<V>,
-    ) -> (SVector<V, N>, Option<SVector<V, N>>) {
+    ) -> (SVector<V, N>, V) {
         let x_new = attempt::<B, _, V, STAGES, N>(system, (t, x), t_new, stages);
         if const { B::TABLEAU.error_wants_the_last_stage() } {
             stages[STAGES - 1] = system.rhs(t_new, &x_new);
         }
         let weights = const { &B::TABLEAU.error_weights() };
-        (x_new, Some(weighted_sum((t_new - t).abs(), weights, STAGES, stages)))
+        let error = weighted_sum((t_new - t).abs(), weights, STAGES, stages);
+        (x_new, tolerance.mean_square(&error, x, &x_new))
     }
 
     #[inline(always)]
@@ -141,16 +150,18 @@ where
     }
 
     #[inline(always)]
-    fn propose<V: Lanes<Scalar = T>>(
+    fn prepare<V: Lanes<Scalar = T>>(
         series: &Self::Memory<V>,
         x: &SVector<V, N>,
-        lane: usize,
-        tolerance: &Tolerance<T>,
-    ) -> Option<T> {
-        let of_lane = |v: &SVector<V, N>| v.map(|v| v.lane(lane));
-        let order = series.order;
-        let terms = [order - 1, order].map(|order| of_lane(&series.x[order]));
-        Some(length(order, tolerance, &of_lane(x), &terms))
+        tolerance: &Tolerance<V>,
+    ) -> Option<[V; 2]> {
+        let terms = [&series.x[series.order - 1], &series.x[series.order]];
+        Some(tolerance.mean_squares(terms, x))
+    }
+
+    #[inline(always)]
+    fn propose<V: Lanes<Scalar = T>>(series: &Self::Memory<V>, prepared: [T; 2]) -> T {
+        length(series.order, prepared)
     }
 
     #[inline(always)]
@@ -158,9 +169,10 @@ where
         _system: &M::In<V>,
         (t, x): (V, &SVector<V, N>),
         t_new: V,
+        _tolerance: &Tolerance<V>,
         series: &mut Self::Memory<V>,
-    ) -> (SVector<V, N>, Option<SVector<V, N>>) {
-        (polynomial(x, &series.x[1..=series.order], t_new - t), None)
+    ) -> (SVector<V, N>, V) {
+        (polynomial(x, &series.x[1..=series.order], t_new - t), V::default())
     }
 
     #[inline(always)]
@@ -261,6 +273,10 @@ where
             return;
         }
         let tolerance = self.pace.tolerance;
+        let wide = Tolerance {
+            rtol: V::splat(tolerance.rtol),
+            atol: V::splat(tolerance.atol),
+        };
         let mut members = [Member {
             index: None,
             t: t1,
@@ -309,19 +325,28 @@ where
             if !known {
                 F::begin(&system, t, &x, &mut memory);
             }
+            let prepared = F::prepare(&memory, &x, &wide);
             for (lane, member) in members.iter_mut().enumerate() {
-                let stopped =
-                    member.index.is_some() && self.plan(member, F::propose(&memory, &x, lane, &tolerance)).is_err();
-                if stopped {
+                if member.index.is_none() {
+                    continue;
+                }
+                let of_lane = |prepared: [V; 2]| F::propose(&memory, prepared.map(|prepared| prepared.lane(lane)));
+                if self.plan(member, prepared.map(of_lane)).is_err() {
                     self.leave(member, None);
                 }
             }
             let t_new = V::from_fn(|lane| members[lane].t_new);
-            let (x_new, error) = F::attempt(&system, (t, &x), t_new, &mut memory);
+            let (x_new, mean_square) = F::attempt(&system, (t, &x), t_new, &wide, &mut memory);
+            // Zero where the state is finite.
+            let mut check = V::default();
+            for &x in &x_new.data.0[0] {
+                check += x - x;
+            }
             let mut accepted = [true; MOST_LANES];
             for (lane, member) in members.iter_mut().enumerate() {
                 if member.index.is_some() {
-                    accepted[lane] = self.judge::<V>(member, lane, &x, (&x_new, &error));
+                    let is_finite = check.lane(lane) == T::default();
+                    accepted[lane] = self.judge(member, is_finite.then_some(mean_square.lane(lane)));
                 }
             }
             if accepted.iter().all(|&accepted| accepted) {
@@ -369,35 +394,24 @@ where
         Ok(())
     }
 
-    /// Whether a trajectory takes the step that was tried; if it does not and cannot take a shorter one, it leaves.
+    /// Whether a trajectory takes the step that was tried, given the mean square of its error, or none if it arrived nowhere; if it does
+    /// not and cannot take a shorter one, it leaves.
     #[inline(always)]
-    fn judge<V: Lanes<Scalar = T>>(
-        &mut self,
-        member: &mut Member<T>,
-        lane: usize,
-        x: &SVector<V, N>,
-        (x_new, error): (&SVector<V, N>, &Option<SVector<V, N>>),
-    ) -> bool {
+    fn judge(&mut self, member: &mut Member<T>, mean_square: Option<T>) -> bool {
         let h = (member.t_new - member.t).abs();
-        let x_new = x_new.map(|x| x.lane(lane));
-        let is_finite = NonFinite::check(&x_new).is_ok();
-        let mean_square = match error {
-            Some(error) => {
-                let error = error.map(|error| error.lane(lane));
-                let x = x.map(|x| x.lane(lane));
-                member.pace.tolerance.mean_square(&error, &x, &x_new)
-            }
-            None => T::default(),
-        };
         member.steps += 1;
-        if is_finite && mean_square <= T::from_f64(1.0) {
-            member.pace.accept(h, mean_square);
+        if let Some(mean_square) = mean_square
+            && mean_square <= T::from_f64(1.0)
+        {
+            if const { !<F::Scheme as Scheme<M::In<T>, T, N>>::PROPOSES } {
+                member.pace.accept(h, mean_square);
+            }
             member.t = member.t_new;
             member.rejected = false;
             return true;
         }
         let least = member.pace.least(member.t);
-        member.pace.reject(h, is_finite.then_some(mean_square));
+        member.pace.reject(h, mean_square);
         member.rejected = true;
         if member.pace.h < least {
             self.leave(member, None);

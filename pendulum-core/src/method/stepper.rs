@@ -249,7 +249,9 @@ where
             let failure = match self.attempt(t_new) {
                 Ok(attempt) if attempt.mean_square <= T::from_f64(1.0) => match self.advance(t_new, &attempt) {
                     Ok(()) => {
-                        pace.accept(h, attempt.mean_square);
+                        if !C::PROPOSES {
+                            pace.accept(h, attempt.mean_square);
+                        }
                         self.pace = Pace::Adaptive(pace);
                         return Ok(());
                     }

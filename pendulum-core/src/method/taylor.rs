@@ -92,16 +92,15 @@ pub(crate) fn order_for<T: Float>(tolerance: &Tolerance<T>) -> usize {
     order.clamp(4, MAX_ORDER)
 }
 
-/// The length of a step from `x` whose last two terms, those with the coefficients `terms`, are within the tolerance.
+/// The length of a step whose last two terms are within the tolerance, from the mean squares of their coefficients in units of it.
 #[inline(always)]
-pub(crate) fn length<T: Float, const N: usize>(
-    order: usize,
-    tolerance: &Tolerance<T>,
-    x: &SVector<T, N>,
-    terms: &[SVector<T, N>; 2],
-) -> T {
-    let [last_but_one, last] = tolerance.largest(terms, x).map(|size| -log2(size.to_f64()));
-    T::from_f64(exp2((last / order as f64).min(last_but_one / (order as f64 - 1.0))))
+pub(crate) fn length<T: Float>(order: usize, [last_but_one, last]: [T; 2]) -> T {
+    let logarithm = |mean_square: T| -0.5 * log2(mean_square.to_f64());
+    let (last, last_but_one) = (
+        logarithm(last) / order as f64,
+        logarithm(last_but_one) / (order as f64 - 1.0),
+    );
+    T::from_f64(exp2(last.min(last_but_one)))
 }
 
 /// A series, as code that may use wider registers: its loops over products have the numbers side by side.
@@ -180,8 +179,8 @@ where
     fn prepare(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> Option<T> {
         self.find(system, t, x, work);
         let tolerance = self.tolerance.as_ref()?;
-        let terms = [self.x[self.order - 1], self.x[self.order]];
-        Some(length(self.order, tolerance, x, &terms))
+        let terms = [&self.x[self.order - 1], &self.x[self.order]];
+        Some(length(self.order, tolerance.mean_squares(terms, x)))
     }
 
     #[inline]
