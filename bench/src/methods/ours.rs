@@ -50,6 +50,10 @@ pub(crate) fn entrants() -> Vec<Entrant> {
         "Vern7", Smooth: |tolerance| Vern7::new().rtol(tolerance).atol(tolerance);
         "Vern9", Smooth: |tolerance| Vern9::new().rtol(tolerance).atol(tolerance);
         "Taylor", Smooth: |tolerance| Taylor::new().rtol(tolerance).atol(tolerance);
+        "Rodas4", Stiff: |tolerance| Rodas4::new().rtol(tolerance).atol(tolerance);
+        "Rodas5P", Stiff: |tolerance| Rodas5P::new().rtol(tolerance).atol(tolerance);
+        "Radau5", Stiff: |tolerance| Radau5::new().rtol(tolerance).atol(tolerance);
+        "Auto", All: |tolerance| Auto::new().rtol(tolerance).atol(tolerance);
     }
 }
 
@@ -60,5 +64,6 @@ pub(crate) fn ensembles() -> Vec<Together> {
         "Tsit5": |tolerance| Tsit5::new().rtol(tolerance).atol(tolerance);
         "Vern7": |tolerance| Vern7::new().rtol(tolerance).atol(tolerance);
         "Vern9": |tolerance| Vern9::new().rtol(tolerance).atol(tolerance);
+        "Taylor": |tolerance| Taylor::new().rtol(tolerance).atol(tolerance);
     }
 }

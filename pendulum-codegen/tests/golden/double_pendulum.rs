@@ -298,6 +298,29 @@ impl DoublePendulum {
                 ("recursion", ::pendulum_core::Operations::new(3, 2, 0, 2, 0, 23)),
             ],
         },
+        taylor: ::pendulum_core::FunctionCost {
+            operations: ::pendulum_core::Operations::new(28, 37, 0, 0, 0, 12),
+            form: "closed form, factors of the state first, inverse, 12 products of series",
+            others: &[
+                (
+                    "closed form, factors of parameters first, inverse, 12 products of series",
+                    ::pendulum_core::Operations::new(29, 36, 0, 0, 0, 12),
+                ),
+                (
+                    "closed form, expanded, inverse, 12 products of series",
+                    ::pendulum_core::Operations::new(30, 36, 0, 0, 0, 12),
+                ),
+                (
+                    "recursion, inverse, 22 products of series",
+                    ::pendulum_core::Operations::new(69, 59, 0, 0, 0, 18),
+                ),
+                (
+                    "A, B and C, inverse, 26 products of series",
+                    ::pendulum_core::Operations::new(84, 74, 0, 0, 0, 19),
+                ),
+            ],
+        },
+        taylor_products: 12,
         ..::pendulum_core::Cost::ZERO
     };
     /// The equations of motion as text.
@@ -448,6 +471,174 @@ for DoublePendulum<T> {
         let k5 = self.constants[5];
         let [(_, cos_theta1), (_, cos_theta2)] = q_theta1.sin_cos_pair(q_theta2);
         -(cos_theta1 * k5 + cos_theta2 * k4)
+    }
+}
+#[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+impl<T: ::pendulum_core::real::Real> ::pendulum_core::taylor::TaylorSeries<T, 4>
+for DoublePendulum<T> {
+    type Workspace = ::pendulum_core::taylor::Products<T, 12>;
+    #[inline]
+    fn workspace(&self) -> Self::Workspace {
+        ::pendulum_core::taylor::Products::new()
+    }
+    #[cfg_attr(debug_assertions, inline)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn series(
+        &self,
+        t: T,
+        x: &mut [::pendulum_core::nalgebra::SVector<T, 4>],
+        work: &mut Self::Workspace,
+    ) {
+        if x.len() < 2 {
+            return;
+        }
+        let (
+            a0,
+            a1,
+            h0,
+            h1,
+            h2,
+            h3,
+            h4,
+            h5,
+            h6,
+            h7,
+            h8,
+            h9,
+            h10,
+            h11,
+            h12,
+            h13,
+            h14,
+            h15,
+            h16,
+            h17,
+        ) = {
+            let x = &x[0];
+            {
+                let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
+                let k0 = self.constants[0];
+                let k1 = self.constants[1];
+                let k2 = self.constants[2];
+                let k3 = self.constants[3];
+                let k4 = self.constants[4];
+                let k5 = self.constants[5];
+                let k6 = self.constants[6];
+                let k7 = self.constants[7];
+                let t0 = k3 * qd_theta2;
+                let t1 = k3 * qd_theta1;
+                let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
+                    .sin_cos_pair(q_theta2);
+                let t2 = sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2;
+                let t3 = t0 * t2 - k0;
+                let t4 = k5 * sin_theta1 + k6 * qd_theta1 + qd_theta2 * t3;
+                let t5 = k0 + t2 * t1;
+                let t6 = k3 * t2;
+                let t7 = T::from_f64(-1.0) / (k7 + t6 * t6);
+                let t8 = k4 * sin_theta2 + k0 * qd_theta2 - qd_theta1 * t5;
+                let t9 = cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2;
+                let t10 = k3 * t7 * t9;
+                let t11 = k1 * t7;
+                let t12 = t4 * t11 - t8 * t10;
+                let t13 = k3 * t12;
+                let t14 = k2 * t7;
+                let t15 = t8 * t14 - t4 * t10;
+                let t16 = k3 * t15;
+                (
+                    t12,
+                    t15,
+                    qd_theta1,
+                    qd_theta2,
+                    sin_theta1,
+                    cos_theta1,
+                    sin_theta2,
+                    cos_theta2,
+                    t9,
+                    t2,
+                    t0,
+                    t1,
+                    t3,
+                    t5,
+                    t11,
+                    t10,
+                    t14,
+                    t6,
+                    t16,
+                    t13,
+                )
+            }
+        };
+        x[1] = ::pendulum_core::nalgebra::SVector::from([x[0][2], x[0][3], a0, a1]);
+        let k0 = self.constants[0];
+        let k3 = self.constants[3];
+        let k4 = self.constants[4];
+        let k5 = self.constants[5];
+        let k6 = self.constants[6];
+        let mut over_next = T::from_f64(1.0);
+        let mut newest = ::pendulum_core::taylor::Newest::new();
+        for k in 1..x.len() - 1 {
+            let order = T::from_f64(k as f64);
+            let over_order = over_next;
+            over_next = T::from_f64(1.0) / T::from_f64((k + 1) as f64);
+            let [s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11] = newest
+                .add(work.sums(k));
+            let [x0, x1, x2, x3] = x[k].data.0[0];
+            let t0 = -(over_order * s10 + x0 * h2);
+            let t1 = -(over_order * s11 + x1 * h4);
+            let t2 = over_order * s0 + x0 * h3;
+            let t3 = x0 - x1;
+            let t4 = over_order * s1 + t3 * h6;
+            let t5 = x3 * h15 + (k3 * s2 + h8 * t4);
+            let t6 = k6 * x2 + k5 * t2 + (h1 * t5 + (s3 + x3 * h10));
+            let t7 = x2 * h15 + (k3 * s7 + h9 * t4);
+            let t8 = over_order * s4 + t3 * h7;
+            let t9 = t6 + (k3 * s5 - h16 * t8);
+            let t10 = order * t3;
+            let t11 = over_order * s6 + x1 * h5;
+            let t12 = k0 * x3 + k4 * t11 - (h0 * t7 + (s8 + x2 * h11));
+            let t13 = t12 + (k3 * s9 - h17 * t8);
+            let t14 = -t8;
+            let t15 = h12 * t9 - h13 * t13;
+            let t16 = h14 * t13 - h13 * t9;
+            let t17 = order * x0;
+            let t18 = order * x1;
+            let (left, right) = (
+                [t17, t10, t4, x3, t10, t14, t18, t4, x2, t14, t17, t18],
+                [t0, t14, x3, t5, t4, t16, t1, x2, t7, t15, t2, t11],
+            );
+            newest.push(k, left, right);
+            work.set(k, left, right);
+            x[k + 1] = ::pendulum_core::nalgebra::SVector::from([
+                x2 * over_next,
+                x3 * over_next,
+                (t15) * over_next,
+                (t16) * over_next,
+            ]);
+        }
+    }
+}
+#[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+impl ::pendulum_core::taylor::TaylorModel<4> for DoublePendulum {
+    type Workspace<T: ::pendulum_core::real::Real> = ::pendulum_core::taylor::Products<
+        T,
+        12,
+    >;
+    #[inline]
+    fn workspace<T: ::pendulum_core::real::Real>() -> ::pendulum_core::taylor::Products<
+        T,
+        12,
+    > {
+        ::pendulum_core::taylor::Products::new()
+    }
+    #[cfg_attr(debug_assertions, inline)]
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn series<T: ::pendulum_core::real::Real>(
+        system: &DoublePendulum<T>,
+        t: T,
+        x: &mut [::pendulum_core::nalgebra::SVector<T, 4>],
+        work: &mut ::pendulum_core::taylor::Products<T, 12>,
+    ) {
+        ::pendulum_core::taylor::TaylorSeries::series(system, t, x, work);
     }
 }
 #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

@@ -59,7 +59,7 @@ where
     while stepper.step()?.is_some() {
         let dense = stepper.dense();
         let found = watch.look(&dense);
-        let acts = |found: &&Found<T>| found.what == What::Passage && events[found.index].acts();
+        let acts = |found: &&Found<T>| matches!(found.what, What::Passage { .. }) && events[found.index].acts();
         let Some(cut) = found.iter().find(acts).map(|found| found.theta) else {
             if let Some(trouble) = found.iter().find_map(|found| found.trouble(&dense)) {
                 return Err(trouble);
@@ -99,7 +99,7 @@ where
                 x: before,
             });
             if (time - t).abs() <= near {
-                fired.push((index, (event.function)(t, &x)));
+                fired.push((found, (event.function)(t, &x)));
             }
             if !event.acts() {
                 continue;
@@ -162,8 +162,8 @@ struct Found<T> {
 
 #[derive(Clone, Copy, PartialEq)]
 enum What {
-    /// The function passes zero.
-    Passage,
+    /// The function passes zero, rising or falling.
+    Passage { rises: bool },
     /// It is not a number.
     Undefined,
     /// It passes zero again and again.
@@ -175,7 +175,7 @@ impl<T: Float> Found<T> {
     fn trouble<const N: usize>(&self, dense: &Dense<'_, N, T>) -> Option<Reason> {
         let event = self.index;
         match self.what {
-            What::Passage => None,
+            What::Passage { .. } => None,
             What::Undefined => Some(Reason::EventNotFinite {
                 event,
                 t: dense.time(self.theta).to_f64(),
@@ -221,15 +221,15 @@ impl<'w, 'e, const N: usize, T: Float> Watch<'w, 'e, N, T> {
     }
 
     /// Goes on from the state `x` at `t`; `fired` are the events that were noted there, with their values before.
-    fn restart(&mut self, t: T, x: &SVector<T, N>, fired: &[(usize, T)]) -> Result<(), Reason> {
+    fn restart(&mut self, t: T, x: &SVector<T, N>, fired: &[(Found<T>, T)]) -> Result<(), Reason> {
         for (index, seen) in self.seen.iter_mut().enumerate() {
             seen.value = Self::value(self.events, index, t, x)?;
             seen.side = Side::of(seen.value);
             seen.far = None;
-            if let Some(&(_, before)) = fired.iter().find(|(other, _)| *other == index) {
+            if let Some((found, before)) = fired.iter().find(|(found, _)| found.index == index) {
                 let hurried = T::from_f64(HURRIED) * T::EPSILON.sqrt() * t.abs();
                 if seen.acted.is_some_and(|acted| (t - acted).abs() <= hurried) {
-                    seen.far = Some(before >= T::default());
+                    seen.far = Some(found.what == What::Passage { rises: true });
                 }
                 seen.acted = Some(t);
                 // Rounding errors may have left it on either side.
@@ -288,7 +288,9 @@ impl<'w, 'e, const N: usize, T: Float> Watch<'w, 'e, N, T> {
             found.extend(counts.then_some(Found {
                 index,
                 theta,
-                what: What::Passage,
+                what: What::Passage {
+                    rises: matches!(from, Side::Below),
+                },
             }));
         };
         // The two places before.
