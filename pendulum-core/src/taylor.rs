@@ -193,8 +193,9 @@ impl<T: Real, const M: usize> Newest<T, M> {
         if const { !is_scalar::<T>() } {
             return sums;
         }
-        for m in 0..M {
-            sums[m] += self.first[0][m] * self.last[1][m] + self.last[0][m] * self.first[1][m];
+        let (first, last) = (&self.first, &self.last);
+        for (m, sum) in sums.iter_mut().enumerate() {
+            *sum += first[0][m] * last[1][m] + last[0][m] * first[1][m];
         }
         sums
     }
@@ -212,6 +213,12 @@ impl<T: Real, const M: usize> Newest<T, M> {
             self.first[1] = self.last[1];
         }
         self.last = [left, right];
+    }
+}
+
+impl<T: Real, const M: usize> Default for Newest<T, M> {
+    fn default() -> Self {
+        Self::new()
     }
 }
 

@@ -340,7 +340,7 @@ where
             // Zero where the state is finite.
             let mut check = V::default();
             for &x in &x_new.data.0[0] {
-                check += x - x;
+                check += x * V::default();
             }
             let mut accepted = [true; MOST_LANES];
             for (lane, member) in members.iter_mut().enumerate() {
