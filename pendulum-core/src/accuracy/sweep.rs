@@ -2,12 +2,13 @@
 
 use std::fmt;
 use std::hint::black_box;
+use std::rc::Rc;
 
 use nalgebra::SVector;
 
 use crate::accuracy::timing::{Work, in_turns};
 use crate::accuracy::{Errors, Failure, Measured, Problem, Report, Run, Series};
-use crate::ensemble::EnsembleError;
+use crate::ensemble::{Ensemble, EnsembleError};
 use crate::method::Method;
 use crate::solution::Statistics;
 use crate::system::System;
@@ -59,14 +60,14 @@ impl<'a, S: System<f64, N> + 'a, const N: usize> Sweep<'a, S, N> {
         make: impl Fn(f64) -> M,
     ) -> Self
     where
-        M: Method<S, f64, N> + Clone + 'a,
+        M: Method<S, f64, N> + 'a,
     {
         self.add(name, settings, |setting| {
-            let method = make(setting);
-            let same = method.clone();
+            let method = Rc::new(make(setting));
+            let same = Rc::clone(&method);
             Trial {
                 setting,
-                judge: Box::new(move |problem| judge(&method, problem)),
+                judge: Box::new(move |problem| judge(&*method, problem)),
                 run: Box::new(move |problem| {
                     // Whether it arrives was seen before.
                     let stepper = same.stepper(problem.system, problem.t0, problem.t1, black_box(problem.x0));
@@ -77,27 +78,37 @@ impl<'a, S: System<f64, N> + 'a, const N: usize> Sweep<'a, S, N> {
         })
     }
 
-    /// Adds an ensemble of `count` trajectories for each of the settings: `solve(setting)` returns their final states, those of the problem's
-    /// own start first. Only this one is compared with the reference; times are for one trajectory.
+    /// Adds the method `make(setting)` for each of the settings, which integrates from the problem's start and from all of `more` together.
+    ///
+    /// Only the trajectory from the problem's start is compared with the reference; times are for one trajectory.
     #[must_use]
-    pub fn ensemble(
+    pub fn ensemble<M>(
         self,
         name: impl Into<String>,
         settings: impl IntoIterator<Item = f64>,
-        count: usize,
-        solve: impl Fn(f64) -> Result<Vec<SVector<f64, N>>, EnsembleError<N>> + Clone + 'a,
-    ) -> Self {
+        more: &[SVector<f64, N>],
+        make: impl Fn(f64) -> M,
+    ) -> Self
+    where
+        M: Ensemble<S, f64, N> + 'a,
+    {
+        let starts: Rc<[_]> = [self.problem.x0].iter().chain(more).copied().collect();
         self.add(name, settings, |setting| {
-            let (solve, same) = (solve.clone(), solve.clone());
+            let (method, starts) = (make(setting), Rc::clone(&starts));
+            let count = starts.len();
+            let solve = Rc::new(move |problem: &Problem<'a, S, N>| {
+                let models = std::slice::from_ref(problem.system);
+                method.ensemble(models, problem.t0, problem.t1, black_box(&starts))
+            });
+            let same = Rc::clone(&solve);
             Trial {
                 setting,
                 judge: Box::new(move |problem| {
-                    let ends = solve(setting).map_err(|error| first_failure(&error, problem.t0))?;
-                    assert_eq!(ends.len(), count, "an ensemble has a final state for each trajectory");
+                    let ends = solve(problem).map_err(|error| first_failure(&error, problem.t0))?;
                     let errors = Errors::at_end(problem.t1, &ends[0], problem.reference);
                     Ok((errors.expect("the reference knows the end"), None))
                 }),
-                run: Box::new(move |_| drop(black_box(same(black_box(setting))))),
+                run: Box::new(move |problem| drop(black_box(same(problem)))),
                 count,
             }
         })
