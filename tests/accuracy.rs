@@ -1,7 +1,7 @@
 //! The measurement of accuracy, on systems whose solutions and errors are known in closed form.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
-use pendulum_core::accuracy::{Errors, Measured, Problem, Reference, Report, Sweep};
+use pendulum_core::accuracy::{Errors, Failure, Measured, Problem, Reference, Report, Sweep};
 use pendulum_core::prelude::*;
 
 /// A point on a spring: `x'' = -x`, energy `(x^2 + x'^2) / 2`.
@@ -255,4 +255,27 @@ fn an_ensemble_is_judged_by_its_first_trajectory() {
     };
     assert!(matches!(failure(0).reason, Reason::InvalidInput { what: "x0", .. }));
     assert!(matches!(failure(1).reason, Reason::InvalidInput { what: "h", .. }));
+}
+
+#[test]
+fn other_solvers_are_measured_alike() {
+    let reference = Reference::exact(turning);
+    let problem = Problem::new(&Spring, 0.0, 10.0, [1.0, 0.0], &reference);
+    let stopped = Failure {
+        t: 4.0,
+        reason: Reason::NoConvergence { h: 0.5 },
+    };
+    let late = |error: f64| {
+        if error < 1.0 {
+            Ok(turning(10.0 + error))
+        } else {
+            Err(stopped)
+        }
+    };
+    let report = Sweep::new(problem).rounds(1).other("late", [1e-5, 1.0], late).run();
+    let measured = &all(&report)[..];
+    assert_eq!(measured.len(), 1);
+    let expected = 1e-5 * (10.0_f64).cos().abs();
+    assert_relative_eq!(measured[0].errors.last, expected, max_relative = 1e-4);
+    assert_eq!(report.series[0].runs[1].outcome.as_ref().err(), Some(&stopped));
 }

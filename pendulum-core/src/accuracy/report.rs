@@ -43,7 +43,8 @@ pub struct Measured {
     pub minimum: f64,
     /// The median of the times, in the same units.
     pub median: f64,
-    /// Evaluations and steps, without those that only dense output takes; `None` for ensembles, which do not tell.
+    /// Evaluations and steps, without those that only dense output takes; `None` for ensembles and
+    /// other solvers, which do not tell.
     pub work: Option<Statistics>,
 }
 

@@ -93,24 +93,29 @@ impl<'a, S: System<f64, N> + 'a, const N: usize> Sweep<'a, S, N> {
         M: Ensemble<S, f64, N> + 'a,
     {
         let starts: Rc<[_]> = [self.problem.x0].iter().chain(more).copied().collect();
-        self.add(name, settings, |setting| {
+        let count = starts.len();
+        self.ends(name, settings, count, |setting| {
             let (method, starts) = (make(setting), Rc::clone(&starts));
-            let count = starts.len();
-            let solve = Rc::new(move |problem: &Problem<'a, S, N>| {
+            move |problem| {
                 let models = std::slice::from_ref(problem.system);
-                method.ensemble(models, problem.t0, problem.t1, black_box(&starts))
-            });
-            let same = Rc::clone(&solve);
-            Trial {
-                setting,
-                judge: Box::new(move |problem| {
-                    let ends = solve(problem).map_err(|error| first_failure(&error, problem.t0))?;
-                    let errors = Errors::at_end(problem.t1, &ends[0], problem.reference);
-                    Ok((errors.expect("the reference knows the end"), None))
-                }),
-                run: Box::new(move |problem| drop(black_box(same(problem)))),
-                count,
+                let ends = method.ensemble(models, problem.t0, problem.t1, black_box(&starts));
+                Ok(ends.map_err(|error| first_failure(&error, problem.t0))?[0])
             }
+        })
+    }
+
+    /// Adds a solver of any other kind for each of the settings: `solve(setting)` returns the state of the problem at its end.
+    #[must_use]
+    pub fn other(
+        self,
+        name: impl Into<String>,
+        settings: impl IntoIterator<Item = f64>,
+        solve: impl Fn(f64) -> Result<SVector<f64, N>, Failure> + 'a,
+    ) -> Self {
+        let solve = Rc::new(solve);
+        self.ends(name, settings, 1, |setting| {
+            let solve = Rc::clone(&solve);
+            move |_| solve(black_box(setting))
         })
     }
 
@@ -148,6 +153,34 @@ impl<'a, S: System<f64, N> + 'a, const N: usize> Sweep<'a, S, N> {
             series: series.collect(),
             uncertainty: problem.reference.uncertainty(problem.t1),
         }
+    }
+
+    /// Adds what gives a state at the end alone, from so many trajectories.
+    fn ends<F>(
+        self,
+        name: impl Into<String>,
+        settings: impl IntoIterator<Item = f64>,
+        count: usize,
+        make: impl Fn(f64) -> F,
+    ) -> Self
+    where
+        F: Fn(&Problem<'a, S, N>) -> Result<SVector<f64, N>, Failure> + 'a,
+    {
+        self.add(name, settings, |setting| {
+            let solve = Rc::new(make(setting));
+            let same = Rc::clone(&solve);
+            Trial {
+                setting,
+                judge: Box::new(move |problem| {
+                    let errors = Errors::at_end(problem.t1, &solve(problem)?, problem.reference);
+                    Ok((errors.expect("the reference knows the end"), None))
+                }),
+                run: Box::new(move |problem| {
+                    let _ = black_box(same(problem));
+                }),
+                count,
+            }
+        })
     }
 
     fn add(
