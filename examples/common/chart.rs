@@ -66,7 +66,8 @@ pub(crate) struct Line {
     pub dashed: bool,
 }
 
-/// Points joined by a line.
+/// Points joined by a line; those outside of the axes are left out.
+#[derive(Clone)]
 pub(crate) struct Curve {
     pub line: Line,
     pub points: Vec<(f64, f64)>,
@@ -87,8 +88,9 @@ impl Picture for Figure {
         page.draw_text(&self.title, &bold(32.0), (px(MARGIN), px(MARGIN)))?;
         page.draw_text(&self.subtitle, &text(23.0, GREY), (px(MARGIN), px(MARGIN + 46.0)))?;
         draw_legend(page, &self.legend, (px(MARGIN), px(MARGIN + 112.0)))?;
+        let head = if self.legend.is_empty() { 80.0 } else { 138.0 };
         let rows = page
-            .margin(px(MARGIN + 138.0), px(FOOTER), px(MARGIN), px(MARGIN))
+            .margin(px(MARGIN + head), px(FOOTER), px(MARGIN), px(MARGIN))
             .split_evenly((self.rows.len(), 1));
         for (row, area) in self.rows.iter().zip(rows) {
             self.draw_row(row, &area)?;
@@ -146,13 +148,20 @@ impl Figure {
             .y_desc(&y.label)
             .draw()?;
         let plot = chart.plotting_area();
-        for Curve { line, points, label } in curves {
-            line.draw(plot, points.clone())?;
+        let mut curves = curves.to_vec();
+        for Curve { line, points, label } in &mut curves {
+            points.retain(|point| x.shows(point.0) && y.shows(point.1));
+            if label.is_none() || line.dashed {
+                line.draw(plot, points.clone())?;
+            } else {
+                // One by one: where a curve turns back, its corner would be a long spike.
+                points.windows(2).try_for_each(|ends| line.draw(plot, ends.to_vec()))?;
+            }
             for &point in points.iter().filter(|_| label.is_some()) {
                 plot.draw(&Circle::new(point, px(1.4 * line.width), line.color.filled()))?;
             }
         }
-        draw_labels(area, plot, curves)
+        draw_labels(area, plot, &curves)
     }
 
     /// The space to the right of each panel.
@@ -202,6 +211,10 @@ where
 }
 
 impl Axis {
+    fn shows(&self, value: f64) -> bool {
+        self.range.start <= value && value <= self.range.end
+    }
+
     /// What stands beside a tick: a number with a true minus sign, or a power of ten.
     fn tick(&self, value: f64) -> String {
         // The sum rounds off what is left of steps like 0.1, and turns -0 into 0.

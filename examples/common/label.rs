@@ -8,7 +8,7 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use super::chart::Curve;
-use super::page::{px, text, width};
+use super::page::{px, text, width as page_width};
 
 const EM: f64 = 21.0;
 /// From one line to the next, and from a point to its label, in pixels of the picture.
@@ -36,6 +36,7 @@ where
     B::ErrorType: 'static,
 {
     let (left, top) = area.get_base_pixel();
+    let (_, rows) = plot.get_pixel_range();
     let mut labels = Vec::new();
     for curve in curves {
         if let (Some(name), Some(last)) = (&curve.label, curve.points.last()) {
@@ -51,14 +52,24 @@ where
         }
     }
     part(&mut labels);
+    stay_below(rows.start - top + px(0.5 * LINE), &mut labels);
     for Label {
-        curve, name, from, at, ..
+        curve,
+        name,
+        from,
+        at,
+        width,
     } in labels
     {
         if (at.1 - from.1).abs() > px(0.3 * LINE) {
-            let style = curve.line.color.stroke_width(width(1.2));
+            let style = curve.line.color.stroke_width(page_width(1.2));
             area.draw(&PathElement::new(vec![from, (at.0 - px(2.0), at.1)], style))?;
         }
+        let [up, down] = [-0.45, 0.45].map(|lines| at.1 + px(lines * LINE));
+        area.draw(&Rectangle::new(
+            [(at.0 - px(2.0), up), (at.0 + width + px(2.0), down)],
+            WHITE.mix(0.7).filled(),
+        ))?;
         let style = text(EM, curve.line.color).pos(Pos::new(HPos::Left, VPos::Center));
         area.draw_text(name, &style, at)?;
     }
@@ -84,6 +95,20 @@ fn part(labels: &mut [Label<'_>]) {
         }
         if !moved {
             break;
+        }
+    }
+}
+
+/// Keeps labels below `top`, and those that are pushed by it below one another.
+fn stay_below(top: i32, labels: &mut [Label<'_>]) {
+    for n in 0..labels.len() {
+        let (above, rest) = labels.split_at_mut(n);
+        let label = &mut rest[0];
+        label.at.1 = label.at.1.max(top);
+        for other in above.iter() {
+            if other.at.0 < label.at.0 + label.width && label.at.0 < other.at.0 + other.width {
+                label.at.1 = label.at.1.max(other.at.1 + px(LINE));
+            }
         }
     }
 }

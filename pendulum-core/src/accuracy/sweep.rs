@@ -26,11 +26,12 @@ struct Trial<'a, S, const N: usize> {
     /// How accurate it is.
     judge: Box<Judge<'a, S, N>>,
     /// Does the same without a record.
-    run: Box<dyn Fn(&Problem<'a, S, N>) + 'a>,
+    run: Box<Rerun<'a, S, N>>,
     /// How many trajectories that are.
     count: usize,
 }
 
+type Rerun<'a, S, const N: usize> = dyn Fn(&Problem<'a, S, N>) + 'a;
 type Judge<'a, S, const N: usize> = dyn Fn(&Problem<'a, S, N>) -> Result<(Errors, Option<Statistics>), Failure> + 'a;
 
 impl<'a, S: System<f64, N> + 'a, const N: usize> Sweep<'a, S, N> {
