@@ -138,7 +138,11 @@ fn a_failed_run_is_no_error_of_zero() {
 
 #[test]
 fn the_cheapest_setting_that_is_good_enough() {
-    let report = rk4_on_the_spring();
+    let mut report = rk4_on_the_spring();
+    // longer steps take less time, whatever else the machine does
+    for run in &mut report.series[0].runs {
+        run.outcome.as_mut().expect("regular").minimum = 1.0 / run.setting;
+    }
     let last: Vec<f64> = all(&report).iter().map(|measured| measured.errors.last).collect();
     let pick = |report: &Report, error: f64| {
         let (name, found) = report.time_to_reach(error).next().expect("a series");

@@ -37,7 +37,7 @@ pub(crate) struct Simpler {
 /// One start: both angles, at rest.
 struct Amplitude {
     degrees: f64,
-    /// The largest error in time relative to the amplitude, and the time for the last state, in seconds, in the order of [`NAMES`].
+    /// The largest error in time of angles and rates (per second) over the amplitude, and the time for the last state, in seconds, in the order of [`NAMES`].
     models: [(f64, f64); 3],
     evaluations: usize,
 }
@@ -161,7 +161,7 @@ impl Simpler {
             size: (1600, 920),
             legend: Vec::new(),
             columns: vec![
-                column("largest error, relative to the amplitude", ERRORS),
+                column("largest error of angles and rates, over the amplitude", ERRORS),
                 column("time for the state after 10 s (µs)", TIMES),
             ],
             rows: vec![Row {
@@ -182,7 +182,7 @@ impl fmt::Display for Simpler {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         writeln!(
             f,
-            "largest error relative to the amplitude, and us for the state after {T1} s"
+            "largest error of angles and rates (1/s) over the amplitude, and us for the state after {T1} s"
         )?;
         writeln!(
             f,

@@ -10,7 +10,7 @@ use crate::solution::Solution;
 pub struct Errors {
     /// At the end of the span.
     pub last: f64,
-    /// The largest at the accepted points; `None` where the reference, or the method, has no states between start and end.
+    /// The largest at the accepted points; `None` where the reference, or the method, has no states there.
     pub largest: Option<f64>,
     /// The largest of the dense output, at eight times within each step and at the points that the reference has by themselves;
     /// `None` as above.
@@ -64,15 +64,12 @@ impl Errors {
     }
 }
 
-/// The largest difference at the accepted points.
+/// The largest difference at the accepted points, if the reference knows them all.
 fn along<const N: usize>(
     solution: &Solution<N>,
     reference: &Reference<'_, N>,
     difference: impl Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> f64,
 ) -> Option<f64> {
-    if !reference.is_curve() {
-        return None;
-    }
     solution.points().try_fold(0.0, |largest, (t, x)| {
         Some(f64::max(largest, difference(t, x, &reference.at(t)?)))
     })
