@@ -37,7 +37,7 @@ pub(crate) fn page(reports: &[(&Scene, Report)], simpler: &Simpler, table: &str)
         ),
         (
             "simpler_models",
-            "Where the linear model is good enough, a state at any time is one product with a matrix: nanoseconds in place of microseconds. Leaving friction out makes hardly anything faster.",
+            "Where the linear model is good enough, a state at any time is one product with a matrix: nanoseconds in place of microseconds. Leaving friction out saves hardly any time.",
         ),
     ] {
         page += &format!("<p>{text}</p>\n<img src=\"{stem}.svg\" alt=\"{stem}\">\n");
