@@ -8,19 +8,24 @@ use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
+use super::label::draw_labels;
 use super::page::{GREY, GRID, INK, MARGIN, Picture, bold, px, text, width};
 
-/// Panels that share the axis of x, and in each column that of y, so that they can be compared at sight.
+/// Panels that share the axes in each column, so that they can be compared at sight.
 pub(crate) struct Figure {
     pub title: String,
     pub subtitle: String,
     /// In pixels.
     pub size: (u32, u32),
     pub legend: Vec<(Line, String)>,
-    pub x: Axis,
-    /// The axis of y of each column.
-    pub columns: Vec<Axis>,
+    pub columns: Vec<Column>,
     pub rows: Vec<Row>,
+}
+
+/// The axes of the panels below each other.
+pub(crate) struct Column {
+    pub x: Axis,
+    pub y: Axis,
 }
 
 /// Panels beside each other, below a caption.
@@ -32,13 +37,24 @@ pub(crate) struct Row {
     pub panels: Vec<Vec<Curve>>,
 }
 
-/// An axis. A logarithmic one has decades as its numbers: points on it are given by their logarithms to base ten.
+/// An axis.
+#[derive(Clone)]
 pub(crate) struct Axis {
     pub label: String,
-    pub logarithmic: bool,
+    pub scale: Scale,
     pub range: Range<f64>,
     /// About how many ticks.
     pub ticks: usize,
+}
+
+/// What the numbers of an axis are.
+#[derive(Clone, Copy, PartialEq)]
+pub(crate) enum Scale {
+    Linear,
+    /// Logarithms to base ten.
+    Decades,
+    /// The same with the opposite sign: small values are to the right.
+    Falling,
 }
 
 /// How a curve looks.
@@ -50,10 +66,13 @@ pub(crate) struct Line {
     pub dashed: bool,
 }
 
-/// Points joined by a line.
+/// Points joined by a line; those outside of the axes are left out.
+#[derive(Clone)]
 pub(crate) struct Curve {
     pub line: Line,
     pub points: Vec<(f64, f64)>,
+    /// What stands beside the last point; the points of such a curve have dots.
+    pub label: Option<String>,
 }
 
 impl Picture for Figure {
@@ -69,8 +88,9 @@ impl Picture for Figure {
         page.draw_text(&self.title, &bold(32.0), (px(MARGIN), px(MARGIN)))?;
         page.draw_text(&self.subtitle, &text(23.0, GREY), (px(MARGIN), px(MARGIN + 46.0)))?;
         draw_legend(page, &self.legend, (px(MARGIN), px(MARGIN + 112.0)))?;
+        let head = if self.legend.is_empty() { 80.0 } else { 138.0 };
         let rows = page
-            .margin(px(MARGIN + 138.0), px(FOOTER), px(MARGIN), px(MARGIN))
+            .margin(px(MARGIN + head), px(FOOTER), px(MARGIN), px(MARGIN))
             .split_evenly((self.rows.len(), 1));
         for (row, area) in self.rows.iter().zip(rows) {
             self.draw_row(row, &area)?;
@@ -93,8 +113,8 @@ impl Figure {
         let start = px(LABELS + 48.0) + i32::try_from(width)?;
         draw_legend(&head, &row.legend, (start, px(32.0)))?;
         let panels = body.split_evenly((1, self.columns.len()));
-        for ((curves, y), panel) in row.panels.iter().zip(&self.columns).zip(panels) {
-            self.draw_panel(curves, y, &panel)?;
+        for ((curves, column), panel) in row.panels.iter().zip(&self.columns).zip(panels) {
+            self.draw_panel(curves, column, &panel)?;
         }
         Ok(())
     }
@@ -102,7 +122,7 @@ impl Figure {
     fn draw_panel<B: DrawingBackend>(
         &self,
         curves: &[Curve],
-        y: &Axis,
+        Column { x, y }: &Column,
         area: &DrawingArea<B, Shift>,
     ) -> Result<(), Box<dyn Error>>
     where
@@ -111,11 +131,11 @@ impl Figure {
         let mut chart = ChartBuilder::on(area)
             .set_label_area_size(LabelAreaPosition::Left, px(LABELS))
             .set_label_area_size(LabelAreaPosition::Bottom, px(36.0))
-            .margin_right(px(RIGHT))
-            .build_cartesian_2d(self.x.range.clone(), y.range.clone())?;
+            .margin_right(px(self.right()))
+            .build_cartesian_2d(x.range.clone(), y.range.clone())?;
         chart
             .configure_mesh()
-            .x_labels(self.x.ticks)
+            .x_labels(x.ticks)
             .y_labels(y.ticks)
             .max_light_lines(0)
             .bold_line_style(GRID.stroke_width(width(1.5)))
@@ -123,17 +143,37 @@ impl Figure {
             .set_all_tick_mark_size(px(7.0))
             .label_style(text(22.0, INK))
             .axis_desc_style(text(23.0, INK))
-            .x_label_formatter(&|value| self.x.tick(*value))
+            .x_label_formatter(&|value| x.tick(*value))
             .y_label_formatter(&|value| y.tick(*value))
             .y_desc(&y.label)
             .draw()?;
-        for Curve { line, points } in curves {
-            line.draw(chart.plotting_area(), points.clone())?;
+        let plot = chart.plotting_area();
+        let mut curves = curves.to_vec();
+        for Curve { line, points, label } in &mut curves {
+            points.retain(|point| x.shows(point.0) && y.shows(point.1));
+            if label.is_none() || line.dashed {
+                line.draw(plot, points.clone())?;
+            } else {
+                // One by one: where a curve turns back, its corner would be a long spike.
+                points.windows(2).try_for_each(|ends| line.draw(plot, ends.to_vec()))?;
+            }
+            for &point in points.iter().filter(|_| label.is_some()) {
+                plot.draw(&Circle::new(point, px(1.4 * line.width), line.color.filled()))?;
+            }
         }
-        Ok(())
+        draw_labels(area, plot, &curves)
     }
 
-    /// The axis of x is named once, below each column.
+    /// The space to the right of each panel.
+    fn right(&self) -> f64 {
+        let curves = self.rows.iter().flat_map(|row| row.panels.iter().flatten());
+        curves.fold(
+            RIGHT,
+            |right, curve| if curve.label.is_some() { WITH_LABELS } else { right },
+        )
+    }
+
+    /// The axis of x is named once, below each column of panels.
     fn draw_x_labels<B: DrawingBackend>(&self, page: &DrawingArea<B, Shift>) -> Result<(), Box<dyn Error>>
     where
         B::ErrorType: 'static,
@@ -141,9 +181,9 @@ impl Figure {
         let style = text(23.0, INK).pos(Pos::new(HPos::Center, VPos::Center));
         let (width, height) = (f64::from(self.size.0), f64::from(self.size.1));
         let column = (width - 2.0 * MARGIN) / self.columns.len() as f64;
-        for n in 0..self.columns.len() {
-            let middle = MARGIN + n as f64 * column + 0.5 * (LABELS + column - RIGHT);
-            page.draw_text(&self.x.label, &style, (px(middle), px(height - 0.62 * FOOTER)))?;
+        for (n, Column { x, .. }) in self.columns.iter().enumerate() {
+            let middle = MARGIN + n as f64 * column + 0.5 * (LABELS + column - self.right());
+            page.draw_text(&x.label, &style, (px(middle), px(height - 0.62 * FOOTER)))?;
         }
         Ok(())
     }
@@ -171,13 +211,19 @@ where
 }
 
 impl Axis {
+    fn shows(&self, value: f64) -> bool {
+        self.range.start <= value && value <= self.range.end
+    }
+
     /// What stands beside a tick: a number with a true minus sign, or a power of ten.
     fn tick(&self, value: f64) -> String {
         // The sum rounds off what is left of steps like 0.1, and turns -0 into 0.
         let value = (value * 1e9).round() / 1e9 + 0.0;
-        if !self.logarithmic {
-            return value.to_string().replace('-', "\u{2212}");
-        }
+        let value = match self.scale {
+            Scale::Linear => return value.to_string().replace('-', "\u{2212}"),
+            Scale::Decades => value,
+            Scale::Falling => 0.0 - value,
+        };
         let superscript = |c: char| match c.to_digit(10) {
             Some(digit) => ['⁰', '¹', '²', '³', '⁴', '⁵', '⁶', '⁷', '⁸', '⁹'][digit as usize],
             None => '⁻',
@@ -188,6 +234,31 @@ impl Axis {
 }
 
 impl Line {
+    pub(crate) const fn solid(color: RGBColor) -> Self {
+        Self {
+            color,
+            width: 3.2,
+            dashed: false,
+        }
+    }
+
+    pub(crate) const fn dashed(color: RGBColor) -> Self {
+        Self {
+            dashed: true,
+            ..Self::solid(color)
+        }
+    }
+
+    /// The same line, three fifths of the way to white.
+    pub(crate) fn lighter(self) -> Self {
+        let RGBColor(r, g, b) = self.color;
+        let [r, g, b] = [r, g, b].map(|part| part + (255 - part) / 5 * 3);
+        Self {
+            color: RGBColor(r, g, b),
+            ..self
+        }
+    }
+
     fn draw<B, C>(self, area: &DrawingArea<B, C>, points: Vec<C::From>) -> Result<(), Box<dyn Error>>
     where
         B: DrawingBackend,
@@ -209,3 +280,4 @@ impl Line {
 const FOOTER: f64 = 62.0;
 const LABELS: f64 = 96.0;
 const RIGHT: f64 = 24.0;
+const WITH_LABELS: f64 = 104.0;

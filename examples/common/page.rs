@@ -9,9 +9,13 @@ use plotters::prelude::*;
 
 use super::typeset::{FAMILY, LINE_PER_EM, Typeset, register_fonts};
 
-/// Colours that people with any colour vision can tell apart (Okabe and Ito, 2008), the darker ones.
+/// Colours that people with any colour vision can tell apart (Okabe and Ito, 2008).
 pub(crate) const BLUE: RGBColor = RGBColor(0, 114, 178);
 pub(crate) const VERMILION: RGBColor = RGBColor(213, 94, 0);
+pub(crate) const GREEN: RGBColor = RGBColor(0, 158, 115);
+pub(crate) const PURPLE: RGBColor = RGBColor(204, 121, 167);
+pub(crate) const ORANGE: RGBColor = RGBColor(230, 159, 0);
+pub(crate) const SKY: RGBColor = RGBColor(86, 180, 233);
 
 pub(crate) const INK: RGBColor = RGBColor(34, 34, 34);
 pub(crate) const GREY: RGBColor = RGBColor(95, 95, 95);

@@ -4,19 +4,11 @@ use std::error::Error;
 
 use pendulum_core::prelude::*;
 
-use crate::common::chart::{Axis, Curve, Figure, Line, Row};
+use crate::common::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
 use crate::common::page::{BLUE, VERMILION};
 
-const UPPER: Line = Line {
-    color: BLUE,
-    width: 3.2,
-    dashed: false,
-};
-const LOWER: Line = Line {
-    color: VERMILION,
-    width: 3.2,
-    dashed: true,
-};
+const UPPER: Line = Line::solid(BLUE);
+const LOWER: Line = Line::dashed(VERMILION);
 
 /// Points for each curve: enough for it to look smooth.
 const POINTS: u32 = 800;
@@ -26,7 +18,7 @@ pub(crate) fn figure2(runs: &[(f64, Solution<4>)], t_end: f64) -> Result<Figure,
     let rows = runs.iter().map(|(gamma, solution)| row(*gamma, solution, t_end));
     let axis = |label: &str, range| Axis {
         label: label.to_owned(),
-        logarithmic: false,
+        scale: Scale::Linear,
         range,
         ticks: 5,
     };
@@ -40,8 +32,12 @@ pub(crate) fn figure2(runs: &[(f64, Solution<4>)], t_end: f64) -> Result<Figure,
             (UPPER, "upper plate: θ₁ and dθ₁/dt".to_owned()),
             (LOWER, "lower plate: θ₂ and dθ₂/dt".to_owned()),
         ],
-        x: axis("time t (s)", 0.0..t_end),
-        columns: vec![axis("angle θ (°)", -4.6..4.6), axis("rate dθ/dt (°/s)", -11.5..11.5)],
+        columns: [("angle θ (°)", -4.6..4.6), ("rate dθ/dt (°/s)", -11.5..11.5)]
+            .map(|(label, range)| Column {
+                x: axis("time t (s)", 0.0..t_end),
+                y: axis(label, range),
+            })
+            .into(),
         rows: rows.collect::<Result<_, _>>()?,
     })
 }
@@ -54,6 +50,7 @@ fn row(gamma: f64, solution: &Solution<4>, t_end: f64) -> Result<Row, OutsideSpa
         Curve {
             line,
             points: times.iter().copied().zip(degrees).collect(),
+            label: None,
         }
     };
     Ok(Row {

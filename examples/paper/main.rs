@@ -6,7 +6,6 @@
 #[path = "../common/mod.rs"]
 mod common;
 mod figure;
-mod reference;
 
 use std::error::Error;
 use std::path::Path;
@@ -124,7 +123,7 @@ fn run(gamma: f64) -> Result<Solution<4>, Box<dyn Error>> {
         .atol(1e-10)
         .solve(&pendulum, 0.0, T_END, start)?;
     let fixed = Rk4::new(0.01).solve(&pendulum, 0.0, T_END, start)?;
-    let reference = reference::state(&format!("paper_gamma_{gamma}"), T_END)?;
+    let reference = common::reference::state(&format!("paper_gamma_{gamma}"), T_END)?;
 
     print_header(gamma);
     print_row("reference", &reference);

@@ -1,14 +1,8 @@
 //! The errors over the mass ratio, beside what the condition explains.
 
-use plotters::style::RGBColor;
-
-use crate::common::chart::{Axis, Curve, Figure, Line, Row};
-use crate::common::page::{BLUE, VERMILION};
+use crate::common::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
+use crate::common::page::{BLUE, GREEN, PURPLE, VERMILION};
 use crate::{Run, Worst};
-
-/// Two more of the same palette.
-const GREEN: RGBColor = RGBColor(0, 158, 115);
-const PURPLE: RGBColor = RGBColor(204, 121, 167);
 
 /// What is drawn of the errors: an exact value stands at the bottom.
 const DECADES: [f64; 2] = [-17.0, -5.0];
@@ -24,11 +18,14 @@ pub(crate) fn figure(runs: &[Run], textbook: &[Run]) -> Result<Figure, String> {
     };
     let axis = |label: &str, range, ticks| Axis {
         label: label.to_owned(),
-        logarithmic: true,
+        scale: Scale::Decades,
         range,
         ticks,
     };
-    let errors = |states: &str| axis(&format!("error, {states}"), DECADES[0]..DECADES[1], 8);
+    let errors = |states: &str| Column {
+        x: axis("mass of one body over its usual mass", -8.0..8.0, 9),
+        y: axis(&format!("error, {states}"), DECADES[0]..DECADES[1], 8),
+    };
     let textbook: Vec<_> = textbook.iter().map(|run| (run, run.name.clone())).collect();
     Ok(Figure {
         title: "Error of the accelerations over the ratio of masses".to_owned(),
@@ -37,13 +34,12 @@ pub(crate) fn figure(runs: &[Run], textbook: &[Run]) -> Result<Figure, String> {
             .to_owned(),
         size: (1600, 1560),
         legend: vec![
-            (solid(BLUE), "error".to_owned()),
+            (Line::solid(BLUE), "error".to_owned()),
             (
-                lighter(solid(BLUE)),
+                Line::solid(BLUE).lighter(),
                 "what the condition explains: ε (1 + κ)".to_owned(),
             ),
         ],
-        x: axis("mass of one body over its usual mass", -8.0..8.0, 9),
         columns: vec![errors("steady states"), errors("sensitive states")],
         rows: vec![
             row(
@@ -69,12 +65,12 @@ pub(crate) fn figure(runs: &[Run], textbook: &[Run]) -> Result<Figure, String> {
 }
 
 fn row(caption: &str, runs: &[(&Run, String)]) -> Row {
-    let lines = [BLUE, VERMILION, GREEN, PURPLE].map(solid);
+    let lines = [BLUE, VERMILION, GREEN, PURPLE].map(Line::solid);
     let panel = |kind: usize| {
         let each = || runs.iter().zip(lines).map(|((run, _), line)| (&run.kinds[kind], line));
         let bounds = each()
             .rev()
-            .map(|(worst, line)| curve(worst, lighter(line), |worst| worst.bound));
+            .map(|(worst, line)| curve(worst, line.lighter(), |worst| worst.bound));
         let errors = each().map(|(worst, line)| curve(worst, line, |worst| worst.error));
         bounds.chain(errors).collect()
     };
@@ -94,23 +90,6 @@ fn curve(worst: &[Worst], line: Line, value: fn(&Worst) -> f64) -> Curve {
     Curve {
         line,
         points: worst.iter().map(point).collect(),
-    }
-}
-
-fn solid(color: RGBColor) -> Line {
-    Line {
-        color,
-        width: 3.2,
-        dashed: false,
-    }
-}
-
-/// The same line, three fifths of the way to white.
-fn lighter(line: Line) -> Line {
-    let RGBColor(r, g, b) = line.color;
-    let [r, g, b] = [r, g, b].map(|part| part + (255 - part) / 5 * 3);
-    Line {
-        color: RGBColor(r, g, b),
-        ..line
+        label: None,
     }
 }

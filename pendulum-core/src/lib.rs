@@ -37,8 +37,10 @@
 //! | [`event`] | what happens along a trajectory |
 //! | [`error`] | what can go wrong |
 //! | [`linear`] | linear equations of the size of a state |
+//! | [`accuracy`] | trusted solutions, norms of errors, and what accuracy takes |
 //! | [`cost`] | counted operations of generated functions |
 
+pub mod accuracy;
 pub mod cost;
 pub mod dense;
 pub mod ensemble;

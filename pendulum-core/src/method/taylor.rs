@@ -92,10 +92,13 @@ pub(crate) fn order_for<T: Float>(tolerance: &Tolerance<T>) -> usize {
     order.clamp(4, MAX_ORDER)
 }
 
-/// The length of a step whose last two terms are within the tolerance, from the mean squares of their coefficients in units of it.
+/// The last two terms of a series are this many powers of two below the tolerance: so is about the sum of all that are left out.
+const SAFETY: f64 = 4.0;
+
+/// The length of a step whose last two terms are well within the tolerance, from the mean squares of their coefficients in units of it.
 #[inline(always)]
 pub(crate) fn length<T: Float>(order: usize, [last_but_one, last]: [T; 2]) -> T {
-    let logarithm = |mean_square: T| -0.5 * log2(mean_square.to_f64());
+    let logarithm = |mean_square: T| -0.5 * log2(mean_square.to_f64()) - SAFETY;
     let (last, last_but_one) = (
         logarithm(last) / order as f64,
         logarithm(last_but_one) / (order as f64 - 1.0),

@@ -1,0 +1,78 @@
+//! The tables of the README.
+
+use pendulum_core::accuracy::{Measured, Report};
+
+use crate::scenes::Scene;
+
+/// The errors to reach, and the one whose steps and evaluations are told.
+const TARGETS: [f64; 3] = [1e-6, 1e-8, 1e-10];
+const TOLD: usize = 1;
+
+/// The cheapest settings of all methods on one scene.
+struct Cheapest<'r> {
+    /// For each target, those of each method.
+    found: [Vec<Option<&'r Measured>>; TARGETS.len()],
+    /// The shortest time to reach each target, lanes apart, in seconds.
+    fastest: [f64; TARGETS.len()],
+}
+
+/// The times of methods on scenes that have the same ones, in units of the fastest one's that is not in lanes.
+pub(crate) fn markdown(reports: &[(&Scene, Report)]) -> String {
+    let columns: Vec<_> = reports.iter().map(|(_, report)| Cheapest::of(report)).collect();
+    let told = format!("steps, evaluations at {:.0e}", TARGETS[TOLD]);
+    let head = format!("{} | {told}", TARGETS.map(|target| format!("{target:.0e}")).join(" | "));
+    let names = reports.iter().map(|(scene, _)| format!(" {}: {head} |", scene.name));
+    let rule = "---:|".repeat((TARGETS.len() + 1) * reports.len());
+    let mut lines = vec![format!("| |{}", names.collect::<String>()), format!("|---|{rule}")];
+
+    let series = &reports[0].1.series;
+    let mut order: Vec<usize> = (0..series.len()).collect();
+    let place = |n: usize| columns[0].ratio(TOLD, n).unwrap_or(f64::INFINITY);
+    order.sort_by(|&a, &b| place(a).total_cmp(&place(b)));
+    for n in order {
+        let cells: String = columns.iter().map(|column| column.cells(n)).collect();
+        lines.push(format!("| {} |{cells}", series[n].name));
+    }
+    let units = columns.iter().zip(reports).map(|(column, (scene, _))| {
+        let times = column.fastest.map(|time| format!("{:.1}", 1e6 * time));
+        format!("{}: 1 stands for {} us.", scene.name, times.join(", "))
+    });
+    format!("{}\n\n{}", lines.join("\n"), units.collect::<Vec<_>>().join("\n"))
+}
+
+impl<'r> Cheapest<'r> {
+    fn of(report: &'r Report) -> Self {
+        let found = TARGETS.map(|target| {
+            let each = report.time_to_reach(target);
+            each.map(|(_, found)| Some(found?.1)).collect::<Vec<_>>()
+        });
+        let fastest = found.each_ref().map(|found| {
+            let alone = found.iter().flatten().filter(|measured| measured.work.is_some());
+            alone.map(|measured| measured.minimum).fold(f64::INFINITY, f64::min)
+        });
+        Self { found, fastest }
+    }
+
+    /// The time that method `n` takes for a target.
+    fn ratio(&self, target: usize, n: usize) -> Option<f64> {
+        Some(self.found[target][n]?.minimum / self.fastest[target])
+    }
+
+    /// What the row of method `n` says.
+    fn cells(&self, n: usize) -> String {
+        let ratios = (0..TARGETS.len()).map(|target| self.ratio(target, n).map_or(String::new(), digits));
+        let work = self.found[TOLD][n].and_then(|measured| measured.work);
+        let work = work.map(|work| format!("{}, {}", work.accepted + work.rejected, work.evaluations));
+        let cells = ratios.chain([work.unwrap_or_default()]);
+        cells.map(|cell| format!(" {cell} |")).collect()
+    }
+}
+
+/// Two significant digits, or all before the point.
+fn digits(ratio: f64) -> String {
+    match ratio {
+        ratio if ratio < 0.995 => format!("{ratio:.2}"),
+        ratio if ratio < 9.95 => format!("{ratio:.1}"),
+        _ => format!("{ratio:.0}"),
+    }
+}

@@ -1,0 +1,60 @@
+//! How accurate a method is, and what that takes: trusted solutions, norms of errors, and work-precision measurement on a system of
+//! your own.
+//!
+//! ```
+//! use pendulum_core::accuracy::{Errors, Problem, Reference, Sweep};
+//! use pendulum_core::prelude::*;
+//!
+//! mechanism! {
+//!     pub Swing {
+//!         params { l: m = 1.0 }
+//!         gravity: [0, -9.81, 0],
+//!         generate: [rhs, energy, taylor],
+//!         body bob on ground { mass: 1, com: [0, -l, 0], joint: revolute(z), coordinate: angle }
+//!     }
+//! }
+//!
+//! let swing = Swing::new(SwingParams::default())?;
+//! let start = [2.0, 0.0];
+//!
+//! // A solution to trust, which tells how far.
+//! let reference = Reference::integrate(&swing, 0.0, 10.0, start)?;
+//! assert!(reference.uncertainty(10.0) < 1e-11);
+//!
+//! // The errors of one solution ..
+//! let solution = Rk45::new().rtol(1e-8).atol(1e-8).solve(&swing, 0.0, 10.0, start)?;
+//! let errors = Errors::of(&solution, &reference).expect("the reference covers all of it");
+//! assert!(errors.last < 1e-5);
+//!
+//! // .. and the errors, times and evaluations of whole methods; energies in units of 10 J.
+//! let problem = Problem::new(&swing, 0.0, 10.0, start, &reference).energy(10.0);
+//! let tolerances = [1e-4, 1e-6, 1e-8, 1e-10];
+//! let report = Sweep::new(problem)
+//!     .rounds(3)
+//!     .method("Rk4", [0.1, 0.01, 0.001], Rk4::new)
+//!     .method("Rk45", tolerances, |tol| Rk45::new().rtol(tol).atol(tol))
+//!     .method("Taylor", tolerances, |tol| Taylor::new().rtol(tol).atol(tol))
+//!     .run();
+//! println!("{report}");
+//! for (name, cheapest) in report.time_to_reach(1e-6) {
+//!     if let Some((setting, measured)) = cheapest {
+//!         println!("{name} at {setting:.0e}: {:.1} us", 1e6 * measured.minimum);
+//!     }
+//! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
+//! Errors are of the largest component of the state, in its units. Compare times only within one run of a sweep, and in release builds.
+
+mod errors;
+mod problem;
+mod reference;
+mod report;
+mod sweep;
+mod timing;
+
+pub use errors::Errors;
+pub use problem::Problem;
+pub use reference::Reference;
+pub use report::{Failure, Measured, Report, Run, Series};
+pub use sweep::Sweep;

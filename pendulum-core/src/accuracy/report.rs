@@ -1,0 +1,147 @@
+//! What a sweep found.
+
+use std::error::Error;
+use std::fmt;
+
+use crate::accuracy::Errors;
+use crate::error::Reason;
+use crate::solution::Statistics;
+
+/// The measurements of all methods.
+#[derive(Clone, Debug)]
+pub struct Report {
+    /// One for each method, in the order in which they were named.
+    pub series: Vec<Series>,
+    /// The uncertainty of the reference at the end of the span.
+    pub uncertainty: f64,
+}
+
+/// The measurements of one method.
+#[derive(Clone, Debug)]
+pub struct Series {
+    /// Its name.
+    pub name: String,
+    /// One for each setting.
+    pub runs: Vec<Run>,
+}
+
+/// What became of one setting.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// The tolerance or the step.
+    pub setting: f64,
+    /// The measurements, if the integration came to its end.
+    pub outcome: Result<Measured, Failure>,
+}
+
+/// What an integration that came to its end achieved, and what it took.
+#[derive(Clone, Copy, Debug)]
+pub struct Measured {
+    /// How accurate it is.
+    pub errors: Errors,
+    /// The shortest time it took, in seconds for one trajectory.
+    pub minimum: f64,
+    /// The median of the times, in the same units.
+    pub median: f64,
+    /// Evaluations and steps, without those that only dense output takes; `None` for ensembles and
+    /// other solvers, which do not tell.
+    pub work: Option<Statistics>,
+}
+
+/// Where and why an integration ended before its time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Failure {
+    /// The last good time.
+    pub t: f64,
+    /// Why.
+    pub reason: Reason,
+}
+
+impl Report {
+    /// For each method its name, and the setting that took the shortest time among those whose [last](Errors::last) error is no more than
+    /// `error`; `None` where there is no such setting, or where the reference is less certain than that.
+    pub fn time_to_reach(&self, error: f64) -> impl Iterator<Item = (&str, Option<(f64, &Measured)>)> {
+        let known = self.uncertainty <= error;
+        self.series
+            .iter()
+            .map(move |series| (&*series.name, series.cheapest(error).filter(|_| known)))
+    }
+}
+
+impl Series {
+    /// The settings that came to their end, with what was measured.
+    pub fn measured(&self) -> impl Iterator<Item = (f64, &Measured)> {
+        self.runs
+            .iter()
+            .filter_map(|run| Some((run.setting, run.outcome.as_ref().ok()?)))
+    }
+
+    fn cheapest(&self, error: f64) -> Option<(f64, &Measured)> {
+        self.measured()
+            .filter(|(_, measured)| measured.errors.last <= error)
+            .min_by(|(_, a), (_, b)| a.minimum.total_cmp(&b.minimum))
+    }
+}
+
+impl fmt::Display for Failure {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "stopped at t = {}: {}", self.t, self.reason)
+    }
+}
+
+impl Error for Failure {}
+
+/// A table of all, with times in microseconds.
+impl fmt::Display for Report {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "{:<12} {:>8}  {:>8} {:>8} {:>8} {:>8}  {:>9} {:>9}  {:>8} {:>8} {:>8}",
+            "method",
+            "setting",
+            "last",
+            "largest",
+            "dense",
+            "energy",
+            "min us",
+            "median us",
+            "evals",
+            "accepted",
+            "rejected"
+        )?;
+        for series in &self.series {
+            for Run { setting, outcome } in &series.runs {
+                write!(f, "\n{:<12} {setting:>8.1e}  ", series.name)?;
+                match outcome {
+                    Ok(measured) => measured.fmt(f)?,
+                    Err(failure) => failure.fmt(f)?,
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+/// A line of the table.
+impl fmt::Display for Measured {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Errors {
+            last,
+            largest,
+            dense,
+            energy,
+        } = self.errors;
+        write!(f, "{last:>8.1e}")?;
+        for error in [largest, dense, energy] {
+            match error {
+                Some(error) => write!(f, " {error:>8.1e}")?,
+                None => write!(f, " {:>8}", "-")?,
+            }
+        }
+        write!(f, "  {:>9.2} {:>9.2}", 1e6 * self.minimum, 1e6 * self.median)?;
+        match self.work {
+            Some(work) => write!(f, "  {:>8} {:>8} {:>8}", work.evaluations, work.accepted, work.rejected),
+            None => Ok(()),
+        }
+    }
+}
