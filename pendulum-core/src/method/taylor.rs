@@ -16,7 +16,7 @@ use crate::taylor::{MAX_ORDER, TaylorSeries};
 ///
 /// Each step evaluates the power series of the motion once, and is as long as its last two terms stay below the tolerance: À. Jorba and
 /// M. Zou, "A software package for the numerical integration of ODEs by means of high-order Taylor methods", Experimental Mathematics 14
-/// (2005) 99-117. No step is rejected, and the series is the dense output. The order is `-ln(tolerance) / 2 + 4`, or what [`order`](Taylor::order) sets.
+/// (2005) 99-117. No step is rejected, and the series is the dense output. The order is `-ln(tolerance) / 2 + 5`, or what [`order`](Taylor::order) sets.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
@@ -85,10 +85,10 @@ where
 }
 
 /// The order that reaches a tolerance with the least work. For operations that grow with the square of the order it would be
-/// `-ln(tolerance) / 2 + 1` (Jorba and Zou, 3.1); here part of the work is the same for each order, so that three more are better.
+/// `-ln(tolerance) / 2 + 1` (Jorba and Zou, 3.1); here part of the work is the same for each order, so that some more are better.
 pub(crate) fn order_for<T: Float>(tolerance: &Tolerance<T>) -> usize {
     let error = tolerance.rtol.max(tolerance.atol).to_f64().min(1.0);
-    let order = (-0.5 * error.ln() + 4.0).ceil() as usize;
+    let order = (-0.5 * error.ln() + 5.0).ceil() as usize;
     order.clamp(4, MAX_ORDER)
 }
 
