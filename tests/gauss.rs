@@ -5,7 +5,6 @@ mod common;
 use approx::assert_abs_diff_eq;
 use common::trajectories::scene;
 use nalgebra::{SMatrix, SVector};
-use pendulum_core::method::{Adaptive, Gauss};
 use pendulum_core::prelude::*;
 
 mechanism! {
@@ -259,18 +258,6 @@ fn rounding_is_a_random_walk() {
 
 // Failures
 
-#[test]
-fn single_precision_reaches_its_own_accuracy() {
-    let model = pair(0.0).cast::<f32>();
-    let mut stepper = Gauss4::new(0.02)
-        .stepper(&model, 0.0, 2.0, CHAOTIC.map(|x| x as f32))
-        .expect("regular");
-    let reached = stepper.run().expect("regular").cast::<f64>();
-    let exact = SVector::from(scene("large_swing").points::<4>()[1].1);
-    let error = (reached - exact).amax();
-    assert!(error < 2e-5, "{error:e}");
-}
-
 /// A body of mass 1 on a line that nothing pushes; from a time on its mass is gone, or its rates are not numbers.
 struct Line {
     massless: f64,
@@ -323,15 +310,4 @@ fn steps_that_are_far_too_long_do_not_converge() {
         .solve(&model, 0.0, 30.0, CHAOTIC)
         .expect_err("no solution near the start");
     assert!(matches!(error.reason, Reason::NoConvergence { .. }), "{error}");
-}
-
-#[test]
-fn a_tolerance_is_refused() {
-    let error = Adaptive::<Gauss<2>>::new()
-        .solve(&pair(0.0), 0.0, 1.0, CHAOTIC)
-        .expect_err("no estimate of the error");
-    assert!(
-        matches!(error.reason, Reason::InvalidInput { what: "rtol", .. }),
-        "{error}"
-    );
 }

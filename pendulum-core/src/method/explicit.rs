@@ -7,6 +7,7 @@ use nalgebra::SVector;
 use crate::control::Tolerance;
 use crate::dense::Step;
 use crate::error::Reason;
+use crate::method::input::refuse_tolerance;
 use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
 use crate::real::{Float, Real};
 use crate::solution::Statistics;
@@ -35,6 +36,9 @@ where
 
     #[inline]
     fn scheme(&self, _system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
+        if const { B::TABLEAU.b_hat.is_none() } {
+            refuse_tolerance(tolerance)?;
+        }
         let zero = SVector::from_element(T::default());
         Ok(Stages {
             tolerance,

@@ -8,7 +8,7 @@ use crate::error::Reason;
 use crate::linear::Lu;
 use crate::method::collocation::Pencil;
 use crate::method::hermite;
-use crate::method::input::require;
+use crate::method::input::refuse_tolerance;
 use crate::method::legendre::{Legendre, Table};
 use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
 use crate::real::Float;
@@ -34,10 +34,7 @@ where
     type Scheme = Stages<STAGES, N, T>;
 
     fn scheme(&self, _system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
-        if let Some(tolerance) = tolerance {
-            let rule = "the method does not estimate its error, so it cannot keep a tolerance: give it a fixed step";
-            require(false, "rtol", tolerance.rtol.to_f64(), rule)?;
-        }
+        refuse_tolerance(tolerance)?;
         let zeros = SVector::from_element(T::default());
         let start = Point { y: zeros, lost: zeros };
         Ok(Stages {

@@ -166,13 +166,13 @@ where
     ///
     /// # Errors
     /// [`Reason::InvalidInput`] if `t` does not lie between the start of the last step and the end of the span, or if the state is not
-    /// finite; [`Reason::NonFinite`] if its derivative is not. The stepper is then where it was.
+    /// finite; [`Reason::NonFinite`] if its derivative is not. The stepper then stays where it was.
     pub fn restart(&mut self, t: T, x: SVector<T, N>) -> Result<(), Reason> {
         let (from, to) = (self.last.t0.min(self.t1), self.last.t0.max(self.t1));
         let rule = "the time to go on from must lie between the start of the last step and the end";
         require(from <= t && t <= to, "t", t.to_f64(), rule)?;
         check_state(&x)?;
-        let before = self.last;
+        let (before, pace) = ((self.t(), self.x()), self.pace);
         self.last = Step::at_rest(t, x);
         if let Pace::Fixed(grid) = &mut self.pace {
             grid.go_to(t);
@@ -180,7 +180,13 @@ where
         if t == self.t1 {
             return Ok(());
         }
-        self.begin().inspect_err(|_| self.last = before)
+        self.begin().inspect_err(|_| {
+            // The scheme went to the new point, and its last step is lost.
+            self.last = Step::at_rest(before.0, before.1);
+            self.pace = pace;
+            self.scheme
+                .begin(self.system, before.0, &before.1, &mut self.statistics);
+        })
     }
 
     /// Goes on to the end and keeps a record.
@@ -225,12 +231,16 @@ where
     #[inline]
     fn step_on_grid(&mut self, mut grid: Grid<T>) -> Result<(), Reason> {
         let t_new = grid.next();
-        self.pace = Pace::Fixed(grid);
-        let reached = self.attempt(t_new).and_then(|attempt| self.advance(t_new, &attempt));
-        reached.map_err(|failure| {
-            self.statistics.rejected += 1;
-            failure.reason((t_new - self.t()).to_f64())
-        })
+        match self.attempt(t_new).and_then(|attempt| self.advance(t_new, &attempt)) {
+            Ok(()) => {
+                self.pace = Pace::Fixed(grid);
+                Ok(())
+            }
+            Err(failure) => {
+                self.statistics.rejected += 1;
+                Err(failure.reason((t_new - self.t()).to_f64()))
+            }
+        }
     }
 
     #[inline]

@@ -18,6 +18,9 @@ use crate::taylor::{MAX_ORDER, TaylorSeries};
 /// M. Zou, "A software package for the numerical integration of ODEs by means of high-order Taylor methods", Experimental Mathematics 14
 /// (2005) 99-117. No step is rejected, and the series is the dense output. The order is `-ln(tolerance) / 2 + 5`, or what [`order`](Taylor::order) sets.
 ///
+/// Where the right-hand side ends without a trace in the motion above the tolerance, as at the edge of a square root, a step may reach past
+/// that: the error comes with the next one.
+///
 /// ```
 /// use pendulum_core::prelude::*;
 ///
@@ -95,9 +98,13 @@ pub(crate) fn order_for<T: Float>(tolerance: &Tolerance<T>) -> usize {
 /// The last two terms of a series are this many powers of two below the tolerance: so is about the sum of all that are left out.
 const SAFETY: f64 = 4.0;
 
-/// The length of a step whose last two terms are well within the tolerance, from the mean squares of their coefficients in units of it.
+/// The length of a step whose last two terms are well within the tolerance, from the mean squares of their coefficients in units of it:
+/// 0 where these are beyond all numbers, as close to a pole.
 #[inline(always)]
 pub(crate) fn length<T: Float>(order: usize, [last_but_one, last]: [T; 2]) -> T {
+    if !(last_but_one + last).is_finite() {
+        return T::default();
+    }
     let logarithm = |mean_square: T| -0.5 * log2(mean_square.to_f64()) - SAFETY;
     let (last, last_but_one) = (
         logarithm(last) / order as f64,
@@ -182,6 +189,8 @@ where
     fn prepare(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> Option<T> {
         self.find(system, t, x, work);
         let tolerance = self.tolerance.as_ref()?;
+        // Where there is no derivative there is no series: let it be told from where the step arrives.
+        NonFinite::check(&self.x[1]).ok()?;
         let terms = [&self.x[self.order - 1], &self.x[self.order]];
         Some(length(self.order, tolerance.mean_squares(terms, x)))
     }
@@ -202,7 +211,12 @@ where
     }
 
     #[inline]
-    fn finish(&mut self, _system: &S, _step: &Step<N, T>, _work: &mut Statistics) -> Result<(), NonFinite> {
+    fn finish(&mut self, system: &S, step: &Step<N, T>, work: &mut Statistics) -> Result<(), NonFinite> {
+        // Steps within a tolerance pass the end of a right-hand side by no more than that allows; these may lead anywhere.
+        if self.tolerance.is_none() {
+            work.evaluations += 1;
+            NonFinite::check(&system.rhs(step.t1, &step.x1))?;
+        }
         self.known = false;
         Ok(())
     }
