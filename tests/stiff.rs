@@ -103,32 +103,3 @@ fn steps_fall_with_the_friction_where_those_of_explicit_methods_grow() {
     }
     assert!(explicit.statistics().accepted > 300);
 }
-
-#[test]
-fn forth_and_back_is_where_it_began() {
-    let system = stiff(0.0);
-    let swing = [2.0, 2.5, 0.0, 0.0];
-    macro_rules! check {
-        ($method:expr) => {{
-            let there = $method
-                .rtol(1e-10)
-                .atol(1e-10)
-                .solve(&system, 0.0, 3.0, swing)
-                .expect("regular")
-                .last()
-                .1;
-            let back = $method
-                .rtol(1e-10)
-                .atol(1e-10)
-                .solve(&system, 3.0, 0.0, there)
-                .expect("regular")
-                .last()
-                .1;
-            let error = (back - SVector::from(swing)).amax();
-            assert!(error < 1e-7, "{error:e}");
-        }};
-    }
-    check!(Rodas4::new());
-    check!(Rodas5P::new());
-    check!(Radau5::new());
-}

@@ -20,7 +20,7 @@ pendulum_core::mechanism! {
             gamma2: N m s = 0.1,
         }
         gravity: [0, -g, 0],
-        generate: [rhs, jacobian, energy, taylor],
+        generate: [rhs, jacobian, energy, taylor, canonical],
 
         shape plate { mass: m, com: [0, -c, 0], inertia: inertia }
 

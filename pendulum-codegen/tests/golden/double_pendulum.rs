@@ -298,6 +298,50 @@ impl DoublePendulum {
                 ("recursion", ::pendulum_core::Operations::new(3, 2, 0, 2, 0, 23)),
             ],
         },
+        canonical: ::pendulum_core::FunctionCost {
+            operations: ::pendulum_core::Operations::new(10, 16, 0, 2, 0, 26),
+            form: "closed form, factors of the state first, derived and expanded",
+            others: &[
+                (
+                    "closed form, expanded, derived and expanded",
+                    ::pendulum_core::Operations::new(9, 17, 0, 2, 0, 26),
+                ),
+                (
+                    "closed form, factors of parameters first, derived and expanded",
+                    ::pendulum_core::Operations::new(10, 18, 0, 2, 0, 26),
+                ),
+                (
+                    "recursion, derived in the graph",
+                    ::pendulum_core::Operations::new(34, 54, 0, 2, 0, 30),
+                ),
+                (
+                    "A, B and C, derived in the graph",
+                    ::pendulum_core::Operations::new(62, 70, 0, 2, 0, 34),
+                ),
+            ],
+        },
+        canonical_jacobian: ::pendulum_core::FunctionCost {
+            operations: ::pendulum_core::Operations::new(13, 13, 0, 2, 0, 24),
+            form: "closed form, factors of the state first, derived and expanded",
+            others: &[
+                (
+                    "closed form, factors of parameters first, derived and expanded",
+                    ::pendulum_core::Operations::new(13, 13, 0, 2, 0, 24),
+                ),
+                (
+                    "closed form, expanded, derived and expanded",
+                    ::pendulum_core::Operations::new(13, 13, 0, 2, 0, 24),
+                ),
+                (
+                    "recursion, derived in the graph",
+                    ::pendulum_core::Operations::new(76, 71, 0, 2, 0, 29),
+                ),
+                (
+                    "A, B and C, derived in the graph",
+                    ::pendulum_core::Operations::new(149, 117, 0, 2, 0, 35),
+                ),
+            ],
+        },
         taylor: ::pendulum_core::FunctionCost {
             operations: ::pendulum_core::Operations::new(28, 37, 0, 0, 0, 12),
             form: "closed form, factors of the state first, inverse, 12 products of series",
@@ -447,6 +491,97 @@ for DoublePendulum<T> {
             T::from_f64(0.0),
             T::from_f64(0.0),
         ])
+    }
+}
+#[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+impl<T: ::pendulum_core::real::Real> ::pendulum_core::Canonical<T, 4>
+for DoublePendulum<T> {
+    #[inline]
+    fn canonical(
+        &self,
+        t: T,
+        x: &::pendulum_core::nalgebra::SVector<T, 4>,
+    ) -> (
+        ::pendulum_core::nalgebra::SVector<T, 4>,
+        ::pendulum_core::nalgebra::SVector<T, 4>,
+    ) {
+        let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
+        let k0 = self.constants[0];
+        let k1 = self.constants[1];
+        let k2 = self.constants[2];
+        let k3 = self.constants[3];
+        let k4 = self.constants[4];
+        let k5 = self.constants[5];
+        let k6 = self.constants[6];
+        let t0 = qd_theta2 * k3;
+        let t1 = k0 * qd_theta2;
+        let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
+            .sin_cos_pair(q_theta2);
+        let t2 = t0 * (sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2);
+        let t3 = cos_theta1 * cos_theta2 + sin_theta1 * sin_theta2;
+        (
+            ::pendulum_core::nalgebra::SVector::from([
+                q_theta1,
+                q_theta2,
+                qd_theta1 * k2 + t0 * t3,
+                qd_theta2 * k1 + qd_theta1 * k3 * t3,
+            ]),
+            ::pendulum_core::nalgebra::SVector::from([
+                qd_theta1,
+                qd_theta2,
+                t1 - sin_theta1 * k5 - qd_theta1 * (k6 + t2),
+                qd_theta1 * (k0 + t2) - (sin_theta2 * k4 + t1),
+            ]),
+        )
+    }
+    #[inline]
+    fn canonical_jacobian(
+        &self,
+        t: T,
+        x: &::pendulum_core::nalgebra::SVector<T, 4>,
+    ) -> (
+        ::pendulum_core::nalgebra::SMatrix<T, 4, 4>,
+        ::pendulum_core::nalgebra::SMatrix<T, 4, 4>,
+    ) {
+        let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
+        let k0 = self.constants[0];
+        let k1 = self.constants[1];
+        let k2 = self.constants[2];
+        let k3 = self.constants[3];
+        let k4 = self.constants[4];
+        let k5 = self.constants[5];
+        let k6 = self.constants[6];
+        let t0 = qd_theta1 * k3;
+        let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
+            .sin_cos_pair(q_theta2);
+        let t1 = sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2;
+        let t2 = qd_theta2 * k3 * t1;
+        let t3 = -t2;
+        let t4 = t0 * t1;
+        let t5 = -t4;
+        let t6 = -(k6 + t2);
+        let t7 = k0 + t2;
+        let t8 = k0 - t4;
+        let t9 = t4 - k0;
+        let t10 = cos_theta1 * cos_theta2 + sin_theta1 * sin_theta2;
+        let t11 = qd_theta2 * t0 * t10;
+        let t12 = k3 * t10;
+        let t13 = -(cos_theta1 * k5 + t11);
+        let t14 = -(cos_theta2 * k4 + t11);
+        (
+            ::pendulum_core::nalgebra::SMatrix::from([
+                [T::from_f64(1.0), T::from_f64(0.0), t3, t5],
+                [T::from_f64(0.0), T::from_f64(1.0), t2, t4],
+                [T::from_f64(0.0), T::from_f64(0.0), k2, t12],
+                [T::from_f64(0.0), T::from_f64(0.0), t12, k1],
+            ]),
+            ::pendulum_core::nalgebra::SMatrix::from([
+                [T::from_f64(0.0), T::from_f64(0.0), t13, t11],
+                [T::from_f64(0.0), T::from_f64(0.0), t11, t14],
+                [T::from_f64(1.0), T::from_f64(0.0), t6, t7],
+                [T::from_f64(0.0), T::from_f64(1.0), t8, t9],
+            ]),
+        )
     }
 }
 #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
