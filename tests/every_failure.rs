@@ -235,13 +235,14 @@ fn a_domain_that_ends_is_followed_to_its_edge() {
 }
 
 #[test]
-fn a_pole_ends_in_a_step_underflow() {
+fn a_pole_is_the_end() {
     fn check<F: Family<Pole, f64, 2> + Default>(promise: &Promise) {
         let model = Pole::new(PoleParams::default()).expect("physical");
         let method = Adaptive::<F>::new().rtol(1e-7).max_steps(50_000);
         let error = method.solve(&model, 0.0, 2.0, [0.0, 0.0]).expect_err("the centre");
+        // Steps too short for the time, or one of the shortest that meets the centre.
         assert!(
-            matches!(error.reason, Reason::StepUnderflow { .. }),
+            matches!(error.reason, Reason::StepUnderflow { .. } | Reason::NonFinite { .. }),
             "{promise:?}: {error}"
         );
         assert_abs_diff_eq!(error.t(), PI / 8.0_f64.sqrt(), epsilon = 1e-6);

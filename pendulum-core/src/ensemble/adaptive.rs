@@ -156,7 +156,7 @@ where
         tolerance: &Tolerance<V>,
     ) -> Option<[V; 2]> {
         let terms = [&series.x[series.order - 1], &series.x[series.order]];
-        Some(tolerance.mean_squares(terms, x))
+        Some(tolerance.mean_sizes(terms, x))
     }
 
     #[inline(always)]

@@ -98,14 +98,14 @@ pub(crate) fn order_for<T: Float>(tolerance: &Tolerance<T>) -> usize {
 /// The last two terms of a series are this many powers of two below the tolerance: so is about the sum of all that are left out.
 const SAFETY: f64 = 4.0;
 
-/// The length of a step whose last two terms are well within the tolerance, from the mean squares of their coefficients in units of it:
+/// The length of a step whose last two terms are well within the tolerance, from the sizes of their coefficients in units of it:
 /// 0 where these are beyond all numbers, as close to a pole.
 #[inline(always)]
 pub(crate) fn length<T: Float>(order: usize, [last_but_one, last]: [T; 2]) -> T {
     if !(last_but_one + last).is_finite() {
         return T::default();
     }
-    let logarithm = |mean_square: T| -0.5 * log2(mean_square.to_f64()) - SAFETY;
+    let logarithm = |size: T| -log2(size.to_f64()) - SAFETY;
     let (last, last_but_one) = (
         logarithm(last) / order as f64,
         logarithm(last_but_one) / (order as f64 - 1.0),
@@ -192,7 +192,7 @@ where
         // Where there is no derivative there is no series: let it be told from where the step arrives.
         NonFinite::check(&self.x[1]).ok()?;
         let terms = [&self.x[self.order - 1], &self.x[self.order]];
-        Some(length(self.order, tolerance.mean_squares(terms, x)))
+        Some(length(self.order, tolerance.mean_sizes(terms, x)))
     }
 
     #[inline]
