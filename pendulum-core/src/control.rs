@@ -36,11 +36,15 @@ impl<T: Real> Tolerance<T> {
         sum * T::from_f64(1.0 / N as f64)
     }
 
-    /// The means of `|v| / (atol + rtol |x|)`, of two `v`. Not of the squares: the coefficients of a fast motion grow with the order, and would leave
+    /// The means of `|v| / (atol + rtol |x|)`, of several `v`. Not of the squares: the coefficients of a fast motion grow with the order, and would leave
     /// the range of `f32`.
     #[inline(always)]
-    pub(crate) fn mean_sizes<const N: usize>(&self, v: [&SVector<T, N>; 2], x: &SVector<T, N>) -> [T; 2] {
-        let mut sums = [T::default(); 2];
+    pub(crate) fn mean_sizes<const M: usize, const N: usize>(
+        &self,
+        v: [&SVector<T, N>; M],
+        x: &SVector<T, N>,
+    ) -> [T; M] {
+        let mut sums = [T::default(); M];
         for i in 0..N {
             let weight = T::from_f64(1.0) / (self.atol + self.rtol * x.data.0[0][i].abs());
             for (sum, v) in sums.iter_mut().zip(v) {

@@ -85,8 +85,8 @@ impl fmt::Display for Reason {
             Self::InvalidInput { what, value, rule } => write!(f, "`{what}` is {value:?}: {rule}"),
             Self::NonFinite { component, h: 0.0 } => write!(
                 f,
-                "component {component} of the right-hand side is not finite at the initial point; \
-                 check the parameters and the initial state"
+                "component {component} of the state, or of its derivative, is not finite where the integration starts or goes on after a reset; \
+                 check the parameters, the initial state, and what a reset returns"
             ),
             Self::NonFinite { component, h } => write!(
                 f,

@@ -9,7 +9,10 @@ use nalgebra::SVector;
 /// An event occurs where `g` reaches zero or changes its sign: once, whether that is within a step, at the end of one, or at the start
 /// of the integration. It is found on the dense output of the method, to the accuracy of that and to the last bits of the time. Two
 /// zeros in one step are found even if the sign is the same at both ends: `g` is looked at in ten places of each step, and where it
-/// comes near zero between them its extremum is searched.
+/// comes near zero between them its extremum is searched. What passes zero many times in a step is seen in part: bound the steps by `h_max`
+/// where an event is quicker than the motion.
+///
+/// A reset that does not lead away from zero, such as a rebound without speed, lets the function pass: make such an event terminal.
 ///
 /// ```
 /// use pendulum_core::prelude::*;

@@ -39,6 +39,11 @@ pub trait Model<const N: usize> {
 }
 
 /// A [`System`] that knows the derivative of its right-hand side.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not know its Jacobian",
+    note = "`mechanism!` writes that of a scene without inputs whose `generate` has `jacobian`, as it does unless told otherwise; implement \
+            `Jacobian` for systems of your own, or take an explicit method such as `Vern9`"
+)]
 pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
     /// Entry `(i, j)` is the derivative of component `i` of the right-hand side with respect to component `j` of the state.
     fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N>;

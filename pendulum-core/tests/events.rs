@@ -246,3 +246,24 @@ fn the_period_of_a_pendulum() {
     }
     assert_eq!(solution.events().len(), 1 + (45.0 / period) as usize);
 }
+
+#[test]
+fn jumps_of_an_event_function_are_passages_too() {
+    let square = |t: f64| (std::f64::consts::TAU * t).sin().signum();
+    let event = Event::new(move |t, _x: &SVector<f64, 1>| square(t)).reset(|_t, x| *x);
+    let solution = Rk4::new(0.07).solve_with(&clock(), 0.1, 10.1, [0.0], &[event]);
+    let solution = solution.expect("regular");
+    let halves: Vec<f64> = (1..=20).map(|n| 0.5 * f64::from(n)).collect();
+    let found: Vec<f64> = solution.events().iter().map(|event| event.t).collect();
+    assert_abs_diff_eq!(found[..], halves[..], epsilon = 1e-13);
+}
+
+#[test]
+fn rebounds_may_accumulate_at_the_time_zero() {
+    let end = (2.0_f64 / 9.81).sqrt() * 1.5 / 0.5;
+    let error = Rk45::new().solve_with(&ball(), -end, 2.0, [1.0, 0.0], &[bounce(0.5)]);
+    assert_eq!(
+        error.expect_err("it comes to rest").reason,
+        Reason::EventsAccumulate { event: 0 }
+    );
+}

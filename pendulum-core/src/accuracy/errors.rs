@@ -29,7 +29,7 @@ impl Errors {
     pub fn of<const N: usize>(solution: &Solution<N>, reference: &Reference<'_, N>) -> Option<Self> {
         let (end, x) = solution.last();
         Some(Self {
-            largest: along(solution, reference, |_, x, known| (x - known).amax()),
+            largest: along(solution, reference, |_, x, known| distance(x, known)),
             dense: dense(solution, reference),
             ..Self::at_end(end, &x, reference)?
         })
@@ -38,7 +38,7 @@ impl Errors {
     /// The error of a final state alone.
     pub(super) fn at_end<const N: usize>(t: f64, x: &SVector<f64, N>, reference: &Reference<'_, N>) -> Option<Self> {
         Some(Self {
-            last: (x - reference.at(t)?).amax(),
+            last: distance(x, &reference.at(t)?),
             largest: None,
             dense: None,
             energy: None,
@@ -64,6 +64,22 @@ impl Errors {
     }
 }
 
+/// The larger of two numbers; infinite if one is none, which must not pass for a small one.
+fn larger(a: f64, b: f64) -> f64 {
+    if a.is_nan() || b.is_nan() {
+        f64::INFINITY
+    } else {
+        a.max(b)
+    }
+}
+
+/// The largest difference of a component.
+pub(super) fn distance<const N: usize>(a: &SVector<f64, N>, b: &SVector<f64, N>) -> f64 {
+    (a - b)
+        .iter()
+        .fold(0.0, |largest, difference| larger(largest, difference.abs()))
+}
+
 /// The largest difference at the accepted points, if the reference knows them all.
 fn along<const N: usize>(
     solution: &Solution<N>,
@@ -71,7 +87,7 @@ fn along<const N: usize>(
     difference: impl Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> f64,
 ) -> Option<f64> {
     solution.points().try_fold(0.0, |largest, (t, x)| {
-        Some(f64::max(largest, difference(t, x, &reference.at(t)?)))
+        Some(larger(largest, difference(t, x, &reference.at(t)?)))
     })
 }
 
@@ -85,8 +101,8 @@ fn dense<const N: usize>(solution: &Solution<N>, reference: &Reference<'_, N>) -
     let mut largest = None;
     for t in within.chain(reference.times()) {
         if let Ok(x) = solution.at(t) {
-            let error = (x - reference.at(t)?).amax();
-            largest = Some(error.max(largest.unwrap_or(0.0)));
+            let error = distance(&x, &reference.at(t)?);
+            largest = Some(larger(error, largest.unwrap_or(0.0)));
         }
     }
     largest

@@ -4,6 +4,7 @@ use std::fmt;
 
 use nalgebra::SVector;
 
+use super::errors::distance;
 use crate::error::{OutsideSpan, SolveError};
 use crate::method::{Method, Vern7, Vern9};
 use crate::solution::Solution;
@@ -62,7 +63,7 @@ impl<'a, const N: usize> Reference<'a, N> {
         other.sample([best.t()[0], best.last().0])?;
         let mut uncertainty = 0.0_f64;
         for (t, x) in other.points() {
-            uncertainty = uncertainty.max((best.at(t)? - x).amax());
+            uncertainty = uncertainty.max(distance(&best.at(t)?, x));
         }
         Ok(Self::along(Curve::Solution(best), uncertainty))
     }

@@ -7,8 +7,8 @@ use crate::control::Tolerance;
 use crate::dense::polynomial;
 use crate::error::Reason;
 use crate::method::{
-    Adaptation, Adaptive, Explicit, Family, NonFinite, PowerSeries, SHORT, Scheme, attempt, check_span, check_state,
-    length, order_for, weighted_sum,
+    Adaptation, Adaptive, Explicit, Family, NonFinite, PowerSeries, SHORT, Scheme, TERMS, attempt, check_span,
+    check_state, defect, last_terms, length, order_for, weighted_sum,
 };
 use crate::real::lanes::{Isa, Kernel, Lane, Lanes};
 use crate::system::{Model, System};
@@ -36,10 +36,10 @@ pub trait InLanes<M: Model<N>, T: Lane, const N: usize>: Family<M::In<T>, T, N> 
         memory: &Self::Memory<V>,
         x: &SVector<V, N>,
         tolerance: &Tolerance<V>,
-    ) -> Option<[V; 2]>;
+    ) -> Option<[V; TERMS]>;
 
     /// The length, from that of a lane.
-    fn propose<V: Lanes<Scalar = T>>(memory: &Self::Memory<V>, prepared: [T; 2]) -> T;
+    fn propose<V: Lanes<Scalar = T>>(memory: &Self::Memory<V>, tolerance: &Tolerance<T>, prepared: [T; TERMS]) -> T;
 
     /// Tries a step: the states at its end, and the mean squares of their errors in units of the tolerance.
     fn attempt<V: Lanes<Scalar = T>>(
@@ -78,12 +78,12 @@ where
         _stages: &Self::Memory<V>,
         _x: &SVector<V, N>,
         _tolerance: &Tolerance<V>,
-    ) -> Option<[V; 2]> {
+    ) -> Option<[V; TERMS]> {
         None
     }
 
     #[inline(always)]
-    fn propose<V: Lanes<Scalar = T>>(_stages: &Self::Memory<V>, _prepared: [T; 2]) -> T {
+    fn propose<V: Lanes<Scalar = T>>(_stages: &Self::Memory<V>, _tolerance: &Tolerance<T>, _prepared: [T; TERMS]) -> T {
         T::default()
     }
 
@@ -121,8 +121,17 @@ where
 /// The series of each lane.
 pub struct LaneSeries<W, V, const N: usize> {
     order: usize,
-    x: [SVector<V, N>; MAX_ORDER + 1],
+    /// Which of the two series is that of the states reached.
+    current: usize,
+    x: [[SVector<V, N>; MAX_ORDER + 1]; 2],
     work: W,
+}
+
+impl<W, V, const N: usize> LaneSeries<W, V, N> {
+    #[inline(always)]
+    fn series(&self, which: usize) -> &[SVector<V, N>] {
+        &self.x[which][..=self.order]
+    }
 }
 
 impl<M, T, const N: usize> InLanes<M, T, N> for PowerSeries
@@ -138,15 +147,17 @@ where
     fn memory<V: Lanes<Scalar = T>>(&self, tolerance: &Tolerance<T>) -> Self::Memory<V> {
         LaneSeries {
             order: self.order.unwrap_or_else(|| order_for(tolerance)),
-            x: [SVector::from_element(V::default()); MAX_ORDER + 1],
+            current: 0,
+            x: [[SVector::from_element(V::default()); MAX_ORDER + 1]; 2],
             work: M::workspace::<V>(),
         }
     }
 
     #[inline(always)]
     fn begin<V: Lanes<Scalar = T>>(system: &M::In<V>, t: V, x: &SVector<V, N>, series: &mut Self::Memory<V>) {
-        series.x[0] = *x;
-        M::series(system, t, &mut series.x[..=series.order], &mut series.work);
+        let (current, order) = (series.current, series.order);
+        series.x[current][0] = *x;
+        M::series(system, t, &mut series.x[current][..=order], &mut series.work);
     }
 
     #[inline(always)]
@@ -154,34 +165,39 @@ where
         series: &Self::Memory<V>,
         x: &SVector<V, N>,
         tolerance: &Tolerance<V>,
-    ) -> Option<[V; 2]> {
-        let terms = [&series.x[series.order - 1], &series.x[series.order]];
-        Some(tolerance.mean_sizes(terms, x))
+    ) -> Option<[V; TERMS]> {
+        Some(tolerance.mean_sizes(last_terms(series.series(series.current)), x))
     }
 
     #[inline(always)]
-    fn propose<V: Lanes<Scalar = T>>(series: &Self::Memory<V>, prepared: [T; 2]) -> T {
-        length(series.order, prepared)
+    fn propose<V: Lanes<Scalar = T>>(series: &Self::Memory<V>, tolerance: &Tolerance<T>, prepared: [T; TERMS]) -> T {
+        length(series.order, tolerance, prepared)
     }
 
     #[inline(always)]
     fn attempt<V: Lanes<Scalar = T>>(
-        _system: &M::In<V>,
+        system: &M::In<V>,
         (t, x): (V, &SVector<V, N>),
         t_new: V,
-        _tolerance: &Tolerance<V>,
+        tolerance: &Tolerance<V>,
         series: &mut Self::Memory<V>,
     ) -> (SVector<V, N>, V) {
-        (polynomial(x, &series.x[1..=series.order], t_new - t), V::default())
+        let (h, current, order) = (t_new - t, series.current, series.order);
+        let x_new = polynomial(x, &series.series(current)[1..], h);
+        series.x[1 - current][0] = x_new;
+        M::series(system, t_new, &mut series.x[1 - current][..=order], &mut series.work);
+        let error = defect(series.series(current), h, &series.x[1 - current][1]);
+        (x_new, tolerance.mean_square(&error, x, &x_new))
     }
 
     #[inline(always)]
     fn finish<V: Lanes<Scalar = T>>(
         _system: &M::In<V>,
         _end: (V, &SVector<V, N>),
-        _series: &mut Self::Memory<V>,
+        series: &mut Self::Memory<V>,
     ) -> bool {
-        false
+        series.current = 1 - series.current;
+        true
     }
 }
 
@@ -201,8 +217,8 @@ where
         check_span(t0, t1)?;
         check_models(models, starts)?;
         let mut x = starts.to_vec();
+        let tolerance = self.tolerance()?;
         if let Some(model) = models.first() {
-            let tolerance = self.tolerance()?;
             let scheme = self.family.scheme(&model.cast(), Some(tolerance))?;
             let pace = self.pace(tolerance, scheme.error_order(), (t0, t1))?;
             isa.run(March {
@@ -330,7 +346,9 @@ where
                 if member.index.is_none() {
                     continue;
                 }
-                let of_lane = |prepared: [V; 2]| F::propose(&memory, prepared.map(|prepared| prepared.lane(lane)));
+                let of_lane = |prepared: [V; TERMS]| {
+                    F::propose(&memory, &tolerance, prepared.map(|prepared| prepared.lane(lane)))
+                };
                 if self.plan(member, prepared.map(of_lane)).is_err() {
                     self.leave(member, None);
                 }

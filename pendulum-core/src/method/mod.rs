@@ -32,7 +32,7 @@ pub(crate) use explicit::{SHORT, attempt, weighted_sum};
 pub(crate) use grid::Grid;
 pub(crate) use input::{check_span, check_state, require};
 pub(crate) use pace::Adaptation;
-pub(crate) use taylor::{length, order_for};
+pub(crate) use taylor::{TERMS, defect, last_terms, length, order_for};
 
 pub use adaptive::Adaptive;
 pub use auto::{Auto, Switching};

@@ -24,7 +24,7 @@ pub trait Family<S: ?Sized, T: Float, const N: usize> {
 ///
 /// The engine holds time and state, chooses the length of steps, and looks whether what comes back is finite.
 pub trait Scheme<S: ?Sized, T: Float, const N: usize> {
-    /// Whether [`propose`](Self::prepare) chooses the steps.
+    /// Whether [`prepare`](Self::prepare) chooses the steps.
     const PROPOSES: bool = false;
 
     /// The order `q` of the error estimate: the estimate falls as `h^(q + 1)`.

@@ -7,19 +7,17 @@ use crate::dense::{Step, polynomial};
 use crate::error::Reason;
 use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
 use crate::method::{Adaptive, require};
-use crate::real::Float;
 use crate::real::lanes::{Isa, Kernel, Lane, Lanes};
+use crate::real::{Float, Real};
 use crate::solution::Statistics;
 use crate::taylor::{MAX_ORDER, TaylorSeries};
 
 /// The Taylor method of an order that follows from the tolerance; see [`Adaptive`] for its settings.
 ///
-/// Each step evaluates the power series of the motion once, and is as long as its last two terms stay below the tolerance: À. Jorba and
+/// Each step evaluates the power series of the motion once, and is as long as its last terms stay below the tolerance: À. Jorba and
 /// M. Zou, "A software package for the numerical integration of ODEs by means of high-order Taylor methods", Experimental Mathematics 14
-/// (2005) 99-117. No step is rejected, and the series is the dense output. The order is `-ln(tolerance) / 2 + 5`, or what [`order`](Taylor::order) sets.
-///
-/// Where the right-hand side ends without a trace in the motion above the tolerance, as at the edge of a square root, a step may reach past
-/// that: the error comes with the next one.
+/// (2005) 99-117. A step is rejected if the derivative where it arrives is not that of the series, as where it would pass a pole that its terms do
+/// not tell of. The series is the dense output. The order is `-ln(tolerance) / 2 + 5`, or what [`order`](Taylor::order) sets.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
@@ -51,7 +49,7 @@ pub struct PowerSeries {
 const DEFAULT_ORDER: usize = 20;
 
 impl Taylor {
-    /// The order of the series, from 2 to [`MAX_ORDER`], in place of the one that follows from the tolerance.
+    /// The order of the series, from 4 to [`MAX_ORDER`], in place of the one that follows from the tolerance.
     #[must_use]
     pub fn order(mut self, order: usize) -> Self {
         self.family.order = Some(order);
@@ -72,15 +70,15 @@ where
             (None, Some(tolerance)) => order_for(tolerance),
             (None, None) => DEFAULT_ORDER,
         };
-        let rule = "the order of a Taylor method must be from 2 to 24";
-        require((2..=MAX_ORDER).contains(&order), "order", order as f64, rule)?;
+        let rule = "the order of a Taylor method must be from 4 to 24";
+        require((TERMS..=MAX_ORDER).contains(&order), "order", order as f64, rule)?;
         let zero = SVector::from_element(T::default());
         Ok(Series {
             tolerance,
             order,
             isa: Isa::for_scalars(),
-            known: false,
-            x: [zero; MAX_ORDER + 1],
+            current: 0,
+            x: [[zero; MAX_ORDER + 1]; 2],
             coefficients: [zero; MAX_ORDER],
             work: system.workspace(),
         })
@@ -92,25 +90,58 @@ where
 pub(crate) fn order_for<T: Float>(tolerance: &Tolerance<T>) -> usize {
     let error = tolerance.rtol.max(tolerance.atol).to_f64().min(1.0);
     let order = (-0.5 * error.ln() + 5.0).ceil() as usize;
-    order.clamp(4, MAX_ORDER)
+    order.clamp(TERMS, MAX_ORDER)
 }
 
-/// The last two terms of a series are this many powers of two below the tolerance: so is about the sum of all that are left out.
+/// How many of the last terms tell the length of a step. Symmetric motions, such as those from rest, may have no others than every fourth.
+pub(crate) const TERMS: usize = 4;
+/// The last term of a series is this many powers of two below the tolerance: so is about the sum of all that are left out.
 const SAFETY: f64 = 4.0;
 
-/// The length of a step whose last two terms are well within the tolerance, from the sizes of their coefficients in units of it:
-/// 0 where these are beyond all numbers, as close to a pole.
+/// The length of a step whose last terms are well within the tolerance, from the sizes of their coefficients in units of it: 0 where these
+/// are beyond all numbers, as close to a pole.
+///
+/// Each of them tells a radius of convergence, as if the terms were the powers of one number from the state on; the least counts.
 #[inline(always)]
-pub(crate) fn length<T: Float>(order: usize, [last_but_one, last]: [T; 2]) -> T {
-    if !(last_but_one + last).is_finite() {
+pub(crate) fn length<T: Float>(order: usize, tolerance: &Tolerance<T>, sizes: [T; TERMS]) -> T {
+    let sizes = sizes.map(T::to_f64);
+    if !sizes.iter().sum::<f64>().is_finite() {
         return T::default();
     }
-    let logarithm = |size: T| -log2(size.to_f64()) - SAFETY;
-    let (last, last_but_one) = (
-        logarithm(last) / order as f64,
-        logarithm(last_but_one) / (order as f64 - 1.0),
-    );
-    T::from_f64(exp2(last.min(last_but_one)))
+    let whole = -log2(tolerance.rtol.max(tolerance.atol).to_f64());
+    let mut radius = f64::INFINITY;
+    for (n, size) in sizes.into_iter().enumerate() {
+        radius = radius.min((whole - log2(size)) / (order - n) as f64);
+    }
+    T::from_f64(exp2(radius - (whole + SAFETY) / order as f64))
+}
+
+/// The last terms of a series, the last one first.
+#[inline(always)]
+pub(crate) fn last_terms<R, const N: usize>(x: &[SVector<R, N>]) -> [&SVector<R, N>; TERMS] {
+    std::array::from_fn(|n| &x[x.len() - 1 - n])
+}
+
+/// The error of a step of length `h` along the series `x`, from the derivative where it arrives: that of the series differs from it by
+/// the terms left out, which are integrals of this difference over a growing power of the time.
+#[inline(always)]
+pub(crate) fn defect<R: Real, const N: usize>(x: &[SVector<R, N>], h: R, slope: &SVector<R, N>) -> SVector<R, N> {
+    let square = h * h;
+    let (mut odd, mut even) = ([R::default(); N], [R::default(); N]);
+    for (n, pair) in x[1..].chunks(2).enumerate().rev() {
+        let factors = [2 * n + 1, 2 * n + 2].map(|factor| R::from_f64(factor as f64));
+        for (sums, (factor, term)) in [&mut odd, &mut even].into_iter().zip(factors.into_iter().zip(pair)) {
+            for (sum, &coefficient) in sums.iter_mut().zip(&term.data.0[0]) {
+                *sum = *sum * square + factor * coefficient;
+            }
+        }
+    }
+    let share = h * R::from_f64(1.0 / x.len() as f64);
+    let mut error = *slope;
+    for (error, (&odd, &even)) in error.data.0[0].iter_mut().zip(odd.iter().zip(&even)) {
+        *error = share * (*error - (odd + h * even));
+    }
+    error
 }
 
 /// A series, as code that may use wider registers: its loops over products have the numbers side by side.
@@ -140,31 +171,35 @@ pub struct Series<W, const N: usize, T> {
     tolerance: Option<Tolerance<T>>,
     order: usize,
     isa: Isa,
-    /// Whether the series is that of the point reached.
-    known: bool,
-    x: [SVector<T, N>; MAX_ORDER + 1],
+    /// The series of the point reached, and beside it that of the point where the last step started, or where a step was tried to.
+    current: usize,
+    x: [[SVector<T, N>; MAX_ORDER + 1]; 2],
     /// The dense output.
     coefficients: [SVector<T, N>; MAX_ORDER],
     work: W,
 }
 
 impl<W, const N: usize, T: Lane> Series<W, N, T> {
+    /// Computes one of the two series.
     #[inline]
-    fn find<S>(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics)
+    fn find<S>(&mut self, which: usize, system: &S, (t, x): (T, &SVector<T, N>), work: &mut Statistics)
     where
         S: TaylorSeries<T, N, Workspace = W> + ?Sized,
     {
-        if !self.known {
-            self.x[0] = *x;
-            self.isa.run(Recurrences {
-                system,
-                t,
-                x: &mut self.x[..=self.order],
-                work: &mut self.work,
-            });
-            self.known = true;
-            work.evaluations += 1;
-        }
+        let series = &mut self.x[which][..=self.order];
+        series[0] = *x;
+        self.isa.run(Recurrences {
+            system,
+            t,
+            x: series,
+            work: &mut self.work,
+        });
+        work.evaluations += 1;
+    }
+
+    #[inline]
+    fn series(&self, which: usize) -> &[SVector<T, N>] {
+        &self.x[which][..=self.order]
     }
 }
 
@@ -180,19 +215,15 @@ where
     }
 
     fn begin(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
-        self.known = false;
-        self.find(system, t, x, work);
-        self.x[1]
+        self.find(self.current, system, (t, x), work);
+        self.x[self.current][1]
     }
 
     #[inline]
-    fn prepare(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> Option<T> {
-        self.find(system, t, x, work);
+    fn prepare(&mut self, _system: &S, _t: T, x: &SVector<T, N>, _work: &mut Statistics) -> Option<T> {
         let tolerance = self.tolerance.as_ref()?;
-        // Where there is no derivative there is no series: let it be told from where the step arrives.
-        NonFinite::check(&self.x[1]).ok()?;
-        let terms = [&self.x[self.order - 1], &self.x[self.order]];
-        Some(length(self.order, tolerance.mean_sizes(terms, x)))
+        let terms = last_terms(self.series(self.current));
+        Some(length(self.order, tolerance, tolerance.mean_sizes(terms, x)))
     }
 
     #[inline]
@@ -203,27 +234,30 @@ where
         t_new: T,
         work: &mut Statistics,
     ) -> Result<Attempt<N, T>, Stalled> {
-        self.find(system, t, x, work);
-        Ok(Attempt {
-            x: polynomial(x, &self.x[1..=self.order], t_new - t),
-            mean_square: T::default(),
-        })
+        let (h, other) = (t_new - t, 1 - self.current);
+        let x_new = polynomial(x, &self.series(self.current)[1..], h);
+        self.find(other, system, (t_new, &x_new), work);
+        let mean_square = match &self.tolerance {
+            Some(tolerance) => {
+                let error = defect(self.series(self.current), h, &self.x[other][1]);
+                tolerance.mean_square(&error, x, &x_new)
+            }
+            None => T::default(),
+        };
+        Ok(Attempt { x: x_new, mean_square })
     }
 
     #[inline]
-    fn finish(&mut self, system: &S, step: &Step<N, T>, work: &mut Statistics) -> Result<(), NonFinite> {
-        // Steps within a tolerance pass the end of a right-hand side by no more than that allows; these may lead anywhere.
-        if self.tolerance.is_none() {
-            work.evaluations += 1;
-            NonFinite::check(&system.rhs(step.t1, &step.x1))?;
-        }
-        self.known = false;
+    fn finish(&mut self, _system: &S, _step: &Step<N, T>, _work: &mut Statistics) -> Result<(), NonFinite> {
+        NonFinite::check(&self.x[1 - self.current][1])?;
+        self.current = 1 - self.current;
         Ok(())
     }
 
     fn dense(&mut self, _system: &S, step: &Step<N, T>, _work: &mut Statistics) -> &[SVector<T, N>] {
         let mut power = T::from_f64(1.0);
-        for (coefficient, x) in self.coefficients.iter_mut().zip(&self.x[1..=self.order]) {
+        let series = &self.x[1 - self.current][1..=self.order];
+        for (coefficient, x) in self.coefficients.iter_mut().zip(series) {
             power *= step.h;
             *coefficient = x * power;
         }

@@ -75,7 +75,8 @@ where
             continue;
         };
         let (t, mut x) = (dense.time(cut), dense.at_fraction(cut));
-        let near = T::from_f64(SIMULTANEOUS_ULPS) * T::EPSILON * t.abs();
+        let scale = t.abs().max(dense.step().h.abs());
+        let near = T::from_f64(SIMULTANEOUS_ULPS) * T::EPSILON * scale;
         let (mut ends, mut fired) = (false, Vec::new());
         solution.push_part(&dense, cut);
         for found in found {
@@ -116,7 +117,7 @@ where
             return Ok(());
         }
         stepper.restart(t, x)?;
-        watch.restart(t, &x, &fired)?;
+        watch.restart((t, scale), &x, &fired)?;
     }
     Ok(())
 }
@@ -134,6 +135,8 @@ struct Watch<'w, 'e, const N: usize, T> {
 struct Seen<T> {
     side: Side<T>,
     value: T,
+    /// Its largest size in the step before.
+    largest: T,
     /// When it acted last.
     acted: Option<T>,
     /// The side that it must not be seen on next: it was there twice in no time.
@@ -209,6 +212,7 @@ impl<'w, 'e, const N: usize, T: Float> Watch<'w, 'e, N, T> {
             seen.push(Seen {
                 side,
                 value,
+                largest: value.abs(),
                 acted: None,
                 far: None,
             });
@@ -220,20 +224,21 @@ impl<'w, 'e, const N: usize, T: Float> Watch<'w, 'e, N, T> {
         })
     }
 
-    /// Goes on from the state `x` at `t`; `fired` are the events that were noted there, with their values before.
-    fn restart(&mut self, t: T, x: &SVector<T, N>, fired: &[(Found<T>, T)]) -> Result<(), Reason> {
+    /// Goes on from the state `x` at `t`; `fired` are the events that were noted there, with their values before; `scale` is that
+    /// of times.
+    fn restart(&mut self, (t, scale): (T, T), x: &SVector<T, N>, fired: &[(Found<T>, T)]) -> Result<(), Reason> {
         for (index, seen) in self.seen.iter_mut().enumerate() {
             seen.value = Self::value(self.events, index, t, x)?;
             seen.side = Side::of(seen.value);
             seen.far = None;
             if let Some((found, before)) = fired.iter().find(|(found, _)| found.index == index) {
-                let hurried = T::from_f64(HURRIED) * T::EPSILON.sqrt() * t.abs();
+                let hurried = T::from_f64(HURRIED) * T::EPSILON.sqrt() * scale;
                 if seen.acted.is_some_and(|acted| (t - acted).abs() <= hurried) {
                     seen.far = Some(found.what == What::Passage { rises: true });
                 }
                 seen.acted = Some(t);
-                // Rounding errors may have left it on either side.
-                let noise = before.abs() + before.abs();
+                // Rounding errors may have left it on either side, but a jump did not.
+                let noise = (before.abs() + before.abs()).min(T::EPSILON.sqrt() * seen.largest);
                 if seen.value.abs() <= noise {
                     seen.side = Side::Leaving(noise);
                 }
@@ -293,6 +298,7 @@ impl<'w, 'e, const N: usize, T: Float> Watch<'w, 'e, N, T> {
                 },
             }));
         };
+        seen.largest = seen.value.abs();
         // The two places before.
         let mut earlier: Option<(T, T)> = None;
         let mut last = (T::default(), seen.value);
@@ -313,6 +319,7 @@ impl<'w, 'e, const N: usize, T: Float> Watch<'w, 'e, N, T> {
                 });
                 return;
             }
+            seen.largest = seen.largest.max(here.1.abs());
             let side = Side::of(here.1);
             match (seen.side, side) {
                 (Side::AtStart, Side::Leaving(_)) => {}
