@@ -11,7 +11,7 @@ use crate::real::Float;
 
 /// How much work an integration was.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
-#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
 pub struct Statistics {
     /// Evaluations of the right-hand side, those for the first step size included.
     pub evaluations: usize,

@@ -11,6 +11,11 @@ fn a_solution_is_read_back_as_it_was_written() {
     let read: Solution<2> = serde_json::from_str(&text).expect("reads");
     assert_eq!(read, solution);
     assert_eq!(read.at(2.5), solution.at(2.5));
+    let event = || Event::new(|_t, x: &SVector<f64, 2>| x[0]).reset(|_t, x| -x);
+    let solution = Rk45::new().solve_with(&swing, 0.0, 5.0, [0.5, 0.0], &[event()]);
+    let solution = solution.expect("regular");
+    let text = serde_json::to_string(&solution).expect("writes");
+    assert_eq!(serde_json::from_str::<Solution<2>>(&text).expect("reads"), solution);
 }
 
 mechanism! {
@@ -52,13 +57,16 @@ fn a_parameter_error_is_written_by_field() {
 fn what_is_not_a_solution_is_not_read_as_one() {
     let statistics = r#""statistics":{"evaluations":0,"accepted":0,"rejected":0}"#;
     let cases = [
-        (r#""t":[],"x":[],"coefficients":[],"degree":0"#, "at least one point"),
         (
-            r#""t":[0.0],"x":[],"coefficients":[],"degree":0"#,
+            r#""t":[],"x":[],"coefficients":[],"ends":[],"events":[]"#,
+            "at least one point",
+        ),
+        (
+            r#""t":[0.0],"x":[],"coefficients":[],"ends":[],"events":[]"#,
             "a state for each time",
         ),
         (
-            r#""t":[0.0,1.0,0.5],"x":[[1.0],[1.0],[1.0]],"coefficients":[[0.0],[0.0]],"degree":1"#,
+            r#""t":[0.0,1.0,0.5],"x":[[1.0],[1.0],[1.0]],"coefficients":[[0.0],[0.0]],"ends":[1,2],"events":[]"#,
             "ascend or descend",
         ),
     ];
