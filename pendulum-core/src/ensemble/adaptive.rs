@@ -393,7 +393,7 @@ where
         let mut pace = self.pace;
         if pace.h == T::default() && const { !<F::Scheme as Scheme<M::In<T>, T, N>>::PROPOSES } {
             let slope = model.rhs(t0, &x);
-            NonFinite::check(&slope).map_err(|NonFinite(component)| Reason::NonFinite { component, h: 0.0 })?;
+            NonFinite::check(&slope).map_err(NonFinite::at_start)?;
             pace.h = pace.first_step(&model, (t0, &x, &slope), t1);
         }
         Ok(pace)

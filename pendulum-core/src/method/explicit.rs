@@ -12,7 +12,7 @@ use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
 use crate::real::{Float, Real};
 use crate::solution::Statistics;
 use crate::system::System;
-use crate::tableau::Tableau;
+use crate::tableau::{Tableau, difference};
 
 /// The explicit Runge-Kutta method of the tableau `B`.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -74,16 +74,10 @@ where
                 B::TABLEAU.c[STAGES - 2] == 1.0,
                 "the last but one stage is not at the end of the step"
             );
-            let (mut weights, row) = (B::TABLEAU.b, B::TABLEAU.a[STAGES - 2]);
-            let mut i = 0;
-            while i < STAGES {
-                weights[i] -= row[i];
-                i += 1;
-            }
-            weights
+            &difference(B::TABLEAU.b, B::TABLEAU.a[STAGES - 2])
         };
         let size = |v: SVector<T, N>| v.iter().fold(T::default(), |sum, &v| sum + v * v).sqrt();
-        let apart = size(weighted_sum(h, &weights, STAGES, &self.stages));
+        let apart = size(weighted_sum(h, weights, STAGES, &self.stages));
         let change = size(self.stages[STAGES - 1] - self.stages[STAGES - 2]);
         if apart > T::default() {
             h.abs() * change / apart

@@ -74,11 +74,7 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
     where
         S: System<T, N>,
     {
-        let x0 = x0.into();
-        match self.stepper(system, t0, t1, x0) {
-            Ok(stepper) => stepper.collect(),
-            Err(reason) => Err(SolveError::at_start(reason, t0, x0)),
-        }
+        self.solve_with(system, t0, t1, x0, &[])
     }
 
     /// [`solve`](Self::solve) with events: [`Solution::events`] tells which occurred, and when.

@@ -13,7 +13,7 @@ use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
 use crate::real::Float;
 use crate::solution::Statistics;
 use crate::system::{Jacobian, System};
-use crate::tableau::{RosenbrockMethod, RosenbrockTableau};
+use crate::tableau::{RosenbrockMethod, RosenbrockTableau, difference};
 
 /// The Rosenbrock method of the tableau `B`, for systems that know their Jacobian.
 ///
@@ -102,7 +102,7 @@ where
         const { assert!(STAGES >= 1 && STAGES <= MAX_STAGES && B::TABLEAU.dense.len() <= MAX_DEGREE) };
         let (one, h) = (T::from_f64(1.0), t_new - t);
         let h_gamma = h * T::from_f64(const { B::TABLEAU.gamma });
-        let lu = Lu::new(shifted_identity(one, h_gamma, &self.start.jacobian))?;
+        let lu = Lu::new(identity_minus(h_gamma, &self.start.jacobian))?;
         macro_rules! stages {
             ($($i:literal)*) => { $(
                 if $i < STAGES {
@@ -170,7 +170,7 @@ where
         let mean_square = match &self.tolerance {
             None => T::default(),
             Some(tolerance) => {
-                let weights = const { &error_weights(&B::TABLEAU) };
+                let weights = const { &difference(B::TABLEAU.b, B::TABLEAU.b_hat) };
                 let error = weighted_sum(T::from_f64(1.0), weights, STAGES, &self.stages);
                 tolerance.mean_square(&error, x, &x_new)
             }
@@ -203,28 +203,17 @@ const MAX_STAGES: usize = 8;
 /// The highest degree of a dense output.
 const MAX_DEGREE: usize = 4;
 
-/// `shift - h J`, by columns.
+/// `1 - h J`, by columns.
 #[inline]
-pub(super) fn shifted_identity<T: Float, const N: usize>(shift: T, h: T, jacobian: &SMatrix<T, N, N>) -> [[T; N]; N] {
+fn identity_minus<T: Float, const N: usize>(h: T, jacobian: &SMatrix<T, N, N>) -> [[T; N]; N] {
     let mut columns = jacobian.data.0;
     for (k, column) in columns.iter_mut().enumerate() {
         for entry in column.iter_mut() {
             *entry = -(h * *entry);
         }
-        column[k] += shift;
+        column[k] += T::from_f64(1.0);
     }
     columns
-}
-
-/// The weights of the error estimate.
-const fn error_weights<const STAGES: usize>(tableau: &RosenbrockTableau<STAGES>) -> [f64; STAGES] {
-    let mut weights = tableau.b;
-    let mut i = 0;
-    while i < STAGES {
-        weights[i] -= tableau.b_hat[i];
-        i += 1;
-    }
-    weights
 }
 
 /// One row of a tableau, as the solver wants it: multiplied by `h gamma`, so that no entry of the matrix grows beyond all bounds where

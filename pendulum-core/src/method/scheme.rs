@@ -82,4 +82,10 @@ impl NonFinite {
             Some(component) => Err(Self(component)),
         }
     }
+
+    /// The reason not to start, or to go on after a reset, from there.
+    pub(crate) fn at_start(self) -> Reason {
+        let Self(component) = self;
+        Reason::NonFinite { component, h: 0.0 }
+    }
 }

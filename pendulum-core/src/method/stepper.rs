@@ -5,13 +5,13 @@ use std::fmt;
 use nalgebra::SVector;
 
 use crate::dense::{Dense, Step};
-use crate::error::{Reason, SolveError};
+use crate::error::Reason;
 use crate::method::grid::Grid;
 use crate::method::input::{check_state, require};
 use crate::method::pace::{Adaptation, Pace};
 use crate::method::scheme::{Attempt, NonFinite, Scheme, Stalled};
 use crate::real::Float;
-use crate::solution::{Solution, Statistics};
+use crate::solution::Statistics;
 use crate::system::System;
 
 /// An integration under way, one accepted step at a time and without a heap.
@@ -189,35 +189,11 @@ where
         })
     }
 
-    /// Goes on to the end and keeps a record.
-    pub(super) fn collect(mut self) -> Result<Solution<N, T>, SolveError<N, T>> {
-        let mut solution = Solution::start(self.t(), self.x());
-        loop {
-            let taken = self.step();
-            match taken {
-                Ok(Some(_)) => solution.push(&self.dense()),
-                Ok(None) => {
-                    solution.set_statistics(self.statistics);
-                    return Ok(solution);
-                }
-                Err(reason) => {
-                    solution.set_statistics(self.statistics);
-                    return Err(SolveError {
-                        reason,
-                        solution: Box::new(solution),
-                    });
-                }
-            }
-        }
-    }
-
     /// Evaluates the initial point, and finds the length of a first step where none is known.
     fn begin(&mut self) -> Result<(), Reason> {
         let (t, x) = (self.t(), self.x());
         let slope = self.scheme.begin(self.system, t, &x, &mut self.statistics);
-        if let Err(NonFinite(component)) = NonFinite::check(&slope) {
-            return Err(Reason::NonFinite { component, h: 0.0 });
-        }
+        NonFinite::check(&slope).map_err(NonFinite::at_start)?;
         if let Pace::Adaptive(pace) = &mut self.pace
             && pace.h == T::default()
             && !C::PROPOSES

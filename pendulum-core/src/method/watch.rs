@@ -1,4 +1,4 @@
-//! Looking for events along the steps.
+//! Keeping a record of the steps, and looking for events along them.
 
 use nalgebra::SVector;
 
@@ -23,7 +23,7 @@ const SIMULTANEOUS_ULPS: f64 = 4.0;
 /// go with the square of the time between rebounds, and vanish among rounding errors.
 const HURRIED: f64 = 4.0;
 
-/// Integrates with events, and keeps a record.
+/// Goes on to the end, with events if there are any, and keeps a record.
 pub(super) fn collect<C, S, T, const N: usize>(
     mut stepper: Stepper<'_, C, S, N, T>,
     events: &[Event<'_, N, T>],
@@ -109,7 +109,7 @@ where
             ends |= event.terminal;
             if let Some(reset) = &event.reset {
                 x = reset(t, &x);
-                NonFinite::check(&x).map_err(|NonFinite(component)| Reason::NonFinite { component, h: 0.0 })?;
+                NonFinite::check(&x).map_err(NonFinite::at_start)?;
                 solution.jump(t, x);
             }
         }

@@ -80,13 +80,7 @@ impl<const S: usize> ButcherTableau<S> {
         let Some(b_hat) = self.b_hat else {
             return [0.0; S];
         };
-        let mut weights = self.b;
-        let mut i = 0;
-        while i < S {
-            weights[i] -= b_hat[i];
-            i += 1;
-        }
-        weights
+        difference(self.b, b_hat)
     }
 
     /// Whether the error estimate uses the last stage, the derivative at the end of the step.
@@ -107,6 +101,16 @@ impl<const S: usize> ButcherTableau<S> {
         }
         self.c[S - 1] == 1.0 && self.b[S - 1] == 0.0
     }
+}
+
+/// `a - b`.
+pub(crate) const fn difference<const S: usize>(mut a: [f64; S], b: [f64; S]) -> [f64; S] {
+    let mut i = 0;
+    while i < S {
+        a[i] -= b[i];
+        i += 1;
+    }
+    a
 }
 
 /// A type that stands for a tableau, so that the stepping code is compiled for each one with its coefficients as constants.
