@@ -37,6 +37,7 @@
 //! | [`event`] | what happens along a trajectory |
 //! | [`error`] | what can go wrong |
 //! | [`linear`] | linear equations of the size of a state |
+//! | [`stability`] | equilibria and their modes, chaos, and the limits of methods |
 //! | [`accuracy`] | trusted solutions, norms of errors, and what accuracy takes |
 //! | [`cost`] | counted operations of generated functions |
 
@@ -50,6 +51,7 @@ pub mod linear;
 pub mod method;
 pub mod real;
 pub mod solution;
+pub mod stability;
 pub mod system;
 pub mod tableau;
 pub mod taylor;

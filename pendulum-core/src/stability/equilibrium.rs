@@ -1,0 +1,211 @@
+//! States of rest, and whether they last.
+
+use std::f64::consts::{PI, TAU};
+
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+
+use super::{Spectrum, StabilityError};
+use crate::system::Jacobian;
+
+/// A state at which the right-hand side vanishes, with the small motions about it: `d(x - x0)/dt = jacobian (x - x0)`.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Equilibrium<const N: usize> {
+    /// The state.
+    pub x: SVector<f64, N>,
+    /// The generated Jacobian there: the linearisation.
+    pub jacobian: SMatrix<f64, N, N>,
+    /// Its eigenvalues and modes.
+    pub spectrum: Spectrum<N>,
+}
+
+/// What the linearisation tells of an equilibrium (Lyapunov's indirect method; H. K. Khalil, "Nonlinear Systems", 3rd ed. (2002), 4.3).
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Stability {
+    /// All small motions decay.
+    AsymptoticallyStable,
+    /// Some small motion grows.
+    Unstable,
+    /// No small motion grows to first order, and some do not decay: the linearisation does not decide. Such is all that swings without friction.
+    Undecided,
+}
+
+impl<const N: usize> Equilibrium<N> {
+    /// What the eigenvalues tell, as far as rounding errors allow.
+    #[must_use]
+    pub fn stability(&self) -> Stability {
+        let modes = self.spectrum.modes();
+        if modes.iter().any(|mode| mode.growth_rate() > mode.uncertainty) {
+            Stability::Unstable
+        } else if modes.iter().all(|mode| mode.growth_rate() < -mode.uncertainty) {
+            Stability::AsymptoticallyStable
+        } else {
+            Stability::Undecided
+        }
+    }
+}
+
+/// The equilibrium that Newton's method finds from `seed`.
+///
+/// The system is taken as it is at the time 0, and must not depend on time. Each step goes down the sum of squares of the right-hand side, and is
+/// halved until it does (J. Nocedal, S. J. Wright, "Numerical Optimization", 2nd ed. (2006), 11.2). Where equilibria are not isolated, as for a
+/// cart on a level track, it goes to one nearby: steps are the shortest that solve the linear equations.
+///
+/// # Errors
+/// [`StabilityError::NotFinite`] where the right-hand side is not, and [`StabilityError::NoConvergence`] if no zero of it is found.
+pub fn equilibrium<S, const N: usize>(
+    system: &S,
+    seed: impl Into<SVector<f64, N>>,
+) -> Result<Equilibrium<N>, StabilityError>
+where
+    S: Jacobian<f64, N> + ?Sized,
+{
+    let mut x = seed.into();
+    let (mut rhs, mut jacobian) = evaluate(system, &x)?;
+    for _ in 0..ITERATIONS {
+        let step = shortest_solution(&jacobian, &rhs)?;
+        let settled = step.norm() <= SETTLED * (1.0 + x.norm());
+        let Some(next) = descend(system, &x, &step, rhs.norm()) else {
+            // Rounding errors are all that is left, or a valley of the sum of squares.
+            break;
+        };
+        x = next;
+        (rhs, jacobian) = evaluate(system, &x)?;
+        if settled {
+            break;
+        }
+    }
+    let resolution = f64::EPSILON * jacobian.norm() * (1.0 + x.norm());
+    if rhs.norm() > 100.0 * resolution {
+        return Err(StabilityError::NoConvergence {
+            iterations: ITERATIONS,
+            residual: rhs.amax(),
+        });
+    }
+    let spectrum = Spectrum::of(&jacobian)?;
+    Ok(Equilibrium { x, jacobian, spectrum })
+}
+
+/// The equilibria that are found from `seeds`, and from these by half turns.
+///
+/// From each new one the search goes on with each angle turned by half a turn. Of a planar chain that hangs on revolute joints, without
+/// springs, these are all: each of its links hangs or stands, in relative or in absolute angles. Angles are recognised by
+/// the right-hand side, which is the same after a full turn, and are told in (-pi, pi]; equilibria that differ by full turns are the same.
+///
+/// Seeds that lead nowhere are passed over.
+pub fn equilibria<S, const N: usize>(
+    system: &S,
+    seeds: impl IntoIterator<Item = SVector<f64, N>>,
+) -> Vec<Equilibrium<N>>
+where
+    S: Jacobian<f64, N> + ?Sized,
+{
+    let mut found: Vec<Equilibrium<N>> = Vec::new();
+    let mut seeds: Vec<_> = seeds.into_iter().collect();
+    seeds.reverse();
+    while let Some(seed) = seeds.pop() {
+        let Ok(mut equilibrium) = equilibrium(system, seed) else {
+            continue;
+        };
+        let angles = angles(system, &equilibrium.x);
+        for &angle in &angles {
+            equilibrium.x[angle] = within_a_turn(equilibrium.x[angle]);
+        }
+        let is_same = |other: &Equilibrium<N>| {
+            let mut apart = other.x - equilibrium.x;
+            for &angle in &angles {
+                apart[angle] = within_a_turn(apart[angle]);
+            }
+            apart.norm() <= SAME * (1.0 + equilibrium.x.norm())
+        };
+        if found.iter().any(is_same) {
+            continue;
+        }
+        for &angle in angles.iter().rev() {
+            let mut turned = equilibrium.x;
+            turned[angle] += PI;
+            seeds.push(turned);
+        }
+        found.push(equilibrium);
+    }
+    found
+}
+
+const ITERATIONS: usize = 100;
+/// A step so short, in parts of the state, is the last.
+const SETTLED: f64 = 1e-12;
+/// Equilibria so close are the same.
+const SAME: f64 = 1e-6;
+/// Singular values below so much of the largest are zero.
+const SINGULAR: f64 = 1e-12;
+
+fn evaluate<S, const N: usize>(
+    system: &S,
+    x: &SVector<f64, N>,
+) -> Result<(SVector<f64, N>, SMatrix<f64, N, N>), StabilityError>
+where
+    S: Jacobian<f64, N> + ?Sized,
+{
+    let (rhs, jacobian) = system.rhs_and_jacobian(0.0, x);
+    if rhs.iter().chain(jacobian.iter()).all(|entry| entry.is_finite()) {
+        Ok((rhs, jacobian))
+    } else {
+        Err(StabilityError::NotFinite)
+    }
+}
+
+/// The shortest `step` with the least `|rhs + jacobian step|`.
+fn shortest_solution<const N: usize>(
+    jacobian: &SMatrix<f64, N, N>,
+    rhs: &SVector<f64, N>,
+) -> Result<SVector<f64, N>, StabilityError> {
+    let svd = DMatrix::from_column_slice(N, N, jacobian.as_slice()).svd(true, true);
+    let least = SINGULAR * svd.singular_values.max();
+    let step = svd.solve(&DVector::from_column_slice((-rhs).as_slice()), least);
+    let step = step.map_err(|_| StabilityError::NotFinite)?;
+    Ok(SVector::from_column_slice(step.as_slice()))
+}
+
+/// Where the right-hand side is smaller than `size`, along the step.
+fn descend<S, const N: usize>(
+    system: &S,
+    x: &SVector<f64, N>,
+    step: &SVector<f64, N>,
+    size: f64,
+) -> Option<SVector<f64, N>>
+where
+    S: Jacobian<f64, N> + ?Sized,
+{
+    let mut part = 1.0;
+    while part > 1e-9 {
+        let next = x + step * part;
+        if system.rhs(0.0, &next).norm() < (1.0 - 1e-4 * part) * size {
+            return Some(next);
+        }
+        part *= 0.5;
+    }
+    None
+}
+
+/// The components of the state that are angles: a full turn is seen nowhere, and less than that is.
+fn angles<S, const N: usize>(system: &S, x: &SVector<f64, N>) -> Vec<usize>
+where
+    S: Jacobian<f64, N> + ?Sized,
+{
+    // A state without symmetry.
+    let base = SVector::from_fn(|i, _| x[i] + (1.0 + i as f64).sqrt());
+    let (rhs, jacobian) = system.rhs_and_jacobian(0.0, &base);
+    let is_angle = |&i: &usize| {
+        let mut turned = base;
+        turned[i] += TAU;
+        let (there, slopes) = system.rhs_and_jacobian(0.0, &turned);
+        let noise = 1e-9 * (1.0 + rhs.norm() + jacobian.norm());
+        (there - rhs).norm() <= noise && (slopes - jacobian).norm() <= noise && jacobian.column(i).norm() > noise
+    };
+    (0..N).filter(is_angle).collect()
+}
+
+/// The angle in (-pi, pi]; just above -pi counts as pi.
+fn within_a_turn(angle: f64) -> f64 {
+    let turned = angle - TAU * (angle / TAU).round();
+    if turned < -PI + SAME { turned + TAU } else { turned }
+}

@@ -1,0 +1,54 @@
+//! What an analysis of stability may end in.
+
+use std::error::Error;
+use std::fmt;
+
+use crate::error::Reason;
+
+/// Why an analysis came to no result.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
+pub enum StabilityError {
+    /// An integration ended before its time, or a setting makes no sense.
+    Integration(Reason),
+    /// An entry of a matrix, or of the right-hand side, is infinite or not a number.
+    NotFinite,
+    /// The iteration did not converge.
+    NoConvergence {
+        /// The iterations that were allowed.
+        iterations: usize,
+        /// What was left of the equations at the best point, as the largest component.
+        residual: f64,
+    },
+}
+
+impl fmt::Display for StabilityError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Integration(reason) => reason.fmt(f),
+            Self::NotFinite => write!(
+                f,
+                "the right-hand side or a matrix is not finite; check the parameters and the state, and look for a singularity there"
+            ),
+            Self::NoConvergence { iterations, residual } => write!(
+                f,
+                "{iterations} iterations left a residual of {residual:.3e}; start closer to the solution, or look whether there is one"
+            ),
+        }
+    }
+}
+
+impl Error for StabilityError {
+    fn source(&self) -> Option<&(dyn Error + 'static)> {
+        match self {
+            Self::Integration(reason) => Some(reason),
+            Self::NotFinite | Self::NoConvergence { .. } => None,
+        }
+    }
+}
+
+impl From<Reason> for StabilityError {
+    fn from(reason: Reason) -> Self {
+        Self::Integration(reason)
+    }
+}

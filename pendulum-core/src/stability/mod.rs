@@ -1,0 +1,34 @@
+//! How stable a motion is, and how stable a method: two things to be told apart.
+//!
+//! A motion may lose its stability whatever integrates it; a method may lose it where the motion is stable. Both follow from the generated
+//! Jacobian.
+//!
+//! ```
+//! use pendulum_core::prelude::*;
+//! use pendulum_core::stability::{Stability, equilibria};
+//!
+//! mechanism! {
+//!     pub Swing {
+//!         params { gamma: N m s = 0.1 }
+//!         gravity: [0, -9.81, 0],
+//!         body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle, friction: gamma }
+//!     }
+//! }
+//!
+//! let swing = Swing::new(SwingParams::default())?;
+//! let [hanging, standing] = &equilibria(&swing, [SVector::from([0.1, 0.0])])[..] else { panic!("there are two") };
+//! assert_eq!(hanging.stability(), Stability::AsymptoticallyStable);
+//! assert_eq!(standing.stability(), Stability::Unstable);
+//! let fastest = standing.spectrum.modes()[0].growth_rate();
+//! assert!((fastest - (-0.05 + (9.81_f64 + 0.0025).sqrt())).abs() < 1e-12);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod equilibrium;
+mod error;
+mod spectrum;
+
+pub use equilibrium::{Equilibrium, Stability, equilibria, equilibrium};
+pub use error::StabilityError;
+pub use nalgebra::Complex;
+pub use spectrum::{Mode, Spectrum};
