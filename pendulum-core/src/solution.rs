@@ -72,41 +72,6 @@ impl<const N: usize, T: Float> Solution<N, T> {
         }
     }
 
-    pub(crate) fn push(&mut self, dense: &Dense<'_, N, T>) {
-        let step = dense.step();
-        self.t.push(step.t1);
-        self.x.push(step.x1);
-        self.coefficients.extend(dense.coefficients());
-        self.ends.push(self.coefficients.len());
-    }
-
-    /// The part of a step up to the fraction `theta`.
-    pub(crate) fn push_part(&mut self, dense: &Dense<'_, N, T>, theta: T) {
-        let t = dense.time(theta);
-        if t == self.last().0 {
-            return;
-        }
-        self.t.push(t);
-        self.x.push(dense.at_fraction(theta));
-        let mut power = T::from_f64(1.0);
-        for coefficient in dense.coefficients() {
-            power *= theta;
-            self.coefficients.push(coefficient * power);
-        }
-        self.ends.push(self.coefficients.len());
-    }
-
-    /// Another state at the last time.
-    pub(crate) fn jump(&mut self, t: T, x: SVector<T, N>) {
-        self.t.push(t);
-        self.x.push(x);
-        self.ends.push(self.coefficients.len());
-    }
-
-    pub(crate) fn note(&mut self, event: Occurrence<N, T>) {
-        self.events.push(event);
-    }
-
     pub(crate) fn set_statistics(&mut self, statistics: Statistics) {
         self.statistics = statistics;
     }
@@ -188,6 +153,70 @@ impl<const N: usize, T: Float> Solution<N, T> {
     /// If one of them is outside of the span.
     pub fn sample(&self, times: impl IntoIterator<Item = T>) -> Result<Vec<SVector<T, N>>, OutsideSpan> {
         times.into_iter().map(|t| self.at(t)).collect()
+    }
+}
+
+/// What is kept of a trajectory that is followed.
+pub(crate) trait Record<const N: usize, T> {
+    /// A step.
+    fn push(&mut self, dense: &Dense<'_, N, T>);
+
+    /// The part of a step up to the fraction `theta`.
+    fn push_part(&mut self, dense: &Dense<'_, N, T>, theta: T);
+
+    /// Another state at the last time.
+    fn jump(&mut self, t: T, x: SVector<T, N>);
+
+    /// An event.
+    fn note(&mut self, event: Occurrence<N, T>);
+}
+
+/// All of it.
+impl<const N: usize, T: Float> Record<N, T> for Solution<N, T> {
+    fn push(&mut self, dense: &Dense<'_, N, T>) {
+        let step = dense.step();
+        self.t.push(step.t1);
+        self.x.push(step.x1);
+        self.coefficients.extend(dense.coefficients());
+        self.ends.push(self.coefficients.len());
+    }
+
+    fn push_part(&mut self, dense: &Dense<'_, N, T>, theta: T) {
+        let t = dense.time(theta);
+        if t == self.last().0 {
+            return;
+        }
+        self.t.push(t);
+        self.x.push(dense.at_fraction(theta));
+        let mut power = T::from_f64(1.0);
+        for coefficient in dense.coefficients() {
+            power *= theta;
+            self.coefficients.push(coefficient * power);
+        }
+        self.ends.push(self.coefficients.len());
+    }
+
+    fn jump(&mut self, t: T, x: SVector<T, N>) {
+        self.t.push(t);
+        self.x.push(x);
+        self.ends.push(self.coefficients.len());
+    }
+
+    fn note(&mut self, event: Occurrence<N, T>) {
+        self.events.push(event);
+    }
+}
+
+/// Its events alone.
+impl<const N: usize, T> Record<N, T> for Vec<Occurrence<N, T>> {
+    fn push(&mut self, _dense: &Dense<'_, N, T>) {}
+
+    fn push_part(&mut self, _dense: &Dense<'_, N, T>, _theta: T) {}
+
+    fn jump(&mut self, _t: T, _x: SVector<T, N>) {}
+
+    fn note(&mut self, event: Occurrence<N, T>) {
+        self.push(event);
     }
 }
 

@@ -66,6 +66,11 @@ where
     B: Tableau<STAGES>,
     T: Float,
 {
+    /// The derivatives at the stages of the step that was tried last.
+    pub(super) fn stages(&self) -> &[SVector<T, N>; STAGES] {
+        &self.stages
+    }
+
     /// `|h lambda|` of the step accepted last, of length `h`, `lambda` the fastest rate of the system: from the last two stages, which are the
     /// derivatives at two states at the same time; 0 where they are the same.
     pub(super) fn stiffness(&self, h: T) -> T {

@@ -15,6 +15,7 @@ mod radau;
 mod rosenbrock;
 mod scheme;
 mod stepper;
+mod tangent;
 mod taylor;
 mod watch;
 mod zero;
@@ -32,7 +33,9 @@ pub(crate) use explicit::{SHORT, attempt, weighted_sum};
 pub(crate) use grid::Grid;
 pub(crate) use input::{check_span, check_state, require};
 pub(crate) use pace::Adaptation;
+pub(crate) use tangent::Tangent;
 pub(crate) use taylor::{TERMS, defect, last_terms, length, order_for};
+pub(crate) use watch::follow;
 
 pub use adaptive::Adaptive;
 pub use auto::{Auto, Switching};

@@ -113,6 +113,11 @@ where
         self.last.x1
     }
 
+    /// What the method works with, for those who know more of it than the engine.
+    pub(crate) fn scheme_mut(&mut self) -> &mut C {
+        &mut self.scheme
+    }
+
     /// How much work it was so far.
     #[must_use]
     #[inline]

@@ -1,4 +1,4 @@
-//! Keeping a record of the steps, and looking for events along them.
+//! Following a trajectory: looking for events along its steps, and keeping what is wanted of them.
 
 use nalgebra::SVector;
 
@@ -9,7 +9,7 @@ use crate::method::Stepper;
 use crate::method::scheme::{NonFinite, Scheme};
 use crate::method::zero::{dip, root};
 use crate::real::Float;
-use crate::solution::Solution;
+use crate::solution::{Record, Solution};
 use crate::system::System;
 
 /// Where the event functions are looked at in each step, in fractions of it; the start is known from the step before. Those near the
@@ -23,7 +23,7 @@ const SIMULTANEOUS_ULPS: f64 = 4.0;
 /// go with the square of the time between rebounds, and vanish among rounding errors.
 const HURRIED: f64 = 4.0;
 
-/// Goes on to the end, with events if there are any, and keeps a record.
+/// Goes on to the end, with events if there are any, and keeps the trajectory.
 pub(super) fn collect<C, S, T, const N: usize>(
     mut stepper: Stepper<'_, C, S, N, T>,
     events: &[Event<'_, N, T>],
@@ -45,10 +45,11 @@ where
     }
 }
 
-fn follow<C, S, T, const N: usize>(
+/// Goes on to the end, and keeps what `record` wants.
+pub(crate) fn follow<C, S, T, const N: usize>(
     stepper: &mut Stepper<'_, C, S, N, T>,
     events: &[Event<'_, N, T>],
-    solution: &mut Solution<N, T>,
+    record: &mut impl Record<N, T>,
 ) -> Result<(), Reason>
 where
     C: Scheme<S, T, N>,
@@ -64,9 +65,9 @@ where
             if let Some(trouble) = found.iter().find_map(|found| found.trouble(&dense)) {
                 return Err(trouble);
             }
-            solution.push(&dense);
+            record.push(&dense);
             for Found { index, theta, .. } in found {
-                solution.note(Occurrence {
+                record.note(Occurrence {
                     index,
                     t: dense.time(theta),
                     x: dense.at_fraction(theta),
@@ -78,7 +79,7 @@ where
         let scale = t.abs().max(dense.step().h.abs());
         let near = T::from_f64(SIMULTANEOUS_ULPS) * T::EPSILON * scale;
         let (mut ends, mut fired) = (false, Vec::new());
-        solution.push_part(&dense, cut);
+        record.push_part(&dense, cut);
         for found in found {
             let (index, time) = (found.index, dense.time(found.theta));
             if found.theta > cut && (time - t).abs() > near {
@@ -94,7 +95,7 @@ where
             } else {
                 x
             };
-            solution.note(Occurrence {
+            record.note(Occurrence {
                 index,
                 t: time,
                 x: before,
@@ -110,7 +111,7 @@ where
             if let Some(reset) = &event.reset {
                 x = reset(t, &x);
                 NonFinite::check(&x).map_err(NonFinite::at_start)?;
-                solution.jump(t, x);
+                record.jump(t, x);
             }
         }
         if ends {

@@ -26,9 +26,15 @@
 
 mod equilibrium;
 mod error;
+mod lyapunov;
+mod section;
 mod spectrum;
+mod transition;
 
 pub use equilibrium::{Equilibrium, Stability, equilibria, equilibrium};
 pub use error::StabilityError;
+pub use lyapunov::{Exponents, Lyapunov};
 pub use nalgebra::Complex;
+pub use section::section;
 pub use spectrum::{Mode, Spectrum};
+pub use transition::transition;

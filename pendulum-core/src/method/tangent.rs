@@ -1,0 +1,154 @@
+//! Explicit Runge-Kutta methods that carry tangents along: the variational equations, in the same steps.
+
+use nalgebra::SVector;
+
+use crate::control::Tolerance;
+use crate::dense::Step;
+use crate::error::Reason;
+use crate::method::explicit::{Explicit, Stages, shifted, weighted_sum};
+use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
+use crate::real::Float;
+use crate::solution::Statistics;
+use crate::system::Jacobian;
+use crate::tableau::Tableau;
+
+/// The explicit method of the tableau `B`, with `K` tangents `v' = J(t, x) v`.
+///
+/// A step of them is the derivative of the step of the state: the same tableau, with the Jacobian at each of its stages. Their errors are kept
+/// within the tolerance too, relative to the length of each.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Tangent<B, const STAGES: usize, const K: usize>(Explicit<B, STAGES>);
+
+impl<B, S, T, const STAGES: usize, const K: usize, const N: usize> Family<S, T, N> for Tangent<B, STAGES, K>
+where
+    B: Tableau<STAGES>,
+    S: Jacobian<T, N> + ?Sized,
+    T: Float,
+{
+    type Scheme = Bundle<B, STAGES, K, N, T>;
+
+    fn scheme(&self, system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
+        let zero = SVector::from_element(T::default());
+        let mut tangents = [zero; K];
+        for (k, tangent) in tangents.iter_mut().enumerate() {
+            tangent[k] = T::from_f64(1.0);
+        }
+        Ok(Bundle {
+            state: Family::<S, T, N>::scheme(&self.0, system, tolerance)?,
+            tolerance,
+            tangents,
+            tried: tangents,
+            rates: [[zero; STAGES]; K],
+        })
+    }
+}
+
+/// A state and its tangents on their way.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bundle<B, const STAGES: usize, const K: usize, const N: usize, T> {
+    state: Stages<B, STAGES, N, T>,
+    tolerance: Option<Tolerance<T>>,
+    /// Where the last accepted step ended; at first the unit vectors of the first `K` components.
+    pub(crate) tangents: [SVector<T, N>; K],
+    /// Where the last attempt ended.
+    tried: [SVector<T, N>; K],
+    /// The derivative of each tangent at each stage.
+    rates: [[SVector<T, N>; STAGES]; K],
+}
+
+impl<B, T, const STAGES: usize, const K: usize, const N: usize> Bundle<B, STAGES, K, N, T>
+where
+    B: Tableau<STAGES>,
+    T: Float,
+{
+    /// Tries the step of the tangents, the stages of the state being known: the largest mean square of their errors.
+    fn attempt_tangents<S>(&mut self, system: &S, (t, x): (T, &SVector<T, N>), h: T) -> T
+    where
+        S: Jacobian<T, N> + ?Sized,
+    {
+        let tableau = const { &B::TABLEAU };
+        let weights = const { &B::TABLEAU.error_weights() };
+        // The last stage has no weight but in the estimate.
+        let wants_the_last = self.tolerance.is_some() && const { B::TABLEAU.error_wants_the_last_stage() };
+        let count = if wants_the_last { STAGES } else { STAGES - 1 };
+        for (i, row) in tableau.a.iter().enumerate().take(count) {
+            let x = shifted(x, &weighted_sum(h, row, i, self.state.stages()));
+            let jacobian = system.jacobian(t + h * T::from_f64(tableau.c[i]), &x);
+            for (tangent, rates) in self.tangents.iter().zip(&mut self.rates) {
+                let tangent = shifted(tangent, &weighted_sum(h, row, i, rates));
+                rates[i] = image(&jacobian.data.0, &tangent);
+            }
+        }
+        let mut largest = T::default();
+        for ((tried, tangent), rates) in self.tried.iter_mut().zip(&self.tangents).zip(&self.rates) {
+            *tried = shifted(tangent, &weighted_sum(h, &tableau.b, STAGES - 1, rates));
+            if let Some(tolerance) = &self.tolerance {
+                let error = square(&weighted_sum(h, weights, count, rates));
+                let size = square(tangent).max(square(tried));
+                largest = largest.max(error / (tolerance.rtol * tolerance.rtol * size));
+            }
+        }
+        largest
+    }
+}
+
+/// The product of a matrix, given by its columns, and a vector.
+fn image<T: Float, const N: usize>(columns: &[[T; N]; N], vector: &SVector<T, N>) -> SVector<T, N> {
+    let mut image = [T::default(); N];
+    for (column, &factor) in columns.iter().zip(vector.iter()) {
+        for (image, &entry) in image.iter_mut().zip(column) {
+            *image += entry * factor;
+        }
+    }
+    SVector::from(image)
+}
+
+fn square<T: Float, const N: usize>(vector: &SVector<T, N>) -> T {
+    vector.iter().fold(T::default(), |sum, &v| sum + v * v)
+}
+
+impl<B, S, T, const STAGES: usize, const K: usize, const N: usize> Scheme<S, T, N> for Bundle<B, STAGES, K, N, T>
+where
+    B: Tableau<STAGES>,
+    S: Jacobian<T, N> + ?Sized,
+    T: Float,
+{
+    fn error_order(&self) -> usize {
+        Scheme::<S, T, N>::error_order(&self.state)
+    }
+
+    fn begin(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
+        self.state.begin(system, t, x, work)
+    }
+
+    fn attempt(
+        &mut self,
+        system: &S,
+        (t, x): (T, &SVector<T, N>),
+        t_new: T,
+        work: &mut Statistics,
+    ) -> Result<Attempt<N, T>, Stalled> {
+        let Attempt { x: x_new, mean_square } = self.state.attempt(system, (t, x), t_new, work)?;
+        let of_tangents = self.attempt_tangents(system, (t, x), t_new - t);
+        work.jacobians += STAGES - 1;
+        // A tangent that is not finite is no step: the maximum passes over NaN.
+        let is_finite = self.tried.iter().all(|tangent| NonFinite::check(tangent).is_ok());
+        if !is_finite {
+            return Err(Stalled);
+        }
+        Ok(Attempt {
+            x: x_new,
+            mean_square: mean_square.max(of_tangents),
+        })
+    }
+
+    fn finish(&mut self, system: &S, step: &Step<N, T>, work: &mut Statistics) -> Result<(), NonFinite> {
+        self.state.finish(system, step, work)?;
+        self.tangents = self.tried;
+        Ok(())
+    }
+
+    fn dense(&mut self, system: &S, step: &Step<N, T>, work: &mut Statistics) -> &[SVector<T, N>] {
+        self.state.dense(system, step, work)
+    }
+}

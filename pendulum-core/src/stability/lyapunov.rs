@@ -1,0 +1,186 @@
+//! Lyapunov exponents: at what rate neighbouring trajectories part.
+
+use nalgebra::SVector;
+
+use super::StabilityError;
+use super::transition::flow;
+use crate::error::Reason;
+use crate::method::{Method, require};
+use crate::system::Jacobian;
+
+/// The measurement of Lyapunov exponents, a plain value with settings.
+///
+/// Tangents follow the variational equations along a trajectory. After each step they are made orthonormal again, and the logarithms of the lengths
+/// that they had are summed up; their mean growth rates tend to the largest exponents (G. Benettin, L. Galgani, A. Giorgilli, J.-M. Strelcyn,
+/// Meccanica 15 (1980) 9 and 21). They tend slowly: as `ln(t) / t` in regular motion, and as `1 / sqrt(t)` in chaotic motion.
+///
+/// ```
+/// use pendulum_core::prelude::*;
+/// use pendulum_core::stability::Lyapunov;
+///
+/// mechanism! {
+///     pub Swing {
+///         gravity: [0, -9.81, 0],
+///         body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle, friction: 0.2 }
+///     }
+/// }
+///
+/// let swing = Swing::new(SwingParams {})?;
+/// let exponents = Lyapunov::new().duration(200.0).exponents::<2, _>(&swing, [0.01, 0.0])?;
+/// assert!((exponents.values[0] + 0.1).abs() < 1e-2);
+/// assert!((exponents.values.iter().sum::<f64>() + 0.2).abs() < 1e-7);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Lyapunov {
+    tolerance: f64,
+    transient: f64,
+    duration: f64,
+}
+
+/// The largest `K` Lyapunov exponents of a trajectory.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Exponents<const K: usize, const N: usize> {
+    /// The exponents, in 1/s, falling.
+    pub values: [f64; K],
+    /// The standard error of each, from the scatter of its means over ten parts of the duration. What is the same in all parts, such as a
+    /// transient that has not ended, does not show in it.
+    pub uncertainty: [f64; K],
+    /// The time at the end.
+    pub t: f64,
+    /// The state at the end.
+    pub x: SVector<f64, N>,
+}
+
+/// The duration is cut in so many parts, whose scatter tells the uncertainty.
+const PARTS: usize = 10;
+
+impl Default for Lyapunov {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Lyapunov {
+    /// The measurement with its default settings.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self {
+            tolerance: 1e-8,
+            transient: 0.0,
+            duration: 1000.0,
+        }
+    }
+
+    /// The relative and absolute tolerance of the trajectory and of its tangents. Default: 1e-8.
+    #[must_use]
+    pub const fn tolerance(mut self, tolerance: f64) -> Self {
+        self.tolerance = tolerance;
+        self
+    }
+
+    /// The time that the motion has to settle, and the tangents to turn to the directions in which they grow, before growth is counted, in s.
+    /// Default: 0.
+    #[must_use]
+    pub const fn transient(mut self, transient: f64) -> Self {
+        self.transient = transient;
+        self
+    }
+
+    /// The time over which growth is counted, in s. Default: 1000.
+    #[must_use]
+    pub const fn duration(mut self, duration: f64) -> Self {
+        self.duration = duration;
+        self
+    }
+
+    /// The largest exponent of the trajectory from `x0` at the time 0.
+    ///
+    /// # Errors
+    /// As [`exponents`](Self::exponents).
+    pub fn largest<const N: usize>(
+        &self,
+        system: &(impl Jacobian<f64, N> + ?Sized),
+        x0: impl Into<SVector<f64, N>>,
+    ) -> Result<Exponents<1, N>, StabilityError> {
+        self.exponents(system, x0)
+    }
+
+    /// The `K` largest exponents of the trajectory from `x0` at the time 0; all of them for `K = N`.
+    ///
+    /// # Errors
+    /// [`StabilityError::Integration`] if a setting is out of its range, or if the trajectory comes to an end before its time.
+    pub fn exponents<const K: usize, const N: usize>(
+        &self,
+        system: &(impl Jacobian<f64, N> + ?Sized),
+        x0: impl Into<SVector<f64, N>>,
+    ) -> Result<Exponents<K, N>, StabilityError> {
+        const { assert!(1 <= K && K <= N, "there are from one to N exponents") };
+        self.check()?;
+        let end = self.transient + self.duration;
+        let mut stepper = flow::<K>(self.tolerance).stepper(system, 0.0, end, x0)?;
+        let mut parts = [[0.0; K]; PARTS];
+        let mut seconds = [0.0; PARTS];
+        let mut counted_from = f64::INFINITY;
+        while let Some(step) = stepper.step()? {
+            let growth = orthonormalize(&mut stepper.scheme_mut().tangents);
+            if step.t0 < self.transient {
+                continue;
+            }
+            counted_from = counted_from.min(step.t0);
+            let part = (PARTS as f64 * (step.t0 - counted_from) / (end - counted_from)) as usize;
+            let part = part.min(PARTS - 1);
+            seconds[part] += step.h;
+            for (sum, growth) in parts[part].iter_mut().zip(growth) {
+                *sum += growth.ln();
+            }
+        }
+        let [mut values, mut uncertainty] = [[0.0; K]; 2];
+        let total: f64 = seconds.iter().sum();
+        for k in 0..K {
+            values[k] = parts.iter().map(|part| part[k]).sum::<f64>() / total;
+            // Parts that a single step passed over have no share in it.
+            let rates = parts.iter().zip(seconds).filter(|&(_, seconds)| seconds > 0.0);
+            let apart = rates.map(|(part, seconds)| (part[k] / seconds - values[k]).powi(2) * seconds / total);
+            uncertainty[k] = (apart.sum::<f64>() / (PARTS - 1) as f64).sqrt();
+        }
+        Ok(Exponents {
+            values,
+            uncertainty,
+            t: stepper.t(),
+            x: stepper.x(),
+        })
+    }
+
+    fn check(&self) -> Result<(), Reason> {
+        let rule = "the time to settle must be finite and not negative";
+        require(
+            self.transient.is_finite() && self.transient >= 0.0,
+            "transient",
+            self.transient,
+            rule,
+        )?;
+        let rule = "the time over which growth is counted must be finite and positive";
+        require(
+            self.duration.is_finite() && self.duration > 0.0,
+            "duration",
+            self.duration,
+            rule,
+        )
+    }
+}
+
+/// Makes vectors orthonormal, each by what the ones before it leave of it (modified Gram-Schmidt): the lengths that were left.
+fn orthonormalize<const K: usize, const N: usize>(vectors: &mut [SVector<f64, N>; K]) -> [f64; K] {
+    let mut lengths = [0.0; K];
+    for (k, length) in lengths.iter_mut().enumerate() {
+        let (done, rest) = vectors.split_at_mut(k);
+        for before in done.iter() {
+            let share = before.dot(&rest[0]);
+            rest[0].axpy(-share, before, 1.0);
+        }
+        *length = rest[0].norm();
+        rest[0] /= *length;
+    }
+    lengths
+}

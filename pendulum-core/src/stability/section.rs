@@ -1,0 +1,50 @@
+//! Poincare sections.
+
+use nalgebra::SVector;
+
+use super::StabilityError;
+use crate::event::{Event, Occurrence};
+use crate::method::{Method, follow};
+use crate::system::System;
+
+/// The points at which a trajectory, from the state `x0` at `t0` to `t1`, passes through a surface: its Poincare section.
+///
+/// The surface is where the function of `surface` is zero; let it count one direction only. Each point is found on the dense output of the
+/// method, and has its errors; of the way between them nothing is kept, however long. For a system that is driven with a period,
+/// `Event::new(|t, _x| (PI * t / period).sin())` passes at its multiples.
+///
+/// H. Poincare, "Les methodes nouvelles de la mecanique celeste" III (1899), ch. 27; M. Henon, Physica D 5 (1982) 412.
+///
+/// ```
+/// use pendulum_core::prelude::*;
+/// use pendulum_core::stability::section;
+///
+/// let swing = FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], -x[0].sin()]));
+/// let upward = Event::new(|_t, x: &SVector<f64, 2>| x[0]).rising();
+/// let points = section(&Vern9::new().rtol(1e-12).atol(1e-12), &swing, (0.0, 100.0), [1.0, 0.0], &upward)?;
+/// let period = points[1].t - points[0].t;
+/// assert!((period - 6.699_975_664).abs() < 1e-9); // 4 K(sin(1 / 2))
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`StabilityError::Integration`] if the trajectory comes to an end before its time.
+pub fn section<M, S, const N: usize>(
+    method: &M,
+    system: &S,
+    (t0, t1): (f64, f64),
+    x0: impl Into<SVector<f64, N>>,
+    surface: &Event<'_, N>,
+) -> Result<Vec<Occurrence<N>>, StabilityError>
+where
+    M: Method<S, f64, N>,
+    S: System<f64, N> + ?Sized,
+{
+    let mut points = Vec::new();
+    follow(
+        &mut method.stepper(system, t0, t1, x0)?,
+        std::slice::from_ref(surface),
+        &mut points,
+    )?;
+    Ok(points)
+}
