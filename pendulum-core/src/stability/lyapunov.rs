@@ -41,7 +41,7 @@ pub struct Lyapunov {
 /// The largest `K` Lyapunov exponents of a trajectory.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Exponents<const K: usize, const N: usize> {
-    /// The exponents, in 1/s, falling.
+    /// The exponents, in 1/s, falling as far as their uncertainty allows.
     pub values: [f64; K],
     /// The standard error of each, from the scatter of its means over ten parts of the duration. What is the same in all parts, such as a
     /// transient that has not ended, does not show in it.
@@ -119,6 +119,7 @@ impl Lyapunov {
         self.check()?;
         let end = self.transient + self.duration;
         let mut stepper = flow::<K>(self.tolerance).stepper(system, 0.0, end, x0)?;
+        stepper.scheme_mut().tangents = oblique();
         let mut parts = [[0.0; K]; PARTS];
         let mut seconds = [0.0; PARTS];
         let mut counted_from = f64::INFINITY;
@@ -168,6 +169,15 @@ impl Lyapunov {
             rule,
         )
     }
+}
+
+/// Directions that lie along no axis: one that a system keeps, such as the rate of a coordinate that nothing depends on, would never turn to those
+/// that grow.
+fn oblique<const K: usize, const N: usize>() -> [SVector<f64, N>; K] {
+    let mut vectors =
+        std::array::from_fn(|k| SVector::from_fn(|i, _| (1.0 + ((i + 1) * (i + 2 * k + 3)) as f64).sin()));
+    orthonormalize(&mut vectors);
+    vectors
 }
 
 /// Makes vectors orthonormal, each by what the ones before it leave of it (modified Gram-Schmidt): the lengths that were left.

@@ -36,16 +36,16 @@ impl<const N: usize> Spectrum<N> {
         if matrix.iter().any(|entry| !entry.is_finite()) {
             return Err(StabilityError::NotFinite);
         }
-        let mut eigenvalues = eigenvalues(matrix)?;
-        // Pairs have the same real part to the last bit, and so stay together.
-        eigenvalues.sort_by(|a, b| {
-            let parts = |z: &Complex<f64>| (z.re, z.im.abs(), z.im);
-            let ((a1, a2, a3), (b1, b2, b3)) = (parts(a), parts(b));
-            b1.total_cmp(&a1).then(b2.total_cmp(&a2)).then(b3.total_cmp(&a3))
-        });
+        let mut upper = eigenvalues(matrix)?;
+        upper.retain(|eigenvalue| eigenvalue.im >= 0.0);
+        upper.sort_by(|a, b| b.re.total_cmp(&a.re).then(b.im.total_cmp(&a.im)));
         let mut modes: Vec<Mode<N>> = Vec::with_capacity(N);
-        for &eigenvalue in &eigenvalues {
-            modes.push(mode(matrix, eigenvalue, &modes)?);
+        for &eigenvalue in &upper {
+            let mode = mode(matrix, eigenvalue, &modes)?;
+            modes.push(mode);
+            if eigenvalue.im > 0.0 {
+                modes.push(mode.conjugate());
+            }
         }
         Ok(Self { modes })
     }
@@ -63,6 +63,15 @@ impl<const N: usize> Spectrum<N> {
 }
 
 impl<const N: usize> Mode<N> {
+    /// The other one of the pair.
+    fn conjugate(&self) -> Self {
+        Self {
+            eigenvalue: self.eigenvalue.conj(),
+            shape: self.shape.map(|component| component.conj()),
+            ..*self
+        }
+    }
+
     /// The real part of the eigenvalue, in 1/s for a Jacobian: the mode grows as `exp(growth_rate t)`, or decays where that is negative.
     #[must_use]
     pub fn growth_rate(&self) -> f64 {
@@ -118,24 +127,39 @@ fn mode<const N: usize>(
     let (Some(left), Some(right)) = (svd.u, svd.v_t) else {
         unreachable!("both were asked for")
     };
-    // Singular values fall: the last vector belongs to the least. An eigenvalue met before takes the one before that, if that is null, too.
-    let met = known
+    // The null space, in which any vector is an eigenvector: the first that those of the same eigenvalue leave something of.
+    let least = (1e2 * noise).max(svd.singular_values[N - 1]);
+    let null: Vec<usize> = (0..N).filter(|&place| svd.singular_values[place] <= least).collect();
+    let met: Vec<SVector<Complex<f64>, N>> = known
         .iter()
-        .filter(|mode| (mode.eigenvalue - eigenvalue).norm() <= 1e3 * noise)
-        .count();
-    let null = (0..=met)
+        .filter(|mode| (mode.eigenvalue - eigenvalue).norm() <= 1e2 * noise)
+        .map(|mode| mode.shape.normalize())
+        .collect();
+    let candidate = |&place: &usize| -> SVector<Complex<f64>, N> {
+        let vector = SVector::from_fn(|i, _| right[(place, i)].conj());
+        met.iter().fold(vector, |rest, known| rest - known * known.dotc(&rest))
+    };
+    let vector = null
+        .iter()
         .rev()
-        .map(|place| N - 1 - place)
-        .find(|&place| svd.singular_values[place] <= 1e4 * noise)
-        .unwrap_or(N - 1);
-    let vector: SVector<Complex<f64>, N> = SVector::from_fn(|i, _| right[(null, i)].conj());
+        .map(candidate)
+        .find(|remainder| remainder.norm() > 0.1);
+    let vector = vector.map_or_else(
+        || SVector::from_fn(|i, _| right[(N - 1, i)].conj()),
+        |remainder| remainder.normalize(),
+    );
     let largest = vector[vector.map(Complex::norm).imax()];
-    // The left and the right vector, of length 1 both: one over their product is the condition number.
-    let product: Complex<f64> = (0..N).map(|i| left[(i, null)].conj() * vector[i]).sum();
+    // One over the part of the vector that lies in the left null space is the condition number of the eigenvalue.
+    let share = |&place: &usize| {
+        (0..N)
+            .map(|i| left[(i, place)].conj() * vector[i])
+            .sum::<Complex<f64>>()
+    };
+    let product = null.iter().map(|place| share(place).norm_sqr()).sum::<f64>().sqrt();
     Ok(Mode {
         eigenvalue,
         shape: vector.map(|component| component / largest),
         // A double eigenvalue moves by the root of the errors.
-        uncertainty: (noise / product.norm()).min((noise * matrix.norm()).sqrt()),
+        uncertainty: (noise / product).min((noise * matrix.norm()).sqrt()),
     })
 }
