@@ -30,6 +30,16 @@ pub enum Stability {
 }
 
 impl<const N: usize> Equilibrium<N> {
+    /// The linearisation at a state that is known to be one of rest.
+    fn at<S>(system: &S, x: SVector<f64, N>) -> Result<Self, StabilityError>
+    where
+        S: Jacobian<f64, N> + ?Sized,
+    {
+        let jacobian = system.jacobian(0.0, &x);
+        let spectrum = Spectrum::of(&jacobian)?;
+        Ok(Self { x, jacobian, spectrum })
+    }
+
     /// What the eigenvalues tell, as far as rounding errors allow.
     #[must_use]
     pub fn stability(&self) -> Stability {
@@ -44,11 +54,13 @@ impl<const N: usize> Equilibrium<N> {
     }
 }
 
-/// The equilibrium that Newton's method finds from `seed`.
+/// The equilibrium that is found from `seed`, by Newton's method.
 ///
-/// The system is taken as it is at the time 0, and must not depend on time. Each step goes down the sum of squares of the right-hand side, and is
-/// halved until it does (J. Nocedal, S. J. Wright, "Numerical Optimization", 2nd ed. (2006), 11.2). Where equilibria are not isolated, as for a
-/// cart on a level track, it goes to one nearby: steps are the shortest that solve the linear equations.
+/// The system is taken as it is at the time 0, and must not depend on time. Each step goes down the size of the right-hand side: it is halved until
+/// it does, and no longer than 1, or a tenth of the state, so that it does not leap over what is near (J. Nocedal, S. J. Wright, "Numerical
+/// Optimization", 2nd ed. (2006), 11.2). Where that leads into a valley without a zero, the motion itself is followed with implicit Euler steps,
+/// which brake it, until it hangs (C. T. Kelley, D. E. Keyes, SIAM J. Numer. Anal. 35 (1998) 508). Where equilibria are
+/// not isolated, as for a cart on a level track, it is one nearby.
 ///
 /// # Errors
 /// [`StabilityError::NotFinite`] where the right-hand side is not, and [`StabilityError::NoConvergence`] if no zero of it is found.
@@ -59,13 +71,30 @@ pub fn equilibrium<S, const N: usize>(
 where
     S: Jacobian<f64, N> + ?Sized,
 {
-    let mut x = seed.into();
+    Equilibrium::at(system, settle(system, seed.into())?)
+}
+
+/// Where the search from `x` comes to rest.
+fn settle<S, const N: usize>(system: &S, x: SVector<f64, N>) -> Result<SVector<f64, N>, StabilityError>
+where
+    S: Jacobian<f64, N> + ?Sized,
+{
+    match newton(system, x) {
+        Err(StabilityError::NoConvergence { .. }) => newton(system, brake(system, x)?),
+        result => result,
+    }
+}
+
+fn newton<S, const N: usize>(system: &S, mut x: SVector<f64, N>) -> Result<SVector<f64, N>, StabilityError>
+where
+    S: Jacobian<f64, N> + ?Sized,
+{
     let (mut rhs, mut jacobian) = evaluate(system, &x)?;
     for _ in 0..ITERATIONS {
-        let step = shortest_solution(&jacobian, &rhs)?;
+        let step = within_reach(shortest_solution(&jacobian, &rhs)?, &x);
         let settled = step.norm() <= SETTLED * (1.0 + x.norm());
         let Some(next) = descend(system, &x, &step, rhs.norm()) else {
-            // Rounding errors are all that is left, or a valley of the sum of squares.
+            // Rounding errors are all that is left, or a valley.
             break;
         };
         x = next;
@@ -81,8 +110,29 @@ where
             residual: rhs.amax(),
         });
     }
-    let spectrum = Spectrum::of(&jacobian)?;
-    Ok(Equilibrium { x, jacobian, spectrum })
+    Ok(x)
+}
+
+/// Where implicit Euler steps lead, each of one iteration. They grow as the motion comes to rest.
+fn brake<S, const N: usize>(system: &S, mut x: SVector<f64, N>) -> Result<SVector<f64, N>, StabilityError>
+where
+    S: Jacobian<f64, N> + ?Sized,
+{
+    let (mut rhs, mut jacobian) = evaluate(system, &x)?;
+    let mut h = 1.0 / (f64::MIN_POSITIVE + jacobian.norm());
+    for _ in 0..ITERATIONS {
+        let matrix = SMatrix::<f64, N, N>::identity() / h - jacobian;
+        x += within_reach(shortest_solution(&-matrix, &rhs)?, &x);
+        let before = rhs.norm();
+        (rhs, jacobian) = evaluate(system, &x)?;
+        h *= (before / rhs.norm()).clamp(0.5, 2.0);
+    }
+    Ok(x)
+}
+
+/// The step, shortened to what is near `x`.
+fn within_reach<const N: usize>(step: SVector<f64, N>, x: &SVector<f64, N>) -> SVector<f64, N> {
+    step.cap_magnitude(f64::max(1.0, 0.1 * x.norm()))
 }
 
 /// The equilibria that are found from `seeds`, and from these by half turns.
@@ -103,29 +153,32 @@ where
     let mut seeds: Vec<_> = seeds.into_iter().collect();
     seeds.reverse();
     while let Some(seed) = seeds.pop() {
-        let Ok(mut equilibrium) = equilibrium(system, seed) else {
+        let Ok(mut x) = settle(system, seed) else {
             continue;
         };
-        let angles = angles(system, &equilibrium.x);
+        let angles = angles(system, &x);
         for &angle in &angles {
-            equilibrium.x[angle] = within_a_turn(equilibrium.x[angle]);
+            x[angle] = within_a_turn(x[angle]);
         }
         let is_same = |other: &Equilibrium<N>| {
-            let mut apart = other.x - equilibrium.x;
+            let mut apart = other.x - x;
             for &angle in &angles {
                 apart[angle] = within_a_turn(apart[angle]);
             }
-            apart.norm() <= SAME * (1.0 + equilibrium.x.norm())
+            apart.norm() <= SAME * (1.0 + x.norm())
         };
         if found.iter().any(is_same) {
             continue;
         }
+        let Ok(equilibrium) = Equilibrium::at(system, x) else {
+            continue;
+        };
+        found.push(equilibrium);
         for &angle in angles.iter().rev() {
-            let mut turned = equilibrium.x;
+            let mut turned = x;
             turned[angle] += PI;
             seeds.push(turned);
         }
-        found.push(equilibrium);
     }
     found
 }
