@@ -215,6 +215,7 @@ fn exponents_of_a_linear_system_are_its_growth_rates() {
     for (value, expected) in found.values.iter().zip([0.25, -0.5, -2.0]) {
         assert!((value - expected).abs() < 1e-8, "{found:?}");
     }
+    assert!((found.horizon(1e-16, 1e-6) - 40.0 * 10.0_f64.ln()).abs() < 1e-5);
     assert!(found.uncertainty.iter().all(|&uncertainty| uncertainty < 1e-8));
     assert_eq!(found.t, 100.0);
 }

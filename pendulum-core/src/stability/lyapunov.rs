@@ -52,6 +52,20 @@ pub struct Exponents<const K: usize, const N: usize> {
     pub x: SVector<f64, N>,
 }
 
+impl<const K: usize, const N: usize> Exponents<K, N> {
+    /// The horizon of prediction: how long until an error grows from `from` to `to`, `ln(to / from) / values[0]`, in s.
+    ///
+    /// Infinite where the largest exponent is not positive. Twice as many digits give twice the time, and no more.
+    #[must_use]
+    pub fn horizon(&self, from: f64, to: f64) -> f64 {
+        if self.values[0] > 0.0 {
+            (to / from).ln() / self.values[0]
+        } else {
+            f64::INFINITY
+        }
+    }
+}
+
 /// The duration is cut in so many parts, whose scatter tells the uncertainty.
 const PARTS: usize = 10;
 
