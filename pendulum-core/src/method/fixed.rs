@@ -20,7 +20,7 @@ use crate::system::System;
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fixed<F> {
     pub(crate) h: f64,
-    family: F,
+    pub(crate) family: F,
 }
 
 impl<F: Default> Fixed<F> {

@@ -38,6 +38,12 @@ impl<const STAGES: usize> Table<STAGES> {
         Self { c, b, w, modes, over }
     }
 
+    /// The coefficients `a_ij` and the weights `b_j`.
+    pub(crate) fn coefficients(&self) -> ([[f64; STAGES]; STAGES], [f64; STAGES]) {
+        let row = |w: [f64; STAGES]| std::array::from_fn(|j| self.b[j] * (0.5 + w[j]));
+        (self.w.map(row), self.b)
+    }
+
     /// What the values at start, nodes and end of a step count for at its fraction `theta`, in the polynomial through all of them.
     #[inline]
     pub(super) fn weights<T: Real>(&self, theta: T) -> impl Iterator<Item = T> {

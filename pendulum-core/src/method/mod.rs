@@ -32,7 +32,9 @@ use crate::tableau::{self, DormandPrince5, Kutta4, Tsitouras5, Verner7, Verner9}
 pub(crate) use explicit::{SHORT, attempt, weighted_sum};
 pub(crate) use grid::Grid;
 pub(crate) use input::{check_span, check_state, require};
+pub(crate) use legendre::Legendre;
 pub(crate) use pace::Adaptation;
+pub(crate) use radau::A as RADAU_IIA;
 pub(crate) use tangent::Tangent;
 pub(crate) use taylor::{TERMS, defect, last_terms, length, order_for};
 pub(crate) use watch::follow;

@@ -25,8 +25,8 @@ pub struct RadauIIA;
 const STAGES: usize = 3;
 /// Their times in fractions of a step: `(4 -+ sqrt(6)) / 10` and 1.
 const C: [f64; STAGES] = [0.155_051_025_721_682_2, 0.644_948_974_278_317_8, 1.0];
-/// Its coefficients.
-const A: [[f64; STAGES]; STAGES] = [
+/// Its coefficients; the weights of the step are the last row.
+pub(crate) const A: [[f64; STAGES]; STAGES] = [
     [
         0.196_815_477_223_660_4,
         -0.065_535_425_850_198_39,

@@ -57,6 +57,20 @@ impl Taylor {
     }
 }
 
+impl PowerSeries {
+    /// The order of the series: what is set, or what the tolerance asks for.
+    pub(crate) fn order_within<T: Float>(&self, tolerance: Option<Tolerance<T>>) -> Result<usize, Reason> {
+        let order = match (self.order, &tolerance) {
+            (Some(order), _) => order,
+            (None, Some(tolerance)) => order_for(tolerance),
+            (None, None) => DEFAULT_ORDER,
+        };
+        let rule = "the order of a Taylor method must be from 4 to 24";
+        require((TERMS..=MAX_ORDER).contains(&order), "order", order as f64, rule)?;
+        Ok(order)
+    }
+}
+
 impl<S, T, const N: usize> Family<S, T, N> for PowerSeries
 where
     S: TaylorSeries<T, N> + ?Sized,
@@ -65,13 +79,7 @@ where
     type Scheme = Series<S::Workspace, N, T>;
 
     fn scheme(&self, system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
-        let order = match (self.order, &tolerance) {
-            (Some(order), _) => order,
-            (None, Some(tolerance)) => order_for(tolerance),
-            (None, None) => DEFAULT_ORDER,
-        };
-        let rule = "the order of a Taylor method must be from 4 to 24";
-        require((TERMS..=MAX_ORDER).contains(&order), "order", order as f64, rule)?;
+        let order = self.order_within(tolerance)?;
         let zero = SVector::from_element(T::default());
         Ok(Series {
             tolerance,

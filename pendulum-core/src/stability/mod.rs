@@ -1,7 +1,8 @@
 //! How stable a motion is, and how stable a method: two things to be told apart.
 //!
 //! A motion may lose its stability whatever integrates it; a method may lose it where the motion is stable. Both follow from the generated
-//! Jacobian.
+//! Jacobian: of the motion from its [`Spectrum`], of a method from its [`StabilityFunction`] at the eigenvalues times the step, which
+//! [`max_stable_step`] makes a limit of.
 //!
 //! ```
 //! use pendulum_core::prelude::*;
@@ -26,6 +27,8 @@
 
 mod equilibrium;
 mod error;
+mod function;
+mod limits;
 mod lyapunov;
 mod section;
 mod spectrum;
@@ -33,6 +36,8 @@ mod transition;
 
 pub use equilibrium::{Equilibrium, Stability, equilibria, equilibrium};
 pub use error::StabilityError;
+pub use function::StabilityFunction;
+pub use limits::{imaginary_limit, max_stable_step, real_limit};
 pub use lyapunov::{Exponents, Lyapunov};
 pub use nalgebra::Complex;
 pub use section::section;

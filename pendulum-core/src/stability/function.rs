@@ -1,0 +1,179 @@
+//! What a step of a method makes of a mode.
+
+use nalgebra::Complex;
+
+use crate::linear::{self, Lu};
+use crate::method::{Adaptive, Explicit, Fixed, Gauss, Legendre, PowerSeries, RADAU_IIA, RadauIIA, Rosenbrock};
+use crate::tableau::{RosenbrockMethod, Tableau};
+
+/// A method with a stability function: a step of length `h` multiplies a solution of `x' = lambda x` by `R(h lambda)`.
+///
+/// `R(z)` stands in for `exp(z)`, which it approximates to the order of the method. On a linear system, and so on small motions about an
+/// equilibrium, a step multiplies each mode by the `R` of `h` times its eigenvalue: modes with `|R| > 1` grow, whatever the motion does. That
+/// holds for all methods here, as well for those that step in canonical variables, since a change of variables leaves eigenvalues as they are.
+///
+/// `R` is evaluated from the coefficients that the steps use: a polynomial for explicit methods, for implicit ones a rational function. E. Hairer,
+/// G. Wanner, "Solving Ordinary Differential Equations II", 2nd ed. (1996), IV.2 (explicit), IV.3 (implicit), IV.7 (Rosenbrock).
+///
+/// [`Auto`](crate::Auto) has none: which of its methods takes a step depends on the steps before.
+///
+/// ```
+/// use pendulum_core::prelude::*;
+/// use pendulum_core::stability::{Complex, StabilityFunction};
+///
+/// let z = Complex::new(-0.5, 2.0);
+/// let polynomial = 1.0 + z * (1.0 + z / 2.0 * (1.0 + z / 3.0 * (1.0 + z / 4.0)));
+/// assert!((Rk4::new(0.01).stability_function(z) - polynomial).norm() < 1e-15);
+/// assert!(Radau5::new().stability_at_infinity() < 1e-15);
+/// ```
+pub trait StabilityFunction {
+    /// `R(z)`; not finite at a pole, and not a number where the settings of the method make no sense.
+    fn stability_function(&self, z: Complex<f64>) -> Complex<f64>;
+
+    /// The limit of `|R(z)|` far away from 0: what is left, after a step, of a mode that decays within far less.
+    ///
+    /// Stiff components vanish at once where it is 0, keep ringing where it is 1, and explicit methods make them grow beyond all bounds.
+    fn stability_at_infinity(&self) -> f64;
+}
+
+const ONE: Complex<f64> = Complex::new(1.0, 0.0);
+
+/// `sum_i weights_i stages_i`.
+fn combined(weights: &[f64], stages: &[Complex<f64>]) -> Complex<f64> {
+    weights.iter().zip(stages).map(|(&weight, stage)| stage * weight).sum()
+}
+
+impl<B: Tableau<STAGES>, const STAGES: usize> StabilityFunction for Explicit<B, STAGES> {
+    fn stability_function(&self, z: Complex<f64>) -> Complex<f64> {
+        let tableau = const { &B::TABLEAU };
+        let mut stages = [ONE; STAGES];
+        for i in 1..STAGES {
+            stages[i] = ONE + z * combined(&tableau.a[i][..i], &stages);
+        }
+        ONE + z * combined(&tableau.b, &stages)
+    }
+
+    fn stability_at_infinity(&self) -> f64 {
+        f64::INFINITY
+    }
+}
+
+impl<B: RosenbrockMethod<STAGES>, const STAGES: usize> StabilityFunction for Rosenbrock<B, STAGES> {
+    fn stability_function(&self, z: Complex<f64>) -> Complex<f64> {
+        let tableau = const { &B::TABLEAU };
+        let mut stages = [Complex::default(); STAGES];
+        for i in 0..STAGES {
+            let slope = z * (ONE + combined(&tableau.a[i][..i], &stages));
+            stages[i] = (slope + combined(&tableau.c[i][..i], &stages)) / (1.0 / tableau.gamma - z);
+        }
+        ONE + combined(&tableau.b, &stages)
+    }
+
+    fn stability_at_infinity(&self) -> f64 {
+        let tableau = const { &B::TABLEAU };
+        let mut stages = [Complex::default(); STAGES];
+        for i in 0..STAGES {
+            stages[i] = -ONE - combined(&tableau.a[i][..i], &stages);
+        }
+        (ONE + combined(&tableau.b, &stages)).norm()
+    }
+}
+
+impl StabilityFunction for RadauIIA {
+    fn stability_function(&self, z: Complex<f64>) -> Complex<f64> {
+        implicit(&RADAU_IIA, &RADAU_IIA[2], z)
+    }
+
+    fn stability_at_infinity(&self) -> f64 {
+        implicit_at_infinity(&RADAU_IIA, &RADAU_IIA[2])
+    }
+}
+
+impl<const STAGES: usize> StabilityFunction for Gauss<STAGES>
+where
+    Self: Legendre<STAGES>,
+{
+    fn stability_function(&self, z: Complex<f64>) -> Complex<f64> {
+        let (a, b) = Self::TABLE.coefficients();
+        implicit(&a, &b, z)
+    }
+
+    fn stability_at_infinity(&self) -> f64 {
+        let (a, b) = Self::TABLE.coefficients();
+        implicit_at_infinity(&a, &b)
+    }
+}
+
+/// `1 + z b (I - z A)^-1 1`.
+fn implicit<const STAGES: usize>(a: &[[f64; STAGES]; STAGES], b: &[f64; STAGES], z: Complex<f64>) -> Complex<f64> {
+    let entry = |i: usize, j: usize| {
+        let identity = if i == j { 1.0 } else { 0.0 };
+        linear::Complex::new(identity - z.re * a[i][j], -z.im * a[i][j])
+    };
+    match Lu::new(std::array::from_fn(|j| std::array::from_fn(|i| entry(i, j)))) {
+        Ok(lu) => {
+            let stages = lu.solve(&[linear::Complex::new(1.0, 0.0); STAGES]);
+            ONE + z * combined(b, &stages.map(|stage| Complex::new(stage.re, stage.im)))
+        }
+        Err(linear::Singular) => Complex::new(f64::INFINITY, 0.0),
+    }
+}
+
+/// `|1 - b A^-1 1|`.
+fn implicit_at_infinity<const STAGES: usize>(a: &[[f64; STAGES]; STAGES], b: &[f64; STAGES]) -> f64 {
+    let columns = std::array::from_fn(|j| std::array::from_fn(|i| a[i][j]));
+    Lu::new(columns).map_or(f64::INFINITY, |lu| {
+        let stages = lu.solve(&[1.0; STAGES]);
+        b.iter().zip(stages).fold(1.0, |sum, (b, stage)| sum - b * stage).abs()
+    })
+}
+
+impl<F: StabilityFunction> StabilityFunction for Fixed<F> {
+    fn stability_function(&self, z: Complex<f64>) -> Complex<f64> {
+        self.family.stability_function(z)
+    }
+
+    fn stability_at_infinity(&self) -> f64 {
+        self.family.stability_at_infinity()
+    }
+}
+
+impl<F: StabilityFunction> StabilityFunction for Adaptive<F> {
+    fn stability_function(&self, z: Complex<f64>) -> Complex<f64> {
+        self.family.stability_function(z)
+    }
+
+    fn stability_at_infinity(&self) -> f64 {
+        self.family.stability_at_infinity()
+    }
+}
+
+/// The exponential series up to the order, that of steps of a given length.
+impl StabilityFunction for Fixed<PowerSeries> {
+    fn stability_function(&self, z: Complex<f64>) -> Complex<f64> {
+        let order = self.family.order_within::<f64>(None);
+        order.map_or(Complex::from(f64::NAN), |order| exponential(order, z))
+    }
+
+    fn stability_at_infinity(&self) -> f64 {
+        f64::INFINITY
+    }
+}
+
+/// The exponential series up to the order, which follows from the tolerance in `f64`.
+impl StabilityFunction for Adaptive<PowerSeries> {
+    fn stability_function(&self, z: Complex<f64>) -> Complex<f64> {
+        let tolerance = self.tolerance::<f64>();
+        let order = tolerance.and_then(|tolerance| self.family.order_within(Some(tolerance)));
+        order.map_or(Complex::from(f64::NAN), |order| exponential(order, z))
+    }
+
+    fn stability_at_infinity(&self) -> f64 {
+        f64::INFINITY
+    }
+}
+
+/// `sum_(k <= order) z^k / k!`.
+fn exponential(order: usize, z: Complex<f64>) -> Complex<f64> {
+    (1..=order).rev().fold(ONE, |sum, k| ONE + z * sum / k as f64)
+}
