@@ -267,6 +267,25 @@ fn an_order_without_sense_is_stable_nowhere() {
     assert_eq!(real_limit(&taylor), 0.0);
 }
 
+/// Stable but for a narrow ring.
+struct Ring;
+
+impl StabilityFunction for Ring {
+    fn stability_function(&self, z: C) -> C {
+        C::from(if (3.3..3.33).contains(&z.norm()) { 1.1 } else { 0.9 })
+    }
+
+    fn stability_at_infinity(&self) -> f64 {
+        0.9
+    }
+}
+
+#[test]
+fn what_lies_beyond_the_first_loss_of_stability_does_not_count() {
+    assert!((real_limit(&Ring) - 3.3).abs() < 1e-14);
+    assert!((imaginary_limit(&Ring) - 3.3).abs() < 1e-14);
+}
+
 // The longest stable step
 
 /// A matrix with the eigenvalues `creeping`, `swinging` and its conjugate, and `growing`, in a basis askew.
@@ -306,6 +325,13 @@ fn the_fastest_mode_limits_the_step() {
             "{found} for {expected}"
         );
     }
+}
+
+#[test]
+fn what_drifts_freely_limits_no_step() {
+    // position and velocity in other coordinates: a double eigenvalue 0, which the last digit pulls apart to 3e-9 i and -3e-9 i
+    let drifting = SMatrix::from([[0.21, 0.09], [-0.490_000_000_000_000_1, -0.21]]);
+    assert_eq!(max_stable_step(&Rk4::new(H), &drifting), Ok(f64::INFINITY));
 }
 
 #[test]
