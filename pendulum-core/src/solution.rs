@@ -41,7 +41,7 @@ pub struct Statistics {
 #[cfg_attr(
     feature = "serde",
     serde(
-        try_from = "Record<N, T>",
+        try_from = "Unchecked<N, T>",
         bound(
             serialize = "T: Float + serde::Serialize",
             deserialize = "T: Float + serde::Deserialize<'de>"
@@ -237,7 +237,7 @@ impl<const N: usize, T: fmt::Debug> fmt::Debug for Solution<N, T> {
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(bound(deserialize = "T: Float + serde::Deserialize<'de>"))]
-struct Record<const N: usize, T> {
+struct Unchecked<const N: usize, T> {
     t: Vec<T>,
     x: Vec<SVector<T, N>>,
     coefficients: Vec<SVector<T, N>>,
@@ -247,10 +247,10 @@ struct Record<const N: usize, T> {
 }
 
 #[cfg(feature = "serde")]
-impl<const N: usize, T: Float> TryFrom<Record<N, T>> for Solution<N, T> {
+impl<const N: usize, T: Float> TryFrom<Unchecked<N, T>> for Solution<N, T> {
     type Error = &'static str;
 
-    fn try_from(record: Record<N, T>) -> Result<Self, Self::Error> {
+    fn try_from(record: Unchecked<N, T>) -> Result<Self, Self::Error> {
         let Some(steps) = record.t.len().checked_sub(1) else {
             return Err("a solution has at least one point");
         };
