@@ -116,7 +116,7 @@ fn chart(scan: &[Measured], regular: f64) -> Figure {
     };
     let exponents = scan.iter().map(|m| (m.degrees, m.value.log10())).collect();
     Figure {
-        title: "Without friction the largest Lyapunov exponent is positive for the largest swings alone".to_owned(),
+        title: "Without friction the largest Lyapunov exponent is found positive only in the largest swings".to_owned(),
         subtitle: format!(
             "Released from rest at θ₁ = 0; {DURATION} s; m = 1 kg, I = 1 kg m², c = d = 1 m, g = 9.8 m/s²"
         ),

@@ -39,13 +39,13 @@ pub(crate) fn figure() -> Result<Figure, Box<dyn Error>> {
     Ok(Figure {
         title: "Fig. 2 of the paper is the sum of two damped modes".to_owned(),
         subtitle: "Released from rest at θ₁ = 0°, θ₂ = 4°; amplitudes by least squares, frequencies and decay from the generated Jacobian".to_owned(),
-        size: (1600, 1300),
+        size: (1600, 1150),
         legend: vec![
             (MOTION, "θ₂".to_owned()),
             (SLOW, "slow mode of θ₂".to_owned()),
             (FAST, "fast mode of θ₂".to_owned()),
-            (LEFT_OF_UPPER, "what both leave of θ₁".to_owned()),
-            (LEFT_OF_LOWER, "of θ₂".to_owned()),
+            (LEFT_OF_UPPER, "remainder of θ₁".to_owned()),
+            (LEFT_OF_LOWER, "remainder of θ₂".to_owned()),
         ],
         columns: vec![
             Column {
@@ -54,7 +54,7 @@ pub(crate) fn figure() -> Result<Figure, Box<dyn Error>> {
             },
             Column {
                 x: axis("time t (s)", 0.0..END),
-                y: axis("left (0.001°)", -5.5..5.5),
+                y: axis("remainder (0.001°)", -5.5..5.5),
             },
         ],
         rows,
