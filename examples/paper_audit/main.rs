@@ -26,8 +26,11 @@ use common::chart::Figure;
 use common::page::Picture;
 use scenes::{DoublePendulum, DoublePendulumParams};
 
+/// Prints its numbers, and returns their chart.
+type Measurement = fn() -> Result<Figure, Box<dyn Error>>;
+
 fn main() -> Result<(), Box<dyn Error>> {
-    let figures: [(&str, fn() -> Result<Figure, Box<dyn Error>>); 4] = [
+    let figures: [(&str, Measurement); 4] = [
         ("growth", growth::figure),
         ("energy", energy::figure),
         ("modes", modes::figure),

@@ -23,7 +23,8 @@ const END: f64 = 20.0;
 const AMPLITUDE: f64 = 4.0;
 const POINTS: u32 = 400;
 
-type Samples = Vec<(f64, SVector<f64, 4>)>;
+/// A time with the state there.
+type Sample = (f64, SVector<f64, 4>);
 
 pub(crate) fn figure() -> Result<Figure, Box<dyn Error>> {
     println!(
@@ -98,7 +99,7 @@ fn row(gamma: f64) -> Result<Row, Box<dyn Error>> {
     let apart = apart.fold(0.0, f64::max).to_degrees();
     println!("    Eq. 22b as printed moves the angles by {apart:.5} degrees at most");
 
-    let curve = |line, value: &dyn Fn(&(f64, SVector<f64, 4>)) -> f64| Curve {
+    let curve = |line, value: &dyn Fn(&Sample) -> f64| Curve {
         line,
         points: samples.iter().map(|sample| (sample.0, value(sample))).collect(),
         label: None,
@@ -120,7 +121,7 @@ fn row(gamma: f64) -> Result<Row, Box<dyn Error>> {
     })
 }
 
-fn sample(system: &impl System<f64, 4>, degrees: f64) -> Result<Samples, Box<dyn Error>> {
+fn sample(system: &impl System<f64, 4>, degrees: f64) -> Result<Vec<Sample>, Box<dyn Error>> {
     let method = Vern9::new().rtol(1e-12).atol(1e-14);
     let solution = method.solve(system, 0.0, END, [0.0, degrees.to_radians(), 0.0, 0.0])?;
     let times = (0..=POINTS).map(|n| END * f64::from(n) / f64::from(POINTS));

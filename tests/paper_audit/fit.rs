@@ -23,7 +23,7 @@ pub(crate) fn fit(spectrum: &Spectrum<4>, samples: &Samples) -> ModalFit {
         let (t, angle) = (samples[row / 2].0, row % 2);
         let mode = &modes[column / 2];
         let z = mode.shape[angle] * (mode.eigenvalue * t).exp();
-        if column % 2 == 0 { z.re } else { -z.im }
+        if column.is_multiple_of(2) { z.re } else { -z.im }
     };
     let matrix = DMatrix::from_fn(2 * samples.len(), 2 * modes.len(), entry);
     let angles = DVector::from_fn(2 * samples.len(), |row, _| samples[row / 2].1[row % 2]);

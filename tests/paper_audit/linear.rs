@@ -10,6 +10,7 @@ use crate::printed::Pendulum;
 use crate::units::{OTHER, apart};
 
 type StateMatrix = SMatrix<f64, 4, 4>;
+type Form = fn(&Pendulum) -> StateMatrix;
 
 fn generated(p: &Pendulum) -> StateMatrix {
     let params = DoublePendulumParams {
@@ -130,7 +131,7 @@ fn eq_25_and_26_are_of_first_order_in_m() {
     };
     let right = frequency(&generated(&heavy));
     assert!((frequency(&heavy.linear()) / right - 1.0).abs() < 1e-10);
-    let forms: [(&str, fn(&Pendulum) -> StateMatrix, f64); 2] = [
+    let forms: [(&str, Form, f64); 2] = [
         ("m^2", Pendulum::linear_with_m_squared, 2.0_f64.sqrt()),
         ("m^3", Pendulum::linear_with_m_cubed, 2.0),
     ];
