@@ -28,9 +28,12 @@
 mod equilibrium;
 mod error;
 mod function;
+mod least_squares;
 mod limits;
 mod lyapunov;
+mod orbit;
 mod section;
+mod shooting;
 mod spectrum;
 mod transition;
 
@@ -40,6 +43,8 @@ pub use function::StabilityFunction;
 pub use limits::{imaginary_limit, max_stable_step, real_limit};
 pub use lyapunov::{Exponents, Lyapunov};
 pub use nalgebra::Complex;
+pub use orbit::{Multiplier, PeriodicOrbit};
 pub use section::section;
+pub use shooting::Shooting;
 pub use spectrum::{Mode, Spectrum};
 pub use transition::transition;
