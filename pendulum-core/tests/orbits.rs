@@ -58,7 +58,9 @@ fn elliptic_k(k: f64) -> f64 {
 
 #[test]
 fn the_cycle_of_van_der_pol_has_its_period_and_multiplier() {
-    let orbit = Shooting::new().autonomous(&van_der_pol(1.0), [2.0, 0.5], 6.0).expect("a cycle");
+    let orbit = Shooting::new()
+        .autonomous(&van_der_pol(1.0), [2.0, 0.5], 6.0)
+        .expect("a cycle");
     // as A. C. Andersen and J. F. Geer give it to many more digits (SIAM J. Appl. Math. 42 (1982) 678)
     assert_abs_diff_eq!(orbit.period, 6.663_286_859_323_130, epsilon = 1e-10);
     // Liouville: the determinant of the monodromy matrix is the exponential of the divergence, summed up along the orbit
@@ -68,8 +70,14 @@ fn the_cycle_of_van_der_pol_has_its_period_and_multiplier() {
     });
     let start = [orbit.x[0], orbit.x[1], 0.0];
     let tight = Vern7::new().rtol(1e-13).atol(1e-13);
-    let end = tight.solve(&with_divergence, 0.0, orbit.period, start).expect("a smooth system").last().1;
-    let [multiplier] = orbit.nontrivial() else { panic!("there is one across the orbit") };
+    let end = tight
+        .solve(&with_divergence, 0.0, orbit.period, start)
+        .expect("a smooth system")
+        .last()
+        .1;
+    let [multiplier] = orbit.nontrivial() else {
+        panic!("there is one across the orbit")
+    };
     assert_abs_diff_eq!(multiplier.value.re, end[2].exp(), epsilon = 1e-12);
     assert!(multiplier.uncertainty < 1e-8);
     assert_eq!(orbit.stability(), Stability::AsymptoticallyStable);
@@ -84,13 +92,17 @@ fn the_cycle_of_van_der_pol_has_its_period_and_multiplier() {
 #[test]
 fn the_search_goes_straight_across_to_the_orbit() {
     // from far away, and with a period that is a third off
-    let orbit = Shooting::new().autonomous(&van_der_pol(3.0), [1.0, 1.0], 6.0).expect("a cycle");
+    let orbit = Shooting::new()
+        .autonomous(&van_der_pol(3.0), [1.0, 1.0], 6.0)
+        .expect("a cycle");
     // a long integration settles on it
     let upward = Event::new(|_t, x: &SVector<f64, 2>| x[0]).rising();
     let method = Vern9::new().rtol(1e-12).atol(1e-12);
     let points = pendulum_core::stability::section(&method, &van_der_pol(3.0), (0.0, 100.0), [2.0, 0.0], &upward);
     let times: Vec<f64> = points.expect("a smooth system").iter().map(|point| point.t).collect();
-    let [.., before, last] = times[..] else { panic!("it comes again and again") };
+    let [.., before, last] = times[..] else {
+        panic!("it comes again and again")
+    };
     assert_abs_diff_eq!(orbit.period, last - before, epsilon = 1e-9);
 }
 
@@ -107,7 +119,9 @@ fn a_pendulum_swings_and_turns_over_with_the_periods_of_jacobi() {
     assert_abs_diff_eq!(over.period, 4.0 / fastest * elliptic_k(2.0 / fastest), epsilon = 1e-10);
     assert_eq!(over.turns, [-1, 0]);
     for orbit in [swing, over] {
-        let [multiplier] = orbit.nontrivial() else { panic!("there is one across the orbit") };
+        let [multiplier] = orbit.nontrivial() else {
+            panic!("there is one across the orbit")
+        };
         assert_abs_diff_eq!(multiplier.value.re, 1.0, epsilon = 1e-9);
         assert_abs_diff_eq!(orbit.monodromy.determinant(), 1.0, epsilon = 1e-9);
         assert_eq!(orbit.stability(), Stability::Undecided);
@@ -116,7 +130,9 @@ fn a_pendulum_swings_and_turns_over_with_the_periods_of_jacobi() {
 
 #[test]
 fn of_a_family_of_orbits_that_with_a_given_period_is_found() {
-    let orbit = Shooting::new().forced(&pendulum(), [1.5, 0.0], 8.0).expect("a libration");
+    let orbit = Shooting::new()
+        .forced(&pendulum(), [1.5, 0.0], 8.0)
+        .expect("a libration");
     let k = (0.25 * orbit.x[1].powi(2) + (0.5 * orbit.x[0]).sin().powi(2)).sqrt();
     assert_abs_diff_eq!(4.0 * elliptic_k(k), 8.0, epsilon = 1e-9);
 }
@@ -150,7 +166,11 @@ fn odd_characteristic_values(q: f64) -> Vec<f64> {
 
 #[test]
 fn multipliers_of_mathieus_equation_are_one_on_its_characteristic_curves() {
-    let rest = |a, q| Shooting::new().forced(&mathieu(a, q), [0.0, 0.0], PI).expect("rest is periodic");
+    let rest = |a, q| {
+        Shooting::new()
+            .forced(&mathieu(a, q), [0.0, 0.0], PI)
+            .expect("rest is periodic")
+    };
     // M. Abramowitz, I. Stegun, "Handbook of Mathematical Functions", table 20.1
     let a = even_characteristic_values(5.0);
     assert_abs_diff_eq!(a[0], -5.800_046_02, epsilon = 1e-8);
@@ -168,7 +188,9 @@ fn multipliers_of_mathieus_equation_are_one_on_its_characteristic_curves() {
     assert_eq!(rest(0.5 * (a[0] + b[0]), 5.0).stability(), Stability::Undecided);
     assert_eq!(rest(b[0] + 1.0, 5.0).stability(), Stability::Unstable);
     // without the drive the multipliers are those of a linear oscillator, in one period of the drive
-    let [plus, _] = rest(0.3, 0.0).nontrivial().to_vec()[..] else { panic!("there are two") };
+    let [plus, _] = rest(0.3, 0.0).nontrivial().to_vec()[..] else {
+        panic!("there are two")
+    };
     assert_abs_diff_eq!(plus.value.arg(), PI * 0.3_f64.sqrt(), epsilon = 1e-11);
 }
 
@@ -181,8 +203,14 @@ fn a_pendulum_stands_upright_from_kapitzas_frequency_on() {
     assert_abs_diff_eq!(critical * a / (2.0 * gravity).sqrt(), 1.0, epsilon = 0.02);
     let upright = |omega: f64| {
         let pull = move |t: f64| gravity - a * omega * omega * (omega * t).cos();
-        let shaken = Planar(move |t, q: f64, v| [v, pull(t) * q.sin()], move |t, q: f64, _| [pull(t) * q.cos(), 0.0]);
-        Shooting::new().forced(&shaken, [0.0, 0.0], TAU / omega).expect("upright is periodic").stability()
+        let shaken = Planar(
+            move |t, q: f64, v| [v, pull(t) * q.sin()],
+            move |t, q: f64, _| [pull(t) * q.cos(), 0.0],
+        );
+        Shooting::new()
+            .forced(&shaken, [0.0, 0.0], TAU / omega)
+            .expect("upright is periodic")
+            .stability()
     };
     assert_eq!(upright(critical * (1.0 - 1e-7)), Stability::Unstable);
     assert_eq!(upright(critical * (1.0 + 1e-7)), Stability::Undecided);
@@ -196,9 +224,17 @@ fn a_search_that_fails_tells_why() {
     // nothing comes back where everything falls
     let falling = Planar(|_, _, v| [v, -9.81], |_, _, _| [0.0, 0.0]);
     let none = shooting.forced(&falling, [0.0, 1.0], 1.0);
-    assert!(matches!(none, Err(StabilityError::NoConvergence { residual, .. }) if residual > 9.0), "{none:?}");
-    let backward = shooting.forced(&pendulum(), [0.0, 1.0], -1.0).expect_err("no period is negative");
-    assert_eq!(backward.to_string(), "`period` is -1.0: a period must be finite and positive");
+    assert!(
+        matches!(none, Err(StabilityError::NoConvergence { residual, .. }) if residual > 9.0),
+        "{none:?}"
+    );
+    let backward = shooting
+        .forced(&pendulum(), [0.0, 1.0], -1.0)
+        .expect_err("no period is negative");
+    assert_eq!(
+        backward.to_string(),
+        "`period` is -1.0: a period must be finite and positive"
+    );
     // the solution of x'' = x^2 runs away
     let escape = Planar(|_, x, v| [v, x * x], |_, x, _| [2.0 * x, 0.0]);
     let lost = shooting.forced(&escape, [10.0, 10.0], 10.0);

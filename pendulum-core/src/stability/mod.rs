@@ -25,8 +25,12 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod branch;
+mod continuation;
+mod curve;
 mod equilibrium;
 mod error;
+mod families;
 mod function;
 mod least_squares;
 mod limits;
@@ -35,8 +39,11 @@ mod orbit;
 mod section;
 mod shooting;
 mod spectrum;
+mod trace;
 mod transition;
 
+pub use branch::{Bifurcation, BifurcationKind, Branch, BranchEnd, BranchPoint};
+pub use continuation::Continuation;
 pub use equilibrium::{Equilibrium, Stability, equilibria, equilibrium};
 pub use error::StabilityError;
 pub use function::StabilityFunction;

@@ -152,7 +152,11 @@ impl Shooting {
                 residual: lap.gap.amax(),
             });
         }
-        let along = if autonomous { Some(direction(system, &x, period, self.tolerance)?) } else { None };
+        let along = if autonomous {
+            Some(direction(system, &x, period, self.tolerance)?)
+        } else {
+            None
+        };
         PeriodicOrbit::new((x, period, lap.turns), lap.monodromy, along, self.tolerance)
     }
 
@@ -274,4 +278,4 @@ pub(super) fn check_period(period: f64) -> Result<(), Reason> {
 
 const ITERATIONS: usize = 50;
 /// The part of a period at which angles are looked for: where drives do not vanish together.
-const IRREGULAR: f64 = 0.381_966_011_250_105;
+pub(super) const IRREGULAR: f64 = 0.381_966_011_250_105;
