@@ -167,53 +167,6 @@ fn relative_and_absolute_angles_agree() {
     }
 }
 
-/// The scene without friction, and the same with Eq. 22b as printed: `theta2'^2` in the place of `theta1'^2`.
-fn free() -> DoublePendulum {
-    let params = DoublePendulumParams {
-        gamma1: 0.0,
-        gamma2: 0.0,
-        ..Default::default()
-    };
-    DoublePendulum::new(params).expect("physical")
-}
-
-fn printed(x: &SVector<f64, 4>) -> SVector<f64, 4> {
-    let (m, inertia, d) = (1.0, 1.0, 1.0);
-    let (sine, cosine) = (x[0] - x[1]).sin_cos();
-    // the generated accelerations, corrected by what the slip adds to the second equation: A dqdd = (0, slip)
-    let slip = m * d * d * (x[3] * x[3] - x[2] * x[2]) * sine;
-    let (a11, a12, a22) = (inertia + 2.0 * m * d * d, m * d * d * cosine, inertia + m * d * d);
-    let determinant = a11 * a22 - a12 * a12;
-    let mut rhs = free().rhs(0.0, x);
-    rhs[2] += -a12 * slip / determinant;
-    rhs[3] += a11 * slip / determinant;
-    rhs
-}
-
-#[test]
-fn energy_stays_without_friction_and_not_with_the_printed_equation() {
-    let model = free();
-    let method = Rk45::new().rtol(1e-11).atol(1e-11);
-    let start = [1.2, -0.6, 0.0, 0.0];
-    let drift = |solution: Solution<4>| {
-        let energy = |x: &SVector<f64, 4>| model.energy(0.0, x);
-        let first = energy(&solution.x()[0]);
-        solution
-            .x()
-            .iter()
-            .map(|x| (energy(x) - first).abs())
-            .fold(0.0, f64::max)
-    };
-    let right = drift(method.solve(&model, 0.0, 20.0, start).expect("regular"));
-    let wrong = drift(
-        method
-            .solve(&FnSystem(|_t, x: &SVector<f64, 4>| printed(x)), 0.0, 20.0, start)
-            .expect("regular"),
-    );
-    assert!(right < 1e-8, "the right equation drifts by {right:e} J");
-    assert!(wrong > 1.0, "the printed equation drifts by {wrong:e} J only");
-}
-
 /// What the axles turn into heat is integrated beside the motion.
 #[test]
 fn what_the_energy_loses_is_the_work_of_friction() {

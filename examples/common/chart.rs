@@ -190,7 +190,7 @@ impl Figure {
 }
 
 /// The keys of lines, beside each other from `(x, y)` on, in pixels of the drawing.
-fn draw_legend<B: DrawingBackend>(
+pub(super) fn draw_legend<B: DrawingBackend>(
     page: &DrawingArea<B, Shift>,
     legend: &[(Line, String)],
     (mut x, y): (i32, i32),
@@ -211,12 +211,12 @@ where
 }
 
 impl Axis {
-    fn shows(&self, value: f64) -> bool {
+    pub(super) fn shows(&self, value: f64) -> bool {
         self.range.start <= value && value <= self.range.end
     }
 
     /// What stands beside a tick: a number with a true minus sign, or a power of ten.
-    fn tick(&self, value: f64) -> String {
+    pub(super) fn tick(&self, value: f64) -> String {
         // The sum rounds off what is left of steps like 0.1, and turns -0 into 0.
         let value = (value * 1e9).round() / 1e9 + 0.0;
         let value = match self.scale {
@@ -259,7 +259,7 @@ impl Line {
         }
     }
 
-    fn draw<B, C>(self, area: &DrawingArea<B, C>, points: Vec<C::From>) -> Result<(), Box<dyn Error>>
+    pub(super) fn draw<B, C>(self, area: &DrawingArea<B, C>, points: Vec<C::From>) -> Result<(), Box<dyn Error>>
     where
         B: DrawingBackend,
         B::ErrorType: 'static,
@@ -278,6 +278,6 @@ impl Line {
 
 /// Space around the parts of the page, in pixels of the picture.
 const FOOTER: f64 = 62.0;
-const LABELS: f64 = 96.0;
+pub(super) const LABELS: f64 = 96.0;
 const RIGHT: f64 = 24.0;
 const WITH_LABELS: f64 = 104.0;

@@ -37,17 +37,16 @@ pub(crate) trait Picture {
     /// Writes `stem` with the endings svg and png, and says where.
     fn save(&self, stem: &Path) -> Result<[PathBuf; 2], Box<dyn Error>> {
         register_fonts()?;
-        let files = [("svg", self.svg()?.into_bytes()), ("png", self.png()?)];
-        if let Some(folder) = stem.parent() {
-            fs::create_dir_all(folder)
-                .map_err(|error| format!("cannot make the folder {}: {error}", folder.display()))?;
-        }
-        let mut paths = [PathBuf::new(), PathBuf::new()];
-        for (path, (ending, contents)) in paths.iter_mut().zip(files) {
-            *path = stem.with_added_extension(ending);
-            fs::write(&path, contents).map_err(|error| format!("cannot write {}: {error}", path.display()))?;
-        }
-        Ok(paths)
+        Ok([
+            write(stem, "svg", self.svg()?.as_bytes())?,
+            write(stem, "png", &self.png()?)?,
+        ])
+    }
+
+    /// Writes `stem` with the ending png alone, and says where: for what is made of too many parts for an SVG.
+    fn save_png(&self, stem: &Path) -> Result<PathBuf, Box<dyn Error>> {
+        register_fonts()?;
+        write(stem, "png", &self.png()?)
     }
 
     /// plotters draws on whole pixels; in a drawing several times too large, scaled down by its view box, they do not show.
@@ -71,6 +70,15 @@ pub(crate) trait Picture {
         self.draw(&Typeset(BitMapBackend::with_buffer(&mut pixels, fine)).into_drawing_area())?;
         encode(&shrink(&pixels, fine.0 as usize), self.size())
     }
+}
+
+fn write(stem: &Path, ending: &str, contents: &[u8]) -> Result<PathBuf, Box<dyn Error>> {
+    if let Some(folder) = stem.parent() {
+        fs::create_dir_all(folder).map_err(|error| format!("cannot make the folder {}: {error}", folder.display()))?;
+    }
+    let path = stem.with_added_extension(ending);
+    fs::write(&path, contents).map_err(|error| format!("cannot write {}: {error}", path.display()))?;
+    Ok(path)
 }
 
 /// How many pixels of the drawing make one of the picture, in each direction.

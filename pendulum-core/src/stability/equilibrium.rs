@@ -32,7 +32,7 @@ pub enum Stability {
 
 impl<const N: usize> Equilibrium<N> {
     /// The linearisation at a state that is known to be one of rest.
-    fn at<S>(system: &S, x: SVector<f64, N>) -> Result<Self, StabilityError>
+    pub(super) fn at<S>(system: &S, x: SVector<f64, N>) -> Result<Self, StabilityError>
     where
         S: Jacobian<f64, N> + ?Sized,
     {
@@ -123,7 +123,7 @@ where
     let mut h = 1.0 / (f64::MIN_POSITIVE + jacobian.norm());
     for _ in 0..ITERATIONS {
         let matrix = SMatrix::<f64, N, N>::identity() / h - jacobian;
-        x += within_reach(shortest_solution(&-matrix, &rhs)?, &x);
+        x += within_reach(newton_step(&-matrix, &rhs)?, &x);
         let before = rhs.norm();
         (rhs, jacobian) = evaluate(system, &x)?;
         h *= (before / rhs.norm()).clamp(0.5, 2.0);

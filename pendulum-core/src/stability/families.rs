@@ -6,7 +6,7 @@ use super::curve::{Curve, Growth, Linear};
 use super::equilibrium::within_a_turn;
 use super::orbit::NOISE;
 use super::shooting::{Lap, after, check_period, direction};
-use super::{BifurcationKind, Equilibrium, Mode, Multiplier, PeriodicOrbit, Spectrum, StabilityError};
+use super::{BifurcationKind, Equilibrium, Mode, Multiplier, PeriodicOrbit, StabilityError};
 use crate::error::ParameterError;
 use crate::system::Jacobian;
 
@@ -73,10 +73,7 @@ where
     }
 
     fn solution(&self, u: &DVector<f64>) -> Result<Equilibrium<N>, StabilityError> {
-        let x = state(u);
-        let jacobian = (self.family.member)(self.family.parameter(u[N]))?.jacobian(0.0, &x);
-        let spectrum = Spectrum::of(&jacobian)?;
-        Ok(Equilibrium { x, jacobian, spectrum })
+        Equilibrium::at(&(self.family.member)(self.family.parameter(u[N]))?, state(u))
     }
 
     fn growths(&self, solution: &Equilibrium<N>) -> Vec<Growth> {

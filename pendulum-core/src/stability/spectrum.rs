@@ -161,7 +161,7 @@ fn mode<const N: usize>(
     Ok(Mode {
         eigenvalue,
         shape: vector.map(|component| component / largest),
-        condition: 1.0 / product.norm(),
+        condition: 1.0 / product,
         // A double eigenvalue moves by the root of the errors.
         uncertainty: (noise / product).min((noise * matrix.norm()).sqrt()),
     })

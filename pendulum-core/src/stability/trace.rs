@@ -236,7 +236,9 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
             let before = u[u.len() - 1];
             (part, u) = zero(&low, &high);
             let last = mem::replace(&mut change, (u[u.len() - 1] - before).abs());
-            if change.max(last) < LOCATED || high.0 - low.0 < LOCATED {
+            // What hugs an end of the bracket, as where a test is flat to one side, is not told by its changes.
+            let is_told = change.max(last) < LOCATED && (0.01..=0.99).contains(&part);
+            if is_told || high.0 - low.0 < LOCATED {
                 break;
             }
         }
