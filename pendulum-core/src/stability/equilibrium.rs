@@ -4,6 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
+use super::least_squares::shortest_step;
 use super::{Spectrum, StabilityError};
 use crate::system::Jacobian;
 
@@ -31,7 +32,7 @@ pub enum Stability {
 
 impl<const N: usize> Equilibrium<N> {
     /// The linearisation at a state that is known to be one of rest.
-    fn at<S>(system: &S, x: SVector<f64, N>) -> Result<Self, StabilityError>
+    pub(super) fn at<S>(system: &S, x: SVector<f64, N>) -> Result<Self, StabilityError>
     where
         S: Jacobian<f64, N> + ?Sized,
     {
@@ -91,7 +92,7 @@ where
 {
     let (mut rhs, mut jacobian) = evaluate(system, &x)?;
     for _ in 0..ITERATIONS {
-        let step = within_reach(shortest_solution(&jacobian, &rhs)?, &x);
+        let step = within_reach(newton_step(&jacobian, &rhs)?, &x);
         let settled = step.norm() <= SETTLED * (1.0 + x.norm());
         let Some(next) = descend(system, &x, &step, rhs.norm()) else {
             // Rounding errors are all that is left, or a valley.
@@ -122,7 +123,7 @@ where
     let mut h = 1.0 / (f64::MIN_POSITIVE + jacobian.norm());
     for _ in 0..ITERATIONS {
         let matrix = SMatrix::<f64, N, N>::identity() / h - jacobian;
-        x += within_reach(shortest_solution(&-matrix, &rhs)?, &x);
+        x += within_reach(newton_step(&-matrix, &rhs)?, &x);
         let before = rhs.norm();
         (rhs, jacobian) = evaluate(system, &x)?;
         h *= (before / rhs.norm()).clamp(0.5, 2.0);
@@ -156,7 +157,7 @@ where
         let Ok(mut x) = settle(system, seed) else {
             continue;
         };
-        let angles = angles(system, &x);
+        let angles = angles(system, 0.0, &x);
         for &angle in &angles {
             x[angle] = within_a_turn(x[angle]);
         }
@@ -207,14 +208,12 @@ where
 }
 
 /// The shortest `step` with the least `|rhs + jacobian step|`.
-fn shortest_solution<const N: usize>(
+fn newton_step<const N: usize>(
     jacobian: &SMatrix<f64, N, N>,
     rhs: &SVector<f64, N>,
 ) -> Result<SVector<f64, N>, StabilityError> {
-    let svd = DMatrix::from_column_slice(N, N, jacobian.as_slice()).svd(true, true);
-    let least = SINGULAR * svd.singular_values.max();
-    let step = svd.solve(&DVector::from_column_slice((-rhs).as_slice()), least);
-    let step = step.map_err(|_| StabilityError::NotFinite)?;
+    let matrix = DMatrix::from_column_slice(N, N, jacobian.as_slice());
+    let step = shortest_step(matrix, &DVector::from_column_slice(rhs.as_slice()), SINGULAR)?;
     Ok(SVector::from_column_slice(step.as_slice()))
 }
 
@@ -240,17 +239,17 @@ where
 }
 
 /// The components of the state that are angles: a full turn is seen nowhere, and less than that is.
-fn angles<S, const N: usize>(system: &S, x: &SVector<f64, N>) -> Vec<usize>
+pub(super) fn angles<S, const N: usize>(system: &S, t: f64, x: &SVector<f64, N>) -> Vec<usize>
 where
     S: Jacobian<f64, N> + ?Sized,
 {
     // A state without symmetry.
     let base = SVector::from_fn(|i, _| x[i] + (1.0 + i as f64).sqrt());
-    let (rhs, jacobian) = system.rhs_and_jacobian(0.0, &base);
+    let (rhs, jacobian) = system.rhs_and_jacobian(t, &base);
     let is_angle = |&i: &usize| {
         let mut turned = base;
         turned[i] += TAU;
-        let (there, slopes) = system.rhs_and_jacobian(0.0, &turned);
+        let (there, slopes) = system.rhs_and_jacobian(t, &turned);
         let noise = 1e-9 * (1.0 + rhs.norm() + jacobian.norm());
         (there - rhs).norm() <= noise && (slopes - jacobian).norm() <= noise && jacobian.column(i).norm() > noise
     };
@@ -258,7 +257,7 @@ where
 }
 
 /// The angle in (-pi, pi]; just above -pi counts as pi.
-fn within_a_turn(angle: f64) -> f64 {
+pub(super) fn within_a_turn(angle: f64) -> f64 {
     let turned = angle - TAU * (angle / TAU).round();
     if turned < -PI + SAME { turned + TAU } else { turned }
 }

@@ -3,7 +3,7 @@
 use std::error::Error;
 use std::fmt;
 
-use crate::error::Reason;
+use crate::error::{ParameterError, Reason};
 
 /// Why an analysis came to no result.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,6 +20,10 @@ pub enum StabilityError {
         /// What was left of the equations at the best point, as the largest component.
         residual: f64,
     },
+    /// What was to be a periodic orbit is, or shrank to, a state of rest, which is periodic with any period.
+    AtRest,
+    /// A family of systems has no member at the parameter asked for.
+    Build(ParameterError),
 }
 
 impl fmt::Display for StabilityError {
@@ -34,6 +38,11 @@ impl fmt::Display for StabilityError {
                 f,
                 "{iterations} iterations left a residual of {residual:.3e}; start closer to the solution, or look whether there is one"
             ),
+            Self::AtRest => write!(
+                f,
+                "the orbit shrank to a state of rest; start farther from it, or with a period closer to that of the orbit"
+            ),
+            Self::Build(error) => error.fmt(f),
         }
     }
 }
@@ -42,7 +51,8 @@ impl Error for StabilityError {
     fn source(&self) -> Option<&(dyn Error + 'static)> {
         match self {
             Self::Integration(reason) => Some(reason),
-            Self::NotFinite | Self::NoConvergence { .. } => None,
+            Self::Build(error) => Some(error),
+            Self::NotFinite | Self::NoConvergence { .. } | Self::AtRest => None,
         }
     }
 }
@@ -50,5 +60,11 @@ impl Error for StabilityError {
 impl From<Reason> for StabilityError {
     fn from(reason: Reason) -> Self {
         Self::Integration(reason)
+    }
+}
+
+impl From<ParameterError> for StabilityError {
+    fn from(error: ParameterError) -> Self {
+        Self::Build(error)
     }
 }

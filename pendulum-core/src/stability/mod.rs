@@ -25,21 +25,33 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod branch;
+mod continuation;
+mod curve;
 mod equilibrium;
 mod error;
+mod families;
 mod function;
+mod least_squares;
 mod limits;
 mod lyapunov;
+mod orbit;
 mod section;
+mod shooting;
 mod spectrum;
+mod trace;
 mod transition;
 
+pub use branch::{Bifurcation, BifurcationKind, Branch, BranchEnd, BranchPoint};
+pub use continuation::Continuation;
 pub use equilibrium::{Equilibrium, Stability, equilibria, equilibrium};
 pub use error::StabilityError;
 pub use function::StabilityFunction;
 pub use limits::{imaginary_limit, max_stable_step, real_limit};
 pub use lyapunov::{Exponents, Lyapunov};
 pub use nalgebra::Complex;
+pub use orbit::{Multiplier, PeriodicOrbit};
 pub use section::section;
+pub use shooting::Shooting;
 pub use spectrum::{Mode, Spectrum};
 pub use transition::transition;

@@ -18,6 +18,8 @@ pub struct Mode<const N: usize> {
     pub eigenvalue: Complex<f64>,
     /// The eigenvector; its largest component is 1.
     pub shape: SVector<Complex<f64>, N>,
+    /// How many times small errors of the matrix are magnified in the eigenvalue; infinite where it is double and has one eigenvector.
+    pub condition: f64,
     /// How far rounding errors may have moved the eigenvalue: those of the matrix times its condition number, which is large where two
     /// eigenvalues nearly meet.
     pub uncertainty: f64,
@@ -159,6 +161,7 @@ fn mode<const N: usize>(
     Ok(Mode {
         eigenvalue,
         shape: vector.map(|component| component / largest),
+        condition: 1.0 / product,
         // A double eigenvalue moves by the root of the errors.
         uncertainty: (noise / product).min((noise * matrix.norm()).sqrt()),
     })

@@ -1,0 +1,223 @@
+//! Continuation of equilibria and of periodic orbits in a parameter.
+
+use nalgebra::{DVector, SVector};
+
+use super::branch::Branch;
+use super::equilibrium::angles;
+use super::families::{Equilibria, Family, Orbits, Period};
+use super::shooting::IRREGULAR;
+use super::trace::Tracer;
+use super::{Equilibrium, PeriodicOrbit, Shooting, StabilityError, equilibrium};
+use crate::error::{ParameterError, Reason};
+use crate::method::require;
+use crate::system::Jacobian;
+
+/// The continuation of equilibria, or of periodic orbits, in a parameter: a plain value with settings.
+///
+/// A family of systems is given by a function that builds the one for a value of the parameter. From a solution at one value the branch
+/// through it is followed both ways, over the span of the parameter and around folds: each point is found by Newton's method across the
+/// direction of the branch from the one before (pseudo-arclength). Steps are shortened where that takes long or the branch bends. The unknowns are the
+/// state, the parameter over the length of its span, and for orbits of free period that over the period at the start; steps are measured in these.
+///
+/// Bifurcations between points are found by what changes its sign, and located on the branch. At a fold that is the direction of the parameter; where
+/// branches cross, the determinant of the equations with that direction; at the others the growth of a small motion. Two of a kind within one
+/// step go unseen. Where nothing brakes, growth counts from the uncertainty of the eigenvalues on.
+///
+/// Derivatives by the state come from the generated Jacobian, and those by the parameter are central differences: over 6e-6 of the span to either
+/// side of the right-hand side, right to about 10 digits, and for orbits over the cube root of the tolerance, right to about two thirds of its digits. They guide
+/// the search and tell the direction of the branch; the solutions themselves are not affected.
+///
+/// H. B. Keller, in P. H. Rabinowitz (ed.), "Applications of Bifurcation Theory" (1977) 359; Yu. A. Kuznetsov, "Elements of Applied Bifurcation Theory",
+/// 4th ed. (2023), ch. 10; R. Seydel, "Practical Bifurcation and Stability Analysis", 3rd ed. (2010), chapters 4 to 7.
+///
+/// ```
+/// use pendulum_core::prelude::*;
+/// use pendulum_core::stability::{BifurcationKind, Continuation};
+///
+/// mechanism! {
+///     /// A pendulum that a constant torque holds up.
+///     pub Held {
+///         params { torque: N m }
+///         gravity: [0, -9.81, 0],
+///         body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle, friction: 0.1, torque: torque }
+///     }
+/// }
+///
+/// let held = |torque| Held::new(HeldParams { torque });
+/// let branch = Continuation::new(held, (0.0, 20.0)).equilibria([0.0, 0.0], 0.0)?;
+/// // It is lifted to the horizontal, and no torque beyond holds it.
+/// let [fold] = branch.bifurcations() else { panic!("there is one") };
+/// assert_eq!(fold.kind, BifurcationKind::Fold);
+/// assert!((fold.parameter - 9.81).abs() < 1e-8);
+/// assert!((fold.solution.x[0].to_degrees() - 90.0).abs() < 1e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Continuation<F> {
+    family: F,
+    span: (f64, f64),
+    step: f64,
+    points: usize,
+    tolerance: f64,
+}
+
+impl<F, S> Continuation<F>
+where
+    F: Fn(f64) -> Result<S, ParameterError>,
+{
+    /// The continuation of the systems that `family` builds, over the span of its parameter from the lower end to the upper. Newton's
+    /// method may try values somewhat beyond, and takes shorter steps if there are no members.
+    #[must_use]
+    pub fn new(family: F, span: (f64, f64)) -> Self {
+        Self {
+            family,
+            span,
+            step: 0.05,
+            points: 1000,
+            tolerance: 1e-10,
+        }
+    }
+
+    /// The longest step: 0.05 goes through the span in 20 steps, where the state changes little. Default: 0.05.
+    #[must_use]
+    pub fn step(mut self, step: f64) -> Self {
+        self.step = step;
+        self
+    }
+
+    /// The points that a branch may have to either side of its start. Default: 1000.
+    #[must_use]
+    pub fn points(mut self, points: usize) -> Self {
+        self.points = points;
+        self
+    }
+
+    /// The tolerance of the integration for periodic orbits. Default: 1e-10.
+    #[must_use]
+    pub fn tolerance(mut self, tolerance: f64) -> Self {
+        self.tolerance = tolerance;
+        self
+    }
+
+    /// The branch of the equilibrium near `x0` at the parameter `p0`.
+    ///
+    /// # Errors
+    /// [`StabilityError::Integration`] if a setting makes no sense, [`StabilityError::Build`] if the family has no member at the parameter, and
+    /// those of [`equilibrium`]. What goes wrong later ends the branch, which tells it.
+    pub fn equilibria<const N: usize>(
+        &self,
+        x0: impl Into<SVector<f64, N>>,
+        p0: f64,
+    ) -> Result<Branch<Equilibrium<N>>, StabilityError>
+    where
+        S: Jacobian<f64, N>,
+    {
+        self.check(p0)?;
+        let system = (self.family)(p0)?;
+        let x = equilibrium(&system, x0)?.x;
+        let curve = Equilibria {
+            family: self.family(),
+            angles: angles(&system, 0.0, &x),
+        };
+        self.tracer(&curve).branch(self.unknowns(&x, None, p0))
+    }
+
+    /// The branch of the periodic orbit near the state `x0` with a period near the guess, at the parameter `p0`, of systems in which the time does
+    /// not occur; the period changes along it.
+    ///
+    /// Orbits must not come in families at one parameter, as those of conservative systems do. Where they shrink to an equilibrium the
+    /// branch ends with [`StabilityError::AtRest`]: at a Hopf bifurcation.
+    ///
+    /// # Errors
+    /// As [`equilibria`](Self::equilibria), and those of [`Shooting::autonomous`].
+    pub fn autonomous_orbits<const N: usize>(
+        &self,
+        x0: impl Into<SVector<f64, N>>,
+        period: f64,
+        p0: f64,
+    ) -> Result<Branch<PeriodicOrbit<N>>, StabilityError>
+    where
+        S: Jacobian<f64, N>,
+    {
+        self.check(p0)?;
+        let system = (self.family)(p0)?;
+        let orbit = Shooting::new()
+            .tolerance(self.tolerance)
+            .autonomous(&system, x0, period)?;
+        let curve = Orbits {
+            family: self.family(),
+            period: Period::<fn(f64) -> f64>::Free(orbit.period),
+            tolerance: self.tolerance,
+            angles: angles(&system, 0.0, &orbit.x),
+        };
+        self.tracer(&curve).branch(self.unknowns(&orbit.x, Some(1.0), p0))
+    }
+
+    /// The branch of the periodic motion near the state `x0` at the time 0 and at the parameter `p0`, of systems that are driven; `period` is that
+    /// of the motion, in s, for each value of the parameter: that of the drive or a multiple of it.
+    ///
+    /// # Errors
+    /// As [`equilibria`](Self::equilibria), and those of [`Shooting::forced`].
+    pub fn forced_orbits<const N: usize>(
+        &self,
+        x0: impl Into<SVector<f64, N>>,
+        period: impl Fn(f64) -> f64,
+        p0: f64,
+    ) -> Result<Branch<PeriodicOrbit<N>>, StabilityError>
+    where
+        S: Jacobian<f64, N>,
+    {
+        self.check(p0)?;
+        let system = (self.family)(p0)?;
+        let orbit = Shooting::new()
+            .tolerance(self.tolerance)
+            .forced(&system, x0, period(p0))?;
+        let curve = Orbits {
+            family: self.family(),
+            angles: angles(&system, IRREGULAR * orbit.period, &orbit.x),
+            period: Period::Given(period),
+            tolerance: self.tolerance,
+        };
+        self.tracer(&curve).branch(self.unknowns(&orbit.x, None, p0))
+    }
+
+    fn family(&self) -> Family<'_, F> {
+        Family {
+            member: &self.family,
+            span: self.span,
+        }
+    }
+
+    fn tracer<'c, C, const N: usize>(&self, curve: &'c C) -> Tracer<'c, C, N> {
+        let unit = self.span.1 - self.span.0;
+        Tracer {
+            curve,
+            span: (self.span.0 / unit, self.span.1 / unit),
+            step: self.step,
+            points: self.points,
+            unit,
+        }
+    }
+
+    /// The point of a curve: the state, the period if it is free, and the parameter.
+    fn unknowns<const N: usize>(&self, x: &SVector<f64, N>, period: Option<f64>, parameter: f64) -> DVector<f64> {
+        let parameter = parameter / (self.span.1 - self.span.0);
+        let unknowns = x.iter().copied().chain(period).chain([parameter]);
+        DVector::from_vec(unknowns.collect())
+    }
+
+    fn check(&self, p0: f64) -> Result<(), Reason> {
+        let (low, high) = self.span;
+        let rule = "a span must be finite, and rise";
+        require(
+            low.is_finite() && high.is_finite() && low < high,
+            "span",
+            high - low,
+            rule,
+        )?;
+        let rule = "the start must lie in the span";
+        require((low..=high).contains(&p0), "p0", p0, rule)?;
+        let rule = "the longest step must be finite and positive";
+        require(self.step.is_finite() && self.step > 0.0, "step", self.step, rule)
+    }
+}

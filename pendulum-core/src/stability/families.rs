@@ -1,0 +1,249 @@
+//! Equilibria and periodic orbits of a family of systems, as curves.
+
+use nalgebra::{DMatrix, DVector, SVector};
+
+use super::curve::{Curve, Growth, Linear};
+use super::equilibrium::within_a_turn;
+use super::orbit::NOISE;
+use super::shooting::{Lap, after, check_period, direction};
+use super::{BifurcationKind, Equilibrium, Mode, Multiplier, PeriodicOrbit, StabilityError};
+use crate::error::ParameterError;
+use crate::system::Jacobian;
+
+/// A family of systems, one for each value of a parameter in a span.
+pub(super) struct Family<'f, F> {
+    pub(super) member: &'f F,
+    pub(super) span: (f64, f64),
+}
+
+impl<F, S> Family<'_, F>
+where
+    F: Fn(f64) -> Result<S, ParameterError>,
+{
+    fn unit(&self) -> f64 {
+        self.span.1 - self.span.0
+    }
+
+    /// The parameter, from that over the length of the span; at the ends of the span without rounding errors.
+    fn parameter(&self, scaled: f64) -> f64 {
+        let parameter = scaled * self.unit();
+        let is_at = |end: &f64| (parameter - end).abs() <= 1e-12 * self.unit();
+        [self.span.0, self.span.1].into_iter().find(is_at).unwrap_or(parameter)
+    }
+
+    /// The derivative of `f` by the scaled parameter: a central difference over the part `reach` of the span to either side, one-sided at its ends.
+    fn slope<const N: usize>(
+        &self,
+        parameter: f64,
+        reach: f64,
+        f: impl Fn(f64, &S) -> Result<SVector<f64, N>, StabilityError>,
+    ) -> Result<SVector<f64, N>, StabilityError> {
+        let reach = reach * self.unit();
+        let low = (parameter - reach).max(self.span.0);
+        let high = (parameter + reach).min(self.span.1);
+        let change = f(high, &(self.member)(high)?)? - f(low, &(self.member)(low)?)?;
+        Ok(change * (self.unit() / (high - low)))
+    }
+}
+
+/// Equilibria. The unknowns are the state and the parameter.
+pub(super) struct Equilibria<'f, F> {
+    pub(super) family: Family<'f, F>,
+    pub(super) angles: Vec<usize>,
+}
+
+impl<F, S, const N: usize> Curve<N> for Equilibria<'_, F>
+where
+    F: Fn(f64) -> Result<S, ParameterError>,
+    S: Jacobian<f64, N>,
+{
+    type Solution = Equilibrium<N>;
+
+    fn linearize(&self, u: &DVector<f64>) -> Result<Linear, StabilityError> {
+        let (x, parameter) = (state(u), self.family.parameter(u[N]));
+        let (rhs, jacobian) = (self.family.member)(parameter)?.rhs_and_jacobian(0.0, &x);
+        let slope = self
+            .family
+            .slope(parameter, f64::EPSILON.cbrt(), |_, system| Ok(system.rhs(0.0, &x)))?;
+        Ok(Linear {
+            residual: DVector::from_column_slice(rhs.as_slice()),
+            derivative: DMatrix::from_fn(N, N + 1, |i, j| if j < N { jacobian[(i, j)] } else { slope[i] }),
+            resolution: 100.0 * f64::EPSILON * (jacobian.norm() + slope.norm()) * (1.0 + u.norm()),
+        })
+    }
+
+    fn solution(&self, u: &DVector<f64>) -> Result<Equilibrium<N>, StabilityError> {
+        Equilibrium::at(&(self.family.member)(self.family.parameter(u[N]))?, state(u))
+    }
+
+    fn growths(&self, solution: &Equilibrium<N>) -> Vec<Growth> {
+        let growth = |mode: &Mode<N>| Growth {
+            excess: mode.growth_rate(),
+            uncertainty: mode.uncertainty,
+            value: mode.eigenvalue,
+        };
+        solution.spectrum.modes().iter().map(growth).collect()
+    }
+
+    fn crossing(&self, growth: &Growth) -> Option<BifurcationKind> {
+        let angular_frequency = growth.value.im.abs();
+        (angular_frequency > 0.0).then_some(BifurcationKind::Hopf { angular_frequency })
+    }
+
+    fn joins(&self, _from: &DVector<f64>, _to: &DVector<f64>) -> Result<(), StabilityError> {
+        Ok(())
+    }
+
+    fn apart(&self, from: &DVector<f64>, to: &DVector<f64>) -> DVector<f64> {
+        without_turns(to - from, &self.angles)
+    }
+
+    fn noise(&self) -> f64 {
+        1e-12
+    }
+}
+
+/// Periodic orbits. The unknowns are the state, the period over that at the start if it is free, and the parameter.
+pub(super) struct Orbits<'f, F, P> {
+    pub(super) family: Family<'f, F>,
+    pub(super) period: Period<P>,
+    pub(super) tolerance: f64,
+    pub(super) angles: Vec<usize>,
+}
+
+/// The period of the orbits of a family.
+pub(super) enum Period<P> {
+    /// Sought, and measured in this unit.
+    Free(f64),
+    /// A function of the parameter.
+    Given(P),
+}
+
+impl<F, P: Fn(f64) -> f64> Orbits<'_, F, P> {
+    fn period(&self, u: &DVector<f64>, parameter: f64) -> f64 {
+        match &self.period {
+            Period::Free(unit) => u[u.len() - 2] * unit,
+            Period::Given(period) => period(parameter),
+        }
+    }
+
+    fn is_free(&self) -> bool {
+        matches!(self.period, Period::Free(_))
+    }
+}
+
+impl<F, S, P, const N: usize> Curve<N> for Orbits<'_, F, P>
+where
+    F: Fn(f64) -> Result<S, ParameterError>,
+    S: Jacobian<f64, N>,
+    P: Fn(f64) -> f64,
+{
+    type Solution = PeriodicOrbit<N>;
+
+    fn linearize(&self, u: &DVector<f64>) -> Result<Linear, StabilityError> {
+        let (x, parameter) = (state(u), self.family.parameter(u[u.len() - 1]));
+        let system = (self.family.member)(parameter)?;
+        let period = self.period(u, parameter);
+        check_period(period)?;
+        let lap = Lap::run(&system, (x, period), self.tolerance, &self.angles)?;
+        let slope = self
+            .family
+            .slope(parameter, self.tolerance.cbrt(), |parameter, system| {
+                let period = self.period(u, parameter);
+                check_period(period)?;
+                Ok(after(system, (x, period), self.tolerance)?)
+            })?;
+        let mut residual = DVector::from_column_slice(lap.gap.as_slice());
+        let mut derivative = DMatrix::from_fn(N, u.len(), |i, j| match j {
+            j if j == i => lap.monodromy[(i, j)] - 1.0,
+            j if j < N => lap.monodromy[(i, j)],
+            j if j == u.len() - 1 => slope[i],
+            _ => 0.0,
+        });
+        if let Period::Free(unit) = self.period {
+            derivative.column_mut(N).copy_from(&(lap.velocity * unit));
+            // The phase: no step goes along the orbit.
+            let along = direction(&system, &x, period, self.tolerance)?.normalize();
+            residual = residual.push(0.0);
+            derivative = derivative.insert_row(N, 0.0);
+            derivative.view_mut((N, 0), (1, N)).tr_copy_from(&along);
+        }
+        Ok(Linear {
+            residual,
+            derivative,
+            resolution: lap.resolution(&x, self.tolerance),
+        })
+    }
+
+    fn solution(&self, u: &DVector<f64>) -> Result<PeriodicOrbit<N>, StabilityError> {
+        let (x, parameter) = (state(u), self.family.parameter(u[u.len() - 1]));
+        let system = (self.family.member)(parameter)?;
+        let period = self.period(u, parameter);
+        let lap = Lap::run(&system, (x, period), self.tolerance, &self.angles)?;
+        let along = if self.is_free() {
+            Some(direction(&system, &x, period, self.tolerance)?)
+        } else {
+            None
+        };
+        PeriodicOrbit::new((x, period, lap.turns), lap.monodromy, along, self.tolerance)
+    }
+
+    fn growths(&self, solution: &PeriodicOrbit<N>) -> Vec<Growth> {
+        let growth = |multiplier: &Multiplier| Growth {
+            excess: multiplier.excess(),
+            uncertainty: multiplier.uncertainty,
+            value: multiplier.value,
+        };
+        solution.nontrivial().iter().map(growth).collect()
+    }
+
+    fn crossing(&self, growth: &Growth) -> Option<BifurcationKind> {
+        match growth.value {
+            value if value.im != 0.0 => Some(BifurcationKind::Torus {
+                angle: value.arg().abs(),
+            }),
+            value if value.re < 0.0 => Some(BifurcationKind::PeriodDoubling),
+            _ => None,
+        }
+    }
+
+    /// Beyond an equilibrium to which orbits shrink they are the same once more, half a period later.
+    fn joins(&self, from: &DVector<f64>, to: &DVector<f64>) -> Result<(), StabilityError> {
+        if !self.is_free() {
+            return Ok(());
+        }
+        let motion = |u: &DVector<f64>| {
+            let parameter = self.family.parameter(u[u.len() - 1]);
+            direction(
+                &(self.family.member)(parameter)?,
+                &state::<N>(u),
+                self.period(u, parameter),
+                self.tolerance,
+            )
+        };
+        if motion(from)?.dot(&motion(to)?) > 0.0 {
+            Ok(())
+        } else {
+            Err(StabilityError::AtRest)
+        }
+    }
+
+    fn apart(&self, from: &DVector<f64>, to: &DVector<f64>) -> DVector<f64> {
+        without_turns(to - from, &self.angles)
+    }
+
+    fn noise(&self) -> f64 {
+        NOISE * self.tolerance
+    }
+}
+
+fn state<const N: usize>(u: &DVector<f64>) -> SVector<f64, N> {
+    SVector::from_fn(|i, _| u[i])
+}
+
+fn without_turns(mut apart: DVector<f64>, angles: &[usize]) -> DVector<f64> {
+    for &angle in angles {
+        apart[angle] = within_a_turn(apart[angle]);
+    }
+    apart
+}

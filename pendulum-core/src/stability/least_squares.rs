@@ -1,0 +1,21 @@
+//! Linear equations that may have too few or too many solutions.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::StabilityError;
+
+/// The shortest `step` with the least `|residual + matrix step|`. Singular values below the part `least` of the largest count as zero.
+///
+/// A. Ben-Israel, T. N. E. Greville, "Generalized Inverses", 2nd ed. (2003), 3.3.
+pub(super) fn shortest_step(
+    matrix: DMatrix<f64>,
+    residual: &DVector<f64>,
+    least: f64,
+) -> Result<DVector<f64>, StabilityError> {
+    if matrix.iter().chain(residual.iter()).any(|entry| !entry.is_finite()) {
+        return Err(StabilityError::NotFinite);
+    }
+    let svd = matrix.svd(true, true);
+    let least = least * svd.singular_values.max();
+    svd.solve(&-residual, least).map_err(|_| StabilityError::NotFinite)
+}

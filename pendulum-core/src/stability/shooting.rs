@@ -1,0 +1,281 @@
+//! Periodic orbits by shooting.
+
+use std::f64::consts::TAU;
+
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
+
+use super::equilibrium::{angles, within_a_turn};
+use super::least_squares::shortest_step;
+use super::orbit::{NOISE, PeriodicOrbit};
+use super::transition::flow;
+use super::{StabilityError, transition};
+use crate::error::Reason;
+use crate::method::{Method, require};
+use crate::system::Jacobian;
+
+/// The search for periodic orbits by shooting, a plain value with settings.
+///
+/// An orbit is where Newton's method finds that the state after a period is the one before. The derivative of the one by the other, the
+/// monodromy matrix, comes from the variational equations with the generated Jacobian, and its eigenvalues tell whether the orbit is
+/// stable. Each step is the shortest that solves the linear equations, halved until the two states are closer: of the many points of an
+/// orbit, and of a family of orbits as conservative systems have, it goes to one nearby.
+///
+/// Angles may make full turns in a period: they are recognised by the right-hand side, as for [`equilibria`](super::equilibria), and turns do
+/// not count as a distance. A multiple of the period is a period as well; the search finds that which is closest to the guess.
+///
+/// H. B. Keller, "Numerical Methods for Two-Point Boundary-Value Problems" (1968); R. Seydel, "Practical Bifurcation and Stability Analysis",
+/// 3rd ed. (2010), 7.1 to 7.5.
+///
+/// ```
+/// use pendulum_core::prelude::*;
+/// use pendulum_core::stability::{Shooting, Stability};
+///
+/// mechanism! {
+///     /// A pendulum whose pivot shakes up and down, upright: P. L. Kapitza (1951).
+///     pub Kapitza {
+///         params { a: m, omega: rad/s }
+///         gravity: [0, -9.81, 0],
+///         body bob on ground {
+///             mass: 1, com: [0, 1, 0], joint: revolute(z), coordinate: tilt,
+///             torque: -a * omega^2 * cos(omega * t) * sin(q),
+///         }
+///     }
+/// }
+///
+/// let upright = |omega| {
+///     let shaken = Kapitza::new(KapitzaParams { a: 0.05, omega })?;
+///     Ok::<_, Box<dyn std::error::Error>>(Shooting::new().forced(&shaken, [0.0, 0.0], std::f64::consts::TAU / omega)?)
+/// };
+/// // It stands while a omega stays above sqrt(2 g l) = 4.43 m/s or thereabouts.
+/// assert_eq!(upright(80.0)?.stability(), Stability::Unstable);
+/// assert_ne!(upright(100.0)?.stability(), Stability::Unstable);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shooting {
+    tolerance: f64,
+}
+
+impl Default for Shooting {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl Shooting {
+    /// The search with its default settings.
+    #[must_use]
+    pub const fn new() -> Self {
+        Self { tolerance: 1e-12 }
+    }
+
+    /// The relative and absolute tolerance of the integration. Default: 1e-12.
+    ///
+    /// The state returns to itself to about a hundred tolerances times the size of the monodromy matrix.
+    #[must_use]
+    pub const fn tolerance(mut self, tolerance: f64) -> Self {
+        self.tolerance = tolerance;
+        self
+    }
+
+    /// The periodic orbit near the state `x0` of a system in which the time does not occur; its period, in s, is sought as well.
+    ///
+    /// The state moves across the orbit only: the phase condition is that each step is at a right angle to the motion.
+    ///
+    /// # Errors
+    /// [`StabilityError::Integration`] if a setting or the guess of the period makes no sense, or if a trajectory comes to an end;
+    /// [`StabilityError::AtRest`] if the search ends at an equilibrium, and [`StabilityError::NoConvergence`] if it finds no orbit.
+    pub fn autonomous<const N: usize>(
+        &self,
+        system: &(impl Jacobian<f64, N> + ?Sized),
+        x0: impl Into<SVector<f64, N>>,
+        period: f64,
+    ) -> Result<PeriodicOrbit<N>, StabilityError> {
+        self.search(system, (x0.into(), period), true)
+    }
+
+    /// The motion near the state `x0` at the time 0 that repeats itself with the period given, in s: of a driven system, that of the drive or a
+    /// multiple of it; of a conservative system, any that it has.
+    ///
+    /// # Errors
+    /// [`StabilityError::Integration`] if a setting or the period makes no sense, or if a trajectory comes to an end, and
+    /// [`StabilityError::NoConvergence`] if the search finds no orbit.
+    pub fn forced<const N: usize>(
+        &self,
+        system: &(impl Jacobian<f64, N> + ?Sized),
+        x0: impl Into<SVector<f64, N>>,
+        period: f64,
+    ) -> Result<PeriodicOrbit<N>, StabilityError> {
+        self.search(system, (x0.into(), period), false)
+    }
+
+    fn search<S, const N: usize>(
+        &self,
+        system: &S,
+        (mut x, mut period): (SVector<f64, N>, f64),
+        autonomous: bool,
+    ) -> Result<PeriodicOrbit<N>, StabilityError>
+    where
+        S: Jacobian<f64, N> + ?Sized,
+    {
+        check_period(period)?;
+        let angles = angles(system, IRREGULAR * period, &x);
+        let mut lap = Lap::run(system, (x, period), self.tolerance, &angles)?;
+        for _ in 0..ITERATIONS {
+            let columns = if autonomous { N + 1 } else { N };
+            let matrix = DMatrix::from_fn(N, columns, |i, j| match j {
+                j if j == N => lap.velocity[i],
+                j if i == j => lap.monodromy[(i, j)] - 1.0,
+                j => lap.monodromy[(i, j)],
+            });
+            let residual = DVector::from_column_slice(lap.gap.as_slice());
+            let step = shortest_step(matrix, &residual, NOISE * self.tolerance)?;
+            // The error that a step leaves is of the order of its square.
+            let settled = step.norm() <= 0.1 * self.tolerance.sqrt() * (1.0 + x.norm());
+            let ahead = |part: f64| {
+                let change = SVector::from_fn(|i, _| part * step[i]);
+                (x + change, if autonomous { period + part * step[N] } else { period })
+            };
+            let Some(part) = self.descend(system, &ahead, lap.gap.norm(), &angles) else {
+                // Errors of the integration are all that is left, or a valley of the distance.
+                break;
+            };
+            (x, period) = ahead(part);
+            lap = Lap::run(system, (x, period), self.tolerance, &angles)?;
+            if settled {
+                break;
+            }
+        }
+        if lap.gap.norm() > lap.resolution(&x, self.tolerance) {
+            return Err(StabilityError::NoConvergence {
+                iterations: ITERATIONS,
+                residual: lap.gap.amax(),
+            });
+        }
+        let along = if autonomous {
+            Some(direction(system, &x, period, self.tolerance)?)
+        } else {
+            None
+        };
+        PeriodicOrbit::new((x, period, lap.turns), lap.monodromy, along, self.tolerance)
+    }
+
+    /// The part of the step after which the state returns to a point that is closer than `distance`.
+    fn descend<S, const N: usize>(
+        &self,
+        system: &S,
+        ahead: &impl Fn(f64) -> (SVector<f64, N>, f64),
+        distance: f64,
+        angles: &[usize],
+    ) -> Option<f64>
+    where
+        S: Jacobian<f64, N> + ?Sized,
+    {
+        let (_, whole) = ahead(0.0);
+        let mut part = 1.0;
+        while part > 1e-6 {
+            let (x, period) = ahead(part);
+            // A step to half the period or twice that goes to another orbit, if any.
+            if (0.5 * whole..=2.0 * whole).contains(&period)
+                && let Ok(end) = after(system, (x, period), self.tolerance)
+                && gap(&x, &end, angles).0.norm() < (1.0 - 1e-4 * part) * distance
+            {
+                return Some(part);
+            }
+            part *= 0.5;
+        }
+        None
+    }
+}
+
+/// One period of a motion that may not close.
+pub(super) struct Lap<const N: usize> {
+    /// From its start to its end, full turns taken off.
+    pub(super) gap: SVector<f64, N>,
+    pub(super) turns: [i32; N],
+    /// The derivative of the end by the start.
+    pub(super) monodromy: SMatrix<f64, N, N>,
+    /// The rate at its end: the derivative of the end by the period.
+    pub(super) velocity: SVector<f64, N>,
+}
+
+impl<const N: usize> Lap<N> {
+    pub(super) fn run<S>(
+        system: &S,
+        (x, period): (SVector<f64, N>, f64),
+        tolerance: f64,
+        angles: &[usize],
+    ) -> Result<Self, StabilityError>
+    where
+        S: Jacobian<f64, N> + ?Sized,
+    {
+        let (end, monodromy) = transition(system, (0.0, period), x, tolerance)?;
+        let (gap, turns) = gap(&x, &end, angles);
+        Ok(Self {
+            gap,
+            turns,
+            monodromy,
+            velocity: system.rhs(period, &end),
+        })
+    }
+
+    /// A distance that errors of the integration may make.
+    pub(super) fn resolution(&self, x: &SVector<f64, N>, tolerance: f64) -> f64 {
+        NOISE * tolerance * (1.0 + x.norm()) * self.monodromy.norm()
+    }
+}
+
+/// The way from `start` to `end` without full turns, and these.
+fn gap<const N: usize>(
+    start: &SVector<f64, N>,
+    end: &SVector<f64, N>,
+    angles: &[usize],
+) -> (SVector<f64, N>, [i32; N]) {
+    let mut gap = end - start;
+    let mut turns = [0; N];
+    for &angle in angles {
+        let rest = within_a_turn(gap[angle]);
+        turns[angle] = ((gap[angle] - rest) / TAU).round() as i32;
+        gap[angle] = rest;
+    }
+    (gap, turns)
+}
+
+/// The state after a period.
+pub(super) fn after<S, const N: usize>(
+    system: &S,
+    (x, period): (SVector<f64, N>, f64),
+    tolerance: f64,
+) -> Result<SVector<f64, N>, Reason>
+where
+    S: Jacobian<f64, N> + ?Sized,
+{
+    flow::<0>(tolerance).stepper(system, 0.0, period, x)?.run()
+}
+
+/// The motion at `x`, unless it is a state of rest as far as one can tell.
+pub(super) fn direction<S, const N: usize>(
+    system: &S,
+    x: &SVector<f64, N>,
+    period: f64,
+    tolerance: f64,
+) -> Result<SVector<f64, N>, StabilityError>
+where
+    S: Jacobian<f64, N> + ?Sized,
+{
+    let velocity = system.rhs(0.0, x);
+    if period * velocity.norm() > tolerance.sqrt() * (1.0 + x.norm()) {
+        Ok(velocity)
+    } else {
+        Err(StabilityError::AtRest)
+    }
+}
+
+pub(super) fn check_period(period: f64) -> Result<(), Reason> {
+    let rule = "a period must be finite and positive";
+    require(period.is_finite() && period > 0.0, "period", period, rule)
+}
+
+const ITERATIONS: usize = 50;
+/// The part of a period at which angles are looked for: where drives do not vanish together.
+pub(super) const IRREGULAR: f64 = 0.381_966_011_250_105;

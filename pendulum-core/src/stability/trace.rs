@@ -1,0 +1,266 @@
+//! Following a curve, and finding what happens on it.
+
+use std::mem;
+
+use nalgebra::DVector;
+
+use super::branch::{Bifurcation, Branch, BranchEnd, BranchPoint};
+use super::curve::{Curve, Growth, Place, correct, first_tangent};
+use super::{BifurcationKind, StabilityError};
+
+/// How a curve is followed; lengths and parameters are scaled.
+pub(super) struct Tracer<'c, C, const N: usize> {
+    pub(super) curve: &'c C,
+    /// The span of the parameter.
+    pub(super) span: (f64, f64),
+    /// The longest step.
+    pub(super) step: f64,
+    /// The points allowed in each direction.
+    pub(super) points: usize,
+    /// The parameter as it was given, over the scaled one.
+    pub(super) unit: f64,
+}
+
+/// Steps are shortened where the curve turns by more, as the cosine of the angle.
+const TURN: f64 = 0.95;
+/// The shortest step, in parts of the longest.
+const LEAST: f64 = 1e-6;
+/// How far beside the place that is told the next is looked at, in parts of the bracket.
+const MARGIN: f64 = 0.1;
+/// Changes of the scaled parameter below this end the search for a bifurcation.
+const LOCATED: f64 = 1e-11;
+
+impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
+    /// The branch through `u`, both ways.
+    pub(super) fn branch(&self, u: DVector<f64>) -> Result<Branch<C::Solution>, StabilityError> {
+        let tangent = first_tangent(self.curve, &u)?;
+        let start = correct(self.curve, u.clone(), (&tangent, tangent.dot(&u)), &tangent)?;
+        let (mut ahead, last) = self.walk(start.clone());
+        let (places, first) = if last == BranchEnd::Closed {
+            ahead.insert(0, start);
+            (ahead, BranchEnd::Closed)
+        } else {
+            let (behind, first) = self.walk(start.clone().reverse());
+            let mut places: Vec<_> = behind.into_iter().rev().map(Place::reverse).collect();
+            places.push(start);
+            places.append(&mut ahead);
+            (places, first)
+        };
+        let mut bifurcations = Vec::new();
+        for (behind, pair) in places.windows(2).enumerate() {
+            self.find(&pair[0], &pair[1], behind, &mut bifurcations);
+        }
+        let point = |place: Place<C::Solution>| BranchPoint {
+            parameter: place.parameter() * self.unit,
+            solution: place.solution,
+        };
+        Ok(Branch {
+            points: places.into_iter().map(point).collect(),
+            bifurcations,
+            ends: [first, last],
+        })
+    }
+
+    /// The places after `start`, in the direction of its tangent, and why there are no more.
+    fn walk(&self, start: Place<C::Solution>) -> (Vec<Place<C::Solution>>, BranchEnd) {
+        let mut places: Vec<Place<C::Solution>> = Vec::new();
+        let mut length = 0.1 * self.step;
+        while places.len() < self.points {
+            let last = places.last().unwrap_or(&start);
+            let bound = if last.slope() < 0.0 { self.span.0 } else { self.span.1 };
+            let left = (bound - last.parameter()) / last.slope();
+            if left.abs() <= LEAST * self.step && last.slope() != 0.0 {
+                return (places, BranchEnd::Span);
+            }
+            let next = match self.next(last, length, (bound, left)) {
+                Ok(next) => next,
+                Err(_) if length > LEAST * self.step => {
+                    length *= 0.5;
+                    continue;
+                }
+                Err(error) => return (places, BranchEnd::Failed(error)),
+            };
+            if next.tangent.dot(&last.tangent) < TURN && length > LEAST * self.step {
+                length *= 0.5;
+                continue;
+            }
+            if places.len() > 1 && self.passes(last, &next, &start) {
+                places.push(start);
+                return (places, BranchEnd::Closed);
+            }
+            if next.iterations <= 4 {
+                length = (1.5 * length).min(self.step);
+            }
+            let at_bound = (next.parameter() - bound).abs() <= 1e-14 * (1.0 + bound.abs());
+            places.push(next);
+            if at_bound {
+                return (places, BranchEnd::Span);
+            }
+        }
+        (places, BranchEnd::Points)
+    }
+
+    /// The place after `last`, at the distance `length`, or at the bound of the parameter if that is nearer; `left` is the distance to it.
+    fn next(
+        &self,
+        last: &Place<C::Solution>,
+        length: f64,
+        (bound, left): (f64, f64),
+    ) -> Result<Place<C::Solution>, StabilityError> {
+        let to_bound = |guess: DVector<f64>| {
+            let mut parameter = DVector::zeros(guess.len());
+            parameter[guess.len() - 1] = 1.0;
+            correct(self.curve, guess, (&parameter, bound), &last.tangent)
+        };
+        let mut next = if left <= length {
+            to_bound(&last.u + &last.tangent * left)?
+        } else {
+            self.at(last, length)?
+        };
+        // The curve may bend beyond the bound.
+        if left > length && (next.parameter() - bound) * last.slope() > 0.0 {
+            let part = (bound - last.parameter()) / (next.parameter() - last.parameter());
+            next = to_bound(&last.u + (&next.u - &last.u) * part)?;
+        }
+        self.curve.joins(&last.u, &next.u)?;
+        Ok(next)
+    }
+
+    /// The place at the distance `length` from another, along its tangent.
+    fn at(&self, from: &Place<C::Solution>, length: f64) -> Result<Place<C::Solution>, StabilityError> {
+        let target = from.tangent.dot(&from.u) + length;
+        let guess = &from.u + &from.tangent * length;
+        correct(self.curve, guess, (&from.tangent, target), &from.tangent)
+    }
+
+    /// Whether the way from `last` to `next` leads through `place`, up to full turns.
+    fn passes(&self, last: &Place<C::Solution>, next: &Place<C::Solution>, place: &Place<C::Solution>) -> bool {
+        let way = &next.u - &last.u;
+        let to = self.curve.apart(&last.u, &place.u);
+        let part = to.dot(&way) / way.norm_squared();
+        (0.0..1.0).contains(&part)
+            && (to - &way * part).norm() < 0.1 * way.norm()
+            && place.tangent.dot(&last.tangent) > TURN
+    }
+
+    /// Notes what happens between two neighbours.
+    fn find(
+        &self,
+        a: &Place<C::Solution>,
+        b: &Place<C::Solution>,
+        behind: usize,
+        found: &mut Vec<Bifurcation<C::Solution>>,
+    ) {
+        let here = found.len();
+        let mut note = |kind, (parameter, uncertainty, solution)| {
+            found.push(Bifurcation {
+                kind,
+                parameter: parameter * self.unit,
+                uncertainty: uncertainty * self.unit,
+                solution,
+                behind,
+            });
+        };
+        let changes = |test: &dyn Fn(&Place<C::Solution>) -> f64| (test(a) < 0.0) != (test(b) < 0.0);
+        if changes(&|place| place.determinant) {
+            note(BifurcationKind::Crossing, self.locate(a, b, |place| place.determinant));
+        } else if changes(&Place::slope) {
+            note(BifurcationKind::Fold, self.locate(a, b, Place::slope));
+        }
+        let mut is_of_a_pair = false;
+        for (i, (&before, &after)) in a.growths.iter().zip(&b.growths).enumerate() {
+            // Where motions neither grow nor decay, as without friction, growth begins beyond the uncertainty.
+            let is_certain = |growth: Growth| growth.excess.abs() > growth.uncertainty;
+            let margin = if is_certain(before) && is_certain(after) {
+                0.0
+            } else {
+                1.0
+            };
+            let test = |place: &Place<C::Solution>| place.growths[i].excess - margin * place.growths[i].uncertainty;
+            if mem::take(&mut is_of_a_pair) || !changes(&test) {
+                continue;
+            }
+            let place = self.locate(a, b, test);
+            if let Some(kind) = self.curve.crossing(&self.curve.growths(&place.2)[i]) {
+                is_of_a_pair = matches!(kind, BifurcationKind::Hopf { .. } | BifurcationKind::Torus { .. });
+                note(kind, place);
+            }
+        }
+        let rising = b.parameter() >= a.parameter();
+        found[here..].sort_by(|a, b| {
+            let (a, b) = if rising { (a, b) } else { (b, a) };
+            a.parameter.total_cmp(&b.parameter)
+        });
+    }
+
+    /// Where between two neighbours the test passes zero: the scaled parameter, its last change in the search, and the solution.
+    ///
+    /// The rule of false position, with a point to either side of where it tells: the two close in, and neither comes as near as the curve is known.
+    /// Where another curve crosses, Newton's method might leave this one.
+    fn locate(
+        &self,
+        a: &Place<C::Solution>,
+        b: &Place<C::Solution>,
+        test: impl Fn(&Place<C::Solution>) -> f64,
+    ) -> (f64, f64, C::Solution) {
+        let origin = a.tangent.dot(&a.u);
+        let mut low = (0.0, test(a), a.clone());
+        let mut high = (a.tangent.dot(&b.u) - origin, test(b), b.clone());
+        let zero = |low: &Sample<C::Solution>, high: &Sample<C::Solution>| {
+            let part = low.1 / (low.1 - high.1);
+            (part, between((low.0, &low.2), (high.0, &high.2), part, &a.tangent))
+        };
+        let (mut part, mut u) = zero(&low, &high);
+        let mut change = f64::INFINITY;
+        let mut width = high.0;
+        for evaluation in 1..=100 {
+            // Each third halves the bracket, if it does not shrink otherwise.
+            let is_slow = evaluation % 3 == 0 && high.0 - low.0 > 0.5 * mem::replace(&mut width, high.0 - low.0);
+            let aside = match part {
+                _ if is_slow => 0.5,
+                part if part < 0.5 => part + MARGIN,
+                part => part - MARGIN,
+            };
+            let at = low.0 + (high.0 - low.0) * aside;
+            let guess = between((low.0, &low.2), (high.0, &high.2), aside, &a.tangent);
+            let Ok(place) = correct(self.curve, guess, (&a.tangent, origin + at), &low.2.tangent) else {
+                break;
+            };
+            let value = test(&place);
+            let end = if (value < 0.0) == (high.1 < 0.0) {
+                &mut high
+            } else {
+                &mut low
+            };
+            *end = (at, value, place);
+            let before = u[u.len() - 1];
+            (part, u) = zero(&low, &high);
+            let last = mem::replace(&mut change, (u[u.len() - 1] - before).abs());
+            // What hugs an end of the bracket, as where a test is flat to one side, is not told by its changes.
+            let is_told = change.max(last) < LOCATED && (0.01..=0.99).contains(&part);
+            if is_told || high.0 - low.0 < LOCATED {
+                break;
+            }
+        }
+        let parameter = u[u.len() - 1];
+        let solution = self.curve.solution(&u).unwrap_or(low.2.solution);
+        (parameter, change, solution)
+    }
+}
+
+/// A place on a curve behind its distance along the way, and the value of a test there.
+type Sample<P> = (f64, f64, Place<P>);
+
+/// The point at the part `part` of the way between two places on a curve, from the cubic with the tangents at both; the numbers are their distances along
+/// `normal`.
+fn between<P>(
+    (from, low): (f64, &Place<P>),
+    (to, high): (f64, &Place<P>),
+    part: f64,
+    normal: &DVector<f64>,
+) -> DVector<f64> {
+    let slope = |place: &Place<P>| &place.tangent * ((to - from) / place.tangent.dot(normal));
+    let rest = 1.0 - part;
+    let way = &high.u - &low.u;
+    &low.u + &way * part + ((slope(low) - &way) * rest - (slope(high) - &way) * part) * (part * rest)
+}
