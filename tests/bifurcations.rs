@@ -120,7 +120,7 @@ fn zieglers_column_flutters_and_damping_makes_it_flutter_sooner() {
     assert_abs_diff_eq!(push, 3.5 - 2.0_f64.sqrt(), epsilon = 1e-8);
     assert_abs_diff_eq!(frequency, 0.5_f64.powf(0.25), epsilon = 1e-4);
     // With equal damping at both joints, by Hurwitz from 2 s^4 + 7 c s^3 + (7 - 2 P + c^2) s^2 + 2 c s + 1 = 0; however small it is, the load falls:
-    // V. V. Bolotin, "Nonconservative Problems of the Theory of Elastic Stability" (1963), 2.3
+    // V. V. Bolotin, "Nonconservative Problems of the Theory of Elastic Stability" (1963)
     for damping in [1e-3, 0.1, 0.5] {
         let (push, frequency) = flutter(damping);
         assert_abs_diff_eq!(push, 41.0 / 28.0 + 0.5 * damping * damping, epsilon = 1e-8);

@@ -37,7 +37,7 @@
 //! | [`event`] | what happens along a trajectory |
 //! | [`error`] | what can go wrong |
 //! | [`linear`] | linear equations of the size of a state |
-//! | [`stability`] | equilibria and their modes, chaos, and the limits of methods |
+//! | [`stability`] | equilibria, periodic orbits and their bifurcations, chaos, and the limits of methods |
 //! | [`accuracy`] | trusted solutions, norms of errors, and what accuracy takes |
 //! | [`cost`] | counted operations of generated functions |
 

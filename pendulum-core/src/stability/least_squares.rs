@@ -6,7 +6,7 @@ use super::StabilityError;
 
 /// The shortest `step` with the least `|residual + matrix step|`. Singular values below the part `least` of the largest count as zero.
 ///
-/// A. Ben-Israel, T. N. E. Greville, "Generalized Inverses", 2nd ed. (2003), 3.3.
+/// G. H. Golub, C. F. Van Loan, "Matrix Computations", 4th ed. (2013), 5.5.
 pub(super) fn shortest_step(
     matrix: DMatrix<f64>,
     residual: &DVector<f64>,

@@ -4,6 +4,15 @@
 //! Jacobian: of the motion from its [`Spectrum`], of a method from its [`StabilityFunction`] at the eigenvalues times the step, which
 //! [`max_stable_step`] makes a limit of.
 //!
+//! | of motions | |
+//! |---|---|
+//! | [`equilibrium`], [`equilibria`] | states of rest, with the eigenvalues and modes of the small motions about them |
+//! | [`Shooting`] | periodic orbits, with their Floquet multipliers |
+//! | [`Continuation`] | branches of both in a parameter, with folds, crossings, Hopf and torus bifurcations, and period doublings |
+//! | [`Lyapunov`] | Lyapunov exponents |
+//! | [`section()`] | Poincare sections |
+//! | [`transition`] | the derivative of a state by an earlier one |
+//!
 //! ```
 //! use pendulum_core::prelude::*;
 //! use pendulum_core::stability::{Stability, equilibria};

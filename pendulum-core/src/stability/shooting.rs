@@ -24,7 +24,7 @@ use crate::system::Jacobian;
 /// not count as a distance. A multiple of the period is a period as well; the search finds that which is closest to the guess.
 ///
 /// H. B. Keller, "Numerical Methods for Two-Point Boundary-Value Problems" (1968); R. Seydel, "Practical Bifurcation and Stability Analysis",
-/// 3rd ed. (2010), 7.1 to 7.5.
+/// 3rd ed. (2010), ch. 7.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
