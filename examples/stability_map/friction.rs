@@ -39,7 +39,8 @@ pub(crate) fn measure(size: usize) -> Result<Frictions, Box<dyn Error>> {
     let pendulums = pendulums.collect::<Result<Vec<_>, _>>()?;
     let pairs = on_all_cores("equilibria over friction", &pendulums, |pendulum| {
         let found = equilibria(pendulum, [SVector::zeros()]);
-        Pair::of(&found).ok_or_else(|| format!("not one stable and three unstable equilibria: {found:?}"))
+        let kinds = || found.iter().map(Equilibrium::stability).collect::<Vec<_>>();
+        Pair::of(&found).ok_or_else(|| format!("not one stable and three unstable equilibria: {:?}", kinds()))
     });
     Ok(Frictions { size, pairs: pairs? })
 }

@@ -18,6 +18,6 @@ pub(crate) fn on_all_cores<I: Sync, T: Send, E: Send>(
         result
     });
     let results = done.collect();
-    bar.finish();
+    bar.finish_and_clear();
     results
 }

@@ -61,12 +61,13 @@ pub(crate) fn measure(size: usize) -> Result<Starts, Box<dyn Error>> {
         let angles = motions[n].angles.map(|angle| -angle);
         motions.push(Motion { angles, ..motions[n] });
     }
-    if let Some(Motion { angles, flip, .. }) = motions
+    if let Some(motion) = motions
         .iter()
         .find(|motion| motion.flip.is_some() && !motion.can_flip())
     {
+        let [theta1, theta2] = motion.angles;
         return Err(format!(
-            "energy does not allow the flip at {flip:?} s from {angles:?} rad: the integration went wrong"
+            "from ({theta1}, {theta2}) rad a flip is found that energy does not allow: the integration went wrong"
         )
         .into());
     }

@@ -44,7 +44,8 @@ pub struct Exponents<const K: usize, const N: usize> {
     /// The exponents, in 1/s, falling as far as their uncertainty allows.
     pub values: [f64; K],
     /// The standard error of each, from the scatter of its means over ten parts of the duration. What is the same in all parts, such as a
-    /// transient that has not ended, does not show in it.
+    /// transient that has not ended, does not show in it, and what turns on and on, such as the tangents of a damped mode, whose lengths swing, may
+    /// leave a few times as much.
     pub uncertainty: [f64; K],
     /// The time at the end.
     pub t: f64,
