@@ -12,9 +12,9 @@ fn points() -> Points {
 
 /// Exponents beside those of two trajectories that are pulled together again and again, by `Rk4` with steps of 5e-4 s over 4e4 s.
 pub(crate) fn exponents(size: Size) -> Row {
-    // the scatter falls with the root of the time: 3 % and 0.5 %
+    // the scatter falls with the root of the time: 2 % and 0.5 %
     let (duration, within) = match size {
-        Size::Small => (1000.0, 0.1),
+        Size::Small => (3000.0, 0.05),
         Size::Full => (4e4, 0.02),
     };
     let exponent = |angles: [f64; 2]| {
