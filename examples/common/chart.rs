@@ -84,13 +84,9 @@ impl Picture for Figure {
     where
         B::ErrorType: 'static,
     {
-        page.fill(&WHITE)?;
-        page.draw_text(&self.title, &bold(32.0), (px(MARGIN), px(MARGIN)))?;
-        page.draw_text(&self.subtitle, &text(23.0, GREY), (px(MARGIN), px(MARGIN + 46.0)))?;
-        draw_legend(page, &self.legend, (px(MARGIN), px(MARGIN + 112.0)))?;
-        let head = if self.legend.is_empty() { 80.0 } else { 138.0 };
+        draw_head(page, (&self.title, &self.subtitle), &self.legend)?;
         let rows = page
-            .margin(px(MARGIN + head), px(FOOTER), px(MARGIN), px(MARGIN))
+            .margin(px(MARGIN + head(&self.legend)), px(FOOTER), px(MARGIN), px(MARGIN))
             .split_evenly((self.rows.len(), 1));
         for (row, area) in self.rows.iter().zip(rows) {
             self.draw_row(row, &area)?;
@@ -187,6 +183,26 @@ impl Figure {
         }
         Ok(())
     }
+}
+
+/// The space that the head of a page takes.
+pub(super) fn head(legend: &[(Line, String)]) -> f64 {
+    if legend.is_empty() { 80.0 } else { 138.0 }
+}
+
+/// The head of a white page: title, subtitle, and the keys of lines.
+pub(super) fn draw_head<B: DrawingBackend>(
+    page: &DrawingArea<B, Shift>,
+    (title, subtitle): (&str, &str),
+    legend: &[(Line, String)],
+) -> Result<(), Box<dyn Error>>
+where
+    B::ErrorType: 'static,
+{
+    page.fill(&WHITE)?;
+    page.draw_text(title, &bold(32.0), (px(MARGIN), px(MARGIN)))?;
+    page.draw_text(subtitle, &text(23.0, GREY), (px(MARGIN), px(MARGIN + 46.0)))?;
+    draw_legend(page, legend, (px(MARGIN), px(MARGIN + 112.0)))
 }
 
 /// The keys of lines, beside each other from `(x, y)` on, in pixels of the drawing.

@@ -6,7 +6,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use super::chart::{Axis, Curve, LABELS, Line, draw_legend};
+use super::chart::{Axis, Curve, LABELS, Line, draw_head, head};
 use super::page::{GREY, INK, MARGIN, Picture, bold, px, text, width};
 use super::palette::viridis;
 
@@ -41,7 +41,7 @@ impl Picture for Atlas {
     fn size(&self) -> (u32, u32) {
         let rows = self.maps.len().div_ceil(self.columns) as f64;
         let width = 2.0 * MARGIN + self.columns as f64 * (LABELS + SIDE + BAR);
-        let height = 2.0 * MARGIN + self.head() + rows * (CAPTION + SIDE + BELOW);
+        let height = 2.0 * MARGIN + head(&self.legend) + rows * (CAPTION + SIDE + BELOW);
         (width as u32, height as u32)
     }
 
@@ -49,24 +49,14 @@ impl Picture for Atlas {
     where
         B::ErrorType: 'static,
     {
-        page.fill(&WHITE)?;
-        page.draw_text(&self.title, &bold(32.0), (px(MARGIN), px(MARGIN)))?;
-        page.draw_text(&self.subtitle, &text(23.0, GREY), (px(MARGIN), px(MARGIN + 46.0)))?;
-        draw_legend(page, &self.legend, (px(MARGIN), px(MARGIN + 112.0)))?;
-        let body = page.margin(px(MARGIN + self.head()), px(MARGIN), px(MARGIN), px(MARGIN));
+        draw_head(page, (&self.title, &self.subtitle), &self.legend)?;
+        let body = page.margin(px(MARGIN + head(&self.legend)), px(MARGIN), px(MARGIN), px(MARGIN));
         let rows = self.maps.len().div_ceil(self.columns);
         for (map, area) in self.maps.iter().zip(body.split_evenly((rows, self.columns))) {
             map.draw(&area)?;
         }
         page.present()?;
         Ok(())
-    }
-}
-
-impl Atlas {
-    /// The space that the titles take.
-    fn head(&self) -> f64 {
-        if self.legend.is_empty() { 80.0 } else { 138.0 }
     }
 }
 

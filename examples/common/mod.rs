@@ -4,6 +4,7 @@
 pub(crate) mod chart;
 pub(crate) mod heat;
 mod label;
+pub(crate) mod methods;
 pub(crate) mod page;
 mod palette;
 pub(crate) mod reference;

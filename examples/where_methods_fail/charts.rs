@@ -6,27 +6,10 @@ use pendulum_core::prelude::*;
 use pendulum_core::stability::StabilityError;
 
 use crate::common::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
-use crate::common::page::{BLUE, GREEN, GREY, INK, ORANGE, PURPLE, SKY, VERMILION};
+use crate::common::methods::line;
+use crate::common::page::{BLUE, INK};
 use crate::rows::scenes::{DoublePendulum, double_pendulum};
 use crate::rows::{chaos, energy, friction};
-
-/// How the curve of a method looks, in all charts.
-pub(crate) fn line(name: &str) -> Line {
-    match name {
-        "Rk4" => Line::solid(GREY),
-        "Rk45" => Line::solid(VERMILION),
-        "Tsit5" => Line::solid(ORANGE),
-        "Vern7" => Line::solid(SKY),
-        "Vern9" => Line::solid(BLUE),
-        "Taylor" => Line::solid(GREEN),
-        "Gauss4" => Line::dashed(VERMILION),
-        "Gauss6" => Line::dashed(ORANGE),
-        "Rodas4" => Line::dashed(SKY),
-        "Rodas5P" => Line::dashed(BLUE),
-        "Radau5" => Line::dashed(PURPLE),
-        _ => Line::dashed(INK),
-    }
-}
 
 fn axis(label: &str, scale: Scale, range: Range<f64>, ticks: usize) -> Axis {
     Axis {

@@ -7,8 +7,8 @@ use pendulum_core::stability::{Complex, Spectrum, StabilityError, StabilityFunct
 use pendulum_core::system::Jacobian;
 use pendulum_core::tableau::{self, DormandPrince5, Kutta4, Tsitouras5, Verner7, Verner9};
 
-use crate::charts::line;
 use crate::common::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
+use crate::common::methods::line;
 use crate::common::page::INK;
 use crate::contour;
 use crate::rows::scenes::double_pendulum;

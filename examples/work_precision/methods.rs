@@ -4,7 +4,7 @@ use pendulum_core::accuracy::{Report, Sweep};
 use pendulum_core::prelude::*;
 
 use crate::common::chart::Line;
-use crate::common::page::{BLUE, GREEN, GREY, INK, ORANGE, PURPLE, SKY, VERMILION};
+use crate::common::methods;
 use crate::scenes::Scene;
 
 /// What stands behind the name of a method in the rows of ensembles.
@@ -58,22 +58,9 @@ pub(crate) fn measure_stiff(scene: &Scene) -> Report {
         .run()
 }
 
-/// How the curve of a method looks, in all charts.
+/// How the curve of a method looks, alone or in lanes.
 pub(crate) fn line(name: &str) -> Line {
-    match name.trim_end_matches(LANES) {
-        "Rk4" => Line::solid(GREY),
-        "Rk45" => Line::solid(VERMILION),
-        "Tsit5" => Line::solid(ORANGE),
-        "Vern7" => Line::solid(SKY),
-        "Vern9" => Line::solid(BLUE),
-        "Taylor" => Line::solid(GREEN),
-        "Gauss4" => Line::dashed(VERMILION),
-        "Gauss6" => Line::dashed(ORANGE),
-        "Rodas4" => Line::dashed(SKY),
-        "Rodas5P" => Line::dashed(BLUE),
-        "Radau5" => Line::dashed(PURPLE),
-        _ => Line::dashed(INK),
-    }
+    methods::line(name.trim_end_matches(LANES))
 }
 
 /// From 1e-3 to 3e-14, two for each power of ten: the reference between the points has 1e-14, and would be compared with itself.

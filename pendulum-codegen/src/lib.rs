@@ -25,6 +25,7 @@ pub mod dynamics;
 mod emit;
 pub mod error;
 pub mod expr;
+pub mod form;
 pub mod lower;
 pub mod model;
 pub mod parse;

@@ -214,7 +214,7 @@ impl Model {
     }
 
     /// What each turning coordinate is in base angles: the absolute angles of parallel joints within their station.
-    pub fn base_angles(&mut self) -> HashMap<ExprId, Vec<(ExprId, Rational)>> {
+    pub fn base_angles(&self) -> HashMap<ExprId, Vec<(ExprId, Rational)>> {
         let mut angles = HashMap::new();
         for body in &self.bodies {
             let Some(own) = body.coordinate else { continue };
@@ -230,7 +230,7 @@ impl Model {
                     continue;
                 };
                 let positive = plus_scaled(&Vec::new(), &combination, leading.signum());
-                let angle = combine(&mut self.graph, &self.coordinates, &positive, |c| c.position);
+                let angle = combine(&self.graph, &self.coordinates, &positive, |c| c.position);
                 shares.push((angle, ratio(sign * leading.signum(), 1)));
             }
             angles.insert(self.coordinates[own].position, shares);
@@ -241,7 +241,7 @@ impl Model {
 
 /// The value of a combination, for example of positions or of rates.
 pub fn combine(
-    graph: &mut Graph,
+    graph: &Graph,
     coordinates: &[Coordinate],
     combination: &Combination,
     part: impl Fn(&Coordinate) -> ExprId,

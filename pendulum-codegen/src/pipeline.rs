@@ -8,8 +8,8 @@ use crate::ast::Scene;
 use crate::dynamics::Dynamics;
 use crate::error::Errors;
 use crate::expr::{ExprId, Graph, Level, Node};
+use crate::form::{Chosen, Forms, Taylor};
 use crate::model::{Model, Output};
-use crate::pass::{Chosen, Forms, Taylor};
 use crate::{check, emit, lower, parse};
 
 /// A function of the generated model.
@@ -138,9 +138,9 @@ fn compile(scene: &Scene, errors: Errors) -> Result<Program, Errors> {
 }
 
 /// What a function reads off the dynamics.
-type Part<'a> = dyn Fn(&mut Graph, &Dynamics) -> Vec<ExprId> + 'a;
+type Part<'a> = dyn Fn(&Graph, &Dynamics) -> Vec<ExprId> + 'a;
 
-fn functions(model: &mut Model, forms: &mut Forms) -> BTreeMap<Function, Chosen> {
+fn functions(model: &Model, forms: &mut Forms) -> BTreeMap<Function, Chosen> {
     let wants = |model: &Model, output| model.outputs.contains(&output);
     let controlled = !model.inputs.is_empty();
     // a Jacobian without its right-hand side, or an input without the derivative by it, is no use to anybody
@@ -150,7 +150,7 @@ fn functions(model: &mut Model, forms: &mut Forms) -> BTreeMap<Function, Chosen>
     let mut functions = BTreeMap::new();
     let mut is_autonomous = true;
     if rhs {
-        let accelerations = forms.accelerations(&mut model.graph);
+        let accelerations = forms.accelerations(&model.graph);
         is_autonomous = !model.graph.reachable(&accelerations.roots).contains(&model.time);
         functions.insert(Function::Rhs, accelerations);
     }
@@ -197,7 +197,7 @@ fn functions(model: &mut Model, forms: &mut Forms) -> BTreeMap<Function, Chosen>
     ];
     for (function, output, part) in parts {
         if wants(model, output) {
-            functions.insert(function, forms.part(&mut model.graph, part));
+            functions.insert(function, forms.part(&model.graph, part));
         }
     }
     functions

@@ -56,7 +56,7 @@ fn cases() -> Vec<Case> {
             pendulum_codegen::model(text.parse().expect("tokens")).unwrap_or_else(|errors| panic!("{errors}"));
         let mut kinematics = Kinematics::new(&mut model);
         let coefficients = Coefficients::new(&mut model, &mut kinematics);
-        let potential = kinematics.potential(&mut model.graph);
+        let potential = kinematics.potential(&model.graph);
         let bodies = (0..model.dof())
             .map(|k| {
                 model

@@ -103,14 +103,14 @@ fn relative_and_absolute_coordinates_are_the_same_motion() {
         let (angle, before) = (symbol(&relative, angle), symbol(&relative, before));
         new.insert(angle, relative.graph.sub(angle, before));
     }
-    let put = |model: &mut Model, x: ExprId| model.graph.substitute(&[x], new.clone())[0];
+    let put = |model: &Model, x: ExprId| model.graph.substitute(&[x], new.clone())[0];
     let a: Vec<ExprId> = of_relative
         .mass_matrix
         .iter()
         .flatten()
         .map(|&x| put(&mut relative, x))
         .collect();
-    let g: &mut Graph = &mut relative.graph;
+    let g: &Graph = &relative.graph;
     // T = [[1, 0], [-1, 1]]
     let twice = g.add(a[1], a[1]);
     let first = g.sub(a[0], twice);

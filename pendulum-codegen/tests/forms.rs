@@ -90,7 +90,7 @@ fn articulated_bodies_move_by_a_b_and_c() {
         let accelerations = Dynamics::articulated(&mut model);
         let symbols = model.coordinates.iter().map(|c| c.acceleration);
         let known = symbols.zip(accelerations).collect();
-        let g = &mut model.graph;
+        let g = &model.graph;
         let left = g.substitute(&dynamics.balance, known);
         let zero = vec![g.zero(); left.len()];
         // what is left of A qdd + bias - force, beside the bias
@@ -107,8 +107,8 @@ fn the_derivatives_of_the_recursion_are_those_of_its_expressions() {
         let recursive = Dynamics::recursive(&mut model, dynamics.potential);
         let state = model.state();
         let coordinates = model.coordinates.clone();
-        let known = partials_by_recursion(&mut model.graph, &recursive, &coordinates, &state).expect("a tangent");
-        let derived = partials(&mut model.graph, &dynamics, &state);
+        let known = partials_by_recursion(&model.graph, &recursive, &coordinates, &state).expect("a tangent");
+        let derived = partials(&model.graph, &dynamics, &state);
         agree(&model, &known.concat(), &derived.concat(), scene);
     }
 }

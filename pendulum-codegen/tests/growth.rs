@@ -5,7 +5,8 @@ mod chains;
 
 use chains::{planar, spatial};
 use pendulum_codegen::Function;
-use pendulum_codegen::pass::{Basis, Chosen, Operations};
+use pendulum_codegen::form::{Basis, Chosen};
+use pendulum_codegen::pass::Operations;
 
 fn right_hand_side(scene: &str) -> Chosen {
     let tokens = scene.parse().expect("tokens");

@@ -70,7 +70,7 @@ fn passes_do_not_change_values() {
     ];
     let mut originals = [dynamics.mass_matrix.concat(), dynamics.residual, vec![dynamics.kinetic]].concat();
     originals.extend(more.map(|text| formula(&mut model, text)));
-    let g = &mut model.graph;
+    let g = &model.graph;
     let mut normalizer = Normalizer::new(BUDGET);
     let mut rewritten = Vec::new();
     for &x in &originals {
@@ -87,11 +87,8 @@ fn passes_do_not_change_values() {
     }
     for seed in 0..20 {
         let mut next = numbers(31 * seed);
-        let values: std::collections::HashMap<String, f64> = g
-            .symbols()
-            .iter()
-            .map(|s| (s.name.clone(), next().abs() + 0.1))
-            .collect();
+        let values: std::collections::HashMap<String, f64> =
+            g.symbols().map(|s| (s.name.clone(), next().abs() + 0.1)).collect();
         let all = [&originals[..], &rewritten, &shared, &plain].concat();
         let all = g.evaluate(&all, |symbol| values[&symbol.name]);
         let (originals, rest) = all.split_at(originals.len());
@@ -115,5 +112,5 @@ fn passes_do_not_change_values() {
 fn a_polynomial_beyond_the_budget_is_given_up() {
     let (mut model, _) = dynamics(SYMBOLS);
     let x = formula(&mut model, "(a + b + c + x + y + z)^12");
-    assert_eq!(Normalizer::new(1000).normal(&mut model.graph, x), Err(TooLarge));
+    assert_eq!(Normalizer::new(1000).normal(&model.graph, x), Err(TooLarge));
 }

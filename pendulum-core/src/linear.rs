@@ -2,6 +2,8 @@
 
 use std::ops::{Add, Mul, Neg, Sub};
 
+use nalgebra::{SMatrix, SVector};
+
 use crate::real::Float;
 
 /// The numbers of a linear system: a [`Float`], or a [`Complex`] over it.
@@ -177,6 +179,24 @@ impl<F: Field, const N: usize> Lu<F, N> {
         }
         x
     }
+}
+
+/// The product of a matrix and a vector; nalgebra's wants more of its numbers than a [`Float`] has.
+#[inline]
+pub(crate) fn image<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, vector: &SVector<T, N>) -> SVector<T, N> {
+    let mut image = [T::default(); N];
+    for (column, &factor) in matrix.data.0.iter().zip(vector.iter()) {
+        for (image, &entry) in image.iter_mut().zip(column) {
+            *image += entry * factor;
+        }
+    }
+    SVector::from(image)
+}
+
+/// The square of the length of a vector.
+#[inline]
+pub(crate) fn square<T: Float, const N: usize>(vector: &SVector<T, N>) -> T {
+    vector.iter().fold(T::default(), |sum, &v| sum + v * v)
 }
 
 #[cfg(test)]

@@ -1,46 +1,27 @@
 //! Branches of equilibria and of periodic orbits, and their bifurcations, against closed forms.
 
+mod common;
+
 use std::f64::consts::{PI, TAU};
 
 use approx::assert_abs_diff_eq;
+use common::Pair;
 use nalgebra::{SMatrix, SVector};
 use pendulum_core::prelude::*;
 use pendulum_core::stability::{
     Bifurcation, BifurcationKind, BranchEnd, Continuation, PeriodicOrbit, Stability, StabilityError,
 };
 
-/// A right-hand side with its Jacobian.
-struct Given<F, J>(F, J);
-
-impl<F, J, const N: usize> System<f64, N> for Given<F, J>
-where
-    F: Fn(f64, &SVector<f64, N>) -> SVector<f64, N>,
-{
-    fn rhs(&self, t: f64, x: &SVector<f64, N>) -> SVector<f64, N> {
-        (self.0)(t, x)
-    }
-}
-
-impl<F, J, const N: usize> Jacobian<f64, N> for Given<F, J>
-where
-    F: Fn(f64, &SVector<f64, N>) -> SVector<f64, N>,
-    J: Fn(f64, &SVector<f64, N>) -> SMatrix<f64, N, N>,
-{
-    fn jacobian(&self, t: f64, x: &SVector<f64, N>) -> SMatrix<f64, N, N> {
-        (self.1)(t, x)
-    }
-}
-
 /// `x' = f(x)`, with its derivative.
 fn line(f: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64) -> impl Jacobian<f64, 1> {
-    Given(
+    Pair(
         move |_, x: &SVector<f64, 1>| SVector::from([f(x[0])]),
         move |_, x: &SVector<f64, 1>| SMatrix::from([[slope(x[0])]]),
     )
 }
 
 fn van_der_pol(mu: f64) -> Result<impl Jacobian<f64, 2>, ParameterError> {
-    Ok(Given(
+    Ok(Pair(
         move |_, x: &SVector<f64, 2>| SVector::from([x[1], mu * (1.0 - x[0] * x[0]) * x[1] - x[0]]),
         move |_, x: &SVector<f64, 2>| {
             SMatrix::from([[0.0, -2.0 * mu * x[0] * x[1] - 1.0], [1.0, mu * (1.0 - x[0] * x[0])]])
@@ -52,7 +33,7 @@ fn van_der_pol(mu: f64) -> Result<impl Jacobian<f64, 2>, ParameterError> {
 fn rotor(g: impl Fn(f64) -> ([f64; 2], [f64; 2]), (drive, omega): (f64, f64)) -> impl Jacobian<f64, 2> {
     let g = std::rc::Rc::new(g);
     let of = g.clone();
-    Given(
+    Pair(
         move |t: f64, z: &SVector<f64, 2>| {
             let [re, im] = g(z.norm_squared()).0;
             let (sin, cos) = (omega * t).sin_cos();
@@ -290,7 +271,7 @@ fn a_driven_cycle_loses_its_lock_to_a_torus() {
 fn a_period_that_depends_on_the_parameter_is_followed_through_resonance() {
     // x'' + 0.1 x' + x = cos(p t): the response is known
     let family = |p: f64| {
-        Ok(Given(
+        Ok(Pair(
             move |t: f64, x: &SVector<f64, 2>| SVector::from([x[1], (p * t).cos() - x[0] - 0.1 * x[1]]),
             |_, _: &SVector<f64, 2>| SMatrix::from([[0.0, -1.0], [1.0, -0.1]]),
         ))

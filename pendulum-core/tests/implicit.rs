@@ -1,5 +1,8 @@
 //! Rosenbrock and Radau methods on problems with known answers.
 
+mod common;
+
+use common::Pair;
 use pendulum_core::method::{Fixed, RadauIIA, Rosenbrock};
 use pendulum_core::prelude::*;
 use pendulum_core::tableau;
@@ -190,33 +193,11 @@ fn what_is_infinitely_stiff_dies_out_in_one_step() {
 }
 
 /// A system given by two functions of the state.
-struct Pair<F, G>(F, G);
-
-impl<F, G, const N: usize> System<f64, N> for Pair<F, G>
-where
-    F: Fn(&SVector<f64, N>) -> SVector<f64, N>,
-{
-    fn rhs(&self, _t: f64, x: &SVector<f64, N>) -> SVector<f64, N> {
-        (self.0)(x)
-    }
-}
-
-impl<F, G, const N: usize> Jacobian<f64, N> for Pair<F, G>
-where
-    F: Fn(&SVector<f64, N>) -> SVector<f64, N>,
-    G: Fn(&SVector<f64, N>) -> SMatrix<f64, N, N>,
-{
-    fn jacobian(&self, _t: f64, x: &SVector<f64, N>) -> SMatrix<f64, N, N> {
-        (self.1)(x)
-    }
-}
-
-fn of<F, G, const N: usize>(f: F, g: G) -> Pair<F, G>
-where
-    F: Fn(&SVector<f64, N>) -> SVector<f64, N>,
-    G: Fn(&SVector<f64, N>) -> SMatrix<f64, N, N>,
-{
-    Pair(f, g)
+fn of<const N: usize>(
+    f: impl Fn(&SVector<f64, N>) -> SVector<f64, N>,
+    g: impl Fn(&SVector<f64, N>) -> SMatrix<f64, N, N>,
+) -> impl Jacobian<f64, N> {
+    Pair(move |_t, x: &_| f(x), move |_t, x: &_| g(x))
 }
 
 #[test]

@@ -1,28 +1,12 @@
 //! Spectra, transition matrices, Lyapunov exponents and sections of systems whose answers are known.
 
+mod common;
+
 use std::f64::consts::{PI, TAU};
 
+use common::Pair;
 use pendulum_core::prelude::*;
 use pendulum_core::stability::{Complex, Lyapunov, Spectrum, StabilityError, equilibrium, section, transition};
-
-/// A right-hand side with its Jacobian.
-struct Pair<F, G>(F, G);
-
-impl<F: Fn(f64, &SVector<f64, N>) -> SVector<f64, N>, G, const N: usize> System<f64, N> for Pair<F, G> {
-    fn rhs(&self, t: f64, x: &SVector<f64, N>) -> SVector<f64, N> {
-        (self.0)(t, x)
-    }
-}
-
-impl<F, G, const N: usize> Jacobian<f64, N> for Pair<F, G>
-where
-    F: Fn(f64, &SVector<f64, N>) -> SVector<f64, N>,
-    G: Fn(f64, &SVector<f64, N>) -> SMatrix<f64, N, N>,
-{
-    fn jacobian(&self, t: f64, x: &SVector<f64, N>) -> SMatrix<f64, N, N> {
-        (self.1)(t, x)
-    }
-}
 
 /// `x' = matrix x`.
 fn linear<const N: usize>(matrix: SMatrix<f64, N, N>) -> impl Jacobian<f64, N> {

@@ -9,7 +9,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use pendulum_codegen::Function;
-use pendulum_codegen::pass::{Basis, Chosen};
+use pendulum_codegen::form::{Basis, Chosen};
 use results::{Counted, Results, Robot, Row};
 
 use crate::chains::{planar, spatial};

@@ -32,11 +32,11 @@ struct Joint {
 type Acceleration = [Vec3; 2];
 
 /// The accelerations of the coordinates of a scene.
-pub(super) fn accelerations(model: &mut Model) -> Vec<ExprId> {
+pub(super) fn accelerations(model: &Model) -> Vec<ExprId> {
     let links = links(model);
     let frames = frames(model, &links);
     let (n, gravity) = (model.dof(), model.gravity);
-    let g = &mut model.graph;
+    let g = &model.graph;
     let spins = spins(g, &links, &frames);
     let mut inertias: Vec<Articulated> = Vec::new();
     let mut wrenches: Vec<Wrench> = Vec::new();
@@ -109,7 +109,7 @@ pub(super) fn accelerations(model: &mut Model) -> Vec<ExprId> {
 }
 
 /// The angular velocity of each link, in its frame.
-fn spins(g: &mut Graph, links: &[Link], frames: &[Frame]) -> Vec<Vec3> {
+fn spins(g: &Graph, links: &[Link], frames: &[Frame]) -> Vec<Vec3> {
     let mut spins: Vec<Vec3> = Vec::new();
     for (link, frame) in links.iter().zip(frames) {
         let mut w = match link.parent {
@@ -123,7 +123,7 @@ fn spins(g: &mut Graph, links: &[Link], frames: &[Frame]) -> Vec<Vec3> {
 }
 
 /// The acceleration of a link when neither its joint nor the link below accelerates: what the rates alone bring.
-fn drift(g: &mut Graph, links: &[Link], frames: &[Frame], spins: &[Vec3], k: usize) -> Acceleration {
+fn drift(g: &Graph, links: &[Link], frames: &[Frame], spins: &[Vec3], k: usize) -> Acceleration {
     let zero = g.zero();
     let frame = &frames[k];
     let Some(parent) = links[k].parent else {
@@ -141,7 +141,7 @@ fn drift(g: &mut Graph, links: &[Link], frames: &[Frame], spins: &[Vec3], k: usi
 }
 
 impl Articulated {
-    fn rigid(g: &mut Graph, inertia: &MassMoments) -> Self {
+    fn rigid(g: &Graph, inertia: &MassMoments) -> Self {
         Self {
             rotation: inertia.rotational(g),
             coupling: crossing(g, inertia.first),
@@ -149,7 +149,7 @@ impl Articulated {
         }
     }
 
-    fn give_way(&self, g: &mut Graph, link: &Link, frame: &Frame, wrench: &Wrench) -> Joint {
+    fn give_way(&self, g: &Graph, link: &Link, frame: &Frame, wrench: &Wrench) -> Joint {
         let slid = Wrench {
             moment: self.coupling.map(|row| row[2]),
             force: self.translation.full()[2],
@@ -175,13 +175,13 @@ impl Articulated {
     }
 
     /// The inertia that is left when the joint gives way.
-    fn without(&self, g: &mut Graph, link: &Link, joint: &Joint) -> Self {
+    fn without(&self, g: &Graph, link: &Link, joint: &Joint) -> Self {
         let Wrench { moment, force } = joint.momentum;
         let given = joint.momentum.scaled(g, joint.mobility);
         let zero = g.zero();
         // a push along the joint meets no resistance any more: exactly, and not up to rounding
         let (no_turn, no_slide) = (link.turns && g.is_zero(link.pitch), !link.turns);
-        let mut less = |entry: ExprId, a: ExprId, b: ExprId, vanishes: bool| {
+        let less = |entry: ExprId, a: ExprId, b: ExprId, vanishes: bool| {
             let product = g.mul(a, b);
             if vanishes { zero } else { g.sub(entry, product) }
         };
@@ -204,7 +204,7 @@ impl Articulated {
     }
 
     /// The wrench that an acceleration takes.
-    fn times(&self, g: &mut Graph, [alpha, a]: &Acceleration) -> Wrench {
+    fn times(&self, g: &Graph, [alpha, a]: &Acceleration) -> Wrench {
         let (turned, coupled) = (mat_vec(g, self.rotation.full(), *alpha), mat_vec(g, self.coupling, *a));
         let (swept, moved) = (
             mat_vec(g, transpose(self.coupling), *alpha),
@@ -217,7 +217,7 @@ impl Articulated {
     }
 
     /// The same inertia about the origin of the parent, in its frame.
-    fn to_parent(self, g: &mut Graph, frame: &Frame, parent: &Frame) -> Self {
+    fn to_parent(self, g: &Graph, frame: &Frame, parent: &Frame) -> Self {
         let [rotation, translation] =
             [self.rotation, self.translation].map(|tensor| frame.tensor_to_parent(g, parent, tensor));
         let coupling = frame.matrix_to_parent(g, parent, self.coupling);
@@ -234,7 +234,7 @@ impl Articulated {
         }
     }
 
-    fn plus(&self, g: &mut Graph, other: &Self) -> Self {
+    fn plus(&self, g: &Graph, other: &Self) -> Self {
         Self {
             rotation: self.rotation.plus(g, other.rotation),
             coupling: plus(g, self.coupling, other.coupling),
@@ -244,12 +244,12 @@ impl Articulated {
 }
 
 /// The matrix of the vector product by `v`.
-fn crossing(g: &mut Graph, [x, y, z]: Vec3) -> Mat3 {
+fn crossing(g: &Graph, [x, y, z]: Vec3) -> Mat3 {
     let zero = g.zero();
     let [nx, ny, nz] = [x, y, z].map(|x| g.neg(x));
     [[zero, nz, y], [z, zero, nx], [ny, x, zero]]
 }
 
-fn plus(g: &mut Graph, a: Mat3, b: Mat3) -> Mat3 {
+fn plus(g: &Graph, a: Mat3, b: Mat3) -> Mat3 {
     std::array::from_fn(|i| add(g, a[i], b[i]))
 }

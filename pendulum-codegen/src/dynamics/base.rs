@@ -11,9 +11,9 @@ use crate::screw::{MassMoments, Symmetric3, Vec3, cross, mat_vec, transpose};
 /// about the same direction it has three, and one if nothing pushes it across that. A link that slides has its mass and its first
 /// moment. Their number is the least one where all joints turn; helical joints, and slides among parallel axes, may have
 /// combinations that are left standing.
-pub fn base_parameters(model: &mut Model) -> Vec<ExprId> {
+pub fn base_parameters(model: &Model) -> Vec<ExprId> {
     let links = links(model);
-    let (g, gravity) = (&mut model.graph, model.gravity);
+    let (g, gravity) = (&model.graph, model.gravity);
     let mut paths: Vec<Path> = Vec::new();
     let mut parameters = Vec::new();
     for link in &links {
@@ -47,7 +47,7 @@ enum Turning {
 
 impl Path {
     /// The motion of a link that a link with this motion carries.
-    fn with(&self, g: &mut Graph, link: &Link) -> Self {
+    fn with(&self, g: &Graph, link: &Link) -> Self {
         let z = [g.zero(), g.zero(), g.one()];
         let back = transpose(link.placement.rotation);
         let mut pushes: Vec<Vec3> = self.pushes.iter().map(|&push| mat_vec(g, back, push)).collect();
@@ -71,7 +71,7 @@ impl Path {
     }
 
     /// The moments of a link that matter for this motion.
-    fn sees(&self, g: &mut Graph, link: &Link) -> Vec<ExprId> {
+    fn sees(&self, g: &Graph, link: &Link) -> Vec<ExprId> {
         let MassMoments {
             mass,
             first: [hx, hy, hz],
@@ -97,6 +97,6 @@ impl Path {
 }
 
 /// Whether two directions differ, other than in sign.
-fn across(g: &mut Graph, a: Vec3, b: Vec3) -> bool {
+fn across(g: &Graph, a: Vec3, b: Vec3) -> bool {
     cross(g, a, b) != [g.zero(); 3]
 }

@@ -10,7 +10,7 @@ use crate::model::Coordinate;
 use super::{Dynamics, derived};
 
 /// The rates of the momenta, in the state.
-pub fn momentum_rates(g: &mut Graph, dynamics: &Dynamics, coordinates: &[Coordinate]) -> Vec<ExprId> {
+pub fn momentum_rates(g: &Graph, dynamics: &Dynamics, coordinates: &[Coordinate]) -> Vec<ExprId> {
     let mut along_motion = Derivative::along(coordinates.iter().map(|c| (c.position, c.rate)));
     let rows = dynamics.momentum.iter().zip(&dynamics.residual);
     rows.map(|(&momentum, &residual)| {
@@ -21,7 +21,7 @@ pub fn momentum_rates(g: &mut Graph, dynamics: &Dynamics, coordinates: &[Coordin
 }
 
 /// The derivatives of the momenta by the state, column by column. Those by the rates are the mass matrix.
-pub fn momentum_partials(g: &mut Graph, dynamics: &Dynamics, coordinates: &[Coordinate]) -> Vec<Vec<ExprId>> {
+pub fn momentum_partials(g: &Graph, dynamics: &Dynamics, coordinates: &[Coordinate]) -> Vec<Vec<ExprId>> {
     let positions: Vec<ExprId> = coordinates.iter().map(|c| c.position).collect();
     let mut columns = derived(g, &dynamics.momentum, &positions);
     columns.extend(dynamics.mass_matrix.iter().cloned());

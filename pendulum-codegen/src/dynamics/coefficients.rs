@@ -21,8 +21,8 @@ pub struct Coefficients {
 
 impl Coefficients {
     /// The coefficients of a model.
-    pub fn new(model: &mut Model, kinematics: &mut Kinematics) -> Self {
-        let (count, g) = (model.bodies.len(), &mut model.graph);
+    pub fn new(model: &Model, kinematics: &mut Kinematics) -> Self {
+        let (count, g) = (model.bodies.len(), &model.graph);
         let mut coefficients = Self {
             a: BTreeMap::new(),
             b: BTreeMap::new(),
@@ -44,7 +44,7 @@ impl Coefficients {
     }
 
     /// All entries whose outermost body is `x`.
-    fn outermost(&mut self, g: &mut Graph, kinematics: &Kinematics, x: usize, path: &[(usize, Twist)]) {
+    fn outermost(&mut self, g: &Graph, kinematics: &Kinematics, x: usize, path: &[(usize, Twist)]) {
         let inertia = *kinematics.composite(x);
         let momenta: Vec<Wrench> = path.iter().map(|(_, screw)| inertia.momentum(g, screw)).collect();
         let own = path.len() - 1;

@@ -33,13 +33,13 @@ pub(super) struct Frame {
 }
 
 /// Whether a link turns about the direction of its parent, which turns too.
-fn continues(g: &mut Graph, links: &[Link], n: usize) -> bool {
+fn continues(g: &Graph, links: &[Link], n: usize) -> bool {
     let (link, one) = (&links[n], g.one());
     link.turns && link.parent.is_some_and(|p| links[p].turns) && link.placement.rotation[2][2] == one
 }
 
 /// The frame of each link.
-pub(super) fn frames(model: &mut Model, links: &[Link]) -> Vec<Frame> {
+pub(super) fn frames(model: &Model, links: &[Link]) -> Vec<Frame> {
     let Model {
         graph: g, coordinates, ..
     } = model;
@@ -94,7 +94,7 @@ pub(super) fn frames(model: &mut Model, links: &[Link]) -> Vec<Frame> {
 
 impl Frame {
     /// The same place, with nothing moving.
-    pub(super) fn at_rest(&self, g: &mut Graph) -> Self {
+    pub(super) fn at_rest(&self, g: &Graph) -> Self {
         let (turning, sliding) = (g.zero(), g.zero());
         Self {
             turning,
@@ -104,28 +104,28 @@ impl Frame {
     }
 
     /// A vector of the link's body, in the frame of the link.
-    fn of_body(&self, g: &mut Graph, v: Vec3) -> Vec3 {
+    fn of_body(&self, g: &Graph, v: Vec3) -> Vec3 {
         let Some(turn) = self.inside else { return v };
         let v = mat_vec(g, self.rest, v);
         turn.forward(g, v)
     }
 
     /// A symmetric tensor of the link's body, in the frame of the link.
-    fn tensor_of_body(&self, g: &mut Graph, tensor: Symmetric3) -> Symmetric3 {
+    fn tensor_of_body(&self, g: &Graph, tensor: Symmetric3) -> Symmetric3 {
         let Some(turn) = self.inside else { return tensor };
         let tensor = tensor.rotated(g, self.rest);
         turn.forward_tensor(g, tensor)
     }
 
     /// The inverse of [`Frame::of_body`].
-    fn to_body(&self, g: &mut Graph, v: Vec3) -> Vec3 {
+    fn to_body(&self, g: &Graph, v: Vec3) -> Vec3 {
         let Some(turn) = self.inside else { return v };
         let v = turn.back(g, v);
         mat_vec(g, transpose(self.rest), v)
     }
 
     /// A vector of the frame of the parent, in this frame.
-    pub(super) fn of_parent(&self, g: &mut Graph, parent: Option<&Frame>, v: Vec3) -> Vec3 {
+    pub(super) fn of_parent(&self, g: &Graph, parent: Option<&Frame>, v: Vec3) -> Vec3 {
         if self.same_station {
             return v;
         }
@@ -135,7 +135,7 @@ impl Frame {
     }
 
     /// The inverse of [`Frame::of_parent`].
-    pub(super) fn to_parent(&self, g: &mut Graph, parent: &Frame, v: Vec3) -> Vec3 {
+    pub(super) fn to_parent(&self, g: &Graph, parent: &Frame, v: Vec3) -> Vec3 {
         if self.same_station {
             return v;
         }
@@ -145,14 +145,14 @@ impl Frame {
     }
 
     /// A tensor of this frame, in that of the parent: turned in its rows, then in its columns.
-    pub(super) fn matrix_to_parent(&self, g: &mut Graph, parent: &Frame, tensor: Mat3) -> Mat3 {
+    pub(super) fn matrix_to_parent(&self, g: &Graph, parent: &Frame, tensor: Mat3) -> Mat3 {
         let rows = tensor.map(|row| self.to_parent(g, parent, row));
         let columns = transpose(rows).map(|column| self.to_parent(g, parent, column));
         transpose(columns)
     }
 
     /// A symmetric tensor of this frame, in that of the parent.
-    pub(super) fn tensor_to_parent(&self, g: &mut Graph, parent: &Frame, tensor: Symmetric3) -> Symmetric3 {
+    pub(super) fn tensor_to_parent(&self, g: &Graph, parent: &Frame, tensor: Symmetric3) -> Symmetric3 {
         if self.same_station {
             return tensor;
         }
@@ -162,7 +162,7 @@ impl Frame {
     }
 
     /// An inertia of this frame, in that of the parent.
-    pub(super) fn inertia_to_parent(&self, g: &mut Graph, parent: &Frame, inertia: &MassMoments) -> MassMoments {
+    pub(super) fn inertia_to_parent(&self, g: &Graph, parent: &Frame, inertia: &MassMoments) -> MassMoments {
         let turned = MassMoments {
             mass: inertia.mass,
             first: self.to_parent(g, parent, inertia.first),
@@ -172,7 +172,7 @@ impl Frame {
     }
 
     /// A force and a moment about the link's origin, in the frame and about the origin of the parent.
-    pub(super) fn wrench_to_parent(&self, g: &mut Graph, parent: &Frame, wrench: &Wrench) -> Wrench {
+    pub(super) fn wrench_to_parent(&self, g: &Graph, parent: &Frame, wrench: &Wrench) -> Wrench {
         let force = self.to_parent(g, parent, wrench.force);
         let moment = self.to_parent(g, parent, wrench.moment);
         let lever = cross(g, self.offset, force);
@@ -183,7 +183,7 @@ impl Frame {
     }
 
     /// The part of a wrench that moves the joint of the link.
-    pub(super) fn along_joint(&self, g: &mut Graph, link: &Link, wrench: &Wrench) -> ExprId {
+    pub(super) fn along_joint(&self, g: &Graph, link: &Link, wrench: &Wrench) -> ExprId {
         let slide = g.mul(link.pitch, wrench.force[2]);
         if link.turns {
             g.add(wrench.moment[2], slide)

@@ -10,12 +10,12 @@ use super::Dynamics;
 
 /// The partial derivatives of `A qdd + bias - force` at fixed accelerations: one column of length `n` for each variable. The
 /// accelerations stand in it as the symbols of the coordinates.
-pub fn partials(g: &mut Graph, dynamics: &Dynamics, variables: &[ExprId]) -> Vec<Vec<ExprId>> {
+pub fn partials(g: &Graph, dynamics: &Dynamics, variables: &[ExprId]) -> Vec<Vec<ExprId>> {
     derived(g, &dynamics.balance, variables)
 }
 
 /// The derivatives of some expressions by some symbols: one column for each symbol.
-pub fn derived(g: &mut Graph, rows: &[ExprId], symbols: &[ExprId]) -> Vec<Vec<ExprId>> {
+pub fn derived(g: &Graph, rows: &[ExprId], symbols: &[ExprId]) -> Vec<Vec<ExprId>> {
     let column = |&symbol: &ExprId| {
         let mut derivative = Derivative::by(symbol);
         rows.iter().map(|&row| derivative.of(g, row)).collect()
@@ -26,7 +26,7 @@ pub fn derived(g: &mut Graph, rows: &[ExprId], symbols: &[ExprId]) -> Vec<Vec<Ex
 /// The [`partials`] by the state, from the derivatives of inverse dynamics that the recursion knows without deriving expressions; none
 /// where it does not, or by other variables.
 pub fn partials_by_recursion(
-    g: &mut Graph,
+    g: &Graph,
     dynamics: &Dynamics,
     coordinates: &[Coordinate],
     variables: &[ExprId],

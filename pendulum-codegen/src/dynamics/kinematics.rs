@@ -23,8 +23,8 @@ pub struct Kinematics {
 
 impl Kinematics {
     /// The kinematics of a model.
-    pub fn new(model: &mut Model) -> Self {
-        let g = &mut model.graph;
+    pub fn new(model: &Model) -> Self {
+        let g = &model.graph;
         let mut poses: Vec<Transform> = Vec::new();
         let mut screws = Vec::new();
         for body in &model.bodies {
@@ -79,7 +79,7 @@ impl Kinematics {
     }
 
     /// The screw of the joint of `joint`, in the station of `body`, which it carries or is. A fixed joint has none.
-    pub fn screw(&mut self, g: &mut Graph, joint: usize, body: usize) -> Option<Twist> {
+    pub fn screw(&mut self, g: &Graph, joint: usize, body: usize) -> Option<Twist> {
         let own = self.screws[joint]?;
         let (Some(base), true) = (self.stations[body], self.stations[joint] != self.stations[body]) else {
             return Some(own);
@@ -94,7 +94,7 @@ impl Kinematics {
     }
 
     /// The acceleration of gravity in the station of a body.
-    pub fn gravity(&self, g: &mut Graph, body: usize) -> Vec3 {
+    pub fn gravity(&self, g: &Graph, body: usize) -> Vec3 {
         match self.stations[body] {
             None => self.gravity,
             Some(base) => {
@@ -105,7 +105,7 @@ impl Kinematics {
     }
 
     /// Potential energy of all bodies in gravity, zero where all mass is at the origin of ground.
-    pub fn potential(&self, g: &mut Graph) -> ExprId {
+    pub fn potential(&self, g: &Graph) -> ExprId {
         let mut moment = [g.zero(); 3];
         for root in (0..self.parents.len()).filter(|&n| self.parents[n].is_none()) {
             moment = add(g, moment, self.composites[root].moment);
@@ -115,7 +115,7 @@ impl Kinematics {
     }
 }
 
-fn orientation(g: &mut Graph, heading: &Heading, angle: ExprId) -> [Vec3; 3] {
+fn orientation(g: &Graph, heading: &Heading, angle: ExprId) -> [Vec3; 3] {
     match heading.axis {
         None => heading.rest,
         Some(axis) => {
@@ -126,7 +126,7 @@ fn orientation(g: &mut Graph, heading: &Heading, angle: ExprId) -> [Vec3; 3] {
 }
 
 /// Where a body's origin is and what the screw of its joint is, in the frame in which its parent stands at `base`.
-fn place(g: &mut Graph, base: &Transform, body: &Body, turned: [Vec3; 3], position: ExprId) -> (Vec3, Option<Twist>) {
+fn place(g: &Graph, base: &Transform, body: &Body, turned: [Vec3; 3], position: ExprId) -> (Vec3, Option<Twist>) {
     let joint = base.then(g, &body.placement);
     let Some(screw) = body.screw else {
         return (joint.translation, None);

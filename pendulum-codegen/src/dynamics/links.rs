@@ -29,7 +29,7 @@ pub(super) struct Link {
 }
 
 /// The links of a model, each behind its parent.
-pub(super) fn links(model: &mut Model) -> Vec<Link> {
+pub(super) fn links(model: &Model) -> Vec<Link> {
     let mut links: Vec<Link> = Vec::new();
     // for each body the link it belongs to, and where its frame sits in that of the link
     let mut owners: Vec<(Option<usize>, Transform)> = Vec::new();
@@ -96,7 +96,7 @@ pub(super) fn links(model: &mut Model) -> Vec<Link> {
 ///
 /// A turn about z does not move a line of mass on the z axis: the mass, and the first and the second moment along z. A slide does
 /// not turn: all second moments.
-fn hand_down(g: &mut Graph, links: &mut [Link]) {
+fn hand_down(g: &Graph, links: &mut [Link]) {
     let zero = g.zero();
     for n in (0..links.len()).rev() {
         let MassMoments {
@@ -142,7 +142,7 @@ fn hand_down(g: &mut Graph, links: &mut [Link]) {
 }
 
 /// A rotation whose third column is a unit vector: a permutation where that is a coordinate axis.
-fn with_third_column(g: &mut Graph, z: Vec3) -> Mat3 {
+fn with_third_column(g: &Graph, z: Vec3) -> Mat3 {
     let (zero, one) = (g.zero(), g.one());
     let axis = (0..3).find(|&k| (0..3).all(|i| i == k || g.is_zero(z[i])));
     let x = match axis {
@@ -163,7 +163,7 @@ fn with_third_column(g: &mut Graph, z: Vec3) -> Mat3 {
     transpose([x, y, z])
 }
 
-fn inverse(g: &mut Graph, t: &Transform) -> Transform {
+fn inverse(g: &Graph, t: &Transform) -> Transform {
     let rotation = transpose(t.rotation);
     let moved = mat_vec(g, rotation, t.translation);
     Transform {

@@ -82,7 +82,7 @@ struct Inertial {
 
 impl Dynamics {
     /// The dynamics of a model from A, B and C (Williams 2023, Sec. 2): the definition that other forms are proved equal to.
-    pub fn new(model: &mut Model) -> Self {
+    pub fn new(model: &Model) -> Self {
         let mut kinematics = Kinematics::new(model);
         let coefficients = Coefficients::new(model, &mut kinematics);
         let Model {
@@ -119,12 +119,12 @@ impl Dynamics {
     }
 
     /// The same dynamics by recursion over links in base parameters; `potential` is the potential energy of gravity and springs.
-    pub fn recursive(model: &mut Model, potential: ExprId) -> Self {
+    pub fn recursive(model: &Model, potential: ExprId) -> Self {
         recursive::along_joints(model).in_coordinates(model, potential)
     }
 
     /// The accelerations by articulated bodies: without a mass matrix.
-    pub fn articulated(model: &mut Model) -> Vec<ExprId> {
+    pub fn articulated(model: &Model) -> Vec<ExprId> {
         articulated::accelerations(model)
     }
 
@@ -162,7 +162,7 @@ impl Dynamics {
 
 impl AlongJoints {
     /// The dynamics in the coordinates of the scene. With `q = T theta` the mass matrix becomes `T^T A T`, a force `T^T tau`.
-    fn in_coordinates(self, model: &mut Model, potential: ExprId) -> Dynamics {
+    fn in_coordinates(self, model: &Model, potential: ExprId) -> Dynamics {
         let Self {
             motions,
             mass_matrix,
@@ -184,7 +184,7 @@ impl AlongJoints {
         let forces = bodies.iter().map(|body| (&body.motion, body.force));
         let force = pull_back(g, n, forces);
         let bias = pull_back(g, n, motions.iter().zip(bias.iter().copied()));
-        let less_forces = |g: &mut Graph, list: &[ExprId]| -> Vec<ExprId> {
+        let less_forces = |g: &Graph, list: &[ExprId]| -> Vec<ExprId> {
             list.iter().zip(&force).map(|(&x, &force)| g.sub(x, force)).collect()
         };
         let residual = less_forces(g, &bias);
@@ -223,7 +223,7 @@ impl AlongJoints {
 
 /// `A qdd + residual`, written out.
 pub(crate) fn balance(
-    g: &mut Graph,
+    g: &Graph,
     mass_matrix: &[Vec<ExprId>],
     residual: &[ExprId],
     coordinates: &[Coordinate],
@@ -239,11 +239,7 @@ pub(crate) fn balance(
 }
 
 /// `T^T tau`
-fn pull_back<'a>(
-    g: &mut Graph,
-    n: usize,
-    along_joints: impl Iterator<Item = (&'a Combination, ExprId)>,
-) -> Vec<ExprId> {
+fn pull_back<'a>(g: &Graph, n: usize, along_joints: impl Iterator<Item = (&'a Combination, ExprId)>) -> Vec<ExprId> {
     let mut pulled = vec![g.zero(); n];
     for (motion, along) in along_joints {
         for &(k, t) in motion {
@@ -257,7 +253,7 @@ fn pull_back<'a>(
 
 /// `T^T M T`
 fn pull_back_matrix(
-    g: &mut Graph,
+    g: &Graph,
     n: usize,
     motions: &[Combination],
     entries: impl IntoIterator<Item = Entry>,
@@ -276,7 +272,7 @@ fn pull_back_matrix(
 }
 
 /// `A qd`
-fn momentum(g: &mut Graph, mass_matrix: &[Vec<ExprId>], coordinates: &[Coordinate]) -> Vec<ExprId> {
+fn momentum(g: &Graph, mass_matrix: &[Vec<ExprId>], coordinates: &[Coordinate]) -> Vec<ExprId> {
     let row = |row: &Vec<ExprId>| {
         let terms: Vec<ExprId> = row.iter().zip(coordinates).map(|(&a, c)| g.mul(a, c.rate)).collect();
         sum(g, terms)
@@ -285,7 +281,7 @@ fn momentum(g: &mut Graph, mass_matrix: &[Vec<ExprId>], coordinates: &[Coordinat
 }
 
 /// Half of `qd . momentum`.
-fn kinetic(g: &mut Graph, momentum: &[ExprId], coordinates: &[Coordinate]) -> ExprId {
+fn kinetic(g: &Graph, momentum: &[ExprId], coordinates: &[Coordinate]) -> ExprId {
     let terms: Vec<ExprId> = momentum
         .iter()
         .zip(coordinates)

@@ -11,7 +11,7 @@ use crate::model::{Model, combine};
 use crate::screw::{MassMoments, Mat3, Symmetric3, Vec3, Wrench, add, cross, mat_vec, scale, sum};
 
 /// The dynamics along the joints of the links.
-pub(super) fn along_joints(model: &mut Model) -> AlongJoints {
+pub(super) fn along_joints(model: &Model) -> AlongJoints {
     let links = links(model);
     let frames = frames(model, &links);
     let Model {
@@ -54,7 +54,7 @@ pub(super) fn along_joints(model: &mut Model) -> AlongJoints {
 }
 
 /// `U` with `U r` the acceleration of a point at `r` against the origin: `alpha x r + w x (w x r)`.
-pub(super) fn acceleration_field(g: &mut Graph, w: Vec3, alpha: Vec3) -> Mat3 {
+pub(super) fn acceleration_field(g: &Graph, w: Vec3, alpha: Vec3) -> Mat3 {
     let square = w.map(|x| g.powi(x, 2));
     std::array::from_fn(|i| {
         std::array::from_fn(|j| {
@@ -74,7 +74,7 @@ pub(super) fn acceleration_field(g: &mut Graph, w: Vec3, alpha: Vec3) -> Mat3 {
 }
 
 /// The moment `integral r x (U r) dm`, from the second moments of mass.
-pub(super) fn inertial_moment(g: &mut Graph, u: &Mat3, second: Symmetric3) -> Vec3 {
+pub(super) fn inertial_moment(g: &Graph, u: &Mat3, second: Symmetric3) -> Vec3 {
     let s = second.full();
     [(1, 2), (2, 0), (0, 1)].map(|(i, j)| {
         // sum_k U_jk S_ik - U_ik S_jk; the two terms in S_ij go together
@@ -103,7 +103,7 @@ pub(super) struct Motion {
 
 /// How the links move, and the wrench that each takes with all that it carries, by Newton and Euler.
 fn inverse_dynamics(
-    g: &mut Graph,
+    g: &Graph,
     links: &[Link],
     frames: &[Frame],
     gravity: Vec3,
@@ -157,14 +157,14 @@ fn inverse_dynamics(
 }
 
 /// The forces along the joints.
-fn forces(g: &mut Graph, links: &[Link], frames: &[Frame], wrenches: &[Wrench]) -> Vec<ExprId> {
+fn forces(g: &Graph, links: &[Link], frames: &[Frame], wrenches: &[Wrench]) -> Vec<ExprId> {
     (0..links.len())
         .map(|n| frames[n].along_joint(g, &links[n], &wrenches[n]))
         .collect()
 }
 
 /// Each link with all that it carries.
-fn composites(g: &mut Graph, links: &[Link], frames: &[Frame]) -> Vec<MassMoments> {
+fn composites(g: &Graph, links: &[Link], frames: &[Frame]) -> Vec<MassMoments> {
     let mut composites: Vec<MassMoments> = frames.iter().map(|frame| frame.inertia).collect();
     for n in (0..links.len()).rev() {
         let Some(parent) = links[n].parent else { continue };
@@ -175,7 +175,7 @@ fn composites(g: &mut Graph, links: &[Link], frames: &[Frame]) -> Vec<MassMoment
 }
 
 /// `A_ij`: the momentum of all that link j carries, when its joint alone moves at unit rate, along the joint of each link below.
-fn mass_matrix(g: &mut Graph, links: &[Link], frames: &[Frame], composites: &[MassMoments]) -> Vec<Entry> {
+fn mass_matrix(g: &Graph, links: &[Link], frames: &[Frame], composites: &[MassMoments]) -> Vec<Entry> {
     let mut entries = Vec::new();
     for (j, link) in links.iter().enumerate() {
         let mut wrench = momentum(g, link, &composites[j]);
@@ -191,7 +191,7 @@ fn mass_matrix(g: &mut Graph, links: &[Link], frames: &[Frame], composites: &[Ma
 }
 
 /// Momentum and angular momentum at unit rate of a joint.
-pub(super) fn momentum(g: &mut Graph, link: &Link, inertia: &MassMoments) -> Wrench {
+pub(super) fn momentum(g: &Graph, link: &Link, inertia: &MassMoments) -> Wrench {
     let zero = g.zero();
     let [hx, hy, _] = inertia.first;
     let Symmetric3([xx, yy, _, _, xz, yz]) = inertia.second;

@@ -39,7 +39,7 @@ struct Pivot {
 
 impl Factored {
     /// Factors a symmetric matrix. `determinant` is that of a matrix of two rows, where a better form of it is known.
-    pub fn new(g: &mut Graph, solver: Solver, matrix: &[Vec<ExprId>], determinant: Option<ExprId>) -> Self {
+    pub fn new(g: &Graph, solver: Solver, matrix: &[Vec<ExprId>], determinant: Option<ExprId>) -> Self {
         let n = matrix.len();
         let mut a = matrix.to_vec();
         let mut factored = Self {
@@ -72,7 +72,7 @@ impl Factored {
         factored
     }
 
-    fn eliminate(&mut self, g: &mut Graph, a: &mut [Vec<ExprId>], pivot: Pivot) {
+    fn eliminate(&mut self, g: &Graph, a: &mut [Vec<ExprId>], pivot: Pivot) {
         let Range { start, end } = pivot.coordinates;
         let columns: Vec<Vec<ExprId>> = (0..start).map(|j| (start..end).map(|k| a[k][j]).collect()).collect();
         for (j, column) in columns.iter().enumerate() {
@@ -93,7 +93,7 @@ impl Factored {
     }
 
     /// `-A^-1 r`
-    pub fn solve_negated(&self, g: &mut Graph, r: &[ExprId]) -> Vec<ExprId> {
+    pub fn solve_negated(&self, g: &Graph, r: &[ExprId]) -> Vec<ExprId> {
         let mut x = r.to_vec();
         for Pivot { coordinates, .. } in &self.pivots {
             for j in 0..coordinates.start {
@@ -119,7 +119,7 @@ impl Factored {
 }
 
 impl Pivot {
-    fn single(g: &mut Graph, coordinate: usize, numerator: ExprId, divisor: ExprId) -> Self {
+    fn single(g: &Graph, coordinate: usize, numerator: ExprId, divisor: ExprId) -> Self {
         Self {
             coordinates: coordinate..coordinate + 1,
             inverse: vec![vec![g.div(numerator, divisor)]],
@@ -128,7 +128,7 @@ impl Pivot {
     }
 
     /// Two coordinates from `start` on. `late` says that the division is a factor of its own, and not of each entry.
-    fn pair(g: &mut Graph, a: &[Vec<ExprId>], start: usize, determinant: Option<ExprId>, late: bool) -> Self {
+    fn pair(g: &Graph, a: &[Vec<ExprId>], start: usize, determinant: Option<ExprId>, late: bool) -> Self {
         let (first, off, second) = (a[start][start], a[start + 1][start], a[start + 1][start + 1]);
         let determinant = determinant.unwrap_or_else(|| difference(g, first, second, off, off));
         let minus_one = g.integer(-1);
@@ -151,7 +151,7 @@ impl Pivot {
     }
 
     /// The negated inverse times a vector.
-    fn times(&self, g: &mut Graph, x: &[ExprId]) -> Vec<ExprId> {
+    fn times(&self, g: &Graph, x: &[ExprId]) -> Vec<ExprId> {
         let row = |row: &Vec<ExprId>| {
             let products: Vec<ExprId> = row.iter().zip(x).map(|(&a, &x)| g.mul(a, x)).collect();
             let sum = sum(g, products);
@@ -162,7 +162,7 @@ impl Pivot {
 }
 
 /// `a b - c d`
-fn difference(g: &mut Graph, a: ExprId, b: ExprId, c: ExprId, d: ExprId) -> ExprId {
+fn difference(g: &Graph, a: ExprId, b: ExprId, c: ExprId, d: ExprId) -> ExprId {
     let (ab, cd) = (g.mul(a, b), g.mul(c, d));
     g.sub(ab, cd)
 }

@@ -49,7 +49,7 @@ struct Response {
 impl Tangent {
     /// `wrenches` are what the motions take: of each link with all that it carries.
     pub(super) fn new(
-        g: &mut Graph,
+        g: &Graph,
         links: &[Link],
         frames: &[Frame],
         composites: &[MassMoments],
@@ -100,7 +100,7 @@ impl Tangent {
     }
 }
 
-fn velocity_of_origin(g: &mut Graph, links: &[Link], frames: &[Frame], motions: &[Motion], n: usize) -> Vec3 {
+fn velocity_of_origin(g: &Graph, links: &[Link], frames: &[Frame], motions: &[Motion], n: usize) -> Vec3 {
     let Some(parent) = links[n].parent else {
         return [g.zero(); 3];
     };
@@ -112,7 +112,7 @@ fn velocity_of_origin(g: &mut Graph, links: &[Link], frames: &[Frame], motions: 
 
 /// The flow of each link with all that it carries.
 fn flows(
-    g: &mut Graph,
+    g: &Graph,
     links: &[Link],
     frames: &[Frame],
     composites: &[MassMoments],
@@ -152,7 +152,7 @@ fn flows(
 }
 
 /// What the coordinate of a joint, and its rate, change in the motion that its link sees arriving.
-fn variations(g: &mut Graph, link: &Link, motion: &Motion) -> [Variation; 2] {
+fn variations(g: &Graph, link: &Link, motion: &Motion) -> [Variation; 2] {
     let (zero, one, two) = (g.zero(), g.one(), g.integer(2));
     let along = motion.field.map(|row| row[2]);
     let [across, swept] = [motion.w, motion.a].map(|[x, y, _]| [y, g.neg(x), zero]);
@@ -182,7 +182,7 @@ fn variations(g: &mut Graph, link: &Link, motion: &Motion) -> [Variation; 2] {
 
 impl Variation {
     /// The force and the moment that a composite takes more.
-    fn taken(&self, g: &mut Graph, inertia: &MassMoments, flow: &Flow) -> Wrench {
+    fn taken(&self, g: &Graph, inertia: &MassMoments, flow: &Flow) -> Wrench {
         let two = g.integer(2);
         let pushed = scale(g, inertia.mass, self.push);
         let twisted = cross(g, self.twist, inertia.first);
@@ -205,7 +205,7 @@ impl Variation {
 
 impl Flow {
     /// `tr(P) 1 - P`, with `integral r x (spin x v) dm = (tr(P) 1 - P^T) spin`.
-    fn gyration(&self, g: &mut Graph) -> Mat3 {
+    fn gyration(&self, g: &Graph) -> Mat3 {
         let p = self.moments;
         std::array::from_fn(|i| {
             std::array::from_fn(|j| {
@@ -220,7 +220,7 @@ impl Flow {
 }
 
 impl Response {
-    fn of_joint(g: &mut Graph, link: &Link, inertia: &MassMoments, flow: &Flow) -> Self {
+    fn of_joint(g: &Graph, link: &Link, inertia: &MassMoments, flow: &Flow) -> Self {
         let (two, zero) = (g.integer(2), g.zero());
         let [px, py, _] = flow.momentum;
         let sliding = [py, g.neg(px), zero];
@@ -236,7 +236,7 @@ impl Response {
     }
 
     /// The force along the joint that a variation takes more.
-    fn to(&self, g: &mut Graph, variation: &Variation) -> ExprId {
+    fn to(&self, g: &Graph, variation: &Variation) -> ExprId {
         let twisted = dot(g, self.wrench.moment, variation.twist);
         let pushed = dot(g, self.wrench.force, variation.push);
         let spun = dot(g, self.by_spin, variation.spin);
@@ -246,7 +246,7 @@ impl Response {
 }
 
 /// What the link below sees change in the wrench on a link whose coordinate changes: the wrench itself is turned and moved along.
-fn seen_below(g: &mut Graph, link: &Link, wrench: &Wrench, taken: &Wrench) -> Wrench {
+fn seen_below(g: &Graph, link: &Link, wrench: &Wrench, taken: &Wrench) -> Wrench {
     let zero = g.zero();
     let [turned_moment, turned_force] = [wrench.moment, wrench.force].map(|[x, y, _]| [g.neg(y), x, zero]);
     let lever = scale(g, link.pitch, turned_force);

@@ -18,8 +18,9 @@ pub(crate) use stub::stub;
 
 use crate::ast::Scene;
 use crate::expr::{ExprId, Printer};
+use crate::form::Form;
 use crate::model::{ROUNDING, Requirement};
-use crate::pass::{Form, Operations};
+use crate::pass::Operations;
 use crate::pipeline::Program;
 use body::{Body, local};
 

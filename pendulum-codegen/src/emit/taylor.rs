@@ -7,7 +7,7 @@ use super::body::{Body, local};
 use super::lanes::inlined_into_lanes;
 use super::{Items, allowed, number};
 use crate::expr::ExprId;
-use crate::pass::Taylor;
+use crate::form::Taylor;
 
 impl Items<'_> {
     /// `impl TaylorSeries` for the model in any number type, and `impl TaylorModel` for all of them together.

@@ -6,32 +6,32 @@ use super::{Binary, ExprId, Graph, Node, Rational, Unary, ratio};
 
 impl Graph {
     /// An exact number.
-    pub fn number(&mut self, value: Rational) -> ExprId {
+    pub fn number(&self, value: Rational) -> ExprId {
         self.intern(Node::Number(value))
     }
 
     /// An integer.
-    pub fn integer(&mut self, value: i64) -> ExprId {
+    pub fn integer(&self, value: i64) -> ExprId {
         self.number(ratio(value, 1))
     }
 
     /// The number 0.
-    pub fn zero(&mut self) -> ExprId {
+    pub fn zero(&self) -> ExprId {
         self.integer(0)
     }
 
     /// The number 1.
-    pub fn one(&mut self) -> ExprId {
+    pub fn one(&self) -> ExprId {
         self.integer(1)
     }
 
     /// The constant pi.
-    pub fn pi(&mut self) -> ExprId {
+    pub fn pi(&self) -> ExprId {
         self.intern(Node::Pi)
     }
 
     /// The opposite of `x`.
-    pub fn neg(&mut self, x: ExprId) -> ExprId {
+    pub fn neg(&self, x: ExprId) -> ExprId {
         match self.node(x).clone() {
             Node::Number(n) => self.number(-n),
             Node::Unary(Unary::Neg, y) => y,
@@ -48,7 +48,7 @@ impl Graph {
     }
 
     /// `a + b`.
-    pub fn add(&mut self, a: ExprId, b: ExprId) -> ExprId {
+    pub fn add(&self, a: ExprId, b: ExprId) -> ExprId {
         match (self.as_number(a), self.as_number(b)) {
             (Some(x), Some(y)) => {
                 let sum = x + y;
@@ -74,7 +74,7 @@ impl Graph {
     }
 
     /// `a - b`.
-    pub fn sub(&mut self, a: ExprId, b: ExprId) -> ExprId {
+    pub fn sub(&self, a: ExprId, b: ExprId) -> ExprId {
         if a == b {
             return self.zero();
         }
@@ -99,7 +99,7 @@ impl Graph {
     }
 
     /// `a * b`.
-    pub fn mul(&mut self, a: ExprId, b: ExprId) -> ExprId {
+    pub fn mul(&self, a: ExprId, b: ExprId) -> ExprId {
         if let (Some(x), Some(y)) = (self.as_number(a), self.as_number(b)) {
             let product = x * y;
             return self.number(product);
@@ -153,7 +153,7 @@ impl Graph {
     }
 
     /// `a / b`. Division by the number zero stays as it is written, so that it shows as a non-finite value.
-    pub fn div(&mut self, a: ExprId, b: ExprId) -> ExprId {
+    pub fn div(&self, a: ExprId, b: ExprId) -> ExprId {
         if let Some(divisor) = self.as_number(b)
             && !divisor.is_zero()
         {
@@ -182,17 +182,17 @@ impl Graph {
     }
 
     /// `x^exponent` with a constant integer exponent.
-    pub fn powi(&mut self, x: ExprId, exponent: i64) -> ExprId {
+    pub fn powi(&self, x: ExprId, exponent: i64) -> ExprId {
         self.power(x, ratio(exponent, 1))
     }
 
     /// The square root of `x`.
-    pub fn sqrt(&mut self, x: ExprId) -> ExprId {
+    pub fn sqrt(&self, x: ExprId) -> ExprId {
         self.power(x, ratio(1, 2))
     }
 
     /// `x^exponent` with a constant exponent.
-    pub fn power(&mut self, x: ExprId, exponent: Rational) -> ExprId {
+    pub fn power(&self, x: ExprId, exponent: Rational) -> ExprId {
         if exponent.is_zero() || self.is_one(x) {
             return self.one();
         }
@@ -231,14 +231,14 @@ impl Graph {
     }
 
     /// `numerator / (x^2 + y^2)`.
-    pub fn over_norm_squared(&mut self, numerator: ExprId, x: ExprId, y: ExprId) -> ExprId {
+    pub fn over_norm_squared(&self, numerator: ExprId, x: ExprId, y: ExprId) -> ExprId {
         let (x2, y2) = (self.powi(x, 2), self.powi(y, 2));
         let norm2 = self.add(x2, y2);
         self.div(numerator, norm2)
     }
 
     /// An operation of one operand.
-    pub fn unary(&mut self, op: Unary, x: ExprId) -> ExprId {
+    pub fn unary(&self, op: Unary, x: ExprId) -> ExprId {
         match op {
             Unary::Neg => self.neg(x),
             Unary::Sin | Unary::Cos => self.sine_or_cosine(op, x),
@@ -257,7 +257,7 @@ impl Graph {
     }
 
     /// An operation of two operands.
-    pub fn binary(&mut self, op: Binary, a: ExprId, b: ExprId) -> ExprId {
+    pub fn binary(&self, op: Binary, a: ExprId, b: ExprId) -> ExprId {
         match op {
             Binary::Add => self.add(a, b),
             Binary::Sub => self.sub(a, b),
@@ -267,7 +267,7 @@ impl Graph {
         }
     }
 
-    fn sine_or_cosine(&mut self, op: Unary, x: ExprId) -> ExprId {
+    fn sine_or_cosine(&self, op: Unary, x: ExprId) -> ExprId {
         if let Some(turns) = self.multiple_of_pi(x)
             && let Some(value) = self.exact_sine_or_cosine(op, &turns)
         {
@@ -301,7 +301,7 @@ impl Graph {
     }
 
     /// Sine and cosine of the angles whose values are square roots of rationals: multiples of 30 and 45 degrees.
-    fn exact_sine_or_cosine(&mut self, op: Unary, turns: &Rational) -> Option<ExprId> {
+    fn exact_sine_or_cosine(&self, op: Unary, turns: &Rational) -> Option<ExprId> {
         let quarter = ratio(1, 2);
         let turns = if op == Unary::Cos {
             turns + quarter

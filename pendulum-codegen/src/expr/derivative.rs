@@ -29,7 +29,7 @@ impl Derivative {
     }
 
     /// The derivative of `x`.
-    pub fn of(&mut self, graph: &mut Graph, x: ExprId) -> ExprId {
+    pub fn of(&mut self, graph: &Graph, x: ExprId) -> ExprId {
         if Some(x) == self.by {
             return graph.one();
         }
@@ -73,7 +73,7 @@ impl Derivative {
         derivative
     }
 
-    fn chain(&self, graph: &mut Graph, inner: ExprId, outer: impl FnOnce(&mut Graph) -> ExprId) -> ExprId {
+    fn chain(&self, graph: &Graph, inner: ExprId, outer: impl FnOnce(&Graph) -> ExprId) -> ExprId {
         if graph.is_zero(inner) {
             return inner;
         }

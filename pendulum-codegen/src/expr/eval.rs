@@ -13,7 +13,7 @@ impl Graph {
             values[id.index()] = match self.node(id) {
                 Node::Number(n) => nearest_f64(n),
                 Node::Pi => std::f64::consts::PI,
-                Node::Symbol(s) => value(&self.symbols()[s.index()]),
+                Node::Symbol(s) => value(self.name_and_kind(*s)),
                 Node::Unary(op, a) => op.value(of(*a)),
                 Node::Binary(op, a, b) => op.value(of(*a), of(*b)),
                 Node::Power(a, n) => power(of(*a), n),

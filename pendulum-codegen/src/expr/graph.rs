@@ -1,7 +1,9 @@
 //! The hash-consed graph.
 
+use std::cell::RefCell;
 use std::collections::HashMap;
 
+use elsa::FrozenVec;
 use num_traits::{One, Zero};
 
 use super::{Binary, Rational, Unary};
@@ -84,13 +86,19 @@ pub enum Node {
     Power(ExprId, Rational),
 }
 
-/// The store of all expressions of one scene. It only grows; equal expressions get equal ids.
-#[derive(Clone, Debug, Default)]
+/// The store of all expressions of one scene: an arena that is shared, and only grows. Equal expressions get equal ids.
+#[derive(Default)]
 pub struct Graph {
-    nodes: Vec<Node>,
-    levels: Vec<Level>,
-    ids: HashMap<Node, ExprId>,
-    symbols: Vec<Symbol>,
+    nodes: FrozenVec<Box<Stored>>,
+    ids: RefCell<HashMap<Node, ExprId>>,
+    symbols: FrozenVec<Box<Symbol>>,
+}
+
+/// A node, and what is asked of it most often.
+#[derive(Debug)]
+struct Stored {
+    node: Node,
+    level: Level,
 }
 
 impl Graph {
@@ -101,17 +109,17 @@ impl Graph {
 
     /// The node of an expression.
     pub fn node(&self, id: ExprId) -> &Node {
-        &self.nodes[id.index()]
+        &self.nodes[id.index()].node
     }
 
     /// The expression of a node, if it has been built.
     pub fn find(&self, node: &Node) -> Option<ExprId> {
-        self.ids.get(node).copied()
+        self.ids.borrow().get(node).copied()
     }
 
     /// On what the expression depends, at most.
     pub fn level(&self, id: ExprId) -> Level {
-        self.levels[id.index()]
+        self.nodes[id.index()].level
     }
 
     /// The number of nodes.
@@ -125,17 +133,22 @@ impl Graph {
     }
 
     /// All symbols, in the order of their declaration.
-    pub fn symbols(&self) -> &[Symbol] {
-        &self.symbols
+    pub fn symbols(&self) -> impl Iterator<Item = &Symbol> {
+        self.symbols.iter()
+    }
+
+    /// A symbol of this graph.
+    pub fn name_and_kind(&self, id: SymbolId) -> &Symbol {
+        &self.symbols[id.index()]
     }
 
     /// Declares a symbol. The mark of a raw identifier is no part of its name.
-    pub fn symbol(&mut self, name: &str, kind: SymbolKind) -> ExprId {
+    pub fn symbol(&self, name: &str, kind: SymbolKind) -> ExprId {
         let id = SymbolId(self.symbols.len() as u32);
-        self.symbols.push(Symbol {
+        self.symbols.push(Box::new(Symbol {
             name: name.replace("r#", ""),
             kind,
-        });
+        }));
         self.intern(Node::Symbol(id))
     }
 
@@ -189,8 +202,8 @@ impl Graph {
             .collect()
     }
 
-    pub(super) fn intern(&mut self, node: Node) -> ExprId {
-        if let Some(&id) = self.ids.get(&node) {
+    pub(super) fn intern(&self, node: Node) -> ExprId {
+        if let Some(&id) = self.ids.borrow().get(&node) {
             return id;
         }
         let level = match &node {
@@ -203,14 +216,13 @@ impl Graph {
             Node::Binary(_, a, b) => self.level(*a).max(self.level(*b)),
         };
         let id = ExprId(self.nodes.len() as u32);
-        self.nodes.push(node.clone());
-        self.levels.push(level);
-        self.ids.insert(node, id);
+        self.ids.borrow_mut().insert(node.clone(), id);
+        self.nodes.push(Box::new(Stored { node, level }));
         id
     }
 
     /// The roots with some expressions replaced by others, simplified on the way up.
-    pub fn substitute(&mut self, roots: &[ExprId], mut new: HashMap<ExprId, ExprId>) -> Vec<ExprId> {
+    pub fn substitute(&self, roots: &[ExprId], mut new: HashMap<ExprId, ExprId>) -> Vec<ExprId> {
         for id in self.reachable(roots) {
             if new.contains_key(&id) {
                 continue;
@@ -228,12 +240,20 @@ impl Graph {
     }
 
     /// An operation exactly as given, without any simplification: for passes that have chosen the order of operations.
-    pub(crate) fn exactly(&mut self, op: Binary, a: ExprId, b: ExprId) -> ExprId {
+    pub(crate) fn exactly(&self, op: Binary, a: ExprId, b: ExprId) -> ExprId {
         self.intern(Node::Binary(op, a, b))
     }
 
     /// The opposite exactly as given.
-    pub(crate) fn exactly_negated(&mut self, x: ExprId) -> ExprId {
+    pub(crate) fn exactly_negated(&self, x: ExprId) -> ExprId {
         self.intern(Node::Unary(Unary::Neg, x))
+    }
+}
+
+impl std::fmt::Debug for Graph {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Graph")
+            .field("nodes", &self.len())
+            .finish_non_exhaustive()
     }
 }

@@ -48,7 +48,7 @@ impl Normalizer {
     }
 
     /// The normal form of `x`.
-    pub fn normal(&mut self, graph: &mut Graph, x: ExprId) -> Result<Rc<Poly>, TooLarge> {
+    pub fn normal(&mut self, graph: &Graph, x: ExprId) -> Result<Rc<Poly>, TooLarge> {
         if let Some(known) = self.known.get(&x) {
             return Ok(known.clone());
         }
@@ -62,11 +62,11 @@ impl Normalizer {
     }
 
     /// Whether `x` is zero in value.
-    pub fn is_zero(&mut self, graph: &mut Graph, x: ExprId) -> Result<bool, TooLarge> {
+    pub fn is_zero(&mut self, graph: &Graph, x: ExprId) -> Result<bool, TooLarge> {
         Ok(self.normal(graph, x)?.is_empty())
     }
 
-    fn node(&mut self, graph: &mut Graph, id: ExprId) -> Result<Poly, TooLarge> {
+    fn node(&mut self, graph: &Graph, id: ExprId) -> Result<Poly, TooLarge> {
         let known = |this: &Self, x: ExprId| this.known[&x].clone();
         Ok(match graph.node(id).clone() {
             Node::Number(n) => Poly::constant(n),
@@ -109,7 +109,7 @@ impl Normalizer {
     }
 
     /// An expression whose operands are normal already: an atom, unless it has folded to something simpler.
-    fn leaf(&mut self, graph: &mut Graph, x: ExprId) -> Result<Poly, TooLarge> {
+    fn leaf(&mut self, graph: &Graph, x: ExprId) -> Result<Poly, TooLarge> {
         match graph.node(x) {
             Node::Unary(Unary::Neg, y) => {
                 let y = *y;
@@ -129,7 +129,7 @@ impl Normalizer {
         }
     }
 
-    fn power(&mut self, graph: &mut Graph, base: &Poly, exponent: &Rational) -> Result<Poly, TooLarge> {
+    fn power(&mut self, graph: &Graph, base: &Poly, exponent: &Rational) -> Result<Poly, TooLarge> {
         let (n, k) = (exponent.numer().to_i64(), exponent.denom().to_i64());
         match (n, k) {
             (Some(n), Some(1)) if n.abs() <= 64 => {
@@ -157,7 +157,7 @@ impl Normalizer {
         }
     }
 
-    fn reciprocal(&mut self, graph: &mut Graph, x: &Poly) -> Result<Poly, TooLarge> {
+    fn reciprocal(&mut self, graph: &Graph, x: &Poly) -> Result<Poly, TooLarge> {
         if let Some((monomial, coefficient)) = x.as_term() {
             let mut reciprocal = Poly::default();
             self.add_reduced(graph, &mut reciprocal, monomial.recip(), coefficient.recip())?;
@@ -174,7 +174,7 @@ impl Normalizer {
     }
 
     /// The product of two normal forms.
-    pub fn product(&mut self, graph: &mut Graph, a: &Poly, b: &Poly) -> Result<Poly, TooLarge> {
+    pub fn product(&mut self, graph: &Graph, a: &Poly, b: &Poly) -> Result<Poly, TooLarge> {
         self.budget = self.budget.checked_sub(a.len() * b.len()).ok_or(TooLarge)?;
         let mut product = Poly::default();
         for (u, x) in a.terms() {
@@ -188,7 +188,7 @@ impl Normalizer {
     /// Adds a term, after the rules `cos^2 = 1 - sin^2` and `root(x)^k = x`.
     fn add_reduced(
         &mut self,
-        graph: &mut Graph,
+        graph: &Graph,
         sum: &mut Poly,
         monomial: Monomial,
         coefficient: Rational,
@@ -227,7 +227,7 @@ impl Normalizer {
     }
 
     /// Sine and cosine of an angle in normal form, by the addition theorems over base angles.
-    fn sine_and_cosine(&mut self, graph: &mut Graph, angle: &Poly) -> Result<(Poly, Poly), TooLarge> {
+    fn sine_and_cosine(&mut self, graph: &Graph, angle: &Poly) -> Result<(Poly, Poly), TooLarge> {
         let mut turns: Vec<(ExprId, Rational)> = Vec::new();
         let mut rest = angle.clone();
         for (monomial, factor) in angle.terms() {
@@ -273,7 +273,7 @@ impl Normalizer {
     }
 
     /// The expression of a polynomial: the same one for equal polynomials.
-    pub fn to_expr(&self, graph: &mut Graph, poly: &Poly) -> ExprId {
+    pub fn to_expr(&self, graph: &Graph, poly: &Poly) -> ExprId {
         let mut sum = graph.zero();
         for (monomial, coefficient) in poly.terms() {
             let mut product = graph.number(coefficient.clone());

@@ -44,8 +44,8 @@ macro_rules! unary {
             }
 
             /// The derivative at `x`.
-            pub fn derivative(self, graph: &mut Graph, x: ExprId) -> ExprId {
-                let derivative: fn(&mut Graph, ExprId) -> ExprId = match self { $(Unary::$name => $derivative),* };
+            pub fn derivative(self, graph: &Graph, x: ExprId) -> ExprId {
+                let derivative: fn(&Graph, ExprId) -> ExprId = match self { $(Unary::$name => $derivative),* };
                 derivative(graph, x)
             }
         }
@@ -97,8 +97,8 @@ macro_rules! binary {
             }
 
             /// The partial derivatives by the left and by the right operand.
-            pub fn derivatives(self, graph: &mut Graph, a: ExprId, b: ExprId) -> [ExprId; 2] {
-                type Partial = fn(&mut Graph, ExprId, ExprId) -> ExprId;
+            pub fn derivatives(self, graph: &Graph, a: ExprId, b: ExprId) -> [ExprId; 2] {
+                type Partial = fn(&Graph, ExprId, ExprId) -> ExprId;
                 let (left, right): (Partial, Partial) = match self { $(Binary::$name => ($left, $right)),* };
                 [left(graph, a, b), right(graph, a, b)]
             }

@@ -57,7 +57,7 @@ impl<'g> Printer<'g> {
         match self.graph.node(x) {
             Node::Number(n) => number(n),
             Node::Pi => ("pi".to_owned(), Grip::Atom),
-            Node::Symbol(s) => (self.graph.symbols()[s.index()].name.clone(), Grip::Atom),
+            Node::Symbol(s) => (self.graph.name_and_kind(*s).name.clone(), Grip::Atom),
             Node::Binary(Binary::Add | Binary::Sub, ..) => self.sum(x),
             Node::Binary(Binary::Mul | Binary::Div, ..) | Node::Unary(Unary::Neg, _) => self.product(x),
             Node::Power(_, n) if !n.is_positive() || *n != ratio(1, 2) => self.product(x),

@@ -47,7 +47,7 @@ impl Lower {
         let stiffness = self.expr(stiffness, &Place::fixed(format!("the stiffness of `{}`", body.name)));
         let rest = self.expr(rest, &Place::fixed(format!("the rest position of `{}`", body.name)));
         let (stiffness, rest) = (stiffness?, rest?);
-        let g = &mut self.graph;
+        let g = &self.graph;
         let stretch = g.sub(position, rest);
         let pull = g.mul(stiffness, stretch);
         let (square, half) = (g.mul(pull, stretch), g.number(ratio(1, 2)));

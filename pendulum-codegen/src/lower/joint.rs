@@ -26,7 +26,7 @@ impl Lower {
     pub(super) fn geometry(&mut self, body: &Ident, joint: Option<&ast::Joint>) -> Option<Geometry> {
         let Some(joint) = joint else {
             return Some(Geometry {
-                placement: Transform::identity(&mut self.graph),
+                placement: Transform::identity(&self.graph),
                 screw: None,
             });
         };
@@ -42,7 +42,7 @@ impl Lower {
             .map_or(Some([zero; 3]), |v| self.vector(v, &place("roll, pitch and yaw")));
         let screw = self.screw(body, joint);
         let (at, [roll, pitch, yaw]) = (at?, rpy?);
-        let g = &mut self.graph;
+        let g = &self.graph;
         let [x, y, z] = identity(g);
         let (roll, pitch, yaw) = (rotation(g, x, roll), rotation(g, y, pitch), rotation(g, z, yaw));
         let turned = mat_mul(g, pitch, roll);
@@ -89,7 +89,7 @@ impl Lower {
             ("helical", [axis, JointArgument::Other(Argument::Scalar(pitch))]) => {
                 let pitch = self.expr(pitch, &Place::fixed(format!("the pitch of the joint of `{body}`")));
                 let angular = self.axis(body, joint, axis)?;
-                let linear = scale(&mut self.graph, pitch?, angular);
+                let linear = scale(&self.graph, pitch?, angular);
                 Some(Some(Twist { angular, linear }))
             }
             ("screw", [JointArgument::Other(Argument::List(entries, tokens))]) if entries.len() == 6 => {
@@ -109,7 +109,7 @@ impl Lower {
                     );
                     return None;
                 };
-                let g = &mut self.graph;
+                let g = &self.graph;
                 Some(Some(Twist {
                     angular: scale(g, length, angular),
                     linear: scale(g, length, linear),
@@ -146,7 +146,7 @@ impl Lower {
                     );
                     return None;
                 };
-                Some(scale(&mut self.graph, length, vector))
+                Some(scale(&self.graph, length, vector))
             }
             JointArgument::Other(Argument::Scalar(e)) => {
                 self.errors.on(
@@ -169,7 +169,7 @@ impl Lower {
 
     /// `1 / |v|`; none for the zero vector. A vector of parameters must not vanish either.
     fn inverse_length(&mut self, body: &Ident, v: Vec3) -> Option<ExprId> {
-        let g = &mut self.graph;
+        let g = &self.graph;
         let square = dot(g, v, v);
         if g.constant(square).is_some_and(|square| square == 0.0) {
             return None;
@@ -197,7 +197,7 @@ impl Lower {
         coordinate: Option<usize>,
     ) -> Option<(Heading, Combination)> {
         let own: Combination = coordinate.map(|k| (k, 1)).into_iter().collect();
-        let g = &mut self.graph;
+        let g = &self.graph;
         let before = match parent {
             Some(parent) => parent.heading.clone(),
             None => Heading {
@@ -243,7 +243,7 @@ impl Lower {
         let Some(sign) = sign else {
             let parent = self.index_of_parent(body);
             let placed = geometry.placement.rotation;
-            let axis = mat_vec(&mut self.graph, placed, screw.angular);
+            let axis = mat_vec(&self.graph, placed, screw.angular);
             let heading = Heading {
                 station: parent,
                 axis: Some(axis),
@@ -273,9 +273,9 @@ impl Lower {
 }
 
 /// Whether two unit vectors are equal for all parameters: 1, or -1 if they are opposite; none where that cannot be proved.
-fn parallel(g: &mut Graph, a: Vec3, b: Vec3) -> Option<i64> {
+fn parallel(g: &Graph, a: Vec3, b: Vec3) -> Option<i64> {
     let mut normalizer = Normalizer::new(BUDGET);
-    let mut vanishes = |g: &mut Graph, v: Vec3| v.into_iter().all(|x| normalizer.is_zero(g, x) == Ok(true));
+    let mut vanishes = |g: &Graph, v: Vec3| v.into_iter().all(|x| normalizer.is_zero(g, x) == Ok(true));
     let difference = sub(g, a, b);
     if vanishes(g, difference) {
         return Some(1);

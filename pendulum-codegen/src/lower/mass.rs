@@ -48,13 +48,13 @@ impl Mass {
             Turns::Never => {}
             Turns::About(axis) => {
                 if let Some(included) = given.included {
-                    let along = mat_vec(&mut lower.graph, included.full(), axis);
-                    let included = dot(&mut lower.graph, axis, along);
+                    let along = mat_vec(&lower.graph, included.full(), axis);
+                    let included = dot(&lower.graph, axis, along);
                     let about_com = lower.graph.sub(given.moment, included);
                     lower.physical_about_axis(body, &given.tokens, given.moment, about_com);
                 }
-                let moment = Symmetric3::outer(&mut lower.graph, given.moment, axis);
-                rigid.about_origin = rigid.about_origin.plus(&mut lower.graph, moment);
+                let moment = Symmetric3::outer(&lower.graph, given.moment, axis);
+                rigid.about_origin = rigid.about_origin.plus(&lower.graph, moment);
             }
             Turns::Freely => {
                 let fact =
@@ -111,8 +111,8 @@ impl Lower {
             .as_ref()
             .map_or(Some([zero; 3]), |v| self.vector(v, &of("centre of mass")));
         let Some(inertia) = inertia else {
-            let none = Symmetric3::zero(&mut self.graph);
-            let rigid = SpatialInertia::of_body(&mut self.graph, mass?, com?, none);
+            let none = Symmetric3::zero(&self.graph);
+            let rigid = SpatialInertia::of_body(&self.graph, mass?, com?, none);
             return Some(Mass {
                 rigid,
                 about_axis: None,
@@ -120,7 +120,7 @@ impl Lower {
         };
         let moments = self.moments(owner, inertia, &of("inertia"));
         let (mass, com, moments) = (mass?, com?, moments?);
-        let g = &mut self.graph;
+        let g = &self.graph;
         let shift = Symmetric3::of_point(g, mass, com);
         let none = Symmetric3::zero(g);
         let mut rigid = SpatialInertia::of_body(g, mass, com, none);
@@ -147,9 +147,9 @@ impl Lower {
                 })
             }
             Moments::All(moments) => {
-                rigid.about_origin = rigid.about_origin.plus(&mut self.graph, moments);
+                rigid.about_origin = rigid.about_origin.plus(&self.graph, moments);
                 let about_com = if inertia.about_joint {
-                    moments.minus(&mut self.graph, shift)
+                    moments.minus(&self.graph, shift)
                 } else {
                     moments
                 };

@@ -38,7 +38,7 @@ struct Lower {
 
 /// The meaning of a scene. Errors are added to those of the reading.
 pub fn lower(scene: &Scene, errors: Errors) -> Result<Model, Errors> {
-    let mut graph = Graph::new();
+    let graph = Graph::new();
     let time = graph.symbol("t", SymbolKind::Time);
     let lower = Lower {
         graph,
@@ -210,7 +210,7 @@ impl Lower {
                 .declare(&mut self.errors, "coordinate", ident, Some(position));
             coordinates.push((name, position));
         }
-        let mut rate = |k: usize, name: &String| self.graph.symbol(&format!("dot({name})"), SymbolKind::Rate(k));
+        let rate = |k: usize, name: &String| self.graph.symbol(&format!("dot({name})"), SymbolKind::Rate(k));
         let rates: Vec<_> = coordinates
             .iter()
             .enumerate()
@@ -273,17 +273,17 @@ impl Lower {
                 self.heading(body, parent, geometry, own)
             });
         let motion = heading.as_ref().map(|(_, motion)| motion.clone()).unwrap_or_default();
-        let position = combine(&mut self.graph, coordinates, &motion, |c| c.position);
-        let rate = combine(&mut self.graph, coordinates, &motion, |c| c.rate);
+        let position = combine(&self.graph, coordinates, &motion, |c| c.position);
+        let rate = combine(&self.graph, coordinates, &motion, |c| c.rate);
         let forces = self.forces(body, position, rate);
         let ((heading, motion), geometry, (force, potential)) = (heading?, geometry?, forces?);
         let inertia = match mass? {
-            None => SpatialInertia::zero(&mut self.graph),
+            None => SpatialInertia::zero(&self.graph),
             Some(mass) => {
                 let turns = match (heading.station, heading.axis) {
                     (None, Some(axis)) => {
                         let back = transpose(heading.rest);
-                        Turns::About(mat_vec(&mut self.graph, back, axis))
+                        Turns::About(mat_vec(&self.graph, back, axis))
                     }
                     (None, None) => Turns::Never,
                     (Some(_), _) => Turns::Freely,

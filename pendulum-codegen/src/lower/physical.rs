@@ -49,7 +49,7 @@ impl Lower {
     /// (Traversaro et al. 2016), that is, when no principal minor of it is negative.
     pub(super) fn physical(&mut self, owner: &Ident, inertia: &Inertia, about_com: Symmetric3) {
         let diagonal = inertia.entries.len() == 3 && !inertia.about_joint;
-        for (n, (value, scale)) in minors(&mut self.graph, about_com).into_iter().enumerate() {
+        for (n, (value, scale)) in minors(&self.graph, about_com).into_iter().enumerate() {
             let requirement = Requirement::NonNegativeWithin(scale);
             if self.broken_by(value, requirement).is_some() {
                 let (fact, help) = match TRIANGLES.get(n) {
@@ -137,7 +137,7 @@ impl Lower {
 }
 
 /// The principal minors of `tr(J) - 2 J`, each with a number of the size of its terms.
-fn minors(g: &mut Graph, about_com: Symmetric3) -> [(ExprId, ExprId); 7] {
+fn minors(g: &Graph, about_com: Symmetric3) -> [(ExprId, ExprId); 7] {
     let [xx, yy, zz, xy, xz, yz] = about_com.0;
     let trace = sum(g, [xx, yy, zz]);
     let (square, cube) = (g.powi(trace, 2), g.powi(trace, 3));
@@ -150,7 +150,7 @@ fn minors(g: &mut Graph, about_com: Symmetric3) -> [(ExprId, ExprId); 7] {
         let twice = g.add(product, product);
         g.neg(twice)
     });
-    let mut minor = |p: ExprId, q: ExprId, off: ExprId| {
+    let minor = |p: ExprId, q: ExprId, off: ExprId| {
         let (product, square) = (g.mul(p, q), g.mul(off, off));
         g.sub(product, square)
     };

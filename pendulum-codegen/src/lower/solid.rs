@@ -23,10 +23,10 @@ impl Lower {
             );
             return None;
         }
-        let mut total = Some(SpatialInertia::zero(&mut self.graph));
+        let mut total = Some(SpatialInertia::zero(&self.graph));
         for solid in solids {
             let part = self.solid(owner, solid);
-            total = total.zip(part).map(|(total, part)| total.plus(&mut self.graph, &part));
+            total = total.zip(part).map(|(total, part)| total.plus(&self.graph, &part));
         }
         total
     }
@@ -75,8 +75,8 @@ impl Lower {
         match (kind.as_str(), rest) {
             ("point", [at]) => {
                 let at = self.triple(at, &place);
-                let zero = Symmetric3::zero(&mut self.graph);
-                Some(SpatialInertia::of_body(&mut self.graph, mass?, at?, zero))
+                let zero = Symmetric3::zero(&self.graph);
+                Some(SpatialInertia::of_body(&self.graph, mass?, at?, zero))
             }
             ("rod", [from, to]) => {
                 let (from, to) = (self.triple(from, &place), self.triple(to, &place));
@@ -86,15 +86,15 @@ impl Lower {
                 let (r, at) = (radius(self, r), self.triple(at, &place));
                 let quarter = self.times_square(mass?, r?, 4);
                 let half = self.graph.add(quarter, quarter);
-                let moments = Symmetric3::diagonal(&mut self.graph, [quarter, quarter, half]);
-                Some(SpatialInertia::of_body(&mut self.graph, mass?, at?, moments))
+                let moments = Symmetric3::diagonal(&self.graph, [quarter, quarter, half]);
+                Some(SpatialInertia::of_body(&self.graph, mass?, at?, moments))
             }
             ("sphere", [Argument::Scalar(r), at]) => {
                 let (r, at) = (radius(self, r), self.triple(at, &place));
                 let fifth = self.times_square(mass?, r?, 5);
                 let moment = self.graph.add(fifth, fifth);
-                let moments = Symmetric3::diagonal(&mut self.graph, [moment; 3]);
-                Some(SpatialInertia::of_body(&mut self.graph, mass?, at?, moments))
+                let moments = Symmetric3::diagonal(&self.graph, [moment; 3]);
+                Some(SpatialInertia::of_body(&self.graph, mass?, at?, moments))
             }
             ("cuboid", [size @ Argument::List(sides, _), at]) => {
                 let (size, at) = (self.triple(size, &place), self.triple(at, &place));
@@ -108,7 +108,7 @@ impl Lower {
                     );
                 }
                 let [x, y, z] = size.map(|side| self.times_square(mass, side, 12));
-                let g = &mut self.graph;
+                let g = &self.graph;
                 let moments = [g.add(y, z), g.add(x, z), g.add(x, y)];
                 let moments = Symmetric3::diagonal(g, moments);
                 Some(SpatialInertia::of_body(g, mass, at, moments))
@@ -117,8 +117,8 @@ impl Lower {
                 let (r, from, to) = (radius(self, r), self.triple(from, &place), self.triple(to, &place));
                 let (mass, r, from, to) = (mass?, r?, from?, to?);
                 let rod = self.rod(mass, from, to);
-                let axis = sub(&mut self.graph, to, from);
-                let length2 = dot(&mut self.graph, axis, axis);
+                let axis = sub(&self.graph, to, from);
+                let length2 = dot(&self.graph, axis, axis);
                 if self.graph.is_zero(length2) {
                     self.errors.at(
                         solid.kind.span(),
@@ -129,7 +129,7 @@ impl Lower {
                 }
                 // a rod, and a disk about the rod's direction u: m r^2/4 (1 + u u^T)
                 let quarter = self.times_square(mass, r, 4);
-                let g = &mut self.graph;
+                let g = &self.graph;
                 let along = g.div(quarter, length2);
                 let round = Symmetric3::diagonal(g, [quarter; 3]);
                 let axial = Symmetric3::outer(g, along, axis);
@@ -160,7 +160,7 @@ impl Lower {
 
     /// `mass * length^2 / divisor`
     fn times_square(&mut self, mass: ExprId, length: ExprId, divisor: i64) -> ExprId {
-        let g = &mut self.graph;
+        let g = &self.graph;
         let square = g.powi(length, 2);
         let product = g.mul(mass, square);
         let factor = g.number(ratio(1, divisor));
@@ -168,7 +168,7 @@ impl Lower {
     }
 
     fn rod(&mut self, mass: ExprId, from: Vec3, to: Vec3) -> SpatialInertia {
-        let g = &mut self.graph;
+        let g = &self.graph;
         let both = add(g, from, to);
         let half = g.number(ratio(1, 2));
         let middle = scale(g, half, both);
@@ -209,7 +209,7 @@ impl Lower {
             );
             return None;
         }
-        let g = &mut self.graph;
+        let g = &self.graph;
         let mut sums = [g.zero(); 6]; // 2 area, 6 area (x, y), 12 integrals of (x^2, y^2), 24 of xy
         for (n, &(x0, y0)) in corners.iter().enumerate() {
             let (x1, y1) = corners[(n + 1) % corners.len()];
@@ -228,7 +228,7 @@ impl Lower {
         }
         let density = g.div(mass, sums[0]); // mass / (2 area)
         let [_, x, y, xx, yy, xy] = sums;
-        let mut part = |total: ExprId, share: i64| {
+        let part = |total: ExprId, share: i64| {
             let factor = g.number(ratio(1, share));
             let product = g.mul(density, total);
             g.mul(factor, product)
@@ -261,7 +261,7 @@ impl Lower {
 }
 
 /// `a^2 + a b + b^2 = (a + b)^2 - a b`, written without a cancellation.
-fn squares(g: &mut Graph, a: ExprId, b: ExprId, sum_of_both: ExprId) -> ExprId {
+fn squares(g: &Graph, a: ExprId, b: ExprId, sum_of_both: ExprId) -> ExprId {
     let (a2, with_b) = (g.powi(a, 2), g.mul(b, sum_of_both));
     g.add(a2, with_b)
 }

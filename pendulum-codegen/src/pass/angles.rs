@@ -11,7 +11,7 @@ const MOST_TERMS: usize = 200;
 
 /// Rewrites a normal form with sums and differences of its angles wherever that leaves fewer terms. The result is equal in
 /// value, and shorter, but no longer canonical.
-pub fn collect(g: &mut Graph, normalizer: &mut Normalizer, poly: &Poly) -> Result<Poly, TooLarge> {
+pub fn collect(g: &Graph, normalizer: &mut Normalizer, poly: &Poly) -> Result<Poly, TooLarge> {
     if poly.len() > MOST_TERMS {
         return Err(TooLarge);
     }
@@ -23,7 +23,7 @@ pub fn collect(g: &mut Graph, normalizer: &mut Normalizer, poly: &Poly) -> Resul
 }
 
 /// The same, beginning with squares: `sin a - cos(a - b) sin b` hides that it is `cos b sin(a - b)`, which this finds.
-pub(super) fn collect_squares_first(g: &mut Graph, normalizer: &mut Normalizer, poly: &Poly) -> Result<Poly, TooLarge> {
+pub(crate) fn collect_squares_first(g: &Graph, normalizer: &mut Normalizer, poly: &Poly) -> Result<Poly, TooLarge> {
     if poly.len() > MOST_TERMS {
         return Err(TooLarge);
     }
@@ -42,7 +42,7 @@ struct Angle {
     cosine: ExprId,
 }
 
-fn step(g: &mut Graph, normalizer: &mut Normalizer, poly: &Poly) -> Result<Option<Poly>, TooLarge> {
+fn step(g: &Graph, normalizer: &mut Normalizer, poly: &Poly) -> Result<Option<Poly>, TooLarge> {
     for (monomial, coefficient) in poly.terms() {
         let angles = angles_of(g, monomial);
         for (n, &a) in angles.iter().enumerate() {
@@ -58,7 +58,7 @@ fn step(g: &mut Graph, normalizer: &mut Normalizer, poly: &Poly) -> Result<Optio
     Ok(squares(g, poly))
 }
 
-fn squares(g: &mut Graph, poly: &Poly) -> Option<Poly> {
+fn squares(g: &Graph, poly: &Poly) -> Option<Poly> {
     for (monomial, coefficient) in poly.terms() {
         for a in angles_of(g, monomial) {
             if let Some(shorter) = square(poly, (monomial, coefficient), a) {
@@ -69,7 +69,7 @@ fn squares(g: &mut Graph, poly: &Poly) -> Option<Poly> {
     None
 }
 
-fn angles_of(g: &mut Graph, monomial: &Monomial) -> Vec<Angle> {
+fn angles_of(g: &Graph, monomial: &Monomial) -> Vec<Angle> {
     let mut angles = BTreeSet::new();
     for &(atom, _) in monomial.powers() {
         if let Node::Unary(Unary::Sin | Unary::Cos, angle) = *g.node(atom)
@@ -84,7 +84,7 @@ fn angles_of(g: &mut Graph, monomial: &Monomial) -> Vec<Angle> {
 
 /// Two terms of the addition theorems, starting from `cos x cos y` or `sin x cos y`.
 fn pair(
-    g: &mut Graph,
+    g: &Graph,
     normalizer: &mut Normalizer,
     poly: &Poly,
     (monomial, coefficient): (&Monomial, &Rational),

@@ -8,7 +8,7 @@ use crate::expr::{ExprId, Graph, Level, Normalizer};
 const BUDGET: usize = 100_000;
 
 /// The roots with every constant operand of something that varies replaced by its normal form.
-pub(super) fn fold(g: &mut Graph, roots: &[ExprId]) -> Vec<ExprId> {
+pub(crate) fn fold(g: &Graph, roots: &[ExprId]) -> Vec<ExprId> {
     let mut normalizer = Normalizer::new(BUDGET);
     let mut folded = HashMap::new();
     for id in g.reachable(roots) {

@@ -83,7 +83,7 @@ impl Operations {
     }
 
     /// The part of the work in which the forms of one function differ: they hardly do in their sines.
-    pub(super) fn arithmetic(&self) -> usize {
+    pub(crate) fn arithmetic(&self) -> usize {
         self.additions + self.multiplications + 6 * self.divisions
     }
 }

@@ -9,7 +9,7 @@ use crate::expr::{ExprId, Graph, Level, Monomial, Normalizer, Poly, Rational};
 
 /// A product with a sign: factors may repeat.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(super) struct Term {
+pub(crate) struct Term {
     negative: bool,
     factors: Vec<ExprId>,
 }
@@ -32,7 +32,7 @@ impl Preference {
 
 /// The terms of a polynomial, one for each product of state quantities. What multiplies it becomes one constant, up to a
 /// rational factor, so that equal combinations of parameters are the same constant everywhere.
-pub(super) fn terms(g: &mut Graph, normalizer: &Normalizer, poly: &Poly) -> Vec<Term> {
+pub(crate) fn terms(g: &Graph, normalizer: &Normalizer, poly: &Poly) -> Vec<Term> {
     let mut by_state: BTreeMap<Monomial, Poly> = BTreeMap::new();
     for (monomial, coefficient) in poly.terms() {
         let (state, parameters) = monomial.partition(|atom| g.level(atom) == Level::State);
@@ -78,7 +78,7 @@ fn content(poly: &Poly) -> Rational {
 }
 
 /// The polynomial of terms, in which constants are atoms.
-pub(super) fn polynomial(g: &Graph, terms: &[Term]) -> Poly {
+pub(crate) fn polynomial(g: &Graph, terms: &[Term]) -> Poly {
     let mut poly = Poly::default();
     for term in terms {
         let mut coefficient = if term.negative {
@@ -99,7 +99,7 @@ pub(super) fn polynomial(g: &Graph, terms: &[Term]) -> Poly {
 }
 
 /// The expression of terms, with the most frequent factors drawn out.
-pub(super) fn factor(g: &mut Graph, terms: &[Term], preference: Preference) -> ExprId {
+pub(crate) fn factor(g: &Graph, terms: &[Term], preference: Preference) -> ExprId {
     let common = match preference {
         Preference::Expanded => None,
         _ if terms.len() < 2 => None,

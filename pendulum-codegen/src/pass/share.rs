@@ -37,7 +37,7 @@ const MOST_POWER: i64 = 16;
 
 /// Rewrites the roots so that common parts are shared. Their values do not change, up to rounding. `factor` says that factors which
 /// terms of one sum share are drawn out first: that saves products, and may hide others that sums share.
-pub fn share(g: &mut Graph, roots: &[ExprId], factor: bool) -> Vec<ExprId> {
+pub fn share(g: &Graph, roots: &[ExprId], factor: bool) -> Vec<ExprId> {
     let mut parts = Parts::new(g, roots);
     let apart: Vec<Operand> = roots.iter().map(|&root| parts.take(g, root)).collect();
     if factor {
@@ -105,7 +105,7 @@ impl Parts {
     }
 
     /// Takes an expression apart.
-    fn take(&mut self, g: &mut Graph, id: ExprId) -> Operand {
+    fn take(&mut self, g: &Graph, id: ExprId) -> Operand {
         if let Some(&taken) = self.taken.get(&id) {
             return taken;
         }
@@ -118,7 +118,7 @@ impl Parts {
         operand
     }
 
-    fn leaf(&mut self, g: &mut Graph, id: ExprId) -> Operand {
+    fn leaf(&mut self, g: &Graph, id: ExprId) -> Operand {
         let negative = match g.node(id) {
             Node::Number(n) => n.is_negative(),
             Node::Unary(Unary::Neg, _) => true,
@@ -128,7 +128,7 @@ impl Parts {
         (self.item(Item::Leaf(positive), true), negative)
     }
 
-    fn take_state(&mut self, g: &mut Graph, id: ExprId) -> Operand {
+    fn take_state(&mut self, g: &Graph, id: ExprId) -> Operand {
         match g.node(id).clone() {
             Node::Number(_) | Node::Pi | Node::Symbol(_) => (self.item(Item::Leaf(id), false), false),
             Node::Unary(Unary::Neg, a) => {
@@ -166,7 +166,7 @@ impl Parts {
         }
     }
 
-    fn power(&mut self, g: &mut Graph, base: ExprId, exponent: &Rational) -> Operand {
+    fn power(&mut self, g: &Graph, base: ExprId, exponent: &Rational) -> Operand {
         if exponent.is_negative() {
             let one = g.one();
             let inverse = g.power(base, -exponent);
@@ -185,7 +185,7 @@ impl Parts {
     }
 
     /// An item of the value itself, its sign included.
-    fn unsigned(&mut self, g: &mut Graph, id: ExprId) -> Ref {
+    fn unsigned(&mut self, g: &Graph, id: ExprId) -> Ref {
         match self.take(g, id) {
             (item, false) => item,
             (item, true) => {
@@ -195,7 +195,7 @@ impl Parts {
         }
     }
 
-    fn gather_sum(&mut self, g: &mut Graph, id: ExprId, negative: bool, top: bool, operands: &mut Vec<Operand>) {
+    fn gather_sum(&mut self, g: &Graph, id: ExprId, negative: bool, top: bool, operands: &mut Vec<Operand>) {
         let inside = top || (self.uses[&id] == 1 && g.level(id) == Level::State);
         match *g.node(id) {
             Node::Binary(Binary::Add, a, b) if inside => {
@@ -215,7 +215,7 @@ impl Parts {
     }
 
     /// Collects the factors, and tells whether their product counts negative.
-    fn gather_product(&mut self, g: &mut Graph, id: ExprId, top: bool, factors: &mut Vec<Ref>) -> bool {
+    fn gather_product(&mut self, g: &Graph, id: ExprId, top: bool, factors: &mut Vec<Ref>) -> bool {
         let inside = top || (self.uses[&id] == 1 && g.level(id) == Level::State);
         match g.node(id).clone() {
             Node::Binary(Binary::Mul, a, b) if inside => {
@@ -271,7 +271,7 @@ impl Parts {
     }
 
     /// The expression of an item with the sign put somewhere.
-    fn finish(&self, g: &mut Graph, built: &mut Built, item: Ref, negative: bool) -> ExprId {
+    fn finish(&self, g: &Graph, built: &mut Built, item: Ref, negative: bool) -> ExprId {
         let (id, own) = self.build(g, built, item);
         if own == negative {
             return id;
@@ -291,11 +291,11 @@ impl Parts {
     }
 
     /// The expression of an item, and whether it counts negative.
-    fn build(&self, g: &mut Graph, built: &mut Built, item: Ref) -> (ExprId, bool) {
+    fn build(&self, g: &Graph, built: &mut Built, item: Ref) -> (ExprId, bool) {
         if let Some(known) = built[item] {
             return known;
         }
-        let mut value = |g: &mut Graph, item: Ref| self.finish(g, built, item, false);
+        let mut value = |g: &Graph, item: Ref| self.finish(g, built, item, false);
         let result = match &self.items[item] {
             Item::Leaf(id) => (*id, false),
             Item::Unary(op, a) => {
@@ -321,7 +321,7 @@ impl Parts {
         result
     }
 
-    fn build_sum(&self, g: &mut Graph, built: &mut Built, operands: &[Operand]) -> (ExprId, bool) {
+    fn build_sum(&self, g: &Graph, built: &mut Built, operands: &[Operand]) -> (ExprId, bool) {
         let mut terms = Vec::new();
         for &(item, minus) in operands {
             let (id, own) = self.build(g, built, item);
@@ -331,7 +331,7 @@ impl Parts {
     }
 
     /// A sum of terms with signs: its value, and whether it counts negative.
-    fn join(&self, g: &mut Graph, terms: Vec<(ExprId, bool)>) -> (ExprId, bool) {
+    fn join(&self, g: &Graph, terms: Vec<(ExprId, bool)>) -> (ExprId, bool) {
         let (mut constant, mut positive, mut negative) = (g.zero(), Vec::new(), Vec::new());
         for (id, minus) in terms {
             match (g.level(id) < Level::State, minus) {
@@ -365,7 +365,7 @@ impl Parts {
         )
     }
 
-    fn build_product(&self, g: &mut Graph, built: &mut Built, factors: &[Operand]) -> (ExprId, bool) {
+    fn build_product(&self, g: &Graph, built: &mut Built, factors: &[Operand]) -> (ExprId, bool) {
         if let Some(sum) = self.distributed(g, built, factors) {
             return sum;
         }
@@ -462,7 +462,7 @@ impl Parts {
     }
 
     /// `k (k1 x + k2 y)` as `(k k1) x + (k k2) y`, where that saves the multiplication by `k`.
-    fn distributed(&self, g: &mut Graph, built: &mut Built, factors: &[Operand]) -> Option<(ExprId, bool)> {
+    fn distributed(&self, g: &Graph, built: &mut Built, factors: &[Operand]) -> Option<(ExprId, bool)> {
         let (constants, state): (Vec<Operand>, Vec<Operand>) =
             factors.iter().partition(|(item, _)| self.constant[*item]);
         let &[(sum, _)] = &state[..] else { return None };

@@ -11,7 +11,7 @@ type Angle = BTreeMap<ExprId, i64>;
 
 /// Replaces sines and cosines of sums of coordinates by products of others that are there anyway. A call costs as much as
 /// dozens of multiplications, the addition theorem three operations.
-pub(super) fn lower(g: &mut Graph, roots: &[ExprId]) -> Vec<ExprId> {
+pub(crate) fn lower(g: &Graph, roots: &[ExprId]) -> Vec<ExprId> {
     let mut needed: BTreeSet<ExprId> = BTreeSet::new();
     for id in g.reachable(roots) {
         if let Node::Unary(Unary::Sin | Unary::Cos, angle) = *g.node(id) {
@@ -37,7 +37,7 @@ pub(super) fn lower(g: &mut Graph, roots: &[ExprId]) -> Vec<ExprId> {
 }
 
 /// Sine and cosine of `angle` as a sum or difference of two available angles.
-fn derived(g: &mut Graph, angle: &Angle, available: &[(Angle, ExprId, ExprId)]) -> Option<(ExprId, ExprId)> {
+fn derived(g: &Graph, angle: &Angle, available: &[(Angle, ExprId, ExprId)]) -> Option<(ExprId, ExprId)> {
     for (n, (a, sin_a, cos_a)) in available.iter().enumerate() {
         for (b, sin_b, cos_b) in &available[n..] {
             for (first, second) in [(1, 1), (1, -1), (-1, 1)] {
@@ -70,7 +70,7 @@ fn scaled_sum(a: &Angle, first: i64, b: &Angle, second: i64) -> Angle {
 }
 
 /// The angle as a combination of coordinates, if it is one with integer factors.
-fn combination(g: &mut Graph, id: ExprId) -> Option<Angle> {
+fn combination(g: &Graph, id: ExprId) -> Option<Angle> {
     const BUDGET: usize = 10_000;
     if g.level(id) != Level::State {
         return None;

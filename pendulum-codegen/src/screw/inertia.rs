@@ -20,7 +20,7 @@ pub struct SpatialInertia {
 
 impl SpatialInertia {
     /// Nothing.
-    pub fn zero(g: &mut Graph) -> Self {
+    pub fn zero(g: &Graph) -> Self {
         let zero = g.zero();
         Self {
             mass: zero,
@@ -30,7 +30,7 @@ impl SpatialInertia {
     }
 
     /// A body by its mass, its centre of mass and its rotational inertia about the centre of mass.
-    pub fn of_body(g: &mut Graph, mass: ExprId, com: Vec3, about_com: Symmetric3) -> Self {
+    pub fn of_body(g: &Graph, mass: ExprId, com: Vec3, about_com: Symmetric3) -> Self {
         let shift = Symmetric3::of_point(g, mass, com);
         Self {
             mass,
@@ -40,7 +40,7 @@ impl SpatialInertia {
     }
 
     /// The sum of two inertias written in the same frame.
-    pub fn plus(&self, g: &mut Graph, other: &Self) -> Self {
+    pub fn plus(&self, g: &Graph, other: &Self) -> Self {
         Self {
             mass: g.add(self.mass, other.mass),
             moment: add(g, self.moment, other.moment),
@@ -49,7 +49,7 @@ impl SpatialInertia {
     }
 
     /// The momentum along a twist: `(I w + h x v ; m v - h x w)`.
-    pub fn momentum(&self, g: &mut Graph, twist: &Twist) -> Wrench {
+    pub fn momentum(&self, g: &Graph, twist: &Twist) -> Wrench {
         let spin = mat_vec(g, self.about_origin.full(), twist.angular);
         let shift = cross(g, self.moment, twist.linear);
         let linear = scale(g, self.mass, twist.linear);

@@ -20,10 +20,10 @@ pub struct MassMoments {
 
 impl MassMoments {
     /// The moments of a spatial inertia: `S = tr(J)/2 - J`.
-    pub fn new(g: &mut Graph, inertia: &SpatialInertia) -> Self {
+    pub fn new(g: &Graph, inertia: &SpatialInertia) -> Self {
         let [xx, yy, zz, xy, xz, yz] = inertia.about_origin.0;
         let half = g.number(ratio(1, 2));
-        let diagonal = |g: &mut Graph, p: ExprId, q: ExprId, own: ExprId| {
+        let diagonal = |g: &Graph, p: ExprId, q: ExprId, own: ExprId| {
             let others = g.add(p, q);
             let twice = g.sub(others, own);
             g.mul(half, twice)
@@ -43,7 +43,7 @@ impl MassMoments {
     }
 
     /// The rotational inertia about the origin: `J = tr(S) 1 - S`.
-    pub fn rotational(&self, g: &mut Graph) -> Symmetric3 {
+    pub fn rotational(&self, g: &Graph) -> Symmetric3 {
         let Symmetric3([xx, yy, zz, xy, xz, yz]) = self.second;
         let diagonal = [g.add(yy, zz), g.add(xx, zz), g.add(xx, yy)];
         let [xy, xz, yz] = [xy, xz, yz].map(|x| g.neg(x));
@@ -51,7 +51,7 @@ impl MassMoments {
     }
 
     /// The sum of two.
-    pub fn plus(&self, g: &mut Graph, other: &Self) -> Self {
+    pub fn plus(&self, g: &Graph, other: &Self) -> Self {
         Self {
             mass: g.add(self.mass, other.mass),
             first: add(g, self.first, other.first),
@@ -60,7 +60,7 @@ impl MassMoments {
     }
 
     /// The same mass, seen from a frame in which its own frame is turned by `rotation`.
-    pub fn rotated(&self, g: &mut Graph, rotation: Mat3) -> Self {
+    pub fn rotated(&self, g: &Graph, rotation: Mat3) -> Self {
         Self {
             mass: self.mass,
             first: mat_vec(g, rotation, self.first),
@@ -69,7 +69,7 @@ impl MassMoments {
     }
 
     /// The same mass, seen from a frame in which its own frame sits at `p`: `S + p h^T + h p^T + m p p^T`.
-    pub fn moved(&self, g: &mut Graph, p: Vec3) -> Self {
+    pub fn moved(&self, g: &Graph, p: Vec3) -> Self {
         let h = self.first;
         let carried = scale(g, self.mass, p);
         let first = add(g, h, carried);
@@ -97,7 +97,7 @@ pub struct Turn {
 
 impl Turn {
     /// A vector of the turned frame, in the frame that it is turned in.
-    pub fn forward(self, g: &mut Graph, [x, y, z]: Vec3) -> Vec3 {
+    pub fn forward(self, g: &Graph, [x, y, z]: Vec3) -> Vec3 {
         let (cx, sy, sx, cy) = (
             g.mul(self.cosine, x),
             g.mul(self.sine, y),
@@ -108,7 +108,7 @@ impl Turn {
     }
 
     /// A symmetric tensor of the turned frame, in the frame that it is turned in.
-    pub fn forward_tensor(self, g: &mut Graph, tensor: Symmetric3) -> Symmetric3 {
+    pub fn forward_tensor(self, g: &Graph, tensor: Symmetric3) -> Symmetric3 {
         let Symmetric3([xx, yy, zz, xy, xz, yz]) = tensor;
         let [xz, yz, _] = self.forward(g, [xz, yz, zz]);
         // with d = xx - yy: xx' = yy + c (c d - 2 s xy), yy' = xx - c (..), xy' = xy + s (..)
@@ -121,7 +121,7 @@ impl Turn {
     }
 
     /// The inverse of [`Turn::forward`].
-    pub fn back(self, g: &mut Graph, v: Vec3) -> Vec3 {
+    pub fn back(self, g: &Graph, v: Vec3) -> Vec3 {
         Self {
             sine: g.neg(self.sine),
             cosine: self.cosine,

@@ -15,7 +15,7 @@ pub struct Transform {
 
 impl Transform {
     /// No displacement.
-    pub fn identity(g: &mut Graph) -> Self {
+    pub fn identity(g: &Graph) -> Self {
         Self {
             rotation: identity(g),
             translation: [g.zero(); 3],
@@ -23,7 +23,7 @@ impl Transform {
     }
 
     /// `a_from_c = a_from_b * b_from_c`.
-    pub fn then(&self, g: &mut Graph, b_from_c: &Self) -> Self {
+    pub fn then(&self, g: &Graph, b_from_c: &Self) -> Self {
         Self {
             rotation: mat_mul(g, self.rotation, b_from_c.rotation),
             translation: self.point(g, b_from_c.translation),
@@ -31,13 +31,13 @@ impl Transform {
     }
 
     /// A point of `b`, in `a`.
-    pub fn point(&self, g: &mut Graph, point: Vec3) -> Vec3 {
+    pub fn point(&self, g: &Graph, point: Vec3) -> Vec3 {
         let turned = mat_vec(g, self.rotation, point);
         add(g, turned, self.translation)
     }
 
     /// A twist written in `b`, in `a` (the adjoint).
-    pub fn twist(&self, g: &mut Graph, twist: &Twist) -> Twist {
+    pub fn twist(&self, g: &Graph, twist: &Twist) -> Twist {
         let angular = mat_vec(g, self.rotation, twist.angular);
         let linear = mat_vec(g, self.rotation, twist.linear);
         let moment = cross(g, self.translation, angular);
@@ -48,7 +48,7 @@ impl Transform {
     }
 
     /// A twist written in `a`, in `b` (the inverse adjoint).
-    pub fn twist_back(&self, g: &mut Graph, twist: &Twist) -> Twist {
+    pub fn twist_back(&self, g: &Graph, twist: &Twist) -> Twist {
         let back = transpose(self.rotation);
         let moment = cross(g, self.translation, twist.angular);
         let linear = sub(g, twist.linear, moment);
@@ -59,12 +59,12 @@ impl Transform {
     }
 
     /// A vector without a place, such as gravity, written in `a`, in `b`.
-    pub fn vector_back(&self, g: &mut Graph, vector: Vec3) -> Vec3 {
+    pub fn vector_back(&self, g: &Graph, vector: Vec3) -> Vec3 {
         mat_vec(g, transpose(self.rotation), vector)
     }
 
     /// A spatial inertia written in `b`, in `a`.
-    pub fn inertia(&self, g: &mut Graph, inertia: &SpatialInertia) -> SpatialInertia {
+    pub fn inertia(&self, g: &Graph, inertia: &SpatialInertia) -> SpatialInertia {
         let p = self.translation;
         let turned = inertia.about_origin.rotated(g, self.rotation);
         let moment = mat_vec(g, self.rotation, inertia.moment);
@@ -88,13 +88,13 @@ impl Transform {
 }
 
 /// The unit matrix.
-pub(crate) fn identity(g: &mut Graph) -> Mat3 {
+pub(crate) fn identity(g: &Graph) -> Mat3 {
     let (zero, one) = (g.zero(), g.one());
     [[one, zero, zero], [zero, one, zero], [zero, zero, one]]
 }
 
 /// The rotation by `angle` about a unit vector (Rodrigues).
-pub(crate) fn rotation(g: &mut Graph, axis: Vec3, angle: ExprId) -> Mat3 {
+pub(crate) fn rotation(g: &Graph, axis: Vec3, angle: ExprId) -> Mat3 {
     let (sine, cosine) = (g.unary(Unary::Sin, angle), g.unary(Unary::Cos, angle));
     let one = g.one();
     let versine = g.sub(one, cosine);

@@ -24,7 +24,7 @@ pub struct Wrench {
 
 impl Wrench {
     /// The sum of two wrenches about the same origin.
-    pub fn plus(&self, g: &mut Graph, other: &Self) -> Self {
+    pub fn plus(&self, g: &Graph, other: &Self) -> Self {
         Self {
             moment: add(g, self.moment, other.moment),
             force: add(g, self.force, other.force),
@@ -32,7 +32,7 @@ impl Wrench {
     }
 
     /// `factor` times the wrench.
-    pub fn scaled(&self, g: &mut Graph, factor: ExprId) -> Self {
+    pub fn scaled(&self, g: &Graph, factor: ExprId) -> Self {
         Self {
             moment: scale(g, factor, self.moment),
             force: scale(g, factor, self.force),
@@ -40,7 +40,7 @@ impl Wrench {
     }
 
     /// The power of the wrench along a twist.
-    pub fn power(&self, g: &mut Graph, twist: &Twist) -> ExprId {
+    pub fn power(&self, g: &Graph, twist: &Twist) -> ExprId {
         let rotation = dot(g, self.moment, twist.angular);
         let translation = dot(g, self.force, twist.linear);
         g.add(rotation, translation)
@@ -48,7 +48,7 @@ impl Wrench {
 }
 
 /// `[a, b] = (a_w x b_w ; a_v x b_w + a_w x b_v)`.
-pub fn bracket(g: &mut Graph, a: &Twist, b: &Twist) -> Twist {
+pub fn bracket(g: &Graph, a: &Twist, b: &Twist) -> Twist {
     let angular = cross(g, a.angular, b.angular);
     let (left, right) = (cross(g, a.linear, b.angular), cross(g, a.angular, b.linear));
     Twist {

@@ -22,12 +22,12 @@ pub fn dynamics(declaration: &str) -> (Model, Dynamics) {
 }
 
 /// A formula written by hand, in the symbols of a model.
-pub fn formula(model: &mut Model, text: &str) -> ExprId {
+pub fn formula(model: &Model, text: &str) -> ExprId {
     let expr: Expr = syn::parse_str(text).unwrap_or_else(|error| panic!("{text}: {error}"));
     read(model, &expr)
 }
 
-fn read(model: &mut Model, expr: &Expr) -> ExprId {
+fn read(model: &Model, expr: &Expr) -> ExprId {
     match &expr.kind {
         ExprKind::Number(value) => model.graph.number(value.clone()),
         ExprKind::Name(name) if name == "pi" => model.graph.pi(),
@@ -79,15 +79,15 @@ pub fn symbol(model: &Model, name: &str) -> ExprId {
 }
 
 /// The normal form as text: equal for two expressions exactly when they are equal.
-pub fn normal_text(model: &mut Model, x: ExprId) -> String {
+pub fn normal_text(model: &Model, x: ExprId) -> String {
     let mut normalizer = Normalizer::new(BUDGET);
-    let normal = normalizer.normal(&mut model.graph, x).expect("small enough");
-    let x = normalizer.to_expr(&mut model.graph, &normal);
+    let normal = normalizer.normal(&model.graph, x).expect("small enough");
+    let x = normalizer.to_expr(&model.graph, &normal);
     Printer::new(&model.graph).print(x)
 }
 
 /// Asserts that an expression equals a formula in symbols.
-pub fn assert_formula(model: &mut Model, what: &str, x: ExprId, text: &str) {
+pub fn assert_formula(model: &Model, what: &str, x: ExprId, text: &str) {
     let hand = formula(model, text);
     let difference = model.graph.sub(x, hand);
     assert_eq!(normal_text(model, difference), "0", "{what} is not {text}");

@@ -5,6 +5,7 @@ use nalgebra::{SMatrix, SVector};
 use crate::control::Tolerance;
 use crate::dense::Step;
 use crate::error::Reason;
+use crate::linear::{image, square};
 use crate::method::explicit::Stages;
 use crate::method::rosenbrock::LinearStages;
 use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
@@ -169,17 +170,11 @@ impl<const N: usize, T: Float> Switch<N, T> {
 /// A pair of complex ones makes `v` turn on and on: the mean over some iterations smooths that.
 fn fastest_rate<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, v: &mut SVector<T, N>) -> T {
     const ITERATIONS: i32 = 4;
-    let size = |v: &SVector<T, N>| v.iter().fold(T::default(), |sum, &v| sum + v * v).sqrt();
     let mut product = T::from_f64(1.0);
     for _ in 0..ITERATIONS {
-        let before = size(v);
-        let mut image: SVector<T, N> = SVector::from_element(T::default());
-        for (column, &v) in matrix.data.0.iter().zip(v.iter()) {
-            for (image, &entry) in image.iter_mut().zip(column) {
-                *image += entry * v;
-            }
-        }
-        let after = size(&image);
+        let before = square(v).sqrt();
+        let image = image(matrix, v);
+        let after = square(&image).sqrt();
         if !(after.is_finite() && after > T::default() && before > T::default()) {
             *v = SVector::from_element(T::from_f64(1.0));
             return T::default();

@@ -7,6 +7,7 @@ use nalgebra::SVector;
 use crate::control::Tolerance;
 use crate::dense::Step;
 use crate::error::Reason;
+use crate::linear::square;
 use crate::method::input::refuse_tolerance;
 use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
 use crate::real::{Float, Real};
@@ -81,9 +82,8 @@ where
             );
             &difference(B::TABLEAU.b, B::TABLEAU.a[STAGES - 2])
         };
-        let size = |v: SVector<T, N>| v.iter().fold(T::default(), |sum, &v| sum + v * v).sqrt();
-        let apart = size(weighted_sum(h, weights, STAGES, &self.stages));
-        let change = size(self.stages[STAGES - 1] - self.stages[STAGES - 2]);
+        let apart = square(&weighted_sum(h, weights, STAGES, &self.stages)).sqrt();
+        let change = square(&(self.stages[STAGES - 1] - self.stages[STAGES - 2])).sqrt();
         if apart > T::default() {
             h.abs() * change / apart
         } else {

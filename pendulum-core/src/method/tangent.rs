@@ -5,6 +5,7 @@ use nalgebra::SVector;
 use crate::control::Tolerance;
 use crate::dense::Step;
 use crate::error::Reason;
+use crate::linear::{image, square};
 use crate::method::explicit::{Explicit, Stages, shifted, weighted_sum};
 use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
 use crate::real::Float;
@@ -76,7 +77,7 @@ where
             let jacobian = system.jacobian(t + h * T::from_f64(tableau.c[i]), &x);
             for (tangent, rates) in self.tangents.iter().zip(&mut self.rates) {
                 let tangent = shifted(tangent, &weighted_sum(h, row, i, rates));
-                rates[i] = image(&jacobian.data.0, &tangent);
+                rates[i] = image(&jacobian, &tangent);
             }
         }
         let mut largest = T::default();
@@ -90,21 +91,6 @@ where
         }
         largest
     }
-}
-
-/// The product of a matrix, given by its columns, and a vector.
-fn image<T: Float, const N: usize>(columns: &[[T; N]; N], vector: &SVector<T, N>) -> SVector<T, N> {
-    let mut image = [T::default(); N];
-    for (column, &factor) in columns.iter().zip(vector.iter()) {
-        for (image, &entry) in image.iter_mut().zip(column) {
-            *image += entry * factor;
-        }
-    }
-    SVector::from(image)
-}
-
-fn square<T: Float, const N: usize>(vector: &SVector<T, N>) -> T {
-    vector.iter().fold(T::default(), |sum, &v| sum + v * v)
 }
 
 impl<B, S, T, const STAGES: usize, const K: usize, const N: usize> Scheme<S, T, N> for Bundle<B, STAGES, K, N, T>

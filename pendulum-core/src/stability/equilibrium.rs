@@ -30,6 +30,19 @@ pub enum Stability {
     Undecided,
 }
 
+impl Stability {
+    /// What the growths of small motions tell, each given with its uncertainty.
+    pub(super) fn of(growths: impl Iterator<Item = (f64, f64)> + Clone) -> Self {
+        if growths.clone().any(|(growth, uncertainty)| growth > uncertainty) {
+            Self::Unstable
+        } else if growths.clone().all(|(growth, uncertainty)| growth < -uncertainty) {
+            Self::AsymptoticallyStable
+        } else {
+            Self::Undecided
+        }
+    }
+}
+
 impl<const N: usize> Equilibrium<N> {
     /// The linearisation at a state that is known to be one of rest.
     pub(super) fn at<S>(system: &S, x: SVector<f64, N>) -> Result<Self, StabilityError>
@@ -44,14 +57,8 @@ impl<const N: usize> Equilibrium<N> {
     /// What the eigenvalues tell, as far as rounding errors allow.
     #[must_use]
     pub fn stability(&self) -> Stability {
-        let modes = self.spectrum.modes();
-        if modes.iter().any(|mode| mode.growth_rate() > mode.uncertainty) {
-            Stability::Unstable
-        } else if modes.iter().all(|mode| mode.growth_rate() < -mode.uncertainty) {
-            Stability::AsymptoticallyStable
-        } else {
-            Stability::Undecided
-        }
+        let modes = self.spectrum.modes().iter();
+        Stability::of(modes.map(|mode| (mode.growth_rate(), mode.uncertainty)))
     }
 }
 

@@ -180,11 +180,10 @@ where
         let system = (self.family.member)(parameter)?;
         let period = self.period(u, parameter);
         let lap = Lap::run(&system, (x, period), self.tolerance, &self.angles)?;
-        let along = if self.is_free() {
-            Some(direction(&system, &x, period, self.tolerance)?)
-        } else {
-            None
-        };
+        let along = self
+            .is_free()
+            .then(|| direction(&system, &x, period, self.tolerance))
+            .transpose()?;
         PeriodicOrbit::new((x, period, lap.turns), lap.monodromy, along, self.tolerance)
     }
 

@@ -85,21 +85,8 @@ impl<const N: usize> PeriodicOrbit<N> {
     /// are unstable or undecided.
     #[must_use]
     pub fn stability(&self) -> Stability {
-        if self
-            .nontrivial
-            .iter()
-            .any(|multiplier| multiplier.excess() > multiplier.uncertainty)
-        {
-            Stability::Unstable
-        } else if self
-            .nontrivial
-            .iter()
-            .all(|multiplier| multiplier.excess() < -multiplier.uncertainty)
-        {
-            Stability::AsymptoticallyStable
-        } else {
-            Stability::Undecided
-        }
+        let multipliers = self.nontrivial.iter();
+        Stability::of(multipliers.map(|multiplier| (multiplier.excess(), multiplier.uncertainty)))
     }
 }
 

@@ -152,11 +152,9 @@ impl Shooting {
                 residual: lap.gap.amax(),
             });
         }
-        let along = if autonomous {
-            Some(direction(system, &x, period, self.tolerance)?)
-        } else {
-            None
-        };
+        let along = autonomous
+            .then(|| direction(system, &x, period, self.tolerance))
+            .transpose()?;
         PeriodicOrbit::new((x, period, lap.turns), lap.monodromy, along, self.tolerance)
     }
 

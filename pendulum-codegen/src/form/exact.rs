@@ -8,10 +8,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use num_traits::One;
 
-use super::angles::{collect, collect_squares_first};
-use super::factor::{Preference, Term, factor, terms};
 use crate::dynamics::Dynamics;
 use crate::expr::{ExprId, Graph, Level, Monomial, Node, Normalizer, Poly, Rational, TooLarge, Unary, ratio};
+use crate::pass::factor::{Preference, Term, factor, terms};
+use crate::pass::{collect, collect_squares_first};
 
 /// The residual of two coordinates, in what cancels when the second is eliminated and what does not.
 #[derive(Debug)]
@@ -26,11 +26,7 @@ pub(super) struct Eliminated {
 
 impl Eliminated {
     /// Eliminates the second of two coordinates, whose own inertia is constant; none if it is not, or if they are not coupled.
-    pub(super) fn new(
-        g: &mut Graph,
-        normalizer: &mut Normalizer,
-        dynamics: &Dynamics,
-    ) -> Result<Option<Self>, TooLarge> {
+    pub(super) fn new(g: &Graph, normalizer: &mut Normalizer, dynamics: &Dynamics) -> Result<Option<Self>, TooLarge> {
         let ([_, row], &[first, last]) = (&dynamics.mass_matrix[..], &dynamics.residual[..]) else {
             return Ok(None);
         };
@@ -80,7 +76,7 @@ impl Eliminated {
     /// The accelerations, for a determinant in which nothing cancels either.
     pub(super) fn accelerations(
         &self,
-        g: &mut Graph,
+        g: &Graph,
         dynamics: &Dynamics,
         determinant: ExprId,
         preference: Preference,
@@ -105,7 +101,7 @@ impl Eliminated {
 
 /// `a11 r0 - a01 r1`, and how many terms the two products have; the matrix begins with `a11` and `a01`.
 fn difference(
-    g: &mut Graph,
+    g: &Graph,
     normalizer: &mut Normalizer,
     matrix: &[Poly],
     first: &Poly,
@@ -119,7 +115,7 @@ fn difference(
 }
 
 /// For each product of parameters the shortest way to write what two equal polynomials have.
-fn shortest(g: &mut Graph, normalizer: &mut Normalizer, base: &Poly, sums: &Poly) -> Result<Poly, TooLarge> {
+fn shortest(g: &Graph, normalizer: &mut Normalizer, base: &Poly, sums: &Poly) -> Result<Poly, TooLarge> {
     let [base, sums] = [base, sums].map(|poly| split(poly, |atom| g.level(atom) != Level::State));
     let mut whole = Poly::default();
     for (coefficient, angles) in base {

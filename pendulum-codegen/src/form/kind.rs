@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use super::Preference;
 use crate::dynamics::Solver;
+use crate::pass::Preference;
 
 /// A form of one function.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -2,12 +2,12 @@
 
 use std::collections::{HashMap, HashSet};
 
-use super::form::Form;
 use super::series::{Recurrences, Symbols};
-use super::{Forms, Operations, factorings, share, trig};
+use super::{Form, Forms, factorings};
 use crate::dynamics::{Dynamics, Factored};
 use crate::expr::{ExprId, Graph, Level};
 use crate::model::Model;
+use crate::pass::{Operations, share, trig};
 
 /// Code for the coefficients of a motion `x_0, x_1, ..` in powers of time.
 ///
@@ -36,7 +36,7 @@ const HOPELESS: [usize; 2] = [3, 2];
 
 impl Forms {
     /// The shortest code for the coefficients of the motion.
-    pub fn taylor(&self, model: &mut Model) -> Taylor {
+    pub fn taylor(&self, model: &Model) -> Taylor {
         let mut symbols = Symbols::new(model);
         let mut candidates: Vec<(Form, Dynamics, Option<ExprId>, usize)> = Vec::new();
         for (basis, dynamics, determinant) in &self.forms {
@@ -49,11 +49,11 @@ impl Forms {
             let mut ways = vec![dynamics];
             if HOPELESS[1] * slots_before <= HOPELESS[0] * fewest {
                 for factor in [false, true] {
-                    ways.push(shared(&mut model.graph, &ways[0], factor));
+                    ways.push(shared(&model.graph, &ways[0], factor));
                 }
             }
             for dynamics in ways {
-                for (factored, solver) in factorings(&mut model.graph, &dynamics, determinant) {
+                for (factored, solver) in factorings(&model.graph, &dynamics, determinant) {
                     let form = form.solved_by(solver);
                     counted.push(code(model, symbols.clone(), form, &dynamics, &factored));
                 }
@@ -68,13 +68,13 @@ impl Forms {
                 best.others.push((taylor.form, taylor.slots, taylor.operations));
             }
         }
-        best.shorten(&mut model.graph);
+        best.shorten(&model.graph);
         best
     }
 }
 
 /// The dynamics with common parts of the mass matrix and the residual shared.
-fn shared(g: &mut Graph, dynamics: &Dynamics, factor: bool) -> Dynamics {
+fn shared(g: &Graph, dynamics: &Dynamics, factor: bool) -> Dynamics {
     let n = dynamics.residual.len();
     let mut roots: Vec<ExprId> = dynamics.mass_matrix.concat();
     roots.extend(&dynamics.residual);
@@ -86,15 +86,15 @@ fn shared(g: &mut Graph, dynamics: &Dynamics, factor: bool) -> Dynamics {
 }
 
 /// How many products of series the dynamics take.
-fn slots(model: &mut Model, symbols: &mut Symbols, dynamics: &Dynamics) -> usize {
+fn slots(model: &Model, symbols: &mut Symbols, dynamics: &Dynamics) -> usize {
     let mut recurrences = Recurrences::new(model, symbols);
     balance(model, &mut recurrences, dynamics);
-    recurrences.sides(&mut model.graph);
+    recurrences.sides(&model.graph);
     recurrences.slots.len()
 }
 
 /// The coefficients of order `k` of `A qdd + bias - force`, but for `A_0 qdd_k`.
-fn balance(model: &mut Model, recurrences: &mut Recurrences<'_>, dynamics: &Dynamics) -> Vec<ExprId> {
+fn balance(model: &Model, recurrences: &mut Recurrences<'_>, dynamics: &Dynamics) -> Vec<ExprId> {
     let Model {
         graph: g, coordinates, ..
     } = model;
@@ -117,7 +117,7 @@ fn balance(model: &mut Model, recurrences: &mut Recurrences<'_>, dynamics: &Dyna
 
 /// Code for the dynamics in one form. The mass matrix is factored at order 0, and solved with at every order: it is never inverted as
 /// a series.
-fn code(model: &mut Model, mut symbols: Symbols, form: Form, dynamics: &Dynamics, factored: &Factored) -> Taylor {
+fn code(model: &Model, mut symbols: Symbols, form: Form, dynamics: &Dynamics, factored: &Factored) -> Taylor {
     let mut recurrences = Recurrences::new(model, &mut symbols);
     let balance = balance(model, &mut recurrences, dynamics);
     let Model {
@@ -172,7 +172,7 @@ fn kept(g: &Graph, roots: &[ExprId], mut changing: HashSet<ExprId>) -> Vec<ExprI
 
 impl Taylor {
     /// Shares common parts of what is computed once, and of what is computed at every order.
-    fn shorten(&mut self, g: &mut Graph) {
+    fn shorten(&mut self, g: &Graph) {
         self.start = trig::lower(g, &self.start);
         for roots in [&mut self.start, &mut self.order] {
             let original = roots.clone();

@@ -1,11 +1,11 @@
 //! The closed form of a small scene: every entry expanded to normal form, then written as short as it goes.
 
-use super::angles::collect;
 use super::exact::Eliminated;
-use super::factor::{Preference, Term, factor, polynomial, terms};
 use crate::dynamics::{Dynamics, balance};
 use crate::expr::{ExprId, Graph, Level, Normalizer, Poly, TooLarge};
 use crate::model::Coordinate;
+use crate::pass::collect;
+use crate::pass::factor::{Preference, Term, factor, polynomial, terms};
 
 /// Dynamics whose entries are lists of terms.
 #[derive(Debug)]
@@ -26,9 +26,9 @@ pub struct Closed {
 
 impl Closed {
     /// Expands the dynamics of a scene.
-    pub fn new(g: &mut Graph, normalizer: &mut Normalizer, dynamics: &Dynamics) -> Result<Self, TooLarge> {
-        let mut list = |g: &mut Graph, x: ExprId| short_terms(g, normalizer, x);
-        let mut all = |g: &mut Graph, row: &[ExprId]| row.iter().map(|&x| list(g, x)).collect::<Result<Vec<_>, _>>();
+    pub fn new(g: &Graph, normalizer: &mut Normalizer, dynamics: &Dynamics) -> Result<Self, TooLarge> {
+        let mut list = |g: &Graph, x: ExprId| short_terms(g, normalizer, x);
+        let mut all = |g: &Graph, row: &[ExprId]| row.iter().map(|&x| list(g, x)).collect::<Result<Vec<_>, _>>();
         let mass_matrix: Vec<Vec<_>> = dynamics
             .mass_matrix
             .iter()
@@ -59,7 +59,7 @@ impl Closed {
     }
 
     /// The dynamics as expressions, with common factors drawn out.
-    pub fn factored(&self, g: &mut Graph, coordinates: &[Coordinate], preference: Preference) -> Dynamics {
+    pub fn factored(&self, g: &Graph, coordinates: &[Coordinate], preference: Preference) -> Dynamics {
         let mut short = |terms: &Vec<Term>| factor(g, terms, preference);
         let mut all = |lists: &[Vec<Term>]| -> Vec<ExprId> { lists.iter().map(&mut short).collect() };
         let mass_matrix: Vec<Vec<ExprId>> = self.mass_matrix.iter().map(|row| all(row)).collect();
@@ -81,12 +81,12 @@ impl Closed {
     }
 
     /// The determinant of the mass matrix, where it has two rows.
-    pub fn determinant(&self, g: &mut Graph, preference: Preference) -> Option<ExprId> {
+    pub fn determinant(&self, g: &Graph, preference: Preference) -> Option<ExprId> {
         self.determinant.as_ref().map(|terms| factor(g, terms, preference))
     }
 
     /// The accelerations without the loss of digits, where other forms have it.
-    pub fn exact(&self, g: &mut Graph, factored: &Dynamics, preference: Preference) -> Option<Vec<ExprId>> {
+    pub fn exact(&self, g: &Graph, factored: &Dynamics, preference: Preference) -> Option<Vec<ExprId>> {
         let determinant = self.determinant(g, preference)?;
         let eliminated = self.eliminated.as_ref()?;
         Some(eliminated.accelerations(g, factored, determinant, preference))
@@ -94,7 +94,7 @@ impl Closed {
 }
 
 /// The terms of an expression in normal form, with angles collected.
-pub(super) fn short_terms(g: &mut Graph, normalizer: &mut Normalizer, x: ExprId) -> Result<Vec<Term>, TooLarge> {
+pub(super) fn short_terms(g: &Graph, normalizer: &mut Normalizer, x: ExprId) -> Result<Vec<Term>, TooLarge> {
     let normal = normalizer.normal(g, x)?;
     let collected = collect(g, normalizer, &normal)?;
     Ok(terms(g, normalizer, &collected))
@@ -102,7 +102,7 @@ pub(super) fn short_terms(g: &mut Graph, normalizer: &mut Normalizer, x: ExprId)
 
 /// `a d - b^2`, with `cos^2` of every collected angle as `1 - sin^2`.
 fn determinant(
-    g: &mut Graph,
+    g: &Graph,
     normalizer: &mut Normalizer,
     a: &[Term],
     b: &[Term],

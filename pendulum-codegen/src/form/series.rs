@@ -50,9 +50,9 @@ pub struct Symbols {
 
 impl Symbols {
     /// Symbols for a model.
-    pub(super) fn new(model: &mut Model) -> Self {
+    pub(super) fn new(model: &Model) -> Self {
         let length = 2 * model.dof();
-        let mut symbol = |name: &str, n: usize| model.graph.symbol(name, SymbolKind::Coefficient(n));
+        let symbol = |name: &str, n: usize| model.graph.symbol(name, SymbolKind::Coefficient(n));
         Self {
             order: symbol("k", 0),
             over_order: symbol("1/k", 0),
@@ -64,7 +64,7 @@ impl Symbols {
     }
 
     /// The symbol of number `n` in a list that grows.
-    pub(super) fn of_list(g: &mut Graph, list: &mut Vec<ExprId>, name: &str, n: usize) -> ExprId {
+    pub(super) fn of_list(g: &Graph, list: &mut Vec<ExprId>, name: &str, n: usize) -> ExprId {
         while list.len() <= n {
             list.push(g.symbol(name, SymbolKind::Coefficient(list.len())));
         }
@@ -104,7 +104,7 @@ impl<'s> Recurrences<'s> {
     }
 
     /// Both sides of all slots, those included that they need in turn.
-    pub(super) fn sides(&mut self, g: &mut Graph) -> [Vec<ExprId>; 2] {
+    pub(super) fn sides(&mut self, g: &Graph) -> [Vec<ExprId>; 2] {
         let (mut left, mut right) = (Vec::new(), Vec::new());
         let mut next = 0;
         while let Some(&slot) = self.slots.get(next) {
@@ -115,7 +115,7 @@ impl<'s> Recurrences<'s> {
         [left, right]
     }
 
-    fn side(&mut self, g: &mut Graph, Side { value, weighted }: Side) -> ExprId {
+    fn side(&mut self, g: &Graph, Side { value, weighted }: Side) -> ExprId {
         let coefficient = self.coefficient(g, value);
         if weighted {
             g.mul(self.symbols.order, coefficient)
@@ -125,7 +125,7 @@ impl<'s> Recurrences<'s> {
     }
 
     /// The coefficient of order `k` of an expression.
-    pub(super) fn coefficient(&mut self, g: &mut Graph, x: ExprId) -> ExprId {
+    pub(super) fn coefficient(&mut self, g: &Graph, x: ExprId) -> ExprId {
         if let Some(&known) = self.coefficients.get(&x) {
             return known;
         }
@@ -149,7 +149,7 @@ impl<'s> Recurrences<'s> {
         still
     }
 
-    fn rule(&mut self, g: &mut Graph, z: ExprId) -> ExprId {
+    fn rule(&mut self, g: &Graph, z: ExprId) -> ExprId {
         match g.node(z).clone() {
             Node::Number(_) | Node::Pi | Node::Symbol(_) => g.zero(),
             Node::Unary(op, u) => self.unary(g, op, z, u),
@@ -165,7 +165,7 @@ impl<'s> Recurrences<'s> {
     }
 
     /// `u v`
-    pub(super) fn product(&mut self, g: &mut Graph, u: ExprId, v: ExprId) -> ExprId {
+    pub(super) fn product(&mut self, g: &Graph, u: ExprId, v: ExprId) -> ExprId {
         let ((p, u), (q, v)) = (scaled(g, u), scaled(g, v));
         let factor = g.mul(p, q);
         let (uk, vk) = (self.coefficient(g, u), self.coefficient(g, v));
@@ -178,7 +178,7 @@ impl<'s> Recurrences<'s> {
     }
 
     /// `z = a / b`, from `z b = a`.
-    fn quotient(&mut self, g: &mut Graph, z: ExprId, a: ExprId, b: ExprId) -> ExprId {
+    fn quotient(&mut self, g: &Graph, z: ExprId, a: ExprId, b: ExprId) -> ExprId {
         let (ak, bk) = (self.coefficient(g, a), self.coefficient(g, b));
         let sum = self.interior(g, plain(z), plain(b));
         let end = g.mul(z, bk);
@@ -188,7 +188,7 @@ impl<'s> Recurrences<'s> {
     }
 
     /// A function `z` of `u`: from a differential equation that it solves, but for the square root, whose square is `u`.
-    fn unary(&mut self, g: &mut Graph, op: Unary, z: ExprId, u: ExprId) -> ExprId {
+    fn unary(&mut self, g: &Graph, op: Unary, z: ExprId, u: ExprId) -> ExprId {
         let uk = self.coefficient(g, u);
         match op {
             Unary::Neg => g.neg(uk),
@@ -224,7 +224,7 @@ impl<'s> Recurrences<'s> {
     }
 
     /// `z = u^n`: products for whole `n`, `z^2 = u` for the root, and `z' u = n u' z` otherwise.
-    fn power(&mut self, g: &mut Graph, z: ExprId, u: ExprId, n: &Rational) -> ExprId {
+    fn power(&mut self, g: &Graph, z: ExprId, u: ExprId, n: &Rational) -> ExprId {
         if n.is_integer() && n.is_positive() {
             let half = (n / ratio(2, 1)).floor();
             let (a, b) = (g.power(u, half.clone()), g.power(u, n - half));
@@ -251,7 +251,7 @@ impl<'s> Recurrences<'s> {
     }
 
     /// `z = atan2(y, x)`, from `z' (x^2 + y^2) = x y' - y x'`.
-    fn angle(&mut self, g: &mut Graph, z: ExprId, y: ExprId, x: ExprId) -> ExprId {
+    fn angle(&mut self, g: &Graph, z: ExprId, y: ExprId, x: ExprId) -> ExprId {
         let (y2, x2) = (g.powi(y, 2), g.powi(x, 2));
         let norm2 = g.add(y2, x2);
         let (rising, falling) = (self.slope_times(g, y, x), self.slope_times(g, x, y));
@@ -263,20 +263,20 @@ impl<'s> Recurrences<'s> {
     }
 
     /// The coefficient of order `k` of what has the derivative `u' v`.
-    fn slope_times(&mut self, g: &mut Graph, u: ExprId, v: ExprId) -> ExprId {
+    fn slope_times(&mut self, g: &Graph, u: ExprId, v: ExprId) -> ExprId {
         let sum = self.over_order(g, rate(u), plain(v));
         let uk = self.coefficient(g, u);
         let end = g.mul(v, uk);
         g.add(sum, end)
     }
 
-    fn over_order(&mut self, g: &mut Graph, left: Side, right: Side) -> ExprId {
+    fn over_order(&mut self, g: &Graph, left: Side, right: Side) -> ExprId {
         let sum = self.interior(g, left, right);
         g.mul(self.symbols.over_order, sum)
     }
 
     /// The sum over `j = 1 .. k - 1`; constant factors stand before it, so that multiples have one slot between them.
-    pub(super) fn interior(&mut self, g: &mut Graph, left: Side, right: Side) -> ExprId {
+    pub(super) fn interior(&mut self, g: &Graph, left: Side, right: Side) -> ExprId {
         if self.is_still(g, left.value) || self.is_still(g, right.value) {
             return g.zero();
         }
@@ -305,13 +305,13 @@ fn rate(value: ExprId) -> Side {
     Side { value, weighted: true }
 }
 
-fn inverse(g: &mut Graph, x: ExprId) -> ExprId {
+fn inverse(g: &Graph, x: ExprId) -> ExprId {
     let one = g.one();
     g.div(one, x)
 }
 
 /// A constant factor, and what it multiplies.
-fn scaled(g: &mut Graph, x: ExprId) -> (ExprId, ExprId) {
+fn scaled(g: &Graph, x: ExprId) -> (ExprId, ExprId) {
     let is_constant = |g: &Graph, x: ExprId| g.level(x) < Level::State;
     if is_constant(g, x) {
         return (x, g.one());
