@@ -10,14 +10,21 @@ use crate::units::Unit;
 /// A whole declaration.
 #[derive(Debug)]
 pub struct Scene {
+    /// What stands before the braces.
+    pub head: Head,
+    /// Everything between the braces.
+    pub items: Items,
+}
+
+/// What stands before the braces of a declaration.
+#[derive(Debug)]
+pub struct Head {
     /// Documentation of the model.
     pub docs: Vec<String>,
     /// Visibility of the generated items.
     pub vis: TokenStream,
     /// Name of the model.
     pub name: Ident,
-    /// Everything between the braces.
-    pub items: Items,
 }
 
 /// The items of a scene, by kind, each in the order of the text.

@@ -8,6 +8,11 @@ use quote::ToTokens;
 pub struct Errors(Vec<syn::Error>);
 
 impl Errors {
+    /// One error on one place.
+    pub fn one(span: Span, fact: impl std::fmt::Display, help: impl std::fmt::Display) -> Self {
+        Self(vec![at(span, fact, help)])
+    }
+
     /// Notes an error on a whole syntax node: what is wrong, and what to do about it.
     pub fn on(&mut self, node: impl ToTokens, fact: impl std::fmt::Display, help: impl std::fmt::Display) {
         self.0.push(syn::Error::new_spanned(node, message(fact, help)));

@@ -31,7 +31,8 @@ pub mod model;
 pub mod parse;
 pub mod pass;
 mod pipeline;
+pub mod program;
 pub mod screw;
 pub mod units;
 
-pub use pipeline::{Function, Program, expand, model, program};
+pub use pipeline::{expand, model, program};

@@ -25,8 +25,8 @@ pub struct Model {
     pub bodies: Vec<Body>,
     /// What the parameters must obey.
     pub rules: Vec<Rule>,
-    /// What to generate.
-    pub outputs: BTreeSet<Output>,
+    /// What to generate, in the words of `generate`.
+    pub outputs: BTreeSet<&'static str>,
 }
 
 /// A parameter: a number given when the model is built.
@@ -114,47 +114,6 @@ pub struct Heading {
     pub rest: Mat3,
 }
 
-/// What can be generated.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Output {
-    /// The right-hand side.
-    Rhs,
-    /// The state Jacobian.
-    Jacobian,
-    /// Kinetic and potential energy.
-    Energy,
-    /// The mass matrix.
-    MassMatrix,
-    /// The bias: velocity terms and gravity.
-    Bias,
-    /// The momenta of the coordinates.
-    Momentum,
-    /// Canonical variables, their rates, and the derivatives of both.
-    Canonical,
-    /// The forces that given accelerations take.
-    InverseDynamics,
-    /// The derivatives of the accelerations by the parameters.
-    ParameterJacobian,
-    /// The coefficients of the motion in powers of time.
-    Taylor,
-}
-
-impl Output {
-    /// Every output with its name in `generate`.
-    pub const ALL: [(&'static str, Output); 10] = [
-        ("rhs", Output::Rhs),
-        ("jacobian", Output::Jacobian),
-        ("energy", Output::Energy),
-        ("mass_matrix", Output::MassMatrix),
-        ("bias", Output::Bias),
-        ("momentum", Output::Momentum),
-        ("canonical", Output::Canonical),
-        ("inverse_dynamics", Output::InverseDynamics),
-        ("parameter_jacobian", Output::ParameterJacobian),
-        ("taylor", Output::Taylor),
-    ];
-}
-
 /// A condition on parameters that `new` checks.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Rule {
@@ -201,8 +160,23 @@ impl Model {
 
     /// The coordinates, then their rates.
     pub fn state(&self) -> Vec<ExprId> {
-        let positions = self.coordinates.iter().map(|c| c.position);
-        positions.chain(self.coordinates.iter().map(|c| c.rate)).collect()
+        let rates = self.coordinates.iter().map(|c| c.rate);
+        self.positions().into_iter().chain(rates).collect()
+    }
+
+    /// The coordinates.
+    pub fn positions(&self) -> Vec<ExprId> {
+        self.coordinates.iter().map(|c| c.position).collect()
+    }
+
+    /// How the positions change: the kinematic half of the right-hand side.
+    pub fn kinematics(&self) -> Vec<ExprId> {
+        self.coordinates.iter().map(|c| c.rate).collect()
+    }
+
+    /// The symbols of the inputs.
+    pub fn input_symbols(&self) -> Vec<ExprId> {
+        self.inputs.iter().map(|input| input.symbol).collect()
     }
 
     /// The names of the coordinates.

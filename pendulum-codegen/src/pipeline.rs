@@ -1,95 +1,26 @@
-//! The whole path on one screen: tokens, syntax tree, model, dynamics, short forms, code.
-
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+//! The whole path on one screen: tokens, syntax tree, model, dynamics, program, code.
 
 use proc_macro2::TokenStream;
 
 use crate::ast::Scene;
 use crate::dynamics::Dynamics;
+use crate::emit::rust;
 use crate::error::Errors;
-use crate::expr::{ExprId, Graph, Level, Node};
-use crate::form::{Chosen, Forms, Taylor};
-use crate::model::{Model, Output};
-use crate::{check, emit, lower, parse};
+use crate::model::Model;
+use crate::program::{NotFinite, Program};
+use crate::{check, lower, parse};
 
-/// A function of the generated model.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Function {
-    /// The accelerations, for the right-hand side.
-    Rhs,
-    /// The accelerations, and behind them their derivatives by the state, column by column.
-    Jacobian,
-    /// Their derivatives by the time, where it occurs.
-    TimeDerivative,
-    /// Their derivatives by the inputs, column by column.
-    InputJacobian,
-    /// Kinetic energy.
-    Kinetic,
-    /// Potential energy.
-    Potential,
-    /// The upper triangle of the mass matrix, row by row.
-    MassMatrix,
-    /// The bias.
-    Bias,
-    /// The momenta of the coordinates.
-    Momentum,
-    /// The momenta, and behind them their rates.
-    Canonical,
-    /// The derivatives of the momenta by the state, column by column, and behind them those of their rates.
-    CanonicalJacobian,
-    /// The forces that accelerations take, which stand in them as the symbols of the coordinates.
-    InverseDynamics,
-    /// The derivatives of the accelerations by the parameters, column by column.
-    ParameterJacobian,
-}
-
-impl Function {
-    /// The name of the generated function.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Rhs => "rhs",
-            Self::Jacobian => "jacobian",
-            Self::TimeDerivative => "time_derivative",
-            Self::InputJacobian => "input_jacobian",
-            Self::Kinetic => "kinetic",
-            Self::Potential => "potential",
-            Self::MassMatrix => "mass_matrix",
-            Self::Bias => "bias",
-            Self::Momentum => "momentum",
-            Self::Canonical => "canonical",
-            Self::CanonicalJacobian => "canonical_jacobian",
-            Self::InverseDynamics => "inverse_dynamics",
-            Self::ParameterJacobian => "parameter_jacobian",
-        }
-    }
-}
-
-/// All that is known of a scene when its code is written.
-#[derive(Debug)]
-pub struct Program {
-    /// The scene and its expressions.
-    pub model: Model,
-    /// The code of each function.
-    pub functions: BTreeMap<Function, Chosen>,
-    /// The code of the Taylor series, where it was asked for.
-    pub taylor: Option<Taylor>,
-    /// What is computed once, when the model is built: everything that depends on parameters alone.
-    pub constants: Vec<ExprId>,
-    /// The equations of motion as text.
-    pub equations: String,
-}
-
-/// Expands a declaration into items, or into its compile errors and a stand-in for the items.
+/// Expands a declaration into Rust items, or into its compile errors and a stand-in for the items.
 pub fn expand(tokens: TokenStream) -> TokenStream {
     let (scene, errors) = parse::parse(tokens);
     let Some(scene) = scene else {
         return errors.to_compile_errors();
     };
     match compile(&scene, errors) {
-        Ok(program) => emit::items(&scene, &program),
+        Ok(program) => rust::items(&scene.head, &program),
         Err(errors) => {
             let mut tokens = errors.to_compile_errors();
-            tokens.extend(emit::stub(&scene));
+            tokens.extend(rust::stub(&scene));
             tokens
         }
     }
@@ -114,105 +45,12 @@ pub fn model(tokens: TokenStream) -> Result<Model, Errors> {
 }
 
 fn compile(scene: &Scene, errors: Errors) -> Result<Program, Errors> {
-    let mut model = lower::lower(scene, errors)?;
-    let dynamics = Dynamics::new(&mut model);
+    let model = lower::lower(scene, errors)?;
+    let dynamics = Dynamics::new(&model);
     check::check(scene, &model, &dynamics)?;
-    let mut forms = Forms::new(&mut model, &dynamics);
-    let functions = functions(&mut model, &mut forms);
-    let taylor = model
-        .outputs
-        .contains(&Output::Taylor)
-        .then(|| forms.taylor(&mut model));
-    let constants = constants(&model, &functions, taylor.as_ref());
-    let equations = match forms.closed() {
-        Some(closed) => emit::equations(&model, closed, true),
-        None => emit::equations(&model, &dynamics, false),
-    };
-    Ok(Program {
-        model,
-        functions,
-        taylor,
-        constants,
-        equations,
+    Program::new(&model, &dynamics).map_err(|NotFinite(constant)| {
+        let fact = format!("the constant `{constant}` has no finite value in double precision");
+        let help = "choose other units or other numbers: it overflows, or divides by something that vanishes";
+        Errors::one(scene.head.name.span(), fact, help)
     })
-}
-
-/// What a function reads off the dynamics.
-type Part<'a> = dyn Fn(&Graph, &Dynamics) -> Vec<ExprId> + 'a;
-
-fn functions(model: &Model, forms: &mut Forms) -> BTreeMap<Function, Chosen> {
-    let wants = |model: &Model, output| model.outputs.contains(&output);
-    let controlled = !model.inputs.is_empty();
-    // a Jacobian without its right-hand side, or an input without the derivative by it, is no use to anybody
-    let jacobian = wants(model, Output::Jacobian) || (controlled && wants(model, Output::Rhs));
-    let brings_rhs = [Output::Rhs, Output::Canonical, Output::Taylor];
-    let rhs = jacobian || brings_rhs.into_iter().any(|output| wants(model, output));
-    let mut functions = BTreeMap::new();
-    let mut is_autonomous = true;
-    if rhs {
-        let accelerations = forms.accelerations(&model.graph);
-        is_autonomous = !model.graph.reachable(&accelerations.roots).contains(&model.time);
-        functions.insert(Function::Rhs, accelerations);
-    }
-    let inputs: Vec<ExprId> = model.inputs.iter().map(|input| input.symbol).collect();
-    let parameters = model.parameters.iter().map(|parameter| parameter.symbol).collect();
-    let derivatives = [
-        (Function::Jacobian, jacobian, model.state()),
-        // a law for inputs depends on time in its own way: nothing of it is known here
-        (
-            Function::TimeDerivative,
-            jacobian && !controlled && !is_autonomous,
-            vec![model.time],
-        ),
-        (Function::InputJacobian, jacobian && controlled, inputs.clone()),
-        (
-            Function::ParameterJacobian,
-            wants(model, Output::ParameterJacobian),
-            parameters,
-        ),
-    ];
-    for (function, _, variables) in derivatives.into_iter().filter(|(_, wanted, _)| *wanted) {
-        let with_accelerations = function == Function::Jacobian;
-        functions.insert(function, forms.jacobian(model, &variables, with_accelerations));
-    }
-    if wants(model, Output::Canonical) {
-        functions.insert(Function::Canonical, forms.canonical(model));
-        functions.insert(Function::CanonicalJacobian, forms.canonical_jacobian(model));
-    }
-    // what inputs do is asked of inverse dynamics, not given
-    let zero = model.graph.zero();
-    let without_inputs: HashMap<_, _> = inputs.into_iter().map(|input| (input, zero)).collect();
-    let upper = |row: (usize, &Vec<ExprId>)| row.1[row.0..].to_vec();
-    let parts: [(Function, Output, &Part); 6] = [
-        (Function::Kinetic, Output::Energy, &|_, d| vec![d.kinetic]),
-        (Function::Potential, Output::Energy, &|_, d| vec![d.potential]),
-        (Function::MassMatrix, Output::MassMatrix, &|_, d| {
-            d.mass_matrix.iter().enumerate().flat_map(upper).collect()
-        }),
-        (Function::Bias, Output::Bias, &|_, d| d.bias.clone()),
-        (Function::Momentum, Output::Momentum, &|_, d| d.momentum.clone()),
-        (Function::InverseDynamics, Output::InverseDynamics, &|g, d| {
-            g.substitute(&d.balance, without_inputs.clone())
-        }),
-    ];
-    for (function, output, part) in parts {
-        if wants(model, output) {
-            functions.insert(function, forms.part(&model.graph, part));
-        }
-    }
-    functions
-}
-
-/// The expressions of parameters that the functions read.
-fn constants(model: &Model, functions: &BTreeMap<Function, Chosen>, taylor: Option<&Taylor>) -> Vec<ExprId> {
-    let g = &model.graph;
-    let mut constants = BTreeSet::new();
-    let of_series = taylor.into_iter().flat_map(|taylor| [&taylor.start, &taylor.order]);
-    for roots in functions.values().map(|chosen| &chosen.roots).chain(of_series) {
-        let of_state = g.reachable(roots).into_iter().filter(|&id| g.level(id) == Level::State);
-        let read = of_state.flat_map(|id| g.operands(id)).chain(roots.iter().copied());
-        constants.extend(read.filter(|&id| g.level(id) == Level::Parameter));
-    }
-    debug_assert!(constants.iter().all(|&id| !matches!(g.node(id), Node::Number(_))));
-    constants.into_iter().collect()
 }

@@ -10,6 +10,7 @@ mod graph;
 mod normal;
 mod op;
 mod poly;
+mod precedence;
 mod print;
 
 pub use derivative::Derivative;
@@ -17,6 +18,7 @@ pub use graph::{ExprId, Graph, Level, Node, Symbol, SymbolId, SymbolKind};
 pub use normal::{Normalizer, TooLarge};
 pub use op::{Binary, CostKind, Unary};
 pub use poly::{Monomial, Poly};
+pub use precedence::Precedence;
 pub use print::Printer;
 
 /// An exact number.

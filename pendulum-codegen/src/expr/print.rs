@@ -4,16 +4,7 @@ use std::collections::HashMap;
 
 use num_traits::{One, Signed};
 
-use super::{Binary, ExprId, Graph, Node, Rational, Unary, ratio};
-
-/// How tightly a text holds together.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-enum Grip {
-    Sum,
-    Product,
-    Power,
-    Atom,
-}
+use super::{Binary, ExprId, Graph, Node, Precedence, Rational, Unary, ratio};
 
 /// Prints expressions; some may have been given names.
 #[derive(Debug)]
@@ -46,31 +37,31 @@ impl<'g> Printer<'g> {
         self.unnamed(x).0
     }
 
-    fn text(&self, x: ExprId) -> (String, Grip) {
+    fn text(&self, x: ExprId) -> (String, Precedence) {
         match self.names.get(&x) {
-            Some(name) => (name.clone(), Grip::Atom),
+            Some(name) => (name.clone(), Precedence::Atom),
             None => self.unnamed(x),
         }
     }
 
-    fn unnamed(&self, x: ExprId) -> (String, Grip) {
+    fn unnamed(&self, x: ExprId) -> (String, Precedence) {
         match self.graph.node(x) {
             Node::Number(n) => number(n),
-            Node::Pi => ("pi".to_owned(), Grip::Atom),
-            Node::Symbol(s) => (self.graph.name_and_kind(*s).name.clone(), Grip::Atom),
+            Node::Pi => ("pi".to_owned(), Precedence::Atom),
+            Node::Symbol(s) => (self.graph.name_and_kind(*s).name.clone(), Precedence::Atom),
             Node::Binary(Binary::Add | Binary::Sub, ..) => self.sum(x),
             Node::Binary(Binary::Mul | Binary::Div, ..) | Node::Unary(Unary::Neg, _) => self.product(x),
             Node::Power(_, n) if !n.is_positive() || *n != ratio(1, 2) => self.product(x),
-            Node::Power(a, _) => (format!("sqrt({})", self.print(*a)), Grip::Atom),
-            Node::Unary(op, a) => (format!("{}({})", op.spelling(), self.print(*a)), Grip::Atom),
+            Node::Power(a, _) => (format!("sqrt({})", self.print(*a)), Precedence::Atom),
+            Node::Unary(op, a) => (format!("{}({})", op.spelling(), self.print(*a)), Precedence::Atom),
             Node::Binary(op, a, b) => (
                 format!("{}({}, {})", op.spelling(), self.print(*a), self.print(*b)),
-                Grip::Atom,
+                Precedence::Atom,
             ),
         }
     }
 
-    fn sum(&self, x: ExprId) -> (String, Grip) {
+    fn sum(&self, x: ExprId) -> (String, Precedence) {
         let mut terms = Vec::new();
         self.gather_terms(x, true, false, &mut terms);
         // a leading minus is easily overlooked
@@ -85,7 +76,7 @@ impl<'g> Printer<'g> {
             });
             text.push_str(&term);
         }
-        (text, Grip::Sum)
+        (text, Precedence::Sum)
     }
 
     fn gather_terms(&self, x: ExprId, top: bool, negative: bool, terms: &mut Vec<(bool, String)>) {
@@ -109,7 +100,7 @@ impl<'g> Printer<'g> {
         }
     }
 
-    fn product(&self, x: ExprId) -> (String, Grip) {
+    fn product(&self, x: ExprId) -> (String, Precedence) {
         let mut factors = Vec::new();
         let negative = self.gather_factors(x, true, ratio(1, 1), &mut factors);
         // numbers, then parameters, then the state, each in the order of declaration
@@ -122,13 +113,14 @@ impl<'g> Printer<'g> {
             }
         }
         let write = |list: Vec<(ExprId, Rational)>| {
-            let mut texts: Vec<(String, Grip)> = list.into_iter().map(|(id, power)| self.factor(id, &power)).collect();
+            let mut texts: Vec<(String, Precedence)> =
+                list.into_iter().map(|(id, power)| self.factor(id, &power)).collect();
             match texts.len() {
                 0 => None,
                 1 => texts.pop(),
                 _ => {
                     let tight = |(text, grip)| {
-                        if grip >= Grip::Product {
+                        if grip >= Precedence::Product {
                             text
                         } else {
                             format!("({text})")
@@ -136,34 +128,34 @@ impl<'g> Printer<'g> {
                     };
                     Some((
                         texts.into_iter().map(tight).collect::<Vec<_>>().join("*"),
-                        Grip::Product,
+                        Precedence::Product,
                     ))
                 }
             }
         };
         let (below, above): (Vec<_>, Vec<_>) = merged.into_iter().partition(|(_, power)| power.is_negative());
         let below = write(below.into_iter().map(|(id, power)| (id, -power)).collect());
-        let (above, grip) = write(above).unwrap_or(("1".to_owned(), Grip::Atom));
+        let (above, grip) = write(above).unwrap_or(("1".to_owned(), Precedence::Atom));
         let (text, grip) = match below {
             None => (above, grip),
             Some((below, below_grip)) => {
-                let above = if grip >= Grip::Product {
+                let above = if grip >= Precedence::Product {
                     above
                 } else {
                     format!("({above})")
                 };
-                let below = if below_grip > Grip::Product {
+                let below = if below_grip > Precedence::Product {
                     below
                 } else {
                     format!("({below})")
                 };
-                (format!("{above}/{below}"), Grip::Product)
+                (format!("{above}/{below}"), Precedence::Product)
             }
         };
         match (negative, grip) {
             (false, _) => (text, grip),
-            (true, Grip::Sum) => (format!("-({text})"), Grip::Sum),
-            (true, _) => (format!("-{text}"), Grip::Sum),
+            (true, Precedence::Sum) => (format!("-({text})"), Precedence::Sum),
+            (true, _) => (format!("-{text}"), Precedence::Sum),
         }
     }
 
@@ -197,38 +189,42 @@ impl<'g> Printer<'g> {
         }
     }
 
-    fn factor(&self, x: ExprId, power: &Rational) -> (String, Grip) {
+    fn factor(&self, x: ExprId, power: &Rational) -> (String, Precedence) {
         if power.is_one() {
             return self.text(x);
         }
         if *power == ratio(1, 2) {
-            return (format!("sqrt({})", self.print(x)), Grip::Atom);
+            return (format!("sqrt({})", self.print(x)), Precedence::Atom);
         }
         let (base, grip) = self.text(x);
-        let base = if grip == Grip::Atom { base } else { format!("({base})") };
+        let base = if grip == Precedence::Atom {
+            base
+        } else {
+            format!("({base})")
+        };
         let (exponent, grip) = number(power);
-        let exponent = if grip == Grip::Atom {
+        let exponent = if grip == Precedence::Atom {
             exponent
         } else {
             format!("({exponent})")
         };
-        (format!("{base}^{exponent}"), Grip::Power)
+        (format!("{base}^{exponent}"), Precedence::Power)
     }
 }
 
 /// Decimal where that is exact and short, a fraction elsewhere.
-fn number(n: &Rational) -> (String, Grip) {
-    let sign = |grip| if n.is_negative() { Grip::Sum } else { grip };
+fn number(n: &Rational) -> (String, Precedence) {
+    let sign = |grip| if n.is_negative() { Precedence::Sum } else { grip };
     if n.denom().is_one() {
-        return (n.to_string(), sign(Grip::Atom));
+        return (n.to_string(), sign(Precedence::Atom));
     }
     let decimal = format!("{:?}", super::eval::nearest_f64(n));
     let digits = decimal.split_once('.').map_or("", |(_, digits)| digits);
     let scale = num_traits::Pow::pow(&ratio(10, 1), digits.len());
     let exact = !decimal.contains('e') && (n * scale).is_integer() && decimal.len() <= 18;
     if exact {
-        (decimal, sign(Grip::Atom))
+        (decimal, sign(Precedence::Atom))
     } else {
-        (n.to_string(), sign(Grip::Product))
+        (n.to_string(), sign(Precedence::Product))
     }
 }

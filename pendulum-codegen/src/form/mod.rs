@@ -3,11 +3,13 @@
 mod closed;
 mod exact;
 mod kind;
+mod routines;
 mod series;
 mod taylor;
 
 pub use closed::Closed;
 pub use kind::{Basis, Derivatives, Form};
+pub(crate) use routines::*;
 pub use series::Symbols;
 pub use taylor::Taylor;
 
@@ -41,6 +43,16 @@ pub struct Chosen {
     pub form: Form,
     /// What the best form on each other basis takes, from the shortest on.
     pub others: Vec<(Form, Operations)>,
+}
+
+impl Chosen {
+    /// The same code for more than was chosen by: `roots` makes of the roots those that are returned.
+    fn with(self, roots: impl FnOnce(Vec<ExprId>) -> Vec<ExprId>) -> Self {
+        Self {
+            roots: roots(self.roots),
+            ..self
+        }
+    }
 }
 
 /// A form of a function, and what it computes.

@@ -16,7 +16,8 @@ use syn::Ident;
 use crate::ast::{self, Scene};
 use crate::error::{Errors, suggestion};
 use crate::expr::{ExprId, Graph, Level, SymbolKind};
-use crate::model::{Body, Coordinate, Input, Model, Output, Parameter, Rule, combine};
+use crate::model::{Body, Coordinate, Input, Model, Parameter, Rule, combine};
+use crate::program::words;
 use crate::screw::{SpatialInertia, mat_vec, transpose};
 use expr::Place;
 use mass::{Mass, Turns};
@@ -95,14 +96,14 @@ impl Lower {
         let outputs = self.outputs(items.generate.as_deref(), !parameters.is_empty(), !inputs.is_empty());
         if items.bodies.is_empty() && self.errors.is_empty() {
             self.errors.at(
-                scene.name.span(),
-                format_args!("`{}` has no body", scene.name),
+                scene.head.name.span(),
+                format_args!("`{}` has no body", scene.head.name),
                 "add `body name on ground { mass: .., joint: .., coordinate: .. }`",
             );
         } else if coordinates.is_empty() && self.errors.is_empty() {
             self.errors.at(
-                scene.name.span(),
-                format_args!("nothing in `{}` can move", scene.name),
+                scene.head.name.span(),
+                format_args!("nothing in `{}` can move", scene.head.name),
                 "give one body a joint that is not `fixed`, and a coordinate",
             );
         }
@@ -372,50 +373,54 @@ impl Lower {
         }
     }
 
-    fn outputs(&mut self, generate: Option<&[Ident]>, has_parameters: bool, has_inputs: bool) -> BTreeSet<Output> {
+    fn outputs(
+        &mut self,
+        generate: Option<&[Ident]>,
+        has_parameters: bool,
+        has_inputs: bool,
+    ) -> BTreeSet<&'static str> {
         let Some(list) = generate else {
-            return [Output::Rhs, Output::Jacobian, Output::Energy].into();
+            return ["rhs", "jacobian", "energy"].into();
         };
+        let words = words();
         let mut outputs = BTreeSet::new();
         for ident in list {
             let name = ident.to_string();
-            match Output::ALL.iter().find(|(known, _)| *known == name) {
-                Some((_, output)) if !outputs.insert(*output) => {
-                    self.errors.at(
-                        ident.span(),
-                        format_args!("`{name}` is listed twice"),
-                        "keep one of the two",
-                    );
-                }
-                Some((_, Output::ParameterJacobian)) if !has_parameters => {
-                    self.errors.at(
-                        ident.span(),
-                        "there are no parameters to derive by",
-                        "declare the quantities of interest in `params { .. }`; numbers are constants",
-                    );
-                }
-                Some((_, Output::Canonical)) if has_inputs => {
-                    self.errors.at(
-                        ident.span(),
-                        "the canonical equations of a motion under inputs are not known: their law is given after the code is written",
-                        "leave out `canonical`, or write the law into a `torque` in place of the input",
-                    );
-                }
-                Some((_, Output::Taylor)) if has_inputs => {
-                    self.errors.at(
-                        ident.span(),
-                        "the Taylor series of a motion under inputs is not known: their law is given after the code is written",
-                        "leave out `taylor`, or write the law into a `torque` in place of the input",
-                    );
-                }
-                Some(_) => {}
-                None => {
-                    let help = suggestion(&name, Output::ALL.map(|(known, _)| known));
-                    self.errors
-                        .at(ident.span(), format_args!("`{name}` cannot be generated"), help);
-                }
+            let Some(&word) = words.iter().find(|word| **word == name) else {
+                let help = suggestion(&name, words.iter().copied());
+                self.errors
+                    .at(ident.span(), format_args!("`{name}` cannot be generated"), help);
+                continue;
+            };
+            if !outputs.insert(word) {
+                self.errors.at(
+                    ident.span(),
+                    format_args!("`{name}` is listed twice"),
+                    "keep one of the two",
+                );
+            } else if word == "parameter_jacobian" && !has_parameters {
+                self.errors.at(
+                    ident.span(),
+                    "there are no parameters to derive by",
+                    "declare the quantities of interest in `params { .. }`; numbers are constants",
+                );
+            } else if has_inputs && let Some(what) = motion_under_inputs(word) {
+                self.errors.at(
+                    ident.span(),
+                    format_args!("{what} not known: their law is given after the code is written"),
+                    format_args!("leave out `{word}`, or write the law into a `torque` in place of the input"),
+                );
             }
         }
         outputs
+    }
+}
+
+/// What a word of `generate` asks for that takes the inputs as functions of the time.
+fn motion_under_inputs(word: &str) -> Option<&'static str> {
+    match word {
+        "canonical" => Some("the canonical equations of a motion under inputs are"),
+        "taylor" => Some("the Taylor series of a motion under inputs is"),
+        _ => None,
     }
 }

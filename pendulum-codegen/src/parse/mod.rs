@@ -8,7 +8,7 @@ use quote::ToTokens;
 use syn::parse::{Parse, ParseStream, Parser};
 use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, MetaNameValue, Token, Visibility, braced, bracketed, token};
 
-use crate::ast::{Input, Items, Let, Param, Properties, Scene, Shape};
+use crate::ast::{Head, Input, Items, Let, Param, Properties, Scene, Shape};
 use crate::error::{Errors, at, suggestion};
 
 /// Reads a declaration. The scene is there unless its head could not be read; errors may stand beside it.
@@ -45,7 +45,10 @@ pub fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
             );
             input.parse::<TokenStream>()?;
         }
-        Ok(Scene { docs, vis, name, items })
+        Ok(Scene {
+            head: Head { docs, vis, name },
+            items,
+        })
     })
     .parse2(tokens);
     let scene = errors.keep(scene);

@@ -5,12 +5,14 @@ use std::collections::BTreeSet;
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
-use super::{allowed, number};
+use super::routines::is_inherent;
+use super::{allowed, count};
 use crate::ast::Scene;
+use crate::program::{Argument, Length, ROUTINES, Shape};
 
 /// Types that have everything a declaration could ask for, for states of any length, and that are never run.
 pub(crate) fn stub(scene: &Scene) -> TokenStream {
-    let (vis, name, items) = (&scene.vis, &scene.name, &scene.items);
+    let (vis, name, items) = (&scene.head.vis, &scene.head.name, &scene.items);
     let [parameters, inputs] = ["Params", "Inputs"].map(|suffix| format_ident!("{name}{suffix}"));
     // what could not be read may have been a parameter or an input
     let declared = items.params.iter().map(|param| &param.name).chain(&items.unread);
@@ -21,11 +23,11 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
         .is_empty()
         .then(|| quote!(stub: ::core::marker::PhantomData<T>));
     let controls = controls.into_iter();
-    let count = items.bodies.iter().filter(|body| body.coordinate.is_some()).count();
-    let dof = number(count);
+    let freedom = items.bodies.iter().filter(|body| body.coordinate.is_some()).count();
+    let dof = count(freedom);
     // the length of the state tells a law of inputs its types; without any coordinate, the length was not read
-    let (length, any_length) = if count > 0 {
-        (number(2 * count).into_token_stream(), None)
+    let (length, any_length) = if freedom > 0 {
+        (count(2 * freedom).into_token_stream(), None)
     } else {
         (quote!(N), Some(quote!(, const N: usize)))
     };
@@ -36,13 +38,36 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
     let allowed = allowed();
     let allowed = quote!(#allowed #[allow(dead_code, missing_docs)]);
     let (system, inherent) = (quote!(&self, _: T, x: &#vector), quote!(&self, _: T, _: &#vector));
-    let count = number(items.params.len());
-    let with_inputs = (!items.inputs.is_empty()).then(|| quote!(, _: &#inputs<T>));
-    let parameter_jacobian = quote! {
-        pub fn parameter_jacobian<const N: usize>(#inherent #with_inputs) -> #matrix<T, #dof, #count> {
-            #zeros
+    let own = ROUTINES.iter().filter(|row| is_inherent(row.name)).map(|row| {
+        let name = format_ident!("{}", row.name);
+        let arguments = row.arguments.iter().filter_map(|argument| match argument {
+            Argument::Inputs => (!items.inputs.is_empty()).then(|| quote!(, _: &#inputs<T>)),
+            Argument::Accelerations => Some(quote!(, _: &#matrix<T, D, 1>)),
+        });
+        let arguments: TokenStream = arguments.collect();
+        // a vector as long as one that is given
+        let given = row.arguments.contains(&Argument::Accelerations);
+        let generics = given.then(|| quote!(, const D: usize));
+        let length = |length: Length| match length {
+            Length::State => quote!(N),
+            Length::Freedom if given => quote!(D),
+            Length::Freedom => quote!(#dof),
+            Length::Inputs => count(items.inputs.len()).into_token_stream(),
+            Length::Parameters => count(items.params.len()).into_token_stream(),
+        };
+        let results = row.shapes.iter().map(|shape| match shape.map(length) {
+            Shape::Scalar => (quote!(T), quote!(T::from_f64(0.0))),
+            Shape::Vector(n) => (quote!(#matrix<T, #n, 1>), zeros.clone()),
+            Shape::Matrix(n, m) => (quote!(#matrix<T, #n, #m>), zeros.clone()),
+            Shape::Symmetric(n) => (quote!(#matrix<T, #n, #n>), zeros.clone()),
+        });
+        let (types, values): (Vec<TokenStream>, Vec<TokenStream>) = results.unzip();
+        quote! {
+            pub fn #name<const N: usize #generics>(#inherent #arguments) -> (#(#types),*) {
+                (#(#values),*)
+            }
         }
-    };
+    });
     quote! {
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
         #allowed
@@ -77,19 +102,7 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             {
                 *self
             }
-            pub fn mass_matrix<const N: usize>(#inherent) -> #matrix<T, #dof, #dof> {
-                #zeros
-            }
-            pub fn bias<const N: usize>(#inherent) -> #matrix<T, #dof, 1> {
-                #zeros
-            }
-            pub fn momentum<const N: usize>(#inherent) -> #matrix<T, #dof, 1> {
-                #zeros
-            }
-            pub fn inverse_dynamics<const N: usize, const D: usize>(#inherent, _: &#matrix<T, D, 1>) -> #matrix<T, D, 1> {
-                #zeros
-            }
-            #parameter_jacobian
+            #(#own)*
         }
         #allowed
         impl<T: #real, const N: usize> ::pendulum_core::System<T, N> for #name<T> {

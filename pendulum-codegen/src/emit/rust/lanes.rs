@@ -3,8 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::{Items, allowed, number};
-use crate::pipeline::Function;
+use super::{Items, allowed};
 
 /// The attributes of a function that must be inlined into code for an instruction set, since it is compiled for all machines otherwise.
 /// Without optimisation it would fill the stack, as no two of its temporaries share a place.
@@ -15,11 +14,10 @@ pub(super) fn inlined_into_lanes() -> TokenStream {
 impl Items<'_> {
     /// `impl Model<N>`, where the model has a right-hand side of its own, without inputs.
     pub(super) fn over_numbers(&self) -> Option<TokenStream> {
-        let program = self.program;
-        if !program.model.inputs.is_empty() || !program.functions.contains_key(&Function::Rhs) {
+        if !self.program.inputs.is_empty() || self.program.routine("rhs").is_none() {
             return None;
         }
-        let (name, length, allowed) = (self.name(), number(2 * self.dof()), allowed());
+        let (name, length, allowed) = (&self.head.name, self.length(), allowed());
         let (real, lanes) = (
             quote!(::pendulum_core::real::Real),
             quote!(::pendulum_core::real::lanes::Lanes),

@@ -1,0 +1,201 @@
+//! Blocks as Rust.
+
+use std::collections::BTreeSet;
+
+use proc_macro2::{Ident, Literal, Span, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+
+use crate::expr::{Binary, Precedence, Unary};
+use crate::program::{Block, Coefficient, Let, Local, Program, SinCos, Term, Variable};
+
+/// More statements than this are put into blocks. Every `let` opens a scope inside the one before, and compilers that
+/// walk scopes by recursion (as LLVM does for debug information) run out of stack when some thousand are nested.
+const MOST_STATEMENTS: usize = 256;
+
+/// A name that no declaration can clash with. The mark of a raw identifier has no place after a prefix.
+pub(super) fn local(name: &str) -> Ident {
+    Ident::new(&name.replace("r#", ""), Span::mixed_site())
+}
+
+/// The names that code gives to what it reads.
+#[derive(Clone, Copy)]
+pub(super) struct Names<'p>(pub(super) &'p Program);
+
+impl Names<'_> {
+    /// The name of a variable.
+    pub(super) fn variable(self, variable: Variable) -> Ident {
+        let Self(program) = self;
+        let slots = &program.layout.slots;
+        match variable {
+            Variable::State(n) => match slots.get(n) {
+                Some(slot) => local(&format!("q_{}", slot.name)),
+                None => local(&format!("qd_{}", slots[n - slots.len()].name)),
+            },
+            Variable::Acceleration(n) => local(&format!("qdd_{}", slots[n].name)),
+            Variable::Time => format_ident!("t"),
+            Variable::Input(n) => local(&format!("u_{}", program.inputs[n].name)),
+            Variable::Constant(n) => local(&format!("k{n}")),
+            Variable::Parameter(n) => local(&format!("p_{}", program.parameters[n].name)),
+            Variable::Series(coefficient) => match coefficient {
+                Coefficient::Order => local("order"),
+                Coefficient::OverOrder => local("over_order"),
+                Coefficient::Time => local("time"),
+                Coefficient::State(n) => local(&format!("x{n}")),
+                Coefficient::Sum(n) => local(&format!("s{n}")),
+                Coefficient::Kept(n) => local(&format!("h{n}")),
+            },
+        }
+    }
+
+    /// The statements of a block, and after them what `result` makes of its results.
+    pub(super) fn code(self, block: &Block, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
+        let writer = Writer { names: self, block };
+        let results: Vec<Piece> = block.results.iter().map(|term| writer.term(term)).collect();
+        let (statements, result) = (writer.statements(), result(&results));
+        quote!(#statements #result)
+    }
+}
+
+/// A piece of Rust, and how tightly it holds together.
+pub(super) struct Piece(TokenStream, Precedence);
+
+impl Piece {
+    /// The piece, in brackets if it is looser than its place asks for.
+    pub(super) fn within(&self, least: Precedence) -> TokenStream {
+        let Self(tokens, precedence) = self;
+        if *precedence < least {
+            quote!((#tokens))
+        } else {
+            quote!(#tokens)
+        }
+    }
+}
+
+impl ToTokens for Piece {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        self.0.to_tokens(tokens);
+    }
+}
+
+/// A number of the generic type, spelled so that it reads back exactly.
+pub(super) fn number(value: f64) -> TokenStream {
+    let size = value.abs();
+    let shortest: Result<Literal, _> = format!("{size:?}").parse();
+    let literal = shortest.unwrap_or_else(|_| Literal::f64_unsuffixed(size));
+    if value.is_sign_negative() && value != 0.0 {
+        quote!(T::from_f64(-#literal))
+    } else {
+        quote!(T::from_f64(#literal))
+    }
+}
+
+struct Writer<'p> {
+    names: Names<'p>,
+    block: &'p Block,
+}
+
+impl Writer<'_> {
+    fn local(&self, of: Local) -> Ident {
+        local(self.block.name(of))
+    }
+
+    fn statements(&self) -> TokenStream {
+        let lets = &self.block.lets;
+        if lets.len() <= MOST_STATEMENTS {
+            return lets.iter().map(|code| self.statement(code)).collect();
+        }
+        let mut needed: BTreeSet<Local> = self.block.results.iter().flat_map(Term::locals).collect();
+        // from the last chunk to the first, since each hands out only what is needed after it
+        let chunks = lets.chunks(MOST_STATEMENTS).rev().map(|chunk| {
+            let defined = chunk.iter().flat_map(Let::defines);
+            let out = defined.filter(|local| needed.contains(local)).map(|of| self.local(of));
+            let out: Vec<Ident> = out.collect();
+            needed.extend(chunk.iter().flat_map(Let::needs));
+            let inside = chunk.iter().map(|code| self.statement(code));
+            quote!(let (#(#out,)*) = { #(#inside)* (#(#out,)*) };)
+        });
+        let chunks: Vec<TokenStream> = chunks.collect();
+        chunks.into_iter().rev().collect()
+    }
+
+    fn statement(&self, code: &Let) -> TokenStream {
+        match code {
+            Let::Value(of, term) => {
+                let (name, value) = (self.local(*of), self.term(term));
+                quote!(let #name = #value;)
+            }
+            Let::SinCos(pairs) => {
+                let name = |of: &Option<Local>| match of.map(|of| self.local(of)) {
+                    Some(name) => quote!(#name),
+                    None => quote!(_),
+                };
+                let patterns = pairs.iter().map(|SinCos { sine, cosine, .. }| {
+                    let (sine, cosine) = (name(sine), name(cosine));
+                    quote!((#sine, #cosine))
+                });
+                match pairs.as_slice() {
+                    [one, other] => {
+                        let (receiver, other) = (self.within(&one.angle, Precedence::Atom), self.term(&other.angle));
+                        quote!(let [#(#patterns),*] = #receiver.sin_cos_pair(#other);)
+                    }
+                    angles => {
+                        let receivers = angles.iter().map(|pair| self.within(&pair.angle, Precedence::Atom));
+                        quote!(#(let #patterns = #receivers.sin_cos();)*)
+                    }
+                }
+            }
+        }
+    }
+
+    fn within(&self, term: &Term, least: Precedence) -> TokenStream {
+        self.term(term).within(least)
+    }
+
+    fn term(&self, term: &Term) -> Piece {
+        use Precedence::{Atom, Product, Sum};
+        let (tokens, precedence) = match term {
+            Term::Number(value) => (number(*value), Atom),
+            Term::Local(of) => {
+                let name = self.local(*of);
+                (quote!(#name), Atom)
+            }
+            Term::Read(variable) => {
+                let name = self.names.variable(*variable);
+                (quote!(#name), Atom)
+            }
+            Term::Unary(Unary::Neg, a) => {
+                let a = self.within(a, Precedence::Unary);
+                (quote!(-#a), Precedence::Unary)
+            }
+            Term::Unary(op, a) => {
+                let (a, function) = (self.within(a, Atom), format_ident!("{}", op.spelling()));
+                (quote!(#a.#function()), Atom)
+            }
+            Term::Binary(op, a, b) => {
+                let (left, right, own) = match op {
+                    Binary::Add | Binary::Sub => (Sum, Product, Sum),
+                    Binary::Mul | Binary::Div => (Product, Precedence::Unary, Product),
+                    Binary::Atan2 => (Atom, Sum, Atom),
+                };
+                let (a, b) = (self.within(a, left), self.within(b, right));
+                let tokens = match op {
+                    Binary::Add => quote!(#a + #b),
+                    Binary::Sub => quote!(#a - #b),
+                    Binary::Mul => quote!(#a * #b),
+                    Binary::Div => quote!(#a / #b),
+                    Binary::Atan2 => quote!(#a.atan2(#b)),
+                };
+                (tokens, own)
+            }
+            Term::Sqrt(a) => {
+                let a = self.within(a, Atom);
+                (quote!(#a.sqrt()), Atom)
+            }
+            Term::Power(a, exponent) => {
+                let (a, exponent) = (self.within(a, Atom), number(*exponent));
+                (quote!(#a.powf(#exponent)), Atom)
+            }
+        };
+        Piece(tokens, precedence)
+    }
+}

@@ -1,0 +1,105 @@
+//! How a generated model is built: its parameters checked, and its constants computed.
+
+use proc_macro2::TokenStream;
+use quote::quote;
+
+use super::block::local;
+use super::{Items, allowed, count, field};
+use crate::model::ROUNDING;
+use crate::program::{Block, Condition, Variable};
+
+impl Items<'_> {
+    /// `new` and `cast`, and the parameters of a model that was built.
+    pub(super) fn constructor(&self) -> TokenStream {
+        let (name, parameters, program) = (&self.head.name, self.parameters_name(), self.program);
+        let fields: Vec<_> = program.parameters.iter().map(|p| field(&p.name)).collect();
+        let texts: Vec<_> = program.parameters.iter().map(|p| &p.name).collect();
+        let (given, constants) = (count(fields.len()), count(program.constants_text.len()));
+        let tests = self.tests();
+        let values = (0..program.checked.results.len()).map(|n| local(&format!("r{n}")));
+        let (rules, compute) = (
+            self.of_parameters(&program.checked),
+            self.of_parameters(&program.constants),
+        );
+        let (checked, constants_text, allowed) =
+            (count(program.checked.results.len()), &program.constants_text, allowed());
+        quote! {
+            #allowed
+            impl #name {
+                /// Builds the model: checks the parameters, and computes once whatever depends on them alone.
+                ///
+                /// # Errors
+                ///
+                /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+                pub fn new(params: #parameters) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
+                    #[inline]
+                    fn rules<T: ::pendulum_core::real::Real>(given: [T; #given]) -> [T; #checked] #rules
+                    #[inline]
+                    fn constants<T: ::pendulum_core::real::Real>(given: [T; #given]) -> [T; #constants] #compute
+                    let given: [f64; #given] = [#(params.#fields),*];
+                    let names: [&'static str; #given] = [#(#texts),*];
+                    for (name, value) in names.into_iter().zip(given) {
+                        if !value.is_finite() {
+                            return Err(::pendulum_core::ParameterError { name, value, rule: "a parameter must be finite" });
+                        }
+                    }
+                    let [#(#values),*] = rules(given);
+                    #tests
+                    let constants = constants(given);
+                    let names: [&'static str; #constants] = [#(#constants_text),*];
+                    for (name, value) in names.into_iter().zip(constants) {
+                        if !value.is_finite() {
+                            let rule = "this combination of parameters must be finite: it overflows, a divisor is zero, or a coordinate has no inertia";
+                            return Err(::pendulum_core::ParameterError { name, value, rule });
+                        }
+                    }
+                    Ok(Self { params, constants })
+                }
+
+                /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
+                /// then rounded.
+                pub fn cast<T: ::pendulum_core::real::Real>(&self) -> #name<T> {
+                    #name { params: self.params, constants: self.constants.map(T::from_f64) }
+                }
+            }
+
+            #allowed
+            impl<T: ::pendulum_core::real::Real> #name<T> {
+                /// The parameters that the model was built from.
+                pub fn params(&self) -> &#parameters {
+                    &self.params
+                }
+            }
+        }
+    }
+
+    /// What `new` refuses, from the checked values `r0`, `r1`, ..
+    fn tests(&self) -> TokenStream {
+        let tests = self.program.rules.iter().map(|rule| {
+            let (value, text, sentence) = (local(&format!("r{}", rule.value)), &rule.name, &rule.text);
+            let holds = match rule.condition {
+                Condition::Positive => quote!(#value > 0.0),
+                Condition::NonNegative => quote!(#value >= 0.0),
+                Condition::NonNegativeWithin(scale) => {
+                    let size = local(&format!("r{scale}"));
+                    quote!(#value >= -#ROUNDING * #size.abs())
+                }
+            };
+            quote! {
+                if !(#holds) {
+                    return Err(::pendulum_core::ParameterError { name: #text, value: #value, rule: #sentence });
+                }
+            }
+        });
+        tests.collect()
+    }
+
+    /// A block that computes from the parameters `given`.
+    fn of_parameters(&self, block: &Block) -> TokenStream {
+        let names = self.names();
+        let pattern = (0..self.program.parameters.len()).map(|n| names.variable(Variable::Parameter(n)));
+        let pattern = quote!(let [#(#pattern),*] = given;);
+        let code = names.code(block, |values| quote!([#(#values),*]));
+        quote!({ #pattern #code })
+    }
+}

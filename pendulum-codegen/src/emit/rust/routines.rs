@@ -1,0 +1,291 @@
+//! The routines of a generated model.
+
+use proc_macro2::{Ident, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+
+use super::block::{Piece, local, number};
+use super::lanes::inlined_into_lanes;
+use super::{Items, allowed, count};
+use crate::program::{Argument, Block, Routine, Shape, Variable};
+
+/// The traits that have routines as their methods. Every other routine is a method of its own.
+const TRAITS: [(&str, &[&str]); 5] = [
+    ("System", &["rhs"]),
+    ("Jacobian", &["jacobian", "time_derivative"]),
+    ("Controlled", &["rhs", "jacobian", "input_jacobian"]),
+    ("Canonical", &["canonical", "canonical_jacobian"]),
+    ("Energy", &["kinetic", "potential"]),
+];
+
+/// Whether a routine is a method of the type itself.
+pub(super) fn is_inherent(name: &str) -> bool {
+    !TRAITS.iter().any(|(_, methods)| methods.contains(&name))
+}
+
+impl Items<'_> {
+    /// The implementations of the traits, and the methods beside them.
+    pub(super) fn routines(&self) -> TokenStream {
+        let motion = if self.program.inputs.is_empty() {
+            self.system()
+        } else {
+            self.controlled()
+        };
+        let canonical = self.of_trait("Canonical");
+        let energy = self.of_trait("Energy");
+        [motion, canonical, energy, self.inherent()]
+            .into_iter()
+            .flatten()
+            .collect()
+    }
+
+    /// `impl Trait<T, N> for Model<T>`, or the inherent `impl Model<T>`.
+    fn implement(&self, of_trait: Option<TokenStream>, items: &TokenStream) -> TokenStream {
+        let (name, allowed) = (&self.head.name, allowed());
+        let of_trait = of_trait.map(|of_trait| quote!(#of_trait for));
+        quote! {
+            #allowed
+            impl<T: ::pendulum_core::real::Real> #of_trait #name<T> { #items }
+        }
+    }
+
+    /// A trait over the length of the state.
+    fn named(&self, name: &str) -> TokenStream {
+        let (name, length) = (format_ident!("{name}"), self.length());
+        quote!(::pendulum_core::#name<T, #length>)
+    }
+
+    /// A trait all of whose methods are routines of the same names, if the scene has them.
+    fn of_trait(&self, name: &str) -> Option<TokenStream> {
+        let (_, methods) = TRAITS.into_iter().find(|(known, _)| *known == name)?;
+        let routines: Option<Vec<&Routine>> = methods.iter().map(|method| self.program.routine(method)).collect();
+        let methods = routines?.into_iter().map(|routine| {
+            let function = self.function(&format_ident!("{}", routine.name), routine);
+            quote!(#[inline] #function)
+        });
+        Some(self.implement(Some(self.named(name)), &methods.collect()))
+    }
+
+    fn system(&self) -> Option<TokenStream> {
+        let (inline, rhs) = (inlined_into_lanes(), self.program.routine("rhs")?);
+        let rhs = self.function(&format_ident!("rhs"), rhs);
+        let system = self.implement(Some(self.named("System")), &quote!(#inline #rhs));
+        let jacobian = self.program.routine("jacobian").map(|routine| {
+            let arguments = self.arguments(routine);
+            let matrix = self.shape(routine.shapes[1]);
+            let both = self.function(&format_ident!("rhs_and_jacobian"), routine);
+            let time_derivative = self.time_derivative();
+            let functions = quote! {
+                #[inline]
+                fn jacobian(#arguments) -> #matrix {
+                    self.rhs_and_jacobian(t, x).1
+                }
+                #[inline]
+                #both
+                #[inline]
+                #time_derivative
+            };
+            self.implement(Some(self.named("Jacobian")), &functions)
+        });
+        Some(quote!(#system #jacobian))
+    }
+
+    /// The derivative of the right-hand side by the time; zeros where that does not occur.
+    fn time_derivative(&self) -> TokenStream {
+        let state = Shape::Vector(self.program.layout.len());
+        let (vector, block) = match self.program.routine("time_derivative") {
+            Some(routine) => (
+                self.shape(routine.shapes[0]),
+                self.block(&routine.block, |values| value(state, values)),
+            ),
+            None => {
+                let zeros = value(state, &vec![number(0.0); state.len()]);
+                (self.shape(state), quote!({ #zeros }))
+            }
+        };
+        quote! {
+            fn time_derivative(&self, t: T, x: &#vector) -> #vector
+            where
+                T: ::pendulum_core::Float,
+            #block
+        }
+    }
+
+    fn controlled(&self) -> Option<TokenStream> {
+        let (rhs, jacobian) = (self.program.routine("rhs")?, self.program.routine("jacobian")?);
+        let (length, inputs) = (self.length(), count(self.program.inputs.len()));
+        let (name, arguments, matrix) = (
+            self.inputs_name(),
+            self.arguments(jacobian),
+            self.shape(jacobian.shapes[1]),
+        );
+        let vector = self.shape(jacobian.shapes[0]);
+        let rhs = self.function(&format_ident!("rhs_with"), rhs);
+        let both = self.function(&format_ident!("rhs_and_jacobian_with"), jacobian);
+        let by_inputs = self.function(
+            &format_ident!("input_jacobian"),
+            self.program.routine("input_jacobian")?,
+        );
+        let functions = quote! {
+            type Inputs = #name<T>;
+            #[inline]
+            #rhs
+            #[inline]
+            fn jacobian_with(#arguments) -> #matrix {
+                self.rhs_and_jacobian_with(t, x, u).1
+            }
+            #[inline]
+            #both
+            #[inline]
+            #by_inputs
+        };
+        let controlled = self.implement(
+            Some(quote!(::pendulum_core::Controlled<T, #length, #inputs>)),
+            &functions,
+        );
+        let with_inputs = quote! {
+            /// The model with a law for its inputs: a `System`.
+            pub fn with_inputs<F>(&self, inputs: F) -> ::pendulum_core::WithInputs<'_, Self, F, #inputs>
+            where
+                F: Fn(T, &#vector) -> #name<T>,
+            {
+                ::pendulum_core::WithInputs::new(self, inputs)
+            }
+        };
+        let inherent = self.implement(None, &with_inputs);
+        Some(quote!(#controlled #inherent))
+    }
+
+    /// The methods that belong to no trait.
+    fn inherent(&self) -> Option<TokenStream> {
+        let routines = self.program.routines.iter().filter(|routine| is_inherent(routine.name));
+        let methods = routines.map(|routine| {
+            let (doc, function) = (routine.doc, self.function(&format_ident!("{}", routine.name), routine));
+            quote!(#[doc = #doc] #[inline] pub #function)
+        });
+        let methods: TokenStream = methods.collect();
+        (!methods.is_empty()).then(|| self.implement(None, &methods))
+    }
+
+    /// A routine as a function.
+    fn function(&self, name: &Ident, routine: &Routine) -> TokenStream {
+        let arguments = self.arguments(routine);
+        let shapes: Vec<TokenStream> = routine.shapes.iter().map(|&shape| self.shape(shape)).collect();
+        let output = match shapes.as_slice() {
+            [one] => one.clone(),
+            several => quote!((#(#several),*)),
+        };
+        let block = self.block(&routine.block, |values| result(&routine.shapes, values));
+        quote!(fn #name(#arguments) -> #output #block)
+    }
+
+    fn arguments(&self, routine: &Routine) -> TokenStream {
+        let state = self.shape(Shape::Vector(self.program.layout.len()));
+        let mut arguments = quote!(&self, t: T, x: &#state);
+        for argument in &routine.arguments {
+            arguments.extend(match argument {
+                Argument::Inputs => {
+                    let inputs = self.inputs_name();
+                    quote!(, u: &#inputs<T>)
+                }
+                Argument::Accelerations => {
+                    let vector = self.shape(Shape::Vector(self.program.layout.dof()));
+                    quote!(, qdd: &#vector)
+                }
+            });
+        }
+        arguments
+    }
+
+    /// A block that computes from the state `x`, the time `t`, the inputs `u`, the accelerations `qdd` and the constants of the model.
+    pub(super) fn block(&self, block: &Block, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
+        let (reads, names) = (block.reads(), self.names());
+        let pattern = |variables: &mut dyn Iterator<Item = Variable>| {
+            let names = variables.map(|variable| match names.variable(variable) {
+                name if reads.contains(&variable) => quote!(#name),
+                _ => quote!(_),
+            });
+            let names: Vec<TokenStream> = names.collect();
+            quote!([#(#names),*])
+        };
+        let state = pattern(&mut (0..self.program.layout.len()).map(Variable::State));
+        let mut head = quote!(let #state = x.data.0[0];);
+        if reads.iter().any(|read| matches!(read, Variable::Acceleration(_))) {
+            let accelerations = pattern(&mut (0..self.program.layout.dof()).map(Variable::Acceleration));
+            head.extend(quote!(let #accelerations = qdd.data.0[0];));
+        }
+        for (n, input) in self.program.inputs.iter().enumerate() {
+            if reads.contains(&Variable::Input(n)) {
+                let (name, field) = (names.variable(Variable::Input(n)), super::field(&input.name));
+                head.extend(quote!(let #name = u.#field;));
+            }
+        }
+        head.extend(self.constants_read(block));
+        let code = names.code(block, result);
+        quote!({ #head #code })
+    }
+
+    /// Statements for the constants of the model that a block reads.
+    pub(super) fn constants_read(&self, block: &Block) -> TokenStream {
+        let read = block.reads().into_iter().filter_map(|variable| match variable {
+            Variable::Constant(n) => Some((self.names().variable(variable), count(n))),
+            _ => None,
+        });
+        read.map(|(name, index)| quote!(let #name = self.constants[#index];))
+            .collect()
+    }
+
+    /// The type of a result.
+    pub(super) fn shape(&self, shape: Shape<usize>) -> TokenStream {
+        match shape {
+            Shape::Scalar => quote!(T),
+            Shape::Vector(n) => {
+                let n = count(n);
+                quote!(::pendulum_core::nalgebra::SVector<T, #n>)
+            }
+            Shape::Matrix(n, m) => {
+                let (n, m) = (count(n), count(m));
+                quote!(::pendulum_core::nalgebra::SMatrix<T, #n, #m>)
+            }
+            Shape::Symmetric(n) => self.shape(Shape::Matrix(n, n)),
+        }
+    }
+}
+
+/// The results of a routine, several as a tuple.
+fn result(shapes: &[Shape<usize>], mut values: &[Piece]) -> TokenStream {
+    let results = shapes.iter().map(|&shape| {
+        let (own, rest) = values.split_at(shape.len());
+        values = rest;
+        value(shape, own)
+    });
+    let results: Vec<TokenStream> = results.collect();
+    match results.as_slice() {
+        [one] => one.clone(),
+        several => quote!((#(#several),*)),
+    }
+}
+
+/// A value of a shape from its entries.
+fn value(shape: Shape<usize>, values: &[impl ToTokens]) -> TokenStream {
+    match shape {
+        Shape::Scalar => quote!(#(#values)*),
+        Shape::Vector(_) => quote!(::pendulum_core::nalgebra::SVector::from([#(#values),*])),
+        Shape::Matrix(rows, _) => {
+            let columns = values.chunks(rows).map(|column| quote!([#(#column),*]));
+            quote!(::pendulum_core::nalgebra::SMatrix::from([#(#columns),*]))
+        }
+        Shape::Symmetric(n) => {
+            let names: Vec<Ident> = (0..values.len()).map(|n| local(&format!("a{n}"))).collect();
+            let at = |i: usize, j: usize| {
+                let (i, j) = (i.min(j), i.max(j));
+                &names[i * n - i * (i + 1) / 2 + j]
+            };
+            let columns = (0..n).map(|j| {
+                let column = (0..n).map(|i| at(i, j));
+                quote!([#(#column),*])
+            });
+            let columns: Vec<TokenStream> = columns.collect();
+            quote!(#(let #names = #values;)* ::pendulum_core::nalgebra::SMatrix::from([#(#columns),*]))
+        }
+    }
+}

@@ -1,0 +1,217 @@
+//! All that a printer needs to know of a scene, in no language.
+
+mod block;
+mod build;
+pub(crate) mod layout;
+mod routine;
+mod schedule;
+mod series;
+
+use std::collections::{BTreeSet, HashMap};
+
+pub use block::{Block, Coefficient, Let, Local, SinCos, Term, Variable};
+pub(crate) use build::NotFinite;
+pub use layout::{Slot, SlotKind, StateLayout};
+pub use routine::{Argument, Cost, Routine, Shape};
+pub(crate) use routine::{Length, ROUTINES, words};
+pub use series::Series;
+
+use crate::dynamics::Dynamics;
+use crate::expr::{ExprId, Graph, Level, Printer};
+use crate::form::Forms;
+use crate::model::{self, Model, Requirement};
+use build::block;
+use routine::Request;
+
+/// A scene, ready to be printed in a language.
+#[derive(Clone, Debug)]
+pub struct Program {
+    /// The parameters, in the order of their declaration.
+    pub parameters: Vec<Quantity>,
+    /// The inputs, in the order of their declaration.
+    pub inputs: Vec<Quantity>,
+    /// What the components of the state are.
+    pub layout: StateLayout,
+    /// What the parameters must obey.
+    pub rules: Vec<Rule>,
+    /// The values that the rules speak of, from the parameters.
+    pub checked: Block,
+    /// The constants of the model, from the parameters: computed once, when it is built.
+    pub constants: Block,
+    /// Each constant as text.
+    pub constants_text: Vec<String>,
+    /// What can be evaluated.
+    pub routines: Vec<Routine>,
+    /// The power series of the motion, if the scene asks for it.
+    pub series: Option<Series>,
+    /// The equations of motion as text.
+    pub equations: String,
+}
+
+/// A parameter or an input.
+#[derive(Clone, Debug)]
+pub struct Quantity {
+    /// Name.
+    pub name: String,
+    /// Documentation, line by line.
+    pub docs: Vec<String>,
+    /// Unit, as it is written in the declaration.
+    pub unit: String,
+    /// The value of a parameter where none is given.
+    pub default: Option<f64>,
+}
+
+/// A condition on the parameters, checked when the model is built.
+#[derive(Clone, Debug)]
+pub struct Rule {
+    /// Which of the checked values it is about.
+    pub value: usize,
+    /// What that must be.
+    pub condition: Condition,
+    /// The parameter, or the expression of parameters, as text.
+    pub name: String,
+    /// The rule as a sentence.
+    pub text: String,
+}
+
+/// What a checked value must be.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Condition {
+    /// Above zero.
+    Positive,
+    /// Zero or above.
+    NonNegative,
+    /// Zero or above, up to the rounding of a difference of numbers as large as another checked value.
+    NonNegativeWithin(usize),
+}
+
+impl Program {
+    /// The program of a scene.
+    ///
+    /// # Errors
+    ///
+    /// The first constant that has no finite value.
+    pub(crate) fn new(model: &Model, dynamics: &Dynamics) -> Result<Self, NotFinite> {
+        let g = &model.graph;
+        let mut forms = Forms::new(model, dynamics);
+        let mut request = Request {
+            model,
+            time_occurs: false,
+        };
+        let mut chosen = Vec::new();
+        for row in ROUTINES {
+            if (row.wanted)(&request, row.word) {
+                let own = (row.form)(&mut forms, model);
+                request.time_occurs |= row.name == "rhs" && g.reachable(&own.roots).contains(&model.time);
+                chosen.push((row, own));
+            }
+        }
+        let series = model.outputs.contains("taylor").then(|| forms.taylor(model));
+        let of_series = series.iter().flat_map(|series| [&series.start, &series.order]);
+        let constants = constants(g, chosen.iter().map(|(_, chosen)| &chosen.roots).chain(of_series));
+        let known = known(model, &constants);
+        let routines = chosen
+            .into_iter()
+            .map(|(row, chosen)| row.routine(model, chosen, &known));
+        let printer = Printer::new(g);
+        let (rules, checked) = rules(model);
+        let of_parameters = parameters(model);
+        let equations = match forms.closed() {
+            Some(closed) => crate::emit::equations(model, closed, true),
+            None => crate::emit::equations(model, dynamics, false),
+        };
+        Ok(Self {
+            parameters: model.parameters.iter().map(Quantity::of_parameter).collect(),
+            inputs: model.inputs.iter().map(Quantity::of_input).collect(),
+            layout: StateLayout::new(model),
+            rules,
+            checked: block(g, &checked, &of_parameters)?,
+            constants: block(g, &constants, &of_parameters)?,
+            constants_text: constants.iter().map(|&id| printer.print(id)).collect(),
+            routines: routines.collect::<Result<_, _>>()?,
+            series: series.map(|series| Series::new(model, series, &known)).transpose()?,
+            equations,
+        })
+    }
+
+    /// A routine by its name.
+    pub fn routine(&self, name: &str) -> Option<&Routine> {
+        self.routines.iter().find(|routine| routine.name == name)
+    }
+}
+
+impl Quantity {
+    fn of_parameter(parameter: &model::Parameter) -> Self {
+        Self {
+            name: parameter.name.clone(),
+            docs: parameter.docs.clone(),
+            unit: parameter.unit.text.clone(),
+            default: parameter.default,
+        }
+    }
+
+    fn of_input(input: &model::Input) -> Self {
+        Self {
+            name: input.name.clone(),
+            docs: input.docs.clone(),
+            unit: input.unit.text.clone(),
+            default: None,
+        }
+    }
+}
+
+/// The expressions of parameters that the routines read.
+fn constants<'a>(g: &Graph, lists: impl Iterator<Item = &'a Vec<ExprId>>) -> Vec<ExprId> {
+    let mut constants = BTreeSet::new();
+    for roots in lists {
+        let of_state = g.reachable(roots).into_iter().filter(|&id| g.level(id) == Level::State);
+        let read = of_state.flat_map(|id| g.operands(id)).chain(roots.iter().copied());
+        constants.extend(read.filter(|&id| g.level(id) == Level::Parameter));
+    }
+    constants.into_iter().collect()
+}
+
+/// What the routines can read.
+fn known(model: &Model, constants: &[ExprId]) -> HashMap<ExprId, Variable> {
+    let state = model.state().into_iter().enumerate();
+    let accelerations = model.coordinates.iter().map(|c| c.acceleration).enumerate();
+    let inputs = model.input_symbols().into_iter().enumerate();
+    let constants = constants.iter().copied().enumerate();
+    let state = state.map(|(n, id)| (id, Variable::State(n)));
+    let accelerations = accelerations.map(|(n, id)| (id, Variable::Acceleration(n)));
+    let inputs = inputs.map(|(n, id)| (id, Variable::Input(n)));
+    let constants = constants.map(|(n, id)| (id, Variable::Constant(n)));
+    let all = state.chain(accelerations).chain(inputs).chain(constants);
+    all.chain([(model.time, Variable::Time)]).collect()
+}
+
+/// The parameters, which is all that is known when the model is built.
+fn parameters(model: &Model) -> HashMap<ExprId, Variable> {
+    let parameters = model.parameters.iter().enumerate();
+    parameters.map(|(n, p)| (p.symbol, Variable::Parameter(n))).collect()
+}
+
+/// The rules, and the values that they check.
+fn rules(model: &Model) -> (Vec<Rule>, Vec<ExprId>) {
+    let mut checked = Vec::new();
+    let rules = model.rules.iter().map(|rule| {
+        let value = checked.len();
+        checked.push(rule.value);
+        let condition = match rule.requirement {
+            Requirement::Positive => Condition::Positive,
+            Requirement::NonNegative => Condition::NonNegative,
+            Requirement::NonNegativeWithin(scale) => {
+                checked.push(scale);
+                Condition::NonNegativeWithin(value + 1)
+            }
+        };
+        Rule {
+            value,
+            condition,
+            name: rule.name.clone(),
+            text: rule.text.clone(),
+        }
+    });
+    let rules = rules.collect();
+    (rules, checked)
+}

@@ -1,0 +1,323 @@
+//! Routines: what they compute, and the one table of all that can be generated.
+
+use std::collections::HashMap;
+
+use super::block::{Block, Variable};
+use super::build::{NotFinite, block};
+use crate::expr::ExprId;
+use crate::form::{self, Chosen, Forms};
+use crate::model::Model;
+use crate::pass::Operations;
+
+/// A function of the generated model: of the time and the state, and of its [arguments](Self::arguments).
+#[derive(Clone, Debug)]
+pub struct Routine {
+    /// Its name, also in the list of costs.
+    pub name: &'static str,
+    /// What it computes.
+    pub doc: &'static str,
+    /// What it takes beside the time and the state.
+    pub arguments: Vec<Argument>,
+    /// The shapes of its results, which stand one after the other in those of the block.
+    pub shapes: Vec<Shape<usize>>,
+    /// Its code.
+    pub block: Block,
+    /// What an evaluation takes.
+    pub cost: Cost,
+}
+
+/// The operations of a routine in the form that was chosen, and in others.
+#[derive(Clone, Debug)]
+pub struct Cost {
+    /// Its operations.
+    pub operations: Operations,
+    /// The form that it is written in, for example "recursion, L^T D L".
+    pub form: String,
+    /// The best of each other kind of form, from the least weight on.
+    pub others: Vec<(String, Operations)>,
+}
+
+/// What a routine takes beside the time and the state.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Argument {
+    /// The inputs, in a scene that has some.
+    Inputs,
+    /// The accelerations of the coordinates.
+    Accelerations,
+}
+
+/// The shape of a result, over lengths. Entries of matrices stand column by column.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Shape<N> {
+    /// One number.
+    Scalar,
+    /// A vector of this length.
+    Vector(N),
+    /// A matrix of this many rows and columns.
+    Matrix(N, N),
+    /// A symmetric matrix of this many rows, as its upper triangle, row by row.
+    Symmetric(N),
+}
+
+/// A length that depends on the scene.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Length {
+    /// The components of the state.
+    State,
+    /// The degrees of freedom.
+    Freedom,
+    /// The inputs.
+    Inputs,
+    /// The parameters.
+    Parameters,
+}
+
+impl Row {
+    /// The routine of a scene, in the form that was chosen; `known` is what it can read.
+    pub(super) fn routine(
+        &self,
+        model: &Model,
+        chosen: Chosen,
+        known: &HashMap<ExprId, Variable>,
+    ) -> Result<Routine, NotFinite> {
+        let arguments = self.arguments.iter().copied();
+        let others = chosen.others.iter();
+        Ok(Routine {
+            name: self.name,
+            doc: self.doc,
+            arguments: arguments
+                .filter(|&argument| argument != Argument::Inputs || !model.inputs.is_empty())
+                .collect(),
+            shapes: self
+                .shapes
+                .iter()
+                .map(|shape| shape.map(|length| length.of(model)))
+                .collect(),
+            block: block(&model.graph, &chosen.roots, known)?,
+            cost: Cost {
+                operations: chosen.operations,
+                form: chosen.form.to_string(),
+                others: others
+                    .map(|(form, operations)| (form.to_string(), *operations))
+                    .collect(),
+            },
+        })
+    }
+}
+
+impl Length {
+    fn of(self, model: &Model) -> usize {
+        match self {
+            Self::State => model.state().len(),
+            Self::Freedom => model.dof(),
+            Self::Inputs => model.inputs.len(),
+            Self::Parameters => model.parameters.len(),
+        }
+    }
+}
+
+/// The words of `generate`, in the order in which messages list them.
+pub(crate) fn words() -> Vec<&'static str> {
+    let mut words: Vec<&'static str> = ROUTINES.iter().map(|row| row.word).collect();
+    words.dedup();
+    words.push("taylor");
+    words
+}
+
+impl<N> Shape<N> {
+    /// The same shape over other lengths.
+    pub(crate) fn map<M>(self, mut length: impl FnMut(N) -> M) -> Shape<M> {
+        match self {
+            Self::Scalar => Shape::Scalar,
+            Self::Vector(n) => Shape::Vector(length(n)),
+            Self::Matrix(n, m) => Shape::Matrix(length(n), length(m)),
+            Self::Symmetric(n) => Shape::Symmetric(length(n)),
+        }
+    }
+}
+
+impl Shape<usize> {
+    /// How many results of the block it takes.
+    pub fn len(self) -> usize {
+        match self {
+            Self::Scalar => 1,
+            Self::Vector(n) => n,
+            Self::Matrix(n, m) => n * m,
+            Self::Symmetric(n) => n * (n + 1) / 2,
+        }
+    }
+
+    /// Whether it takes none.
+    pub fn is_empty(self) -> bool {
+        self.len() == 0
+    }
+}
+
+/// What a scene asks for, as far as routines depend on it.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Request<'a> {
+    /// The scene.
+    pub(crate) model: &'a Model,
+    /// Whether the right-hand side depends on the time.
+    pub(crate) time_occurs: bool,
+}
+
+impl Request<'_> {
+    fn asks(&self, word: &str) -> bool {
+        self.model.outputs.contains(word)
+    }
+
+    fn is_controlled(&self) -> bool {
+        !self.model.inputs.is_empty()
+    }
+
+    /// An input without the derivatives by it is of no use.
+    fn jacobian(&self) -> bool {
+        self.asks("jacobian") || (self.is_controlled() && self.asks("rhs"))
+    }
+}
+
+/// A row of the table of routines.
+pub(crate) struct Row {
+    /// The word of `generate` that asks for it.
+    pub(crate) word: &'static str,
+    pub(crate) name: &'static str,
+    pub(crate) doc: &'static str,
+    pub(crate) arguments: &'static [Argument],
+    pub(crate) shapes: &'static [Shape<Length>],
+    /// Whether a scene gets it; the word is that of the row.
+    pub(crate) wanted: fn(&Request<'_>, &str) -> bool,
+    /// Its results in the shortest form.
+    pub(crate) form: fn(&mut Forms, &Model) -> Chosen,
+}
+
+/// Whether a scene asks for a routine by its word, and there is nothing more to it.
+const ASKED: fn(&Request<'_>, &str) -> bool = |scene, word| scene.asks(word);
+
+use Argument::{Accelerations, Inputs};
+use Length::{Freedom, Parameters, State};
+use Shape::{Matrix, Scalar, Symmetric, Vector};
+
+/// Every routine that can be generated. What is read from here: the code, its documentation and costs, and the stand-in for a
+/// scene with errors.
+pub(crate) const ROUTINES: &[Row] = &[
+    Row {
+        word: "rhs",
+        name: "rhs",
+        doc: "The time derivative of the state.",
+        arguments: &[Inputs],
+        shapes: &[Vector(State)],
+        wanted: |scene, _| scene.jacobian() || ["rhs", "canonical", "taylor"].iter().any(|word| scene.asks(word)),
+        form: form::rhs,
+    },
+    Row {
+        word: "jacobian",
+        name: "jacobian",
+        doc: "The time derivative of the state, and its derivatives by the state.",
+        arguments: &[Inputs],
+        shapes: &[Vector(State), Matrix(State, State)],
+        wanted: |scene, _| scene.jacobian(),
+        form: form::jacobian,
+    },
+    Row {
+        word: "jacobian",
+        name: "time_derivative",
+        doc: "The derivative of the right-hand side by the time.",
+        arguments: &[],
+        shapes: &[Vector(State)],
+        // a law for inputs depends on time in its own way: nothing of it is known here
+        wanted: |scene, _| scene.jacobian() && !scene.is_controlled() && scene.time_occurs,
+        form: form::time_derivative,
+    },
+    Row {
+        word: "jacobian",
+        name: "input_jacobian",
+        doc: "The derivatives of the right-hand side by the inputs.",
+        arguments: &[Inputs],
+        shapes: &[Matrix(State, Length::Inputs)],
+        wanted: |scene, _| scene.jacobian() && scene.is_controlled(),
+        form: form::input_jacobian,
+    },
+    Row {
+        word: "energy",
+        name: "kinetic",
+        doc: "Kinetic energy.",
+        arguments: &[],
+        shapes: &[Scalar],
+        wanted: ASKED,
+        form: form::kinetic,
+    },
+    Row {
+        word: "energy",
+        name: "potential",
+        doc: "Potential energy.",
+        arguments: &[],
+        shapes: &[Scalar],
+        wanted: ASKED,
+        form: form::potential,
+    },
+    Row {
+        word: "mass_matrix",
+        name: "mass_matrix",
+        doc: "The mass matrix.",
+        arguments: &[],
+        shapes: &[Symmetric(Freedom)],
+        wanted: ASKED,
+        form: form::mass_matrix,
+    },
+    Row {
+        word: "bias",
+        name: "bias",
+        doc: "The bias: velocity terms and gravity, as generalised forces.",
+        arguments: &[],
+        shapes: &[Vector(Freedom)],
+        wanted: ASKED,
+        form: form::bias,
+    },
+    Row {
+        word: "momentum",
+        name: "momentum",
+        doc: "The momenta of the coordinates: the mass matrix times their rates.",
+        arguments: &[],
+        shapes: &[Vector(Freedom)],
+        wanted: ASKED,
+        form: form::momentum,
+    },
+    Row {
+        word: "canonical",
+        name: "canonical",
+        doc: "Coordinates and momenta, and the rates of both.",
+        arguments: &[],
+        shapes: &[Vector(State), Vector(State)],
+        wanted: ASKED,
+        form: form::canonical,
+    },
+    Row {
+        word: "canonical",
+        name: "canonical_jacobian",
+        doc: "The derivatives of coordinates and momenta, and of their rates, by the state.",
+        arguments: &[],
+        shapes: &[Matrix(State, State), Matrix(State, State)],
+        wanted: ASKED,
+        form: form::canonical_jacobian,
+    },
+    Row {
+        word: "inverse_dynamics",
+        name: "inverse_dynamics",
+        doc: "The generalised forces `A qdd + b - Q` that must act beside gravity and the forces of the joints for the accelerations `qdd`: \
+              zero along a free motion. Inputs count as zero: where each coordinate has one, these are their values.",
+        arguments: &[Accelerations],
+        shapes: &[Vector(Freedom)],
+        wanted: ASKED,
+        form: form::inverse_dynamics,
+    },
+    Row {
+        word: "parameter_jacobian",
+        name: "parameter_jacobian",
+        doc: "The derivatives of the accelerations by the parameters: one column for each, in the order of their declaration.",
+        arguments: &[Inputs],
+        shapes: &[Matrix(Freedom, Parameters)],
+        wanted: ASKED,
+        form: form::parameter_jacobian,
+    },
+];

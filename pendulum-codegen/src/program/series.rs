@@ -1,0 +1,69 @@
+//! The power series of the motion.
+
+use std::collections::HashMap;
+
+use super::block::{Block, Coefficient, Variable};
+use super::build::{NotFinite, block};
+use super::routine::Cost;
+use crate::expr::ExprId;
+use crate::form::Taylor;
+use crate::model::Model;
+
+/// Code for the coefficients of a motion in powers of time: order 0 from the state, then each order from those before it.
+#[derive(Clone, Debug)]
+pub struct Series {
+    /// The number of products of series.
+    pub products: usize,
+    /// How many values of order 0 the other orders read.
+    pub kept: usize,
+    /// Of order 0: the right-hand side, then what is kept.
+    pub start: Block,
+    /// Of order `k`: the right-hand side, then the left sides of all products, then their right sides.
+    pub order: Block,
+    /// What one order `k` takes, without the sums of the products.
+    pub cost: Cost,
+}
+
+impl Series {
+    /// The series in the form that was chosen; `known` is what routines can read.
+    pub(super) fn new(model: &Model, taylor: Taylor, known: &HashMap<ExprId, Variable>) -> Result<Self, NotFinite> {
+        let (g, symbols) = (&model.graph, &taylor.symbols);
+        let start = [model.kinematics(), taylor.start].concat();
+        let (_, rates) = symbols.state.split_at(model.dof());
+        let order = [rates, &taylor.order].concat();
+        let mut of_order = known.clone();
+        let lists = [
+            (&symbols.state, Coefficient::State as fn(usize) -> Coefficient),
+            (&symbols.sums, Coefficient::Sum),
+            (&symbols.kept, Coefficient::Kept),
+        ];
+        let single = [
+            (symbols.order, Coefficient::Order),
+            (symbols.over_order, Coefficient::OverOrder),
+            (symbols.time, Coefficient::Time),
+        ];
+        let of_lists = lists
+            .iter()
+            .flat_map(|(ids, kind)| ids.iter().enumerate().map(|(n, &id)| (id, kind(n))));
+        of_order.extend(
+            of_lists
+                .chain(single)
+                .map(|(id, coefficient)| (id, Variable::Series(coefficient))),
+        );
+        let text = |form: &crate::form::Form, slots: usize| format!("{form}, {slots} products of series");
+        let others = taylor.others.iter();
+        Ok(Self {
+            products: taylor.slots,
+            kept: symbols.kept.len(),
+            start: block(g, &start, known)?,
+            order: block(g, &order, &of_order)?,
+            cost: Cost {
+                operations: taylor.operations,
+                form: text(&taylor.form, taylor.slots),
+                others: others
+                    .map(|(form, slots, count)| (text(form, *slots), *count))
+                    .collect(),
+            },
+        })
+    }
+}
