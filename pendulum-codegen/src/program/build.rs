@@ -24,7 +24,7 @@ pub(crate) fn block(graph: &Graph, roots: &[ExprId], known: &HashMap<ExprId, Var
     let mut builder = Builder::new(graph, roots, known);
     let results = builder.results(roots);
     if let Some(id) = builder.not_finite {
-        return Err(NotFinite(Printer::new(graph).print(id)));
+        return Err(NotFinite(text(graph, id)));
     }
     let order = schedule(&builder.steps(roots));
     Ok(builder.in_order(&order, results))
@@ -288,4 +288,21 @@ impl<'g> Builder<'g> {
 /// Whether an expression is a sine or a cosine.
 fn is_sine(graph: &Graph, id: ExprId) -> bool {
     matches!(graph.node(id), Node::Unary(Unary::Sin | Unary::Cos, _))
+}
+
+/// A constant as text that fits into a message.
+fn text(graph: &Graph, id: ExprId) -> String {
+    /// The longest text.
+    const MOST: usize = 60;
+    let text = Printer::new(graph).print(id);
+    match graph.as_number(id) {
+        Some(number) if text.len() > MOST => {
+            let whole = number.trunc().to_string();
+            let digits = whole.trim_start_matches('-');
+            let sign = if number.is_negative() { "-" } else { "" };
+            format!("{sign}{}.{}e{}", &digits[..1], &digits[1..4], digits.len() - 1)
+        }
+        _ if text.chars().count() > MOST => text.chars().take(MOST).chain("..".chars()).collect(),
+        _ => text,
+    }
 }

@@ -16,6 +16,9 @@ pub use routine::{Argument, Cost, Routine, Shape};
 pub(crate) use routine::{Length, ROUTINES, words};
 pub use series::Series;
 
+pub use crate::expr::{Binary, Unary};
+pub use crate::pass::Operations;
+
 use crate::dynamics::Dynamics;
 use crate::expr::{ExprId, Graph, Level, Printer};
 use crate::form::Forms;

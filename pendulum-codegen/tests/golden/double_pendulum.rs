@@ -590,8 +590,6 @@ for DoublePendulum<T> {
     #[inline]
     fn kinetic(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 4>) -> T {
         let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
-        let k1 = self.constants[1];
-        let k2 = self.constants[2];
         let k3 = self.constants[3];
         let k8 = self.constants[8];
         let k9 = self.constants[9];
@@ -630,6 +628,8 @@ for DoublePendulum<T> {
         let (
             a0,
             a1,
+            a2,
+            a3,
             h0,
             h1,
             h2,
@@ -680,6 +680,8 @@ for DoublePendulum<T> {
                 let t15 = t8 * t14 - t4 * t10;
                 let t16 = k3 * t15;
                 (
+                    qd_theta1,
+                    qd_theta2,
                     t12,
                     t15,
                     qd_theta1,
@@ -703,7 +705,7 @@ for DoublePendulum<T> {
                 )
             }
         };
-        x[1] = ::pendulum_core::nalgebra::SVector::from([x[0][2], x[0][3], a0, a1]);
+        x[1] = ::pendulum_core::nalgebra::SVector::from([a0, a1, a2, a3]);
         let k0 = self.constants[0];
         let k3 = self.constants[3];
         let k4 = self.constants[4];
@@ -746,8 +748,8 @@ for DoublePendulum<T> {
             x[k + 1] = ::pendulum_core::nalgebra::SVector::from([
                 x2 * over_next,
                 x3 * over_next,
-                (t15) * over_next,
-                (t16) * over_next,
+                t15 * over_next,
+                t16 * over_next,
             ]);
         }
     }
