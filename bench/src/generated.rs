@@ -4,7 +4,8 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
-use pendulum_codegen::{Function, Program, expand, program};
+use pendulum_codegen::program::Program;
+use pendulum_codegen::{expand, program};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 use crate::rust::Rust;
@@ -71,7 +72,7 @@ impl Declaration {
     }
 
     /// The source of a library with the functions, each of which takes states and leaves the last result.
-    pub(crate) fn source(&self, items: &str, functions: &[Function]) -> String {
+    pub(crate) fn source(&self, items: &str, functions: &[&str]) -> String {
         let Self { name, parameters, .. } = self;
         let fields: String = parameters
             .iter()
@@ -92,7 +93,7 @@ static MODEL: std::sync::LazyLock<{name}> = std::sync::LazyLock::new(|| {{
 const N: usize = 2 * {name}::<f64>::DOF;
 "
         );
-        for function in functions.iter().map(|function| function.name()) {
+        for function in functions {
             source += &format!(
                 "
 #[unsafe(no_mangle)]

@@ -8,8 +8,7 @@ use std::hint::black_box;
 use std::path::Path;
 use std::time::Duration;
 
-use pendulum_codegen::Function;
-use pendulum_codegen::form::{Basis, Chosen};
+use pendulum_codegen::program::Cost;
 use results::{Counted, Results, Robot, Row};
 
 use crate::chains::{planar, spatial};
@@ -21,9 +20,9 @@ use crate::timing::in_turns;
 
 const LENGTHS: std::ops::RangeInclusive<usize> = 2..=12;
 /// What is generated, the function whose operations and time are given, and its title.
-pub(crate) const FUNCTIONS: [(&str, Function, &str); 2] = [
-    ("rhs", Function::Rhs, "right-hand side"),
-    ("rhs, jacobian", Function::Jacobian, "with Jacobian"),
+pub(crate) const FUNCTIONS: [(&str, &str, &str); 2] = [
+    ("rhs", "rhs", "right-hand side"),
+    ("rhs, jacobian", "jacobian", "with Jacobian"),
 ];
 /// For each scene, how long it may be expanded and compiled again to find the least time.
 const BUDGETS: [Duration; 2] = [Duration::from_secs(2), Duration::from_secs(3)];
@@ -83,26 +82,26 @@ fn row(
     rust: &Rust,
     declaration: &Declaration,
     (chain, n): (&'static str, usize),
-    (function, title): (Function, &'static str),
+    (function, title): (&str, &'static str),
 ) -> Result<(Row, Run), Box<dyn Error>> {
-    let functions = declaration.program()?.functions;
-    let chosen = functions.get(&function).ok_or("a function is missing")?;
+    let program = declaration.program()?;
+    let cost = &program.routine(function).ok_or("a routine is missing")?.cost;
     let (items, expansion) = declaration.expand(BUDGETS[0])?;
-    let wanted: Vec<Function> = functions.keys().copied().collect();
+    let wanted: Vec<&str> = program.routines.iter().map(|routine| routine.name).collect();
     let source = declaration.source(&items, &wanted);
-    let name = format!("{chain}_{n}_{}", function.name());
+    let name = format!("{chain}_{n}_{}", function);
     let (library, compilation) = declaration.compile(rust, &name, &source, BUDGETS[1])?;
     let states: Vec<f64> = (0..2 * n * STATES).map(|k| (0.37 * k as f64).sin()).collect();
-    let results = if function == Function::Rhs { 2 * n } else { 4 * n * n };
-    let program = library::load(&library, function.name(), 2 * n, results)?;
+    let results = if function == "rhs" { 2 * n } else { 4 * n * n };
+    let program = library::load(&library, function, 2 * n, results)?;
     let row = Row {
         chain,
         joints: n,
         function: title,
-        form: chosen.form.to_string(),
-        operations: chosen.operations.additions + chosen.operations.multiplications,
-        divisions: chosen.operations.divisions,
-        bases: bases(chosen),
+        form: cost.form.clone(),
+        operations: cost.operations.additions + cost.operations.multiplications,
+        divisions: cost.operations.divisions,
+        bases: bases(cost),
         expansion: expansion.as_secs_f64(),
         compilation: compilation.as_secs_f64(),
         nanoseconds: f64::NAN,
@@ -110,18 +109,17 @@ fn row(
     Ok((row, Box::new(move || (program.run)(black_box(&states)))))
 }
 
+/// How the names of forms begin.
+const BASES: [&str; 4] = ["closed form", "A, B and C", "recursion", "articulated bodies"];
+
 /// The additions and multiplications of the best form on each basis; the closed forms are one.
-fn bases(chosen: &Chosen) -> Vec<Counted> {
-    let all = [(chosen.form, chosen.operations)]
-        .into_iter()
-        .chain(chosen.others.iter().copied());
+fn bases(cost: &Cost) -> Vec<Counted> {
+    let own = std::iter::once((&cost.form, &cost.operations));
+    let all = own.chain(cost.others.iter().map(|(form, operations)| (form, operations)));
     let mut bases: Vec<Counted> = Vec::new();
     for (form, operations) in all {
-        let basis = match form.basis {
-            Basis::Closed(_) => "closed form",
-            Basis::Shared => "A, B and C",
-            Basis::Recursive => "recursion",
-            Basis::Articulated => "articulated bodies",
+        let Some(basis) = BASES.into_iter().find(|basis| form.starts_with(basis)) else {
+            continue;
         };
         // They come from the shortest on.
         if bases.iter().all(|known| known.basis != basis) {

@@ -1,7 +1,7 @@
 //! A time for each kind of operation, by least squares.
 
 use nalgebra::{Matrix4, Vector4};
-use pendulum_codegen::pass::Operations;
+use pendulum_codegen::program::Operations;
 use serde::Serialize;
 
 use super::subjects::Variant;

@@ -4,8 +4,7 @@ use std::error::Error;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use pendulum_codegen::Function;
-use pendulum_codegen::pass::Operations;
+use pendulum_codegen::program::Operations;
 
 use super::STATES;
 use crate::chains::{planar, spatial};
@@ -115,20 +114,20 @@ pub(crate) fn all(root: &Path, rust: &Rust) -> Result<Vec<Subject>, Box<dyn Erro
 
 fn subject(rust: &Rust, name: String, declaration: &Declaration) -> Result<Subject, Box<dyn Error>> {
     let program = declaration.program()?;
-    let operations = |function| {
-        let chosen = program.functions.get(&function).ok_or("a function is missing")?;
-        Ok::<Operations, &str>(chosen.operations)
+    let operations = |routine| {
+        let routine = program.routine(routine).ok_or("a routine is missing")?;
+        Ok::<Operations, &str>(routine.cost.operations)
     };
     let items = declaration.expand(std::time::Duration::ZERO)?.0;
     let loops = [include_str!("../cheap.rs"), include_str!("../../weights/loops.rs")].map(without_head);
     let source = declaration.source(&items, &[]) + &format!("mod cheap {{ {} }}\n{}", loops[0], loops[1]);
     let (library, _) = rust.library(&format!("weights_{}", name.to_lowercase()), &source)?;
-    let dof = program.model.coordinates.len();
+    let dof = program.layout.dof();
     Ok(Subject {
         dof,
         states: (0..2 * dof * STATES).map(|k| (0.37 * k as f64).sin()).collect(),
-        rhs: operations(Function::Rhs)?,
-        jacobian: operations(Function::Jacobian)?,
+        rhs: operations("rhs")?,
+        jacobian: operations("jacobian")?,
         library,
         name,
     })
