@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 use super::Lower;
 use super::mass::{Mass, Turns};
 use crate::ast;
-use crate::model::{Body, Coordinate, combine};
+use crate::error::Reported;
+use crate::model::{Body, Coordinate, Heading, combine};
 use crate::screw::{SpatialInertia, mat_vec, transpose};
 
 impl Lower {
@@ -15,13 +16,19 @@ impl Lower {
         declared: &[ast::Body],
         order: Vec<usize>,
         coordinates: &[Coordinate],
-        shapes: &BTreeMap<String, Option<Mass>>,
+        shapes: &BTreeMap<String, Result<Mass, Reported>>,
     ) -> Vec<Body> {
         let mut bodies = Vec::new();
         for body in order.into_iter().map(|n| &declared[n]) {
-            if let Some(lowered) = self.body(body, &bodies, coordinates, shapes) {
-                self.placed.insert(lowered.name.clone(), bodies.len());
-                bodies.push(lowered);
+            let name = body.name.to_string();
+            match self.body(body, &bodies, coordinates, shapes) {
+                Ok(lowered) => {
+                    self.placed.insert(name, Ok(bodies.len()));
+                    bodies.push(lowered);
+                }
+                Err(reported) => {
+                    self.placed.entry(name).or_insert(Err(reported));
+                }
             }
         }
         bodies
@@ -32,24 +39,20 @@ impl Lower {
         body: &ast::Body,
         bodies: &[Body],
         coordinates: &[Coordinate],
-        shapes: &BTreeMap<String, Option<Mass>>,
-    ) -> Option<Body> {
-        let own = body
+        shapes: &BTreeMap<String, Result<Mass, Reported>>,
+    ) -> Result<Body, Reported> {
+        let coordinate = body
             .coordinate
             .as_ref()
             .and_then(|name| coordinates.iter().position(|c| name == &c.name));
+        // an error in one part is no reason to leave the others unread
         let mass = self.mass_of_body(body, shapes);
         let geometry = self.geometry(&body.name, body.joint.as_ref());
-        let joint_works = self.joint_fits_coordinate(body, geometry.as_ref().map(|g| g.screw.is_some()));
-        let parent = self.index_of_parent(body);
-        let parent_known = body.parent == "ground" || parent.is_some();
-        let heading = geometry
-            .as_ref()
-            .filter(|_| parent_known && joint_works)
-            .and_then(|geometry| {
-                let parent = parent.map(|p| &bodies[p]);
-                self.heading(body, parent, geometry, own)
-            });
+        let parent = self.parent(body);
+        let heading = geometry.as_ref().map_err(|reported| *reported).and_then(|geometry| {
+            self.require_coordinate(body, geometry.screw.is_some())?;
+            self.heading(body, bodies, parent?, geometry, coordinate)
+        });
         let motion = heading.as_ref().map(|(_, motion)| motion.clone()).unwrap_or_default();
         let position = combine(&self.graph, coordinates, &motion, |c| c.position);
         let rate = combine(&self.graph, coordinates, &motion, |c| c.rate);
@@ -58,23 +61,16 @@ impl Lower {
         let inertia = match mass? {
             None => SpatialInertia::zero(&self.graph),
             Some(mass) => {
-                let turns = match (heading.station, heading.axis) {
-                    (None, Some(axis)) => {
-                        let back = transpose(heading.rest);
-                        Turns::About(mat_vec(&self.graph, back, axis))
-                    }
-                    (None, None) => Turns::Never,
-                    (Some(_), _) => Turns::Freely,
-                };
+                let turns = self.turns(&heading);
                 mass.of_body(self, &body.name, turns)?
             }
         };
-        Some(Body {
+        Ok(Body {
             name: body.name.to_string(),
-            parent,
+            parent: parent?,
             placement: geometry.placement,
             screw: geometry.screw,
-            coordinate: own,
+            coordinate,
             motion,
             heading,
             inertia,
@@ -83,29 +79,44 @@ impl Lower {
         })
     }
 
-    fn joint_fits_coordinate(&mut self, body: &ast::Body, moves: Option<bool>) -> bool {
+    /// About which axes a body turns.
+    fn turns(&self, heading: &Heading) -> Turns {
+        match (heading.station, heading.axis) {
+            (None, None) => Turns::Never,
+            (None, Some(axis)) => {
+                let back = transpose(heading.rest);
+                Turns::About(mat_vec(&self.graph, back, axis))
+            }
+            (Some(_), _) => Turns::Freely,
+        }
+    }
+
+    /// The body that carries this one; none for ground.
+    fn parent(&self, body: &ast::Body) -> Result<Option<usize>, Reported> {
+        let placed = self.placed.get(&body.parent.to_string());
+        placed.map_or(Ok(None), |placed| placed.map(Some))
+    }
+
+    /// A joint that moves must have a coordinate, and a fixed one must not.
+    fn require_coordinate(&mut self, body: &ast::Body, moves: bool) -> Result<(), Reported> {
         let name = &body.name;
-        if body.unread {
-            return moves == Some(body.coordinate.is_some());
+        if let Some(reported) = body.unread {
+            // what is missing may be what could not be read
+            let fits = moves == body.coordinate.is_some();
+            return if fits { Ok(()) } else { Err(reported) };
         }
         match (moves, &body.coordinate) {
-            (Some(true), None) => {
-                self.errors.at(
-                    name.span(),
-                    format_args!("the joint of `{name}` moves but has no coordinate"),
-                    "add `coordinate: name`, or make the joint `fixed`",
-                );
-                false
-            }
-            (Some(false), Some(coordinate)) => {
-                self.errors.at(
-                    coordinate.span(),
-                    format_args!("the joint of `{name}` is fixed, so `{coordinate}` cannot change"),
-                    "remove the coordinate, or give the joint an axis: `joint: revolute(z)`",
-                );
-                false
-            }
-            (Some(false), None) => {
+            (true, None) => Err(self.errors.at(
+                name.span(),
+                format_args!("the joint of `{name}` moves but has no coordinate"),
+                "add `coordinate: name`, or make the joint `fixed`",
+            )),
+            (false, Some(coordinate)) => Err(self.errors.at(
+                coordinate.span(),
+                format_args!("the joint of `{name}` is fixed, so `{coordinate}` cannot change"),
+                "remove the coordinate, or give the joint an axis: `joint: revolute(z)`",
+            )),
+            (false, None) => {
                 let spring = body.spring.as_ref().map(|(stiffness, _)| stiffness);
                 if let Some(force) = body.friction.as_ref().or(spring).or(body.torque.as_ref()) {
                     self.errors.on(
@@ -114,13 +125,9 @@ impl Lower {
                         "remove it, or give the joint an axis and a coordinate",
                     );
                 }
-                true
+                Ok(())
             }
-            _ => true,
+            (true, Some(_)) => Ok(()),
         }
-    }
-
-    pub(super) fn index_of_parent(&self, body: &ast::Body) -> Option<usize> {
-        self.placed.get(&body.parent.to_string()).copied()
     }
 }

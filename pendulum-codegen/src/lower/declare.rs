@@ -19,7 +19,7 @@ impl Lower {
             let default = param
                 .default
                 .as_ref()
-                .and_then(|e| self.expr(e, &place))
+                .and_then(|e| self.expr(e, &place).ok())
                 .and_then(|id| self.graph.constant(id));
             let name = param.name.to_string();
             let symbol = self.graph.symbol(&name, SymbolKind::Parameter(parameters.len()));
@@ -73,8 +73,8 @@ impl Lower {
                 joint: None,
             };
             match self.expr(&item.value, &place) {
-                Some(value) => self.names.set_value(&item.name.to_string(), value),
-                None => _ = self.broken.insert(item.name.to_string()),
+                Ok(value) => self.names.set_value(&item.name.to_string(), value),
+                Err(reported) => _ = self.broken.insert(item.name.to_string(), reported),
             }
         }
     }

@@ -3,6 +3,7 @@
 use super::Lower;
 use super::joint::Geometry;
 use crate::ast;
+use crate::error::Reported;
 use crate::expr::{Graph, Normalizer};
 use crate::model::{Body, Combination, Heading, plus_scaled};
 use crate::screw::{Vec3, add, identity, mat_mul, mat_vec, sub};
@@ -15,14 +16,15 @@ impl Lower {
     pub(super) fn heading(
         &mut self,
         body: &ast::Body,
-        parent: Option<&Body>,
+        bodies: &[Body],
+        parent: Option<usize>,
         geometry: &Geometry,
         coordinate: Option<usize>,
-    ) -> Option<(Heading, Combination)> {
+    ) -> Result<(Heading, Combination), Reported> {
         let own: Combination = coordinate.map(|k| (k, 1)).into_iter().collect();
         let g = &self.graph;
         let before = match parent {
-            Some(parent) => parent.heading.clone(),
+            Some(parent) => bodies[parent].heading.clone(),
             None => Heading {
                 station: None,
                 axis: None,
@@ -35,14 +37,13 @@ impl Lower {
         let turning = geometry.screw.filter(|screw| screw.angular != zero);
         let Some(screw) = turning else {
             if let Some(word) = &body.absolute {
-                self.errors.at(
+                return Err(self.errors.at(
                     word.span(),
                     format_args!("the coordinate of `{}` is no angle", body.name),
                     "`absolute` is for angles measured from ground; leave it out",
-                );
-                return None;
+                ));
             }
-            return Some((Heading { rest, ..before }, own));
+            return Ok((Heading { rest, ..before }, own));
         };
         let axis = mat_vec(g, rest, screw.angular);
         let sign = match before.axis {
@@ -56,15 +57,13 @@ impl Lower {
                 "`{}` cannot be measured from ground: a joint below it turns about another axis",
                 body.name
             );
-            self.errors.at(
+            return Err(self.errors.at(
                 word.span(),
                 fact,
                 "leave out `absolute`; the coordinate is then relative to the parent",
-            );
-            return None;
+            ));
         }
         let Some(sign) = sign else {
-            let parent = self.index_of_parent(body);
             let placed = geometry.placement.rotation;
             let axis = mat_vec(&self.graph, placed, screw.angular);
             let heading = Heading {
@@ -73,7 +72,7 @@ impl Lower {
                 turn: own.clone(),
                 rest: placed,
             };
-            return Some((heading, own));
+            return Ok((heading, own));
         };
         // turn = turn before + sign * motion; an absolute coordinate is the whole turn, seen along its own axis
         let (turn, motion) = if body.absolute.is_some() {
@@ -83,7 +82,7 @@ impl Lower {
         } else {
             (plus_scaled(&before.turn, &own, sign), own)
         };
-        Some((
+        Ok((
             Heading {
                 station: before.station,
                 axis: before.axis.or(Some(axis)),

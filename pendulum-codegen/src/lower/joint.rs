@@ -5,7 +5,7 @@ use syn::Ident;
 use super::Lower;
 use super::expr::Place;
 use crate::ast::{self, Argument, JointArgument};
-use crate::error::suggestion;
+use crate::error::{Reported, suggestion};
 use crate::expr::{ExprId, Level, Printer};
 use crate::model::{Requirement, Rule};
 use crate::screw::{Transform, Twist, Vec3, dot, identity, mat_mul, rotation, scale};
@@ -20,9 +20,9 @@ pub(super) struct Geometry {
 
 impl Lower {
     /// The geometry of a joint; a body without one is fixed where its parent is.
-    pub(super) fn geometry(&mut self, body: &Ident, joint: Option<&ast::Joint>) -> Option<Geometry> {
+    pub(super) fn geometry(&mut self, body: &Ident, joint: Option<&ast::Joint>) -> Result<Geometry, Reported> {
         let Some(joint) = joint else {
-            return Some(Geometry {
+            return Ok(Geometry {
                 placement: Transform::identity(&self.graph),
                 screw: None,
             });
@@ -32,11 +32,11 @@ impl Lower {
         let at = joint
             .at
             .as_ref()
-            .map_or(Some([zero; 3]), |v| self.vector(v, &place("place")));
+            .map_or(Ok([zero; 3]), |v| self.vector(v, &place("place")));
         let rpy = joint
             .rpy
             .as_ref()
-            .map_or(Some([zero; 3]), |v| self.vector(v, &place("roll, pitch and yaw")));
+            .map_or(Ok([zero; 3]), |v| self.vector(v, &place("roll, pitch and yaw")));
         let screw = self.screw(body, joint);
         let (at, [roll, pitch, yaw]) = (at?, rpy?);
         let g = &self.graph;
@@ -47,14 +47,14 @@ impl Lower {
             rotation: mat_mul(g, yaw, turned),
             translation: at,
         };
-        Some(Geometry {
+        Ok(Geometry {
             placement,
             screw: screw?,
         })
     }
 
-    /// The normalised screw axis in the joint frame: `Some(None)` for a fixed joint, `None` after an error.
-    fn screw(&mut self, body: &Ident, joint: &ast::Joint) -> Option<Option<Twist>> {
+    /// The normalised screw axis in the joint frame; none for a fixed joint.
+    fn screw(&mut self, body: &Ident, joint: &ast::Joint) -> Result<Option<Twist>, Reported> {
         const KINDS: [(&str, &str); 5] = [
             ("revolute", "revolute(z)"),
             ("prismatic", "prismatic(x)"),
@@ -64,103 +64,91 @@ impl Lower {
         ];
         let kind = joint.kind.to_string();
         let Some((_, form)) = KINDS.iter().find(|(known, _)| *known == kind) else {
-            self.errors.at(
+            return Err(self.errors.at(
                 joint.kind.span(),
                 format_args!("unknown joint `{kind}`"),
                 suggestion(&kind, KINDS.map(|(known, _)| known)),
-            );
-            return None;
+            ));
         };
         let zero = self.graph.zero();
         let still = [zero; 3];
         match (kind.as_str(), &joint.arguments[..]) {
-            ("fixed", []) => Some(None),
+            ("fixed", []) => Ok(None),
             ("revolute", [axis]) => {
                 let angular = self.axis(body, joint, axis)?;
-                Some(Some(Twist { angular, linear: still }))
+                Ok(Some(Twist { angular, linear: still }))
             }
             ("prismatic", [axis]) => {
                 let linear = self.axis(body, joint, axis)?;
-                Some(Some(Twist { angular: still, linear }))
+                Ok(Some(Twist { angular: still, linear }))
             }
             ("helical", [axis, JointArgument::Other(Argument::Scalar(pitch))]) => {
                 let pitch = self.expr(pitch, &Place::fixed(format!("the pitch of the joint of `{body}`")));
                 let angular = self.axis(body, joint, axis)?;
                 let linear = scale(&self.graph, pitch?, angular);
-                Some(Some(Twist { angular, linear }))
+                Ok(Some(Twist { angular, linear }))
             }
             ("screw", [JointArgument::Other(Argument::List(entries, tokens))]) if entries.len() == 6 => {
                 let place = Place::fixed(format!("the screw of the joint of `{body}`"));
                 let entries: Vec<_> = entries.iter().map(|e| self.expr(e, &place)).collect();
-                let entries: Vec<_> = entries.into_iter().collect::<Option<_>>()?;
+                let entries: Vec<_> = entries.into_iter().collect::<Result<_, _>>()?;
                 let (angular, linear): (Vec3, Vec3) = (
                     [entries[0], entries[1], entries[2]],
                     [entries[3], entries[4], entries[5]],
                 );
                 let turns = angular != still;
                 let Some(length) = self.inverse_length(body, if turns { angular } else { linear }) else {
-                    self.errors.on(
+                    return Err(self.errors.on(
                         tokens,
                         format_args!("the screw of the joint of `{body}` is zero"),
                         "give it a direction to turn about or to slide along",
-                    );
-                    return None;
+                    ));
                 };
                 let g = &self.graph;
-                Some(Some(Twist {
+                Ok(Some(Twist {
                     angular: scale(g, length, angular),
                     linear: scale(g, length, linear),
                 }))
             }
-            _ => {
-                self.errors.at(
-                    joint.kind.span(),
-                    format_args!("a {kind} joint takes other arguments"),
-                    format_args!("write `{form}`; an axis is x, y, z, -x, .. or a vector"),
-                );
-                None
-            }
+            _ => Err(self.errors.at(
+                joint.kind.span(),
+                format_args!("a {kind} joint takes other arguments"),
+                format_args!("write `{form}`; an axis is x, y, z, -x, .. or a vector"),
+            )),
         }
     }
 
-    fn axis(&mut self, body: &Ident, joint: &ast::Joint, axis: &JointArgument) -> Option<Vec3> {
+    fn axis(&mut self, body: &Ident, joint: &ast::Joint, axis: &JointArgument) -> Result<Vec3, Reported> {
         match axis {
             JointArgument::Axis(n, negative, _) => {
                 let mut unit = [self.graph.zero(); 3];
                 unit[*n] = self.graph.integer(if *negative { -1 } else { 1 });
-                Some(unit)
+                Ok(unit)
             }
             JointArgument::Other(Argument::List(entries, tokens)) if entries.len() == 3 => {
                 let place = Place::fixed(format!("the axis of the joint of `{body}`"));
                 let entries: Vec<_> = entries.iter().map(|e| self.expr(e, &place)).collect();
-                let entries: Vec<_> = entries.into_iter().collect::<Option<_>>()?;
+                let entries: Vec<_> = entries.into_iter().collect::<Result<_, _>>()?;
                 let vector = [entries[0], entries[1], entries[2]];
                 let Some(length) = self.inverse_length(body, vector) else {
-                    self.errors.on(
+                    return Err(self.errors.on(
                         tokens,
                         format_args!("the axis of the joint of `{body}` is zero"),
                         "give it a direction; any length will do",
-                    );
-                    return None;
+                    ));
                 };
-                Some(scale(&self.graph, length, vector))
+                Ok(scale(&self.graph, length, vector))
             }
-            JointArgument::Other(Argument::Scalar(e)) => {
-                self.errors.on(
-                    e,
-                    format_args!("the joint of `{body}` has no such axis"),
-                    "an axis is x, y, z, -x, -y, -z or a vector `[x, y, z]`",
-                );
-                None
-            }
-            JointArgument::Other(_) => {
-                self.errors.at(
-                    joint.kind.span(),
-                    format_args!("the axis of the joint of `{body}` is no vector"),
-                    "write `[x, y, z]`",
-                );
-                None
-            }
+            JointArgument::Other(Argument::Scalar(e)) => Err(self.errors.on(
+                e,
+                format_args!("the joint of `{body}` has no such axis"),
+                "an axis is x, y, z, -x, -y, -z or a vector `[x, y, z]`",
+            )),
+            JointArgument::Other(_) => Err(self.errors.at(
+                joint.kind.span(),
+                format_args!("the axis of the joint of `{body}` is no vector"),
+                "write `[x, y, z]`",
+            )),
         }
     }
 

@@ -15,10 +15,10 @@ mod scope;
 mod shape;
 mod solid;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
 use crate::ast::{Items, Scene, Vector};
-use crate::error::Errors;
+use crate::error::{Errors, Reported};
 use crate::expr::{ExprId, Graph, SymbolKind};
 use crate::model::{Coordinate, Model, Rule};
 use crate::screw::Vec3;
@@ -32,11 +32,11 @@ struct Lower {
     names: Names,
     errors: Errors,
     /// Names whose declaration had an error: their uses are not reported again.
-    broken: BTreeSet<String>,
+    broken: BTreeMap<String, Reported>,
     rules: Vec<Rule>,
     time: ExprId,
     /// Bodies that have been lowered: their positions among the model's bodies.
-    placed: BTreeMap<String, usize>,
+    placed: BTreeMap<String, Result<usize, Reported>>,
 }
 
 /// The meaning of a scene. Errors are added to those of the reading.
@@ -47,7 +47,7 @@ pub fn lower(scene: &Scene, errors: Errors) -> Result<Model, Errors> {
         graph,
         names: Names::default(),
         errors,
-        broken: BTreeSet::new(),
+        broken: BTreeMap::new(),
         rules: Vec::new(),
         time,
         placed: BTreeMap::new(),
@@ -84,7 +84,7 @@ impl Lower {
     }
 
     fn gravity(&mut self, gravity: Option<&Vector>) -> Vec3 {
-        let given = gravity.and_then(|g| self.vector(g, &Place::fixed("gravity")));
+        let given = gravity.and_then(|g| self.vector(g, &Place::fixed("gravity")).ok());
         given.unwrap_or([self.graph.zero(); 3])
     }
 

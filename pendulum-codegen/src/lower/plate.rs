@@ -3,6 +3,7 @@
 use syn::Ident;
 
 use super::Lower;
+use crate::error::Reported;
 use crate::expr::{ExprId, Graph, ratio};
 use crate::screw::{SpatialInertia, Symmetric3, sum};
 
@@ -14,14 +15,13 @@ impl Lower {
         mass: ExprId,
         corners: &[(ExprId, ExprId)],
         tokens: &proc_macro2::TokenStream,
-    ) -> Option<SpatialInertia> {
+    ) -> Result<SpatialInertia, Reported> {
         if corners.len() < 3 {
-            self.errors.on(
+            return Err(self.errors.on(
                 tokens,
                 format_args!("a plate of `{owner}` has {} corners", corners.len()),
                 "a plate needs three corners or more",
-            );
-            return None;
+            ));
         }
         let constants: Option<Vec<_>> = corners
             .iter()
@@ -30,12 +30,11 @@ impl Lower {
         if let Some(corners) = &constants
             && !is_simple(corners)
         {
-            self.errors.on(
+            return Err(self.errors.on(
                 tokens,
                 format_args!("the sides of a plate of `{owner}` cross or touch"),
                 "list the corners in order around the plate, each once",
-            );
-            return None;
+            ));
         }
         let g = &self.graph;
         let mut sums = [g.zero(); 6]; // 2 area, 6 area (x, y), 12 integrals of (x^2, y^2), 24 of xy
@@ -65,7 +64,7 @@ impl Lower {
         let (x, y, xx, yy, xy) = (part(x, 3), part(y, 3), part(xx, 6), part(yy, 6), part(xy, 12));
         let zero = g.zero();
         let about_origin = Symmetric3([yy, xx, g.add(xx, yy), g.neg(xy), zero, zero]);
-        Some(SpatialInertia {
+        Ok(SpatialInertia {
             mass,
             moment: [x, y, zero],
             about_origin,

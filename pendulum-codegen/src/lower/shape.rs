@@ -7,10 +7,10 @@ use syn::Ident;
 use super::Lower;
 use super::mass::Mass;
 use crate::ast;
-use crate::error::suggestion;
+use crate::error::{Reported, suggestion};
 
 impl Lower {
-    pub(super) fn shapes(&mut self, declared: &[ast::Shape]) -> BTreeMap<String, Option<Mass>> {
+    pub(super) fn shapes(&mut self, declared: &[ast::Shape]) -> BTreeMap<String, Result<Mass, Reported>> {
         let mut shapes = BTreeMap::new();
         for shape in declared {
             let mass = self.mass(&shape.name, &shape.properties, shape.unread);
@@ -25,36 +25,35 @@ impl Lower {
         shapes
     }
 
-    /// The mass of a body: `Some(None)` if it has none, `None` after an error.
+    /// The mass of a body, if it has any.
     pub(super) fn mass_of_body(
         &mut self,
         body: &ast::Body,
-        shapes: &BTreeMap<String, Option<Mass>>,
-    ) -> Option<Option<Mass>> {
+        shapes: &BTreeMap<String, Result<Mass, Reported>>,
+    ) -> Result<Option<Mass>, Reported> {
         let own = &body.properties;
         let has_own = own.mass.is_some() || own.com.is_some() || own.inertia.is_some() || own.solids.is_some();
         let Some(shape) = &body.shape else {
             return if has_own {
                 self.mass(&body.name, own, body.unread).map(Some)
             } else {
-                Some(None)
+                Ok(None)
             };
         };
         if has_own {
-            self.errors.at(
+            return Err(self.errors.at(
                 shape.span(),
                 format_args!("`{}` has a shape and mass properties of its own", body.name),
                 "give either the shape, or mass, com and inertia, or solids",
-            );
-            return None;
+            ));
         }
         match shapes.get(&shape.to_string()) {
             Some(mass) => mass.clone().map(Some),
             None => {
                 let help = suggestion(&shape.to_string(), shapes.keys().map(String::as_str));
-                self.errors
-                    .at(shape.span(), format_args!("no shape named `{shape}`"), help);
-                None
+                Err(self
+                    .errors
+                    .at(shape.span(), format_args!("no shape named `{shape}`"), help))
             }
         }
     }

@@ -5,33 +5,32 @@ use syn::Ident;
 use super::Lower;
 use super::expr::Place;
 use crate::ast::{Argument, Solid};
-use crate::error::suggestion;
+use crate::error::{Reported, suggestion};
 use crate::expr::{ExprId, ratio};
 use crate::model::Requirement;
 use crate::screw::{SpatialInertia, Symmetric3, Vec3, add, dot, scale, sub};
 
 impl Lower {
-    /// The sum of solids; none after an error.
-    pub(super) fn solids(&mut self, owner: &Ident, solids: &[Solid]) -> Option<SpatialInertia> {
+    /// The sum of solids.
+    pub(super) fn solids(&mut self, owner: &Ident, solids: &[Solid]) -> Result<SpatialInertia, Reported> {
         if solids.is_empty() {
             let help =
                 "list one or more, such as `point(m, [0, -l, 0])`, or leave the field out for a body without mass";
-            self.errors.at(
+            return Err(self.errors.at(
                 owner.span(),
                 format_args!("the list of solids of `{owner}` is empty"),
                 help,
-            );
-            return None;
+            ));
         }
-        let mut total = Some(SpatialInertia::zero(&self.graph));
+        let mut total = Ok(SpatialInertia::zero(&self.graph));
         for solid in solids {
             let part = self.solid(owner, solid);
-            total = total.zip(part).map(|(total, part)| total.plus(&self.graph, &part));
+            total = total.and_then(|total| Ok(total.plus(&self.graph, &part?)));
         }
         total
     }
 
-    fn solid(&mut self, owner: &Ident, solid: &Solid) -> Option<SpatialInertia> {
+    fn solid(&mut self, owner: &Ident, solid: &Solid) -> Result<SpatialInertia, Reported> {
         const KINDS: [(&str, &str); 7] = [
             ("point", "point(mass, [x, y, z])"),
             ("rod", "rod(mass, [x, y, z], [x, y, z])"),
@@ -44,18 +43,17 @@ impl Lower {
         let kind = solid.kind.to_string();
         let Some((_, form)) = KINDS.iter().find(|(known, _)| *known == kind) else {
             let help = suggestion(&kind, KINDS.map(|(known, _)| known));
-            self.errors
-                .at(solid.kind.span(), format_args!("unknown solid `{kind}`"), help);
-            return None;
+            return Err(self
+                .errors
+                .at(solid.kind.span(), format_args!("unknown solid `{kind}`"), help));
         };
         let place = Place::fixed(format!("a {kind} of `{owner}`"));
         let wrong = |lower: &mut Self| {
-            lower.errors.at(
+            Err(lower.errors.at(
                 solid.kind.span(),
                 format_args!("a {kind} takes other arguments"),
                 format_args!("write `{form}`"),
-            );
-            None
+            ))
         };
         let [Argument::Scalar(mass), rest @ ..] = &solid.arguments[..] else {
             return wrong(self);
@@ -76,25 +74,25 @@ impl Lower {
             ("point", [at]) => {
                 let at = self.triple(at, &place);
                 let zero = Symmetric3::zero(&self.graph);
-                Some(SpatialInertia::of_body(&self.graph, mass?, at?, zero))
+                Ok(SpatialInertia::of_body(&self.graph, mass?, at?, zero))
             }
             ("rod", [from, to]) => {
                 let (from, to) = (self.triple(from, &place), self.triple(to, &place));
-                Some(self.rod(mass?, from?, to?))
+                Ok(self.rod(mass?, from?, to?))
             }
             ("disk", [Argument::Scalar(r), at]) => {
                 let (r, at) = (radius(self, r), self.triple(at, &place));
                 let quarter = self.times_square(mass?, r?, 4);
                 let half = self.graph.add(quarter, quarter);
                 let moments = Symmetric3::diagonal(&self.graph, [quarter, quarter, half]);
-                Some(SpatialInertia::of_body(&self.graph, mass?, at?, moments))
+                Ok(SpatialInertia::of_body(&self.graph, mass?, at?, moments))
             }
             ("sphere", [Argument::Scalar(r), at]) => {
                 let (r, at) = (radius(self, r), self.triple(at, &place));
                 let fifth = self.times_square(mass?, r?, 5);
                 let moment = self.graph.add(fifth, fifth);
                 let moments = Symmetric3::diagonal(&self.graph, [moment; 3]);
-                Some(SpatialInertia::of_body(&self.graph, mass?, at?, moments))
+                Ok(SpatialInertia::of_body(&self.graph, mass?, at?, moments))
             }
             ("cuboid", [size @ Argument::List(sides, _), at]) => {
                 let (size, at) = (self.triple(size, &place), self.triple(at, &place));
@@ -111,7 +109,7 @@ impl Lower {
                 let g = &self.graph;
                 let moments = [g.add(y, z), g.add(x, z), g.add(x, y)];
                 let moments = Symmetric3::diagonal(g, moments);
-                Some(SpatialInertia::of_body(g, mass, at, moments))
+                Ok(SpatialInertia::of_body(g, mass, at, moments))
             }
             ("cylinder", [Argument::Scalar(r), from, to]) => {
                 let (r, from, to) = (radius(self, r), self.triple(from, &place), self.triple(to, &place));
@@ -120,12 +118,11 @@ impl Lower {
                 let axis = sub(&self.graph, to, from);
                 let length2 = dot(&self.graph, axis, axis);
                 if self.graph.is_zero(length2) {
-                    self.errors.at(
+                    return Err(self.errors.at(
                         solid.kind.span(),
                         format_args!("a cylinder of `{owner}` has no length"),
                         "give two different ends, or write a disk",
-                    );
-                    return None;
+                    ));
                 }
                 // a rod, and a disk about the rod's direction u: m r^2/4 (1 + u u^T)
                 let quarter = self.times_square(mass, r, 4);
@@ -134,24 +131,21 @@ impl Lower {
                 let round = Symmetric3::diagonal(g, [quarter; 3]);
                 let axial = Symmetric3::outer(g, along, axis);
                 let about_origin = rod.about_origin.plus(g, round).plus(g, axial);
-                Some(SpatialInertia { about_origin, ..rod })
+                Ok(SpatialInertia { about_origin, ..rod })
             }
             ("plate", [Argument::Points(points, tokens)]) => {
                 let corners: Vec<_> = points
                     .iter()
-                    .map(|point| match &point[..] {
-                        [x, y] => self.expr(x, &place).zip(self.expr(y, &place)),
-                        _ => {
-                            self.errors.on(
-                                tokens,
-                                "a corner of a plate has two coordinates",
-                                format_args!("write `{form}`"),
-                            );
-                            None
-                        }
+                    .map(|point| {
+                        let [x, y] = &point[..] else {
+                            let help = format!("write `{form}`");
+                            return Err(self.errors.on(tokens, "a corner of a plate has two coordinates", help));
+                        };
+                        let (x, y) = (self.expr(x, &place), self.expr(y, &place));
+                        Ok((x?, y?))
                     })
                     .collect();
-                let corners: Vec<_> = corners.into_iter().collect::<Option<_>>()?;
+                let corners: Vec<_> = corners.into_iter().collect::<Result<_, _>>()?;
                 self.plate(owner, mass?, &corners, tokens)
             }
             _ => wrong(self),
@@ -179,18 +173,17 @@ impl Lower {
         SpatialInertia::of_body(g, mass, middle, moments)
     }
 
-    fn triple(&mut self, argument: &Argument, place: &Place) -> Option<Vec3> {
+    fn triple(&mut self, argument: &Argument, place: &Place) -> Result<Vec3, Reported> {
         if let Argument::List(entries, _) = argument
             && let [x, y, z] = &entries[..]
         {
             let [x, y, z] = [x, y, z].map(|e| self.expr(e, place));
-            return Some([x?, y?, z?]);
+            return Ok([x?, y?, z?]);
         }
-        self.errors.on(
+        Err(self.errors.on(
             argument,
             format_args!("expected a point in {}", place.what),
             "write its three coordinates `[x, y, z]`",
-        );
-        None
+        ))
     }
 }
