@@ -2,6 +2,7 @@
 
 use super::Lower;
 use super::expr::Place;
+use super::scope::Kind;
 use crate::ast;
 use crate::expr::{Level, SymbolKind};
 use crate::model::{Coordinate, Input, Parameter};
@@ -36,7 +37,7 @@ impl Lower {
         }
         for (param, parameter) in &parameters {
             self.names
-                .declare(&mut self.errors, "parameter", &param.name, Some(parameter.symbol));
+                .declare(&mut self.errors, Kind::Parameter, &param.name, Some(parameter.symbol));
         }
         parameters.into_iter().map(|(_, parameter)| parameter).collect()
     }
@@ -46,7 +47,8 @@ impl Lower {
         for input in declared {
             let name = input.name.to_string();
             let symbol = self.graph.symbol(&name, SymbolKind::Input(inputs.len()));
-            self.names.declare(&mut self.errors, "input", &input.name, Some(symbol));
+            self.names
+                .declare(&mut self.errors, Kind::Input, &input.name, Some(symbol));
             inputs.push(Input {
                 name,
                 docs: input.docs.clone(),
@@ -60,7 +62,7 @@ impl Lower {
     /// Declares names before their values are known, so that a use before the definition can be told from a misspelling.
     pub(super) fn declare_lets(&mut self, lets: &[ast::Let]) {
         for item in lets {
-            self.names.declare(&mut self.errors, "`let`", &item.name, None);
+            self.names.declare(&mut self.errors, Kind::Let, &item.name, None);
         }
     }
 
@@ -85,7 +87,7 @@ impl Lower {
             let (name, k) = (ident.to_string(), coordinates.len());
             let position = self.graph.symbol(&name, SymbolKind::Coordinate(k));
             self.names
-                .declare(&mut self.errors, "coordinate", ident, Some(position));
+                .declare(&mut self.errors, Kind::Coordinate, ident, Some(position));
             coordinates.push((name, position));
         }
         let rate = |k: usize, name: &String| self.graph.symbol(&format!("dot({name})"), SymbolKind::Rate(k));
