@@ -4,6 +4,7 @@ use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use syn::Ident;
 
+use crate::error::Reported;
 use crate::expr::Rational;
 use crate::units::Unit;
 
@@ -88,8 +89,8 @@ pub struct Shape {
     pub name: Ident,
     /// What it weighs.
     pub properties: Properties,
-    /// Whether a field could not be read, so that something may be missing.
-    pub unread: bool,
+    /// The error in a field that could not be read, if there is one: something may be missing.
+    pub unread: Option<Reported>,
 }
 
 /// Mass properties: either mass, centre of mass and inertia, or solids.
@@ -159,8 +160,8 @@ pub struct Body {
     pub spring: Option<(Expr, Expr)>,
     /// Joint force.
     pub torque: Option<Expr>,
-    /// Whether a field could not be read, so that something may be missing.
-    pub unread: bool,
+    /// The error in a field that could not be read, if there is one: something may be missing.
+    pub unread: Option<Reported>,
 }
 
 /// `kind(arguments) at point rpy angles`

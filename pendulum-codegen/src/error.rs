@@ -7,6 +7,10 @@ use quote::ToTokens;
 #[derive(Debug, Default)]
 pub struct Errors(Vec<syn::Error>);
 
+/// Proof that an error has been noted: whoever gets one in place of a value need not report again.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Reported(());
+
 impl Errors {
     /// One error on one place.
     pub fn one(span: Span, fact: impl std::fmt::Display, help: impl std::fmt::Display) -> Self {
@@ -14,28 +18,24 @@ impl Errors {
     }
 
     /// Notes an error on a whole syntax node: what is wrong, and what to do about it.
-    pub fn on(&mut self, node: impl ToTokens, fact: impl std::fmt::Display, help: impl std::fmt::Display) {
-        self.0.push(syn::Error::new_spanned(node, message(fact, help)));
+    pub fn on(&mut self, node: impl ToTokens, fact: impl std::fmt::Display, help: impl std::fmt::Display) -> Reported {
+        self.push(syn::Error::new_spanned(node, message(fact, help)))
     }
 
     /// Notes an error on one place.
-    pub fn at(&mut self, span: Span, fact: impl std::fmt::Display, help: impl std::fmt::Display) {
-        self.0.push(at(span, fact, help));
+    pub fn at(&mut self, span: Span, fact: impl std::fmt::Display, help: impl std::fmt::Display) -> Reported {
+        self.push(at(span, fact, help))
     }
 
     /// Notes an error.
-    pub fn push(&mut self, error: syn::Error) {
+    pub fn push(&mut self, error: syn::Error) -> Reported {
         self.0.push(error);
+        Reported(())
     }
 
     /// Keeps the value, or notes the error.
-    pub fn keep<T>(&mut self, result: syn::Result<T>) -> Option<T> {
-        result.map_err(|error| self.0.push(error)).ok()
-    }
-
-    /// How many there are.
-    pub fn len(&self) -> usize {
-        self.0.len()
+    pub fn keep<T>(&mut self, result: syn::Result<T>) -> Result<T, Reported> {
+        result.map_err(|error| self.push(error))
     }
 
     /// Whether there are none.

@@ -5,7 +5,7 @@ use syn::Ident;
 
 use super::Lower;
 use crate::ast::{Expr, ExprKind, Operator, Vector};
-use crate::error::suggestion;
+use crate::error::{Reported, suggestion};
 use crate::expr::{ExprId, Level, Unary};
 use crate::screw::Vec3;
 
@@ -45,8 +45,8 @@ const FUNCTIONS: [(&str, Unary); 7] = [
 const MOST_POWER: i64 = 64;
 
 impl Lower {
-    /// The expression at a place; none after an error, which has been noted.
-    pub(super) fn expr(&mut self, expr: &Expr, place: &Place) -> Option<ExprId> {
+    /// The expression at a place.
+    pub(super) fn expr(&mut self, expr: &Expr, place: &Place) -> Result<ExprId, Reported> {
         let id = self.operation(expr, place)?;
         let level = self.graph.level(id);
         if level > place.most {
@@ -55,53 +55,52 @@ impl Lower {
             } else {
                 "build it from numbers and parameters: it is computed once, when the model is built"
             };
-            self.errors
-                .on(expr, format_args!("{} may not depend on the motion", place.what), help);
-            return None;
+            return Err(self
+                .errors
+                .on(expr, format_args!("{} may not depend on the motion", place.what), help));
         }
-        Some(id)
+        Ok(id)
     }
 
     /// Three expressions at a place.
-    pub(super) fn vector(&mut self, vector: &Vector, place: &Place) -> Option<Vec3> {
+    pub(super) fn vector(&mut self, vector: &Vector, place: &Place) -> Result<Vec3, Reported> {
         let [x, y, z] = vector.components.each_ref().map(|e| self.expr(e, place));
-        Some([x?, y?, z?])
+        Ok([x?, y?, z?])
     }
 
     /// An operation, whose value must be finite where it is constant.
-    fn operation(&mut self, expr: &Expr, place: &Place) -> Option<ExprId> {
+    fn operation(&mut self, expr: &Expr, place: &Place) -> Result<ExprId, Reported> {
         let id = self.unchecked(expr, place)?;
         let constant = self.graph.level(id) == Level::Constant && self.graph.as_number(id).is_none();
         if constant && self.graph.constant(id).is_some_and(|value| !value.is_finite()) {
             let help = "look for a division by zero or the root or logarithm of a negative number";
-            self.errors
-                .on(expr, format_args!("a part of {} has no finite value", place.what), help);
-            return None;
+            return Err(self
+                .errors
+                .on(expr, format_args!("a part of {} has no finite value", place.what), help));
         }
-        Some(id)
+        Ok(id)
     }
 
-    fn unchecked(&mut self, expr: &Expr, place: &Place) -> Option<ExprId> {
+    fn unchecked(&mut self, expr: &Expr, place: &Place) -> Result<ExprId, Reported> {
         match &expr.kind {
-            ExprKind::Number(n) => Some(self.graph.number(n.clone())),
+            ExprKind::Number(n) => Ok(self.graph.number(n.clone())),
             ExprKind::Name(name) => self.name(name, place),
             ExprKind::Call(name, arguments) => self.call(expr, name, arguments, place),
             ExprKind::Neg(a) => {
                 let a = self.operation(a, place)?;
-                Some(self.graph.neg(a))
+                Ok(self.graph.neg(a))
             }
             ExprKind::Binary(operator, a, b) => {
                 let (left, right) = (self.operation(a, place), self.operation(b, place));
                 let (left, right) = (left?, right?);
                 if *operator == Operator::Div && self.graph.is_zero(right) {
-                    self.errors.on(
+                    return Err(self.errors.on(
                         &**b,
                         format_args!("division by zero in {}", place.what),
                         "the divisor must not be the number 0",
-                    );
-                    return None;
+                    ));
                 }
-                Some(match operator {
+                Ok(match operator {
                     Operator::Add => self.graph.add(left, right),
                     Operator::Sub => self.graph.sub(left, right),
                     Operator::Mul => self.graph.mul(left, right),
@@ -121,60 +120,55 @@ impl Lower {
                     let help = format!(
                         "write an integer or a fraction such as `(1/2)`, with parts up to {MOST_POWER}; `exp(b*ln(a))` gives other powers"
                     );
-                    self.errors.on(
+                    return Err(self.errors.on(
                         &**exponent,
                         format_args!("the power in {} is not a constant small enough", place.what),
                         help,
-                    );
-                    return None;
+                    ));
                 };
                 if self.graph.is_zero(x) && !n.is_positive() && !n.is_zero() {
-                    self.errors.on(
+                    return Err(self.errors.on(
                         expr,
                         format_args!("division by zero in {}", place.what),
                         "zero has no negative power",
-                    );
-                    return None;
+                    ));
                 }
-                Some(self.graph.power(x, n))
+                Ok(self.graph.power(x, n))
             }
         }
     }
 
-    fn name(&mut self, name: &Ident, place: &Place) -> Option<ExprId> {
+    fn name(&mut self, name: &Ident, place: &Place) -> Result<ExprId, Reported> {
         let text = name.to_string();
         match (text.as_str(), place.joint) {
-            ("pi", _) => return Some(self.graph.pi()),
-            ("t", _) => return Some(self.time),
-            ("q", Some((position, _))) => return Some(position),
-            ("qd", Some((_, rate))) => return Some(rate),
+            ("pi", _) => return Ok(self.graph.pi()),
+            ("t", _) => return Ok(self.time),
+            ("q", Some((position, _))) => return Ok(position),
+            ("qd", Some((_, rate))) => return Ok(rate),
             _ => {}
         }
-        let value = self.names.value(&text);
-        if value.is_none() && !self.broken.contains(&text) {
+        if let Some(value) = self.names.value(&text) {
+            return Ok(value);
+        }
+        if let Some(reported) = self.broken.get(&text) {
+            return Err(*reported);
+        }
+        let help = if self.names.is_declared(&text) {
+            "a `let` may use only what stands before it".to_owned()
+        } else {
             let more: &[&str] = match (place.most, place.joint) {
                 (Level::State, Some(_)) => &["t", "q", "qd", "pi"],
                 (Level::State, None) => &["t", "pi"],
                 _ => &["pi"],
             };
-            let help = if self.names.is_declared(&text) {
-                "a `let` may use only what stands before it".to_owned()
-            } else {
-                {
-                    let fits = |id: ExprId| self.graph.level(id) <= place.most;
-                    suggestion(&text, self.names.known(fits, more))
-                }
-            };
-            self.errors.at(
-                name.span(),
-                format_args!("unknown symbol `{text}` in {}", place.what),
-                help,
-            );
-        }
-        value
+            let fits = |id: ExprId| self.graph.level(id) <= place.most;
+            suggestion(&text, self.names.known(fits, more))
+        };
+        let fact = format!("unknown symbol `{text}` in {}", place.what);
+        Err(self.errors.at(name.span(), fact, help))
     }
 
-    fn call(&mut self, expr: &Expr, name: &Ident, arguments: &[Expr], place: &Place) -> Option<ExprId> {
+    fn call(&mut self, expr: &Expr, name: &Ident, arguments: &[Expr], place: &Place) -> Result<ExprId, Reported> {
         let text = name.to_string();
         if text == "dot" {
             return self.dot(expr, arguments);
@@ -186,12 +180,11 @@ impl Lower {
                 .iter()
                 .map(|(known, _)| *known)
                 .chain(["sqrt", "atan2", "dot"]);
-            self.errors.at(
+            return Err(self.errors.at(
                 name.span(),
                 format_args!("unknown function `{text}` in {}", place.what),
                 suggestion(&text, known),
-            );
-            return None;
+            ));
         }
         if arguments.len() != count {
             let help = if count == 2 {
@@ -199,7 +192,7 @@ impl Lower {
             } else {
                 format!("write `{text}(x)`")
             };
-            self.errors.on(
+            return Err(self.errors.on(
                 expr,
                 format_args!(
                     "`{text}` takes {count} argument{}, not {}",
@@ -207,19 +200,18 @@ impl Lower {
                     arguments.len()
                 ),
                 help,
-            );
-            return None;
+            ));
         }
-        let values: Vec<Option<ExprId>> = arguments.iter().map(|a| self.operation(a, place)).collect();
-        let values: Vec<ExprId> = values.into_iter().collect::<Option<_>>()?;
-        Some(match unary {
+        let values: Vec<_> = arguments.iter().map(|a| self.operation(a, place)).collect();
+        let values: Vec<ExprId> = values.into_iter().collect::<Result<_, _>>()?;
+        Ok(match unary {
             Some(op) => self.graph.unary(op, values[0]),
             None if text == "sqrt" => self.graph.sqrt(values[0]),
             None => self.graph.binary(crate::expr::Binary::Atan2, values[0], values[1]),
         })
     }
 
-    fn dot(&mut self, expr: &Expr, arguments: &[Expr]) -> Option<ExprId> {
+    fn dot(&mut self, expr: &Expr, arguments: &[Expr]) -> Result<ExprId, Reported> {
         let [
             Expr {
                 kind: ExprKind::Name(name),
@@ -227,23 +219,18 @@ impl Lower {
             },
         ] = arguments
         else {
-            self.errors.on(
+            return Err(self.errors.on(
                 expr,
                 "`dot` takes the name of a coordinate",
                 "write `dot(theta)` for the rate of `theta`",
-            );
-            return None;
+            ));
         };
         let text = name.to_string();
-        let rate = self.names.rate(&text);
-        if rate.is_none() {
-            let help = self.names.suggest_rate(&text);
-            self.errors.at(
-                name.span(),
-                format_args!("`{text}` is not a coordinate, so it has no rate"),
-                help,
-            );
+        if let Some(rate) = self.names.rate(&text) {
+            return Ok(rate);
         }
-        rate
+        let fact = format!("`{text}` is not a coordinate, so it has no rate");
+        let help = self.names.suggest_rate(&text);
+        Err(self.errors.at(name.span(), fact, help))
     }
 }

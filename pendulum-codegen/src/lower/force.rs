@@ -3,46 +3,51 @@
 use super::Lower;
 use super::expr::Place;
 use crate::ast;
+use crate::error::Reported;
 use crate::expr::{ExprId, Level, ratio};
 use crate::model::Requirement;
 
 impl Lower {
     /// The force of the joint along its coordinate, and its potential energy.
-    pub(super) fn forces(&mut self, body: &ast::Body, position: ExprId, rate: ExprId) -> Option<(ExprId, ExprId)> {
-        let joint = Some((position, rate));
-        let friction = self.friction(body, joint);
+    pub(super) fn forces(
+        &mut self,
+        body: &ast::Body,
+        position: ExprId,
+        rate: ExprId,
+    ) -> Result<(ExprId, ExprId), Reported> {
+        let friction = self.friction(body, (position, rate));
         let spring = self.spring(body, position);
         let place = Place {
             what: format!("the torque of `{}`", body.name),
             most: Level::State,
-            joint,
+            joint: Some((position, rate)),
         };
         let torque = body
             .torque
             .as_ref()
-            .map_or(Some(self.graph.zero()), |torque| self.expr(torque, &place));
+            .map_or(Ok(self.graph.zero()), |torque| self.expr(torque, &place));
         let (spring, energy) = spring?;
         let passive = self.graph.add(friction?, spring);
-        Some((self.graph.add(passive, torque?), energy))
+        Ok((self.graph.add(passive, torque?), energy))
     }
 
-    fn friction(&mut self, body: &ast::Body, joint: Option<(ExprId, ExprId)>) -> Option<ExprId> {
+    fn friction(&mut self, body: &ast::Body, joint: (ExprId, ExprId)) -> Result<ExprId, Reported> {
         let Some(friction) = &body.friction else {
-            return Some(self.graph.zero());
+            return Ok(self.graph.zero());
         };
-        // the rate is known here so that a law of friction gets the error that tells where it belongs
+        // the rate is known here so that a law of friction gets the error that says where it belongs
         let place = Place {
-            joint,
+            joint: Some(joint),
             ..Place::fixed(format!("the friction of `{}`", body.name))
         };
         let coefficient = self.positive(friction, &place, Requirement::NonNegative)?;
-        let product = self.graph.mul(coefficient, joint?.1);
-        Some(self.graph.neg(product))
+        let product = self.graph.mul(coefficient, joint.1);
+        Ok(self.graph.neg(product))
     }
 
-    fn spring(&mut self, body: &ast::Body, position: ExprId) -> Option<(ExprId, ExprId)> {
+    fn spring(&mut self, body: &ast::Body, position: ExprId) -> Result<(ExprId, ExprId), Reported> {
         let Some((stiffness, rest)) = &body.spring else {
-            return Some((self.graph.zero(), self.graph.zero()));
+            return Ok((self.graph.zero(), self.graph.zero()));
         };
         let stiffness = self.expr(stiffness, &Place::fixed(format!("the stiffness of `{}`", body.name)));
         let rest = self.expr(rest, &Place::fixed(format!("the rest position of `{}`", body.name)));
@@ -51,6 +56,6 @@ impl Lower {
         let stretch = g.sub(position, rest);
         let pull = g.mul(stiffness, stretch);
         let (square, half) = (g.mul(pull, stretch), g.number(ratio(1, 2)));
-        Some((g.neg(pull), g.mul(half, square)))
+        Ok((g.neg(pull), g.mul(half, square)))
     }
 }

@@ -1,14 +1,14 @@
-//! Joints: their screw axes, and how they turn the bodies that they carry.
+//! Joints: where they sit, and their screw axes.
 
 use syn::Ident;
 
 use super::Lower;
 use super::expr::Place;
 use crate::ast::{self, Argument, JointArgument};
-use crate::error::suggestion;
-use crate::expr::{ExprId, Graph, Level, Normalizer, Printer};
-use crate::model::{Body, Combination, Heading, Requirement, Rule, plus_scaled};
-use crate::screw::{Transform, Twist, Vec3, add, dot, identity, mat_mul, mat_vec, rotation, scale, sub};
+use crate::error::{Reported, suggestion};
+use crate::expr::{ExprId, Level, Printer};
+use crate::model::{Requirement, Rule};
+use crate::screw::{Transform, Twist, Vec3, dot, identity, mat_mul, rotation, scale};
 
 /// The geometry of a joint.
 #[derive(Debug)]
@@ -18,14 +18,11 @@ pub(super) struct Geometry {
     pub(super) screw: Option<Twist>,
 }
 
-/// How far the small normal forms of axes may grow.
-const BUDGET: usize = 100_000;
-
 impl Lower {
     /// The geometry of a joint; a body without one is fixed where its parent is.
-    pub(super) fn geometry(&mut self, body: &Ident, joint: Option<&ast::Joint>) -> Option<Geometry> {
+    pub(super) fn geometry(&mut self, body: &Ident, joint: Option<&ast::Joint>) -> Result<Geometry, Reported> {
         let Some(joint) = joint else {
-            return Some(Geometry {
+            return Ok(Geometry {
                 placement: Transform::identity(&self.graph),
                 screw: None,
             });
@@ -35,11 +32,11 @@ impl Lower {
         let at = joint
             .at
             .as_ref()
-            .map_or(Some([zero; 3]), |v| self.vector(v, &place("place")));
+            .map_or(Ok([zero; 3]), |v| self.vector(v, &place("place")));
         let rpy = joint
             .rpy
             .as_ref()
-            .map_or(Some([zero; 3]), |v| self.vector(v, &place("roll, pitch and yaw")));
+            .map_or(Ok([zero; 3]), |v| self.vector(v, &place("roll, pitch and yaw")));
         let screw = self.screw(body, joint);
         let (at, [roll, pitch, yaw]) = (at?, rpy?);
         let g = &self.graph;
@@ -50,14 +47,14 @@ impl Lower {
             rotation: mat_mul(g, yaw, turned),
             translation: at,
         };
-        Some(Geometry {
+        Ok(Geometry {
             placement,
             screw: screw?,
         })
     }
 
-    /// The normalised screw axis in the joint frame: `Some(None)` for a fixed joint, `None` after an error.
-    fn screw(&mut self, body: &Ident, joint: &ast::Joint) -> Option<Option<Twist>> {
+    /// The normalised screw axis in the joint frame; none for a fixed joint.
+    fn screw(&mut self, body: &Ident, joint: &ast::Joint) -> Result<Option<Twist>, Reported> {
         const KINDS: [(&str, &str); 5] = [
             ("revolute", "revolute(z)"),
             ("prismatic", "prismatic(x)"),
@@ -67,103 +64,91 @@ impl Lower {
         ];
         let kind = joint.kind.to_string();
         let Some((_, form)) = KINDS.iter().find(|(known, _)| *known == kind) else {
-            self.errors.at(
+            return Err(self.errors.at(
                 joint.kind.span(),
                 format_args!("unknown joint `{kind}`"),
                 suggestion(&kind, KINDS.map(|(known, _)| known)),
-            );
-            return None;
+            ));
         };
         let zero = self.graph.zero();
         let still = [zero; 3];
         match (kind.as_str(), &joint.arguments[..]) {
-            ("fixed", []) => Some(None),
+            ("fixed", []) => Ok(None),
             ("revolute", [axis]) => {
                 let angular = self.axis(body, joint, axis)?;
-                Some(Some(Twist { angular, linear: still }))
+                Ok(Some(Twist { angular, linear: still }))
             }
             ("prismatic", [axis]) => {
                 let linear = self.axis(body, joint, axis)?;
-                Some(Some(Twist { angular: still, linear }))
+                Ok(Some(Twist { angular: still, linear }))
             }
             ("helical", [axis, JointArgument::Other(Argument::Scalar(pitch))]) => {
                 let pitch = self.expr(pitch, &Place::fixed(format!("the pitch of the joint of `{body}`")));
                 let angular = self.axis(body, joint, axis)?;
                 let linear = scale(&self.graph, pitch?, angular);
-                Some(Some(Twist { angular, linear }))
+                Ok(Some(Twist { angular, linear }))
             }
             ("screw", [JointArgument::Other(Argument::List(entries, tokens))]) if entries.len() == 6 => {
                 let place = Place::fixed(format!("the screw of the joint of `{body}`"));
                 let entries: Vec<_> = entries.iter().map(|e| self.expr(e, &place)).collect();
-                let entries: Vec<_> = entries.into_iter().collect::<Option<_>>()?;
+                let entries: Vec<_> = entries.into_iter().collect::<Result<_, _>>()?;
                 let (angular, linear): (Vec3, Vec3) = (
                     [entries[0], entries[1], entries[2]],
                     [entries[3], entries[4], entries[5]],
                 );
                 let turns = angular != still;
                 let Some(length) = self.inverse_length(body, if turns { angular } else { linear }) else {
-                    self.errors.on(
+                    return Err(self.errors.on(
                         tokens,
                         format_args!("the screw of the joint of `{body}` is zero"),
                         "give it a direction to turn about or to slide along",
-                    );
-                    return None;
+                    ));
                 };
                 let g = &self.graph;
-                Some(Some(Twist {
+                Ok(Some(Twist {
                     angular: scale(g, length, angular),
                     linear: scale(g, length, linear),
                 }))
             }
-            _ => {
-                self.errors.at(
-                    joint.kind.span(),
-                    format_args!("a {kind} joint takes other arguments"),
-                    format_args!("write `{form}`; an axis is x, y, z, -x, .. or a vector"),
-                );
-                None
-            }
+            _ => Err(self.errors.at(
+                joint.kind.span(),
+                format_args!("a {kind} joint takes other arguments"),
+                format_args!("write `{form}`; an axis is x, y, z, -x, .. or a vector"),
+            )),
         }
     }
 
-    fn axis(&mut self, body: &Ident, joint: &ast::Joint, axis: &JointArgument) -> Option<Vec3> {
+    fn axis(&mut self, body: &Ident, joint: &ast::Joint, axis: &JointArgument) -> Result<Vec3, Reported> {
         match axis {
             JointArgument::Axis(n, negative, _) => {
                 let mut unit = [self.graph.zero(); 3];
                 unit[*n] = self.graph.integer(if *negative { -1 } else { 1 });
-                Some(unit)
+                Ok(unit)
             }
             JointArgument::Other(Argument::List(entries, tokens)) if entries.len() == 3 => {
                 let place = Place::fixed(format!("the axis of the joint of `{body}`"));
                 let entries: Vec<_> = entries.iter().map(|e| self.expr(e, &place)).collect();
-                let entries: Vec<_> = entries.into_iter().collect::<Option<_>>()?;
+                let entries: Vec<_> = entries.into_iter().collect::<Result<_, _>>()?;
                 let vector = [entries[0], entries[1], entries[2]];
                 let Some(length) = self.inverse_length(body, vector) else {
-                    self.errors.on(
+                    return Err(self.errors.on(
                         tokens,
                         format_args!("the axis of the joint of `{body}` is zero"),
                         "give it a direction; any length will do",
-                    );
-                    return None;
+                    ));
                 };
-                Some(scale(&self.graph, length, vector))
+                Ok(scale(&self.graph, length, vector))
             }
-            JointArgument::Other(Argument::Scalar(e)) => {
-                self.errors.on(
-                    e,
-                    format_args!("the joint of `{body}` has no such axis"),
-                    "an axis is x, y, z, -x, -y, -z or a vector `[x, y, z]`",
-                );
-                None
-            }
-            JointArgument::Other(_) => {
-                self.errors.at(
-                    joint.kind.span(),
-                    format_args!("the axis of the joint of `{body}` is no vector"),
-                    "write `[x, y, z]`",
-                );
-                None
-            }
+            JointArgument::Other(Argument::Scalar(e)) => Err(self.errors.on(
+                e,
+                format_args!("the joint of `{body}` has no such axis"),
+                "an axis is x, y, z, -x, -y, -z or a vector `[x, y, z]`",
+            )),
+            JointArgument::Other(_) => Err(self.errors.at(
+                joint.kind.span(),
+                format_args!("the axis of the joint of `{body}` is no vector"),
+                "write `[x, y, z]`",
+            )),
         }
     }
 
@@ -187,99 +172,4 @@ impl Lower {
         }
         Some(length)
     }
-
-    /// How the joint turns its body, and what its relative coordinate is in the coordinates of the scene.
-    pub(super) fn heading(
-        &mut self,
-        body: &ast::Body,
-        parent: Option<&Body>,
-        geometry: &Geometry,
-        coordinate: Option<usize>,
-    ) -> Option<(Heading, Combination)> {
-        let own: Combination = coordinate.map(|k| (k, 1)).into_iter().collect();
-        let g = &self.graph;
-        let before = match parent {
-            Some(parent) => parent.heading.clone(),
-            None => Heading {
-                station: None,
-                axis: None,
-                turn: Vec::new(),
-                rest: identity(g),
-            },
-        };
-        let rest = mat_mul(g, before.rest, geometry.placement.rotation);
-        let zero = [g.zero(); 3];
-        let turning = geometry.screw.filter(|screw| screw.angular != zero);
-        let Some(screw) = turning else {
-            if let Some(word) = &body.absolute {
-                self.errors.at(
-                    word.span(),
-                    format_args!("the coordinate of `{}` is no angle", body.name),
-                    "`absolute` is for angles measured from ground; leave it out",
-                );
-                return None;
-            }
-            return Some((Heading { rest, ..before }, own));
-        };
-        let axis = mat_vec(g, rest, screw.angular);
-        let sign = match before.axis {
-            None => Some(1),
-            Some(group) => parallel(g, group, axis),
-        };
-        if let Some(word) = &body.absolute
-            && (before.station.is_some() || sign.is_none())
-        {
-            let fact = format!(
-                "`{}` cannot be measured from ground: a joint below it turns about another axis",
-                body.name
-            );
-            self.errors.at(
-                word.span(),
-                fact,
-                "leave out `absolute`; the coordinate is then relative to the parent",
-            );
-            return None;
-        }
-        let Some(sign) = sign else {
-            let parent = self.index_of_parent(body);
-            let placed = geometry.placement.rotation;
-            let axis = mat_vec(&self.graph, placed, screw.angular);
-            let heading = Heading {
-                station: parent,
-                axis: Some(axis),
-                turn: own.clone(),
-                rest: placed,
-            };
-            return Some((heading, own));
-        };
-        // turn = turn before + sign * motion; an absolute coordinate is the whole turn, seen along its own axis
-        let (turn, motion) = if body.absolute.is_some() {
-            let turn = plus_scaled(&Vec::new(), &own, sign);
-            let motion = plus_scaled(&own, &before.turn, -sign);
-            (turn, motion)
-        } else {
-            (plus_scaled(&before.turn, &own, sign), own)
-        };
-        Some((
-            Heading {
-                station: before.station,
-                axis: before.axis.or(Some(axis)),
-                turn,
-                rest,
-            },
-            motion,
-        ))
-    }
-}
-
-/// Whether two unit vectors are equal for all parameters: 1, or -1 if they are opposite; none where that cannot be proved.
-fn parallel(g: &Graph, a: Vec3, b: Vec3) -> Option<i64> {
-    let mut normalizer = Normalizer::new(BUDGET);
-    let mut vanishes = |g: &Graph, v: Vec3| v.into_iter().all(|x| normalizer.is_zero(g, x) == Ok(true));
-    let difference = sub(g, a, b);
-    if vanishes(g, difference) {
-        return Some(1);
-    }
-    let sum = add(g, a, b);
-    vanishes(g, sum).then_some(-1)
 }

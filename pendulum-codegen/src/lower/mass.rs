@@ -6,6 +6,7 @@ use syn::Ident;
 use super::Lower;
 use super::expr::Place;
 use crate::ast::{Inertia, Properties};
+use crate::error::Reported;
 use crate::expr::ExprId;
 use crate::model::Requirement;
 use crate::screw::{SpatialInertia, Symmetric3, Vec3, dot, mat_vec};
@@ -39,10 +40,10 @@ pub(super) enum Turns {
 }
 
 impl Mass {
-    /// The spatial inertia of a body in its own frame; none after an error.
-    pub(super) fn of_body(self, lower: &mut Lower, body: &Ident, turns: Turns) -> Option<SpatialInertia> {
+    /// The spatial inertia of a body in its own frame.
+    pub(super) fn of_body(self, lower: &mut Lower, body: &Ident, turns: Turns) -> Result<SpatialInertia, Reported> {
         let (Some(given), mut rigid) = (self.about_axis, self.rigid) else {
-            return Some(self.rigid);
+            return Ok(self.rigid);
         };
         match turns {
             Turns::Never => {}
@@ -59,21 +60,25 @@ impl Mass {
             Turns::Freely => {
                 let fact =
                     format!("the inertia of `{body}` is one number, but the body turns about more than one axis");
-                lower.errors.on(
+                return Err(lower.errors.on(
                     given.tokens,
                     fact,
                     "give the principal moments `[ixx, iyy, izz]`, or all six",
-                );
-                return None;
+                ));
             }
         }
-        Some(rigid)
+        Ok(rigid)
     }
 }
 
 impl Lower {
-    /// The mass properties of a body or shape; none after an error. `unread` says that a field may be missing for being wrong.
-    pub(super) fn mass(&mut self, owner: &Ident, properties: &Properties, unread: bool) -> Option<Mass> {
+    /// The mass properties of a body or shape. `unread` is there where a field may be missing for being wrong.
+    pub(super) fn mass(
+        &mut self,
+        owner: &Ident,
+        properties: &Properties,
+        unread: Option<Reported>,
+    ) -> Result<Mass, Reported> {
         let Some(solids) = &properties.solids else {
             return self.direct(owner, properties, unread);
         };
@@ -82,38 +87,37 @@ impl Lower {
         let inertia = inertia.as_ref().map(|inertia| &inertia.entries[0]);
         if let Some(other) = mass.as_ref().or(com).or(inertia) {
             let help = "give either solids, or mass, com and inertia";
-            self.errors.at(
+            return Err(self.errors.at(
                 other.span(),
                 format_args!("`{owner}` is given by its solids already"),
                 help,
-            );
-            return None;
+            ));
         }
-        Some(Mass {
+        Ok(Mass {
             rigid: self.solids(owner, solids)?,
             about_axis: None,
         })
     }
 
     /// Mass, centre of mass and inertia as they are given.
-    fn direct(&mut self, owner: &Ident, properties: &Properties, unread: bool) -> Option<Mass> {
+    fn direct(&mut self, owner: &Ident, properties: &Properties, unread: Option<Reported>) -> Result<Mass, Reported> {
         let Properties { mass, com, inertia, .. } = properties;
         let of = |what: &str| Place::fixed(format!("the {what} of `{owner}`"));
         let zero = self.graph.zero();
-        if let (None, Some(com), false) = (mass, com, unread) {
+        if let (None, Some(com), None) = (mass, com, unread) {
             let fact = format!("`{owner}` has a centre of mass but no mass");
             self.errors.on(com, fact, "give it `mass: ..`, or remove `com`");
         }
         let mass = mass
             .as_ref()
-            .map_or(Some(zero), |e| self.positive(e, &of("mass"), Requirement::Positive));
+            .map_or(Ok(zero), |e| self.positive(e, &of("mass"), Requirement::Positive));
         let com = com
             .as_ref()
-            .map_or(Some([zero; 3]), |v| self.vector(v, &of("centre of mass")));
+            .map_or(Ok([zero; 3]), |v| self.vector(v, &of("centre of mass")));
         let Some(inertia) = inertia else {
             let none = Symmetric3::zero(&self.graph);
             let rigid = SpatialInertia::of_body(&self.graph, mass?, com?, none);
-            return Some(Mass {
+            return Ok(Mass {
                 rigid,
                 about_axis: None,
             });
@@ -141,7 +145,7 @@ impl Lower {
                     included,
                     tokens: inertia.tokens.clone(),
                 };
-                Some(Mass {
+                Ok(Mass {
                     rigid,
                     about_axis: Some(about_axis),
                 })
@@ -154,7 +158,7 @@ impl Lower {
                     moments
                 };
                 self.physical(owner, inertia, about_com);
-                Some(Mass {
+                Ok(Mass {
                     rigid,
                     about_axis: None,
                 })
@@ -162,22 +166,21 @@ impl Lower {
         }
     }
 
-    fn moments(&mut self, owner: &Ident, inertia: &Inertia, place: &Place) -> Option<Moments> {
+    fn moments(&mut self, owner: &Ident, inertia: &Inertia, place: &Place) -> Result<Moments, Reported> {
         let entries: Vec<_> = inertia.entries.iter().map(|e| self.expr(e, place)).collect();
-        let entries: Vec<_> = entries.into_iter().collect::<Option<_>>()?;
+        let entries: Vec<_> = entries.into_iter().collect::<Result<_, _>>()?;
         let zero = self.graph.zero();
         match entries[..] {
-            [about_axis] => Some(Moments::AboutAxis(about_axis)),
-            [xx, yy, zz] => Some(Moments::All(Symmetric3([xx, yy, zz, zero, zero, zero]))),
-            [xx, yy, zz, xy, xz, yz] => Some(Moments::All(Symmetric3([xx, yy, zz, xy, xz, yz]))),
+            [about_axis] => Ok(Moments::AboutAxis(about_axis)),
+            [xx, yy, zz] => Ok(Moments::All(Symmetric3([xx, yy, zz, zero, zero, zero]))),
+            [xx, yy, zz, xy, xz, yz] => Ok(Moments::All(Symmetric3([xx, yy, zz, xy, xz, yz]))),
             _ => {
                 let help = "give one number (planar scenes), `[ixx, iyy, izz]`, or `[ixx, iyy, izz, ixy, ixz, iyz]`";
-                self.errors.on(
+                Err(self.errors.on(
                     &inertia.tokens,
                     format_args!("the inertia of `{owner}` has {} entries", entries.len()),
                     help,
-                );
-                None
+                ))
             }
         }
     }

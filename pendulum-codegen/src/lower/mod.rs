@@ -1,26 +1,28 @@
 //! Syntax to meaning: names resolved, joints and masses as screws, all in one graph.
 
+mod body;
+mod declare;
 mod expr;
 mod force;
+mod generate;
+mod heading;
 mod joint;
 mod mass;
 mod order;
 mod physical;
+mod plate;
 mod scope;
+mod shape;
 mod solid;
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeMap;
 
-use syn::Ident;
-
-use crate::ast::{self, Scene};
-use crate::error::{Errors, suggestion};
-use crate::expr::{ExprId, Graph, Level, SymbolKind};
-use crate::model::{Body, Coordinate, Input, Model, Parameter, Rule, combine};
-use crate::program::words;
-use crate::screw::{SpatialInertia, mat_vec, transpose};
+use crate::ast::{Items, Scene, Vector};
+use crate::error::{Errors, Reported};
+use crate::expr::{ExprId, Graph, SymbolKind};
+use crate::model::{Coordinate, Model, Rule};
+use crate::screw::Vec3;
 use expr::Place;
-use mass::{Mass, Turns};
 use scope::Names;
 
 /// The state of lowering one scene.
@@ -30,11 +32,11 @@ struct Lower {
     names: Names,
     errors: Errors,
     /// Names whose declaration had an error: their uses are not reported again.
-    broken: BTreeSet<String>,
+    broken: BTreeMap<String, Reported>,
     rules: Vec<Rule>,
     time: ExprId,
     /// Bodies that have been lowered: their positions among the model's bodies.
-    placed: BTreeMap<String, usize>,
+    placed: BTreeMap<String, Result<usize, Reported>>,
 }
 
 /// The meaning of a scene. Errors are added to those of the reading.
@@ -45,7 +47,7 @@ pub fn lower(scene: &Scene, errors: Errors) -> Result<Model, Errors> {
         graph,
         names: Names::default(),
         errors,
-        broken: BTreeSet::new(),
+        broken: BTreeMap::new(),
         rules: Vec::new(),
         time,
         placed: BTreeMap::new(),
@@ -58,369 +60,59 @@ impl Lower {
         let items = &scene.items;
         let parameters = self.parameters(&items.params);
         let inputs = self.inputs(&items.inputs);
-        for item in &items.lets {
-            // declared before its value is known, so that a use before the definition can be told from a misspelling
-            self.names.declare(&mut self.errors, "`let`", &item.name, None);
-        }
+        self.declare_lets(&items.lets);
         let order = self.order(&items.bodies);
         let coordinates = self.coordinates(&items.bodies);
-        for item in &items.lets {
-            let place = Place {
-                what: format!("`{}`", item.name),
-                most: Level::State,
-                joint: None,
-            };
-            match self.expr(&item.value, &place) {
-                Some(value) => self.names.set_value(&item.name.to_string(), value),
-                None => _ = self.broken.insert(item.name.to_string()),
-            }
-        }
-        let gravity = items
-            .gravity
-            .as_ref()
-            .and_then(|g| self.vector(g, &Place::fixed("gravity")));
-        let gravity = gravity.unwrap_or([self.graph.zero(); 3]);
+        self.lets(&items.lets);
+        let gravity = self.gravity(items.gravity.as_ref());
         let shapes = self.shapes(&items.shapes);
-        let mut bodies = Vec::new();
-        for n in order {
-            let body = &items.bodies[n];
-            let own = body
-                .coordinate
-                .as_ref()
-                .and_then(|name| coordinates.iter().position(|c| name == &c.name));
-            if let Some(lowered) = self.body(body, &bodies, &coordinates, own, &shapes) {
-                self.placed.insert(lowered.name.clone(), bodies.len());
-                bodies.push(lowered);
-            }
-        }
+        let bodies = self.bodies(&items.bodies, order, &coordinates, &shapes);
         let outputs = self.outputs(items.generate.as_deref(), !parameters.is_empty(), !inputs.is_empty());
-        if items.bodies.is_empty() && self.errors.is_empty() {
-            self.errors.at(
-                scene.head.name.span(),
-                format_args!("`{}` has no body", scene.head.name),
-                "add `body name on ground { mass: .., joint: .., coordinate: .. }`",
-            );
-        } else if coordinates.is_empty() && self.errors.is_empty() {
-            self.errors.at(
-                scene.head.name.span(),
-                format_args!("nothing in `{}` can move", scene.head.name),
-                "give one body a joint that is not `fixed`, and a coordinate",
-            );
-        }
-        if self.errors.is_empty() {
-            // behind another error a name may be unused only because its use could not be read
-            self.names.report_unused(&mut self.errors);
-            self.report_unused_shapes(items);
-        }
-        let Self {
-            graph,
-            errors,
-            rules,
-            time,
-            ..
-        } = self;
-        errors.finish(Model {
-            graph,
+        self.require_motion(scene, &coordinates);
+        self.report_unused(items);
+        self.errors.finish(Model {
+            graph: self.graph,
             parameters,
             inputs,
             coordinates,
-            time,
+            time: self.time,
             gravity,
             bodies,
-            rules,
+            rules: self.rules,
             outputs,
         })
     }
 
-    fn report_unused_shapes(&mut self, items: &ast::Items) {
-        let used: BTreeSet<String> = items
-            .bodies
-            .iter()
-            .filter_map(|b| b.shape.as_ref())
-            .map(Ident::to_string)
-            .collect();
-        for shape in items
-            .shapes
-            .iter()
-            .filter(|shape| !used.contains(&shape.name.to_string()))
-        {
-            self.errors.at(
-                shape.name.span(),
-                format_args!("shape `{}` is never used", shape.name),
-                "remove it, or give it to a body: `body b on ground: shape { .. }`",
-            );
-        }
+    fn gravity(&mut self, gravity: Option<&Vector>) -> Vec3 {
+        let given = gravity.and_then(|g| self.vector(g, &Place::fixed("gravity")).ok());
+        given.unwrap_or([self.graph.zero(); 3])
     }
 
-    fn parameters(&mut self, params: &[ast::Param]) -> Vec<Parameter> {
-        let mut parameters = Vec::new();
-        for param in params {
-            let place = Place {
-                what: format!("the default of `{}`", param.name),
-                most: Level::Constant,
-                joint: None,
-            };
-            // defaults come before any name is known, so they are built from numbers alone
-            let default = param
-                .default
-                .as_ref()
-                .and_then(|e| self.expr(e, &place))
-                .and_then(|id| self.graph.constant(id));
-            let name = param.name.to_string();
-            let symbol = self.graph.symbol(&name, SymbolKind::Parameter(parameters.len()));
-            parameters.push((
-                param,
-                Parameter {
-                    name,
-                    docs: param.docs.clone(),
-                    unit: param.unit.clone(),
-                    default,
-                    symbol,
-                },
-            ));
+    /// Something must move. After another error it may be missing only because it could not be read.
+    fn require_motion(&mut self, scene: &Scene, coordinates: &[Coordinate]) {
+        if !self.errors.is_empty() || !coordinates.is_empty() {
+            return;
         }
-        for (param, parameter) in &parameters {
-            self.names
-                .declare(&mut self.errors, "parameter", &param.name, Some(parameter.symbol));
-        }
-        parameters.into_iter().map(|(_, parameter)| parameter).collect()
-    }
-
-    fn inputs(&mut self, declared: &[ast::Input]) -> Vec<Input> {
-        let mut inputs = Vec::new();
-        for input in declared {
-            let name = input.name.to_string();
-            let symbol = self.graph.symbol(&name, SymbolKind::Input(inputs.len()));
-            self.names.declare(&mut self.errors, "input", &input.name, Some(symbol));
-            inputs.push(Input {
-                name,
-                docs: input.docs.clone(),
-                unit: input.unit.clone(),
-                symbol,
-            });
-        }
-        inputs
-    }
-
-    fn coordinates(&mut self, bodies: &[ast::Body]) -> Vec<Coordinate> {
-        let mut coordinates = Vec::new();
-        for ident in bodies.iter().filter_map(|body| body.coordinate.as_ref()) {
-            let (name, k) = (ident.to_string(), coordinates.len());
-            let position = self.graph.symbol(&name, SymbolKind::Coordinate(k));
-            self.names
-                .declare(&mut self.errors, "coordinate", ident, Some(position));
-            coordinates.push((name, position));
-        }
-        let rate = |k: usize, name: &String| self.graph.symbol(&format!("dot({name})"), SymbolKind::Rate(k));
-        let rates: Vec<_> = coordinates
-            .iter()
-            .enumerate()
-            .map(|(k, (name, _))| rate(k, name))
-            .collect();
-        for ((name, _), &rate) in coordinates.iter().zip(&rates) {
-            self.names.set_rate(name, rate);
-        }
-        let with_rates = coordinates.into_iter().zip(rates).enumerate();
-        with_rates
-            .map(|(k, ((name, position), rate))| {
-                let acceleration = self.graph.symbol(&format!("ddot({name})"), SymbolKind::Acceleration(k));
-                Coordinate {
-                    name,
-                    position,
-                    rate,
-                    acceleration,
-                }
-            })
-            .collect()
-    }
-
-    fn index_of_parent(&self, body: &ast::Body) -> Option<usize> {
-        self.placed.get(&body.parent.to_string()).copied()
-    }
-
-    fn shapes(&mut self, declared: &[ast::Shape]) -> BTreeMap<String, Option<Mass>> {
-        let mut shapes = BTreeMap::new();
-        for shape in declared {
-            let mass = self.mass(&shape.name, &shape.properties, shape.unread);
-            if shapes.insert(shape.name.to_string(), mass).is_some() {
-                self.errors.at(
-                    shape.name.span(),
-                    format_args!("shape `{}` is declared twice", shape.name),
-                    "rename one of the two",
-                );
-            }
-        }
-        shapes
-    }
-
-    fn body(
-        &mut self,
-        body: &ast::Body,
-        bodies: &[Body],
-        coordinates: &[Coordinate],
-        own: Option<usize>,
-        shapes: &BTreeMap<String, Option<Mass>>,
-    ) -> Option<Body> {
-        let mass = self.mass_of_body(body, shapes);
-        let geometry = self.geometry(&body.name, body.joint.as_ref());
-        let joint_works = self.joint_fits_coordinate(body, geometry.as_ref().map(|g| g.screw.is_some()));
-        let parent = self.index_of_parent(body);
-        let parent_known = body.parent == "ground" || parent.is_some();
-        let heading = geometry
-            .as_ref()
-            .filter(|_| parent_known && joint_works)
-            .and_then(|geometry| {
-                let parent = parent.map(|p| &bodies[p]);
-                self.heading(body, parent, geometry, own)
-            });
-        let motion = heading.as_ref().map(|(_, motion)| motion.clone()).unwrap_or_default();
-        let position = combine(&self.graph, coordinates, &motion, |c| c.position);
-        let rate = combine(&self.graph, coordinates, &motion, |c| c.rate);
-        let forces = self.forces(body, position, rate);
-        let ((heading, motion), geometry, (force, potential)) = (heading?, geometry?, forces?);
-        let inertia = match mass? {
-            None => SpatialInertia::zero(&self.graph),
-            Some(mass) => {
-                let turns = match (heading.station, heading.axis) {
-                    (None, Some(axis)) => {
-                        let back = transpose(heading.rest);
-                        Turns::About(mat_vec(&self.graph, back, axis))
-                    }
-                    (None, None) => Turns::Never,
-                    (Some(_), _) => Turns::Freely,
-                };
-                mass.of_body(self, &body.name, turns)?
-            }
+        let name = &scene.head.name;
+        let (fact, help) = if scene.items.bodies.is_empty() {
+            (
+                format!("`{name}` has no body"),
+                "add `body name on ground { mass: .., joint: .., coordinate: .. }`",
+            )
+        } else {
+            (
+                format!("nothing in `{name}` can move"),
+                "give one body a joint that is not `fixed`, and a coordinate",
+            )
         };
-        Some(Body {
-            name: body.name.to_string(),
-            parent,
-            placement: geometry.placement,
-            screw: geometry.screw,
-            coordinate: own,
-            motion,
-            heading,
-            inertia,
-            force,
-            potential,
-        })
+        self.errors.at(name.span(), fact, help);
     }
 
-    /// The mass of a body: `Some(None)` if it has none, `None` after an error.
-    fn mass_of_body(&mut self, body: &ast::Body, shapes: &BTreeMap<String, Option<Mass>>) -> Option<Option<Mass>> {
-        let own = &body.properties;
-        let has_own = own.mass.is_some() || own.com.is_some() || own.inertia.is_some() || own.solids.is_some();
-        let Some(shape) = &body.shape else {
-            return if has_own {
-                self.mass(&body.name, own, body.unread).map(Some)
-            } else {
-                Some(None)
-            };
-        };
-        if has_own {
-            self.errors.at(
-                shape.span(),
-                format_args!("`{}` has a shape and mass properties of its own", body.name),
-                "give either the shape, or mass, com and inertia, or solids",
-            );
-            return None;
+    /// Everything must be used. After another error a name may be unused only because its use could not be read.
+    fn report_unused(&mut self, items: &Items) {
+        if self.errors.is_empty() {
+            self.names.report_unused(&mut self.errors);
+            self.report_unused_shapes(items);
         }
-        match shapes.get(&shape.to_string()) {
-            Some(mass) => mass.clone().map(Some),
-            None => {
-                let help = suggestion(&shape.to_string(), shapes.keys().map(String::as_str));
-                self.errors
-                    .at(shape.span(), format_args!("no shape named `{shape}`"), help);
-                None
-            }
-        }
-    }
-
-    fn joint_fits_coordinate(&mut self, body: &ast::Body, moves: Option<bool>) -> bool {
-        let name = &body.name;
-        if body.unread {
-            return moves == Some(body.coordinate.is_some());
-        }
-        match (moves, &body.coordinate) {
-            (Some(true), None) => {
-                self.errors.at(
-                    name.span(),
-                    format_args!("the joint of `{name}` moves but has no coordinate"),
-                    "add `coordinate: name`, or make the joint `fixed`",
-                );
-                false
-            }
-            (Some(false), Some(coordinate)) => {
-                self.errors.at(
-                    coordinate.span(),
-                    format_args!("the joint of `{name}` is fixed, so `{coordinate}` cannot change"),
-                    "remove the coordinate, or give the joint an axis: `joint: revolute(z)`",
-                );
-                false
-            }
-            (Some(false), None) => {
-                let spring = body.spring.as_ref().map(|(stiffness, _)| stiffness);
-                if let Some(force) = body.friction.as_ref().or(spring).or(body.torque.as_ref()) {
-                    self.errors.on(
-                        force,
-                        format_args!("the joint of `{name}` is fixed, so no force can act along it"),
-                        "remove it, or give the joint an axis and a coordinate",
-                    );
-                }
-                true
-            }
-            _ => true,
-        }
-    }
-
-    fn outputs(
-        &mut self,
-        generate: Option<&[Ident]>,
-        has_parameters: bool,
-        has_inputs: bool,
-    ) -> BTreeSet<&'static str> {
-        let Some(list) = generate else {
-            return ["rhs", "jacobian", "energy"].into();
-        };
-        let words = words();
-        let mut outputs = BTreeSet::new();
-        for ident in list {
-            let name = ident.to_string();
-            let Some(&word) = words.iter().find(|word| **word == name) else {
-                let help = suggestion(&name, words.iter().copied());
-                self.errors
-                    .at(ident.span(), format_args!("`{name}` cannot be generated"), help);
-                continue;
-            };
-            if !outputs.insert(word) {
-                self.errors.at(
-                    ident.span(),
-                    format_args!("`{name}` is listed twice"),
-                    "keep one of the two",
-                );
-            } else if word == "parameter_jacobian" && !has_parameters {
-                self.errors.at(
-                    ident.span(),
-                    "there are no parameters to derive by",
-                    "declare the quantities of interest in `params { .. }`; numbers are constants",
-                );
-            } else if has_inputs && let Some(what) = motion_under_inputs(word) {
-                self.errors.at(
-                    ident.span(),
-                    format_args!("{what} not known: their law is given after the code is written"),
-                    format_args!("leave out `{word}`, or write the law into a `torque` in place of the input"),
-                );
-            }
-        }
-        outputs
-    }
-}
-
-/// What a word of `generate` asks for that takes the inputs as functions of the time.
-fn motion_under_inputs(word: &str) -> Option<&'static str> {
-    match word {
-        "canonical" => Some("the canonical equations of a motion under inputs are"),
-        "taylor" => Some("the Taylor series of a motion under inputs is"),
-        _ => None,
     }
 }

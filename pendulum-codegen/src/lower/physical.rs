@@ -7,6 +7,7 @@ use syn::Ident;
 use super::Lower;
 use super::expr::Place;
 use crate::ast::{Expr, Inertia};
+use crate::error::Reported;
 use crate::expr::{ExprId, Graph, Level, Printer};
 use crate::model::{Requirement, Rule};
 use crate::screw::{Symmetric3, sum};
@@ -16,10 +17,10 @@ const TRIANGLES: [[&str; 3]; 3] = [["iyy", "izz", "ixx"], ["ixx", "izz", "iyy"],
 
 impl Lower {
     /// An expression that must be positive, or at least not negative.
-    pub(super) fn positive(&mut self, e: &Expr, place: &Place, requirement: Requirement) -> Option<ExprId> {
+    pub(super) fn positive(&mut self, e: &Expr, place: &Place, requirement: Requirement) -> Result<ExprId, Reported> {
         let value = self.expr(e, place)?;
         self.require(e, value, requirement, &place.what);
-        Some(value)
+        Ok(value)
     }
 
     /// Checks a number, which errors call `what`.

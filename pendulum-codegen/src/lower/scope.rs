@@ -14,7 +14,7 @@ pub(super) struct Names(BTreeMap<String, Name>);
 
 #[derive(Debug)]
 struct Name {
-    kind: &'static str,
+    kind: Kind,
     span: Span,
     value: Option<ExprId>,
     rate: Option<ExprId>,
@@ -22,12 +22,40 @@ struct Name {
     order: usize,
 }
 
+/// What a name is the name of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Parameter,
+    Input,
+    Let,
+    Coordinate,
+}
+
+impl Kind {
+    /// With its article: `an input`.
+    fn one(self) -> String {
+        let article = if self == Self::Input { "an" } else { "a" };
+        format!("{article} {self}")
+    }
+}
+
+impl std::fmt::Display for Kind {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str(match self {
+            Self::Parameter => "parameter",
+            Self::Input => "input",
+            Self::Let => "`let`",
+            Self::Coordinate => "coordinate",
+        })
+    }
+}
+
 /// Words of the language that no declared name may take.
 const RESERVED: [&str; 6] = ["t", "pi", "q", "qd", "dot", "ground"];
 
 impl Names {
     /// Declares a name. A second declaration is an error.
-    pub(super) fn declare(&mut self, errors: &mut Errors, kind: &'static str, ident: &Ident, value: Option<ExprId>) {
+    pub(super) fn declare(&mut self, errors: &mut Errors, kind: Kind, ident: &Ident, value: Option<ExprId>) {
         let (text, order) = (ident.to_string(), self.0.len());
         if RESERVED.contains(&text.as_str()) {
             errors.at(
@@ -38,7 +66,7 @@ impl Names {
         } else if let Some(first) = self.0.get(&text) {
             errors.at(
                 ident.span(),
-                format_args!("the name `{text}` is declared twice, first as a {}", first.kind),
+                format_args!("the name `{text}` is declared twice, first as {}", first.kind.one()),
                 "rename one of the two",
             );
         } else {
@@ -117,7 +145,7 @@ impl Names {
         let mut unused: Vec<_> = self
             .0
             .iter()
-            .filter(|(_, name)| !name.used && name.kind != "coordinate")
+            .filter(|(_, name)| !name.used && name.kind != Kind::Coordinate)
             .collect();
         unused.sort_by_key(|(_, name)| name.order);
         for (text, name) in unused {

@@ -5,33 +5,32 @@ use syn::Ident;
 use super::Lower;
 use super::expr::Place;
 use crate::ast::{Argument, Solid};
-use crate::error::suggestion;
-use crate::expr::{ExprId, Graph, ratio};
+use crate::error::{Reported, suggestion};
+use crate::expr::{ExprId, ratio};
 use crate::model::Requirement;
-use crate::screw::{SpatialInertia, Symmetric3, Vec3, add, dot, scale, sub, sum};
+use crate::screw::{SpatialInertia, Symmetric3, Vec3, add, dot, scale, sub};
 
 impl Lower {
-    /// The sum of solids; none after an error.
-    pub(super) fn solids(&mut self, owner: &Ident, solids: &[Solid]) -> Option<SpatialInertia> {
+    /// The sum of solids.
+    pub(super) fn solids(&mut self, owner: &Ident, solids: &[Solid]) -> Result<SpatialInertia, Reported> {
         if solids.is_empty() {
             let help =
                 "list one or more, such as `point(m, [0, -l, 0])`, or leave the field out for a body without mass";
-            self.errors.at(
+            return Err(self.errors.at(
                 owner.span(),
                 format_args!("the list of solids of `{owner}` is empty"),
                 help,
-            );
-            return None;
+            ));
         }
-        let mut total = Some(SpatialInertia::zero(&self.graph));
+        let mut total = Ok(SpatialInertia::zero(&self.graph));
         for solid in solids {
             let part = self.solid(owner, solid);
-            total = total.zip(part).map(|(total, part)| total.plus(&self.graph, &part));
+            total = total.and_then(|total| Ok(total.plus(&self.graph, &part?)));
         }
         total
     }
 
-    fn solid(&mut self, owner: &Ident, solid: &Solid) -> Option<SpatialInertia> {
+    fn solid(&mut self, owner: &Ident, solid: &Solid) -> Result<SpatialInertia, Reported> {
         const KINDS: [(&str, &str); 7] = [
             ("point", "point(mass, [x, y, z])"),
             ("rod", "rod(mass, [x, y, z], [x, y, z])"),
@@ -44,18 +43,17 @@ impl Lower {
         let kind = solid.kind.to_string();
         let Some((_, form)) = KINDS.iter().find(|(known, _)| *known == kind) else {
             let help = suggestion(&kind, KINDS.map(|(known, _)| known));
-            self.errors
-                .at(solid.kind.span(), format_args!("unknown solid `{kind}`"), help);
-            return None;
+            return Err(self
+                .errors
+                .at(solid.kind.span(), format_args!("unknown solid `{kind}`"), help));
         };
         let place = Place::fixed(format!("a {kind} of `{owner}`"));
         let wrong = |lower: &mut Self| {
-            lower.errors.at(
+            Err(lower.errors.at(
                 solid.kind.span(),
                 format_args!("a {kind} takes other arguments"),
                 format_args!("write `{form}`"),
-            );
-            None
+            ))
         };
         let [Argument::Scalar(mass), rest @ ..] = &solid.arguments[..] else {
             return wrong(self);
@@ -76,25 +74,25 @@ impl Lower {
             ("point", [at]) => {
                 let at = self.triple(at, &place);
                 let zero = Symmetric3::zero(&self.graph);
-                Some(SpatialInertia::of_body(&self.graph, mass?, at?, zero))
+                Ok(SpatialInertia::of_body(&self.graph, mass?, at?, zero))
             }
             ("rod", [from, to]) => {
                 let (from, to) = (self.triple(from, &place), self.triple(to, &place));
-                Some(self.rod(mass?, from?, to?))
+                Ok(self.rod(mass?, from?, to?))
             }
             ("disk", [Argument::Scalar(r), at]) => {
                 let (r, at) = (radius(self, r), self.triple(at, &place));
                 let quarter = self.times_square(mass?, r?, 4);
                 let half = self.graph.add(quarter, quarter);
                 let moments = Symmetric3::diagonal(&self.graph, [quarter, quarter, half]);
-                Some(SpatialInertia::of_body(&self.graph, mass?, at?, moments))
+                Ok(SpatialInertia::of_body(&self.graph, mass?, at?, moments))
             }
             ("sphere", [Argument::Scalar(r), at]) => {
                 let (r, at) = (radius(self, r), self.triple(at, &place));
                 let fifth = self.times_square(mass?, r?, 5);
                 let moment = self.graph.add(fifth, fifth);
                 let moments = Symmetric3::diagonal(&self.graph, [moment; 3]);
-                Some(SpatialInertia::of_body(&self.graph, mass?, at?, moments))
+                Ok(SpatialInertia::of_body(&self.graph, mass?, at?, moments))
             }
             ("cuboid", [size @ Argument::List(sides, _), at]) => {
                 let (size, at) = (self.triple(size, &place), self.triple(at, &place));
@@ -111,7 +109,7 @@ impl Lower {
                 let g = &self.graph;
                 let moments = [g.add(y, z), g.add(x, z), g.add(x, y)];
                 let moments = Symmetric3::diagonal(g, moments);
-                Some(SpatialInertia::of_body(g, mass, at, moments))
+                Ok(SpatialInertia::of_body(g, mass, at, moments))
             }
             ("cylinder", [Argument::Scalar(r), from, to]) => {
                 let (r, from, to) = (radius(self, r), self.triple(from, &place), self.triple(to, &place));
@@ -120,12 +118,11 @@ impl Lower {
                 let axis = sub(&self.graph, to, from);
                 let length2 = dot(&self.graph, axis, axis);
                 if self.graph.is_zero(length2) {
-                    self.errors.at(
+                    return Err(self.errors.at(
                         solid.kind.span(),
                         format_args!("a cylinder of `{owner}` has no length"),
                         "give two different ends, or write a disk",
-                    );
-                    return None;
+                    ));
                 }
                 // a rod, and a disk about the rod's direction u: m r^2/4 (1 + u u^T)
                 let quarter = self.times_square(mass, r, 4);
@@ -134,24 +131,21 @@ impl Lower {
                 let round = Symmetric3::diagonal(g, [quarter; 3]);
                 let axial = Symmetric3::outer(g, along, axis);
                 let about_origin = rod.about_origin.plus(g, round).plus(g, axial);
-                Some(SpatialInertia { about_origin, ..rod })
+                Ok(SpatialInertia { about_origin, ..rod })
             }
             ("plate", [Argument::Points(points, tokens)]) => {
                 let corners: Vec<_> = points
                     .iter()
-                    .map(|point| match &point[..] {
-                        [x, y] => self.expr(x, &place).zip(self.expr(y, &place)),
-                        _ => {
-                            self.errors.on(
-                                tokens,
-                                "a corner of a plate has two coordinates",
-                                format_args!("write `{form}`"),
-                            );
-                            None
-                        }
+                    .map(|point| {
+                        let [x, y] = &point[..] else {
+                            let help = format!("write `{form}`");
+                            return Err(self.errors.on(tokens, "a corner of a plate has two coordinates", help));
+                        };
+                        let (x, y) = (self.expr(x, &place), self.expr(y, &place));
+                        Ok((x?, y?))
                     })
                     .collect();
-                let corners: Vec<_> = corners.into_iter().collect::<Option<_>>()?;
+                let corners: Vec<_> = corners.into_iter().collect::<Result<_, _>>()?;
                 self.plate(owner, mass?, &corners, tokens)
             }
             _ => wrong(self),
@@ -179,110 +173,17 @@ impl Lower {
         SpatialInertia::of_body(g, mass, middle, moments)
     }
 
-    /// A uniform polygon in the xy plane, as a sum over the triangles between its sides and the origin (Green).
-    fn plate(
-        &mut self,
-        owner: &Ident,
-        mass: ExprId,
-        corners: &[(ExprId, ExprId)],
-        tokens: &proc_macro2::TokenStream,
-    ) -> Option<SpatialInertia> {
-        if corners.len() < 3 {
-            self.errors.on(
-                tokens,
-                format_args!("a plate of `{owner}` has {} corners", corners.len()),
-                "a plate needs three corners or more",
-            );
-            return None;
-        }
-        let constants: Option<Vec<_>> = corners
-            .iter()
-            .map(|&(x, y)| self.graph.constant(x).zip(self.graph.constant(y)))
-            .collect();
-        if let Some(corners) = &constants
-            && !is_simple(corners)
-        {
-            self.errors.on(
-                tokens,
-                format_args!("the sides of a plate of `{owner}` cross or touch"),
-                "list the corners in order around the plate, each once",
-            );
-            return None;
-        }
-        let g = &self.graph;
-        let mut sums = [g.zero(); 6]; // 2 area, 6 area (x, y), 12 integrals of (x^2, y^2), 24 of xy
-        for (n, &(x0, y0)) in corners.iter().enumerate() {
-            let (x1, y1) = corners[(n + 1) % corners.len()];
-            let (positive, negative) = (g.mul(x0, y1), g.mul(x1, y0));
-            let twice = g.sub(positive, negative);
-            let (sx, sy) = (g.add(x0, x1), g.add(y0, y1));
-            let xx = squares(g, x0, x1, sx);
-            let yy = squares(g, y0, y1, sy);
-            let (a, b, c) = (g.mul(x0, y0), g.mul(x1, y1), g.mul(sx, sy));
-            let xy = sum(g, [a, b, c]);
-            let one = g.one();
-            for (total, factor) in sums.iter_mut().zip([one, sx, sy, xx, yy, xy]) {
-                let term = g.mul(twice, factor);
-                *total = g.add(*total, term);
-            }
-        }
-        let density = g.div(mass, sums[0]); // mass / (2 area)
-        let [_, x, y, xx, yy, xy] = sums;
-        let part = |total: ExprId, share: i64| {
-            let factor = g.number(ratio(1, share));
-            let product = g.mul(density, total);
-            g.mul(factor, product)
-        };
-        // of twice the area: 2/6 for the first moments, 2/12 and 2/24 for the second ones
-        let (x, y, xx, yy, xy) = (part(x, 3), part(y, 3), part(xx, 6), part(yy, 6), part(xy, 12));
-        let zero = g.zero();
-        let about_origin = Symmetric3([yy, xx, g.add(xx, yy), g.neg(xy), zero, zero]);
-        Some(SpatialInertia {
-            mass,
-            moment: [x, y, zero],
-            about_origin,
-        })
-    }
-
-    fn triple(&mut self, argument: &Argument, place: &Place) -> Option<Vec3> {
+    fn triple(&mut self, argument: &Argument, place: &Place) -> Result<Vec3, Reported> {
         if let Argument::List(entries, _) = argument
             && let [x, y, z] = &entries[..]
         {
             let [x, y, z] = [x, y, z].map(|e| self.expr(e, place));
-            return Some([x?, y?, z?]);
+            return Ok([x?, y?, z?]);
         }
-        self.errors.on(
+        Err(self.errors.on(
             argument,
             format_args!("expected a point in {}", place.what),
             "write its three coordinates `[x, y, z]`",
-        );
-        None
+        ))
     }
-}
-
-/// `a^2 + a b + b^2 = (a + b)^2 - a b`, written without a cancellation.
-fn squares(g: &Graph, a: ExprId, b: ExprId, sum_of_both: ExprId) -> ExprId {
-    let (a2, with_b) = (g.powi(a, 2), g.mul(b, sum_of_both));
-    g.add(a2, with_b)
-}
-
-/// Whether no two sides of a polygon share a point but their common corner.
-fn is_simple(corners: &[(f64, f64)]) -> bool {
-    let n = corners.len();
-    let side = |k: usize| (corners[k % n], corners[(k + 1) % n]);
-    let turn = |a: (f64, f64), b: (f64, f64), c: (f64, f64)| (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0);
-    let between = |a: (f64, f64), b: (f64, f64), p: (f64, f64)| {
-        p.0 >= a.0.min(b.0) && p.0 <= a.0.max(b.0) && p.1 >= a.1.min(b.1) && p.1 <= a.1.max(b.1)
-    };
-    let meet = |(a, b), (c, d)| {
-        let [p, q, r, s] = [turn(a, b, c), turn(a, b, d), turn(c, d, a), turn(c, d, b)];
-        (p * q < 0.0 && r * s < 0.0)
-            || (p == 0.0 && between(a, b, c))
-            || (q == 0.0 && between(a, b, d))
-            || (r == 0.0 && between(c, d, a))
-            || (s == 0.0 && between(c, d, b))
-    };
-    let area: f64 = (0..n).map(|k| turn((0.0, 0.0), side(k).0, side(k).1)).sum();
-    let crossing = (0..n).any(|i| (i + 2..n).filter(|j| (j + 1) % n != i).any(|j| meet(side(i), side(j))));
-    area.is_normal() && !crossing && (0..n).all(|k| corners[k] != corners[(k + 1) % n])
 }

@@ -63,9 +63,9 @@ pub(super) fn body(input: ParseStream, errors: &mut Errors) -> syn::Result<Body>
         friction: None,
         spring: None,
         torque: None,
-        unread: false,
+        unread: None,
     };
-    body.unread = !each(&inner, errors, |input, _| body_field(input, &mut body));
+    body.unread = each(&inner, errors, |input, _| body_field(input, &mut body));
     Ok(body)
 }
 

@@ -9,7 +9,7 @@ use syn::parse::{Parse, ParseStream, Parser};
 use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, MetaNameValue, Token, Visibility, braced, bracketed, token};
 
 use crate::ast::{Head, Input, Items, Let, Param, Properties, Scene, Shape};
-use crate::error::{Errors, at, suggestion};
+use crate::error::{Errors, Reported, at, suggestion};
 
 /// Reads a declaration. The scene is there unless its head could not be read; errors may stand beside it.
 pub fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
@@ -51,7 +51,7 @@ pub fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
         })
     })
     .parse2(tokens);
-    let scene = errors.keep(scene);
+    let scene = errors.keep(scene).ok();
     (scene, errors)
 }
 
@@ -64,21 +64,18 @@ enum End {
     Braces,
 }
 
-/// Reads items until the end. Behind a mistake it skips to the next item. Tells whether all could be read.
+/// Reads items until the end. After a mistake it skips to the next item. Returns the last error, if there was one.
 fn each(
     input: ParseStream,
     errors: &mut Errors,
     mut item: impl FnMut(ParseStream, &mut Errors) -> syn::Result<End>,
-) -> bool {
-    let before = errors.len();
+) -> Option<Reported> {
+    let mut reported = None;
     while !input.is_empty() {
         match item(input, errors).and_then(|end| Ok((end, input.parse::<Option<Token![,]>>()?))) {
             Ok((End::Comma, None)) if !input.is_empty() => {
-                errors.at(
-                    input.span(),
-                    "expected a comma",
-                    "items end in a comma; products need a `*`",
-                );
+                let help = "items end in a comma; products need a `*`";
+                reported = Some(errors.at(input.span(), "expected a comma", help));
                 // where the comma alone is missing, the next item can be read
                 if !(input.peek(Ident) && input.peek2(Token![:])) {
                     skip(input);
@@ -86,12 +83,12 @@ fn each(
             }
             Ok(_) => {}
             Err(error) => {
-                errors.push(error);
+                reported = Some(errors.push(error));
                 skip(input);
             }
         }
     }
-    errors.len() == before
+    reported
 }
 
 fn skip(input: ParseStream) {
@@ -183,7 +180,7 @@ fn item(input: ParseStream, items: &mut Items, errors: &mut Errors) -> syn::Resu
             let inner;
             braced!(inner in input);
             let mut properties = Properties::default();
-            let unread = !each(&inner, errors, |input, _| body::shape_field(input, &mut properties));
+            let unread = each(&inner, errors, |input, _| body::shape_field(input, &mut properties));
             let shape = Shape {
                 name,
                 properties,

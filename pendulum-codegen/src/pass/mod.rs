@@ -4,7 +4,6 @@ mod angles;
 pub(crate) mod constants;
 mod cost;
 pub(crate) mod factor;
-mod pairs;
 mod share;
 pub(crate) mod trig;
 

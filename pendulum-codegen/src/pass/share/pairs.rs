@@ -3,41 +3,57 @@
 use std::cmp::Reverse;
 use std::collections::{BTreeMap, BTreeSet, HashMap};
 
-use super::share::{Item, Operand, Parts, Ref};
+use super::parts::{Item, Operand, Parts, Ref};
 
 /// Two operands of one sum or product, and whether their signs differ.
 type Pair = (Ref, Ref, bool);
 
-/// The search for common pairs in all sums, or in all products.
-pub(super) struct Extraction<'p> {
+/// Where pairs are looked for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Of {
+    Sums,
+    Products,
+}
+
+/// Takes out pairs of all sums, or of all products, until none stands in two places.
+pub(super) fn share_pairs(parts: &mut Parts, of: Of) {
+    let mut search = Search {
+        parts,
+        of,
+        places: HashMap::new(),
+        queue: BTreeSet::new(),
+    };
+    for item in 0..search.parts.items.len() {
+        search.count(item, true);
+    }
+    while let Some((_, Reverse(pair))) = search.queue.pop_last() {
+        search.extract(pair);
+    }
+}
+
+/// The state of a search.
+struct Search<'p> {
     parts: &'p mut Parts,
-    sums: bool,
+    of: Of,
     /// In which items each pair stands, and how often.
     places: HashMap<Pair, BTreeMap<Ref, usize>>,
     /// Pairs that stand in two places or more; the most frequent last.
     queue: BTreeSet<(usize, Reverse<Pair>)>,
 }
 
-impl<'p> Extraction<'p> {
-    /// Takes out pairs until none stands in two places.
-    pub(super) fn run(parts: &'p mut Parts, sums: bool) {
-        let mut search = Extraction {
-            parts,
-            sums,
-            places: HashMap::new(),
-            queue: BTreeSet::new(),
-        };
-        for item in 0..search.parts.items.len() {
-            search.count(item, true);
-        }
-        while let Some((_, Reverse(pair))) = search.queue.pop_last() {
-            search.extract(pair);
+impl Of {
+    fn item(self, operands: Vec<Operand>) -> Item {
+        match self {
+            Self::Sums => Item::Sum(operands),
+            Self::Products => Item::Product(operands),
         }
     }
+}
 
+impl Search<'_> {
     fn operands(&self, item: Ref) -> Option<&Vec<Operand>> {
-        match (&self.parts.items[item], self.sums) {
-            (Item::Sum(operands), true) | (Item::Product(operands), false) => Some(operands),
+        match (&self.parts.items[item], self.of) {
+            (Item::Sum(operands), Of::Sums) | (Item::Product(operands), Of::Products) => Some(operands),
             _ => None,
         }
     }
@@ -54,7 +70,7 @@ impl<'p> Extraction<'p> {
         let distinct: Vec<(Operand, usize)> = multiplicity.into_iter().collect();
         let mut pairs: BTreeMap<Pair, usize> = BTreeMap::new();
         for (n, &((a, minus_a), count_a)) in distinct.iter().enumerate() {
-            if !self.sums && count_a > 1 && !self.parts.constant[a] {
+            if self.of == Of::Products && count_a > 1 && !self.parts.constant[a] {
                 pairs.insert((a, a, false), count_a / 2);
             }
             for &((b, minus_b), count_b) in &distinct[n + 1..] {
@@ -86,18 +102,13 @@ impl<'p> Extraction<'p> {
 
     fn extract(&mut self, pair: Pair) {
         let (a, b, opposite) = pair;
-        let content = vec![(a, false), (b, opposite)];
-        let whole = if self.sums {
-            Item::Sum(content)
-        } else {
-            Item::Product(content)
-        };
         let places: Vec<Ref> = self
             .places
             .get(&pair)
             .into_iter()
             .flat_map(|places| places.keys().copied())
             .collect();
+        let whole = self.of.item(vec![(a, false), (b, opposite)]);
         let whole = self.parts.item(whole, false);
         for item in places {
             if item == whole {
@@ -116,11 +127,7 @@ impl<'p> Extraction<'p> {
                 }
             }
             operands.sort_unstable();
-            self.parts.items[item] = if self.sums {
-                Item::Sum(operands)
-            } else {
-                Item::Product(operands)
-            };
+            self.parts.items[item] = self.of.item(operands);
             self.count(item, true);
         }
     }

@@ -1,0 +1,133 @@
+//! Bodies: joint, mass and forces together.
+
+use std::collections::BTreeMap;
+
+use super::Lower;
+use super::mass::{Mass, Turns};
+use crate::ast;
+use crate::error::Reported;
+use crate::model::{Body, Coordinate, Heading, combine};
+use crate::screw::{SpatialInertia, mat_vec, transpose};
+
+impl Lower {
+    /// The bodies, each after its parent. Those with an error are left out.
+    pub(super) fn bodies(
+        &mut self,
+        declared: &[ast::Body],
+        order: Vec<usize>,
+        coordinates: &[Coordinate],
+        shapes: &BTreeMap<String, Result<Mass, Reported>>,
+    ) -> Vec<Body> {
+        let mut bodies = Vec::new();
+        for body in order.into_iter().map(|n| &declared[n]) {
+            let name = body.name.to_string();
+            match self.body(body, &bodies, coordinates, shapes) {
+                Ok(lowered) => {
+                    self.placed.insert(name, Ok(bodies.len()));
+                    bodies.push(lowered);
+                }
+                Err(reported) => {
+                    self.placed.entry(name).or_insert(Err(reported));
+                }
+            }
+        }
+        bodies
+    }
+
+    fn body(
+        &mut self,
+        body: &ast::Body,
+        bodies: &[Body],
+        coordinates: &[Coordinate],
+        shapes: &BTreeMap<String, Result<Mass, Reported>>,
+    ) -> Result<Body, Reported> {
+        let coordinate = body
+            .coordinate
+            .as_ref()
+            .and_then(|name| coordinates.iter().position(|c| name == &c.name));
+        // an error in one part is no reason to leave the others unread
+        let mass = self.mass_of_body(body, shapes);
+        let geometry = self.geometry(&body.name, body.joint.as_ref());
+        let parent = self.parent(body);
+        let heading = geometry.as_ref().map_err(|reported| *reported).and_then(|geometry| {
+            self.require_coordinate(body, geometry.screw.is_some())?;
+            self.heading(body, bodies, parent?, geometry, coordinate)
+        });
+        let motion = heading.as_ref().map(|(_, motion)| motion.clone()).unwrap_or_default();
+        let position = combine(&self.graph, coordinates, &motion, |c| c.position);
+        let rate = combine(&self.graph, coordinates, &motion, |c| c.rate);
+        let forces = self.forces(body, position, rate);
+        let ((heading, motion), geometry, (force, potential)) = (heading?, geometry?, forces?);
+        let inertia = match mass? {
+            None => SpatialInertia::zero(&self.graph),
+            Some(mass) => {
+                let turns = self.turns(&heading);
+                mass.of_body(self, &body.name, turns)?
+            }
+        };
+        Ok(Body {
+            name: body.name.to_string(),
+            parent: parent?,
+            placement: geometry.placement,
+            screw: geometry.screw,
+            coordinate,
+            motion,
+            heading,
+            inertia,
+            force,
+            potential,
+        })
+    }
+
+    /// About which axes a body turns.
+    fn turns(&self, heading: &Heading) -> Turns {
+        match (heading.station, heading.axis) {
+            (None, None) => Turns::Never,
+            (None, Some(axis)) => {
+                let back = transpose(heading.rest);
+                Turns::About(mat_vec(&self.graph, back, axis))
+            }
+            (Some(_), _) => Turns::Freely,
+        }
+    }
+
+    /// The body that carries this one; none for ground.
+    fn parent(&self, body: &ast::Body) -> Result<Option<usize>, Reported> {
+        let placed = self.placed.get(&body.parent.to_string());
+        placed.map_or(Ok(None), |placed| placed.map(Some))
+    }
+
+    /// A joint that moves must have a coordinate, and a fixed one must not.
+    fn require_coordinate(&mut self, body: &ast::Body, moves: bool) -> Result<(), Reported> {
+        let name = &body.name;
+        if let Some(reported) = body.unread {
+            // what is missing may be what could not be read
+            let fits = moves == body.coordinate.is_some();
+            return if fits { Ok(()) } else { Err(reported) };
+        }
+        match (moves, &body.coordinate) {
+            (true, None) => Err(self.errors.at(
+                name.span(),
+                format_args!("the joint of `{name}` moves but has no coordinate"),
+                "add `coordinate: name`, or make the joint `fixed`",
+            )),
+            (false, Some(coordinate)) => Err(self.errors.at(
+                coordinate.span(),
+                format_args!("the joint of `{name}` is fixed, so `{coordinate}` cannot change"),
+                "remove the coordinate, or give the joint an axis: `joint: revolute(z)`",
+            )),
+            (false, None) => {
+                let spring = body.spring.as_ref().map(|(stiffness, _)| stiffness);
+                if let Some(force) = body.friction.as_ref().or(spring).or(body.torque.as_ref()) {
+                    self.errors.on(
+                        force,
+                        format_args!("the joint of `{name}` is fixed, so no force can act along it"),
+                        "remove it, or give the joint an axis and a coordinate",
+                    );
+                }
+                Ok(())
+            }
+            (true, Some(_)) => Ok(()),
+        }
+    }
+}

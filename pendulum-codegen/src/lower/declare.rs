@@ -1,0 +1,115 @@
+//! What a scene declares: parameters, inputs, named expressions and coordinates.
+
+use super::Lower;
+use super::expr::Place;
+use super::scope::Kind;
+use crate::ast;
+use crate::expr::{Level, SymbolKind};
+use crate::model::{Coordinate, Input, Parameter};
+
+impl Lower {
+    pub(super) fn parameters(&mut self, params: &[ast::Param]) -> Vec<Parameter> {
+        let mut parameters = Vec::new();
+        for param in params {
+            let place = Place {
+                what: format!("the default of `{}`", param.name),
+                most: Level::Constant,
+                joint: None,
+            };
+            // defaults come before any name is known, so they are built from numbers alone
+            let default = param
+                .default
+                .as_ref()
+                .and_then(|e| self.expr(e, &place).ok())
+                .and_then(|id| self.graph.constant(id));
+            let name = param.name.to_string();
+            let symbol = self.graph.symbol(&name, SymbolKind::Parameter(parameters.len()));
+            parameters.push((
+                param,
+                Parameter {
+                    name,
+                    docs: param.docs.clone(),
+                    unit: param.unit.clone(),
+                    default,
+                    symbol,
+                },
+            ));
+        }
+        for (param, parameter) in &parameters {
+            self.names
+                .declare(&mut self.errors, Kind::Parameter, &param.name, Some(parameter.symbol));
+        }
+        parameters.into_iter().map(|(_, parameter)| parameter).collect()
+    }
+
+    pub(super) fn inputs(&mut self, declared: &[ast::Input]) -> Vec<Input> {
+        let mut inputs = Vec::new();
+        for input in declared {
+            let name = input.name.to_string();
+            let symbol = self.graph.symbol(&name, SymbolKind::Input(inputs.len()));
+            self.names
+                .declare(&mut self.errors, Kind::Input, &input.name, Some(symbol));
+            inputs.push(Input {
+                name,
+                docs: input.docs.clone(),
+                unit: input.unit.clone(),
+                symbol,
+            });
+        }
+        inputs
+    }
+
+    /// Declares names before their values are known, so that a use before the definition can be told from a misspelling.
+    pub(super) fn declare_lets(&mut self, lets: &[ast::Let]) {
+        for item in lets {
+            self.names.declare(&mut self.errors, Kind::Let, &item.name, None);
+        }
+    }
+
+    /// Says what each name stands for, in the order of the text.
+    pub(super) fn lets(&mut self, lets: &[ast::Let]) {
+        for item in lets {
+            let place = Place {
+                what: format!("`{}`", item.name),
+                most: Level::State,
+                joint: None,
+            };
+            match self.expr(&item.value, &place) {
+                Ok(value) => self.names.set_value(&item.name.to_string(), value),
+                Err(reported) => _ = self.broken.insert(item.name.to_string(), reported),
+            }
+        }
+    }
+
+    pub(super) fn coordinates(&mut self, bodies: &[ast::Body]) -> Vec<Coordinate> {
+        let mut coordinates = Vec::new();
+        for ident in bodies.iter().filter_map(|body| body.coordinate.as_ref()) {
+            let (name, k) = (ident.to_string(), coordinates.len());
+            let position = self.graph.symbol(&name, SymbolKind::Coordinate(k));
+            self.names
+                .declare(&mut self.errors, Kind::Coordinate, ident, Some(position));
+            coordinates.push((name, position));
+        }
+        let rate = |k: usize, name: &String| self.graph.symbol(&format!("dot({name})"), SymbolKind::Rate(k));
+        let rates: Vec<_> = coordinates
+            .iter()
+            .enumerate()
+            .map(|(k, (name, _))| rate(k, name))
+            .collect();
+        for ((name, _), &rate) in coordinates.iter().zip(&rates) {
+            self.names.set_rate(name, rate);
+        }
+        let with_rates = coordinates.into_iter().zip(rates).enumerate();
+        with_rates
+            .map(|(k, ((name, position), rate))| {
+                let acceleration = self.graph.symbol(&format!("ddot({name})"), SymbolKind::Acceleration(k));
+                Coordinate {
+                    name,
+                    position,
+                    rate,
+                    acceleration,
+                }
+            })
+            .collect()
+    }
+}

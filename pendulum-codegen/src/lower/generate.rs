@@ -1,0 +1,63 @@
+//! The words of `generate`.
+
+use std::collections::BTreeSet;
+
+use syn::Ident;
+
+use super::Lower;
+use crate::error::suggestion;
+use crate::program::words;
+
+impl Lower {
+    /// What to generate.
+    pub(super) fn outputs(
+        &mut self,
+        generate: Option<&[Ident]>,
+        has_parameters: bool,
+        has_inputs: bool,
+    ) -> BTreeSet<&'static str> {
+        let Some(list) = generate else {
+            return ["rhs", "jacobian", "energy"].into();
+        };
+        let words = words();
+        let mut outputs = BTreeSet::new();
+        for ident in list {
+            let name = ident.to_string();
+            let Some(&word) = words.iter().find(|word| **word == name) else {
+                let help = suggestion(&name, words.iter().copied());
+                self.errors
+                    .at(ident.span(), format_args!("`{name}` cannot be generated"), help);
+                continue;
+            };
+            if !outputs.insert(word) {
+                self.errors.at(
+                    ident.span(),
+                    format_args!("`{name}` is listed twice"),
+                    "keep one of the two",
+                );
+            } else if word == "parameter_jacobian" && !has_parameters {
+                self.errors.at(
+                    ident.span(),
+                    "there are no parameters to derive by",
+                    "declare the quantities of interest in `params { .. }`; numbers are constants",
+                );
+            } else if has_inputs && let Some(what) = motion_under_inputs(word) {
+                self.errors.at(
+                    ident.span(),
+                    format_args!("{what} not known: their law is given after the code is written"),
+                    format_args!("leave out `{word}`, or write the law into a `torque` in place of the input"),
+                );
+            }
+        }
+        outputs
+    }
+}
+
+/// What a word of `generate` asks for that takes the inputs as functions of the time.
+fn motion_under_inputs(word: &str) -> Option<&'static str> {
+    match word {
+        "canonical" => Some("the canonical equations of a motion under inputs are"),
+        "taylor" => Some("the Taylor series of a motion under inputs is"),
+        _ => None,
+    }
+}

@@ -1,0 +1,100 @@
+//! Uniform plates of any simple outline.
+
+use syn::Ident;
+
+use super::Lower;
+use crate::error::Reported;
+use crate::expr::{ExprId, Graph, ratio};
+use crate::screw::{SpatialInertia, Symmetric3, sum};
+
+impl Lower {
+    /// A uniform polygon in the xy plane, as a sum over the triangles between its sides and the origin (Green).
+    pub(super) fn plate(
+        &mut self,
+        owner: &Ident,
+        mass: ExprId,
+        corners: &[(ExprId, ExprId)],
+        tokens: &proc_macro2::TokenStream,
+    ) -> Result<SpatialInertia, Reported> {
+        if corners.len() < 3 {
+            return Err(self.errors.on(
+                tokens,
+                format_args!("a plate of `{owner}` has {} corners", corners.len()),
+                "a plate needs three corners or more",
+            ));
+        }
+        let constants: Option<Vec<_>> = corners
+            .iter()
+            .map(|&(x, y)| self.graph.constant(x).zip(self.graph.constant(y)))
+            .collect();
+        if let Some(corners) = &constants
+            && !is_simple(corners)
+        {
+            return Err(self.errors.on(
+                tokens,
+                format_args!("the sides of a plate of `{owner}` cross or touch"),
+                "list the corners in order around the plate, each once",
+            ));
+        }
+        let g = &self.graph;
+        let mut sums = [g.zero(); 6]; // 2 area, 6 area (x, y), 12 integrals of (x^2, y^2), 24 of xy
+        for (n, &(x0, y0)) in corners.iter().enumerate() {
+            let (x1, y1) = corners[(n + 1) % corners.len()];
+            let (positive, negative) = (g.mul(x0, y1), g.mul(x1, y0));
+            let twice = g.sub(positive, negative);
+            let (sx, sy) = (g.add(x0, x1), g.add(y0, y1));
+            let xx = squares(g, x0, x1, sx);
+            let yy = squares(g, y0, y1, sy);
+            let (a, b, c) = (g.mul(x0, y0), g.mul(x1, y1), g.mul(sx, sy));
+            let xy = sum(g, [a, b, c]);
+            let one = g.one();
+            for (total, factor) in sums.iter_mut().zip([one, sx, sy, xx, yy, xy]) {
+                let term = g.mul(twice, factor);
+                *total = g.add(*total, term);
+            }
+        }
+        let density = g.div(mass, sums[0]); // mass / (2 area)
+        let [_, x, y, xx, yy, xy] = sums;
+        let part = |total: ExprId, share: i64| {
+            let factor = g.number(ratio(1, share));
+            let product = g.mul(density, total);
+            g.mul(factor, product)
+        };
+        // of twice the area: 2/6 for the first moments, 2/12 and 2/24 for the second ones
+        let (x, y, xx, yy, xy) = (part(x, 3), part(y, 3), part(xx, 6), part(yy, 6), part(xy, 12));
+        let zero = g.zero();
+        let about_origin = Symmetric3([yy, xx, g.add(xx, yy), g.neg(xy), zero, zero]);
+        Ok(SpatialInertia {
+            mass,
+            moment: [x, y, zero],
+            about_origin,
+        })
+    }
+}
+
+/// `a^2 + a b + b^2 = (a + b)^2 - a b`, written without a cancellation.
+fn squares(g: &Graph, a: ExprId, b: ExprId, sum_of_both: ExprId) -> ExprId {
+    let (a2, with_b) = (g.powi(a, 2), g.mul(b, sum_of_both));
+    g.add(a2, with_b)
+}
+
+/// Whether no two sides of a polygon share a point but their common corner.
+fn is_simple(corners: &[(f64, f64)]) -> bool {
+    let n = corners.len();
+    let side = |k: usize| (corners[k % n], corners[(k + 1) % n]);
+    let turn = |a: (f64, f64), b: (f64, f64), c: (f64, f64)| (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0);
+    let between = |a: (f64, f64), b: (f64, f64), p: (f64, f64)| {
+        p.0 >= a.0.min(b.0) && p.0 <= a.0.max(b.0) && p.1 >= a.1.min(b.1) && p.1 <= a.1.max(b.1)
+    };
+    let meet = |(a, b), (c, d)| {
+        let [p, q, r, s] = [turn(a, b, c), turn(a, b, d), turn(c, d, a), turn(c, d, b)];
+        (p * q < 0.0 && r * s < 0.0)
+            || (p == 0.0 && between(a, b, c))
+            || (q == 0.0 && between(a, b, d))
+            || (r == 0.0 && between(c, d, a))
+            || (s == 0.0 && between(c, d, b))
+    };
+    let area: f64 = (0..n).map(|k| turn((0.0, 0.0), side(k).0, side(k).1)).sum();
+    let crossing = (0..n).any(|i| (i + 2..n).filter(|j| (j + 1) % n != i).any(|j| meet(side(i), side(j))));
+    area.is_normal() && !crossing && (0..n).all(|k| corners[k] != corners[(k + 1) % n])
+}
