@@ -31,6 +31,7 @@ pub mod model;
 pub mod parse;
 pub mod pass;
 mod pipeline;
+pub mod program;
 pub mod screw;
 pub mod units;
 

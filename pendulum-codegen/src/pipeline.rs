@@ -10,6 +10,7 @@ use crate::error::Errors;
 use crate::expr::{ExprId, Graph, Level, Node};
 use crate::form::{Chosen, Forms, Taylor};
 use crate::model::{Model, Output};
+use crate::program::StateLayout;
 use crate::{check, emit, lower, parse};
 
 /// A function of the generated model.
@@ -69,6 +70,8 @@ impl Function {
 pub struct Program {
     /// The scene and its expressions.
     pub model: Model,
+    /// What each part of its state is.
+    pub layout: StateLayout,
     /// The code of each function.
     pub functions: BTreeMap<Function, Chosen>,
     /// The code of the Taylor series, where it was asked for.
@@ -128,8 +131,15 @@ fn compile(scene: &Scene, errors: Errors) -> Result<Program, Errors> {
         Some(closed) => emit::equations(&model, closed, true),
         None => emit::equations(&model, &dynamics, false),
     };
+    let roots = match functions.get(&Function::Rhs) {
+        Some(rhs) => &rhs.roots,
+        // what decides it
+        None => &forms.closed().unwrap_or(&dynamics).balance,
+    };
+    let layout = StateLayout::new(&model, roots);
     Ok(Program {
         model,
+        layout,
         functions,
         taylor,
         constants,

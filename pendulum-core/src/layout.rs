@@ -82,11 +82,11 @@ pub struct Slot {
     pub positions: Range<usize>,
     /// The components of the state that hold its rate. There may be fewer of them than positions.
     pub rates: Range<usize>,
-    /// Whether a full turn, 2 pi, leaves everything as it was: each body is in its place again, and the right-hand side is the same.
+    /// Whether a full turn, 2 pi, is known to leave everything as it was: each body is in its place again, and the right-hand side is the same.
     ///
     /// A helical joint with a pitch moves its body on, and a torsion spring counts turns: neither has a periodic coordinate.
     pub periodic: bool,
-    /// Whether the right-hand side does not depend on the position at all, as on the place of a cart on a level track.
+    /// Whether the right-hand side is known not to depend on the position at all, as on the place of a cart on a level track.
     pub cyclic: bool,
 }
 
