@@ -101,7 +101,8 @@ impl Items<'_> {
         } = self.signature();
         let of_trait = Some(quote!(::pendulum_core::System<T, #length>));
         let inline = inlined_into_lanes();
-        let system = self.implement(of_trait, quote!(#inline fn rhs(#arguments) -> #vector #rhs));
+        let layout = self.layout();
+        let system = self.implement(of_trait, quote!(#inline fn rhs(#arguments) -> #vector #rhs #layout));
         let jacobian = self.jacobian_block().map(|jacobian| {
             let time_derivative = self.time_derivative_block();
             let of_trait = Some(quote!(::pendulum_core::Jacobian<T, #length>));
@@ -123,10 +124,21 @@ impl Items<'_> {
         Some(quote!(#system #jacobian))
     }
 
+    /// The method of `System` and of `Controlled` that returns the layout of the state.
+    fn layout(&self) -> TokenStream {
+        let name = &self.scene.name;
+        quote! {
+            #[inline]
+            fn layout(&self) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
+                Some(&<#name>::LAYOUT)
+            }
+        }
+    }
+
     fn controlled(&self) -> Option<TokenStream> {
         let dof = self.dof();
         let (length, count) = (number(2 * dof), number(self.program.model.inputs.len()));
-        let (rhs, jacobian) = (self.rhs_block()?, self.jacobian_block()?);
+        let (rhs, jacobian, layout) = (self.rhs_block()?, self.jacobian_block()?, self.layout());
         let by_inputs = self.block(&self.program.functions.get(&Function::InputJacobian)?.roots, |values| {
             let zeros = vec![spelled(0.0); dof];
             let columns = values.chunks(dof).map(|column| quote!([#(#zeros,)* #(#column),*]));
@@ -151,6 +163,7 @@ impl Items<'_> {
             fn rhs_and_jacobian_with(#arguments) -> (#vector, #matrix) #jacobian
             #[inline]
             fn input_jacobian(#arguments) -> ::pendulum_core::nalgebra::SMatrix<T, #length, #count> #by_inputs
+            #layout
         };
         let controlled = self.implement(Some(quote!(::pendulum_core::Controlled<T, #length, #count>)), functions);
         let with_inputs = quote! {

@@ -9,6 +9,7 @@ mod stub;
 mod taylor;
 
 use std::collections::HashMap;
+use std::ops::Range;
 
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
@@ -22,6 +23,7 @@ use crate::form::Form;
 use crate::model::{ROUNDING, Requirement};
 use crate::pass::Operations;
 use crate::pipeline::Program;
+use crate::program::{SlotKind, StateLayout};
 use body::{Body, local};
 
 /// Everything that a declaration stands for.
@@ -254,20 +256,24 @@ impl Items<'_> {
         let (name, dof, coordinates) = (self.name(), number(self.dof()), self.program.model.coordinate_names());
         let equations = &self.program.equations;
         let costs = self.program.functions.iter().map(|(function, chosen)| {
-            let others = chosen.others.iter().map(|(form, count)| (form.to_string(), *count));
-            cost(function.name(), &chosen.form.to_string(), &chosen.operations, others)
+            let (name, own) = (function.name(), cost(&chosen.form, &chosen.operations));
+            let others = chosen.others.iter().map(|(form, count)| cost(form, count));
+            quote!((#name, #own.with_others(&[#(#others),*])))
         });
         let of_series = self.program.taylor.as_ref().map(|taylor| {
-            let text = |form: &Form, slots: &usize| format!("{form}, {slots} products of series");
+            let cost = |form: &Form, slots: usize, count: &Operations| {
+                let (cost, slots) = (cost(form, count), number(slots));
+                quote!(#cost.with_products(#slots))
+            };
+            let own = cost(&taylor.form, taylor.slots, &taylor.operations);
             let others = taylor
                 .others
                 .iter()
-                .map(|(form, slots, count)| (text(form, slots), *count));
-            let cost = cost("taylor", &text(&taylor.form, &taylor.slots), &taylor.operations, others);
-            let slots = number(taylor.slots);
-            quote!(#cost, taylor_products: #slots)
+                .map(|(form, slots, count)| cost(form, *slots, count));
+            quote!(("taylor", #own.with_others(&[#(#others),*])))
         });
         let costs = costs.chain(of_series);
+        let layout = layout(&self.program.layout);
         quote! {
             impl #name {
                 /// The number of degrees of freedom; the state has twice as many components.
@@ -275,7 +281,9 @@ impl Items<'_> {
                 /// The names of the coordinates, in the order in which they, and then their rates, stand in the state.
                 pub const COORDINATES: [&'static str; #dof] = [#(#coordinates),*];
                 /// Counted operations of each generated function, in the form that it has and in others.
-                pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost { #(#costs,)* ..::pendulum_core::Cost::ZERO };
+                pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::new(&[#(#costs),*]);
+                /// What each part of the state is.
+                pub const LAYOUT: ::pendulum_core::StateLayout = #layout;
                 /// The equations of motion as text.
                 pub const EQUATIONS: &'static str = #equations;
             }
@@ -283,16 +291,10 @@ impl Items<'_> {
     }
 }
 
-/// A field of the costs: the operations of a function in its form and in others.
-fn cost(field: &str, form: &str, own: &Operations, others: impl Iterator<Item = (String, Operations)>) -> TokenStream {
-    let (field, own) = (format_ident!("{field}"), operations(own));
-    let others = others.map(|(form, count)| {
-        let count = operations(&count);
-        quote!((#form, #count))
-    });
-    quote! {
-        #field: ::pendulum_core::FunctionCost { operations: #own, form: #form, others: &[#(#others),*] }
-    }
+/// What a function takes in one form, as a value of the core's type.
+fn cost(form: &Form, count: &Operations) -> TokenStream {
+    let (form, count) = (form.to_string(), operations(count));
+    quote!(::pendulum_core::FunctionCost::new(#form, #count))
 }
 
 /// Counted operations, as a value of the core's type.
@@ -307,6 +309,28 @@ fn operations(operations: &Operations) -> TokenStream {
     } = operations;
     let counts = [additions, multiplications, divisions, sincos, functions, chain].map(|&count| number(count));
     quote!(::pendulum_core::Operations::new(#(#counts),*))
+}
+
+/// A layout, as a value of the core's type.
+fn layout(layout: &StateLayout) -> TokenStream {
+    let slots = layout.slots.iter().map(|slot| {
+        let kind = match slot.kind {
+            SlotKind::Angle => quote!(Angle),
+            SlotKind::Length => quote!(Length),
+        };
+        let range = |range: &Range<usize>| {
+            let (start, end) = (number(range.start), number(range.end));
+            quote!(#start..#end)
+        };
+        let (name, positions, rates) = (&slot.name, range(&slot.positions), range(&slot.rates));
+        let periodic = slot.periodic.then(|| quote!(.periodic()));
+        let cyclic = slot.cyclic.then(|| quote!(.cyclic()));
+        quote! {
+            ::pendulum_core::Slot::new(#name, ::pendulum_core::SlotKind::#kind, #positions, #rates) #periodic #cyclic
+        }
+    });
+    let autonomous = layout.autonomous.then(|| quote!(.autonomous()));
+    quote!(::pendulum_core::StateLayout::new(&[#(#slots),*]) #autonomous)
 }
 
 /// A parameter's or an input's field.
