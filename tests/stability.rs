@@ -2,13 +2,15 @@
 
 mod common;
 
-use std::f64::consts::{FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 use common::random::Random;
 use common::scenes::{DoublePendulum, DoublePendulumParams};
 use pendulum_core::nalgebra::{DMatrix, SymmetricEigen};
 use pendulum_core::prelude::*;
-use pendulum_core::stability::{Equilibrium, Lyapunov, Stability, equilibria, equilibrium, section};
+use pendulum_core::stability::{
+    Equilibrium, Lyapunov, Shooting, Stability, StabilityError, equilibria, equilibrium, section,
+};
 
 mechanism! {
     /// Four links whose centres of mass lie beside the lines of their axles.
@@ -52,6 +54,25 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// A pendulum at the rim of a table that turns freely.
+    pub Turntable {
+        gravity: [0, 0, -9.81],
+        body table on ground { mass: 2, inertia: [1, 1, 1], joint: revolute(z), coordinate: turn, friction: 0.1 }
+        body bob on table {
+            mass: 1, com: [0, 0, -1], inertia: [0.1, 0.1, 0.1], joint: revolute(x) at [1, 0, 0], coordinate: angle, friction: 0.1,
+        }
+    }
+}
+
+mechanism! {
+    /// A pendulum that a motor shakes.
+    pub Shaken {
+        gravity: [0, -9.81, 0],
+        body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle, torque: cos(t), friction: 0.1 }
+    }
+}
+
 fn pendulum(gamma1: f64, gamma2: f64) -> DoublePendulum {
     let params = DoublePendulumParams {
         gamma1,
@@ -71,7 +92,7 @@ fn unstable<const N: usize>(equilibrium: &Equilibrium<N>) -> usize {
 #[test]
 fn the_equilibria_of_a_chain_are_all_found() {
     fn check(model: &impl Jacobian<f64, 8>, seed: SVector<f64, 8>) {
-        let found = equilibria(model, [seed]);
+        let found = equilibria(model, [seed]).expect("autonomous");
         assert_eq!(found.len(), 16);
         let mut counts = [0; 5];
         for equilibrium in &found {
@@ -109,8 +130,9 @@ fn the_equilibria_of_a_chain_are_all_found() {
 fn a_constant_torque_turns_the_equilibria_and_then_ends_them() {
     for torque in [3.0, -9.0, 9.8] {
         let motor = Motor::new(MotorParams { torque }).expect("physical");
-        let [low, high] = &equilibria(&motor, [SVector::from([0.3, 0.0])])[..] else {
-            panic!("there are two: {:?}", equilibria(&motor, [SVector::from([0.3, 0.0])]))
+        let found = equilibria(&motor, [SVector::from([0.3, 0.0])]).expect("autonomous");
+        let [low, high] = &found[..] else {
+            panic!("there are two: {found:?}")
         };
         let lean = (torque / 9.81).asin();
         assert!((low.x[0] - lean).abs() < 1e-9 && low.stability() == Stability::AsymptoticallyStable);
@@ -119,14 +141,14 @@ fn a_constant_torque_turns_the_equilibria_and_then_ends_them() {
     }
     let motor = Motor::new(MotorParams { torque: 10.0 }).expect("physical");
     assert!(equilibrium(&motor, [0.3, 0.0]).is_err());
-    assert!(equilibria(&motor, [SVector::from([0.3, 0.0])]).is_empty());
+    assert_eq!(equilibria(&motor, [SVector::from([0.3, 0.0])]), Ok(Vec::new()));
 }
 
 /// Where it stands does not matter to the cart: one motion neither grows nor decays.
 #[test]
 fn equilibria_that_are_not_isolated_are_found_nearby() {
     let cart = Cart::new(CartParams {}).expect("physical");
-    let found = equilibria(&cart, [SVector::from([0.7, 0.5, 0.0, 0.0])]);
+    let found = equilibria(&cart, [SVector::from([0.7, 0.5, 0.0, 0.0])]).expect("autonomous");
     assert_eq!(found.len(), 2);
     assert_eq!(found[0].stability(), Stability::Undecided);
     assert_eq!(found[1].stability(), Stability::Unstable);
@@ -136,12 +158,38 @@ fn equilibria_that_are_not_isolated_are_found_nearby() {
     assert!((still.shape[0].norm() - 1.0).abs() < 1e-9 && still.shape.rows(1, 3).map(|part| part.norm()).max() < 1e-9);
 }
 
+/// The table may stand at any angle, so half a turn of it is no equilibrium of another kind.
+#[test]
+fn angles_that_do_not_matter_are_not_turned() {
+    let table = Turntable::new(TurntableParams {}).expect("physical");
+    let slots = Turntable::LAYOUT.slots.iter();
+    assert!(
+        slots
+            .map(|slot| (slot.periodic, slot.cyclic))
+            .eq([(true, true), (true, false)])
+    );
+    let found = equilibria(&table, [SVector::from([0.4, 0.1, 0.0, 0.0])]).expect("autonomous");
+    assert_eq!(found.len(), 2, "{found:?}");
+}
+
+#[test]
+fn a_system_that_time_drives_has_no_equilibria() {
+    let shaken = Shaken::new(ShakenParams {}).expect("physical");
+    let seed = SVector::from([0.1, 0.0]);
+    assert_eq!(equilibria(&shaken, [seed]), Err(StabilityError::TimeDependent));
+    assert_eq!(equilibrium(&shaken, seed), Err(StabilityError::TimeDependent));
+    let free = Shooting::new().autonomous(&shaken, seed, TAU);
+    assert_eq!(free, Err(StabilityError::TimeDependent));
+    let forced = Shooting::new().forced(&shaken, seed, TAU);
+    assert!(forced.is_ok(), "{forced:?}");
+}
+
 /// With `A = [[3, 1], [1, 2]]` and stiffness `diag(2 g, g)`, or the opposite sign where a plate stands, the squares `s` of the rates solve
 /// `5 s^2 + 7 g s + 2 g^2 = 0`, `5 s^2 - 7 g s + 2 g^2 = 0`, `5 s^2 + g s - 2 g^2 = 0` and `5 s^2 - g s - 2 g^2 = 0`.
 #[test]
 fn frictionless_modes_are_those_of_the_closed_form() {
     let g = 9.8_f64;
-    let found = equilibria(&pendulum(0.0, 0.0), [SVector::from([0.1, 0.0, 0.0, 0.0])]);
+    let found = equilibria(&pendulum(0.0, 0.0), [SVector::from([0.1, 0.0, 0.0, 0.0])]).expect("autonomous");
     assert_eq!(found.len(), 4);
     let root = 41.0_f64.sqrt();
     for equilibrium in found {
@@ -186,7 +234,7 @@ fn friction_settles_what_hangs_and_nothing_else() {
                 continue;
             }
             let model = pendulum(gamma1, gamma2);
-            for equilibrium in equilibria(&model, [SVector::zeros()]) {
+            for equilibrium in equilibria(&model, [SVector::zeros()]).expect("autonomous") {
                 let standing = (0..2).filter(|&i| equilibrium.x[i].abs() > FRAC_PI_2).count();
                 assert_eq!(unstable(&equilibrium), standing, "{gamma1} {gamma2} {equilibrium:?}");
                 let stable = equilibrium.stability() == Stability::AsymptoticallyStable;
@@ -200,7 +248,7 @@ fn friction_settles_what_hangs_and_nothing_else() {
 #[test]
 fn a_start_beside_an_unstable_rest_leaves_at_the_growth_rate() {
     let model = pendulum(0.3, 0.2);
-    for equilibrium in equilibria(&model, [SVector::zeros()]) {
+    for equilibrium in equilibria(&model, [SVector::zeros()]).expect("autonomous") {
         let fastest = equilibrium.spectrum.modes()[0];
         if fastest.growth_rate() < 0.0 {
             continue;

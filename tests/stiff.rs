@@ -39,7 +39,7 @@ fn the_generated_derivative_by_time_is_that_of_the_right_hand_side() {
         assert!((exact - expected).amax() < 1e-9, "{exact} {expected}");
         assert!(exact.amax() > 0.1 && exact[0] == 0.0, "{exact}");
     }
-    assert_eq!(Driven::<f64>::COST.time_derivative.operations.sincos, 2);
+    assert_eq!(Driven::<f64>::COST["time_derivative"].operations.sincos, 2);
 }
 
 /// Eq. 22 with friction that settles all velocities within milliseconds.

@@ -105,8 +105,8 @@ fn print_equations() {
 
 fn print_operations() {
     println!("Operations of one evaluation");
-    println!("  right-hand side  {}", DoublePendulum::COST.rhs);
-    println!("  state Jacobian   {}\n", DoublePendulum::COST.jacobian);
+    println!("  right-hand side  {}", DoublePendulum::COST["rhs"]);
+    println!("  state Jacobian   {}\n", DoublePendulum::COST["jacobian"]);
 }
 
 /// Integrates the case with the friction `gamma` in both axles by two methods, and prints how well they did.

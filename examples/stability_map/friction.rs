@@ -38,7 +38,7 @@ pub(crate) fn measure(size: usize) -> Result<Frictions, Box<dyn Error>> {
     let pendulums = (0..size * size).map(|n| DoublePendulum::with_friction(gamma(n % size), gamma(n / size)));
     let pendulums = pendulums.collect::<Result<Vec<_>, _>>()?;
     let pairs = on_all_cores("equilibria over friction", &pendulums, |pendulum| {
-        let found = equilibria(pendulum, [SVector::zeros()]);
+        let found = equilibria(pendulum, [SVector::zeros()]).map_err(|error| error.to_string())?;
         let kinds = || found.iter().map(Equilibrium::stability).collect::<Vec<_>>();
         Pair::of(&found).ok_or_else(|| format!("not one stable and three unstable equilibria: {:?}", kinds()))
     });

@@ -204,8 +204,8 @@ impl fmt::Display for Simpler {
             f,
             "operations: linear 28 for a state (12 additions, 16 multiplications)"
         )?;
-        let (full, free) = (&DoublePendulum::COST, &Frictionless::COST);
-        writeln!(f, "  right-hand side: frictionless {}; full {}", free.rhs, full.rhs)?;
+        let [full, free] = [DoublePendulum::COST["rhs"], Frictionless::COST["rhs"]];
+        writeln!(f, "  right-hand side: frictionless {free}; full {full}")?;
         let most = self.amplitudes.iter().map(|at| at.evaluations).max().unwrap_or(0);
         let least = self.amplitudes.iter().map(|at| at.evaluations).min().unwrap_or(0);
         write!(f, "  full: {least} to {most} power series for {T1} s, by amplitude")

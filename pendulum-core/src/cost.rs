@@ -1,9 +1,11 @@
 //! Counted operations: what a generated function costs, known when it is generated.
 
 use std::fmt;
+use std::ops::Index;
 
 /// The operations of one evaluation of a generated function.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub struct Operations {
     /// Additions, subtractions and negations.
     pub additions: usize,
@@ -77,30 +79,61 @@ impl fmt::Display for Operations {
 /// What one generated function takes, and what it would have taken in other forms.
 ///
 /// The generator writes each function in every form of the dynamics that it knows, and keeps that of the least weight.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
 pub struct FunctionCost {
-    /// Its operations.
-    pub operations: Operations,
     /// The form that it is written in, for example "recursion, L^T D L".
     pub form: &'static str,
-    /// The best of each other kind of form and its operations, from the least weight on: the time that operations and their longest
-    /// chain are expected to take. Forms of more than twice the operations were not searched for common parts, and are counted
+    /// Its operations.
+    pub operations: Operations,
+    /// For a power series, where the operations are those of one order: the number of products of series. They come on top: for order
+    /// `k` each takes `k - 1` multiplications and additions.
+    pub products: Option<usize>,
+    /// The best of each other kind of form, from the least weight on: the time that operations and their longest chain are
+    /// expected to take. Forms of more than twice the operations were not searched for common parts, and are counted
     /// as they stood.
-    pub others: &'static [(&'static str, Operations)],
+    pub others: &'static [FunctionCost],
 }
 
 impl FunctionCost {
-    /// A function that was not asked for.
-    pub const ZERO: Self = Self {
-        operations: Operations::ZERO,
-        form: "",
-        others: &[],
-    };
+    /// A function in a form that takes these operations.
+    #[must_use]
+    pub const fn new(form: &'static str, operations: Operations) -> Self {
+        Self {
+            form,
+            operations,
+            products: None,
+            others: &[],
+        }
+    }
+
+    /// The same, as one order of a power series with this number of products of series.
+    #[must_use]
+    pub const fn with_products(mut self, products: usize) -> Self {
+        self.products = Some(products);
+        self
+    }
+
+    /// The same, with the costs of other forms.
+    #[must_use]
+    pub const fn with_others(mut self, others: &'static [Self]) -> Self {
+        self.others = others;
+        self
+    }
 
     /// Additions and multiplications together.
     #[must_use]
     pub const fn flops(&self) -> usize {
         self.operations.flops()
+    }
+
+    fn write_counts(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "{}", self.operations)?;
+        match self.products {
+            Some(1) => write!(f, ", 1 product of series"),
+            Some(products) => write!(f, ", {products} products of series"),
+            None => Ok(()),
+        }
     }
 }
 
@@ -108,98 +141,83 @@ impl FunctionCost {
 impl fmt::Display for FunctionCost {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         if !f.alternate() {
-            return self.operations.fmt(f);
+            return self.write_counts(f);
         }
-        write!(
-            f,
-            "{}: {}, longest chain {}",
-            self.form, self.operations, self.operations.chain
-        )?;
-        for (form, operations) in self.others {
-            write!(f, "\n{form}: {operations}, longest chain {}", operations.chain)?;
+        let mut separator = "";
+        for form in std::iter::once(self).chain(self.others) {
+            write!(f, "{separator}{}: ", form.form)?;
+            form.write_counts(f)?;
+            write!(f, ", longest chain {}", form.operations.chain)?;
+            separator = "\n";
         }
         Ok(())
     }
 }
 
-/// The cost of each function of a generated model; [`FunctionCost::ZERO`] for functions that were not asked for.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+/// The cost of each function of a generated model, by its name.
+///
+/// The names are `rhs`, `jacobian` (with the right-hand side), `time_derivative` (where time occurs), `input_jacobian`, `kinetic`, `potential`,
+/// `mass_matrix`, `bias`, `momentum`, `canonical`, `canonical_jacobian`, `inverse_dynamics`, `parameter_jacobian` and `taylor` (one order of
+/// the series), as far as they were generated.
+///
+/// ```
+/// # pendulum_core::mechanism! {
+/// #     pub Swing {
+/// #         gravity: [0, -9.81, 0],
+/// #         body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle }
+/// #     }
+/// # }
+/// assert_eq!(Swing::COST["rhs"].flops(), 1);
+/// assert_eq!(Swing::COST["rhs"].operations.sincos, 1);
+/// assert!(Swing::COST.get("mass_matrix").is_none());
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Cost {
-    /// [`System::rhs`](crate::System::rhs).
-    pub rhs: FunctionCost,
-    /// [`Jacobian::rhs_and_jacobian`](crate::Jacobian::rhs_and_jacobian): the Jacobian together with the right-hand side.
-    pub jacobian: FunctionCost,
-    /// [`Jacobian::time_derivative`](crate::Jacobian::time_derivative), where the time occurs.
-    pub time_derivative: FunctionCost,
-    /// [`Controlled::input_jacobian`](crate::Controlled::input_jacobian).
-    pub input_jacobian: FunctionCost,
-    /// [`Energy::kinetic`](crate::Energy::kinetic).
-    pub kinetic: FunctionCost,
-    /// [`Energy::potential`](crate::Energy::potential).
-    pub potential: FunctionCost,
-    /// The mass matrix.
-    pub mass_matrix: FunctionCost,
-    /// The bias: velocity terms and gravity.
-    pub bias: FunctionCost,
-    /// The momenta of the coordinates.
-    pub momentum: FunctionCost,
-    /// [`Canonical::canonical`](crate::Canonical::canonical).
-    pub canonical: FunctionCost,
-    /// [`Canonical::canonical_jacobian`](crate::Canonical::canonical_jacobian).
-    pub canonical_jacobian: FunctionCost,
-    /// The forces that accelerations take.
-    pub inverse_dynamics: FunctionCost,
-    /// The derivatives of the accelerations by the parameters.
-    pub parameter_jacobian: FunctionCost,
-    /// One order of [`TaylorSeries::series`](crate::TaylorSeries::series), without the sums of the products of series.
-    pub taylor: FunctionCost,
-    /// The number of these products: for order `k` each takes `k - 1` multiplications and additions.
-    pub taylor_products: usize,
+    functions: &'static [(&'static str, FunctionCost)],
 }
 
 impl Cost {
-    /// A model without functions.
-    pub const ZERO: Self = Self {
-        rhs: FunctionCost::ZERO,
-        jacobian: FunctionCost::ZERO,
-        time_derivative: FunctionCost::ZERO,
-        input_jacobian: FunctionCost::ZERO,
-        kinetic: FunctionCost::ZERO,
-        potential: FunctionCost::ZERO,
-        mass_matrix: FunctionCost::ZERO,
-        bias: FunctionCost::ZERO,
-        momentum: FunctionCost::ZERO,
-        canonical: FunctionCost::ZERO,
-        canonical_jacobian: FunctionCost::ZERO,
-        inverse_dynamics: FunctionCost::ZERO,
-        parameter_jacobian: FunctionCost::ZERO,
-        taylor: FunctionCost::ZERO,
-        taylor_products: 0,
-    };
+    /// The costs of functions by their names.
+    #[must_use]
+    pub const fn new(functions: &'static [(&'static str, FunctionCost)]) -> Self {
+        Self { functions }
+    }
+
+    /// The cost of a function; `None` if it was not generated.
+    #[must_use]
+    pub fn get(&self, name: &str) -> Option<&'static FunctionCost> {
+        self.iter().find(|(known, _)| *known == name).map(|(_, cost)| cost)
+    }
+
+    /// The functions that were generated, and their costs.
+    pub fn iter(&self) -> impl Iterator<Item = (&'static str, &'static FunctionCost)> + use<> {
+        self.functions.iter().map(|(name, cost)| (*name, cost))
+    }
 }
 
-/// A line for each function that was asked for; the alternate form `{:#}` has one for each form of it.
+impl Index<&str> for Cost {
+    type Output = FunctionCost;
+
+    /// The cost of a function.
+    ///
+    /// # Panics
+    /// If the function was not generated; [`Cost::get`] returns `None` instead.
+    #[track_caller]
+    fn index(&self, name: &str) -> &FunctionCost {
+        self.get(name).unwrap_or_else(|| {
+            let known: Vec<&str> = self.iter().map(|(known, _)| known).collect();
+            panic!("`{name}` was not generated; there are costs of: {}", known.join(", "))
+        })
+    }
+}
+
+/// A line for each function; the alternate form `{:#}` has one for each form of it.
 impl fmt::Display for Cost {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let functions = [
-            ("rhs", &self.rhs),
-            ("jacobian", &self.jacobian),
-            ("time_derivative", &self.time_derivative),
-            ("input_jacobian", &self.input_jacobian),
-            ("kinetic", &self.kinetic),
-            ("potential", &self.potential),
-            ("mass_matrix", &self.mass_matrix),
-            ("bias", &self.bias),
-            ("momentum", &self.momentum),
-            ("canonical", &self.canonical),
-            ("canonical_jacobian", &self.canonical_jacobian),
-            ("inverse_dynamics", &self.inverse_dynamics),
-            ("parameter_jacobian", &self.parameter_jacobian),
-            ("taylor, each order", &self.taylor),
-        ];
         let mut separator = "";
-        for (name, cost) in functions.into_iter().filter(|(_, cost)| !cost.form.is_empty()) {
-            write!(f, "{separator}{name}: ")?;
+        for (name, cost) in self.iter() {
+            let each_order = if cost.products.is_some() { ", each order" } else { "" };
+            write!(f, "{separator}{name}{each_order}: ")?;
             cost.fmt(f)?;
             separator = "\n";
         }
@@ -209,7 +227,19 @@ impl fmt::Display for Cost {
 
 #[cfg(test)]
 mod tests {
-    use super::{FunctionCost, Operations};
+    use super::{Cost, FunctionCost, Operations};
+
+    const COST: Cost = Cost::new(&[
+        (
+            "bias",
+            FunctionCost::new("recursion", Operations::ZERO)
+                .with_others(&[FunctionCost::new("closed form", Operations::new(2, 0, 0, 0, 0, 1))]),
+        ),
+        (
+            "taylor",
+            FunctionCost::new("recursion", Operations::new(1, 1, 0, 0, 0, 2)).with_products(12),
+        ),
+    ]);
 
     #[test]
     fn operations_are_listed_with_their_plurals() {
@@ -223,21 +253,28 @@ mod tests {
     }
 
     #[test]
-    fn every_form_has_a_line() {
-        const COST: FunctionCost = FunctionCost {
-            operations: Operations::ZERO,
-            form: "recursion",
-            others: &[("closed form", Operations::new(2, 0, 0, 0, 0, 1))],
-        };
-        assert_eq!(COST.to_string(), "no operations");
+    fn every_function_has_a_line_and_in_the_table_every_form() {
+        assert_eq!(
+            COST.to_string(),
+            "bias: no operations\ntaylor, each order: 1 addition, 1 multiplication, 12 products of series"
+        );
         assert_eq!(
             format!("{COST:#}"),
-            "recursion: no operations, longest chain 0\nclosed form: 2 additions, longest chain 1"
+            "bias: recursion: no operations, longest chain 0\nclosed form: 2 additions, longest chain 1\n\
+             taylor, each order: recursion: 1 addition, 1 multiplication, 12 products of series, longest chain 2"
         );
-        let all = super::Cost {
-            bias: COST,
-            ..super::Cost::ZERO
-        };
-        assert_eq!(all.to_string(), "bias: no operations");
+    }
+
+    #[test]
+    fn costs_are_found_by_name() {
+        assert_eq!(COST["taylor"].flops(), 2);
+        assert!(COST.get("rhs").is_none());
+        assert!(COST.iter().map(|(name, _)| name).eq(["bias", "taylor"]));
+    }
+
+    #[test]
+    #[should_panic(expected = "`rhs` was not generated; there are costs of: bias, taylor")]
+    fn a_missing_function_is_named_with_those_that_there_are() {
+        let _ = COST["rhs"];
     }
 }

@@ -28,6 +28,7 @@
 //! |---|---|
 //! | [`language`] | what [`mechanism!`] understands, and what it makes of it |
 //! | [`system`] | what a model offers: right-hand side, Jacobian, energy, inputs |
+//! | [`layout`] | what each part of a state is |
 //! | [`real`] | the number types, scalars and lanes |
 //! | [`ensemble`] | many trajectories at a time, in the lanes of vector registers |
 //! | [`method`] | the methods, and the [`Stepper`] beneath them, which uses no heap |
@@ -47,6 +48,7 @@ pub mod dense;
 pub mod ensemble;
 pub mod error;
 pub mod event;
+pub mod layout;
 pub mod linear;
 pub mod method;
 pub mod real;
@@ -63,6 +65,7 @@ pub use dense::{Dense, Step};
 pub use ensemble::{Ensemble, EnsembleError};
 pub use error::{OutsideSpan, ParameterError, Reason, SolveError};
 pub use event::{Direction, Event, Occurrence};
+pub use layout::{Slot, SlotKind, StateLayout};
 pub use method::{
     Auto, Gauss4, Gauss6, Method, Radau5, Rk4, Rk45, Rodas4, Rodas5P, Stepper, Taylor, Tsit5, Vern7, Vern9,
 };

@@ -7,6 +7,7 @@ use std::fmt;
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::layout::StateLayout;
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
 
@@ -14,6 +15,12 @@ use crate::real::{Float, Real};
 pub trait System<T: Real, const N: usize> {
     /// The time derivative of the state; `[qd; qdd]` for a mechanism.
     fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>;
+
+    /// What each component of the state is, and whether time occurs; `None` where that is not known, as by default.
+    #[inline]
+    fn layout(&self) -> Option<&'static StateLayout> {
+        None
+    }
 }
 
 /// A model whose right-hand side can be had in any number type; `N` is the length of its state.
@@ -58,12 +65,15 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
     ///
     /// Generated models know it exactly. By default it is a central difference over `cbrt(EPSILON) max(|t|, 1)` to either side, for two
     /// evaluations of the right-hand side: where that varies over times of about 1 s, it is right to about 10 digits, in `f32` to 4.
-    /// Zero where the time does not occur: a system that knows that saves the evaluations.
+    /// Zero, without evaluations, where the [layout](System::layout) says that time does not occur.
     #[inline]
     fn time_derivative(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>
     where
         T: Float,
     {
+        if self.layout().is_some_and(|layout| layout.autonomous) {
+            return SVector::from_element(T::default());
+        }
         let one = T::from_f64(1.0);
         let reach = T::from_f64(T::EPSILON.to_f64().cbrt()) * t.abs().max(one);
         let (before, after) = (t - reach, t + reach);
@@ -127,6 +137,12 @@ pub trait Controlled<T: Real, const N: usize, const M: usize> {
     /// The derivative of [`rhs_with`](Controlled::rhs_with) with respect to the inputs: one column for each, in the order of
     /// their declaration.
     fn input_jacobian(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, M>;
+
+    /// The layout of the state under any law for the inputs, which may depend on time and on turns: see [`System::layout`].
+    #[inline]
+    fn layout(&self) -> Option<&'static StateLayout> {
+        None
+    }
 }
 
 /// A [`Controlled`] model whose inputs follow a law: a [`System`] that can be integrated.
@@ -162,6 +178,11 @@ where
     #[inline]
     fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
         self.system.rhs_with(t, x, &(self.inputs)(t, x))
+    }
+
+    #[inline]
+    fn layout(&self) -> Option<&'static StateLayout> {
+        self.system.layout()
     }
 }
 
@@ -236,6 +257,11 @@ impl<T: Real, S: System<T, N> + ?Sized, const N: usize> System<T, N> for &S {
     #[inline]
     fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
         (**self).rhs(t, x)
+    }
+
+    #[inline]
+    fn layout(&self) -> Option<&'static StateLayout> {
+        (**self).layout()
     }
 }
 
@@ -312,5 +338,10 @@ where
     #[inline]
     fn input_jacobian(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, M> {
         (**self).input_jacobian(t, x, u)
+    }
+
+    #[inline]
+    fn layout(&self) -> Option<&'static StateLayout> {
+        (**self).layout()
     }
 }

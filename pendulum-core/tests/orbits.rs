@@ -6,6 +6,7 @@ use approx::assert_abs_diff_eq;
 use nalgebra::{DMatrix, SMatrix, SVector};
 use pendulum_core::prelude::*;
 use pendulum_core::stability::{PeriodicOrbit, Shooting, Stability, StabilityError};
+use pendulum_core::{Slot, StateLayout};
 
 /// A system of two components with its Jacobian.
 struct Planar<F, J>(F, J);
@@ -28,8 +29,24 @@ where
     }
 }
 
-fn pendulum() -> impl Jacobian<f64, 2> {
-    Planar(|_, q: f64, v| [v, -q.sin()], |_, q: f64, _| [-q.cos(), 0.0])
+/// `q'' = -sin q`.
+struct Pendulum;
+
+impl System<f64, 2> for Pendulum {
+    fn rhs(&self, _t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
+        SVector::from([x[1], -x[0].sin()])
+    }
+
+    fn layout(&self) -> Option<&'static StateLayout> {
+        const LAYOUT: StateLayout = StateLayout::new(&[Slot::angle("q", 0, 1).periodic()]).autonomous();
+        Some(&LAYOUT)
+    }
+}
+
+impl Jacobian<f64, 2> for Pendulum {
+    fn jacobian(&self, _t: f64, x: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
+        SMatrix::from([[0.0, -x[0].cos()], [1.0, 0.0]])
+    }
 }
 
 fn van_der_pol(mu: f64) -> impl Jacobian<f64, 2> {
@@ -109,12 +126,12 @@ fn the_search_goes_straight_across_to_the_orbit() {
 #[test]
 fn a_pendulum_swings_and_turns_over_with_the_periods_of_jacobi() {
     let shooting = Shooting::new();
-    let swing: PeriodicOrbit<2> = shooting.autonomous(&pendulum(), [1.0, 0.3], 6.5).expect("a libration");
+    let swing: PeriodicOrbit<2> = shooting.autonomous(&Pendulum, [1.0, 0.3], 6.5).expect("a libration");
     // the sine of half the amplitude, from the energy
     let k = (0.25 * swing.x[1].powi(2) + (0.5 * swing.x[0]).sin().powi(2)).sqrt();
     assert_abs_diff_eq!(swing.period, 4.0 * elliptic_k(k), epsilon = 1e-10);
     assert_eq!(swing.turns, [0, 0]);
-    let over: PeriodicOrbit<2> = shooting.autonomous(&pendulum(), [0.2, -2.5], 3.0).expect("a rotation");
+    let over: PeriodicOrbit<2> = shooting.autonomous(&Pendulum, [0.2, -2.5], 3.0).expect("a rotation");
     let fastest = (over.x[1].powi(2) + 2.0 - 2.0 * over.x[0].cos()).sqrt();
     assert_abs_diff_eq!(over.period, 4.0 / fastest * elliptic_k(2.0 / fastest), epsilon = 1e-10);
     assert_eq!(over.turns, [-1, 0]);
@@ -128,11 +145,19 @@ fn a_pendulum_swings_and_turns_over_with_the_periods_of_jacobi() {
     }
 }
 
+/// The layout alone says that a full turn leads back.
+#[test]
+fn without_a_layout_a_rotation_does_not_close() {
+    let unknown = Planar(|_, q: f64, v| [v, -q.sin()], |_, q: f64, _| [-q.cos(), 0.0]);
+    let over = Shooting::new().autonomous(&unknown, [0.2, -2.5], 3.0);
+    assert!(over.is_err(), "{over:?}");
+    let swing = Shooting::new().autonomous(&unknown, [1.0, 0.3], 6.5);
+    assert!(swing.is_ok(), "{swing:?}");
+}
+
 #[test]
 fn of_a_family_of_orbits_that_with_a_given_period_is_found() {
-    let orbit = Shooting::new()
-        .forced(&pendulum(), [1.5, 0.0], 8.0)
-        .expect("a libration");
+    let orbit = Shooting::new().forced(&Pendulum, [1.5, 0.0], 8.0).expect("a libration");
     let k = (0.25 * orbit.x[1].powi(2) + (0.5 * orbit.x[0]).sin().powi(2)).sqrt();
     assert_abs_diff_eq!(4.0 * elliptic_k(k), 8.0, epsilon = 1e-9);
 }
@@ -229,7 +254,7 @@ fn a_search_that_fails_tells_why() {
         "{none:?}"
     );
     let backward = shooting
-        .forced(&pendulum(), [0.0, 1.0], -1.0)
+        .forced(&Pendulum, [0.0, 1.0], -1.0)
         .expect_err("no period is negative");
     assert_eq!(
         backward.to_string(),

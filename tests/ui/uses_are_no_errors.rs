@@ -19,5 +19,5 @@ fn main() {
     let _ = (cart.mass_matrix(0.0, &x), cart.bias(0.0, &x), cart.energy(0.0, &x), cart.params().m);
     let _ = (cart.momentum(0.0, &x), cart.inverse_dynamics(0.0, &x, &[1.0].into()));
     let _ = cart.parameter_jacobian(0.0, &x, &CartInputs { push: 1.0 });
-    let _ = (Cart::DOF, Cart::COORDINATES, Cart::COST, Cart::EQUATIONS, cart.cast::<f32>());
+    let _ = (Cart::DOF, Cart::COORDINATES, Cart::COST, Cart::LAYOUT, Cart::EQUATIONS, cart.cast::<f32>());
 }

@@ -53,15 +53,8 @@ impl From<Counted> for Operations {
             sincos,
             functions,
         } = counted;
-        Self {
-            additions,
-            multiplications,
-            divisions,
-            sincos,
-            functions,
-            // not counted
-            chain: 0,
-        }
+        let chain = 0; // not counted
+        Self::new(additions, multiplications, divisions, sincos, functions, chain)
     }
 }
 

@@ -86,6 +86,7 @@ where
     S: Jacobian<f64, N> + Clone + 'static,
     C: Jacobian<Cheap, N> + Clone + 'static,
 {
+    let [rhs, jacobian] = ["rhs", "jacobian"].map(|name| cost.map(|cost| cost[name]));
     let form = |cost: Option<FunctionCost>| cost.map_or(String::new(), |cost| format!(": {}", cost.form));
     let mut push = |function, form: &str, operations, program, cheap| {
         all.push(Candidate {
@@ -102,15 +103,15 @@ where
     let (s, c) = (system.clone(), cheap.clone());
     push(
         Function::Rhs,
-        &format!("rhs{}", form(cost.map(|cost| cost.rhs))),
-        cost.map(|cost| cost.rhs.operations),
+        &format!("rhs{}", form(rhs)),
+        rhs.map(|cost| cost.operations),
         program(move |x| s.rhs(0.0, x), |xdot| accelerations(&xdot)),
         program(move |x| c.rhs(Cheap(0.0), x), |_| Vec::new()),
     );
     push(
         Function::Jacobian,
-        &format!("rhs_and_jacobian{}", form(cost.map(|cost| cost.jacobian))),
-        cost.map(|cost| cost.jacobian.operations),
+        &format!("rhs_and_jacobian{}", form(jacobian)),
+        jacobian.map(|cost| cost.operations),
         program(
             move |x| system.rhs_and_jacobian(0.0, x),
             |(xdot, jacobian)| [accelerations(&xdot), blocks(&jacobian)].concat(),

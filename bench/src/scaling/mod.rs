@@ -114,10 +114,8 @@ const BASES: [&str; 4] = ["closed form", "A, B and C", "recursion", "articulated
 
 /// The additions and multiplications of the best form on each basis; the closed forms are one.
 fn bases(cost: &Cost) -> Vec<Counted> {
-    let own = std::iter::once((&cost.form, &cost.operations));
-    let all = own.chain(cost.others.iter().map(|(form, operations)| (form, operations)));
     let mut bases: Vec<Counted> = Vec::new();
-    for (form, operations) in all {
+    for Cost { form, operations, .. } in std::iter::once(cost).chain(&cost.others) {
         let Some(basis) = BASES.into_iter().find(|basis| form.starts_with(basis)) else {
             continue;
         };

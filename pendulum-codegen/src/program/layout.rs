@@ -1,53 +1,78 @@
-//! What the components of a state are.
+//! What each part of the state is, and the symmetries of the right-hand side.
 
+use std::collections::HashMap;
 use std::ops::Range;
 
-use crate::model::Model;
+use num_traits::Zero;
 
-/// The parts of the state.
-#[derive(Clone, Debug)]
+use crate::expr::{Binary, ExprId, Graph, Node, Normalizer, Rational, Unary, ratio};
+use crate::model::Model;
+use crate::screw::{Twist, dot};
+
+/// What each part of the state is.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct StateLayout {
-    /// The coordinates, in the order of their declaration.
+    /// The coordinates, in the order in which they stand in the state.
     pub slots: Vec<Slot>,
+    /// Whether the right-hand side is known not to depend on time.
+    pub autonomous: bool,
 }
 
-/// A coordinate of the state.
-#[derive(Clone, Debug)]
+/// A coordinate and its place in the state.
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Slot {
-    /// Its name.
+    /// Name.
     pub name: String,
     /// What it measures.
     pub kind: SlotKind,
-    /// Where its positions stand in the state.
+    /// Where its position stands in the state.
     pub positions: Range<usize>,
-    /// Where its rates stand in the state.
+    /// Where its rate stands in the state.
     pub rates: Range<usize>,
+    /// Whether a full turn is known to leave everything as it was.
+    pub periodic: bool,
+    /// Whether the right-hand side is known not to depend on the position.
+    pub cyclic: bool,
 }
 
 /// What a coordinate measures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum SlotKind {
-    /// An angle in radians.
+    /// An angle.
     Angle,
-    /// A length in metres.
+    /// A length.
     Length,
 }
 
 impl StateLayout {
-    /// The layout of the states of a scene.
-    pub(super) fn new(model: &Model) -> Self {
+    /// The layout of the state of a model with these roots of its right-hand side.
+    ///
+    /// A law for inputs may depend on anything, so with inputs no symmetry is known.
+    pub(super) fn new(model: &Model, roots: &[ExprId]) -> Self {
+        let g = &model.graph;
+        let nodes = g.reachable(roots);
+        let occurs = |symbol: ExprId| nodes.binary_search(&symbol).is_ok();
+        let controlled = !model.inputs.is_empty();
         let dof = model.dof();
-        let slot = |(k, name): (usize, &str)| Slot {
-            name: name.to_owned(),
-            kind: SlotKind::Angle,
-            positions: k..k + 1,
-            rates: dof + k..dof + k + 1,
-        };
+        let slots = model.coordinate_names().into_iter().enumerate().map(|(k, name)| {
+            let symbol = model.coordinates[k].position;
+            Slot {
+                name: name.to_owned(),
+                kind: kind(model, k),
+                positions: k..k + 1,
+                rates: dof + k..dof + k + 1,
+                periodic: !controlled && returns(model, k) && repeats(g, &nodes, roots, symbol),
+                cyclic: !controlled && !occurs(symbol),
+            }
+        });
         Self {
-            slots: model.coordinate_names().into_iter().enumerate().map(slot).collect(),
+            slots: slots.collect(),
+            autonomous: !controlled && !occurs(model.time),
         }
     }
+}
 
+impl StateLayout {
     /// The number of components of the state.
     pub fn len(&self) -> usize {
         self.slots
@@ -65,4 +90,74 @@ impl StateLayout {
     pub fn dof(&self) -> usize {
         self.slots.iter().map(|slot| slot.rates.len()).sum()
     }
+}
+
+/// An angle where the joint of the coordinate turns, with or without sliding.
+fn kind(model: &Model, coordinate: usize) -> SlotKind {
+    let own = model.bodies.iter().find(|body| body.coordinate == Some(coordinate));
+    match own.and_then(|body| body.screw) {
+        Some(screw) if screw.angular != [model.graph.zero(); 3] => SlotKind::Angle,
+        _ => SlotKind::Length,
+    }
+}
+
+/// Whether a full turn of the coordinate brings each body back to its place: every joint that it moves turns without sliding.
+fn returns(model: &Model, coordinate: usize) -> bool {
+    let moved = model
+        .bodies
+        .iter()
+        .filter(|body| body.motion.iter().any(|&(k, _)| k == coordinate));
+    moved
+        .filter_map(|body| body.screw)
+        .all(|screw| turns_only(&model.graph, &screw))
+}
+
+/// Whether a normalised screw is a rotation: it has no component along its axis.
+fn turns_only(g: &Graph, screw: &Twist) -> bool {
+    let still = [g.zero(); 3];
+    if screw.angular == still || screw.linear == still {
+        return screw.angular != still;
+    }
+    let pitch = dot(g, screw.angular, screw.linear);
+    Normalizer::new(BUDGET).is_zero(g, pitch) == Ok(true)
+}
+
+/// How far the normal form of a pitch may grow.
+const BUDGET: usize = 100_000;
+
+/// Whether the roots are the same after a full turn of the coordinate.
+///
+/// For each node, operands first, this finds the turns by which it grows: 1 for the coordinate itself, 0 for the sine of anything that grows
+/// by whole turns and for what is computed from such sines. `None` is for growth that depends on the state or on parameters.
+fn repeats(g: &Graph, nodes: &[ExprId], roots: &[ExprId], coordinate: ExprId) -> bool {
+    let zero = ratio(0, 1);
+    let mut growths: HashMap<ExprId, Option<Rational>> = HashMap::new();
+    for &id in nodes {
+        let of = |x: &ExprId| growths[x].clone();
+        let growth = match g.node(id) {
+            _ if id == coordinate => Some(ratio(1, 1)),
+            Node::Unary(Unary::Neg, x) => of(x).map(|x| -x),
+            Node::Unary(Unary::Sin | Unary::Cos | Unary::Tan, x) => {
+                of(x).filter(Rational::is_integer).map(|_| zero.clone())
+            }
+            Node::Binary(Binary::Add, a, b) => of(a).zip(of(b)).map(|(a, b)| a + b),
+            Node::Binary(Binary::Sub, a, b) => of(a).zip(of(b)).map(|(a, b)| a - b),
+            Node::Binary(Binary::Mul, a, b) => match (g.as_number(*a), g.as_number(*b)) {
+                (Some(factor), _) => of(b).map(|b| factor * b),
+                (_, Some(factor)) => of(a).map(|a| a * factor),
+                _ => still([of(a), of(b)]),
+            },
+            _ => still(g.operands(id).map(|x| of(&x))),
+        };
+        growths.insert(id, growth);
+    }
+    roots.iter().all(|root| growths[root] == Some(zero.clone()))
+}
+
+/// The growth of an operation, in which anything but none is unknown.
+fn still(operands: impl IntoIterator<Item = Option<Rational>>) -> Option<Rational> {
+    let mut operands = operands.into_iter();
+    operands
+        .all(|growth| growth.is_some_and(|turns| turns.is_zero()))
+        .then(|| ratio(0, 1))
 }

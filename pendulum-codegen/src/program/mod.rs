@@ -109,6 +109,11 @@ impl Program {
                 chosen.push((row, own));
             }
         }
+        let layout = match chosen.iter().find(|(row, _)| row.name == "rhs") {
+            Some((_, rhs)) => StateLayout::new(model, &rhs.roots),
+            // what decides it
+            None => StateLayout::new(model, &forms.closed().unwrap_or(dynamics).balance),
+        };
         let series = model.outputs.contains("taylor").then(|| forms.taylor(model));
         let of_series = series.iter().flat_map(|series| [&series.start, &series.order]);
         let constants = constants(g, chosen.iter().map(|(_, chosen)| &chosen.roots).chain(of_series));
@@ -126,7 +131,7 @@ impl Program {
         Ok(Self {
             parameters: model.parameters.iter().map(Quantity::of_parameter).collect(),
             inputs: model.inputs.iter().map(Quantity::of_input).collect(),
-            layout: StateLayout::new(model),
+            layout,
             rules,
             checked: block(g, &checked, &of_parameters)?,
             constants: block(g, &constants, &of_parameters)?,

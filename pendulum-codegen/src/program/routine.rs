@@ -5,7 +5,7 @@ use std::collections::HashMap;
 use super::block::{Block, Variable};
 use super::build::{NotFinite, block};
 use crate::expr::ExprId;
-use crate::form::{self, Chosen, Forms};
+use crate::form::{self, Chosen, Form, Forms};
 use crate::model::Model;
 use crate::pass::Operations;
 
@@ -26,15 +26,28 @@ pub struct Routine {
     pub cost: Cost,
 }
 
-/// The operations of a routine in the form that was chosen, and in others.
+/// What an evaluation takes.
 #[derive(Clone, Debug)]
 pub struct Cost {
+    /// The form that the code is written in, for example "recursion, L^T D L".
+    pub form: String,
     /// Its operations.
     pub operations: Operations,
-    /// The form that it is written in, for example "recursion, L^T D L".
-    pub form: String,
+    /// The products of series that each order of a power series takes besides.
+    pub products: Option<usize>,
     /// The best of each other kind of form, from the least weight on.
-    pub others: Vec<(String, Operations)>,
+    pub others: Vec<Self>,
+}
+
+impl Cost {
+    pub(super) fn new(form: Form, operations: Operations) -> Self {
+        Self {
+            form: form.to_string(),
+            operations,
+            products: None,
+            others: Vec::new(),
+        }
+    }
 }
 
 /// What a routine takes beside the time and the state.
@@ -81,7 +94,10 @@ impl Row {
         known: &HashMap<ExprId, Variable>,
     ) -> Result<Routine, NotFinite> {
         let arguments = self.arguments.iter().copied();
-        let others = chosen.others.iter();
+        let others = chosen
+            .others
+            .iter()
+            .map(|&(form, operations)| Cost::new(form, operations));
         Ok(Routine {
             name: self.name,
             doc: self.doc,
@@ -95,11 +111,8 @@ impl Row {
                 .collect(),
             block: block(&model.graph, &chosen.roots, known)?,
             cost: Cost {
-                operations: chosen.operations,
-                form: chosen.form.to_string(),
-                others: others
-                    .map(|(form, operations)| (form.to_string(), *operations))
-                    .collect(),
+                others: others.collect(),
+                ..Cost::new(chosen.form, chosen.operations)
             },
         })
     }

@@ -50,19 +50,22 @@ impl Series {
                 .chain(single)
                 .map(|(id, coefficient)| (id, Variable::Series(coefficient))),
         );
-        let text = |form: &crate::form::Form, slots: usize| format!("{form}, {slots} products of series");
-        let others = taylor.others.iter();
+        let cost = |form, products, operations| Cost {
+            products: Some(products),
+            ..Cost::new(form, operations)
+        };
+        let others = taylor
+            .others
+            .iter()
+            .map(|&(form, products, operations)| cost(form, products, operations));
         Ok(Self {
             products: taylor.slots,
             kept: symbols.kept.len(),
             start: block(g, &start, known)?,
             order: block(g, &order, &of_order)?,
             cost: Cost {
-                operations: taylor.operations,
-                form: text(&taylor.form, taylor.slots),
-                others: others
-                    .map(|(form, slots, count)| (text(form, *slots), *count))
-                    .collect(),
+                others: others.collect(),
+                ..cost(taylor.form, taylor.slots, taylor.operations)
             },
         })
     }

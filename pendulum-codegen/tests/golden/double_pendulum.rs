@@ -217,156 +217,228 @@ impl DoublePendulum {
     /// The names of the coordinates, in the order in which they, and then their rates, stand in the state.
     pub const COORDINATES: [&'static str; 2] = ["theta1", "theta2"];
     /// Counted operations of each generated function, in the form that it has and in others.
-    pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost {
-        rhs: ::pendulum_core::FunctionCost {
-            operations: ::pendulum_core::Operations::new(12, 19, 1, 2, 0, 32),
-            form: "closed form, factors of the state first, L^T D L",
-            others: &[
-                (
-                    "closed form, factors of parameters first, L^T D L",
-                    ::pendulum_core::Operations::new(12, 19, 1, 2, 0, 32),
-                ),
-                (
-                    "closed form, expanded, L^T D L",
-                    ::pendulum_core::Operations::new(12, 19, 1, 2, 0, 33),
-                ),
-                (
-                    "recursion, adjugate",
-                    ::pendulum_core::Operations::new(24, 30, 1, 2, 0, 37),
-                ),
-                (
-                    "A, B and C, adjugate",
-                    ::pendulum_core::Operations::new(32, 40, 1, 2, 0, 38),
-                ),
-                (
-                    "articulated bodies",
-                    ::pendulum_core::Operations::new(30, 46, 2, 2, 0, 48),
-                ),
+    pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::new(
+        &[
+            (
+                "rhs",
+                ::pendulum_core::FunctionCost::new(
+                        "closed form, factors of the state first, L^T D L",
+                        ::pendulum_core::Operations::new(12, 19, 1, 2, 0, 32),
+                    )
+                    .with_others(
+                        &[
+                            ::pendulum_core::FunctionCost::new(
+                                "closed form, factors of parameters first, L^T D L",
+                                ::pendulum_core::Operations::new(12, 19, 1, 2, 0, 32),
+                            ),
+                            ::pendulum_core::FunctionCost::new(
+                                "closed form, expanded, L^T D L",
+                                ::pendulum_core::Operations::new(12, 19, 1, 2, 0, 33),
+                            ),
+                            ::pendulum_core::FunctionCost::new(
+                                "recursion, adjugate",
+                                ::pendulum_core::Operations::new(24, 30, 1, 2, 0, 37),
+                            ),
+                            ::pendulum_core::FunctionCost::new(
+                                "A, B and C, adjugate",
+                                ::pendulum_core::Operations::new(32, 40, 1, 2, 0, 38),
+                            ),
+                            ::pendulum_core::FunctionCost::new(
+                                "articulated bodies",
+                                ::pendulum_core::Operations::new(30, 46, 2, 2, 0, 48),
+                            ),
+                        ],
+                    ),
+            ),
+            (
+                "jacobian",
+                ::pendulum_core::FunctionCost::new(
+                        "closed form, factors of the state first, inverse, derived in the graph",
+                        ::pendulum_core::Operations::new(28, 50, 1, 2, 0, 38),
+                    )
+                    .with_others(
+                        &[
+                            ::pendulum_core::FunctionCost::new(
+                                "closed form, factors of parameters first, inverse, derived and expanded",
+                                ::pendulum_core::Operations::new(28, 50, 1, 2, 0, 39),
+                            ),
+                            ::pendulum_core::FunctionCost::new(
+                                "closed form, expanded, inverse, derived and expanded",
+                                ::pendulum_core::Operations::new(28, 50, 1, 2, 0, 38),
+                            ),
+                            ::pendulum_core::FunctionCost::new(
+                                "recursion, inverse, derived in the graph",
+                                ::pendulum_core::Operations::new(50, 65, 1, 2, 0, 49),
+                            ),
+                            ::pendulum_core::FunctionCost::new(
+                                "A, B and C, inverse, derived in the graph",
+                                ::pendulum_core::Operations::new(98, 99, 1, 2, 0, 44),
+                            ),
+                        ],
+                    ),
+            ),
+            (
+                "kinetic",
+                ::pendulum_core::FunctionCost::new(
+                        "closed form, factors of the state first",
+                        ::pendulum_core::Operations::new(3, 6, 0, 1, 0, 25),
+                    )
+                    .with_others(
+                        &[
+                            ::pendulum_core::FunctionCost::new(
+                                "closed form, expanded",
+                                ::pendulum_core::Operations::new(3, 6, 0, 1, 0, 26),
+                            ),
+                            ::pendulum_core::FunctionCost::new(
+                                "closed form, factors of parameters first",
+                                ::pendulum_core::Operations::new(3, 7, 0, 1, 0, 25),
+                            ),
+                            ::pendulum_core::FunctionCost::new(
+                                "recursion",
+                                ::pendulum_core::Operations::new(15, 23, 0, 2, 0, 32),
+                            ),
+                            ::pendulum_core::FunctionCost::new(
+                                "A, B and C",
+                                ::pendulum_core::Operations::new(22, 23, 0, 2, 0, 35),
+                            ),
+                        ],
+                    ),
+            ),
+            (
+                "potential",
+                ::pendulum_core::FunctionCost::new(
+                        "closed form, factors of the state first",
+                        ::pendulum_core::Operations::new(2, 2, 0, 2, 0, 22),
+                    )
+                    .with_others(
+                        &[
+                            ::pendulum_core::FunctionCost::new(
+                                "closed form, factors of parameters first",
+                                ::pendulum_core::Operations::new(2, 2, 0, 2, 0, 22),
+                            ),
+                            ::pendulum_core::FunctionCost::new(
+                                "closed form, expanded",
+                                ::pendulum_core::Operations::new(2, 2, 0, 2, 0, 22),
+                            ),
+                            ::pendulum_core::FunctionCost::new(
+                                "A, B and C",
+                                ::pendulum_core::Operations::new(3, 2, 0, 2, 0, 23),
+                            ),
+                            ::pendulum_core::FunctionCost::new(
+                                "recursion",
+                                ::pendulum_core::Operations::new(3, 2, 0, 2, 0, 23),
+                            ),
+                        ],
+                    ),
+            ),
+            (
+                "canonical",
+                ::pendulum_core::FunctionCost::new(
+                        "closed form, factors of the state first, derived and expanded",
+                        ::pendulum_core::Operations::new(10, 16, 0, 2, 0, 26),
+                    )
+                    .with_others(
+                        &[
+                            ::pendulum_core::FunctionCost::new(
+                                "closed form, expanded, derived and expanded",
+                                ::pendulum_core::Operations::new(9, 17, 0, 2, 0, 26),
+                            ),
+                            ::pendulum_core::FunctionCost::new(
+                                "closed form, factors of parameters first, derived and expanded",
+                                ::pendulum_core::Operations::new(10, 18, 0, 2, 0, 26),
+                            ),
+                            ::pendulum_core::FunctionCost::new(
+                                "recursion, derived in the graph",
+                                ::pendulum_core::Operations::new(34, 54, 0, 2, 0, 30),
+                            ),
+                            ::pendulum_core::FunctionCost::new(
+                                "A, B and C, derived in the graph",
+                                ::pendulum_core::Operations::new(62, 70, 0, 2, 0, 34),
+                            ),
+                        ],
+                    ),
+            ),
+            (
+                "canonical_jacobian",
+                ::pendulum_core::FunctionCost::new(
+                        "closed form, factors of the state first, derived and expanded",
+                        ::pendulum_core::Operations::new(13, 13, 0, 2, 0, 24),
+                    )
+                    .with_others(
+                        &[
+                            ::pendulum_core::FunctionCost::new(
+                                "closed form, factors of parameters first, derived and expanded",
+                                ::pendulum_core::Operations::new(13, 13, 0, 2, 0, 24),
+                            ),
+                            ::pendulum_core::FunctionCost::new(
+                                "closed form, expanded, derived and expanded",
+                                ::pendulum_core::Operations::new(13, 13, 0, 2, 0, 24),
+                            ),
+                            ::pendulum_core::FunctionCost::new(
+                                "recursion, derived in the graph",
+                                ::pendulum_core::Operations::new(76, 71, 0, 2, 0, 29),
+                            ),
+                            ::pendulum_core::FunctionCost::new(
+                                "A, B and C, derived in the graph",
+                                ::pendulum_core::Operations::new(149, 117, 0, 2, 0, 35),
+                            ),
+                        ],
+                    ),
+            ),
+            (
+                "taylor",
+                ::pendulum_core::FunctionCost::new(
+                        "closed form, factors of the state first, inverse",
+                        ::pendulum_core::Operations::new(28, 37, 0, 0, 0, 12),
+                    )
+                    .with_products(12)
+                    .with_others(
+                        &[
+                            ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first, inverse",
+                                    ::pendulum_core::Operations::new(29, 36, 0, 0, 0, 12),
+                                )
+                                .with_products(12),
+                            ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded, inverse",
+                                    ::pendulum_core::Operations::new(30, 36, 0, 0, 0, 12),
+                                )
+                                .with_products(12),
+                            ::pendulum_core::FunctionCost::new(
+                                    "recursion, inverse",
+                                    ::pendulum_core::Operations::new(69, 59, 0, 0, 0, 18),
+                                )
+                                .with_products(22),
+                            ::pendulum_core::FunctionCost::new(
+                                    "A, B and C, inverse",
+                                    ::pendulum_core::Operations::new(84, 74, 0, 0, 0, 19),
+                                )
+                                .with_products(26),
+                        ],
+                    ),
+            ),
+        ],
+    );
+    /// What each part of the state is.
+    pub const LAYOUT: ::pendulum_core::StateLayout = ::pendulum_core::StateLayout::new(
+            &[
+                ::pendulum_core::Slot::new(
+                        "theta1",
+                        ::pendulum_core::SlotKind::Angle,
+                        0..1,
+                        2..3,
+                    )
+                    .periodic(),
+                ::pendulum_core::Slot::new(
+                        "theta2",
+                        ::pendulum_core::SlotKind::Angle,
+                        1..2,
+                        3..4,
+                    )
+                    .periodic(),
             ],
-        },
-        jacobian: ::pendulum_core::FunctionCost {
-            operations: ::pendulum_core::Operations::new(28, 50, 1, 2, 0, 38),
-            form: "closed form, factors of the state first, inverse, derived in the graph",
-            others: &[
-                (
-                    "closed form, factors of parameters first, inverse, derived and expanded",
-                    ::pendulum_core::Operations::new(28, 50, 1, 2, 0, 39),
-                ),
-                (
-                    "closed form, expanded, inverse, derived and expanded",
-                    ::pendulum_core::Operations::new(28, 50, 1, 2, 0, 38),
-                ),
-                (
-                    "recursion, inverse, derived in the graph",
-                    ::pendulum_core::Operations::new(50, 65, 1, 2, 0, 49),
-                ),
-                (
-                    "A, B and C, inverse, derived in the graph",
-                    ::pendulum_core::Operations::new(98, 99, 1, 2, 0, 44),
-                ),
-            ],
-        },
-        kinetic: ::pendulum_core::FunctionCost {
-            operations: ::pendulum_core::Operations::new(3, 6, 0, 1, 0, 25),
-            form: "closed form, factors of the state first",
-            others: &[
-                (
-                    "closed form, expanded",
-                    ::pendulum_core::Operations::new(3, 6, 0, 1, 0, 26),
-                ),
-                (
-                    "closed form, factors of parameters first",
-                    ::pendulum_core::Operations::new(3, 7, 0, 1, 0, 25),
-                ),
-                ("recursion", ::pendulum_core::Operations::new(15, 23, 0, 2, 0, 32)),
-                ("A, B and C", ::pendulum_core::Operations::new(22, 23, 0, 2, 0, 35)),
-            ],
-        },
-        potential: ::pendulum_core::FunctionCost {
-            operations: ::pendulum_core::Operations::new(2, 2, 0, 2, 0, 22),
-            form: "closed form, factors of the state first",
-            others: &[
-                (
-                    "closed form, factors of parameters first",
-                    ::pendulum_core::Operations::new(2, 2, 0, 2, 0, 22),
-                ),
-                (
-                    "closed form, expanded",
-                    ::pendulum_core::Operations::new(2, 2, 0, 2, 0, 22),
-                ),
-                ("A, B and C", ::pendulum_core::Operations::new(3, 2, 0, 2, 0, 23)),
-                ("recursion", ::pendulum_core::Operations::new(3, 2, 0, 2, 0, 23)),
-            ],
-        },
-        canonical: ::pendulum_core::FunctionCost {
-            operations: ::pendulum_core::Operations::new(10, 16, 0, 2, 0, 26),
-            form: "closed form, factors of the state first, derived and expanded",
-            others: &[
-                (
-                    "closed form, expanded, derived and expanded",
-                    ::pendulum_core::Operations::new(9, 17, 0, 2, 0, 26),
-                ),
-                (
-                    "closed form, factors of parameters first, derived and expanded",
-                    ::pendulum_core::Operations::new(10, 18, 0, 2, 0, 26),
-                ),
-                (
-                    "recursion, derived in the graph",
-                    ::pendulum_core::Operations::new(34, 54, 0, 2, 0, 30),
-                ),
-                (
-                    "A, B and C, derived in the graph",
-                    ::pendulum_core::Operations::new(62, 70, 0, 2, 0, 34),
-                ),
-            ],
-        },
-        canonical_jacobian: ::pendulum_core::FunctionCost {
-            operations: ::pendulum_core::Operations::new(13, 13, 0, 2, 0, 24),
-            form: "closed form, factors of the state first, derived and expanded",
-            others: &[
-                (
-                    "closed form, factors of parameters first, derived and expanded",
-                    ::pendulum_core::Operations::new(13, 13, 0, 2, 0, 24),
-                ),
-                (
-                    "closed form, expanded, derived and expanded",
-                    ::pendulum_core::Operations::new(13, 13, 0, 2, 0, 24),
-                ),
-                (
-                    "recursion, derived in the graph",
-                    ::pendulum_core::Operations::new(76, 71, 0, 2, 0, 29),
-                ),
-                (
-                    "A, B and C, derived in the graph",
-                    ::pendulum_core::Operations::new(149, 117, 0, 2, 0, 35),
-                ),
-            ],
-        },
-        taylor: ::pendulum_core::FunctionCost {
-            operations: ::pendulum_core::Operations::new(28, 37, 0, 0, 0, 12),
-            form: "closed form, factors of the state first, inverse, 12 products of series",
-            others: &[
-                (
-                    "closed form, factors of parameters first, inverse, 12 products of series",
-                    ::pendulum_core::Operations::new(29, 36, 0, 0, 0, 12),
-                ),
-                (
-                    "closed form, expanded, inverse, 12 products of series",
-                    ::pendulum_core::Operations::new(30, 36, 0, 0, 0, 12),
-                ),
-                (
-                    "recursion, inverse, 22 products of series",
-                    ::pendulum_core::Operations::new(69, 59, 0, 0, 0, 18),
-                ),
-                (
-                    "A, B and C, inverse, 26 products of series",
-                    ::pendulum_core::Operations::new(84, 74, 0, 0, 0, 19),
-                ),
-            ],
-        },
-        taylor_products: 12,
-        ..::pendulum_core::Cost::ZERO
-    };
+        )
+        .autonomous();
     /// The equations of motion as text.
     pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[theta1, theta1] = inertia + m*c^2 + m*d^2\nA[theta1, theta2] = m*c*d*cos(theta1 - theta2)\nA[theta2, theta2] = inertia + m*c^2\nb[theta1] = m*c*d*dot(theta2)^2*sin(theta1 - theta2) + (m*c*g + m*d*g)*sin(theta1)\nb[theta2] = m*c*g*sin(theta2) - m*c*d*dot(theta1)^2*sin(theta1 - theta2)\nQ[theta1] = gamma2*dot(theta2) - (gamma1 + gamma2)*dot(theta1)\nQ[theta2] = gamma2*dot(theta1) - gamma2*dot(theta2)\n";
 }
@@ -404,6 +476,10 @@ for DoublePendulum<T> {
             -t4,
             k10 * t1 - t2 * t4,
         ])
+    }
+    #[inline]
+    fn layout(&self) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
+        Some(&<DoublePendulum>::LAYOUT)
     }
 }
 #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

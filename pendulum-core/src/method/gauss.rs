@@ -5,6 +5,7 @@ use nalgebra::SVector;
 use crate::control::Tolerance;
 use crate::dense::Step;
 use crate::error::Reason;
+use crate::layout::StateLayout;
 use crate::linear::Lu;
 use crate::method::collocation::Pencil;
 use crate::method::hermite;
@@ -33,13 +34,14 @@ where
 {
     type Scheme = Stages<STAGES, N, T>;
 
-    fn scheme(&self, _system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
+    fn scheme(&self, system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
         refuse_tolerance(tolerance)?;
         let zeros = SVector::from_element(T::default());
         let start = Point { y: zeros, lost: zeros };
         Ok(Stages {
             start,
             slope: zeros,
+            positions: system.layout().map_or(N / 2, StateLayout::positions),
             before: None,
             tried: (start, [zeros; STAGES]),
             coefficients: [zeros; 5],
@@ -54,6 +56,8 @@ pub struct Stages<const STAGES: usize, const N: usize, T> {
     start: Point<N, T>,
     /// The derivative of the state where it began.
     slope: SVector<T, N>,
+    /// How many of the canonical variables are coordinates; the momenta follow them.
+    positions: usize,
     /// The last step: its start, its stages and its length.
     before: Option<(SVector<T, N>, [SVector<T, N>; STAGES], T)>,
     /// Where the step that was tried last ends, and its stages.
@@ -208,7 +212,13 @@ where
             });
         }
         // The coordinates are there; their rates solve A qd = p, from some rates nearby.
-        let nearby = SVector::from_fn(|k, _| if 2 * k < N { y[k] } else { stages[STAGES - 1][k] });
+        let nearby = SVector::from_fn(|k, _| {
+            if k < self.positions {
+                y[k]
+            } else {
+                stages[STAGES - 1][k]
+            }
+        });
         let (of_variables, _) = system.canonical_jacobian(t_new, &nearby);
         let missing = y - system.canonical(t_new, &nearby).0;
         let change = Lu::new(of_variables.data.0)

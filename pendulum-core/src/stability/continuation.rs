@@ -5,7 +5,6 @@ use nalgebra::{DVector, SVector};
 use super::branch::Branch;
 use super::equilibrium::angles;
 use super::families::{Equilibria, Family, Orbits, Period};
-use super::shooting::IRREGULAR;
 use super::trace::Tracer;
 use super::{Equilibrium, PeriodicOrbit, Shooting, StabilityError, equilibrium};
 use crate::error::{ParameterError, Reason};
@@ -117,7 +116,7 @@ where
         let x = equilibrium(&system, x0)?.x;
         let curve = Equilibria {
             family: self.family(),
-            angles: angles(&system, 0.0, &x),
+            angles: angles(&system),
         };
         self.tracer(&curve).branch(self.unknowns(&x, None, p0))
     }
@@ -148,7 +147,7 @@ where
             family: self.family(),
             period: Period::<fn(f64) -> f64>::Free(orbit.period),
             tolerance: self.tolerance,
-            angles: angles(&system, 0.0, &orbit.x),
+            angles: angles(&system),
         };
         self.tracer(&curve).branch(self.unknowns(&orbit.x, Some(1.0), p0))
     }
@@ -174,7 +173,7 @@ where
             .forced(&system, x0, period(p0))?;
         let curve = Orbits {
             family: self.family(),
-            angles: angles(&system, IRREGULAR * orbit.period, &orbit.x),
+            angles: angles(&system),
             period: Period::Given(period),
             tolerance: self.tolerance,
         };

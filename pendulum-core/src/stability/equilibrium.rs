@@ -6,7 +6,8 @@ use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
 use super::least_squares::shortest_step;
 use super::{Spectrum, StabilityError};
-use crate::system::Jacobian;
+use crate::layout::StateLayout;
+use crate::system::{Jacobian, System};
 
 /// A state at which the right-hand side vanishes, with the small motions about it: `d(x - x0)/dt = jacobian (x - x0)`.
 #[derive(Clone, Debug, PartialEq)]
@@ -64,14 +65,15 @@ impl<const N: usize> Equilibrium<N> {
 
 /// The equilibrium that is found from `seed`, by Newton's method.
 ///
-/// The system is taken as it is at the time 0, and must not depend on time. Each step goes down the size of the right-hand side: it is halved until
+/// The system must not depend on time; where its [layout](System::layout) does not say, it is evaluated at the time 0. Each step goes down the size of the right-hand side: it is halved until
 /// it does, and no longer than 1, or a tenth of the state, so that it does not leap over what is near (J. Nocedal, S. J. Wright, "Numerical
 /// Optimization", 2nd ed. (2006), 11.2). Where that leads into a valley without a zero, the motion itself is followed with implicit Euler steps,
 /// which brake it, until it hangs (C. T. Kelley, D. E. Keyes, SIAM J. Numer. Anal. 35 (1998) 508). Where equilibria are
 /// not isolated, as for a cart on a level track, it is one nearby.
 ///
 /// # Errors
-/// [`StabilityError::NotFinite`] where the right-hand side is not, and [`StabilityError::NoConvergence`] if no zero of it is found.
+/// [`StabilityError::TimeDependent`] if the layout says that time may occur, [`StabilityError::NotFinite`] where the right-hand side is not
+/// finite, and [`StabilityError::NoConvergence`] if no zero of it is found.
 pub fn equilibrium<S, const N: usize>(
     system: &S,
     seed: impl Into<SVector<f64, N>>,
@@ -79,6 +81,7 @@ pub fn equilibrium<S, const N: usize>(
 where
     S: Jacobian<f64, N> + ?Sized,
 {
+    require_autonomous(system)?;
     Equilibrium::at(system, settle(system, seed.into())?)
 }
 
@@ -146,17 +149,26 @@ fn within_reach<const N: usize>(step: SVector<f64, N>, x: &SVector<f64, N>) -> S
 /// The equilibria that are found from `seeds`, and from these by half turns.
 ///
 /// From each new one the search goes on with each angle turned by half a turn. Of a planar chain that hangs on revolute joints, without
-/// springs, these are all: each of its links hangs or stands, in relative or in absolute angles. Angles are recognised by
-/// the right-hand side, which is the same after a full turn, and are told in (-pi, pi]; equilibria that differ by full turns are the same.
+/// springs, these are all: each of its links hangs or stands, in relative or in absolute angles. The angles are those that the
+/// [layout](System::layout) calls [periodic](crate::Slot::periodic), and those that are also cyclic are not turned. They are returned in
+/// (-pi, pi]; equilibria that differ by full turns are the same. A system without a layout has no angles.
 ///
 /// Seeds that lead nowhere are passed over.
+///
+/// # Errors
+/// [`StabilityError::TimeDependent`] if the layout says that time may occur.
 pub fn equilibria<S, const N: usize>(
     system: &S,
     seeds: impl IntoIterator<Item = SVector<f64, N>>,
-) -> Vec<Equilibrium<N>>
+) -> Result<Vec<Equilibrium<N>>, StabilityError>
 where
     S: Jacobian<f64, N> + ?Sized,
 {
+    require_autonomous(system)?;
+    let angles = angles(system);
+    let slots = system.layout().map_or(&[][..], |layout| layout.slots);
+    let turnable = slots.iter().filter(|slot| slot.periodic && !slot.cyclic);
+    let turnable: Vec<usize> = turnable.flat_map(|slot| slot.positions.clone()).collect();
     let mut found: Vec<Equilibrium<N>> = Vec::new();
     let mut seeds: Vec<_> = seeds.into_iter().collect();
     seeds.reverse();
@@ -164,7 +176,6 @@ where
         let Ok(mut x) = settle(system, seed) else {
             continue;
         };
-        let angles = angles(system, 0.0, &x);
         for &angle in &angles {
             x[angle] = within_a_turn(x[angle]);
         }
@@ -182,13 +193,13 @@ where
             continue;
         };
         found.push(equilibrium);
-        for &angle in angles.iter().rev() {
+        for &angle in turnable.iter().rev() {
             let mut turned = x;
             turned[angle] += PI;
             seeds.push(turned);
         }
     }
-    found
+    Ok(found)
 }
 
 const ITERATIONS: usize = 100;
@@ -245,22 +256,19 @@ where
     None
 }
 
-/// The components of the state that are angles: a full turn is seen nowhere, and less than that is.
-pub(super) fn angles<S, const N: usize>(system: &S, t: f64, x: &SVector<f64, N>) -> Vec<usize>
-where
-    S: Jacobian<f64, N> + ?Sized,
-{
-    // A state without symmetry.
-    let base = SVector::from_fn(|i, _| x[i] + (1.0 + i as f64).sqrt());
-    let (rhs, jacobian) = system.rhs_and_jacobian(t, &base);
-    let is_angle = |&i: &usize| {
-        let mut turned = base;
-        turned[i] += TAU;
-        let (there, slopes) = system.rhs_and_jacobian(t, &turned);
-        let noise = 1e-9 * (1.0 + rhs.norm() + jacobian.norm());
-        (there - rhs).norm() <= noise && (slopes - jacobian).norm() <= noise && jacobian.column(i).norm() > noise
-    };
-    (0..N).filter(is_angle).collect()
+/// The components of the state that are angles with the period 2 pi.
+pub(super) fn angles<const N: usize>(system: &(impl System<f64, N> + ?Sized)) -> Vec<usize> {
+    system.layout().into_iter().flat_map(StateLayout::angles).collect()
+}
+
+/// Refuses a system in which time may occur, as far as its layout says.
+pub(super) fn require_autonomous<const N: usize>(
+    system: &(impl System<f64, N> + ?Sized),
+) -> Result<(), StabilityError> {
+    match system.layout() {
+        Some(layout) if !layout.autonomous => Err(StabilityError::TimeDependent),
+        _ => Ok(()),
+    }
 }
 
 /// The angle in (-pi, pi]; just above -pi counts as pi.

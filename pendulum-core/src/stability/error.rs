@@ -20,6 +20,8 @@ pub enum StabilityError {
         /// What was left of the equations at the best point, as the largest component.
         residual: f64,
     },
+    /// An analysis of systems that do not depend on time was asked of one that does.
+    TimeDependent,
     /// What was to be a periodic orbit is, or shrank to, a state of rest, which is periodic with any period.
     AtRest,
     /// A family of systems has no member at the parameter asked for.
@@ -38,6 +40,11 @@ impl fmt::Display for StabilityError {
                 f,
                 "{iterations} iterations left a residual of {residual:.3e}; start closer to the solution, or look whether there is one"
             ),
+            Self::TimeDependent => write!(
+                f,
+                "the right-hand side depends on time, so the system has neither equilibria nor orbits of a period of their own; \
+                 search for motions with the period of the drive by `Shooting::forced`"
+            ),
             Self::AtRest => write!(
                 f,
                 "the orbit shrank to a state of rest; start farther from it, or with a period closer to that of the orbit"
@@ -52,7 +59,7 @@ impl Error for StabilityError {
         match self {
             Self::Integration(reason) => Some(reason),
             Self::Build(error) => Some(error),
-            Self::NotFinite | Self::NoConvergence { .. } | Self::AtRest => None,
+            Self::NotFinite | Self::NoConvergence { .. } | Self::TimeDependent | Self::AtRest => None,
         }
     }
 }

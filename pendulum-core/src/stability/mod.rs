@@ -26,7 +26,7 @@
 //! }
 //!
 //! let swing = Swing::new(SwingParams::default())?;
-//! let [hanging, standing] = &equilibria(&swing, [SVector::from([0.1, 0.0])])[..] else { panic!("there are two") };
+//! let [hanging, standing] = &equilibria(&swing, [SVector::from([0.1, 0.0])])?[..] else { panic!("there are two") };
 //! assert_eq!(hanging.stability(), Stability::AsymptoticallyStable);
 //! assert_eq!(standing.stability(), Stability::Unstable);
 //! let fastest = standing.spectrum.modes()[0].growth_rate();

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
-use super::equilibrium::{angles, within_a_turn};
+use super::equilibrium::{angles, require_autonomous, within_a_turn};
 use super::least_squares::shortest_step;
 use super::orbit::{NOISE, PeriodicOrbit};
 use super::transition::flow;
@@ -20,8 +20,8 @@ use crate::system::Jacobian;
 /// stable. Each step is the shortest that solves the linear equations, halved until the two states are closer: of the many points of an
 /// orbit, and of a family of orbits as conservative systems have, it goes to one nearby.
 ///
-/// Angles may make full turns in a period: they are recognised by the right-hand side, as for [`equilibria`](super::equilibria), and turns do
-/// not count as a distance. A multiple of the period is a period as well; the search finds that which is closest to the guess.
+/// Angles may make full turns in a period, which do not count as a distance: those that the [layout](crate::System::layout) of the system calls
+/// [periodic](crate::Slot::periodic). A multiple of the period is a period as well; the search finds that which is closest to the guess.
 ///
 /// H. B. Keller, "Numerical Methods for Two-Point Boundary-Value Problems" (1968); R. Seydel, "Practical Bifurcation and Stability Analysis",
 /// 3rd ed. (2010), ch. 7.
@@ -84,13 +84,15 @@ impl Shooting {
     ///
     /// # Errors
     /// [`StabilityError::Integration`] if a setting or the guess of the period makes no sense, or if a trajectory comes to an end;
-    /// [`StabilityError::AtRest`] if the search ends at an equilibrium, and [`StabilityError::NoConvergence`] if it finds no orbit.
+    /// [`StabilityError::TimeDependent`] if the layout says that time may occur, [`StabilityError::AtRest`] if the search ends at an equilibrium,
+    /// and [`StabilityError::NoConvergence`] if it finds no orbit.
     pub fn autonomous<const N: usize>(
         &self,
         system: &(impl Jacobian<f64, N> + ?Sized),
         x0: impl Into<SVector<f64, N>>,
         period: f64,
     ) -> Result<PeriodicOrbit<N>, StabilityError> {
+        require_autonomous(system)?;
         self.search(system, (x0.into(), period), true)
     }
 
@@ -119,7 +121,7 @@ impl Shooting {
         S: Jacobian<f64, N> + ?Sized,
     {
         check_period(period)?;
-        let angles = angles(system, IRREGULAR * period, &x);
+        let angles = angles(system);
         let mut lap = Lap::run(system, (x, period), self.tolerance, &angles)?;
         for _ in 0..ITERATIONS {
             let columns = if autonomous { N + 1 } else { N };
@@ -275,5 +277,3 @@ pub(super) fn check_period(period: f64) -> Result<(), Reason> {
 }
 
 const ITERATIONS: usize = 50;
-/// The part of a period at which angles are looked for: where drives do not vanish together.
-pub(super) const IRREGULAR: f64 = 0.381_966_011_250_105;

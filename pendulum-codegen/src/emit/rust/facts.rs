@@ -1,11 +1,13 @@
 //! Constants of the generated type that need no evaluation.
 
+use std::ops::Range;
+
 use proc_macro2::TokenStream;
-use quote::{format_ident, quote};
+use quote::quote;
 
 use super::{Items, count};
 use crate::pass::Operations;
-use crate::program::Cost;
+use crate::program::{Cost, SlotKind, StateLayout};
 
 impl Items<'_> {
     /// Names, costs and equations.
@@ -13,12 +15,13 @@ impl Items<'_> {
         let (name, program) = (&self.head.name, self.program);
         let (dof, equations) = (count(program.layout.dof()), &program.equations);
         let coordinates = program.layout.slots.iter().map(|slot| &slot.name);
-        let costs = program.routines.iter().map(|routine| cost(routine.name, &routine.cost));
-        let of_series = program.series.as_ref().map(|series| {
-            let (cost, products) = (cost("taylor", &series.cost), count(series.products));
-            quote!(#cost, taylor_products: #products)
+        let routines = program.routines.iter().map(|routine| (routine.name, &routine.cost));
+        let series = program.series.iter().map(|series| ("taylor", &series.cost));
+        let costs = routines.chain(series).map(|(name, of_routine)| {
+            let of_routine = cost(of_routine);
+            quote!((#name, #of_routine))
         });
-        let costs = costs.chain(of_series);
+        let layout = layout(&program.layout);
         quote! {
             impl #name {
                 /// The number of degrees of freedom; the state has twice as many components.
@@ -26,7 +29,9 @@ impl Items<'_> {
                 /// The names of the coordinates, in the order in which they, and then their rates, stand in the state.
                 pub const COORDINATES: [&'static str; #dof] = [#(#coordinates),*];
                 /// Counted operations of each generated function, in the form that it has and in others.
-                pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost { #(#costs,)* ..::pendulum_core::Cost::ZERO };
+                pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::new(&[#(#costs),*]);
+                /// What each part of the state is.
+                pub const LAYOUT: ::pendulum_core::StateLayout = #layout;
                 /// The equations of motion as text.
                 pub const EQUATIONS: &'static str = #equations;
             }
@@ -34,16 +39,16 @@ impl Items<'_> {
     }
 }
 
-/// The cost of a routine: its operations in its form and in others.
-fn cost(name: &str, cost: &Cost) -> TokenStream {
-    let (name, own, form) = (format_ident!("{name}"), operations(&cost.operations), &cost.form);
-    let others = cost.others.iter().map(|(form, count)| {
-        let count = operations(count);
-        quote!((#form, #count))
+/// A cost, as a value of the core's type.
+fn cost(of: &Cost) -> TokenStream {
+    let (form, operations) = (&of.form, operations(&of.operations));
+    let products = of.products.map(|products| {
+        let products = count(products);
+        quote!(.with_products(#products))
     });
-    quote! {
-        #name: ::pendulum_core::FunctionCost { operations: #own, form: #form, others: &[#(#others),*] }
-    }
+    let others = of.others.iter().map(cost);
+    let others = (!of.others.is_empty()).then(|| quote!(.with_others(&[#(#others),*])));
+    quote!(::pendulum_core::FunctionCost::new(#form, #operations) #products #others)
 }
 
 /// Counted operations, as a value of the core's type.
@@ -58,4 +63,26 @@ fn operations(operations: &Operations) -> TokenStream {
     } = operations;
     let counts = [additions, multiplications, divisions, sincos, functions, chain].map(|&n| count(n));
     quote!(::pendulum_core::Operations::new(#(#counts),*))
+}
+
+/// A layout, as a value of the core's type.
+fn layout(of: &StateLayout) -> TokenStream {
+    let slots = of.slots.iter().map(|slot| {
+        let kind = match slot.kind {
+            SlotKind::Angle => quote!(Angle),
+            SlotKind::Length => quote!(Length),
+        };
+        let range = |range: &Range<usize>| {
+            let (start, end) = (count(range.start), count(range.end));
+            quote!(#start..#end)
+        };
+        let (name, positions, rates) = (&slot.name, range(&slot.positions), range(&slot.rates));
+        let periodic = slot.periodic.then(|| quote!(.periodic()));
+        let cyclic = slot.cyclic.then(|| quote!(.cyclic()));
+        quote! {
+            ::pendulum_core::Slot::new(#name, ::pendulum_core::SlotKind::#kind, #positions, #rates) #periodic #cyclic
+        }
+    });
+    let autonomous = of.autonomous.then(|| quote!(.autonomous()));
+    quote!(::pendulum_core::StateLayout::new(&[#(#slots),*]) #autonomous)
 }

@@ -68,7 +68,8 @@ impl Items<'_> {
     fn system(&self) -> Option<TokenStream> {
         let (inline, rhs) = (inlined_into_lanes(), self.program.routine("rhs")?);
         let rhs = self.function(&format_ident!("rhs"), rhs);
-        let system = self.implement(Some(self.named("System")), &quote!(#inline #rhs));
+        let layout = self.layout();
+        let system = self.implement(Some(self.named("System")), &quote!(#inline #rhs #layout));
         let jacobian = self.program.routine("jacobian").map(|routine| {
             let arguments = self.arguments(routine);
             let matrix = self.shape(routine.shapes[1]);
@@ -87,6 +88,17 @@ impl Items<'_> {
             self.implement(Some(self.named("Jacobian")), &functions)
         });
         Some(quote!(#system #jacobian))
+    }
+
+    /// The method of `System` and of `Controlled` that returns the layout of the state.
+    fn layout(&self) -> TokenStream {
+        let name = &self.head.name;
+        quote! {
+            #[inline]
+            fn layout(&self) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
+                Some(&<#name>::LAYOUT)
+            }
+        }
     }
 
     /// The derivative of the right-hand side by the time; zeros where that does not occur.
@@ -118,7 +130,7 @@ impl Items<'_> {
             self.arguments(jacobian),
             self.shape(jacobian.shapes[1]),
         );
-        let vector = self.shape(jacobian.shapes[0]);
+        let (vector, layout) = (self.shape(jacobian.shapes[0]), self.layout());
         let rhs = self.function(&format_ident!("rhs_with"), rhs);
         let both = self.function(&format_ident!("rhs_and_jacobian_with"), jacobian);
         let by_inputs = self.function(
@@ -137,6 +149,7 @@ impl Items<'_> {
             #both
             #[inline]
             #by_inputs
+            #layout
         };
         let controlled = self.implement(
             Some(quote!(::pendulum_core::Controlled<T, #length, #inputs>)),

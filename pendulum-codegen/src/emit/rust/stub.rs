@@ -82,7 +82,8 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
         impl #name {
             pub const DOF: usize = #dof;
             pub const COORDINATES: [&'static str; #dof] = [""; #dof];
-            pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::ZERO;
+            pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::new(&[]);
+            pub const LAYOUT: ::pendulum_core::StateLayout = ::pendulum_core::StateLayout::new(&[]);
             pub const EQUATIONS: &'static str = "";
             pub fn new(params: #parameters) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
                 Ok(Self(::core::marker::PhantomData, params))
@@ -95,6 +96,9 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
         impl<T: #real> #name<T> {
             pub fn params(&self) -> &#parameters {
                 &self.1
+            }
+            pub fn layout(&self) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
+                None
             }
             pub fn with_inputs<F #any_length>(&self, _: F) -> Self
             where

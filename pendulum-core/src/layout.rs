@@ -1,0 +1,181 @@
+//! What each part of a state is: angle or length, its place in the state, and the symmetries of the system.
+
+use std::ops::Range;
+
+/// What each part of a state is, and whether time occurs in the right-hand side.
+///
+/// [`mechanism!`](crate::mechanism) generates it as the constant `LAYOUT` of a model, and [`System::layout`](crate::System::layout) returns
+/// it. The analyses of [`stability`](crate::stability) use it, so systems written by hand should have one where a full turn
+/// changes nothing:
+///
+/// ```
+/// use pendulum_core::prelude::*;
+/// use pendulum_core::{Slot, StateLayout};
+///
+/// struct Swing;
+///
+/// impl System<f64, 2> for Swing {
+///     fn rhs(&self, _t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
+///         SVector::from([x[1], -9.81 * x[0].sin()])
+///     }
+///
+///     fn layout(&self) -> Option<&'static StateLayout> {
+///         const LAYOUT: StateLayout = StateLayout::new(&[Slot::angle("theta", 0, 1).periodic()]).autonomous();
+///         Some(&LAYOUT)
+///     }
+/// }
+///
+/// let layout = Swing.layout().expect("stated above");
+/// assert_eq!((layout.slots[0].name, layout.slots[0].rate_unit()), ("theta", "rad/s"));
+/// assert!(layout.autonomous && layout.angles().eq([0]));
+/// ```
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub struct StateLayout {
+    /// The coordinates with their rates. All positions precede all rates in the state.
+    pub slots: &'static [Slot],
+    /// Whether the right-hand side is known not to depend on time.
+    pub autonomous: bool,
+}
+
+impl StateLayout {
+    /// The layout of a state in these coordinates. The right-hand side may depend on time.
+    #[must_use]
+    pub const fn new(slots: &'static [Slot]) -> Self {
+        Self {
+            slots,
+            autonomous: false,
+        }
+    }
+
+    /// The same layout for a right-hand side that does not depend on time.
+    #[must_use]
+    pub const fn autonomous(mut self) -> Self {
+        self.autonomous = true;
+        self
+    }
+
+    /// The number of components that are positions; the rates follow them.
+    #[must_use]
+    pub fn positions(&self) -> usize {
+        self.slots.iter().map(|slot| slot.positions.len()).sum()
+    }
+
+    /// The components of the state that are angles with the period 2 pi, as [`Slot::periodic`] defines it.
+    pub fn angles(&self) -> impl Iterator<Item = usize> {
+        self.slots
+            .iter()
+            .filter(|slot| slot.periodic)
+            .flat_map(|slot| slot.positions.clone())
+    }
+}
+
+/// A coordinate: its place in the state, and its symmetries.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub struct Slot {
+    /// The name of the coordinate.
+    pub name: &'static str,
+    /// What it measures.
+    pub kind: SlotKind,
+    /// The components of the state that hold its position.
+    pub positions: Range<usize>,
+    /// The components of the state that hold its rate. There may be fewer of them than positions.
+    pub rates: Range<usize>,
+    /// Whether a full turn, 2 pi, is known to leave everything as it was: each body is in its place again, and the right-hand side is the same.
+    ///
+    /// A helical joint with a pitch moves its body on, and a torsion spring counts turns: neither has a periodic coordinate.
+    pub periodic: bool,
+    /// Whether the right-hand side is known not to depend on the position at all, as on the place of a cart on a level track.
+    pub cyclic: bool,
+}
+
+impl Slot {
+    /// A coordinate at the components `positions` of the state, with its rate at `rates`. No symmetry is assumed.
+    #[must_use]
+    pub const fn new(name: &'static str, kind: SlotKind, positions: Range<usize>, rates: Range<usize>) -> Self {
+        Self {
+            name,
+            kind,
+            positions,
+            rates,
+            periodic: false,
+            cyclic: false,
+        }
+    }
+
+    /// An angle at the component `position` of the state, with its rate at `rate`. Not every angle is [`periodic`](Self::periodic).
+    #[must_use]
+    pub const fn angle(name: &'static str, position: usize, rate: usize) -> Self {
+        Self::new(name, SlotKind::Angle, position..position + 1, rate..rate + 1)
+    }
+
+    /// A length at the component `position` of the state, with its rate at `rate`.
+    #[must_use]
+    pub const fn length(name: &'static str, position: usize, rate: usize) -> Self {
+        Self::new(name, SlotKind::Length, position..position + 1, rate..rate + 1)
+    }
+
+    /// The same coordinate, of which a full turn leaves everything as it was.
+    #[must_use]
+    pub const fn periodic(mut self) -> Self {
+        self.periodic = true;
+        self
+    }
+
+    /// The same coordinate, on which the right-hand side does not depend.
+    #[must_use]
+    pub const fn cyclic(mut self) -> Self {
+        self.cyclic = true;
+        self
+    }
+
+    /// The unit of its position.
+    #[must_use]
+    pub const fn unit(&self) -> &'static str {
+        match self.kind {
+            SlotKind::Angle => "rad",
+            SlotKind::Length => "m",
+            SlotKind::Quaternion => "1",
+        }
+    }
+
+    /// The unit of its rate.
+    #[must_use]
+    pub const fn rate_unit(&self) -> &'static str {
+        match self.kind {
+            SlotKind::Angle | SlotKind::Quaternion => "rad/s",
+            SlotKind::Length => "m/s",
+        }
+    }
+}
+
+/// What a coordinate measures.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[non_exhaustive]
+pub enum SlotKind {
+    /// An angle, in rad.
+    Angle,
+    /// A length, in m.
+    Length,
+    /// An orientation: four components of a unit quaternion, scalar first, and three of the angular velocity.
+    Quaternion,
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Slot, SlotKind, StateLayout};
+
+    #[test]
+    fn positions_may_outnumber_rates() {
+        const LAYOUT: StateLayout = StateLayout::new(&[
+            Slot::length("s", 0, 6),
+            Slot::new("o", SlotKind::Quaternion, 1..5, 7..10),
+            Slot::angle("theta", 5, 10).periodic(),
+        ]);
+        assert_eq!(LAYOUT.positions(), 6);
+        assert!(LAYOUT.angles().eq([5]));
+        let units = LAYOUT.slots.iter().map(|slot| (slot.unit(), slot.rate_unit()));
+        assert!(units.eq([("m", "m/s"), ("1", "rad/s"), ("rad", "rad/s")]));
+    }
+}
