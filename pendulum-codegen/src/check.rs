@@ -18,7 +18,7 @@ pub fn check(scene: &Scene, model: &Model, dynamics: &Dynamics) -> Result<(), Er
             .items
             .bodies
             .iter()
-            .find(|body| body.coordinate.as_ref().is_some_and(|c| c == name));
+            .find(|body| body.fields.coordinate.as_ref().is_some_and(|c| c == name));
         if let Some(body) = body {
             let fact = format!("coordinate `{name}` has no inertia, so the mass matrix is singular in every state");
             let massless = model

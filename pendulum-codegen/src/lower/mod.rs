@@ -17,7 +17,7 @@ mod solid;
 
 use std::collections::BTreeMap;
 
-use crate::ast::{Items, Scene, Vector};
+use crate::ast::{Items, Read, Scene, Vector};
 use crate::error::{Errors, Reported};
 use crate::expr::{ExprId, Graph, SymbolKind};
 use crate::model::{Coordinate, Model, Rule};
@@ -81,6 +81,11 @@ impl Lower {
             rules: self.rules,
             outputs,
         })
+    }
+
+    /// A part of the text, or the report of why it cannot be read.
+    fn read<'a, T>(&mut self, part: &'a Read<T>) -> Result<&'a T, Reported> {
+        part.as_ref().map_err(|error| self.errors.push(error.clone()))
     }
 
     fn gravity(&mut self, gravity: Option<&Vector>) -> Vec3 {
