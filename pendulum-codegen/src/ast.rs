@@ -14,14 +14,21 @@ pub type Read<T> = syn::Result<T>;
 /// A whole declaration.
 #[derive(Debug)]
 pub struct Scene {
+    /// What stands before the braces.
+    pub head: Head,
+    /// Everything between the braces.
+    pub items: Items,
+}
+
+/// What a declaration says of the generated items as a whole.
+#[derive(Debug)]
+pub struct Head {
     /// Documentation of the model.
     pub docs: Vec<String>,
     /// Visibility of the generated items.
     pub vis: TokenStream,
     /// Name of the model.
     pub name: Ident,
-    /// Everything between the braces.
-    pub items: Items,
 }
 
 /// The items of a scene, by kind, each in the order of the text.

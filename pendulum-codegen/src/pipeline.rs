@@ -9,6 +9,7 @@ use crate::dynamics::Dynamics;
 use crate::error::Errors;
 use crate::expr::{ExprId, Graph, Level, Node};
 use crate::form::{Chosen, Forms, Taylor};
+use crate::lower::Lowered;
 use crate::model::{Model, Output};
 use crate::{check, emit, lower, parse};
 
@@ -86,7 +87,7 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
         return errors.to_compile_errors();
     };
     match compile(&scene, errors) {
-        Ok(program) => emit::items(&scene, &program),
+        Ok(program) => emit::items(&scene.head, &program),
         Err(errors) => {
             let mut tokens = errors.to_compile_errors();
             tokens.extend(emit::stub(&scene));
@@ -108,15 +109,15 @@ pub fn program(tokens: TokenStream) -> Result<Program, Errors> {
 pub fn model(tokens: TokenStream) -> Result<Model, Errors> {
     let (scene, errors) = parse::parse(tokens);
     match scene {
-        Some(scene) => lower::lower(&scene, errors),
+        Some(scene) => lower::lower(&scene, errors).map(|lowered| lowered.model),
         None => Err(errors),
     }
 }
 
 fn compile(scene: &Scene, errors: Errors) -> Result<Program, Errors> {
-    let mut model = lower::lower(scene, errors)?;
+    let Lowered { mut model, spans } = lower::lower(scene, errors)?;
     let dynamics = Dynamics::new(&mut model);
-    check::check(scene, &model, &dynamics)?;
+    check::check(&model, &spans, &dynamics)?;
     let mut forms = Forms::new(&mut model, &dynamics);
     let functions = functions(&mut model, &mut forms);
     let taylor = model

@@ -10,7 +10,7 @@ use crate::ast::Scene;
 
 /// Types that have everything a declaration could ask for, for states of any length, and that are never run.
 pub(crate) fn stub(scene: &Scene) -> TokenStream {
-    let (vis, name, items) = (&scene.vis, &scene.name, &scene.items);
+    let (vis, name, items) = (&scene.head.vis, &scene.head.name, &scene.items);
     let [parameters, inputs] = ["Params", "Inputs"].map(|suffix| format_ident!("{name}{suffix}"));
     // what could not be read may have been a parameter or an input
     let declared = items.params.iter().map(|param| &param.name).chain(&items.unread);

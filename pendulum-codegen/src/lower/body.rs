@@ -24,6 +24,7 @@ impl Lower {
             match self.body(body, &bodies, coordinates, shapes) {
                 Ok(lowered) => {
                     self.placed.insert(name, Ok(bodies.len()));
+                    self.spans.bodies.push(body.name.span());
                     bodies.push(lowered);
                 }
                 Err(reported) => {

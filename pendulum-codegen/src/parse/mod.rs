@@ -11,7 +11,7 @@ use quote::ToTokens;
 use syn::parse::{Parse, ParseStream, Parser};
 use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, MetaNameValue, Token, Visibility, braced, bracketed, token};
 
-use crate::ast::{Input, Items, Let, Param, Scene};
+use crate::ast::{Head, Input, Items, Let, Param, Scene};
 use crate::error::{Errors, Reported, at, on, suggestion};
 
 /// Reads a declaration. The scene is there unless its head could not be read; errors may stand beside it.
@@ -48,7 +48,8 @@ pub fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
             );
             input.parse::<TokenStream>()?;
         }
-        Ok(Scene { docs, vis, name, items })
+        let head = Head { docs, vis, name };
+        Ok(Scene { head, items })
     })
     .parse2(tokens);
     let scene = errors.keep(scene).ok();
