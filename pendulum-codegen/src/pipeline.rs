@@ -6,6 +6,7 @@ use crate::ast::Scene;
 use crate::dynamics::Dynamics;
 use crate::emit::rust;
 use crate::error::Errors;
+use crate::lower::Lowered;
 use crate::model::Model;
 use crate::program::{NotFinite, Program};
 use crate::{check, lower, parse};
@@ -39,15 +40,15 @@ pub fn program(tokens: TokenStream) -> Result<Program, Errors> {
 pub fn model(tokens: TokenStream) -> Result<Model, Errors> {
     let (scene, errors) = parse::parse(tokens);
     match scene {
-        Some(scene) => lower::lower(&scene, errors),
+        Some(scene) => lower::lower(&scene, errors).map(|lowered| lowered.model),
         None => Err(errors),
     }
 }
 
 fn compile(scene: &Scene, errors: Errors) -> Result<Program, Errors> {
-    let model = lower::lower(scene, errors)?;
+    let Lowered { model, spans } = lower::lower(scene, errors)?;
     let dynamics = Dynamics::new(&model);
-    check::check(scene, &model, &dynamics)?;
+    check::check(&model, &spans, &dynamics)?;
     Program::new(&model, &dynamics).map_err(|NotFinite(constant)| {
         let fact = format!("the constant `{constant}` has no finite value in double precision");
         let help = "choose other units or other numbers: it overflows, or divides by something that vanishes";

@@ -23,6 +23,7 @@ impl Lower {
             joint: Some((position, rate)),
         };
         let torque = body
+            .fields
             .torque
             .as_ref()
             .map_or(Ok(self.graph.zero()), |torque| self.expr(torque, &place));
@@ -32,7 +33,7 @@ impl Lower {
     }
 
     fn friction(&mut self, body: &ast::Body, joint: (ExprId, ExprId)) -> Result<ExprId, Reported> {
-        let Some(friction) = &body.friction else {
+        let Some(friction) = &body.fields.friction else {
             return Ok(self.graph.zero());
         };
         // the rate is known here so that a law of friction gets the error that says where it belongs
@@ -46,7 +47,7 @@ impl Lower {
     }
 
     fn spring(&mut self, body: &ast::Body, position: ExprId) -> Result<(ExprId, ExprId), Reported> {
-        let Some((stiffness, rest)) = &body.spring else {
+        let Some((stiffness, rest)) = &body.fields.spring else {
             return Ok((self.graph.zero(), self.graph.zero()));
         };
         let stiffness = self.expr(stiffness, &Place::fixed(format!("the stiffness of `{}`", body.name)));

@@ -36,7 +36,7 @@ impl Lower {
         let zero = [g.zero(); 3];
         let turning = geometry.screw.filter(|screw| screw.angular != zero);
         let Some(screw) = turning else {
-            if let Some(word) = &body.absolute {
+            if let Some(word) = &body.fields.absolute {
                 return Err(self.errors.at(
                     word.span(),
                     format_args!("the coordinate of `{}` is no angle", body.name),
@@ -50,7 +50,7 @@ impl Lower {
             None => Some(1),
             Some(group) => parallel(g, group, axis),
         };
-        if let Some(word) = &body.absolute
+        if let Some(word) = &body.fields.absolute
             && (before.station.is_some() || sign.is_none())
         {
             let fact = format!(
@@ -75,7 +75,7 @@ impl Lower {
             return Ok((heading, own));
         };
         // turn = turn before + sign * motion; an absolute coordinate is the whole turn, seen along its own axis
-        let (turn, motion) = if body.absolute.is_some() {
+        let (turn, motion) = if body.fields.absolute.is_some() {
             let turn = plus_scaled(&Vec::new(), &own, sign);
             let motion = plus_scaled(&own, &before.turn, -sign);
             (turn, motion)

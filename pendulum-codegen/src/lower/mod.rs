@@ -17,13 +17,31 @@ mod solid;
 
 use std::collections::BTreeMap;
 
-use crate::ast::{Items, Scene, Vector};
+use proc_macro2::Span;
+
+use crate::ast::{Items, Read, Scene, Vector};
 use crate::error::{Errors, Reported};
 use crate::expr::{ExprId, Graph, SymbolKind};
 use crate::model::{Coordinate, Model, Rule};
 use crate::screw::Vec3;
 use expr::Place;
 use scope::Names;
+
+/// What a scene means, and where it says so.
+#[derive(Debug)]
+pub struct Lowered {
+    /// The meaning.
+    pub model: Model,
+    /// The text that later errors stand on.
+    pub spans: Spans,
+}
+
+/// Places in the text, for errors that are found after lowering.
+#[derive(Debug, Default)]
+pub struct Spans {
+    /// The name of each body of the model.
+    pub bodies: Vec<Span>,
+}
 
 /// The state of lowering one scene.
 #[derive(Debug)]
@@ -34,13 +52,14 @@ struct Lower {
     /// Names whose declaration had an error: their uses are not reported again.
     broken: BTreeMap<String, Reported>,
     rules: Vec<Rule>,
+    spans: Spans,
     time: ExprId,
     /// Bodies that have been lowered: their positions among the model's bodies.
     placed: BTreeMap<String, Result<usize, Reported>>,
 }
 
 /// The meaning of a scene. Errors are added to those of the reading.
-pub fn lower(scene: &Scene, errors: Errors) -> Result<Model, Errors> {
+pub fn lower(scene: &Scene, errors: Errors) -> Result<Lowered, Errors> {
     let graph = Graph::new();
     let time = graph.symbol("t", SymbolKind::Time);
     let lower = Lower {
@@ -49,6 +68,7 @@ pub fn lower(scene: &Scene, errors: Errors) -> Result<Model, Errors> {
         errors,
         broken: BTreeMap::new(),
         rules: Vec::new(),
+        spans: Spans::default(),
         time,
         placed: BTreeMap::new(),
     };
@@ -56,7 +76,7 @@ pub fn lower(scene: &Scene, errors: Errors) -> Result<Model, Errors> {
 }
 
 impl Lower {
-    fn scene(mut self, scene: &Scene) -> Result<Model, Errors> {
+    fn scene(mut self, scene: &Scene) -> Result<Lowered, Errors> {
         let items = &scene.items;
         let parameters = self.parameters(&items.params);
         let inputs = self.inputs(&items.inputs);
@@ -70,7 +90,7 @@ impl Lower {
         let outputs = self.outputs(items.generate.as_deref(), !parameters.is_empty(), !inputs.is_empty());
         self.require_motion(scene, &coordinates);
         self.report_unused(items);
-        self.errors.finish(Model {
+        let model = Model {
             graph: self.graph,
             parameters,
             inputs,
@@ -80,7 +100,16 @@ impl Lower {
             bodies,
             rules: self.rules,
             outputs,
+        };
+        self.errors.finish(Lowered {
+            model,
+            spans: self.spans,
         })
+    }
+
+    /// A part of the text, or the report of why it cannot be read.
+    fn read<'a, T>(&mut self, part: &'a Read<T>) -> Result<&'a T, Reported> {
+        part.as_ref().map_err(|error| self.errors.push(error.clone()))
     }
 
     fn gravity(&mut self, gravity: Option<&Vector>) -> Vec3 {

@@ -23,7 +23,11 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
         .is_empty()
         .then(|| quote!(stub: ::core::marker::PhantomData<T>));
     let controls = controls.into_iter();
-    let freedom = items.bodies.iter().filter(|body| body.coordinate.is_some()).count();
+    let freedom = items
+        .bodies
+        .iter()
+        .filter(|body| body.fields.coordinate.is_some())
+        .count();
     let dof = count(freedom);
     // the length of the state tells a law of inputs its types; without any coordinate, the length was not read
     let (length, any_length) = if freedom > 0 {
