@@ -2,7 +2,10 @@
 
 mod common;
 
+use std::cell::Cell;
+
 use common::Pair;
+use pendulum_core::StateLayout;
 use pendulum_core::method::{Fixed, RadauIIA, Rosenbrock};
 use pendulum_core::prelude::*;
 use pendulum_core::tableau;
@@ -341,4 +344,32 @@ fn failures_are_told_with_the_last_good_state() {
     for (reason, t) in failure(&blind, 1_000_000) {
         assert!(matches!(reason, Reason::NoConvergence { .. }) && t == 0.0, "{reason:?}");
     }
+}
+
+/// `x' = -x`, whose evaluations are counted.
+struct Decay(Cell<usize>);
+
+impl System<f64, 1> for Decay {
+    fn rhs(&self, _t: f64, x: &SVector<f64, 1>) -> SVector<f64, 1> {
+        self.0.set(self.0.get() + 1);
+        -x
+    }
+
+    fn layout(&self) -> Option<&'static StateLayout> {
+        const LAYOUT: StateLayout = StateLayout::new(&[]).autonomous();
+        Some(&LAYOUT)
+    }
+}
+
+impl Jacobian<f64, 1> for Decay {
+    fn jacobian(&self, _t: f64, _x: &SVector<f64, 1>) -> SMatrix<f64, 1, 1> {
+        SMatrix::from([[-1.0]])
+    }
+}
+
+#[test]
+fn a_system_that_is_known_not_to_depend_on_time_is_not_evaluated_to_find_out() {
+    let decay = Decay(Cell::new(0));
+    assert_eq!(decay.time_derivative(0.3, &SVector::from([2.0]))[0], 0.0);
+    assert_eq!(decay.0.get(), 0);
 }
