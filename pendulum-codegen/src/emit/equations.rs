@@ -28,7 +28,7 @@ pub(crate) fn equations(model: &Model, dynamics: &Dynamics, flat: bool) -> Strin
         for (count, id) in shared(&model.graph, &roots).into_iter().enumerate() {
             let name = format!("t{count}");
             text.push_str(&format!("{name} = {}\n", printer.definition(id)));
-            printer.name(id, name);
+            printer.name(id, crate::expr::Formula::Name(name));
         }
         text.push('\n');
     }
