@@ -10,6 +10,7 @@ use crate::error::Errors;
 use crate::expr::{ExprId, Graph, Level, Node};
 use crate::form::{Chosen, Forms, Taylor};
 use crate::model::{Model, Output};
+use crate::program::{Equations, equations};
 use crate::{check, emit, lower, parse};
 
 /// A function of the generated model.
@@ -75,8 +76,8 @@ pub struct Program {
     pub taylor: Option<Taylor>,
     /// What is computed once, when the model is built: everything that depends on parameters alone.
     pub constants: Vec<ExprId>,
-    /// The equations of motion as text.
-    pub equations: String,
+    /// The equations of motion.
+    pub equations: Equations,
 }
 
 /// Expands a declaration into items, or into its compile errors and a stand-in for the items.
@@ -124,10 +125,7 @@ fn compile(scene: &Scene, errors: Errors) -> Result<Program, Errors> {
         .contains(&Output::Taylor)
         .then(|| forms.taylor(&mut model));
     let constants = constants(&model, &functions, taylor.as_ref());
-    let equations = match forms.closed() {
-        Some(closed) => emit::equations(&model, closed, true),
-        None => emit::equations(&model, &dynamics, false),
-    };
+    let equations = equations(&model, &dynamics, forms.closed());
     Ok(Program {
         model,
         functions,

@@ -1,7 +1,6 @@
 //! The items of a generated model.
 
 mod body;
-mod equations;
 mod functions;
 mod lanes;
 mod schedule;
@@ -13,7 +12,6 @@ use std::collections::HashMap;
 use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{format_ident, quote};
 
-pub(crate) use equations::equations;
 pub(crate) use stub::stub;
 
 use crate::ast::Scene;
@@ -252,7 +250,7 @@ impl Items<'_> {
     /// Constants of the type that need no evaluation.
     fn facts(&self) -> TokenStream {
         let (name, dof, coordinates) = (self.name(), number(self.dof()), self.program.model.coordinate_names());
-        let equations = &self.program.equations;
+        let equations = self.program.equations.to_string();
         let costs = self.program.functions.iter().map(|(function, chosen)| {
             let others = chosen.others.iter().map(|(form, count)| (form.to_string(), *count));
             cost(function.name(), &chosen.form.to_string(), &chosen.operations, others)

@@ -37,6 +37,15 @@ pub struct Term {
     pub formula: Formula,
 }
 
+/// `name = formula`
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Definition {
+    /// The name.
+    pub name: String,
+    /// What it stands for.
+    pub formula: Formula,
+}
+
 impl Formula {
     /// A name. The mark of a raw identifier is no part of it.
     pub fn name(name: &str) -> Self {

@@ -17,7 +17,7 @@ mod print;
 mod text;
 
 pub use derivative::Derivative;
-pub use formula::{Formula, Term};
+pub use formula::{Definition, Formula, Term};
 pub use graph::{ExprId, Graph, Level, Node, Symbol, SymbolId, SymbolKind};
 pub use normal::{Normalizer, TooLarge};
 pub use op::{Binary, CostKind, Unary};

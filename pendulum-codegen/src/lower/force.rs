@@ -6,9 +6,20 @@ use crate::ast;
 use crate::expr::{ExprId, Level, ratio};
 use crate::model::Requirement;
 
+/// What acts along a joint.
+#[derive(Debug)]
+pub(super) struct Forces {
+    /// Friction and spring.
+    pub(super) passive: ExprId,
+    /// Friction, spring and torque.
+    pub(super) total: ExprId,
+    /// Potential energy.
+    pub(super) potential: ExprId,
+}
+
 impl Lower {
-    /// The force of the joint along its coordinate, and its potential energy.
-    pub(super) fn forces(&mut self, body: &ast::Body, position: ExprId, rate: ExprId) -> Option<(ExprId, ExprId)> {
+    /// The force of the joint along its coordinate.
+    pub(super) fn forces(&mut self, body: &ast::Body, position: ExprId, rate: ExprId) -> Option<Forces> {
         let joint = Some((position, rate));
         let friction = self.friction(body, joint);
         let spring = self.spring(body, position);
@@ -21,9 +32,13 @@ impl Lower {
             .torque
             .as_ref()
             .map_or(Some(self.graph.zero()), |torque| self.expr(torque, &place));
-        let (spring, energy) = spring?;
+        let (spring, potential) = spring?;
         let passive = self.graph.add(friction?, spring);
-        Some((self.graph.add(passive, torque?), energy))
+        Some(Forces {
+            passive,
+            total: self.graph.add(passive, torque?),
+            potential,
+        })
     }
 
     fn friction(&mut self, body: &ast::Body, joint: Option<(ExprId, ExprId)>) -> Option<ExprId> {

@@ -8,6 +8,7 @@ mod order;
 mod physical;
 mod scope;
 mod solid;
+mod written;
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -15,12 +16,13 @@ use syn::Ident;
 
 use crate::ast::{self, Scene};
 use crate::error::{Errors, suggestion};
-use crate::expr::{ExprId, Graph, Level, SymbolKind};
+use crate::expr::{Definition, ExprId, Graph, Level, Printer, SymbolKind};
 use crate::model::{Body, Coordinate, Input, Model, Output, Parameter, Rule, combine};
 use crate::screw::{SpatialInertia, mat_vec, transpose};
 use expr::Place;
 use mass::{Mass, Turns};
 use scope::Names;
+use written::written;
 
 /// The state of lowering one scene.
 #[derive(Debug)]
@@ -61,6 +63,11 @@ impl Lower {
             // declared before its value is known, so that a use before the definition can be told from a misspelling
             self.names.declare(&mut self.errors, "`let`", &item.name, None);
         }
+        let lets = items.lets.iter().map(|item| Definition {
+            name: item.name.to_string().replace("r#", ""),
+            formula: written(&item.value, None),
+        });
+        let lets = lets.collect();
         let order = self.order(&items.bodies);
         let coordinates = self.coordinates(&items.bodies);
         for item in &items.lets {
@@ -125,6 +132,7 @@ impl Lower {
             coordinates,
             time,
             gravity,
+            lets,
             bodies,
             rules,
             outputs,
@@ -276,7 +284,9 @@ impl Lower {
         let position = combine(&self.graph, coordinates, &motion, |c| c.position);
         let rate = combine(&self.graph, coordinates, &motion, |c| c.rate);
         let forces = self.forces(body, position, rate);
-        let ((heading, motion), geometry, (force, potential)) = (heading?, geometry?, forces?);
+        let joint = [position, rate].map(|x| Printer::new(&self.graph).formula(x));
+        let torque = body.torque.as_ref().map(|torque| written(torque, Some(&joint)));
+        let ((heading, motion), geometry, forces) = (heading?, geometry?, forces?);
         let inertia = match mass? {
             None => SpatialInertia::zero(&self.graph),
             Some(mass) => {
@@ -300,8 +310,10 @@ impl Lower {
             motion,
             heading,
             inertia,
-            force,
-            potential,
+            force: forces.total,
+            passive: forces.passive,
+            torque,
+            potential: forces.potential,
         })
     }
 
