@@ -7,7 +7,7 @@
 //!     body bob on ground { mass: m, com: [0, -l, 0], joint: revolute(z), coordinate: theta }
 //! }";
 //! let program = pendulum_codegen::program(declaration.parse()?)?;
-//! assert!(program.equations.contains("A[theta, theta] = m*l^2"));
+//! assert!(program.equations.to_string().contains("A[theta, theta] = m*l^2"));
 //!
 //! // the items that the macro emits; prettyplease formats them for reading
 //! let items = pendulum_codegen::expand(declaration.parse()?);

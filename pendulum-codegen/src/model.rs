@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeSet, HashMap};
 
-use crate::expr::{ExprId, Graph, Rational, ratio};
+use crate::expr::{Definition, ExprId, Formula, Graph, Rational, ratio};
 use crate::screw::{Mat3, SpatialInertia, Transform, Twist, Vec3};
 use crate::units::Unit;
 
@@ -21,6 +21,8 @@ pub struct Model {
     pub time: ExprId,
     /// Acceleration of gravity in the ground frame.
     pub gravity: Vec3,
+    /// Each `let`, as it was written.
+    pub lets: Vec<Definition>,
     /// Bodies, each behind the one that carries it.
     pub bodies: Vec<Body>,
     /// What the parameters must obey.
@@ -94,6 +96,10 @@ pub struct Body {
     pub inertia: SpatialInertia,
     /// Force of the joint along its relative coordinate: friction, spring and torque.
     pub force: ExprId,
+    /// The part of the force that is friction and spring.
+    pub passive: ExprId,
+    /// The rest of it, the torque, as it was written.
+    pub torque: Option<Formula>,
     /// Potential energy of the joint.
     pub potential: ExprId,
 }

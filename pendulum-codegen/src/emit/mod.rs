@@ -1,6 +1,3 @@
 //! Printers of a [`Program`](crate::program::Program), one for each language.
 
-mod equations;
 pub(crate) mod rust;
-
-pub(crate) use equations::equations;

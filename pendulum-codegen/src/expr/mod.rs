@@ -6,14 +6,18 @@
 mod build;
 mod derivative;
 mod eval;
+mod formula;
 mod graph;
+mod latex;
 mod normal;
 mod op;
 mod poly;
 mod precedence;
 mod print;
+mod text;
 
 pub use derivative::Derivative;
+pub use formula::{Definition, Formula, Term};
 pub use graph::{ExprId, Graph, Level, Node, Symbol, SymbolId, SymbolKind};
 pub use normal::{Normalizer, TooLarge};
 pub use op::{Binary, CostKind, Unary};

@@ -1,16 +1,20 @@
-//! How tightly a printed expression holds together.
+//! How tightly the parts of a written formula hold together.
 
-/// From the loosest to the tightest. Text that is looser than its place asks for stands in brackets.
+/// The outermost operation of a piece of text, from the loosest to the tightest. A piece is put into brackets where its place
+/// needs a tighter one.
+///
+/// In the language of declarations a minus binds as loosely as a sum, so `-a*b` is [`Precedence::Sum`]; in Rust and C it is
+/// [`Precedence::Unary`].
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Precedence {
-    /// A sum, or a number with a sign.
+    /// `a + b`, `a - b`
     Sum,
-    /// A product or a quotient.
+    /// `a*b`, `a/b`
     Product,
-    /// An opposite, in languages where that binds tighter than a product.
+    /// `-a` in Rust and C
     Unary,
-    /// A power.
+    /// `a^b`
     Power,
-    /// A name, a number, a call.
+    /// A name, a number, a call, or anything in brackets.
     Atom,
 }

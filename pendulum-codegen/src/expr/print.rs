@@ -1,16 +1,17 @@
-//! Expressions as text, as a person would write them: flat sums and products, numbers and parameters first.
+//! Expressions as formulas, as a person would write them: flat sums and products, numbers and parameters first.
 
 use std::collections::HashMap;
 
 use num_traits::{One, Signed};
 
-use super::{Binary, ExprId, Graph, Node, Precedence, Rational, Unary, ratio};
+use super::formula::Term;
+use super::{Binary, ExprId, Formula, Graph, Node, Rational, SymbolKind, Unary, ratio};
 
-/// Prints expressions; some may have been given names.
+/// Writes expressions; some may have been given names.
 #[derive(Debug)]
 pub struct Printer<'g> {
     graph: &'g Graph,
-    names: HashMap<ExprId, String>,
+    names: HashMap<ExprId, Formula>,
 }
 
 impl<'g> Printer<'g> {
@@ -22,85 +23,87 @@ impl<'g> Printer<'g> {
         }
     }
 
-    /// Prints `x` under a name from now on.
-    pub fn name(&mut self, x: ExprId, name: String) {
+    /// Writes `x` under a name from now on.
+    pub fn name(&mut self, x: ExprId, name: Formula) {
         self.names.insert(x, name);
+    }
+
+    /// Writes `x` in full again.
+    pub fn forget(&mut self, x: ExprId) {
+        self.names.remove(&x);
     }
 
     /// The text of `x`.
     pub fn print(&self, x: ExprId) -> String {
-        self.text(x).0
+        self.formula(x).to_string()
     }
 
-    /// The text of `x` that stands behind its own name.
-    pub fn definition(&self, x: ExprId) -> String {
-        self.unnamed(x).0
+    /// The formula of `x`: its name, if it has one.
+    pub fn formula(&self, x: ExprId) -> Formula {
+        self.names.get(&x).cloned().unwrap_or_else(|| self.definition(x))
     }
 
-    fn text(&self, x: ExprId) -> (String, Precedence) {
-        match self.names.get(&x) {
-            Some(name) => (name.clone(), Precedence::Atom),
-            None => self.unnamed(x),
-        }
-    }
-
-    fn unnamed(&self, x: ExprId) -> (String, Precedence) {
+    /// What the name of `x` stands for.
+    pub fn definition(&self, x: ExprId) -> Formula {
         match self.graph.node(x) {
-            Node::Number(n) => number(n),
-            Node::Pi => ("pi".to_owned(), Precedence::Atom),
-            Node::Symbol(s) => (self.graph.name_and_kind(*s).name.clone(), Precedence::Atom),
+            Node::Number(n) => Formula::Number(n.clone()),
+            Node::Pi => Formula::name("pi"),
+            Node::Symbol(s) => {
+                let symbol = self.graph.name_and_kind(*s);
+                let of_rate = symbol.name.strip_prefix("dot(").and_then(|name| name.strip_suffix(')'));
+                match (symbol.kind, of_rate) {
+                    (SymbolKind::Rate(_), Some(coordinate)) => Formula::rate(coordinate),
+                    _ => Formula::name(&symbol.name),
+                }
+            }
             Node::Binary(Binary::Add | Binary::Sub, ..) => self.sum(x),
             Node::Binary(Binary::Mul | Binary::Div, ..) | Node::Unary(Unary::Neg, _) => self.product(x),
             Node::Power(_, n) if !n.is_positive() || *n != ratio(1, 2) => self.product(x),
-            Node::Power(a, _) => (format!("sqrt({})", self.print(*a)), Precedence::Atom),
-            Node::Unary(op, a) => (format!("{}({})", op.spelling(), self.print(*a)), Precedence::Atom),
-            Node::Binary(op, a, b) => (
-                format!("{}({}, {})", op.spelling(), self.print(*a), self.print(*b)),
-                Precedence::Atom,
-            ),
+            Node::Power(a, _) => self.call("sqrt", &[*a]),
+            Node::Unary(op, a) => self.call(op.spelling(), &[*a]),
+            Node::Binary(op, a, b) => self.call(op.spelling(), &[*a, *b]),
         }
     }
 
-    fn sum(&self, x: ExprId) -> (String, Precedence) {
+    fn call(&self, function: &str, arguments: &[ExprId]) -> Formula {
+        let arguments = arguments.iter().map(|&argument| self.formula(argument));
+        Formula::Call(function.to_owned(), arguments.collect())
+    }
+
+    fn sum(&self, x: ExprId) -> Formula {
         let mut terms = Vec::new();
         self.gather_terms(x, true, false, &mut terms);
         // a leading minus is easily overlooked
-        terms.sort_by_key(|(negative, _)| *negative);
-        let mut text = String::new();
-        for (n, (negative, term)) in terms.into_iter().enumerate() {
-            text.push_str(match (n, negative) {
-                (0, false) => "",
-                (0, true) => "-",
-                (_, false) => " + ",
-                (_, true) => " - ",
-            });
-            text.push_str(&term);
-        }
-        (text, Precedence::Sum)
+        terms.sort_by_key(|term| term.negative);
+        Formula::Sum(terms)
     }
 
-    fn gather_terms(&self, x: ExprId, top: bool, negative: bool, terms: &mut Vec<(bool, String)>) {
-        if !top && self.names.contains_key(&x) {
-            terms.push((negative, self.print(x)));
-            return;
-        }
+    fn gather_terms(&self, x: ExprId, top: bool, negative: bool, terms: &mut Vec<Term>) {
+        let named = !top && self.names.contains_key(&x);
         match *self.graph.node(x) {
-            Node::Binary(op @ (Binary::Add | Binary::Sub), a, b) => {
+            Node::Binary(op @ (Binary::Add | Binary::Sub), a, b) if !named => {
                 self.gather_terms(a, false, negative, terms);
                 self.gather_terms(b, false, negative != (op == Binary::Sub), terms);
             }
-            Node::Unary(Unary::Neg, a) => self.gather_terms(a, false, !negative, terms),
+            Node::Unary(Unary::Neg, a) if !named => self.gather_terms(a, false, !negative, terms),
             _ => {
-                let (text, _) = self.text(x);
-                match text.strip_prefix('-') {
-                    Some(positive) => terms.push((!negative, positive.to_owned())),
-                    None => terms.push((negative, text)),
-                }
+                let term = match self.formula(x) {
+                    Formula::Neg(formula) => Term {
+                        negative: !negative,
+                        formula: *formula,
+                    },
+                    Formula::Number(n) if n.is_negative() => Term {
+                        negative: !negative,
+                        formula: Formula::Number(-n),
+                    },
+                    formula => Term { negative, formula },
+                };
+                terms.push(term);
             }
         }
     }
 
-    fn product(&self, x: ExprId) -> (String, Precedence) {
+    fn product(&self, x: ExprId) -> Formula {
         let mut factors = Vec::new();
         let negative = self.gather_factors(x, true, ratio(1, 1), &mut factors);
         // numbers, then parameters, then the state, each in the order of declaration
@@ -112,50 +115,20 @@ impl<'g> Printer<'g> {
                 _ => merged.push((id, power)),
             }
         }
-        let write = |list: Vec<(ExprId, Rational)>| {
-            let mut texts: Vec<(String, Precedence)> =
-                list.into_iter().map(|(id, power)| self.factor(id, &power)).collect();
-            match texts.len() {
-                0 => None,
-                1 => texts.pop(),
-                _ => {
-                    let tight = |(text, grip)| {
-                        if grip >= Precedence::Product {
-                            text
-                        } else {
-                            format!("({text})")
-                        }
-                    };
-                    Some((
-                        texts.into_iter().map(tight).collect::<Vec<_>>().join("*"),
-                        Precedence::Product,
-                    ))
-                }
-            }
-        };
         let (below, above): (Vec<_>, Vec<_>) = merged.into_iter().partition(|(_, power)| power.is_negative());
-        let below = write(below.into_iter().map(|(id, power)| (id, -power)).collect());
-        let (above, grip) = write(above).unwrap_or(("1".to_owned(), Precedence::Atom));
-        let (text, grip) = match below {
-            None => (above, grip),
-            Some((below, below_grip)) => {
-                let above = if grip >= Precedence::Product {
-                    above
-                } else {
-                    format!("({above})")
-                };
-                let below = if below_grip > Precedence::Product {
-                    below
-                } else {
-                    format!("({below})")
-                };
-                (format!("{above}/{below}"), Precedence::Product)
-            }
+        let write = |list: Vec<(ExprId, Rational)>| {
+            let factors = list.into_iter().map(|(id, power)| self.factor(id, power.abs()));
+            Formula::product(factors.collect())
         };
-        match (negative, grip) {
-            (false, _) => (text, grip),
-            (true, Precedence::Sum) => (format!("-({text})"), Precedence::Sum),
-            (true, _) => (format!("-{text}"), Precedence::Sum),
+        let above = write(above).unwrap_or(Formula::Number(Rational::one()));
+        let product = match write(below) {
+            None => above,
+            Some(below) => Formula::Quotient(Box::new(above), Box::new(below)),
+        };
+        if negative {
+            Formula::Neg(Box::new(product))
+        } else {
+            product
         }
     }
 
@@ -189,42 +162,13 @@ impl<'g> Printer<'g> {
         }
     }
 
-    fn factor(&self, x: ExprId, power: &Rational) -> (String, Precedence) {
+    fn factor(&self, x: ExprId, power: Rational) -> Formula {
         if power.is_one() {
-            return self.text(x);
+            return self.formula(x);
         }
-        if *power == ratio(1, 2) {
-            return (format!("sqrt({})", self.print(x)), Precedence::Atom);
+        if power == ratio(1, 2) {
+            return self.call("sqrt", &[x]);
         }
-        let (base, grip) = self.text(x);
-        let base = if grip == Precedence::Atom {
-            base
-        } else {
-            format!("({base})")
-        };
-        let (exponent, grip) = number(power);
-        let exponent = if grip == Precedence::Atom {
-            exponent
-        } else {
-            format!("({exponent})")
-        };
-        (format!("{base}^{exponent}"), Precedence::Power)
-    }
-}
-
-/// Decimal where that is exact and short, a fraction elsewhere.
-fn number(n: &Rational) -> (String, Precedence) {
-    let sign = |grip| if n.is_negative() { Precedence::Sum } else { grip };
-    if n.denom().is_one() {
-        return (n.to_string(), sign(Precedence::Atom));
-    }
-    let decimal = format!("{:?}", super::eval::nearest_f64(n));
-    let digits = decimal.split_once('.').map_or("", |(_, digits)| digits);
-    let scale = num_traits::Pow::pow(&ratio(10, 1), digits.len());
-    let exact = !decimal.contains('e') && (n * scale).is_integer() && decimal.len() <= 18;
-    if exact {
-        (decimal, sign(Precedence::Atom))
-    } else {
-        (n.to_string(), sign(Precedence::Product))
+        Formula::Power(Box::new(self.formula(x)), Box::new(Formula::Number(power)))
     }
 }

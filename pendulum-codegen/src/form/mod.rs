@@ -244,8 +244,8 @@ fn is_lopsided(g: &Graph, bodies: &[Body]) -> bool {
     masses.iter().any(|&mass| uneven(mass, masses[0]))
 }
 
-/// Columns of derivatives in closed form; none if they grow too large.
-fn expanded(
+/// Columns of expressions in closed form; none if they grow too large.
+pub(crate) fn expanded(
     g: &Graph,
     normalizer: &mut Normalizer,
     columns: &[Vec<ExprId>],

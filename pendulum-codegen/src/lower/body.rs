@@ -4,8 +4,10 @@ use std::collections::BTreeMap;
 
 use super::Lower;
 use super::mass::{Mass, Turns};
+use super::written::written;
 use crate::ast;
 use crate::error::Reported;
+use crate::expr::Printer;
 use crate::model::{Body, Coordinate, Heading, combine};
 use crate::screw::{SpatialInertia, mat_vec, transpose};
 
@@ -59,7 +61,9 @@ impl Lower {
         let position = combine(&self.graph, coordinates, &motion, |c| c.position);
         let rate = combine(&self.graph, coordinates, &motion, |c| c.rate);
         let forces = self.forces(body, position, rate);
-        let ((heading, motion), geometry, (force, potential)) = (heading?, geometry?, forces?);
+        let joint = [position, rate].map(|x| Printer::new(&self.graph).formula(x));
+        let torque = body.fields.torque.as_ref().map(|torque| written(torque, Some(&joint)));
+        let ((heading, motion), geometry, forces) = (heading?, geometry?, forces?);
         let inertia = match mass? {
             None => SpatialInertia::zero(&self.graph),
             Some(mass) => {
@@ -76,8 +80,10 @@ impl Lower {
             motion,
             heading,
             inertia,
-            force,
-            potential,
+            force: forces.total,
+            passive: forces.passive,
+            torque,
+            potential: forces.potential,
         })
     }
 

@@ -3,8 +3,9 @@
 use super::Lower;
 use super::expr::Place;
 use super::scope::Kind;
+use super::written::written;
 use crate::ast;
-use crate::expr::{Level, SymbolKind};
+use crate::expr::{Definition, Level, SymbolKind};
 use crate::model::{Coordinate, Input, Parameter};
 
 impl Lower {
@@ -59,11 +60,16 @@ impl Lower {
         inputs
     }
 
-    /// Declares names before their values are known, so that a use before the definition can be told from a misspelling.
-    pub(super) fn declare_lets(&mut self, lets: &[ast::Let]) {
+    /// Declares names, and returns what they stand for as it was written. Their values come later, so that a use before the definition can be told from a misspelling.
+    pub(super) fn declare_lets(&mut self, lets: &[ast::Let]) -> Vec<Definition> {
         for item in lets {
             self.names.declare(&mut self.errors, Kind::Let, &item.name, None);
         }
+        let definition = |item: &ast::Let| Definition {
+            name: item.name.to_string().replace("r#", ""),
+            formula: written(&item.value, None),
+        };
+        lets.iter().map(definition).collect()
     }
 
     /// Says what each name stands for, in the order of the text.

@@ -7,14 +7,20 @@ use crate::error::Reported;
 use crate::expr::{ExprId, Level, ratio};
 use crate::model::Requirement;
 
+/// What acts along a joint.
+#[derive(Debug)]
+pub(super) struct Forces {
+    /// Friction and spring.
+    pub(super) passive: ExprId,
+    /// Friction, spring and torque.
+    pub(super) total: ExprId,
+    /// Potential energy.
+    pub(super) potential: ExprId,
+}
+
 impl Lower {
-    /// The force of the joint along its coordinate, and its potential energy.
-    pub(super) fn forces(
-        &mut self,
-        body: &ast::Body,
-        position: ExprId,
-        rate: ExprId,
-    ) -> Result<(ExprId, ExprId), Reported> {
+    /// The force of the joint along its coordinate.
+    pub(super) fn forces(&mut self, body: &ast::Body, position: ExprId, rate: ExprId) -> Result<Forces, Reported> {
         let friction = self.friction(body, (position, rate));
         let spring = self.spring(body, position);
         let place = Place {
@@ -27,9 +33,13 @@ impl Lower {
             .torque
             .as_ref()
             .map_or(Ok(self.graph.zero()), |torque| self.expr(torque, &place));
-        let (spring, energy) = spring?;
+        let (spring, potential) = spring?;
         let passive = self.graph.add(friction?, spring);
-        Ok((self.graph.add(passive, torque?), energy))
+        Ok(Forces {
+            passive,
+            total: self.graph.add(passive, torque?),
+            potential,
+        })
     }
 
     fn friction(&mut self, body: &ast::Body, joint: (ExprId, ExprId)) -> Result<ExprId, Reported> {

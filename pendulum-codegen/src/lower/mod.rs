@@ -14,6 +14,7 @@ mod plate;
 mod scope;
 mod shape;
 mod solid;
+mod written;
 
 use std::collections::BTreeMap;
 
@@ -80,7 +81,7 @@ impl Lower {
         let items = &scene.items;
         let parameters = self.parameters(&items.params);
         let inputs = self.inputs(&items.inputs);
-        self.declare_lets(&items.lets);
+        let lets = self.declare_lets(&items.lets);
         let order = self.order(&items.bodies);
         let coordinates = self.coordinates(&items.bodies);
         self.lets(&items.lets);
@@ -97,6 +98,7 @@ impl Lower {
             coordinates,
             time: self.time,
             gravity,
+            lets,
             bodies,
             rules: self.rules,
             outputs,

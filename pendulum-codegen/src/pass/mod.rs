@@ -4,6 +4,7 @@ mod angles;
 pub(crate) mod constants;
 mod cost;
 pub(crate) mod factor;
+mod nest;
 mod share;
 pub(crate) mod trig;
 
@@ -11,4 +12,5 @@ pub use angles::collect;
 pub(crate) use angles::collect_squares_first;
 pub use cost::Operations;
 pub use factor::Preference;
+pub use nest::nest;
 pub use share::share;

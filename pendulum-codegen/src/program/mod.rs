@@ -2,6 +2,7 @@
 
 mod block;
 mod build;
+mod equations;
 pub(crate) mod layout;
 mod routine;
 mod schedule;
@@ -11,6 +12,7 @@ use std::collections::{BTreeSet, HashMap};
 
 pub use block::{Block, Coefficient, Let, Local, SinCos, Term, Variable};
 pub(crate) use build::NotFinite;
+pub use equations::{Equations, Listing, Row};
 pub use layout::{Slot, SlotKind, StateLayout};
 pub use routine::{Argument, Cost, Routine, Shape};
 pub(crate) use routine::{Length, ROUTINES, words};
@@ -47,8 +49,8 @@ pub struct Program {
     pub routines: Vec<Routine>,
     /// The power series of the motion, if the scene asks for it.
     pub series: Option<Series>,
-    /// The equations of motion as text.
-    pub equations: String,
+    /// The equations of motion.
+    pub equations: Equations,
 }
 
 /// A parameter or an input.
@@ -124,10 +126,7 @@ impl Program {
         let printer = Printer::new(g);
         let (rules, checked) = rules(model);
         let of_parameters = parameters(model);
-        let equations = match forms.closed() {
-            Some(closed) => crate::emit::equations(model, closed, true),
-            None => crate::emit::equations(model, dynamics, false),
-        };
+        let equations = equations::equations(model, dynamics, forms.closed());
         Ok(Self {
             parameters: model.parameters.iter().map(Quantity::of_parameter).collect(),
             inputs: model.inputs.iter().map(Quantity::of_input).collect(),

@@ -13,7 +13,7 @@ impl Items<'_> {
     /// Names, costs and equations.
     pub(super) fn facts(&self) -> TokenStream {
         let (name, program) = (&self.head.name, self.program);
-        let (dof, equations) = (count(program.layout.dof()), &program.equations);
+        let (dof, equations) = (count(program.layout.dof()), program.equations.to_string());
         let coordinates = program.layout.slots.iter().map(|slot| &slot.name);
         let routines = program.routines.iter().map(|routine| (routine.name, &routine.cost));
         let series = program.series.iter().map(|series| ("taylor", &series.cost));

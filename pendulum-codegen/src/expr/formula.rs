@@ -1,0 +1,129 @@
+//! Formulas as a person writes them: the tree that is printed as text and as LaTeX.
+//!
+//! A formula is a way of writing, not a value: `a + b` and `b + a` are two formulas. It comes from an expression of the graph
+//! by a [`Printer`](super::Printer), or from the text of a declaration as it stands there.
+
+use super::Rational;
+
+/// A written formula.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub enum Formula {
+    /// A number, exactly.
+    Number(Rational),
+    /// A name.
+    Name(String),
+    /// An entry of a matrix or a vector, such as `A[theta1, theta2]`: its name and the names of its indices.
+    Entry(&'static str, Vec<String>),
+    /// `function(arguments)`; `dot(name)` is a rate.
+    Call(String, Vec<Formula>),
+    /// `-a`
+    Neg(Box<Formula>),
+    /// `a + b - c`
+    Sum(Vec<Term>),
+    /// `a*b*c`
+    Product(Vec<Formula>),
+    /// `a/b`
+    Quotient(Box<Formula>, Box<Formula>),
+    /// `a^b`
+    Power(Box<Formula>, Box<Formula>),
+}
+
+/// A term of a sum.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Term {
+    /// Whether it is subtracted.
+    pub negative: bool,
+    /// What is added or subtracted.
+    pub formula: Formula,
+}
+
+/// `name = formula`
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Definition {
+    /// The name.
+    pub name: String,
+    /// What it stands for.
+    pub formula: Formula,
+}
+
+impl Formula {
+    /// A name. The mark of a raw identifier is no part of it.
+    pub fn name(name: &str) -> Self {
+        Self::Name(name.trim_start_matches("r#").to_owned())
+    }
+
+    /// The rate of a coordinate.
+    pub fn rate(coordinate: &str) -> Self {
+        Self::Call("dot".to_owned(), vec![Self::name(coordinate)])
+    }
+
+    /// The product of factors; there is at least one.
+    pub(super) fn product(mut factors: Vec<Formula>) -> Option<Self> {
+        if factors.len() > 1 {
+            return Some(Self::Product(factors));
+        }
+        factors.pop()
+    }
+
+    /// The terms of a sum, with the sign in front of a term drawn into it; anything else is one term.
+    pub fn into_terms(self, negative: bool) -> Vec<Term> {
+        use num_traits::Signed;
+        match self {
+            Self::Sum(mut terms) => {
+                terms.iter_mut().for_each(|term| term.negative ^= negative);
+                terms
+            }
+            Self::Neg(formula) if !matches!(*formula, Self::Sum(_)) => formula.into_terms(!negative),
+            Self::Neg(formula) => vec![Term {
+                negative: !negative,
+                formula: *formula,
+            }],
+            Self::Number(n) if n.is_negative() => vec![Term {
+                negative: !negative,
+                formula: Self::Number(-n),
+            }],
+            formula => vec![Term { negative, formula }],
+        }
+    }
+
+    /// The sum of terms.
+    pub fn sum(mut terms: Vec<Term>) -> Self {
+        match (terms.len(), terms.pop()) {
+            (_, None) => Self::Number(super::ratio(0, 1)),
+            (
+                1,
+                Some(Term {
+                    negative: false,
+                    formula,
+                }),
+            ) => formula,
+            (
+                1,
+                Some(Term {
+                    negative: true,
+                    formula,
+                }),
+            ) => Self::Neg(Box::new(formula)),
+            (_, Some(last)) => {
+                terms.push(last);
+                Self::Sum(terms)
+            }
+        }
+    }
+
+    /// The formulas that this one is made of.
+    pub fn parts(&self) -> Vec<&Formula> {
+        match self {
+            Self::Number(_) | Self::Name(_) | Self::Entry(..) => Vec::new(),
+            Self::Call(_, parts) | Self::Product(parts) => parts.iter().collect(),
+            Self::Neg(a) => vec![a],
+            Self::Sum(terms) => terms.iter().map(|term| &term.formula).collect(),
+            Self::Quotient(a, b) | Self::Power(a, b) => vec![a, b],
+        }
+    }
+
+    /// Whether a name stands anywhere in the formula.
+    pub fn mentions(&self, name: &str) -> bool {
+        matches!(self, Self::Name(own) if own == name) || self.parts().into_iter().any(|part| part.mentions(name))
+    }
+}

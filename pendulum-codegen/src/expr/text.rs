@@ -1,0 +1,101 @@
+//! Formulas as text that the language of declarations reads back.
+
+use std::fmt::{Display, Formatter, Result};
+
+use num_traits::{One, Signed};
+
+use super::{Formula, Precedence, Rational, ratio};
+
+impl Display for Formula {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        match self {
+            Self::Number(n) => f.write_str(&number(n)),
+            Self::Name(name) => f.write_str(name),
+            Self::Entry(name, indices) => write!(f, "{name}[{}]", indices.join(", ")),
+            Self::Call(function, arguments) => {
+                write!(f, "{function}(")?;
+                for (n, argument) in arguments.iter().enumerate() {
+                    write!(f, "{}{argument}", if n > 0 { ", " } else { "" })?;
+                }
+                f.write_str(")")
+            }
+            Self::Neg(a) => write!(f, "-{}", Within(a, Precedence::Product)),
+            Self::Sum(terms) => {
+                for (n, term) in terms.iter().enumerate() {
+                    f.write_str(match (n, term.negative) {
+                        (0, false) => "",
+                        (0, true) => "-",
+                        (_, false) => " + ",
+                        (_, true) => " - ",
+                    })?;
+                    write!(f, "{}", Within(&term.formula, Precedence::Product))?;
+                }
+                Ok(())
+            }
+            Self::Product(factors) => {
+                for (n, factor) in factors.iter().enumerate() {
+                    write!(
+                        f,
+                        "{}{}",
+                        if n > 0 { "*" } else { "" },
+                        Within(factor, Precedence::Product)
+                    )?;
+                }
+                Ok(())
+            }
+            Self::Quotient(above, below) => {
+                let (above, below) = (Within(above, Precedence::Product), Within(below, Precedence::Power));
+                write!(f, "{above}/{below}")
+            }
+            Self::Power(base, exponent) => {
+                let (base, exponent) = (Within(base, Precedence::Atom), Within(exponent, Precedence::Atom));
+                write!(f, "{base}^{exponent}")
+            }
+        }
+    }
+}
+
+impl Formula {
+    /// The outermost operation of the text.
+    pub fn precedence(&self) -> Precedence {
+        match self {
+            Self::Number(n) if n.is_negative() => Precedence::Sum,
+            Self::Number(n) if !n.denom().is_one() && decimal(n).is_none() => Precedence::Product,
+            Self::Number(_) | Self::Name(_) | Self::Entry(..) | Self::Call(..) => Precedence::Atom,
+            Self::Neg(_) | Self::Sum(_) => Precedence::Sum,
+            Self::Product(_) | Self::Quotient(..) => Precedence::Product,
+            Self::Power(..) => Precedence::Power,
+        }
+    }
+}
+
+/// A formula where the least precedence is given, in brackets if it has less.
+struct Within<'f>(&'f Formula, Precedence);
+
+impl Display for Within<'_> {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        let Self(formula, least) = self;
+        if formula.precedence() < *least {
+            write!(f, "({formula})")
+        } else {
+            write!(f, "{formula}")
+        }
+    }
+}
+
+/// Decimal where that is exact and short, a fraction elsewhere.
+pub(super) fn number(n: &Rational) -> String {
+    decimal(n).unwrap_or_else(|| n.to_string())
+}
+
+/// The number in decimal, where that is exact and short.
+fn decimal(n: &Rational) -> Option<String> {
+    if n.denom().is_one() {
+        return None;
+    }
+    let decimal = format!("{:?}", super::eval::nearest_f64(n));
+    let digits = decimal.split_once('.').map_or("", |(_, digits)| digits);
+    let scale = num_traits::Pow::pow(&ratio(10, 1), digits.len());
+    let exact = !decimal.contains('e') && (n * scale).is_integer() && decimal.len() <= 18;
+    exact.then_some(decimal)
+}

@@ -1,0 +1,118 @@
+//! The equations of motion, for people to read.
+
+mod compose;
+mod names;
+mod torques;
+
+use std::fmt::{Display, Formatter, Result};
+
+pub(crate) use compose::equations;
+
+use crate::expr::{Definition, Formula};
+
+/// The equations of motion of a scene: `A qdd + b = Q`.
+///
+/// `{}` prints them as short as they are found, with the names of the declaration; `{:#}` prints every `let` and every torque in full.
+/// Both are read back by the language of declarations, line by line.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Equations {
+    /// The names of the coordinates.
+    pub coordinates: Vec<String>,
+    /// The short form, in which names stand for what repeats.
+    pub short: Listing,
+    /// The same equations, in which torques are multiplied out.
+    pub full: Listing,
+}
+
+/// Entries of the equations, and what the names in them stand for.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Listing {
+    /// The entries that are not zero: the upper triangle of the mass matrix, the bias, the forces.
+    pub rows: Vec<Row>,
+    /// What the names stand for. A definition needs only names that are defined before it.
+    pub definitions: Vec<Definition>,
+}
+
+/// An entry of the mass matrix, the bias or the forces.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Row {
+    /// What it is an entry of.
+    pub quantity: Quantity,
+    /// The names of its coordinates: two for the mass matrix.
+    pub indices: Vec<String>,
+    /// Its value.
+    pub formula: Formula,
+}
+
+/// The parts of the equations.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Quantity {
+    /// The mass matrix.
+    MassMatrix,
+    /// Velocity terms and gravity.
+    Bias,
+    /// Forces of the joints.
+    Force,
+}
+
+impl Quantity {
+    /// The letter in print.
+    pub fn letter(self) -> &'static str {
+        match self {
+            Self::MassMatrix => "A",
+            Self::Bias => "b",
+            Self::Force => "Q",
+        }
+    }
+}
+
+impl Row {
+    /// The left side, such as `A[theta1, theta2]`.
+    pub fn entry(&self) -> Formula {
+        Formula::Entry(self.quantity.letter(), self.indices.clone())
+    }
+}
+
+impl Display for Listing {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        for row in &self.rows {
+            writeln!(f, "{} = {}", row.entry(), row.formula)?;
+        }
+        if !self.definitions.is_empty() {
+            f.write_str("\nwhere\n")?;
+        }
+        for Definition { name, formula } in &self.definitions {
+            writeln!(f, "{name} = {formula}")?;
+        }
+        Ok(())
+    }
+}
+
+impl Display for Equations {
+    fn fmt(&self, f: &mut Formatter<'_>) -> Result {
+        f.write_str(
+            "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\n",
+        )?;
+        let listing = if f.alternate() { &self.full } else { &self.short };
+        Display::fmt(listing, f)
+    }
+}
+
+impl Equations {
+    /// The short form in LaTeX, a displayed formula for each row: for documents that load `amsmath`.
+    pub fn latex(&self) -> String {
+        let mut text = String::from(
+            "\\[ A\\,\\ddot{q} + b = Q, \\]\nwhere $A$ is symmetric, $b$ holds velocity terms and gravity, and $Q$ the forces of the joints:\n",
+        );
+        for row in &self.short.rows {
+            text.push_str(&row.formula.latex_equation(&row.entry()));
+        }
+        if !self.short.definitions.is_empty() {
+            text.push_str("where\n");
+        }
+        for Definition { name, formula } in &self.short.definitions {
+            text.push_str(&formula.latex_equation(&Formula::name(name)));
+        }
+        text
+    }
+}
