@@ -4,13 +4,13 @@ use crate::ast::Scene;
 use crate::dynamics::Dynamics;
 use crate::error::Errors;
 use crate::expr::SymbolKind;
-use crate::model::Model;
+use crate::model::{CoordinateId, Model};
 
 /// Pivots below this part of the diagonal entry that they are left of are rounding.
 const SINGULAR: f64 = 1e-13;
 
 /// Refuses a scene whose mass matrix is singular in every state.
-pub fn check(scene: &Scene, model: &Model, dynamics: &Dynamics) -> Result<(), Errors> {
+pub fn check(scene: &Scene, model: &Model<'_>, dynamics: &Dynamics<'_>) -> Result<(), Errors> {
     let mut errors = Errors::default();
     if let Some(k) = without_inertia(model, dynamics) {
         let name = &model.coordinates[k].name;
@@ -24,7 +24,7 @@ pub fn check(scene: &Scene, model: &Model, dynamics: &Dynamics) -> Result<(), Er
             let massless = model
                 .bodies
                 .iter()
-                .any(|b| b.coordinate == Some(k) && model.graph.is_zero(b.inertia.mass));
+                .any(|b| b.coordinate == Some(k) && b.inertia.mass.is_zero());
             let help = if massless {
                 format!("give `{}` mass or make the joint `fixed`", body.name)
             } else {
@@ -40,7 +40,7 @@ pub fn check(scene: &Scene, model: &Model, dynamics: &Dynamics) -> Result<(), Er
 }
 
 /// A coordinate whose pivot vanishes in several states and for several parameters that have nothing special.
-fn without_inertia(model: &Model, dynamics: &Dynamics) -> Option<usize> {
+fn without_inertia(model: &Model<'_>, dynamics: &Dynamics<'_>) -> Option<CoordinateId> {
     let n = model.dof();
     let entries: Vec<_> = dynamics.mass_matrix.iter().flatten().copied().collect();
     let mut singular = None;
@@ -71,7 +71,7 @@ fn without_inertia(model: &Model, dynamics: &Dynamics) -> Option<usize> {
             }
             false
         });
-        singular = Some(found?);
+        singular = Some(CoordinateId::new(found?));
     }
     singular
 }

@@ -7,7 +7,7 @@ use proc_macro2::TokenStream;
 use crate::ast::Scene;
 use crate::dynamics::Dynamics;
 use crate::error::Errors;
-use crate::expr::{ExprId, Graph, Level, Node};
+use crate::expr::{Expr, Graph, Level, Node};
 use crate::form::{Chosen, Forms, Taylor};
 use crate::model::{Model, Output};
 use crate::{check, emit, lower, parse};
@@ -66,15 +66,15 @@ impl Function {
 
 /// All that is known of a scene when its code is written.
 #[derive(Debug)]
-pub struct Program {
+pub struct Program<'g> {
     /// The scene and its expressions.
-    pub model: Model,
+    pub model: Model<'g>,
     /// The code of each function.
-    pub functions: BTreeMap<Function, Chosen>,
+    pub functions: BTreeMap<Function, Chosen<'g>>,
     /// The code of the Taylor series, where it was asked for.
-    pub taylor: Option<Taylor>,
+    pub taylor: Option<Taylor<'g>>,
     /// What is computed once, when the model is built: everything that depends on parameters alone.
-    pub constants: Vec<ExprId>,
+    pub constants: Vec<Expr<'g>>,
     /// The equations of motion as text.
     pub equations: String,
 }
@@ -85,7 +85,8 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     let Some(scene) = scene else {
         return errors.to_compile_errors();
     };
-    match compile(&scene, errors) {
+    let graph = Graph::new();
+    match compile(&graph, &scene, errors) {
         Ok(program) => emit::items(&scene, &program),
         Err(errors) => {
             let mut tokens = errors.to_compile_errors();
@@ -95,35 +96,33 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     }
 }
 
-/// The program of a declaration, or all that is wrong with it.
-pub fn program(tokens: TokenStream) -> Result<Program, Errors> {
+/// The program of a declaration with its expressions in a graph, or all that is wrong with it.
+pub fn program(graph: &Graph, tokens: TokenStream) -> Result<Program<'_>, Errors> {
     let (scene, errors) = parse::parse(tokens);
     match scene {
-        Some(scene) => compile(&scene, errors),
+        Some(scene) => compile(graph, &scene, errors),
         None => Err(errors),
     }
 }
 
-/// The meaning of a declaration, or all that is wrong with it. Physical checks that need the dynamics are not made yet.
-pub fn model(tokens: TokenStream) -> Result<Model, Errors> {
+/// The meaning of a declaration with its expressions in a graph, or all that is wrong with it. Physical checks that need the dynamics
+/// are not made yet.
+pub fn model(graph: &Graph, tokens: TokenStream) -> Result<Model<'_>, Errors> {
     let (scene, errors) = parse::parse(tokens);
     match scene {
-        Some(scene) => lower::lower(&scene, errors),
+        Some(scene) => lower::lower(graph, &scene, errors),
         None => Err(errors),
     }
 }
 
-fn compile(scene: &Scene, errors: Errors) -> Result<Program, Errors> {
-    let mut model = lower::lower(scene, errors)?;
-    let dynamics = Dynamics::new(&mut model);
+fn compile<'g>(graph: &'g Graph, scene: &Scene, errors: Errors) -> Result<Program<'g>, Errors> {
+    let model = lower::lower(graph, scene, errors)?;
+    let dynamics = Dynamics::new(&model);
     check::check(scene, &model, &dynamics)?;
-    let mut forms = Forms::new(&mut model, &dynamics);
-    let functions = functions(&mut model, &mut forms);
-    let taylor = model
-        .outputs
-        .contains(&Output::Taylor)
-        .then(|| forms.taylor(&mut model));
-    let constants = constants(&model, &functions, taylor.as_ref());
+    let mut forms = Forms::new(&model, &dynamics);
+    let functions = functions(&model, &mut forms);
+    let taylor = model.outputs.contains(&Output::Taylor).then(|| forms.taylor(&model));
+    let constants = constants(graph, &functions, taylor.as_ref());
     let equations = match forms.closed() {
         Some(closed) => emit::equations(&model, closed, true),
         None => emit::equations(&model, &dynamics, false),
@@ -138,10 +137,10 @@ fn compile(scene: &Scene, errors: Errors) -> Result<Program, Errors> {
 }
 
 /// What a function reads off the dynamics.
-type Part<'a> = dyn Fn(&Graph, &Dynamics) -> Vec<ExprId> + 'a;
+type Part<'g, 'a> = dyn Fn(&Dynamics<'g>) -> Vec<Expr<'g>> + 'a;
 
-fn functions(model: &Model, forms: &mut Forms) -> BTreeMap<Function, Chosen> {
-    let wants = |model: &Model, output| model.outputs.contains(&output);
+fn functions<'g>(model: &Model<'g>, forms: &mut Forms<'g>) -> BTreeMap<Function, Chosen<'g>> {
+    let wants = |model: &Model<'g>, output| model.outputs.contains(&output);
     let controlled = !model.inputs.is_empty();
     // a Jacobian without its right-hand side, or an input without the derivative by it, is no use to anybody
     let jacobian = wants(model, Output::Jacobian) || (controlled && wants(model, Output::Rhs));
@@ -150,11 +149,11 @@ fn functions(model: &Model, forms: &mut Forms) -> BTreeMap<Function, Chosen> {
     let mut functions = BTreeMap::new();
     let mut is_autonomous = true;
     if rhs {
-        let accelerations = forms.accelerations(&model.graph);
-        is_autonomous = !model.graph.reachable(&accelerations.roots).contains(&model.time);
+        let accelerations = forms.accelerations();
+        is_autonomous = !model.graph.reachable(&accelerations.roots).contains(&model.time.id());
         functions.insert(Function::Rhs, accelerations);
     }
-    let inputs: Vec<ExprId> = model.inputs.iter().map(|input| input.symbol).collect();
+    let inputs: Vec<Expr<'g>> = model.inputs.iter().map(|input| input.symbol).collect();
     let parameters = model.parameters.iter().map(|parameter| parameter.symbol).collect();
     let derivatives = [
         (Function::Jacobian, jacobian, model.state()),
@@ -182,37 +181,41 @@ fn functions(model: &Model, forms: &mut Forms) -> BTreeMap<Function, Chosen> {
     // what inputs do is asked of inverse dynamics, not given
     let zero = model.graph.zero();
     let without_inputs: HashMap<_, _> = inputs.into_iter().map(|input| (input, zero)).collect();
-    let upper = |row: (usize, &Vec<ExprId>)| row.1[row.0..].to_vec();
-    let parts: [(Function, Output, &Part); 6] = [
-        (Function::Kinetic, Output::Energy, &|_, d| vec![d.kinetic]),
-        (Function::Potential, Output::Energy, &|_, d| vec![d.potential]),
-        (Function::MassMatrix, Output::MassMatrix, &|_, d| {
+    let upper = |row: (usize, &Vec<Expr<'g>>)| row.1[row.0..].to_vec();
+    let parts: [(Function, Output, &Part<'g, '_>); 6] = [
+        (Function::Kinetic, Output::Energy, &|d| vec![d.kinetic]),
+        (Function::Potential, Output::Energy, &|d| vec![d.potential]),
+        (Function::MassMatrix, Output::MassMatrix, &|d| {
             d.mass_matrix.iter().enumerate().flat_map(upper).collect()
         }),
-        (Function::Bias, Output::Bias, &|_, d| d.bias.clone()),
-        (Function::Momentum, Output::Momentum, &|_, d| d.momentum.clone()),
-        (Function::InverseDynamics, Output::InverseDynamics, &|g, d| {
-            g.substitute(&d.balance, without_inputs.clone())
+        (Function::Bias, Output::Bias, &|d| d.bias.clone()),
+        (Function::Momentum, Output::Momentum, &|d| d.momentum.clone()),
+        (Function::InverseDynamics, Output::InverseDynamics, &|d| {
+            model.graph.substitute(&d.balance, without_inputs.clone())
         }),
     ];
     for (function, output, part) in parts {
         if wants(model, output) {
-            functions.insert(function, forms.part(&model.graph, part));
+            functions.insert(function, forms.part(part));
         }
     }
     functions
 }
 
 /// The expressions of parameters that the functions read.
-fn constants(model: &Model, functions: &BTreeMap<Function, Chosen>, taylor: Option<&Taylor>) -> Vec<ExprId> {
-    let g = &model.graph;
+fn constants<'g>(
+    g: &'g Graph,
+    functions: &BTreeMap<Function, Chosen<'g>>,
+    taylor: Option<&Taylor<'g>>,
+) -> Vec<Expr<'g>> {
     let mut constants = BTreeSet::new();
     let of_series = taylor.into_iter().flat_map(|taylor| [&taylor.start, &taylor.order]);
     for roots in functions.values().map(|chosen| &chosen.roots).chain(of_series) {
-        let of_state = g.reachable(roots).into_iter().filter(|&id| g.level(id) == Level::State);
-        let read = of_state.flat_map(|id| g.operands(id)).chain(roots.iter().copied());
-        constants.extend(read.filter(|&id| g.level(id) == Level::Parameter));
+        let reachable = g.reachable(roots).into_iter().map(|id| g.expr(id));
+        let of_state = reachable.filter(|x| x.level() == Level::State);
+        let read = of_state.flat_map(Expr::operands).chain(roots.iter().copied());
+        constants.extend(read.filter(|x| x.level() == Level::Parameter));
     }
-    debug_assert!(constants.iter().all(|&id| !matches!(g.node(id), Node::Number(_))));
+    debug_assert!(constants.iter().all(|x| !matches!(x.node(), Node::Number(_))));
     constants.into_iter().collect()
 }

@@ -6,7 +6,7 @@ use proc_macro2::{Ident, Literal, Span, TokenStream, TokenTree};
 use quote::{format_ident, quote};
 
 use super::schedule::{Step, schedule};
-use crate::expr::{Binary, ExprId, Graph, Level, Node, Rational, Unary, ratio};
+use crate::expr::{Binary, Expr, ExprId, Graph, Level, Node, Rational, Unary, ratio};
 use crate::model::Model;
 
 /// Longer expressions are broken up by a `let`.
@@ -92,11 +92,12 @@ impl<'m> Body<'m> {
     /// Code that computes roots, in which the given expressions are known under names, and behind it the result that it is for.
     pub(super) fn code(
         graph: &'m Graph,
-        roots: &[ExprId],
+        roots: &[Expr<'_>],
         known: &HashMap<ExprId, Ident>,
         result: impl FnOnce(&[TokenStream]) -> TokenStream,
     ) -> TokenStream {
         // once to find the statements, and once to write them in the order in which they shall stand
+        let roots: &[ExprId] = &roots.iter().map(|root| root.id()).collect::<Vec<_>>();
         let mut draft = Self::new(graph, roots, known);
         draft.values(roots);
         let order: Vec<ExprId> = schedule(&draft.steps(roots))
@@ -422,16 +423,16 @@ pub(super) fn spelled(value: f64) -> TokenStream {
 }
 
 /// Names of the state, the time and the inputs in generated functions, and the statement that takes the state apart.
-pub(super) fn unpack(model: &Model, roots: &[ExprId]) -> (HashMap<ExprId, Ident>, TokenStream) {
+pub(super) fn unpack(model: &Model<'_>, roots: &[Expr<'_>]) -> (HashMap<ExprId, Ident>, TokenStream) {
     let used: HashSet<ExprId> = model.graph.reachable(roots).into_iter().collect();
     let mut known = HashMap::new();
     let mut pattern = Vec::new();
     for (prefix, part) in [("q", 0), ("qd", 1)] {
         for coordinate in &model.coordinates {
             let id = if part == 0 {
-                coordinate.position
+                coordinate.position.id()
             } else {
-                coordinate.rate
+                coordinate.rate.id()
             };
             let name = local(format!("{prefix}_{}", coordinate.name));
             pattern.push(if used.contains(&id) { quote!(#name) } else { quote!(_) });
@@ -439,23 +440,23 @@ pub(super) fn unpack(model: &Model, roots: &[ExprId]) -> (HashMap<ExprId, Ident>
         }
     }
     let mut statements = quote!(let [#(#pattern),*] = x.data.0[0];);
-    if model.coordinates.iter().any(|c| used.contains(&c.acceleration)) {
+    if model.coordinates.iter().any(|c| used.contains(&c.acceleration.id())) {
         let mut pattern = Vec::new();
         for coordinate in &model.coordinates {
             let name = local(format!("qdd_{}", coordinate.name));
-            known.insert(coordinate.acceleration, name.clone());
+            known.insert(coordinate.acceleration.id(), name.clone());
             pattern.push(name);
         }
         statements.extend(quote!(let [#(#pattern),*] = qdd.data.0[0];));
     }
-    known.insert(model.time, format_ident!("t"));
+    known.insert(model.time.id(), format_ident!("t"));
     for input in &model.inputs {
         let name = local(format!("u_{}", input.name));
-        if used.contains(&input.symbol) {
+        if used.contains(&input.symbol.id()) {
             let field = format_ident!("{}", input.name);
             statements.extend(quote!(let #name = u.#field;));
         }
-        known.insert(input.symbol, name);
+        known.insert(input.symbol.id(), name);
     }
     (known, statements)
 }

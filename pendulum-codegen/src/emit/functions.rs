@@ -8,7 +8,7 @@ use quote::{format_ident, quote};
 use super::body::{Body, local, spelled, unpack};
 use super::lanes::inlined_into_lanes;
 use super::{Items, allowed, number};
-use crate::expr::ExprId;
+use crate::expr::{Expr, ExprId};
 use crate::pipeline::Function;
 
 /// What the functions have in common.
@@ -18,7 +18,7 @@ struct Signature {
     matrix: TokenStream,
 }
 
-impl Items<'_> {
+impl<'p> Items<'p> {
     /// The implementations of the traits, and the methods beside them.
     pub(super) fn functions(&self) -> TokenStream {
         let motion = if self.program.model.inputs.is_empty() {
@@ -87,7 +87,7 @@ impl Items<'_> {
     }
 
     /// The rates, which come first in every right-hand side, and behind them other roots.
-    fn with_rates(&self, roots: &[ExprId]) -> Vec<ExprId> {
+    fn with_rates(&self, roots: &[Expr<'p>]) -> Vec<Expr<'p>> {
         let rates = self.program.model.coordinates.iter().map(|c| c.rate);
         rates.chain(roots.iter().copied()).collect()
     }
@@ -173,7 +173,7 @@ impl Items<'_> {
         // coordinates and momenta, then the rates of both
         let roots = &functions.get(&Function::Canonical)?.roots;
         let (momenta, rates) = roots.split_at(dof);
-        let roots: Vec<ExprId> = positions
+        let roots: Vec<Expr<'_>> = positions
             .chain(momenta.iter().copied())
             .chain(self.with_rates(rates))
             .collect();
@@ -280,23 +280,23 @@ impl Items<'_> {
     }
 
     /// A block that computes roots from the state `x`, the time `t`, the inputs `u` and the constants of the model.
-    pub(super) fn block(&self, roots: &[ExprId], result: impl FnOnce(&[TokenStream]) -> TokenStream) -> TokenStream {
+    pub(super) fn block(&self, roots: &[Expr<'_>], result: impl FnOnce(&[TokenStream]) -> TokenStream) -> TokenStream {
         let (mut known, mut head) = unpack(&self.program.model, roots);
         let (constants, read) = self.constants_read(roots);
         known.extend(constants);
         head.extend(read);
-        let code = Body::code(&self.program.model.graph, roots, &known, result);
+        let code = Body::code(self.program.model.graph, roots, &known, result);
         quote!({ #head #code })
     }
 
     /// The names of the constants of the model, and statements for those that some roots read.
-    pub(super) fn constants_read(&self, roots: &[ExprId]) -> (HashMap<ExprId, Ident>, TokenStream) {
+    pub(super) fn constants_read(&self, roots: &[Expr<'_>]) -> (HashMap<ExprId, Ident>, TokenStream) {
         let (mut known, mut head) = (HashMap::new(), TokenStream::new());
         let used = self.program.model.graph.reachable(roots);
         for (n, constant) in self.program.constants.iter().enumerate() {
             let (name, index) = (local(format!("k{n}")), number(n));
-            let read = used.binary_search(constant).is_ok();
-            known.insert(*constant, name.clone());
+            let read = used.binary_search(&constant.id()).is_ok();
+            known.insert(constant.id(), name.clone());
             if read {
                 head.extend(quote!(let #name = self.constants[#index];));
             }

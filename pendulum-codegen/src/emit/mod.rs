@@ -17,7 +17,7 @@ pub(crate) use equations::equations;
 pub(crate) use stub::stub;
 
 use crate::ast::Scene;
-use crate::expr::{ExprId, Printer};
+use crate::expr::{Expr, ExprId, Printer};
 use crate::form::Form;
 use crate::model::{ROUNDING, Requirement};
 use crate::pass::Operations;
@@ -25,7 +25,7 @@ use crate::pipeline::Program;
 use body::{Body, local};
 
 /// Everything that a declaration stands for.
-pub(crate) fn items(scene: &Scene, program: &Program) -> TokenStream {
+pub(crate) fn items(scene: &Scene, program: &Program<'_>) -> TokenStream {
     let items = Items { scene, program };
     let parts = [
         items.parameters(),
@@ -47,7 +47,7 @@ pub(crate) fn allowed() -> TokenStream {
 
 struct Items<'p> {
     scene: &'p Scene,
-    program: &'p Program,
+    program: &'p Program<'p>,
 }
 
 impl Items<'_> {
@@ -150,8 +150,8 @@ impl Items<'_> {
     }
 
     fn constants_text(&self) -> Vec<String> {
-        let printer = Printer::new(&self.program.model.graph);
-        self.program.constants.iter().map(|&id| printer.print(id)).collect()
+        let printer = Printer::new(self.program.model.graph);
+        self.program.constants.iter().map(|x| printer.print(x.id())).collect()
     }
 
     fn constructor(&self) -> TokenStream {
@@ -236,16 +236,16 @@ impl Items<'_> {
     }
 
     /// A block that computes expressions of the parameters `given`.
-    fn of_parameters(&self, roots: &[ExprId]) -> TokenStream {
+    fn of_parameters(&self, roots: &[Expr<'_>]) -> TokenStream {
         let model = &self.program.model;
         let names = model
             .parameters
             .iter()
-            .map(|p| (p.symbol, local(format!("p_{}", p.name))));
+            .map(|p| (p.symbol.id(), local(format!("p_{}", p.name))));
         let known: HashMap<ExprId, Ident> = names.collect();
-        let pattern = model.parameters.iter().map(|p| &known[&p.symbol]);
+        let pattern = model.parameters.iter().map(|p| &known[&p.symbol.id()]);
         let pattern = quote!(let [#(#pattern),*] = given;);
-        let code = Body::code(&model.graph, roots, &known, |values| quote!([#(#values),*]));
+        let code = Body::code(model.graph, roots, &known, |values| quote!([#(#values),*]));
         quote!({ #pattern #code })
     }
 

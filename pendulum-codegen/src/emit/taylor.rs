@@ -6,7 +6,7 @@ use quote::quote;
 use super::body::{Body, local};
 use super::lanes::inlined_into_lanes;
 use super::{Items, allowed, number};
-use crate::expr::ExprId;
+use crate::expr::Expr;
 use crate::form::Taylor;
 
 impl Items<'_> {
@@ -51,7 +51,7 @@ impl Items<'_> {
     }
 
     /// Order 0, which gives the state of order 1 and what the orders beyond have in common.
-    fn start(&self, taylor: &Taylor) -> TokenStream {
+    fn start(&self, taylor: &Taylor<'_>) -> TokenStream {
         let (dof, accelerations) = (self.dof(), self.accelerations());
         let names = self.kept(taylor);
         let block = self.block(&taylor.start, |values| quote!((#(#values,)*)));
@@ -66,8 +66,8 @@ impl Items<'_> {
     }
 
     /// The orders from 1 on, each of which gives the state of the next.
-    fn orders(&self, taylor: &Taylor) -> TokenStream {
-        let (graph, dof, symbols) = (&self.program.model.graph, self.dof(), &taylor.symbols);
+    fn orders(&self, taylor: &Taylor<'_>) -> TokenStream {
+        let (graph, dof, symbols) = (self.program.model.graph, self.dof(), &taylor.symbols);
         let state: Vec<_> = (0..2 * dof).map(|n| local(format!("x{n}"))).collect();
         let sums: Vec<_> = (0..taylor.slots).map(|n| local(format!("s{n}"))).collect();
         let (mut known, mut head) = self.constants_read(&taylor.order);
@@ -77,19 +77,19 @@ impl Items<'_> {
             (&symbols.kept, self.kept(taylor)),
         ];
         for (ids, names) in lists {
-            known.extend(ids.iter().copied().zip(names));
+            known.extend(ids.iter().map(|x| x.id()).zip(names));
         }
         let single = [
             (symbols.order, "order"),
             (symbols.over_order, "over_order"),
             (symbols.time, "time"),
         ];
-        let [order, over_order, time] = single.map(|(id, name)| {
+        let [order, over_order, time] = single.map(|(x, name)| {
             let name = local(name.to_owned());
-            known.insert(id, name.clone());
+            known.insert(x.id(), name.clone());
             name
         });
-        let reads = |id: ExprId| graph.reachable(&taylor.order).binary_search(&id).is_ok();
+        let reads = |x: Expr<'_>| graph.reachable(&taylor.order).binary_search(&x.id()).is_ok();
         let time = reads(symbols.time).then(|| quote!(let #time = T::from_f64(if k == 1 { 1.0 } else { 0.0 });));
         head.extend(quote!(let mut over_next = T::from_f64(1.0);));
         let code = Body::code(graph, &taylor.order, &known, |values| {
@@ -124,7 +124,7 @@ impl Items<'_> {
         (0..self.dof()).map(|n| local(format!("a{n}"))).collect()
     }
 
-    fn kept(&self, taylor: &Taylor) -> Vec<proc_macro2::Ident> {
+    fn kept(&self, taylor: &Taylor<'_>) -> Vec<proc_macro2::Ident> {
         (0..taylor.symbols.kept.len()).map(|n| local(format!("h{n}"))).collect()
     }
 }

@@ -4,17 +4,17 @@ use super::Lower;
 use super::expr::Place;
 use crate::ast;
 use crate::error::Reported;
-use crate::expr::{ExprId, Level, ratio};
+use crate::expr::{Expr, Level, ratio};
 use crate::model::Requirement;
 
-impl Lower {
+impl<'g> Lower<'g> {
     /// The force of the joint along its coordinate, and its potential energy.
     pub(super) fn forces(
         &mut self,
         body: &ast::Body,
-        position: ExprId,
-        rate: ExprId,
-    ) -> Result<(ExprId, ExprId), Reported> {
+        position: Expr<'g>,
+        rate: Expr<'g>,
+    ) -> Result<(Expr<'g>, Expr<'g>), Reported> {
         let friction = self.friction(body, (position, rate));
         let spring = self.spring(body, position);
         let place = Place {
@@ -27,11 +27,10 @@ impl Lower {
             .as_ref()
             .map_or(Ok(self.graph.zero()), |torque| self.expr(torque, &place));
         let (spring, energy) = spring?;
-        let passive = self.graph.add(friction?, spring);
-        Ok((self.graph.add(passive, torque?), energy))
+        Ok((friction? + spring + torque?, energy))
     }
 
-    fn friction(&mut self, body: &ast::Body, joint: (ExprId, ExprId)) -> Result<ExprId, Reported> {
+    fn friction(&mut self, body: &ast::Body, joint: (Expr<'g>, Expr<'g>)) -> Result<Expr<'g>, Reported> {
         let Some(friction) = &body.friction else {
             return Ok(self.graph.zero());
         };
@@ -41,21 +40,18 @@ impl Lower {
             ..Place::fixed(format!("the friction of `{}`", body.name))
         };
         let coefficient = self.positive(friction, &place, Requirement::NonNegative)?;
-        let product = self.graph.mul(coefficient, joint.1);
-        Ok(self.graph.neg(product))
+        Ok(-(coefficient * joint.1))
     }
 
-    fn spring(&mut self, body: &ast::Body, position: ExprId) -> Result<(ExprId, ExprId), Reported> {
+    fn spring(&mut self, body: &ast::Body, position: Expr<'g>) -> Result<(Expr<'g>, Expr<'g>), Reported> {
         let Some((stiffness, rest)) = &body.spring else {
             return Ok((self.graph.zero(), self.graph.zero()));
         };
         let stiffness = self.expr(stiffness, &Place::fixed(format!("the stiffness of `{}`", body.name)));
         let rest = self.expr(rest, &Place::fixed(format!("the rest position of `{}`", body.name)));
         let (stiffness, rest) = (stiffness?, rest?);
-        let g = &self.graph;
-        let stretch = g.sub(position, rest);
-        let pull = g.mul(stiffness, stretch);
-        let (square, half) = (g.mul(pull, stretch), g.number(ratio(1, 2)));
-        Ok((g.neg(pull), g.mul(half, square)))
+        let stretch = position - rest;
+        let pull = stiffness * stretch;
+        Ok((-pull, ratio(1, 2) * (pull * stretch)))
     }
 }

@@ -6,45 +6,42 @@ use super::Lower;
 use super::expr::Place;
 use crate::ast::{self, Argument, JointArgument};
 use crate::error::{Reported, suggestion};
-use crate::expr::{ExprId, Level, Printer};
+use crate::expr::{Expr, Level, Printer, ratio};
 use crate::model::{Requirement, Rule};
-use crate::screw::{Transform, Twist, Vec3, dot, identity, mat_mul, rotation, scale};
+use crate::screw::{Mat3, Transform, Twist, Vec3};
 
 /// The geometry of a joint.
 #[derive(Debug)]
-pub(super) struct Geometry {
-    pub(super) placement: Transform,
+pub(super) struct Geometry<'g> {
+    pub(super) placement: Transform<'g>,
     /// None for a fixed joint.
-    pub(super) screw: Option<Twist>,
+    pub(super) screw: Option<Twist<'g>>,
 }
 
-impl Lower {
+impl<'g> Lower<'g> {
     /// The geometry of a joint; a body without one is fixed where its parent is.
-    pub(super) fn geometry(&mut self, body: &Ident, joint: Option<&ast::Joint>) -> Result<Geometry, Reported> {
+    pub(super) fn geometry(&mut self, body: &Ident, joint: Option<&ast::Joint>) -> Result<Geometry<'g>, Reported> {
         let Some(joint) = joint else {
             return Ok(Geometry {
-                placement: Transform::identity(&self.graph),
+                placement: Transform::identity(self.graph),
                 screw: None,
             });
         };
         let place = |what: &str| Place::fixed(format!("the {what} of the joint of `{body}`"));
-        let zero = self.graph.zero();
+        let zero = Vec3::zero(self.graph);
         let at = joint
             .at
             .as_ref()
-            .map_or(Ok([zero; 3]), |v| self.vector(v, &place("place")));
+            .map_or(Ok(zero), |v| self.vector(v, &place("place")));
         let rpy = joint
             .rpy
             .as_ref()
-            .map_or(Ok([zero; 3]), |v| self.vector(v, &place("roll, pitch and yaw")));
+            .map_or(Ok(zero), |v| self.vector(v, &place("roll, pitch and yaw")));
         let screw = self.screw(body, joint);
-        let (at, [roll, pitch, yaw]) = (at?, rpy?);
-        let g = &self.graph;
-        let [x, y, z] = identity(g);
-        let (roll, pitch, yaw) = (rotation(g, x, roll), rotation(g, y, pitch), rotation(g, z, yaw));
-        let turned = mat_mul(g, pitch, roll);
+        let (at, Vec3(rpy)) = (at?, rpy?);
+        let [roll, pitch, yaw] = [0, 1, 2].map(|k| Mat3::rotation(Vec3::unit(self.graph, k), rpy[k]));
         let placement = Transform {
-            rotation: mat_mul(g, yaw, turned),
+            rotation: yaw * (pitch * roll),
             translation: at,
         };
         Ok(Geometry {
@@ -54,7 +51,7 @@ impl Lower {
     }
 
     /// The normalised screw axis in the joint frame; none for a fixed joint.
-    fn screw(&mut self, body: &Ident, joint: &ast::Joint) -> Result<Option<Twist>, Reported> {
+    fn screw(&mut self, body: &Ident, joint: &ast::Joint) -> Result<Option<Twist<'g>>, Reported> {
         const KINDS: [(&str, &str); 5] = [
             ("revolute", "revolute(z)"),
             ("prismatic", "prismatic(x)"),
@@ -70,8 +67,7 @@ impl Lower {
                 suggestion(&kind, KINDS.map(|(known, _)| known)),
             ));
         };
-        let zero = self.graph.zero();
-        let still = [zero; 3];
+        let still = Vec3::zero(self.graph);
         match (kind.as_str(), &joint.arguments[..]) {
             ("fixed", []) => Ok(None),
             ("revolute", [axis]) => {
@@ -85,30 +81,26 @@ impl Lower {
             ("helical", [axis, JointArgument::Other(Argument::Scalar(pitch))]) => {
                 let pitch = self.expr(pitch, &Place::fixed(format!("the pitch of the joint of `{body}`")));
                 let angular = self.axis(body, joint, axis)?;
-                let linear = scale(&self.graph, pitch?, angular);
+                let linear = pitch? * angular;
                 Ok(Some(Twist { angular, linear }))
             }
             ("screw", [JointArgument::Other(Argument::List(entries, tokens))]) if entries.len() == 6 => {
                 let place = Place::fixed(format!("the screw of the joint of `{body}`"));
                 let entries: Vec<_> = entries.iter().map(|e| self.expr(e, &place)).collect();
                 let entries: Vec<_> = entries.into_iter().collect::<Result<_, _>>()?;
-                let (angular, linear): (Vec3, Vec3) = (
-                    [entries[0], entries[1], entries[2]],
-                    [entries[3], entries[4], entries[5]],
-                );
-                let turns = angular != still;
-                let Some(length) = self.inverse_length(body, if turns { angular } else { linear }) else {
+                let screw = Twist {
+                    angular: Vec3([entries[0], entries[1], entries[2]]),
+                    linear: Vec3([entries[3], entries[4], entries[5]]),
+                };
+                let direction = if screw.turns() { screw.angular } else { screw.linear };
+                let Some(length) = self.inverse_length(body, direction) else {
                     return Err(self.errors.on(
                         tokens,
                         format_args!("the screw of the joint of `{body}` is zero"),
                         "give it a direction to turn about or to slide along",
                     ));
                 };
-                let g = &self.graph;
-                Ok(Some(Twist {
-                    angular: scale(g, length, angular),
-                    linear: scale(g, length, linear),
-                }))
+                Ok(Some(length * screw))
             }
             _ => Err(self.errors.at(
                 joint.kind.span(),
@@ -118,18 +110,17 @@ impl Lower {
         }
     }
 
-    fn axis(&mut self, body: &Ident, joint: &ast::Joint, axis: &JointArgument) -> Result<Vec3, Reported> {
+    fn axis(&mut self, body: &Ident, joint: &ast::Joint, axis: &JointArgument) -> Result<Vec3<'g>, Reported> {
         match axis {
             JointArgument::Axis(n, negative, _) => {
-                let mut unit = [self.graph.zero(); 3];
-                unit[*n] = self.graph.integer(if *negative { -1 } else { 1 });
-                Ok(unit)
+                let unit = Vec3::unit(self.graph, *n);
+                Ok(if *negative { -unit } else { unit })
             }
             JointArgument::Other(Argument::List(entries, tokens)) if entries.len() == 3 => {
                 let place = Place::fixed(format!("the axis of the joint of `{body}`"));
                 let entries: Vec<_> = entries.iter().map(|e| self.expr(e, &place)).collect();
                 let entries: Vec<_> = entries.into_iter().collect::<Result<_, _>>()?;
-                let vector = [entries[0], entries[1], entries[2]];
+                let vector = Vec3([entries[0], entries[1], entries[2]]);
                 let Some(length) = self.inverse_length(body, vector) else {
                     return Err(self.errors.on(
                         tokens,
@@ -137,7 +128,7 @@ impl Lower {
                         "give it a direction; any length will do",
                     ));
                 };
-                Ok(scale(&self.graph, length, vector))
+                Ok(length * vector)
             }
             JointArgument::Other(Argument::Scalar(e)) => Err(self.errors.on(
                 e,
@@ -153,15 +144,14 @@ impl Lower {
     }
 
     /// `1 / |v|`; none for the zero vector. A vector of parameters must not vanish either.
-    fn inverse_length(&mut self, body: &Ident, v: Vec3) -> Option<ExprId> {
-        let g = &self.graph;
-        let square = dot(g, v, v);
-        if g.constant(square).is_some_and(|square| square == 0.0) {
+    fn inverse_length(&mut self, body: &Ident, v: Vec3<'g>) -> Option<Expr<'g>> {
+        let square = v.dot(v);
+        if square.constant().is_some_and(|square| square == 0.0) {
             return None;
         }
-        let length = g.power(square, crate::expr::ratio(-1, 2));
-        if g.level(square) == Level::Parameter {
-            let name = Printer::new(g).print(square);
+        let length = square.power(ratio(-1, 2));
+        if square.level() == Level::Parameter {
+            let name = Printer::new(self.graph).print(square.id());
             let text = format!("the axis of the joint of `{body}` must not be zero");
             self.rule(Rule {
                 value: square,

@@ -19,29 +19,28 @@ use std::collections::BTreeMap;
 
 use crate::ast::{Items, Scene, Vector};
 use crate::error::{Errors, Reported};
-use crate::expr::{ExprId, Graph, SymbolKind};
-use crate::model::{Coordinate, Model, Rule};
+use crate::expr::{Expr, Graph, SymbolKind};
+use crate::model::{BodyId, Coordinate, Model, Rule};
 use crate::screw::Vec3;
 use expr::Place;
 use scope::Names;
 
 /// The state of lowering one scene.
 #[derive(Debug)]
-struct Lower {
-    graph: Graph,
-    names: Names,
+struct Lower<'g> {
+    graph: &'g Graph,
+    names: Names<'g>,
     errors: Errors,
     /// Names whose declaration had an error: their uses are not reported again.
     broken: BTreeMap<String, Reported>,
-    rules: Vec<Rule>,
-    time: ExprId,
+    rules: Vec<Rule<'g>>,
+    time: Expr<'g>,
     /// Bodies that have been lowered: their positions among the model's bodies.
-    placed: BTreeMap<String, Result<usize, Reported>>,
+    placed: BTreeMap<String, Result<BodyId, Reported>>,
 }
 
-/// The meaning of a scene. Errors are added to those of the reading.
-pub fn lower(scene: &Scene, errors: Errors) -> Result<Model, Errors> {
-    let graph = Graph::new();
+/// The meaning of a scene, with its expressions in a graph. Errors are added to those of the reading.
+pub fn lower<'g>(graph: &'g Graph, scene: &Scene, errors: Errors) -> Result<Model<'g>, Errors> {
     let time = graph.symbol("t", SymbolKind::Time);
     let lower = Lower {
         graph,
@@ -55,8 +54,8 @@ pub fn lower(scene: &Scene, errors: Errors) -> Result<Model, Errors> {
     lower.scene(scene)
 }
 
-impl Lower {
-    fn scene(mut self, scene: &Scene) -> Result<Model, Errors> {
+impl<'g> Lower<'g> {
+    fn scene(mut self, scene: &Scene) -> Result<Model<'g>, Errors> {
         let items = &scene.items;
         let parameters = self.parameters(&items.params);
         let inputs = self.inputs(&items.inputs);
@@ -83,13 +82,13 @@ impl Lower {
         })
     }
 
-    fn gravity(&mut self, gravity: Option<&Vector>) -> Vec3 {
+    fn gravity(&mut self, gravity: Option<&Vector>) -> Vec3<'g> {
         let given = gravity.and_then(|g| self.vector(g, &Place::fixed("gravity")).ok());
-        given.unwrap_or([self.graph.zero(); 3])
+        given.unwrap_or(Vec3::zero(self.graph))
     }
 
     /// Something must move. After another error it may be missing only because it could not be read.
-    fn require_motion(&mut self, scene: &Scene, coordinates: &[Coordinate]) {
+    fn require_motion(&mut self, scene: &Scene, coordinates: &[Coordinate<'g>]) {
         if !self.errors.is_empty() || !coordinates.is_empty() {
             return;
         }

@@ -6,13 +6,13 @@ use super::Lower;
 use super::expr::Place;
 use crate::ast::{Argument, Solid};
 use crate::error::{Reported, suggestion};
-use crate::expr::{ExprId, ratio};
+use crate::expr::{Expr, ratio};
 use crate::model::Requirement;
-use crate::screw::{SpatialInertia, Symmetric3, Vec3, add, dot, scale, sub};
+use crate::screw::{SpatialInertia, Symmetric3, Vec3};
 
-impl Lower {
+impl<'g> Lower<'g> {
     /// The sum of solids.
-    pub(super) fn solids(&mut self, owner: &Ident, solids: &[Solid]) -> Result<SpatialInertia, Reported> {
+    pub(super) fn solids(&mut self, owner: &Ident, solids: &[Solid]) -> Result<SpatialInertia<'g>, Reported> {
         if solids.is_empty() {
             let help =
                 "list one or more, such as `point(m, [0, -l, 0])`, or leave the field out for a body without mass";
@@ -22,15 +22,15 @@ impl Lower {
                 help,
             ));
         }
-        let mut total = Ok(SpatialInertia::zero(&self.graph));
+        let mut total = Ok(SpatialInertia::zero(self.graph));
         for solid in solids {
             let part = self.solid(owner, solid);
-            total = total.and_then(|total| Ok(total.plus(&self.graph, &part?)));
+            total = total.and_then(|total| Ok(total + part?));
         }
         total
     }
 
-    fn solid(&mut self, owner: &Ident, solid: &Solid) -> Result<SpatialInertia, Reported> {
+    fn solid(&mut self, owner: &Ident, solid: &Solid) -> Result<SpatialInertia<'g>, Reported> {
         const KINDS: [(&str, &str); 7] = [
             ("point", "point(mass, [x, y, z])"),
             ("rod", "rod(mass, [x, y, z], [x, y, z])"),
@@ -73,31 +73,28 @@ impl Lower {
         match (kind.as_str(), rest) {
             ("point", [at]) => {
                 let at = self.triple(at, &place);
-                let zero = Symmetric3::zero(&self.graph);
-                Ok(SpatialInertia::of_body(&self.graph, mass?, at?, zero))
+                Ok(SpatialInertia::of_body(mass?, at?, Symmetric3::zero(self.graph)))
             }
             ("rod", [from, to]) => {
                 let (from, to) = (self.triple(from, &place), self.triple(to, &place));
-                Ok(self.rod(mass?, from?, to?))
+                Ok(rod(mass?, from?, to?))
             }
             ("disk", [Argument::Scalar(r), at]) => {
                 let (r, at) = (radius(self, r), self.triple(at, &place));
-                let quarter = self.times_square(mass?, r?, 4);
-                let half = self.graph.add(quarter, quarter);
-                let moments = Symmetric3::diagonal(&self.graph, [quarter, quarter, half]);
-                Ok(SpatialInertia::of_body(&self.graph, mass?, at?, moments))
+                let quarter = times_square(mass?, r?, 4);
+                let moments = Symmetric3::diagonal([quarter, quarter, 2 * quarter]);
+                Ok(SpatialInertia::of_body(mass?, at?, moments))
             }
             ("sphere", [Argument::Scalar(r), at]) => {
                 let (r, at) = (radius(self, r), self.triple(at, &place));
-                let fifth = self.times_square(mass?, r?, 5);
-                let moment = self.graph.add(fifth, fifth);
-                let moments = Symmetric3::diagonal(&self.graph, [moment; 3]);
-                Ok(SpatialInertia::of_body(&self.graph, mass?, at?, moments))
+                let moment = 2 * times_square(mass?, r?, 5);
+                let moments = Symmetric3::diagonal([moment; 3]);
+                Ok(SpatialInertia::of_body(mass?, at?, moments))
             }
             ("cuboid", [size @ Argument::List(sides, _), at]) => {
                 let (size, at) = (self.triple(size, &place), self.triple(at, &place));
                 let (mass, size, at) = (mass?, size?, at?);
-                for (side, value) in sides.iter().zip(size) {
+                for (side, value) in sides.iter().zip(size.0) {
                     self.require(
                         side,
                         value,
@@ -105,19 +102,17 @@ impl Lower {
                         &format!("a side of a cuboid of `{owner}`"),
                     );
                 }
-                let [x, y, z] = size.map(|side| self.times_square(mass, side, 12));
-                let g = &self.graph;
-                let moments = [g.add(y, z), g.add(x, z), g.add(x, y)];
-                let moments = Symmetric3::diagonal(g, moments);
-                Ok(SpatialInertia::of_body(g, mass, at, moments))
+                let [x, y, z] = size.0.map(|side| times_square(mass, side, 12));
+                let moments = Symmetric3::diagonal([y + z, x + z, x + y]);
+                Ok(SpatialInertia::of_body(mass, at, moments))
             }
             ("cylinder", [Argument::Scalar(r), from, to]) => {
                 let (r, from, to) = (radius(self, r), self.triple(from, &place), self.triple(to, &place));
                 let (mass, r, from, to) = (mass?, r?, from?, to?);
-                let rod = self.rod(mass, from, to);
-                let axis = sub(&self.graph, to, from);
-                let length2 = dot(&self.graph, axis, axis);
-                if self.graph.is_zero(length2) {
+                let rod = rod(mass, from, to);
+                let axis = to - from;
+                let length2 = axis.dot(axis);
+                if length2.is_zero() {
                     return Err(self.errors.at(
                         solid.kind.span(),
                         format_args!("a cylinder of `{owner}` has no length"),
@@ -125,13 +120,13 @@ impl Lower {
                     ));
                 }
                 // a rod, and a disk about the rod's direction u: m r^2/4 (1 + u u^T)
-                let quarter = self.times_square(mass, r, 4);
-                let g = &self.graph;
-                let along = g.div(quarter, length2);
-                let round = Symmetric3::diagonal(g, [quarter; 3]);
-                let axial = Symmetric3::outer(g, along, axis);
-                let about_origin = rod.about_origin.plus(g, round).plus(g, axial);
-                Ok(SpatialInertia { about_origin, ..rod })
+                let quarter = times_square(mass, r, 4);
+                let disk = Symmetric3::diagonal([quarter; 3]);
+                let axial = Symmetric3::outer(quarter / length2, axis);
+                Ok(SpatialInertia {
+                    about_origin: rod.about_origin + disk + axial,
+                    ..rod
+                })
             }
             ("plate", [Argument::Points(points, tokens)]) => {
                 let corners: Vec<_> = points
@@ -152,33 +147,12 @@ impl Lower {
         }
     }
 
-    /// `mass * length^2 / divisor`
-    fn times_square(&mut self, mass: ExprId, length: ExprId, divisor: i64) -> ExprId {
-        let g = &self.graph;
-        let square = g.powi(length, 2);
-        let product = g.mul(mass, square);
-        let factor = g.number(ratio(1, divisor));
-        g.mul(factor, product)
-    }
-
-    fn rod(&mut self, mass: ExprId, from: Vec3, to: Vec3) -> SpatialInertia {
-        let g = &self.graph;
-        let both = add(g, from, to);
-        let half = g.number(ratio(1, 2));
-        let middle = scale(g, half, both);
-        let twelfth = g.number(ratio(1, 12));
-        let twelfth = g.mul(twelfth, mass);
-        let length = sub(g, to, from);
-        let moments = Symmetric3::of_point(g, twelfth, length);
-        SpatialInertia::of_body(g, mass, middle, moments)
-    }
-
-    fn triple(&mut self, argument: &Argument, place: &Place) -> Result<Vec3, Reported> {
+    fn triple(&mut self, argument: &Argument, place: &Place<'g>) -> Result<Vec3<'g>, Reported> {
         if let Argument::List(entries, _) = argument
             && let [x, y, z] = &entries[..]
         {
             let [x, y, z] = [x, y, z].map(|e| self.expr(e, place));
-            return Ok([x?, y?, z?]);
+            return Ok(Vec3([x?, y?, z?]));
         }
         Err(self.errors.on(
             argument,
@@ -186,4 +160,15 @@ impl Lower {
             "write its three coordinates `[x, y, z]`",
         ))
     }
+}
+
+/// `mass * length^2 / divisor`
+fn times_square<'g>(mass: Expr<'g>, length: Expr<'g>, divisor: i64) -> Expr<'g> {
+    ratio(1, divisor) * (mass * length.powi(2))
+}
+
+fn rod<'g>(mass: Expr<'g>, from: Vec3<'g>, to: Vec3<'g>) -> SpatialInertia<'g> {
+    let middle = ratio(1, 2) * (from + to);
+    let moments = Symmetric3::of_point(ratio(1, 12) * mass, to - from);
+    SpatialInertia::of_body(mass, middle, moments)
 }
