@@ -57,7 +57,9 @@ pub(super) fn accelerations<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
         joints.push(joint);
         let Some(parent) = link.parent else { continue };
         let carried = inertias[k].without(link, &joint);
-        let wrench = wrenches[k] + carried * drifts[k] + joint.force * (joint.mobility * joint.momentum);
+        let pushed = carried * drifts[k];
+        let left = joint.force * (joint.mobility * joint.momentum);
+        let wrench = wrenches[k] + pushed + left;
         wrenches[parent] = wrenches[parent] + frame.wrench_to_parent(&wrench);
         inertias[parent] = inertias[parent] + carried.to_parent(frame);
     }
@@ -148,7 +150,11 @@ impl<'g> Articulated<'g> {
         let (no_turn, no_slide) = (link.turns() && link.pitch().is_zero(), !link.turns());
         let less = |entry: Expr<'g>, a: Expr<'g>, b: Expr<'g>, vanishes: bool| {
             let product = a * b;
-            if vanishes { entry.graph().zero() } else { entry - product }
+            if vanishes {
+                entry.graph().zero()
+            } else {
+                entry - product
+            }
         };
         let (rotation, coupling, translation) = (self.rotation.full(), self.coupling, self.translation.full());
         Self {
@@ -194,9 +200,11 @@ impl Add for Articulated<'_> {
 impl<'g> Mul<Twist<'g>> for Articulated<'g> {
     type Output = Wrench<'g>;
     fn mul(self, Twist { angular, linear }: Twist<'g>) -> Wrench<'g> {
+        let (turned, coupled) = (self.rotation * angular, self.coupling * linear);
+        let (swept, moved) = (self.coupling.transpose() * angular, self.translation * linear);
         Wrench {
-            moment: self.rotation * angular + self.coupling * linear,
-            force: self.coupling.transpose() * angular + self.translation * linear,
+            moment: turned + coupled,
+            force: swept + moved,
         }
     }
 }

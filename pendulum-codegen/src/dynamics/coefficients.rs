@@ -54,10 +54,7 @@ impl<'g> Coefficients<'g> {
             force: n.mass * gravity,
         };
         self.c.insert(x, -weight.power(&s[own]));
-        let brackets: Vec<Vec<Twist<'g>>> = s
-            .iter()
-            .map(|si| s.iter().map(|sk| si.bracket(sk)).collect())
-            .collect();
+        let brackets: Vec<Vec<Twist<'g>>> = s.iter().map(|si| s.iter().map(|sk| si.bracket(sk)).collect()).collect();
         for i in 0..=own {
             for j in 0..=own {
                 for k in j..=own {
@@ -65,9 +62,10 @@ impl<'g> Coefficients<'g> {
                         continue;
                     }
                     // 1/2 (s_j N [s_i, s_k] + s_k N [s_i, s_j] - s_i N [s_k, s_j])
-                    let twice = momenta[j].power(&brackets[i][k]) + momenta[k].power(&brackets[i][j])
-                        - momenta[i].power(&brackets[k][j]);
-                    self.b.insert((path[i].0, path[j].0, path[k].0), ratio(1, 2) * twice);
+                    let [first, second, third] =
+                        [(j, i, k), (k, i, j), (i, k, j)].map(|(n, a, b)| momenta[n].power(&brackets[a][b]));
+                    let entry = ratio(1, 2) * (first + second - third);
+                    self.b.insert((path[i].0, path[j].0, path[k].0), entry);
                 }
             }
         }

@@ -45,9 +45,7 @@ struct Inside<'g> {
 pub(super) fn frames<'g>(model: &Model<'g>, links: &[Link<'g>]) -> Vec<Frame<'g>> {
     let g = model.graph;
     let follows: Vec<bool> = links.iter().map(|link| continues(links, link)).collect();
-    let shared = |n: JointId| {
-        follows[n] || JointId::all(links.len()).any(|m| links[m].parent == Some(n) && follows[m])
-    };
+    let shared = |n: JointId| follows[n] || JointId::all(links.len()).any(|m| links[m].parent == Some(n) && follows[m]);
     // the angle of each body in its station, and its constant rotation there
     let mut angles: Vec<(Combination, Mat3<'g>)> = Vec::new();
     let mut frames: Vec<Frame<'g>> = Vec::new();

@@ -98,7 +98,11 @@ impl<'g> Kinematics<'g> {
 
     /// Potential energy of all bodies in gravity, zero where all mass is at the origin of ground.
     pub fn potential(&self) -> Expr<'g> {
-        let roots = self.composites.iter().zip(&self.parents).filter(|(_, parent)| parent.is_none());
+        let roots = self
+            .composites
+            .iter()
+            .zip(&self.parents)
+            .filter(|(_, parent)| parent.is_none());
         let moment = roots.fold(Vec3::zero(self.graph), |sum, (composite, _)| sum + composite.moment);
         -self.gravity.dot(moment)
     }

@@ -77,7 +77,10 @@ impl<'g> Dynamics<'g> {
         let joint = |body: BodyId| JointId::new(body.index());
         let along = AlongJoints {
             motions: bodies.iter().map(|body| body.motion.clone()).collect(),
-            mass_matrix: a.into_iter().map(|((i, j), entry)| (joint(i), joint(j), entry)).collect(),
+            mass_matrix: a
+                .into_iter()
+                .map(|((i, j), entry)| (joint(i), joint(j), entry))
+                .collect(),
             bias,
             inertial: None,
         };
@@ -134,7 +137,9 @@ pub(crate) fn balance<'g>(
 ) -> Vec<Expr<'g>> {
     let row = |(row, &residual): (&Vec<Expr<'g>>, &Expr<'g>)| {
         let terms = row.iter().zip(coordinates);
-        terms.fold(residual, |sum, (&entry, coordinate)| sum + entry * coordinate.acceleration)
+        terms.fold(residual, |sum, (&entry, coordinate)| {
+            sum + entry * coordinate.acceleration
+        })
     };
     mass_matrix.iter().zip(residual).map(row).collect()
 }

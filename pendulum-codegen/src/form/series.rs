@@ -131,7 +131,11 @@ impl<'g, 's> Recurrences<'g, 's> {
         if let Some(&known) = self.coefficients.get(&x) {
             return known;
         }
-        let coefficient = if self.is_still(x) { self.graph.zero() } else { self.rule(x) };
+        let coefficient = if self.is_still(x) {
+            self.graph.zero()
+        } else {
+            self.rule(x)
+        };
         self.coefficients.insert(x, coefficient);
         coefficient
     }
@@ -155,7 +159,9 @@ impl<'g, 's> Recurrences<'g, 's> {
         match z.node() {
             Node::Number(_) | Node::Pi | Node::Symbol(_) => self.graph.zero(),
             Node::Unary(op, u) => self.unary(op, z, u),
-            Node::Binary(op @ (Binary::Add | Binary::Sub), a, b) => self.coefficient(a).combine(op, self.coefficient(b)),
+            Node::Binary(op @ (Binary::Add | Binary::Sub), a, b) => {
+                self.coefficient(a).combine(op, self.coefficient(b))
+            }
             Node::Binary(Binary::Mul, a, b) => self.product(a, b),
             Node::Binary(Binary::Div, a, b) => self.quotient(z, a, b),
             Node::Binary(Binary::Atan2, y, x) => self.angle(z, y, x),

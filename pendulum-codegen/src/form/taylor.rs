@@ -94,11 +94,7 @@ fn slots<'g>(model: &Model<'g>, symbols: &mut Symbols<'g>, dynamics: &Dynamics<'
 }
 
 /// The coefficients of order `k` of `A qdd + bias - force`, but for `A_0 qdd_k`.
-fn balance<'g>(
-    model: &Model<'g>,
-    recurrences: &mut Recurrences<'g, '_>,
-    dynamics: &Dynamics<'g>,
-) -> Vec<Expr<'g>> {
+fn balance<'g>(model: &Model<'g>, recurrences: &mut Recurrences<'g, '_>, dynamics: &Dynamics<'g>) -> Vec<Expr<'g>> {
     // what is not known yet is left out of every product
     for coordinate in &model.coordinates {
         recurrences.set(coordinate.acceleration, model.graph.zero());

@@ -158,7 +158,13 @@ impl<'g> Lower<'g> {
         Err(self.errors.at(name.span(), fact, help))
     }
 
-    fn call(&mut self, expr: &ast::Expr, name: &Ident, arguments: &[ast::Expr], place: &Place<'g>) -> Result<Expr<'g>, Reported> {
+    fn call(
+        &mut self,
+        expr: &ast::Expr,
+        name: &Ident,
+        arguments: &[ast::Expr],
+        place: &Place<'g>,
+    ) -> Result<Expr<'g>, Reported> {
         let text = name.to_string();
         if text == "dot" {
             return self.dot(expr, arguments);

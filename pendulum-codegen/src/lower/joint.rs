@@ -29,10 +29,7 @@ impl<'g> Lower<'g> {
         };
         let place = |what: &str| Place::fixed(format!("the {what} of the joint of `{body}`"));
         let zero = Vec3::zero(self.graph);
-        let at = joint
-            .at
-            .as_ref()
-            .map_or(Ok(zero), |v| self.vector(v, &place("place")));
+        let at = joint.at.as_ref().map_or(Ok(zero), |v| self.vector(v, &place("place")));
         let rpy = joint
             .rpy
             .as_ref()

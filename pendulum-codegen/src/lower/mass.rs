@@ -102,7 +102,12 @@ impl<'g> Lower<'g> {
     }
 
     /// Mass, centre of mass and inertia as they are given.
-    fn direct(&mut self, owner: &Ident, properties: &Properties, unread: Option<Reported>) -> Result<Mass<'g>, Reported> {
+    fn direct(
+        &mut self,
+        owner: &Ident,
+        properties: &Properties,
+        unread: Option<Reported>,
+    ) -> Result<Mass<'g>, Reported> {
         let Properties { mass, com, inertia, .. } = properties;
         let of = |what: &str| Place::fixed(format!("the {what} of `{owner}`"));
         let zero = self.graph.zero();
@@ -152,11 +157,7 @@ impl<'g> Lower<'g> {
             }
             Moments::All(moments) => {
                 rigid.about_origin = rigid.about_origin + moments;
-                let about_com = if inertia.about_joint {
-                    moments - shift
-                } else {
-                    moments
-                };
+                let about_com = if inertia.about_joint { moments - shift } else { moments };
                 self.physical(owner, inertia, about_com);
                 Ok(Mass {
                     rigid,

@@ -17,7 +17,12 @@ const TRIANGLES: [[&str; 3]; 3] = [["iyy", "izz", "ixx"], ["ixx", "izz", "iyy"],
 
 impl<'g> Lower<'g> {
     /// An expression that must be positive, or at least not negative.
-    pub(super) fn positive(&mut self, e: &ast::Expr, place: &Place<'g>, requirement: Requirement<'g>) -> Result<Expr<'g>, Reported> {
+    pub(super) fn positive(
+        &mut self,
+        e: &ast::Expr,
+        place: &Place<'g>,
+        requirement: Requirement<'g>,
+    ) -> Result<Expr<'g>, Reported> {
         let value = self.expr(e, place)?;
         self.require(e, value, requirement, &place.what);
         Ok(value)

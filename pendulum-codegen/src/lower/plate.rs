@@ -23,10 +23,7 @@ impl<'g> Lower<'g> {
                 "a plate needs three corners or more",
             ));
         }
-        let constants: Option<Vec<_>> = corners
-            .iter()
-            .map(|&(x, y)| x.constant().zip(y.constant()))
-            .collect();
+        let constants: Option<Vec<_>> = corners.iter().map(|&(x, y)| x.constant().zip(y.constant())).collect();
         if let Some(corners) = &constants
             && !is_simple(corners)
         {

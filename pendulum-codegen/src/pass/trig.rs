@@ -18,7 +18,8 @@ pub(crate) fn lower<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
             needed.insert(g.expr(angle));
         }
     }
-    let mut angles: Vec<(Angle<'g>, Expr<'g>)> = needed.into_iter().filter_map(|x| Some((combination(x)?, x))).collect();
+    let mut angles: Vec<(Angle<'g>, Expr<'g>)> =
+        needed.into_iter().filter_map(|x| Some((combination(x)?, x))).collect();
     angles.sort_by_key(|(angle, x)| (angle.values().map(|n| n.abs()).sum::<i64>(), *x));
     let mut available: Vec<Available<'g>> = Vec::new();
     let mut replaced = HashMap::new();

@@ -55,9 +55,11 @@ impl Add for SpatialInertia<'_> {
 impl<'g> Mul<Twist<'g>> for SpatialInertia<'g> {
     type Output = Wrench<'g>;
     fn mul(self, Twist { angular: w, linear: v }: Twist<'g>) -> Wrench<'g> {
+        let (spin, shift) = (self.about_origin * w, self.moment.cross(v));
+        let (slide, sweep) = (self.mass * v, self.moment.cross(w));
         Wrench {
-            moment: self.about_origin * w + self.moment.cross(v),
-            force: self.mass * v - self.moment.cross(w),
+            moment: spin + shift,
+            force: slide - sweep,
         }
     }
 }

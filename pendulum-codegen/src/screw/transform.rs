@@ -71,9 +71,9 @@ impl<'g> Transform<'g> {
             if i == j { twice - outer } else { -outer }
         });
         SpatialInertia {
-            mass: inertia.mass,
-            moment: h + offset,
             about_origin: turned + own + mixed,
+            moment: h + offset,
+            mass: inertia.mass,
         }
     }
 }

@@ -127,10 +127,7 @@ impl<'g> Rebuilding<'g, '_> {
             (constant, negative) = (positive, !negative);
         }
         let first = (!constant.is_one()).then_some(constant);
-        let product = first
-            .into_iter()
-            .chain(state)
-            .reduce(|a, b| a.exactly(Binary::Mul, b));
+        let product = first.into_iter().chain(state).reduce(|a, b| a.exactly(Binary::Mul, b));
         (product.unwrap_or(self.graph.one()), negative)
     }
 
