@@ -12,7 +12,7 @@ impl Graph {
 
     /// An integer.
     pub fn integer(&self, value: i64) -> Expr<'_> {
-        self.number(ratio(value, 1))
+        self.number(Rational::from_integer(value.into()))
     }
 
     /// The number 0.

@@ -2,6 +2,7 @@
 
 use std::cell::RefCell;
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 
 use elsa::FrozenVec;
 use num_traits::{One, Zero};
@@ -208,10 +209,19 @@ impl Graph {
     }
 
     pub(super) fn intern(&self, node: Node) -> Expr<'_> {
-        if let Some(&id) = self.ids.borrow().get(&node) {
-            return self.expr(id);
-        }
-        let level = match &node {
+        let mut ids = self.ids.borrow_mut();
+        let free = match ids.entry(node) {
+            Entry::Occupied(known) => return self.expr(*known.get()),
+            Entry::Vacant(free) => free,
+        };
+        let (node, id) = (free.key().clone(), ExprId(self.nodes.len() as u32));
+        let level = self.level_of(&node);
+        self.nodes.push(Box::new(Stored { node, level }));
+        self.expr(*free.insert(id))
+    }
+
+    fn level_of(&self, node: &Node) -> Level {
+        match node {
             Node::Number(_) | Node::Pi => Level::Constant,
             Node::Symbol(s) => match self.symbols[s.index()].kind {
                 SymbolKind::Parameter(_) => Level::Parameter,
@@ -219,11 +229,7 @@ impl Graph {
             },
             Node::Unary(_, a) | Node::Power(a, _) => self.level(*a),
             Node::Binary(_, a, b) => self.level(*a).max(self.level(*b)),
-        };
-        let id = ExprId(self.nodes.len() as u32);
-        self.ids.borrow_mut().insert(node.clone(), id);
-        self.nodes.push(Box::new(Stored { node, level }));
-        self.expr(id)
+        }
     }
 
     /// The roots with some expressions replaced by others, simplified on the way up.
