@@ -8,17 +8,27 @@ use crate::error::Reported;
 use crate::expr::Rational;
 use crate::units::Unit;
 
+/// A part of the text, or why it cannot be read. The error is reported when lowering comes to it, in line with others of the body.
+pub type Read<T> = syn::Result<T>;
+
 /// A whole declaration.
 #[derive(Debug)]
 pub struct Scene {
+    /// What stands before the braces.
+    pub head: Head,
+    /// Everything between the braces.
+    pub items: Items,
+}
+
+/// What a declaration says of the generated items as a whole.
+#[derive(Debug)]
+pub struct Head {
     /// Documentation of the model.
     pub docs: Vec<String>,
     /// Visibility of the generated items.
     pub vis: TokenStream,
     /// Name of the model.
     pub name: Ident,
-    /// Everything between the braces.
-    pub items: Items,
 }
 
 /// The items of a scene, by kind, each in the order of the text.
@@ -96,7 +106,7 @@ pub struct Properties {
     /// Rotational inertia.
     pub inertia: Option<Inertia>,
     /// Solids that add up.
-    pub solids: Option<Vec<Solid>>,
+    pub solids: Option<Vec<Read<Solid>>>,
 }
 
 /// `inertia: e`, `[xx, yy, zz]` or `[xx, yy, zz, xy, xz, yz]`, perhaps `about joint`
@@ -110,24 +120,69 @@ pub struct Inertia {
     pub tokens: TokenStream,
 }
 
-/// `kind(arguments)`
+/// `kind(mass, arguments)`
 #[derive(Debug)]
 pub struct Solid {
     /// `point`, `rod`, `disk`, ...
-    pub kind: Ident,
-    /// What stands in the parentheses.
-    pub arguments: Vec<Argument>,
+    pub word: Ident,
+    /// Mass.
+    pub mass: Expr,
+    /// The rest.
+    pub kind: Read<SolidKind>,
 }
 
-/// An argument of a solid or of a joint.
+/// A solid of uniform density.
 #[derive(Debug)]
-pub enum Argument {
-    /// A number.
-    Scalar(Expr),
-    /// A list of numbers.
-    List(Vec<Expr>, TokenStream),
-    /// A list of lists.
-    Points(Vec<Vec<Expr>>, TokenStream),
+pub enum SolidKind {
+    /// A point mass.
+    Point {
+        /// Where it sits.
+        at: Read<Vector>,
+    },
+    /// A thin rod.
+    Rod {
+        /// One end.
+        from: Read<Vector>,
+        /// The other end.
+        to: Read<Vector>,
+    },
+    /// A thin disk about the z direction.
+    Disk {
+        /// Radius.
+        radius: Expr,
+        /// Its centre.
+        at: Read<Vector>,
+    },
+    /// A thin plate in the xy plane.
+    Plate {
+        /// Its corners, in order.
+        corners: Vec<Read<[Expr; 2]>>,
+        /// Their text.
+        tokens: TokenStream,
+    },
+    /// A cuboid along the axes.
+    Cuboid {
+        /// Its lengths.
+        sides: Read<Vector>,
+        /// Its centre.
+        at: Read<Vector>,
+    },
+    /// A round cylinder.
+    Cylinder {
+        /// Radius.
+        radius: Expr,
+        /// The centre of one end.
+        from: Read<Vector>,
+        /// The centre of the other end.
+        to: Read<Vector>,
+    },
+    /// A ball.
+    Sphere {
+        /// Radius.
+        radius: Expr,
+        /// Its centre.
+        at: Read<Vector>,
+    },
 }
 
 /// `body name on parent: shape { .. }`
@@ -139,6 +194,15 @@ pub struct Body {
     pub parent: Ident,
     /// The shape it takes.
     pub shape: Option<Ident>,
+    /// What stands in the braces.
+    pub fields: BodyFields,
+    /// The error in a field that could not be read, if there is one: something may be missing.
+    pub unread: Option<Reported>,
+}
+
+/// The fields of a body.
+#[derive(Debug, Default)]
+pub struct BodyFields {
     /// Its own mass properties.
     pub properties: Properties,
     /// How it hangs on its parent.
@@ -153,30 +217,56 @@ pub struct Body {
     pub spring: Option<(Expr, Expr)>,
     /// Joint force.
     pub torque: Option<Expr>,
-    /// The error in a field that could not be read, if there is one: something may be missing.
-    pub unread: Option<Reported>,
 }
 
 /// `kind(arguments) at point rpy angles`
 #[derive(Debug)]
 pub struct Joint {
-    /// `revolute`, `prismatic`, ...
-    pub kind: Ident,
-    /// What stands in the parentheses.
-    pub arguments: Vec<JointArgument>,
+    /// How it moves.
+    pub kind: Read<JointKind>,
     /// Where it sits in the parent's frame.
     pub at: Option<Vector>,
     /// How its frame is turned.
     pub rpy: Option<Vector>,
 }
 
-/// An argument of a joint.
+/// How a joint moves.
 #[derive(Debug)]
-pub enum JointArgument {
-    /// A coordinate axis: its number and its sign.
-    Axis(usize, bool, Ident),
-    /// Anything else.
-    Other(Argument),
+pub enum JointKind {
+    /// It turns about an axis.
+    Revolute(Read<Axis>),
+    /// It slides along an axis.
+    Prismatic(Read<Axis>),
+    /// It turns about an axis and slides along it.
+    Helical {
+        /// The axis.
+        axis: Read<Axis>,
+        /// How far it slides in a radian.
+        pitch: Expr,
+    },
+    /// It moves along any screw.
+    Screw {
+        /// The angular part of the screw, then the linear one.
+        components: Box<[Expr; 6]>,
+        /// Their text.
+        tokens: TokenStream,
+    },
+    /// It does not move.
+    Fixed,
+}
+
+/// The axis of a joint.
+#[derive(Debug)]
+pub enum Axis {
+    /// A coordinate axis.
+    Unit {
+        /// 0, 1 or 2 for x, y or z.
+        number: usize,
+        /// Whether it points backwards.
+        negative: bool,
+    },
+    /// A direction.
+    Vector(Box<Vector>),
 }
 
 /// Three components.
@@ -236,15 +326,6 @@ impl ToTokens for Expr {
 impl ToTokens for Vector {
     fn to_tokens(&self, tokens: &mut TokenStream) {
         self.tokens.to_tokens(tokens);
-    }
-}
-
-impl ToTokens for Argument {
-    fn to_tokens(&self, tokens: &mut TokenStream) {
-        match self {
-            Self::Scalar(e) => e.to_tokens(tokens),
-            Self::List(_, text) | Self::Points(_, text) => text.to_tokens(tokens),
-        }
     }
 }
 

@@ -1,40 +1,31 @@
 //! Physical checks that need the whole scene.
 
-use crate::ast::Scene;
 use crate::dynamics::Dynamics;
 use crate::error::Errors;
 use crate::expr::SymbolKind;
+use crate::lower::Spans;
 use crate::model::{CoordinateId, Model};
 
 /// Pivots below this part of the diagonal entry that they are left of are rounding.
 const SINGULAR: f64 = 1e-13;
 
 /// Refuses a scene whose mass matrix is singular in every state.
-pub fn check(scene: &Scene, model: &Model<'_>, dynamics: &Dynamics<'_>) -> Result<(), Errors> {
+pub fn check(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'_>) -> Result<(), Errors> {
     let mut errors = Errors::default();
-    if let Some(k) = without_inertia(model, dynamics) {
-        let name = &model.coordinates[k].name;
-        let body = scene
-            .items
-            .bodies
-            .iter()
-            .find(|body| body.coordinate.as_ref().is_some_and(|c| c == name));
-        if let Some(body) = body {
-            let fact = format!("coordinate `{name}` has no inertia, so the mass matrix is singular in every state");
-            let massless = model
-                .bodies
-                .iter()
-                .any(|b| b.coordinate == Some(k) && b.inertia.mass.is_zero());
-            let help = if massless {
-                format!("give `{}` mass or make the joint `fixed`", body.name)
-            } else {
-                format!(
-                    "the joint of `{}` moves no mass that other joints do not move in the same way: check where its mass and its axis are",
-                    body.name
-                )
-            };
-            errors.at(body.name.span(), fact, help);
-        }
+    if let Some(k) = without_inertia(model, dynamics)
+        && let Some(n) = model.bodies.iter().position(|body| body.coordinate == Some(k))
+    {
+        let (body, coordinate) = (&model.bodies[n], &model.coordinates[k].name);
+        let fact = format!("coordinate `{coordinate}` has no inertia, so the mass matrix is singular in every state");
+        let name = &body.name;
+        let help = if body.inertia.mass.is_zero() {
+            format!("give `{name}` mass or make the joint `fixed`")
+        } else {
+            format!(
+                "the joint of `{name}` moves no mass that other joints do not move in the same way: check where its mass and its axis are"
+            )
+        };
+        errors.at(spans.bodies[n], fact, help);
     }
     errors.finish(())
 }

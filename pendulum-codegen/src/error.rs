@@ -14,7 +14,7 @@ pub struct Reported(());
 impl Errors {
     /// Notes an error on a whole syntax node: what is wrong, and what to do about it.
     pub fn on(&mut self, node: impl ToTokens, fact: impl std::fmt::Display, help: impl std::fmt::Display) -> Reported {
-        self.push(syn::Error::new_spanned(node, message(fact, help)))
+        self.push(on(node, fact, help))
     }
 
     /// Notes an error on one place.
@@ -66,6 +66,11 @@ impl From<syn::Error> for Errors {
     fn from(error: syn::Error) -> Self {
         Self(vec![error])
     }
+}
+
+/// An error on a whole syntax node.
+pub(crate) fn on(node: impl ToTokens, fact: impl std::fmt::Display, help: impl std::fmt::Display) -> syn::Error {
+    syn::Error::new_spanned(node, message(fact, help))
 }
 
 /// An error on one place.

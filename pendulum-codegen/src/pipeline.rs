@@ -9,6 +9,7 @@ use crate::dynamics::Dynamics;
 use crate::error::Errors;
 use crate::expr::{Expr, Graph, Level, Node};
 use crate::form::{Chosen, Forms, Taylor};
+use crate::lower::Lowered;
 use crate::model::{Model, Output};
 use crate::{check, emit, lower, parse};
 
@@ -87,7 +88,7 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     };
     let graph = Graph::new();
     match compile(&graph, &scene, errors) {
-        Ok(program) => emit::items(&scene, &program),
+        Ok(program) => emit::items(&scene.head, &program),
         Err(errors) => {
             let mut tokens = errors.to_compile_errors();
             tokens.extend(emit::stub(&scene));
@@ -110,15 +111,15 @@ pub fn program(graph: &Graph, tokens: TokenStream) -> Result<Program<'_>, Errors
 pub fn model(graph: &Graph, tokens: TokenStream) -> Result<Model<'_>, Errors> {
     let (scene, errors) = parse::parse(tokens);
     match scene {
-        Some(scene) => lower::lower(graph, &scene, errors),
+        Some(scene) => lower::lower(graph, &scene, errors).map(|lowered| lowered.model),
         None => Err(errors),
     }
 }
 
 fn compile<'g>(graph: &'g Graph, scene: &Scene, errors: Errors) -> Result<Program<'g>, Errors> {
-    let model = lower::lower(graph, scene, errors)?;
+    let Lowered { model, spans } = lower::lower(graph, scene, errors)?;
     let dynamics = Dynamics::new(&model);
-    check::check(scene, &model, &dynamics)?;
+    check::check(&model, &spans, &dynamics)?;
     let mut forms = Forms::new(&model, &dynamics);
     let functions = functions(&model, &mut forms);
     let taylor = model.outputs.contains(&Output::Taylor).then(|| forms.taylor(&model));

@@ -47,7 +47,7 @@ impl<'p> Items<'p> {
     /// `impl Trait<T, N> for Model<T>`, or the inherent `impl Model<T>`.
     fn implement(&self, of_trait: Option<TokenStream>, items: TokenStream) -> TokenStream {
         let (name, allowed, of_trait) = (
-            &self.scene.name,
+            &self.head.name,
             allowed(),
             of_trait.map(|of_trait| quote!(#of_trait for)),
         );

@@ -16,7 +16,7 @@ use quote::{format_ident, quote};
 pub(crate) use equations::equations;
 pub(crate) use stub::stub;
 
-use crate::ast::Scene;
+use crate::ast::Head;
 use crate::expr::{Expr, ExprId, Printer};
 use crate::form::Form;
 use crate::model::{ROUNDING, Requirement};
@@ -25,8 +25,8 @@ use crate::pipeline::Program;
 use body::{Body, local};
 
 /// Everything that a declaration stands for.
-pub(crate) fn items(scene: &Scene, program: &Program<'_>) -> TokenStream {
-    let items = Items { scene, program };
+pub(crate) fn items(head: &Head, program: &Program<'_>) -> TokenStream {
+    let items = Items { head, program };
     let parts = [
         items.parameters(),
         items.inputs().unwrap_or_default(),
@@ -46,21 +46,21 @@ pub(crate) fn allowed() -> TokenStream {
 }
 
 struct Items<'p> {
-    scene: &'p Scene,
+    head: &'p Head,
     program: &'p Program<'p>,
 }
 
 impl Items<'_> {
     fn name(&self) -> &Ident {
-        &self.scene.name
+        &self.head.name
     }
 
     fn parameters_name(&self) -> Ident {
-        format_ident!("{}Params", self.scene.name)
+        format_ident!("{}Params", self.head.name)
     }
 
     fn inputs_name(&self) -> Ident {
-        format_ident!("{}Inputs", self.scene.name)
+        format_ident!("{}Inputs", self.head.name)
     }
 
     fn dof(&self) -> usize {
@@ -68,7 +68,7 @@ impl Items<'_> {
     }
 
     fn parameters(&self) -> TokenStream {
-        let (vis, name) = (&self.scene.vis, self.parameters_name());
+        let (vis, name) = (&self.head.vis, self.parameters_name());
         let parameters = &self.program.model.parameters;
         let doc = format!("Parameters of [`{}`].", self.name());
         let fields = parameters.iter().map(|p| {
@@ -111,7 +111,7 @@ impl Items<'_> {
         if inputs.is_empty() {
             return None;
         }
-        let (vis, name) = (&self.scene.vis, self.inputs_name());
+        let (vis, name) = (&self.head.vis, self.inputs_name());
         let doc = format!("Inputs of [`{}`], given at each evaluation.", self.name());
         let fields = inputs.iter().map(|input| {
             let (field, docs, unit) = (field(&input.name), &input.docs, unit_line(&input.unit.text));
@@ -125,8 +125,8 @@ impl Items<'_> {
     }
 
     fn model(&self) -> TokenStream {
-        let (vis, name, parameters) = (&self.scene.vis, self.name(), self.parameters_name());
-        let (docs, count) = (&self.scene.docs, number(self.program.constants.len()));
+        let (vis, name, parameters) = (&self.head.vis, self.name(), self.parameters_name());
+        let (docs, count) = (&self.head.docs, number(self.program.constants.len()));
         let has_constants = !self.program.constants.is_empty();
         let equations = &self.program.equations;
         let mut text = format!("# Equations of motion\n\n```text\n{equations}```\n");

@@ -10,7 +10,7 @@ use crate::ast::Scene;
 
 /// Types that have everything a declaration could ask for, for states of any length, and that are never run.
 pub(crate) fn stub(scene: &Scene) -> TokenStream {
-    let (vis, name, items) = (&scene.vis, &scene.name, &scene.items);
+    let (vis, name, items) = (&scene.head.vis, &scene.head.name, &scene.items);
     let [parameters, inputs] = ["Params", "Inputs"].map(|suffix| format_ident!("{name}{suffix}"));
     // what could not be read may have been a parameter or an input
     let declared = items.params.iter().map(|param| &param.name).chain(&items.unread);
@@ -21,7 +21,11 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
         .is_empty()
         .then(|| quote!(stub: ::core::marker::PhantomData<T>));
     let controls = controls.into_iter();
-    let count = items.bodies.iter().filter(|body| body.coordinate.is_some()).count();
+    let count = items
+        .bodies
+        .iter()
+        .filter(|body| body.fields.coordinate.is_some())
+        .count();
     let dof = number(count);
     // the length of the state tells a law of inputs its types; without any coordinate, the length was not read
     let (length, any_length) = if count > 0 {

@@ -24,6 +24,7 @@ impl<'g> Lower<'g> {
             match self.body(body, &bodies, coordinates, shapes) {
                 Ok(lowered) => {
                     self.placed.insert(name, Ok(BodyId::new(bodies.len())));
+                    self.spans.bodies.push(body.name.span());
                     bodies.push(lowered);
                 }
                 Err(reported) => {
@@ -42,13 +43,14 @@ impl<'g> Lower<'g> {
         shapes: &BTreeMap<String, Result<Mass<'g>, Reported>>,
     ) -> Result<Body<'g>, Reported> {
         let coordinate = body
+            .fields
             .coordinate
             .as_ref()
             .and_then(|name| coordinates.iter().position(|c| name == &c.name))
             .map(CoordinateId::new);
         // an error in one part is no reason to leave the others unread
         let mass = self.mass_of_body(body, shapes);
-        let geometry = self.geometry(&body.name, body.joint.as_ref());
+        let geometry = self.geometry(&body.name, body.fields.joint.as_ref());
         let parent = self.parent(body);
         let heading = geometry.as_ref().map_err(|reported| *reported).and_then(|geometry| {
             self.require_coordinate(body, geometry.screw.is_some())?;
@@ -91,10 +93,10 @@ impl<'g> Lower<'g> {
         let name = &body.name;
         if let Some(reported) = body.unread {
             // what is missing may be what could not be read
-            let fits = moves == body.coordinate.is_some();
+            let fits = moves == body.fields.coordinate.is_some();
             return if fits { Ok(()) } else { Err(reported) };
         }
-        match (moves, &body.coordinate) {
+        match (moves, &body.fields.coordinate) {
             (true, None) => Err(self.errors.at(
                 name.span(),
                 format_args!("the joint of `{name}` moves but has no coordinate"),
@@ -106,8 +108,8 @@ impl<'g> Lower<'g> {
                 "remove the coordinate, or give the joint an axis: `joint: revolute(z)`",
             )),
             (false, None) => {
-                let spring = body.spring.as_ref().map(|(stiffness, _)| stiffness);
-                if let Some(force) = body.friction.as_ref().or(spring).or(body.torque.as_ref()) {
+                let spring = body.fields.spring.as_ref().map(|(stiffness, _)| stiffness);
+                if let Some(force) = body.fields.friction.as_ref().or(spring).or(body.fields.torque.as_ref()) {
                     self.errors.on(
                         force,
                         format_args!("the joint of `{name}` is fixed, so no force can act along it"),

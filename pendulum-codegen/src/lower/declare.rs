@@ -83,7 +83,7 @@ impl<'g> Lower<'g> {
 
     pub(super) fn coordinates(&mut self, bodies: &[ast::Body]) -> Vec<Coordinate<'g>> {
         let mut coordinates = Vec::new();
-        for ident in bodies.iter().filter_map(|body| body.coordinate.as_ref()) {
+        for ident in bodies.iter().filter_map(|body| body.fields.coordinate.as_ref()) {
             let (name, k) = (ident.to_string(), coordinates.len());
             let position = self.graph.symbol(&name, SymbolKind::Coordinate(k));
             self.names

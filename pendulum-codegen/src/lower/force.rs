@@ -23,6 +23,7 @@ impl<'g> Lower<'g> {
             joint: Some((position, rate)),
         };
         let torque = body
+            .fields
             .torque
             .as_ref()
             .map_or(Ok(self.graph.zero()), |torque| self.expr(torque, &place));
@@ -31,7 +32,7 @@ impl<'g> Lower<'g> {
     }
 
     fn friction(&mut self, body: &ast::Body, joint: (Expr<'g>, Expr<'g>)) -> Result<Expr<'g>, Reported> {
-        let Some(friction) = &body.friction else {
+        let Some(friction) = &body.fields.friction else {
             return Ok(self.graph.zero());
         };
         // the rate is known here so that a law of friction gets the error that says where it belongs
@@ -44,7 +45,7 @@ impl<'g> Lower<'g> {
     }
 
     fn spring(&mut self, body: &ast::Body, position: Expr<'g>) -> Result<(Expr<'g>, Expr<'g>), Reported> {
-        let Some((stiffness, rest)) = &body.spring else {
+        let Some((stiffness, rest)) = &body.fields.spring else {
             return Ok((self.graph.zero(), self.graph.zero()));
         };
         let stiffness = self.expr(stiffness, &Place::fixed(format!("the stiffness of `{}`", body.name)));

@@ -34,7 +34,7 @@ impl<'g> Lower<'g> {
         let rest = before.rest * geometry.placement.rotation;
         let turning = geometry.screw.filter(Twist::turns);
         let Some(screw) = turning else {
-            if let Some(word) = &body.absolute {
+            if let Some(word) = &body.fields.absolute {
                 return Err(self.errors.at(
                     word.span(),
                     format_args!("the coordinate of `{}` is no angle", body.name),
@@ -48,7 +48,7 @@ impl<'g> Lower<'g> {
             None => Some(1),
             Some(group) => parallel(group, axis),
         };
-        if let Some(word) = &body.absolute
+        if let Some(word) = &body.fields.absolute
             && (before.station.is_some() || sign.is_none())
         {
             let fact = format!(
@@ -73,7 +73,7 @@ impl<'g> Lower<'g> {
             return Ok((heading, own));
         };
         // turn = turn before + sign * motion; an absolute coordinate is the whole turn, seen along its own axis
-        let (turn, motion) = if body.absolute.is_some() {
+        let (turn, motion) = if body.fields.absolute.is_some() {
             (own.scaled(sign), own.plus_scaled(-sign, &before.turn))
         } else {
             (before.turn.plus_scaled(sign, &own), own)

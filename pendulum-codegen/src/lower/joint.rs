@@ -4,8 +4,8 @@ use syn::Ident;
 
 use super::Lower;
 use super::expr::Place;
-use crate::ast::{self, Argument, JointArgument};
-use crate::error::{Reported, suggestion};
+use crate::ast::{self, Axis, JointKind, Read};
+use crate::error::Reported;
 use crate::expr::{Expr, Level, Printer, ratio};
 use crate::model::{Requirement, Rule};
 use crate::screw::{Mat3, Transform, Twist, Vec3};
@@ -34,7 +34,7 @@ impl<'g> Lower<'g> {
             .rpy
             .as_ref()
             .map_or(Ok(zero), |v| self.vector(v, &place("roll, pitch and yaw")));
-        let screw = self.screw(body, joint);
+        let screw = self.screw(body, &joint.kind);
         let (at, Vec3(rpy)) = (at?, rpy?);
         let [roll, pitch, yaw] = [0, 1, 2].map(|k| Mat3::rotation(Vec3::unit(self.graph, k), rpy[k]));
         let placement = Transform {
@@ -48,48 +48,23 @@ impl<'g> Lower<'g> {
     }
 
     /// The normalised screw axis in the joint frame; none for a fixed joint.
-    fn screw(&mut self, body: &Ident, joint: &ast::Joint) -> Result<Option<Twist<'g>>, Reported> {
-        const KINDS: [(&str, &str); 5] = [
-            ("revolute", "revolute(z)"),
-            ("prismatic", "prismatic(x)"),
-            ("helical", "helical(z, pitch)"),
-            ("screw", "screw([wx, wy, wz, vx, vy, vz])"),
-            ("fixed", "fixed"),
-        ];
-        let kind = joint.kind.to_string();
-        let Some((_, form)) = KINDS.iter().find(|(known, _)| *known == kind) else {
-            return Err(self.errors.at(
-                joint.kind.span(),
-                format_args!("unknown joint `{kind}`"),
-                suggestion(&kind, KINDS.map(|(known, _)| known)),
-            ));
-        };
-        let still = Vec3::zero(self.graph);
-        match (kind.as_str(), &joint.arguments[..]) {
-            ("fixed", []) => Ok(None),
-            ("revolute", [axis]) => {
-                let angular = self.axis(body, joint, axis)?;
-                Ok(Some(Twist { angular, linear: still }))
-            }
-            ("prismatic", [axis]) => {
-                let linear = self.axis(body, joint, axis)?;
-                Ok(Some(Twist { angular: still, linear }))
-            }
-            ("helical", [axis, JointArgument::Other(Argument::Scalar(pitch))]) => {
+    fn screw(&mut self, body: &Ident, kind: &Read<JointKind>) -> Result<Option<Twist<'g>>, Reported> {
+        let zero = Vec3::zero(self.graph);
+        let (angular, linear) = match self.read(kind)? {
+            JointKind::Fixed => return Ok(None),
+            JointKind::Revolute(axis) => (self.axis(body, axis)?, zero),
+            JointKind::Prismatic(axis) => (zero, self.axis(body, axis)?),
+            JointKind::Helical { axis, pitch } => {
                 let pitch = self.expr(pitch, &Place::fixed(format!("the pitch of the joint of `{body}`")));
-                let angular = self.axis(body, joint, axis)?;
-                let linear = pitch? * angular;
-                Ok(Some(Twist { angular, linear }))
+                let angular = self.axis(body, axis)?;
+                (angular, pitch? * angular)
             }
-            ("screw", [JointArgument::Other(Argument::List(entries, tokens))]) if entries.len() == 6 => {
+            JointKind::Screw { components, tokens } => {
                 let place = Place::fixed(format!("the screw of the joint of `{body}`"));
-                let entries: Vec<_> = entries.iter().map(|e| self.expr(e, &place)).collect();
-                let entries: Vec<_> = entries.into_iter().collect::<Result<_, _>>()?;
-                let screw = Twist {
-                    angular: Vec3([entries[0], entries[1], entries[2]]),
-                    linear: Vec3([entries[3], entries[4], entries[5]]),
-                };
-                let direction = if screw.turns() { screw.angular } else { screw.linear };
+                let components = components.each_ref().map(|e| self.expr(e, &place));
+                let [wx, wy, wz, vx, vy, vz] = components;
+                let (angular, linear) = (Vec3([wx?, wy?, wz?]), Vec3([vx?, vy?, vz?]));
+                let direction = if angular.is_zero() { linear } else { angular };
                 let Some(length) = self.inverse_length(body, direction) else {
                     return Err(self.errors.on(
                         tokens,
@@ -97,46 +72,30 @@ impl<'g> Lower<'g> {
                         "give it a direction to turn about or to slide along",
                     ));
                 };
-                Ok(Some(length * screw))
+                (length * angular, length * linear)
             }
-            _ => Err(self.errors.at(
-                joint.kind.span(),
-                format_args!("a {kind} joint takes other arguments"),
-                format_args!("write `{form}`; an axis is x, y, z, -x, .. or a vector"),
-            )),
-        }
+        };
+        Ok(Some(Twist { angular, linear }))
     }
 
-    fn axis(&mut self, body: &Ident, joint: &ast::Joint, axis: &JointArgument) -> Result<Vec3<'g>, Reported> {
-        match axis {
-            JointArgument::Axis(n, negative, _) => {
-                let unit = Vec3::unit(self.graph, *n);
+    fn axis(&mut self, body: &Ident, axis: &Read<Axis>) -> Result<Vec3<'g>, Reported> {
+        match self.read(axis)? {
+            Axis::Unit { number, negative } => {
+                let unit = Vec3::unit(self.graph, *number);
                 Ok(if *negative { -unit } else { unit })
             }
-            JointArgument::Other(Argument::List(entries, tokens)) if entries.len() == 3 => {
+            Axis::Vector(given) => {
                 let place = Place::fixed(format!("the axis of the joint of `{body}`"));
-                let entries: Vec<_> = entries.iter().map(|e| self.expr(e, &place)).collect();
-                let entries: Vec<_> = entries.into_iter().collect::<Result<_, _>>()?;
-                let vector = Vec3([entries[0], entries[1], entries[2]]);
+                let vector = self.vector(given, &place)?;
                 let Some(length) = self.inverse_length(body, vector) else {
                     return Err(self.errors.on(
-                        tokens,
+                        &**given,
                         format_args!("the axis of the joint of `{body}` is zero"),
                         "give it a direction; any length will do",
                     ));
                 };
                 Ok(length * vector)
             }
-            JointArgument::Other(Argument::Scalar(e)) => Err(self.errors.on(
-                e,
-                format_args!("the joint of `{body}` has no such axis"),
-                "an axis is x, y, z, -x, -y, -z or a vector `[x, y, z]`",
-            )),
-            JointArgument::Other(_) => Err(self.errors.at(
-                joint.kind.span(),
-                format_args!("the axis of the joint of `{body}` is no vector"),
-                "write `[x, y, z]`",
-            )),
         }
     }
 

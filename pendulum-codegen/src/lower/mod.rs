@@ -17,13 +17,31 @@ mod solid;
 
 use std::collections::BTreeMap;
 
-use crate::ast::{Items, Scene, Vector};
+use proc_macro2::Span;
+
+use crate::ast::{Items, Read, Scene, Vector};
 use crate::error::{Errors, Reported};
 use crate::expr::{Expr, Graph, SymbolKind};
 use crate::model::{BodyId, Coordinate, Model, Rule};
 use crate::screw::Vec3;
 use expr::Place;
 use scope::Names;
+
+/// What a scene means, and where it says so.
+#[derive(Debug)]
+pub struct Lowered<'g> {
+    /// The meaning.
+    pub model: Model<'g>,
+    /// The text that later errors stand on.
+    pub spans: Spans,
+}
+
+/// Places in the text, for errors that are found after lowering.
+#[derive(Debug, Default)]
+pub struct Spans {
+    /// The name of each body of the model.
+    pub bodies: Vec<Span>,
+}
 
 /// The state of lowering one scene.
 #[derive(Debug)]
@@ -34,13 +52,14 @@ struct Lower<'g> {
     /// Names whose declaration had an error: their uses are not reported again.
     broken: BTreeMap<String, Reported>,
     rules: Vec<Rule<'g>>,
+    spans: Spans,
     time: Expr<'g>,
     /// Bodies that have been lowered: their positions among the model's bodies.
     placed: BTreeMap<String, Result<BodyId, Reported>>,
 }
 
 /// The meaning of a scene, with its expressions in a graph. Errors are added to those of the reading.
-pub fn lower<'g>(graph: &'g Graph, scene: &Scene, errors: Errors) -> Result<Model<'g>, Errors> {
+pub fn lower<'g>(graph: &'g Graph, scene: &Scene, errors: Errors) -> Result<Lowered<'g>, Errors> {
     let time = graph.symbol("t", SymbolKind::Time);
     let lower = Lower {
         graph,
@@ -48,6 +67,7 @@ pub fn lower<'g>(graph: &'g Graph, scene: &Scene, errors: Errors) -> Result<Mode
         errors,
         broken: BTreeMap::new(),
         rules: Vec::new(),
+        spans: Spans::default(),
         time,
         placed: BTreeMap::new(),
     };
@@ -55,7 +75,7 @@ pub fn lower<'g>(graph: &'g Graph, scene: &Scene, errors: Errors) -> Result<Mode
 }
 
 impl<'g> Lower<'g> {
-    fn scene(mut self, scene: &Scene) -> Result<Model<'g>, Errors> {
+    fn scene(mut self, scene: &Scene) -> Result<Lowered<'g>, Errors> {
         let items = &scene.items;
         let parameters = self.parameters(&items.params);
         let inputs = self.inputs(&items.inputs);
@@ -69,7 +89,7 @@ impl<'g> Lower<'g> {
         let outputs = self.outputs(items.generate.as_deref(), !parameters.is_empty(), !inputs.is_empty());
         self.require_motion(scene, &coordinates);
         self.report_unused(items);
-        self.errors.finish(Model {
+        let model = Model {
             graph: self.graph,
             parameters,
             inputs,
@@ -79,7 +99,16 @@ impl<'g> Lower<'g> {
             bodies,
             rules: self.rules,
             outputs,
+        };
+        self.errors.finish(Lowered {
+            model,
+            spans: self.spans,
         })
+    }
+
+    /// A part of the text, or the report of why it cannot be read.
+    fn read<'a, T>(&mut self, part: &'a Read<T>) -> Result<&'a T, Reported> {
+        part.as_ref().map_err(|error| self.errors.push(error.clone()))
     }
 
     fn gravity(&mut self, gravity: Option<&Vector>) -> Vec3<'g> {
@@ -92,7 +121,7 @@ impl<'g> Lower<'g> {
         if !self.errors.is_empty() || !coordinates.is_empty() {
             return;
         }
-        let name = &scene.name;
+        let name = &scene.head.name;
         let (fact, help) = if scene.items.bodies.is_empty() {
             (
                 format!("`{name}` has no body"),

@@ -9,7 +9,7 @@ use crate::screw::{SpatialInertia, Symmetric3, Vec3};
 
 impl<'g> Lower<'g> {
     /// A uniform polygon in the xy plane, as a sum over the triangles between its sides and the origin (Green).
-    pub(super) fn plate(
+    pub(super) fn uniform_plate(
         &mut self,
         owner: &Ident,
         mass: Expr<'g>,

@@ -31,7 +31,7 @@ impl<'g> Lower<'g> {
         body: &ast::Body,
         shapes: &BTreeMap<String, Result<Mass<'g>, Reported>>,
     ) -> Result<Option<Mass<'g>>, Reported> {
-        let own = &body.properties;
+        let own = &body.fields.properties;
         let has_own = own.mass.is_some() || own.com.is_some() || own.inertia.is_some() || own.solids.is_some();
         let Some(shape) = &body.shape else {
             return if has_own {

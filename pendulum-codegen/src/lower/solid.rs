@@ -1,18 +1,29 @@
 //! Solids of uniform density: mass, first moment and inertia about the origin of the body frame.
 
+use proc_macro2::TokenStream;
 use syn::Ident;
 
 use super::Lower;
 use super::expr::Place;
-use crate::ast::{Argument, Solid};
-use crate::error::{Reported, suggestion};
+use crate::ast::{self, Read, Solid, SolidKind, Vector};
+use crate::error::Reported;
 use crate::expr::{Expr, ratio};
 use crate::model::Requirement;
 use crate::screw::{SpatialInertia, Symmetric3, Vec3};
 
+/// What all solids have: a name for errors, and a mass, whose error does not keep the rest from being read.
+struct Common<'g, 'a> {
+    /// The body or shape.
+    owner: &'a Ident,
+    word: &'a Ident,
+    /// ``a rod of `arm` ``
+    place: Place<'g>,
+    mass: Result<Expr<'g>, Reported>,
+}
+
 impl<'g> Lower<'g> {
     /// The sum of solids.
-    pub(super) fn solids(&mut self, owner: &Ident, solids: &[Solid]) -> Result<SpatialInertia<'g>, Reported> {
+    pub(super) fn solids(&mut self, owner: &Ident, solids: &[Read<Solid>]) -> Result<SpatialInertia<'g>, Reported> {
         if solids.is_empty() {
             let help =
                 "list one or more, such as `point(m, [0, -l, 0])`, or leave the field out for a body without mass";
@@ -30,135 +41,140 @@ impl<'g> Lower<'g> {
         total
     }
 
-    fn solid(&mut self, owner: &Ident, solid: &Solid) -> Result<SpatialInertia<'g>, Reported> {
-        const KINDS: [(&str, &str); 7] = [
-            ("point", "point(mass, [x, y, z])"),
-            ("rod", "rod(mass, [x, y, z], [x, y, z])"),
-            ("disk", "disk(mass, radius, [x, y, z])"),
-            ("plate", "plate(mass, [[x, y], [x, y], [x, y]])"),
-            ("cuboid", "cuboid(mass, [dx, dy, dz], [x, y, z])"),
-            ("cylinder", "cylinder(mass, radius, [x, y, z], [x, y, z])"),
-            ("sphere", "sphere(mass, radius, [x, y, z])"),
-        ];
-        let kind = solid.kind.to_string();
-        let Some((_, form)) = KINDS.iter().find(|(known, _)| *known == kind) else {
-            let help = suggestion(&kind, KINDS.map(|(known, _)| known));
-            return Err(self
-                .errors
-                .at(solid.kind.span(), format_args!("unknown solid `{kind}`"), help));
-        };
-        let place = Place::fixed(format!("a {kind} of `{owner}`"));
-        let wrong = |lower: &mut Self| {
-            Err(lower.errors.at(
-                solid.kind.span(),
-                format_args!("a {kind} takes other arguments"),
-                format_args!("write `{form}`"),
-            ))
-        };
-        let [Argument::Scalar(mass), rest @ ..] = &solid.arguments[..] else {
-            return wrong(self);
-        };
-        let mass = self.positive(
+    fn solid(&mut self, owner: &Ident, solid: &Read<Solid>) -> Result<SpatialInertia<'g>, Reported> {
+        let Solid { word, mass, kind } = self.read(solid)?;
+        let place = Place::fixed(format!("a {word} of `{owner}`"));
+        let of_mass = Place::fixed(format!("the mass of {}", place.what));
+        let mass = self.positive(mass, &of_mass, Requirement::Positive);
+        let common = Common {
+            owner,
+            word,
+            place,
             mass,
-            &Place::fixed(format!("the mass of a {kind} of `{owner}`")),
-            Requirement::Positive,
-        );
-        let radius = |lower: &mut Self, e| {
-            lower.positive(
-                e,
-                &Place::fixed(format!("the radius of a {kind} of `{owner}`")),
-                Requirement::NonNegative,
-            )
         };
-        match (kind.as_str(), rest) {
-            ("point", [at]) => {
-                let at = self.triple(at, &place);
-                Ok(SpatialInertia::of_body(mass?, at?, Symmetric3::zero(self.graph)))
-            }
-            ("rod", [from, to]) => {
-                let (from, to) = (self.triple(from, &place), self.triple(to, &place));
-                Ok(rod(mass?, from?, to?))
-            }
-            ("disk", [Argument::Scalar(r), at]) => {
-                let (r, at) = (radius(self, r), self.triple(at, &place));
-                let quarter = times_square(mass?, r?, 4);
-                let moments = Symmetric3::diagonal([quarter, quarter, 2 * quarter]);
-                Ok(SpatialInertia::of_body(mass?, at?, moments))
-            }
-            ("sphere", [Argument::Scalar(r), at]) => {
-                let (r, at) = (radius(self, r), self.triple(at, &place));
-                let moment = 2 * times_square(mass?, r?, 5);
-                let moments = Symmetric3::diagonal([moment; 3]);
-                Ok(SpatialInertia::of_body(mass?, at?, moments))
-            }
-            ("cuboid", [size @ Argument::List(sides, _), at]) => {
-                let (size, at) = (self.triple(size, &place), self.triple(at, &place));
-                let (mass, size, at) = (mass?, size?, at?);
-                for (side, value) in sides.iter().zip(size.0) {
-                    self.require(
-                        side,
-                        value,
-                        Requirement::NonNegative,
-                        &format!("a side of a cuboid of `{owner}`"),
-                    );
-                }
-                let [x, y, z] = size.0.map(|side| times_square(mass, side, 12));
-                let moments = Symmetric3::diagonal([y + z, x + z, x + y]);
-                Ok(SpatialInertia::of_body(mass, at, moments))
-            }
-            ("cylinder", [Argument::Scalar(r), from, to]) => {
-                let (r, from, to) = (radius(self, r), self.triple(from, &place), self.triple(to, &place));
-                let (mass, r, from, to) = (mass?, r?, from?, to?);
-                let rod = rod(mass, from, to);
-                let axis = to - from;
-                let length2 = axis.dot(axis);
-                if length2.is_zero() {
-                    return Err(self.errors.at(
-                        solid.kind.span(),
-                        format_args!("a cylinder of `{owner}` has no length"),
-                        "give two different ends, or write a disk",
-                    ));
-                }
-                // a rod, and a disk about the rod's direction u: m r^2/4 (1 + u u^T)
-                let quarter = times_square(mass, r, 4);
-                let disk = Symmetric3::diagonal([quarter; 3]);
-                let axial = Symmetric3::outer(quarter / length2, axis);
-                Ok(SpatialInertia {
-                    about_origin: rod.about_origin + disk + axial,
-                    ..rod
-                })
-            }
-            ("plate", [Argument::Points(points, tokens)]) => {
-                let corners: Vec<_> = points
-                    .iter()
-                    .map(|point| {
-                        let [x, y] = &point[..] else {
-                            let help = format!("write `{form}`");
-                            return Err(self.errors.on(tokens, "a corner of a plate has two coordinates", help));
-                        };
-                        let (x, y) = (self.expr(x, &place), self.expr(y, &place));
-                        Ok((x?, y?))
-                    })
-                    .collect();
-                let corners: Vec<_> = corners.into_iter().collect::<Result<_, _>>()?;
-                self.plate(owner, mass?, &corners, tokens)
-            }
-            _ => wrong(self),
+        match self.read(kind)? {
+            SolidKind::Point { at } => self.point(&common, at),
+            SolidKind::Rod { from, to } => self.rod(&common, from, to),
+            SolidKind::Disk { radius, at } => self.disk(&common, radius, at),
+            SolidKind::Plate { corners, tokens } => self.plate(&common, corners, tokens),
+            SolidKind::Cuboid { sides, at } => self.cuboid(&common, sides, at),
+            SolidKind::Cylinder { radius, from, to } => self.cylinder(&common, radius, from, to),
+            SolidKind::Sphere { radius, at } => self.sphere(&common, radius, at),
         }
     }
 
-    fn triple(&mut self, argument: &Argument, place: &Place<'g>) -> Result<Vec3<'g>, Reported> {
-        if let Argument::List(entries, _) = argument
-            && let [x, y, z] = &entries[..]
-        {
-            let [x, y, z] = [x, y, z].map(|e| self.expr(e, place));
-            return Ok(Vec3([x?, y?, z?]));
+    fn point(&mut self, solid: &Common<'g, '_>, at: &Read<Vector>) -> Result<SpatialInertia<'g>, Reported> {
+        let at = self.vector_of(solid, at)?;
+        Ok(SpatialInertia::of_body(solid.mass?, at, Symmetric3::zero(self.graph)))
+    }
+
+    fn rod(
+        &mut self,
+        solid: &Common<'g, '_>,
+        from: &Read<Vector>,
+        to: &Read<Vector>,
+    ) -> Result<SpatialInertia<'g>, Reported> {
+        let (from, to) = (self.vector_of(solid, from), self.vector_of(solid, to));
+        Ok(uniform_rod(solid.mass?, from?, to?))
+    }
+
+    fn disk(
+        &mut self,
+        solid: &Common<'g, '_>,
+        radius: &ast::Expr,
+        at: &Read<Vector>,
+    ) -> Result<SpatialInertia<'g>, Reported> {
+        let (radius, at) = (self.radius(solid, radius), self.vector_of(solid, at));
+        let (mass, radius, at) = (solid.mass?, radius?, at?);
+        let quarter = times_square(mass, radius, 4);
+        let moments = Symmetric3::diagonal([quarter, quarter, 2 * quarter]);
+        Ok(SpatialInertia::of_body(mass, at, moments))
+    }
+
+    fn sphere(
+        &mut self,
+        solid: &Common<'g, '_>,
+        radius: &ast::Expr,
+        at: &Read<Vector>,
+    ) -> Result<SpatialInertia<'g>, Reported> {
+        let (radius, at) = (self.radius(solid, radius), self.vector_of(solid, at));
+        let (mass, radius, at) = (solid.mass?, radius?, at?);
+        let moment = 2 * times_square(mass, radius, 5);
+        Ok(SpatialInertia::of_body(mass, at, Symmetric3::diagonal([moment; 3])))
+    }
+
+    fn cuboid(
+        &mut self,
+        solid: &Common<'g, '_>,
+        sides: &Read<Vector>,
+        at: &Read<Vector>,
+    ) -> Result<SpatialInertia<'g>, Reported> {
+        let (lengths, at) = (self.vector_of(solid, sides), self.vector_of(solid, at));
+        let (mass, lengths, at) = (solid.mass?, lengths?, at?);
+        let what = format!("a side of {}", solid.place.what);
+        for (side, length) in self.read(sides)?.components.iter().zip(lengths.0) {
+            self.require(side, length, Requirement::NonNegative, &what);
         }
-        Err(self.errors.on(
-            argument,
-            format_args!("expected a point in {}", place.what),
-            "write its three coordinates `[x, y, z]`",
-        ))
+        let [x, y, z] = lengths.0.map(|side| times_square(mass, side, 12));
+        let moments = Symmetric3::diagonal([y + z, x + z, x + y]);
+        Ok(SpatialInertia::of_body(mass, at, moments))
+    }
+
+    fn cylinder(
+        &mut self,
+        solid: &Common<'g, '_>,
+        radius: &ast::Expr,
+        from: &Read<Vector>,
+        to: &Read<Vector>,
+    ) -> Result<SpatialInertia<'g>, Reported> {
+        let radius = self.radius(solid, radius);
+        let (from, to) = (self.vector_of(solid, from), self.vector_of(solid, to));
+        let (mass, radius, from, to) = (solid.mass?, radius?, from?, to?);
+        let rod = uniform_rod(mass, from, to);
+        let axis = to - from;
+        let length2 = axis.dot(axis);
+        if length2.is_zero() {
+            return Err(self.errors.at(
+                solid.word.span(),
+                format_args!("{} has no length", solid.place.what),
+                "give two different ends, or write a disk",
+            ));
+        }
+        // a rod, and a disk about the rod's direction u: m r^2/4 (1 + u u^T)
+        let quarter = times_square(mass, radius, 4);
+        let round = Symmetric3::diagonal([quarter; 3]);
+        let axial = Symmetric3::outer(quarter / length2, axis);
+        Ok(SpatialInertia {
+            about_origin: rod.about_origin + round + axial,
+            ..rod
+        })
+    }
+
+    fn plate(
+        &mut self,
+        solid: &Common<'g, '_>,
+        corners: &[Read<[ast::Expr; 2]>],
+        tokens: &TokenStream,
+    ) -> Result<SpatialInertia<'g>, Reported> {
+        let corner = |corner: &Read<[ast::Expr; 2]>| {
+            let [x, y] = self.read(corner)?;
+            let (x, y) = (self.expr(x, &solid.place), self.expr(y, &solid.place));
+            Ok((x?, y?))
+        };
+        // all of them are read before the first error ends it
+        let corners: Vec<_> = corners.iter().map(corner).collect();
+        let corners: Vec<_> = corners.into_iter().collect::<Result<_, _>>()?;
+        self.uniform_plate(solid.owner, solid.mass?, &corners, tokens)
+    }
+
+    fn radius(&mut self, solid: &Common<'g, '_>, radius: &ast::Expr) -> Result<Expr<'g>, Reported> {
+        let place = Place::fixed(format!("the radius of {}", solid.place.what));
+        self.positive(radius, &place, Requirement::NonNegative)
+    }
+
+    fn vector_of(&mut self, solid: &Common<'g, '_>, vector: &Read<Vector>) -> Result<Vec3<'g>, Reported> {
+        let vector = self.read(vector)?;
+        self.vector(vector, &solid.place)
     }
 }
 
@@ -167,7 +183,7 @@ fn times_square<'g>(mass: Expr<'g>, length: Expr<'g>, divisor: i64) -> Expr<'g> 
     ratio(1, divisor) * (mass * length.powi(2))
 }
 
-fn rod<'g>(mass: Expr<'g>, from: Vec3<'g>, to: Vec3<'g>) -> SpatialInertia<'g> {
+fn uniform_rod<'g>(mass: Expr<'g>, from: Vec3<'g>, to: Vec3<'g>) -> SpatialInertia<'g> {
     let middle = ratio(1, 2) * (from + to);
     let moments = Symmetric3::of_point(ratio(1, 12) * mass, to - from);
     SpatialInertia::of_body(mass, middle, moments)

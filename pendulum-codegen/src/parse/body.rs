@@ -1,26 +1,50 @@
-//! Bodies and shapes.
+//! Bodies and shapes, and their fields.
 
 use syn::parse::{Parse, ParseStream};
-use syn::{Ident, Token, braced, bracketed, parenthesized, token};
+use syn::{Ident, Token, braced, parenthesized, token};
 
-use super::{End, docs, each, once};
-use crate::ast::{Argument, Body, Inertia, Joint, JointArgument, Properties, Solid, Vector};
-use crate::error::{Errors, at, suggestion};
+use super::argument::Argument;
+use super::joint::joint;
+use super::solid::solids;
+use super::{End, docs, each, expr, once};
+use crate::ast::{Body, BodyFields, Inertia, Properties, Shape};
+use crate::error::{Errors, at, on, suggestion};
 
-const SHAPE_FIELDS: [&str; 4] = ["mass", "com", "inertia", "solids"];
-const BODY_FIELDS: [&str; 9] = [
-    "mass",
-    "com",
-    "inertia",
-    "solids",
-    "joint",
-    "coordinate",
-    "friction",
-    "spring",
-    "torque",
+/// A field that is being read into a `T`, after its name and the colon.
+struct Field<'a> {
+    input: ParseStream<'a>,
+    key: &'a Ident,
+    /// The body or shape.
+    owner: &'a Ident,
+}
+
+/// The name of a field, and how it is read.
+type Row<T> = (&'static str, fn(&Field, &mut T) -> syn::Result<()>);
+
+/// The fields of shapes, and of bodies too.
+const PROPERTIES: [Row<Properties>; 4] = [
+    ("mass", |field, properties| field.value(&mut properties.mass)),
+    ("com", |field, properties| field.value(&mut properties.com)),
+    ("inertia", |field, properties| field.value(&mut properties.inertia)),
+    ("solids", |field, properties| {
+        let solids = solids(field.input, field.owner)?;
+        once(&mut properties.solids, solids, field.key)
+    }),
 ];
 
-/// `name on parent: shape { fields }`, behind the word `body`
+/// The other fields of bodies.
+const BODY_FIELDS: [Row<BodyFields>; 5] = [
+    ("joint", |field, body| {
+        let joint = joint(field.input, field.owner)?;
+        once(&mut body.joint, joint, field.key)
+    }),
+    ("coordinate", |field, body| field.coordinate(body)),
+    ("friction", |field, body| field.value(&mut body.friction)),
+    ("spring", |field, body| field.spring(body)),
+    ("torque", |field, body| field.value(&mut body.torque)),
+];
+
+/// `name on parent: shape { fields }`, after the word `body`
 pub(super) fn body(input: ParseStream, errors: &mut Errors) -> syn::Result<Body> {
     let name: Ident = input.parse().map_err(|e| {
         at(
@@ -52,21 +76,29 @@ pub(super) fn body(input: ParseStream, errors: &mut Errors) -> syn::Result<Body>
     }
     let inner;
     braced!(inner in input);
-    let mut body = Body {
+    let mut fields = BodyFields::default();
+    let unread = each(&inner, errors, |input, _| body_field(input, &name, &mut fields));
+    Ok(Body {
         name,
         parent,
         shape,
-        properties: Properties::default(),
-        joint: None,
-        coordinate: None,
-        absolute: None,
-        friction: None,
-        spring: None,
-        torque: None,
-        unread: None,
-    };
-    body.unread = each(&inner, errors, |input, _| body_field(input, &mut body));
-    Ok(body)
+        fields,
+        unread,
+    })
+}
+
+/// `name { fields }`, after the word `shape`
+pub(super) fn shape(input: ParseStream, errors: &mut Errors) -> syn::Result<Shape> {
+    let name = input.parse()?;
+    let inner;
+    braced!(inner in input);
+    let mut properties = Properties::default();
+    let unread = each(&inner, errors, |input, _| shape_field(input, &name, &mut properties));
+    Ok(Shape {
+        name,
+        properties,
+        unread,
+    })
 }
 
 fn key(input: ParseStream, known: &[&str]) -> syn::Result<Ident> {
@@ -90,72 +122,72 @@ fn key(input: ParseStream, known: &[&str]) -> syn::Result<Ident> {
     Ok(key)
 }
 
-/// One field of a shape.
-pub(super) fn shape_field(input: ParseStream, properties: &mut Properties) -> syn::Result<End> {
-    let key = key(input, &SHAPE_FIELDS)?;
-    property(input, &key, properties)?;
+fn shape_field(input: ParseStream, owner: &Ident, properties: &mut Properties) -> syn::Result<End> {
+    let key = key(input, &PROPERTIES.map(|(name, _)| name))?;
+    let field = Field {
+        input,
+        key: &key,
+        owner,
+    };
+    field.read(&PROPERTIES, properties)?;
     Ok(End::Comma)
 }
 
-fn body_field(input: ParseStream, body: &mut Body) -> syn::Result<End> {
-    let key = key(input, &BODY_FIELDS)?;
-    match key.to_string().as_str() {
-        "joint" => once(&mut body.joint, input.parse()?, &key)?,
-        "coordinate" => {
-            once(&mut body.coordinate, input.parse()?, &key)?;
-            if input.peek(Ident) {
-                let word: Ident = input.parse()?;
-                if word != "absolute" {
-                    return Err(at(
-                        word.span(),
-                        format_args!("unexpected `{word}` behind the coordinate"),
-                        "the only word that may stand here is `absolute`",
-                    ));
-                }
-                body.absolute = Some(word);
-            }
-        }
-        "friction" => once(&mut body.friction, input.parse()?, &key)?,
-        "torque" => once(&mut body.torque, input.parse()?, &key)?,
-        "spring" => {
-            if !input.peek(token::Paren) {
-                return Err(at(
-                    input.span(),
-                    "a spring has a stiffness and a rest position",
-                    "write `spring: (stiffness, rest)`",
-                ));
-            }
-            let inner;
-            parenthesized!(inner in input);
-            let stiffness = inner.parse()?;
-            inner.parse::<Token![,]>()?;
-            let rest = inner.parse()?;
-            super::expr::end_of(&inner)?;
-            once(&mut body.spring, (stiffness, rest), &key)?;
-        }
-        _ => property(input, &key, &mut body.properties)?,
+fn body_field(input: ParseStream, owner: &Ident, body: &mut BodyFields) -> syn::Result<End> {
+    let (properties, others) = (PROPERTIES.map(|(name, _)| name), BODY_FIELDS.map(|(name, _)| name));
+    let key = key(input, &[&properties[..], &others].concat())?;
+    let field = Field {
+        input,
+        key: &key,
+        owner,
+    };
+    field.read(&PROPERTIES, &mut body.properties)?;
+    field.read(&BODY_FIELDS, body)?;
+    Ok(End::Comma)
+}
+
+impl Field<'_> {
+    /// Reads the field by its row, if it has one here.
+    fn read<T>(&self, rows: &[Row<T>], target: &mut T) -> syn::Result<()> {
+        let row = rows.iter().find(|(name, _)| self.key == name);
+        row.map_or(Ok(()), |(_, read)| read(self, target))
     }
-    Ok(End::Comma)
-}
 
-fn property(input: ParseStream, key: &Ident, properties: &mut Properties) -> syn::Result<()> {
-    match key.to_string().as_str() {
-        "mass" => once(&mut properties.mass, input.parse()?, key),
-        "com" => once(&mut properties.com, input.parse()?, key),
-        "inertia" => once(&mut properties.inertia, input.parse()?, key),
-        _ => {
-            if !input.peek(token::Bracket) {
+    fn value<T: Parse>(&self, place: &mut Option<T>) -> syn::Result<()> {
+        once(place, self.input.parse()?, self.key)
+    }
+
+    fn coordinate(&self, body: &mut BodyFields) -> syn::Result<()> {
+        self.value(&mut body.coordinate)?;
+        if self.input.peek(Ident) {
+            let word: Ident = self.input.parse()?;
+            if word != "absolute" {
                 return Err(at(
-                    input.span(),
-                    "expected a list of solids",
-                    "write `solids: [rod(m, [0, 0, 0], [0, -l, 0])]`",
+                    word.span(),
+                    format_args!("unexpected `{word}` behind the coordinate"),
+                    "the only word that may stand here is `absolute`",
                 ));
             }
-            let inner;
-            bracketed!(inner in input);
-            let solids = inner.parse_terminated(Solid::parse, Token![,])?;
-            once(&mut properties.solids, solids.into_iter().collect(), key)
+            body.absolute = Some(word);
         }
+        Ok(())
+    }
+
+    fn spring(&self, body: &mut BodyFields) -> syn::Result<()> {
+        if !self.input.peek(token::Paren) {
+            return Err(at(
+                self.input.span(),
+                "a spring has a stiffness and a rest position",
+                "write `spring: (stiffness, rest)`",
+            ));
+        }
+        let inner;
+        parenthesized!(inner in self.input);
+        let stiffness = inner.parse()?;
+        inner.parse::<Token![,]>()?;
+        let rest = inner.parse()?;
+        expr::end_of(&inner)?;
+        once(&mut body.spring, (stiffness, rest), self.key)
     }
 }
 
@@ -165,10 +197,9 @@ impl Parse for Inertia {
             Argument::Scalar(scalar) => (vec![scalar], None),
             Argument::List(entries, tokens) => (entries, Some(tokens)),
             Argument::Points(_, tokens) => {
-                return Err(syn::Error::new_spanned(
-                    tokens,
-                    "an inertia is not written as a matrix\nhelp: write the six `[ixx, iyy, izz, ixy, ixz, iyz]`, with the off-diagonal entries of the matrix",
-                ));
+                let help =
+                    "write the six `[ixx, iyy, izz, ixy, ixz, iyz]`, with the off-diagonal entries of the matrix";
+                return Err(on(tokens, "an inertia is not written as a matrix", help));
             }
         };
         let tokens = tokens.unwrap_or_else(|| entries[0].tokens.clone());
@@ -190,79 +221,5 @@ impl Parse for Inertia {
             about_joint,
             tokens,
         })
-    }
-}
-
-impl Parse for Solid {
-    fn parse(input: ParseStream) -> syn::Result<Self> {
-        let kind: Ident = input
-            .parse()
-            .map_err(|e| at(e.span(), "expected a solid", "write one such as `point(m, [0, -l, 0])`"))?;
-        let inner;
-        parenthesized!(inner in input);
-        let arguments = inner.parse_terminated(Argument::parse, Token![,])?;
-        Ok(Self {
-            kind,
-            arguments: arguments.into_iter().collect(),
-        })
-    }
-}
-
-impl Parse for Joint {
-    fn parse(input: ParseStream) -> syn::Result<Self> {
-        let kind: Ident = input.parse().map_err(|e| {
-            at(
-                e.span(),
-                "expected a joint",
-                "write one such as `revolute(z) at [0, 0, 0]`",
-            )
-        })?;
-        let mut arguments = Vec::new();
-        if input.peek(token::Paren) {
-            let inner;
-            parenthesized!(inner in input);
-            arguments = inner
-                .parse_terminated(JointArgument::parse, Token![,])?
-                .into_iter()
-                .collect();
-        }
-        let mut joint = Self {
-            kind,
-            arguments,
-            at: None,
-            rpy: None,
-        };
-        // a word before a colon is the next field, behind a comma that is missing
-        while input.peek(Ident) && !input.peek2(Token![:]) {
-            let word: Ident = input.parse()?;
-            match word.to_string().as_str() {
-                "at" => once(&mut joint.at, input.parse::<Vector>()?, &word)?,
-                "rpy" => once(&mut joint.rpy, input.parse::<Vector>()?, &word)?,
-                other => {
-                    return Err(at(
-                        word.span(),
-                        format_args!("unexpected `{other}` behind the joint"),
-                        suggestion(other, ["at", "rpy"]),
-                    ));
-                }
-            }
-        }
-        Ok(joint)
-    }
-}
-
-impl Parse for JointArgument {
-    fn parse(input: ParseStream) -> syn::Result<Self> {
-        let ahead = input.fork();
-        let negative = ahead.parse::<Option<Token![-]>>()?.is_some();
-        if let Ok(name) = ahead.parse::<Ident>()
-            && let Some(axis) = ["x", "y", "z"].iter().position(|axis| name == axis)
-            && (ahead.is_empty() || ahead.peek(Token![,]))
-        {
-            input.parse::<Option<Token![-]>>()?;
-            input.parse::<Ident>()?;
-            return Ok(Self::Axis(axis, negative, name));
-        }
-        Ok(Self::Other(input.parse()?))
     }
 }

@@ -3,9 +3,9 @@
 use num_traits::{Pow, Zero};
 use proc_macro2::{TokenStream, TokenTree};
 use syn::parse::{Parse, ParseStream};
-use syn::{Ident, Lit, Token, bracketed, parenthesized, token};
+use syn::{Ident, Lit, Token, parenthesized, token};
 
-use crate::ast::{Argument, Expr, ExprKind, Operator, Vector};
+use crate::ast::{Expr, ExprKind, Operator};
 use crate::error::at;
 use crate::expr::{Rational, ratio};
 
@@ -51,7 +51,7 @@ fn size_until_comma(tokens: TokenStream) -> (usize, usize) {
 }
 
 /// Parses with `parser` and keeps the tokens that it took.
-fn recorded<T>(
+pub(super) fn recorded<T>(
     input: ParseStream,
     parser: impl FnOnce(ParseStream) -> syn::Result<T>,
 ) -> syn::Result<(T, TokenStream)> {
@@ -230,52 +230,4 @@ fn decimal(digits: &str) -> Option<Rational> {
     (-300..=300)
         .contains(&size)
         .then(|| Rational::from(integer) * ratio(10, 1).pow(exponent))
-}
-
-impl Parse for Vector {
-    fn parse(input: ParseStream) -> syn::Result<Self> {
-        let (entries, tokens) = list(input)?;
-        let count = entries.len();
-        match <[Expr; 3]>::try_from(entries) {
-            Ok(components) => Ok(Self { components, tokens }),
-            Err(_) => Err(syn::Error::new_spanned(
-                tokens,
-                format!("a vector has three components, not {count}\nhelp: write `[x, y, z]`"),
-            )),
-        }
-    }
-}
-
-/// `[e, e, ..]`
-pub(super) fn list(input: ParseStream) -> syn::Result<(Vec<Expr>, TokenStream)> {
-    if !input.peek(token::Bracket) {
-        return Err(at(input.span(), "expected a list in brackets", "write `[x, y, z]`"));
-    }
-    recorded(input, |input| {
-        let inner;
-        bracketed!(inner in input);
-        Ok(inner.parse_terminated(Expr::parse, Token![,])?.into_iter().collect())
-    })
-}
-
-impl Parse for Argument {
-    fn parse(input: ParseStream) -> syn::Result<Self> {
-        if !input.peek(token::Bracket) {
-            return Ok(Self::Scalar(input.parse()?));
-        }
-        let ahead = input.fork();
-        let inner;
-        bracketed!(inner in ahead);
-        if !inner.peek(token::Bracket) {
-            let (entries, tokens) = list(input)?;
-            return Ok(Self::List(entries, tokens));
-        }
-        let (points, tokens) = recorded(input, |input| {
-            let inner;
-            bracketed!(inner in input);
-            let points = inner.parse_terminated(list, Token![,])?;
-            Ok(points.into_iter().map(|(entries, _)| entries).collect())
-        })?;
-        Ok(Self::Points(points, tokens))
-    }
 }

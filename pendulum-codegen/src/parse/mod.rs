@@ -1,15 +1,18 @@
-//! Tokens to syntax tree. A mistake costs only the item or field it stands in: reading goes on behind it.
+//! Tokens to syntax tree. A mistake costs only the item or field it stands in: reading goes on after it.
 
+mod argument;
 mod body;
 mod expr;
+mod joint;
+mod solid;
 
 use proc_macro2::{TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::parse::{Parse, ParseStream, Parser};
 use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, MetaNameValue, Token, Visibility, braced, bracketed, token};
 
-use crate::ast::{Input, Items, Let, Param, Properties, Scene, Shape};
-use crate::error::{Errors, Reported, at, suggestion};
+use crate::ast::{Head, Input, Items, Let, Param, Scene};
+use crate::error::{Errors, Reported, at, on, suggestion};
 
 /// Reads a declaration. The scene is there unless its head could not be read; errors may stand beside it.
 pub fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
@@ -45,7 +48,8 @@ pub fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
             );
             input.parse::<TokenStream>()?;
         }
-        Ok(Scene { docs, vis, name, items })
+        let head = Head { docs, vis, name };
+        Ok(Scene { head, items })
     })
     .parse2(tokens);
     let scene = errors.keep(scene).ok();
@@ -112,9 +116,10 @@ fn docs(input: ParseStream) -> syn::Result<Vec<String>> {
             }),
             ..
         }) if path.is_ident("doc") => Ok(text.value()),
-        _ => Err(syn::Error::new_spanned(
+        _ => Err(on(
             attribute,
-            "only documentation comments may stand here\nhelp: remove the attribute",
+            "only documentation comments may stand here",
+            "remove the attribute",
         )),
     };
     input.call(Attribute::parse_outer)?.into_iter().map(line).collect()
@@ -173,22 +178,11 @@ fn item(input: ParseStream, items: &mut Items, errors: &mut Errors) -> syn::Resu
             items.inputs.push(input);
         }
         "shape" => {
-            let name = input.parse()?;
-            let inner;
-            braced!(inner in input);
-            let mut properties = Properties::default();
-            let unread = each(&inner, errors, |input, _| body::shape_field(input, &mut properties));
-            let shape = Shape {
-                name,
-                properties,
-                unread,
-            };
-            items.shapes.push(shape);
+            items.shapes.push(body::shape(input, errors)?);
             return Ok(End::Braces);
         }
         "body" => {
-            let body = body::body(input, errors)?;
-            items.bodies.push(body);
+            items.bodies.push(body::body(input, errors)?);
             return Ok(End::Braces);
         }
         "generate" => {

@@ -1,0 +1,90 @@
+//! Lists in brackets, and what may stand in the parentheses of solids and joints.
+
+use proc_macro2::TokenStream;
+use quote::ToTokens;
+use syn::parse::{Parse, ParseStream};
+use syn::{Token, bracketed, token};
+
+use super::expr::recorded;
+use crate::ast::{Expr, Vector};
+use crate::error::{at, on};
+
+/// An argument of a solid or of a joint.
+pub(super) enum Argument {
+    /// A number.
+    Scalar(Expr),
+    /// A list of numbers.
+    List(Vec<Expr>, TokenStream),
+    /// A list of lists.
+    Points(Vec<Vec<Expr>>, TokenStream),
+}
+
+impl ToTokens for Argument {
+    fn to_tokens(&self, tokens: &mut TokenStream) {
+        match self {
+            Self::Scalar(e) => e.to_tokens(tokens),
+            Self::List(_, text) | Self::Points(_, text) => text.to_tokens(tokens),
+        }
+    }
+}
+
+impl Parse for Argument {
+    fn parse(input: ParseStream) -> syn::Result<Self> {
+        if !input.peek(token::Bracket) {
+            return Ok(Self::Scalar(input.parse()?));
+        }
+        let ahead = input.fork();
+        let inner;
+        bracketed!(inner in ahead);
+        if !inner.peek(token::Bracket) {
+            let (entries, tokens) = list(input)?;
+            return Ok(Self::List(entries, tokens));
+        }
+        let (points, tokens) = recorded(input, |input| {
+            let inner;
+            bracketed!(inner in input);
+            let points = inner.parse_terminated(list, Token![,])?;
+            Ok(points.into_iter().map(|(entries, _)| entries).collect())
+        })?;
+        Ok(Self::Points(points, tokens))
+    }
+}
+
+impl Argument {
+    /// The argument as three components, if it has them.
+    pub(super) fn vector(self) -> Result<Vector, Self> {
+        match self {
+            Self::List(entries, tokens) => match <[Expr; 3]>::try_from(entries) {
+                Ok(components) => Ok(Vector { components, tokens }),
+                Err(entries) => Err(Self::List(entries, tokens)),
+            },
+            other => Err(other),
+        }
+    }
+}
+
+impl Parse for Vector {
+    fn parse(input: ParseStream) -> syn::Result<Self> {
+        let (entries, tokens) = list(input)?;
+        let count = entries.len();
+        match <[Expr; 3]>::try_from(entries) {
+            Ok(components) => Ok(Self { components, tokens }),
+            Err(_) => {
+                let fact = format!("a vector has three components, not {count}");
+                Err(on(tokens, fact, "write `[x, y, z]`"))
+            }
+        }
+    }
+}
+
+/// `[e, e, ..]`
+fn list(input: ParseStream) -> syn::Result<(Vec<Expr>, TokenStream)> {
+    if !input.peek(token::Bracket) {
+        return Err(at(input.span(), "expected a list in brackets", "write `[x, y, z]`"));
+    }
+    recorded(input, |input| {
+        let inner;
+        bracketed!(inner in input);
+        Ok(inner.parse_terminated(Expr::parse, Token![,])?.into_iter().collect())
+    })
+}

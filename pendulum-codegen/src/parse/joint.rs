@@ -1,0 +1,148 @@
+//! Joints.
+
+use syn::parse::{Parse, ParseStream};
+use syn::{Ident, Token, parenthesized, token};
+
+use super::argument::Argument;
+use super::once;
+use crate::ast::{Axis, Expr, Joint, JointKind, Read, Vector};
+use crate::error::{at, on, suggestion};
+
+/// The word of a joint, how it is written, and how its arguments are read: none if they do not fit.
+type Row = (&'static str, &'static str, fn(&mut Arguments) -> Option<JointKind>);
+
+const JOINTS: [Row; 5] = [
+    ("revolute", "revolute(z)", |a| Some(JointKind::Revolute(a.axis()?))),
+    ("prismatic", "prismatic(x)", |a| Some(JointKind::Prismatic(a.axis()?))),
+    ("helical", "helical(z, pitch)", |a| {
+        let (axis, pitch) = (a.axis()?, a.scalar()?);
+        Some(JointKind::Helical { axis, pitch })
+    }),
+    ("screw", "screw([wx, wy, wz, vx, vy, vz])", |a| a.screw()),
+    ("fixed", "fixed", |_| Some(JointKind::Fixed)),
+];
+
+/// `kind(arguments) at point rpy angles`
+pub(super) fn joint(input: ParseStream, body: &Ident) -> syn::Result<Joint> {
+    let word: Ident = input.parse().map_err(|e| {
+        at(
+            e.span(),
+            "expected a joint",
+            "write one such as `revolute(z) at [0, 0, 0]`",
+        )
+    })?;
+    let mut arguments = Vec::new();
+    if input.peek(token::Paren) {
+        let inner;
+        parenthesized!(inner in input);
+        let list = inner.parse_terminated(JointArgument::parse, Token![,])?;
+        arguments.extend(list);
+    }
+    let mut joint = Joint {
+        kind: kind(body, &word, arguments),
+        at: None,
+        rpy: None,
+    };
+    // a word before a colon is the next field, after a comma that is missing
+    while input.peek(Ident) && !input.peek2(Token![:]) {
+        let word: Ident = input.parse()?;
+        match word.to_string().as_str() {
+            "at" => once(&mut joint.at, input.parse::<Vector>()?, &word)?,
+            "rpy" => once(&mut joint.rpy, input.parse::<Vector>()?, &word)?,
+            other => {
+                return Err(at(
+                    word.span(),
+                    format_args!("unexpected `{other}` behind the joint"),
+                    suggestion(other, ["at", "rpy"]),
+                ));
+            }
+        }
+    }
+    Ok(joint)
+}
+
+fn kind(body: &Ident, word: &Ident, arguments: Vec<JointArgument>) -> Read<JointKind> {
+    let Some((_, form, read)) = JOINTS.into_iter().find(|(known, ..)| word == known) else {
+        let help = suggestion(&word.to_string(), JOINTS.map(|(known, ..)| known));
+        return Err(at(word.span(), format_args!("unknown joint `{word}`"), help));
+    };
+    let mut arguments = Arguments {
+        body,
+        word,
+        rest: arguments.into_iter(),
+    };
+    let kind = read(&mut arguments).filter(|_| arguments.rest.len() == 0);
+    kind.ok_or_else(|| {
+        at(
+            word.span(),
+            format_args!("a {word} joint takes other arguments"),
+            format_args!("write `{form}`; an axis is x, y, z, -x, .. or a vector"),
+        )
+    })
+}
+
+/// An argument of a joint.
+enum JointArgument {
+    Axis(Axis),
+    Other(Argument),
+}
+
+impl Parse for JointArgument {
+    fn parse(input: ParseStream) -> syn::Result<Self> {
+        let ahead = input.fork();
+        let negative = ahead.parse::<Option<Token![-]>>()?.is_some();
+        if let Ok(name) = ahead.parse::<Ident>()
+            && let Some(number) = ["x", "y", "z"].iter().position(|axis| name == axis)
+            && (ahead.is_empty() || ahead.peek(Token![,]))
+        {
+            input.parse::<Option<Token![-]>>()?;
+            input.parse::<Ident>()?;
+            return Ok(Self::Axis(Axis::Unit { number, negative }));
+        }
+        Ok(Self::Other(input.parse()?))
+    }
+}
+
+/// The arguments of a joint, taken one after the other.
+struct Arguments<'a> {
+    body: &'a Ident,
+    word: &'a Ident,
+    rest: std::vec::IntoIter<JointArgument>,
+}
+
+impl Arguments<'_> {
+    fn scalar(&mut self) -> Option<Expr> {
+        match self.rest.next()? {
+            JointArgument::Other(Argument::Scalar(scalar)) => Some(scalar),
+            _ => None,
+        }
+    }
+
+    fn axis(&mut self) -> Option<Read<Axis>> {
+        let argument = match self.rest.next()? {
+            JointArgument::Axis(axis) => return Some(Ok(axis)),
+            JointArgument::Other(argument) => argument,
+        };
+        Some(match argument.vector() {
+            Ok(vector) => Ok(Axis::Vector(Box::new(vector))),
+            Err(Argument::Scalar(e)) => Err(on(
+                e,
+                format_args!("the joint of `{}` has no such axis", self.body),
+                "an axis is x, y, z, -x, -y, -z or a vector `[x, y, z]`",
+            )),
+            Err(_) => Err(at(
+                self.word.span(),
+                format_args!("the axis of the joint of `{}` is no vector", self.body),
+                "write `[x, y, z]`",
+            )),
+        })
+    }
+
+    fn screw(&mut self) -> Option<JointKind> {
+        let JointArgument::Other(Argument::List(entries, tokens)) = self.rest.next()? else {
+            return None;
+        };
+        let components = entries.try_into().ok()?;
+        Some(JointKind::Screw { components, tokens })
+    }
+}

@@ -1,0 +1,130 @@
+//! Solids.
+
+use syn::parse::{Parse, ParseStream};
+use syn::{Ident, Token, bracketed, parenthesized, token};
+
+use super::argument::Argument;
+use crate::ast::{Expr, Read, Solid, SolidKind, Vector};
+use crate::error::{at, on, suggestion};
+
+/// The word of a solid, how it is written, and how its arguments after the mass are read: none if they do not fit.
+type Row = (&'static str, &'static str, fn(&mut Arguments) -> Option<SolidKind>);
+
+const SOLIDS: [Row; 7] = [
+    ("point", "point(mass, [x, y, z])", |a| {
+        Some(SolidKind::Point { at: a.point()? })
+    }),
+    ("rod", "rod(mass, [x, y, z], [x, y, z])", |a| {
+        let (from, to) = (a.point()?, a.point()?);
+        Some(SolidKind::Rod { from, to })
+    }),
+    ("disk", "disk(mass, radius, [x, y, z])", |a| {
+        let (radius, at) = (a.scalar()?, a.point()?);
+        Some(SolidKind::Disk { radius, at })
+    }),
+    ("plate", "plate(mass, [[x, y], [x, y], [x, y]])", |a| a.plate()),
+    ("cuboid", "cuboid(mass, [dx, dy, dz], [x, y, z])", |a| {
+        let (sides, at) = (a.sides()?, a.point()?);
+        Some(SolidKind::Cuboid { sides, at })
+    }),
+    ("cylinder", "cylinder(mass, radius, [x, y, z], [x, y, z])", |a| {
+        let (radius, from, to) = (a.scalar()?, a.point()?, a.point()?);
+        Some(SolidKind::Cylinder { radius, from, to })
+    }),
+    ("sphere", "sphere(mass, radius, [x, y, z])", |a| {
+        let (radius, at) = (a.scalar()?, a.point()?);
+        Some(SolidKind::Sphere { radius, at })
+    }),
+];
+
+/// `[solid, solid, ..]` of a body or a shape
+pub(super) fn solids(input: ParseStream, owner: &Ident) -> syn::Result<Vec<Read<Solid>>> {
+    if !input.peek(token::Bracket) {
+        return Err(at(
+            input.span(),
+            "expected a list of solids",
+            "write `solids: [rod(m, [0, 0, 0], [0, -l, 0])]`",
+        ));
+    }
+    let inner;
+    bracketed!(inner in input);
+    let solids = inner.parse_terminated(call, Token![,])?.into_iter();
+    Ok(solids.map(|(word, arguments)| solid(owner, word, arguments)).collect())
+}
+
+fn call(input: ParseStream) -> syn::Result<(Ident, Vec<Argument>)> {
+    let word: Ident = input
+        .parse()
+        .map_err(|e| at(e.span(), "expected a solid", "write one such as `point(m, [0, -l, 0])`"))?;
+    let inner;
+    parenthesized!(inner in input);
+    let arguments = inner.parse_terminated(Argument::parse, Token![,])?;
+    Ok((word, arguments.into_iter().collect()))
+}
+
+fn solid(owner: &Ident, word: Ident, arguments: Vec<Argument>) -> Read<Solid> {
+    let Some((_, form, read)) = SOLIDS.into_iter().find(|(known, ..)| word == known) else {
+        let help = suggestion(&word.to_string(), SOLIDS.map(|(known, ..)| known));
+        return Err(at(word.span(), format_args!("unknown solid `{word}`"), help));
+    };
+    let mut arguments = Arguments {
+        what: format!("a {word} of `{owner}`"),
+        form,
+        rest: arguments.into_iter(),
+    };
+    let wrong = || {
+        at(
+            word.span(),
+            format_args!("a {word} takes other arguments"),
+            format_args!("write `{form}`"),
+        )
+    };
+    let mass = arguments.scalar().ok_or_else(wrong)?;
+    let kind = read(&mut arguments).filter(|_| arguments.rest.len() == 0);
+    let kind = kind.ok_or_else(wrong);
+    Ok(Solid { word, mass, kind })
+}
+
+/// The arguments of a solid, taken one after the other.
+struct Arguments {
+    /// ``a rod of `arm` ``
+    what: String,
+    form: &'static str,
+    rest: std::vec::IntoIter<Argument>,
+}
+
+impl Arguments {
+    fn scalar(&mut self) -> Option<Expr> {
+        match self.rest.next()? {
+            Argument::Scalar(scalar) => Some(scalar),
+            _ => None,
+        }
+    }
+
+    fn point(&mut self) -> Option<Read<Vector>> {
+        let argument = self.rest.next()?;
+        Some(argument.vector().map_err(|other| {
+            let fact = format_args!("expected a point in {}", self.what);
+            on(other, fact, "write its three coordinates `[x, y, z]`")
+        }))
+    }
+
+    fn sides(&mut self) -> Option<Read<Vector>> {
+        let is_list = matches!(self.rest.as_slice(), [Argument::List(..), ..]);
+        if is_list { self.point() } else { None }
+    }
+
+    fn plate(&mut self) -> Option<SolidKind> {
+        let Argument::Points(points, tokens) = self.rest.next()? else {
+            return None;
+        };
+        let corner = |point: Vec<Expr>| {
+            <[Expr; 2]>::try_from(point).map_err(|_| {
+                let help = format_args!("write `{}`", self.form);
+                on(&tokens, "a corner of a plate has two coordinates", help)
+            })
+        };
+        let corners = points.into_iter().map(corner).collect();
+        Some(SolidKind::Plate { corners, tokens })
+    }
+}
