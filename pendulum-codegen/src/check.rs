@@ -4,13 +4,13 @@ use crate::dynamics::Dynamics;
 use crate::error::Errors;
 use crate::expr::SymbolKind;
 use crate::lower::Spans;
-use crate::model::Model;
+use crate::model::{CoordinateId, Model};
 
 /// Pivots below this part of the diagonal entry that they are left of are rounding.
 const SINGULAR: f64 = 1e-13;
 
 /// Refuses a scene whose mass matrix is singular in every state.
-pub fn check(model: &Model, spans: &Spans, dynamics: &Dynamics) -> Result<(), Errors> {
+pub fn check(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'_>) -> Result<(), Errors> {
     let mut errors = Errors::default();
     if let Some(k) = without_inertia(model, dynamics)
         && let Some(n) = model.bodies.iter().position(|body| body.coordinate == Some(k))
@@ -18,7 +18,7 @@ pub fn check(model: &Model, spans: &Spans, dynamics: &Dynamics) -> Result<(), Er
         let (body, coordinate) = (&model.bodies[n], &model.coordinates[k].name);
         let fact = format!("coordinate `{coordinate}` has no inertia, so the mass matrix is singular in every state");
         let name = &body.name;
-        let help = if model.graph.is_zero(body.inertia.mass) {
+        let help = if body.inertia.mass.is_zero() {
             format!("give `{name}` mass or make the joint `fixed`")
         } else {
             format!(
@@ -31,7 +31,7 @@ pub fn check(model: &Model, spans: &Spans, dynamics: &Dynamics) -> Result<(), Er
 }
 
 /// A coordinate whose pivot vanishes in several states and for several parameters that have nothing special.
-fn without_inertia(model: &Model, dynamics: &Dynamics) -> Option<usize> {
+fn without_inertia(model: &Model<'_>, dynamics: &Dynamics<'_>) -> Option<CoordinateId> {
     let n = model.dof();
     let entries: Vec<_> = dynamics.mass_matrix.iter().flatten().copied().collect();
     let mut singular = None;
@@ -62,7 +62,7 @@ fn without_inertia(model: &Model, dynamics: &Dynamics) -> Option<usize> {
             }
             false
         });
-        singular = Some(found?);
+        singular = Some(CoordinateId::new(found?));
     }
     singular
 }

@@ -35,4 +35,4 @@ pub mod program;
 pub mod screw;
 pub mod units;
 
-pub use pipeline::{expand, model, program};
+pub use pipeline::{expand, program};

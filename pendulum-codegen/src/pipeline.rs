@@ -6,8 +6,8 @@ use crate::ast::Scene;
 use crate::dynamics::Dynamics;
 use crate::emit::rust;
 use crate::error::Errors;
+use crate::expr::Graph;
 use crate::lower::Lowered;
-use crate::model::Model;
 use crate::program::{NotFinite, Program};
 use crate::{check, lower, parse};
 
@@ -36,17 +36,9 @@ pub fn program(tokens: TokenStream) -> Result<Program, Errors> {
     }
 }
 
-/// The meaning of a declaration, or all that is wrong with it. Physical checks that need the dynamics are not made yet.
-pub fn model(tokens: TokenStream) -> Result<Model, Errors> {
-    let (scene, errors) = parse::parse(tokens);
-    match scene {
-        Some(scene) => lower::lower(&scene, errors).map(|lowered| lowered.model),
-        None => Err(errors),
-    }
-}
-
 fn compile(scene: &Scene, errors: Errors) -> Result<Program, Errors> {
-    let Lowered { model, spans } = lower::lower(scene, errors)?;
+    let graph = Graph::new();
+    let Lowered { model, spans } = lower::lower(&graph, scene, errors)?;
     let dynamics = Dynamics::new(&model);
     check::check(&model, &spans, &dynamics)?;
     Program::new(&model, &dynamics).map_err(|NotFinite(constant)| {

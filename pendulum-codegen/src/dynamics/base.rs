@@ -1,9 +1,9 @@
 //! Base parameters: the least number of quantities of its masses that the motion of a model depends on.
 
 use super::links::{Link, links};
-use crate::expr::{ExprId, Graph};
+use crate::expr::Expr;
 use crate::model::Model;
-use crate::screw::{MassMoments, Symmetric3, Vec3, cross, mat_vec, transpose};
+use crate::screw::{MassMoments, Symmetric3, Vec3};
 
 /// The base parameters of a model (Gautier and Khalil 1990), without those that are zero.
 ///
@@ -11,84 +11,83 @@ use crate::screw::{MassMoments, Symmetric3, Vec3, cross, mat_vec, transpose};
 /// about the same direction it has three, and one if nothing pushes it across that. A link that slides has its mass and its first
 /// moment. Their number is the least one where all joints turn; helical joints, and slides among parallel axes, may have
 /// combinations that are left standing.
-pub fn base_parameters(model: &Model) -> Vec<ExprId> {
+pub fn base_parameters<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
     let links = links(model);
-    let (g, gravity) = (&model.graph, model.gravity);
-    let mut paths: Vec<Path> = Vec::new();
+    let ground = Path {
+        turning: Turning::Nothing,
+        pushes: vec![model.gravity],
+    };
+    let mut paths: Vec<Path<'g>> = Vec::new();
     let mut parameters = Vec::new();
     for link in &links {
-        let ground = Path {
-            turning: Turning::Nothing,
-            pushes: vec![gravity],
-        };
         let below = link.parent.map_or(&ground, |parent| &paths[parent]);
-        let path = below.with(g, link);
-        parameters.extend(path.sees(g, link));
+        let path = below.with(link);
+        parameters.extend(path.sees(link));
         paths.push(path);
     }
-    parameters.retain(|&parameter| !g.is_zero(parameter));
+    parameters.retain(|parameter| !parameter.is_zero());
     parameters
 }
 
 /// How a link can move, in its own frame.
 #[derive(Debug)]
-struct Path {
-    turning: Turning,
+struct Path<'g> {
+    turning: Turning<'g>,
     /// What accelerates its origin, as long as it does not turn freely.
-    pushes: Vec<Vec3>,
+    pushes: Vec<Vec3<'g>>,
 }
 
 #[derive(Clone, Copy, Debug)]
-enum Turning {
+enum Turning<'g> {
     Nothing,
-    About(Vec3),
+    About(Vec3<'g>),
     Freely,
 }
 
-impl Path {
+impl<'g> Path<'g> {
     /// The motion of a link that a link with this motion carries.
-    fn with(&self, g: &Graph, link: &Link) -> Self {
-        let z = [g.zero(), g.zero(), g.one()];
-        let back = transpose(link.placement.rotation);
-        let mut pushes: Vec<Vec3> = self.pushes.iter().map(|&push| mat_vec(g, back, push)).collect();
+    fn with(&self, link: &Link<'g>) -> Self {
+        let z = Vec3::z(link.force.graph());
+        let back = link.placement.rotation.transpose();
+        let mut pushes: Vec<Vec3<'g>> = self.pushes.iter().map(|&push| back * push).collect();
         let turning = match self.turning {
             Turning::About(axis) => {
                 // what turns moves every point that is off its axis
-                pushes.push(mat_vec(g, back, link.placement.translation));
-                Turning::About(mat_vec(g, back, axis))
+                pushes.push(back * link.placement.translation);
+                Turning::About(back * axis)
             }
             other => other,
         };
-        let turning = match (turning, link.turns) {
+        let turning = match (turning, link.turns()) {
             (Turning::Nothing, true) => Turning::About(z),
-            (Turning::About(axis), true) if across(g, axis, z) => Turning::Freely,
+            (Turning::About(axis), true) if across(axis, z) => Turning::Freely,
             (turning, _) => turning,
         };
-        if !link.turns {
+        if !link.turns() {
             pushes.push(z);
         }
         Self { turning, pushes }
     }
 
     /// The moments of a link that matter for this motion.
-    fn sees(&self, g: &Graph, link: &Link) -> Vec<ExprId> {
+    fn sees(&self, link: &Link<'g>) -> Vec<Expr<'g>> {
         let MassMoments {
             mass,
-            first: [hx, hy, hz],
+            first: Vec3([hx, hy, hz]),
             second: Symmetric3([xx, yy, zz, xy, xz, yz]),
         } = link.inertia;
-        match (link.turns, self.turning) {
-            (true, _) if !g.is_zero(link.pitch) => vec![mass, hx, hy, hz, xx, yy, zz, xy, xz, yz],
-            (true, Turning::About(axis)) if self.pushes.iter().any(|&push| across(g, push, axis)) => {
-                vec![hx, hy, g.add(xx, yy)]
+        match (link.turns(), self.turning) {
+            (true, _) if !link.pitch().is_zero() => vec![mass, hx, hy, hz, xx, yy, zz, xy, xz, yz],
+            (true, Turning::About(axis)) if self.pushes.iter().any(|&push| across(push, axis)) => {
+                vec![hx, hy, xx + yy]
             }
-            (true, Turning::About(_)) => vec![g.add(xx, yy)],
+            (true, Turning::About(_)) => vec![xx + yy],
             (true, _) => vec![hx, hy, xx, yy, xy, xz, yz],
             (false, Turning::Nothing) => vec![mass],
             (false, Turning::About(axis)) => {
-                let first = [hx, hy, hz].into_iter().zip(axis);
-                let units = [g.one(), g.integer(-1)];
-                let across = first.filter(|(_, along)| !units.contains(along)).map(|(h, _)| h);
+                let first = [hx, hy, hz].into_iter().zip(axis.0);
+                let along_axis = |x: Expr<'g>| x.is_one() || (-x).is_one();
+                let across = first.filter(|(_, along)| !along_axis(*along)).map(|(h, _)| h);
                 std::iter::once(mass).chain(across).collect()
             }
             (false, Turning::Freely) => vec![mass, hx, hy, hz],
@@ -97,6 +96,6 @@ impl Path {
 }
 
 /// Whether two directions differ, other than in sign.
-fn across(g: &Graph, a: Vec3, b: Vec3) -> bool {
-    cross(g, a, b) != [g.zero(); 3]
+fn across<'g>(a: Vec3<'g>, b: Vec3<'g>) -> bool {
+    !a.cross(b).is_zero()
 }

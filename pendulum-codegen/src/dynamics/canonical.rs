@@ -4,26 +4,23 @@
 //! by. The right-hand side is `dL/dq + Q` of Lagrange's equations: half of `(dA/dt) qd` cancels against the bias, which a normal form
 //! sees.
 
-use crate::expr::{Derivative, ExprId, Graph};
+use crate::expr::{Derivative, Expr};
 use crate::model::Coordinate;
 
 use super::{Dynamics, derived};
 
 /// The rates of the momenta, in the state.
-pub fn momentum_rates(g: &Graph, dynamics: &Dynamics, coordinates: &[Coordinate]) -> Vec<ExprId> {
+pub fn momentum_rates<'g>(dynamics: &Dynamics<'g>, coordinates: &[Coordinate<'g>]) -> Vec<Expr<'g>> {
     let mut along_motion = Derivative::along(coordinates.iter().map(|c| (c.position, c.rate)));
     let rows = dynamics.momentum.iter().zip(&dynamics.residual);
-    rows.map(|(&momentum, &residual)| {
-        let swept = along_motion.of(g, momentum);
-        g.sub(swept, residual)
-    })
-    .collect()
+    rows.map(|(&momentum, &residual)| along_motion.of(momentum) - residual)
+        .collect()
 }
 
 /// The derivatives of the momenta by the state, column by column. Those by the rates are the mass matrix.
-pub fn momentum_partials(g: &Graph, dynamics: &Dynamics, coordinates: &[Coordinate]) -> Vec<Vec<ExprId>> {
-    let positions: Vec<ExprId> = coordinates.iter().map(|c| c.position).collect();
-    let mut columns = derived(g, &dynamics.momentum, &positions);
+pub fn momentum_partials<'g>(dynamics: &Dynamics<'g>, coordinates: &[Coordinate<'g>]) -> Vec<Vec<Expr<'g>>> {
+    let positions: Vec<Expr<'g>> = coordinates.iter().map(|c| c.position).collect();
+    let mut columns = derived(&dynamics.momentum, &positions);
     columns.extend(dynamics.mass_matrix.iter().cloned());
     columns
 }

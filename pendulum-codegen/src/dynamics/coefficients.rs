@@ -3,81 +3,68 @@
 use std::collections::BTreeMap;
 
 use super::Kinematics;
-use crate::expr::{ExprId, Graph, ratio};
-use crate::model::Model;
-use crate::screw::{Twist, Wrench, bracket, cross, scale};
+use crate::expr::{Expr, ratio};
+use crate::model::{BodyId, Model};
+use crate::screw::{Twist, Wrench};
 
 /// `tau_i = sum_j A_ij qdd_j + sum_jk B_ijk qd_j qd_k + C_i`, where the indices run over the bodies of a model.
 /// Entries of fixed joints, and of bodies that are not on one path from the ground, are zero and left out.
-#[derive(Debug)]
-pub struct Coefficients {
+#[derive(Debug, Default)]
+pub struct Coefficients<'g> {
     /// `A_ij` for `i <= j`.
-    pub a: BTreeMap<(usize, usize), ExprId>,
+    pub a: BTreeMap<(BodyId, BodyId), Expr<'g>>,
     /// `B_ijk` for `j <= k`.
-    pub b: BTreeMap<(usize, usize, usize), ExprId>,
+    pub b: BTreeMap<(BodyId, BodyId, BodyId), Expr<'g>>,
     /// `C_i`.
-    pub c: BTreeMap<usize, ExprId>,
+    pub c: BTreeMap<BodyId, Expr<'g>>,
 }
 
-impl Coefficients {
+impl<'g> Coefficients<'g> {
     /// The coefficients of a model.
-    pub fn new(model: &Model, kinematics: &mut Kinematics) -> Self {
-        let (count, g) = (model.bodies.len(), &model.graph);
-        let mut coefficients = Self {
-            a: BTreeMap::new(),
-            b: BTreeMap::new(),
-            c: BTreeMap::new(),
-        };
-        for x in 0..count {
+    pub fn new(model: &Model<'g>, kinematics: &mut Kinematics<'g>) -> Self {
+        let mut coefficients = Self::default();
+        for x in BodyId::all(model.bodies.len()) {
             // the joints on the path to x, and their screws in the station of x
-            let path: Vec<usize> = (0..=x).filter(|&i| kinematics.carries(i, x)).collect();
-            let path: Vec<(usize, Twist)> = path
+            let path: Vec<(BodyId, Twist<'g>)> = BodyId::all(x.index() + 1)
+                .filter(|&i| kinematics.carries(i, x))
+                .collect::<Vec<_>>()
                 .into_iter()
-                .filter_map(|i| Some((i, kinematics.screw(g, i, x)?)))
+                .filter_map(|i| Some((i, kinematics.screw(i, x)?)))
                 .collect();
-            if path.last().is_none_or(|(last, _)| *last != x) {
-                continue;
+            if path.last().is_some_and(|(last, _)| *last == x) {
+                coefficients.outermost(kinematics, x, &path);
             }
-            coefficients.outermost(g, kinematics, x, &path);
         }
         coefficients
     }
 
-    /// All entries whose outermost body is `x`.
-    fn outermost(&mut self, g: &Graph, kinematics: &Kinematics, x: usize, path: &[(usize, Twist)]) {
-        let inertia = *kinematics.composite(x);
-        let momenta: Vec<Wrench> = path.iter().map(|(_, screw)| inertia.momentum(g, screw)).collect();
+    /// All entries whose outermost body is `x`, of which `n` holds the mass and all that it carries.
+    fn outermost(&mut self, kinematics: &Kinematics<'g>, x: BodyId, path: &[(BodyId, Twist<'g>)]) {
+        let n = kinematics.composite(x);
         let own = path.len() - 1;
+        let s: Vec<Twist<'g>> = path.iter().map(|(_, screw)| *screw).collect();
+        // N s_i
+        let momenta: Vec<Wrench<'g>> = s.iter().map(|&screw| n * screw).collect();
         for (i, screw) in path {
-            let entry = momenta[own].power(g, screw);
-            self.a.insert((*i, x), entry);
+            self.a.insert((*i, x), momenta[own].power(screw));
         }
-        let gravity = kinematics.gravity(g, x);
+        let gravity = kinematics.gravity(x);
         let weight = Wrench {
-            moment: cross(g, inertia.moment, gravity),
-            force: scale(g, inertia.mass, gravity),
+            moment: n.moment.cross(gravity),
+            force: n.mass * gravity,
         };
-        let work = weight.power(g, &path[own].1);
-        let entry = g.neg(work);
-        self.c.insert(x, entry);
-        // brackets[i][k] = [s_i, s_k]
-        let brackets: Vec<Vec<Twist>> = path
-            .iter()
-            .map(|(_, a)| path.iter().map(|(_, b)| bracket(g, a, b)).collect())
-            .collect();
-        let half = g.number(ratio(1, 2));
+        self.c.insert(x, -weight.power(&s[own]));
+        let brackets: Vec<Vec<Twist<'g>>> = s.iter().map(|si| s.iter().map(|sk| si.bracket(sk)).collect()).collect();
         for i in 0..=own {
             for j in 0..=own {
                 for k in j..=own {
                     if i.max(k) != own {
                         continue;
                     }
-                    let first = momenta[j].power(g, &brackets[i][k]);
-                    let second = momenta[k].power(g, &brackets[i][j]);
-                    let third = momenta[i].power(g, &brackets[k][j]);
-                    let both = g.add(first, second);
-                    let twice = g.sub(both, third);
-                    let entry = g.mul(half, twice);
+                    // 1/2 (s_j N [s_i, s_k] + s_k N [s_i, s_j] - s_i N [s_k, s_j])
+                    let [first, second, third] =
+                        [(j, i, k), (k, i, j), (i, k, j)].map(|(n, a, b)| momenta[n].power(&brackets[a][b]));
+                    let entry = ratio(1, 2) * (first + second - third);
                     self.b.insert((path[i].0, path[j].0, path[k].0), entry);
                 }
             }

@@ -3,192 +3,169 @@
 //! A link alone turns its own frame; parallel links in a row share the frame before the first of them, in which their angles add up
 //! and nothing has to be turned between them.
 
+use super::joints::JointId;
 use super::links::Link;
-use crate::expr::{ExprId, Graph, Unary};
-use crate::model::{Combination, Model, combine, plus_scaled};
-use crate::screw::{
-    MassMoments, Mat3, Symmetric3, Turn, Vec3, Wrench, add, cross, identity, mat_mul, mat_vec, scale, transpose,
-};
+use crate::model::{Combination, Model};
+use crate::screw::{MassMoments, Mat3, Symmetric3, Turn, Twist, Vec3, Wrench};
 
 /// The frame in which a link is computed: at its origin, turned as its station is.
 #[derive(Clone, Debug)]
-pub(super) struct Frame {
-    /// Whether the link before is in the same station.
-    same_station: bool,
-    /// From the parent's body frame to the station, where that is a new one.
-    placement: Mat3,
-    /// The turn of the frame itself, where the link is alone in its station.
-    own: Option<Turn>,
-    /// The turn of the body in its station, where several share it, behind the constant rotation `rest`.
-    inside: Option<Turn>,
-    rest: Mat3,
+pub(super) struct Frame<'g> {
+    /// How it is turned against the frame of the parent; nothing where the two share a station.
+    turned: Option<Turned<'g>>,
+    /// How the body of the link is turned in it, where several links share the station.
+    inside: Option<Inside<'g>>,
     /// The origin of the link from that of its parent, in the parent's frame.
-    pub(super) offset: Vec3,
-    /// Rate of turning about z.
-    pub(super) turning: ExprId,
-    /// Rate of sliding along z.
-    pub(super) sliding: ExprId,
+    pub(super) offset: Vec3<'g>,
+    /// The velocity that the joint adds, in this frame.
+    pub(super) velocity: Twist<'g>,
     /// What moves with the link, in base parameters.
-    pub(super) inertia: MassMoments,
+    pub(super) inertia: MassMoments<'g>,
 }
 
-/// Whether a link turns about the direction of its parent, which turns too.
-fn continues(g: &Graph, links: &[Link], n: usize) -> bool {
-    let (link, one) = (&links[n], g.one());
-    link.turns && link.parent.is_some_and(|p| links[p].turns) && link.placement.rotation[2][2] == one
+/// How the station of a link is turned against the frame of its parent.
+#[derive(Clone, Copy, Debug)]
+struct Turned<'g> {
+    /// The body of the parent in its own frame.
+    below: Option<Inside<'g>>,
+    /// The station in the body of the parent, at angle zero.
+    placement: Mat3<'g>,
+    /// The turn of the joint, where the link is alone in its station.
+    own: Option<Turn<'g>>,
+}
+
+/// How a body is turned in its station: by a turn of the constant rotation `rest`.
+#[derive(Clone, Copy, Debug)]
+struct Inside<'g> {
+    turn: Turn<'g>,
+    rest: Mat3<'g>,
 }
 
 /// The frame of each link.
-pub(super) fn frames(model: &Model, links: &[Link]) -> Vec<Frame> {
-    let Model {
-        graph: g, coordinates, ..
-    } = model;
-    let follows: Vec<bool> = (0..links.len()).map(|n| continues(g, links, n)).collect();
-    let shared = |n: usize| follows[n] || (0..links.len()).any(|m| links[m].parent == Some(n) && follows[m]);
+pub(super) fn frames<'g>(model: &Model<'g>, links: &[Link<'g>]) -> Vec<Frame<'g>> {
+    let g = model.graph;
+    let follows: Vec<bool> = links.iter().map(|link| continues(links, link)).collect();
+    let shared = |n: JointId| follows[n] || JointId::all(links.len()).any(|m| links[m].parent == Some(n) && follows[m]);
     // the angle of each body in its station, and its constant rotation there
-    let mut angles: Vec<Combination> = Vec::new();
-    let mut frames: Vec<Frame> = Vec::new();
-    for (n, link) in links.iter().enumerate() {
+    let mut angles: Vec<(Combination, Mat3<'g>)> = Vec::new();
+    let mut frames: Vec<Frame<'g>> = Vec::new();
+    for (n, link) in JointId::all(links.len()).zip(links) {
         let (before, rest) = match link.parent {
             Some(parent) if follows[n] => {
-                let rest = mat_mul(g, frames[parent].rest, link.placement.rotation);
-                (angles[parent].clone(), rest)
+                let (angle, rest) = &angles[parent];
+                (angle.clone(), *rest * link.placement.rotation)
             }
-            _ => (Combination::new(), identity(g)),
+            _ => (Combination::default(), Mat3::identity(g)),
         };
-        angles.push(plus_scaled(&before, &link.motion, 1));
-        let turn = link.turns.then(|| {
-            let angle = combine(g, coordinates, &angles[n], |c| c.position);
-            Turn {
-                sine: g.unary(Unary::Sin, angle),
-                cosine: g.unary(Unary::Cos, angle),
-            }
-        });
-        let (own, inside) = if shared(n) { (None, turn) } else { (turn, None) };
-        let position = combine(g, coordinates, &link.motion, |c| c.position);
-        let rate = combine(g, coordinates, &link.motion, |c| c.rate);
-        let slide = g.mul(link.pitch, position);
-        let along = scale(g, slide, link.placement.rotation.map(|row| row[2]));
-        let offset = add(g, link.placement.translation, along);
-        let offset = link.parent.map_or(offset, |parent| frames[parent].of_body(g, offset));
-        let mut frame = Frame {
-            same_station: follows[n],
-            placement: link.placement.rotation,
-            own,
+        let angle = before.plus_scaled(1, &link.motion);
+        let turn = link.turns().then(|| Turn::by(model.position_of(&angle)));
+        angles.push((angle, rest));
+        let (own, inside) = if shared(n) {
+            (None, turn.map(|turn| Inside { turn, rest }))
+        } else {
+            (turn, None)
+        };
+        let below = link.parent.and_then(|parent| frames[parent].inside);
+        let placement = link.placement.rotation;
+        let slide = link.pitch() * model.position_of(&link.motion);
+        let rate = model.rate_of(&link.motion);
+        let offset = link.placement.translation + slide * placement.column(2);
+        frames.push(Frame {
+            turned: (!follows[n]).then_some(Turned { below, placement, own }),
             inside,
-            rest,
-            offset,
-            turning: if link.turns { rate } else { g.zero() },
-            sliding: g.mul(link.pitch, rate),
-            inertia: link.inertia,
-        };
-        frame.inertia = MassMoments {
-            mass: link.inertia.mass,
-            first: frame.of_body(g, link.inertia.first),
-            second: frame.tensor_of_body(g, link.inertia.second),
-        };
-        frames.push(frame);
+            offset: Inside::forward(below, offset),
+            velocity: rate * link.screw,
+            inertia: MassMoments {
+                mass: link.inertia.mass,
+                first: Inside::forward(inside, link.inertia.first),
+                second: Inside::tensor(inside, link.inertia.second),
+            },
+        });
     }
     frames
 }
 
-impl Frame {
+/// Whether a link turns about the direction of its parent, which turns too.
+fn continues(links: &[Link<'_>], link: &Link<'_>) -> bool {
+    let parent_turns = link.parent.is_some_and(|parent| links[parent].turns());
+    link.turns() && parent_turns && link.placement.rotation[2][2].is_one()
+}
+
+impl<'g> Inside<'g> {
+    /// A vector of the body, in the frame.
+    fn forward(this: Option<Self>, v: Vec3<'g>) -> Vec3<'g> {
+        this.map_or(v, |Self { turn, rest }| turn * (rest * v))
+    }
+
+    /// A symmetric tensor of the body, in the frame.
+    fn tensor(this: Option<Self>, tensor: Symmetric3<'g>) -> Symmetric3<'g> {
+        this.map_or(tensor, |Self { turn, rest }| turn.tensor(tensor.rotated(rest)))
+    }
+
+    /// A vector of the frame, in the body.
+    fn back(this: Option<Self>, v: Vec3<'g>) -> Vec3<'g> {
+        this.map_or(v, |Self { turn, rest }| rest.transpose() * (turn.inverse() * v))
+    }
+}
+
+impl<'g> Frame<'g> {
     /// The same place, with nothing moving.
-    pub(super) fn at_rest(&self, g: &Graph) -> Self {
-        let (turning, sliding) = (g.zero(), g.zero());
+    pub(super) fn at_rest(&self) -> Self {
         Self {
-            turning,
-            sliding,
+            velocity: Twist::zero(self.inertia.mass.graph()),
             ..self.clone()
         }
     }
 
-    /// A vector of the link's body, in the frame of the link.
-    fn of_body(&self, g: &Graph, v: Vec3) -> Vec3 {
-        let Some(turn) = self.inside else { return v };
-        let v = mat_vec(g, self.rest, v);
-        turn.forward(g, v)
-    }
-
-    /// A symmetric tensor of the link's body, in the frame of the link.
-    fn tensor_of_body(&self, g: &Graph, tensor: Symmetric3) -> Symmetric3 {
-        let Some(turn) = self.inside else { return tensor };
-        let tensor = tensor.rotated(g, self.rest);
-        turn.forward_tensor(g, tensor)
-    }
-
-    /// The inverse of [`Frame::of_body`].
-    fn to_body(&self, g: &Graph, v: Vec3) -> Vec3 {
-        let Some(turn) = self.inside else { return v };
-        let v = turn.back(g, v);
-        mat_vec(g, transpose(self.rest), v)
-    }
-
     /// A vector of the frame of the parent, in this frame.
-    pub(super) fn of_parent(&self, g: &Graph, parent: Option<&Frame>, v: Vec3) -> Vec3 {
-        if self.same_station {
+    pub(super) fn of_parent(&self, v: Vec3<'g>) -> Vec3<'g> {
+        let Some(Turned { below, placement, own }) = self.turned else {
             return v;
-        }
-        let v = parent.map_or(v, |parent| parent.to_body(g, v));
-        let v = mat_vec(g, transpose(self.placement), v);
-        self.own.map_or(v, |turn| turn.back(g, v))
+        };
+        let v = placement.transpose() * Inside::back(below, v);
+        own.map_or(v, |turn| turn.inverse() * v)
     }
 
     /// The inverse of [`Frame::of_parent`].
-    pub(super) fn to_parent(&self, g: &Graph, parent: &Frame, v: Vec3) -> Vec3 {
-        if self.same_station {
+    pub(super) fn to_parent(&self, v: Vec3<'g>) -> Vec3<'g> {
+        let Some(Turned { below, placement, own }) = self.turned else {
             return v;
-        }
-        let v = self.own.map_or(v, |turn| turn.forward(g, v));
-        let v = mat_vec(g, self.placement, v);
-        parent.of_body(g, v)
+        };
+        let v = own.map_or(v, |turn| turn * v);
+        Inside::forward(below, placement * v)
     }
 
     /// A tensor of this frame, in that of the parent: turned in its rows, then in its columns.
-    pub(super) fn matrix_to_parent(&self, g: &Graph, parent: &Frame, tensor: Mat3) -> Mat3 {
-        let rows = tensor.map(|row| self.to_parent(g, parent, row));
-        let columns = transpose(rows).map(|column| self.to_parent(g, parent, column));
-        transpose(columns)
+    pub(super) fn matrix_to_parent(&self, tensor: Mat3<'g>) -> Mat3<'g> {
+        let turned = |row| self.to_parent(row);
+        tensor.map_rows(turned).transpose().map_rows(turned).transpose()
     }
 
     /// A symmetric tensor of this frame, in that of the parent.
-    pub(super) fn tensor_to_parent(&self, g: &Graph, parent: &Frame, tensor: Symmetric3) -> Symmetric3 {
-        if self.same_station {
+    pub(super) fn tensor_to_parent(&self, tensor: Symmetric3<'g>) -> Symmetric3<'g> {
+        let Some(Turned { below, placement, own }) = self.turned else {
             return tensor;
-        }
-        let tensor = self.own.map_or(tensor, |turn| turn.forward_tensor(g, tensor));
-        let tensor = tensor.rotated(g, self.placement);
-        parent.tensor_of_body(g, tensor)
+        };
+        let tensor = own.map_or(tensor, |turn| turn.tensor(tensor));
+        Inside::tensor(below, tensor.rotated(placement))
     }
 
     /// An inertia of this frame, in that of the parent.
-    pub(super) fn inertia_to_parent(&self, g: &Graph, parent: &Frame, inertia: &MassMoments) -> MassMoments {
+    pub(super) fn inertia_to_parent(&self, inertia: &MassMoments<'g>) -> MassMoments<'g> {
         let turned = MassMoments {
             mass: inertia.mass,
-            first: self.to_parent(g, parent, inertia.first),
-            second: self.tensor_to_parent(g, parent, inertia.second),
+            first: self.to_parent(inertia.first),
+            second: self.tensor_to_parent(inertia.second),
         };
-        turned.moved(g, self.offset)
+        turned.moved(self.offset)
     }
 
-    /// A force and a moment about the link's origin, in the frame and about the origin of the parent.
-    pub(super) fn wrench_to_parent(&self, g: &Graph, parent: &Frame, wrench: &Wrench) -> Wrench {
-        let force = self.to_parent(g, parent, wrench.force);
-        let moment = self.to_parent(g, parent, wrench.moment);
-        let lever = cross(g, self.offset, force);
+    /// A wrench about the link's origin, in the frame and about the origin of the parent.
+    pub(super) fn wrench_to_parent(&self, wrench: &Wrench<'g>) -> Wrench<'g> {
+        let force = self.to_parent(wrench.force);
         Wrench {
-            moment: add(g, moment, lever),
+            moment: self.to_parent(wrench.moment) + self.offset.cross(force),
             force,
-        }
-    }
-
-    /// The part of a wrench that moves the joint of the link.
-    pub(super) fn along_joint(&self, g: &Graph, link: &Link, wrench: &Wrench) -> ExprId {
-        let slide = g.mul(link.pitch, wrench.force[2]);
-        if link.turns {
-            g.add(wrench.moment[2], slide)
-        } else {
-            slide
         }
     }
 }

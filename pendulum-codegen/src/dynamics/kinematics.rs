@@ -2,84 +2,79 @@
 
 use std::collections::HashMap;
 
-use crate::expr::{ExprId, Graph};
-use crate::model::{Body, Heading, Model, combine};
-use crate::screw::{SpatialInertia, Transform, Twist, Vec3, add, cross, dot, mat_mul, mat_vec, rotation, scale, sub};
+use crate::expr::{Expr, Graph};
+use crate::model::{Body, BodyId, Heading, Model};
+use crate::screw::{Mat3, SpatialInertia, Transform, Twist, Vec3};
 
 /// Poses, screws and inertias of a model, each written in the station of its body.
 ///
 /// All scalars of the dynamics are invariant under a change of frame, so each may be computed where it is shortest. In a
 /// station, parallel joints turn by sums of angles and what lies below the station does not appear at all.
 #[derive(Debug)]
-pub struct Kinematics {
-    poses: Vec<Transform>,
-    screws: Vec<Option<Twist>>,
-    composites: Vec<SpatialInertia>,
-    stations: Vec<Option<usize>>,
-    parents: Vec<Option<usize>>,
-    gravity: Vec3,
-    seen: HashMap<(usize, usize), Twist>,
+pub struct Kinematics<'g> {
+    graph: &'g Graph,
+    poses: Vec<Transform<'g>>,
+    screws: Vec<Option<Twist<'g>>>,
+    composites: Vec<SpatialInertia<'g>>,
+    stations: Vec<Option<BodyId>>,
+    parents: Vec<Option<BodyId>>,
+    gravity: Vec3<'g>,
+    seen: HashMap<(BodyId, BodyId), Twist<'g>>,
 }
 
-impl Kinematics {
+impl<'g> Kinematics<'g> {
     /// The kinematics of a model.
-    pub fn new(model: &Model) -> Self {
-        let g = &model.graph;
-        let mut poses: Vec<Transform> = Vec::new();
+    pub fn new(model: &Model<'g>) -> Self {
+        let mut poses: Vec<Transform<'g>> = Vec::new();
         let mut screws = Vec::new();
         for body in &model.bodies {
             let base = match body.parent {
                 Some(parent) if body.heading.station != Some(parent) => poses[parent],
-                _ => Transform::identity(g),
+                _ => Transform::identity(model.graph),
             };
-            let angle = combine(g, &model.coordinates, &body.heading.turn, |c| c.position);
-            let turned = orientation(g, &body.heading, angle);
-            let position = combine(g, &model.coordinates, &body.motion, |c| c.position);
-            let (translation, screw) = place(g, &base, body, turned, position);
-            poses.push(Transform {
-                rotation: turned,
-                translation,
-            });
+            let rotation = orientation(&body.heading, model.position_of(&body.heading.turn));
+            let (translation, screw) = place(&base, body, rotation, model.position_of(&body.motion));
+            poses.push(Transform { rotation, translation });
             screws.push(screw);
         }
-        let mut composites: Vec<SpatialInertia> = Vec::new();
-        for (pose, body) in poses.iter().zip(&model.bodies) {
-            composites.push(pose.inertia(g, &body.inertia));
-        }
-        let stations: Vec<_> = model.bodies.iter().map(|b| b.heading.station).collect();
-        for n in (0..model.bodies.len()).rev() {
-            let Some(parent) = model.bodies[n].parent else { continue };
-            let carried = if stations[n] == Some(parent) {
-                poses[parent].inertia(g, &composites[n])
+        let mut composites: Vec<SpatialInertia<'g>> = poses
+            .iter()
+            .zip(&model.bodies)
+            .map(|(pose, body)| pose.inertia(&body.inertia))
+            .collect();
+        for (n, body) in model.bodies().rev() {
+            let Some(parent) = body.parent else { continue };
+            let carried = if body.heading.station == Some(parent) {
+                poses[parent].inertia(&composites[n])
             } else {
                 composites[n]
             };
-            composites[parent] = composites[parent].plus(g, &carried);
+            composites[parent] = composites[parent] + carried;
         }
-        let parents = model.bodies.iter().map(|b| b.parent).collect();
         Self {
+            graph: model.graph,
             poses,
             screws,
             composites,
-            stations,
-            parents,
+            stations: model.bodies.iter().map(|body| body.heading.station).collect(),
+            parents: model.bodies.iter().map(|body| body.parent).collect(),
             gravity: model.gravity,
             seen: HashMap::new(),
         }
     }
 
     /// Whether body `inner` carries body `outer`, or is it.
-    pub fn carries(&self, inner: usize, outer: usize) -> bool {
+    pub fn carries(&self, inner: BodyId, outer: BodyId) -> bool {
         std::iter::successors(Some(outer), |&n| self.parents[n]).any(|n| n == inner)
     }
 
     /// The inertia of a body and all that it carries, in its station: `N_x^+`.
-    pub fn composite(&self, body: usize) -> &SpatialInertia {
-        &self.composites[body]
+    pub fn composite(&self, body: BodyId) -> SpatialInertia<'g> {
+        self.composites[body]
     }
 
     /// The screw of the joint of `joint`, in the station of `body`, which it carries or is. A fixed joint has none.
-    pub fn screw(&mut self, g: &Graph, joint: usize, body: usize) -> Option<Twist> {
+    pub fn screw(&mut self, joint: BodyId, body: BodyId) -> Option<Twist<'g>> {
         let own = self.screws[joint]?;
         let (Some(base), true) = (self.stations[body], self.stations[joint] != self.stations[body]) else {
             return Some(own);
@@ -87,70 +82,62 @@ impl Kinematics {
         if let Some(&seen) = self.seen.get(&(joint, base)) {
             return Some(seen);
         }
-        let below = self.screw(g, joint, base)?;
-        let twist = self.poses[base].twist_back(g, &below);
+        let below = self.screw(joint, base)?;
+        let twist = self.poses[base].twist_back(&below);
         self.seen.insert((joint, base), twist);
         Some(twist)
     }
 
     /// The acceleration of gravity in the station of a body.
-    pub fn gravity(&self, g: &Graph, body: usize) -> Vec3 {
+    pub fn gravity(&self, body: BodyId) -> Vec3<'g> {
         match self.stations[body] {
             None => self.gravity,
-            Some(base) => {
-                let below = self.gravity(g, base);
-                self.poses[base].vector_back(g, below)
-            }
+            Some(base) => self.poses[base].rotation.transpose() * self.gravity(base),
         }
     }
 
     /// Potential energy of all bodies in gravity, zero where all mass is at the origin of ground.
-    pub fn potential(&self, g: &Graph) -> ExprId {
-        let mut moment = [g.zero(); 3];
-        for root in (0..self.parents.len()).filter(|&n| self.parents[n].is_none()) {
-            moment = add(g, moment, self.composites[root].moment);
-        }
-        let work = dot(g, self.gravity, moment);
-        g.neg(work)
+    pub fn potential(&self) -> Expr<'g> {
+        let roots = self
+            .composites
+            .iter()
+            .zip(&self.parents)
+            .filter(|(_, parent)| parent.is_none());
+        let moment = roots.fold(Vec3::zero(self.graph), |sum, (composite, _)| sum + composite.moment);
+        -self.gravity.dot(moment)
     }
 }
 
-fn orientation(g: &Graph, heading: &Heading, angle: ExprId) -> [Vec3; 3] {
+fn orientation<'g>(heading: &Heading<'g>, angle: Expr<'g>) -> Mat3<'g> {
     match heading.axis {
         None => heading.rest,
-        Some(axis) => {
-            let turn = rotation(g, axis, angle);
-            mat_mul(g, turn, heading.rest)
-        }
+        Some(axis) => Mat3::rotation(axis, angle) * heading.rest,
     }
 }
 
 /// Where a body's origin is and what the screw of its joint is, in the frame in which its parent stands at `base`.
-fn place(g: &Graph, base: &Transform, body: &Body, turned: [Vec3; 3], position: ExprId) -> (Vec3, Option<Twist>) {
-    let joint = base.then(g, &body.placement);
+fn place<'g>(
+    base: &Transform<'g>,
+    body: &Body<'g>,
+    turned: Mat3<'g>,
+    position: Expr<'g>,
+) -> (Vec3<'g>, Option<Twist<'g>>) {
+    let joint = *base * body.placement;
     let Some(screw) = body.screw else {
         return (joint.translation, None);
     };
-    let zero = g.zero();
-    if screw.angular == [zero; 3] {
-        let slide = scale(g, position, screw.linear);
-        return (joint.point(g, slide), Some(joint.twist(g, &screw)));
+    if !screw.turns() {
+        return (joint.point(position * screw.linear), Some(joint.twist(&screw)));
     }
+    let Twist { angular: w, linear: v } = screw;
     // a turn does not move its own axis, so the axis needs the constant rotation only
-    let angular = mat_vec(g, body.heading.rest, screw.angular);
-    let linear = mat_vec(g, joint.rotation, screw.linear);
-    let moment = cross(g, joint.translation, angular);
+    let angular = body.heading.rest * w;
     let twist = Twist {
         angular,
-        linear: add(g, linear, moment),
+        linear: joint.rotation * v + joint.translation.cross(angular),
     };
     // exp(s q) moves the origin by (1 - R) (w x v) + w (w . v) q
-    let pitch = dot(g, screw.angular, screw.linear);
-    let arm = cross(g, screw.angular, screw.linear);
-    let advance = g.mul(pitch, position);
-    let along = scale(g, advance, angular);
-    let before = joint.point(g, arm);
-    let after = mat_vec(g, turned, arm);
-    let moved = sub(g, before, after);
-    (add(g, moved, along), Some(twist))
+    let (pitch, arm) = (w.dot(v), w.cross(v));
+    let along = (pitch * position) * angular;
+    (joint.point(arm) - turned * arm + along, Some(twist))
 }

@@ -2,8 +2,7 @@
 
 use std::ops::Range;
 
-use crate::expr::{ExprId, Graph};
-use crate::screw::sum;
+use crate::expr::Expr;
 
 /// How the system is solved. All give the same value; which is shortest depends on how many right-hand sides there are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -21,62 +20,58 @@ pub enum Solver {
 
 /// A factored matrix.
 #[derive(Debug)]
-pub struct Factored {
+pub struct Factored<'g> {
     /// The pivots, from the last coordinate to the first.
-    pivots: Vec<Pivot>,
+    pivots: Vec<Pivot<'g>>,
     /// `-L` below the pivots.
-    lower: Vec<Vec<ExprId>>,
+    lower: Vec<Vec<Expr<'g>>>,
 }
 
 /// Coordinates that are eliminated together, and the negated inverse of their entries: with the minus here no other sign has to change.
 #[derive(Debug)]
-struct Pivot {
+struct Pivot<'g> {
     coordinates: Range<usize>,
     /// The inverse but for a factor that is multiplied last.
-    inverse: Vec<Vec<ExprId>>,
-    factor: ExprId,
+    inverse: Vec<Vec<Expr<'g>>>,
+    factor: Expr<'g>,
 }
 
-impl Factored {
-    /// Factors a symmetric matrix. `determinant` is that of a matrix of two rows, where a better form of it is known.
-    pub fn new(g: &Graph, solver: Solver, matrix: &[Vec<ExprId>], determinant: Option<ExprId>) -> Self {
+impl<'g> Factored<'g> {
+    /// Factors a symmetric matrix of one row or more. `determinant` is that of a matrix of two rows, where a better form of it is
+    /// known.
+    pub fn new(solver: Solver, matrix: &[Vec<Expr<'g>>], determinant: Option<Expr<'g>>) -> Self {
         let n = matrix.len();
+        let graph = matrix[0][0].graph();
         let mut a = matrix.to_vec();
         let mut factored = Self {
             pivots: Vec::new(),
-            lower: vec![vec![g.zero(); n]; n],
+            lower: vec![vec![graph.zero(); n]; n],
         };
         let mut end = n;
         while end > 0 {
             let paired = match solver {
                 Solver::Adjugate | Solver::Inverse => true,
                 Solver::Ldl => false,
-                Solver::Pairs => end > 1 && !g.is_zero(a[end - 1][end - 2]),
+                Solver::Pairs => end > 1 && !a[end - 1][end - 2].is_zero(),
             };
             let determinant = determinant.filter(|_| n == 2);
             let pivot = match determinant {
-                _ if paired => Pivot::pair(g, &a, end - 2, determinant, solver == Solver::Adjugate),
+                _ if paired => Pivot::pair(&a, end - 2, determinant, solver == Solver::Adjugate),
                 // what is left of a difference of products, taken from where it is known without the difference
-                Some(determinant) if end == 1 => {
-                    let numerator = g.neg(matrix[1][1]);
-                    Pivot::single(g, 0, numerator, determinant)
-                }
-                _ => {
-                    let minus_one = g.integer(-1);
-                    Pivot::single(g, end - 1, minus_one, a[end - 1][end - 1])
-                }
+                Some(determinant) if end == 1 => Pivot::single(0, -matrix[1][1] / determinant),
+                _ => Pivot::single(end - 1, -1 / a[end - 1][end - 1]),
             };
             end = pivot.coordinates.start;
-            factored.eliminate(g, &mut a, pivot);
+            factored.eliminate(&mut a, pivot);
         }
         factored
     }
 
-    fn eliminate(&mut self, g: &Graph, a: &mut [Vec<ExprId>], pivot: Pivot) {
+    fn eliminate(&mut self, a: &mut [Vec<Expr<'g>>], pivot: Pivot<'g>) {
         let Range { start, end } = pivot.coordinates;
-        let columns: Vec<Vec<ExprId>> = (0..start).map(|j| (start..end).map(|k| a[k][j]).collect()).collect();
+        let columns: Vec<Vec<Expr<'g>>> = (0..start).map(|j| (start..end).map(|k| a[k][j]).collect()).collect();
         for (j, column) in columns.iter().enumerate() {
-            for (k, entry) in (start..end).zip(pivot.times(g, column)) {
+            for (k, entry) in (start..end).zip(pivot.times(column)) {
                 self.lower[k][j] = entry;
             }
         }
@@ -84,8 +79,7 @@ impl Factored {
         for (i, row) in above.iter_mut().enumerate() {
             for (j, entry) in row[..=i].iter_mut().enumerate() {
                 for (k, of_k) in (start..end).zip(eliminated.iter()) {
-                    let change = g.mul(self.lower[k][i], of_k[j]);
-                    *entry = g.add(*entry, change);
+                    *entry += self.lower[k][i] * of_k[j];
                 }
             }
         }
@@ -93,55 +87,46 @@ impl Factored {
     }
 
     /// `-A^-1 r`
-    pub fn solve_negated(&self, g: &Graph, r: &[ExprId]) -> Vec<ExprId> {
+    pub fn solve_negated(&self, r: &[Expr<'g>]) -> Vec<Expr<'g>> {
         let mut x = r.to_vec();
         for Pivot { coordinates, .. } in &self.pivots {
             for j in 0..coordinates.start {
                 for k in coordinates.clone() {
-                    let change = g.mul(self.lower[k][j], x[k]);
-                    x[j] = g.add(x[j], change);
+                    x[j] = x[j] + self.lower[k][j] * x[k];
                 }
             }
         }
         for pivot in self.pivots.iter().rev() {
             let coordinates = &pivot.coordinates;
-            let own = pivot.times(g, &x[coordinates.clone()]);
+            let own = pivot.times(&x[coordinates.clone()]);
             for (k, own) in coordinates.clone().zip(own) {
-                x[k] = own;
-                for j in 0..coordinates.start {
-                    let change = g.mul(self.lower[k][j], x[j]);
-                    x[k] = g.add(x[k], change);
-                }
+                x[k] = (0..coordinates.start).fold(own, |sum, j| sum + self.lower[k][j] * x[j]);
             }
         }
         x
     }
 }
 
-impl Pivot {
-    fn single(g: &Graph, coordinate: usize, numerator: ExprId, divisor: ExprId) -> Self {
+impl<'g> Pivot<'g> {
+    fn single(coordinate: usize, negated_inverse: Expr<'g>) -> Self {
         Self {
             coordinates: coordinate..coordinate + 1,
-            inverse: vec![vec![g.div(numerator, divisor)]],
-            factor: g.one(),
+            inverse: vec![vec![negated_inverse]],
+            factor: negated_inverse.graph().one(),
         }
     }
 
     /// Two coordinates from `start` on. `late` says that the division is a factor of its own, and not of each entry.
-    fn pair(g: &Graph, a: &[Vec<ExprId>], start: usize, determinant: Option<ExprId>, late: bool) -> Self {
+    fn pair(a: &[Vec<Expr<'g>>], start: usize, determinant: Option<Expr<'g>>, late: bool) -> Self {
         let (first, off, second) = (a[start][start], a[start + 1][start], a[start + 1][start + 1]);
-        let determinant = determinant.unwrap_or_else(|| difference(g, first, second, off, off));
-        let minus_one = g.integer(-1);
-        let reciprocal = g.div(minus_one, determinant);
-        let less = g.neg(off);
-        let mut inverse = vec![vec![second, less], vec![less, first]];
-        let factor = if late {
-            reciprocal
+        let determinant = determinant.unwrap_or_else(|| first * second - off * off);
+        let reciprocal = -1 / determinant;
+        let adjugate = vec![vec![second, -off], vec![-off, first]];
+        let (inverse, factor) = if late {
+            (adjugate, reciprocal)
         } else {
-            for entry in inverse.iter_mut().flatten() {
-                *entry = g.mul(*entry, reciprocal);
-            }
-            g.one()
+            let scaled = |row: Vec<Expr<'g>>| row.into_iter().map(|entry| entry * reciprocal).collect();
+            (adjugate.into_iter().map(scaled).collect(), off.graph().one())
         };
         Self {
             coordinates: start..start + 2,
@@ -151,18 +136,11 @@ impl Pivot {
     }
 
     /// The negated inverse times a vector.
-    fn times(&self, g: &Graph, x: &[ExprId]) -> Vec<ExprId> {
-        let row = |row: &Vec<ExprId>| {
-            let products: Vec<ExprId> = row.iter().zip(x).map(|(&a, &x)| g.mul(a, x)).collect();
-            let sum = sum(g, products);
-            g.mul(sum, self.factor)
+    fn times(&self, x: &[Expr<'g>]) -> Vec<Expr<'g>> {
+        let row = |row: &Vec<Expr<'g>>| {
+            let products: Vec<Expr<'g>> = row.iter().zip(x).map(|(&a, &x)| a * x).collect();
+            self.factor.graph().sum(products) * self.factor
         };
         self.inverse.iter().map(row).collect()
     }
-}
-
-/// `a b - c d`
-fn difference(g: &Graph, a: ExprId, b: ExprId, c: ExprId, d: ExprId) -> ExprId {
-    let (ab, cd) = (g.mul(a, b), g.mul(c, d));
-    g.sub(ab, cd)
 }

@@ -2,18 +2,18 @@
 
 use std::collections::HashMap;
 
-use super::{Binary, ExprId, Graph, Node, Unary};
+use super::{Binary, Expr, Node, Unary};
 
 /// The derivative by one symbol, or along a direction. It remembers what it has derived, so shared parts are derived once.
 #[derive(Debug)]
-pub struct Derivative {
-    by: Option<ExprId>,
-    known: HashMap<ExprId, ExprId>,
+pub struct Derivative<'g> {
+    by: Option<Expr<'g>>,
+    known: HashMap<Expr<'g>, Expr<'g>>,
 }
 
-impl Derivative {
+impl<'g> Derivative<'g> {
     /// The derivative by the symbol `by`.
-    pub fn by(by: ExprId) -> Self {
+    pub fn by(by: Expr<'g>) -> Self {
         Self {
             by: Some(by),
             known: HashMap::new(),
@@ -21,7 +21,7 @@ impl Derivative {
     }
 
     /// The derivative along a direction: the sum of the derivatives by some symbols, each times its component.
-    pub fn along(components: impl IntoIterator<Item = (ExprId, ExprId)>) -> Self {
+    pub fn along(components: impl IntoIterator<Item = (Expr<'g>, Expr<'g>)>) -> Self {
         Self {
             by: None,
             known: components.into_iter().collect(),
@@ -29,55 +29,36 @@ impl Derivative {
     }
 
     /// The derivative of `x`.
-    pub fn of(&mut self, graph: &Graph, x: ExprId) -> ExprId {
+    pub fn of(&mut self, x: Expr<'g>) -> Expr<'g> {
+        let graph = x.graph();
         if Some(x) == self.by {
             return graph.one();
         }
         if let Some(&known) = self.known.get(&x) {
             return known;
         }
-        let derivative = match graph.node(x).clone() {
+        let derivative = match x.node() {
             Node::Number(_) | Node::Pi | Node::Symbol(_) => graph.zero(),
-            Node::Unary(Unary::Neg, a) => {
-                let da = self.of(graph, a);
-                graph.neg(da)
-            }
-            Node::Unary(op, a) => {
-                let da = self.of(graph, a);
-                self.chain(graph, da, |g| op.derivative(g, a))
-            }
-            Node::Binary(op @ (Binary::Add | Binary::Sub), a, b) => {
-                let (da, db) = (self.of(graph, a), self.of(graph, b));
-                graph.binary(op, da, db)
-            }
+            Node::Unary(Unary::Neg, a) => -self.of(a),
+            Node::Unary(op, a) => chain(self.of(a), || op.derivative(a)),
+            Node::Binary(op @ (Binary::Add | Binary::Sub), a, b) => self.of(a).combine(op, self.of(b)),
             Node::Binary(op, a, b) => {
-                let (da, db) = (self.of(graph, a), self.of(graph, b));
-                if graph.is_zero(da) && graph.is_zero(db) {
+                let (da, db) = (self.of(a), self.of(b));
+                if da.is_zero() && db.is_zero() {
                     graph.zero()
                 } else {
-                    let [left, right] = op.derivatives(graph, a, b);
-                    let (left, right) = (graph.mul(left, da), graph.mul(right, db));
-                    graph.add(left, right)
+                    let [left, right] = op.derivatives(a, b);
+                    left * da + right * db
                 }
             }
-            Node::Power(a, n) => {
-                let da = self.of(graph, a);
-                self.chain(graph, da, |g| {
-                    let lower = g.power(a, &n - super::ratio(1, 1));
-                    let n = g.number(n);
-                    g.mul(n, lower)
-                })
-            }
+            Node::Power(a, n) => chain(self.of(a), || n.clone() * a.power(n - super::ratio(1, 1))),
         };
         self.known.insert(x, derivative);
         derivative
     }
+}
 
-    fn chain(&self, graph: &Graph, inner: ExprId, outer: impl FnOnce(&Graph) -> ExprId) -> ExprId {
-        if graph.is_zero(inner) {
-            return inner;
-        }
-        let outer = outer(graph);
-        graph.mul(outer, inner)
-    }
+/// The chain rule, where the derivative of the outer function is formed only if the inner one changes.
+fn chain<'g>(inner: Expr<'g>, outer: impl FnOnce() -> Expr<'g>) -> Expr<'g> {
+    if inner.is_zero() { inner } else { outer() * inner }
 }

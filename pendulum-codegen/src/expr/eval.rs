@@ -6,7 +6,7 @@ use super::{ExprId, Graph, Node, Rational, Symbol};
 
 impl Graph {
     /// The values of `roots`, in their order, where `value` gives that of each symbol.
-    pub fn evaluate(&self, roots: &[ExprId], mut value: impl FnMut(&Symbol) -> f64) -> Vec<f64> {
+    pub fn evaluate(&self, roots: &[impl Into<ExprId> + Copy], mut value: impl FnMut(&Symbol) -> f64) -> Vec<f64> {
         let mut values = vec![f64::NAN; self.len()];
         for id in self.reachable(roots) {
             let of = |x: ExprId| values[x.index()];
@@ -19,7 +19,7 @@ impl Graph {
                 Node::Power(a, n) => power(of(*a), n),
             };
         }
-        roots.iter().map(|id| values[id.index()]).collect()
+        roots.iter().map(|&root| values[root.into().index()]).collect()
     }
 
     /// The value of an expression that depends on nothing.

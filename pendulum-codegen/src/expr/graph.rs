@@ -2,11 +2,12 @@
 
 use std::cell::RefCell;
 use std::collections::HashMap;
+use std::collections::hash_map::Entry;
 
 use elsa::FrozenVec;
 use num_traits::{One, Zero};
 
-use super::{Binary, Rational, Unary};
+use super::{Binary, Expr, Rational, Unary};
 
 /// An expression: the number of its node in its graph. Operands always have smaller ids than their operation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -69,21 +70,21 @@ pub enum Level {
     State,
 }
 
-/// A node: an operation on other nodes, or a leaf.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
-pub enum Node {
+/// A node: an operation on operands, or a leaf. The graph keeps operands by their ids; [`Expr::node`] gives them as expressions.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Node<Operand = ExprId, Number = Rational> {
     /// An exact number.
-    Number(Rational),
+    Number(Number),
     /// The ratio of a circle's circumference to its diameter.
     Pi,
     /// A symbol.
     Symbol(SymbolId),
     /// An operation of one operand.
-    Unary(Unary, ExprId),
+    Unary(Unary, Operand),
     /// An operation of two operands.
-    Binary(Binary, ExprId, ExprId),
+    Binary(Binary, Operand, Operand),
     /// A constant power.
-    Power(ExprId, Rational),
+    Power(Operand, Number),
 }
 
 /// The store of all expressions of one scene: an arena that is shared, and only grows. Equal expressions get equal ids.
@@ -112,7 +113,12 @@ impl Graph {
         &self.nodes[id.index()].node
     }
 
-    /// The expression of a node, if it has been built.
+    /// The expression of a node.
+    pub fn expr(&self, id: ExprId) -> Expr<'_> {
+        Expr::new(self, id)
+    }
+
+    /// The id of a node, if it has been built.
     pub fn find(&self, node: &Node) -> Option<ExprId> {
         self.ids.borrow().get(node).copied()
     }
@@ -143,7 +149,7 @@ impl Graph {
     }
 
     /// Declares a symbol. The mark of a raw identifier is no part of its name.
-    pub fn symbol(&self, name: &str, kind: SymbolKind) -> ExprId {
+    pub fn symbol(&self, name: &str, kind: SymbolKind) -> Expr<'_> {
         let id = SymbolId(self.symbols.len() as u32);
         self.symbols.push(Box::new(Symbol {
             name: name.replace("r#", ""),
@@ -188,9 +194,9 @@ impl Graph {
     }
 
     /// All nodes that the roots need, operands before operations.
-    pub fn reachable(&self, roots: &[ExprId]) -> Vec<ExprId> {
+    pub fn reachable(&self, roots: &[impl Into<ExprId> + Copy]) -> Vec<ExprId> {
         let mut seen = vec![false; self.len()];
-        let mut stack = roots.to_vec();
+        let mut stack: Vec<ExprId> = roots.iter().map(|&root| root.into()).collect();
         while let Some(id) = stack.pop() {
             if !std::mem::replace(&mut seen[id.index()], true) {
                 stack.extend(self.operands(id));
@@ -202,11 +208,20 @@ impl Graph {
             .collect()
     }
 
-    pub(super) fn intern(&self, node: Node) -> ExprId {
-        if let Some(&id) = self.ids.borrow().get(&node) {
-            return id;
-        }
-        let level = match &node {
+    pub(super) fn intern(&self, node: Node) -> Expr<'_> {
+        let mut ids = self.ids.borrow_mut();
+        let free = match ids.entry(node) {
+            Entry::Occupied(known) => return self.expr(*known.get()),
+            Entry::Vacant(free) => free,
+        };
+        let (node, id) = (free.key().clone(), ExprId(self.nodes.len() as u32));
+        let level = self.level_of(&node);
+        self.nodes.push(Box::new(Stored { node, level }));
+        self.expr(*free.insert(id))
+    }
+
+    fn level_of(&self, node: &Node) -> Level {
+        match node {
             Node::Number(_) | Node::Pi => Level::Constant,
             Node::Symbol(s) => match self.symbols[s.index()].kind {
                 SymbolKind::Parameter(_) => Level::Parameter,
@@ -214,39 +229,25 @@ impl Graph {
             },
             Node::Unary(_, a) | Node::Power(a, _) => self.level(*a),
             Node::Binary(_, a, b) => self.level(*a).max(self.level(*b)),
-        };
-        let id = ExprId(self.nodes.len() as u32);
-        self.ids.borrow_mut().insert(node.clone(), id);
-        self.nodes.push(Box::new(Stored { node, level }));
-        id
+        }
     }
 
     /// The roots with some expressions replaced by others, simplified on the way up.
-    pub fn substitute(&self, roots: &[ExprId], mut new: HashMap<ExprId, ExprId>) -> Vec<ExprId> {
+    pub fn substitute<'g>(&'g self, roots: &[Expr<'g>], mut new: HashMap<Expr<'g>, Expr<'g>>) -> Vec<Expr<'g>> {
         for id in self.reachable(roots) {
-            if new.contains_key(&id) {
+            let x = self.expr(id);
+            if new.contains_key(&x) {
                 continue;
             }
-            let of = |x: ExprId| new[&x];
-            let replaced = match self.node(id).clone() {
-                Node::Number(_) | Node::Pi | Node::Symbol(_) => id,
-                Node::Unary(op, a) => self.unary(op, of(a)),
-                Node::Binary(op, a, b) => self.binary(op, of(a), of(b)),
-                Node::Power(a, n) => self.power(of(a), n),
+            let replaced = match x.node() {
+                Node::Number(_) | Node::Pi | Node::Symbol(_) => x,
+                Node::Unary(op, a) => new[&a].apply(op),
+                Node::Binary(op, a, b) => new[&a].combine(op, new[&b]),
+                Node::Power(a, n) => new[&a].power(n.clone()),
             };
-            new.insert(id, replaced);
+            new.insert(x, replaced);
         }
-        roots.iter().map(|id| new[id]).collect()
-    }
-
-    /// An operation exactly as given, without any simplification: for passes that have chosen the order of operations.
-    pub(crate) fn exactly(&self, op: Binary, a: ExprId, b: ExprId) -> ExprId {
-        self.intern(Node::Binary(op, a, b))
-    }
-
-    /// The opposite exactly as given.
-    pub(crate) fn exactly_negated(&self, x: ExprId) -> ExprId {
-        self.intern(Node::Unary(Unary::Neg, x))
+        roots.iter().map(|root| new[root]).collect()
     }
 }
 

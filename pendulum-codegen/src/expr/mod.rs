@@ -1,25 +1,31 @@
 //! Symbolic expressions as a hash-consed graph, and their polynomial normal form.
 //!
 //! Arithmetic is exact: numbers are rationals of any size, roots and the sines of constants stay symbols until code is
-//! emitted. Two nodes are the same expression exactly when their ids are equal.
+//! emitted. Two expressions are the same exactly when they are the same node.
+//!
+//! An [`Expr`] is what is computed with: a node and its graph. Everything that handles expressions takes and returns it. An
+//! [`ExprId`] is the bare number of the node: operands within the graph, atoms of polynomials, and tables of code that is written.
 
 mod build;
 mod derivative;
 mod eval;
+mod expression;
 mod formula;
 mod graph;
 mod latex;
 mod normal;
 mod op;
+mod operators;
 mod poly;
 mod precedence;
 mod print;
 mod text;
 
 pub use derivative::Derivative;
+pub use expression::Expr;
 pub use formula::{Definition, Formula, Term};
 pub use graph::{ExprId, Graph, Level, Node, Symbol, SymbolId, SymbolKind};
-pub use normal::{Normalizer, TooLarge};
+pub use normal::{BaseAngles, Normalizer, TooLarge};
 pub use op::{Binary, CostKind, Unary};
 pub use poly::{Monomial, Poly};
 pub use precedence::Precedence;

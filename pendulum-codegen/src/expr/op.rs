@@ -1,6 +1,6 @@
 //! One row per operation: spelling, value, derivative, cost. Every other file reads the rows.
 
-use super::{ExprId, Graph};
+use super::Expr;
 
 /// How an operation is counted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -44,9 +44,9 @@ macro_rules! unary {
             }
 
             /// The derivative at `x`.
-            pub fn derivative(self, graph: &Graph, x: ExprId) -> ExprId {
-                let derivative: fn(&Graph, ExprId) -> ExprId = match self { $(Unary::$name => $derivative),* };
-                derivative(graph, x)
+            pub fn derivative(self, x: Expr<'_>) -> Expr<'_> {
+                let derivative: fn(Expr<'_>) -> Expr<'_> = match self { $(Unary::$name => $derivative),* };
+                derivative(x)
             }
         }
     };
@@ -54,23 +54,23 @@ macro_rules! unary {
 
 unary! {
     /// The opposite.
-    Neg: "-", Addition, |x| -x, |g, _| g.integer(-1);
+    Neg: "-", Addition, |x| -x, |x| x.graph().integer(-1);
     /// The sine of an angle in radians.
-    Sin: "sin", Sincos, f64::sin, |g, x| g.unary(Unary::Cos, x);
+    Sin: "sin", Sincos, f64::sin, |x| x.cos();
     /// The cosine of an angle in radians.
-    Cos: "cos", Sincos, f64::cos, |g, x| { let s = g.unary(Unary::Sin, x); g.neg(s) };
+    Cos: "cos", Sincos, f64::cos, |x| -x.sin();
     /// The tangent of an angle in radians.
-    Tan: "tan", Function, f64::tan, |g, x| { let t = g.unary(Unary::Tan, x); let t2 = g.powi(t, 2); let one = g.one(); g.add(one, t2) };
+    Tan: "tan", Function, f64::tan, |x| 1 + x.apply(Unary::Tan).powi(2);
     /// The natural exponential.
-    Exp: "exp", Function, f64::exp, |g, x| g.unary(Unary::Exp, x);
+    Exp: "exp", Function, f64::exp, |x| x.apply(Unary::Exp);
     /// The natural logarithm.
-    Ln: "ln", Function, f64::ln, |g, x| g.powi(x, -1);
+    Ln: "ln", Function, f64::ln, |x| x.powi(-1);
     /// The hyperbolic tangent.
-    Tanh: "tanh", Function, f64::tanh, |g, x| { let t = g.unary(Unary::Tanh, x); let t2 = g.powi(t, 2); let one = g.one(); g.sub(one, t2) };
+    Tanh: "tanh", Function, f64::tanh, |x| 1 - x.apply(Unary::Tanh).powi(2);
     /// The absolute value.
-    Abs: "abs", Function, f64::abs, |g, x| g.unary(Unary::Sign, x);
+    Abs: "abs", Function, f64::abs, |x| x.apply(Unary::Sign);
     /// The sign: -1, 0 or 1.
-    Sign: "signum", Function, |x| if x == 0.0 { 0.0 } else { x.signum() }, |g, _| g.zero();
+    Sign: "signum", Function, |x| if x == 0.0 { 0.0 } else { x.signum() }, |x| x.graph().zero();
 }
 
 macro_rules! binary {
@@ -97,10 +97,10 @@ macro_rules! binary {
             }
 
             /// The partial derivatives by the left and by the right operand.
-            pub fn derivatives(self, graph: &Graph, a: ExprId, b: ExprId) -> [ExprId; 2] {
-                type Partial = fn(&Graph, ExprId, ExprId) -> ExprId;
+            pub fn derivatives<'g>(self, a: Expr<'g>, b: Expr<'g>) -> [Expr<'g>; 2] {
+                type Partial = for<'g> fn(Expr<'g>, Expr<'g>) -> Expr<'g>;
                 let (left, right): (Partial, Partial) = match self { $(Binary::$name => ($left, $right)),* };
-                [left(graph, a, b), right(graph, a, b)]
+                [left(a, b), right(a, b)]
             }
         }
     };
@@ -108,13 +108,13 @@ macro_rules! binary {
 
 binary! {
     /// Sum.
-    Add: "+", Addition, |a, b| a + b, |g, _, _| g.one(), |g, _, _| g.one();
+    Add: "+", Addition, |a, b| a + b, |a, _| a.graph().one(), |a, _| a.graph().one();
     /// Difference.
-    Sub: "-", Addition, |a, b| a - b, |g, _, _| g.one(), |g, _, _| g.integer(-1);
+    Sub: "-", Addition, |a, b| a - b, |a, _| a.graph().one(), |a, _| a.graph().integer(-1);
     /// Product.
-    Mul: "*", Multiplication, |a, b| a * b, |_, _, b| b, |_, a, _| a;
+    Mul: "*", Multiplication, |a, b| a * b, |_, b| b, |a, _| a;
     /// Quotient.
-    Div: "/", Division, |a, b| a / b, |g, _, b| g.powi(b, -1), |g, a, b| { let d = g.powi(b, -2); let n = g.neg(a); g.mul(n, d) };
+    Div: "/", Division, |a, b| a / b, |_, b| b.powi(-1), |a, b| -a * b.powi(-2);
     /// The angle of the point (right, left), as `left.atan2(right)`.
-    Atan2: "atan2", Function, f64::atan2, |g, y, x| g.over_norm_squared(x, y, x), |g, y, x| { let n = g.neg(y); g.over_norm_squared(n, y, x) };
+    Atan2: "atan2", Function, f64::atan2, |y, x| x / (y.powi(2) + x.powi(2)), |y, x| -y / (y.powi(2) + x.powi(2));
 }

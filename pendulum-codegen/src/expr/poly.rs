@@ -12,8 +12,8 @@ pub struct Monomial(Vec<(ExprId, i32)>);
 
 impl Monomial {
     /// The atom alone.
-    pub fn atom(atom: ExprId) -> Self {
-        Self(vec![(atom, 1)])
+    pub fn atom(atom: impl Into<ExprId>) -> Self {
+        Self(vec![(atom.into(), 1)])
     }
 
     /// The atoms and their powers, sorted by atom.
@@ -27,7 +27,8 @@ impl Monomial {
     }
 
     /// The power of one atom.
-    pub fn power_of(&self, atom: ExprId) -> i32 {
+    pub fn power_of(&self, atom: impl Into<ExprId>) -> i32 {
+        let atom = atom.into();
         self.0.binary_search_by_key(&atom, |p| p.0).map_or(0, |at| self.0[at].1)
     }
 
@@ -55,11 +56,11 @@ impl Monomial {
 
     /// The product with an integer power of one atom.
     #[must_use]
-    pub fn times_power(&self, atom: ExprId, power: i32) -> Self {
+    pub fn times_power(&self, atom: impl Into<ExprId>, power: i32) -> Self {
         if power == 0 {
             self.clone()
         } else {
-            self.times(&Self(vec![(atom, power)]))
+            self.times(&Self(vec![(atom.into(), power)]))
         }
     }
 
@@ -87,7 +88,7 @@ impl Poly {
     }
 
     /// One atom.
-    pub fn atom(atom: ExprId) -> Self {
+    pub fn atom(atom: impl Into<ExprId>) -> Self {
         Self::term(Monomial::atom(atom), Rational::one())
     }
 

@@ -2,49 +2,49 @@
 
 use super::exact::Eliminated;
 use crate::dynamics::{Dynamics, balance};
-use crate::expr::{ExprId, Graph, Level, Normalizer, Poly, TooLarge};
+use crate::expr::{Expr, Graph, Level, Normalizer, Poly, TooLarge, ratio};
 use crate::model::Coordinate;
 use crate::pass::collect;
 use crate::pass::factor::{Preference, Term, factor, polynomial, terms};
 
 /// Dynamics whose entries are lists of terms.
 #[derive(Debug)]
-pub struct Closed {
-    mass_matrix: Vec<Vec<Vec<Term>>>,
-    bias: Vec<Vec<Term>>,
-    force: Vec<Vec<Term>>,
-    residual: Vec<Vec<Term>>,
-    momentum: Vec<Vec<Term>>,
-    kinetic: Vec<Term>,
-    potential: Vec<Term>,
+pub struct Closed<'g> {
+    mass_matrix: Vec<Vec<Vec<Term<'g>>>>,
+    bias: Vec<Vec<Term<'g>>>,
+    force: Vec<Vec<Term<'g>>>,
+    residual: Vec<Vec<Term<'g>>>,
+    momentum: Vec<Vec<Term<'g>>>,
+    kinetic: Vec<Term<'g>>,
+    potential: Vec<Term<'g>>,
     /// The determinant of a mass matrix of two rows. Expanded in symbols it is a sum of the terms that are left after all
     /// exact cancellations, so no digits are lost where one body is much heavier than the other.
-    determinant: Option<Vec<Term>>,
+    determinant: Option<Vec<Term<'g>>>,
     /// The residual for that determinant, where anything cancels in it.
-    eliminated: Option<Eliminated>,
+    eliminated: Option<Eliminated<'g>>,
 }
 
-impl Closed {
+impl<'g> Closed<'g> {
     /// Expands the dynamics of a scene.
-    pub fn new(g: &Graph, normalizer: &mut Normalizer, dynamics: &Dynamics) -> Result<Self, TooLarge> {
-        let mut list = |g: &Graph, x: ExprId| short_terms(g, normalizer, x);
-        let mut all = |g: &Graph, row: &[ExprId]| row.iter().map(|&x| list(g, x)).collect::<Result<Vec<_>, _>>();
+    pub fn new(normalizer: &mut Normalizer<'g>, dynamics: &Dynamics<'g>) -> Result<Self, TooLarge> {
+        let mut list = |x: Expr<'g>| short_terms(normalizer, x);
+        let mut all = |row: &[Expr<'g>]| row.iter().map(|&x| list(x)).collect::<Result<Vec<_>, _>>();
         let mass_matrix: Vec<Vec<_>> = dynamics
             .mass_matrix
             .iter()
-            .map(|row| all(g, row))
+            .map(|row| all(row))
             .collect::<Result<_, _>>()?;
-        let bias = all(g, &dynamics.bias)?;
-        let force = all(g, &dynamics.force)?;
-        let residual = all(g, &dynamics.residual)?;
-        let momentum = all(g, &dynamics.momentum)?;
-        let [kinetic, potential] = [dynamics.kinetic, dynamics.potential].map(|x| list(g, x));
+        let bias = all(&dynamics.bias)?;
+        let force = all(&dynamics.force)?;
+        let residual = all(&dynamics.residual)?;
+        let momentum = all(&dynamics.momentum)?;
+        let [kinetic, potential] = [dynamics.kinetic, dynamics.potential].map(|x| list(x));
         let determinant = match &mass_matrix[..] {
-            [first, second] => Some(determinant(g, normalizer, &first[0], &first[1], &second[1])?),
+            [first, second] => Some(determinant(normalizer, &first[0], &first[1], &second[1])?),
             _ => None,
         };
         // a scene may be too large for this and have a closed form
-        let eliminated = Eliminated::new(g, normalizer, dynamics).ok().flatten();
+        let eliminated = Eliminated::new(normalizer, dynamics).ok().flatten();
         Ok(Self {
             mass_matrix,
             bias,
@@ -59,14 +59,14 @@ impl Closed {
     }
 
     /// The dynamics as expressions, with common factors drawn out.
-    pub fn factored(&self, g: &Graph, coordinates: &[Coordinate], preference: Preference) -> Dynamics {
-        let mut short = |terms: &Vec<Term>| factor(g, terms, preference);
-        let mut all = |lists: &[Vec<Term>]| -> Vec<ExprId> { lists.iter().map(&mut short).collect() };
-        let mass_matrix: Vec<Vec<ExprId>> = self.mass_matrix.iter().map(|row| all(row)).collect();
+    pub fn factored(&self, g: &'g Graph, coordinates: &[Coordinate<'g>], preference: Preference) -> Dynamics<'g> {
+        let mut short = |terms: &Vec<Term<'g>>| factor(g, terms, preference);
+        let mut all = |lists: &[Vec<Term<'g>>]| -> Vec<Expr<'g>> { lists.iter().map(&mut short).collect() };
+        let mass_matrix: Vec<Vec<Expr<'g>>> = self.mass_matrix.iter().map(|row| all(row)).collect();
         let [bias, force, residual, momentum] =
             [&self.bias, &self.force, &self.residual, &self.momentum].map(|lists| all(lists));
         let [kinetic, potential] = [&self.kinetic, &self.potential].map(&mut short);
-        let balance = balance(g, &mass_matrix, &residual, coordinates);
+        let balance = balance(coordinates, &mass_matrix, &residual);
         Dynamics {
             mass_matrix,
             bias,
@@ -81,12 +81,12 @@ impl Closed {
     }
 
     /// The determinant of the mass matrix, where it has two rows.
-    pub fn determinant(&self, g: &Graph, preference: Preference) -> Option<ExprId> {
+    pub fn determinant(&self, g: &'g Graph, preference: Preference) -> Option<Expr<'g>> {
         self.determinant.as_ref().map(|terms| factor(g, terms, preference))
     }
 
     /// The accelerations without the loss of digits, where other forms have it.
-    pub fn exact(&self, g: &Graph, factored: &Dynamics, preference: Preference) -> Option<Vec<ExprId>> {
+    pub fn exact(&self, g: &'g Graph, factored: &Dynamics<'g>, preference: Preference) -> Option<Vec<Expr<'g>>> {
         let determinant = self.determinant(g, preference)?;
         let eliminated = self.eliminated.as_ref()?;
         Some(eliminated.accelerations(g, factored, determinant, preference))
@@ -94,45 +94,36 @@ impl Closed {
 }
 
 /// The terms of an expression in normal form, with angles collected.
-pub(super) fn short_terms(g: &Graph, normalizer: &mut Normalizer, x: ExprId) -> Result<Vec<Term>, TooLarge> {
-    let normal = normalizer.normal(g, x)?;
-    let collected = collect(g, normalizer, &normal)?;
-    Ok(terms(g, normalizer, &collected))
+pub(super) fn short_terms<'g>(normalizer: &mut Normalizer<'g>, x: Expr<'g>) -> Result<Vec<Term<'g>>, TooLarge> {
+    let normal = normalizer.normal(x)?;
+    let collected = collect(normalizer, &normal)?;
+    Ok(terms(normalizer, &collected))
 }
 
 /// `a d - b^2`, with `cos^2` of every collected angle as `1 - sin^2`.
-fn determinant(
-    g: &Graph,
-    normalizer: &mut Normalizer,
-    a: &[Term],
-    b: &[Term],
-    d: &[Term],
-) -> Result<Vec<Term>, TooLarge> {
-    let [a, b, d] = [a, b, d].map(|terms| polynomial(g, terms));
-    let mut whole = normalizer.product(g, &a, &d)?;
-    whole.add_scaled(&normalizer.product(g, &b, &b)?, &crate::expr::ratio(-1, 1));
+fn determinant<'g>(
+    normalizer: &mut Normalizer<'g>,
+    a: &[Term<'g>],
+    b: &[Term<'g>],
+    d: &[Term<'g>],
+) -> Result<Vec<Term<'g>>, TooLarge> {
+    let [a, b, d] = [a, b, d].map(polynomial);
+    let mut whole = normalizer.product(&a, &d)?;
+    whole.add_scaled(&normalizer.product(&b, &b)?, &ratio(-1, 1));
     // what multiplies each product of state quantities is exact in the parameters themselves
-    let mut by_state: std::collections::BTreeMap<_, Poly> = Default::default();
-    for (monomial, coefficient) in whole.terms() {
-        let (state, constants) = monomial.partition(|atom| g.level(atom) == Level::State);
-        by_state
-            .entry(state)
-            .or_default()
-            .add_term(constants, coefficient.clone());
-    }
     let mut exact = Poly::default();
-    for (state, coefficient) in by_state {
+    for (state, coefficient) in normalizer.split(&whole, |atom| atom.level() == Level::State) {
         let coefficient = match coefficient.as_term() {
             // a product of constants stays one: its factors stand elsewhere too
             Some(_) => coefficient,
             None => {
-                let sum = normalizer.to_expr(g, &coefficient);
-                (*normalizer.normal(g, sum)?).clone()
+                let sum = normalizer.to_expr(&coefficient);
+                (*normalizer.normal(sum)?).clone()
             }
         };
-        let state = Poly::term(state, crate::expr::ratio(1, 1));
-        exact.add_scaled(&normalizer.product(g, &state, &coefficient)?, &crate::expr::ratio(1, 1));
+        let state = Poly::term(state, ratio(1, 1));
+        exact.add_scaled(&normalizer.product(&state, &coefficient)?, &ratio(1, 1));
     }
-    let exact = collect(g, normalizer, &exact)?;
-    Ok(terms(g, normalizer, &exact))
+    let exact = collect(normalizer, &exact)?;
+    Ok(terms(normalizer, &exact))
 }

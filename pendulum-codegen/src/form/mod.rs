@@ -18,7 +18,7 @@ use std::collections::HashMap;
 use crate::dynamics::{
     Dynamics, Factored, Solver, derived, momentum_partials, momentum_rates, partials, partials_by_recursion,
 };
-use crate::expr::{ExprId, Graph, Normalizer};
+use crate::expr::{Expr, Graph, Normalizer};
 use crate::model::{Body, Model};
 use crate::pass::{Operations, Preference, constants, factor, share, trig};
 
@@ -34,9 +34,9 @@ const WORTH_OF_DIGITS: usize = 8;
 
 /// The shortest code that was found for one function.
 #[derive(Clone, Debug)]
-pub struct Chosen {
+pub struct Chosen<'g> {
     /// What the function computes.
-    pub roots: Vec<ExprId>,
+    pub roots: Vec<Expr<'g>>,
     /// Its operations.
     pub operations: Operations,
     /// The form that won.
@@ -45,9 +45,9 @@ pub struct Chosen {
     pub others: Vec<(Form, Operations)>,
 }
 
-impl Chosen {
+impl<'g> Chosen<'g> {
     /// The same code for more than was chosen by: `roots` makes of the roots those that are returned.
-    fn with(self, roots: impl FnOnce(Vec<ExprId>) -> Vec<ExprId>) -> Self {
+    fn with(self, roots: impl FnOnce(Vec<Expr<'g>>) -> Vec<Expr<'g>>) -> Self {
         Self {
             roots: roots(self.roots),
             ..self
@@ -56,38 +56,32 @@ impl Chosen {
 }
 
 /// A form of a function, and what it computes.
-type Candidate = (Form, Vec<ExprId>);
+type Candidate<'g> = (Form, Vec<Expr<'g>>);
 
 /// All forms of the dynamics of a scene.
 #[derive(Debug)]
-pub struct Forms {
+pub struct Forms<'g> {
     /// Dynamics and, where it is known in a better form, the determinant of the mass matrix.
-    forms: Vec<(Basis, Dynamics, Option<ExprId>)>,
+    forms: Vec<(Basis, Dynamics<'g>, Option<Expr<'g>>)>,
     /// The accelerations of two coordinates with all that cancels gone.
-    exact: Vec<Candidate>,
+    exact: Vec<Candidate<'g>>,
     /// The accelerations by articulated bodies.
-    articulated: Vec<ExprId>,
-    normalizer: Normalizer,
+    articulated: Vec<Expr<'g>>,
+    normalizer: Normalizer<'g>,
 }
 
-impl Forms {
+impl<'g> Forms<'g> {
     /// The forms of a scene.
-    pub fn new(model: &Model, dynamics: &Dynamics) -> Self {
-        let angles = model.base_angles();
-        let mut normalizer = Normalizer::with_angles(BUDGET, angles);
+    pub fn new(model: &Model<'g>, dynamics: &Dynamics<'g>) -> Self {
+        let g = model.graph;
+        let mut normalizer = Normalizer::with_angles(g, BUDGET, model.base_angles());
         let recursive = Dynamics::recursive(model, dynamics.potential);
         let articulated = Dynamics::articulated(model);
-        let Model {
-            graph: g,
-            coordinates,
-            bodies,
-            ..
-        } = model;
-        let lopsided = is_lopsided(g, bodies);
+        let lopsided = is_lopsided(&model.bodies);
         let (mut forms, mut exact) = (Vec::new(), Vec::new());
-        if let Ok(closed) = Closed::new(g, &mut normalizer, dynamics) {
+        if let Ok(closed) = Closed::new(&mut normalizer, dynamics) {
             for preference in Preference::ALL {
-                let factored = closed.factored(g, coordinates, preference);
+                let factored = closed.factored(g, &model.coordinates, preference);
                 let accelerations = lopsided.then(|| closed.exact(g, &factored, preference)).flatten();
                 exact.extend(accelerations.map(|x| (Form::of(Basis::Closed(preference)).exactly(), x)));
                 let determinant = closed.determinant(g, preference);
@@ -109,7 +103,7 @@ impl Forms {
     }
 
     /// The dynamics in closed form with its products expanded, if the scene is small enough to have it.
-    pub fn closed(&self) -> Option<&Dynamics> {
+    pub fn closed(&self) -> Option<&Dynamics<'g>> {
         self.forms
             .iter()
             .find(|(basis, ..)| *basis == Basis::Closed(Preference::Expanded))
@@ -117,55 +111,51 @@ impl Forms {
     }
 
     /// The shortest code for something that every form of the dynamics has.
-    pub fn part(&self, g: &Graph, part: impl Fn(&Graph, &Dynamics) -> Vec<ExprId>) -> Chosen {
+    pub fn part(&self, part: impl Fn(&Dynamics<'g>) -> Vec<Expr<'g>>) -> Chosen<'g> {
         let candidates = self.forms.iter();
-        let candidates = candidates.map(|(basis, dynamics, _)| (Form::of(*basis), part(g, dynamics)));
-        let candidates = candidates.collect();
-        choose(g, candidates)
+        let candidates = candidates.map(|(basis, dynamics, _)| (Form::of(*basis), part(dynamics)));
+        self.choose(candidates.collect())
     }
 
     /// The shortest code for the accelerations.
-    pub fn accelerations(&self, g: &Graph) -> Chosen {
+    pub fn accelerations(&self) -> Chosen<'g> {
         let mut candidates = Vec::new();
         for (basis, dynamics, determinant) in &self.forms {
-            for (factored, solver) in factorings(g, dynamics, *determinant) {
+            for (factored, solver) in factorings(dynamics, *determinant) {
                 let form = Form::of(*basis).solved_by(solver);
-                candidates.push((form, factored.solve_negated(g, &dynamics.residual)));
+                candidates.push((form, factored.solve_negated(&dynamics.residual)));
             }
         }
         candidates.extend(self.exact.iter().cloned());
         candidates.push((Form::of(Basis::Articulated), self.articulated.clone()));
-        choose(g, candidates)
+        self.choose(candidates)
     }
 
     /// The shortest code for the derivatives of the accelerations by some symbols: column by column, and before them the accelerations
     /// themselves if these are wanted too.
-    pub fn jacobian(&mut self, model: &Model, variables: &[ExprId], with_accelerations: bool) -> Chosen {
-        let Model {
-            graph: g, coordinates, ..
-        } = model;
+    pub fn jacobian(&mut self, model: &Model<'g>, variables: &[Expr<'g>], with_accelerations: bool) -> Chosen<'g> {
         let mut candidates = Vec::new();
         for (basis, dynamics, determinant) in &self.forms {
-            let derived = partials(g, dynamics, variables);
-            let mut columns = ways(g, &mut self.normalizer, *basis, derived);
-            let by_recursion = partials_by_recursion(g, dynamics, coordinates, variables);
+            let derived = partials(dynamics, variables);
+            let mut columns = ways(&mut self.normalizer, *basis, derived);
+            let by_recursion = partials_by_recursion(dynamics, &model.coordinates, variables);
             columns.extend(by_recursion.map(|columns| (Derivatives::Recursion, columns)));
             let exact = self.exact.iter().filter(|(form, _)| form.basis == *basis);
-            for (factored, solver) in factorings(g, dynamics, *determinant) {
+            for (factored, solver) in factorings(dynamics, *determinant) {
                 let form = Form::of(*basis).solved_by(solver);
-                let mut ways = vec![(form, factored.solve_negated(g, &dynamics.residual))];
+                let mut ways = vec![(form, factored.solve_negated(&dynamics.residual))];
                 ways.extend(
                     exact
                         .clone()
                         .map(|(_, accelerations)| (form.exactly(), accelerations.clone())),
                 );
                 for (derivatives, columns) in &columns {
-                    let solved = columns.iter().flat_map(|column| factored.solve_negated(g, column));
-                    let solved: Vec<ExprId> = solved.collect();
+                    let solved = columns.iter().flat_map(|column| factored.solve_negated(column));
+                    let solved: Vec<Expr<'g>> = solved.collect();
                     for (form, accelerations) in &ways {
-                        let symbols = coordinates.iter().map(|c| c.acceleration);
+                        let symbols = model.coordinates.iter().map(|c| c.acceleration);
                         let known: HashMap<_, _> = symbols.zip(accelerations.iter().copied()).collect();
-                        let mut roots = g.substitute(&solved, known);
+                        let mut roots = model.graph.substitute(&solved, known);
                         if with_accelerations {
                             roots.splice(0..0, accelerations.iter().copied());
                         }
@@ -174,56 +164,53 @@ impl Forms {
                 }
             }
         }
-        choose(g, candidates)
+        self.choose(candidates)
     }
 
     /// The shortest code for the momenta and, behind them, their rates.
-    pub fn canonical(&mut self, model: &Model) -> Chosen {
-        let Model {
-            graph: g, coordinates, ..
-        } = model;
+    pub fn canonical(&mut self, model: &Model<'g>) -> Chosen<'g> {
         let mut candidates = Vec::new();
         for (basis, dynamics, _) in &self.forms {
-            let rates = vec![momentum_rates(g, dynamics, coordinates)];
-            for (derivatives, rates) in ways(g, &mut self.normalizer, *basis, rates) {
+            let rates = vec![momentum_rates(dynamics, &model.coordinates)];
+            for (derivatives, rates) in ways(&mut self.normalizer, *basis, rates) {
                 let roots = dynamics.momentum.iter().copied().chain(rates.into_iter().flatten());
                 candidates.push((Form::of(*basis).derived_by(derivatives), roots.collect()));
             }
         }
-        choose(g, candidates)
+        self.choose(candidates)
     }
 
     /// The shortest code for the derivatives of the momenta by the state, column by column, and behind them those of their rates.
-    pub fn canonical_jacobian(&mut self, model: &Model) -> Chosen {
+    pub fn canonical_jacobian(&mut self, model: &Model<'g>) -> Chosen<'g> {
         let state = model.state();
-        let Model {
-            graph: g, coordinates, ..
-        } = model;
         let mut candidates = Vec::new();
         for (basis, dynamics, _) in &self.forms {
-            let rates = vec![momentum_rates(g, dynamics, coordinates)];
-            let momenta = momentum_partials(g, dynamics, coordinates);
-            for (_, rates) in ways(g, &mut self.normalizer, *basis, rates) {
-                let columns = momenta.iter().cloned().chain(derived(g, &rates[0], &state)).collect();
-                for (derivatives, columns) in ways(g, &mut self.normalizer, *basis, columns) {
+            let rates = vec![momentum_rates(dynamics, &model.coordinates)];
+            let momenta = momentum_partials(dynamics, &model.coordinates);
+            for (_, rates) in ways(&mut self.normalizer, *basis, rates) {
+                let columns = momenta.iter().cloned().chain(derived(&rates[0], &state)).collect();
+                for (derivatives, columns) in ways(&mut self.normalizer, *basis, columns) {
                     let roots = columns.into_iter().flatten().collect();
                     candidates.push((Form::of(*basis).derived_by(derivatives), roots));
                 }
             }
         }
-        choose(g, candidates)
+        self.choose(candidates)
+    }
+
+    fn choose(&self, candidates: Vec<Candidate<'g>>) -> Chosen<'g> {
+        choose(self.normalizer.graph(), candidates)
     }
 }
 
 /// Columns of derivatives as they are, and in closed form where that is the basis.
-fn ways(
-    g: &Graph,
-    normalizer: &mut Normalizer,
+fn ways<'g>(
+    normalizer: &mut Normalizer<'g>,
     basis: Basis,
-    columns: Vec<Vec<ExprId>>,
-) -> Vec<(Derivatives, Vec<Vec<ExprId>>)> {
+    columns: Vec<Vec<Expr<'g>>>,
+) -> Vec<(Derivatives, Vec<Vec<Expr<'g>>>)> {
     let expanded = match basis {
-        Basis::Closed(preference) => expanded(g, normalizer, &columns, preference),
+        Basis::Closed(preference) => expanded(normalizer, &columns, preference),
         _ => None,
     };
     let expanded = expanded.map(|columns| (Derivatives::Expanded, columns));
@@ -231,28 +218,28 @@ fn ways(
 }
 
 /// Whether one body may be much heavier than another: their masses are different expressions, other than numbers of one size.
-fn is_lopsided(g: &Graph, bodies: &[Body]) -> bool {
+fn is_lopsided(bodies: &[Body<'_>]) -> bool {
     /// Less than two digits can cancel between masses of this ratio.
     const EVEN: f64 = 100.0;
-    let size = |id| g.constant(id).map(f64::abs);
-    let uneven = |a: ExprId, b: ExprId| match (size(a), size(b)) {
+    let size = |mass: Expr<'_>| mass.constant().map(f64::abs);
+    let uneven = |a: Expr<'_>, b: Expr<'_>| match (size(a), size(b)) {
         (Some(a), Some(b)) => a.max(b) > EVEN * a.min(b),
         _ => a != b,
     };
     let masses = bodies.iter().map(|body| body.inertia.mass);
-    let masses: Vec<ExprId> = masses.filter(|&mass| !g.is_zero(mass)).collect();
+    let masses: Vec<Expr<'_>> = masses.filter(|mass| !mass.is_zero()).collect();
     masses.iter().any(|&mass| uneven(mass, masses[0]))
 }
 
 /// Columns of expressions in closed form; none if they grow too large.
-pub(crate) fn expanded(
-    g: &Graph,
-    normalizer: &mut Normalizer,
-    columns: &[Vec<ExprId>],
+pub(crate) fn expanded<'g>(
+    normalizer: &mut Normalizer<'g>,
+    columns: &[Vec<Expr<'g>>],
     preference: Preference,
-) -> Option<Vec<Vec<ExprId>>> {
+) -> Option<Vec<Vec<Expr<'g>>>> {
+    let g = normalizer.graph();
     let mut short =
-        |x: &ExprId| closed::short_terms(g, normalizer, *x).map(|terms| factor::factor(g, &terms, preference));
+        |x: &Expr<'g>| closed::short_terms(normalizer, *x).map(|terms| factor::factor(g, &terms, preference));
     let columns = columns
         .iter()
         .map(|column| column.iter().map(&mut short).collect())
@@ -261,32 +248,32 @@ pub(crate) fn expanded(
 }
 
 /// The factorings of the mass matrix that may be shortest.
-fn factorings(g: &Graph, dynamics: &Dynamics, determinant: Option<ExprId>) -> Vec<(Factored, Solver)> {
-    let coupled = dynamics.residual.len() == 2 && !g.is_zero(dynamics.mass_matrix[0][1]);
+fn factorings<'g>(dynamics: &Dynamics<'g>, determinant: Option<Expr<'g>>) -> Vec<(Factored<'g>, Solver)> {
+    let coupled = dynamics.residual.len() == 2 && !dynamics.mass_matrix[0][1].is_zero();
     let solvers: &[Solver] = if coupled {
         &[Solver::Adjugate, Solver::Inverse, Solver::Ldl]
     } else {
         &[Solver::Ldl]
     };
-    let factored = |&solver: &Solver| (Factored::new(g, solver, &dynamics.mass_matrix, determinant), solver);
+    let factored = |&solver: &Solver| (Factored::new(solver, &dynamics.mass_matrix, determinant), solver);
     solvers.iter().map(factored).collect()
 }
 
 /// The candidate of the least weight once its common parts are shared; the first of equals. There is at least one.
 /// An exact one may take a few more.
-fn choose(g: &Graph, candidates: Vec<Candidate>) -> Chosen {
+fn choose<'g>(g: &'g Graph, candidates: Vec<Candidate<'g>>) -> Chosen<'g> {
     let lowered = candidates.into_iter().map(|(form, roots)| {
         let roots = trig::lower(g, &roots);
         let operations = Operations::of(g, &roots);
         (form, roots, operations)
     });
-    let lowered: Vec<(Form, Vec<ExprId>, Operations)> = lowered.collect();
+    let lowered: Vec<(Form, Vec<Expr<'g>>, Operations)> = lowered.collect();
     let least = lowered
         .iter()
         .map(|(.., operations)| operations.arithmetic())
         .min()
         .unwrap_or(0);
-    let mut counted: Vec<(Form, Vec<ExprId>, Operations)> = Vec::new();
+    let mut counted: Vec<(Form, Vec<Expr<'g>>, Operations)> = Vec::new();
     for (form, mut roots, mut operations) in lowered {
         if HOPELESS[1] * operations.arithmetic() <= HOPELESS[0] * least {
             let original = roots.clone();

@@ -4,17 +4,17 @@ use std::collections::HashMap;
 
 use super::{Chosen, Forms};
 use crate::dynamics::derived;
-use crate::expr::ExprId;
+use crate::expr::Expr;
 use crate::model::Model;
 
 /// The rates of the positions, and the accelerations.
-pub(crate) fn rhs(forms: &mut Forms, model: &Model) -> Chosen {
-    let chosen = forms.accelerations(&model.graph);
+pub(crate) fn rhs<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
+    let chosen = forms.accelerations();
     chosen.with(|accelerations| [model.kinematics(), accelerations].concat())
 }
 
 /// The right-hand side, and after it its derivatives by the state, column by column.
-pub(crate) fn jacobian(forms: &mut Forms, model: &Model) -> Chosen {
+pub(crate) fn jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let state = model.state();
     let chosen = forms.jacobian(model, &state, true);
     chosen.with(|mut accelerations| {
@@ -25,66 +25,64 @@ pub(crate) fn jacobian(forms: &mut Forms, model: &Model) -> Chosen {
 }
 
 /// The derivative of the right-hand side by the time.
-pub(crate) fn time_derivative(forms: &mut Forms, model: &Model) -> Chosen {
+pub(crate) fn time_derivative<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     by(forms, model, &[model.time])
 }
 
 /// The derivatives of the right-hand side by the inputs, column by column.
-pub(crate) fn input_jacobian(forms: &mut Forms, model: &Model) -> Chosen {
+pub(crate) fn input_jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     by(forms, model, &model.input_symbols())
 }
 
-fn by(forms: &mut Forms, model: &Model, variables: &[ExprId]) -> Chosen {
+fn by<'g>(forms: &mut Forms<'g>, model: &Model<'g>, variables: &[Expr<'g>]) -> Chosen<'g> {
     let chosen = forms.jacobian(model, variables, false);
     chosen.with(|columns| on_top(model, &model.kinematics(), variables, &columns))
 }
 
 /// The derivatives of the accelerations by the parameters, column by column.
-pub(crate) fn parameter_jacobian(forms: &mut Forms, model: &Model) -> Chosen {
-    let parameters: Vec<ExprId> = model.parameters.iter().map(|parameter| parameter.symbol).collect();
+pub(crate) fn parameter_jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
+    let parameters: Vec<Expr<'g>> = model.parameters.iter().map(|parameter| parameter.symbol).collect();
     forms.jacobian(model, &parameters, false)
 }
 
 /// Kinetic energy.
-pub(crate) fn kinetic(forms: &mut Forms, model: &Model) -> Chosen {
-    forms.part(&model.graph, |_, dynamics| vec![dynamics.kinetic])
+pub(crate) fn kinetic<'g>(forms: &mut Forms<'g>, _: &Model<'g>) -> Chosen<'g> {
+    forms.part(|dynamics| vec![dynamics.kinetic])
 }
 
 /// Potential energy.
-pub(crate) fn potential(forms: &mut Forms, model: &Model) -> Chosen {
-    forms.part(&model.graph, |_, dynamics| vec![dynamics.potential])
+pub(crate) fn potential<'g>(forms: &mut Forms<'g>, _: &Model<'g>) -> Chosen<'g> {
+    forms.part(|dynamics| vec![dynamics.potential])
 }
 
 /// The upper triangle of the mass matrix, row by row.
-pub(crate) fn mass_matrix(forms: &mut Forms, model: &Model) -> Chosen {
-    forms.part(&model.graph, |_, dynamics| {
+pub(crate) fn mass_matrix<'g>(forms: &mut Forms<'g>, _: &Model<'g>) -> Chosen<'g> {
+    forms.part(|dynamics| {
         let rows = dynamics.mass_matrix.iter().enumerate();
         rows.flat_map(|(k, row)| row[k..].to_vec()).collect()
     })
 }
 
 /// The bias.
-pub(crate) fn bias(forms: &mut Forms, model: &Model) -> Chosen {
-    forms.part(&model.graph, |_, dynamics| dynamics.bias.clone())
+pub(crate) fn bias<'g>(forms: &mut Forms<'g>, _: &Model<'g>) -> Chosen<'g> {
+    forms.part(|dynamics| dynamics.bias.clone())
 }
 
 /// The momenta of the coordinates.
-pub(crate) fn momentum(forms: &mut Forms, model: &Model) -> Chosen {
-    forms.part(&model.graph, |_, dynamics| dynamics.momentum.clone())
+pub(crate) fn momentum<'g>(forms: &mut Forms<'g>, _: &Model<'g>) -> Chosen<'g> {
+    forms.part(|dynamics| dynamics.momentum.clone())
 }
 
 /// The forces that accelerations take.
-pub(crate) fn inverse_dynamics(forms: &mut Forms, model: &Model) -> Chosen {
+pub(crate) fn inverse_dynamics<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     // what inputs do is asked of inverse dynamics, not given
     let zero = model.graph.zero();
     let without_inputs: HashMap<_, _> = model.input_symbols().into_iter().map(|input| (input, zero)).collect();
-    forms.part(&model.graph, |g, dynamics| {
-        g.substitute(&dynamics.balance, without_inputs.clone())
-    })
+    forms.part(|dynamics| model.graph.substitute(&dynamics.balance, without_inputs.clone()))
 }
 
 /// The positions and the momenta, and after them the rates of both.
-pub(crate) fn canonical(forms: &mut Forms, model: &Model) -> Chosen {
+pub(crate) fn canonical<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let chosen = forms.canonical(model);
     chosen.with(|mut momenta| {
         let rates = momenta.split_off(model.dof());
@@ -93,7 +91,7 @@ pub(crate) fn canonical(forms: &mut Forms, model: &Model) -> Chosen {
 }
 
 /// The derivatives of the canonical variables by the state, column by column, and after them those of their rates.
-pub(crate) fn canonical_jacobian(forms: &mut Forms, model: &Model) -> Chosen {
+pub(crate) fn canonical_jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let state = model.state();
     let chosen = forms.canonical_jacobian(model);
     chosen.with(|mut momenta| {
@@ -104,8 +102,8 @@ pub(crate) fn canonical_jacobian(forms: &mut Forms, model: &Model) -> Chosen {
 }
 
 /// The derivatives of some rows by some variables on top of the columns of others.
-fn on_top(model: &Model, rows: &[ExprId], variables: &[ExprId], columns: &[ExprId]) -> Vec<ExprId> {
-    let above = derived(&model.graph, rows, variables);
+fn on_top<'g>(model: &Model<'g>, rows: &[Expr<'g>], variables: &[Expr<'g>], columns: &[Expr<'g>]) -> Vec<Expr<'g>> {
+    let above = derived(rows, variables);
     let pairs = above.into_iter().zip(columns.chunks(model.dof()));
     pairs.flat_map(|(above, below)| [&above, below].concat()).collect()
 }

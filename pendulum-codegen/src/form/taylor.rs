@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 use super::series::{Recurrences, Symbols};
 use super::{Form, Forms, factorings};
 use crate::dynamics::{Dynamics, Factored};
-use crate::expr::{ExprId, Graph, Level};
+use crate::expr::{Expr, Graph, Level};
 use crate::model::Model;
 use crate::pass::{Operations, share, trig};
 
@@ -14,15 +14,15 @@ use crate::pass::{Operations, share, trig};
 /// Order 0 is computed from the state; then each order `k` from the orders before it and from what order 0 has left, in
 /// the [`Symbols`].
 #[derive(Clone, Debug)]
-pub struct Taylor {
+pub struct Taylor<'g> {
     /// What stands for the quantities of order `k`.
-    pub symbols: Symbols,
+    pub symbols: Symbols<'g>,
     /// The number of products of series.
     pub slots: usize,
     /// Of order 0: the accelerations, then what [`Symbols::kept`] stands for.
-    pub start: Vec<ExprId>,
+    pub start: Vec<Expr<'g>>,
     /// Of order `k`: the accelerations, then the left sides of all products, then their right sides.
-    pub order: Vec<ExprId>,
+    pub order: Vec<Expr<'g>>,
     /// Operations of one order `k`, without the sums of the products.
     pub operations: Operations,
     /// The form that won.
@@ -34,26 +34,26 @@ pub struct Taylor {
 /// Forms with more products than the fewest by this ratio are not searched for common parts.
 const HOPELESS: [usize; 2] = [3, 2];
 
-impl Forms {
+impl<'g> Forms<'g> {
     /// The shortest code for the coefficients of the motion.
-    pub fn taylor(&self, model: &Model) -> Taylor {
+    pub fn taylor(&self, model: &Model<'g>) -> Taylor<'g> {
         let mut symbols = Symbols::new(model);
-        let mut candidates: Vec<(Form, Dynamics, Option<ExprId>, usize)> = Vec::new();
+        let mut candidates: Vec<(Form, Dynamics<'g>, Option<Expr<'g>>, usize)> = Vec::new();
         for (basis, dynamics, determinant) in &self.forms {
             let slots = slots(model, &mut symbols, dynamics);
             candidates.push((Form::of(*basis), dynamics.clone(), *determinant, slots));
         }
         let fewest = candidates.iter().map(|(.., slots)| *slots).min().unwrap_or(0);
-        let mut counted: Vec<Taylor> = Vec::new();
+        let mut counted: Vec<Taylor<'g>> = Vec::new();
         for (form, dynamics, determinant, slots_before) in candidates {
             let mut ways = vec![dynamics];
             if HOPELESS[1] * slots_before <= HOPELESS[0] * fewest {
                 for factor in [false, true] {
-                    ways.push(shared(&model.graph, &ways[0], factor));
+                    ways.push(shared(model.graph, &ways[0], factor));
                 }
             }
             for dynamics in ways {
-                for (factored, solver) in factorings(&model.graph, &dynamics, determinant) {
+                for (factored, solver) in factorings(&dynamics, determinant) {
                     let form = form.solved_by(solver);
                     counted.push(code(model, symbols.clone(), form, &dynamics, &factored));
                 }
@@ -68,79 +68,78 @@ impl Forms {
                 best.others.push((taylor.form, taylor.slots, taylor.operations));
             }
         }
-        best.shorten(&model.graph);
+        best.shorten(model.graph);
         best
     }
 }
 
 /// The dynamics with common parts of the mass matrix and the residual shared.
-fn shared(g: &Graph, dynamics: &Dynamics, factor: bool) -> Dynamics {
+fn shared<'g>(g: &'g Graph, dynamics: &Dynamics<'g>, factor: bool) -> Dynamics<'g> {
     let n = dynamics.residual.len();
-    let mut roots: Vec<ExprId> = dynamics.mass_matrix.concat();
+    let mut roots: Vec<Expr<'g>> = dynamics.mass_matrix.concat();
     roots.extend(&dynamics.residual);
     let roots = share(g, &roots, factor);
     let mut dynamics = dynamics.clone();
-    dynamics.mass_matrix = roots[..n * n].chunks(n).map(<[ExprId]>::to_vec).collect();
+    dynamics.mass_matrix = roots[..n * n].chunks(n).map(<[Expr<'g>]>::to_vec).collect();
     dynamics.residual = roots[n * n..].to_vec();
     dynamics
 }
 
 /// How many products of series the dynamics take.
-fn slots(model: &Model, symbols: &mut Symbols, dynamics: &Dynamics) -> usize {
+fn slots<'g>(model: &Model<'g>, symbols: &mut Symbols<'g>, dynamics: &Dynamics<'g>) -> usize {
     let mut recurrences = Recurrences::new(model, symbols);
     balance(model, &mut recurrences, dynamics);
-    recurrences.sides(&model.graph);
+    recurrences.sides();
     recurrences.slots.len()
 }
 
 /// The coefficients of order `k` of `A qdd + bias - force`, but for `A_0 qdd_k`.
-fn balance(model: &Model, recurrences: &mut Recurrences<'_>, dynamics: &Dynamics) -> Vec<ExprId> {
-    let Model {
-        graph: g, coordinates, ..
-    } = model;
+fn balance<'g>(model: &Model<'g>, recurrences: &mut Recurrences<'g, '_>, dynamics: &Dynamics<'g>) -> Vec<Expr<'g>> {
     // what is not known yet is left out of every product
-    for coordinate in coordinates.iter() {
-        recurrences.set(coordinate.acceleration, g.zero());
+    for coordinate in &model.coordinates {
+        recurrences.set(coordinate.acceleration, model.graph.zero());
     }
     let rows = dynamics.mass_matrix.iter().zip(&dynamics.residual);
     rows.map(|(row, &residual)| {
-        let residual = recurrences.coefficient(g, residual);
-        row.iter()
-            .zip(coordinates.iter())
-            .fold(residual, |sum, (&entry, coordinate)| {
-                let known = recurrences.product(g, entry, coordinate.acceleration);
-                g.add(sum, known)
-            })
+        let residual = recurrences.coefficient(residual);
+        let products = row.iter().zip(&model.coordinates);
+        products.fold(residual, |sum, (&entry, coordinate)| {
+            sum + recurrences.product(entry, coordinate.acceleration)
+        })
     })
     .collect()
 }
 
 /// Code for the dynamics in one form. The mass matrix is factored at order 0, and solved with at every order: it is never inverted as
 /// a series.
-fn code(model: &Model, mut symbols: Symbols, form: Form, dynamics: &Dynamics, factored: &Factored) -> Taylor {
+fn code<'g>(
+    model: &Model<'g>,
+    mut symbols: Symbols<'g>,
+    form: Form,
+    dynamics: &Dynamics<'g>,
+    factored: &Factored<'g>,
+) -> Taylor<'g> {
+    let g = model.graph;
     let mut recurrences = Recurrences::new(model, &mut symbols);
     let balance = balance(model, &mut recurrences, dynamics);
-    let Model {
-        graph: g, coordinates, ..
-    } = model;
-    let mut order = factored.solve_negated(g, &balance);
-    let unknowns: Vec<ExprId> = coordinates.iter().map(|c| c.acceleration).collect();
+    let mut order = factored.solve_negated(&balance);
+    let unknowns: Vec<Expr<'g>> = model.coordinates.iter().map(|c| c.acceleration).collect();
     for (&unknown, &solved) in unknowns.iter().zip(&order) {
         recurrences.set(unknown, solved);
     }
-    let [left, right] = recurrences.sides(g);
+    let [left, right] = recurrences.sides();
     let slots = left.len();
     order.extend(left.into_iter().chain(right));
     let changing = [symbols.order, symbols.over_order, symbols.time];
     let changing = changing.into_iter().chain(symbols.state.iter().copied());
-    let changing: HashSet<ExprId> = changing.chain(symbols.sums[..slots].iter().copied()).collect();
+    let changing: HashSet<Expr<'g>> = changing.chain(symbols.sums[..slots].iter().copied()).collect();
     let kept = kept(g, &order, changing);
     let mut names = HashMap::new();
     for (n, &value) in kept.iter().enumerate() {
         names.insert(value, Symbols::of_list(g, &mut symbols.kept, "kept", n));
     }
     let order = g.substitute(&order, names);
-    let mut start = factored.solve_negated(g, &dynamics.residual);
+    let mut start = factored.solve_negated(&dynamics.residual);
     let solved = unknowns.into_iter().zip(start.iter().copied()).collect();
     start.extend(g.substitute(&kept, solved));
     symbols.sums.truncate(slots);
@@ -157,22 +156,22 @@ fn code(model: &Model, mut symbols: Symbols, form: Form, dynamics: &Dynamics, fa
 }
 
 /// The largest expressions of the state within the roots that nothing of order `k` is part of.
-fn kept(g: &Graph, roots: &[ExprId], mut changing: HashSet<ExprId>) -> Vec<ExprId> {
-    let reachable = g.reachable(roots);
-    let mut read: HashSet<ExprId> = roots.iter().copied().collect();
-    for &id in &reachable {
-        if g.operands(id).any(|operand| changing.contains(&operand)) {
-            changing.insert(id);
-            read.extend(g.operands(id));
+fn kept<'g>(g: &'g Graph, roots: &[Expr<'g>], mut changing: HashSet<Expr<'g>>) -> Vec<Expr<'g>> {
+    let reachable: Vec<Expr<'g>> = g.reachable(roots).into_iter().map(|id| g.expr(id)).collect();
+    let mut read: HashSet<Expr<'g>> = roots.iter().copied().collect();
+    for &x in &reachable {
+        if x.operands().any(|operand| changing.contains(&operand)) {
+            changing.insert(x);
+            read.extend(x.operands());
         }
     }
-    let is_kept = |id: &ExprId| g.level(*id) == Level::State && read.contains(id) && !changing.contains(id);
+    let is_kept = |x: &Expr<'g>| x.level() == Level::State && read.contains(x) && !changing.contains(x);
     reachable.into_iter().filter(is_kept).collect()
 }
 
-impl Taylor {
+impl<'g> Taylor<'g> {
     /// Shares common parts of what is computed once, and of what is computed at every order.
-    fn shorten(&mut self, g: &Graph) {
+    fn shorten(&mut self, g: &'g Graph) {
         self.start = trig::lower(g, &self.start);
         for roots in [&mut self.start, &mut self.order] {
             let original = roots.clone();

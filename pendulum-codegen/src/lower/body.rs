@@ -8,24 +8,24 @@ use super::written::written;
 use crate::ast;
 use crate::error::Reported;
 use crate::expr::Printer;
-use crate::model::{Body, Coordinate, Heading, combine};
-use crate::screw::{SpatialInertia, mat_vec, transpose};
+use crate::model::{Body, BodyId, Coordinate, CoordinateId, Heading};
+use crate::screw::SpatialInertia;
 
-impl Lower {
+impl<'g> Lower<'g> {
     /// The bodies, each after its parent. Those with an error are left out.
     pub(super) fn bodies(
         &mut self,
         declared: &[ast::Body],
         order: Vec<usize>,
-        coordinates: &[Coordinate],
-        shapes: &BTreeMap<String, Result<Mass, Reported>>,
-    ) -> Vec<Body> {
+        coordinates: &[Coordinate<'g>],
+        shapes: &BTreeMap<String, Result<Mass<'g>, Reported>>,
+    ) -> Vec<Body<'g>> {
         let mut bodies = Vec::new();
         for body in order.into_iter().map(|n| &declared[n]) {
             let name = body.name.to_string();
             match self.body(body, &bodies, coordinates, shapes) {
                 Ok(lowered) => {
-                    self.placed.insert(name, Ok(bodies.len()));
+                    self.placed.insert(name, Ok(BodyId::new(bodies.len())));
                     self.spans.bodies.push(body.name.span());
                     bodies.push(lowered);
                 }
@@ -40,15 +40,16 @@ impl Lower {
     fn body(
         &mut self,
         body: &ast::Body,
-        bodies: &[Body],
-        coordinates: &[Coordinate],
-        shapes: &BTreeMap<String, Result<Mass, Reported>>,
-    ) -> Result<Body, Reported> {
+        bodies: &[Body<'g>],
+        coordinates: &[Coordinate<'g>],
+        shapes: &BTreeMap<String, Result<Mass<'g>, Reported>>,
+    ) -> Result<Body<'g>, Reported> {
         let coordinate = body
             .fields
             .coordinate
             .as_ref()
-            .and_then(|name| coordinates.iter().position(|c| name == &c.name));
+            .and_then(|name| coordinates.iter().position(|c| name == &c.name))
+            .map(CoordinateId::new);
         // an error in one part is no reason to leave the others unread
         let mass = self.mass_of_body(body, shapes);
         let geometry = self.geometry(&body.name, body.fields.joint.as_ref());
@@ -58,16 +59,16 @@ impl Lower {
             self.heading(body, bodies, parent?, geometry, coordinate)
         });
         let motion = heading.as_ref().map(|(_, motion)| motion.clone()).unwrap_or_default();
-        let position = combine(&self.graph, coordinates, &motion, |c| c.position);
-        let rate = combine(&self.graph, coordinates, &motion, |c| c.rate);
+        let position = motion.of(self.graph, |k| coordinates[k].position);
+        let rate = motion.of(self.graph, |k| coordinates[k].rate);
         let forces = self.forces(body, position, rate);
-        let joint = [position, rate].map(|x| Printer::new(&self.graph).formula(x));
+        let joint = [position, rate].map(|x| Printer::new(self.graph).formula(x.id()));
         let torque = body.fields.torque.as_ref().map(|torque| written(torque, Some(&joint)));
         let ((heading, motion), geometry, forces) = (heading?, geometry?, forces?);
         let inertia = match mass? {
-            None => SpatialInertia::zero(&self.graph),
+            None => SpatialInertia::zero(self.graph),
             Some(mass) => {
-                let turns = self.turns(&heading);
+                let turns = turns(&heading);
                 mass.of_body(self, &body.name, turns)?
             }
         };
@@ -87,20 +88,8 @@ impl Lower {
         })
     }
 
-    /// About which axes a body turns.
-    fn turns(&self, heading: &Heading) -> Turns {
-        match (heading.station, heading.axis) {
-            (None, None) => Turns::Never,
-            (None, Some(axis)) => {
-                let back = transpose(heading.rest);
-                Turns::About(mat_vec(&self.graph, back, axis))
-            }
-            (Some(_), _) => Turns::Freely,
-        }
-    }
-
     /// The body that carries this one; none for ground.
-    fn parent(&self, body: &ast::Body) -> Result<Option<usize>, Reported> {
+    fn parent(&self, body: &ast::Body) -> Result<Option<BodyId>, Reported> {
         let placed = self.placed.get(&body.parent.to_string());
         placed.map_or(Ok(None), |placed| placed.map(Some))
     }
@@ -137,5 +126,14 @@ impl Lower {
             }
             (true, Some(_)) => Ok(()),
         }
+    }
+}
+
+/// About which axes a body turns.
+fn turns<'g>(heading: &Heading<'g>) -> Turns<'g> {
+    match (heading.station, heading.axis) {
+        (None, None) => Turns::Never,
+        (None, Some(axis)) => Turns::About(heading.rest.transpose() * axis),
+        (Some(_), _) => Turns::Freely,
     }
 }

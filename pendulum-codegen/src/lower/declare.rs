@@ -5,11 +5,11 @@ use super::expr::Place;
 use super::scope::Kind;
 use super::written::written;
 use crate::ast;
-use crate::expr::{Definition, Level, SymbolKind};
+use crate::expr::{Definition, Expr, Level, SymbolKind};
 use crate::model::{Coordinate, Input, Parameter};
 
-impl Lower {
-    pub(super) fn parameters(&mut self, params: &[ast::Param]) -> Vec<Parameter> {
+impl<'g> Lower<'g> {
+    pub(super) fn parameters(&mut self, params: &[ast::Param]) -> Vec<Parameter<'g>> {
         let mut parameters = Vec::new();
         for param in params {
             let place = Place {
@@ -22,7 +22,7 @@ impl Lower {
                 .default
                 .as_ref()
                 .and_then(|e| self.expr(e, &place).ok())
-                .and_then(|id| self.graph.constant(id));
+                .and_then(Expr::constant);
             let name = param.name.to_string();
             let symbol = self.graph.symbol(&name, SymbolKind::Parameter(parameters.len()));
             parameters.push((
@@ -43,7 +43,7 @@ impl Lower {
         parameters.into_iter().map(|(_, parameter)| parameter).collect()
     }
 
-    pub(super) fn inputs(&mut self, declared: &[ast::Input]) -> Vec<Input> {
+    pub(super) fn inputs(&mut self, declared: &[ast::Input]) -> Vec<Input<'g>> {
         let mut inputs = Vec::new();
         for input in declared {
             let name = input.name.to_string();
@@ -87,7 +87,7 @@ impl Lower {
         }
     }
 
-    pub(super) fn coordinates(&mut self, bodies: &[ast::Body]) -> Vec<Coordinate> {
+    pub(super) fn coordinates(&mut self, bodies: &[ast::Body]) -> Vec<Coordinate<'g>> {
         let mut coordinates = Vec::new();
         for ident in bodies.iter().filter_map(|body| body.fields.coordinate.as_ref()) {
             let (name, k) = (ident.to_string(), coordinates.len());

@@ -4,23 +4,23 @@ use num_traits::{Signed, ToPrimitive, Zero};
 use syn::Ident;
 
 use super::Lower;
-use crate::ast::{Expr, ExprKind, Operator, Vector};
+use crate::ast::{self, ExprKind, Operator, Vector};
 use crate::error::{Reported, suggestion};
-use crate::expr::{ExprId, Level, Unary};
+use crate::expr::{Binary, Expr, Level, Unary};
 use crate::screw::Vec3;
 
 /// Where an expression stands: what it may use, and how errors speak of it.
 #[derive(Clone, Debug)]
-pub(super) struct Place {
+pub(super) struct Place<'g> {
     /// `the torque of `arm``
     pub(super) what: String,
     /// On what it may depend.
     pub(super) most: Level,
     /// The coordinate and the rate of the joint, where `q` and `qd` may stand.
-    pub(super) joint: Option<(ExprId, ExprId)>,
+    pub(super) joint: Option<(Expr<'g>, Expr<'g>)>,
 }
 
-impl Place {
+impl Place<'_> {
     /// A place for numbers and parameters.
     pub(super) fn fixed(what: impl Into<String>) -> Self {
         Self {
@@ -44,12 +44,11 @@ const FUNCTIONS: [(&str, Unary); 7] = [
 /// The largest numerator and denominator of a constant power.
 const MOST_POWER: i64 = 64;
 
-impl Lower {
+impl<'g> Lower<'g> {
     /// The expression at a place.
-    pub(super) fn expr(&mut self, expr: &Expr, place: &Place) -> Result<ExprId, Reported> {
-        let id = self.operation(expr, place)?;
-        let level = self.graph.level(id);
-        if level > place.most {
+    pub(super) fn expr(&mut self, expr: &ast::Expr, place: &Place<'g>) -> Result<Expr<'g>, Reported> {
+        let value = self.operation(expr, place)?;
+        if value.level() > place.most {
             let help = if place.joint.is_some() {
                 "give the coefficient of viscous friction here, and any other law as `torque: ..`"
             } else {
@@ -59,41 +58,37 @@ impl Lower {
                 .errors
                 .on(expr, format_args!("{} may not depend on the motion", place.what), help));
         }
-        Ok(id)
+        Ok(value)
     }
 
     /// Three expressions at a place.
-    pub(super) fn vector(&mut self, vector: &Vector, place: &Place) -> Result<Vec3, Reported> {
+    pub(super) fn vector(&mut self, vector: &Vector, place: &Place<'g>) -> Result<Vec3<'g>, Reported> {
         let [x, y, z] = vector.components.each_ref().map(|e| self.expr(e, place));
-        Ok([x?, y?, z?])
+        Ok(Vec3([x?, y?, z?]))
     }
 
     /// An operation, whose value must be finite where it is constant.
-    fn operation(&mut self, expr: &Expr, place: &Place) -> Result<ExprId, Reported> {
-        let id = self.unchecked(expr, place)?;
-        let constant = self.graph.level(id) == Level::Constant && self.graph.as_number(id).is_none();
-        if constant && self.graph.constant(id).is_some_and(|value| !value.is_finite()) {
+    fn operation(&mut self, expr: &ast::Expr, place: &Place<'g>) -> Result<Expr<'g>, Reported> {
+        let value = self.unchecked(expr, place)?;
+        if value.as_number().is_none() && value.constant().is_some_and(|value| !value.is_finite()) {
             let help = "look for a division by zero or the root or logarithm of a negative number";
             return Err(self
                 .errors
                 .on(expr, format_args!("a part of {} has no finite value", place.what), help));
         }
-        Ok(id)
+        Ok(value)
     }
 
-    fn unchecked(&mut self, expr: &Expr, place: &Place) -> Result<ExprId, Reported> {
+    fn unchecked(&mut self, expr: &ast::Expr, place: &Place<'g>) -> Result<Expr<'g>, Reported> {
         match &expr.kind {
             ExprKind::Number(n) => Ok(self.graph.number(n.clone())),
             ExprKind::Name(name) => self.name(name, place),
             ExprKind::Call(name, arguments) => self.call(expr, name, arguments, place),
-            ExprKind::Neg(a) => {
-                let a = self.operation(a, place)?;
-                Ok(self.graph.neg(a))
-            }
+            ExprKind::Neg(a) => Ok(-self.operation(a, place)?),
             ExprKind::Binary(operator, a, b) => {
                 let (left, right) = (self.operation(a, place), self.operation(b, place));
                 let (left, right) = (left?, right?);
-                if *operator == Operator::Div && self.graph.is_zero(right) {
+                if *operator == Operator::Div && right.is_zero() {
                     return Err(self.errors.on(
                         &**b,
                         format_args!("division by zero in {}", place.what),
@@ -101,22 +96,17 @@ impl Lower {
                     ));
                 }
                 Ok(match operator {
-                    Operator::Add => self.graph.add(left, right),
-                    Operator::Sub => self.graph.sub(left, right),
-                    Operator::Mul => self.graph.mul(left, right),
-                    Operator::Div => self.graph.div(left, right),
+                    Operator::Add => left + right,
+                    Operator::Sub => left - right,
+                    Operator::Mul => left * right,
+                    Operator::Div => left / right,
                 })
             }
             ExprKind::Power(base, exponent) => {
                 let (x, n) = (self.operation(base, place), self.operation(exponent, place));
                 let (x, n) = (x?, n?);
                 let small = |n: &num_bigint::BigInt| n.abs().to_i64().is_some_and(|n| n <= MOST_POWER);
-                let Some(n) = self
-                    .graph
-                    .as_number(n)
-                    .filter(|n| small(n.numer()) && small(n.denom()))
-                    .cloned()
-                else {
+                let Some(n) = n.as_number().filter(|n| small(n.numer()) && small(n.denom())) else {
                     let help = format!(
                         "write an integer or a fraction such as `(1/2)`, with parts up to {MOST_POWER}; `exp(b*ln(a))` gives other powers"
                     );
@@ -126,19 +116,19 @@ impl Lower {
                         help,
                     ));
                 };
-                if self.graph.is_zero(x) && !n.is_positive() && !n.is_zero() {
+                if x.is_zero() && !n.is_positive() && !n.is_zero() {
                     return Err(self.errors.on(
                         expr,
                         format_args!("division by zero in {}", place.what),
                         "zero has no negative power",
                     ));
                 }
-                Ok(self.graph.power(x, n))
+                Ok(x.power(n.clone()))
             }
         }
     }
 
-    fn name(&mut self, name: &Ident, place: &Place) -> Result<ExprId, Reported> {
+    fn name(&mut self, name: &Ident, place: &Place<'g>) -> Result<Expr<'g>, Reported> {
         let text = name.to_string();
         match (text.as_str(), place.joint) {
             ("pi", _) => return Ok(self.graph.pi()),
@@ -161,14 +151,20 @@ impl Lower {
                 (Level::State, None) => &["t", "pi"],
                 _ => &["pi"],
             };
-            let fits = |id: ExprId| self.graph.level(id) <= place.most;
+            let fits = |value: Expr<'g>| value.level() <= place.most;
             suggestion(&text, self.names.known(fits, more))
         };
         let fact = format!("unknown symbol `{text}` in {}", place.what);
         Err(self.errors.at(name.span(), fact, help))
     }
 
-    fn call(&mut self, expr: &Expr, name: &Ident, arguments: &[Expr], place: &Place) -> Result<ExprId, Reported> {
+    fn call(
+        &mut self,
+        expr: &ast::Expr,
+        name: &Ident,
+        arguments: &[ast::Expr],
+        place: &Place<'g>,
+    ) -> Result<Expr<'g>, Reported> {
         let text = name.to_string();
         if text == "dot" {
             return self.dot(expr, arguments);
@@ -203,17 +199,17 @@ impl Lower {
             ));
         }
         let values: Vec<_> = arguments.iter().map(|a| self.operation(a, place)).collect();
-        let values: Vec<ExprId> = values.into_iter().collect::<Result<_, _>>()?;
+        let values: Vec<Expr<'g>> = values.into_iter().collect::<Result<_, _>>()?;
         Ok(match unary {
-            Some(op) => self.graph.unary(op, values[0]),
-            None if text == "sqrt" => self.graph.sqrt(values[0]),
-            None => self.graph.binary(crate::expr::Binary::Atan2, values[0], values[1]),
+            Some(op) => values[0].apply(op),
+            None if text == "sqrt" => values[0].sqrt(),
+            None => values[0].combine(Binary::Atan2, values[1]),
         })
     }
 
-    fn dot(&mut self, expr: &Expr, arguments: &[Expr]) -> Result<ExprId, Reported> {
+    fn dot(&mut self, expr: &ast::Expr, arguments: &[ast::Expr]) -> Result<Expr<'g>, Reported> {
         let [
-            Expr {
+            ast::Expr {
                 kind: ExprKind::Name(name),
                 ..
             },

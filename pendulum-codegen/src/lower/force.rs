@@ -4,23 +4,28 @@ use super::Lower;
 use super::expr::Place;
 use crate::ast;
 use crate::error::Reported;
-use crate::expr::{ExprId, Level, ratio};
+use crate::expr::{Expr, Level, ratio};
 use crate::model::Requirement;
 
 /// What acts along a joint.
 #[derive(Debug)]
-pub(super) struct Forces {
+pub(super) struct Forces<'g> {
     /// Friction and spring.
-    pub(super) passive: ExprId,
+    pub(super) passive: Expr<'g>,
     /// Friction, spring and torque.
-    pub(super) total: ExprId,
+    pub(super) total: Expr<'g>,
     /// Potential energy.
-    pub(super) potential: ExprId,
+    pub(super) potential: Expr<'g>,
 }
 
-impl Lower {
+impl<'g> Lower<'g> {
     /// The force of the joint along its coordinate.
-    pub(super) fn forces(&mut self, body: &ast::Body, position: ExprId, rate: ExprId) -> Result<Forces, Reported> {
+    pub(super) fn forces(
+        &mut self,
+        body: &ast::Body,
+        position: Expr<'g>,
+        rate: Expr<'g>,
+    ) -> Result<Forces<'g>, Reported> {
         let friction = self.friction(body, (position, rate));
         let spring = self.spring(body, position);
         let place = Place {
@@ -34,15 +39,15 @@ impl Lower {
             .as_ref()
             .map_or(Ok(self.graph.zero()), |torque| self.expr(torque, &place));
         let (spring, potential) = spring?;
-        let passive = self.graph.add(friction?, spring);
+        let passive = friction? + spring;
         Ok(Forces {
             passive,
-            total: self.graph.add(passive, torque?),
+            total: passive + torque?,
             potential,
         })
     }
 
-    fn friction(&mut self, body: &ast::Body, joint: (ExprId, ExprId)) -> Result<ExprId, Reported> {
+    fn friction(&mut self, body: &ast::Body, joint: (Expr<'g>, Expr<'g>)) -> Result<Expr<'g>, Reported> {
         let Some(friction) = &body.fields.friction else {
             return Ok(self.graph.zero());
         };
@@ -52,21 +57,18 @@ impl Lower {
             ..Place::fixed(format!("the friction of `{}`", body.name))
         };
         let coefficient = self.positive(friction, &place, Requirement::NonNegative)?;
-        let product = self.graph.mul(coefficient, joint.1);
-        Ok(self.graph.neg(product))
+        Ok(-(coefficient * joint.1))
     }
 
-    fn spring(&mut self, body: &ast::Body, position: ExprId) -> Result<(ExprId, ExprId), Reported> {
+    fn spring(&mut self, body: &ast::Body, position: Expr<'g>) -> Result<(Expr<'g>, Expr<'g>), Reported> {
         let Some((stiffness, rest)) = &body.fields.spring else {
             return Ok((self.graph.zero(), self.graph.zero()));
         };
         let stiffness = self.expr(stiffness, &Place::fixed(format!("the stiffness of `{}`", body.name)));
         let rest = self.expr(rest, &Place::fixed(format!("the rest position of `{}`", body.name)));
         let (stiffness, rest) = (stiffness?, rest?);
-        let g = &self.graph;
-        let stretch = g.sub(position, rest);
-        let pull = g.mul(stiffness, stretch);
-        let (square, half) = (g.mul(pull, stretch), g.number(ratio(1, 2)));
-        Ok((g.neg(pull), g.mul(half, square)))
+        let stretch = position - rest;
+        let pull = stiffness * stretch;
+        Ok((-pull, ratio(1, 2) * (pull * stretch)))
     }
 }

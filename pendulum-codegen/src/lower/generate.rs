@@ -8,7 +8,7 @@ use super::Lower;
 use crate::error::suggestion;
 use crate::program::words;
 
-impl Lower {
+impl Lower<'_> {
     /// What to generate.
     pub(super) fn outputs(
         &mut self,

@@ -4,37 +4,35 @@ use super::Lower;
 use super::joint::Geometry;
 use crate::ast;
 use crate::error::Reported;
-use crate::expr::{Graph, Normalizer};
-use crate::model::{Body, Combination, Heading, plus_scaled};
-use crate::screw::{Vec3, add, identity, mat_mul, mat_vec, sub};
+use crate::expr::Normalizer;
+use crate::model::{Body, BodyId, Combination, CoordinateId, Heading};
+use crate::screw::{Mat3, Twist, Vec3};
 
 /// How far the small normal forms of axes may grow.
 const BUDGET: usize = 100_000;
 
-impl Lower {
+impl<'g> Lower<'g> {
     /// How the joint turns its body, and what its relative coordinate is in the coordinates of the scene.
     pub(super) fn heading(
         &mut self,
         body: &ast::Body,
-        bodies: &[Body],
-        parent: Option<usize>,
-        geometry: &Geometry,
-        coordinate: Option<usize>,
-    ) -> Result<(Heading, Combination), Reported> {
-        let own: Combination = coordinate.map(|k| (k, 1)).into_iter().collect();
-        let g = &self.graph;
+        bodies: &[Body<'g>],
+        parent: Option<BodyId>,
+        geometry: &Geometry<'g>,
+        coordinate: Option<CoordinateId>,
+    ) -> Result<(Heading<'g>, Combination), Reported> {
+        let own = coordinate.map(Combination::one).unwrap_or_default();
         let before = match parent {
             Some(parent) => bodies[parent].heading.clone(),
             None => Heading {
                 station: None,
                 axis: None,
-                turn: Vec::new(),
-                rest: identity(g),
+                turn: Combination::default(),
+                rest: Mat3::identity(self.graph),
             },
         };
-        let rest = mat_mul(g, before.rest, geometry.placement.rotation);
-        let zero = [g.zero(); 3];
-        let turning = geometry.screw.filter(|screw| screw.angular != zero);
+        let rest = before.rest * geometry.placement.rotation;
+        let turning = geometry.screw.filter(Twist::turns);
         let Some(screw) = turning else {
             if let Some(word) = &body.fields.absolute {
                 return Err(self.errors.at(
@@ -45,10 +43,10 @@ impl Lower {
             }
             return Ok((Heading { rest, ..before }, own));
         };
-        let axis = mat_vec(g, rest, screw.angular);
+        let axis = rest * screw.angular;
         let sign = match before.axis {
             None => Some(1),
-            Some(group) => parallel(g, group, axis),
+            Some(group) => parallel(group, axis),
         };
         if let Some(word) = &body.fields.absolute
             && (before.station.is_some() || sign.is_none())
@@ -65,7 +63,7 @@ impl Lower {
         }
         let Some(sign) = sign else {
             let placed = geometry.placement.rotation;
-            let axis = mat_vec(&self.graph, placed, screw.angular);
+            let axis = placed * screw.angular;
             let heading = Heading {
                 station: parent,
                 axis: Some(axis),
@@ -76,11 +74,9 @@ impl Lower {
         };
         // turn = turn before + sign * motion; an absolute coordinate is the whole turn, seen along its own axis
         let (turn, motion) = if body.fields.absolute.is_some() {
-            let turn = plus_scaled(&Vec::new(), &own, sign);
-            let motion = plus_scaled(&own, &before.turn, -sign);
-            (turn, motion)
+            (own.scaled(sign), own.plus_scaled(-sign, &before.turn))
         } else {
-            (plus_scaled(&before.turn, &own, sign), own)
+            (before.turn.plus_scaled(sign, &own), own)
         };
         Ok((
             Heading {
@@ -95,13 +91,11 @@ impl Lower {
 }
 
 /// Whether two unit vectors are equal for all parameters: 1, or -1 if they are opposite; none where that cannot be proved.
-fn parallel(g: &Graph, a: Vec3, b: Vec3) -> Option<i64> {
-    let mut normalizer = Normalizer::new(BUDGET);
-    let mut vanishes = |g: &Graph, v: Vec3| v.into_iter().all(|x| normalizer.is_zero(g, x) == Ok(true));
-    let difference = sub(g, a, b);
-    if vanishes(g, difference) {
+fn parallel<'g>(a: Vec3<'g>, b: Vec3<'g>) -> Option<i64> {
+    let mut normalizer = Normalizer::new(a[0].graph(), BUDGET);
+    let mut vanishes = |v: Vec3<'g>| v.0.into_iter().all(|x| normalizer.is_zero(x) == Ok(true));
+    if vanishes(a - b) {
         return Some(1);
     }
-    let sum = add(g, a, b);
-    vanishes(g, sum).then_some(-1)
+    vanishes(a + b).then_some(-1)
 }

@@ -6,45 +6,39 @@ use super::Lower;
 use super::expr::Place;
 use crate::ast::{self, Axis, JointKind, Read};
 use crate::error::Reported;
-use crate::expr::{ExprId, Level, Printer};
+use crate::expr::{Expr, Level, Printer, ratio};
 use crate::model::{Requirement, Rule};
-use crate::screw::{Transform, Twist, Vec3, dot, identity, mat_mul, rotation, scale};
+use crate::screw::{Mat3, Transform, Twist, Vec3};
 
 /// The geometry of a joint.
 #[derive(Debug)]
-pub(super) struct Geometry {
-    pub(super) placement: Transform,
+pub(super) struct Geometry<'g> {
+    pub(super) placement: Transform<'g>,
     /// None for a fixed joint.
-    pub(super) screw: Option<Twist>,
+    pub(super) screw: Option<Twist<'g>>,
 }
 
-impl Lower {
+impl<'g> Lower<'g> {
     /// The geometry of a joint; a body without one is fixed where its parent is.
-    pub(super) fn geometry(&mut self, body: &Ident, joint: Option<&ast::Joint>) -> Result<Geometry, Reported> {
+    pub(super) fn geometry(&mut self, body: &Ident, joint: Option<&ast::Joint>) -> Result<Geometry<'g>, Reported> {
         let Some(joint) = joint else {
             return Ok(Geometry {
-                placement: Transform::identity(&self.graph),
+                placement: Transform::identity(self.graph),
                 screw: None,
             });
         };
         let place = |what: &str| Place::fixed(format!("the {what} of the joint of `{body}`"));
-        let zero = self.graph.zero();
-        let at = joint
-            .at
-            .as_ref()
-            .map_or(Ok([zero; 3]), |v| self.vector(v, &place("place")));
+        let zero = Vec3::zero(self.graph);
+        let at = joint.at.as_ref().map_or(Ok(zero), |v| self.vector(v, &place("place")));
         let rpy = joint
             .rpy
             .as_ref()
-            .map_or(Ok([zero; 3]), |v| self.vector(v, &place("roll, pitch and yaw")));
+            .map_or(Ok(zero), |v| self.vector(v, &place("roll, pitch and yaw")));
         let screw = self.screw(body, &joint.kind);
-        let (at, [roll, pitch, yaw]) = (at?, rpy?);
-        let g = &self.graph;
-        let [x, y, z] = identity(g);
-        let (roll, pitch, yaw) = (rotation(g, x, roll), rotation(g, y, pitch), rotation(g, z, yaw));
-        let turned = mat_mul(g, pitch, roll);
+        let (at, Vec3(rpy)) = (at?, rpy?);
+        let [roll, pitch, yaw] = [0, 1, 2].map(|k| Mat3::rotation(Vec3::unit(self.graph, k), rpy[k]));
         let placement = Transform {
-            rotation: mat_mul(g, yaw, turned),
+            rotation: yaw * (pitch * roll),
             translation: at,
         };
         Ok(Geometry {
@@ -54,8 +48,8 @@ impl Lower {
     }
 
     /// The normalised screw axis in the joint frame; none for a fixed joint.
-    fn screw(&mut self, body: &Ident, kind: &Read<JointKind>) -> Result<Option<Twist>, Reported> {
-        let zero = [self.graph.zero(); 3];
+    fn screw(&mut self, body: &Ident, kind: &Read<JointKind>) -> Result<Option<Twist<'g>>, Reported> {
+        let zero = Vec3::zero(self.graph);
         let (angular, linear) = match self.read(kind)? {
             JointKind::Fixed => return Ok(None),
             JointKind::Revolute(axis) => (self.axis(body, axis)?, zero),
@@ -63,34 +57,32 @@ impl Lower {
             JointKind::Helical { axis, pitch } => {
                 let pitch = self.expr(pitch, &Place::fixed(format!("the pitch of the joint of `{body}`")));
                 let angular = self.axis(body, axis)?;
-                (angular, scale(&self.graph, pitch?, angular))
+                (angular, pitch? * angular)
             }
             JointKind::Screw { components, tokens } => {
                 let place = Place::fixed(format!("the screw of the joint of `{body}`"));
                 let components = components.each_ref().map(|e| self.expr(e, &place));
                 let [wx, wy, wz, vx, vy, vz] = components;
-                let (angular, linear) = ([wx?, wy?, wz?], [vx?, vy?, vz?]);
-                let turns = angular != zero;
-                let Some(length) = self.inverse_length(body, if turns { angular } else { linear }) else {
+                let (angular, linear) = (Vec3([wx?, wy?, wz?]), Vec3([vx?, vy?, vz?]));
+                let direction = if angular.is_zero() { linear } else { angular };
+                let Some(length) = self.inverse_length(body, direction) else {
                     return Err(self.errors.on(
                         tokens,
                         format_args!("the screw of the joint of `{body}` is zero"),
                         "give it a direction to turn about or to slide along",
                     ));
                 };
-                let g = &self.graph;
-                (scale(g, length, angular), scale(g, length, linear))
+                (length * angular, length * linear)
             }
         };
         Ok(Some(Twist { angular, linear }))
     }
 
-    fn axis(&mut self, body: &Ident, axis: &Read<Axis>) -> Result<Vec3, Reported> {
+    fn axis(&mut self, body: &Ident, axis: &Read<Axis>) -> Result<Vec3<'g>, Reported> {
         match self.read(axis)? {
             Axis::Unit { number, negative } => {
-                let mut unit = [self.graph.zero(); 3];
-                unit[*number] = self.graph.integer(if *negative { -1 } else { 1 });
-                Ok(unit)
+                let unit = Vec3::unit(self.graph, *number);
+                Ok(if *negative { -unit } else { unit })
             }
             Axis::Vector(given) => {
                 let place = Place::fixed(format!("the axis of the joint of `{body}`"));
@@ -102,21 +94,20 @@ impl Lower {
                         "give it a direction; any length will do",
                     ));
                 };
-                Ok(scale(&self.graph, length, vector))
+                Ok(length * vector)
             }
         }
     }
 
     /// `1 / |v|`; none for the zero vector. A vector of parameters must not vanish either.
-    fn inverse_length(&mut self, body: &Ident, v: Vec3) -> Option<ExprId> {
-        let g = &self.graph;
-        let square = dot(g, v, v);
-        if g.constant(square).is_some_and(|square| square == 0.0) {
+    fn inverse_length(&mut self, body: &Ident, v: Vec3<'g>) -> Option<Expr<'g>> {
+        let square = v.dot(v);
+        if square.constant().is_some_and(|square| square == 0.0) {
             return None;
         }
-        let length = g.power(square, crate::expr::ratio(-1, 2));
-        if g.level(square) == Level::Parameter {
-            let name = Printer::new(g).print(square);
+        let length = square.power(ratio(-1, 2));
+        if square.level() == Level::Parameter {
+            let name = Printer::new(self.graph).print(square.id());
             let text = format!("the axis of the joint of `{body}` must not be zero");
             self.rule(Rule {
                 value: square,

@@ -7,41 +7,46 @@ use super::Lower;
 use super::expr::Place;
 use crate::ast::{Inertia, Properties};
 use crate::error::Reported;
-use crate::expr::ExprId;
+use crate::expr::Expr;
 use crate::model::Requirement;
-use crate::screw::{SpatialInertia, Symmetric3, Vec3, dot, mat_vec};
+use crate::screw::{SpatialInertia, Symmetric3, Vec3};
 
 /// Mass properties before the axis is known that a single number for the inertia is about.
 #[derive(Clone, Debug)]
-pub(super) struct Mass {
+pub(super) struct Mass<'g> {
     /// All of it but that number.
-    rigid: SpatialInertia,
-    about_axis: Option<AboutAxis>,
+    rigid: SpatialInertia<'g>,
+    about_axis: Option<AboutAxis<'g>>,
 }
 
 /// An inertia about the axis that the body turns about.
 #[derive(Clone, Debug)]
-struct AboutAxis {
-    moment: ExprId,
+struct AboutAxis<'g> {
+    moment: Expr<'g>,
     /// Where the number is about the joint: the inertia of the mass at the centre of mass, which is in the number.
-    included: Option<Symmetric3>,
+    included: Option<Symmetric3<'g>>,
     tokens: TokenStream,
 }
 
 /// About which axes a body may turn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Turns {
+pub(super) enum Turns<'g> {
     /// It does not turn.
     Never,
     /// About one, given in the body frame.
-    About(Vec3),
+    About(Vec3<'g>),
     /// About several.
     Freely,
 }
 
-impl Mass {
+impl<'g> Mass<'g> {
     /// The spatial inertia of a body in its own frame.
-    pub(super) fn of_body(self, lower: &mut Lower, body: &Ident, turns: Turns) -> Result<SpatialInertia, Reported> {
+    pub(super) fn of_body(
+        self,
+        lower: &mut Lower<'g>,
+        body: &Ident,
+        turns: Turns<'g>,
+    ) -> Result<SpatialInertia<'g>, Reported> {
         let (Some(given), mut rigid) = (self.about_axis, self.rigid) else {
             return Ok(self.rigid);
         };
@@ -49,13 +54,10 @@ impl Mass {
             Turns::Never => {}
             Turns::About(axis) => {
                 if let Some(included) = given.included {
-                    let along = mat_vec(&lower.graph, included.full(), axis);
-                    let included = dot(&lower.graph, axis, along);
-                    let about_com = lower.graph.sub(given.moment, included);
+                    let about_com = given.moment - axis.dot(included * axis);
                     lower.physical_about_axis(body, &given.tokens, given.moment, about_com);
                 }
-                let moment = Symmetric3::outer(&lower.graph, given.moment, axis);
-                rigid.about_origin = rigid.about_origin.plus(&lower.graph, moment);
+                rigid.about_origin = rigid.about_origin + Symmetric3::outer(given.moment, axis);
             }
             Turns::Freely => {
                 let fact =
@@ -71,14 +73,14 @@ impl Mass {
     }
 }
 
-impl Lower {
+impl<'g> Lower<'g> {
     /// The mass properties of a body or shape. `unread` is there where a field may be missing for being wrong.
     pub(super) fn mass(
         &mut self,
         owner: &Ident,
         properties: &Properties,
         unread: Option<Reported>,
-    ) -> Result<Mass, Reported> {
+    ) -> Result<Mass<'g>, Reported> {
         let Some(solids) = &properties.solids else {
             return self.direct(owner, properties, unread);
         };
@@ -100,7 +102,12 @@ impl Lower {
     }
 
     /// Mass, centre of mass and inertia as they are given.
-    fn direct(&mut self, owner: &Ident, properties: &Properties, unread: Option<Reported>) -> Result<Mass, Reported> {
+    fn direct(
+        &mut self,
+        owner: &Ident,
+        properties: &Properties,
+        unread: Option<Reported>,
+    ) -> Result<Mass<'g>, Reported> {
         let Properties { mass, com, inertia, .. } = properties;
         let of = |what: &str| Place::fixed(format!("the {what} of `{owner}`"));
         let zero = self.graph.zero();
@@ -113,10 +120,9 @@ impl Lower {
             .map_or(Ok(zero), |e| self.positive(e, &of("mass"), Requirement::Positive));
         let com = com
             .as_ref()
-            .map_or(Ok([zero; 3]), |v| self.vector(v, &of("centre of mass")));
+            .map_or(Ok(Vec3::zero(self.graph)), |v| self.vector(v, &of("centre of mass")));
         let Some(inertia) = inertia else {
-            let none = Symmetric3::zero(&self.graph);
-            let rigid = SpatialInertia::of_body(&self.graph, mass?, com?, none);
+            let rigid = SpatialInertia::of_body(mass?, com?, Symmetric3::zero(self.graph));
             return Ok(Mass {
                 rigid,
                 about_axis: None,
@@ -124,10 +130,9 @@ impl Lower {
         };
         let moments = self.moments(owner, inertia, &of("inertia"));
         let (mass, com, moments) = (mass?, com?, moments?);
-        let g = &self.graph;
-        let shift = Symmetric3::of_point(g, mass, com);
-        let none = Symmetric3::zero(g);
-        let mut rigid = SpatialInertia::of_body(g, mass, com, none);
+        let shift = Symmetric3::of_point(mass, com);
+        let none = Symmetric3::zero(self.graph);
+        let mut rigid = SpatialInertia::of_body(mass, com, none);
         if inertia.about_joint {
             rigid.about_origin = none;
         }
@@ -151,12 +156,8 @@ impl Lower {
                 })
             }
             Moments::All(moments) => {
-                rigid.about_origin = rigid.about_origin.plus(&self.graph, moments);
-                let about_com = if inertia.about_joint {
-                    moments.minus(&self.graph, shift)
-                } else {
-                    moments
-                };
+                rigid.about_origin = rigid.about_origin + moments;
+                let about_com = if inertia.about_joint { moments - shift } else { moments };
                 self.physical(owner, inertia, about_com);
                 Ok(Mass {
                     rigid,
@@ -166,7 +167,7 @@ impl Lower {
         }
     }
 
-    fn moments(&mut self, owner: &Ident, inertia: &Inertia, place: &Place) -> Result<Moments, Reported> {
+    fn moments(&mut self, owner: &Ident, inertia: &Inertia, place: &Place<'g>) -> Result<Moments<'g>, Reported> {
         let entries: Vec<_> = inertia.entries.iter().map(|e| self.expr(e, place)).collect();
         let entries: Vec<_> = entries.into_iter().collect::<Result<_, _>>()?;
         let zero = self.graph.zero();
@@ -187,9 +188,9 @@ impl Lower {
 }
 
 /// A rotational inertia as it is given.
-enum Moments {
+enum Moments<'g> {
     /// About the one axis that the body turns about.
-    AboutAxis(ExprId),
+    AboutAxis(Expr<'g>),
     /// About all axes.
-    All(Symmetric3),
+    All(Symmetric3<'g>),
 }

@@ -22,17 +22,17 @@ use proc_macro2::Span;
 
 use crate::ast::{Items, Read, Scene, Vector};
 use crate::error::{Errors, Reported};
-use crate::expr::{ExprId, Graph, SymbolKind};
-use crate::model::{Coordinate, Model, Rule};
+use crate::expr::{Expr, Graph, SymbolKind};
+use crate::model::{BodyId, Coordinate, Model, Rule};
 use crate::screw::Vec3;
 use expr::Place;
 use scope::Names;
 
 /// What a scene means, and where it says so.
 #[derive(Debug)]
-pub struct Lowered {
+pub struct Lowered<'g> {
     /// The meaning.
-    pub model: Model,
+    pub model: Model<'g>,
     /// The text that later errors stand on.
     pub spans: Spans,
 }
@@ -46,22 +46,21 @@ pub struct Spans {
 
 /// The state of lowering one scene.
 #[derive(Debug)]
-struct Lower {
-    graph: Graph,
-    names: Names,
+struct Lower<'g> {
+    graph: &'g Graph,
+    names: Names<'g>,
     errors: Errors,
     /// Names whose declaration had an error: their uses are not reported again.
     broken: BTreeMap<String, Reported>,
-    rules: Vec<Rule>,
+    rules: Vec<Rule<'g>>,
     spans: Spans,
-    time: ExprId,
+    time: Expr<'g>,
     /// Bodies that have been lowered: their positions among the model's bodies.
-    placed: BTreeMap<String, Result<usize, Reported>>,
+    placed: BTreeMap<String, Result<BodyId, Reported>>,
 }
 
-/// The meaning of a scene. Errors are added to those of the reading.
-pub fn lower(scene: &Scene, errors: Errors) -> Result<Lowered, Errors> {
-    let graph = Graph::new();
+/// The meaning of a scene, with its expressions in a graph. Errors are added to those of the reading.
+pub fn lower<'g>(graph: &'g Graph, scene: &Scene, errors: Errors) -> Result<Lowered<'g>, Errors> {
     let time = graph.symbol("t", SymbolKind::Time);
     let lower = Lower {
         graph,
@@ -76,8 +75,8 @@ pub fn lower(scene: &Scene, errors: Errors) -> Result<Lowered, Errors> {
     lower.scene(scene)
 }
 
-impl Lower {
-    fn scene(mut self, scene: &Scene) -> Result<Lowered, Errors> {
+impl<'g> Lower<'g> {
+    fn scene(mut self, scene: &Scene) -> Result<Lowered<'g>, Errors> {
         let items = &scene.items;
         let parameters = self.parameters(&items.params);
         let inputs = self.inputs(&items.inputs);
@@ -114,13 +113,13 @@ impl Lower {
         part.as_ref().map_err(|error| self.errors.push(error.clone()))
     }
 
-    fn gravity(&mut self, gravity: Option<&Vector>) -> Vec3 {
+    fn gravity(&mut self, gravity: Option<&Vector>) -> Vec3<'g> {
         let given = gravity.and_then(|g| self.vector(g, &Place::fixed("gravity")).ok());
-        given.unwrap_or([self.graph.zero(); 3])
+        given.unwrap_or(Vec3::zero(self.graph))
     }
 
     /// Something must move. After another error it may be missing only because it could not be read.
-    fn require_motion(&mut self, scene: &Scene, coordinates: &[Coordinate]) {
+    fn require_motion(&mut self, scene: &Scene, coordinates: &[Coordinate<'g>]) {
         if !self.errors.is_empty() || !coordinates.is_empty() {
             return;
         }

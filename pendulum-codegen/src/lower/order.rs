@@ -6,7 +6,7 @@ use super::Lower;
 use crate::ast;
 use crate::error::suggestion;
 
-impl Lower {
+impl Lower<'_> {
     /// The bodies, each behind its parent. Bodies that hang on nothing, or on each other, are reported and left out.
     pub(super) fn order(&mut self, bodies: &[ast::Body]) -> Vec<usize> {
         let mut index = BTreeMap::new();

@@ -6,25 +6,30 @@ use syn::Ident;
 
 use super::Lower;
 use super::expr::Place;
-use crate::ast::{Expr, Inertia};
+use crate::ast::{self, Inertia};
 use crate::error::Reported;
-use crate::expr::{ExprId, Graph, Level, Printer};
+use crate::expr::{Expr, Level, Printer};
 use crate::model::{Requirement, Rule};
-use crate::screw::{Symmetric3, sum};
+use crate::screw::Symmetric3;
 
 /// The three ways to write that the largest principal moment is at most the sum of the others, for each axis.
 const TRIANGLES: [[&str; 3]; 3] = [["iyy", "izz", "ixx"], ["ixx", "izz", "iyy"], ["ixx", "iyy", "izz"]];
 
-impl Lower {
+impl<'g> Lower<'g> {
     /// An expression that must be positive, or at least not negative.
-    pub(super) fn positive(&mut self, e: &Expr, place: &Place, requirement: Requirement) -> Result<ExprId, Reported> {
+    pub(super) fn positive(
+        &mut self,
+        e: &ast::Expr,
+        place: &Place<'g>,
+        requirement: Requirement<'g>,
+    ) -> Result<Expr<'g>, Reported> {
         let value = self.expr(e, place)?;
         self.require(e, value, requirement, &place.what);
         Ok(value)
     }
 
     /// Checks a number, which errors call `what`.
-    pub(super) fn require(&mut self, at: &impl ToTokens, value: ExprId, requirement: Requirement, what: &str) {
+    pub(super) fn require(&mut self, at: &impl ToTokens, value: Expr<'g>, requirement: Requirement<'g>, what: &str) {
         let must = if requirement == Requirement::Positive {
             "must be positive"
         } else {
@@ -33,8 +38,8 @@ impl Lower {
         if let Some(number) = self.broken_by(value, requirement) {
             self.errors
                 .on(at, format_args!("{what} is {number}"), format_args!("it {must}"));
-        } else if self.graph.level(value) == Level::Parameter {
-            let name = Printer::new(&self.graph).print(value);
+        } else if value.level() == Level::Parameter {
+            let name = Printer::new(self.graph).print(value.id());
             self.rule(Rule {
                 value,
                 requirement,
@@ -48,16 +53,16 @@ impl Lower {
     ///
     /// It is that of some mass exactly when `tr(J)/2 - J`, the matrix of second moments, has no negative eigenvalue
     /// (Traversaro et al. 2016), that is, when no principal minor of it is negative.
-    pub(super) fn physical(&mut self, owner: &Ident, inertia: &Inertia, about_com: Symmetric3) {
+    pub(super) fn physical(&mut self, owner: &Ident, inertia: &Inertia, about_com: Symmetric3<'g>) {
         let diagonal = inertia.entries.len() == 3 && !inertia.about_joint;
-        for (n, (value, scale)) in minors(&self.graph, about_com).into_iter().enumerate() {
+        for (n, (value, scale)) in minors(about_com).into_iter().enumerate() {
             let requirement = Requirement::NonNegativeWithin(scale);
             if self.broken_by(value, requirement).is_some() {
                 let (fact, help) = match TRIANGLES.get(n) {
                     Some([p, q, r]) if diagonal => {
                         let text = |name: &str| {
                             let at = ["ixx", "iyy", "izz"].iter().position(|known| *known == name).unwrap_or(0);
-                            Printer::new(&self.graph).print(about_com.0[at])
+                            Printer::new(self.graph).print(about_com.0[at].id())
                         };
                         let fact = format!("principal moments break the triangle inequality: {} + {} < {}", text(p), text(q), text(r));
                         (fact, format!("a rigid body needs {p} + {q} >= {r}"))
@@ -70,7 +75,7 @@ impl Lower {
                 self.errors.on(&inertia.tokens, fact, help);
                 return;
             }
-            if self.graph.level(value) == Level::Parameter {
+            if value.level() == Level::Parameter {
                 let text = match TRIANGLES.get(n) {
                     Some([p, q, r]) => {
                         format!("the inertia of `{owner}` about its centre of mass must satisfy {p} + {q} >= {r}")
@@ -92,8 +97,8 @@ impl Lower {
         &mut self,
         owner: &Ident,
         at: &TokenStream,
-        about_axis: ExprId,
-        about_com: ExprId,
+        about_axis: Expr<'g>,
+        about_com: Expr<'g>,
     ) {
         let requirement = Requirement::NonNegativeWithin(about_axis);
         if let Some(number) = self.broken_by(about_com, requirement) {
@@ -105,7 +110,7 @@ impl Lower {
                 fact,
                 "it must be at least the mass times the squared distance of the centre of mass from the axis",
             );
-        } else if self.graph.level(about_com) == Level::Parameter {
+        } else if about_com.level() == Level::Parameter {
             let text = format!(
                 "the inertia of `{owner}` about its joint must not be less than that of its mass at the centre of mass"
             );
@@ -119,18 +124,16 @@ impl Lower {
     }
 
     /// The value of a constant that does not obey.
-    fn broken_by(&self, value: ExprId, requirement: Requirement) -> Option<f64> {
+    fn broken_by(&self, value: Expr<'g>, requirement: Requirement<'g>) -> Option<f64> {
         let scale = match requirement {
-            Requirement::NonNegativeWithin(scale) => self.graph.constant(scale)?.abs(),
+            Requirement::NonNegativeWithin(scale) => scale.constant()?.abs(),
             _ => 0.0,
         };
-        self.graph
-            .constant(value)
-            .filter(|&number| !requirement.allows(number, scale))
+        value.constant().filter(|&number| !requirement.allows(number, scale))
     }
 
-    pub(super) fn rule(&mut self, rule: Rule) {
-        let same = |known: &Rule| known.value == rule.value && known.requirement == rule.requirement;
+    pub(super) fn rule(&mut self, rule: Rule<'g>) {
+        let same = |known: &Rule<'g>| known.value == rule.value && known.requirement == rule.requirement;
         if !self.rules.iter().any(same) {
             self.rules.push(rule);
         }
@@ -138,32 +141,16 @@ impl Lower {
 }
 
 /// The principal minors of `tr(J) - 2 J`, each with a number of the size of its terms.
-fn minors(g: &Graph, about_com: Symmetric3) -> [(ExprId, ExprId); 7] {
+fn minors(about_com: Symmetric3<'_>) -> [(Expr<'_>, Expr<'_>); 7] {
     let [xx, yy, zz, xy, xz, yz] = about_com.0;
-    let trace = sum(g, [xx, yy, zz]);
-    let (square, cube) = (g.powi(trace, 2), g.powi(trace, 3));
-    let [a, b, c] = [xx, yy, zz].map(|moment| {
-        let twice = g.add(moment, moment);
-        g.sub(trace, twice)
-    });
+    let trace = xx + yy + zz;
+    let (square, cube) = (trace.powi(2), trace.powi(3));
+    let [a, b, c] = [xx, yy, zz].map(|moment| trace - 2 * moment);
     // the off-diagonal entries are -2 J_ij; their signs matter in the determinant only
-    let [d, e, f] = [xy, xz, yz].map(|product| {
-        let twice = g.add(product, product);
-        g.neg(twice)
-    });
-    let minor = |p: ExprId, q: ExprId, off: ExprId| {
-        let (product, square) = (g.mul(p, q), g.mul(off, off));
-        g.sub(product, square)
-    };
-    let (ab, ac, bc) = (minor(a, b, d), minor(a, c, e), minor(b, c, f));
+    let [d, e, f] = [xy, xz, yz].map(|product| -(2 * product));
+    let (ab, ac, bc) = (a * b - d * d, a * c - e * e, b * c - f * f);
     // expanded along the first row
-    let (first, dc, ef) = (g.mul(a, bc), g.mul(d, c), g.mul(e, f));
-    let second = g.sub(dc, ef);
-    let (df, be) = (g.mul(d, f), g.mul(b, e));
-    let third = g.sub(df, be);
-    let (second, third) = (g.mul(d, second), g.mul(e, third));
-    let difference = g.sub(first, second);
-    let determinant = g.add(difference, third);
+    let determinant = a * bc - d * (d * c - e * f) + e * (d * f - b * e);
     [
         (a, trace),
         (b, trace),

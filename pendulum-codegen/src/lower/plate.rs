@@ -4,18 +4,18 @@ use syn::Ident;
 
 use super::Lower;
 use crate::error::Reported;
-use crate::expr::{ExprId, Graph, ratio};
-use crate::screw::{SpatialInertia, Symmetric3, sum};
+use crate::expr::{Expr, ratio};
+use crate::screw::{SpatialInertia, Symmetric3, Vec3};
 
-impl Lower {
+impl<'g> Lower<'g> {
     /// A uniform polygon in the xy plane, as a sum over the triangles between its sides and the origin (Green).
     pub(super) fn uniform_plate(
         &mut self,
         owner: &Ident,
-        mass: ExprId,
-        corners: &[(ExprId, ExprId)],
+        mass: Expr<'g>,
+        corners: &[(Expr<'g>, Expr<'g>)],
         tokens: &proc_macro2::TokenStream,
-    ) -> Result<SpatialInertia, Reported> {
+    ) -> Result<SpatialInertia<'g>, Reported> {
         if corners.len() < 3 {
             return Err(self.errors.on(
                 tokens,
@@ -23,10 +23,7 @@ impl Lower {
                 "a plate needs three corners or more",
             ));
         }
-        let constants: Option<Vec<_>> = corners
-            .iter()
-            .map(|&(x, y)| self.graph.constant(x).zip(self.graph.constant(y)))
-            .collect();
+        let constants: Option<Vec<_>> = corners.iter().map(|&(x, y)| x.constant().zip(y.constant())).collect();
         if let Some(corners) = &constants
             && !is_simple(corners)
         {
@@ -36,46 +33,30 @@ impl Lower {
                 "list the corners in order around the plate, each once",
             ));
         }
-        let g = &self.graph;
-        let mut sums = [g.zero(); 6]; // 2 area, 6 area (x, y), 12 integrals of (x^2, y^2), 24 of xy
+        let mut sums = [self.graph.zero(); 6]; // 2 area, 6 area (x, y), 12 integrals of (x^2, y^2), 24 of xy
         for (n, &(x0, y0)) in corners.iter().enumerate() {
             let (x1, y1) = corners[(n + 1) % corners.len()];
-            let (positive, negative) = (g.mul(x0, y1), g.mul(x1, y0));
-            let twice = g.sub(positive, negative);
-            let (sx, sy) = (g.add(x0, x1), g.add(y0, y1));
-            let xx = squares(g, x0, x1, sx);
-            let yy = squares(g, y0, y1, sy);
-            let (a, b, c) = (g.mul(x0, y0), g.mul(x1, y1), g.mul(sx, sy));
-            let xy = sum(g, [a, b, c]);
-            let one = g.one();
-            for (total, factor) in sums.iter_mut().zip([one, sx, sy, xx, yy, xy]) {
-                let term = g.mul(twice, factor);
-                *total = g.add(*total, term);
+            let twice = x0 * y1 - x1 * y0;
+            let (sx, sy) = (x0 + x1, y0 + y1);
+            // a^2 + a b + b^2 = (a + b)^2 - a b, written without a cancellation
+            let (xx, yy) = (x0.powi(2) + x1 * sx, y0.powi(2) + y1 * sy);
+            let xy = x0 * y0 + x1 * y1 + sx * sy;
+            for (total, factor) in sums.iter_mut().zip([self.graph.one(), sx, sy, xx, yy, xy]) {
+                *total += twice * factor;
             }
         }
-        let density = g.div(mass, sums[0]); // mass / (2 area)
-        let [_, x, y, xx, yy, xy] = sums;
-        let part = |total: ExprId, share: i64| {
-            let factor = g.number(ratio(1, share));
-            let product = g.mul(density, total);
-            g.mul(factor, product)
-        };
+        let [twice_area, x, y, xx, yy, xy] = sums;
+        let density = mass / twice_area;
+        let part = |total: Expr<'g>, share: i64| ratio(1, share) * (density * total);
         // of twice the area: 2/6 for the first moments, 2/12 and 2/24 for the second ones
         let (x, y, xx, yy, xy) = (part(x, 3), part(y, 3), part(xx, 6), part(yy, 6), part(xy, 12));
-        let zero = g.zero();
-        let about_origin = Symmetric3([yy, xx, g.add(xx, yy), g.neg(xy), zero, zero]);
+        let zero = self.graph.zero();
         Ok(SpatialInertia {
             mass,
-            moment: [x, y, zero],
-            about_origin,
+            moment: Vec3([x, y, zero]),
+            about_origin: Symmetric3([yy, xx, xx + yy, -xy, zero, zero]),
         })
     }
-}
-
-/// `a^2 + a b + b^2 = (a + b)^2 - a b`, written without a cancellation.
-fn squares(g: &Graph, a: ExprId, b: ExprId, sum_of_both: ExprId) -> ExprId {
-    let (a2, with_b) = (g.powi(a, 2), g.mul(b, sum_of_both));
-    g.add(a2, with_b)
 }
 
 /// Whether no two sides of a polygon share a point but their common corner.

@@ -6,18 +6,18 @@ use proc_macro2::Span;
 use syn::Ident;
 
 use crate::error::{Errors, suggestion};
-use crate::expr::ExprId;
+use crate::expr::Expr;
 
 /// The names of a scene. Everything that can stand in an expression shares one space of names.
 #[derive(Debug, Default)]
-pub(super) struct Names(BTreeMap<String, Name>);
+pub(super) struct Names<'g>(BTreeMap<String, Name<'g>>);
 
 #[derive(Debug)]
-struct Name {
+struct Name<'g> {
     kind: Kind,
     span: Span,
-    value: Option<ExprId>,
-    rate: Option<ExprId>,
+    value: Option<Expr<'g>>,
+    rate: Option<Expr<'g>>,
     used: bool,
     order: usize,
 }
@@ -53,9 +53,9 @@ impl std::fmt::Display for Kind {
 /// Words of the language that no declared name may take.
 const RESERVED: [&str; 6] = ["t", "pi", "q", "qd", "dot", "ground"];
 
-impl Names {
+impl<'g> Names<'g> {
     /// Declares a name. A second declaration is an error.
-    pub(super) fn declare(&mut self, errors: &mut Errors, kind: Kind, ident: &Ident, value: Option<ExprId>) {
+    pub(super) fn declare(&mut self, errors: &mut Errors, kind: Kind, ident: &Ident, value: Option<Expr<'g>>) {
         let (text, order) = (ident.to_string(), self.0.len());
         if RESERVED.contains(&text.as_str()) {
             errors.at(
@@ -85,21 +85,21 @@ impl Names {
     }
 
     /// Says what the rate of a declared name is.
-    pub(super) fn set_rate(&mut self, name: &str, rate: ExprId) {
+    pub(super) fn set_rate(&mut self, name: &str, rate: Expr<'g>) {
         if let Some(known) = self.0.get_mut(name) {
             known.rate = Some(rate);
         }
     }
 
     /// Says what a declared name stands for.
-    pub(super) fn set_value(&mut self, name: &str, value: ExprId) {
+    pub(super) fn set_value(&mut self, name: &str, value: Expr<'g>) {
         if let Some(known) = self.0.get_mut(name) {
             known.value = Some(value);
         }
     }
 
     /// What a name stands for.
-    pub(super) fn value(&mut self, name: &str) -> Option<ExprId> {
+    pub(super) fn value(&mut self, name: &str) -> Option<Expr<'g>> {
         let known = self.0.get_mut(name)?;
         known.used = true;
         known.value
@@ -111,14 +111,14 @@ impl Names {
     }
 
     /// The rate of a name.
-    pub(super) fn rate(&mut self, name: &str) -> Option<ExprId> {
+    pub(super) fn rate(&mut self, name: &str) -> Option<Expr<'g>> {
         let known = self.0.get_mut(name)?;
         known.used = true;
         known.rate
     }
 
     /// The declared names whose values fit, in order, and some of the language.
-    pub(super) fn known<'a>(&'a self, fits: impl Fn(ExprId) -> bool, more: &[&'a str]) -> Vec<&'a str> {
+    pub(super) fn known<'a>(&'a self, fits: impl Fn(Expr<'g>) -> bool, more: &[&'a str]) -> Vec<&'a str> {
         let fitting = self.0.iter().filter(|(_, name)| name.value.is_some_and(&fits));
         let mut names: Vec<_> = fitting.map(|(text, name)| (name.order, text.as_str())).collect();
         names.sort_unstable();

@@ -9,8 +9,8 @@ use super::mass::Mass;
 use crate::ast;
 use crate::error::{Reported, suggestion};
 
-impl Lower {
-    pub(super) fn shapes(&mut self, declared: &[ast::Shape]) -> BTreeMap<String, Result<Mass, Reported>> {
+impl<'g> Lower<'g> {
+    pub(super) fn shapes(&mut self, declared: &[ast::Shape]) -> BTreeMap<String, Result<Mass<'g>, Reported>> {
         let mut shapes = BTreeMap::new();
         for shape in declared {
             let mass = self.mass(&shape.name, &shape.properties, shape.unread);
@@ -29,8 +29,8 @@ impl Lower {
     pub(super) fn mass_of_body(
         &mut self,
         body: &ast::Body,
-        shapes: &BTreeMap<String, Result<Mass, Reported>>,
-    ) -> Result<Option<Mass>, Reported> {
+        shapes: &BTreeMap<String, Result<Mass<'g>, Reported>>,
+    ) -> Result<Option<Mass<'g>>, Reported> {
         let own = &body.fields.properties;
         let has_own = own.mass.is_some() || own.com.is_some() || own.inertia.is_some() || own.solids.is_some();
         let Some(shape) = &body.shape else {

@@ -5,25 +5,25 @@ use syn::Ident;
 
 use super::Lower;
 use super::expr::Place;
-use crate::ast::{Expr, Read, Solid, SolidKind, Vector};
+use crate::ast::{self, Read, Solid, SolidKind, Vector};
 use crate::error::Reported;
-use crate::expr::{ExprId, ratio};
+use crate::expr::{Expr, ratio};
 use crate::model::Requirement;
-use crate::screw::{SpatialInertia, Symmetric3, Vec3, add, dot, scale, sub};
+use crate::screw::{SpatialInertia, Symmetric3, Vec3};
 
 /// What all solids have: a name for errors, and a mass, whose error does not keep the rest from being read.
-struct Common<'a> {
+struct Common<'g, 'a> {
     /// The body or shape.
     owner: &'a Ident,
     word: &'a Ident,
     /// ``a rod of `arm` ``
-    place: Place,
-    mass: Result<ExprId, Reported>,
+    place: Place<'g>,
+    mass: Result<Expr<'g>, Reported>,
 }
 
-impl Lower {
+impl<'g> Lower<'g> {
     /// The sum of solids.
-    pub(super) fn solids(&mut self, owner: &Ident, solids: &[Read<Solid>]) -> Result<SpatialInertia, Reported> {
+    pub(super) fn solids(&mut self, owner: &Ident, solids: &[Read<Solid>]) -> Result<SpatialInertia<'g>, Reported> {
         if solids.is_empty() {
             let help =
                 "list one or more, such as `point(m, [0, -l, 0])`, or leave the field out for a body without mass";
@@ -33,15 +33,15 @@ impl Lower {
                 help,
             ));
         }
-        let mut total = Ok(SpatialInertia::zero(&self.graph));
+        let mut total = Ok(SpatialInertia::zero(self.graph));
         for solid in solids {
             let part = self.solid(owner, solid);
-            total = total.and_then(|total| Ok(total.plus(&self.graph, &part?)));
+            total = total.and_then(|total| Ok(total + part?));
         }
         total
     }
 
-    fn solid(&mut self, owner: &Ident, solid: &Read<Solid>) -> Result<SpatialInertia, Reported> {
+    fn solid(&mut self, owner: &Ident, solid: &Read<Solid>) -> Result<SpatialInertia<'g>, Reported> {
         let Solid { word, mass, kind } = self.read(solid)?;
         let place = Place::fixed(format!("a {word} of `{owner}`"));
         let of_mass = Place::fixed(format!("the mass of {}", place.what));
@@ -63,63 +63,77 @@ impl Lower {
         }
     }
 
-    fn point(&mut self, solid: &Common, at: &Read<Vector>) -> Result<SpatialInertia, Reported> {
+    fn point(&mut self, solid: &Common<'g, '_>, at: &Read<Vector>) -> Result<SpatialInertia<'g>, Reported> {
         let at = self.vector_of(solid, at)?;
-        let zero = Symmetric3::zero(&self.graph);
-        Ok(SpatialInertia::of_body(&self.graph, solid.mass?, at, zero))
+        Ok(SpatialInertia::of_body(solid.mass?, at, Symmetric3::zero(self.graph)))
     }
 
-    fn rod(&mut self, solid: &Common, from: &Read<Vector>, to: &Read<Vector>) -> Result<SpatialInertia, Reported> {
+    fn rod(
+        &mut self,
+        solid: &Common<'g, '_>,
+        from: &Read<Vector>,
+        to: &Read<Vector>,
+    ) -> Result<SpatialInertia<'g>, Reported> {
         let (from, to) = (self.vector_of(solid, from), self.vector_of(solid, to));
-        Ok(self.uniform_rod(solid.mass?, from?, to?))
+        Ok(uniform_rod(solid.mass?, from?, to?))
     }
 
-    fn disk(&mut self, solid: &Common, radius: &Expr, at: &Read<Vector>) -> Result<SpatialInertia, Reported> {
+    fn disk(
+        &mut self,
+        solid: &Common<'g, '_>,
+        radius: &ast::Expr,
+        at: &Read<Vector>,
+    ) -> Result<SpatialInertia<'g>, Reported> {
         let (radius, at) = (self.radius(solid, radius), self.vector_of(solid, at));
         let (mass, radius, at) = (solid.mass?, radius?, at?);
-        let quarter = self.times_square(mass, radius, 4);
-        let half = self.graph.add(quarter, quarter);
-        let moments = Symmetric3::diagonal(&self.graph, [quarter, quarter, half]);
-        Ok(SpatialInertia::of_body(&self.graph, mass, at, moments))
+        let quarter = times_square(mass, radius, 4);
+        let moments = Symmetric3::diagonal([quarter, quarter, 2 * quarter]);
+        Ok(SpatialInertia::of_body(mass, at, moments))
     }
 
-    fn sphere(&mut self, solid: &Common, radius: &Expr, at: &Read<Vector>) -> Result<SpatialInertia, Reported> {
+    fn sphere(
+        &mut self,
+        solid: &Common<'g, '_>,
+        radius: &ast::Expr,
+        at: &Read<Vector>,
+    ) -> Result<SpatialInertia<'g>, Reported> {
         let (radius, at) = (self.radius(solid, radius), self.vector_of(solid, at));
         let (mass, radius, at) = (solid.mass?, radius?, at?);
-        let fifth = self.times_square(mass, radius, 5);
-        let moment = self.graph.add(fifth, fifth);
-        let moments = Symmetric3::diagonal(&self.graph, [moment; 3]);
-        Ok(SpatialInertia::of_body(&self.graph, mass, at, moments))
+        let moment = 2 * times_square(mass, radius, 5);
+        Ok(SpatialInertia::of_body(mass, at, Symmetric3::diagonal([moment; 3])))
     }
 
-    fn cuboid(&mut self, solid: &Common, sides: &Read<Vector>, at: &Read<Vector>) -> Result<SpatialInertia, Reported> {
+    fn cuboid(
+        &mut self,
+        solid: &Common<'g, '_>,
+        sides: &Read<Vector>,
+        at: &Read<Vector>,
+    ) -> Result<SpatialInertia<'g>, Reported> {
         let (lengths, at) = (self.vector_of(solid, sides), self.vector_of(solid, at));
         let (mass, lengths, at) = (solid.mass?, lengths?, at?);
         let what = format!("a side of {}", solid.place.what);
-        for (side, length) in self.read(sides)?.components.iter().zip(lengths) {
+        for (side, length) in self.read(sides)?.components.iter().zip(lengths.0) {
             self.require(side, length, Requirement::NonNegative, &what);
         }
-        let [x, y, z] = lengths.map(|side| self.times_square(mass, side, 12));
-        let g = &self.graph;
-        let moments = [g.add(y, z), g.add(x, z), g.add(x, y)];
-        let moments = Symmetric3::diagonal(g, moments);
-        Ok(SpatialInertia::of_body(g, mass, at, moments))
+        let [x, y, z] = lengths.0.map(|side| times_square(mass, side, 12));
+        let moments = Symmetric3::diagonal([y + z, x + z, x + y]);
+        Ok(SpatialInertia::of_body(mass, at, moments))
     }
 
     fn cylinder(
         &mut self,
-        solid: &Common,
-        radius: &Expr,
+        solid: &Common<'g, '_>,
+        radius: &ast::Expr,
         from: &Read<Vector>,
         to: &Read<Vector>,
-    ) -> Result<SpatialInertia, Reported> {
+    ) -> Result<SpatialInertia<'g>, Reported> {
         let radius = self.radius(solid, radius);
         let (from, to) = (self.vector_of(solid, from), self.vector_of(solid, to));
         let (mass, radius, from, to) = (solid.mass?, radius?, from?, to?);
-        let rod = self.uniform_rod(mass, from, to);
-        let axis = sub(&self.graph, to, from);
-        let length2 = dot(&self.graph, axis, axis);
-        if self.graph.is_zero(length2) {
+        let rod = uniform_rod(mass, from, to);
+        let axis = to - from;
+        let length2 = axis.dot(axis);
+        if length2.is_zero() {
             return Err(self.errors.at(
                 solid.word.span(),
                 format_args!("{} has no length", solid.place.what),
@@ -127,22 +141,22 @@ impl Lower {
             ));
         }
         // a rod, and a disk about the rod's direction u: m r^2/4 (1 + u u^T)
-        let quarter = self.times_square(mass, radius, 4);
-        let g = &self.graph;
-        let along = g.div(quarter, length2);
-        let round = Symmetric3::diagonal(g, [quarter; 3]);
-        let axial = Symmetric3::outer(g, along, axis);
-        let about_origin = rod.about_origin.plus(g, round).plus(g, axial);
-        Ok(SpatialInertia { about_origin, ..rod })
+        let quarter = times_square(mass, radius, 4);
+        let round = Symmetric3::diagonal([quarter; 3]);
+        let axial = Symmetric3::outer(quarter / length2, axis);
+        Ok(SpatialInertia {
+            about_origin: rod.about_origin + round + axial,
+            ..rod
+        })
     }
 
     fn plate(
         &mut self,
-        solid: &Common,
-        corners: &[Read<[Expr; 2]>],
+        solid: &Common<'g, '_>,
+        corners: &[Read<[ast::Expr; 2]>],
         tokens: &TokenStream,
-    ) -> Result<SpatialInertia, Reported> {
-        let corner = |corner: &Read<[Expr; 2]>| {
+    ) -> Result<SpatialInertia<'g>, Reported> {
+        let corner = |corner: &Read<[ast::Expr; 2]>| {
             let [x, y] = self.read(corner)?;
             let (x, y) = (self.expr(x, &solid.place), self.expr(y, &solid.place));
             Ok((x?, y?))
@@ -153,34 +167,24 @@ impl Lower {
         self.uniform_plate(solid.owner, solid.mass?, &corners, tokens)
     }
 
-    fn radius(&mut self, solid: &Common, radius: &Expr) -> Result<ExprId, Reported> {
+    fn radius(&mut self, solid: &Common<'g, '_>, radius: &ast::Expr) -> Result<Expr<'g>, Reported> {
         let place = Place::fixed(format!("the radius of {}", solid.place.what));
         self.positive(radius, &place, Requirement::NonNegative)
     }
 
-    fn vector_of(&mut self, solid: &Common, vector: &Read<Vector>) -> Result<Vec3, Reported> {
+    fn vector_of(&mut self, solid: &Common<'g, '_>, vector: &Read<Vector>) -> Result<Vec3<'g>, Reported> {
         let vector = self.read(vector)?;
         self.vector(vector, &solid.place)
     }
+}
 
-    /// `mass * length^2 / divisor`
-    fn times_square(&mut self, mass: ExprId, length: ExprId, divisor: i64) -> ExprId {
-        let g = &self.graph;
-        let square = g.powi(length, 2);
-        let product = g.mul(mass, square);
-        let factor = g.number(ratio(1, divisor));
-        g.mul(factor, product)
-    }
+/// `mass * length^2 / divisor`
+fn times_square<'g>(mass: Expr<'g>, length: Expr<'g>, divisor: i64) -> Expr<'g> {
+    ratio(1, divisor) * (mass * length.powi(2))
+}
 
-    fn uniform_rod(&mut self, mass: ExprId, from: Vec3, to: Vec3) -> SpatialInertia {
-        let g = &self.graph;
-        let both = add(g, from, to);
-        let half = g.number(ratio(1, 2));
-        let middle = scale(g, half, both);
-        let twelfth = g.number(ratio(1, 12));
-        let twelfth = g.mul(twelfth, mass);
-        let length = sub(g, to, from);
-        let moments = Symmetric3::of_point(g, twelfth, length);
-        SpatialInertia::of_body(g, mass, middle, moments)
-    }
+fn uniform_rod<'g>(mass: Expr<'g>, from: Vec3<'g>, to: Vec3<'g>) -> SpatialInertia<'g> {
+    let middle = ratio(1, 2) * (from + to);
+    let moments = Symmetric3::of_point(ratio(1, 12) * mass, to - from);
+    SpatialInertia::of_body(mass, middle, moments)
 }

@@ -4,63 +4,64 @@ use std::collections::BTreeSet;
 
 use num_traits::One;
 
-use crate::expr::{ExprId, Graph, Level, Monomial, Node, Normalizer, Poly, Rational, TooLarge, Unary, ratio};
+use crate::expr::{Expr, Graph, Level, Monomial, Node, Normalizer, Poly, Rational, TooLarge, Unary, ratio};
 
 /// A polynomial with more terms is no closed form that anybody would want: recursive forms are far shorter then.
 const MOST_TERMS: usize = 200;
 
 /// Rewrites a normal form with sums and differences of its angles wherever that leaves fewer terms. The result is equal in
 /// value, and shorter, but no longer canonical.
-pub fn collect(g: &Graph, normalizer: &mut Normalizer, poly: &Poly) -> Result<Poly, TooLarge> {
+pub fn collect(normalizer: &mut Normalizer<'_>, poly: &Poly) -> Result<Poly, TooLarge> {
     if poly.len() > MOST_TERMS {
         return Err(TooLarge);
     }
     let mut poly = poly.clone();
-    while let Some(shorter) = step(g, normalizer, &poly)? {
+    while let Some(shorter) = step(normalizer, &poly)? {
         poly = shorter;
     }
     Ok(poly)
 }
 
 /// The same, beginning with squares: `sin a - cos(a - b) sin b` hides that it is `cos b sin(a - b)`, which this finds.
-pub(crate) fn collect_squares_first(g: &Graph, normalizer: &mut Normalizer, poly: &Poly) -> Result<Poly, TooLarge> {
+pub(crate) fn collect_squares_first(normalizer: &mut Normalizer<'_>, poly: &Poly) -> Result<Poly, TooLarge> {
     if poly.len() > MOST_TERMS {
         return Err(TooLarge);
     }
     let mut poly = poly.clone();
-    while let Some(shorter) = squares(g, &poly) {
+    while let Some(shorter) = squares(normalizer.graph(), &poly) {
         poly = shorter;
     }
-    collect(g, normalizer, &poly)
+    collect(normalizer, &poly)
 }
 
 /// Sine and cosine of one angle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-struct Angle {
-    angle: ExprId,
-    sine: ExprId,
-    cosine: ExprId,
+struct Angle<'g> {
+    angle: Expr<'g>,
+    sine: Expr<'g>,
+    cosine: Expr<'g>,
 }
 
-fn step(g: &Graph, normalizer: &mut Normalizer, poly: &Poly) -> Result<Option<Poly>, TooLarge> {
+fn step(normalizer: &mut Normalizer<'_>, poly: &Poly) -> Result<Option<Poly>, TooLarge> {
+    let graph = normalizer.graph();
     for (monomial, coefficient) in poly.terms() {
-        let angles = angles_of(g, monomial);
+        let angles = angles_of(graph, monomial);
         for (n, &a) in angles.iter().enumerate() {
             for &b in &angles[n + 1..] {
                 for (x, y) in [(a, b), (b, a)] {
-                    if let Some(shorter) = pair(g, normalizer, poly, (monomial, coefficient), x, y)? {
+                    if let Some(shorter) = pair(normalizer, poly, (monomial, coefficient), x, y)? {
                         return Ok(Some(shorter));
                     }
                 }
             }
         }
     }
-    Ok(squares(g, poly))
+    Ok(squares(graph, poly))
 }
 
-fn squares(g: &Graph, poly: &Poly) -> Option<Poly> {
+fn squares(graph: &Graph, poly: &Poly) -> Option<Poly> {
     for (monomial, coefficient) in poly.terms() {
-        for a in angles_of(g, monomial) {
+        for a in angles_of(graph, monomial) {
             if let Some(shorter) = square(poly, (monomial, coefficient), a) {
                 return Some(shorter);
             }
@@ -69,13 +70,13 @@ fn squares(g: &Graph, poly: &Poly) -> Option<Poly> {
     None
 }
 
-fn angles_of(g: &Graph, monomial: &Monomial) -> Vec<Angle> {
+fn angles_of<'g>(graph: &'g Graph, monomial: &Monomial) -> Vec<Angle<'g>> {
     let mut angles = BTreeSet::new();
     for &(atom, _) in monomial.powers() {
-        if let Node::Unary(Unary::Sin | Unary::Cos, angle) = *g.node(atom)
-            && g.level(angle) == Level::State
+        if let Node::Unary(Unary::Sin | Unary::Cos, angle) = graph.expr(atom).node()
+            && angle.level() == Level::State
         {
-            let (sine, cosine) = (g.unary(Unary::Sin, angle), g.unary(Unary::Cos, angle));
+            let (sine, cosine) = (angle.sin(), angle.cos());
             angles.insert(Angle { angle, sine, cosine });
         }
     }
@@ -83,13 +84,12 @@ fn angles_of(g: &Graph, monomial: &Monomial) -> Vec<Angle> {
 }
 
 /// Two terms of the addition theorems, starting from `cos x cos y` or `sin x cos y`.
-fn pair(
-    g: &Graph,
-    normalizer: &mut Normalizer,
+fn pair<'g>(
+    normalizer: &mut Normalizer<'g>,
     poly: &Poly,
     (monomial, coefficient): (&Monomial, &Rational),
-    x: Angle,
-    y: Angle,
+    x: Angle<'g>,
+    y: Angle<'g>,
 ) -> Result<Option<Poly>, TooLarge> {
     let cases = [
         // cos x cos y +- sin x sin y = cos(x -+ y)
@@ -114,18 +114,17 @@ fn pair(
             continue;
         };
         let angle = if same == opposite {
-            g.sub(x.angle, y.angle)
+            x.angle - y.angle
         } else {
-            g.add(x.angle, y.angle)
+            x.angle + y.angle
         };
-        let angle = normalizer.normal(g, angle)?;
-        let angle = normalizer.to_expr(g, &angle);
-        let whole = g.unary(op, angle);
-        let whole = match *g.node(whole) {
+        let angle = normalizer.normal(angle)?;
+        let whole = normalizer.to_expr(&angle).apply(op);
+        let whole = match whole.node() {
             Node::Unary(Unary::Neg, positive) => Poly::term(Monomial::atom(positive), ratio(-1, 1)),
             _ => Poly::atom(whole),
         };
-        let new = normalizer.product(g, &Poly::term(rest, coefficient.clone()), &whole)?;
+        let new = normalizer.product(&Poly::term(rest, coefficient.clone()), &whole)?;
         if let Some(shorter) = shorter(poly, &[monomial, &partner], &new) {
             return Ok(Some(shorter));
         }
@@ -134,7 +133,7 @@ fn pair(
 }
 
 /// `1 - sin^2` where it is `cos^2`.
-fn square(poly: &Poly, (monomial, coefficient): (&Monomial, &Rational), a: Angle) -> Option<Poly> {
+fn square(poly: &Poly, (monomial, coefficient): (&Monomial, &Rational), a: Angle<'_>) -> Option<Poly> {
     if monomial.power_of(a.sine) < 2 {
         return None;
     }

@@ -2,26 +2,26 @@
 
 use std::collections::HashMap;
 
-use crate::expr::{ExprId, Graph, Level, Normalizer};
+use crate::expr::{Expr, Graph, Level, Normalizer};
 
 /// What the constants of one scene may take.
 const BUDGET: usize = 100_000;
 
 /// The roots with every constant operand of something that varies replaced by its normal form.
-pub(crate) fn fold(g: &Graph, roots: &[ExprId]) -> Vec<ExprId> {
-    let mut normalizer = Normalizer::new(BUDGET);
+pub(crate) fn fold<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
+    let mut normalizer = Normalizer::new(g, BUDGET);
     let mut folded = HashMap::new();
-    for id in g.reachable(roots) {
-        if g.level(id) == Level::Constant {
+    for x in g.reachable(roots).into_iter().map(|id| g.expr(id)) {
+        if x.level() == Level::Constant {
             continue;
         }
-        for operand in g.operands(id) {
-            let is_leaf = g.operands(operand).next().is_none();
-            if is_leaf || g.level(operand) > Level::Constant || folded.contains_key(&operand) {
+        for operand in x.operands() {
+            let is_leaf = operand.operands().next().is_none();
+            if is_leaf || operand.level() > Level::Constant || folded.contains_key(&operand) {
                 continue;
             }
-            if let Ok(normal) = normalizer.normal(g, operand) {
-                folded.insert(operand, normalizer.to_expr(g, &normal));
+            if let Ok(normal) = normalizer.normal(operand) {
+                folded.insert(operand, normalizer.to_expr(&normal));
             }
         }
     }

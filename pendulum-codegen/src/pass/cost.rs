@@ -4,7 +4,7 @@ use std::collections::{BTreeSet, HashMap};
 
 use num_traits::{Signed, ToPrimitive};
 
-use crate::expr::{CostKind, ExprId, Graph, Level, Node, Unary};
+use crate::expr::{CostKind, Expr, ExprId, Graph, Level, Node, Unary};
 
 /// How many operations an evaluation takes. What depends on parameters alone is computed when the model is built, and is
 /// not counted.
@@ -27,7 +27,7 @@ pub struct Operations {
 
 impl Operations {
     /// The operations that the roots need, each shared one once.
-    pub fn of(g: &Graph, roots: &[ExprId]) -> Self {
+    pub fn of<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> Self {
         let mut operations = Self::default();
         let mut angles = BTreeSet::new();
         for id in g.reachable(roots) {
@@ -89,7 +89,7 @@ impl Operations {
 }
 
 /// The longest chain of operations from the state to a root, in additions that wait for each other.
-fn chain(g: &Graph, roots: &[ExprId]) -> usize {
+fn chain<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> usize {
     let mut ends: HashMap<ExprId, usize> = HashMap::new();
     for id in g.reachable(roots) {
         let before = g
@@ -114,7 +114,7 @@ fn chain(g: &Graph, roots: &[ExprId]) -> usize {
     }
     roots
         .iter()
-        .filter_map(|root| ends.get(root))
+        .filter_map(|root| ends.get(&root.id()))
         .max()
         .copied()
         .unwrap_or(0)

@@ -5,13 +5,13 @@ use std::collections::BTreeMap;
 use num_integer::Integer;
 use num_traits::{One, Signed};
 
-use crate::expr::{ExprId, Graph, Level, Monomial, Normalizer, Poly, Rational};
+use crate::expr::{Expr, Graph, Level, Monomial, Normalizer, Poly, Rational};
 
 /// A product with a sign: factors may repeat.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Term {
+pub(crate) struct Term<'g> {
     negative: bool,
-    factors: Vec<ExprId>,
+    factors: Vec<Expr<'g>>,
 }
 
 /// Which common factor is drawn out first, where several stand in equally many terms.
@@ -32,27 +32,22 @@ impl Preference {
 
 /// The terms of a polynomial, one for each product of state quantities. What multiplies it becomes one constant, up to a
 /// rational factor, so that equal combinations of parameters are the same constant everywhere.
-pub(crate) fn terms(g: &Graph, normalizer: &Normalizer, poly: &Poly) -> Vec<Term> {
-    let mut by_state: BTreeMap<Monomial, Poly> = BTreeMap::new();
-    for (monomial, coefficient) in poly.terms() {
-        let (state, parameters) = monomial.partition(|atom| g.level(atom) == Level::State);
-        by_state
-            .entry(state)
-            .or_default()
-            .add_term(parameters, coefficient.clone());
-    }
-    by_state
+pub(crate) fn terms<'g>(normalizer: &Normalizer<'g>, poly: &Poly) -> Vec<Term<'g>> {
+    let g = normalizer.graph();
+    normalizer
+        .split(poly, |atom| atom.level() == Level::State)
         .into_iter()
         .map(|(state, coefficient)| {
             let content = content(&coefficient);
-            let constant = normalizer.to_expr(g, &coefficient.scaled(&content.recip()));
+            let constant = normalizer.to_expr(&coefficient.scaled(&content.recip()));
             let number = g.number(content.abs());
-            let mut factors: Vec<ExprId> = [number, constant]
+            let mut factors: Vec<Expr<'g>> = [number, constant]
                 .into_iter()
-                .filter(|&factor| factor != g.one())
+                .filter(|factor| !factor.is_one())
                 .collect();
             for &(atom, power) in state.powers() {
-                let factor = if power < 0 { g.powi(atom, -1) } else { atom };
+                let atom = g.expr(atom);
+                let factor = if power < 0 { atom.powi(-1) } else { atom };
                 factors.extend(std::iter::repeat_n(factor, power.unsigned_abs() as usize));
             }
             Term {
@@ -78,7 +73,7 @@ fn content(poly: &Poly) -> Rational {
 }
 
 /// The polynomial of terms, in which constants are atoms.
-pub(crate) fn polynomial(g: &Graph, terms: &[Term]) -> Poly {
+pub(crate) fn polynomial(terms: &[Term<'_>]) -> Poly {
     let mut poly = Poly::default();
     for term in terms {
         let mut coefficient = if term.negative {
@@ -88,7 +83,7 @@ pub(crate) fn polynomial(g: &Graph, terms: &[Term]) -> Poly {
         };
         let mut monomial = Monomial::default();
         for &factor in &term.factors {
-            match g.as_number(factor) {
+            match factor.as_number() {
                 Some(number) => coefficient *= number,
                 None => monomial = monomial.times(&Monomial::atom(factor)),
             }
@@ -99,28 +94,21 @@ pub(crate) fn polynomial(g: &Graph, terms: &[Term]) -> Poly {
 }
 
 /// The expression of terms, with the most frequent factors drawn out.
-pub(crate) fn factor(g: &Graph, terms: &[Term], preference: Preference) -> ExprId {
+pub(crate) fn factor<'g>(g: &'g Graph, terms: &[Term<'g>], preference: Preference) -> Expr<'g> {
     let common = match preference {
         Preference::Expanded => None,
         _ if terms.len() < 2 => None,
-        _ => most_frequent(g, terms, preference),
+        _ => most_frequent(terms, preference),
     };
     let Some(common) = common else {
         return terms.iter().fold(g.zero(), |sum, term| {
-            let product = term
-                .factors
-                .iter()
-                .fold(g.one(), |product, &factor| g.mul(product, factor));
-            if term.negative {
-                g.sub(sum, product)
-            } else {
-                g.add(sum, product)
-            }
+            let product = term.factors.iter().fold(g.one(), |product, &factor| product * factor);
+            if term.negative { sum - product } else { sum + product }
         });
     };
-    let (with, without): (Vec<Term>, Vec<Term>) =
+    let (with, without): (Vec<Term<'g>>, Vec<Term<'g>>) =
         terms.iter().cloned().partition(|term| term.factors.contains(&common));
-    let reduced: Vec<Term> = with
+    let reduced: Vec<Term<'g>> = with
         .into_iter()
         .map(|mut term| {
             let at = term.factors.iter().position(|&factor| factor == common);
@@ -130,15 +118,14 @@ pub(crate) fn factor(g: &Graph, terms: &[Term], preference: Preference) -> ExprI
         .collect();
     let inside = factor(g, &reduced, preference);
     let rest = factor(g, &without, preference);
-    let product = g.mul(common, inside);
-    g.add(product, rest)
+    common * inside + rest
 }
 
 /// The factor that stands in most terms, if it stands in two or more. Terms without state cost nothing, so they do not count.
-fn most_frequent(g: &Graph, terms: &[Term], preference: Preference) -> Option<ExprId> {
-    let mut counts: BTreeMap<ExprId, usize> = BTreeMap::new();
+fn most_frequent<'g>(terms: &[Term<'g>], preference: Preference) -> Option<Expr<'g>> {
+    let mut counts: BTreeMap<Expr<'g>, usize> = BTreeMap::new();
     for term in terms {
-        if term.factors.iter().all(|&factor| g.level(factor) != Level::State) {
+        if term.factors.iter().all(|factor| factor.level() != Level::State) {
             continue;
         }
         let mut distinct = term.factors.clone();
@@ -148,7 +135,7 @@ fn most_frequent(g: &Graph, terms: &[Term], preference: Preference) -> Option<Ex
             *counts.entry(factor).or_default() += 1;
         }
     }
-    let preferred = |factor: ExprId| (g.level(factor) == Level::State) == (preference == Preference::State);
+    let preferred = |factor: Expr<'g>| (factor.level() == Level::State) == (preference == Preference::State);
     let best = counts
         .into_iter()
         .max_by_key(|&(factor, count)| (count, preferred(factor), std::cmp::Reverse(factor)));

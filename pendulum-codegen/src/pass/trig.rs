@@ -4,64 +4,70 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use num_traits::{One, Signed, ToPrimitive};
 
-use crate::expr::{ExprId, Graph, Level, Node, Normalizer, Rational, SymbolKind, Unary};
+use crate::expr::{Expr, Graph, Level, Node, Normalizer, Rational, SymbolKind, Unary};
 
 /// An angle as a combination of coordinates: pairs of symbol and factor.
-type Angle = BTreeMap<ExprId, i64>;
+type Angle<'g> = BTreeMap<Expr<'g>, i64>;
 
 /// Replaces sines and cosines of sums of coordinates by products of others that are there anyway. A call costs as much as
 /// dozens of multiplications, the addition theorem three operations.
-pub(crate) fn lower(g: &Graph, roots: &[ExprId]) -> Vec<ExprId> {
-    let mut needed: BTreeSet<ExprId> = BTreeSet::new();
+pub(crate) fn lower<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
+    let mut needed: BTreeSet<Expr<'g>> = BTreeSet::new();
     for id in g.reachable(roots) {
         if let Node::Unary(Unary::Sin | Unary::Cos, angle) = *g.node(id) {
-            needed.insert(angle);
+            needed.insert(g.expr(angle));
         }
     }
-    let mut angles: Vec<(Angle, ExprId)> = needed
-        .into_iter()
-        .filter_map(|id| Some((combination(g, id)?, id)))
-        .collect();
-    angles.sort_by_key(|(angle, id)| (angle.values().map(|n| n.abs()).sum::<i64>(), *id));
-    // sine and cosine of each angle that is available, as expressions
-    let mut available: Vec<(Angle, ExprId, ExprId)> = Vec::new();
+    let mut angles: Vec<(Angle<'g>, Expr<'g>)> =
+        needed.into_iter().filter_map(|x| Some((combination(x)?, x))).collect();
+    angles.sort_by_key(|(angle, x)| (angle.values().map(|n| n.abs()).sum::<i64>(), *x));
+    let mut available: Vec<Available<'g>> = Vec::new();
     let mut replaced = HashMap::new();
-    for (angle, id) in angles {
-        let (sine, cosine) = (g.unary(Unary::Sin, id), g.unary(Unary::Cos, id));
-        let (new_sine, new_cosine) = derived(g, &angle, &available).unwrap_or((sine, cosine));
-        replaced.insert(sine, new_sine);
-        replaced.insert(cosine, new_cosine);
-        available.push((angle, new_sine, new_cosine));
+    for (angle, x) in angles {
+        let [sin, cos] = [x.sin(), x.cos()];
+        let known = derived(&angle, &available).unwrap_or(Available { angle, sin, cos });
+        replaced.insert(sin, known.sin);
+        replaced.insert(cos, known.cos);
+        available.push(known);
     }
     g.substitute(roots, replaced)
 }
 
+/// An angle with expressions of its sine and cosine.
+struct Available<'g> {
+    angle: Angle<'g>,
+    sin: Expr<'g>,
+    cos: Expr<'g>,
+}
+
 /// Sine and cosine of `angle` as a sum or difference of two available angles.
-fn derived(g: &Graph, angle: &Angle, available: &[(Angle, ExprId, ExprId)]) -> Option<(ExprId, ExprId)> {
-    for (n, (a, sin_a, cos_a)) in available.iter().enumerate() {
-        for (b, sin_b, cos_b) in &available[n..] {
+fn derived<'g>(angle: &Angle<'g>, available: &[Available<'g>]) -> Option<Available<'g>> {
+    for (n, a) in available.iter().enumerate() {
+        for b in &available[n..] {
             for (first, second) in [(1, 1), (1, -1), (-1, 1)] {
-                if scaled_sum(a, first, b, second) != *angle {
+                let angle_of_both = scaled_sum(&a.angle, first, &b.angle, second);
+                if angle_of_both != *angle {
                     continue;
                 }
                 // sin(+-a +- b), cos(+-a +- b)
-                let (sc, cs) = (g.mul(*sin_a, *cos_b), g.mul(*cos_a, *sin_b));
-                let (cc, ss) = (g.mul(*cos_a, *cos_b), g.mul(*sin_a, *sin_b));
-                let sine = match (first, second) {
-                    (1, 1) => g.add(sc, cs),
-                    (1, _) => g.sub(sc, cs),
-                    _ => g.sub(cs, sc),
+                let (sc, cs) = (a.sin * b.cos, a.cos * b.sin);
+                let (cc, ss) = (a.cos * b.cos, a.sin * b.sin);
+                let sin = match (first, second) {
+                    (1, 1) => sc + cs,
+                    (1, _) => sc - cs,
+                    _ => cs - sc,
                 };
-                let cosine = if first == second { g.sub(cc, ss) } else { g.add(cc, ss) };
-                return Some((sine, cosine));
+                let cos = if first == second { cc - ss } else { cc + ss };
+                let angle = angle_of_both;
+                return Some(Available { angle, sin, cos });
             }
         }
     }
     None
 }
 
-fn scaled_sum(a: &Angle, first: i64, b: &Angle, second: i64) -> Angle {
-    let mut sum: Angle = a.iter().map(|(&k, n)| (k, n * first)).collect();
+fn scaled_sum<'g>(a: &Angle<'g>, first: i64, b: &Angle<'g>, second: i64) -> Angle<'g> {
+    let mut sum: Angle<'g> = a.iter().map(|(&k, n)| (k, n * first)).collect();
     for (&k, n) in b {
         *sum.entry(k).or_default() += n * second;
     }
@@ -70,17 +76,18 @@ fn scaled_sum(a: &Angle, first: i64, b: &Angle, second: i64) -> Angle {
 }
 
 /// The angle as a combination of coordinates, if it is one with integer factors.
-fn combination(g: &Graph, id: ExprId) -> Option<Angle> {
+fn combination(x: Expr<'_>) -> Option<Angle<'_>> {
     const BUDGET: usize = 10_000;
-    if g.level(id) != Level::State {
+    if x.level() != Level::State {
         return None;
     }
-    let poly = Normalizer::new(BUDGET).normal(g, id).ok()?;
+    let poly = Normalizer::new(x.graph(), BUDGET).normal(x).ok()?;
     let mut angle = Angle::new();
     for (monomial, factor) in poly.terms() {
         let &[(symbol, 1)] = monomial.powers() else { return None };
-        let is_coordinate = g
-            .as_symbol(symbol)
+        let symbol = x.graph().expr(symbol);
+        let is_coordinate = symbol
+            .as_symbol()
             .is_some_and(|s| matches!(s.kind, SymbolKind::Coordinate(_)));
         let small: &Rational = factor;
         if !is_coordinate || !small.denom().is_one() || small.abs() > Rational::from_integer(16.into()) {

@@ -6,7 +6,7 @@ use num_traits::{Signed, ToPrimitive};
 
 use super::block::{Block, Let, Local, SinCos, Term, Variable};
 use super::schedule::{Step, schedule};
-use crate::expr::{Binary, ExprId, Graph, Level, Node, Printer, Rational, Unary, ratio};
+use crate::expr::{Binary, Expr, ExprId, Graph, Level, Node, Printer, Rational, Unary, ratio};
 
 /// Longer expressions are broken up by a statement.
 const MOST_OPERATIONS: usize = 8;
@@ -20,7 +20,8 @@ pub(crate) struct NotFinite(pub(crate) String);
 /// # Errors
 ///
 /// The first constant that has no finite value.
-pub(crate) fn block(graph: &Graph, roots: &[ExprId], known: &HashMap<ExprId, Variable>) -> Result<Block, NotFinite> {
+pub(crate) fn block(graph: &Graph, roots: &[Expr<'_>], known: &HashMap<ExprId, Variable>) -> Result<Block, NotFinite> {
+    let roots: &[ExprId] = &roots.iter().map(|root| root.id()).collect::<Vec<_>>();
     let mut builder = Builder::new(graph, roots, known);
     let results = builder.results(roots);
     if let Some(id) = builder.not_finite {

@@ -5,9 +5,9 @@ use std::ops::Range;
 
 use num_traits::Zero;
 
-use crate::expr::{Binary, ExprId, Graph, Node, Normalizer, Rational, Unary, ratio};
-use crate::model::Model;
-use crate::screw::{Twist, dot};
+use crate::expr::{Binary, Expr, ExprId, Graph, Node, Normalizer, Rational, Unary, ratio};
+use crate::model::{CoordinateId, Model};
+use crate::screw::Twist;
 
 /// What each part of the state is.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -48,20 +48,20 @@ impl StateLayout {
     /// The layout of the state of a model with these roots of its right-hand side.
     ///
     /// A law for inputs may depend on anything, so with inputs no symmetry is known.
-    pub(super) fn new(model: &Model, roots: &[ExprId]) -> Self {
-        let g = &model.graph;
+    pub(super) fn new<'g>(model: &Model<'g>, roots: &[Expr<'g>]) -> Self {
+        let g = model.graph;
         let nodes = g.reachable(roots);
-        let occurs = |symbol: ExprId| nodes.binary_search(&symbol).is_ok();
+        let occurs = |symbol: Expr<'g>| nodes.binary_search(&symbol.id()).is_ok();
         let controlled = !model.inputs.is_empty();
         let dof = model.dof();
         let slots = model.coordinate_names().into_iter().enumerate().map(|(k, name)| {
-            let symbol = model.coordinates[k].position;
+            let (coordinate, symbol) = (CoordinateId::new(k), model.coordinates[k].position);
             Slot {
                 name: name.to_owned(),
-                kind: kind(model, k),
+                kind: kind(model, coordinate),
                 positions: k..k + 1,
                 rates: dof + k..dof + k + 1,
-                periodic: !controlled && returns(model, k) && repeats(g, &nodes, roots, symbol),
+                periodic: !controlled && returns(model, coordinate) && repeats(g, &nodes, roots, symbol),
                 cyclic: !controlled && !occurs(symbol),
             }
         });
@@ -93,33 +93,29 @@ impl StateLayout {
 }
 
 /// An angle where the joint of the coordinate turns, with or without sliding.
-fn kind(model: &Model, coordinate: usize) -> SlotKind {
+fn kind(model: &Model<'_>, coordinate: CoordinateId) -> SlotKind {
     let own = model.bodies.iter().find(|body| body.coordinate == Some(coordinate));
     match own.and_then(|body| body.screw) {
-        Some(screw) if screw.angular != [model.graph.zero(); 3] => SlotKind::Angle,
+        Some(screw) if !screw.angular.is_zero() => SlotKind::Angle,
         _ => SlotKind::Length,
     }
 }
 
 /// Whether a full turn of the coordinate brings each body back to its place: every joint that it moves turns without sliding.
-fn returns(model: &Model, coordinate: usize) -> bool {
-    let moved = model
-        .bodies
-        .iter()
-        .filter(|body| body.motion.iter().any(|&(k, _)| k == coordinate));
+fn returns(model: &Model<'_>, coordinate: CoordinateId) -> bool {
+    let moved = model.bodies.iter().filter(|body| body.motion.factor(coordinate) != 0);
     moved
         .filter_map(|body| body.screw)
-        .all(|screw| turns_only(&model.graph, &screw))
+        .all(|screw| turns_only(model.graph, &screw))
 }
 
 /// Whether a normalised screw is a rotation: it has no component along its axis.
-fn turns_only(g: &Graph, screw: &Twist) -> bool {
-    let still = [g.zero(); 3];
-    if screw.angular == still || screw.linear == still {
-        return screw.angular != still;
+fn turns_only<'g>(g: &'g Graph, screw: &Twist<'g>) -> bool {
+    if screw.angular.is_zero() || screw.linear.is_zero() {
+        return !screw.angular.is_zero();
     }
-    let pitch = dot(g, screw.angular, screw.linear);
-    Normalizer::new(BUDGET).is_zero(g, pitch) == Ok(true)
+    let pitch = screw.angular.dot(screw.linear);
+    Normalizer::new(g, BUDGET).is_zero(pitch) == Ok(true)
 }
 
 /// How far the normal form of a pitch may grow.
@@ -129,13 +125,13 @@ const BUDGET: usize = 100_000;
 ///
 /// For each node, operands first, this finds the turns by which it grows: 1 for the coordinate itself, 0 for the sine of anything that grows
 /// by whole turns and for what is computed from such sines. `None` is for growth that depends on the state or on parameters.
-fn repeats(g: &Graph, nodes: &[ExprId], roots: &[ExprId], coordinate: ExprId) -> bool {
+fn repeats(g: &Graph, nodes: &[ExprId], roots: &[Expr<'_>], coordinate: Expr<'_>) -> bool {
     let zero = ratio(0, 1);
     let mut growths: HashMap<ExprId, Option<Rational>> = HashMap::new();
     for &id in nodes {
         let of = |x: &ExprId| growths[x].clone();
         let growth = match g.node(id) {
-            _ if id == coordinate => Some(ratio(1, 1)),
+            _ if id == coordinate.id() => Some(ratio(1, 1)),
             Node::Unary(Unary::Neg, x) => of(x).map(|x| -x),
             Node::Unary(Unary::Sin | Unary::Cos | Unary::Tan, x) => {
                 of(x).filter(Rational::is_integer).map(|_| zero.clone())
@@ -151,7 +147,7 @@ fn repeats(g: &Graph, nodes: &[ExprId], roots: &[ExprId], coordinate: ExprId) ->
         };
         growths.insert(id, growth);
     }
-    roots.iter().all(|root| growths[root] == Some(zero.clone()))
+    roots.iter().all(|root| growths[&root.id()] == Some(zero.clone()))
 }
 
 /// The growth of an operation, in which anything but none is unknown.

@@ -22,7 +22,7 @@ pub use crate::expr::{Binary, Unary};
 pub use crate::pass::Operations;
 
 use crate::dynamics::Dynamics;
-use crate::expr::{ExprId, Graph, Level, Printer};
+use crate::expr::{Expr, ExprId, Graph, Level, Printer};
 use crate::form::Forms;
 use crate::model::{self, Model, Requirement};
 use build::block;
@@ -96,8 +96,8 @@ impl Program {
     /// # Errors
     ///
     /// The first constant that has no finite value.
-    pub(crate) fn new(model: &Model, dynamics: &Dynamics) -> Result<Self, NotFinite> {
-        let g = &model.graph;
+    pub(crate) fn new<'g>(model: &Model<'g>, dynamics: &Dynamics<'g>) -> Result<Self, NotFinite> {
+        let g = model.graph;
         let mut forms = Forms::new(model, dynamics);
         let mut request = Request {
             model,
@@ -107,7 +107,7 @@ impl Program {
         for row in ROUTINES {
             if (row.wanted)(&request, row.word) {
                 let own = (row.form)(&mut forms, model);
-                request.time_occurs |= row.name == "rhs" && g.reachable(&own.roots).contains(&model.time);
+                request.time_occurs |= row.name == "rhs" && g.reachable(&own.roots).contains(&model.time.id());
                 chosen.push((row, own));
             }
         }
@@ -134,7 +134,7 @@ impl Program {
             rules,
             checked: block(g, &checked, &of_parameters)?,
             constants: block(g, &constants, &of_parameters)?,
-            constants_text: constants.iter().map(|&id| printer.print(id)).collect(),
+            constants_text: constants.iter().map(|constant| printer.print(constant.id())).collect(),
             routines: routines.collect::<Result<_, _>>()?,
             series: series.map(|series| Series::new(model, series, &known)).transpose()?,
             equations,
@@ -148,7 +148,7 @@ impl Program {
 }
 
 impl Quantity {
-    fn of_parameter(parameter: &model::Parameter) -> Self {
+    fn of_parameter(parameter: &model::Parameter<'_>) -> Self {
         Self {
             name: parameter.name.clone(),
             docs: parameter.docs.clone(),
@@ -157,7 +157,7 @@ impl Quantity {
         }
     }
 
-    fn of_input(input: &model::Input) -> Self {
+    fn of_input(input: &model::Input<'_>) -> Self {
         Self {
             name: input.name.clone(),
             docs: input.docs.clone(),
@@ -168,38 +168,44 @@ impl Quantity {
 }
 
 /// The expressions of parameters that the routines read.
-fn constants<'a>(g: &Graph, lists: impl Iterator<Item = &'a Vec<ExprId>>) -> Vec<ExprId> {
+fn constants<'g, 'a>(g: &'g Graph, lists: impl Iterator<Item = &'a Vec<Expr<'g>>>) -> Vec<Expr<'g>>
+where
+    'g: 'a,
+{
     let mut constants = BTreeSet::new();
     for roots in lists {
-        let of_state = g.reachable(roots).into_iter().filter(|&id| g.level(id) == Level::State);
-        let read = of_state.flat_map(|id| g.operands(id)).chain(roots.iter().copied());
-        constants.extend(read.filter(|&id| g.level(id) == Level::Parameter));
+        let reachable = g.reachable(roots).into_iter().map(|id| g.expr(id));
+        let of_state = reachable.filter(|x| x.level() == Level::State);
+        let read = of_state.flat_map(Expr::operands).chain(roots.iter().copied());
+        constants.extend(read.filter(|x| x.level() == Level::Parameter));
     }
     constants.into_iter().collect()
 }
 
 /// What the routines can read.
-fn known(model: &Model, constants: &[ExprId]) -> HashMap<ExprId, Variable> {
+fn known<'g>(model: &Model<'g>, constants: &[Expr<'g>]) -> HashMap<ExprId, Variable> {
     let state = model.state().into_iter().enumerate();
     let accelerations = model.coordinates.iter().map(|c| c.acceleration).enumerate();
     let inputs = model.input_symbols().into_iter().enumerate();
     let constants = constants.iter().copied().enumerate();
-    let state = state.map(|(n, id)| (id, Variable::State(n)));
-    let accelerations = accelerations.map(|(n, id)| (id, Variable::Acceleration(n)));
-    let inputs = inputs.map(|(n, id)| (id, Variable::Input(n)));
-    let constants = constants.map(|(n, id)| (id, Variable::Constant(n)));
+    let state = state.map(|(n, x)| (x.id(), Variable::State(n)));
+    let accelerations = accelerations.map(|(n, x)| (x.id(), Variable::Acceleration(n)));
+    let inputs = inputs.map(|(n, x)| (x.id(), Variable::Input(n)));
+    let constants = constants.map(|(n, x)| (x.id(), Variable::Constant(n)));
     let all = state.chain(accelerations).chain(inputs).chain(constants);
-    all.chain([(model.time, Variable::Time)]).collect()
+    all.chain([(model.time.id(), Variable::Time)]).collect()
 }
 
 /// The parameters, which is all that is known when the model is built.
-fn parameters(model: &Model) -> HashMap<ExprId, Variable> {
+fn parameters(model: &Model<'_>) -> HashMap<ExprId, Variable> {
     let parameters = model.parameters.iter().enumerate();
-    parameters.map(|(n, p)| (p.symbol, Variable::Parameter(n))).collect()
+    parameters
+        .map(|(n, p)| (p.symbol.id(), Variable::Parameter(n)))
+        .collect()
 }
 
 /// The rules, and the values that they check.
-fn rules(model: &Model) -> (Vec<Rule>, Vec<ExprId>) {
+fn rules<'g>(model: &Model<'g>) -> (Vec<Rule>, Vec<Expr<'g>>) {
     let mut checked = Vec::new();
     let rules = model.rules.iter().map(|rule| {
         let value = checked.len();

@@ -87,10 +87,10 @@ pub(crate) enum Length {
 
 impl Row {
     /// The routine of a scene, in the form that was chosen; `known` is what it can read.
-    pub(super) fn routine(
+    pub(super) fn routine<'g>(
         &self,
-        model: &Model,
-        chosen: Chosen,
+        model: &Model<'g>,
+        chosen: Chosen<'g>,
         known: &HashMap<ExprId, Variable>,
     ) -> Result<Routine, NotFinite> {
         let arguments = self.arguments.iter().copied();
@@ -109,7 +109,7 @@ impl Row {
                 .iter()
                 .map(|shape| shape.map(|length| length.of(model)))
                 .collect(),
-            block: block(&model.graph, &chosen.roots, known)?,
+            block: block(model.graph, &chosen.roots, known)?,
             cost: Cost {
                 others: others.collect(),
                 ..Cost::new(chosen.form, chosen.operations)
@@ -119,7 +119,7 @@ impl Row {
 }
 
 impl Length {
-    fn of(self, model: &Model) -> usize {
+    fn of(self, model: &Model<'_>) -> usize {
         match self {
             Self::State => model.state().len(),
             Self::Freedom => model.dof(),
@@ -170,7 +170,7 @@ impl Shape<usize> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Request<'a> {
     /// The scene.
-    pub(crate) model: &'a Model,
+    pub(crate) model: &'a Model<'a>,
     /// Whether the right-hand side depends on the time.
     pub(crate) time_occurs: bool,
 }
@@ -201,7 +201,7 @@ pub(crate) struct Row {
     /// Whether a scene gets it; the word is that of the row.
     pub(crate) wanted: fn(&Request<'_>, &str) -> bool,
     /// Its results in the shortest form.
-    pub(crate) form: fn(&mut Forms, &Model) -> Chosen,
+    pub(crate) form: for<'g> fn(&mut Forms<'g>, &Model<'g>) -> Chosen<'g>,
 }
 
 /// Whether a scene asks for a routine by its word, and there is nothing more to it.

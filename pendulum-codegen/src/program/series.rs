@@ -26,8 +26,12 @@ pub struct Series {
 
 impl Series {
     /// The series in the form that was chosen; `known` is what routines can read.
-    pub(super) fn new(model: &Model, taylor: Taylor, known: &HashMap<ExprId, Variable>) -> Result<Self, NotFinite> {
-        let (g, symbols) = (&model.graph, &taylor.symbols);
+    pub(super) fn new<'g>(
+        model: &Model<'g>,
+        taylor: Taylor<'g>,
+        known: &HashMap<ExprId, Variable>,
+    ) -> Result<Self, NotFinite> {
+        let (g, symbols) = (model.graph, &taylor.symbols);
         let start = [model.kinematics(), taylor.start].concat();
         let (_, rates) = symbols.state.split_at(model.dof());
         let order = [rates, &taylor.order].concat();
@@ -48,7 +52,7 @@ impl Series {
         of_order.extend(
             of_lists
                 .chain(single)
-                .map(|(id, coefficient)| (id, Variable::Series(coefficient))),
+                .map(|(id, coefficient)| (id.id(), Variable::Series(coefficient))),
         );
         let cost = |form, products, operations| Cost {
             products: Some(products),

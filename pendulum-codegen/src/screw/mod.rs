@@ -5,14 +5,21 @@
 //! of the graph, so a planar scene written in these terms comes out planar.
 
 mod inertia;
+mod matrix;
 mod moments;
+mod symmetric;
 mod transform;
+mod turn;
 mod twist;
 mod vector;
+mod wrench;
 
 pub use inertia::SpatialInertia;
-pub use moments::{MassMoments, Turn};
+pub use matrix::Mat3;
+pub use moments::MassMoments;
+pub use symmetric::Symmetric3;
 pub use transform::Transform;
-pub(crate) use transform::{identity, rotation};
-pub use twist::{Twist, Wrench, bracket};
-pub use vector::{Mat3, Symmetric3, Vec3, add, cross, dot, mat_mul, mat_vec, scale, sub, sum, transpose};
+pub use turn::Turn;
+pub use twist::Twist;
+pub use vector::Vec3;
+pub use wrench::Wrench;

@@ -1,58 +1,59 @@
-//! Twists, wrenches and the bracket of two twists.
+//! Twists and their bracket.
 
-use crate::expr::{ExprId, Graph};
+use std::ops::{Add, Mul};
 
-use super::{Vec3, add, cross, dot, scale};
+use super::Vec3;
+use crate::expr::{Expr, Graph};
 
 /// A twist, in rad/s and m/s, or a screw axis.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Twist {
+pub struct Twist<'g> {
     /// Angular velocity.
-    pub angular: Vec3,
+    pub angular: Vec3<'g>,
     /// Velocity of the point at the origin.
-    pub linear: Vec3,
+    pub linear: Vec3<'g>,
 }
 
-/// A wrench, in N m and N.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Wrench {
-    /// Moment about the origin.
-    pub moment: Vec3,
-    /// Force.
-    pub force: Vec3,
-}
-
-impl Wrench {
-    /// The sum of two wrenches about the same origin.
-    pub fn plus(&self, g: &Graph, other: &Self) -> Self {
+impl<'g> Twist<'g> {
+    /// Rest.
+    pub fn zero(g: &'g Graph) -> Self {
         Self {
-            moment: add(g, self.moment, other.moment),
-            force: add(g, self.force, other.force),
+            angular: Vec3::zero(g),
+            linear: Vec3::zero(g),
         }
     }
 
-    /// `factor` times the wrench.
-    pub fn scaled(&self, g: &Graph, factor: ExprId) -> Self {
-        Self {
-            moment: scale(g, factor, self.moment),
-            force: scale(g, factor, self.force),
-        }
+    /// Whether it turns, and does not slide only.
+    pub fn turns(&self) -> bool {
+        !self.angular.is_zero()
     }
 
-    /// The power of the wrench along a twist.
-    pub fn power(&self, g: &Graph, twist: &Twist) -> ExprId {
-        let rotation = dot(g, self.moment, twist.angular);
-        let translation = dot(g, self.force, twist.linear);
-        g.add(rotation, translation)
+    /// `[a, b] = (a_w x b_w ; a_v x b_w + a_w x b_v)`
+    #[must_use]
+    pub fn bracket(&self, other: &Self) -> Self {
+        Self {
+            angular: self.angular.cross(other.angular),
+            linear: self.linear.cross(other.angular) + self.angular.cross(other.linear),
+        }
     }
 }
 
-/// `[a, b] = (a_w x b_w ; a_v x b_w + a_w x b_v)`.
-pub fn bracket(g: &Graph, a: &Twist, b: &Twist) -> Twist {
-    let angular = cross(g, a.angular, b.angular);
-    let (left, right) = (cross(g, a.linear, b.angular), cross(g, a.angular, b.linear));
-    Twist {
-        angular,
-        linear: add(g, left, right),
+impl Add for Twist<'_> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self {
+            angular: self.angular + other.angular,
+            linear: self.linear + other.linear,
+        }
+    }
+}
+
+impl<'g> Mul<Twist<'g>> for Expr<'g> {
+    type Output = Twist<'g>;
+    fn mul(self, twist: Twist<'g>) -> Twist<'g> {
+        Twist {
+            angular: self * twist.angular,
+            linear: self * twist.linear,
+        }
     }
 }

@@ -1,118 +1,91 @@
-//! Three-vectors and three-by-three matrices of expressions.
+//! Vectors of three expressions.
 
-use crate::expr::{ExprId, Graph};
+use std::ops::{Add, Index, Mul, Neg, Sub};
+
+use crate::expr::{Expr, Graph, Rational};
 
 /// A vector.
-pub type Vec3 = [ExprId; 3];
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct Vec3<'g>(pub [Expr<'g>; 3]);
 
-/// A matrix, row by row.
-pub type Mat3 = [Vec3; 3];
-
-/// A symmetric matrix as `[xx, yy, zz, xy, xz, yz]`.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Symmetric3(pub [ExprId; 6]);
-
-/// The sum of all terms.
-pub fn sum(g: &Graph, terms: impl IntoIterator<Item = ExprId>) -> ExprId {
-    let zero = g.zero();
-    terms.into_iter().fold(zero, |sum, term| g.add(sum, term))
-}
-
-/// `a + b`.
-pub fn add(g: &Graph, a: Vec3, b: Vec3) -> Vec3 {
-    std::array::from_fn(|i| g.add(a[i], b[i]))
-}
-
-/// `a - b`.
-pub fn sub(g: &Graph, a: Vec3, b: Vec3) -> Vec3 {
-    std::array::from_fn(|i| g.sub(a[i], b[i]))
-}
-
-/// `factor * a`.
-pub fn scale(g: &Graph, factor: ExprId, a: Vec3) -> Vec3 {
-    a.map(|x| g.mul(factor, x))
-}
-
-/// The scalar product.
-pub fn dot(g: &Graph, a: Vec3, b: Vec3) -> ExprId {
-    let products = [0, 1, 2].map(|i| g.mul(a[i], b[i]));
-    sum(g, products)
-}
-
-/// The vector product.
-pub fn cross(g: &Graph, a: Vec3, b: Vec3) -> Vec3 {
-    [(1, 2), (2, 0), (0, 1)].map(|(i, j)| {
-        let (positive, negative) = (g.mul(a[i], b[j]), g.mul(a[j], b[i]));
-        g.sub(positive, negative)
-    })
-}
-
-/// The product of a matrix and a vector.
-pub fn mat_vec(g: &Graph, m: Mat3, v: Vec3) -> Vec3 {
-    m.map(|row| dot(g, row, v))
-}
-
-/// The transposed matrix.
-pub fn transpose(m: Mat3) -> Mat3 {
-    std::array::from_fn(|i| std::array::from_fn(|j| m[j][i]))
-}
-
-/// The product of two matrices.
-pub fn mat_mul(g: &Graph, a: Mat3, b: Mat3) -> Mat3 {
-    let columns = transpose(b);
-    a.map(|row| columns.map(|column| dot(g, row, column)))
-}
-
-impl Symmetric3 {
-    /// Row and column of each entry, in the order in which they are stored.
-    pub const PLACES: [(usize, usize); 6] = [(0, 0), (1, 1), (2, 2), (0, 1), (0, 2), (1, 2)];
-
-    /// The matrix of zeros.
-    pub fn zero(g: &Graph) -> Self {
-        Self([g.zero(); 6])
+impl<'g> Vec3<'g> {
+    /// The vector of zeros.
+    pub fn zero(g: &'g Graph) -> Self {
+        Self([g.zero(); 3])
     }
 
-    /// A matrix that is zero off its diagonal.
-    pub fn diagonal(g: &Graph, d: Vec3) -> Self {
-        let zero = g.zero();
-        Self([d[0], d[1], d[2], zero, zero, zero])
+    /// The unit vector along a coordinate axis.
+    pub fn unit(g: &'g Graph, axis: usize) -> Self {
+        Self(std::array::from_fn(|i| if i == axis { g.one() } else { g.zero() }))
     }
 
-    /// `factor a a^T`.
-    pub fn outer(g: &Graph, factor: ExprId, a: Vec3) -> Self {
-        Self(Self::PLACES.map(|(i, j)| {
-            let product = g.mul(a[i], a[j]);
-            g.mul(factor, product)
-        }))
+    /// The unit vector along the third axis.
+    pub fn z(g: &'g Graph) -> Self {
+        Self::unit(g, 2)
     }
 
-    /// `factor (|a|^2 1 - a a^T)`: the rotational inertia of a point of that mass at `a`.
-    pub fn of_point(g: &Graph, factor: ExprId, a: Vec3) -> Self {
-        let square = dot(g, a, a);
-        let square = g.mul(factor, square);
-        let outer = Self::outer(g, factor, a);
-        Self::diagonal(g, [square; 3]).minus(g, outer)
+    /// Whether all components are the number 0.
+    pub fn is_zero(self) -> bool {
+        self.0.iter().all(|x| x.is_zero())
     }
 
-    /// The sum of two matrices.
-    pub fn plus(self, g: &Graph, other: Self) -> Self {
-        Self(std::array::from_fn(|i| g.add(self.0[i], other.0[i])))
+    /// The scalar product.
+    pub fn dot(self, other: Self) -> Expr<'g> {
+        let [x, y, z] = [0, 1, 2].map(|i| self[i] * other[i]);
+        x + y + z
     }
 
-    /// The difference of two matrices.
-    pub fn minus(self, g: &Graph, other: Self) -> Self {
-        Self(std::array::from_fn(|i| g.sub(self.0[i], other.0[i])))
+    /// The vector product.
+    pub fn cross(self, other: Self) -> Self {
+        Self([(1, 2), (2, 0), (0, 1)].map(|(i, j)| self[i] * other[j] - self[j] * other[i]))
     }
+}
 
-    /// The full matrix.
-    pub fn full(self) -> Mat3 {
-        let [xx, yy, zz, xy, xz, yz] = self.0;
-        [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]
+impl<'g> Index<usize> for Vec3<'g> {
+    type Output = Expr<'g>;
+    fn index(&self, at: usize) -> &Expr<'g> {
+        &self.0[at]
     }
+}
 
-    /// `rotation * self * rotation^T`.
-    pub fn rotated(self, g: &Graph, rotation: Mat3) -> Self {
-        let left = mat_mul(g, rotation, self.full());
-        Self(Self::PLACES.map(|(i, j)| dot(g, left[i], rotation[j])))
+impl Add for Vec3<'_> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self([0, 1, 2].map(|i| self[i] + other[i]))
+    }
+}
+
+impl Sub for Vec3<'_> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self([0, 1, 2].map(|i| self[i] - other[i]))
+    }
+}
+
+impl Neg for Vec3<'_> {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self(self.0.map(Neg::neg))
+    }
+}
+
+impl<'g> Mul<Vec3<'g>> for Expr<'g> {
+    type Output = Vec3<'g>;
+    fn mul(self, v: Vec3<'g>) -> Vec3<'g> {
+        Vec3(v.0.map(|x| self * x))
+    }
+}
+
+impl<'g> Mul<Vec3<'g>> for Rational {
+    type Output = Vec3<'g>;
+    fn mul(self, v: Vec3<'g>) -> Vec3<'g> {
+        Vec3(v.0.map(|x| self.clone() * x))
+    }
+}
+
+impl<'g> Mul<Vec3<'g>> for i64 {
+    type Output = Vec3<'g>;
+    fn mul(self, v: Vec3<'g>) -> Vec3<'g> {
+        Vec3(v.0.map(|x| self * x))
     }
 }

@@ -5,13 +5,13 @@ use std::collections::HashMap;
 use num_traits::{One, Signed, ToPrimitive};
 
 use super::parts::{Item, Operand, Parts, Ref};
-use crate::expr::{Binary, ExprId, Graph, Level, Node, Rational, Unary, ratio};
+use crate::expr::{Binary, Expr, Graph, Level, Node, Rational, Unary, ratio};
 
 /// Powers up to this one are products.
 const MOST_POWER: i64 = 16;
 
 /// Takes the roots apart: all items, and the one that each root is.
-pub(super) fn take_apart(g: &Graph, roots: &[ExprId]) -> (Parts, Vec<Operand>) {
+pub(super) fn take_apart<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> (Parts, Vec<Operand>) {
     let mut apart = Apart::new(g, roots);
     let taken = roots.iter().map(|&root| apart.take(root)).collect();
     (apart.parts, taken)
@@ -19,23 +19,22 @@ pub(super) fn take_apart(g: &Graph, roots: &[ExprId]) -> (Parts, Vec<Operand>) {
 
 /// The state of taking apart.
 struct Apart<'g> {
-    graph: &'g Graph,
     parts: Parts,
-    taken: HashMap<ExprId, Operand>,
+    taken: HashMap<Expr<'g>, Operand>,
     /// How often each expression is used.
-    uses: HashMap<ExprId, usize>,
+    uses: HashMap<Expr<'g>, usize>,
     /// How many quotients have this divisor.
-    divisions: HashMap<ExprId, usize>,
+    divisions: HashMap<Expr<'g>, usize>,
 }
 
 impl<'g> Apart<'g> {
-    fn new(graph: &'g Graph, roots: &[ExprId]) -> Self {
+    fn new(graph: &'g Graph, roots: &[Expr<'g>]) -> Self {
         let (mut uses, mut divisions) = (HashMap::new(), HashMap::new());
-        for id in graph.reachable(roots) {
-            for operand in graph.operands(id) {
+        for x in graph.reachable(roots).into_iter().map(|id| graph.expr(id)) {
+            for operand in x.operands() {
                 *uses.entry(operand).or_default() += 1;
             }
-            if let Node::Binary(Binary::Div, _, divisor) = *graph.node(id) {
+            if let Node::Binary(Binary::Div, _, divisor) = x.node() {
                 *divisions.entry(divisor).or_default() += 1;
             }
         }
@@ -43,7 +42,6 @@ impl<'g> Apart<'g> {
             *uses.entry(root).or_default() += 1;
         }
         Self {
-            graph,
             parts: Parts::default(),
             taken: HashMap::new(),
             uses,
@@ -52,35 +50,32 @@ impl<'g> Apart<'g> {
     }
 
     /// Takes an expression apart.
-    fn take(&mut self, id: ExprId) -> Operand {
-        let g = self.graph;
-        if let Some(&taken) = self.taken.get(&id) {
+    fn take(&mut self, x: Expr<'g>) -> Operand {
+        if let Some(&taken) = self.taken.get(&x) {
             return taken;
         }
-        let operand = if g.level(id) < Level::State {
-            self.leaf(id)
+        let operand = if x.level() < Level::State {
+            self.leaf(x)
         } else {
-            self.take_state(id)
+            self.take_state(x)
         };
-        self.taken.insert(id, operand);
+        self.taken.insert(x, operand);
         operand
     }
 
-    fn leaf(&mut self, id: ExprId) -> Operand {
-        let g = self.graph;
-        let negative = match g.node(id) {
+    fn leaf(&mut self, x: Expr<'g>) -> Operand {
+        let negative = match x.node() {
             Node::Number(n) => n.is_negative(),
             Node::Unary(Unary::Neg, _) => true,
             _ => false,
         };
-        let positive = if negative { g.neg(id) } else { id };
-        (self.parts.item(Item::Leaf(positive), true), negative)
+        let positive = if negative { -x } else { x };
+        (self.parts.item(Item::Leaf(positive.id()), true), negative)
     }
 
-    fn take_state(&mut self, id: ExprId) -> Operand {
-        let g = self.graph;
-        match g.node(id).clone() {
-            Node::Number(_) | Node::Pi | Node::Symbol(_) => (self.parts.item(Item::Leaf(id), false), false),
+    fn take_state(&mut self, x: Expr<'g>) -> Operand {
+        match x.node() {
+            Node::Number(_) | Node::Pi | Node::Symbol(_) => (self.parts.item(Item::Leaf(x.id()), false), false),
             Node::Unary(Unary::Neg, a) => {
                 let (item, negative) = self.take(a);
                 (item, !negative)
@@ -91,12 +86,12 @@ impl<'g> Apart<'g> {
             }
             Node::Binary(Binary::Add | Binary::Sub, ..) => {
                 let mut operands = Vec::new();
-                self.gather_sum(id, false, true, &mut operands);
+                self.gather_sum(x, false, true, &mut operands);
                 self.parts.sum(operands)
             }
-            Node::Binary(Binary::Div, a, b) if g.level(a) < Level::State || self.divisions[&b] == 1 => {
-                let (numerator, negative) = if g.level(a) < Level::State {
-                    (self.parts.item(Item::Leaf(a), true), false)
+            Node::Binary(Binary::Div, a, b) if a.level() < Level::State || self.divisions[&b] == 1 => {
+                let (numerator, negative) = if a.level() < Level::State {
+                    (self.parts.item(Item::Leaf(a.id()), true), false)
                 } else {
                     self.take(a)
                 };
@@ -107,26 +102,25 @@ impl<'g> Apart<'g> {
                 let (a, b) = (self.unsigned(a), self.unsigned(b));
                 (self.parts.item(Item::Atan2(a, b), false), false)
             }
-            Node::Power(a, n) if !is_product(&n) => self.power(a, &n),
+            Node::Power(a, n) if !is_product(n) => self.power(a, n),
             Node::Binary(Binary::Mul | Binary::Div, ..) | Node::Power(..) => {
                 let mut factors = Vec::new();
-                let negative = self.gather_product(id, true, &mut factors);
+                let negative = self.gather_product(x, true, &mut factors);
                 (self.parts.product(factors), negative)
             }
         }
     }
 
-    fn power(&mut self, base: ExprId, exponent: &Rational) -> Operand {
-        let g = self.graph;
+    fn power(&mut self, base: Expr<'g>, exponent: &Rational) -> Operand {
         if exponent.is_negative() {
-            let one = g.one();
-            let inverse = g.power(base, -exponent);
-            let (one, divisor) = (self.parts.item(Item::Leaf(one), true), self.unsigned(inverse));
+            let one = base.graph().one();
+            let inverse = base.power(-exponent);
+            let (one, divisor) = (self.parts.item(Item::Leaf(one.id()), true), self.unsigned(inverse));
             return (self.parts.item(Item::Quotient(one, divisor), false), false);
         }
         let half = ratio(1, 2);
         if *exponent.denom() == 2.into() && *exponent != half {
-            let root = g.power(base, half);
+            let root = base.power(half);
             let (root, _) = self.take(root);
             let count = exponent.numer().to_usize().unwrap_or(1);
             return (self.parts.product(vec![root; count]), false);
@@ -136,8 +130,8 @@ impl<'g> Apart<'g> {
     }
 
     /// An item of the value itself, its sign included.
-    fn unsigned(&mut self, id: ExprId) -> Ref {
-        match self.take(id) {
+    fn unsigned(&mut self, x: Expr<'g>) -> Ref {
+        match self.take(x) {
             (item, false) => item,
             (item, true) => {
                 let constant = self.parts.constant[item];
@@ -146,10 +140,9 @@ impl<'g> Apart<'g> {
         }
     }
 
-    fn gather_sum(&mut self, id: ExprId, negative: bool, top: bool, operands: &mut Vec<Operand>) {
-        let g = self.graph;
-        let inside = top || (self.uses[&id] == 1 && g.level(id) == Level::State);
-        match *g.node(id) {
+    fn gather_sum(&mut self, x: Expr<'g>, negative: bool, top: bool, operands: &mut Vec<Operand>) {
+        let inside = top || (self.uses[&x] == 1 && x.level() == Level::State);
+        match x.node() {
             Node::Binary(Binary::Add, a, b) if inside => {
                 self.gather_sum(a, negative, false, operands);
                 self.gather_sum(b, negative, false, operands);
@@ -160,38 +153,35 @@ impl<'g> Apart<'g> {
             }
             Node::Unary(Unary::Neg, a) if inside => self.gather_sum(a, !negative, false, operands),
             _ => {
-                let (item, own) = self.take(id);
+                let (item, own) = self.take(x);
                 operands.push((item, own != negative));
             }
         }
     }
 
     /// Collects the factors, and tells whether their product counts negative.
-    fn gather_product(&mut self, id: ExprId, top: bool, factors: &mut Vec<Ref>) -> bool {
-        let g = self.graph;
-        let inside = top || (self.uses[&id] == 1 && g.level(id) == Level::State);
-        match g.node(id).clone() {
+    fn gather_product(&mut self, x: Expr<'g>, top: bool, factors: &mut Vec<Ref>) -> bool {
+        let inside = top || (self.uses[&x] == 1 && x.level() == Level::State);
+        match x.node() {
             Node::Binary(Binary::Mul, a, b) if inside => {
                 let left = self.gather_product(a, false, factors);
                 self.gather_product(b, false, factors) != left
             }
-            Node::Binary(Binary::Div, a, b) if inside && g.level(a) == Level::State && self.divisions[&b] > 1 => {
+            Node::Binary(Binary::Div, a, b) if inside && a.level() == Level::State && self.divisions[&b] > 1 => {
                 let left = self.gather_product(a, false, factors);
-                let one = g.one();
-                let reciprocal = g.exactly(Binary::Div, one, b);
-                let (item, own) = self.take(reciprocal);
+                let (item, own) = self.take(b.graph().one().exactly(Binary::Div, b));
                 factors.push(item);
                 own != left
             }
             Node::Unary(Unary::Neg, a) if inside => !self.gather_product(a, false, factors),
-            Node::Power(a, n) if is_product(&n) && g.level(id) != Level::Constant => {
+            Node::Power(a, n) if is_product(n) && x.level() != Level::Constant => {
                 let (item, own) = self.take(a);
                 let count = n.to_integer().to_usize().unwrap_or(1);
                 factors.extend(std::iter::repeat_n(item, count));
                 own && count % 2 == 1
             }
             _ => {
-                let (item, own) = self.take(id);
+                let (item, own) = self.take(x);
                 factors.push(item);
                 own
             }

@@ -10,12 +10,12 @@ mod pairs;
 mod parts;
 mod rebuild;
 
-use crate::expr::{ExprId, Graph};
+use crate::expr::{Expr, Graph};
 use pairs::Of;
 
 /// Rewrites the roots so that common parts are shared. Their values do not change, up to rounding. `factor` says that factors which
 /// terms of one sum share are drawn out first: that saves products, and may hide others that sums share.
-pub fn share(g: &Graph, roots: &[ExprId], factor: bool) -> Vec<ExprId> {
+pub fn share<'g>(g: &'g Graph, roots: &[Expr<'g>], factor: bool) -> Vec<Expr<'g>> {
     let (mut parts, roots) = apart::take_apart(g, roots);
     if factor {
         factor::factor_sums(&mut parts, &roots);

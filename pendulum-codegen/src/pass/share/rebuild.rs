@@ -3,10 +3,10 @@
 use num_traits::Signed;
 
 use super::parts::{Item, Operand, Parts, Ref};
-use crate::expr::{Binary, ExprId, Graph, Level, Node, Unary};
+use crate::expr::{Binary, Expr, Graph, Level, Node, Unary};
 
 /// The expressions of the roots.
-pub(super) fn rebuild(g: &Graph, parts: &Parts, roots: &[Operand]) -> Vec<ExprId> {
+pub(super) fn rebuild<'g>(g: &'g Graph, parts: &Parts, roots: &[Operand]) -> Vec<Expr<'g>> {
     let mut rebuilding = Rebuilding {
         graph: g,
         parts,
@@ -20,50 +20,46 @@ pub(super) fn rebuild(g: &Graph, parts: &Parts, roots: &[Operand]) -> Vec<ExprId
 }
 
 /// The state of putting items together.
-struct Rebuilding<'a> {
-    graph: &'a Graph,
-    parts: &'a Parts,
+struct Rebuilding<'g, 'p> {
+    graph: &'g Graph,
+    parts: &'p Parts,
     /// How often each item is used.
     places: Vec<usize>,
     /// The expression of each item that has one already, and whether it counts negative.
-    built: Vec<Option<(ExprId, bool)>>,
+    built: Vec<Option<(Expr<'g>, bool)>>,
 }
 
-impl Rebuilding<'_> {
+impl<'g> Rebuilding<'g, '_> {
     /// The expression of an item with the sign put somewhere.
-    fn finish(&mut self, item: Ref, negative: bool) -> ExprId {
-        let g = self.graph;
-        let (id, own) = self.build(item);
+    fn finish(&mut self, item: Ref, negative: bool) -> Expr<'g> {
+        let (x, own) = self.build(item);
         if own == negative {
-            return id;
+            return x;
         }
-        if g.level(id) < Level::State {
-            return g.neg(id);
+        if x.level() < Level::State {
+            return -x;
         }
-        match *g.node(id) {
+        match x.node() {
             // a constant factor takes the sign for nothing
-            Node::Binary(op @ (Binary::Mul | Binary::Div), a, b) if g.level(a) < Level::State => {
-                let a = g.neg(a);
-                g.exactly(op, a, b)
-            }
-            Node::Binary(Binary::Sub, a, b) => g.exactly(Binary::Sub, b, a),
-            _ => g.exactly_negated(id),
+            Node::Binary(op @ (Binary::Mul | Binary::Div), a, b) if a.level() < Level::State => (-a).exactly(op, b),
+            Node::Binary(Binary::Sub, a, b) => b.exactly(Binary::Sub, a),
+            _ => x.exactly_negated(),
         }
     }
 
     /// The expression of an item, and whether it counts negative.
-    fn build(&mut self, item: Ref) -> (ExprId, bool) {
-        let (g, parts) = (self.graph, self.parts);
+    fn build(&mut self, item: Ref) -> (Expr<'g>, bool) {
+        let (graph, parts) = (self.graph, self.parts);
         if let Some(known) = self.built[item] {
             return known;
         }
         let mut value = |item: &Ref| self.finish(*item, false);
         let result = match &parts.items[item] {
-            Item::Leaf(id) => (*id, false),
-            Item::Unary(op, a) => (g.unary(*op, value(a)), false),
-            Item::Quotient(a, b) => (g.exactly(Binary::Div, value(a), value(b)), false),
-            Item::Atan2(a, b) => (g.binary(Binary::Atan2, value(a), value(b)), false),
-            Item::Power(a, n) => (g.power(value(a), n.clone()), false),
+            Item::Leaf(id) => (graph.expr(*id), false),
+            Item::Unary(op, a) => (value(a).apply(*op), false),
+            Item::Quotient(a, b) => (value(a).exactly(Binary::Div, value(b)), false),
+            Item::Atan2(a, b) => (value(a).combine(Binary::Atan2, value(b)), false),
+            Item::Power(a, n) => (value(a).power(n.clone()), false),
             Item::Sum(operands) => self.build_sum(operands),
             Item::Product(factors) => self.build_product(factors),
         };
@@ -71,33 +67,30 @@ impl Rebuilding<'_> {
         result
     }
 
-    fn build_sum(&mut self, operands: &[Operand]) -> (ExprId, bool) {
+    fn build_sum(&mut self, operands: &[Operand]) -> (Expr<'g>, bool) {
         let mut terms = Vec::new();
         for &(item, minus) in operands {
-            let (id, own) = self.build(item);
-            terms.push((id, minus != own));
+            let (x, own) = self.build(item);
+            terms.push((x, minus != own));
         }
         self.join(terms)
     }
 
     /// A sum of terms with signs: its value, and whether it counts negative.
-    fn join(&self, terms: Vec<(ExprId, bool)>) -> (ExprId, bool) {
-        let g = self.graph;
-        let (mut constant, mut positive, mut negative) = (g.zero(), Vec::new(), Vec::new());
-        for (id, minus) in terms {
-            match (g.level(id) < Level::State, minus) {
-                (true, false) => constant = g.add(constant, id),
-                (true, true) => constant = g.sub(constant, id),
-                (false, false) => positive.push(id),
-                (false, true) => negative.push(id),
+    fn join(&self, terms: Vec<(Expr<'g>, bool)>) -> (Expr<'g>, bool) {
+        let (mut constant, mut positive, mut negative) = (self.graph.zero(), Vec::new(), Vec::new());
+        for (x, minus) in terms {
+            match (x.level() < Level::State, minus) {
+                (true, false) => constant += x,
+                (true, true) => constant -= x,
+                (false, false) => positive.push(x),
+                (false, true) => negative.push(x),
             }
         }
-        match *g.node(constant) {
-            _ if g.is_zero(constant) => {}
+        match constant.node() {
+            _ if constant.is_zero() => {}
             Node::Unary(Unary::Neg, opposite) if !positive.is_empty() => negative.push(opposite),
-            Node::Number(_) if !positive.is_empty() && g.as_number(constant).is_some_and(Signed::is_negative) => {
-                negative.push(g.neg(constant));
-            }
+            Node::Number(number) if !positive.is_empty() && number.is_negative() => negative.push(-constant),
             // as a first operand it makes a leading minus unnecessary, whatever its own sign
             _ => positive.insert(0, constant),
         }
@@ -107,43 +100,39 @@ impl Rebuilding<'_> {
         } else {
             (positive, negative)
         };
-        let Some(sum) = first.into_iter().reduce(|a, b| g.exactly(Binary::Add, a, b)) else {
-            return (g.zero(), false);
+        let Some(sum) = first.into_iter().reduce(|a, b| a.exactly(Binary::Add, b)) else {
+            return (self.graph.zero(), false);
         };
         (
-            then.into_iter().fold(sum, |a, b| g.exactly(Binary::Sub, a, b)),
+            then.into_iter().fold(sum, |a, b| a.exactly(Binary::Sub, b)),
             all_negative,
         )
     }
 
-    fn build_product(&mut self, factors: &[Operand]) -> (ExprId, bool) {
-        let g = self.graph;
+    fn build_product(&mut self, factors: &[Operand]) -> (Expr<'g>, bool) {
         if let Some(sum) = self.distributed(factors) {
             return sum;
         }
-        let (mut constant, mut state, mut negative) = (g.one(), Vec::new(), false);
+        let (mut constant, mut state, mut negative) = (self.graph.one(), Vec::new(), false);
         for &(item, _) in factors {
-            let (id, own) = self.build(item);
+            let (x, own) = self.build(item);
             negative ^= own;
-            if g.level(id) < Level::State {
-                constant = g.mul(constant, id);
+            if x.level() < Level::State {
+                constant = constant * x;
             } else {
-                state.push(id);
+                state.push(x);
             }
         }
-        if let Node::Unary(Unary::Neg, positive) = *g.node(constant) {
+        if let Node::Unary(Unary::Neg, positive) = constant.node() {
             (constant, negative) = (positive, !negative);
         }
-        let first = (constant != g.one()).then_some(constant);
-        let product = first
-            .into_iter()
-            .chain(state)
-            .reduce(|a, b| g.exactly(Binary::Mul, a, b));
-        (product.unwrap_or(g.one()), negative)
+        let first = (!constant.is_one()).then_some(constant);
+        let product = first.into_iter().chain(state).reduce(|a, b| a.exactly(Binary::Mul, b));
+        (product.unwrap_or(self.graph.one()), negative)
     }
 
     /// `k (k1 x + k2 y)` as `(k k1) x + (k k2) y`, where that saves the multiplication by `k`.
-    fn distributed(&mut self, factors: &[Operand]) -> Option<(ExprId, bool)> {
+    fn distributed(&mut self, factors: &[Operand]) -> Option<(Expr<'g>, bool)> {
         let parts = self.parts;
         let (constants, state): (Vec<Operand>, Vec<Operand>) =
             factors.iter().partition(|(item, _)| parts.constant[*item]);
@@ -164,8 +153,8 @@ impl Rebuilding<'_> {
                 Item::Product(factors) => factors.clone(),
                 _ => vec![(term, false)],
             };
-            let (id, negative) = self.build_product(&[constants.clone(), own].concat());
-            products.push((id, negative != minus));
+            let (product, negative) = self.build_product(&[constants.clone(), own].concat());
+            products.push((product, negative != minus));
         }
         Some(self.join(products))
     }

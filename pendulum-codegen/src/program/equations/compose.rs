@@ -6,7 +6,7 @@ use super::names::name_parts;
 use super::torques::Torques;
 use super::{Equations, Listing, Quantity, Row};
 use crate::dynamics::Dynamics;
-use crate::expr::{ExprId, Formula, Normalizer, Printer, Term};
+use crate::expr::{Expr, Formula, Normalizer, Printer, Term};
 use crate::form::expanded;
 use crate::model::Model;
 use crate::pass::{Preference, nest};
@@ -27,13 +27,13 @@ const FACTORED: usize = 27;
 const RECURSIVE: usize = 40;
 
 /// The equations of a scene; `closed` is its dynamics in closed form, if it is small enough to have it.
-pub(crate) fn equations(model: &Model, dynamics: &Dynamics, closed: Option<&Dynamics>) -> Equations {
+pub(crate) fn equations<'g>(model: &Model<'g>, dynamics: &Dynamics<'g>, closed: Option<&Dynamics<'g>>) -> Equations {
     let mut composer = Composer {
         model,
         closed,
         recursive: Dynamics::recursive(model, dynamics.potential),
         torques: Torques::new(model),
-        normalizer: Normalizer::with_angles(BUDGET, model.base_angles()),
+        normalizer: Normalizer::with_angles(model.graph, BUDGET, model.base_angles()),
     };
     Equations {
         coordinates: model.coordinate_names().into_iter().map(str::to_owned).collect(),
@@ -42,15 +42,15 @@ pub(crate) fn equations(model: &Model, dynamics: &Dynamics, closed: Option<&Dyna
     }
 }
 
-struct Composer<'m> {
-    model: &'m Model,
-    closed: Option<&'m Dynamics>,
-    recursive: Dynamics,
-    torques: Torques,
-    normalizer: Normalizer,
+struct Composer<'m, 'g> {
+    model: &'m Model<'g>,
+    closed: Option<&'m Dynamics<'g>>,
+    recursive: Dynamics<'g>,
+    torques: Torques<'g>,
+    normalizer: Normalizer<'g>,
 }
 
-impl Composer<'_> {
+impl<'g> Composer<'_, 'g> {
     /// The shortest form, or one nearly as short that shows more.
     fn short(&mut self) -> Listing {
         let passive = self.torques.passive.clone();
@@ -69,7 +69,7 @@ impl Composer<'_> {
             let Some(entries) = self.expanded(&passive, preference) else {
                 continue;
             };
-            for entries in [nest(&self.model.graph, &entries), entries] {
+            for entries in [nest(self.model.graph, &entries), entries] {
                 candidates.push((weight, self.listing(&entries, true, true)));
             }
         }
@@ -83,7 +83,7 @@ impl Composer<'_> {
     }
 
     /// The form in which torques are multiplied out.
-    fn full(&mut self, force: &[ExprId]) -> Listing {
+    fn full(&mut self, force: &[Expr<'g>]) -> Listing {
         match self.expanded(force, Preference::Expanded) {
             Some(entries) => self.listing(&entries, false, false),
             None => self
@@ -95,20 +95,20 @@ impl Composer<'_> {
     }
 
     /// The recursion over the links, as it is and with its sums in order.
-    fn by_recursion(&mut self, force: &[ExprId], with_torques: bool) -> [Listing; 2] {
+    fn by_recursion(&mut self, force: &[Expr<'g>], with_torques: bool) -> [Listing; 2] {
         let force = self
             .expanded_rows(force, Preference::Expanded)
             .unwrap_or_else(|| force.to_vec());
-        let entries: Vec<ExprId> = inertial(&self.recursive).chain(force).collect();
-        [nest(&self.model.graph, &entries), entries].map(|entries| self.listing(&entries, true, with_torques))
+        let entries: Vec<Expr<'g>> = inertial(&self.recursive).chain(force).collect();
+        [nest(self.model.graph, &entries), entries].map(|entries| self.listing(&entries, true, with_torques))
     }
 
     /// The entries in closed form: the upper triangle of the mass matrix, the bias, the forces.
-    fn expanded(&mut self, force: &[ExprId], preference: Preference) -> Option<Vec<ExprId>> {
-        let inertial: Vec<ExprId> = match self.closed {
+    fn expanded(&mut self, force: &[Expr<'g>], preference: Preference) -> Option<Vec<Expr<'g>>> {
+        let inertial: Vec<Expr<'g>> = match self.closed {
             Some(closed) if preference == Preference::Expanded => inertial(closed).collect(),
             _ => {
-                let entries: Vec<ExprId> = inertial(&self.recursive).collect();
+                let entries: Vec<Expr<'g>> = inertial(&self.recursive).collect();
                 self.expanded_rows(&entries, preference)?
             }
         };
@@ -120,33 +120,33 @@ impl Composer<'_> {
         )
     }
 
-    fn expanded_rows(&mut self, rows: &[ExprId], preference: Preference) -> Option<Vec<ExprId>> {
-        let columns = expanded(&self.model.graph, &mut self.normalizer, &[rows.to_vec()], preference)?;
+    fn expanded_rows(&mut self, rows: &[Expr<'g>], preference: Preference) -> Option<Vec<Expr<'g>>> {
+        let columns = expanded(&mut self.normalizer, &[rows.to_vec()], preference)?;
         columns.into_iter().next()
     }
 
     /// Entries as formulas, in which common parts may be named, and to whose forces torques may be added as they were written.
-    fn listing(&self, entries: &[ExprId], named: bool, with_torques: bool) -> Listing {
+    fn listing(&self, entries: &[Expr<'g>], named: bool, with_torques: bool) -> Listing {
         let places = places(&self.model.coordinate_names());
         let labels = places
             .iter()
             .map(|(quantity, indices)| Formula::Entry(quantity.letter(), indices.clone()));
-        let labelled: Vec<(Formula, ExprId)> = labels.zip(entries.iter().copied()).collect();
+        let labelled: Vec<(Formula, Expr<'g>)> = labels.zip(entries.iter().copied()).collect();
         let (printer, parts) = if named {
             name_parts(self.model, &labelled, &self.taken())
         } else {
-            (Printer::new(&self.model.graph), Vec::new())
+            (Printer::new(self.model.graph), Vec::new())
         };
         let mut known = BTreeSet::new();
         let mut listing = Listing::default();
         for (n, ((quantity, indices), &id)) in places.into_iter().zip(entries).enumerate() {
             let first = known.insert(id);
-            let own = if self.model.graph.is_zero(id) {
+            let own = if id.is_zero() {
                 Vec::new()
             } else if first {
-                printer.definition(id).into_terms(false)
+                printer.definition(id.id()).into_terms(false)
             } else {
-                printer.formula(id).into_terms(false)
+                printer.formula(id.id()).into_terms(false)
             };
             let row = (n + self.model.dof()).checked_sub(entries.len());
             let torque = row
@@ -184,7 +184,7 @@ impl Composer<'_> {
 }
 
 /// The entries of the mass matrix and the bias.
-fn inertial(dynamics: &Dynamics) -> impl Iterator<Item = ExprId> + '_ {
+fn inertial<'g>(dynamics: &Dynamics<'g>) -> impl Iterator<Item = Expr<'g>> {
     let upper = dynamics
         .mass_matrix
         .iter()

@@ -2,22 +2,24 @@
 
 use std::collections::{BTreeSet, HashMap};
 
-use crate::expr::{Binary, Definition, ExprId, Formula, Graph, Level, Node, Precedence, Printer, SymbolKind, Unary};
+use crate::expr::{
+    Binary, Definition, Expr, ExprId, Formula, Graph, Level, Node, Precedence, Printer, SymbolKind, Unary,
+};
 use crate::model::Model;
 
 /// A printer in which what repeats among the entries has a name, and what the names stand for. Two equal entries are written once:
 /// the second refers to the first, as does an entry that contains another.
-pub(super) fn name_parts<'m>(
-    model: &'m Model,
-    entries: &[(Formula, ExprId)],
+pub(super) fn name_parts<'g>(
+    model: &Model<'g>,
+    entries: &[(Formula, Expr<'g>)],
     taken: &BTreeSet<String>,
-) -> (Printer<'m>, Vec<Definition>) {
-    let g = &model.graph;
-    let roots: Vec<ExprId> = entries.iter().map(|(_, id)| *id).collect();
+) -> (Printer<'g>, Vec<Definition>) {
+    let g = model.graph;
+    let roots: Vec<ExprId> = entries.iter().map(|(_, root)| root.id()).collect();
     let reachable = g.reachable(&roots);
     let uses = uses(g, &reachable, &roots);
     let mut names = Names {
-        model,
+        graph: g,
         printer: Printer::new(g),
         suffixes: suffixes(model),
         combinations: combinations(g, &reachable),
@@ -32,7 +34,7 @@ pub(super) fn name_parts<'m>(
     let mut named = Vec::new();
     for id in reachable {
         let count = uses.get(&id).copied().unwrap_or_default();
-        let entry = entries.iter().find(|(_, root)| *root == id).map(|(entry, _)| entry);
+        let entry = entries.iter().find(|(_, root)| root.id() == id).map(|(entry, _)| entry);
         let is_leaf = g.operands(id).next().is_none();
         if is_leaf || g.level(id) == Level::Constant || count == 0 {
             continue;
@@ -69,7 +71,7 @@ fn uses(g: &Graph, reachable: &[ExprId], roots: &[ExprId]) -> HashMap<ExprId, us
 }
 
 /// What stands for each coordinate in composed names: its number, if all of them have one, or else its name.
-fn suffixes(model: &Model) -> HashMap<ExprId, String> {
+fn suffixes(model: &Model<'_>) -> HashMap<ExprId, String> {
     let number = |name: &str| name.trim_start_matches(|c: char| !c.is_ascii_digit()).to_owned();
     let numbers: Vec<String> = model.coordinate_names().into_iter().map(number).collect();
     let distinct: BTreeSet<&String> = numbers.iter().collect();
@@ -82,14 +84,17 @@ fn suffixes(model: &Model) -> HashMap<ExprId, String> {
     coordinates
         .flat_map(|((coordinate, name), number)| {
             let suffix = suffix(name, number);
-            [(coordinate.position, suffix.clone()), (coordinate.rate, suffix)]
+            [
+                (coordinate.position.id(), suffix.clone()),
+                (coordinate.rate.id(), suffix),
+            ]
         })
         .collect()
 }
 
-struct Names<'m> {
-    model: &'m Model,
-    printer: Printer<'m>,
+struct Names<'g> {
+    graph: &'g Graph,
+    printer: Printer<'g>,
     suffixes: HashMap<ExprId, String>,
     combinations: HashMap<ExprId, Combination>,
     /// Whether angles add up along a chain that is so long that they have names of their own.
@@ -154,7 +159,7 @@ impl Names<'_> {
 
     /// The order of definitions: angles, each with its sine and cosine, then rates, then the rest. None needs one after it.
     fn order(&self, id: ExprId) -> (u8, ExprId, ExprId) {
-        match *self.model.graph.node(id) {
+        match *self.graph.node(id) {
             Node::Unary(Unary::Sin | Unary::Cos, angle) if self.suffix_of_angle(angle).is_some() => (0, angle, id),
             _ => match self.sum_of_symbols(id) {
                 Some(_) if !self.combinations[&id].are_rates => (0, id, id),
@@ -177,7 +182,7 @@ impl Names<'_> {
     /// `s12` and `c12` for the sine and the cosine of an angle of the coordinates `q1` and `q2`, `w12` for the rate of their sum. Where
     /// angles add up along a chain, `a4` and `w4` for the angle and the rate that sum up to that of `q4`.
     fn meaning(&self, id: ExprId) -> Option<String> {
-        let g = &self.model.graph;
+        let g = self.graph;
         if let Node::Unary(op @ (Unary::Sin | Unary::Cos), angle) = *g.node(id) {
             let letter = if op == Unary::Sin { "s" } else { "c" };
             return Some(format!("{letter}{}", self.suffix_of_angle(angle)?));

@@ -1,30 +1,30 @@
 //! Torques as they were written.
 
-use crate::expr::{Definition, ExprId, Formula, Term, ratio};
+use crate::expr::{Definition, Expr, Formula, Term, ratio};
 use crate::model::Model;
 
 /// The forces along the coordinates: friction and springs as expressions, torques as formulas.
 #[derive(Debug)]
-pub(super) struct Torques {
+pub(super) struct Torques<'g> {
     /// Friction and springs of each coordinate.
-    pub(super) passive: Vec<ExprId>,
+    pub(super) passive: Vec<Expr<'g>>,
     /// The torques of each coordinate.
     pub(super) rows: Vec<Vec<Term>>,
     /// Torques that act on several coordinates, and so have names.
     pub(super) named: Vec<Definition>,
 }
 
-impl Torques {
+impl<'g> Torques<'g> {
     /// The forces of a scene. With `q = T theta` those along the joints become `T^T tau`.
-    pub(super) fn new(model: &Model) -> Self {
-        let g = &model.graph;
+    pub(super) fn new(model: &Model<'g>) -> Self {
+        let g = model.graph;
         let mut passive = vec![g.zero(); model.dof()];
         let mut rows: Vec<Vec<Term>> = vec![Vec::new(); model.dof()];
         let mut named = Vec::new();
         for body in &model.bodies {
             let name = format!("torque_{}", body.name.trim_start_matches("r#"));
             let torque = body.torque.as_ref().map(|torque| {
-                if body.motion.len() < 2 || torque.to_string().len() <= name.len() {
+                if body.motion.terms().count() < 2 || torque.to_string().len() <= name.len() {
                     return torque.clone();
                 }
                 let name = free(model, name);
@@ -34,9 +34,8 @@ impl Torques {
                 });
                 Formula::Name(name)
             });
-            for &(k, factor) in &body.motion {
-                let own = g.mul(g.integer(factor), body.passive);
-                passive[k] = g.add(passive[k], own);
+            for (k, factor) in body.motion.terms() {
+                passive[k] += factor * body.passive;
                 let Some(torque) = torque.clone() else { continue };
                 let size = factor.abs();
                 let scaled = if size == 1 {
@@ -53,7 +52,7 @@ impl Torques {
     /// What the names in formulas stand for: each `let` that is used, in the order of the declaration, and then the torques.
     pub(super) fn definitions<'f>(
         &self,
-        model: &Model,
+        model: &Model<'_>,
         formulas: impl IntoIterator<Item = &'f Formula>,
     ) -> Vec<Definition> {
         let mut using: Vec<&Formula> = formulas.into_iter().collect();
@@ -71,7 +70,7 @@ impl Torques {
 }
 
 /// A name that the declaration does not have.
-fn free(model: &Model, mut name: String) -> String {
+fn free(model: &Model<'_>, mut name: String) -> String {
     let is_taken = |name: &str| {
         let parameters = model.parameters.iter().map(|p| &p.name);
         let others = model

@@ -1,39 +1,46 @@
 //! The typed scene: what a declaration means, without its text.
 
+mod combination;
+mod index;
+
+pub use combination::Combination;
+pub(crate) use index::index_types;
+pub use index::{BodyId, CoordinateId};
+
 use std::collections::{BTreeSet, HashMap};
 
-use crate::expr::{Definition, ExprId, Formula, Graph, Rational, ratio};
+use crate::expr::{BaseAngles, Definition, Expr, Formula, Graph, ratio};
 use crate::screw::{Mat3, SpatialInertia, Transform, Twist, Vec3};
 use crate::units::Unit;
 
 /// A scene.
 #[derive(Debug)]
-pub struct Model {
+pub struct Model<'g> {
     /// The store of all its expressions.
-    pub graph: Graph,
+    pub graph: &'g Graph,
     /// Parameters.
-    pub parameters: Vec<Parameter>,
+    pub parameters: Vec<Parameter<'g>>,
     /// Inputs.
-    pub inputs: Vec<Input>,
+    pub inputs: Vec<Input<'g>>,
     /// Coordinates, in the order of their bodies in the text.
-    pub coordinates: Vec<Coordinate>,
+    pub coordinates: Vec<Coordinate<'g>>,
     /// The symbol of time.
-    pub time: ExprId,
+    pub time: Expr<'g>,
     /// Acceleration of gravity in the ground frame.
-    pub gravity: Vec3,
+    pub gravity: Vec3<'g>,
     /// Each `let`, as it was written.
     pub lets: Vec<Definition>,
     /// Bodies, each behind the one that carries it.
-    pub bodies: Vec<Body>,
+    pub bodies: Vec<Body<'g>>,
     /// What the parameters must obey.
-    pub rules: Vec<Rule>,
+    pub rules: Vec<Rule<'g>>,
     /// What to generate, in the words of `generate`.
     pub outputs: BTreeSet<&'static str>,
 }
 
 /// A parameter: a number given when the model is built.
 #[derive(Debug)]
-pub struct Parameter {
+pub struct Parameter<'g> {
     /// Name.
     pub name: String,
     /// Documentation.
@@ -43,12 +50,12 @@ pub struct Parameter {
     /// Value where none is given.
     pub default: Option<f64>,
     /// Its symbol.
-    pub symbol: ExprId,
+    pub symbol: Expr<'g>,
 }
 
 /// An input: a number given at each evaluation.
 #[derive(Debug)]
-pub struct Input {
+pub struct Input<'g> {
     /// Name.
     pub name: String,
     /// Documentation.
@@ -56,52 +63,49 @@ pub struct Input {
     /// Unit.
     pub unit: Unit,
     /// Its symbol.
-    pub symbol: ExprId,
+    pub symbol: Expr<'g>,
 }
 
 /// A coordinate and the symbols of its derivatives.
 #[derive(Clone, Debug)]
-pub struct Coordinate {
+pub struct Coordinate<'g> {
     /// Name.
     pub name: String,
     /// The coordinate.
-    pub position: ExprId,
+    pub position: Expr<'g>,
     /// Its rate.
-    pub rate: ExprId,
+    pub rate: Expr<'g>,
     /// Its second rate, where it is held fixed while other things vary.
-    pub acceleration: ExprId,
+    pub acceleration: Expr<'g>,
 }
-
-/// A sum of coordinates with integer factors: pairs of coordinate and factor, sorted, without zeros.
-pub type Combination = Vec<(usize, i64)>;
 
 /// A rigid body and the joint that carries it.
 #[derive(Debug)]
-pub struct Body {
+pub struct Body<'g> {
     /// Name.
     pub name: String,
     /// The body that carries it; none for ground.
-    pub parent: Option<usize>,
+    pub parent: Option<BodyId>,
     /// Where the joint frame sits in the parent's frame.
-    pub placement: Transform,
+    pub placement: Transform<'g>,
     /// The joint's screw axis in the joint frame, normalised; none for a fixed joint.
-    pub screw: Option<Twist>,
+    pub screw: Option<Twist<'g>>,
     /// The coordinate that this joint brings into the scene.
-    pub coordinate: Option<usize>,
+    pub coordinate: Option<CoordinateId>,
     /// The relative joint coordinate in terms of the scene's coordinates.
     pub motion: Combination,
     /// How the body is turned.
-    pub heading: Heading,
+    pub heading: Heading<'g>,
     /// Inertia in the body frame.
-    pub inertia: SpatialInertia,
+    pub inertia: SpatialInertia<'g>,
     /// Force of the joint along its relative coordinate: friction, spring and torque.
-    pub force: ExprId,
+    pub force: Expr<'g>,
     /// The part of the force that is friction and spring.
-    pub passive: ExprId,
+    pub passive: Expr<'g>,
     /// The rest of it, the torque, as it was written.
     pub torque: Option<Formula>,
     /// Potential energy of the joint.
-    pub potential: ExprId,
+    pub potential: Expr<'g>,
 }
 
 /// The orientation of a body in its station: the rotation by `turn` about `axis`, behind the constant rotation `rest`.
@@ -109,24 +113,24 @@ pub struct Body {
 /// A station is a frame in which a group of bodies turns about one axis only: the ground, or the body before the first
 /// joint of the group. Parallel joints so become one rotation by a sum of angles.
 #[derive(Clone, Debug)]
-pub struct Heading {
+pub struct Heading<'g> {
     /// The body whose frame is the station; none for ground.
-    pub station: Option<usize>,
+    pub station: Option<BodyId>,
     /// Unit vector of the axis in the station, unless nothing turns yet.
-    pub axis: Option<Vec3>,
+    pub axis: Option<Vec3<'g>>,
     /// The angle.
     pub turn: Combination,
     /// The orientation at angle zero.
-    pub rest: Mat3,
+    pub rest: Mat3<'g>,
 }
 
 /// A condition on parameters that `new` checks.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Rule {
+pub struct Rule<'g> {
     /// What is checked.
-    pub value: ExprId,
+    pub value: Expr<'g>,
     /// What it must be.
-    pub requirement: Requirement,
+    pub requirement: Requirement<'g>,
     /// The parameter, or the expression of parameters, as text.
     pub name: String,
     /// The rule as a sentence: `the mass of `upper` must be positive`.
@@ -135,19 +139,19 @@ pub struct Rule {
 
 /// What a checked value must be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Requirement {
+pub enum Requirement<'g> {
     /// Above zero.
     Positive,
     /// Zero or above.
     NonNegative,
     /// Zero or above, up to rounding of a difference of numbers of this size.
-    NonNegativeWithin(ExprId),
+    NonNegativeWithin(Expr<'g>),
 }
 
 /// How much of a difference is rounding.
 pub const ROUNDING: f64 = 1e-12;
 
-impl Requirement {
+impl Requirement<'_> {
     /// Whether a value obeys, where `scale` is the size that the rounding is measured by.
     pub fn allows(self, value: f64, scale: f64) -> bool {
         match self {
@@ -158,31 +162,51 @@ impl Requirement {
     }
 }
 
-impl Model {
+impl<'g> Model<'g> {
     /// The number of degrees of freedom.
     pub fn dof(&self) -> usize {
         self.coordinates.len()
     }
 
+    /// The bodies and their positions, each behind the one that carries it.
+    pub fn bodies(&self) -> impl DoubleEndedIterator<Item = (BodyId, &Body<'g>)> {
+        BodyId::all(self.bodies.len()).zip(&self.bodies)
+    }
+
     /// The coordinates, then their rates.
-    pub fn state(&self) -> Vec<ExprId> {
+    pub fn state(&self) -> Vec<Expr<'g>> {
         let rates = self.coordinates.iter().map(|c| c.rate);
         self.positions().into_iter().chain(rates).collect()
     }
 
     /// The coordinates.
-    pub fn positions(&self) -> Vec<ExprId> {
+    pub fn positions(&self) -> Vec<Expr<'g>> {
         self.coordinates.iter().map(|c| c.position).collect()
     }
 
     /// How the positions change: the kinematic half of the right-hand side.
-    pub fn kinematics(&self) -> Vec<ExprId> {
+    pub fn kinematics(&self) -> Vec<Expr<'g>> {
         self.coordinates.iter().map(|c| c.rate).collect()
     }
 
     /// The symbols of the inputs.
-    pub fn input_symbols(&self) -> Vec<ExprId> {
+    pub fn input_symbols(&self) -> Vec<Expr<'g>> {
         self.inputs.iter().map(|input| input.symbol).collect()
+    }
+
+    /// The value of a combination of coordinates.
+    pub fn position_of(&self, combination: &Combination) -> Expr<'g> {
+        combination.of(self.graph, |k| self.coordinates[k].position)
+    }
+
+    /// The rate of a combination of coordinates.
+    pub fn rate_of(&self, combination: &Combination) -> Expr<'g> {
+        combination.of(self.graph, |k| self.coordinates[k].rate)
+    }
+
+    /// The second rate of a combination of coordinates.
+    pub fn acceleration_of(&self, combination: &Combination) -> Expr<'g> {
+        combination.of(self.graph, |k| self.coordinates[k].acceleration)
     }
 
     /// The names of the coordinates.
@@ -194,52 +218,26 @@ impl Model {
     }
 
     /// What each turning coordinate is in base angles: the absolute angles of parallel joints within their station.
-    pub fn base_angles(&self) -> HashMap<ExprId, Vec<(ExprId, Rational)>> {
+    pub fn base_angles(&self) -> BaseAngles<'g> {
         let mut angles = HashMap::new();
         for body in &self.bodies {
             let Some(own) = body.coordinate else { continue };
             let turn = &body.heading.turn;
-            let Some(&(_, factor)) = turn.iter().find(|(k, _)| *k == own) else {
+            let factor = turn.factor(own);
+            if factor == 0 {
                 continue;
-            };
+            }
             // turn = factor * own + others, where the others are the turn of the parent, or none for an absolute coordinate
-            let others: Combination = turn.iter().copied().filter(|(k, _)| *k != own).collect();
             let mut shares = Vec::new();
-            for (combination, sign) in [(turn.clone(), factor), (others, -factor)] {
-                let Some(&(_, leading)) = combination.first() else {
-                    continue;
-                };
-                let positive = plus_scaled(&Vec::new(), &combination, leading.signum());
-                let angle = combine(&self.graph, &self.coordinates, &positive, |c| c.position);
-                shares.push((angle, ratio(sign * leading.signum(), 1)));
+            for (combination, sign) in [(turn.clone(), factor), (turn.without(own), -factor)] {
+                let leading = combination.leading().signum();
+                if leading != 0 {
+                    let angle = self.position_of(&combination.scaled(leading));
+                    shares.push((angle, ratio(sign * leading, 1)));
+                }
             }
             angles.insert(self.coordinates[own].position, shares);
         }
         angles
     }
-}
-
-/// The value of a combination, for example of positions or of rates.
-pub fn combine(
-    graph: &Graph,
-    coordinates: &[Coordinate],
-    combination: &Combination,
-    part: impl Fn(&Coordinate) -> ExprId,
-) -> ExprId {
-    let mut sum = graph.zero();
-    for &(k, factor) in combination {
-        let factor = graph.integer(factor);
-        let term = graph.mul(factor, part(&coordinates[k]));
-        sum = graph.add(sum, term);
-    }
-    sum
-}
-
-/// `a + factor * b`, sorted and without zeros.
-pub fn plus_scaled(a: &Combination, b: &Combination, factor: i64) -> Combination {
-    let mut sum: std::collections::BTreeMap<usize, i64> = a.iter().copied().collect();
-    for (k, f) in b {
-        *sum.entry(*k).or_default() += factor * f;
-    }
-    sum.into_iter().filter(|(_, f)| *f != 0).collect()
 }

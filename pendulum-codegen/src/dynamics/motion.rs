@@ -1,0 +1,84 @@
+//! How links move, and what that takes of their mass.
+
+use super::frames::Frame;
+use super::links::Link;
+use crate::expr::Expr;
+use crate::screw::{MassMoments, Mat3, Symmetric3, Twist, Vec3, Wrench};
+
+/// How a link moves, in its frame.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Motion<'g> {
+    /// Angular velocity.
+    pub(super) w: Vec3<'g>,
+    /// Angular acceleration.
+    alpha: Vec3<'g>,
+    /// Acceleration of the origin, in a frame that falls upwards with gravity.
+    pub(super) a: Vec3<'g>,
+    /// The acceleration of every other point against the origin.
+    pub(super) field: Mat3<'g>,
+}
+
+/// How the links move, for second rates along their joints.
+pub(super) fn motions<'g>(
+    links: &[Link<'g>],
+    frames: &[Frame<'g>],
+    gravity: Vec3<'g>,
+    second_rates: &[Expr<'g>],
+) -> Vec<Motion<'g>> {
+    let mut motions: Vec<Motion<'g>> = Vec::new();
+    let still = Vec3::zero(gravity[0].graph());
+    for ((link, frame), &second_rate) in links.iter().zip(frames).zip(second_rates) {
+        let arriving = match link.parent.map(|parent| motions[parent]) {
+            Some(Motion { w, alpha, a, field }) => [w, alpha, a + field * frame.offset],
+            None => [still, still, -gravity],
+        };
+        let [w, alpha, a] = arriving.map(|v| frame.of_parent(v));
+        let Twist { angular, linear } = frame.velocity;
+        let joint = second_rate * link.screw;
+        let alpha = alpha + w.cross(angular) + joint.angular;
+        let a = a + w.cross(2 * linear) + joint.linear;
+        let w = w + angular;
+        let field = acceleration_field(w, alpha);
+        motions.push(Motion { w, alpha, a, field });
+    }
+    motions
+}
+
+/// `U` with `U r` the acceleration of a point at `r` against the origin: `alpha x r + w x (w x r)`.
+pub(super) fn acceleration_field<'g>(w: Vec3<'g>, alpha: Vec3<'g>) -> Mat3<'g> {
+    let square = w.0.map(|x| x.powi(2));
+    Mat3::from_fn(|i, j| {
+        if i == j {
+            return -(square[(i + 1) % 3] + square[(i + 2) % 3]);
+        }
+        let (product, turning) = (w[i] * w[j], alpha[3 - i - j]);
+        if (i + 1) % 3 == j {
+            product - turning
+        } else {
+            product + turning
+        }
+    })
+}
+
+/// The moment `integral r x (U r) dm`, from the second moments of mass.
+pub(super) fn inertial_moment<'g>(u: &Mat3<'g>, second: Symmetric3<'g>) -> Vec3<'g> {
+    let s = second.full();
+    Vec3([(1, 2), (2, 0), (0, 1)].map(|(i, j)| {
+        // sum_k U_jk S_ik - U_ik S_jk; the two terms in S_ij go together
+        let k = 3 - i - j;
+        let outer = [u[j][i] * s[i][i], u[j][k] * s[i][k]];
+        let inner = [u[i][j] * s[j][j], u[i][k] * s[j][k]];
+        let both = (u[j][j] - u[i][i]) * s[i][j];
+        (outer[0] + outer[1]) - (inner[0] + inner[1]) + both
+    }))
+}
+
+/// Momentum and angular momentum about the origin, when a joint alone moves at unit rate.
+pub(super) fn momentum<'g>(inertia: &MassMoments<'g>, screw: &Twist<'g>) -> Wrench<'g> {
+    let Twist { angular: w, linear: v } = *screw;
+    let (m, h) = (inertia.mass, inertia.first);
+    Wrench {
+        moment: inertia.rotational() * w + h.cross(v),
+        force: w.cross(h) + m * v,
+    }
+}

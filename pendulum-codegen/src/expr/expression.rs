@@ -1,0 +1,156 @@
+//! Expressions as values that are computed with.
+
+use std::fmt;
+use std::hash::{Hash, Hasher};
+
+use super::{ExprId, Graph, Level, Node, Rational, Symbol, Unary, ratio};
+
+/// An expression of a graph. Its operators and functions build other expressions of the same graph, simplified where that is
+/// always right and never longer.
+///
+/// Two expressions are equal exactly when they are the same node. They are ordered by when they were built.
+#[derive(Clone, Copy)]
+pub struct Expr<'g> {
+    graph: &'g Graph,
+    id: ExprId,
+}
+
+impl<'g> Expr<'g> {
+    pub(super) fn new(graph: &'g Graph, id: ExprId) -> Self {
+        Self { graph, id }
+    }
+
+    /// The graph that it belongs to.
+    pub fn graph(self) -> &'g Graph {
+        self.graph
+    }
+
+    /// The number of its node.
+    pub fn id(self) -> ExprId {
+        self.id
+    }
+
+    /// The operation that it is, with its operands as expressions.
+    pub fn node(self) -> Node<Expr<'g>, &'g Rational> {
+        let operand = |&id: &ExprId| self.graph.expr(id);
+        match self.graph.node(self.id) {
+            Node::Number(n) => Node::Number(n),
+            Node::Pi => Node::Pi,
+            Node::Symbol(s) => Node::Symbol(*s),
+            Node::Unary(op, a) => Node::Unary(*op, operand(a)),
+            Node::Binary(op, a, b) => Node::Binary(*op, operand(a), operand(b)),
+            Node::Power(a, n) => Node::Power(operand(a), n),
+        }
+    }
+
+    /// The operands, in order.
+    pub fn operands(self) -> impl Iterator<Item = Self> + use<'g> {
+        self.graph.operands(self.id).map(move |id| self.graph.expr(id))
+    }
+
+    /// On what it depends, at most.
+    pub fn level(self) -> Level {
+        self.graph.level(self.id)
+    }
+
+    /// Its value, if it is a number.
+    pub fn as_number(self) -> Option<&'g Rational> {
+        self.graph.as_number(self.id)
+    }
+
+    /// The symbol, if it is one.
+    pub fn as_symbol(self) -> Option<&'g Symbol> {
+        self.graph.as_symbol(self.id)
+    }
+
+    /// What it is the opposite of, if it is an opposite.
+    pub(super) fn as_negated(self) -> Option<Self> {
+        match self.node() {
+            Node::Unary(Unary::Neg, y) => Some(y),
+            _ => None,
+        }
+    }
+
+    /// Whether it is the number 0. Use the normal form to ask whether it is zero in value.
+    pub fn is_zero(self) -> bool {
+        self.graph.is_zero(self.id)
+    }
+
+    /// Whether it is the number 1.
+    pub fn is_one(self) -> bool {
+        self.graph.is_one(self.id)
+    }
+
+    /// Its value in double precision, if it depends on nothing.
+    pub fn constant(self) -> Option<f64> {
+        self.graph.constant(self.id)
+    }
+
+    /// The sine.
+    #[must_use]
+    pub fn sin(self) -> Self {
+        self.apply(Unary::Sin)
+    }
+
+    /// The cosine.
+    #[must_use]
+    pub fn cos(self) -> Self {
+        self.apply(Unary::Cos)
+    }
+
+    /// The integer power.
+    #[must_use]
+    pub fn powi(self, exponent: i64) -> Self {
+        self.power(ratio(exponent, 1))
+    }
+
+    /// The square root.
+    #[must_use]
+    pub fn sqrt(self) -> Self {
+        self.power(ratio(1, 2))
+    }
+
+    /// One over it, as a quotient.
+    #[must_use]
+    pub fn recip(self) -> Self {
+        self.graph.one() / self
+    }
+}
+
+impl From<Expr<'_>> for ExprId {
+    fn from(x: Expr<'_>) -> Self {
+        x.id
+    }
+}
+
+impl PartialEq for Expr<'_> {
+    fn eq(&self, other: &Self) -> bool {
+        self.id == other.id
+    }
+}
+
+impl Eq for Expr<'_> {}
+
+impl PartialOrd for Expr<'_> {
+    fn partial_cmp(&self, other: &Self) -> Option<std::cmp::Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+impl Ord for Expr<'_> {
+    fn cmp(&self, other: &Self) -> std::cmp::Ordering {
+        self.id.cmp(&other.id)
+    }
+}
+
+impl Hash for Expr<'_> {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        self.id.hash(state);
+    }
+}
+
+impl fmt::Debug for Expr<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "#{}", self.id.index())
+    }
+}

@@ -1,0 +1,99 @@
+//! Three-by-three matrices of expressions.
+
+use std::ops::{Add, Index, Mul};
+
+use super::Vec3;
+use crate::expr::{Expr, Graph};
+
+/// A matrix, row by row.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Mat3<'g>(pub [Vec3<'g>; 3]);
+
+impl<'g> Mat3<'g> {
+    /// The unit matrix.
+    pub fn identity(g: &'g Graph) -> Self {
+        Self([0, 1, 2].map(|i| Vec3::unit(g, i)))
+    }
+
+    /// The matrix with entries `entry(row, column)`, built row by row.
+    pub fn from_fn(mut entry: impl FnMut(usize, usize) -> Expr<'g>) -> Self {
+        Self(std::array::from_fn(|i| Vec3(std::array::from_fn(|j| entry(i, j)))))
+    }
+
+    /// The matrix of the vector product: `[v] u = v x u`.
+    pub fn cross(v: Vec3<'g>) -> Self {
+        let (zero, Vec3([x, y, z]), Vec3([nx, ny, nz])) = (v[0].graph().zero(), v, -v);
+        Self([Vec3([zero, nz, y]), Vec3([z, zero, nx]), Vec3([ny, x, zero])])
+    }
+
+    /// The rotation by `angle` about a unit vector (Rodrigues).
+    pub fn rotation(axis: Vec3<'g>, angle: Expr<'g>) -> Self {
+        let (sine, cosine) = (angle.sin(), angle.cos());
+        let versine = 1 - cosine;
+        let identity = Self::identity(angle.graph());
+        Self::from_fn(|i, j| {
+            let outer = axis[i] * axis[j];
+            // on the diagonal of a coordinate axis this is 1 without further ado
+            let symmetric = if outer.is_one() {
+                outer
+            } else {
+                outer * versine + identity[i][j] * cosine
+            };
+            if i == j {
+                return symmetric;
+            }
+            let turned = sine * axis[3 - i - j];
+            if (i + 1) % 3 == j {
+                symmetric - turned
+            } else {
+                symmetric + turned
+            }
+        })
+    }
+
+    /// The transposed matrix.
+    #[must_use]
+    pub fn transpose(self) -> Self {
+        Self::from_fn(|i, j| self[j][i])
+    }
+
+    /// A column.
+    pub fn column(self, j: usize) -> Vec3<'g> {
+        Vec3(self.0.map(|row| row[j]))
+    }
+
+    /// The matrix whose rows are functions of the rows.
+    #[must_use]
+    pub fn map_rows(self, f: impl FnMut(Vec3<'g>) -> Vec3<'g>) -> Self {
+        Self(self.0.map(f))
+    }
+}
+
+impl<'g> Index<usize> for Mat3<'g> {
+    type Output = Vec3<'g>;
+    fn index(&self, row: usize) -> &Vec3<'g> {
+        &self.0[row]
+    }
+}
+
+impl Add for Mat3<'_> {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        Self([0, 1, 2].map(|i| self[i] + other[i]))
+    }
+}
+
+impl<'g> Mul<Vec3<'g>> for Mat3<'g> {
+    type Output = Vec3<'g>;
+    fn mul(self, v: Vec3<'g>) -> Vec3<'g> {
+        Vec3(self.0.map(|row| row.dot(v)))
+    }
+}
+
+impl Mul for Mat3<'_> {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        let columns = other.transpose();
+        self.map_rows(|row| Vec3(columns.0.map(|column| row.dot(column))))
+    }
+}

@@ -1,0 +1,52 @@
+//! Rotations about z.
+
+use std::ops::Mul;
+
+use super::{Symmetric3, Vec3};
+use crate::expr::Expr;
+
+/// A rotation about z. Times a vector of the turned frame it is that vector in the frame that it is turned in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Turn<'g> {
+    /// Sine of the angle.
+    pub sine: Expr<'g>,
+    /// Cosine of the angle.
+    pub cosine: Expr<'g>,
+}
+
+impl<'g> Turn<'g> {
+    /// The rotation by an angle.
+    pub fn by(angle: Expr<'g>) -> Self {
+        Self {
+            sine: angle.sin(),
+            cosine: angle.cos(),
+        }
+    }
+
+    /// The opposite rotation.
+    #[must_use]
+    pub fn inverse(self) -> Self {
+        Self {
+            sine: -self.sine,
+            cosine: self.cosine,
+        }
+    }
+
+    /// A symmetric tensor of the turned frame, in the frame that it is turned in.
+    pub fn tensor(self, Symmetric3([xx, yy, zz, xy, xz, yz]): Symmetric3<'g>) -> Symmetric3<'g> {
+        let Self { sine: s, cosine: c } = self;
+        let Vec3([xz, yz, _]) = self * Vec3([xz, yz, zz]);
+        // xx' = yy + c m, yy' = xx - c m, xy' = xy + s m
+        let m = c * (xx - yy) - s * (2 * xy);
+        let (cm, sm) = (c * m, s * m);
+        Symmetric3([yy + cm, xx - cm, zz, xy + sm, xz, yz])
+    }
+}
+
+impl<'g> Mul<Vec3<'g>> for Turn<'g> {
+    type Output = Vec3<'g>;
+    fn mul(self, Vec3([x, y, z]): Vec3<'g>) -> Vec3<'g> {
+        let Self { sine: s, cosine: c } = self;
+        Vec3([c * x - s * y, s * x + c * y, z])
+    }
+}
