@@ -5,12 +5,13 @@ use std::ops::Range;
 
 use num_traits::Zero;
 
+use super::block::{Term, Variable};
 use crate::expr::{Binary, Expr, ExprId, Graph, Node, Normalizer, Rational, Unary, ratio};
 use crate::model::{CoordinateId, Model};
 use crate::screw::Twist;
 
 /// What each part of the state is.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct StateLayout {
     /// The coordinates, in the order in which they stand in the state.
     pub slots: Vec<Slot>,
@@ -19,7 +20,7 @@ pub struct StateLayout {
 }
 
 /// A coordinate and its place in the state.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Slot {
     /// Name.
     pub name: String,
@@ -29,6 +30,8 @@ pub struct Slot {
     pub positions: Range<usize>,
     /// Where its rate stands in the state.
     pub rates: Range<usize>,
+    /// How its positions change: a row of `q' = K(q) v` for each.
+    pub kinematics: Vec<Term>,
     /// Whether a full turn is known to leave everything as it was.
     pub periodic: bool,
     /// Whether the right-hand side is known not to depend on the position.
@@ -42,6 +45,24 @@ pub enum SlotKind {
     Angle,
     /// A length.
     Length,
+}
+
+impl SlotKind {
+    /// The unit of positions.
+    pub fn unit(self) -> &'static str {
+        match self {
+            Self::Angle => "rad",
+            Self::Length => "m",
+        }
+    }
+
+    /// The unit of rates.
+    pub fn rate_unit(self) -> &'static str {
+        match self {
+            Self::Angle => "rad/s",
+            Self::Length => "m/s",
+        }
+    }
 }
 
 impl StateLayout {
@@ -61,6 +82,7 @@ impl StateLayout {
                 kind: kind(model, coordinate),
                 positions: k..k + 1,
                 rates: dof + k..dof + k + 1,
+                kinematics: vec![Term::Read(Variable::State(dof + k))],
                 periodic: !controlled && returns(model, coordinate) && repeats(g, &nodes, roots, symbol),
                 cyclic: !controlled && !occurs(symbol),
             }
