@@ -6,7 +6,8 @@
 //!     gravity: [0, -g, 0],
 //!     body bob on ground { mass: m, com: [0, -l, 0], joint: revolute(z), coordinate: theta }
 //! }";
-//! let program = pendulum_codegen::program(declaration.parse()?)?;
+//! let graph = pendulum_codegen::expr::Graph::new();
+//! let program = pendulum_codegen::program(&graph, declaration.parse()?)?;
 //! assert!(program.equations.contains("A[theta, theta] = m*l^2"));
 //!
 //! // the items that the macro emits; prettyplease formats them for reading
@@ -32,6 +33,8 @@ pub mod parse;
 pub mod pass;
 mod pipeline;
 pub mod screw;
+#[cfg(test)]
+mod tests;
 pub mod units;
 
 pub use pipeline::{Function, Program, expand, model, program};
