@@ -15,24 +15,28 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 //!
-//! One way through, no way back: tokens ([`parse`], [`ast`], [`units`]) to a typed scene ([`lower`], [`mod@model`], [`check`]) to expressions of
-//! its motion ([`screw`], [`dynamics`], on the graph of [`expr`]) to the shortest forms of them ([`pass`]) to Rust. Spans stop at the
-//! model; what lies behind it knows nothing of syntax. The same declaration gives the same code, byte for byte.
+//! One way through, no way back: tokens to syntax (`parse`, `ast`, `units`) to a typed scene (`lower`, `model`, `check`) to expressions of
+//! its motion (`screw`, `dynamics`, on the graph of `expr`) to the shortest forms of them (`form`, `pass`) to a [`program`], in no
+//! language, to Rust or C (`emit`). Spans stop at the model; what comes after it knows nothing of syntax. The same declaration gives
+//! the same code, byte for byte.
 
-pub mod ast;
-pub mod check;
-pub mod dynamics;
+mod ast;
+mod check;
+mod dynamics;
 mod emit;
-pub mod error;
-pub mod expr;
-pub mod form;
-pub mod lower;
-pub mod model;
-pub mod parse;
-pub mod pass;
+mod error;
+mod expr;
+mod form;
+mod lower;
+mod model;
+mod parse;
+mod pass;
 mod pipeline;
 pub mod program;
-pub mod screw;
-pub mod units;
+mod screw;
+#[cfg(test)]
+mod tests;
+mod units;
 
+pub use error::Errors;
 pub use pipeline::{expand, program};

@@ -25,7 +25,7 @@ impl<'g> Coefficients<'g> {
         let mut coefficients = Self::default();
         for x in BodyId::all(model.bodies.len()) {
             // the joints on the path to x, and their screws in the station of x
-            let path: Vec<(BodyId, Twist<'g>)> = BodyId::all(x.index() + 1)
+            let path: Vec<(BodyId, Twist<'g>)> = BodyId::all(usize::from(x) + 1)
                 .filter(|&i| kinematics.carries(i, x))
                 .collect::<Vec<_>>()
                 .into_iter()

@@ -74,7 +74,7 @@ impl<'g> Dynamics<'g> {
         }
         let of_gravity = kinematics.potential();
         let potential = of_gravity + g.sum(bodies.iter().map(|body| body.potential));
-        let joint = |body: BodyId| JointId::new(body.index());
+        let joint = |body: BodyId| JointId::new(body.into());
         let along = AlongJoints {
             motions: bodies.iter().map(|body| body.motion.clone()).collect(),
             mass_matrix: a

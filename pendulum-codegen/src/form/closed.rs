@@ -38,7 +38,7 @@ impl<'g> Closed<'g> {
         let force = all(&dynamics.force)?;
         let residual = all(&dynamics.residual)?;
         let momentum = all(&dynamics.momentum)?;
-        let [kinetic, potential] = [dynamics.kinetic, dynamics.potential].map(|x| list(x));
+        let [kinetic, potential] = [dynamics.kinetic, dynamics.potential].map(list);
         let determinant = match &mass_matrix[..] {
             [first, second] => Some(determinant(normalizer, &first[0], &first[1], &second[1])?),
             _ => None,

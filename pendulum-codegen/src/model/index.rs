@@ -13,14 +13,15 @@ macro_rules! index_types {
                 Self(index)
             }
 
-            /// The number.
-            $vis fn index(self) -> usize {
-                self.0
-            }
-
             /// The positions in a list of some length.
             $vis fn all(length: usize) -> impl DoubleEndedIterator<Item = Self> + ExactSizeIterator {
                 (0..length).map(Self)
+            }
+        }
+
+        impl From<$name> for usize {
+            fn from(at: $name) -> usize {
+                at.0
             }
         }
 

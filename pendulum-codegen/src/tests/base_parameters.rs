@@ -1,12 +1,12 @@
 //! The number of base parameters is the rank of the regressor: the matrix that takes all inertial parameters to the forces of a motion.
 
-mod common;
-
 use std::collections::HashMap;
 
-use common::numbers;
 use nalgebra::DMatrix;
-use pendulum_codegen::dynamics::base_parameters;
+
+use super::{dynamics, numbers};
+use crate::dynamics::base_parameters;
+use crate::expr::Graph;
 
 /// Where a joint sits, and how it moves.
 type Joint = (&'static str, Option<usize>);
@@ -33,8 +33,9 @@ fn scene(gravity: &str, joints: &[Joint]) -> String {
 
 /// The number of base parameters, and the rank of the regressor.
 fn counts(gravity: &str, joints: &[Joint]) -> (usize, usize) {
-    let (mut model, dynamics) = common::dynamics(&scene(gravity, joints));
-    let count = base_parameters(&mut model).len();
+    let graph = Graph::new();
+    let (model, dynamics) = dynamics(&graph, &scene(gravity, joints));
+    let count = base_parameters(&model).len();
     let names: Vec<String> = model.parameters.iter().map(|p| p.name.clone()).collect();
     let mut next = numbers(5);
     let mut rows: Vec<Vec<f64>> = Vec::new();

@@ -1,11 +1,8 @@
 //! Every form of the dynamics has the values of A, B and C.
 
-mod common;
-
-use common::numbers;
-use pendulum_codegen::dynamics::{Dynamics, partials, partials_by_recursion};
-use pendulum_codegen::expr::ExprId;
-use pendulum_codegen::model::Model;
+use super::{dynamics, numbers};
+use crate::dynamics::{Dynamics, partials, partials_by_recursion};
+use crate::expr::{Expr, Graph};
 
 const SCENES: [&str; 6] = [
     // every kind of joint on skew axes
@@ -75,49 +72,50 @@ const SCENES: [&str; 6] = [
 #[test]
 fn the_recursion_is_a_b_and_c() {
     for scene in SCENES {
-        let (mut model, dynamics) = common::dynamics(scene);
-        let recursive = Dynamics::recursive(&mut model, dynamics.potential);
-        let all =
-            |d: &Dynamics| -> Vec<ExprId> { [d.mass_matrix.concat(), d.bias.clone(), d.residual.clone()].concat() };
-        agree(&model, &all(&recursive), &all(&dynamics), scene);
+        let graph = Graph::new();
+        let (model, dynamics) = dynamics(&graph, scene);
+        let recursive = Dynamics::recursive(&model, dynamics.potential);
+        let [ours, theirs] =
+            [&recursive, &dynamics].map(|d| [d.mass_matrix.concat(), d.bias.clone(), d.residual.clone()].concat());
+        agree(&graph, &ours, &theirs, scene);
     }
 }
 
 #[test]
 fn articulated_bodies_move_by_a_b_and_c() {
     for scene in SCENES {
-        let (mut model, dynamics) = common::dynamics(scene);
-        let accelerations = Dynamics::articulated(&mut model);
+        let graph = Graph::new();
+        let (model, dynamics) = dynamics(&graph, scene);
+        let accelerations = Dynamics::articulated(&model);
         let symbols = model.coordinates.iter().map(|c| c.acceleration);
         let known = symbols.zip(accelerations).collect();
-        let g = &model.graph;
-        let left = g.substitute(&dynamics.balance, known);
-        let zero = vec![g.zero(); left.len()];
+        let left = graph.substitute(&dynamics.balance, known);
+        let zero = vec![graph.zero(); left.len()];
         // what is left of A qdd + bias - force, beside the bias
-        let zero: Vec<ExprId> = zero.into_iter().chain(dynamics.bias.iter().copied()).collect();
-        let left: Vec<ExprId> = left.into_iter().chain(dynamics.bias).collect();
-        agree(&model, &left, &zero, scene);
+        let zero: Vec<Expr<'_>> = zero.into_iter().chain(dynamics.bias.iter().copied()).collect();
+        let left: Vec<Expr<'_>> = left.into_iter().chain(dynamics.bias).collect();
+        agree(&graph, &left, &zero, scene);
     }
 }
 
 #[test]
 fn the_derivatives_of_the_recursion_are_those_of_its_expressions() {
     for scene in SCENES {
-        let (mut model, dynamics) = common::dynamics(scene);
-        let recursive = Dynamics::recursive(&mut model, dynamics.potential);
+        let graph = Graph::new();
+        let (model, dynamics) = dynamics(&graph, scene);
+        let recursive = Dynamics::recursive(&model, dynamics.potential);
         let state = model.state();
-        let coordinates = model.coordinates.clone();
-        let known = partials_by_recursion(&model.graph, &recursive, &coordinates, &state).expect("a tangent");
-        let derived = partials(&model.graph, &dynamics, &state);
-        agree(&model, &known.concat(), &derived.concat(), scene);
+        let known = partials_by_recursion(&recursive, &model.coordinates, &state).expect("a tangent");
+        let derived = partials(&dynamics, &state);
+        agree(&graph, &known.concat(), &derived.concat(), scene);
     }
 }
 
 /// Two lists of expressions have the same values at random states, to rounding.
-fn agree(model: &Model, ours: &[ExprId], theirs: &[ExprId], scene: &str) {
+fn agree(graph: &Graph, ours: &[Expr<'_>], theirs: &[Expr<'_>], scene: &str) {
     for seed in 0..20 {
         let mut next = numbers(13 * seed);
-        let values = model.graph.evaluate(&[ours, theirs].concat(), |_| 3.0 * next());
+        let values = graph.evaluate(&[ours, theirs].concat(), |_| 3.0 * next());
         let (ours, theirs) = values.split_at(ours.len());
         let scale = theirs.iter().fold(0.0_f64, |largest, value| largest.max(value.abs()));
         for (n, (x, y)) in ours.iter().zip(theirs).enumerate() {

@@ -1,14 +1,11 @@
 //! How code grows with the number of joints, and that the form which was chosen is the shortest.
 
-#[path = "common/chains.rs"]
-mod chains;
-
-use chains::{planar, spatial};
-use pendulum_codegen::program::{Cost, Operations};
+use super::chains::{planar, spatial};
+use crate::program::{Cost, Operations};
 
 fn right_hand_side(scene: &str) -> Cost {
     let tokens = scene.parse().expect("tokens");
-    let program = pendulum_codegen::program(tokens).unwrap_or_else(|errors| panic!("{errors}"));
+    let program = crate::program(tokens).unwrap_or_else(|errors| panic!("{errors}"));
     program.routine("rhs").expect("a right-hand side").cost.clone()
 }
 

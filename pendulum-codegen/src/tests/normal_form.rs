@@ -1,10 +1,8 @@
 //! The normal form: two expressions are equal exactly when they print the same.
 
-mod common;
-
-use common::{BUDGET, dynamics, formula, normal_text, numbers};
-use pendulum_codegen::expr::{Normalizer, TooLarge};
-use pendulum_codegen::pass::{Operations, collect, share};
+use super::{BUDGET, dynamics, formula, model, normal_text, numbers};
+use crate::expr::{Graph, Normalizer, TooLarge};
+use crate::pass::{Operations, collect, share};
 
 /// A scene that declares the symbols of the formulas: parameters a, b, c and coordinates x, y, z.
 const SYMBOLS: &str = "pub Symbols {
@@ -41,44 +39,37 @@ const DIFFERENT: [(&str, &str); 5] = [
 
 #[test]
 fn equal_expressions_print_the_same() {
-    let (mut model, _) = dynamics(SYMBOLS);
+    let graph = Graph::new();
+    let model = model(&graph, SYMBOLS);
     for (left, right) in EQUAL {
-        let (x, y) = (formula(&mut model, left), formula(&mut model, right));
-        assert_eq!(
-            normal_text(&mut model, x),
-            normal_text(&mut model, y),
-            "{left} and {right}"
-        );
+        let (x, y) = (formula(&model, left), formula(&model, right));
+        assert_eq!(normal_text(x), normal_text(y), "{left} and {right}");
     }
     for (left, right) in DIFFERENT {
-        let (x, y) = (formula(&mut model, left), formula(&mut model, right));
-        assert_ne!(
-            normal_text(&mut model, x),
-            normal_text(&mut model, y),
-            "{left} and {right}"
-        );
+        let (x, y) = (formula(&model, left), formula(&model, right));
+        assert_ne!(normal_text(x), normal_text(y), "{left} and {right}");
     }
 }
 
 /// Normal form, collected angles and shared parts are rewritings: the value stays.
 #[test]
 fn passes_do_not_change_values() {
-    let (mut model, dynamics) = dynamics(SYMBOLS);
+    let g = &Graph::new();
+    let (model, dynamics) = dynamics(g, SYMBOLS);
     let more = [
         "sin(x + y)*cos(x)*a - a*cos(x + y)*sin(x) + b*sin(x)^2*c - b*c + (a + b + c)*dot(x)/(a + cos(y))",
         "a*sin(x)*cos(y)*dot(z)^3 + a*cos(x)*sin(y)*dot(z)^3 - dot(z)/(2 + sin(x)^2) - (a + c + b)^(3/2)*x^-2",
     ];
     let mut originals = [dynamics.mass_matrix.concat(), dynamics.residual, vec![dynamics.kinetic]].concat();
-    originals.extend(more.map(|text| formula(&mut model, text)));
-    let g = &model.graph;
-    let mut normalizer = Normalizer::new(BUDGET);
+    originals.extend(more.map(|text| formula(&model, text)));
+    let mut normalizer = Normalizer::new(g, BUDGET);
     let mut rewritten = Vec::new();
     for &x in &originals {
-        let normal = normalizer.normal(g, x).expect("small enough");
-        rewritten.push(normalizer.to_expr(g, &normal));
-        let collected = collect(g, &mut normalizer, &normal).expect("small enough");
+        let normal = normalizer.normal(x).expect("small enough");
+        rewritten.push(normalizer.to_expr(&normal));
+        let collected = collect(&mut normalizer, &normal).expect("small enough");
         assert!(collected.len() <= normal.len());
-        rewritten.push(normalizer.to_expr(g, &collected));
+        rewritten.push(normalizer.to_expr(&collected));
     }
     let plain = share(g, &rewritten, false);
     let shared = share(g, &rewritten, true);
@@ -110,7 +101,8 @@ fn passes_do_not_change_values() {
 
 #[test]
 fn a_polynomial_beyond_the_budget_is_given_up() {
-    let (mut model, _) = dynamics(SYMBOLS);
-    let x = formula(&mut model, "(a + b + c + x + y + z)^12");
-    assert_eq!(Normalizer::new(1000).normal(&model.graph, x), Err(TooLarge));
+    let graph = Graph::new();
+    let model = model(&graph, SYMBOLS);
+    let x = formula(&model, "(a + b + c + x + y + z)^12");
+    assert_eq!(Normalizer::new(&graph, 1000).normal(x), Err(TooLarge));
 }

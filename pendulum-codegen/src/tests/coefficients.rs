@@ -1,11 +1,9 @@
 //! A, B and C of spatial scenes: B against the Christoffel symbols of A, C against the slope of the potential energy.
 
-mod common;
-
-use common::numbers;
-use pendulum_codegen::dynamics::{Coefficients, Kinematics};
-use pendulum_codegen::expr::{Derivative, ExprId};
-use pendulum_codegen::model::Model;
+use super::{model, numbers};
+use crate::dynamics::{Coefficients, Kinematics};
+use crate::expr::{Derivative, Expr, Graph};
+use crate::model::{BodyId, CoordinateId, Model};
 
 const SCENES: [&str; 3] = [
     // skew axes, every kind of joint, frames turned against each other
@@ -42,66 +40,48 @@ const SCENES: [&str; 3] = [
     }",
 ];
 
-struct Case {
-    model: Model,
-    coefficients: Coefficients,
-    potential: ExprId,
-    /// The body behind each coordinate.
-    bodies: Vec<usize>,
+struct Case<'g> {
+    model: Model<'g>,
+    coefficients: Coefficients<'g>,
+    potential: Expr<'g>,
+    /// The body of each coordinate.
+    bodies: Vec<BodyId>,
 }
 
-fn cases() -> Vec<Case> {
-    let case = |text: &str| {
-        let mut model =
-            pendulum_codegen::model(text.parse().expect("tokens")).unwrap_or_else(|errors| panic!("{errors}"));
-        let mut kinematics = Kinematics::new(&mut model);
-        let coefficients = Coefficients::new(&mut model, &mut kinematics);
-        let potential = kinematics.potential(&model.graph);
-        let bodies = (0..model.dof())
-            .map(|k| {
-                model
-                    .bodies
-                    .iter()
-                    .position(|b| b.coordinate == Some(k))
-                    .expect("a body for each coordinate")
-            })
-            .collect();
-        Case {
+impl<'g> Case<'g> {
+    fn new(graph: &'g Graph, scene: &str) -> Self {
+        let model = model(graph, scene);
+        let mut kinematics = Kinematics::new(&model);
+        let coefficients = Coefficients::new(&model, &mut kinematics);
+        let potential = kinematics.potential();
+        let body = |k: CoordinateId| model.bodies().find(|(_, body)| body.coordinate == Some(k));
+        let bodies = CoordinateId::all(model.dof()).map(|k| body(k).expect("a body for each coordinate").0);
+        Self {
+            bodies: bodies.collect(),
             model,
             coefficients,
             potential,
-            bodies,
         }
-    };
-    SCENES.into_iter().map(case).collect()
-}
+    }
 
-impl Case {
-    fn a(&mut self, i: usize, j: usize) -> ExprId {
+    fn a(&self, i: usize, j: usize) -> Expr<'g> {
         let (i, j) = (self.bodies[i], self.bodies[j]);
-        self.coefficients
-            .a
-            .get(&(i.min(j), i.max(j)))
-            .copied()
-            .unwrap_or_else(|| self.model.graph.zero())
+        let entry = self.coefficients.a.get(&(i.min(j), i.max(j)));
+        entry.copied().unwrap_or(self.model.graph.zero())
     }
 
-    fn b(&mut self, i: usize, j: usize, k: usize) -> ExprId {
+    fn b(&self, i: usize, j: usize, k: usize) -> Expr<'g> {
         let [i, j, k] = [i, j, k].map(|n| self.bodies[n]);
-        self.coefficients
-            .b
-            .get(&(i, j.min(k), j.max(k)))
-            .copied()
-            .unwrap_or_else(|| self.model.graph.zero())
+        let entry = self.coefficients.b.get(&(i, j.min(k), j.max(k)));
+        entry.copied().unwrap_or(self.model.graph.zero())
     }
 
-    fn slope(&mut self, of: ExprId, by: usize) -> ExprId {
-        let by = self.model.coordinates[by].position;
-        Derivative::by(by).of(&mut self.model.graph, of)
+    fn slope(&self, of: Expr<'g>, by: usize) -> Expr<'g> {
+        Derivative::by(self.model.coordinates[by].position).of(of)
     }
 
     /// Two lists of expressions have the same values wherever they are evaluated.
-    fn assert_equal(&self, ours: &[ExprId], theirs: &[ExprId]) {
+    fn assert_equal(&self, ours: &[Expr<'g>], theirs: &[Expr<'g>]) {
         for seed in 0..20 {
             let mut next = numbers(100 * seed);
             let all = [ours, theirs].concat();
@@ -119,76 +99,65 @@ impl Case {
     }
 }
 
+/// Runs a test on each scene.
+fn for_each_case(test: impl Fn(&Case<'_>)) {
+    for scene in SCENES {
+        let graph = Graph::new();
+        test(&Case::new(&graph, scene));
+    }
+}
+
 /// Eq. 18, completed: `B_ijk = (dA_ij/dq_k + dA_ik/dq_j - dA_jk/dq_i) / 2`. So `A' - 2 B qd` is skew.
 #[test]
 fn b_is_the_christoffel_symbols_of_a() {
-    for mut case in cases() {
+    for_each_case(|case| {
         let n = case.model.dof();
         let (mut ours, mut theirs) = (Vec::new(), Vec::new());
         for i in 0..n {
             for j in 0..n {
                 for k in j..n {
-                    let (ij, ik, jk) = (case.a(i, j), case.a(i, k), case.a(j, k));
-                    let [first, second, third] = [(ij, k), (ik, j), (jk, i)].map(|(entry, by)| case.slope(entry, by));
-                    let sum = case.model.graph.add(first, second);
-                    let twice = case.model.graph.sub(sum, third);
-                    let b = case.b(i, j, k);
-                    ours.push(case.model.graph.add(b, b));
-                    theirs.push(twice);
+                    let [first, second, third] =
+                        [(i, j, k), (i, k, j), (j, k, i)].map(|(i, j, by)| case.slope(case.a(i, j), by));
+                    ours.push(2 * case.b(i, j, k));
+                    theirs.push(first + second - third);
                 }
             }
         }
         case.assert_equal(&ours, &theirs);
-    }
+    });
 }
 
 #[test]
 fn the_rate_of_a_less_twice_b_is_skew() {
-    for mut case in cases() {
+    for_each_case(|case| {
         let n = case.model.dof();
-        let rates: Vec<ExprId> = case.model.coordinates.iter().map(|c| c.rate).collect();
-        let mut entry = |i: usize, j: usize| {
-            let mut sum = case.model.graph.zero();
-            for (k, &rate) in rates.iter().enumerate() {
-                let (a, b) = (case.a(i, j), case.b(i, j, k));
-                let slope = case.slope(a, k);
-                let g = &mut case.model.graph;
-                let twice = g.add(b, b);
-                let difference = g.sub(slope, twice);
-                let term = g.mul(difference, rate);
-                sum = g.add(sum, term);
-            }
-            sum
+        let entry = |i: usize, j: usize| {
+            let rates = case.model.coordinates.iter().map(|c| c.rate).enumerate();
+            let terms = rates.map(|(k, rate)| (case.slope(case.a(i, j), k) - 2 * case.b(i, j, k)) * rate);
+            case.model.graph.sum(terms)
         };
         let pairs: Vec<(usize, usize)> = (0..n).flat_map(|i| (0..=i).map(move |j| (i, j))).collect();
-        let upper: Vec<ExprId> = pairs.iter().map(|&(i, j)| entry(i, j)).collect();
-        let lower: Vec<ExprId> = pairs.iter().map(|&(i, j)| entry(j, i)).collect();
-        let negated: Vec<ExprId> = lower.into_iter().map(|x| case.model.graph.neg(x)).collect();
+        let upper: Vec<Expr<'_>> = pairs.iter().map(|&(i, j)| entry(i, j)).collect();
+        let negated: Vec<Expr<'_>> = pairs.iter().map(|&(i, j)| -entry(j, i)).collect();
         case.assert_equal(&upper, &negated);
-    }
+    });
 }
 
 /// Eq. 19 with its sign: a body lifted against gravity gains energy.
 #[test]
 fn c_is_the_slope_of_the_potential_energy() {
-    for mut case in cases() {
-        let ours: Vec<ExprId> = case
-            .bodies
-            .clone()
-            .iter()
-            .map(|body| case.coefficients.c[body])
-            .collect();
-        let potential = case.potential;
-        let theirs: Vec<ExprId> = (0..case.model.dof()).map(|k| case.slope(potential, k)).collect();
+    for_each_case(|case| {
+        let ours: Vec<Expr<'_>> = case.bodies.iter().map(|body| case.coefficients.c[body]).collect();
+        let theirs: Vec<Expr<'_>> = (0..case.model.dof()).map(|k| case.slope(case.potential, k)).collect();
         case.assert_equal(&ours, &theirs);
-    }
+    });
 }
 
 #[test]
 fn a_is_positive_definite() {
-    for mut case in cases() {
+    for_each_case(|case| {
         let n = case.model.dof();
-        let entries: Vec<ExprId> = (0..n)
+        let entries: Vec<Expr<'_>> = (0..n)
             .flat_map(|i| (0..n).map(move |j| (i, j)))
             .map(|(i, j)| case.a(i, j))
             .collect();
@@ -206,5 +175,5 @@ fn a_is_positive_definite() {
                 }
             }
         }
-    }
+    });
 }

@@ -1,8 +1,7 @@
 //! Mass, centre of mass and inertia of solids: against sums over many small masses, and against each other.
 
-mod common;
-
-use pendulum_codegen::model::Model;
+use super::{dynamics, model};
+use crate::expr::Graph;
 
 /// Mass, first moment, and inertia about the origin `[xx, yy, zz, xy, xz, yz]`.
 type Moments = [f64; 10];
@@ -13,11 +12,11 @@ fn moments(fields: &str) -> Moments {
         "pub Solid {{ body base on ground {{ joint: revolute(x), coordinate: a }}
          body b on base {{ {fields}, joint: revolute(y), coordinate: b }} }}"
     );
-    let model: Model =
-        pendulum_codegen::model(text.parse().expect("tokens")).unwrap_or_else(|e| panic!("{fields}: {e}"));
+    let graph = Graph::new();
+    let model = model(&graph, &text);
     let inertia = &model.bodies[1].inertia;
     let mut parts = vec![inertia.mass];
-    parts.extend(inertia.moment);
+    parts.extend(inertia.moment.0);
     parts.extend(inertia.about_origin.0);
     let values = model
         .graph
@@ -138,8 +137,9 @@ fn a_number_for_the_inertia_is_about_the_axis_of_the_scene() {
         let text = format!(
             "pub P {{ body b on ground {{ mass: 2, com: [0, -0.5, 0], {inertia}, joint: revolute(z), coordinate: theta }} }}"
         );
-        let (model, dynamics) = common::dynamics(&text);
-        model.graph.evaluate(&[dynamics.mass_matrix[0][0]], |_| 0.3)[0]
+        let graph = Graph::new();
+        let (_, dynamics) = dynamics(&graph, &text);
+        graph.evaluate(&[dynamics.mass_matrix[0][0]], |_| 0.3)[0]
     };
     assert_eq!(entry("inertia: 0.25"), 0.75);
     assert_eq!(entry("inertia: [9, 9, 0.25]"), 0.75);

@@ -1,0 +1,110 @@
+//! Tests of the inside of the generator, and what several of them share.
+
+mod base_parameters;
+#[path = "../../tests/common/chains.rs"]
+mod chains;
+mod coefficients;
+mod equations;
+mod forms;
+mod growth;
+mod normal_form;
+mod solids;
+
+use crate::ast::{self, ExprKind, Operator};
+use crate::dynamics::Dynamics;
+use crate::error::Errors;
+use crate::expr::{Expr, Graph, Normalizer, Printer, Unary};
+use crate::lower::lower;
+use crate::model::Model;
+use crate::parse::parse;
+
+/// More than any test needs.
+const BUDGET: usize = 10_000_000;
+
+/// The model of a declaration.
+fn model<'g>(graph: &'g Graph, declaration: &str) -> Model<'g> {
+    let tokens = declaration.parse().expect("the declaration is made of tokens");
+    let (scene, errors) = parse(tokens);
+    let lowered = scene
+        .ok_or(errors)
+        .and_then(|scene| lower(graph, &scene, Errors::default()));
+    lowered.unwrap_or_else(|errors| panic!("{errors}")).model
+}
+
+/// The model of a declaration, and its dynamics from A, B and C.
+fn dynamics<'g>(graph: &'g Graph, declaration: &str) -> (Model<'g>, Dynamics<'g>) {
+    let model = model(graph, declaration);
+    let dynamics = Dynamics::new(&model);
+    (model, dynamics)
+}
+
+/// A formula written by hand, in the symbols of a model.
+fn formula<'g>(model: &Model<'g>, text: &str) -> Expr<'g> {
+    let expr: ast::Expr = syn::parse_str(text).unwrap_or_else(|error| panic!("{text}: {error}"));
+    read(model, &expr)
+}
+
+fn read<'g>(model: &Model<'g>, expr: &ast::Expr) -> Expr<'g> {
+    match &expr.kind {
+        ExprKind::Number(value) => model.graph.number(value.clone()),
+        ExprKind::Name(name) if name == "pi" => model.graph.pi(),
+        ExprKind::Name(name) => symbol(model, &name.to_string()),
+        ExprKind::Call(function, arguments) if function == "dot" => {
+            let ExprKind::Name(name) = &arguments[0].kind else {
+                panic!("dot of a name")
+            };
+            symbol(model, &format!("dot({name})"))
+        }
+        ExprKind::Call(function, arguments) => {
+            let op = Unary::ALL.iter().find(|op| function == op.spelling());
+            read(model, &arguments[0]).apply(*op.expect("a known function"))
+        }
+        ExprKind::Neg(a) => -read(model, a),
+        ExprKind::Binary(operator, a, b) => {
+            let (a, b) = (read(model, a), read(model, b));
+            match operator {
+                Operator::Add => a + b,
+                Operator::Sub => a - b,
+                Operator::Mul => a * b,
+                Operator::Div => a / b,
+            }
+        }
+        ExprKind::Power(base, exponent) => {
+            let (base, exponent) = (read(model, base), read(model, exponent));
+            base.power(exponent.as_number().expect("a number").clone())
+        }
+    }
+}
+
+/// A symbol of a model by its name.
+fn symbol<'g>(model: &Model<'g>, name: &str) -> Expr<'g> {
+    let parameters = model.parameters.iter().map(|p| (p.name.clone(), p.symbol));
+    let coordinates = model
+        .coordinates
+        .iter()
+        .flat_map(|c| [(c.name.clone(), c.position), (format!("dot({})", c.name), c.rate)]);
+    let found = parameters.chain(coordinates).find(|(known, _)| known == name);
+    found.unwrap_or_else(|| panic!("no symbol {name}")).1
+}
+
+/// The normal form as text: equal for two expressions exactly when they are equal.
+fn normal_text(x: Expr<'_>) -> String {
+    let mut normalizer = Normalizer::new(x.graph(), BUDGET);
+    let normal = normalizer.normal(x).expect("small enough");
+    Printer::new(x.graph()).print(normalizer.to_expr(&normal).id())
+}
+
+/// Asserts that an expression equals a formula in symbols.
+fn assert_formula<'g>(model: &Model<'g>, what: &str, x: Expr<'g>, text: &str) {
+    let difference = x - formula(model, text);
+    assert_eq!(normal_text(difference), "0", "{what} is not {text}");
+}
+
+/// Numbers without a pattern: a Weyl sequence.
+fn numbers(seed: u32) -> impl FnMut() -> f64 {
+    let mut at = f64::from(seed);
+    move || {
+        at += 1.0;
+        (at * 0.618_033_988_749_895).fract() * 2.0 - 1.0
+    }
+}
