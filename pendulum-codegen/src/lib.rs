@@ -36,3 +36,6 @@ pub mod screw;
 pub mod units;
 
 pub use pipeline::{Function, Program, expand, model, program};
+
+#[cfg(test)]
+mod tests;

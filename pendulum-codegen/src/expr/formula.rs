@@ -74,8 +74,14 @@ impl Formula {
                 terms
             }
             Self::Neg(formula) if !matches!(*formula, Self::Sum(_)) => formula.into_terms(!negative),
-            Self::Neg(formula) => vec![Term { negative: !negative, formula: *formula }],
-            Self::Number(n) if n.is_negative() => vec![Term { negative: !negative, formula: Self::Number(-n) }],
+            Self::Neg(formula) => vec![Term {
+                negative: !negative,
+                formula: *formula,
+            }],
+            Self::Number(n) if n.is_negative() => vec![Term {
+                negative: !negative,
+                formula: Self::Number(-n),
+            }],
             formula => vec![Term { negative, formula }],
         }
     }
@@ -84,8 +90,20 @@ impl Formula {
     pub fn sum(mut terms: Vec<Term>) -> Self {
         match (terms.len(), terms.pop()) {
             (_, None) => Self::Number(super::ratio(0, 1)),
-            (1, Some(Term { negative: false, formula })) => formula,
-            (1, Some(Term { negative: true, formula })) => Self::Neg(Box::new(formula)),
+            (
+                1,
+                Some(Term {
+                    negative: false,
+                    formula,
+                }),
+            ) => formula,
+            (
+                1,
+                Some(Term {
+                    negative: true,
+                    formula,
+                }),
+            ) => Self::Neg(Box::new(formula)),
             (_, Some(last)) => {
                 terms.push(last);
                 Self::Sum(terms)

@@ -19,6 +19,7 @@ mod text;
 pub use derivative::Derivative;
 pub use formula::{Definition, Formula, Term};
 pub use graph::{ExprId, Graph, Level, Node, Symbol, SymbolId, SymbolKind};
+pub(crate) use latex::latex_definitions;
 pub use normal::{Normalizer, TooLarge};
 pub use op::{Binary, CostKind, Unary};
 pub use poly::{Monomial, Poly};

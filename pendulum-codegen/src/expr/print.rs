@@ -88,8 +88,14 @@ impl<'g> Printer<'g> {
             Node::Unary(Unary::Neg, a) if !named => self.gather_terms(a, false, !negative, terms),
             _ => {
                 let term = match self.formula(x) {
-                    Formula::Neg(formula) => Term { negative: !negative, formula: *formula },
-                    Formula::Number(n) if n.is_negative() => Term { negative: !negative, formula: Formula::Number(-n) },
+                    Formula::Neg(formula) => Term {
+                        negative: !negative,
+                        formula: *formula,
+                    },
+                    Formula::Number(n) if n.is_negative() => Term {
+                        negative: !negative,
+                        formula: Formula::Number(-n),
+                    },
                     formula => Term { negative, formula },
                 };
                 terms.push(term);
@@ -119,7 +125,11 @@ impl<'g> Printer<'g> {
             None => above,
             Some(below) => Formula::Quotient(Box::new(above), Box::new(below)),
         };
-        if negative { Formula::Neg(Box::new(product)) } else { product }
+        if negative {
+            Formula::Neg(Box::new(product))
+        } else {
+            product
+        }
     }
 
     fn gather_factors(&self, x: ExprId, top: bool, power: Rational, factors: &mut Vec<(ExprId, Rational)>) -> bool {

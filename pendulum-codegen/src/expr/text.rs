@@ -34,7 +34,12 @@ impl Display for Formula {
             }
             Self::Product(factors) => {
                 for (n, factor) in factors.iter().enumerate() {
-                    write!(f, "{}{}", if n > 0 { "*" } else { "" }, Within(factor, Precedence::Product))?;
+                    write!(
+                        f,
+                        "{}{}",
+                        if n > 0 { "*" } else { "" },
+                        Within(factor, Precedence::Product)
+                    )?;
                 }
                 Ok(())
             }

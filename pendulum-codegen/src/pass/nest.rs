@@ -28,14 +28,25 @@ pub fn nest(g: &Graph, roots: &[ExprId]) -> Vec<ExprId> {
         let linear = flat.take_apart(id);
         flat.linear.insert(id, linear);
     }
-    let flat_roots: Vec<ExprId> = roots.iter().map(|root| flat.whole(&flat.linear[root].clone())).collect();
+    let flat_roots: Vec<ExprId> = roots
+        .iter()
+        .map(|root| flat.whole(&flat.linear[root].clone()))
+        .collect();
     let mut sums: Vec<Linear> = {
         let needed: BTreeSet<ExprId> = g.reachable(&flat_roots).into_iter().collect();
-        flat.sums.iter().filter(|(id, _)| needed.contains(id)).map(|(_, linear)| linear.clone()).collect()
+        flat.sums
+            .iter()
+            .filter(|(id, _)| needed.contains(id))
+            .map(|(_, linear)| linear.clone())
+            .collect()
     };
     // the longest first, and each after those of its length in the order of their terms, whatever the order of the table
     sums.sort_by(|a, b| b.len().cmp(&a.len()).then_with(|| a.cmp(b)));
-    let mut nested = Nested { flat, sums, built: HashMap::new() };
+    let mut nested = Nested {
+        flat,
+        sums,
+        built: HashMap::new(),
+    };
     flat_roots.into_iter().map(|root| nested.build(root)).collect()
 }
 
@@ -59,7 +70,11 @@ impl Flat<'_> {
         match g.node(id).clone() {
             Node::Binary(op @ (Binary::Add | Binary::Sub), a, b) => {
                 let mut sum = self.linear[&a].clone();
-                let sign = if op == Binary::Sub { -Rational::one() } else { Rational::one() };
+                let sign = if op == Binary::Sub {
+                    -Rational::one()
+                } else {
+                    Rational::one()
+                };
                 add_scaled(&mut sum, &self.linear[&b], &sign);
                 sum
             }
@@ -99,7 +114,10 @@ impl Flat<'_> {
         };
         let mut linear = Linear::new();
         for (monomial, coefficient) in normal.terms() {
-            let factors = monomial.powers().iter().map(|&(atom, power)| self.g.powi(atom, power.into()));
+            let factors = monomial
+                .powers()
+                .iter()
+                .map(|&(atom, power)| self.g.powi(atom, power.into()));
             let product = factors.fold(self.g.one(), |product, factor| self.g.mul(product, factor));
             linear.insert(product, coefficient.clone());
         }
@@ -137,7 +155,10 @@ impl Flat<'_> {
             return (Rational::one(), self.whole(&linear));
         }
         let common = common_factor(self.g, &linear);
-        let rest = linear.iter().map(|(&atom, factor)| (self.over(atom, &common), factor.clone())).collect();
+        let rest = linear
+            .iter()
+            .map(|(&atom, factor)| (self.over(atom, &common), factor.clone()))
+            .collect();
         let rest = self.whole(&rest);
         (Rational::one(), self.times(rest, &common))
     }
@@ -151,7 +172,9 @@ impl Flat<'_> {
     }
 
     fn times(&self, id: ExprId, factors: &Factors) -> ExprId {
-        factors.iter().fold(id, |product, (&atom, &power)| self.g.mul(product, self.g.powi(atom, power)))
+        factors.iter().fold(id, |product, (&atom, &power)| {
+            self.g.mul(product, self.g.powi(atom, power))
+        })
     }
 
     /// A number times an expression, which may have been simplified to a number or to its opposite.
@@ -216,14 +239,22 @@ impl Nested<'_> {
     fn sum(&mut self, linear: &Linear) -> ExprId {
         let g = self.flat.g;
         let mut rest = linear.clone();
-        let inside = self.sums.iter().position(|other| other.len() < linear.len()).unwrap_or(self.sums.len());
-        let mut terms: Vec<(Rational, ExprId)> = Vec::new();
-        for other in self.sums[inside..].to_vec() {
-            if let Some(factor) = contained(g, &other, &rest) {
-                add_scaled(&mut rest, &other, &-factor.clone());
-                let part = self.flat.whole(&other);
-                terms.push((factor, self.build(part)));
+        let inside = self
+            .sums
+            .iter()
+            .position(|other| other.len() < linear.len())
+            .unwrap_or(self.sums.len());
+        let mut parts = Vec::new();
+        for other in &self.sums[inside..] {
+            if let Some(factor) = contained(g, other, &rest) {
+                add_scaled(&mut rest, other, &-factor.clone());
+                parts.push((factor, other.clone()));
             }
+        }
+        let mut terms: Vec<(Rational, ExprId)> = Vec::new();
+        for (factor, part) in parts {
+            let part = self.flat.whole(&part);
+            terms.push((factor, self.build(part)));
         }
         let mut rest: Vec<(ExprId, Rational)> = rest.into_iter().collect();
         rest.sort_by_key(|(atom, _)| (g.level(*atom), *atom != g.one()));
@@ -237,7 +268,11 @@ impl Nested<'_> {
             (factor.is_negative(), g.mul(size, id))
         });
         let sum = sum.reduce(|(negative, sum), (subtracted, term)| {
-            let op = if negative == subtracted { Binary::Add } else { Binary::Sub };
+            let op = if negative == subtracted {
+                Binary::Add
+            } else {
+                Binary::Sub
+            };
             (negative, g.exactly(op, sum, term))
         });
         match sum {

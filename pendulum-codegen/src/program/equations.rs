@@ -8,7 +8,7 @@ use std::fmt::{Display, Formatter, Result};
 
 pub(crate) use compose::equations;
 
-use crate::expr::{Definition, Formula};
+use crate::expr::{Definition, Formula, latex_definitions};
 
 /// The equations of motion of a scene: `A qdd + b = Q`.
 ///
@@ -90,7 +90,9 @@ impl Display for Listing {
 
 impl Display for Equations {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        f.write_str("A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\n")?;
+        f.write_str(
+            "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\n",
+        )?;
         let listing = if f.alternate() { &self.full } else { &self.short };
         Display::fmt(listing, f)
     }
@@ -108,9 +110,7 @@ impl Equations {
         if !self.short.definitions.is_empty() {
             text.push_str("where\n");
         }
-        for Definition { name, formula } in &self.short.definitions {
-            text.push_str(&formula.latex_equation(&Formula::name(name)));
-        }
+        text.push_str(&latex_definitions(&self.short.definitions));
         text
     }
 }

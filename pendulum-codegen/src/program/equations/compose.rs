@@ -20,21 +20,24 @@ const SHORT: usize = 2_000;
 /// Longer equations are hardly read, so a form of up to this many characters is taken where there is one.
 const PAGE: usize = 4_800;
 
-/// What a character counts for in each form: terms that are written out say more than nested ones, and a closed
-/// form says more than a recursion.
+/// What a character counts for in each form: terms that are written out say more than nested ones, and a closed form says more than
+/// a recursion.
 const EXPANDED: usize = 24;
 const FACTORED: usize = 27;
 const RECURSIVE: usize = 40;
 
-/// The equations of a scene; `closed` is its dynamics in closed form, if it is small enough to have it.
+/// The equations of a scene; `closed` is its dynamics in closed form, if its code has one.
 pub(crate) fn equations(model: &Model, dynamics: &Dynamics, closed: Option<&Dynamics>) -> Equations {
     let mut composer = Composer {
         model,
-        closed,
-        recursive: Dynamics::recursive(model, dynamics.potential),
+        potential: dynamics.potential,
+        closed: closed.map(inertial),
         torques: Torques::new(model),
         normalizer: Normalizer::with_angles(BUDGET, model.base_angles()),
     };
+    if composer.closed.is_none() {
+        composer.closed = composer.expanded(&composer.recursion(), Preference::Expanded);
+    }
     Equations {
         coordinates: model.coordinate_names().into_iter().map(str::to_owned).collect(),
         short: composer.short(),
@@ -44,8 +47,9 @@ pub(crate) fn equations(model: &Model, dynamics: &Dynamics, closed: Option<&Dyna
 
 struct Composer<'m> {
     model: &'m Model,
-    closed: Option<&'m Dynamics>,
-    recursive: Dynamics,
+    potential: ExprId,
+    /// The mass matrix and the bias, written out, unless that is too long.
+    closed: Option<Vec<ExprId>>,
     torques: Torques,
     normalizer: Normalizer,
 }
@@ -53,22 +57,25 @@ struct Composer<'m> {
 impl Composer<'_> {
     /// The shortest form, or one nearly as short that shows more.
     fn short(&mut self) -> Listing {
-        let passive = self.torques.passive.clone();
-        let flat = self.expanded(&passive, Preference::Expanded);
-        let flat = flat.map(|entries| self.listing(&entries, false, true));
-        if let Some(flat) = flat.as_ref().filter(|flat| flat.to_string().len() <= SHORT) {
-            return flat.clone();
-        }
-        let mut candidates: Vec<(usize, Listing)> = flat.into_iter().map(|flat| (EXPANDED, flat)).collect();
-        for preference in Preference::ALL {
-            let weight = if preference == Preference::Expanded { EXPANDED } else { FACTORED };
-            let Some(entries) = self.expanded(&passive, preference) else { continue };
-            for entries in [nest(&self.model.graph, &entries), entries] {
-                candidates.push((weight, self.listing(&entries, true, true)));
+        let force = self.forces(&self.torques.passive.clone());
+        let mut candidates = Vec::new();
+        if let Some(closed) = self.closed.clone() {
+            let flat = self.listing(&[&closed[..], &force].concat(), false, true);
+            if flat.to_string().len() <= SHORT {
+                return flat;
+            }
+            candidates.push((EXPANDED, flat));
+            candidates.extend(self.named(&closed, &force, true).map(|listing| (EXPANDED, listing)));
+            for preference in [Preference::State, Preference::Parameter] {
+                let factored = self.expanded(&self.recursion(), preference);
+                let factored = factored
+                    .into_iter()
+                    .flat_map(|factored| self.named(&factored, &force, true));
+                candidates.extend(factored.map(|listing| (FACTORED, listing)));
             }
         }
-        let recursive = self.by_recursion(&passive, true);
-        candidates.extend(recursive.into_iter().map(|listing| (RECURSIVE, listing)));
+        let recursive = self.named(&self.recursion(), &force, true);
+        candidates.extend(recursive.map(|listing| (RECURSIVE, listing)));
         let weighed = candidates.into_iter().min_by_key(|(weight, listing)| {
             let length = listing.to_string().len();
             (length > PAGE, weight * length)
@@ -78,32 +85,43 @@ impl Composer<'_> {
 
     /// The form in which torques are multiplied out.
     fn full(&mut self, force: &[ExprId]) -> Listing {
-        match self.expanded(force, Preference::Expanded) {
-            Some(entries) => self.listing(&entries, false, false),
-            None => self.by_recursion(force, false).into_iter().min_by_key(|listing| listing.to_string().len()).unwrap_or_default(),
+        let force = self.forces(force);
+        match &self.closed {
+            Some(closed) => self.listing(&[closed, &force[..]].concat(), false, false),
+            None => {
+                let candidates = self.named(&self.recursion(), &force, false);
+                candidates
+                    .min_by_key(|listing| listing.to_string().len())
+                    .unwrap_or_default()
+            }
         }
     }
 
-    /// The recursion over the links, as it is and with its sums in order.
-    fn by_recursion(&mut self, force: &[ExprId], with_torques: bool) -> [Listing; 2] {
-        let force = self.expanded_rows(force, Preference::Expanded).unwrap_or_else(|| force.to_vec());
-        let entries: Vec<ExprId> = inertial(&self.recursive).chain(force).collect();
-        [nest(&self.model.graph, &entries), entries].map(|entries| self.listing(&entries, true, with_torques))
+    /// The mass matrix and the bias by recursion over the links.
+    fn recursion(&self) -> Vec<ExprId> {
+        inertial(&Dynamics::recursive(self.model, self.potential))
     }
 
-    /// The entries in closed form: the upper triangle of the mass matrix, the bias, the forces.
-    fn expanded(&mut self, force: &[ExprId], preference: Preference) -> Option<Vec<ExprId>> {
-        let inertial: Vec<ExprId> = match self.closed {
-            Some(closed) if preference == Preference::Expanded => inertial(closed).collect(),
-            _ => {
-                let entries: Vec<ExprId> = inertial(&self.recursive).collect();
-                self.expanded_rows(&entries, preference)?
-            }
-        };
-        Some(inertial.into_iter().chain(self.expanded_rows(force, preference)?).collect())
+    /// Forces written out, unless that is too long.
+    fn forces(&mut self, force: &[ExprId]) -> Vec<ExprId> {
+        self.expanded(force, Preference::Expanded)
+            .unwrap_or_else(|| force.to_vec())
     }
 
-    fn expanded_rows(&mut self, rows: &[ExprId], preference: Preference) -> Option<Vec<ExprId>> {
+    /// Entries with names for what repeats, as they are and with their sums in order.
+    fn named(
+        &self,
+        inertial: &[ExprId],
+        force: &[ExprId],
+        with_torques: bool,
+    ) -> impl Iterator<Item = Listing> + use<> {
+        let entries = [inertial, force].concat();
+        let listings =
+            [nest(&self.model.graph, &entries), entries].map(|entries| self.listing(&entries, true, with_torques));
+        listings.into_iter()
+    }
+
+    fn expanded(&mut self, rows: &[ExprId], preference: Preference) -> Option<Vec<ExprId>> {
         let columns = expanded(&self.model.graph, &mut self.normalizer, &[rows.to_vec()], preference)?;
         columns.into_iter().next()
     }
@@ -111,7 +129,9 @@ impl Composer<'_> {
     /// Entries as formulas, in which common parts may be named, and to whose forces torques may be added as they were written.
     fn listing(&self, entries: &[ExprId], named: bool, with_torques: bool) -> Listing {
         let places = places(&self.model.coordinate_names());
-        let labels = places.iter().map(|(quantity, indices)| Formula::Entry(quantity.letter(), indices.clone()));
+        let labels = places
+            .iter()
+            .map(|(quantity, indices)| Formula::Entry(quantity.letter(), indices.clone()));
         let labelled: Vec<(Formula, ExprId)> = labels.zip(entries.iter().copied()).collect();
         let (printer, parts) = if named {
             name_parts(self.model, &labelled, &self.taken())
@@ -130,14 +150,23 @@ impl Composer<'_> {
                 printer.formula(id).into_terms(false)
             };
             let row = (n + self.model.dof()).checked_sub(entries.len());
-            let torque = row.filter(|_| with_torques).map(|row| self.torques.rows[row].clone()).unwrap_or_default();
+            let torque = row
+                .filter(|_| with_torques)
+                .map(|row| self.torques.rows[row].clone())
+                .unwrap_or_default();
             let terms = joined(own, torque);
             if !terms.is_empty() {
-                listing.rows.push(Row { quantity, indices, formula: Formula::sum(terms) });
+                listing.rows.push(Row {
+                    quantity,
+                    indices,
+                    formula: Formula::sum(terms),
+                });
             }
         }
         if with_torques {
-            listing.definitions = self.torques.definitions(self.model, listing.rows.iter().map(|row| &row.formula));
+            listing.definitions = self
+                .torques
+                .definitions(self.model, listing.rows.iter().map(|row| &row.formula));
         }
         listing.definitions.extend(parts);
         listing
@@ -155,10 +184,14 @@ impl Composer<'_> {
     }
 }
 
-/// The entries of the mass matrix and the bias.
-fn inertial(dynamics: &Dynamics) -> impl Iterator<Item = ExprId> + '_ {
-    let upper = dynamics.mass_matrix.iter().enumerate().flat_map(|(i, row)| row[i..].iter());
-    upper.chain(&dynamics.bias).copied()
+/// The entries of the mass matrix, its upper triangle, and of the bias.
+fn inertial(dynamics: &Dynamics) -> Vec<ExprId> {
+    let upper = dynamics
+        .mass_matrix
+        .iter()
+        .enumerate()
+        .flat_map(|(i, row)| row[i..].iter());
+    upper.chain(&dynamics.bias).copied().collect()
 }
 
 /// The place of each entry.
@@ -166,7 +199,11 @@ fn places(names: &[&str]) -> Vec<(Quantity, Vec<String>)> {
     let owned = |indices: &[&str]| indices.iter().map(|&name| name.to_owned()).collect();
     let mut places = Vec::new();
     for (i, first) in names.iter().enumerate() {
-        places.extend(names[i..].iter().map(|second| (Quantity::MassMatrix, owned(&[first, second]))));
+        places.extend(
+            names[i..]
+                .iter()
+                .map(|second| (Quantity::MassMatrix, owned(&[first, second]))),
+        );
     }
     for quantity in [Quantity::Bias, Quantity::Force] {
         places.extend(names.iter().map(|name| (quantity, owned(&[name]))));
@@ -176,7 +213,16 @@ fn places(names: &[&str]) -> Vec<(Quantity, Vec<String>)> {
 
 /// The terms of two sums, the second first where that spares a leading minus.
 fn joined(mut first: Vec<Term>, second: Vec<Term>) -> Vec<Term> {
-    if let ([Term { negative, formula: sum @ Formula::Sum(_) }], false) = (&first[..], second.is_empty()) {
+    if let (
+        [
+            Term {
+                negative,
+                formula: sum @ Formula::Sum(_),
+            },
+        ],
+        false,
+    ) = (&first[..], second.is_empty())
+    {
         first = sum.clone().into_terms(*negative);
     }
     let negative = |terms: &[Term]| terms.first().is_none_or(|term| term.negative);

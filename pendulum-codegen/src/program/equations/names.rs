@@ -26,7 +26,9 @@ pub(super) fn name_parts<'m>(
         given: HashMap::new(),
         temporaries: 0,
     };
-    names.adds_up = reachable.iter().any(|&id| names.sum_of_symbols(id).is_some_and(|symbols| symbols.len() > 3));
+    names.adds_up = reachable
+        .iter()
+        .any(|&id| names.sum_of_symbols(id).is_some_and(|symbols| symbols.len() > 3));
     let mut named = Vec::new();
     for id in reachable {
         let count = uses.get(&id).copied().unwrap_or_default();
@@ -72,7 +74,9 @@ fn suffixes(model: &Model) -> HashMap<ExprId, String> {
     let numbers: Vec<String> = model.coordinate_names().into_iter().map(number).collect();
     let distinct: BTreeSet<&String> = numbers.iter().collect();
     let numbered = distinct.len() == numbers.len()
-        && numbers.iter().all(|n| !n.is_empty() && n.len() < 3 && n.chars().all(|c| c.is_ascii_digit()));
+        && numbers
+            .iter()
+            .all(|n| !n.is_empty() && n.len() < 3 && n.chars().all(|c| c.is_ascii_digit()));
     let suffix = |name: &str, number: &String| if numbered { number.clone() } else { format!("_{name}") };
     let coordinates = model.coordinates.iter().zip(model.coordinate_names()).zip(&numbers);
     coordinates
@@ -139,7 +143,10 @@ impl Names<'_> {
     /// Whether the expression says more than a name of it would: a product of names and calls, or a sum of coordinates.
     fn is_plain(&self, id: ExprId, formula: &Formula) -> bool {
         match formula {
-            Formula::Sum(_) => self.combinations.get(&id).is_some_and(|combination| !combination.are_rates),
+            Formula::Sum(_) => self
+                .combinations
+                .get(&id)
+                .is_some_and(|combination| !combination.are_rates),
             Formula::Call(..) => false,
             _ => is_product(formula),
         }
@@ -179,13 +186,20 @@ impl Names<'_> {
         let of_rates = self.combinations[&id].are_rates;
         match (of_rates, self.adds_up) {
             (false, false) => None,
-            (_, true) => Some(format!("{}{}", if of_rates { "w" } else { "a" }, self.suffixes.get(symbols.last()?)?)),
+            (_, true) => Some(format!(
+                "{}{}",
+                if of_rates { "w" } else { "a" },
+                self.suffixes.get(symbols.last()?)?
+            )),
             (true, false) => Some(format!("w{}", self.suffix(symbols)?)),
         }
     }
 
     fn suffix(&self, symbols: &[ExprId]) -> Option<String> {
-        symbols.iter().map(|symbol| self.suffixes.get(symbol).map(String::as_str)).collect()
+        symbols
+            .iter()
+            .map(|symbol| self.suffixes.get(symbol).map(String::as_str))
+            .collect()
     }
 
     fn suffix_of_angle(&self, angle: ExprId) -> Option<String> {
@@ -231,7 +245,11 @@ fn combinations(g: &Graph, reachable: &[ExprId]) -> HashMap<ExprId, Combination>
                     let mut symbols = [&a.symbols[..], &b.symbols].concat();
                     symbols.sort_unstable();
                     let only_added = a.only_added && b.only_added && op == Binary::Add;
-                    Some(Combination { symbols, only_added, are_rates: a.are_rates })
+                    Some(Combination {
+                        symbols,
+                        only_added,
+                        are_rates: a.are_rates,
+                    })
                 }
                 _ => None,
             },

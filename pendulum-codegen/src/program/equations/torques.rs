@@ -28,7 +28,10 @@ impl Torques {
                     return torque.clone();
                 }
                 let name = free(model, name);
-                named.push(Definition { name: name.clone(), formula: torque.clone() });
+                named.push(Definition {
+                    name: name.clone(),
+                    formula: torque.clone(),
+                });
                 Formula::Name(name)
             });
             for &(k, factor) in &body.motion {
@@ -48,7 +51,11 @@ impl Torques {
     }
 
     /// What the names in formulas stand for: each `let` that is used, in the order of the declaration, and then the torques.
-    pub(super) fn definitions<'f>(&self, model: &Model, formulas: impl IntoIterator<Item = &'f Formula>) -> Vec<Definition> {
+    pub(super) fn definitions<'f>(
+        &self,
+        model: &Model,
+        formulas: impl IntoIterator<Item = &'f Formula>,
+    ) -> Vec<Definition> {
         let mut using: Vec<&Formula> = formulas.into_iter().collect();
         let mut used = Vec::new();
         // a definition uses only names before it
@@ -67,8 +74,15 @@ impl Torques {
 fn free(model: &Model, mut name: String) -> String {
     let is_taken = |name: &str| {
         let parameters = model.parameters.iter().map(|p| &p.name);
-        let others = model.inputs.iter().map(|i| &i.name).chain(model.coordinates.iter().map(|c| &c.name));
-        parameters.chain(others).chain(model.lets.iter().map(|l| &l.name)).any(|known| known == name)
+        let others = model
+            .inputs
+            .iter()
+            .map(|i| &i.name)
+            .chain(model.coordinates.iter().map(|c| &c.name));
+        parameters
+            .chain(others)
+            .chain(model.lets.iter().map(|l| &l.name))
+            .any(|known| known == name)
     };
     while is_taken(&name) {
         name.push('_');
