@@ -1,28 +1,88 @@
-//! Prints the code that `mechanism!` makes of a declaration, formatted.
+//! Prints what `mechanism!` makes of a declaration.
 //!
-//! `cargo run --example emitted` shows the double pendulum of the paper; `cargo run --example emitted -- src/lib.rs` shows
-//! every declaration of a file, in its functions and modules as well.
+//! ```sh
+//! cargo run --example emitted                         # the code for the double pendulum of the paper, formatted
+//! cargo run --example emitted -- src/lib.rs           # for every declaration of a file, in its functions and modules as well
+//! cargo run --example emitted -- --latex src/lib.rs   # their equations of motion in LaTeX, for documents that load amsmath
+//! ```
 
 use std::error::Error;
+use std::process::ExitCode;
 
-use pendulum_codegen::expand;
+use pendulum_codegen::{expand, program};
 use proc_macro2::{TokenStream, TokenTree};
 
-fn main() -> Result<(), Box<dyn Error>> {
-    let path = std::env::args()
-        .nth(1)
-        .unwrap_or_else(|| "tests/common/scenes.rs".to_owned());
+/// What is printed where no file is named.
+const DEFAULT: &str = "tests/common/scenes.rs";
+
+/// What is printed of each declaration.
+#[derive(Clone, Copy)]
+enum Output {
+    Rust,
+    Latex,
+}
+
+struct Arguments {
+    output: Output,
+    path: String,
+}
+
+impl Arguments {
+    fn read(arguments: impl Iterator<Item = String>) -> Result<Self, String> {
+        let mut read = Self {
+            output: Output::Rust,
+            path: DEFAULT.to_owned(),
+        };
+        for argument in arguments {
+            match argument.as_str() {
+                "--latex" => read.output = Output::Latex,
+                option if option.starts_with('-') => {
+                    return Err(format!("unknown option {option}; usage: emitted [--latex] [FILE]"));
+                }
+                _ => read.path = argument,
+            }
+        }
+        Ok(read)
+    }
+}
+
+fn main() -> ExitCode {
+    match run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
+    let Arguments { output, path } = Arguments::read(std::env::args().skip(1))?;
     let source = std::fs::read_to_string(&path).map_err(|error| format!("cannot read {path}: {error}"))?;
+    let tokens: TokenStream = source.parse().map_err(|error| format!("{path}: {error}"))?;
     let mut declarations = Vec::new();
-    collect(source.parse()?, &mut declarations);
+    collect(tokens, &mut declarations);
     if declarations.is_empty() {
         return Err(format!("{path} holds no `mechanism! {{ .. }}`").into());
     }
+    let mut wrong = Vec::new();
     for declaration in declarations {
-        let items = syn::parse2(expand(declaration))?;
-        println!("{}", prettyplease::unparse(&items));
+        match program(declaration.clone()) {
+            Err(errors) => wrong.extend(errors.iter().map(|error| {
+                let at = error.span().start();
+                format!("{path}:{}:{}: {error}", at.line, at.column + 1)
+            })),
+            Ok(program) => match output {
+                Output::Latex => println!("{}", program.equations.latex()),
+                Output::Rust => println!("{}", prettyplease::unparse(&syn::parse2(expand(declaration))?)),
+            },
+        }
     }
-    Ok(())
+    if wrong.is_empty() {
+        Ok(())
+    } else {
+        Err(wrong.join("\n").into())
+    }
 }
 
 /// The contents of every `mechanism! { .. }`, wherever it stands.

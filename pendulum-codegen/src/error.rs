@@ -43,6 +43,11 @@ impl Errors {
         self.0.is_empty()
     }
 
+    /// The errors, in the order in which they were found.
+    pub fn iter(&self) -> impl Iterator<Item = &syn::Error> {
+        self.0.iter()
+    }
+
     /// Ends a phase: the value, or all errors.
     pub fn finish<T>(self, value: T) -> Result<T, Self> {
         if self.0.is_empty() { Ok(value) } else { Err(self) }
@@ -50,7 +55,7 @@ impl Errors {
 
     /// The errors as `compile_error!` items.
     pub fn to_compile_errors(&self) -> TokenStream {
-        self.0.iter().map(syn::Error::to_compile_error).collect()
+        self.iter().map(syn::Error::to_compile_error).collect()
     }
 }
 

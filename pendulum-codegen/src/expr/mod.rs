@@ -25,6 +25,7 @@ pub use derivative::Derivative;
 pub use expression::Expr;
 pub use formula::{Definition, Formula, Term};
 pub use graph::{ExprId, Graph, Level, Node, Symbol, SymbolId, SymbolKind};
+pub(crate) use latex::latex_definitions;
 pub use normal::{BaseAngles, Normalizer, TooLarge};
 pub use op::{Binary, CostKind, Unary};
 pub use poly::{Monomial, Poly};

@@ -246,13 +246,17 @@ impl<'g> Nested<'g> {
             .iter()
             .position(|other| other.len() < linear.len())
             .unwrap_or(self.sums.len());
-        let mut terms: Vec<(Rational, Expr<'g>)> = Vec::new();
-        for other in self.sums[inside..].to_vec() {
-            if let Some(factor) = contained(&other, &rest) {
-                add_scaled(&mut rest, &other, &-factor.clone());
-                let part = self.flat.whole(&other);
-                terms.push((factor, self.build(part)));
+        let mut parts = Vec::new();
+        for other in &self.sums[inside..] {
+            if let Some(factor) = contained(other, &rest) {
+                add_scaled(&mut rest, other, &-factor.clone());
+                parts.push((factor, other.clone()));
             }
+        }
+        let mut terms: Vec<(Rational, Expr<'g>)> = Vec::new();
+        for (factor, part) in parts {
+            let part = self.flat.whole(&part);
+            terms.push((factor, self.build(part)));
         }
         let mut rest: Vec<(Expr<'g>, Rational)> = rest.into_iter().collect();
         rest.sort_by_key(|(atom, _)| (atom.level(), !atom.is_one()));

@@ -2,7 +2,7 @@
 
 mod block;
 mod build;
-mod equations;
+pub(crate) mod equations;
 pub(crate) mod layout;
 mod routine;
 mod schedule;

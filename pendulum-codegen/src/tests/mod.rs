@@ -5,6 +5,7 @@ mod base_parameters;
 mod chains;
 mod coefficients;
 mod equations;
+mod equations_text;
 mod forms;
 mod growth;
 mod normal_form;

@@ -20,21 +20,24 @@ const SHORT: usize = 2_000;
 /// Longer equations are hardly read, so a form of up to this many characters is taken where there is one.
 const PAGE: usize = 4_800;
 
-/// What a character counts for in each form: terms that are written out say more than nested ones, and a closed
-/// form says more than a recursion.
+/// What a character counts for in each form: terms that are written out say more than nested ones, and a closed form says more than
+/// a recursion.
 const EXPANDED: usize = 24;
 const FACTORED: usize = 27;
 const RECURSIVE: usize = 40;
 
-/// The equations of a scene; `closed` is its dynamics in closed form, if it is small enough to have it.
+/// The equations of a scene; `closed` is its dynamics in closed form, if its code has one.
 pub(crate) fn equations<'g>(model: &Model<'g>, dynamics: &Dynamics<'g>, closed: Option<&Dynamics<'g>>) -> Equations {
     let mut composer = Composer {
         model,
-        closed,
-        recursive: Dynamics::recursive(model, dynamics.potential),
+        potential: dynamics.potential,
+        closed: closed.map(inertial),
         torques: Torques::new(model),
         normalizer: Normalizer::with_angles(model.graph, BUDGET, model.base_angles()),
     };
+    if composer.closed.is_none() {
+        composer.closed = composer.expanded(&composer.recursion(), Preference::Expanded);
+    }
     Equations {
         coordinates: model.coordinate_names().into_iter().map(str::to_owned).collect(),
         short: composer.short(),
@@ -44,8 +47,9 @@ pub(crate) fn equations<'g>(model: &Model<'g>, dynamics: &Dynamics<'g>, closed: 
 
 struct Composer<'m, 'g> {
     model: &'m Model<'g>,
-    closed: Option<&'m Dynamics<'g>>,
-    recursive: Dynamics<'g>,
+    potential: Expr<'g>,
+    /// The mass matrix and the bias, written out, unless that is too long.
+    closed: Option<Vec<Expr<'g>>>,
     torques: Torques<'g>,
     normalizer: Normalizer<'g>,
 }
@@ -53,28 +57,25 @@ struct Composer<'m, 'g> {
 impl<'g> Composer<'_, 'g> {
     /// The shortest form, or one nearly as short that shows more.
     fn short(&mut self) -> Listing {
-        let passive = self.torques.passive.clone();
-        let flat = self.expanded(&passive, Preference::Expanded);
-        let flat = flat.map(|entries| self.listing(&entries, false, true));
-        if let Some(flat) = flat.as_ref().filter(|flat| flat.to_string().len() <= SHORT) {
-            return flat.clone();
-        }
-        let mut candidates: Vec<(usize, Listing)> = flat.into_iter().map(|flat| (EXPANDED, flat)).collect();
-        for preference in Preference::ALL {
-            let weight = if preference == Preference::Expanded {
-                EXPANDED
-            } else {
-                FACTORED
-            };
-            let Some(entries) = self.expanded(&passive, preference) else {
-                continue;
-            };
-            for entries in [nest(self.model.graph, &entries), entries] {
-                candidates.push((weight, self.listing(&entries, true, true)));
+        let force = self.forces(&self.torques.passive.clone());
+        let mut candidates = Vec::new();
+        if let Some(closed) = self.closed.clone() {
+            let flat = self.listing(&[&closed[..], &force].concat(), false, true);
+            if flat.to_string().len() <= SHORT {
+                return flat;
+            }
+            candidates.push((EXPANDED, flat));
+            candidates.extend(self.named(&closed, &force, true).map(|listing| (EXPANDED, listing)));
+            for preference in [Preference::State, Preference::Parameter] {
+                let factored = self.expanded(&self.recursion(), preference);
+                let factored = factored
+                    .into_iter()
+                    .flat_map(|factored| self.named(&factored, &force, true));
+                candidates.extend(factored.map(|listing| (FACTORED, listing)));
             }
         }
-        let recursive = self.by_recursion(&passive, true);
-        candidates.extend(recursive.into_iter().map(|listing| (RECURSIVE, listing)));
+        let recursive = self.named(&self.recursion(), &force, true);
+        candidates.extend(recursive.map(|listing| (RECURSIVE, listing)));
         let weighed = candidates.into_iter().min_by_key(|(weight, listing)| {
             let length = listing.to_string().len();
             (length > PAGE, weight * length)
@@ -84,43 +85,43 @@ impl<'g> Composer<'_, 'g> {
 
     /// The form in which torques are multiplied out.
     fn full(&mut self, force: &[Expr<'g>]) -> Listing {
-        match self.expanded(force, Preference::Expanded) {
-            Some(entries) => self.listing(&entries, false, false),
-            None => self
-                .by_recursion(force, false)
-                .into_iter()
-                .min_by_key(|listing| listing.to_string().len())
-                .unwrap_or_default(),
+        let force = self.forces(force);
+        match &self.closed {
+            Some(closed) => self.listing(&[closed, &force[..]].concat(), false, false),
+            None => {
+                let candidates = self.named(&self.recursion(), &force, false);
+                candidates
+                    .min_by_key(|listing| listing.to_string().len())
+                    .unwrap_or_default()
+            }
         }
     }
 
-    /// The recursion over the links, as it is and with its sums in order.
-    fn by_recursion(&mut self, force: &[Expr<'g>], with_torques: bool) -> [Listing; 2] {
-        let force = self
-            .expanded_rows(force, Preference::Expanded)
-            .unwrap_or_else(|| force.to_vec());
-        let entries: Vec<Expr<'g>> = inertial(&self.recursive).chain(force).collect();
-        [nest(self.model.graph, &entries), entries].map(|entries| self.listing(&entries, true, with_torques))
+    /// The mass matrix and the bias by recursion over the links.
+    fn recursion(&self) -> Vec<Expr<'g>> {
+        inertial(&Dynamics::recursive(self.model, self.potential))
     }
 
-    /// The entries in closed form: the upper triangle of the mass matrix, the bias, the forces.
-    fn expanded(&mut self, force: &[Expr<'g>], preference: Preference) -> Option<Vec<Expr<'g>>> {
-        let inertial: Vec<Expr<'g>> = match self.closed {
-            Some(closed) if preference == Preference::Expanded => inertial(closed).collect(),
-            _ => {
-                let entries: Vec<Expr<'g>> = inertial(&self.recursive).collect();
-                self.expanded_rows(&entries, preference)?
-            }
-        };
-        Some(
-            inertial
-                .into_iter()
-                .chain(self.expanded_rows(force, preference)?)
-                .collect(),
-        )
+    /// Forces written out, unless that is too long.
+    fn forces(&mut self, force: &[Expr<'g>]) -> Vec<Expr<'g>> {
+        self.expanded(force, Preference::Expanded)
+            .unwrap_or_else(|| force.to_vec())
     }
 
-    fn expanded_rows(&mut self, rows: &[Expr<'g>], preference: Preference) -> Option<Vec<Expr<'g>>> {
+    /// Entries with names for what repeats, as they are and with their sums in order.
+    fn named(
+        &self,
+        inertial: &[Expr<'g>],
+        force: &[Expr<'g>],
+        with_torques: bool,
+    ) -> impl Iterator<Item = Listing> + use<> {
+        let entries = [inertial, force].concat();
+        let listings =
+            [nest(self.model.graph, &entries), entries].map(|entries| self.listing(&entries, true, with_torques));
+        listings.into_iter()
+    }
+
+    fn expanded(&mut self, rows: &[Expr<'g>], preference: Preference) -> Option<Vec<Expr<'g>>> {
         let columns = expanded(&mut self.normalizer, &[rows.to_vec()], preference)?;
         columns.into_iter().next()
     }
@@ -183,14 +184,14 @@ impl<'g> Composer<'_, 'g> {
     }
 }
 
-/// The entries of the mass matrix and the bias.
-fn inertial<'g>(dynamics: &Dynamics<'g>) -> impl Iterator<Item = Expr<'g>> {
+/// The entries of the mass matrix, its upper triangle, and of the bias.
+fn inertial<'g>(dynamics: &Dynamics<'g>) -> Vec<Expr<'g>> {
     let upper = dynamics
         .mass_matrix
         .iter()
         .enumerate()
         .flat_map(|(i, row)| row[i..].iter());
-    upper.chain(&dynamics.bias).copied()
+    upper.chain(&dynamics.bias).copied().collect()
 }
 
 /// The place of each entry.

@@ -8,7 +8,7 @@ use std::fmt::{Display, Formatter, Result};
 
 pub(crate) use compose::equations;
 
-use crate::expr::{Definition, Formula};
+use crate::expr::{Definition, Formula, latex_definitions};
 
 /// The equations of motion of a scene: `A qdd + b = Q`.
 ///
@@ -110,9 +110,7 @@ impl Equations {
         if !self.short.definitions.is_empty() {
             text.push_str("where\n");
         }
-        for Definition { name, formula } in &self.short.definitions {
-            text.push_str(&formula.latex_equation(&Formula::name(name)));
-        }
+        text.push_str(&latex_definitions(&self.short.definitions));
         text
     }
 }

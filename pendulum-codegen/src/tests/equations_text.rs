@@ -1,0 +1,397 @@
+//! The printed equations are read back by the language's own parser and evaluated: what is printed is the equation.
+
+use std::collections::{BTreeMap, BTreeSet, HashMap};
+
+use super::dynamics;
+use crate::ast::{Expr, ExprKind, Operator};
+use crate::dynamics::Dynamics;
+use crate::expr::{Definition, Formula, Graph, SymbolKind};
+use crate::model::Model;
+use crate::program::equations::equations;
+use crate::program::{Equations, Listing};
+
+/// The longest text of a chain of eight links.
+const PAGE: usize = 5_000;
+
+const MAGNET: &str = "pub Magnet {
+    params { m: kg, l: m, g: m/s^2, k: N m^3, a: m, h: m, gamma: N m s }
+    gravity: [0, -g, 0],
+    let dx = l*sin(th) - a,
+    let dy = l + h - l*cos(th),
+    let unused_by_the_torque = l/2,
+    let r2 = dx^2 + dy^2,
+    let pull = k/(r2*sqrt(r2)),
+    body bob on ground {
+        solids: [point(m, [0, -l, 0]), point(m, [0, -unused_by_the_torque, 0])],
+        joint: revolute(z), coordinate: th, friction: gamma,
+        torque: -pull*(dx*l*cos(q) + dy*l*sin(q)),
+    }
+}";
+
+const CUBIC: &str = "pub Cubic {
+    params { a: 1, k: N m }
+    body b on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: th, torque: -k*(th - a)^3 }
+}";
+
+/// A torque that acts on two absolute coordinates, and one that is shorter than its name.
+const ABSOLUTE: &str = "pub Absolute {
+    params { c: N m s, k: N m, u0: N m }
+    input u: N m,
+    gravity: [0, -9.81, 0],
+    let stretch = q2 - q1 - 1/3,
+    body upper on ground { mass: 2, com: [0, -1, 0], joint: revolute(z), coordinate: q1, friction: c, torque: u0*sin(3*t) }
+    body lower on upper {
+        mass: 1, com: [0, -1, 0], joint: revolute(z) at [0, -1, 0], coordinate: q2 absolute, friction: c,
+        torque: -k*stretch*(1 + stretch^2) - tanh(qd)/abs(q)^(1/2) + atan2(u, 2 + cos(q)),
+    }
+    body last on lower {
+        mass: 1, com: [0, -1, 0], joint: revolute(-z) at [0, -1, 0], coordinate: q3 absolute, torque: u,
+    }
+}";
+
+/// Links of one shape on parallel joints; `absolute` is put after the names of coordinates, and a letter for a number is a parameter.
+fn chain(n: usize, link: &str, mass: &str, length: &str, absolute: &str) -> String {
+    let body = |k: usize| {
+        let parent = if k == 0 {
+            "ground".to_owned()
+        } else {
+            format!("b{}", k - 1)
+        };
+        let at = if k == 0 { "0".to_owned() } else { format!("-{length}") };
+        format!("body b{k} on {parent}: link {{ joint: revolute(z) at [0, {at}, 0], coordinate: q{k} {absolute} }}")
+    };
+    let bodies: String = (0..n).map(body).collect();
+    let params = [(mass, "kg"), (length, "m")]
+        .into_iter()
+        .filter(|(name, _)| name.parse::<f64>().is_err());
+    let params: String = params.map(|(name, unit)| format!("{name}: {unit},")).collect();
+    format!("pub Chain {{ params {{ {params} }} gravity: [0, -9.81, 0], shape link {{ {link} }} {bodies} }}")
+}
+
+/// Bodies of any shape on joints in all directions.
+fn spatial(n: usize) -> String {
+    let body = |k: usize| {
+        let parent = if k == 0 {
+            "ground".to_owned()
+        } else {
+            format!("b{}", k - 1)
+        };
+        let axis = ["z", "y", "x"][k % 3];
+        format!(
+            "body b{k} on {parent} {{ mass: {}, com: [0.02, 0.01, 0.1], inertia: [0.1, 0.12, 0.05, 0.001, 0.002, 0.003],
+                joint: revolute({axis}) at [0.1, 0.05, 0.3], coordinate: q{k} }}",
+            k + 1
+        )
+    };
+    format!(
+        "pub Arm {{ gravity: [0, 0, -9.81], {} }}",
+        (0..n).map(body).collect::<String>()
+    )
+}
+
+fn rods(mass: &str, length: &str, absolute: &str) -> String {
+    let link = format!("solids: [rod({mass}, [0, 0, 0], [0, -{length}, 0])]");
+    chain(8, &link, mass, length, absolute)
+}
+
+fn crooked(mass: &str, length: &str, absolute: &str) -> String {
+    chain(
+        8,
+        &format!("mass: {mass}, com: [0.02, -0.5, 0], inertia: 0.1"),
+        mass,
+        length,
+        absolute,
+    )
+}
+
+/// The equations of a scene without its code, which takes far longer.
+fn written<'g>(graph: &'g Graph, declaration: &str) -> (Model<'g>, Dynamics<'g>, Equations) {
+    let (model, dynamics) = dynamics(graph, declaration);
+    let equations = equations(&model, &dynamics, None);
+    (model, dynamics, equations)
+}
+
+/// Lines `name = formula` by their names, in which entries have names as well: `A[x, y]` becomes `A__x__y`.
+fn lines(text: &str) -> BTreeMap<String, Expr> {
+    let lines = text
+        .lines()
+        .skip(1)
+        .filter_map(|line| plain(line).split_once(" = ").map(|(l, r)| (l.to_owned(), r.to_owned())));
+    lines
+        .map(|(left, right)| {
+            (
+                left,
+                syn::parse_str(&right).unwrap_or_else(|error| panic!("{right}: {error}")),
+            )
+        })
+        .collect()
+}
+
+fn plain(line: &str) -> String {
+    let (mut plain, mut inside) = (String::new(), false);
+    for c in line.chars() {
+        match c {
+            '[' => (inside, plain) = (true, plain + "__"),
+            ']' => inside = false,
+            ',' if inside => plain.push_str("__"),
+            ' ' if inside => {}
+            _ => plain.push(c),
+        }
+    }
+    plain
+}
+
+/// The value of a formula, in which names stand for numbers or for other lines.
+fn value(expr: &Expr, symbols: &HashMap<String, f64>, lines: &BTreeMap<String, Expr>) -> f64 {
+    let of = |expr: &Expr| value(expr, symbols, lines);
+    match &expr.kind {
+        ExprKind::Number(n) => num_traits::ToPrimitive::to_f64(n).expect("a number"),
+        ExprKind::Name(name) if name == "pi" => std::f64::consts::PI,
+        ExprKind::Name(name) => match (symbols.get(&name.to_string()), lines.get(&name.to_string())) {
+            (Some(value), _) => *value,
+            (None, Some(line)) => of(line),
+            // rows that are zero are not printed
+            (None, None) => panic!("{name} stands for nothing"),
+        },
+        ExprKind::Call(function, arguments) => match (function.to_string().as_str(), &arguments[..]) {
+            (
+                "dot",
+                [
+                    Expr {
+                        kind: ExprKind::Name(name),
+                        ..
+                    },
+                ],
+            ) => symbols[&format!("dot({name})")],
+            ("sin", [x]) => of(x).sin(),
+            ("cos", [x]) => of(x).cos(),
+            ("sqrt", [x]) => of(x).sqrt(),
+            ("tanh", [x]) => of(x).tanh(),
+            ("abs", [x]) => of(x).abs(),
+            ("atan2", [y, x]) => of(y).atan2(of(x)),
+            (function, _) => panic!("{function}"),
+        },
+        ExprKind::Neg(a) => -of(a),
+        ExprKind::Binary(Operator::Add, a, b) => of(a) + of(b),
+        ExprKind::Binary(Operator::Sub, a, b) => of(a) - of(b),
+        ExprKind::Binary(Operator::Mul, a, b) => of(a) * of(b),
+        ExprKind::Binary(Operator::Div, a, b) => of(a) / of(b),
+        ExprKind::Power(a, b) => of(a).powf(of(b)),
+    }
+}
+
+/// Asserts what holds of all equations, and gives their text.
+fn checked(declaration: &str) -> String {
+    let graph = Graph::new();
+    let (model, dynamics, equations) = written(&graph, declaration);
+    assert_true(&model, &dynamics, &equations);
+    assert_ordered(&equations);
+    assert_well_formed(&equations.latex());
+    equations.to_string()
+}
+
+/// Every entry has the value that it has in the dynamics from A, B and C.
+fn assert_true(model: &Model<'_>, dynamics: &Dynamics<'_>, equations: &Equations) {
+    let g = model.graph;
+    let mut next = 0.0_f64;
+    let symbols: HashMap<String, f64> = g
+        .symbols()
+        .map(|symbol| {
+            // numbers without a pattern: a Weyl sequence
+            next += 0.618_033_988_749_895;
+            let value = next.fract() * 2.0 - 1.0;
+            let is_fixed = matches!(symbol.kind, SymbolKind::Parameter(_));
+            (symbol.name.clone(), if is_fixed { value.abs() + 0.5 } else { value })
+        })
+        .collect();
+    let names = model.coordinate_names();
+    let mut entries = Vec::new();
+    for (i, first) in names.iter().enumerate() {
+        for (j, second) in names.iter().enumerate().skip(i) {
+            entries.push((format!("A__{first}__{second}"), dynamics.mass_matrix[i][j]));
+        }
+        entries.push((format!("b__{first}"), dynamics.bias[i]));
+        entries.push((format!("Q__{first}"), dynamics.force[i]));
+    }
+    let roots: Vec<_> = entries.iter().map(|(_, id)| *id).collect();
+    let values = g.evaluate(&roots, |symbol| symbols[&symbol.name]);
+    for text in [format!("{equations}"), format!("{equations:#}")] {
+        let lines = lines(&text);
+        for ((name, _), expected) in entries.iter().zip(&values) {
+            let printed = lines.get(name).map_or(0.0, |line| value(line, &symbols, &lines));
+            assert!(
+                (printed - expected).abs() <= 1e-9 * (1.0 + expected.abs()),
+                "{name} is {expected}, not {printed}, in\n{text}"
+            );
+        }
+    }
+}
+
+/// Every definition is used, and stands before its uses.
+fn assert_ordered(equations: &Equations) {
+    for Listing { rows, definitions } in [&equations.short, &equations.full] {
+        let rows = rows.iter().map(|row| &row.formula);
+        let formulas: Vec<&Formula> = rows
+            .chain(definitions.iter().map(|definition| &definition.formula))
+            .collect();
+        for (n, Definition { name, formula }) in definitions.iter().enumerate() {
+            let later = definitions[n..].iter().find(|later| formula.mentions(&later.name));
+            assert!(later.is_none(), "{name} uses {later:?} in\n{equations}");
+            assert!(
+                formulas.iter().any(|formula| formula.mentions(name)),
+                "{name} is unused"
+            );
+        }
+    }
+}
+
+/// Braces and brackets are balanced, and all commands are known.
+fn assert_well_formed(latex: &str) {
+    const KNOWN: [&str; 27] = [
+        "[",
+        "]",
+        ",",
+        "\\",
+        "frac",
+        "sqrt",
+        "dot",
+        "ddot",
+        "left",
+        "right",
+        "bigl",
+        "bigr",
+        "mathrm",
+        "operatorname",
+        "sin",
+        "cos",
+        "tanh",
+        "begin",
+        "end",
+        "quad",
+        "qquad",
+        "cdot",
+        "gamma",
+        "theta",
+        "pi",
+        "tan",
+        "exp",
+    ];
+    let mut depth = 0_i32;
+    for c in latex.chars() {
+        depth += i32::from(c == '{') - i32::from(c == '}');
+        assert!(depth >= 0, "{latex}");
+    }
+    assert_eq!(depth, 0, "{latex}");
+    let mut counts: BTreeMap<&str, i32> = BTreeMap::new();
+    for (at, _) in latex.match_indices('\\') {
+        if latex[..at].ends_with('\\') && !latex[..at].ends_with("\\\\\\") {
+            continue;
+        }
+        let rest = &latex[at + 1..];
+        let letters = rest.find(|c: char| !c.is_ascii_alphabetic()).unwrap_or(rest.len());
+        let command = &rest[..letters.max(1)];
+        assert!(KNOWN.contains(&command), "\\{command} in {latex}");
+        *counts.entry(command).or_default() += 1;
+    }
+    for (open, close) in [("left", "right"), ("bigl", "bigr"), ("begin", "end"), ("[", "]")] {
+        assert_eq!(counts.get(open), counts.get(close), "\\{open} in {latex}");
+    }
+}
+
+#[test]
+fn what_is_printed_is_the_equation() {
+    for declaration in [MAGNET, CUBIC, ABSOLUTE, &spatial(3), &spatial(4)] {
+        checked(declaration);
+    }
+}
+
+#[test]
+fn chains_are_printed_on_a_page() {
+    for absolute in ["", "absolute"] {
+        for (mass, length) in [("1.5", "0.7"), ("m", "l")] {
+            for declaration in [rods(mass, length, absolute), crooked(mass, length, absolute)] {
+                let text = checked(&declaration);
+                assert!(text.len() <= PAGE, "{} characters:\n{text}", text.len());
+            }
+        }
+    }
+}
+
+#[test]
+fn a_law_of_six_lines_stays_six_lines() {
+    let text = written(&Graph::new(), MAGNET).2.to_string();
+    let (rows, definitions) = text.split_once("\nwhere\n").expect("definitions");
+    assert!(
+        rows.ends_with("Q[th] = -gamma*dot(th) - pull*(dx*l*cos(th) + dy*l*sin(th))\n"),
+        "{text}"
+    );
+    let expected = "dx = l*sin(th) - a
+dy = l + h - l*cos(th)
+r2 = dx^2 + dy^2
+pull = k/(r2*sqrt(r2))
+";
+    assert_eq!(definitions, expected);
+    assert!(text.len() < 400, "{text}");
+}
+
+#[test]
+fn powers_of_sums_stay() {
+    let text = written(&Graph::new(), CUBIC).2.to_string();
+    assert!(text.contains("Q[th] = -k*(th - a)^3\n"), "{text}");
+    let full = format!("{:#}", written(&Graph::new(), CUBIC).2);
+    assert!(full.contains("3*a*k*th^2"), "{full}");
+}
+
+#[test]
+fn a_torque_on_several_coordinates_has_a_name() {
+    let text = written(&Graph::new(), ABSOLUTE).2.to_string();
+    assert!(
+        text.contains("Q[q1] = c*dot(q2) - 2*c*dot(q1) + u0*sin(3*t) - torque_lower\n"),
+        "{text}"
+    );
+    assert!(
+        text.contains("Q[q2] = c*dot(q1) - c*dot(q2) + torque_lower + u\n"),
+        "{text}"
+    );
+    assert!(text.contains("Q[q3] = u\n"), "{text}");
+    let law = "stretch = q2 - q1 - 1/3
+torque_lower = -k*stretch*(1 + stretch^2) - tanh(dot(q2) - dot(q1))/abs(q2 - q1)^(1/2) + atan2(u, 2 + cos(q2 - q1))
+";
+    assert!(text.ends_with(law), "{text}");
+}
+
+/// Names that the declaration has for something else are left alone.
+#[test]
+fn names_do_not_clash() {
+    let declaration = chain(5, "mass: s1, com: [t0, -w2, 0]", "s1", "w2", "").replace("s1: kg", "s1: kg, t0: m");
+    let graph = Graph::new();
+    let (model, dynamics, equations) = written(&graph, &declaration);
+    let own: BTreeSet<&str> = model.parameters.iter().map(|p| p.name.as_str()).collect();
+    let definitions = &equations.short.definitions;
+    assert!(definitions.len() > 10, "{equations}");
+    let distinct: BTreeSet<&str> = definitions.iter().map(|definition| definition.name.as_str()).collect();
+    assert_eq!(distinct.len(), definitions.len());
+    assert!(distinct.is_disjoint(&own), "{equations}");
+    assert_true(&model, &dynamics, &equations);
+}
+
+#[test]
+fn latex_names_are_letters_with_indices() {
+    let declaration = "pub Pendulum {
+        params { m: kg, l_max: m, gamma2: N m s, inertia: kg m^2 }
+        gravity: [0, -9.81, 0],
+        body b on ground {
+            mass: m, com: [0, -l_max, 0], inertia: inertia, joint: revolute(z), coordinate: theta1, friction: gamma2,
+            torque: -sin(theta1)*m*(1/2) + qd^2/m,
+        }
+    }";
+    let latex = written(&Graph::new(), declaration).2.latex();
+    let expected = [
+        "A_{\\theta_{1},\\,\\theta_{1}} = \\mathrm{inertia} + m\\,l_{\\mathrm{max}}^{2}",
+        "b_{\\theta_{1}} = 9.81\\,m\\,l_{\\mathrm{max}}\\,\\sin \\theta_{1}",
+        "Q_{\\theta_{1}} = -\\gamma_{2}\\,\\dot{\\theta}_{1} - \\sin(\\theta_{1})\\,m\\,\\frac{1}{2} + \\frac{\\dot{\\theta}_{1}^{2}}{m}",
+    ];
+    for row in expected {
+        assert!(latex.contains(row), "{row} in\n{latex}");
+    }
+}
