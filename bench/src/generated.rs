@@ -4,6 +4,7 @@ use std::error::Error;
 use std::path::PathBuf;
 use std::time::{Duration, Instant};
 
+use pendulum_codegen::expr::Graph;
 use pendulum_codegen::{Function, Program, expand, program};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
@@ -47,8 +48,8 @@ impl Declaration {
         Ok(self.text.parse()?)
     }
 
-    pub(crate) fn program(&self) -> Result<Program, Box<dyn Error>> {
-        Ok(program(self.tokens()?).map_err(|errors| format!("{}: {errors}", self.name))?)
+    pub(crate) fn program<'g>(&self, graph: &'g Graph) -> Result<Program<'g>, Box<dyn Error>> {
+        Ok(program(graph, self.tokens()?).map_err(|errors| format!("{}: {errors}", self.name))?)
     }
 
     /// The Rust that the macro makes of it, and the least time that this took of several.

@@ -9,6 +9,7 @@ use std::path::Path;
 use std::time::Duration;
 
 use pendulum_codegen::Function;
+use pendulum_codegen::expr::Graph;
 use pendulum_codegen::form::{Basis, Chosen};
 use results::{Counted, Results, Robot, Row};
 
@@ -85,7 +86,8 @@ fn row(
     (chain, n): (&'static str, usize),
     (function, title): (Function, &'static str),
 ) -> Result<(Row, Run), Box<dyn Error>> {
-    let functions = declaration.program()?.functions;
+    let graph = Graph::new();
+    let functions = declaration.program(&graph)?.functions;
     let chosen = functions.get(&function).ok_or("a function is missing")?;
     let (items, expansion) = declaration.expand(BUDGETS[0])?;
     let wanted: Vec<Function> = functions.keys().copied().collect();
@@ -111,7 +113,7 @@ fn row(
 }
 
 /// The additions and multiplications of the best form on each basis; the closed forms are one.
-fn bases(chosen: &Chosen) -> Vec<Counted> {
+fn bases(chosen: &Chosen<'_>) -> Vec<Counted> {
     let all = [(chosen.form, chosen.operations)]
         .into_iter()
         .chain(chosen.others.iter().copied());

@@ -5,6 +5,7 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use pendulum_codegen::Function;
+use pendulum_codegen::expr::Graph;
 use pendulum_codegen::pass::Operations;
 
 use super::STATES;
@@ -114,7 +115,8 @@ pub(crate) fn all(root: &Path, rust: &Rust) -> Result<Vec<Subject>, Box<dyn Erro
 }
 
 fn subject(rust: &Rust, name: String, declaration: &Declaration) -> Result<Subject, Box<dyn Error>> {
-    let program = declaration.program()?;
+    let graph = Graph::new();
+    let program = declaration.program(&graph)?;
     let operations = |function| {
         let chosen = program.functions.get(&function).ok_or("a function is missing")?;
         Ok::<Operations, &str>(chosen.operations)
