@@ -1,9 +1,9 @@
-//! How links move, and what that takes of their mass.
+//! How links move.
 
 use super::frames::Frame;
 use super::links::Link;
 use crate::expr::Expr;
-use crate::screw::{MassMoments, Mat3, Symmetric3, Twist, Vec3, Wrench};
+use crate::screw::{Mat3, Symmetric3, Twist, Vec3};
 
 /// How a link moves, in its frame.
 #[derive(Clone, Copy, Debug)]
@@ -71,14 +71,4 @@ pub(super) fn inertial_moment<'g>(u: &Mat3<'g>, second: Symmetric3<'g>) -> Vec3<
         let both = (u[j][j] - u[i][i]) * s[i][j];
         (outer[0] + outer[1]) - (inner[0] + inner[1]) + both
     }))
-}
-
-/// Momentum and angular momentum about the origin, when a joint alone moves at unit rate.
-pub(super) fn momentum<'g>(inertia: &MassMoments<'g>, screw: &Twist<'g>) -> Wrench<'g> {
-    let Twist { angular: w, linear: v } = *screw;
-    let (m, h) = (inertia.mass, inertia.first);
-    Wrench {
-        moment: inertia.rotational() * w + h.cross(v),
-        force: w.cross(h) + m * v,
-    }
 }

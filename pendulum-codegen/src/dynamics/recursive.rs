@@ -5,7 +5,7 @@
 use super::frames::{Frame, frames};
 use super::joints::{AlongJoints, Entry, Inertial, JointId};
 use super::links::{Link, links};
-use super::motion::{Motion, inertial_moment, momentum, motions};
+use super::motion::{Motion, inertial_moment, motions};
 use super::tangent::Tangent;
 use crate::expr::Expr;
 use crate::model::Model;
@@ -17,20 +17,19 @@ pub(super) fn along_joints<'g>(model: &Model<'g>) -> AlongJoints<'g> {
     let links = links(model);
     let frames = frames(model, &links);
     let still = vec![g.zero(); links.len()];
-    let bias = wrenches(&links, &frames, &motions(&links, &frames, gravity, &still));
-    let bias = forces(&links, &bias);
+    let (_, wrenches) = inverse_dynamics(&links, &frames, gravity, &still);
+    let bias = forces(&links, &wrenches);
     let second_rates: Vec<Expr<'g>> = links.iter().map(|link| model.acceleration_of(&link.motion)).collect();
-    let motions_of_all = motions(&links, &frames, gravity, &second_rates);
-    let wrenches_of_all = wrenches(&links, &frames, &motions_of_all);
-    let inertial = forces(&links, &wrenches_of_all);
+    let (motions, wrenches) = inverse_dynamics(&links, &frames, gravity, &second_rates);
+    let inertial = forces(&links, &wrenches);
     let composites = composites(&links, &frames);
     let mass_matrix = mass_matrix(&links, &frames, &composites);
-    let tangent = Tangent::new(&links, &frames, &composites, &motions_of_all, &wrenches_of_all);
+    let tangent = Tangent::new(&links, &frames, &composites, &motions, &wrenches);
     // from rest and without gravity, accelerations equal to the rates take forces equal to the momenta
     let resting: Vec<Frame<'g>> = frames.iter().map(Frame::at_rest).collect();
     let rates: Vec<Expr<'g>> = links.iter().map(|link| model.rate_of(&link.motion)).collect();
-    let momenta = wrenches(&links, &resting, &motions(&links, &resting, Vec3::zero(g), &rates));
-    let momenta = forces(&links, &momenta);
+    let (_, wrenches) = inverse_dynamics(&links, &resting, Vec3::zero(g), &rates);
+    let momenta = forces(&links, &wrenches);
     AlongJoints {
         motions: links.into_iter().map(|link| link.motion).collect(),
         mass_matrix,
@@ -43,8 +42,14 @@ pub(super) fn along_joints<'g>(model: &Model<'g>) -> AlongJoints<'g> {
     }
 }
 
-/// The wrench that each link takes with all that it carries, by Newton and Euler.
-fn wrenches<'g>(links: &[Link<'g>], frames: &[Frame<'g>], motions: &[Motion<'g>]) -> Vec<Wrench<'g>> {
+/// How the links move, and the wrench that each takes with all that it carries, by Newton and Euler.
+fn inverse_dynamics<'g>(
+    links: &[Link<'g>],
+    frames: &[Frame<'g>],
+    gravity: Vec3<'g>,
+    second_rates: &[Expr<'g>],
+) -> (Vec<Motion<'g>>, Vec<Wrench<'g>>) {
+    let motions = motions(links, frames, gravity, second_rates);
     let own = |(motion, frame): (&Motion<'g>, &Frame<'g>)| {
         let MassMoments {
             mass: m,
@@ -62,7 +67,7 @@ fn wrenches<'g>(links: &[Link<'g>], frames: &[Frame<'g>], motions: &[Motion<'g>]
             wrenches[parent] = wrenches[parent] + frames[n].wrench_to_parent(&wrenches[n]);
         }
     }
-    wrenches
+    (motions, wrenches)
 }
 
 /// The forces along the joints.
@@ -86,7 +91,7 @@ fn composites<'g>(links: &[Link<'g>], frames: &[Frame<'g>]) -> Vec<MassMoments<'
 fn mass_matrix<'g>(links: &[Link<'g>], frames: &[Frame<'g>], composites: &[MassMoments<'g>]) -> Vec<Entry<'g>> {
     let mut entries = Vec::new();
     for j in JointId::all(links.len()) {
-        let mut wrench = momentum(&composites[j], &links[j].screw);
+        let mut wrench = composites[j] * links[j].screw;
         let mut at = j;
         loop {
             entries.push((at, j, wrench.power(&links[at].screw)));

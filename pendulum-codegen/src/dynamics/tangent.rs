@@ -7,7 +7,7 @@
 use super::frames::Frame;
 use super::joints::{Entry, JointId};
 use super::links::Link;
-use super::motion::{Motion, momentum};
+use super::motion::Motion;
 use crate::expr::Expr;
 use crate::screw::{MassMoments, Mat3, Twist, Vec3, Wrench};
 
@@ -176,7 +176,7 @@ impl<'g> Response<'g> {
     fn of_joint(screw: &Twist<'g>, inertia: &MassMoments<'g>, flow: &Flow<'g>) -> Self {
         Self {
             by_spin: 2 * (flow.momentum.cross(screw.linear) + flow.gyration() * screw.angular),
-            wrench: momentum(inertia, screw),
+            wrench: *inertia * *screw,
         }
     }
 

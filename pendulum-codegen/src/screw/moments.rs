@@ -1,8 +1,8 @@
 //! Inertia as moments of mass.
 
-use std::ops::Add;
+use std::ops::{Add, Mul};
 
-use super::{Mat3, SpatialInertia, Symmetric3, Vec3};
+use super::{Mat3, SpatialInertia, Symmetric3, Twist, Vec3, Wrench};
 use crate::expr::{Expr, Graph, ratio};
 
 /// Mass, first moment `integral r dm` and second moments `integral r r^T dm` about the origin of a frame.
@@ -86,6 +86,17 @@ impl Add for MassMoments<'_> {
             mass: self.mass + other.mass,
             first: self.first + other.first,
             second: self.second + other.second,
+        }
+    }
+}
+
+/// The momentum along a twist: `(J w + h x v ; w x h + m v)`.
+impl<'g> Mul<Twist<'g>> for MassMoments<'g> {
+    type Output = Wrench<'g>;
+    fn mul(self, Twist { angular: w, linear: v }: Twist<'g>) -> Wrench<'g> {
+        Wrench {
+            moment: self.rotational() * w + self.first.cross(v),
+            force: w.cross(self.first) + self.mass * v,
         }
     }
 }
