@@ -28,11 +28,6 @@ impl<'g> Printer<'g> {
         self.names.insert(x, name);
     }
 
-    /// Writes `x` in full again.
-    pub fn forget(&mut self, x: ExprId) {
-        self.names.remove(&x);
-    }
-
     /// The text of `x`.
     pub fn print(&self, x: ExprId) -> String {
         self.formula(x).to_string()

@@ -4,6 +4,7 @@ mod angles;
 pub(crate) mod constants;
 mod cost;
 pub(crate) mod factor;
+mod flat;
 mod nest;
 mod share;
 pub(crate) mod trig;
