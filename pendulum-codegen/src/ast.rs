@@ -9,11 +9,11 @@ use crate::expr::Rational;
 use crate::units::Unit;
 
 /// A part of the text, or why it cannot be read. The error is reported when lowering comes to it, in line with others of the body.
-pub type Read<T> = syn::Result<T>;
+pub(crate) type Read<T> = syn::Result<T>;
 
 /// A whole declaration.
 #[derive(Debug)]
-pub struct Scene {
+pub(crate) struct Scene {
     /// What stands before the braces.
     pub head: Head,
     /// Everything between the braces.
@@ -22,7 +22,7 @@ pub struct Scene {
 
 /// What stands before the braces of a declaration.
 #[derive(Debug)]
-pub struct Head {
+pub(crate) struct Head {
     /// Documentation of the model.
     pub docs: Vec<String>,
     /// Visibility of the generated items.
@@ -33,7 +33,7 @@ pub struct Head {
 
 /// The items of a scene, by kind, each in the order of the text.
 #[derive(Debug, Default)]
-pub struct Items {
+pub(crate) struct Items {
     /// Parameters.
     pub params: Vec<Param>,
     /// Acceleration of gravity.
@@ -54,7 +54,7 @@ pub struct Items {
 
 /// `name: unit = default`
 #[derive(Debug)]
-pub struct Param {
+pub(crate) struct Param {
     /// Documentation of the field.
     pub docs: Vec<String>,
     /// Name.
@@ -67,7 +67,7 @@ pub struct Param {
 
 /// `let name = value,`
 #[derive(Debug)]
-pub struct Let {
+pub(crate) struct Let {
     /// Name.
     pub name: Ident,
     /// What it stands for.
@@ -76,7 +76,7 @@ pub struct Let {
 
 /// `input name: unit,`
 #[derive(Debug)]
-pub struct Input {
+pub(crate) struct Input {
     /// Documentation of the field.
     pub docs: Vec<String>,
     /// Name.
@@ -87,7 +87,7 @@ pub struct Input {
 
 /// `shape name { .. }`
 #[derive(Debug)]
-pub struct Shape {
+pub(crate) struct Shape {
     /// Name.
     pub name: Ident,
     /// What it weighs.
@@ -98,7 +98,7 @@ pub struct Shape {
 
 /// Mass properties: either mass, centre of mass and inertia, or solids.
 #[derive(Debug, Default)]
-pub struct Properties {
+pub(crate) struct Properties {
     /// Mass.
     pub mass: Option<Expr>,
     /// Centre of mass in the body frame.
@@ -111,7 +111,7 @@ pub struct Properties {
 
 /// `inertia: e`, `[xx, yy, zz]` or `[xx, yy, zz, xy, xz, yz]`, perhaps `about joint`
 #[derive(Debug)]
-pub struct Inertia {
+pub(crate) struct Inertia {
     /// One, three or six entries.
     pub entries: Vec<Expr>,
     /// About the origin of the body frame rather than about the centre of mass.
@@ -122,7 +122,7 @@ pub struct Inertia {
 
 /// `kind(mass, arguments)`
 #[derive(Debug)]
-pub struct Solid {
+pub(crate) struct Solid {
     /// `point`, `rod`, `disk`, ...
     pub word: Ident,
     /// Mass.
@@ -133,7 +133,7 @@ pub struct Solid {
 
 /// A solid of uniform density.
 #[derive(Debug)]
-pub enum SolidKind {
+pub(crate) enum SolidKind {
     /// A point mass.
     Point {
         /// Where it sits.
@@ -187,7 +187,7 @@ pub enum SolidKind {
 
 /// `body name on parent: shape { .. }`
 #[derive(Debug)]
-pub struct Body {
+pub(crate) struct Body {
     /// Name.
     pub name: Ident,
     /// The body that carries it, or `ground`.
@@ -202,7 +202,7 @@ pub struct Body {
 
 /// The fields of a body.
 #[derive(Debug, Default)]
-pub struct BodyFields {
+pub(crate) struct BodyFields {
     /// Its own mass properties.
     pub properties: Properties,
     /// How it hangs on its parent.
@@ -221,7 +221,7 @@ pub struct BodyFields {
 
 /// `kind(arguments) at point rpy angles`
 #[derive(Debug)]
-pub struct Joint {
+pub(crate) struct Joint {
     /// How it moves.
     pub kind: Read<JointKind>,
     /// Where it sits in the parent's frame.
@@ -232,7 +232,7 @@ pub struct Joint {
 
 /// How a joint moves.
 #[derive(Debug)]
-pub enum JointKind {
+pub(crate) enum JointKind {
     /// It turns about an axis.
     Revolute(Read<Axis>),
     /// It slides along an axis.
@@ -257,7 +257,7 @@ pub enum JointKind {
 
 /// The axis of a joint.
 #[derive(Debug)]
-pub enum Axis {
+pub(crate) enum Axis {
     /// A coordinate axis.
     Unit {
         /// 0, 1 or 2 for x, y or z.
@@ -271,7 +271,7 @@ pub enum Axis {
 
 /// Three components.
 #[derive(Debug)]
-pub struct Vector {
+pub(crate) struct Vector {
     /// The components.
     pub components: [Expr; 3],
     /// The text.
@@ -280,7 +280,7 @@ pub struct Vector {
 
 /// An expression with its text.
 #[derive(Debug)]
-pub struct Expr {
+pub(crate) struct Expr {
     /// The outermost operation.
     pub kind: ExprKind,
     /// The text.
@@ -289,7 +289,7 @@ pub struct Expr {
 
 /// An operation of the language of expressions.
 #[derive(Debug)]
-pub enum ExprKind {
+pub(crate) enum ExprKind {
     /// A number, exactly.
     Number(Rational),
     /// A name.
@@ -306,7 +306,7 @@ pub enum ExprKind {
 
 /// An operator between two operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Operator {
+pub(crate) enum Operator {
     /// `+`
     Add,
     /// `-`
@@ -331,7 +331,7 @@ impl ToTokens for Vector {
 
 impl Expr {
     /// Where the expression begins.
-    pub fn span(&self) -> Span {
+    pub(crate) fn span(&self) -> Span {
         self.tokens
             .clone()
             .into_iter()

@@ -10,7 +10,7 @@ use crate::model::{CoordinateId, Model};
 const SINGULAR: f64 = 1e-13;
 
 /// Refuses a scene whose mass matrix is singular in every state.
-pub fn check(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'_>) -> Result<(), Errors> {
+pub(crate) fn check(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'_>) -> Result<(), Errors> {
     let mut errors = Errors::default();
     if let Some(k) = without_inertia(model, dynamics)
         && let Some(n) = model.bodies.iter().position(|body| body.coordinate == Some(k))

@@ -7,7 +7,7 @@ use crate::error::{at, suggestion};
 
 /// A product of powers of metre, kilogram, second, ampere and kelvin; the radian is 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Default)]
-pub struct Dimension {
+pub(crate) struct Dimension {
     /// The powers of m, kg, s, A and K.
     pub powers: [i32; 5],
 }
@@ -28,7 +28,7 @@ const NAMES: [(&str, [i32; 5]); 11] = [
 
 /// A unit as it is written, and what it means.
 #[derive(Clone, Debug)]
-pub struct Unit {
+pub(crate) struct Unit {
     /// The text, as it goes into the documentation of the field.
     pub text: String,
     /// Its dimension.

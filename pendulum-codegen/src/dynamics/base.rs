@@ -11,7 +11,7 @@ use crate::screw::{MassMoments, Symmetric3, Vec3};
 /// about the same direction it has three, and one if nothing pushes it across that. A link that slides has its mass and its first
 /// moment. Their number is the least one where all joints turn; helical joints, and slides among parallel axes, may have
 /// combinations that are left standing.
-pub fn base_parameters<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
+pub(crate) fn base_parameters<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
     let links = links(model);
     let ground = Path {
         turning: Turning::Nothing,

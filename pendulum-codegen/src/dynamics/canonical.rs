@@ -10,7 +10,7 @@ use crate::model::Coordinate;
 use super::{Dynamics, derived};
 
 /// The rates of the momenta, in the state.
-pub fn momentum_rates<'g>(dynamics: &Dynamics<'g>, coordinates: &[Coordinate<'g>]) -> Vec<Expr<'g>> {
+pub(crate) fn momentum_rates<'g>(dynamics: &Dynamics<'g>, coordinates: &[Coordinate<'g>]) -> Vec<Expr<'g>> {
     let mut along_motion = Derivative::along(coordinates.iter().map(|c| (c.position, c.rate)));
     let rows = dynamics.momentum.iter().zip(&dynamics.residual);
     rows.map(|(&momentum, &residual)| along_motion.of(momentum) - residual)
@@ -18,7 +18,7 @@ pub fn momentum_rates<'g>(dynamics: &Dynamics<'g>, coordinates: &[Coordinate<'g>
 }
 
 /// The derivatives of the momenta by the state, column by column. Those by the rates are the mass matrix.
-pub fn momentum_partials<'g>(dynamics: &Dynamics<'g>, coordinates: &[Coordinate<'g>]) -> Vec<Vec<Expr<'g>>> {
+pub(crate) fn momentum_partials<'g>(dynamics: &Dynamics<'g>, coordinates: &[Coordinate<'g>]) -> Vec<Vec<Expr<'g>>> {
     let positions: Vec<Expr<'g>> = coordinates.iter().map(|c| c.position).collect();
     let mut columns = derived(&dynamics.momentum, &positions);
     columns.extend(dynamics.mass_matrix.iter().cloned());

@@ -10,7 +10,7 @@ use crate::screw::{Twist, Wrench};
 /// `tau_i = sum_j A_ij qdd_j + sum_jk B_ijk qd_j qd_k + C_i`, where the indices run over the bodies of a model.
 /// Entries of fixed joints, and of bodies that are not on one path from the ground, are zero and left out.
 #[derive(Debug, Default)]
-pub struct Coefficients<'g> {
+pub(crate) struct Coefficients<'g> {
     /// `A_ij` for `i <= j`.
     pub a: BTreeMap<(BodyId, BodyId), Expr<'g>>,
     /// `B_ijk` for `j <= k`.
@@ -21,7 +21,7 @@ pub struct Coefficients<'g> {
 
 impl<'g> Coefficients<'g> {
     /// The coefficients of a model.
-    pub fn new(model: &Model<'g>, kinematics: &mut Kinematics<'g>) -> Self {
+    pub(crate) fn new(model: &Model<'g>, kinematics: &mut Kinematics<'g>) -> Self {
         let mut coefficients = Self::default();
         for x in BodyId::all(model.bodies.len()) {
             // the joints on the path to x, and their screws in the station of x

@@ -10,12 +10,12 @@ use super::Dynamics;
 
 /// The partial derivatives of `A qdd + bias - force` at fixed accelerations: one column of length `n` for each variable. The
 /// accelerations stand in it as the symbols of the coordinates.
-pub fn partials<'g>(dynamics: &Dynamics<'g>, variables: &[Expr<'g>]) -> Vec<Vec<Expr<'g>>> {
+pub(crate) fn partials<'g>(dynamics: &Dynamics<'g>, variables: &[Expr<'g>]) -> Vec<Vec<Expr<'g>>> {
     derived(&dynamics.balance, variables)
 }
 
 /// The derivatives of some expressions by some symbols: one column for each symbol.
-pub fn derived<'g>(rows: &[Expr<'g>], symbols: &[Expr<'g>]) -> Vec<Vec<Expr<'g>>> {
+pub(crate) fn derived<'g>(rows: &[Expr<'g>], symbols: &[Expr<'g>]) -> Vec<Vec<Expr<'g>>> {
     let column = |&symbol: &Expr<'g>| {
         let mut derivative = Derivative::by(symbol);
         rows.iter().map(|&row| derivative.of(row)).collect()
@@ -25,7 +25,7 @@ pub fn derived<'g>(rows: &[Expr<'g>], symbols: &[Expr<'g>]) -> Vec<Vec<Expr<'g>>
 
 /// The [`partials`] by the state, from the derivatives of inverse dynamics that the recursion knows without deriving expressions; none
 /// where it does not, or by other variables.
-pub fn partials_by_recursion<'g>(
+pub(crate) fn partials_by_recursion<'g>(
     dynamics: &Dynamics<'g>,
     coordinates: &[Coordinate<'g>],
     variables: &[Expr<'g>],

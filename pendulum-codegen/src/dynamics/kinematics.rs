@@ -11,7 +11,7 @@ use crate::screw::{Mat3, SpatialInertia, Transform, Twist, Vec3};
 /// All scalars of the dynamics are invariant under a change of frame, so each may be computed where it is shortest. In a
 /// station, parallel joints turn by sums of angles and what lies below the station does not appear at all.
 #[derive(Debug)]
-pub struct Kinematics<'g> {
+pub(crate) struct Kinematics<'g> {
     graph: &'g Graph,
     poses: Vec<Transform<'g>>,
     screws: Vec<Option<Twist<'g>>>,
@@ -24,7 +24,7 @@ pub struct Kinematics<'g> {
 
 impl<'g> Kinematics<'g> {
     /// The kinematics of a model.
-    pub fn new(model: &Model<'g>) -> Self {
+    pub(crate) fn new(model: &Model<'g>) -> Self {
         let mut poses: Vec<Transform<'g>> = Vec::new();
         let mut screws = Vec::new();
         for body in &model.bodies {
@@ -64,17 +64,17 @@ impl<'g> Kinematics<'g> {
     }
 
     /// Whether body `inner` carries body `outer`, or is it.
-    pub fn carries(&self, inner: BodyId, outer: BodyId) -> bool {
+    pub(crate) fn carries(&self, inner: BodyId, outer: BodyId) -> bool {
         std::iter::successors(Some(outer), |&n| self.parents[n]).any(|n| n == inner)
     }
 
     /// The inertia of a body and all that it carries, in its station: `N_x^+`.
-    pub fn composite(&self, body: BodyId) -> SpatialInertia<'g> {
+    pub(crate) fn composite(&self, body: BodyId) -> SpatialInertia<'g> {
         self.composites[body]
     }
 
     /// The screw of the joint of `joint`, in the station of `body`, which it carries or is. A fixed joint has none.
-    pub fn screw(&mut self, joint: BodyId, body: BodyId) -> Option<Twist<'g>> {
+    pub(crate) fn screw(&mut self, joint: BodyId, body: BodyId) -> Option<Twist<'g>> {
         let own = self.screws[joint]?;
         let (Some(base), true) = (self.stations[body], self.stations[joint] != self.stations[body]) else {
             return Some(own);
@@ -89,7 +89,7 @@ impl<'g> Kinematics<'g> {
     }
 
     /// The acceleration of gravity in the station of a body.
-    pub fn gravity(&self, body: BodyId) -> Vec3<'g> {
+    pub(crate) fn gravity(&self, body: BodyId) -> Vec3<'g> {
         match self.stations[body] {
             None => self.gravity,
             Some(base) => self.poses[base].rotation.transpose() * self.gravity(base),
@@ -97,7 +97,7 @@ impl<'g> Kinematics<'g> {
     }
 
     /// Potential energy of all bodies in gravity, zero where all mass is at the origin of ground.
-    pub fn potential(&self) -> Expr<'g> {
+    pub(crate) fn potential(&self) -> Expr<'g> {
         let roots = self
             .composites
             .iter()

@@ -1,6 +1,7 @@
 //! The dynamics of a model: from screws to the mass matrix, the bias, the forces and the energy in its coordinates.
 
 mod articulated;
+#[cfg(test)]
 mod base;
 mod canonical;
 mod coefficients;
@@ -14,12 +15,13 @@ mod recursive;
 mod solve;
 mod tangent;
 
-pub use base::base_parameters;
-pub use canonical::{momentum_partials, momentum_rates};
-pub use coefficients::Coefficients;
-pub use jacobian::{derived, partials, partials_by_recursion};
-pub use kinematics::Kinematics;
-pub use solve::{Factored, Solver};
+#[cfg(test)]
+pub(crate) use base::base_parameters;
+pub(crate) use canonical::{momentum_partials, momentum_rates};
+pub(crate) use coefficients::Coefficients;
+pub(crate) use jacobian::{derived, partials, partials_by_recursion};
+pub(crate) use kinematics::Kinematics;
+pub(crate) use solve::{Factored, Solver};
 
 use crate::expr::Expr;
 use crate::model::{BodyId, Coordinate, Model};
@@ -27,7 +29,7 @@ use joints::{AlongJoints, JointId};
 
 /// `mass_matrix * qdd + bias = force`, in the coordinates of the scene.
 #[derive(Clone, Debug)]
-pub struct Dynamics<'g> {
+pub(crate) struct Dynamics<'g> {
     /// The mass matrix; symmetric.
     pub mass_matrix: Vec<Vec<Expr<'g>>>,
     /// Velocity terms and gravity.
@@ -50,7 +52,7 @@ pub struct Dynamics<'g> {
 
 /// Derivatives of `A qdd + bias` (rows) at fixed accelerations, which stand in them as the symbols of the coordinates.
 #[derive(Clone, Debug)]
-pub struct Tangent<'g> {
+pub(crate) struct Tangent<'g> {
     /// By the coordinates.
     pub by_position: Vec<Vec<Expr<'g>>>,
     /// By their rates.
@@ -59,7 +61,7 @@ pub struct Tangent<'g> {
 
 impl<'g> Dynamics<'g> {
     /// The dynamics of a model from A, B and C (Williams 2023, Sec. 2): the definition that other forms are proved equal to.
-    pub fn new(model: &Model<'g>) -> Self {
+    pub(crate) fn new(model: &Model<'g>) -> Self {
         let mut kinematics = Kinematics::new(model);
         let Coefficients { a, b, c } = Coefficients::new(model, &mut kinematics);
         let (g, bodies) = (model.graph, &model.bodies);
@@ -88,24 +90,24 @@ impl<'g> Dynamics<'g> {
     }
 
     /// The same dynamics by recursion over links in base parameters; `potential` is the potential energy of gravity and springs.
-    pub fn recursive(model: &Model<'g>, potential: Expr<'g>) -> Self {
+    pub(crate) fn recursive(model: &Model<'g>, potential: Expr<'g>) -> Self {
         recursive::along_joints(model).in_coordinates(model, potential)
     }
 
     /// The accelerations by articulated bodies: without a mass matrix.
-    pub fn articulated(model: &Model<'g>) -> Vec<Expr<'g>> {
+    pub(crate) fn articulated(model: &Model<'g>) -> Vec<Expr<'g>> {
         articulated::accelerations(model)
     }
 
     /// Every expression of the dynamics, in one list.
-    pub fn entries(&self) -> Vec<Expr<'g>> {
+    pub(crate) fn entries(&self) -> Vec<Expr<'g>> {
         let mut copy = self.clone();
         copy.places().into_iter().map(|place| *place).collect()
     }
 
     /// The same dynamics with other expressions, in the order of [`Dynamics::entries`].
     #[must_use]
-    pub fn with_entries(mut self, entries: Vec<Expr<'g>>) -> Self {
+    pub(crate) fn with_entries(mut self, entries: Vec<Expr<'g>>) -> Self {
         for (place, entry) in self.places().into_iter().zip(entries) {
             *place = entry;
         }

@@ -6,7 +6,7 @@ use crate::expr::Expr;
 
 /// How the system is solved. All give the same value; which is shortest depends on how many right-hand sides there are.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Solver {
+pub(crate) enum Solver {
     /// Closed form of two unknowns, by the adjugate.
     Adjugate,
     /// Closed form of two unknowns, by the entries of the inverse.
@@ -14,13 +14,11 @@ pub enum Solver {
     /// `L^T D L`, from the last coordinate to the first: the zeros between branches of a tree stay zero (Featherstone
     /// 2008, Sec. 6.5).
     Ldl,
-    /// The same with pivots of two coordinates: half the divisions, each of which waits for the one before.
-    Pairs,
 }
 
 /// A factored matrix.
 #[derive(Debug)]
-pub struct Factored<'g> {
+pub(crate) struct Factored<'g> {
     /// The pivots, from the last coordinate to the first.
     pivots: Vec<Pivot<'g>>,
     /// `-L` below the pivots.
@@ -39,7 +37,7 @@ struct Pivot<'g> {
 impl<'g> Factored<'g> {
     /// Factors a symmetric matrix of one row or more. `determinant` is that of a matrix of two rows, where a better form of it is
     /// known.
-    pub fn new(solver: Solver, matrix: &[Vec<Expr<'g>>], determinant: Option<Expr<'g>>) -> Self {
+    pub(crate) fn new(solver: Solver, matrix: &[Vec<Expr<'g>>], determinant: Option<Expr<'g>>) -> Self {
         let n = matrix.len();
         let graph = matrix[0][0].graph();
         let mut a = matrix.to_vec();
@@ -49,11 +47,7 @@ impl<'g> Factored<'g> {
         };
         let mut end = n;
         while end > 0 {
-            let paired = match solver {
-                Solver::Adjugate | Solver::Inverse => true,
-                Solver::Ldl => false,
-                Solver::Pairs => end > 1 && !a[end - 1][end - 2].is_zero(),
-            };
+            let paired = solver != Solver::Ldl;
             let determinant = determinant.filter(|_| n == 2);
             let pivot = match determinant {
                 _ if paired => Pivot::pair(&a, end - 2, determinant, solver == Solver::Adjugate),
@@ -87,7 +81,7 @@ impl<'g> Factored<'g> {
     }
 
     /// `-A^-1 r`
-    pub fn solve_negated(&self, r: &[Expr<'g>]) -> Vec<Expr<'g>> {
+    pub(crate) fn solve_negated(&self, r: &[Expr<'g>]) -> Vec<Expr<'g>> {
         let mut x = r.to_vec();
         for Pivot { coordinates, .. } in &self.pivots {
             for j in 0..coordinates.start {

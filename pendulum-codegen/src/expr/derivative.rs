@@ -6,14 +6,14 @@ use super::{Binary, Expr, Node, Unary};
 
 /// The derivative by one symbol, or along a direction. It remembers what it has derived, so shared parts are derived once.
 #[derive(Debug)]
-pub struct Derivative<'g> {
+pub(crate) struct Derivative<'g> {
     by: Option<Expr<'g>>,
     known: HashMap<Expr<'g>, Expr<'g>>,
 }
 
 impl<'g> Derivative<'g> {
     /// The derivative by the symbol `by`.
-    pub fn by(by: Expr<'g>) -> Self {
+    pub(crate) fn by(by: Expr<'g>) -> Self {
         Self {
             by: Some(by),
             known: HashMap::new(),
@@ -21,7 +21,7 @@ impl<'g> Derivative<'g> {
     }
 
     /// The derivative along a direction: the sum of the derivatives by some symbols, each times its component.
-    pub fn along(components: impl IntoIterator<Item = (Expr<'g>, Expr<'g>)>) -> Self {
+    pub(crate) fn along(components: impl IntoIterator<Item = (Expr<'g>, Expr<'g>)>) -> Self {
         Self {
             by: None,
             known: components.into_iter().collect(),
@@ -29,7 +29,7 @@ impl<'g> Derivative<'g> {
     }
 
     /// The derivative of `x`.
-    pub fn of(&mut self, x: Expr<'g>) -> Expr<'g> {
+    pub(crate) fn of(&mut self, x: Expr<'g>) -> Expr<'g> {
         let graph = x.graph();
         if Some(x) == self.by {
             return graph.one();

@@ -19,7 +19,7 @@ pub enum Formula {
     /// `-a`
     Neg(Box<Formula>),
     /// `a + b - c`
-    Sum(Vec<Term>),
+    Sum(Vec<Summand>),
     /// `a*b*c`
     Product(Vec<Formula>),
     /// `a/b`
@@ -30,7 +30,7 @@ pub enum Formula {
 
 /// A term of a sum.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Term {
+pub struct Summand {
     /// Whether it is subtracted.
     pub negative: bool,
     /// What is added or subtracted.
@@ -66,7 +66,7 @@ impl Formula {
     }
 
     /// The terms of a sum, with the sign in front of a term drawn into it; anything else is one term.
-    pub fn into_terms(self, negative: bool) -> Vec<Term> {
+    pub fn into_terms(self, negative: bool) -> Vec<Summand> {
         use num_traits::Signed;
         match self {
             Self::Sum(mut terms) => {
@@ -74,32 +74,32 @@ impl Formula {
                 terms
             }
             Self::Neg(formula) if !matches!(*formula, Self::Sum(_)) => formula.into_terms(!negative),
-            Self::Neg(formula) => vec![Term {
+            Self::Neg(formula) => vec![Summand {
                 negative: !negative,
                 formula: *formula,
             }],
-            Self::Number(n) if n.is_negative() => vec![Term {
+            Self::Number(n) if n.is_negative() => vec![Summand {
                 negative: !negative,
                 formula: Self::Number(-n),
             }],
-            formula => vec![Term { negative, formula }],
+            formula => vec![Summand { negative, formula }],
         }
     }
 
     /// The sum of terms.
-    pub fn sum(mut terms: Vec<Term>) -> Self {
+    pub fn sum(mut terms: Vec<Summand>) -> Self {
         match (terms.len(), terms.pop()) {
             (_, None) => Self::Number(super::ratio(0, 1)),
             (
                 1,
-                Some(Term {
+                Some(Summand {
                     negative: false,
                     formula,
                 }),
             ) => formula,
             (
                 1,
-                Some(Term {
+                Some(Summand {
                     negative: true,
                     formula,
                 }),

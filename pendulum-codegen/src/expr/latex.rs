@@ -7,7 +7,7 @@ pub(crate) use lines::latex_definitions;
 use num_traits::{One, Signed};
 
 use super::text::number;
-use super::{Formula, Precedence, Term};
+use super::{Formula, Precedence, Summand};
 
 /// Functions that LaTeX knows by their names.
 const FUNCTIONS: [&str; 6] = ["sin", "cos", "tan", "exp", "ln", "tanh"];
@@ -43,9 +43,9 @@ impl Formula {
     }
 }
 
-fn sum(terms: &[Term]) -> String {
+fn sum(terms: &[Summand]) -> String {
     let mut text = String::new();
-    for (n, Term { negative, formula }) in terms.iter().enumerate() {
+    for (n, Summand { negative, formula }) in terms.iter().enumerate() {
         text.push_str(match (n, negative) {
             (0, false) => "",
             (0, true) => "-",

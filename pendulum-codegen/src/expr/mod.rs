@@ -21,21 +21,22 @@ mod precedence;
 mod print;
 mod text;
 
-pub use derivative::Derivative;
-pub use expression::Expr;
-pub use formula::{Definition, Formula, Term};
-pub use graph::{ExprId, Graph, Level, Node, Symbol, SymbolId, SymbolKind};
+pub(crate) use derivative::Derivative;
+pub(crate) use expression::Expr;
+pub use formula::{Definition, Formula, Summand};
+pub(crate) use graph::{ExprId, Graph, Level, Node, Symbol, SymbolKind};
 pub(crate) use latex::latex_definitions;
-pub use normal::{BaseAngles, Normalizer, TooLarge};
-pub use op::{Binary, CostKind, Unary};
-pub use poly::{Monomial, Poly};
-pub use precedence::Precedence;
-pub use print::Printer;
+pub(crate) use normal::{BaseAngles, Normalizer, TooLarge};
+pub(crate) use op::CostKind;
+pub use op::{Binary, Unary};
+pub(crate) use poly::{Monomial, Poly};
+pub(crate) use precedence::Precedence;
+pub(crate) use print::Printer;
 
 /// An exact number.
-pub type Rational = num_rational::BigRational;
+pub(crate) type Rational = num_rational::BigRational;
 
 /// The rational `numerator / denominator`; the denominator must not be zero.
-pub fn ratio(numerator: i64, denominator: i64) -> Rational {
+pub(crate) fn ratio(numerator: i64, denominator: i64) -> Rational {
     Rational::new(numerator.into(), denominator.into())
 }

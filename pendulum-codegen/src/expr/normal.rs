@@ -13,17 +13,17 @@ use super::{Binary, Expr, ExprId, Graph, Monomial, Node, Poly, Rational, SymbolK
 
 /// The polynomial grew beyond the limit of its normaliser.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct TooLarge;
+pub(crate) struct TooLarge;
 
 /// How many turns of a base angle are still split into powers of its sine and cosine.
 const MOST_TURNS: i64 = 16;
 
 /// What each coordinate is, as a sum of base angles with integer factors.
-pub type BaseAngles<'g> = HashMap<Expr<'g>, Vec<(Expr<'g>, Rational)>>;
+pub(crate) type BaseAngles<'g> = HashMap<Expr<'g>, Vec<(Expr<'g>, Rational)>>;
 
 /// Turns expressions of one graph into normal form, and remembers each.
 #[derive(Debug)]
-pub struct Normalizer<'g> {
+pub(crate) struct Normalizer<'g> {
     graph: &'g Graph,
     known: HashMap<ExprId, Rc<Poly>>,
     angles: BaseAngles<'g>,
@@ -33,7 +33,7 @@ pub struct Normalizer<'g> {
 
 impl<'g> Normalizer<'g> {
     /// A normaliser whose base angles are the coordinates themselves.
-    pub fn new(graph: &'g Graph, budget: usize) -> Self {
+    pub(crate) fn new(graph: &'g Graph, budget: usize) -> Self {
         Self {
             graph,
             known: HashMap::new(),
@@ -44,7 +44,7 @@ impl<'g> Normalizer<'g> {
 
     /// A normaliser in which `angles` says what each coordinate is in base angles. Any unimodular choice gives a canonical
     /// form; the absolute angles of parallel joints give the shortest one.
-    pub fn with_angles(graph: &'g Graph, budget: usize, angles: BaseAngles<'g>) -> Self {
+    pub(crate) fn with_angles(graph: &'g Graph, budget: usize, angles: BaseAngles<'g>) -> Self {
         Self {
             angles,
             ..Self::new(graph, budget)
@@ -52,12 +52,12 @@ impl<'g> Normalizer<'g> {
     }
 
     /// The graph of the expressions.
-    pub fn graph(&self) -> &'g Graph {
+    pub(crate) fn graph(&self) -> &'g Graph {
         self.graph
     }
 
     /// The normal form of `x`.
-    pub fn normal(&mut self, x: Expr<'g>) -> Result<Rc<Poly>, TooLarge> {
+    pub(crate) fn normal(&mut self, x: Expr<'g>) -> Result<Rc<Poly>, TooLarge> {
         if let Some(known) = self.known.get(&x.id()) {
             return Ok(known.clone());
         }
@@ -71,7 +71,7 @@ impl<'g> Normalizer<'g> {
     }
 
     /// Whether `x` is zero in value.
-    pub fn is_zero(&mut self, x: Expr<'g>) -> Result<bool, TooLarge> {
+    pub(crate) fn is_zero(&mut self, x: Expr<'g>) -> Result<bool, TooLarge> {
         Ok(self.normal(x)?.is_empty())
     }
 
@@ -164,7 +164,7 @@ impl<'g> Normalizer<'g> {
     }
 
     /// The product of two normal forms.
-    pub fn product(&mut self, a: &Poly, b: &Poly) -> Result<Poly, TooLarge> {
+    pub(crate) fn product(&mut self, a: &Poly, b: &Poly) -> Result<Poly, TooLarge> {
         self.budget = self.budget.checked_sub(a.len() * b.len()).ok_or(TooLarge)?;
         let mut product = Poly::default();
         for (u, x) in a.terms() {
@@ -254,7 +254,7 @@ impl<'g> Normalizer<'g> {
     }
 
     /// The expression of a polynomial: the same one for equal polynomials.
-    pub fn to_expr(&self, poly: &Poly) -> Expr<'g> {
+    pub(crate) fn to_expr(&self, poly: &Poly) -> Expr<'g> {
         let mut sum = self.graph.zero();
         for (monomial, coefficient) in poly.terms() {
             let mut product = self.graph.number(coefficient.clone());
@@ -267,7 +267,7 @@ impl<'g> Normalizer<'g> {
     }
 
     /// What is multiplied by each product of the atoms for which `of` holds.
-    pub fn split(&self, poly: &Poly, of: impl Fn(Expr<'g>) -> bool) -> BTreeMap<Monomial, Poly> {
+    pub(crate) fn split(&self, poly: &Poly, of: impl Fn(Expr<'g>) -> bool) -> BTreeMap<Monomial, Poly> {
         let mut parts: BTreeMap<Monomial, Poly> = BTreeMap::new();
         for (monomial, coefficient) in poly.terms() {
             let (key, rest) = monomial.partition(|atom| of(self.graph.expr(atom)));

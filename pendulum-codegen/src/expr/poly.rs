@@ -8,33 +8,28 @@ use super::{ExprId, Rational};
 
 /// A product of integer powers of atoms, sorted by atom; no power is zero.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Monomial(Vec<(ExprId, i32)>);
+pub(crate) struct Monomial(Vec<(ExprId, i32)>);
 
 impl Monomial {
     /// The atom alone.
-    pub fn atom(atom: impl Into<ExprId>) -> Self {
+    pub(crate) fn atom(atom: impl Into<ExprId>) -> Self {
         Self(vec![(atom.into(), 1)])
     }
 
     /// The atoms and their powers, sorted by atom.
-    pub fn powers(&self) -> &[(ExprId, i32)] {
+    pub(crate) fn powers(&self) -> &[(ExprId, i32)] {
         &self.0
     }
 
-    /// Whether this is the empty product.
-    pub fn is_one(&self) -> bool {
-        self.0.is_empty()
-    }
-
     /// The power of one atom.
-    pub fn power_of(&self, atom: impl Into<ExprId>) -> i32 {
+    pub(crate) fn power_of(&self, atom: impl Into<ExprId>) -> i32 {
         let atom = atom.into();
         self.0.binary_search_by_key(&atom, |p| p.0).map_or(0, |at| self.0[at].1)
     }
 
     /// The product of two monomials.
     #[must_use]
-    pub fn times(&self, other: &Self) -> Self {
+    pub(crate) fn times(&self, other: &Self) -> Self {
         let (mut a, mut b) = (self.0.iter().copied().peekable(), other.0.iter().copied().peekable());
         let mut product = Vec::with_capacity(self.0.len() + other.0.len());
         loop {
@@ -56,7 +51,7 @@ impl Monomial {
 
     /// The product with an integer power of one atom.
     #[must_use]
-    pub fn times_power(&self, atom: impl Into<ExprId>, power: i32) -> Self {
+    pub(crate) fn times_power(&self, atom: impl Into<ExprId>, power: i32) -> Self {
         if power == 0 {
             self.clone()
         } else {
@@ -66,12 +61,12 @@ impl Monomial {
 
     /// The reciprocal.
     #[must_use]
-    pub fn recip(&self) -> Self {
+    pub(crate) fn recip(&self) -> Self {
         Self(self.0.iter().map(|&(atom, power)| (atom, -power)).collect())
     }
 
     /// The factors for which `keep` holds, and the others.
-    pub fn partition(&self, mut keep: impl FnMut(ExprId) -> bool) -> (Self, Self) {
+    pub(crate) fn partition(&self, mut keep: impl FnMut(ExprId) -> bool) -> (Self, Self) {
         let (yes, no) = self.0.iter().partition(|(atom, _)| keep(*atom));
         (Self(yes), Self(no))
     }
@@ -79,62 +74,53 @@ impl Monomial {
 
 /// A sum of monomials with rational coefficients; no coefficient is zero.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Poly(BTreeMap<Monomial, Rational>);
+pub(crate) struct Poly(BTreeMap<Monomial, Rational>);
 
 impl Poly {
     /// The constant polynomial.
-    pub fn constant(value: Rational) -> Self {
+    pub(crate) fn constant(value: Rational) -> Self {
         Self::term(Monomial::default(), value)
     }
 
     /// One atom.
-    pub fn atom(atom: impl Into<ExprId>) -> Self {
+    pub(crate) fn atom(atom: impl Into<ExprId>) -> Self {
         Self::term(Monomial::atom(atom), Rational::one())
     }
 
     /// One term.
-    pub fn term(monomial: Monomial, coefficient: Rational) -> Self {
+    pub(crate) fn term(monomial: Monomial, coefficient: Rational) -> Self {
         let mut poly = Self::default();
         poly.add_term(monomial, coefficient);
         poly
     }
 
     /// The terms, sorted by monomial.
-    pub fn terms(&self) -> impl DoubleEndedIterator<Item = (&Monomial, &Rational)> {
+    pub(crate) fn terms(&self) -> impl DoubleEndedIterator<Item = (&Monomial, &Rational)> {
         self.0.iter()
     }
 
     /// The number of terms.
-    pub fn len(&self) -> usize {
+    pub(crate) fn len(&self) -> usize {
         self.0.len()
     }
 
     /// Whether there are no terms: the value is zero.
-    pub fn is_empty(&self) -> bool {
+    pub(crate) fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
     /// The coefficient of a monomial.
-    pub fn coefficient(&self, monomial: &Monomial) -> Option<&Rational> {
+    pub(crate) fn coefficient(&self, monomial: &Monomial) -> Option<&Rational> {
         self.0.get(monomial)
     }
 
     /// The only term, if there is just one.
-    pub fn as_term(&self) -> Option<(&Monomial, &Rational)> {
+    pub(crate) fn as_term(&self) -> Option<(&Monomial, &Rational)> {
         if self.0.len() == 1 { self.0.iter().next() } else { None }
     }
 
-    /// The value, if no atom is left.
-    pub fn as_constant(&self) -> Option<Rational> {
-        match self.as_term() {
-            _ if self.is_empty() => Some(Rational::zero()),
-            Some((monomial, value)) if monomial.is_one() => Some(value.clone()),
-            _ => None,
-        }
-    }
-
     /// Adds one term in place.
-    pub fn add_term(&mut self, monomial: Monomial, coefficient: Rational) {
+    pub(crate) fn add_term(&mut self, monomial: Monomial, coefficient: Rational) {
         use std::collections::btree_map::Entry;
         if coefficient.is_zero() {
             return;
@@ -153,12 +139,12 @@ impl Poly {
     }
 
     /// Removes a term and gives its coefficient.
-    pub fn remove(&mut self, monomial: &Monomial) -> Option<Rational> {
+    pub(crate) fn remove(&mut self, monomial: &Monomial) -> Option<Rational> {
         self.0.remove(monomial)
     }
 
     /// Adds `factor * other` in place.
-    pub fn add_scaled(&mut self, other: &Self, factor: &Rational) {
+    pub(crate) fn add_scaled(&mut self, other: &Self, factor: &Rational) {
         for (monomial, coefficient) in &other.0 {
             self.add_term(monomial.clone(), coefficient * factor);
         }
@@ -166,7 +152,7 @@ impl Poly {
 
     /// The product with a number.
     #[must_use]
-    pub fn scaled(&self, factor: &Rational) -> Self {
+    pub(crate) fn scaled(&self, factor: &Rational) -> Self {
         let mut scaled = Self::default();
         scaled.add_scaled(self, factor);
         scaled

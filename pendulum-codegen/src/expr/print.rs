@@ -4,19 +4,19 @@ use std::collections::HashMap;
 
 use num_traits::{One, Signed};
 
-use super::formula::Term;
+use super::formula::Summand;
 use super::{Binary, ExprId, Formula, Graph, Node, Rational, SymbolKind, Unary, ratio};
 
 /// Writes expressions; some may have been given names.
 #[derive(Debug)]
-pub struct Printer<'g> {
+pub(crate) struct Printer<'g> {
     graph: &'g Graph,
     names: HashMap<ExprId, Formula>,
 }
 
 impl<'g> Printer<'g> {
     /// A printer in which no expression but the symbols has a name.
-    pub fn new(graph: &'g Graph) -> Self {
+    pub(crate) fn new(graph: &'g Graph) -> Self {
         Self {
             graph,
             names: HashMap::new(),
@@ -24,22 +24,22 @@ impl<'g> Printer<'g> {
     }
 
     /// Writes `x` under a name from now on.
-    pub fn name(&mut self, x: ExprId, name: Formula) {
+    pub(crate) fn name(&mut self, x: ExprId, name: Formula) {
         self.names.insert(x, name);
     }
 
     /// The text of `x`.
-    pub fn print(&self, x: ExprId) -> String {
+    pub(crate) fn print(&self, x: ExprId) -> String {
         self.formula(x).to_string()
     }
 
     /// The formula of `x`: its name, if it has one.
-    pub fn formula(&self, x: ExprId) -> Formula {
+    pub(crate) fn formula(&self, x: ExprId) -> Formula {
         self.names.get(&x).cloned().unwrap_or_else(|| self.definition(x))
     }
 
     /// What the name of `x` stands for.
-    pub fn definition(&self, x: ExprId) -> Formula {
+    pub(crate) fn definition(&self, x: ExprId) -> Formula {
         match self.graph.node(x) {
             Node::Number(n) => Formula::Number(n.clone()),
             Node::Pi => Formula::name("pi"),
@@ -73,7 +73,7 @@ impl<'g> Printer<'g> {
         Formula::Sum(terms)
     }
 
-    fn gather_terms(&self, x: ExprId, top: bool, negative: bool, terms: &mut Vec<Term>) {
+    fn gather_terms(&self, x: ExprId, top: bool, negative: bool, terms: &mut Vec<Summand>) {
         let named = !top && self.names.contains_key(&x);
         match *self.graph.node(x) {
             Node::Binary(op @ (Binary::Add | Binary::Sub), a, b) if !named => {
@@ -83,15 +83,15 @@ impl<'g> Printer<'g> {
             Node::Unary(Unary::Neg, a) if !named => self.gather_terms(a, false, !negative, terms),
             _ => {
                 let term = match self.formula(x) {
-                    Formula::Neg(formula) => Term {
+                    Formula::Neg(formula) => Summand {
                         negative: !negative,
                         formula: *formula,
                     },
-                    Formula::Number(n) if n.is_negative() => Term {
+                    Formula::Number(n) if n.is_negative() => Summand {
                         negative: !negative,
                         formula: Formula::Number(-n),
                     },
-                    formula => Term { negative, formula },
+                    formula => Summand { negative, formula },
                 };
                 terms.push(term);
             }

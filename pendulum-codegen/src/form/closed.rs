@@ -9,7 +9,7 @@ use crate::pass::factor::{Preference, Term, factor, polynomial, terms};
 
 /// Dynamics whose entries are lists of terms.
 #[derive(Debug)]
-pub struct Closed<'g> {
+pub(crate) struct Closed<'g> {
     mass_matrix: Vec<Vec<Vec<Term<'g>>>>,
     bias: Vec<Vec<Term<'g>>>,
     force: Vec<Vec<Term<'g>>>,
@@ -26,7 +26,7 @@ pub struct Closed<'g> {
 
 impl<'g> Closed<'g> {
     /// Expands the dynamics of a scene.
-    pub fn new(normalizer: &mut Normalizer<'g>, dynamics: &Dynamics<'g>) -> Result<Self, TooLarge> {
+    pub(crate) fn new(normalizer: &mut Normalizer<'g>, dynamics: &Dynamics<'g>) -> Result<Self, TooLarge> {
         let mut list = |x: Expr<'g>| short_terms(normalizer, x);
         let mut all = |row: &[Expr<'g>]| row.iter().map(|&x| list(x)).collect::<Result<Vec<_>, _>>();
         let mass_matrix: Vec<Vec<_>> = dynamics
@@ -59,7 +59,12 @@ impl<'g> Closed<'g> {
     }
 
     /// The dynamics as expressions, with common factors drawn out.
-    pub fn factored(&self, g: &'g Graph, coordinates: &[Coordinate<'g>], preference: Preference) -> Dynamics<'g> {
+    pub(crate) fn factored(
+        &self,
+        g: &'g Graph,
+        coordinates: &[Coordinate<'g>],
+        preference: Preference,
+    ) -> Dynamics<'g> {
         let mut short = |terms: &Vec<Term<'g>>| factor(g, terms, preference);
         let mut all = |lists: &[Vec<Term<'g>>]| -> Vec<Expr<'g>> { lists.iter().map(&mut short).collect() };
         let mass_matrix: Vec<Vec<Expr<'g>>> = self.mass_matrix.iter().map(|row| all(row)).collect();
@@ -81,12 +86,12 @@ impl<'g> Closed<'g> {
     }
 
     /// The determinant of the mass matrix, where it has two rows.
-    pub fn determinant(&self, g: &'g Graph, preference: Preference) -> Option<Expr<'g>> {
+    pub(crate) fn determinant(&self, g: &'g Graph, preference: Preference) -> Option<Expr<'g>> {
         self.determinant.as_ref().map(|terms| factor(g, terms, preference))
     }
 
     /// The accelerations without the loss of digits, where other forms have it.
-    pub fn exact(&self, g: &'g Graph, factored: &Dynamics<'g>, preference: Preference) -> Option<Vec<Expr<'g>>> {
+    pub(crate) fn exact(&self, g: &'g Graph, factored: &Dynamics<'g>, preference: Preference) -> Option<Vec<Expr<'g>>> {
         let determinant = self.determinant(g, preference)?;
         let eliminated = self.eliminated.as_ref()?;
         Some(eliminated.accelerations(g, factored, determinant, preference))

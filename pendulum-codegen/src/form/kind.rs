@@ -7,7 +7,7 @@ use crate::pass::Preference;
 
 /// A form of one function.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Form {
+pub(crate) struct Form {
     /// How the dynamics are written.
     pub basis: Basis,
     /// How the accelerations are solved from them, where they are.
@@ -20,7 +20,7 @@ pub struct Form {
 
 /// How the dynamics are written.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum Basis {
+pub(crate) enum Basis {
     /// Expanded to normal form, then factored.
     Closed(Preference),
     /// The graph of A, B and C as it was built.
@@ -34,7 +34,7 @@ pub enum Basis {
 
 /// How inverse dynamics are derived by the state.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Derivatives {
+pub(crate) enum Derivatives {
     /// Expression by expression, in the graph.
     Graph,
     /// In the graph, and then expanded to normal form.
@@ -85,7 +85,6 @@ impl fmt::Display for Form {
             Some(Solver::Adjugate) => ", adjugate",
             Some(Solver::Inverse) => ", inverse",
             Some(Solver::Ldl) => ", L^T D L",
-            Some(Solver::Pairs) => ", L^T D L by pairs",
             None => "",
         })?;
         if self.exact {

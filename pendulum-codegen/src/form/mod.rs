@@ -7,11 +7,10 @@ mod routines;
 mod series;
 mod taylor;
 
-pub use closed::Closed;
-pub use kind::{Basis, Derivatives, Form};
+pub(crate) use closed::Closed;
+pub(crate) use kind::{Basis, Derivatives, Form};
 pub(crate) use routines::*;
-pub use series::Symbols;
-pub use taylor::Taylor;
+pub(crate) use taylor::Taylor;
 
 use std::collections::HashMap;
 
@@ -34,7 +33,7 @@ const WORTH_OF_DIGITS: usize = 8;
 
 /// The shortest code that was found for one function.
 #[derive(Clone, Debug)]
-pub struct Chosen<'g> {
+pub(crate) struct Chosen<'g> {
     /// What the function computes.
     pub roots: Vec<Expr<'g>>,
     /// Its operations.
@@ -60,7 +59,7 @@ type Candidate<'g> = (Form, Vec<Expr<'g>>);
 
 /// All forms of the dynamics of a scene.
 #[derive(Debug)]
-pub struct Forms<'g> {
+pub(crate) struct Forms<'g> {
     /// Dynamics and, where it is known in a better form, the determinant of the mass matrix.
     forms: Vec<(Basis, Dynamics<'g>, Option<Expr<'g>>)>,
     /// The accelerations of two coordinates with all that cancels gone.
@@ -72,7 +71,7 @@ pub struct Forms<'g> {
 
 impl<'g> Forms<'g> {
     /// The forms of a scene.
-    pub fn new(model: &Model<'g>, dynamics: &Dynamics<'g>) -> Self {
+    pub(crate) fn new(model: &Model<'g>, dynamics: &Dynamics<'g>) -> Self {
         let g = model.graph;
         let mut normalizer = Normalizer::with_angles(g, BUDGET, model.base_angles());
         let recursive = Dynamics::recursive(model, dynamics.potential);
@@ -103,7 +102,7 @@ impl<'g> Forms<'g> {
     }
 
     /// The dynamics in closed form with its products expanded, if the scene is small enough to have it.
-    pub fn closed(&self) -> Option<&Dynamics<'g>> {
+    pub(crate) fn closed(&self) -> Option<&Dynamics<'g>> {
         self.forms
             .iter()
             .find(|(basis, ..)| *basis == Basis::Closed(Preference::Expanded))
@@ -111,14 +110,14 @@ impl<'g> Forms<'g> {
     }
 
     /// The shortest code for something that every form of the dynamics has.
-    pub fn part(&self, part: impl Fn(&Dynamics<'g>) -> Vec<Expr<'g>>) -> Chosen<'g> {
+    pub(crate) fn part(&self, part: impl Fn(&Dynamics<'g>) -> Vec<Expr<'g>>) -> Chosen<'g> {
         let candidates = self.forms.iter();
         let candidates = candidates.map(|(basis, dynamics, _)| (Form::of(*basis), part(dynamics)));
         self.choose(candidates.collect())
     }
 
     /// The shortest code for the accelerations.
-    pub fn accelerations(&self) -> Chosen<'g> {
+    pub(crate) fn accelerations(&self) -> Chosen<'g> {
         let mut candidates = Vec::new();
         for (basis, dynamics, determinant) in &self.forms {
             for (factored, solver) in factorings(dynamics, *determinant) {
@@ -133,7 +132,12 @@ impl<'g> Forms<'g> {
 
     /// The shortest code for the derivatives of the accelerations by some symbols: column by column, and before them the accelerations
     /// themselves if these are wanted too.
-    pub fn jacobian(&mut self, model: &Model<'g>, variables: &[Expr<'g>], with_accelerations: bool) -> Chosen<'g> {
+    pub(crate) fn jacobian(
+        &mut self,
+        model: &Model<'g>,
+        variables: &[Expr<'g>],
+        with_accelerations: bool,
+    ) -> Chosen<'g> {
         let mut candidates = Vec::new();
         for (basis, dynamics, determinant) in &self.forms {
             let derived = partials(dynamics, variables);
@@ -168,7 +172,7 @@ impl<'g> Forms<'g> {
     }
 
     /// The shortest code for the momenta and, behind them, their rates.
-    pub fn canonical(&mut self, model: &Model<'g>) -> Chosen<'g> {
+    pub(crate) fn canonical(&mut self, model: &Model<'g>) -> Chosen<'g> {
         let mut candidates = Vec::new();
         for (basis, dynamics, _) in &self.forms {
             let rates = vec![momentum_rates(dynamics, &model.coordinates)];
@@ -181,7 +185,7 @@ impl<'g> Forms<'g> {
     }
 
     /// The shortest code for the derivatives of the momenta by the state, column by column, and behind them those of their rates.
-    pub fn canonical_jacobian(&mut self, model: &Model<'g>) -> Chosen<'g> {
+    pub(crate) fn canonical_jacobian(&mut self, model: &Model<'g>) -> Chosen<'g> {
         let state = model.state();
         let mut candidates = Vec::new();
         for (basis, dynamics, _) in &self.forms {

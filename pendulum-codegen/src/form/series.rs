@@ -33,7 +33,7 @@ pub(super) struct Slot<'g> {
 
 /// The symbols that stand for what is known when the coefficients of order `k` are computed.
 #[derive(Clone, Debug)]
-pub struct Symbols<'g> {
+pub(crate) struct Symbols<'g> {
     /// The number `k`.
     pub order: Expr<'g>,
     /// The number `1 / k`.

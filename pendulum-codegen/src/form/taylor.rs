@@ -14,7 +14,7 @@ use crate::pass::{Operations, share, trig};
 /// Order 0 is computed from the state; then each order `k` from the orders before it and from what order 0 has left, in
 /// the [`Symbols`].
 #[derive(Clone, Debug)]
-pub struct Taylor<'g> {
+pub(crate) struct Taylor<'g> {
     /// What stands for the quantities of order `k`.
     pub symbols: Symbols<'g>,
     /// The number of products of series.
@@ -36,7 +36,7 @@ const HOPELESS: [usize; 2] = [3, 2];
 
 impl<'g> Forms<'g> {
     /// The shortest code for the coefficients of the motion.
-    pub fn taylor(&self, model: &Model<'g>) -> Taylor<'g> {
+    pub(crate) fn taylor(&self, model: &Model<'g>) -> Taylor<'g> {
         let mut symbols = Symbols::new(model);
         let mut candidates: Vec<(Form, Dynamics<'g>, Option<Expr<'g>>, usize)> = Vec::new();
         for (basis, dynamics, determinant) in &self.forms {

@@ -30,7 +30,7 @@ use scope::Names;
 
 /// What a scene means, and where it says so.
 #[derive(Debug)]
-pub struct Lowered<'g> {
+pub(crate) struct Lowered<'g> {
     /// The meaning.
     pub model: Model<'g>,
     /// The text that later errors stand on.
@@ -39,7 +39,7 @@ pub struct Lowered<'g> {
 
 /// Places in the text, for errors that are found after lowering.
 #[derive(Debug, Default)]
-pub struct Spans {
+pub(crate) struct Spans {
     /// The name of each body of the model.
     pub bodies: Vec<Span>,
 }
@@ -60,7 +60,7 @@ struct Lower<'g> {
 }
 
 /// The meaning of a scene, with its expressions in a graph. Errors are added to those of the reading.
-pub fn lower<'g>(graph: &'g Graph, scene: &Scene, errors: Errors) -> Result<Lowered<'g>, Errors> {
+pub(crate) fn lower<'g>(graph: &'g Graph, scene: &Scene, errors: Errors) -> Result<Lowered<'g>, Errors> {
     let time = graph.symbol("t", SymbolKind::Time);
     let lower = Lower {
         graph,

@@ -1,7 +1,7 @@
 //! Expressions of the language as formulas that keep their names and their form.
 
 use crate::ast::{Expr, ExprKind, Operator};
-use crate::expr::{Formula, Term};
+use crate::expr::{Formula, Summand};
 
 /// The formula of an expression as it stands in the declaration, in which `q` and `qd` are written as the position and the rate of the
 /// joint.
@@ -22,7 +22,7 @@ pub(super) fn written(expr: &Expr, joint: Option<&[Formula; 2]>) -> Formula {
         ExprKind::Binary(operator @ (Operator::Add | Operator::Sub), a, b) => {
             // sums are read from the left, and brackets on the right stay
             let mut terms = part(a).into_terms(false);
-            terms.push(Term {
+            terms.push(Summand {
                 negative: *operator == Operator::Sub,
                 formula: part(b),
             });

@@ -3,9 +3,9 @@
 mod combination;
 mod index;
 
-pub use combination::Combination;
+pub(crate) use combination::Combination;
 pub(crate) use index::index_types;
-pub use index::{BodyId, CoordinateId};
+pub(crate) use index::{BodyId, CoordinateId};
 
 use std::collections::{BTreeSet, HashMap};
 
@@ -15,7 +15,7 @@ use crate::units::Unit;
 
 /// A scene.
 #[derive(Debug)]
-pub struct Model<'g> {
+pub(crate) struct Model<'g> {
     /// The store of all its expressions.
     pub graph: &'g Graph,
     /// Parameters.
@@ -40,7 +40,7 @@ pub struct Model<'g> {
 
 /// A parameter: a number given when the model is built.
 #[derive(Debug)]
-pub struct Parameter<'g> {
+pub(crate) struct Parameter<'g> {
     /// Name.
     pub name: String,
     /// Documentation.
@@ -55,7 +55,7 @@ pub struct Parameter<'g> {
 
 /// An input: a number given at each evaluation.
 #[derive(Debug)]
-pub struct Input<'g> {
+pub(crate) struct Input<'g> {
     /// Name.
     pub name: String,
     /// Documentation.
@@ -68,7 +68,7 @@ pub struct Input<'g> {
 
 /// A coordinate and the symbols of its derivatives.
 #[derive(Clone, Debug)]
-pub struct Coordinate<'g> {
+pub(crate) struct Coordinate<'g> {
     /// Name.
     pub name: String,
     /// The coordinate.
@@ -81,7 +81,7 @@ pub struct Coordinate<'g> {
 
 /// A rigid body and the joint that carries it.
 #[derive(Debug)]
-pub struct Body<'g> {
+pub(crate) struct Body<'g> {
     /// Name.
     pub name: String,
     /// The body that carries it; none for ground.
@@ -113,7 +113,7 @@ pub struct Body<'g> {
 /// A station is a frame in which a group of bodies turns about one axis only: the ground, or the body before the first
 /// joint of the group. Parallel joints so become one rotation by a sum of angles.
 #[derive(Clone, Debug)]
-pub struct Heading<'g> {
+pub(crate) struct Heading<'g> {
     /// The body whose frame is the station; none for ground.
     pub station: Option<BodyId>,
     /// Unit vector of the axis in the station, unless nothing turns yet.
@@ -126,7 +126,7 @@ pub struct Heading<'g> {
 
 /// A condition on parameters that `new` checks.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Rule<'g> {
+pub(crate) struct Rule<'g> {
     /// What is checked.
     pub value: Expr<'g>,
     /// What it must be.
@@ -139,7 +139,7 @@ pub struct Rule<'g> {
 
 /// What a checked value must be.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Requirement<'g> {
+pub(crate) enum Requirement<'g> {
     /// Above zero.
     Positive,
     /// Zero or above.
@@ -149,11 +149,11 @@ pub enum Requirement<'g> {
 }
 
 /// How much of a difference is rounding.
-pub const ROUNDING: f64 = 1e-12;
+pub(crate) const ROUNDING: f64 = 1e-12;
 
 impl Requirement<'_> {
     /// Whether a value obeys, where `scale` is the size that the rounding is measured by.
-    pub fn allows(self, value: f64, scale: f64) -> bool {
+    pub(crate) fn allows(self, value: f64, scale: f64) -> bool {
         match self {
             Self::Positive => value > 0.0,
             Self::NonNegative => value >= 0.0,
@@ -164,53 +164,53 @@ impl Requirement<'_> {
 
 impl<'g> Model<'g> {
     /// The number of degrees of freedom.
-    pub fn dof(&self) -> usize {
+    pub(crate) fn dof(&self) -> usize {
         self.coordinates.len()
     }
 
     /// The bodies and their positions, each behind the one that carries it.
-    pub fn bodies(&self) -> impl DoubleEndedIterator<Item = (BodyId, &Body<'g>)> {
+    pub(crate) fn bodies(&self) -> impl DoubleEndedIterator<Item = (BodyId, &Body<'g>)> {
         BodyId::all(self.bodies.len()).zip(&self.bodies)
     }
 
     /// The coordinates, then their rates.
-    pub fn state(&self) -> Vec<Expr<'g>> {
+    pub(crate) fn state(&self) -> Vec<Expr<'g>> {
         let rates = self.coordinates.iter().map(|c| c.rate);
         self.positions().into_iter().chain(rates).collect()
     }
 
     /// The coordinates.
-    pub fn positions(&self) -> Vec<Expr<'g>> {
+    pub(crate) fn positions(&self) -> Vec<Expr<'g>> {
         self.coordinates.iter().map(|c| c.position).collect()
     }
 
     /// How the positions change: the kinematic half of the right-hand side.
-    pub fn kinematics(&self) -> Vec<Expr<'g>> {
+    pub(crate) fn kinematics(&self) -> Vec<Expr<'g>> {
         self.coordinates.iter().map(|c| c.rate).collect()
     }
 
     /// The symbols of the inputs.
-    pub fn input_symbols(&self) -> Vec<Expr<'g>> {
+    pub(crate) fn input_symbols(&self) -> Vec<Expr<'g>> {
         self.inputs.iter().map(|input| input.symbol).collect()
     }
 
     /// The value of a combination of coordinates.
-    pub fn position_of(&self, combination: &Combination) -> Expr<'g> {
+    pub(crate) fn position_of(&self, combination: &Combination) -> Expr<'g> {
         combination.of(self.graph, |k| self.coordinates[k].position)
     }
 
     /// The rate of a combination of coordinates.
-    pub fn rate_of(&self, combination: &Combination) -> Expr<'g> {
+    pub(crate) fn rate_of(&self, combination: &Combination) -> Expr<'g> {
         combination.of(self.graph, |k| self.coordinates[k].rate)
     }
 
     /// The second rate of a combination of coordinates.
-    pub fn acceleration_of(&self, combination: &Combination) -> Expr<'g> {
+    pub(crate) fn acceleration_of(&self, combination: &Combination) -> Expr<'g> {
         combination.of(self.graph, |k| self.coordinates[k].acceleration)
     }
 
     /// The names of the coordinates.
-    pub fn coordinate_names(&self) -> Vec<&str> {
+    pub(crate) fn coordinate_names(&self) -> Vec<&str> {
         self.coordinates
             .iter()
             .map(|c| c.name.trim_start_matches("r#"))
@@ -218,7 +218,7 @@ impl<'g> Model<'g> {
     }
 
     /// What each turning coordinate is in base angles: the absolute angles of parallel joints within their station.
-    pub fn base_angles(&self) -> BaseAngles<'g> {
+    pub(crate) fn base_angles(&self) -> BaseAngles<'g> {
         let mut angles = HashMap::new();
         for body in &self.bodies {
             let Some(own) = body.coordinate else { continue };

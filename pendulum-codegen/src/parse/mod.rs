@@ -15,7 +15,7 @@ use crate::ast::{Head, Input, Items, Let, Param, Scene};
 use crate::error::{Errors, Reported, at, on, suggestion};
 
 /// Reads a declaration. The scene is there unless its head could not be read; errors may stand beside it.
-pub fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
+pub(crate) fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
     let mut errors = Errors::default();
     let scene = (|input: ParseStream| {
         let docs = docs(input)?;

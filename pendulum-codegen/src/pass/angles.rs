@@ -11,7 +11,7 @@ const MOST_TERMS: usize = 200;
 
 /// Rewrites a normal form with sums and differences of its angles wherever that leaves fewer terms. The result is equal in
 /// value, and shorter, but no longer canonical.
-pub fn collect(normalizer: &mut Normalizer<'_>, poly: &Poly) -> Result<Poly, TooLarge> {
+pub(crate) fn collect(normalizer: &mut Normalizer<'_>, poly: &Poly) -> Result<Poly, TooLarge> {
     if poly.len() > MOST_TERMS {
         return Err(TooLarge);
     }

@@ -16,7 +16,7 @@ pub(crate) struct Term<'g> {
 
 /// Which common factor is drawn out first, where several stand in equally many terms.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Preference {
+pub(crate) enum Preference {
     /// Factors of the state.
     State,
     /// Constants.
@@ -27,7 +27,7 @@ pub enum Preference {
 
 impl Preference {
     /// Every preference.
-    pub const ALL: [Self; 3] = [Self::State, Self::Parameter, Self::Expanded];
+    pub(crate) const ALL: [Self; 3] = [Self::State, Self::Parameter, Self::Expanded];
 }
 
 /// The terms of a polynomial, one for each product of state quantities. What multiplies it becomes one constant, up to a

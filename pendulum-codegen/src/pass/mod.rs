@@ -9,9 +9,9 @@ mod nest;
 mod share;
 pub(crate) mod trig;
 
-pub use angles::collect;
+pub(crate) use angles::collect;
 pub(crate) use angles::collect_squares_first;
 pub use cost::Operations;
-pub use factor::Preference;
-pub use nest::nest;
-pub use share::share;
+pub(crate) use factor::Preference;
+pub(crate) use nest::nest;
+pub(crate) use share::share;

@@ -11,7 +11,7 @@ use super::flat::{Flat, Linear, add_scaled};
 use crate::expr::{Binary, Expr, Graph, Level, Node, Rational};
 
 /// The roots, in which each sum is written with the longest sum that it contains; as they are, if their sums are too long.
-pub fn nest<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
+pub(crate) fn nest<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
     let Some((flat, flat_roots)) = Flat::new(g, roots) else {
         return roots.to_vec();
     };

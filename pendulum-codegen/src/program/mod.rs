@@ -12,13 +12,13 @@ use std::collections::{BTreeSet, HashMap};
 
 pub use block::{Block, Coefficient, Let, Local, SinCos, Term, Variable};
 pub(crate) use build::NotFinite;
-pub use equations::{Equations, Listing, Row};
+pub use equations::{Equations, Listing, Row, RowKind};
 pub use layout::{Slot, SlotKind, StateLayout};
 pub use routine::{Argument, Cost, Routine, Shape};
 pub(crate) use routine::{Length, ROUTINES, words};
 pub use series::Series;
 
-pub use crate::expr::{Binary, Unary};
+pub use crate::expr::{Binary, Definition, Formula, Summand, Unary};
 pub use crate::pass::Operations;
 
 use crate::dynamics::Dynamics;

@@ -10,7 +10,7 @@ use crate::expr::{Expr, Graph};
 /// With `c` the centre of mass and `J` the rotational inertia about it, the three parts are `m`, `m c` and
 /// `J + m [c][c]^T`: sums over bodies, so inertias of parts add up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct SpatialInertia<'g> {
+pub(crate) struct SpatialInertia<'g> {
     /// Mass, in kg.
     pub mass: Expr<'g>,
     /// First moment of mass, in kg m.
@@ -21,7 +21,7 @@ pub struct SpatialInertia<'g> {
 
 impl<'g> SpatialInertia<'g> {
     /// Nothing.
-    pub fn zero(g: &'g Graph) -> Self {
+    pub(crate) fn zero(g: &'g Graph) -> Self {
         Self {
             mass: g.zero(),
             moment: Vec3::zero(g),
@@ -30,7 +30,7 @@ impl<'g> SpatialInertia<'g> {
     }
 
     /// A body by its mass, its centre of mass and its rotational inertia about the centre of mass.
-    pub fn of_body(mass: Expr<'g>, com: Vec3<'g>, about_com: Symmetric3<'g>) -> Self {
+    pub(crate) fn of_body(mass: Expr<'g>, com: Vec3<'g>, about_com: Symmetric3<'g>) -> Self {
         let shift = Symmetric3::of_point(mass, com);
         Self {
             mass,

@@ -7,27 +7,27 @@ use crate::expr::{Expr, Graph};
 
 /// A matrix, row by row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Mat3<'g>(pub [Vec3<'g>; 3]);
+pub(crate) struct Mat3<'g>(pub [Vec3<'g>; 3]);
 
 impl<'g> Mat3<'g> {
     /// The unit matrix.
-    pub fn identity(g: &'g Graph) -> Self {
+    pub(crate) fn identity(g: &'g Graph) -> Self {
         Self([0, 1, 2].map(|i| Vec3::unit(g, i)))
     }
 
     /// The matrix with entries `entry(row, column)`, built row by row.
-    pub fn from_fn(mut entry: impl FnMut(usize, usize) -> Expr<'g>) -> Self {
+    pub(crate) fn from_fn(mut entry: impl FnMut(usize, usize) -> Expr<'g>) -> Self {
         Self(std::array::from_fn(|i| Vec3(std::array::from_fn(|j| entry(i, j)))))
     }
 
     /// The matrix of the vector product: `[v] u = v x u`.
-    pub fn cross(v: Vec3<'g>) -> Self {
+    pub(crate) fn cross(v: Vec3<'g>) -> Self {
         let (zero, Vec3([x, y, z]), Vec3([nx, ny, nz])) = (v[0].graph().zero(), v, -v);
         Self([Vec3([zero, nz, y]), Vec3([z, zero, nx]), Vec3([ny, x, zero])])
     }
 
     /// The rotation by `angle` about a unit vector (Rodrigues).
-    pub fn rotation(axis: Vec3<'g>, angle: Expr<'g>) -> Self {
+    pub(crate) fn rotation(axis: Vec3<'g>, angle: Expr<'g>) -> Self {
         let (sine, cosine) = (angle.sin(), angle.cos());
         let versine = 1 - cosine;
         let identity = Self::identity(angle.graph());
@@ -53,18 +53,18 @@ impl<'g> Mat3<'g> {
 
     /// The transposed matrix.
     #[must_use]
-    pub fn transpose(self) -> Self {
+    pub(crate) fn transpose(self) -> Self {
         Self::from_fn(|i, j| self[j][i])
     }
 
     /// A column.
-    pub fn column(self, j: usize) -> Vec3<'g> {
+    pub(crate) fn column(self, j: usize) -> Vec3<'g> {
         Vec3(self.0.map(|row| row[j]))
     }
 
     /// The matrix whose rows are functions of the rows.
     #[must_use]
-    pub fn map_rows(self, f: impl FnMut(Vec3<'g>) -> Vec3<'g>) -> Self {
+    pub(crate) fn map_rows(self, f: impl FnMut(Vec3<'g>) -> Vec3<'g>) -> Self {
         Self(self.0.map(f))
     }
 }

@@ -10,7 +10,7 @@ use crate::expr::{Expr, Graph, ratio};
 /// The second moments hold what the rotational inertia `J = tr(S) 1 - S` holds, in a form that a displacement and the inertial
 /// moment of a motion treat more simply.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct MassMoments<'g> {
+pub(crate) struct MassMoments<'g> {
     /// Mass.
     pub mass: Expr<'g>,
     /// First moment.
@@ -21,7 +21,7 @@ pub struct MassMoments<'g> {
 
 impl<'g> MassMoments<'g> {
     /// Nothing.
-    pub fn zero(g: &'g Graph) -> Self {
+    pub(crate) fn zero(g: &'g Graph) -> Self {
         Self {
             mass: g.zero(),
             first: Vec3::zero(g),
@@ -30,14 +30,14 @@ impl<'g> MassMoments<'g> {
     }
 
     /// The rotational inertia about the origin: `J = tr(S) 1 - S`.
-    pub fn rotational(&self) -> Symmetric3<'g> {
+    pub(crate) fn rotational(&self) -> Symmetric3<'g> {
         let Symmetric3([xx, yy, zz, xy, xz, yz]) = self.second;
         Symmetric3([yy + zz, xx + zz, xx + yy, -xy, -xz, -yz])
     }
 
     /// The same mass, seen from a frame in which its own frame is turned by `rotation`.
     #[must_use]
-    pub fn rotated(&self, rotation: Mat3<'g>) -> Self {
+    pub(crate) fn rotated(&self, rotation: Mat3<'g>) -> Self {
         Self {
             mass: self.mass,
             first: rotation * self.first,
@@ -47,7 +47,7 @@ impl<'g> MassMoments<'g> {
 
     /// The same mass, seen from a frame in which its own frame sits at `p`: `S + (h + m p) p^T + p h^T`.
     #[must_use]
-    pub fn moved(&self, p: Vec3<'g>) -> Self {
+    pub(crate) fn moved(&self, p: Vec3<'g>) -> Self {
         let h = self.first;
         let first = h + self.mass * p;
         Self {

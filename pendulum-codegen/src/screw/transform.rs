@@ -7,7 +7,7 @@ use crate::expr::Graph;
 
 /// Where a frame `b` sits in a frame `a`, so that `point_in_a = rotation * point_in_b + translation`: `a_from_b`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Transform<'g> {
+pub(crate) struct Transform<'g> {
     /// The axes of `b` in `a`, as columns.
     pub rotation: Mat3<'g>,
     /// The origin of `b` in `a`.
@@ -16,7 +16,7 @@ pub struct Transform<'g> {
 
 impl<'g> Transform<'g> {
     /// No displacement.
-    pub fn identity(g: &'g Graph) -> Self {
+    pub(crate) fn identity(g: &'g Graph) -> Self {
         Self {
             rotation: Mat3::identity(g),
             translation: Vec3::zero(g),
@@ -25,7 +25,7 @@ impl<'g> Transform<'g> {
 
     /// `b_from_a`
     #[must_use]
-    pub fn inverse(&self) -> Self {
+    pub(crate) fn inverse(&self) -> Self {
         let rotation = self.rotation.transpose();
         Self {
             rotation,
@@ -34,12 +34,12 @@ impl<'g> Transform<'g> {
     }
 
     /// A point of `b`, in `a`.
-    pub fn point(&self, point: Vec3<'g>) -> Vec3<'g> {
+    pub(crate) fn point(&self, point: Vec3<'g>) -> Vec3<'g> {
         self.rotation * point + self.translation
     }
 
     /// A twist written in `b`, in `a` (the adjoint).
-    pub fn twist(&self, twist: &Twist<'g>) -> Twist<'g> {
+    pub(crate) fn twist(&self, twist: &Twist<'g>) -> Twist<'g> {
         let angular = self.rotation * twist.angular;
         Twist {
             angular,
@@ -48,7 +48,7 @@ impl<'g> Transform<'g> {
     }
 
     /// A twist written in `a`, in `b` (the inverse adjoint).
-    pub fn twist_back(&self, twist: &Twist<'g>) -> Twist<'g> {
+    pub(crate) fn twist_back(&self, twist: &Twist<'g>) -> Twist<'g> {
         let back = self.rotation.transpose();
         let linear = twist.linear - self.translation.cross(twist.angular);
         Twist {
@@ -58,7 +58,7 @@ impl<'g> Transform<'g> {
     }
 
     /// A spatial inertia written in `b`, in `a`.
-    pub fn inertia(&self, inertia: &SpatialInertia<'g>) -> SpatialInertia<'g> {
+    pub(crate) fn inertia(&self, inertia: &SpatialInertia<'g>) -> SpatialInertia<'g> {
         let p = self.translation;
         let turned = inertia.about_origin.rotated(self.rotation);
         let h = self.rotation * inertia.moment;

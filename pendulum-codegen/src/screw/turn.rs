@@ -7,7 +7,7 @@ use crate::expr::Expr;
 
 /// A rotation about z. Times a vector of the turned frame it is that vector in the frame that it is turned in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Turn<'g> {
+pub(crate) struct Turn<'g> {
     /// Sine of the angle.
     pub sine: Expr<'g>,
     /// Cosine of the angle.
@@ -16,7 +16,7 @@ pub struct Turn<'g> {
 
 impl<'g> Turn<'g> {
     /// The rotation by an angle.
-    pub fn by(angle: Expr<'g>) -> Self {
+    pub(crate) fn by(angle: Expr<'g>) -> Self {
         Self {
             sine: angle.sin(),
             cosine: angle.cos(),
@@ -25,7 +25,7 @@ impl<'g> Turn<'g> {
 
     /// The opposite rotation.
     #[must_use]
-    pub fn inverse(self) -> Self {
+    pub(crate) fn inverse(self) -> Self {
         Self {
             sine: -self.sine,
             cosine: self.cosine,
@@ -33,7 +33,7 @@ impl<'g> Turn<'g> {
     }
 
     /// A symmetric tensor of the turned frame, in the frame that it is turned in.
-    pub fn tensor(self, Symmetric3([xx, yy, zz, xy, xz, yz]): Symmetric3<'g>) -> Symmetric3<'g> {
+    pub(crate) fn tensor(self, Symmetric3([xx, yy, zz, xy, xz, yz]): Symmetric3<'g>) -> Symmetric3<'g> {
         let Self { sine: s, cosine: c } = self;
         let Vec3([xz, yz, _]) = self * Vec3([xz, yz, zz]);
         // xx' = yy + c m, yy' = xx - c m, xy' = xy + s m

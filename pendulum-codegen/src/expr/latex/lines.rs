@@ -2,7 +2,7 @@
 
 use super::{GREEK, brackets, parts_of_name};
 use crate::expr::text::number;
-use crate::expr::{Definition, Formula, Precedence, Term};
+use crate::expr::{Definition, Formula, Precedence, Summand};
 
 /// The width of a line, in letters.
 const LINE: usize = 68;
@@ -103,7 +103,7 @@ fn pieces(formula: &Formula, wide: usize) -> Vec<Piece> {
     match formula {
         Formula::Sum(terms) => {
             let mut all = Vec::new();
-            for (n, Term { negative, formula }) in terms.iter().enumerate() {
+            for (n, Summand { negative, formula }) in terms.iter().enumerate() {
                 let mut own = if formula.precedence() < Precedence::Product {
                     bracketed(formula, wide)
                 } else {

@@ -15,7 +15,7 @@ use pairs::Of;
 
 /// Rewrites the roots so that common parts are shared. Their values do not change, up to rounding. `factor` says that factors which
 /// terms of one sum share are drawn out first: that saves products, and may hide others that sums share.
-pub fn share<'g>(g: &'g Graph, roots: &[Expr<'g>], factor: bool) -> Vec<Expr<'g>> {
+pub(crate) fn share<'g>(g: &'g Graph, roots: &[Expr<'g>], factor: bool) -> Vec<Expr<'g>> {
     let (mut parts, roots) = apart::take_apart(g, roots);
     if factor {
         factor::factor_sums(&mut parts, &roots);

@@ -4,9 +4,9 @@ use std::collections::BTreeSet;
 
 use super::names::name_parts;
 use super::torques::Torques;
-use super::{Equations, Listing, Quantity, Row};
+use super::{Equations, Listing, Row, RowKind};
 use crate::dynamics::Dynamics;
-use crate::expr::{Expr, Formula, Normalizer, Printer, Term};
+use crate::expr::{Expr, Formula, Normalizer, Printer, Summand};
 use crate::form::expanded;
 use crate::model::Model;
 use crate::pass::{Preference, nest};
@@ -131,7 +131,7 @@ impl<'g> Composer<'_, 'g> {
         let places = places(&self.model.coordinate_names());
         let labels = places
             .iter()
-            .map(|(quantity, indices)| Formula::Entry(quantity.letter(), indices.clone()));
+            .map(|(kind, indices)| Formula::Entry(kind.letter(), indices.clone()));
         let labelled: Vec<(Formula, Expr<'g>)> = labels.zip(entries.iter().copied()).collect();
         let (printer, parts) = if named {
             name_parts(self.model, &labelled, &self.taken())
@@ -140,7 +140,7 @@ impl<'g> Composer<'_, 'g> {
         };
         let mut known = BTreeSet::new();
         let mut listing = Listing::default();
-        for (n, ((quantity, indices), &id)) in places.into_iter().zip(entries).enumerate() {
+        for (n, ((kind, indices), &id)) in places.into_iter().zip(entries).enumerate() {
             let first = known.insert(id);
             let own = if id.is_zero() {
                 Vec::new()
@@ -157,7 +157,7 @@ impl<'g> Composer<'_, 'g> {
             let terms = joined(own, torque);
             if !terms.is_empty() {
                 listing.rows.push(Row {
-                    quantity,
+                    kind,
                     indices,
                     formula: Formula::sum(terms),
                 });
@@ -195,27 +195,27 @@ fn inertial<'g>(dynamics: &Dynamics<'g>) -> Vec<Expr<'g>> {
 }
 
 /// The place of each entry.
-fn places(names: &[&str]) -> Vec<(Quantity, Vec<String>)> {
+fn places(names: &[&str]) -> Vec<(RowKind, Vec<String>)> {
     let owned = |indices: &[&str]| indices.iter().map(|&name| name.to_owned()).collect();
     let mut places = Vec::new();
     for (i, first) in names.iter().enumerate() {
         places.extend(
             names[i..]
                 .iter()
-                .map(|second| (Quantity::MassMatrix, owned(&[first, second]))),
+                .map(|second| (RowKind::MassMatrix, owned(&[first, second]))),
         );
     }
-    for quantity in [Quantity::Bias, Quantity::Force] {
-        places.extend(names.iter().map(|name| (quantity, owned(&[name]))));
+    for kind in [RowKind::Bias, RowKind::Force] {
+        places.extend(names.iter().map(|name| (kind, owned(&[name]))));
     }
     places
 }
 
 /// The terms of two sums, the second first where that spares a leading minus.
-fn joined(mut first: Vec<Term>, second: Vec<Term>) -> Vec<Term> {
+fn joined(mut first: Vec<Summand>, second: Vec<Summand>) -> Vec<Summand> {
     if let (
         [
-            Term {
+            Summand {
                 negative,
                 formula: sum @ Formula::Sum(_),
             },
@@ -225,7 +225,7 @@ fn joined(mut first: Vec<Term>, second: Vec<Term>) -> Vec<Term> {
     {
         first = sum.clone().into_terms(*negative);
     }
-    let negative = |terms: &[Term]| terms.first().is_none_or(|term| term.negative);
+    let negative = |terms: &[Summand]| terms.first().is_none_or(|term| term.negative);
     if negative(&first) && !negative(&second) {
         second.into_iter().chain(first).collect()
     } else {

@@ -37,7 +37,7 @@ pub struct Listing {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Row {
     /// What it is an entry of.
-    pub quantity: Quantity,
+    pub kind: RowKind,
     /// The names of its coordinates: two for the mass matrix.
     pub indices: Vec<String>,
     /// Its value.
@@ -46,7 +46,7 @@ pub struct Row {
 
 /// The parts of the equations.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Quantity {
+pub enum RowKind {
     /// The mass matrix.
     MassMatrix,
     /// Velocity terms and gravity.
@@ -55,7 +55,7 @@ pub enum Quantity {
     Force,
 }
 
-impl Quantity {
+impl RowKind {
     /// The letter in print.
     pub fn letter(self) -> &'static str {
         match self {
@@ -69,7 +69,7 @@ impl Quantity {
 impl Row {
     /// The left side, such as `A[theta1, theta2]`.
     pub fn entry(&self) -> Formula {
-        Formula::Entry(self.quantity.letter(), self.indices.clone())
+        Formula::Entry(self.kind.letter(), self.indices.clone())
     }
 }
 

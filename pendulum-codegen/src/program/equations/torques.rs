@@ -1,6 +1,6 @@
 //! Torques as they were written.
 
-use crate::expr::{Definition, Expr, Formula, Term, ratio};
+use crate::expr::{Definition, Expr, Formula, Summand, ratio};
 use crate::model::Model;
 
 /// The forces along the coordinates: friction and springs as expressions, torques as formulas.
@@ -9,7 +9,7 @@ pub(super) struct Torques<'g> {
     /// Friction and springs of each coordinate.
     pub(super) passive: Vec<Expr<'g>>,
     /// The torques of each coordinate.
-    pub(super) rows: Vec<Vec<Term>>,
+    pub(super) rows: Vec<Vec<Summand>>,
     /// Torques that act on several coordinates, and so have names.
     pub(super) named: Vec<Definition>,
 }
@@ -19,7 +19,7 @@ impl<'g> Torques<'g> {
     pub(super) fn new(model: &Model<'g>) -> Self {
         let g = model.graph;
         let mut passive = vec![g.zero(); model.dof()];
-        let mut rows: Vec<Vec<Term>> = vec![Vec::new(); model.dof()];
+        let mut rows: Vec<Vec<Summand>> = vec![Vec::new(); model.dof()];
         let mut named = Vec::new();
         for body in &model.bodies {
             let name = format!("torque_{}", body.name.trim_start_matches("r#"));
