@@ -16,7 +16,7 @@
 //! ```
 //!
 //! One way through, no way back: tokens to syntax (`parse`, `ast`, `units`) to a typed scene (`lower`, `model`, `check`) to expressions of
-//! its motion (`screw`, `dynamics`, on the graph of `expr`) to the shortest forms of them (`form`, `pass`) to a [`program`], in no
+//! its motion (`screw`, `dynamics`, on the graph of `expr`) to the shortest forms of them (`form`, `pass`) to a [`mod@program`], in no
 //! language, to Rust or C (`emit`). Spans stop at the model; what comes after it knows nothing of syntax. The same declaration gives
 //! the same code, byte for byte.
 

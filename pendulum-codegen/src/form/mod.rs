@@ -103,10 +103,18 @@ impl<'g> Forms<'g> {
 
     /// The dynamics in closed form with its products expanded, if the scene is small enough to have it.
     pub(crate) fn closed(&self) -> Option<&Dynamics<'g>> {
-        self.forms
-            .iter()
-            .find(|(basis, ..)| *basis == Basis::Closed(Preference::Expanded))
-            .map(|(_, dynamics, _)| dynamics)
+        self.on(Basis::Closed(Preference::Expanded))
+    }
+
+    /// The dynamics by recursion over the links.
+    pub(crate) fn recursive(&self) -> Option<&Dynamics<'g>> {
+        self.on(Basis::Recursive)
+    }
+
+    fn on(&self, wanted: Basis) -> Option<&Dynamics<'g>> {
+        let mut forms = self.forms.iter();
+        let found = forms.find(|(basis, ..)| *basis == wanted);
+        found.map(|(_, dynamics, _)| dynamics)
     }
 
     /// The shortest code for something that every form of the dynamics has.

@@ -126,7 +126,7 @@ impl Program {
         let printer = Printer::new(g);
         let (rules, checked) = rules(model);
         let of_parameters = parameters(model);
-        let equations = equations::equations(model, dynamics, forms.closed());
+        let equations = equations::equations(model, dynamics, forms.recursive().unwrap_or(dynamics), forms.closed());
         Ok(Self {
             parameters: model.parameters.iter().map(Quantity::of_parameter).collect(),
             inputs: model.inputs.iter().map(Quantity::of_input).collect(),

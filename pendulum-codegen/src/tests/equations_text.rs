@@ -107,7 +107,8 @@ fn crooked(mass: &str, length: &str, absolute: &str) -> String {
 /// The equations of a scene without its code, which takes far longer.
 fn written<'g>(graph: &'g Graph, declaration: &str) -> (Model<'g>, Dynamics<'g>, Equations) {
     let (model, dynamics) = dynamics(graph, declaration);
-    let equations = equations(&model, &dynamics, None);
+    let recursive = Dynamics::recursive(&model, dynamics.potential);
+    let equations = equations(&model, &dynamics, &recursive, None);
     (model, dynamics, equations)
 }
 

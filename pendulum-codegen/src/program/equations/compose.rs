@@ -26,17 +26,22 @@ const EXPANDED: usize = 24;
 const FACTORED: usize = 27;
 const RECURSIVE: usize = 40;
 
-/// The equations of a scene; `closed` is its dynamics in closed form, if its code has one.
-pub(crate) fn equations<'g>(model: &Model<'g>, dynamics: &Dynamics<'g>, closed: Option<&Dynamics<'g>>) -> Equations {
+/// The equations of a scene, whose dynamics are also known by recursion, and in closed form, if its code has one.
+pub(crate) fn equations<'g>(
+    model: &Model<'g>,
+    dynamics: &Dynamics<'g>,
+    recursive: &Dynamics<'g>,
+    closed: Option<&Dynamics<'g>>,
+) -> Equations {
     let mut composer = Composer {
         model,
-        potential: dynamics.potential,
+        recursion: inertial(recursive),
         closed: closed.map(inertial),
         torques: Torques::new(model),
         normalizer: Normalizer::with_angles(model.graph, BUDGET, model.base_angles()),
     };
     if composer.closed.is_none() {
-        composer.closed = composer.expanded(&composer.recursion(), Preference::Expanded);
+        composer.closed = composer.expanded(&composer.recursion.clone(), Preference::Expanded);
     }
     Equations {
         coordinates: model.coordinate_names().into_iter().map(str::to_owned).collect(),
@@ -47,7 +52,8 @@ pub(crate) fn equations<'g>(model: &Model<'g>, dynamics: &Dynamics<'g>, closed: 
 
 struct Composer<'m, 'g> {
     model: &'m Model<'g>,
-    potential: Expr<'g>,
+    /// The mass matrix and the bias, by recursion over the links.
+    recursion: Vec<Expr<'g>>,
     /// The mass matrix and the bias, written out, unless that is too long.
     closed: Option<Vec<Expr<'g>>>,
     torques: Torques<'g>,
@@ -60,27 +66,20 @@ impl<'g> Composer<'_, 'g> {
         let force = self.forces(&self.torques.passive.clone());
         let mut candidates = Vec::new();
         if let Some(closed) = self.closed.clone() {
-            let flat = self.listing(&[&closed[..], &force].concat(), false, true);
-            if flat.to_string().len() <= SHORT {
-                return flat;
+            let flat = Candidate::new(self.listing(&[&closed[..], &force].concat(), false, true), EXPANDED);
+            if flat.length <= SHORT {
+                return flat.listing;
             }
-            candidates.push((EXPANDED, flat));
-            candidates.extend(self.named(&closed, &force, true).map(|listing| (EXPANDED, listing)));
+            candidates.push(flat);
+            candidates.extend(self.named(&closed, &force, true, EXPANDED));
             for preference in [Preference::State, Preference::Parameter] {
-                let factored = self.expanded(&self.recursion(), preference);
-                let factored = factored
-                    .into_iter()
-                    .flat_map(|factored| self.named(&factored, &force, true));
-                candidates.extend(factored.map(|listing| (FACTORED, listing)));
+                if let Some(factored) = self.expanded(&self.recursion.clone(), preference) {
+                    candidates.extend(self.named(&factored, &force, true, FACTORED));
+                }
             }
         }
-        let recursive = self.named(&self.recursion(), &force, true);
-        candidates.extend(recursive.map(|listing| (RECURSIVE, listing)));
-        let weighed = candidates.into_iter().min_by_key(|(weight, listing)| {
-            let length = listing.to_string().len();
-            (length > PAGE, weight * length)
-        });
-        weighed.map(|(_, listing)| listing).unwrap_or_default()
+        candidates.extend(self.named(&self.recursion, &force, true, RECURSIVE));
+        best(candidates)
     }
 
     /// The form in which torques are multiplied out.
@@ -88,18 +87,8 @@ impl<'g> Composer<'_, 'g> {
         let force = self.forces(force);
         match &self.closed {
             Some(closed) => self.listing(&[closed, &force[..]].concat(), false, false),
-            None => {
-                let candidates = self.named(&self.recursion(), &force, false);
-                candidates
-                    .min_by_key(|listing| listing.to_string().len())
-                    .unwrap_or_default()
-            }
+            None => best(self.named(&self.recursion, &force, false, RECURSIVE)),
         }
-    }
-
-    /// The mass matrix and the bias by recursion over the links.
-    fn recursion(&self) -> Vec<Expr<'g>> {
-        inertial(&Dynamics::recursive(self.model, self.potential))
     }
 
     /// Forces written out, unless that is too long.
@@ -109,16 +98,10 @@ impl<'g> Composer<'_, 'g> {
     }
 
     /// Entries with names for what repeats, as they are and with their sums in order.
-    fn named(
-        &self,
-        inertial: &[Expr<'g>],
-        force: &[Expr<'g>],
-        with_torques: bool,
-    ) -> impl Iterator<Item = Listing> + use<> {
+    fn named(&self, inertial: &[Expr<'g>], force: &[Expr<'g>], with_torques: bool) -> [Candidate; 2] {
         let entries = [inertial, force].concat();
-        let listings =
-            [nest(self.model.graph, &entries), entries].map(|entries| self.listing(&entries, true, with_torques));
-        listings.into_iter()
+        [nest(self.model.graph, &entries), entries]
+            .map(|entries| Candidate::new(self.listing(&entries, true, with_torques), weight))
     }
 
     fn expanded(&mut self, rows: &[Expr<'g>], preference: Preference) -> Option<Vec<Expr<'g>>> {
@@ -182,6 +165,34 @@ impl<'g> Composer<'_, 'g> {
         let names = parameters.chain(inputs).chain(coordinates).chain(definitions);
         names.map(|name| name.replace("r#", "")).collect()
     }
+}
+
+/// A way to write the equations.
+struct Candidate {
+    listing: Listing,
+    /// The length of its text.
+    length: usize,
+    /// What a character counts for.
+    weight: usize,
+}
+
+impl Candidate {
+    fn new(listing: Listing, weight: usize) -> Self {
+        let length = listing.to_string().len();
+        Self {
+            listing,
+            length,
+            weight,
+        }
+    }
+}
+
+/// The candidate of the least weight, of those that fit on a page if there are any.
+fn best(candidates: impl IntoIterator<Item = Candidate>) -> Listing {
+    let best = candidates
+        .into_iter()
+        .min_by_key(|candidate| (candidate.length > PAGE, candidate.weight * candidate.length));
+    best.map(|candidate| candidate.listing).unwrap_or_default()
 }
 
 /// The entries of the mass matrix, its upper triangle, and of the bias.
