@@ -35,4 +35,5 @@ pub mod program;
 pub mod screw;
 pub mod units;
 
+pub use emit::c::{Sources, c};
 pub use pipeline::{expand, model, program};

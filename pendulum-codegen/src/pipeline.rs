@@ -48,7 +48,8 @@ fn compile(scene: &Scene, errors: Errors) -> Result<Program, Errors> {
     let model = lower::lower(scene, errors)?;
     let dynamics = Dynamics::new(&model);
     check::check(scene, &model, &dynamics)?;
-    Program::new(&model, &dynamics).map_err(|NotFinite(constant)| {
+    let head = (scene.head.name.to_string(), scene.head.docs.clone());
+    Program::new(head, &model, &dynamics).map_err(|NotFinite(constant)| {
         let fact = format!("the constant `{constant}` has no finite value in double precision");
         let help = "choose other units or other numbers: it overflows, or divides by something that vanishes";
         Errors::one(scene.head.name.span(), fact, help)

@@ -1,5 +1,6 @@
 //! Printers of a [`Program`](crate::program::Program), one for each language.
 
+pub(crate) mod c;
 mod equations;
 pub(crate) mod rust;
 

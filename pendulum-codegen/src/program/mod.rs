@@ -26,6 +26,10 @@ use routine::Request;
 /// A scene, ready to be printed in a language.
 #[derive(Clone, Debug)]
 pub struct Program {
+    /// The name of the scene.
+    pub name: String,
+    /// Documentation of the scene, line by line.
+    pub docs: Vec<String>,
     /// The parameters, in the order of their declaration.
     pub parameters: Vec<Quantity>,
     /// The inputs, in the order of their declaration.
@@ -85,13 +89,23 @@ pub enum Condition {
     NonNegativeWithin(usize),
 }
 
+/// What every parameter must be.
+pub(crate) const FINITE_PARAMETER: &str = "a parameter must be finite";
+/// What every constant must be.
+pub(crate) const FINITE_CONSTANT: &str =
+    "this combination of parameters must be finite: it overflows, a divisor is zero, or a coordinate has no inertia";
+
 impl Program {
-    /// The program of a scene.
+    /// The program of a scene, and what stands before its braces.
     ///
     /// # Errors
     ///
     /// The first constant that has no finite value.
-    pub(crate) fn new(model: &Model, dynamics: &Dynamics) -> Result<Self, NotFinite> {
+    pub(crate) fn new(
+        (name, docs): (String, Vec<String>),
+        model: &Model,
+        dynamics: &Dynamics,
+    ) -> Result<Self, NotFinite> {
         let g = &model.graph;
         let mut forms = Forms::new(model, dynamics);
         let mut request = Request {
@@ -121,6 +135,8 @@ impl Program {
             None => crate::emit::equations(model, dynamics, false),
         };
         Ok(Self {
+            name,
+            docs,
             parameters: model.parameters.iter().map(Quantity::of_parameter).collect(),
             inputs: model.inputs.iter().map(Quantity::of_input).collect(),
             layout: StateLayout::new(model),

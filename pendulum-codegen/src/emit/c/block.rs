@@ -1,0 +1,161 @@
+//! Blocks as C.
+
+use std::collections::BTreeSet;
+
+use super::Scene;
+use super::names::identifiers;
+use super::template::lines;
+use crate::expr::{Binary, Precedence, Unary};
+use crate::program::{Block, Coefficient, Let, Local, SinCos, Term, Variable};
+
+/// The names of functions, noted as their calls are written.
+pub(super) type Calls = BTreeSet<String>;
+
+/// A piece of C, and how tightly it holds together.
+pub(super) struct Piece(pub(super) String, Precedence);
+
+impl Piece {
+    /// The piece, in brackets if it is looser than its place asks for.
+    pub(super) fn within(&self, least: Precedence) -> String {
+        let Self(text, precedence) = self;
+        match *precedence < least {
+            true => format!("({text})"),
+            false => text.clone(),
+        }
+    }
+}
+
+/// A number, spelled so that it reads back exactly.
+pub(super) fn number(value: f64) -> String {
+    // the sign of a zero is dropped, as it is in Rust
+    let value = if value == 0.0 { 0.0 } else { value };
+    format!("{value:?}")
+}
+
+/// Statements that put values into their places.
+pub(super) fn statements(values: &[Piece], place: impl Fn(usize) -> String) -> String {
+    lines(
+        (0..)
+            .zip(values)
+            .map(|(n, value)| format!("{} = {};", place(n), value.0)),
+    )
+}
+
+impl Scene<'_> {
+    /// The name that code gives to a variable, and where it finds it.
+    pub(super) fn variable(&self, variable: Variable) -> (String, String) {
+        let listed = |name: &str, n: usize, list: &str| (format!("{name}{n}"), format!("{list}[{n}]"));
+        let single = |name: &str, place: &str| (name.to_owned(), place.to_owned());
+        let (coordinates, inputs, parameters) = (&self.coordinates, &self.inputs, &self.parameters);
+        match variable {
+            Variable::State(n) => {
+                let (prefix, slot) = if n < coordinates.len() {
+                    ("q", n)
+                } else {
+                    ("qd", n - coordinates.len())
+                };
+                (format!("{prefix}_{}", coordinates[slot]), format!("x[{n}]"))
+            }
+            Variable::Acceleration(n) => (format!("qdd_{}", coordinates[n]), format!("qdd[{n}]")),
+            Variable::Time => single("t", "t"),
+            Variable::Input(n) => (format!("u_{}", inputs[n]), format!("u->{}", inputs[n])),
+            Variable::Constant(n) => listed("k", n, "model->k"),
+            Variable::Parameter(n) => (format!("p_{}", parameters[n]), format!("params->{}", parameters[n])),
+            Variable::Series(Coefficient::Order) => single("order_k", "(double)k"),
+            Variable::Series(Coefficient::OverOrder) => single("over_k", "1.0 / (double)k"),
+            Variable::Series(Coefficient::Time) => single("time_k", "k == 1 ? 1.0 : 0.0"),
+            Variable::Series(Coefficient::State(n)) => listed("x", n, "series[k]"),
+            Variable::Series(Coefficient::Sum(n)) => listed("s", n, "sums"),
+            Variable::Series(Coefficient::Kept(n)) => listed("h", n, "kept"),
+        }
+    }
+
+    /// The statements of a block, and its results. Whatever it reads is copied first, so results may be stored in the same place.
+    pub(super) fn code(&self, block: &Block, calls: &mut Calls) -> (String, Vec<Piece>) {
+        let reads = block.reads().into_iter().filter(|read| *read != Variable::Time);
+        let reads = reads.map(|read| self.variable(read));
+        let mut code: String = reads
+            .map(|(name, place)| format!("const double {name} = {place};\n"))
+            .collect();
+        let locals = identifiers(&block.names);
+        let scene = self;
+        let mut writer = Writer { scene, locals, calls };
+        block
+            .lets
+            .iter()
+            .for_each(|statement| code += &writer.statement(statement));
+        let results = block.results.iter().map(|term| writer.term(term));
+        (code, results.collect())
+    }
+}
+
+struct Writer<'s> {
+    scene: &'s Scene<'s>,
+    /// The names of what statements define.
+    locals: Vec<String>,
+    calls: &'s mut Calls,
+}
+
+impl Writer<'_> {
+    fn local(&self, local: Local) -> &str {
+        &self.locals[local.index()]
+    }
+
+    fn statement(&mut self, code: &Let) -> String {
+        match code {
+            Let::Value(of, term) => {
+                let value = self.term(term).0;
+                format!("const double {} = {value};\n", self.local(*of))
+            }
+            Let::SinCos(pairs) => pairs.iter().map(|pair| self.sine_and_cosine(pair)).collect(),
+        }
+    }
+
+    fn sine_and_cosine(&mut self, pair: &SinCos) -> String {
+        self.calls
+            .extend(["PENDULUM_SIN".to_owned(), "PENDULUM_COS".to_owned()]);
+        let call = self.call("pendulum_sincos", &[&pair.angle]);
+        let at = pair.sine.or(pair.cosine).map_or(0, Local::index);
+        let values = [("sin", pair.sine), ("cos", pair.cosine)];
+        let values = values
+            .into_iter()
+            .filter_map(|(value, of)| Some((value, self.local(of?))));
+        let values = values.map(|(value, name)| format!("const double {name} = a{at}.{value};"));
+        format!("const pendulum_pair a{at} = {call};\n") + &lines(values)
+    }
+
+    fn call(&mut self, function: &str, arguments: &[&Term]) -> String {
+        self.calls.insert(function.to_owned());
+        let arguments = arguments.iter().map(|term| self.term(term).0);
+        format!("{function}({})", arguments.collect::<Vec<_>>().join(", "))
+    }
+
+    fn term(&mut self, term: &Term) -> Piece {
+        use Precedence::{Atom, Power, Product, Sum, Unary as Prefix};
+        let (text, precedence) = match term {
+            Term::Number(value) => (number(*value), if *value < 0.0 { Prefix } else { Atom }),
+            Term::Local(of) => (self.local(*of).to_owned(), Atom),
+            Term::Read(variable) => (self.scene.variable(*variable).0, Atom),
+            // not `--a`, which would be a decrement
+            Term::Unary(Unary::Neg, a) => (format!("-{}", self.term(a).within(Power)), Prefix),
+            Term::Unary(Unary::Abs, a) => (self.call("pendulum_abs", &[a]), Atom),
+            Term::Unary(Unary::Sign, a) => (self.call("pendulum_signum", &[a]), Atom),
+            Term::Unary(op, a) => (
+                self.call(&format!("PENDULUM_{}", op.spelling().to_uppercase()), &[a]),
+                Atom,
+            ),
+            Term::Binary(Binary::Atan2, a, b) => (self.call("PENDULUM_ATAN2", &[a, b]), Atom),
+            Term::Binary(op, a, b) => {
+                let (own, right) = match op {
+                    Binary::Add | Binary::Sub => (Sum, Product),
+                    _ => (Product, Prefix),
+                };
+                let (a, b) = (self.term(a).within(own), self.term(b).within(right));
+                (format!("{a} {} {b}", op.spelling()), own)
+            }
+            Term::Sqrt(a) => (self.call("PENDULUM_SQRT", &[a]), Atom),
+            Term::Power(a, exponent) => (self.call("PENDULUM_POW", &[a, &Term::Number(*exponent)]), Atom),
+        };
+        Piece(text, precedence)
+    }
+}
