@@ -108,7 +108,10 @@ fn stores(routine: &Routine, mut results: &[Piece]) -> String {
             return statements(own, |n| format!("{out}[{n}]"));
         };
         let triangle: Vec<_> = (0..size).flat_map(|i| (i..size).map(move |j| (i, j))).collect();
-        let both = |(i, j)| format!("{out}[{}] = {out}[{}]", j + size * i, i + size * j);
+        let both = |(i, j)| match i == j {
+            true => format!("{out}[{}]", i + size * i),
+            false => format!("{out}[{}] = {out}[{}]", j + size * i, i + size * j),
+        };
         statements(own, |n| both(triangle[n]))
     };
     outs(routine).map(store).collect()

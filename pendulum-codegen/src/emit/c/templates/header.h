@@ -43,7 +43,7 @@ typedef struct {
 enum {
     @NAME@_OK = 0,
     @codes@
-    /// This, and up to @constants@ - 1 above: the constant k[code - @NAME@_CONSTANT] is not finite
+    /// @NAME@_CONSTANT + n: the constant k[n] of the model is not finite
     @NAME@_CONSTANT = @last@
 };
 
@@ -54,8 +54,8 @@ int @name@_new(@name@_model *model, const @name@_params *params);
 
 /// What a code means: "`parameter`: what it must be".
 const char *@name@_error(int code);
-
 @routines@
+
 #ifdef __cplusplus
 }
 #endif

@@ -30,7 +30,8 @@ static int pendulum_is_finite(double x) {
 @defaults@
 
 int @name@_new(@name@_model *model, const @name@_params *params) {
-    double k[@constants@] = {0.0};
+    double k[@constants@];
+    k[0] = 0.0;
     @finite@
     {
         @checks@
