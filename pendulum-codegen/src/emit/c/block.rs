@@ -27,18 +27,14 @@ impl Piece {
 
 /// A number, spelled so that it reads back exactly.
 pub(super) fn number(value: f64) -> String {
-    // the sign of a zero is dropped, as it is in Rust
-    let value = if value == 0.0 { 0.0 } else { value };
-    format!("{value:?}")
+    // zeros have no sign, as in Rust
+    format!("{:?}", value + 0.0)
 }
 
 /// Statements that put values into their places.
 pub(super) fn statements(values: &[Piece], place: impl Fn(usize) -> String) -> String {
-    lines(
-        (0..)
-            .zip(values)
-            .map(|(n, value)| format!("{} = {};", place(n), value.0)),
-    )
+    let numbered = values.iter().enumerate();
+    lines(numbered.map(|(n, Piece(value, _))| format!("{} = {value};", place(n))))
 }
 
 impl Scene<'_> {
@@ -49,12 +45,11 @@ impl Scene<'_> {
         let (coordinates, inputs, parameters) = (&self.coordinates, &self.inputs, &self.parameters);
         match variable {
             Variable::State(n) => {
-                let (prefix, slot) = if n < coordinates.len() {
-                    ("q", n)
-                } else {
-                    ("qd", n - coordinates.len())
-                };
-                (format!("{prefix}_{}", coordinates[slot]), format!("x[{n}]"))
+                let (rates, slot) = (n / coordinates.len(), n % coordinates.len());
+                (
+                    format!("{}_{}", ["q", "qd"][rates], coordinates[slot]),
+                    format!("x[{n}]"),
+                )
             }
             Variable::Acceleration(n) => (format!("qdd_{}", coordinates[n]), format!("qdd[{n}]")),
             Variable::Time => single("t", "t"),
@@ -74,18 +69,12 @@ impl Scene<'_> {
     pub(super) fn code(&self, block: &Block, calls: &mut Calls) -> (String, Vec<Piece>) {
         let reads = block.reads().into_iter().filter(|read| *read != Variable::Time);
         let reads = reads.map(|read| self.variable(read));
-        let mut code: String = reads
-            .map(|(name, place)| format!("const double {name} = {place};\n"))
-            .collect();
-        let locals = identifiers(&block.names);
-        let scene = self;
+        let reads = lines(reads.map(|(name, place)| format!("const double {name} = {place};")));
+        let (scene, locals) = (self, identifiers(&block.names));
         let mut writer = Writer { scene, locals, calls };
-        block
-            .lets
-            .iter()
-            .for_each(|statement| code += &writer.statement(statement));
-        let results = block.results.iter().map(|term| writer.term(term));
-        (code, results.collect())
+        let code: String = block.lets.iter().map(|code| writer.statement(code)).collect();
+        let results = block.results.iter().map(|term| writer.term(term)).collect();
+        (reads + &code, results)
     }
 }
 
@@ -112,22 +101,23 @@ impl Writer<'_> {
     }
 
     fn sine_and_cosine(&mut self, pair: &SinCos) -> String {
-        self.calls
-            .extend(["PENDULUM_SIN".to_owned(), "PENDULUM_COS".to_owned()]);
+        self.calls.extend(["PENDULUM_SIN", "PENDULUM_COS"].map(String::from));
         let call = self.call("pendulum_sincos", &[&pair.angle]);
         let at = pair.sine.or(pair.cosine).map_or(0, Local::index);
-        let values = [("sin", pair.sine), ("cos", pair.cosine)];
-        let values = values
-            .into_iter()
-            .filter_map(|(value, of)| Some((value, self.local(of?))));
-        let values = values.map(|(value, name)| format!("const double {name} = a{at}.{value};"));
-        format!("const pendulum_pair a{at} = {call};\n") + &lines(values)
+        let value = |name, of| format!("const double {} = a{at}.{name};\n", self.local(of));
+        let sine = pair.sine.map(|of| value("sin", of)).unwrap_or_default();
+        let cosine = pair.cosine.map(|of| value("cos", of)).unwrap_or_default();
+        format!("const pendulum_pair a{at} = {call};\n{sine}{cosine}")
     }
 
     fn call(&mut self, function: &str, arguments: &[&Term]) -> String {
         self.calls.insert(function.to_owned());
         let arguments = arguments.iter().map(|term| self.term(term).0);
         format!("{function}({})", arguments.collect::<Vec<_>>().join(", "))
+    }
+
+    fn call_platform(&mut self, function: &str, arguments: &[&Term]) -> String {
+        self.call(&format!("PENDULUM_{}", function.to_uppercase()), arguments)
     }
 
     fn term(&mut self, term: &Term) -> Piece {
@@ -140,11 +130,8 @@ impl Writer<'_> {
             Term::Unary(Unary::Neg, a) => (format!("-{}", self.term(a).within(Power)), Prefix),
             Term::Unary(Unary::Abs, a) => (self.call("pendulum_abs", &[a]), Atom),
             Term::Unary(Unary::Sign, a) => (self.call("pendulum_signum", &[a]), Atom),
-            Term::Unary(op, a) => (
-                self.call(&format!("PENDULUM_{}", op.spelling().to_uppercase()), &[a]),
-                Atom,
-            ),
-            Term::Binary(Binary::Atan2, a, b) => (self.call("PENDULUM_ATAN2", &[a, b]), Atom),
+            Term::Unary(op, a) => (self.call_platform(op.spelling(), &[a]), Atom),
+            Term::Binary(Binary::Atan2, a, b) => (self.call_platform("atan2", &[a, b]), Atom),
             Term::Binary(op, a, b) => {
                 let (own, right) = match op {
                     Binary::Add | Binary::Sub => (Sum, Product),
@@ -153,8 +140,8 @@ impl Writer<'_> {
                 let (a, b) = (self.term(a).within(own), self.term(b).within(right));
                 (format!("{a} {} {b}", op.spelling()), own)
             }
-            Term::Sqrt(a) => (self.call("PENDULUM_SQRT", &[a]), Atom),
-            Term::Power(a, exponent) => (self.call("PENDULUM_POW", &[a, &Term::Number(*exponent)]), Atom),
+            Term::Sqrt(a) => (self.call_platform("sqrt", &[a]), Atom),
+            Term::Power(a, exponent) => (self.call_platform("pow", &[a, &Term::Number(*exponent)]), Atom),
         };
         Piece(text, precedence)
     }

@@ -12,17 +12,16 @@ impl Scene<'_> {
         let (program, slots) = (self.program, &self.program.layout.slots);
         let positions = slots.iter().map(|slot| (slot.positions.start, "", &slot.name));
         let rates = slots.iter().map(|slot| (slot.rates.start, "the rate of ", &slot.name));
-        let state = positions.chain(rates);
+        let state = positions
+            .chain(rates)
+            .map(|(n, of, name)| format!("x[{n}]  {of}{name}"));
         let meanings = program.constants_text.iter().enumerate();
         let codes = (1..).zip(self.rules());
         let code = |(n, rule)| format!("/// {rule}\n{}_RULE_{n} = {n},", self.name.to_uppercase());
         let platform = functions(calls).filter(|(head, _)| head.contains(':'));
         let values = [
             ("docs", trimmed(&program.docs)),
-            (
-                "state",
-                lines(state.map(|(n, rate, name)| format!("x[{n}]  {rate}{name}"))),
-            ),
+            ("state", lines(state)),
             ("equations", program.equations.clone()),
             ("platform", lines(platform.map(|(head, _)| head.to_owned()))),
             ("parameters", fields(&program.parameters, &self.parameters)),

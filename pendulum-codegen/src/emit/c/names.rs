@@ -4,10 +4,8 @@ use std::collections::BTreeSet;
 
 /// Names as identifiers, no two the same, and none a word of C or C++, or a macro that compilers define.
 pub(super) fn identifiers<'a>(names: impl IntoIterator<Item = &'a String>) -> Vec<String> {
-    let mut taken: BTreeSet<String> = include_str!("templates/words.txt")
-        .split_whitespace()
-        .map(String::from)
-        .collect();
+    let words = include_str!("templates/words.txt").split_whitespace();
+    let mut taken: BTreeSet<String> = words.map(String::from).collect();
     let identifier = |name: &String| {
         let mut identifier = ascii(name);
         while !taken.insert(identifier.clone()) {

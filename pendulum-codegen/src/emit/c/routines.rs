@@ -59,11 +59,9 @@ impl Scene<'_> {
         let (left, right) = sides.split_at(series.products);
         let [left, right] =
             [("left", left), ("right", right)].map(|(side, values)| statements(values, |n| format!("{side}[{n}]")));
-        let next = rates.iter().map(|rate| rate.within(Precedence::Product));
-        let next = (0..)
-            .zip(next)
-            .map(|(n, rate)| format!("series[k + 1][{n}] = {rate} * over_next;"));
-        let values = [("start", start), ("order", order + &left + &right + &lines(next))];
+        let next = rates.iter().map(|rate| rate.within(Precedence::Product)).enumerate();
+        let next = lines(next.map(|(n, rate)| format!("series[k + 1][{n}] = {rate} * over_next;")));
+        let values = [("start", start), ("order", order + &left + &right + &next)];
         self.fill(include_str!("templates/series.c"), &values)
     }
 }
