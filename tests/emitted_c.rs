@@ -348,6 +348,11 @@ fn evaluation(program: &Program, name: &str) -> String {
         }
         calls += &format!("{name}_{}({arguments});\n", routine.name);
     }
+    if program.inputs.is_empty() {
+        // results may overwrite the state; the right-hand side comes first
+        calls += &format!("double x[{length}];\nfor (int n = 0; n < {length}; n++) x[n] = in[1 + n];\n");
+        calls += &format!("{name}_rhs(&model, in[0], x, x);\nif (memcmp(x, out, sizeof x) != 0) return 4;\n");
+    }
     if program.series.is_some() {
         calls += &format!("for (int n = 0; n < {length}; n++) series[0][n] = in[1 + n];\n");
         calls += &format!("if ({name}_series(&model, in[0], series, {ORDER} + 1, &work) != 1) return 2;\n");

@@ -16,7 +16,7 @@
 //! ```
 //!
 //! One way through, no way back: tokens ([`parse`], [`ast`], [`units`]) to a typed scene ([`lower`], [`mod@model`], [`check`]) to expressions of
-//! its motion ([`screw`], [`dynamics`], on the graph of [`expr`]) to the shortest forms of them ([`pass`]) to Rust. Spans stop at the
+//! its motion ([`screw`], [`dynamics`], on the graph of [`expr`]) to the shortest forms of them ([`pass`]) to Rust, or to [C](c()). Spans stop at the
 //! model; what lies behind it knows nothing of syntax. The same declaration gives the same code, byte for byte.
 
 pub mod ast;

@@ -18,10 +18,8 @@ impl Piece {
     /// The piece, in brackets if it is looser than its place asks for.
     pub(super) fn within(&self, least: Precedence) -> String {
         let Self(text, precedence) = self;
-        match *precedence < least {
-            true => format!("({text})"),
-            false => text.clone(),
-        }
+        let (open, close) = if *precedence < least { ("(", ")") } else { ("", "") };
+        format!("{open}{text}{close}")
     }
 }
 
@@ -41,24 +39,18 @@ impl Scene<'_> {
     /// The name that code gives to a variable, and where it finds it.
     pub(super) fn variable(&self, variable: Variable) -> (String, String) {
         let listed = |name: &str, n: usize, list: &str| (format!("{name}{n}"), format!("{list}[{n}]"));
-        let single = |name: &str, place: &str| (name.to_owned(), place.to_owned());
         let (coordinates, inputs, parameters) = (&self.coordinates, &self.inputs, &self.parameters);
         match variable {
-            Variable::State(n) => {
-                let (rates, slot) = (n / coordinates.len(), n % coordinates.len());
-                (
-                    format!("{}_{}", ["q", "qd"][rates], coordinates[slot]),
-                    format!("x[{n}]"),
-                )
-            }
+            Variable::State(n) if n < coordinates.len() => (format!("q_{}", coordinates[n]), format!("x[{n}]")),
+            Variable::State(n) => (format!("qd_{}", coordinates[n - coordinates.len()]), format!("x[{n}]")),
             Variable::Acceleration(n) => (format!("qdd_{}", coordinates[n]), format!("qdd[{n}]")),
-            Variable::Time => single("t", "t"),
+            Variable::Time => ("t".to_owned(), "t".to_owned()),
             Variable::Input(n) => (format!("u_{}", inputs[n]), format!("u->{}", inputs[n])),
             Variable::Constant(n) => listed("k", n, "model->k"),
             Variable::Parameter(n) => (format!("p_{}", parameters[n]), format!("params->{}", parameters[n])),
-            Variable::Series(Coefficient::Order) => single("order_k", "(double)k"),
-            Variable::Series(Coefficient::OverOrder) => single("over_k", "1.0 / (double)k"),
-            Variable::Series(Coefficient::Time) => single("time_k", "k == 1 ? 1.0 : 0.0"),
+            Variable::Series(Coefficient::Order) => ("order_k".to_owned(), "(double)k".to_owned()),
+            Variable::Series(Coefficient::OverOrder) => ("over_k".to_owned(), "1.0 / (double)k".to_owned()),
+            Variable::Series(Coefficient::Time) => ("time_k".to_owned(), "k == 1 ? 1.0 : 0.0".to_owned()),
             Variable::Series(Coefficient::State(n)) => listed("x", n, "series[k]"),
             Variable::Series(Coefficient::Sum(n)) => listed("s", n, "sums"),
             Variable::Series(Coefficient::Kept(n)) => listed("h", n, "kept"),
@@ -86,16 +78,13 @@ struct Writer<'s> {
 }
 
 impl Writer<'_> {
-    fn local(&self, local: Local) -> &str {
-        &self.locals[local.index()]
+    fn local(&self, local: Local) -> String {
+        self.locals[local.index()].clone()
     }
 
     fn statement(&mut self, code: &Let) -> String {
         match code {
-            Let::Value(of, term) => {
-                let value = self.term(term).0;
-                format!("const double {} = {value};\n", self.local(*of))
-            }
+            Let::Value(of, term) => format!("const double {} = {};\n", self.local(*of), self.term(term).0),
             Let::SinCos(pairs) => pairs.iter().map(|pair| self.sine_and_cosine(pair)).collect(),
         }
     }
@@ -124,7 +113,7 @@ impl Writer<'_> {
         use Precedence::{Atom, Power, Product, Sum, Unary as Prefix};
         let (text, precedence) = match term {
             Term::Number(value) => (number(*value), if *value < 0.0 { Prefix } else { Atom }),
-            Term::Local(of) => (self.local(*of).to_owned(), Atom),
+            Term::Local(of) => (self.local(*of), Atom),
             Term::Read(variable) => (self.scene.variable(*variable).0, Atom),
             // not `--a`, which would be a decrement
             Term::Unary(Unary::Neg, a) => (format!("-{}", self.term(a).within(Power)), Prefix),

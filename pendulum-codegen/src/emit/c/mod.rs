@@ -33,8 +33,7 @@ pub fn c(program: &Program) -> Sources {
         coordinates: identifiers(program.layout.slots.iter().map(|slot| &slot.name)),
     };
     let (source, calls) = scene.source();
-    let header = scene.header(&calls);
-    let name = scene.name;
+    let (header, name) = (scene.header(&calls), scene.name);
     Sources { name, header, source }
 }
 
@@ -57,7 +56,6 @@ impl Scene<'_> {
             ("NAME", self.name.to_uppercase()),
             ("scene", program.name.clone()),
             ("length", length(program.layout.len())),
-            ("dof", length(program.layout.dof())),
             ("constants", length(program.constants_text.len())),
             ("products", length(series.map_or(0, |series| series.products))),
             ("kept", length(series.map_or(0, |series| series.kept))),

@@ -20,7 +20,7 @@ impl Scene<'_> {
         let code = |(n, rule)| format!("/// {rule}\n{}_RULE_{n} = {n},", self.name.to_uppercase());
         let platform = functions(calls).filter(|(head, _)| head.contains(':'));
         let values = [
-            ("docs", trimmed(&program.docs)),
+            ("docs", program.docs.join("\n")),
             ("state", lines(state)),
             ("equations", program.equations.clone()),
             ("platform", lines(platform.map(|(head, _)| head.to_owned()))),
@@ -40,7 +40,6 @@ impl Scene<'_> {
         let (program, mut calls) = (self.program, Calls::new());
         let refuse = |n, holds| format!("if (!({holds})) return {}_RULE_{n};\n", self.name.to_uppercase());
         let finite = |(n, field)| refuse(n, format!("pendulum_is_finite(params->{field})"));
-        let finite = (1..).zip(&self.parameters).map(finite).collect();
         let (mut checks, checked) = self.code(&program.checked, &mut calls);
         checks += &statements(&checked, |n| format!("const double r{n}"));
         for (n, rule) in (self.parameters.len() + 1..).zip(&program.rules) {
@@ -56,15 +55,14 @@ impl Scene<'_> {
         }
         let (code, constants) = self.code(&program.constants, &mut calls);
         let texts = self.rules().into_iter().chain([FINITE_CONSTANT.to_owned()]);
-        let routines = self.routines(&mut calls);
         let values = [
+            ("routines", self.routines(&mut calls)),
             ("functions", functions(&calls).map(|(_, code)| code).collect()),
             ("defaults", self.defaults(include_str!("templates/defaults.c"))),
-            ("finite", finite),
+            ("finite", (1..).zip(&self.parameters).map(finite).collect()),
             ("checks", checks),
             ("code", code + &statements(&constants, |n| format!("k[{n}]"))),
             ("texts", lines(texts.map(|text| format!("{text:?},")))),
-            ("routines", routines),
         ];
         (self.fill(include_str!("templates/source.c"), &values), calls)
     }
@@ -82,11 +80,8 @@ impl Scene<'_> {
 
     /// The structure of the inputs, if there are any.
     fn inputs(&self) -> String {
-        let template = if self.inputs.is_empty() {
-            ""
-        } else {
-            include_str!("templates/inputs.h")
-        };
+        let template = include_str!("templates/inputs.h");
+        let template = if self.inputs.is_empty() { "" } else { template };
         self.fill(template, &[("fields", fields(&self.program.inputs, &self.inputs))])
     }
 
@@ -109,20 +104,14 @@ fn functions(calls: &Calls) -> impl Iterator<Item = (&'static str, &'static str)
 /// The fields of a structure. C has no structures without fields.
 fn fields(quantities: &[Quantity], names: &[String]) -> String {
     let field = |(quantity, name): (&Quantity, &String)| {
-        let unit = match quantity.unit.as_str() {
-            "1" => "A plain number.".to_owned(),
-            unit => format!("In {unit}."),
-        };
-        let values = [("docs", trimmed(&quantity.docs) + &unit), ("name", name.clone())];
-        fill("/// @docs@\ndouble @name@;", &values)
+        let is_number = quantity.unit == "1";
+        let unit = if is_number { "a plain number" } else { &quantity.unit };
+        let docs = lines(quantity.docs.iter().cloned());
+        let values = [("docs", docs), ("unit", unit.to_owned()), ("name", name.clone())];
+        fill("///@docs@\n/// Unit: @unit@.\ndouble @name@;", &values)
     };
     match names {
         [] => "double unused;".to_owned(),
         names => quantities.iter().zip(names).map(field).collect(),
     }
-}
-
-/// Lines of documentation.
-fn trimmed(docs: &[String]) -> String {
-    lines(docs.iter().map(|line| line.trim().to_owned()))
 }

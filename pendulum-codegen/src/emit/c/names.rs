@@ -33,9 +33,9 @@ pub(super) fn snake_case(name: &str) -> String {
 
 /// A name of Rust with its letters beyond ASCII as numbers: `θ` as `u03b8`.
 fn ascii(name: &str) -> String {
-    let spelled = |letter: char| match letter.is_ascii() {
-        true => letter.to_string(),
-        false => format!("u{:04x}", u32::from(letter)),
+    let spelled = |letter: char| match u32::from(letter) {
+        0..128 => letter.to_string(),
+        number => format!("u{number:04x}"),
     };
     name.trim_start_matches("r#").chars().map(spelled).collect()
 }

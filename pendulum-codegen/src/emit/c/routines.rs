@@ -14,10 +14,9 @@ impl Scene<'_> {
             self.fill("\n/// @docs@\n@prototype@;", &values)
         };
         let routines: String = self.program.routines.iter().map(declaration).collect();
-        match &self.program.series {
-            Some(_) => routines + &self.fill(include_str!("templates/series.h"), &[]),
-            None => routines,
-        }
+        let series = self.program.series.as_ref();
+        let series = series.map(|_| self.fill(include_str!("templates/series.h"), &[]));
+        routines + &series.unwrap_or_default()
     }
 
     /// Routines and series as functions.
@@ -36,17 +35,21 @@ impl Scene<'_> {
     fn prototype(&self, routine: &Routine) -> String {
         let arguments = routine.arguments.iter().map(|argument| match argument {
             Argument::Inputs => ", const @name@_inputs *u".to_owned(),
-            Argument::Accelerations => ", const double qdd[@dof@]".to_owned(),
+            Argument::Accelerations => format!(", const double qdd[{}]", self.program.layout.dof()),
         });
         let results = outs(routine).map(|(out, shape)| match shape {
             Shape::Symmetric(n) => format!(", double {out}[{}]", n * n),
             shape => format!(", double {out}[{}]", shape.len()),
         });
-        let kind = if is_scalar(routine) { "double" } else { "void" };
-        let always = "(const @name@_model *model, double t, const double x[@length@]";
         let more: String = arguments.chain(results).collect();
-        let prototype = self.fill(&format!("{kind} @name@_{}{always}{more})", routine.name), &[]);
-        prototype.trim_end().to_owned()
+        let kind = if outs(routine).next().is_none() {
+            "double"
+        } else {
+            "void"
+        };
+        let name = format!("{kind} @name@_{}", routine.name);
+        let prototype = format!("{name}(const @name@_model *model, double t, const double x[@length@]{more})");
+        self.fill(&prototype, &[]).trim_end().to_owned()
     }
 
     fn series(&self, series: &Series, calls: &mut Calls) -> String {
@@ -57,8 +60,8 @@ impl Scene<'_> {
         let (order, results) = self.code(&series.order, calls);
         let (rates, sides) = results.split_at(self.program.layout.len());
         let (left, right) = sides.split_at(series.products);
-        let [left, right] =
-            [("left", left), ("right", right)].map(|(side, values)| statements(values, |n| format!("{side}[{n}]")));
+        let left = statements(left, |n| format!("left[{n}]"));
+        let right = statements(right, |n| format!("right[{n}]"));
         let next = rates.iter().map(|rate| rate.within(Precedence::Product)).enumerate();
         let next = lines(next.map(|(n, rate)| format!("series[k + 1][{n}] = {rate} * over_next;")));
         let values = [("start", start), ("order", order + &left + &right + &next)];
@@ -86,18 +89,13 @@ fn outs(routine: &Routine) -> impl Iterator<Item = (String, Shape<usize>)> {
         1 => ("out".to_owned(), shape),
         _ => (format!("out{n}"), shape),
     };
-    shapes.map(named).filter(|_| !is_scalar(routine))
-}
-
-/// Whether a routine returns its result.
-fn is_scalar(routine: &Routine) -> bool {
-    routine.shapes == [Shape::Scalar]
+    shapes.map(named).filter(|(_, shape)| *shape != Shape::Scalar)
 }
 
 /// Statements that store the results of a routine, or return the only one.
 fn stores(routine: &Routine, mut results: &[Piece]) -> String {
-    if is_scalar(routine) {
-        return lines(results.iter().map(|result| format!("return {};", result.0)));
+    if let ([Shape::Scalar], [result]) = (routine.shapes.as_slice(), results) {
+        return format!("return {};\n", result.0);
     }
     let store = |(out, shape): (String, Shape<usize>)| {
         let (own, rest) = results.split_at(shape.len());
