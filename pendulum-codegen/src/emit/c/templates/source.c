@@ -8,8 +8,10 @@
 #pragma GCC diagnostic ignored "-Wunused-parameter"
 #pragma GCC diagnostic ignored "-Wunused-variable"
 #endif
-// GCC does not know the pragma, and warns about it.
-#if defined(__clang__) || !defined(__GNUC__)
+#if defined(__GNUC__) && !defined(__clang__)
+// GCC does not know the pragma of C99, and where it vectorises it fuses even with -ffp-contract=off.
+#pragma GCC optimize("fp-contract=off", "no-tree-vectorize")
+#else
 #pragma STDC FP_CONTRACT OFF
 #endif
 #ifdef __FAST_MATH__
