@@ -4,12 +4,15 @@
 //! cargo run --example emitted                         # the code for the double pendulum of the paper, formatted
 //! cargo run --example emitted -- src/lib.rs           # for every declaration of a file, in its functions and modules as well
 //! cargo run --example emitted -- --latex src/lib.rs   # their equations of motion in LaTeX, for documents that load amsmath
+//! cargo run --example emitted -- --c src/lib.rs       # C: a header and a source for each, in out/emitted/ or in a folder named last
 //! ```
 
 use std::error::Error;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use pendulum_codegen::{expand, program};
+use pendulum_codegen::program::Program;
+use pendulum_codegen::{c, expand, program};
 use proc_macro2::{TokenStream, TokenTree};
 
 /// What is printed where no file is named.
@@ -20,11 +23,13 @@ const DEFAULT: &str = "tests/common/scenes.rs";
 enum Output {
     Rust,
     Latex,
+    C,
 }
 
 struct Arguments {
     output: Output,
     path: String,
+    folder: PathBuf,
 }
 
 impl Arguments {
@@ -32,16 +37,24 @@ impl Arguments {
         let mut read = Self {
             output: Output::Rust,
             path: DEFAULT.to_owned(),
+            folder: PathBuf::from("out/emitted"),
         };
+        let mut named = Vec::new();
         for argument in arguments {
             match argument.as_str() {
                 "--latex" => read.output = Output::Latex,
+                "--c" => read.output = Output::C,
                 option if option.starts_with('-') => {
-                    return Err(format!("unknown option {option}; usage: emitted [--latex] [FILE]"));
+                    return Err(format!(
+                        "unknown option {option}; usage: emitted [--latex | --c] [FILE [FOLDER]]"
+                    ));
                 }
-                _ => read.path = argument,
+                _ => named.push(argument),
             }
         }
+        let mut named = named.into_iter();
+        read.path = named.next().unwrap_or(read.path);
+        read.folder = named.next().map_or(read.folder, PathBuf::from);
         Ok(read)
     }
 }
@@ -57,7 +70,7 @@ fn main() -> ExitCode {
 }
 
 fn run() -> Result<(), Box<dyn Error>> {
-    let Arguments { output, path } = Arguments::read(std::env::args().skip(1))?;
+    let Arguments { output, path, folder } = Arguments::read(std::env::args().skip(1))?;
     let source = std::fs::read_to_string(&path).map_err(|error| format!("cannot read {path}: {error}"))?;
     let tokens: TokenStream = source.parse().map_err(|error| format!("{path}: {error}"))?;
     let mut declarations = Vec::new();
@@ -74,6 +87,7 @@ fn run() -> Result<(), Box<dyn Error>> {
             })),
             Ok(program) => match output {
                 Output::Latex => println!("{}", program.equations.latex()),
+                Output::C => write_c(&program, &folder)?,
                 Output::Rust => println!("{}", prettyplease::unparse(&syn::parse2(expand(declaration))?)),
             },
         }
@@ -83,6 +97,18 @@ fn run() -> Result<(), Box<dyn Error>> {
     } else {
         Err(wrong.join("\n").into())
     }
+}
+
+/// Writes a header and a source, and names them.
+fn write_c(program: &Program, folder: &Path) -> Result<(), Box<dyn Error>> {
+    std::fs::create_dir_all(folder)?;
+    let sources = c(program);
+    for (extension, text) in [("h", sources.header), ("c", sources.source)] {
+        let path = folder.join(&sources.name).with_extension(extension);
+        std::fs::write(&path, text)?;
+        println!("{}", path.display());
+    }
+    Ok(())
 }
 
 /// The contents of every `mechanism! { .. }`, wherever it stands.

@@ -91,6 +91,8 @@ impl<'g> Lower<'g> {
         self.require_motion(scene, &coordinates);
         self.report_unused(items);
         let model = Model {
+            name: scene.head.name.to_string(),
+            docs: scene.head.docs.clone(),
             graph: self.graph,
             parameters,
             inputs,

@@ -16,6 +16,10 @@ use crate::units::Unit;
 /// A scene.
 #[derive(Debug)]
 pub(crate) struct Model<'g> {
+    /// Name.
+    pub name: String,
+    /// Documentation, line by line.
+    pub docs: Vec<String>,
     /// The store of all its expressions.
     pub graph: &'g Graph,
     /// Parameters.

@@ -31,6 +31,10 @@ use routine::Request;
 /// A scene, ready to be printed in a language.
 #[derive(Clone, Debug)]
 pub struct Program {
+    /// The name of the scene.
+    pub name: String,
+    /// Documentation of the scene, line by line.
+    pub docs: Vec<String>,
     /// The parameters, in the order of their declaration.
     pub parameters: Vec<Quantity>,
     /// The inputs, in the order of their declaration.
@@ -90,8 +94,14 @@ pub enum Condition {
     NonNegativeWithin(usize),
 }
 
+/// What every parameter must be.
+pub(crate) const FINITE_PARAMETER: &str = "a parameter must be finite";
+/// What every constant must be.
+pub(crate) const FINITE_CONSTANT: &str =
+    "this combination of parameters must be finite: it overflows, a divisor is zero, or a coordinate has no inertia";
+
 impl Program {
-    /// The program of a scene.
+    /// The program of a scene, and what stands before its braces.
     ///
     /// # Errors
     ///
@@ -128,6 +138,8 @@ impl Program {
         let of_parameters = parameters(model);
         let equations = equations::equations(model, dynamics, forms.recursive().unwrap_or(dynamics), forms.closed());
         Ok(Self {
+            name: model.name.clone(),
+            docs: model.docs.clone(),
             parameters: model.parameters.iter().map(Quantity::of_parameter).collect(),
             inputs: model.inputs.iter().map(Quantity::of_input).collect(),
             layout,

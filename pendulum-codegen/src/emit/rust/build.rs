@@ -6,7 +6,7 @@ use quote::quote;
 use super::block::local;
 use super::{Items, allowed, count, field};
 use crate::model::ROUNDING;
-use crate::program::{Block, Condition, Variable};
+use crate::program::{Block, Condition, FINITE_CONSTANT, FINITE_PARAMETER, Variable};
 
 impl Items<'_> {
     /// `new` and `cast`, and the parameters of a model that was built.
@@ -40,7 +40,7 @@ impl Items<'_> {
                     let names: [&'static str; #given] = [#(#texts),*];
                     for (name, value) in names.into_iter().zip(given) {
                         if !value.is_finite() {
-                            return Err(::pendulum_core::ParameterError { name, value, rule: "a parameter must be finite" });
+                            return Err(::pendulum_core::ParameterError { name, value, rule: #FINITE_PARAMETER });
                         }
                     }
                     let [#(#values),*] = rules(given);
@@ -49,7 +49,7 @@ impl Items<'_> {
                     let names: [&'static str; #constants] = [#(#constants_text),*];
                     for (name, value) in names.into_iter().zip(constants) {
                         if !value.is_finite() {
-                            let rule = "this combination of parameters must be finite: it overflows, a divisor is zero, or a coordinate has no inertia";
+                            let rule = #FINITE_CONSTANT;
                             return Err(::pendulum_core::ParameterError { name, value, rule });
                         }
                     }

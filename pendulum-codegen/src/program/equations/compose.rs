@@ -98,7 +98,7 @@ impl<'g> Composer<'_, 'g> {
     }
 
     /// Entries with names for what repeats, as they are and with their sums in order.
-    fn named(&self, inertial: &[Expr<'g>], force: &[Expr<'g>], with_torques: bool) -> [Candidate; 2] {
+    fn named(&self, inertial: &[Expr<'g>], force: &[Expr<'g>], with_torques: bool, weight: usize) -> [Candidate; 2] {
         let entries = [inertial, force].concat();
         [nest(self.model.graph, &entries), entries]
             .map(|entries| Candidate::new(self.listing(&entries, true, with_torques), weight))

@@ -1,0 +1,137 @@
+//! Blocks as C.
+
+use std::collections::BTreeSet;
+
+use super::Scene;
+use super::names::identifiers;
+use super::template::lines;
+use crate::expr::{Binary, Precedence, Unary};
+use crate::program::{Block, Coefficient, Let, Local, SinCos, Term, Variable};
+
+/// The names of functions, noted as their calls are written.
+pub(super) type Calls = BTreeSet<String>;
+
+/// A piece of C, and how tightly it holds together.
+pub(super) struct Piece(pub(super) String, Precedence);
+
+impl Piece {
+    /// The piece, in brackets if it is looser than its place asks for.
+    pub(super) fn within(&self, least: Precedence) -> String {
+        let Self(text, precedence) = self;
+        let (open, close) = if *precedence < least { ("(", ")") } else { ("", "") };
+        format!("{open}{text}{close}")
+    }
+}
+
+/// A number, spelled so that it reads back exactly.
+pub(super) fn number(value: f64) -> String {
+    // zeros have no sign, as in Rust
+    format!("{:?}", value + 0.0)
+}
+
+/// Statements that put values into their places.
+pub(super) fn statements(values: &[Piece], place: impl Fn(usize) -> String) -> String {
+    let numbered = values.iter().enumerate();
+    lines(numbered.map(|(n, Piece(value, _))| format!("{} = {value};", place(n))))
+}
+
+impl Scene<'_> {
+    /// The name that code gives to a variable, and where it finds it.
+    pub(super) fn variable(&self, variable: Variable) -> (String, String) {
+        let listed = |name: &str, n: usize, list: &str| (format!("{name}{n}"), format!("{list}[{n}]"));
+        let (coordinates, inputs, parameters) = (&self.coordinates, &self.inputs, &self.parameters);
+        match variable {
+            Variable::State(n) if n < coordinates.len() => (format!("q_{}", coordinates[n]), format!("x[{n}]")),
+            Variable::State(n) => (format!("qd_{}", coordinates[n - coordinates.len()]), format!("x[{n}]")),
+            Variable::Acceleration(n) => (format!("qdd_{}", coordinates[n]), format!("qdd[{n}]")),
+            Variable::Time => ("t".to_owned(), "t".to_owned()),
+            Variable::Input(n) => (format!("u_{}", inputs[n]), format!("u->{}", inputs[n])),
+            Variable::Constant(n) => listed("k", n, "model->k"),
+            Variable::Parameter(n) => (format!("p_{}", parameters[n]), format!("params->{}", parameters[n])),
+            Variable::Series(Coefficient::Order) => ("order_k".to_owned(), "(double)k".to_owned()),
+            Variable::Series(Coefficient::OverOrder) => ("over_k".to_owned(), "1.0 / (double)k".to_owned()),
+            Variable::Series(Coefficient::Time) => ("time_k".to_owned(), "k == 1 ? 1.0 : 0.0".to_owned()),
+            Variable::Series(Coefficient::State(n)) => listed("x", n, "series[k]"),
+            Variable::Series(Coefficient::Sum(n)) => listed("s", n, "sums"),
+            Variable::Series(Coefficient::Kept(n)) => listed("h", n, "kept"),
+        }
+    }
+
+    /// The statements of a block, and its results. Whatever it reads is copied first, so results may be stored in the same place.
+    pub(super) fn code(&self, block: &Block, calls: &mut Calls) -> (String, Vec<Piece>) {
+        let reads = block.reads().into_iter().filter(|read| *read != Variable::Time);
+        let reads = reads.map(|read| self.variable(read));
+        let reads = lines(reads.map(|(name, place)| format!("const double {name} = {place};")));
+        let (scene, locals) = (self, identifiers(&block.names));
+        let mut writer = Writer { scene, locals, calls };
+        let code: String = block.lets.iter().map(|code| writer.statement(code)).collect();
+        let results = block.results.iter().map(|term| writer.term(term)).collect();
+        (reads + &code, results)
+    }
+}
+
+struct Writer<'s> {
+    scene: &'s Scene<'s>,
+    /// The names of what statements define.
+    locals: Vec<String>,
+    calls: &'s mut Calls,
+}
+
+impl Writer<'_> {
+    fn local(&self, local: Local) -> String {
+        self.locals[local.index()].clone()
+    }
+
+    fn statement(&mut self, code: &Let) -> String {
+        match code {
+            Let::Value(of, term) => format!("const double {} = {};\n", self.local(*of), self.term(term).0),
+            Let::SinCos(pairs) => pairs.iter().map(|pair| self.sine_and_cosine(pair)).collect(),
+        }
+    }
+
+    fn sine_and_cosine(&mut self, pair: &SinCos) -> String {
+        self.calls.extend(["PENDULUM_SIN", "PENDULUM_COS"].map(String::from));
+        let call = self.call("pendulum_sincos", &[&pair.angle]);
+        let at = pair.sine.or(pair.cosine).map_or(0, Local::index);
+        let value = |name, of| format!("const double {} = a{at}.{name};\n", self.local(of));
+        let sine = pair.sine.map(|of| value("sin", of)).unwrap_or_default();
+        let cosine = pair.cosine.map(|of| value("cos", of)).unwrap_or_default();
+        format!("const pendulum_pair a{at} = {call};\n{sine}{cosine}")
+    }
+
+    fn call(&mut self, function: &str, arguments: &[&Term]) -> String {
+        self.calls.insert(function.to_owned());
+        let arguments = arguments.iter().map(|term| self.term(term).0);
+        format!("{function}({})", arguments.collect::<Vec<_>>().join(", "))
+    }
+
+    fn call_platform(&mut self, function: &str, arguments: &[&Term]) -> String {
+        self.call(&format!("PENDULUM_{}", function.to_uppercase()), arguments)
+    }
+
+    fn term(&mut self, term: &Term) -> Piece {
+        use Precedence::{Atom, Power, Product, Sum, Unary as Prefix};
+        let (text, precedence) = match term {
+            Term::Number(value) => (number(*value), if *value < 0.0 { Prefix } else { Atom }),
+            Term::Local(of) => (self.local(*of), Atom),
+            Term::Read(variable) => (self.scene.variable(*variable).0, Atom),
+            // not `--a`, which would be a decrement
+            Term::Unary(Unary::Neg, a) => (format!("-{}", self.term(a).within(Power)), Prefix),
+            Term::Unary(Unary::Abs, a) => (self.call("pendulum_abs", &[a]), Atom),
+            Term::Unary(Unary::Sign, a) => (self.call("pendulum_signum", &[a]), Atom),
+            Term::Unary(op, a) => (self.call_platform(op.spelling(), &[a]), Atom),
+            Term::Binary(Binary::Atan2, a, b) => (self.call_platform("atan2", &[a, b]), Atom),
+            Term::Binary(op, a, b) => {
+                let (own, right) = match op {
+                    Binary::Add | Binary::Sub => (Sum, Product),
+                    _ => (Product, Prefix),
+                };
+                let (a, b) = (self.term(a).within(own), self.term(b).within(right));
+                (format!("{a} {} {b}", op.spelling()), own)
+            }
+            Term::Sqrt(a) => (self.call_platform("sqrt", &[a]), Atom),
+            Term::Power(a, exponent) => (self.call_platform("pow", &[a, &Term::Number(*exponent)]), Atom),
+        };
+        Piece(text, precedence)
+    }
+}

@@ -1,0 +1,65 @@
+//! A program as C99: a header and a source without heap, and without any library but for the functions that the header names.
+
+mod block;
+mod model;
+mod names;
+mod routines;
+mod template;
+
+use names::{identifiers, snake_case};
+
+use crate::program::Program;
+
+/// A scene as C.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Sources {
+    /// What the names of all functions and types start with; the files are `<name>.h` and `<name>.c`.
+    pub name: String,
+    /// The header, in which everything is documented.
+    pub header: String,
+    /// The source.
+    pub source: String,
+}
+
+/// Prints a program as C99.
+///
+/// The results are those of the Rust code, bit for bit, where no function of the platform is called.
+pub fn c(program: &Program) -> Sources {
+    let scene = Scene {
+        program,
+        name: snake_case(&program.name),
+        parameters: identifiers(program.parameters.iter().map(|parameter| &parameter.name)),
+        inputs: identifiers(program.inputs.iter().map(|input| &input.name)),
+        coordinates: identifiers(program.layout.slots.iter().map(|slot| &slot.name)),
+    };
+    let (source, calls) = scene.source();
+    let (header, name) = (scene.header(&calls), scene.name);
+    Sources { name, header, source }
+}
+
+/// A program, and the names of its parts in C.
+struct Scene<'p> {
+    program: &'p Program,
+    name: String,
+    parameters: Vec<String>,
+    inputs: Vec<String>,
+    coordinates: Vec<String>,
+}
+
+impl Scene<'_> {
+    /// A template with the names and the lengths of the scene. C has no arrays without elements.
+    fn fill(&self, template: &str, values: &[(&str, String)]) -> String {
+        let (program, series) = (self.program, self.program.series.as_ref());
+        let length = |length: usize| length.max(1).to_string();
+        let own = [
+            ("name", self.name.clone()),
+            ("NAME", self.name.to_uppercase()),
+            ("scene", program.name.clone()),
+            ("length", length(program.layout.len())),
+            ("constants", length(program.constants_text.len())),
+            ("products", length(series.map_or(0, |series| series.products))),
+            ("kept", length(series.map_or(0, |series| series.kept))),
+        ];
+        template::fill(template, &[&own, values].concat())
+    }
+}

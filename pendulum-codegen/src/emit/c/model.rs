@@ -1,0 +1,117 @@
+//! The two files: types, and the model with its checks.
+
+use super::Scene;
+use super::block::{Calls, number, statements};
+use super::template::{fill, lines};
+use crate::model::ROUNDING;
+use crate::program::{Condition, FINITE_CONSTANT, FINITE_PARAMETER, Quantity};
+
+impl Scene<'_> {
+    /// The header of a source that makes these calls.
+    pub(super) fn header(&self, calls: &Calls) -> String {
+        let (program, slots) = (self.program, &self.program.layout.slots);
+        let positions = slots.iter().map(|slot| (slot.positions.start, "", &slot.name));
+        let rates = slots.iter().map(|slot| (slot.rates.start, "the rate of ", &slot.name));
+        let state = positions
+            .chain(rates)
+            .map(|(n, of, name)| format!("x[{n}]  {of}{name}"));
+        let meanings = program.constants_text.iter().enumerate();
+        let codes = (1..).zip(self.rules());
+        let code = |(n, rule)| format!("/// {rule}\n{}_RULE_{n} = {n},", self.name.to_uppercase());
+        let platform = functions(calls).filter(|(head, _)| head.contains(':'));
+        let values = [
+            ("docs", program.docs.join("\n")),
+            ("state", lines(state)),
+            ("equations", program.equations.to_string()),
+            ("platform", lines(platform.map(|(head, _)| head.to_owned()))),
+            ("parameters", fields(&program.parameters, &self.parameters)),
+            ("defaults", self.defaults(include_str!("templates/defaults.h"))),
+            ("inputs", self.inputs()),
+            ("meanings", lines(meanings.map(|(n, text)| format!("k[{n}] = {text}")))),
+            ("codes", lines(codes.map(code))),
+            ("last", (self.rules().len() + 1).to_string()),
+            ("routines", self.declarations()),
+        ];
+        self.fill(include_str!("templates/header.h"), &values)
+    }
+
+    /// The source, and the functions that it calls.
+    pub(super) fn source(&self) -> (String, Calls) {
+        let (program, mut calls) = (self.program, Calls::new());
+        let refuse = |n, holds| format!("if (!({holds})) return {}_RULE_{n};\n", self.name.to_uppercase());
+        let finite = |(n, field)| refuse(n, format!("pendulum_is_finite(params->{field})"));
+        let (mut checks, checked) = self.code(&program.checked, &mut calls);
+        checks += &statements(&checked, |n| format!("const double r{n}"));
+        for (n, rule) in (self.parameters.len() + 1..).zip(&program.rules) {
+            let holds = match rule.condition {
+                Condition::Positive => format!("r{} > 0.0", rule.value),
+                Condition::NonNegative => format!("r{} >= 0.0", rule.value),
+                Condition::NonNegativeWithin(scale) => {
+                    calls.insert("pendulum_abs".to_owned());
+                    format!("r{} >= {} * pendulum_abs(r{scale})", rule.value, number(-ROUNDING))
+                }
+            };
+            checks += &refuse(n, holds);
+        }
+        let (code, constants) = self.code(&program.constants, &mut calls);
+        let texts = self.rules().into_iter().chain([FINITE_CONSTANT.to_owned()]);
+        let values = [
+            ("routines", self.routines(&mut calls)),
+            ("functions", functions(&calls).map(|(_, code)| code).collect()),
+            ("defaults", self.defaults(include_str!("templates/defaults.c"))),
+            ("finite", (1..).zip(&self.parameters).map(finite).collect()),
+            ("checks", checks),
+            ("code", code + &statements(&constants, |n| format!("k[{n}]"))),
+            ("texts", lines(texts.map(|text| format!("{text:?},")))),
+        ];
+        (self.fill(include_str!("templates/source.c"), &values), calls)
+    }
+
+    /// A template for the defaults of the parameters, if all have one. C has no structures without fields.
+    fn defaults(&self, template: &str) -> String {
+        let defaults = self.program.parameters.iter().map(|parameter| parameter.default);
+        let Some(values) = defaults.collect::<Option<Vec<f64>>>() else {
+            return String::new();
+        };
+        let values = lines(values.into_iter().map(|value| number(value) + ","));
+        let values = if values.is_empty() { "0.0".to_owned() } else { values };
+        self.fill(template, &[("values", values)])
+    }
+
+    /// The structure of the inputs, if there are any.
+    fn inputs(&self) -> String {
+        let template = include_str!("templates/inputs.h");
+        let template = if self.inputs.is_empty() { "" } else { template };
+        self.fill(template, &[("fields", fields(&self.program.inputs, &self.inputs))])
+    }
+
+    /// What parameters must obey, as text.
+    fn rules(&self) -> Vec<String> {
+        let (parameters, rules) = (&self.program.parameters, &self.program.rules);
+        let finite = parameters.iter().map(|parameter| (&parameter.name, FINITE_PARAMETER));
+        let rules = finite.chain(rules.iter().map(|rule| (&rule.name, rule.text.as_str())));
+        rules.map(|(name, text)| format!("`{name}`: {text}")).collect()
+    }
+}
+
+/// The functions that are called: what stands over them, and their code.
+fn functions(calls: &Calls) -> impl Iterator<Item = (&'static str, &'static str)> {
+    let sections = include_str!("templates/functions.c").split("//! ");
+    let sections = sections.filter_map(|section| section.split_once('\n'));
+    sections.filter(|(head, _)| head.split(':').next().is_some_and(|name| calls.contains(name)))
+}
+
+/// The fields of a structure. C has no structures without fields.
+fn fields(quantities: &[Quantity], names: &[String]) -> String {
+    let field = |(quantity, name): (&Quantity, &String)| {
+        let is_number = quantity.unit == "1";
+        let unit = if is_number { "a plain number" } else { &quantity.unit };
+        let docs = lines(quantity.docs.iter().cloned());
+        let values = [("docs", docs), ("unit", unit.to_owned()), ("name", name.clone())];
+        fill("///@docs@\n/// Unit: @unit@.\ndouble @name@;", &values)
+    };
+    match names {
+        [] => "double unused;".to_owned(),
+        names => quantities.iter().zip(names).map(field).collect(),
+    }
+}

@@ -1,0 +1,114 @@
+//! Routines and the power series as functions.
+
+use super::Scene;
+use super::block::{Calls, Piece, statements};
+use super::template::lines;
+use crate::expr::Precedence;
+use crate::program::{Argument, Routine, Series, Shape};
+
+impl Scene<'_> {
+    /// The documentation and the prototypes of routines and series.
+    pub(super) fn declarations(&self) -> String {
+        let declaration = |routine| {
+            let values = [("docs", documentation(routine)), ("prototype", self.prototype(routine))];
+            self.fill("\n/// @docs@\n@prototype@;", &values)
+        };
+        let routines: String = self.program.routines.iter().map(declaration).collect();
+        let series = self.program.series.as_ref();
+        let series = series.map(|_| self.fill(include_str!("templates/series.h"), &[]));
+        routines + &series.unwrap_or_default()
+    }
+
+    /// Routines and series as functions.
+    pub(super) fn routines(&self, calls: &mut Calls) -> String {
+        let function = |routine: &Routine| {
+            let (code, results) = self.code(&routine.block, calls);
+            let body = code + &stores(routine, &results);
+            let values = [("prototype", self.prototype(routine)), ("body", body)];
+            self.fill("\n@prototype@ {\n    @body@\n}", &values)
+        };
+        let routines: String = self.program.routines.iter().map(function).collect();
+        let series = self.program.series.as_ref();
+        routines + &series.map(|series| self.series(series, calls)).unwrap_or_default()
+    }
+
+    fn prototype(&self, routine: &Routine) -> String {
+        let arguments = routine.arguments.iter().map(|argument| match argument {
+            Argument::Inputs => ", const @name@_inputs *u".to_owned(),
+            Argument::Accelerations => format!(", const double qdd[{}]", self.program.layout.dof()),
+        });
+        let results = outs(routine).map(|(out, shape)| match shape {
+            Shape::Symmetric(n) => format!(", double {out}[{}]", n * n),
+            shape => format!(", double {out}[{}]", shape.len()),
+        });
+        let more: String = arguments.chain(results).collect();
+        let kind = if outs(routine).next().is_none() {
+            "double"
+        } else {
+            "void"
+        };
+        let name = format!("{kind} @name@_{}", routine.name);
+        let prototype = format!("{name}(const @name@_model *model, double t, const double x[@length@]{more})");
+        self.fill(&prototype, &[]).trim_end().to_owned()
+    }
+
+    fn series(&self, series: &Series, calls: &mut Calls) -> String {
+        let (start, results) = self.code(&series.start, calls);
+        let (rates, kept) = results.split_at(self.program.layout.len());
+        let rates = statements(rates, |n| format!("series[1][{n}]"));
+        let start = start + &rates + &statements(kept, |n| format!("kept[{n}]"));
+        let (order, results) = self.code(&series.order, calls);
+        let (rates, sides) = results.split_at(self.program.layout.len());
+        let (left, right) = sides.split_at(series.products);
+        let left = statements(left, |n| format!("left[{n}]"));
+        let right = statements(right, |n| format!("right[{n}]"));
+        let next = rates.iter().map(|rate| rate.within(Precedence::Product)).enumerate();
+        let next = lines(next.map(|(n, rate)| format!("series[k + 1][{n}] = {rate} * over_next;")));
+        let values = [("start", start), ("order", order + &left + &right + &next)];
+        self.fill(include_str!("templates/series.c"), &values)
+    }
+}
+
+/// What a routine computes, and how its results stand in memory.
+fn documentation(routine: &Routine) -> String {
+    let results = outs(routine).map(|(out, shape)| {
+        let (rows, columns, kind) = match shape {
+            Shape::Symmetric(n) => (n, n, "symmetric "),
+            Shape::Matrix(n, m) => (n, m, ""),
+            shape => return format!("{out}: {} numbers.", shape.len()),
+        };
+        format!("{out}: a {kind}matrix, {rows} x {columns}; row i of column j is {out}[i + {rows} * j].")
+    });
+    lines([routine.doc.to_owned()].into_iter().chain(results))
+}
+
+/// The results that are stored, with their names.
+fn outs(routine: &Routine) -> impl Iterator<Item = (String, Shape<usize>)> {
+    let shapes = routine.shapes.iter().copied().enumerate();
+    let named = |(n, shape)| match routine.shapes.len() {
+        1 => ("out".to_owned(), shape),
+        _ => (format!("out{n}"), shape),
+    };
+    shapes.map(named).filter(|(_, shape)| *shape != Shape::Scalar)
+}
+
+/// Statements that store the results of a routine, or return the only one.
+fn stores(routine: &Routine, mut results: &[Piece]) -> String {
+    if let ([Shape::Scalar], [result]) = (routine.shapes.as_slice(), results) {
+        return format!("return {};\n", result.0);
+    }
+    let store = |(out, shape): (String, Shape<usize>)| {
+        let (own, rest) = results.split_at(shape.len());
+        results = rest;
+        let Shape::Symmetric(size) = shape else {
+            return statements(own, |n| format!("{out}[{n}]"));
+        };
+        let triangle: Vec<_> = (0..size).flat_map(|i| (i..size).map(move |j| (i, j))).collect();
+        let both = |(i, j)| match i == j {
+            true => format!("{out}[{}]", i + size * i),
+            false => format!("{out}[{}] = {out}[{}]", j + size * i, i + size * j),
+        };
+        statements(own, |n| both(triangle[n]))
+    };
+    outs(routine).map(store).collect()
+}

@@ -1,0 +1,40 @@
+//! C with holes.
+
+/// A template with values for its `@keys@`. A key that ends a line, after nothing but spaces or the mark of a comment, takes any number of
+/// lines, each after the same.
+pub(super) fn fill(template: &str, values: &[(&str, String)]) -> String {
+    let filled = template.lines().map(|line| {
+        let ends = |(key, value): &'_ (&str, String)| {
+            let mark = line.strip_suffix(&format!("@{key}@"))?;
+            // a backslash at the end would draw the next line into a comment
+            let line = |line| format!("{mark}{line}").trim_end_matches([' ', '\\']).to_owned();
+            let fits = mark.trim_matches([' ', '/']).is_empty();
+            fits.then(|| lines(value.lines().map(line)))
+        };
+        let set = |line: String, (key, value): &(&str, String)| line.replace(&format!("@{key}@"), value);
+        let within = || values.iter().fold(format!("{line}\n"), set);
+        values.iter().find_map(ends).unwrap_or_else(within)
+    });
+    filled.collect()
+}
+
+/// Lines, each with its end.
+pub(super) fn lines(lines: impl IntoIterator<Item = String>) -> String {
+    lines.into_iter().map(|line| line + "\n").collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::fill;
+
+    #[test]
+    fn lines_take_the_marks_of_their_key() {
+        let values = [
+            ("a", "x \\\ny".to_owned()),
+            ("b", "z".to_owned()),
+            ("none", String::new()),
+        ];
+        let text = fill("@a@ @b@\n  /// @a@\n  @none@\nf(@b@);", &values);
+        assert_eq!(text, "x \\\ny z\n  /// x\n  /// y\nf(z);\n");
+    }
+}

@@ -1,0 +1,3 @@
+const @name@_params @name@_defaults = {
+    @values@
+};

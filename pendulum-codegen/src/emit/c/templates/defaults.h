@@ -1,0 +1,3 @@
+
+/// The defaults of all parameters.
+extern const @name@_params @name@_defaults;

@@ -1,0 +1,122 @@
+// What code may call. A section starts with a name; of a function of the platform it says which one that is where nothing else is defined.
+
+//! PENDULUM_ATAN2: atan2
+#ifndef PENDULUM_ATAN2
+#define PENDULUM_ATAN2 atan2
+#endif
+extern double PENDULUM_ATAN2(double, double);
+
+//! PENDULUM_COS: cos, called for angles beyond 1e5 rad only
+#ifndef PENDULUM_COS
+#define PENDULUM_COS cos
+#endif
+extern double PENDULUM_COS(double);
+
+//! PENDULUM_EXP: exp
+#ifndef PENDULUM_EXP
+#define PENDULUM_EXP exp
+#endif
+extern double PENDULUM_EXP(double);
+
+//! PENDULUM_LN: log
+#ifndef PENDULUM_LN
+#define PENDULUM_LN log
+#endif
+extern double PENDULUM_LN(double);
+
+//! PENDULUM_POW: pow
+#ifndef PENDULUM_POW
+#define PENDULUM_POW pow
+#endif
+extern double PENDULUM_POW(double, double);
+
+//! PENDULUM_SIN: sin, called for angles beyond 1e5 rad only
+#ifndef PENDULUM_SIN
+#define PENDULUM_SIN sin
+#endif
+extern double PENDULUM_SIN(double);
+
+//! PENDULUM_SQRT: sqrt
+#ifndef PENDULUM_SQRT
+#define PENDULUM_SQRT sqrt
+#endif
+extern double PENDULUM_SQRT(double);
+
+//! PENDULUM_TAN: tan
+#ifndef PENDULUM_TAN
+#define PENDULUM_TAN tan
+#endif
+extern double PENDULUM_TAN(double);
+
+//! PENDULUM_TANH: tanh
+#ifndef PENDULUM_TANH
+#define PENDULUM_TANH tanh
+#endif
+extern double PENDULUM_TANH(double);
+
+//! pendulum_abs
+// The absolute value; +0.0 of both zeros.
+static inline double pendulum_abs(double x) {
+    return x > 0.0 ? x : 0.0 - x;
+}
+
+//! pendulum_signum
+// The sign: -1, 0 or 1. Zeros and NaN are returned as they are.
+static inline double pendulum_signum(double x) {
+    return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : x;
+}
+
+//! pendulum_sincos
+typedef struct {
+    double sin, cos;
+} pendulum_pair;
+
+typedef union {
+    double number;
+    uint64_t bits;
+} pendulum_bits;
+
+// Sine and cosine of an angle in radians, to less than 1 ulp.
+//
+// The angle is reduced to [-pi/4, pi/4] by a multiple of pi/2 in parts of 37, 37 and 53 bits (Cody and Waite), and the rounding error
+// of the reduced angle is carried along. The polynomials are minimax ones, evaluated by Estrin's scheme.
+static inline pendulum_pair pendulum_sincos(double x) {
+    pendulum_bits turned, sine, cosine;
+    pendulum_pair pair;
+    uint64_t swap;
+    if (x > 1e5 || x < -1e5) {
+        pair.sin = PENDULUM_SIN(x);
+        pair.cos = PENDULUM_COS(x);
+        return pair;
+    }
+    // 1.5 * 2^52 leaves no room for a fraction: the sum is rounded to an integer, which stands in its lowest bits
+    turned.number = x * 0.6366197723675814 + 6755399441055744.0;
+    const double n = turned.number - 6755399441055744.0;
+    const double near = x - n * 1.5707963267923333;
+    const double low = n * 2.5633441515839558e-12;
+    const double r = near - low;
+    // the reduced angle is r - excess
+    const double excess = (low - (near - r)) + n * 1.0562999066987428e-23;
+
+    const double z = r * r;
+    const double z2 = z * z;
+    const double half_z = z * 0.5;
+    const double base = 1.0 - half_z;
+    const double s = (0.1666666666666663 + z * -0.008333333333322118)
+        + z2 * ((0.0001984126982958877 + z * -2.7557313621092594e-6)
+        + z2 * (2.5050747713723324e-8 + z * -1.5896227149403376e-10));
+    const double c = (0.041666666666666595 + z * -0.0013888888888873056)
+        + z2 * ((2.4801587288850653e-5 + z * -2.7557314178988574e-7)
+        + z2 * (2.0875700799352644e-9 + z * -1.1358534274429555e-11));
+    // a difference, so that the sine of -0.0 is -0.0
+    sine.number = r - (r * (z * s) + excess * base);
+    cosine.number = base + (((1.0 - base) - half_z) + (z2 * c + r * excess));
+
+    // quarter turns, without a branch
+    swap = (sine.bits ^ cosine.bits) & (0 - (turned.bits & 1));
+    sine.bits ^= swap ^ ((turned.bits & 2) << 62);
+    cosine.bits ^= swap ^ (((turned.bits + 1) & 2) << 62);
+    pair.sin = sine.number;
+    pair.cos = cosine.number;
+    return pair;
+}

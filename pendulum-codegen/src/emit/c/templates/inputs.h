@@ -1,0 +1,5 @@
+
+/// Inputs, given at each evaluation.
+typedef struct {
+    @fields@
+} @name@_inputs;
