@@ -10,18 +10,20 @@ impl Scene<'_> {
     /// The header of a source that makes these calls.
     pub(super) fn header(&self, calls: &Calls) -> String {
         let (program, slots) = (self.program, &self.program.layout.slots);
-        let positions = slots.iter().map(|slot| (slot.positions.start, "", &slot.name));
-        let rates = slots.iter().map(|slot| (slot.rates.start, "the rate of ", &slot.name));
-        let state = positions
-            .chain(rates)
-            .map(|(n, of, name)| format!("x[{n}]  {of}{name}"));
+        let positions = slots
+            .iter()
+            .map(|slot| format!("x[{}]  {}, in {}", slot.positions.start, slot.name, slot.kind.unit()));
+        let rates = slots.iter().map(|slot| {
+            let (n, unit) = (slot.rates.start, slot.kind.rate_unit());
+            format!("x[{n}]  the rate of {}, in {unit}", slot.name)
+        });
         let meanings = program.constants_text.iter().enumerate();
         let codes = (1..).zip(self.rules());
         let code = |(n, rule)| format!("/// {rule}\n{}_RULE_{n} = {n},", self.name.to_uppercase());
         let platform = functions(calls).filter(|(head, _)| head.contains(':'));
         let values = [
             ("docs", program.docs.join("\n")),
-            ("state", lines(state)),
+            ("state", lines(positions.chain(rates))),
             ("equations", program.equations.to_string()),
             ("platform", lines(platform.map(|(head, _)| head.to_owned()))),
             ("parameters", fields(&program.parameters, &self.parameters)),
