@@ -19,9 +19,9 @@ pub(crate) struct Taylor<'g> {
     pub symbols: Symbols<'g>,
     /// The number of products of series.
     pub slots: usize,
-    /// Of order 0: the accelerations, then what [`Symbols::kept`] stands for.
+    /// Of order 0: the right-hand side, then what [`Symbols::kept`] stands for.
     pub start: Vec<Expr<'g>>,
-    /// Of order `k`: the accelerations, then the left sides of all products, then their right sides.
+    /// Of order `k`: the right-hand side, then the left sides of all products, then their right sides.
     pub order: Vec<Expr<'g>>,
     /// Operations of one order `k`, without the sums of the products.
     pub operations: Operations,
@@ -69,7 +69,7 @@ impl<'g> Forms<'g> {
             }
         }
         best.shorten(model.graph);
-        best
+        best.with_kinematics(model)
     }
 }
 
@@ -183,5 +183,15 @@ impl<'g> Taylor<'g> {
             }
         }
         self.operations = Operations::of(g, &self.order);
+    }
+
+    /// The same with the rates of the positions before the accelerations.
+    fn with_kinematics(mut self, model: &Model<'g>) -> Self {
+        let kinematics = model.kinematics();
+        let mut recurrences = Recurrences::new(model, &mut self.symbols);
+        let of_order: Vec<Expr<'g>> = kinematics.iter().map(|&rate| recurrences.coefficient(rate)).collect();
+        self.order.splice(0..0, of_order);
+        self.start.splice(0..0, kinematics);
+        self
     }
 }

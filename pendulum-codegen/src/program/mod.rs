@@ -19,6 +19,7 @@ pub(crate) use routine::{Length, ROUTINES, words};
 pub use series::Series;
 
 pub use crate::expr::{Binary, Definition, Formula, Summand, Unary};
+pub(crate) use crate::model::ROUNDING;
 pub use crate::pass::Operations;
 
 use crate::dynamics::Dynamics;

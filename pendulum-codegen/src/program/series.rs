@@ -32,9 +32,6 @@ impl Series {
         known: &HashMap<ExprId, Variable>,
     ) -> Result<Self, NotFinite> {
         let (g, symbols) = (model.graph, &taylor.symbols);
-        let start = [model.kinematics(), taylor.start].concat();
-        let (_, rates) = symbols.state.split_at(model.dof());
-        let order = [rates, &taylor.order].concat();
         let mut of_order = known.clone();
         let lists = [
             (&symbols.state, Coefficient::State as fn(usize) -> Coefficient),
@@ -65,8 +62,8 @@ impl Series {
         Ok(Self {
             products: taylor.slots,
             kept: symbols.kept.len(),
-            start: block(g, &start, known)?,
-            order: block(g, &order, &of_order)?,
+            start: block(g, &taylor.start, known)?,
+            order: block(g, &taylor.order, &of_order)?,
             cost: Cost {
                 others: others.collect(),
                 ..cost(taylor.form, taylor.slots, taylor.operations)

@@ -3,8 +3,7 @@
 use super::Scene;
 use super::block::{Calls, number, statements};
 use super::template::{fill, lines};
-use crate::model::ROUNDING;
-use crate::program::{Condition, FINITE_CONSTANT, FINITE_PARAMETER, Quantity};
+use crate::program::{Condition, FINITE_CONSTANT, FINITE_PARAMETER, Quantity, ROUNDING};
 
 impl Scene<'_> {
     /// The header of a source that makes these calls.

@@ -5,8 +5,7 @@ use quote::quote;
 
 use super::block::local;
 use super::{Items, allowed, count, field};
-use crate::model::ROUNDING;
-use crate::program::{Block, Condition, FINITE_CONSTANT, FINITE_PARAMETER, Variable};
+use crate::program::{Block, Condition, FINITE_CONSTANT, FINITE_PARAMETER, ROUNDING, Variable};
 
 impl Items<'_> {
     /// `new` and `cast`, and the parameters of a model that was built.

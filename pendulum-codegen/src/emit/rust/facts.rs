@@ -6,8 +6,7 @@ use proc_macro2::TokenStream;
 use quote::quote;
 
 use super::{Items, count};
-use crate::pass::Operations;
-use crate::program::{Cost, SlotKind, StateLayout};
+use crate::program::{Cost, Operations, SlotKind, StateLayout};
 
 impl Items<'_> {
     /// Names, costs and equations.

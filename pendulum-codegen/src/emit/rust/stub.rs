@@ -66,9 +66,13 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             Shape::Symmetric(n) => (quote!(#matrix<T, #n, #n>), zeros.clone()),
         });
         let (types, values): (Vec<TokenStream>, Vec<TokenStream>) = results.unzip();
+        let (output, result) = match (&types[..], &values[..]) {
+            ([one], [value]) => (one.clone(), value.clone()),
+            _ => (quote!((#(#types),*)), quote!((#(#values),*))),
+        };
         quote! {
-            pub fn #name<const N: usize #generics>(#inherent #arguments) -> (#(#types),*) {
-                (#(#values),*)
+            pub fn #name<const N: usize #generics>(#inherent #arguments) -> #output {
+                #result
             }
         }
     });
