@@ -167,29 +167,6 @@ impl<const N: usize, T: Float> fmt::Display for SolveError<N, T> {
 
 impl<const N: usize, T: Float> Error for SolveError<N, T> {}
 
-/// A time at which a solution has no state.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OutsideSpan {
-    /// The time asked for.
-    pub t: f64,
-    /// The first time of the solution.
-    pub start: f64,
-    /// The last time of the solution; before `start` if it went backward.
-    pub end: f64,
-}
-
-impl fmt::Display for OutsideSpan {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(
-            f,
-            "the solution runs from t = {} to {} and has no state at {}; ask within, or integrate further",
-            self.start, self.end, self.t
-        )
-    }
-}
-
-impl Error for OutsideSpan {}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -63,14 +63,14 @@ mod control;
 pub use cost::{Cost, FunctionCost, Operations};
 pub use dense::{Dense, Step};
 pub use ensemble::{Ensemble, EnsembleError};
-pub use error::{OutsideSpan, ParameterError, Reason, SolveError};
+pub use error::{ParameterError, Reason, SolveError};
 pub use event::{Direction, Event, Occurrence};
 pub use layout::{Slot, SlotKind, StateLayout};
 pub use method::{
     Auto, Gauss4, Gauss6, Method, Radau5, Rk4, Rk45, Rodas4, Rodas5P, Stepper, Taylor, Tsit5, Vern7, Vern9,
 };
 pub use real::{Float, Real};
-pub use solution::{Solution, Statistics};
+pub use solution::{OutsideSpan, Solution, Statistics};
 pub use system::{Canonical, Controlled, Energy, FnSystem, Jacobian, Model, System, WithInputs};
 pub use taylor::{TaylorModel, TaylorSeries};
 

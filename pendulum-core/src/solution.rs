@@ -1,11 +1,11 @@
 //! What an integration returns: the accepted points and the states between them.
 
+use std::error::Error;
 use std::fmt;
 
 use nalgebra::SVector;
 
 use crate::dense::{Dense, polynomial};
-use crate::error::OutsideSpan;
 use crate::event::Occurrence;
 use crate::real::Float;
 
@@ -275,3 +275,26 @@ impl<const N: usize, T: Float> TryFrom<Unchecked<N, T>> for Solution<N, T> {
         })
     }
 }
+
+/// A time at which a solution has no state.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OutsideSpan {
+    /// The time asked for.
+    pub t: f64,
+    /// The first time of the solution.
+    pub start: f64,
+    /// The last time of the solution; before `start` if it went backward.
+    pub end: f64,
+}
+
+impl fmt::Display for OutsideSpan {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "the solution runs from t = {} to {} and has no state at {}; ask within, or integrate further",
+            self.start, self.end, self.t
+        )
+    }
+}
+
+impl Error for OutsideSpan {}

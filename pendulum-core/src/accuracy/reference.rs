@@ -5,9 +5,9 @@ use std::fmt;
 use nalgebra::SVector;
 
 use super::errors::distance;
-use crate::error::{OutsideSpan, SolveError};
+use crate::error::SolveError;
 use crate::method::{Method, Vern7, Vern9};
-use crate::solution::Solution;
+use crate::solution::{OutsideSpan, Solution};
 use crate::system::System;
 
 /// A trusted solution, which tells how far it can be trusted.
