@@ -7,6 +7,7 @@
 //! cargo run --example emitted -- --c src/lib.rs       # C: a header and a source for each, in out/emitted/ or in a folder named last
 //! ```
 
+use std::collections::BTreeSet;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
@@ -18,8 +19,10 @@ use proc_macro2::{TokenStream, TokenTree};
 /// What is printed where no file is named.
 const DEFAULT: &str = "tests/common/scenes.rs";
 
+const USAGE: &str = "usage: emitted [FILE], emitted --latex [FILE] or emitted --c [FILE [FOLDER]]";
+
 /// What is printed of each declaration.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 enum Output {
     Rust,
     Latex,
@@ -44,17 +47,17 @@ impl Arguments {
             match argument.as_str() {
                 "--latex" => read.output = Output::Latex,
                 "--c" => read.output = Output::C,
-                option if option.starts_with('-') => {
-                    return Err(format!(
-                        "unknown option {option}; usage: emitted [--latex | --c] [FILE [FOLDER]]"
-                    ));
-                }
+                option if option.starts_with('-') => return Err(USAGE.to_owned()),
                 _ => named.push(argument),
             }
         }
         let mut named = named.into_iter();
         read.path = named.next().unwrap_or(read.path);
-        read.folder = named.next().map_or(read.folder, PathBuf::from);
+        let folder = named.next();
+        if named.next().is_some() || (folder.is_some() && read.output != Output::C) {
+            return Err(USAGE.to_owned());
+        }
+        read.folder = folder.map_or(read.folder, PathBuf::from);
         Ok(read)
     }
 }
@@ -78,7 +81,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     if declarations.is_empty() {
         return Err(format!("{path} holds no `mechanism! {{ .. }}`").into());
     }
-    let mut wrong = Vec::new();
+    let (mut wrong, mut written) = (Vec::new(), BTreeSet::new());
     for declaration in declarations {
         match program(declaration.clone()) {
             Err(errors) => wrong.extend(errors.iter().map(|error| {
@@ -87,6 +90,10 @@ fn run() -> Result<(), Box<dyn Error>> {
             })),
             Ok(program) => match output {
                 Output::Latex => println!("{}", program.equations.latex()),
+                Output::C if !written.insert(c(&program).name) => {
+                    let name = c(&program).name;
+                    return Err(format!("two declarations of {path} have the name `{name}` in C; rename one").into());
+                }
                 Output::C => write_c(&program, &folder)?,
                 Output::Rust => println!("{}", prettyplease::unparse(&syn::parse2(expand(declaration))?)),
             },

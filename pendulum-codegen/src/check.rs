@@ -51,7 +51,7 @@ fn without_inertia(model: &Model<'_>, dynamics: &Dynamics<'_>) -> Option<Coordin
         let own: Vec<f64> = (0..n).map(|k| a[k][k].abs()).collect();
         let found = (0..n).rev().find(|&k| {
             let pivot = a[k][k];
-            if pivot.is_nan() || pivot.abs() <= SINGULAR * own[k] {
+            if pivot.abs() <= SINGULAR * own[k] {
                 return true;
             }
             for i in 0..k {

@@ -17,8 +17,8 @@
 //!
 //! One way through, no way back: tokens to syntax (`parse`, `ast`, `units`) to a typed scene (`lower`, `model`, `check`) to expressions of
 //! its motion (`screw`, `dynamics`, on the graph of `expr`) to the shortest forms of them (`form`, `pass`) to a [`mod@program`], in no
-//! language, to Rust or [C](c()) (`emit`). Spans stop at the model; what comes after it knows nothing of syntax. The same declaration
-//! gives the same code, byte for byte.
+//! language, to Rust or [C](c()) (`emit`). Spans stop at the model; of the syntax only the head, with the name and the visibility of
+//! the model, reaches the Rust printer. The same declaration gives the same code, byte for byte.
 
 mod ast;
 mod check;

@@ -35,3 +35,16 @@ fn the_same_declaration_gives_the_same_code_every_time() {
         assert_eq!(other.join().expect("no panic"), first);
     }
 }
+
+/// A rate has no name that Rust or C could take.
+#[test]
+fn sines_of_rates_have_names() {
+    let scene = "pub Wobble {
+        body b on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: th, torque: sin(dot(th)) + cos(dot(th)) }
+    }";
+    let items = pendulum_codegen::expand(scene.parse().expect("tokens"));
+    syn::parse2::<syn::File>(items).expect("items");
+    let program = pendulum_codegen::program(scene.parse().expect("tokens")).expect("a scene");
+    let source = pendulum_codegen::c(&program).source;
+    assert!(!source.contains("dot("), "{source}");
+}

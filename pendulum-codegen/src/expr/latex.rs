@@ -13,10 +13,10 @@ use super::{Formula, Precedence, Summand};
 const FUNCTIONS: [&str; 6] = ["sin", "cos", "tan", "exp", "ln", "tanh"];
 
 /// Names of letters.
-const GREEK: [&str; 33] = [
+const GREEK: [&str; 34] = [
     "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu", "nu", "xi",
     "pi", "rho", "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega", "Gamma", "Delta", "Theta", "Lambda", "Xi",
-    "Pi", "Sigma", "Phi", "Psi", "Omega",
+    "Pi", "Sigma", "Upsilon", "Phi", "Psi", "Omega",
 ];
 
 impl Formula {

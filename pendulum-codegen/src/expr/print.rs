@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 
-use num_traits::{One, Signed};
+use num_traits::{One, Signed, Zero};
 
 use super::formula::Summand;
 use super::{Binary, ExprId, Formula, Graph, Node, Rational, SymbolKind, Unary, ratio};
@@ -110,6 +110,7 @@ impl<'g> Printer<'g> {
                 _ => merged.push((id, power)),
             }
         }
+        merged.retain(|(_, power)| !power.is_zero());
         let (below, above): (Vec<_>, Vec<_>) = merged.into_iter().partition(|(_, power)| power.is_negative());
         let write = |list: Vec<(ExprId, Rational)>| {
             let factors = list.into_iter().map(|(id, power)| self.factor(id, power.abs()));

@@ -31,7 +31,7 @@ const HOPELESS: [usize; 2] = [9, 4];
 /// How much longer than the shortest the code may be that loses no digits to cancellation: by one part in this many.
 const WORTH_OF_DIGITS: usize = 8;
 
-/// The shortest code that was found for one function.
+/// The code of the least weight that was found for one function.
 #[derive(Clone, Debug)]
 pub(crate) struct Chosen<'g> {
     /// What the function computes.

@@ -6,7 +6,7 @@ use num_traits::{Signed, ToPrimitive};
 
 use super::block::{Block, Let, Local, SinCos, Term, Variable};
 use super::schedule::{Step, schedule};
-use crate::expr::{Binary, Expr, ExprId, Graph, Level, Node, Printer, Rational, Unary, ratio};
+use crate::expr::{Binary, Expr, ExprId, Graph, Level, Node, Printer, Rational, SymbolKind, Unary, ratio};
 
 /// Longer expressions are broken up by a statement.
 const MOST_OPERATIONS: usize = 8;
@@ -164,7 +164,9 @@ impl<'g> Builder<'g> {
                 Let::SinCos(pairs) => {
                     for SinCos { sine, cosine, .. } in pairs {
                         let angle = sine.or(*cosine).and_then(|local| self.locals[local.0]);
-                        let suffix = match angle.and_then(|angle| self.graph.as_symbol(angle)) {
+                        // a rate has no name that a language could take
+                        let symbol = angle.and_then(|angle| self.graph.as_symbol(angle));
+                        let suffix = match symbol.filter(|symbol| !matches!(symbol.kind, SymbolKind::Rate(_))) {
                             Some(symbol) => format!("_{}", symbol.name),
                             None => next().to_string(),
                         };

@@ -33,7 +33,7 @@ pub struct Cost {
     pub form: String,
     /// Its operations.
     pub operations: Operations,
-    /// The products of series that each order of a power series takes besides.
+    /// Of a power series: the number of products of series that each order also takes.
     pub products: Option<usize>,
     /// The best of each other kind of form, from the least weight on.
     pub others: Vec<Self>,
@@ -59,7 +59,7 @@ pub enum Argument {
     Accelerations,
 }
 
-/// The shape of a result, over lengths. Entries of matrices stand column by column.
+/// The shape of a result, whose lengths are of type `N`. The entries of a matrix are listed column by column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Shape<N> {
     /// One number.
@@ -184,7 +184,7 @@ impl Request<'_> {
         !self.model.inputs.is_empty()
     }
 
-    /// An input without the derivatives by it is of no use.
+    /// A scene with inputs gets the derivatives by them together with its right-hand side.
     fn jacobian(&self) -> bool {
         self.asks("jacobian") || (self.is_controlled() && self.asks("rhs"))
     }
@@ -200,11 +200,11 @@ pub(crate) struct Row {
     pub(crate) shapes: &'static [Shape<Length>],
     /// Whether a scene gets it; the word is that of the row.
     pub(crate) wanted: fn(&Request<'_>, &str) -> bool,
-    /// Its results in the shortest form.
+    /// Its results, in the form that was chosen.
     pub(crate) form: for<'g> fn(&mut Forms<'g>, &Model<'g>) -> Chosen<'g>,
 }
 
-/// Whether a scene asks for a routine by its word, and there is nothing more to it.
+/// A scene gets the routine if it asks for it by its word, whatever else it has.
 const ASKED: fn(&Request<'_>, &str) -> bool = |scene, word| scene.asks(word);
 
 use Argument::{Accelerations, Inputs};

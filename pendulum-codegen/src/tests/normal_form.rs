@@ -1,7 +1,7 @@
 //! The normal form: two expressions are equal exactly when they print the same.
 
 use super::{BUDGET, dynamics, formula, model, normal_text, numbers};
-use crate::expr::{Graph, Normalizer, TooLarge};
+use crate::expr::{Graph, Normalizer, Printer, SymbolKind, TooLarge};
 use crate::pass::{Operations, collect, share};
 
 /// A scene that declares the symbols of the formulas: parameters a, b, c and coordinates x, y, z.
@@ -105,4 +105,12 @@ fn a_polynomial_beyond_the_budget_is_given_up() {
     let model = model(&graph, SYMBOLS);
     let x = formula(&model, "(a + b + c + x + y + z)^12");
     assert_eq!(Normalizer::new(&graph, 1000).normal(x), Err(TooLarge));
+}
+
+#[test]
+fn powers_that_cancel_are_not_printed() {
+    let graph = Graph::new();
+    let [m, l] = ["m", "l"].map(|name| graph.symbol(name, SymbolKind::Parameter(0)));
+    let text = Printer::new(&graph).print((m.powi(2) * l / m.powi(2) / l.powi(2)).id());
+    assert_eq!(text, "1/l");
 }

@@ -3,7 +3,7 @@
 use pendulum_core::prelude::*;
 
 /// A right-hand side with its Jacobian.
-pub struct Pair<F, G>(pub F, pub G);
+pub(crate) struct Pair<F, G>(pub(crate) F, pub(crate) G);
 
 impl<F: Fn(f64, &SVector<f64, N>) -> SVector<f64, N>, G, const N: usize> System<f64, N> for Pair<F, G> {
     fn rhs(&self, t: f64, x: &SVector<f64, N>) -> SVector<f64, N> {

@@ -8,6 +8,13 @@ pub(super) fn identifiers<'a>(names: impl IntoIterator<Item = &'a String>) -> Ve
     let mut taken: BTreeSet<String> = words.map(String::from).collect();
     let identifier = |name: &String| {
         let mut identifier = ascii(name);
+        // macros of <float.h>
+        if ["DBL_", "FLT_", "LDBL_", "DECIMAL_"]
+            .iter()
+            .any(|prefix| identifier.starts_with(prefix))
+        {
+            identifier.push('_');
+        }
         while !taken.insert(identifier.clone()) {
             identifier.push('_');
         }
@@ -16,8 +23,13 @@ pub(super) fn identifiers<'a>(names: impl IntoIterator<Item = &'a String>) -> Ve
     names.into_iter().map(identifier).collect()
 }
 
-/// The name of a type as the start of names of functions: `DoublePendulum` as `double_pendulum`.
+/// The name of a type as the start of names of functions and files: `DoublePendulum` as `double_pendulum`. No file takes the place of
+/// a header of the standard library.
 pub(super) fn snake_case(name: &str) -> String {
+    const HEADERS: [&str; 14] = [
+        "assert", "complex", "ctype", "errno", "float", "limits", "locale", "math", "signal", "stddef", "stdint",
+        "stdio", "string", "time",
+    ];
     let letters: Vec<char> = ascii(name).chars().collect();
     let mut text = String::new();
     for (n, letter) in letters.iter().enumerate() {
@@ -27,6 +39,9 @@ pub(super) fn snake_case(name: &str) -> String {
             text.push('_');
         }
         text.push(letter.to_ascii_lowercase());
+    }
+    if HEADERS.contains(&text.as_str()) {
+        text.push('_');
     }
     text
 }

@@ -6,8 +6,12 @@ pub(super) fn fill(template: &str, values: &[(&str, String)]) -> String {
     let filled = template.lines().map(|line| {
         let ends = |(key, value): &'_ (&str, String)| {
             let mark = line.strip_suffix(&format!("@{key}@"))?;
-            // a backslash at the end would draw the next line into a comment
-            let line = |line| format!("{mark}{line}").trim_end_matches([' ', '\\']).to_owned();
+            // a backslash at the end, or its trigraph, would draw the next line into a comment
+            let line = |line: &str| {
+                let text = format!("{mark}{line}").replace("??/", "?? /");
+                text.trim_end_matches(|c: char| c.is_whitespace() || c == '\\')
+                    .to_owned()
+            };
             let fits = mark.trim_matches([' ', '/']).is_empty();
             fits.then(|| lines(value.lines().map(line)))
         };
