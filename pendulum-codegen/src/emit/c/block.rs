@@ -17,9 +17,12 @@ pub(super) struct Piece(pub(super) String, Precedence);
 impl Piece {
     /// The piece, in brackets if it is looser than its place asks for.
     pub(super) fn within(&self, least: Precedence) -> String {
-        let Self(text, precedence) = self;
-        let (open, close) = if *precedence < least { ("(", ")") } else { ("", "") };
-        format!("{open}{text}{close}")
+        let Self(text, own) = self;
+        if *own < least {
+            format!("({text})")
+        } else {
+            text.clone()
+        }
     }
 }
 

@@ -9,20 +9,19 @@ impl Scene<'_> {
     /// The header of a source that makes these calls.
     pub(super) fn header(&self, calls: &Calls) -> String {
         let (program, slots) = (self.program, &self.program.layout.slots);
-        let positions = slots
+        let positions = slots.iter().map(|s| (s.positions.start, "", &s.name, s.kind.unit()));
+        let rates = slots
             .iter()
-            .map(|slot| format!("x[{}]  {}, in {}", slot.positions.start, slot.name, slot.kind.unit()));
-        let rates = slots.iter().map(|slot| {
-            let (n, unit) = (slot.rates.start, slot.kind.rate_unit());
-            format!("x[{n}]  the rate of {}, in {unit}", slot.name)
-        });
+            .map(|s| (s.rates.start, "the rate of ", &s.name, s.kind.rate_unit()));
+        let state = positions.chain(rates);
+        let state = state.map(|(n, of, name, unit)| format!("x[{n}]  {of}{name}, in {unit}"));
         let meanings = program.constants_text.iter().enumerate();
         let codes = (1..).zip(self.rules());
         let code = |(n, rule)| format!("/// {rule}\n{}_RULE_{n} = {n},", self.name.to_uppercase());
         let platform = functions(calls).filter(|(head, _)| head.contains(':'));
         let values = [
             ("docs", program.docs.join("\n")),
-            ("state", lines(positions.chain(rates))),
+            ("state", lines(state)),
             ("equations", program.equations.to_string()),
             ("platform", lines(platform.map(|(head, _)| head.to_owned()))),
             ("parameters", fields(&program.parameters, &self.parameters)),

@@ -2,19 +2,16 @@
 
 use std::collections::BTreeSet;
 
-/// Names as identifiers, no two the same, and none a word of C or C++, or a macro that compilers define.
+use heck::ToSnakeCase;
+
+/// Words of C and C++, macros that compilers and headers define, and the headers of C.
+const WORDS: &str = include_str!("templates/words.txt");
+
+/// Names as identifiers, no two the same, and none a word that is taken.
 pub(super) fn identifiers<'a>(names: impl IntoIterator<Item = &'a String>) -> Vec<String> {
-    let words = include_str!("templates/words.txt").split_whitespace();
-    let mut taken: BTreeSet<String> = words.map(String::from).collect();
+    let mut taken: BTreeSet<String> = WORDS.split_whitespace().map(String::from).collect();
     let identifier = |name: &String| {
         let mut identifier = ascii(name);
-        // macros of <float.h>
-        if ["DBL_", "FLT_", "LDBL_", "DECIMAL_"]
-            .iter()
-            .any(|prefix| identifier.starts_with(prefix))
-        {
-            identifier.push('_');
-        }
         while !taken.insert(identifier.clone()) {
             identifier.push('_');
         }
@@ -26,24 +23,11 @@ pub(super) fn identifiers<'a>(names: impl IntoIterator<Item = &'a String>) -> Ve
 /// The name of a type as the start of names of functions and files: `DoublePendulum` as `double_pendulum`. No file takes the place of
 /// a header of the standard library.
 pub(super) fn snake_case(name: &str) -> String {
-    const HEADERS: [&str; 14] = [
-        "assert", "complex", "ctype", "errno", "float", "limits", "locale", "math", "signal", "stddef", "stdint",
-        "stdio", "string", "time",
-    ];
-    let letters: Vec<char> = ascii(name).chars().collect();
-    let mut text = String::new();
-    for (n, letter) in letters.iter().enumerate() {
-        let before = n.checked_sub(1).map_or('_', |n| letters[n]);
-        let ends_capitals = letters.get(n + 1).is_some_and(char::is_ascii_lowercase);
-        if letter.is_ascii_uppercase() && before != '_' && (!before.is_ascii_uppercase() || ends_capitals) {
-            text.push('_');
-        }
-        text.push(letter.to_ascii_lowercase());
-    }
-    if HEADERS.contains(&text.as_str()) {
-        text.push('_');
-    }
-    text
+    let text = ascii(name).to_snake_case();
+    let is_header = WORDS
+        .split_whitespace()
+        .any(|word| word.strip_suffix(".h") == Some(&text));
+    text + if is_header { "_" } else { "" }
 }
 
 /// A name of Rust with its letters beyond ASCII as numbers: `θ` as `u03b8`.
@@ -61,8 +45,12 @@ mod tests {
 
     #[test]
     fn names_are_words_of_no_language() {
-        let names = ["x", "double", "r#in", "r#for", "θ", "u03b8", "double_"];
-        let expected = ["x", "double_", "in", "for_", "u03b8", "u03b8_", "double__"];
+        let names = [
+            "x", "double", "r#in", "r#for", "θ", "u03b8", "double_", "DBL_MAX", "_Bool", "time",
+        ];
+        let expected = [
+            "x", "double_", "in", "for_", "u03b8", "u03b8_", "double__", "DBL_MAX_", "_Bool_", "time",
+        ];
         assert_eq!(identifiers(&names.map(str::to_owned)), expected);
     }
 
@@ -76,6 +64,7 @@ mod tests {
             "Eq22Joint",
             "Snake_Case",
             "A",
+            "Math",
         ];
         let expected = [
             "double_pendulum",
@@ -85,6 +74,7 @@ mod tests {
             "eq22_joint",
             "snake_case",
             "a",
+            "math_",
         ];
         assert_eq!(names.map(snake_case), expected);
     }

@@ -14,9 +14,11 @@ impl Scene<'_> {
             self.fill("\n/// @docs@\n@prototype@;", &values)
         };
         let routines: String = self.program.routines.iter().map(declaration).collect();
-        let series = self.program.series.as_ref();
-        let series = series.map(|_| self.fill(include_str!("templates/series.h"), &[]));
-        routines + &series.unwrap_or_default()
+        let series = self.program.series.iter();
+        routines
+            + &series
+                .map(|_| self.fill(include_str!("templates/series.h"), &[]))
+                .collect::<String>()
     }
 
     /// Routines and series as functions.
@@ -42,11 +44,7 @@ impl Scene<'_> {
             shape => format!(", double {out}[{}]", shape.len()),
         });
         let more: String = arguments.chain(results).collect();
-        let kind = if outs(routine).next().is_none() {
-            "double"
-        } else {
-            "void"
-        };
+        let kind = outs(routine).next().map_or("double", |_| "void");
         let name = format!("{kind} @name@_{}", routine.name);
         let prototype = format!("{name}(const @name@_model *model, double t, const double x[@length@]{more})");
         self.fill(&prototype, &[]).trim_end().to_owned()
