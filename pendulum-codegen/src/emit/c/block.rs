@@ -17,18 +17,14 @@ pub(super) struct Piece(pub(super) String, Precedence);
 impl Piece {
     /// The piece, in brackets if it is looser than its place asks for.
     pub(super) fn within(&self, least: Precedence) -> String {
-        let Self(text, own) = self;
-        if *own < least {
-            format!("({text})")
-        } else {
-            text.clone()
-        }
+        let Self(text, precedence) = self;
+        let (open, close) = if *precedence < least { ("(", ")") } else { ("", "") };
+        format!("{open}{text}{close}")
     }
 }
 
-/// A number, spelled so that it reads back exactly.
+/// A number, spelled so that it reads back exactly. Zeros have no sign, as in the Rust code.
 pub(super) fn number(value: f64) -> String {
-    // zeros have no sign, as in Rust
     format!("{:?}", value + 0.0)
 }
 
