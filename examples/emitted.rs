@@ -12,8 +12,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-use pendulum_codegen::program::Program;
-use pendulum_codegen::{c, expand, program};
+use pendulum_codegen::{Sources, c, expand, program};
 use proc_macro2::{TokenStream, TokenTree};
 
 /// What is printed where no file is named.
@@ -90,11 +89,16 @@ fn run() -> Result<(), Box<dyn Error>> {
             })),
             Ok(program) => match output {
                 Output::Latex => println!("{}", program.equations.latex()),
-                Output::C if !written.insert(c(&program).name) => {
-                    let name = c(&program).name;
-                    return Err(format!("two declarations of {path} have the name `{name}` in C; rename one").into());
+                Output::C => {
+                    let sources = c(&program);
+                    let name = &sources.name;
+                    if !written.insert(name.clone()) {
+                        return Err(
+                            format!("two declarations of {path} have the name `{name}` in C; rename one").into(),
+                        );
+                    }
+                    write_c(&sources, &folder)?;
                 }
-                Output::C => write_c(&program, &folder)?,
                 Output::Rust => println!("{}", prettyplease::unparse(&syn::parse2(expand(declaration))?)),
             },
         }
@@ -107,10 +111,9 @@ fn run() -> Result<(), Box<dyn Error>> {
 }
 
 /// Writes a header and a source, and names them.
-fn write_c(program: &Program, folder: &Path) -> Result<(), Box<dyn Error>> {
+fn write_c(sources: &Sources, folder: &Path) -> Result<(), Box<dyn Error>> {
     std::fs::create_dir_all(folder)?;
-    let sources = c(program);
-    for (extension, text) in [("h", sources.header), ("c", sources.source)] {
+    for (extension, text) in [("h", &sources.header), ("c", &sources.source)] {
         let path = folder.join(&sources.name).with_extension(extension);
         std::fs::write(&path, text)?;
         println!("{}", path.display());

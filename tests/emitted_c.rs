@@ -260,7 +260,7 @@ fn same(file: &str, name: &str, tolerance: f64, rust: impl Fn(f64, &[f64], &[f64
     }
 }
 
-/// Compares what `new` says of wrong parameters; some of them break at least so many rules.
+/// Compares what `new` says of wrong parameters; together they break at least this many rules.
 fn refused(file: &str, name: &str, rules: usize, rust: impl Fn(&[f64]) -> Option<ParameterError>) {
     let Some(folder) = folder(&format!("{name}Refused")) else {
         return;

@@ -158,7 +158,7 @@ fn equilibria_that_are_not_isolated_are_found_nearby() {
     assert!((still.shape[0].norm() - 1.0).abs() < 1e-9 && still.shape.rows(1, 3).map(|part| part.norm()).max() < 1e-9);
 }
 
-/// The table may stand at any angle, so half a turn of it is no equilibrium of another kind.
+/// The table may stand at any angle, so half a turn of it gives the same kind of equilibrium.
 #[test]
 fn angles_that_do_not_matter_are_not_turned() {
     let table = Turntable::new(TurntableParams {}).expect("physical");

@@ -181,7 +181,7 @@ impl<F: Field, const N: usize> Lu<F, N> {
     }
 }
 
-/// The product of a matrix and a vector; nalgebra's wants more of its numbers than a [`Float`] has.
+/// The product of a matrix and a vector; nalgebra's requires more of its numbers than a [`Float`] has.
 #[inline]
 pub(crate) fn image<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, vector: &SVector<T, N>) -> SVector<T, N> {
     let mut image = [T::default(); N];

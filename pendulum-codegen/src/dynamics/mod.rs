@@ -99,6 +99,12 @@ impl<'g> Dynamics<'g> {
         articulated::accelerations(model)
     }
 
+    /// The upper triangle of the mass matrix, row by row.
+    pub(crate) fn upper_triangle(&self) -> Vec<Expr<'g>> {
+        let rows = self.mass_matrix.iter().enumerate();
+        rows.flat_map(|(k, row)| row[k..].iter().copied()).collect()
+    }
+
     /// Every expression of the dynamics, in one list.
     pub(crate) fn entries(&self) -> Vec<Expr<'g>> {
         let mut copy = self.clone();

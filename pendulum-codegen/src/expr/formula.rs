@@ -47,7 +47,7 @@ pub struct Definition {
 }
 
 impl Formula {
-    /// A name. The mark of a raw identifier is no part of it.
+    /// A name, without the mark of a raw identifier.
     pub fn name(name: &str) -> Self {
         Self::Name(name.trim_start_matches("r#").to_owned())
     }

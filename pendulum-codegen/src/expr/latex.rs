@@ -57,7 +57,8 @@ fn sum(terms: &[Summand]) -> String {
     text
 }
 
-/// Factors with thin spaces between them. What stands after a function is no part of its argument, so that goes into brackets.
+/// Factors with thin spaces between them. The argument of a function goes into brackets if what follows
+/// could be read as a part of it.
 fn product(factors: &[Formula]) -> String {
     let mut text = String::new();
     for (n, factor) in factors.iter().enumerate() {

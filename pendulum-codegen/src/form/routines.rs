@@ -57,10 +57,7 @@ pub(crate) fn potential<'g>(forms: &mut Forms<'g>, _: &Model<'g>) -> Chosen<'g> 
 
 /// The upper triangle of the mass matrix, row by row.
 pub(crate) fn mass_matrix<'g>(forms: &mut Forms<'g>, _: &Model<'g>) -> Chosen<'g> {
-    forms.part(|dynamics| {
-        let rows = dynamics.mass_matrix.iter().enumerate();
-        rows.flat_map(|(k, row)| row[k..].to_vec()).collect()
-    })
+    forms.part(|dynamics| dynamics.upper_triangle())
 }
 
 /// The bias.

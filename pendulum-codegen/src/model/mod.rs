@@ -213,6 +213,16 @@ impl<'g> Model<'g> {
         combination.of(self.graph, |k| self.coordinates[k].acceleration)
     }
 
+    /// Every name of the declaration that can stand in an expression, without the marks of raw identifiers.
+    pub(crate) fn names(&self) -> BTreeSet<String> {
+        let parameters = self.parameters.iter().map(|p| &p.name);
+        let inputs = self.inputs.iter().map(|i| &i.name);
+        let coordinates = self.coordinates.iter().map(|c| &c.name);
+        let names = parameters.chain(inputs).chain(coordinates);
+        let names = names.chain(self.lets.iter().map(|l| &l.name));
+        names.map(|name| name.trim_start_matches("r#").to_owned()).collect()
+    }
+
     /// The names of the coordinates.
     pub(crate) fn coordinate_names(&self) -> Vec<&str> {
         self.coordinates

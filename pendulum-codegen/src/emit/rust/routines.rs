@@ -1,5 +1,7 @@
 //! The routines of a generated model.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
@@ -104,14 +106,12 @@ impl Items<'_> {
     /// The derivative of the right-hand side by the time; zeros where that does not occur.
     fn time_derivative(&self) -> TokenStream {
         let state = Shape::Vector(self.program.layout.len());
-        let (vector, block) = match self.program.routine("time_derivative") {
-            Some(routine) => (
-                self.shape(routine.shapes[0]),
-                self.block(&routine.block, |values| value(state, values)),
-            ),
+        let vector = self.shape(state);
+        let block = match self.program.routine("time_derivative") {
+            Some(routine) => self.block(&routine.block, |values| value(state, values)),
             None => {
                 let zeros = value(state, &vec![number(0.0); state.len()]);
-                (self.shape(state), quote!({ #zeros }))
+                quote!({ #zeros })
             }
         };
         quote! {
@@ -232,15 +232,15 @@ impl Items<'_> {
                 head.extend(quote!(let #name = u.#field;));
             }
         }
-        head.extend(self.constants_read(block));
+        head.extend(self.constants(&reads));
         let code = names.code(block, result);
         quote!({ #head #code })
     }
 
-    /// Statements for the constants of the model that a block reads.
-    pub(super) fn constants_read(&self, block: &Block) -> TokenStream {
-        let read = block.reads().into_iter().filter_map(|variable| match variable {
-            Variable::Constant(n) => Some((self.names().variable(variable), count(n))),
+    /// Statements for the constants of the model among what a block reads.
+    pub(super) fn constants(&self, reads: &BTreeSet<Variable>) -> TokenStream {
+        let read = reads.iter().filter_map(|variable| match variable {
+            Variable::Constant(n) => Some((self.names().variable(*variable), count(*n))),
             _ => None,
         });
         read.map(|(name, index)| quote!(let #name = self.constants[#index];))

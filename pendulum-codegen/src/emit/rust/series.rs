@@ -74,9 +74,10 @@ impl Items<'_> {
             self.all(length, Coefficient::State),
             self.all(series.products, Coefficient::Sum),
         );
-        let reads_time = series.order.reads().contains(&Variable::Series(Coefficient::Time));
+        let reads = series.order.reads();
+        let reads_time = reads.contains(&Variable::Series(Coefficient::Time));
         let time = reads_time.then(|| quote!(let #time = T::from_f64(if k == 1 { 1.0 } else { 0.0 });));
-        let head = self.constants_read(&series.order);
+        let head = self.constants(&reads);
         let code = self.names().code(&series.order, |values| {
             let (rates, sides) = values.split_at(length);
             let (left, right) = sides.split_at(series.products);

@@ -159,7 +159,7 @@ impl<'g> Apart<'g> {
         }
     }
 
-    /// Collects the factors, and tells whether their product counts negative.
+    /// Collects the factors, and returns whether their product counts negative.
     fn gather_product(&mut self, x: Expr<'g>, top: bool, factors: &mut Vec<Ref>) -> bool {
         let inside = top || (self.uses[&x] == 1 && x.level() == Level::State);
         match x.node() {

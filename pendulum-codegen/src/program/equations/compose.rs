@@ -157,13 +157,9 @@ impl<'g> Composer<'_, 'g> {
 
     /// Names that no part may have.
     fn taken(&self) -> BTreeSet<String> {
-        let model = self.model;
-        let parameters = model.parameters.iter().map(|p| &p.name);
-        let inputs = model.inputs.iter().map(|i| &i.name);
-        let coordinates = model.coordinates.iter().map(|c| &c.name);
-        let definitions = model.lets.iter().chain(&self.torques.named).map(|d| &d.name);
-        let names = parameters.chain(inputs).chain(coordinates).chain(definitions);
-        names.map(|name| name.replace("r#", "")).collect()
+        let mut taken = self.model.names();
+        taken.extend(self.torques.named.iter().map(|torque| torque.name.clone()));
+        taken
     }
 }
 
@@ -197,12 +193,7 @@ fn best(candidates: impl IntoIterator<Item = Candidate>) -> Listing {
 
 /// The entries of the mass matrix, its upper triangle, and of the bias.
 fn inertial<'g>(dynamics: &Dynamics<'g>) -> Vec<Expr<'g>> {
-    let upper = dynamics
-        .mass_matrix
-        .iter()
-        .enumerate()
-        .flat_map(|(i, row)| row[i..].iter());
-    upper.chain(&dynamics.bias).copied().collect()
+    [dynamics.upper_triangle(), dynamics.bias.clone()].concat()
 }
 
 /// The place of each entry.

@@ -71,19 +71,8 @@ impl<'g> Torques<'g> {
 
 /// A name that the declaration does not have.
 fn free(model: &Model<'_>, mut name: String) -> String {
-    let is_taken = |name: &str| {
-        let parameters = model.parameters.iter().map(|p| &p.name);
-        let others = model
-            .inputs
-            .iter()
-            .map(|i| &i.name)
-            .chain(model.coordinates.iter().map(|c| &c.name));
-        parameters
-            .chain(others)
-            .chain(model.lets.iter().map(|l| &l.name))
-            .any(|known| known == name)
-    };
-    while is_taken(&name) {
+    let taken = model.names();
+    while taken.contains(&name) {
         name.push('_');
     }
     name
