@@ -48,7 +48,7 @@ mechanism! {
 // Orders and accuracy
 
 /// The large swing in a tenth of the tolerances that it is compared with: itself compared with the reference.
-fn swing() -> Solution<4> {
+fn swing() -> Solution<f64, 4> {
     let method = Taylor::new().rtol(3e-15).atol(3e-15);
     let solution = method.solve(&pendulum(0.0), 0.0, 2.0, START).expect("regular");
     assert_abs_diff_eq!(solution.last().1, reference("large_swing", 2.0), epsilon = 1e-13);
@@ -210,7 +210,7 @@ fn the_last_point_is_the_end_exactly() {
         (0.0, 0.01, 7.0, 1),
     ];
     const REST: [f64; 4] = [0.0, 0.07, 0.0, 0.0];
-    fn ordered(solution: &Solution<4>, t0: f64, t1: f64, promise: &Promise) {
+    fn ordered(solution: &Solution<f64, 4>, t0: f64, t1: f64, promise: &Promise) {
         let ordered = |pair: &[f64]| (pair[0] < pair[1]) == (t0 < t1) && pair[0] != pair[1];
         assert!(solution.t()[0] == t0 && solution.last().0 == t1, "{promise:?} to {t1}");
         assert!(solution.t().windows(2).all(ordered), "{promise:?} to {t1}");
@@ -262,7 +262,7 @@ fn the_last_point_is_the_end_exactly() {
 fn passages(promise: &Promise, method: &impl Method<Spring, f64, 2>, within: f64) {
     let model = Spring::new(SpringParams {}).expect("physical");
     let zero = |_t: f64, x: &SVector<f64, 2>| x[0];
-    let near = |found: &[Occurrence<2>], index: usize, expected: &[f64]| {
+    let near = |found: &[Occurrence<f64, 2>], index: usize, expected: &[f64]| {
         let times: Vec<f64> = found
             .iter()
             .filter(|event| event.index == index)

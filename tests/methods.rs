@@ -24,7 +24,7 @@ fn exact(t: f64) -> SVector<f64, 2> {
 }
 
 /// The largest errors of a solution of [`curve`]: at the accepted points, and between them.
-fn errors(solution: &Solution<2>) -> (f64, f64) {
+fn errors(solution: &Solution<f64, 2>) -> (f64, f64) {
     let at_points = solution.points().map(|(t, x)| (x - exact(t)).amax());
     let between = solution.t().windows(2).flat_map(|pair| {
         let time = move |theta: f64| pair[0] + theta * (pair[1] - pair[0]);
@@ -116,7 +116,7 @@ fn dense_output_is_smooth_across_the_points() {
 
 // Accuracy
 
-fn pendulum(name: &str, tolerance: f64, t1: f64) -> Solution<4> {
+fn pendulum(name: &str, tolerance: f64, t1: f64) -> Solution<f64, 4> {
     let scene = scene(name);
     let method = Rk45::new().rtol(tolerance).atol(tolerance);
     method
@@ -125,7 +125,7 @@ fn pendulum(name: &str, tolerance: f64, t1: f64) -> Solution<4> {
 }
 
 /// The distance of a solution from a reference scene at the time `t`.
-fn distance(solution: &Solution<4>, name: &str, t: f64) -> f64 {
+fn distance(solution: &Solution<f64, 4>, name: &str, t: f64) -> f64 {
     let points = scene(name).points::<4>();
     let (_, reference) = points.into_iter().find(|point| point.0 == t).expect("time");
     (solution.at(t).expect("within") - SVector::from(reference)).amax()

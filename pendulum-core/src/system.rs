@@ -231,7 +231,7 @@ impl<S: fmt::Debug + ?Sized, F, const M: usize> fmt::Debug for WithInputs<'_, S,
 /// let decay = FnSystem(|_t: f64, x: &SVector<f64, 1>| -x);
 /// let solution = Rk45::new().solve(&decay, 0.0, 1.0, [1.0])?;
 /// assert!((solution.last().1[0] - (-1.0_f64).exp()).abs() < 1e-6);
-/// # Ok::<(), SolveError<1>>(())
+/// # Ok::<(), SolveError<f64, 1>>(())
 /// ```
 #[derive(Clone, Copy)]
 pub struct FnSystem<F>(pub F);

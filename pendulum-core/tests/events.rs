@@ -132,7 +132,7 @@ fn ball() -> impl System<f64, 2> {
     FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], -9.81]))
 }
 
-fn bounce<'e>(restitution: f64) -> Event<'e, 2> {
+fn bounce<'e>(restitution: f64) -> Event<'e, f64, 2> {
     let floor = Event::new(|_t, x: &SVector<f64, 2>| x[0]).falling();
     floor.reset(move |_t, x| SVector::from([x[0], -restitution * x[1]]))
 }

@@ -213,7 +213,7 @@ where
         models: &[M],
         (t0, t1): (T, T),
         starts: &[SVector<T, N>],
-    ) -> Result<Vec<SVector<T, N>>, EnsembleError<N, T>> {
+    ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>> {
         check_span(t0, t1)?;
         check_models(models, starts)?;
         let mut x = starts.to_vec();

@@ -23,7 +23,7 @@ where
         models: &[M],
         (t0, t1): (T, T),
         starts: &[SVector<T, N>],
-    ) -> Result<Vec<SVector<T, N>>, EnsembleError<N, T>> {
+    ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>> {
         check_span(t0, t1)?;
         let grid = Grid::new(self.h, t0, t1)?;
         check_models(models, starts)?;

@@ -55,7 +55,7 @@ pub trait Ensemble<M, T: Lane, const N: usize> {
         t0: T,
         t1: T,
         starts: &[SVector<T, N>],
-    ) -> Result<Vec<SVector<T, N>>, EnsembleError<N, T>> {
+    ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>> {
         self.ensemble_on(Isa::widest(), models, (t0, t1), starts)
     }
 
@@ -69,7 +69,7 @@ pub trait Ensemble<M, T: Lane, const N: usize> {
         models: &[M],
         span: (T, T),
         starts: &[SVector<T, N>],
-    ) -> Result<Vec<SVector<T, N>>, EnsembleError<N, T>>;
+    ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>;
 }
 
 /// A trajectory that ended before its time.
@@ -85,7 +85,7 @@ pub struct Stopped<T = f64> {
 
 /// Why an ensemble did not come to its end as a whole.
 #[derive(Clone, Debug, PartialEq)]
-pub enum EnsembleError<const N: usize, T = f64> {
+pub enum EnsembleError<T, const N: usize> {
     /// A setting or an argument makes no sense; nothing was integrated.
     InvalidInput(Reason),
     /// Some trajectories ended before their time.
@@ -97,13 +97,13 @@ pub enum EnsembleError<const N: usize, T = f64> {
     },
 }
 
-impl<const N: usize, T> From<Reason> for EnsembleError<N, T> {
+impl<T, const N: usize> From<Reason> for EnsembleError<T, N> {
     fn from(reason: Reason) -> Self {
         Self::InvalidInput(reason)
     }
 }
 
-impl<const N: usize, T: Float> fmt::Display for EnsembleError<N, T> {
+impl<T: Float, const N: usize> fmt::Display for EnsembleError<T, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::InvalidInput(reason) => reason.fmt(f),
@@ -118,7 +118,7 @@ impl<const N: usize, T: Float> fmt::Display for EnsembleError<N, T> {
     }
 }
 
-impl<const N: usize, T: Float> Error for EnsembleError<N, T> {}
+impl<T: Float, const N: usize> Error for EnsembleError<T, N> {}
 
 fn check_models<M, X>(models: &[M], starts: &[X]) -> Result<(), Reason> {
     require(
@@ -136,7 +136,7 @@ fn conclude<A, M, T, const N: usize>(
     (t0, t1): (T, T),
     starts: &[SVector<T, N>],
     mut x: Vec<SVector<T, N>>,
-) -> Result<Vec<SVector<T, N>>, EnsembleError<N, T>>
+) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>
 where
     A: Method<M::In<T>, T, N>,
     M: Model<N>,

@@ -48,7 +48,7 @@ where
         t0: T,
         t1: T,
         x0: impl Into<SVector<T, N>>,
-    ) -> Result<Stepper<'s, Self::Scheme, S, N, T>, Reason> {
+    ) -> Result<Stepper<'s, Self::Scheme, S, T, N>, Reason> {
         let x0 = x0.into();
         check_start(t0, t1, &x0)?;
         let grid = Grid::new(self.h, t0, t1)?;

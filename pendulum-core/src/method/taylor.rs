@@ -76,7 +76,7 @@ where
     S: TaylorSeries<T, N> + ?Sized,
     T: Lane,
 {
-    type Scheme = Series<S::Workspace, N, T>;
+    type Scheme = Series<S::Workspace, T, N>;
 
     fn scheme(&self, system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
         let order = self.order_within(tolerance)?;
@@ -153,14 +153,14 @@ pub(crate) fn defect<R: Real, const N: usize>(x: &[SVector<R, N>], h: R, slope: 
 }
 
 /// A series, as code that may use wider registers: its loops over products have the numbers side by side.
-struct Recurrences<'a, S: ?Sized, W, const N: usize, T> {
+struct Recurrences<'a, S: ?Sized, W, T, const N: usize> {
     system: &'a S,
     t: T,
     x: &'a mut [SVector<T, N>],
     work: &'a mut W,
 }
 
-impl<S, T, const N: usize> Kernel<T> for Recurrences<'_, S, S::Workspace, N, T>
+impl<S, T, const N: usize> Kernel<T> for Recurrences<'_, S, S::Workspace, T, N>
 where
     S: TaylorSeries<T, N> + ?Sized,
     T: Lane,
@@ -175,7 +175,7 @@ where
 
 /// The power series of a step.
 #[derive(Clone, Debug)]
-pub struct Series<W, const N: usize, T> {
+pub struct Series<W, T, const N: usize> {
     tolerance: Option<Tolerance<T>>,
     order: usize,
     isa: Isa,
@@ -187,7 +187,7 @@ pub struct Series<W, const N: usize, T> {
     work: W,
 }
 
-impl<W, const N: usize, T: Lane> Series<W, N, T> {
+impl<W, T: Lane, const N: usize> Series<W, T, N> {
     /// Computes one of the two series.
     #[inline]
     fn find<S>(&mut self, which: usize, system: &S, (t, x): (T, &SVector<T, N>), work: &mut Statistics)
@@ -211,7 +211,7 @@ impl<W, const N: usize, T: Lane> Series<W, N, T> {
     }
 }
 
-impl<S, T, const N: usize> Scheme<S, T, N> for Series<S::Workspace, N, T>
+impl<S, T, const N: usize> Scheme<S, T, N> for Series<S::Workspace, T, N>
 where
     S: TaylorSeries<T, N> + ?Sized,
     T: Lane,
@@ -241,7 +241,7 @@ where
         (t, x): (T, &SVector<T, N>),
         t_new: T,
         work: &mut Statistics,
-    ) -> Result<Attempt<N, T>, Stalled> {
+    ) -> Result<Attempt<T, N>, Stalled> {
         let (h, other) = (t_new - t, 1 - self.current);
         let x_new = polynomial(x, &self.series(self.current)[1..], h);
         self.find(other, system, (t_new, &x_new), work);
@@ -256,13 +256,13 @@ where
     }
 
     #[inline]
-    fn finish(&mut self, _system: &S, _step: &Step<N, T>, _work: &mut Statistics) -> Result<(), NonFinite> {
+    fn finish(&mut self, _system: &S, _step: &Step<T, N>, _work: &mut Statistics) -> Result<(), NonFinite> {
         NonFinite::check(&self.x[1 - self.current][1])?;
         self.current = 1 - self.current;
         Ok(())
     }
 
-    fn dense(&mut self, _system: &S, step: &Step<N, T>, _work: &mut Statistics) -> &[SVector<T, N>] {
+    fn dense(&mut self, _system: &S, step: &Step<T, N>, _work: &mut Statistics) -> &[SVector<T, N>] {
         let mut power = T::from_f64(1.0);
         let series = &self.x[1 - self.current][1..=self.order];
         for (coefficient, x) in self.coefficients.iter_mut().zip(series) {

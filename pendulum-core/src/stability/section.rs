@@ -34,8 +34,8 @@ pub fn section<M, S, const N: usize>(
     system: &S,
     (t0, t1): (f64, f64),
     x0: impl Into<SVector<f64, N>>,
-    surface: &Event<'_, N>,
-) -> Result<Vec<Occurrence<N>>, StabilityError>
+    surface: &Event<'_, f64, N>,
+) -> Result<Vec<Occurrence<f64, N>>, StabilityError>
 where
     M: Method<S, f64, N>,
     S: System<f64, N> + ?Sized,

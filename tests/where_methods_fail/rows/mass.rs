@@ -105,7 +105,7 @@ pub(crate) fn none(_: Size) -> Row {
     let refused = Points::new(PointsParams { m1: 0.0, m2: 1.0 }).expect_err("singular");
     // a mass that is positive, and that numbers of full precision do not reach
     let (model, x0) = (points(1e-320), SVector::from([0.5, 0.5, 0.0, 0.0]));
-    let ends = |error: SolveError<4>| {
+    let ends = |error: SolveError<f64, 4>| {
         let kept = error.t() == 0.0 && error.x() == x0;
         format!(
             "{} at {}",
