@@ -14,6 +14,7 @@ use common::scenes::{DoublePendulum, DoublePendulumParams};
 use nalgebra::{SMatrix, SVector};
 use pendulum_codegen::Sources;
 use pendulum_codegen::program::{Argument, Program, Shape};
+use pendulum_core::ParameterError;
 use pendulum_core::prelude::*;
 use pendulum_core::{Canonical, Controlled, TaylorSeries};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};

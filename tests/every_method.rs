@@ -11,9 +11,10 @@ use approx::assert_abs_diff_eq;
 use common::scenes::{DoublePendulum, DoublePendulumParams};
 use common::trajectories::scene;
 use methods::Promise;
-use pendulum_core::method::{Adaptive, Explicit, Family, Fixed, Gauss, PowerSeries, RadauIIA, Rosenbrock, Switching};
+use pendulum_core::method::{Adaptive, Explicit, Fixed, Gauss, OneStep, PowerSeries, RadauIIA, Rosenbrock, Switching};
 use pendulum_core::prelude::*;
 use pendulum_core::tableau;
+use pendulum_core::{Occurrence, Reason, Solution, Statistics};
 
 fn pendulum(gamma: f64) -> DoublePendulum {
     let params = DoublePendulumParams {
@@ -51,13 +52,13 @@ mechanism! {
 fn swing() -> Solution<f64, 4> {
     let method = Taylor::new().rtol(3e-15).atol(3e-15);
     let solution = method.solve(&pendulum(0.0), 0.0, 2.0, START).expect("regular");
-    assert_abs_diff_eq!(solution.last().1, reference("large_swing", 2.0), epsilon = 1e-13);
+    assert_abs_diff_eq!(solution.end(), reference("large_swing", 2.0), epsilon = 1e-13);
     solution
 }
 
 #[test]
 fn errors_fall_with_the_order() {
-    fn check<F: Family<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn check<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
         let (model, exact) = (pendulum(0.0), reference("large_swing", 2.0));
         let error = |h: f64| {
             let mut stepper = Fixed::<F>::new(h).stepper(&model, 0.0, 2.0, START).expect("valid");
@@ -77,7 +78,7 @@ fn errors_fall_with_the_order() {
 
 #[test]
 fn dense_errors_fall_with_their_order() {
-    fn check<F: Family<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn check<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
         let (model, swing) = (pendulum(0.0), swing());
         let start = swing.at(0.5).expect("within");
         // of one step, which falls with one power more
@@ -105,7 +106,7 @@ fn dense_errors_fall_with_their_order() {
 }
 
 /// The end of a motion within a tolerance.
-fn end<F: Family<DoublePendulum, f64, 4> + Default>(
+fn end<F: OneStep<DoublePendulum, f64, 4> + Default>(
     model: &DoublePendulum,
     tolerance: f64,
     (t0, t1): (f64, f64),
@@ -121,7 +122,7 @@ fn end<F: Family<DoublePendulum, f64, 4> + Default>(
 
 #[test]
 fn errors_fall_with_the_tolerance() {
-    fn check<F: Family<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn check<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
         for (name, gamma, t) in [("large_swing", 0.0, 2.0), ("paper_gamma_0.1", 0.1, 20.0)] {
             let (model, start) = (pendulum(gamma), SVector::from(scene(name).start::<4>()));
             let error = |tolerance| (end::<F>(&model, tolerance, (0.0, t), start) - reference(name, t)).amax();
@@ -142,7 +143,7 @@ fn errors_fall_with_the_tolerance() {
 
 #[test]
 fn forth_and_back_returns_to_the_start() {
-    fn check<F: Family<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn check<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
         for (name, gamma) in [("large_swing", 0.0), ("paper_gamma_0.1", 0.1)] {
             let (model, start) = (pendulum(gamma), SVector::from(scene(name).start::<4>()));
             let there = end::<F>(&model, 1e-10, (0.0, 2.0), start);
@@ -155,7 +156,7 @@ fn forth_and_back_returns_to_the_start() {
         }
     }
     each_adaptive!(check);
-    fn check_fixed<F: Family<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn check_fixed<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
         let (model, method) = (pendulum(0.0), Fixed::<F>::new(0.5 * promise.h));
         let there = method
             .stepper(&model, 0.0, 2.0, START)
@@ -184,11 +185,11 @@ fn single_precision_reaches_its_own_accuracy() {
         assert!(error.amax() < most, "{promise:?}: {error}");
     }
     // Defaults: rtol 1.2e-5, atol 1.2e-7; the amplitude is 0.07, so a tolerance of 1e-6, and some more for many steps.
-    fn adaptive<F: Family<DoublePendulum<f32>, f32, 4> + Default>(promise: &Promise) {
+    fn adaptive<F: OneStep<DoublePendulum<f32>, f32, 4> + Default>(promise: &Promise) {
         check(promise, &Adaptive::<F>::new(), 5e-6);
     }
     // 250 steps that are rounded to 6e-8 of the amplitude of 0.07 each
-    fn fixed<F: Family<DoublePendulum<f32>, f32, 4> + Default>(promise: &Promise) {
+    fn fixed<F: OneStep<DoublePendulum<f32>, f32, 4> + Default>(promise: &Promise) {
         check(promise, &Fixed::<F>::new(0.02), 5e-6);
     }
     each_adaptive!(adaptive);
@@ -216,7 +217,7 @@ fn the_last_point_is_the_end_exactly() {
         assert!(solution.t().windows(2).all(ordered), "{promise:?} to {t1}");
         assert!(solution.x().iter().all(|x| x.amax() < 1.0), "{promise:?} to {t1}");
     }
-    fn fixed<F: Family<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn fixed<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
         for (t0, t1, h, steps) in SPANS {
             let solution = Fixed::<F>::new(h).solve(&pendulum(0.1), t0, t1, REST).expect("regular");
             ordered(&solution, t0, t1, promise);
@@ -230,7 +231,7 @@ fn the_last_point_is_the_end_exactly() {
             (&[3.0][..], (3.0, REST.into()), Statistics::default())
         );
     }
-    fn adaptive<F: Family<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn adaptive<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
         for (t0, t1, ..) in SPANS {
             ordered(
                 &Adaptive::<F>::new()
@@ -290,16 +291,13 @@ fn passages(promise: &Promise, method: &impl Method<Spring, f64, 2>, within: f64
         .solve_with(&model, 0.0, 10.0, [1.0, 0.0], &[wall()])
         .expect("regular");
     near(solution.events(), 0, &[0.5, 1.5, 2.5]);
-    assert!(
-        (solution.last().1[0] - 10.0_f64.cos().abs()).abs() < within,
-        "{promise:?}"
-    );
+    assert!((solution.end()[0] - 10.0_f64.cos().abs()).abs() < within, "{promise:?}");
     let solution = method
         .solve_with(&model, 0.0, 10.0, [1.0, 0.0], &[wall().terminal()])
         .expect("regular");
     near(solution.events(), 0, &[0.5]);
     assert!(
-        (solution.last().0 - 0.5 * PI).abs() < within && solution.last().1[1] > 0.9,
+        (solution.last().0 - 0.5 * PI).abs() < within && solution.end()[1] > 0.9,
         "{promise:?}"
     );
     // undefined at the start, or once the position is negative
@@ -327,10 +325,10 @@ fn passages(promise: &Promise, method: &impl Method<Spring, f64, 2>, within: f64
 
 #[test]
 fn events_are_found_when_they_occur() {
-    fn fixed<F: Family<Spring, f64, 2> + Default>(promise: &Promise) {
+    fn fixed<F: OneStep<Spring, f64, 2> + Default>(promise: &Promise) {
         passages(promise, &Fixed::<F>::new(0.02), 1e-6);
     }
-    fn adaptive<F: Family<Spring, f64, 2> + Default>(promise: &Promise) {
+    fn adaptive<F: OneStep<Spring, f64, 2> + Default>(promise: &Promise) {
         passages(promise, &Adaptive::<F>::new().rtol(1e-10).atol(1e-10), 1e-8);
     }
     each_adaptive!(fixed);

@@ -5,6 +5,7 @@ mod common;
 use approx::assert_relative_eq;
 use common::dual::Dual;
 use nalgebra::{SMatrix, SVector};
+use pendulum_core::Real;
 use pendulum_core::prelude::*;
 
 mechanism! {

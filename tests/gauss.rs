@@ -6,6 +6,7 @@ use approx::assert_abs_diff_eq;
 use common::trajectories::scene;
 use nalgebra::{SMatrix, SVector};
 use pendulum_core::prelude::*;
+use pendulum_core::{Canonical, Reason};
 
 mechanism! {
     /// Two plates with m = I = c = d = 1, the pendulum of the reference trajectories.

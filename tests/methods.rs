@@ -10,6 +10,7 @@ use common::trajectories::scene;
 use pendulum_core::method::{Explicit, Fixed};
 use pendulum_core::prelude::*;
 use pendulum_core::tableau::{DormandPrince5, Kutta4, Tableau, Tsitouras5, Verner7, Verner9};
+use pendulum_core::{OutsideSpan, Reason, Solution};
 
 // Orders observed
 
@@ -187,7 +188,7 @@ fn a_distant_origin_of_time_costs_what_it_resolves() {
     let solve = |t0: f64| {
         let method = Rk45::new().rtol(1e-9).atol(1e-9);
         let solution = method.solve(&model, t0, t0 + 1.0, [0.0, 0.07, 0.0, 0.0]);
-        solution.expect("regular").last().1
+        solution.expect("regular").end()
     };
     assert_abs_diff_eq!(solve(0.0), solve(1e9), epsilon = 2e-9);
 }
@@ -218,7 +219,7 @@ fn there_are_no_states_outside_of_the_span() {
     assert!(solution.sample([0.5, 1.5]).is_err());
     let states = solution.sample((0..=10).map(|i| f64::from(i) / 10.0));
     let states = states.expect("within");
-    assert_eq!((states.len(), states[10]), (11, solution.last().1));
+    assert_eq!((states.len(), states[10]), (11, solution.end()));
 }
 
 // Steps

@@ -2,6 +2,7 @@
 
 mod common;
 
+use pendulum_core::Solution;
 use pendulum_core::prelude::*;
 
 mod driven {

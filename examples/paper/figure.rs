@@ -2,7 +2,7 @@
 
 use std::error::Error;
 
-use pendulum_core::prelude::*;
+use pendulum_core::{OutsideSpan, Solution};
 
 use crate::common::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
 use crate::common::page::{BLUE, VERMILION};

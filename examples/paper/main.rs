@@ -11,6 +11,7 @@ use std::error::Error;
 use std::path::Path;
 
 use common::page::Picture;
+use pendulum_core::Solution;
 use pendulum_core::prelude::*;
 
 mechanism! {

@@ -152,7 +152,7 @@ impl<T: Float, const N: usize> SolveError<T, N> {
     /// The last good state.
     #[must_use]
     pub fn x(&self) -> SVector<T, N> {
-        self.solution.last().1
+        self.solution.end()
     }
 }
 

@@ -16,6 +16,7 @@ use nalgebra::SVector;
 ///
 /// ```
 /// use pendulum_core::prelude::*;
+/// use pendulum_core::SolveError;
 ///
 /// // a ball that is dropped and rebounds with four fifths of its speed
 /// let ball = FnSystem(|_t: f64, _x: &SVector<f64, 2>| SVector::from([_x[1], -9.81]));

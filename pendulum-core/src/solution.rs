@@ -12,6 +12,7 @@ use crate::real::Float;
 /// How much work an integration was.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
+#[non_exhaustive]
 pub struct Statistics {
     /// Evaluations of the right-hand side, those for the first step size included.
     pub evaluations: usize,
@@ -98,6 +99,12 @@ impl<T: Float, const N: usize> Solution<T, N> {
     pub fn last(&self) -> (T, SVector<T, N>) {
         let last = self.t.len() - 1;
         (self.t[last], self.x[last])
+    }
+
+    /// The state at the end, which is the last good one if the integration stopped early.
+    #[must_use]
+    pub fn end(&self) -> SVector<T, N> {
+        self.last().1
     }
 
     /// The events that occurred, in the order in which they did.

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use approx::assert_abs_diff_eq;
 use pendulum_core::prelude::*;
+use pendulum_core::{Occurrence, Reason};
 
 /// A state that is the time, up to rounding.
 fn clock() -> impl System<f64, 1> {
@@ -196,11 +197,7 @@ fn simultaneous_events_see_each_other() {
     let solution = Rk45::new().solve_with(&flight, 0.0, 2.0, [0.5, 0.5, 1.0, 1.0], &[wall(0), wall(1)]);
     let solution = solution.expect("regular");
     assert_eq!(solution.events().len(), 2);
-    assert_abs_diff_eq!(
-        solution.last().1,
-        SVector::from([-0.5, -0.5, -1.0, -1.0]),
-        epsilon = 1e-14
-    );
+    assert_abs_diff_eq!(solution.end(), SVector::from([-0.5, -0.5, -1.0, -1.0]), epsilon = 1e-14);
 }
 
 #[test]

@@ -2,6 +2,7 @@
 #![cfg(feature = "serde")]
 
 use pendulum_core::prelude::*;
+use pendulum_core::{ParameterError, Solution};
 
 #[test]
 fn a_solution_is_read_back_as_it_was_written() {
@@ -15,7 +16,10 @@ fn a_solution_is_read_back_as_it_was_written() {
     let solution = Rk45::new().solve_with(&swing, 0.0, 5.0, [0.5, 0.0], &[event()]);
     let solution = solution.expect("regular");
     let text = serde_json::to_string(&solution).expect("writes");
-    assert_eq!(serde_json::from_str::<Solution<f64, 2>>(&text).expect("reads"), solution);
+    assert_eq!(
+        serde_json::from_str::<Solution<f64, 2>>(&text).expect("reads"),
+        solution
+    );
 }
 
 mechanism! {

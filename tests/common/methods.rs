@@ -34,8 +34,8 @@ macro_rules! each_in_lanes {
 macro_rules! each_adaptive {
     ($check:ident) => {
         each_in_lanes!($check);
-        each!($check: Rosenbrock<tableau::Rodas4, 6>, "Rodas4", 4.0, 3.0, 0.01, 0.02);
-        each!($check: Rosenbrock<tableau::Rodas5P, 8>, "Rodas5P", 5.0, 4.0, 0.02, 0.03);
+        each!($check: Rosenbrock<tableau::HairerWanner4, 6>, "Rodas4", 4.0, 3.0, 0.01, 0.02);
+        each!($check: Rosenbrock<tableau::Steinebach5, 8>, "Rodas5P", 5.0, 4.0, 0.02, 0.03);
         each!($check: RadauIIA, "Radau5", 5.0, 3.0, 0.04, 0.06);
         each!($check: Switching, "Auto", 9.0, 9.0, 0.08, 0.2);
     };

@@ -6,9 +6,9 @@ use crate::control::Tolerance;
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::linear::{image, square};
-use crate::method::explicit::Stages;
-use crate::method::rosenbrock::LinearStages;
-use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
+use crate::method::explicit::ExplicitStages;
+use crate::method::rosenbrock::RosenbrockStages;
+use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
 use crate::method::{Adaptive, Explicit, Rosenbrock};
 use crate::real::Float;
 use crate::solution::Statistics;
@@ -61,7 +61,7 @@ const FREE: usize = 4;
 /// An implicit step at no more than this part of the limit could as well be explicit; `FREE` in a row are.
 const WITHIN: f64 = 0.3;
 
-impl<S, T, const N: usize> Family<S, T, N> for Switching
+impl<S, T, const N: usize> OneStep<S, T, N> for Switching
 where
     S: Jacobian<T, N> + ?Sized,
     T: Float,
@@ -73,15 +73,15 @@ where
             .as_ref()
             .map_or(0.0, |tolerance| tolerance.rtol.max(tolerance.atol).to_f64());
         let explicit = if least > LOOSE {
-            Free::Tsit5(Family::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
+            Free::Tsit5(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
         } else if least > MIDDLE {
-            Free::Vern7(Family::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
+            Free::Vern7(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
         } else {
-            Free::Vern9(Family::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
+            Free::Vern9(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
         };
         Ok(Switch {
             explicit,
-            implicit: Family::<S, T, N>::scheme(&Rosenbrock::default(), system, tolerance)?,
+            implicit: OneStep::<S, T, N>::scheme(&Rosenbrock::default(), system, tolerance)?,
             is_stiff: false,
             changes: false,
             at_limit: 0,
@@ -95,7 +95,7 @@ where
 #[derive(Clone, Debug)]
 pub struct Switch<T, const N: usize> {
     explicit: Free<T, N>,
-    implicit: LinearStages<tableau::Rodas5P, T, 8, N>,
+    implicit: RosenbrockStages<tableau::Steinebach5, T, 8, N>,
     is_stiff: bool,
     /// Whether the other one is to take the next step.
     changes: bool,
@@ -110,9 +110,9 @@ pub struct Switch<T, const N: usize> {
 /// The explicit method.
 #[derive(Clone, Debug)]
 enum Free<T, const N: usize> {
-    Tsit5(Stages<Tsitouras5, T, 7, N>),
-    Vern7(Stages<Verner7, T, 11, N>),
-    Vern9(Stages<Verner9, T, 17, N>),
+    Tsit5(ExplicitStages<Tsitouras5, T, 7, N>),
+    Vern7(ExplicitStages<Verner7, T, 11, N>),
+    Vern9(ExplicitStages<Verner9, T, 17, N>),
 }
 
 /// The explicit method, whichever it is.

@@ -9,7 +9,7 @@ use crate::dense::Step;
 use crate::error::Reason;
 use crate::linear::square;
 use crate::method::input::refuse_tolerance;
-use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
+use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
 use crate::real::{Float, Real};
 use crate::solution::Statistics;
 use crate::system::System;
@@ -27,13 +27,13 @@ impl<B, const STAGES: usize> Explicit<B, STAGES> {
     }
 }
 
-impl<B, S, T, const STAGES: usize, const N: usize> Family<S, T, N> for Explicit<B, STAGES>
+impl<B, S, T, const STAGES: usize, const N: usize> OneStep<S, T, N> for Explicit<B, STAGES>
 where
     B: Tableau<STAGES>,
     S: System<T, N> + ?Sized,
     T: Float,
 {
-    type Scheme = Stages<B, T, STAGES, N>;
+    type Scheme = ExplicitStages<B, T, STAGES, N>;
 
     #[inline]
     fn scheme(&self, _system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
@@ -41,7 +41,7 @@ where
             refuse_tolerance(tolerance)?;
         }
         let zero = SVector::from_element(T::default());
-        Ok(Stages {
+        Ok(ExplicitStages {
             tolerance,
             slope: zero,
             stages: [zero; STAGES],
@@ -53,7 +53,7 @@ where
 
 /// The stages of a step.
 #[derive(Clone, Copy, Debug)]
-pub struct Stages<B, T, const STAGES: usize, const N: usize> {
+pub struct ExplicitStages<B, T, const STAGES: usize, const N: usize> {
     tolerance: Option<Tolerance<T>>,
     /// The derivative where the next step starts.
     slope: SVector<T, N>,
@@ -62,7 +62,7 @@ pub struct Stages<B, T, const STAGES: usize, const N: usize> {
     tableau: PhantomData<B>,
 }
 
-impl<B, T, const STAGES: usize, const N: usize> Stages<B, T, STAGES, N>
+impl<B, T, const STAGES: usize, const N: usize> ExplicitStages<B, T, STAGES, N>
 where
     B: Tableau<STAGES>,
     T: Float,
@@ -92,7 +92,7 @@ where
     }
 }
 
-impl<B, S, T, const STAGES: usize, const N: usize> Scheme<S, T, N> for Stages<B, T, STAGES, N>
+impl<B, S, T, const STAGES: usize, const N: usize> Scheme<S, T, N> for ExplicitStages<B, T, STAGES, N>
 where
     B: Tableau<STAGES>,
     S: System<T, N> + ?Sized,

@@ -6,7 +6,7 @@ use crate::error::Reason;
 use crate::method::grid::Grid;
 use crate::method::input::check_start;
 use crate::method::pace::Pace;
-use crate::method::scheme::Family;
+use crate::method::scheme::OneStep;
 use crate::method::{Method, Stepper};
 use crate::real::Float;
 use crate::system::System;
@@ -36,7 +36,7 @@ impl<F: Default> Fixed<F> {
 
 impl<F, S, T, const N: usize> Method<S, T, N> for Fixed<F>
 where
-    F: Family<S, T, N>,
+    F: OneStep<S, T, N>,
     S: System<T, N> + ?Sized,
     T: Float,
 {

@@ -11,7 +11,7 @@ use crate::method::collocation::Pencil;
 use crate::method::hermite;
 use crate::method::input::refuse_tolerance;
 use crate::method::legendre::{Legendre, Table};
-use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
+use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
 use crate::real::Float;
 use crate::solution::Statistics;
 use crate::system::Canonical;
@@ -26,19 +26,19 @@ use crate::system::Canonical;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gauss<const STAGES: usize>;
 
-impl<S, T, const STAGES: usize, const N: usize> Family<S, T, N> for Gauss<STAGES>
+impl<S, T, const STAGES: usize, const N: usize> OneStep<S, T, N> for Gauss<STAGES>
 where
     Self: Legendre<STAGES>,
     S: Canonical<T, N> + ?Sized,
     T: Float,
 {
-    type Scheme = Stages<T, STAGES, N>;
+    type Scheme = GaussStages<T, STAGES, N>;
 
     fn scheme(&self, system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
         refuse_tolerance(tolerance)?;
         let zeros = SVector::from_element(T::default());
         let start = Point { y: zeros, lost: zeros };
-        Ok(Stages {
+        Ok(GaussStages {
             start,
             slope: zeros,
             positions: system.layout().map_or(N / 2, StateLayout::positions),
@@ -51,7 +51,7 @@ where
 
 /// The stages of a step.
 #[derive(Clone, Copy, Debug)]
-pub struct Stages<T, const STAGES: usize, const N: usize> {
+pub struct GaussStages<T, const STAGES: usize, const N: usize> {
     /// Where the next step starts.
     start: Point<T, N>,
     /// The derivative of the state where it began.
@@ -82,7 +82,7 @@ const MAX_RISES: usize = 2;
 /// A vector for each stage.
 type Vectors<T, const STAGES: usize, const N: usize> = [SVector<T, N>; STAGES];
 
-impl<T: Float, const STAGES: usize, const N: usize> Stages<T, STAGES, N>
+impl<T: Float, const STAGES: usize, const N: usize> GaussStages<T, STAGES, N>
 where
     Gauss<STAGES>: Legendre<STAGES>,
 {
@@ -173,7 +173,7 @@ where
     }
 }
 
-impl<S, T, const STAGES: usize, const N: usize> Scheme<S, T, N> for Stages<T, STAGES, N>
+impl<S, T, const STAGES: usize, const N: usize> Scheme<S, T, N> for GaussStages<T, STAGES, N>
 where
     Gauss<STAGES>: Legendre<STAGES>,
     S: Canonical<T, N> + ?Sized,

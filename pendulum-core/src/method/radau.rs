@@ -8,7 +8,7 @@ use crate::error::Reason;
 use crate::linear::{Complex, Singular};
 use crate::method::collocation::{Mode, Modes, Pencil};
 use crate::method::explicit::SHORT;
-use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
+use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
 use crate::real::Float;
 use crate::solution::Statistics;
 use crate::system::{Jacobian, System};
@@ -79,7 +79,7 @@ const MOST_FIXED: usize = 50;
 /// The tolerance of steps of a given length, in ulps: their equations are solved to what rounding leaves.
 const ULPS: f64 = 100.0;
 
-impl<S, T, const N: usize> Family<S, T, N> for RadauIIA
+impl<S, T, const N: usize> OneStep<S, T, N> for RadauIIA
 where
     S: Jacobian<T, N> + ?Sized,
     T: Float,

@@ -9,7 +9,7 @@ use crate::dense::Step;
 use crate::error::Reason;
 use crate::linear::{Lu, Singular};
 use crate::method::explicit::{SHORT, shifted, weighted_sum};
-use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
+use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
 use crate::real::Float;
 use crate::solution::Statistics;
 use crate::system::{Jacobian, System};
@@ -22,18 +22,18 @@ use crate::tableau::{RosenbrockMethod, RosenbrockTableau, difference};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Rosenbrock<B, const STAGES: usize>(PhantomData<B>);
 
-impl<B, S, T, const STAGES: usize, const N: usize> Family<S, T, N> for Rosenbrock<B, STAGES>
+impl<B, S, T, const STAGES: usize, const N: usize> OneStep<S, T, N> for Rosenbrock<B, STAGES>
 where
     B: RosenbrockMethod<STAGES>,
     S: Jacobian<T, N> + ?Sized,
     T: Float,
 {
-    type Scheme = LinearStages<B, T, STAGES, N>;
+    type Scheme = RosenbrockStages<B, T, STAGES, N>;
 
     #[inline]
     fn scheme(&self, _system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
         let zero = SVector::from_element(T::default());
-        Ok(LinearStages {
+        Ok(RosenbrockStages {
             tolerance,
             start: Linearisation {
                 slope: zero,
@@ -49,7 +49,7 @@ where
 
 /// The stages of a step of a Rosenbrock method.
 #[derive(Clone, Copy, Debug)]
-pub struct LinearStages<B, T, const STAGES: usize, const N: usize> {
+pub struct RosenbrockStages<B, T, const STAGES: usize, const N: usize> {
     tolerance: Option<Tolerance<T>>,
     /// The system where the next step starts.
     start: Linearisation<T, N>,
@@ -83,7 +83,7 @@ impl<T: Float, const N: usize> Linearisation<T, N> {
     }
 }
 
-impl<B, T, const STAGES: usize, const N: usize> LinearStages<B, T, STAGES, N>
+impl<B, T, const STAGES: usize, const N: usize> RosenbrockStages<B, T, STAGES, N>
 where
     B: RosenbrockMethod<STAGES>,
     T: Float,
@@ -134,7 +134,7 @@ where
     }
 }
 
-impl<B, S, T, const STAGES: usize, const N: usize> Scheme<S, T, N> for LinearStages<B, T, STAGES, N>
+impl<B, S, T, const STAGES: usize, const N: usize> Scheme<S, T, N> for RosenbrockStages<B, T, STAGES, N>
 where
     B: RosenbrockMethod<STAGES>,
     S: Jacobian<T, N> + ?Sized,

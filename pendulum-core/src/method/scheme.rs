@@ -9,7 +9,7 @@ use crate::real::Float;
 use crate::solution::Statistics;
 
 /// A kind of one-step method, which [`Fixed`](crate::method::Fixed) and [`Adaptive`](crate::method::Adaptive) give a pace.
-pub trait Family<S: ?Sized, T: Float, const N: usize> {
+pub trait OneStep<S: ?Sized, T: Float, const N: usize> {
     /// What a step of it works with.
     type Scheme: Scheme<S, T, N>;
 

@@ -20,6 +20,7 @@ use crate::system::System;
 ///
 /// ```
 /// use pendulum_core::prelude::*;
+/// use pendulum_core::Reason;
 ///
 /// let swing = FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], -x[0].sin()]));
 /// let mut stepper = Rk45::new().stepper(&swing, 0.0, 100.0, [0.5, 0.0])?;

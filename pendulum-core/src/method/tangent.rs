@@ -6,8 +6,8 @@ use crate::control::Tolerance;
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::linear::{image, square};
-use crate::method::explicit::{Explicit, Stages, shifted, weighted_sum};
-use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
+use crate::method::explicit::{Explicit, ExplicitStages, shifted, weighted_sum};
+use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
 use crate::real::Float;
 use crate::solution::Statistics;
 use crate::system::Jacobian;
@@ -20,7 +20,7 @@ use crate::tableau::Tableau;
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tangent<B, const STAGES: usize, const K: usize>(Explicit<B, STAGES>);
 
-impl<B, S, T, const STAGES: usize, const K: usize, const N: usize> Family<S, T, N> for Tangent<B, STAGES, K>
+impl<B, S, T, const STAGES: usize, const K: usize, const N: usize> OneStep<S, T, N> for Tangent<B, STAGES, K>
 where
     B: Tableau<STAGES>,
     S: Jacobian<T, N> + ?Sized,
@@ -35,7 +35,7 @@ where
             tangent[k] = T::from_f64(1.0);
         }
         Ok(Bundle {
-            state: Family::<S, T, N>::scheme(&self.0, system, tolerance)?,
+            state: OneStep::<S, T, N>::scheme(&self.0, system, tolerance)?,
             tolerance,
             tangents,
             tried: tangents,
@@ -47,7 +47,7 @@ where
 /// A state and its tangents on their way.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Bundle<B, T, const STAGES: usize, const K: usize, const N: usize> {
-    state: Stages<B, T, STAGES, N>,
+    state: ExplicitStages<B, T, STAGES, N>,
     tolerance: Option<Tolerance<T>>,
     /// Where the last accepted step ended; at first the unit vectors of the first `K` components.
     pub(crate) tangents: [SVector<T, N>; K],

@@ -5,9 +5,9 @@ use nalgebra::SVector;
 use crate::control::{Tolerance, exp2, log2};
 use crate::dense::{Step, polynomial};
 use crate::error::Reason;
-use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
+use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
 use crate::method::{Adaptive, require};
-use crate::real::lanes::{Isa, Kernel, Lane, Lanes};
+use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
 use crate::real::{Float, Real};
 use crate::solution::Statistics;
 use crate::taylor::{MAX_ORDER, TaylorSeries};
@@ -34,7 +34,7 @@ use crate::taylor::{MAX_ORDER, TaylorSeries};
 /// let swing = Swing::new(SwingParams::default())?;
 /// let solution = Taylor::new().rtol(1e-14).atol(1e-14).solve(&swing, 0.0, 10.0, [3.0, 0.0])?;
 /// let energy = |x: &SVector<f64, 2>| swing.energy(0.0, x);
-/// assert!((energy(&solution.last().1) - energy(&solution.at(0.0)?)).abs() < 1e-12);
+/// assert!((energy(&solution.end()) - energy(&solution.at(0.0)?)).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub type Taylor = Adaptive<PowerSeries>;
@@ -71,17 +71,17 @@ impl PowerSeries {
     }
 }
 
-impl<S, T, const N: usize> Family<S, T, N> for PowerSeries
+impl<S, T, const N: usize> OneStep<S, T, N> for PowerSeries
 where
     S: TaylorSeries<T, N> + ?Sized,
-    T: Lane,
+    T: LaneElement,
 {
-    type Scheme = Series<S::Workspace, T, N>;
+    type Scheme = TaylorStages<S::Workspace, T, N>;
 
     fn scheme(&self, system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
         let order = self.order_within(tolerance)?;
         let zero = SVector::from_element(T::default());
-        Ok(Series {
+        Ok(TaylorStages {
             tolerance,
             order,
             isa: Isa::for_scalars(),
@@ -163,7 +163,7 @@ struct Recurrences<'a, S: ?Sized, W, T, const N: usize> {
 impl<S, T, const N: usize> Kernel<T> for Recurrences<'_, S, S::Workspace, T, N>
 where
     S: TaylorSeries<T, N> + ?Sized,
-    T: Lane,
+    T: LaneElement,
 {
     type Output = ();
 
@@ -175,7 +175,7 @@ where
 
 /// The power series of a step.
 #[derive(Clone, Debug)]
-pub struct Series<W, T, const N: usize> {
+pub struct TaylorStages<W, T, const N: usize> {
     tolerance: Option<Tolerance<T>>,
     order: usize,
     isa: Isa,
@@ -187,7 +187,7 @@ pub struct Series<W, T, const N: usize> {
     work: W,
 }
 
-impl<W, T: Lane, const N: usize> Series<W, T, N> {
+impl<W, T: LaneElement, const N: usize> TaylorStages<W, T, N> {
     /// Computes one of the two series.
     #[inline]
     fn find<S>(&mut self, which: usize, system: &S, (t, x): (T, &SVector<T, N>), work: &mut Statistics)
@@ -211,10 +211,10 @@ impl<W, T: Lane, const N: usize> Series<W, T, N> {
     }
 }
 
-impl<S, T, const N: usize> Scheme<S, T, N> for Series<S::Workspace, T, N>
+impl<S, T, const N: usize> Scheme<S, T, N> for TaylorStages<S::Workspace, T, N>
 where
     S: TaylorSeries<T, N> + ?Sized,
-    T: Lane,
+    T: LaneElement,
 {
     const PROPOSES: bool = true;
 

@@ -1,6 +1,7 @@
 //! Masses that are small beside others, or none.
 
 use nalgebra::{SMatrix, SVector};
+use pendulum_core::SolveError;
 use pendulum_core::prelude::*;
 use pendulum_core::stability::{equilibrium, max_stable_step};
 
