@@ -1,0 +1,24 @@
+//! The programs of the README and of the book, which `cargo test` compiles and runs.
+#![cfg(doctest)]
+
+macro_rules! pages {
+    ($($name:ident: $path:literal,)*) => { $(
+        #[doc = include_str!($path)]
+        mod $name {}
+    )* };
+}
+
+pages! {
+    readme: "../README.md",
+    accuracy_and_speed: "src/accuracy-and-speed.md",
+    getting_started: "src/getting-started.md",
+    stability: "src/stability.md",
+    cart_pole: "src/recipes/cart-pole.md",
+    computed_torque: "src/recipes/computed-torque.md",
+    flip_map: "src/recipes/flip-map.md",
+    identification: "src/recipes/identification.md",
+    magnets: "src/recipes/magnets.md",
+    poincare_section: "src/recipes/poincare-section.md",
+    stiff_friction: "src/recipes/stiff-friction.md",
+    sweep: "src/recipes/sweep.md",
+}
