@@ -7,7 +7,8 @@
 use std::alloc::{GlobalAlloc, Layout, System as Heap};
 use std::cell::Cell;
 
-use pendulum_core::method::{Adaptive, Family, Fixed};
+use pendulum_core::Reason;
+use pendulum_core::method::{Adaptive, Fixed, OneStep};
 use pendulum_core::prelude::*;
 use testbed::mechanisms::Tree;
 use testbed::methods::Promise;
@@ -103,18 +104,18 @@ where
 
 #[test]
 fn steps_do_not_allocate() {
-    fn fixed<F: Family<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn fixed<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
         let steps = walk(&Fixed::<F>::new(0.01), &pendulum(0.0), 2.0, START);
         assert!(steps >= 200, "{promise:?}: {steps}");
     }
     // more states than the short cuts are for
-    fn longer<F: Family<Tree, f64, 8> + Default>(promise: &Promise) {
+    fn longer<F: OneStep<Tree, f64, 8> + Default>(promise: &Promise) {
         let tree = Tree::new(Default::default()).expect("physical");
         let start = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8];
         let steps = walk(&Fixed::<F>::new(0.01), &tree, 1.0, start);
         assert!(steps >= 100, "{promise:?}: {steps}");
     }
-    fn adaptive<F: Family<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn adaptive<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
         for gamma in [0.0, 100.0] {
             let steps = walk(&Adaptive::<F>::new(), &pendulum(gamma), 10.0, START);
             assert!(steps > 10, "{promise:?}: {steps}");
@@ -128,7 +129,7 @@ fn steps_do_not_allocate() {
 
 #[test]
 fn errors_of_a_stepper_do_not_allocate() {
-    fn check<F: Family<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn check<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
         let (model, method) = (pendulum(0.0), Adaptive::<F>::new().max_steps(10));
         let fail = || {
             let mut stepper = method.stepper(&model, 0.0, 50.0, START).expect("valid");

@@ -9,6 +9,7 @@ use std::error::Error;
 use std::path::Path;
 
 use charts::page::Picture;
+use pendulum_core::Solution;
 use pendulum_core::prelude::*;
 
 mechanism! {
@@ -137,7 +138,7 @@ fn print_operations() {
 }
 
 /// Integrates the case with the friction `gamma` in both axles by two methods, and prints how well they did.
-fn run(gamma: f64, reference: &SVector<f64, 4>) -> Result<Solution<4>, Box<dyn Error>> {
+fn run(gamma: f64, reference: &SVector<f64, 4>) -> Result<Solution<f64, 4>, Box<dyn Error>> {
     let params = DoublePendulumParams {
         gamma1: gamma,
         gamma2: gamma,
@@ -181,7 +182,7 @@ fn print_row(name: &str, x: &SVector<f64, 4>) {
 }
 
 /// The energy above that of hanging at rest: with friction it only falls.
-fn print_energy(pendulum: &DoublePendulum, solution: &Solution<4>) {
+fn print_energy(pendulum: &DoublePendulum, solution: &Solution<f64, 4>) {
     let rest = pendulum.energy(0.0, &SVector::zeros());
     let energies: Vec<f64> = solution.points().map(|(t, x)| pendulum.energy(t, x) - rest).collect();
     let steps = energies.len() - 1;

@@ -1,6 +1,7 @@
 //! The compound double pendulum with friction by hand: Williams (2023), Eq. 22, corrected, and for any `c` and `d`.
 
 use nalgebra::{SMatrix, SVector};
+use pendulum_core::Real;
 use pendulum_core::prelude::*;
 
 /// A plate: mass, inertia about the centre of mass, distance from its axle to the centre of mass, friction of that axle.

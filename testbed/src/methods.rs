@@ -31,8 +31,8 @@ macro_rules! each_in_lanes {
 macro_rules! each_adaptive {
     ($check:ident) => {
         $crate::each_in_lanes!($check);
-        $crate::each!($check: pendulum_core::method::Rosenbrock<pendulum_core::tableau::Rodas4, 6>, "Rodas4", 4.0, 3.0, 0.01, 0.02);
-        $crate::each!($check: pendulum_core::method::Rosenbrock<pendulum_core::tableau::Rodas5P, 8>, "Rodas5P", 5.0, 4.0, 0.02, 0.03);
+        $crate::each!($check: pendulum_core::method::Rosenbrock<pendulum_core::tableau::HairerWanner4, 6>, "Rodas4", 4.0, 3.0, 0.01, 0.02);
+        $crate::each!($check: pendulum_core::method::Rosenbrock<pendulum_core::tableau::Steinebach5, 8>, "Rodas5P", 5.0, 4.0, 0.02, 0.03);
         $crate::each!($check: pendulum_core::method::RadauIIA, "Radau5", 5.0, 3.0, 0.04, 0.06);
         $crate::each!($check: pendulum_core::method::Switching, "Auto", 9.0, 9.0, 0.08, 0.2);
     };

@@ -6,6 +6,7 @@
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use nalgebra::SVector;
+use pendulum_core::Real;
 use pendulum_core::prelude::*;
 
 /// Coefficients kept.

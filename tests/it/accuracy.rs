@@ -1,6 +1,7 @@
 //! The measurement of accuracy, on systems whose solutions and errors are known in closed form.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
+use pendulum_core::Reason;
 use pendulum_core::accuracy::{Errors, Failure, Measured, Problem, Reference, Report, Sweep};
 use pendulum_core::prelude::*;
 

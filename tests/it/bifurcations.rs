@@ -21,7 +21,7 @@ mechanism! {
 #[test]
 fn a_torque_holds_a_pendulum_up_to_the_horizontal_and_the_branch_goes_round() {
     let held = |torque| Held::new(HeldParams { torque });
-    let branch = Continuation::new(held, (-20.0, 20.0))
+    let branch = Continuation::new(held, -20.0, 20.0)
         .equilibria([0.0, 0.0], 0.0)
         .expect("it hangs");
     // hanging, horizontal, standing, horizontal on the other side, and hanging again after a full turn
@@ -62,7 +62,7 @@ mechanism! {
 fn a_bead_leaves_the_bottom_of_a_hoop_that_turns_fast_enough() {
     let hoop = |omega| Hoop::new(HoopParams { omega });
     let critical = 9.81_f64.sqrt();
-    let continuation = Continuation::new(hoop, (1.0, 5.0));
+    let continuation = Continuation::new(hoop, 1.0, 5.0);
     let bottom = continuation
         .equilibria([0.0, 0.0], 2.0)
         .expect("it rests at the bottom");
@@ -100,7 +100,7 @@ mechanism! {
 fn zieglers_column_flutters_and_damping_makes_it_flutter_sooner() {
     let flutter = |damping: f64| {
         let column = move |push| Ziegler::new(ZieglerParams { push, damping });
-        let branch = Continuation::new(column, (0.0, 2.5))
+        let branch = Continuation::new(column, 0.0, 2.5)
             .equilibria([0.0; 4], 0.1)
             .expect("it stands");
         let [
@@ -155,7 +155,7 @@ fn the_driven_pendulum_doubles_its_period_where_taylor_says() {
     let mut doublings = Vec::new();
     // To one in the last of his digits; the first is 1.066373 by the second way below as well.
     for (start, period, published) in [(1.065, 1.0, 1.0663), (1.078, 2.0, 1.0793), (1.0818, 4.0, 1.0821)] {
-        let continuation = Continuation::new(driven, (1.06, 1.09)).step(0.02).points(10);
+        let continuation = Continuation::new(driven, 1.06, 1.09).step(0.02).points(10);
         let branch = continuation
             .forced_orbits(settled(start, 200.0), |_| period, start)
             .expect("a motion");
@@ -217,7 +217,7 @@ fn normal_modes_of_a_double_pendulum_go_on_to_large_amplitudes() {
                 .rtol(1e-12)
                 .atol(1e-12)
                 .solve(&model, 0.0, orbit.period, orbit.x);
-            assert_abs_diff_eq!(after.expect("a smooth system").last().1, orbit.x, epsilon = 1e-9);
+            assert_abs_diff_eq!(after.expect("a smooth system").end(), orbit.x, epsilon = 1e-9);
             periods.push((orbit.x[0], orbit.period));
             (start, period) = (orbit.x, orbit.period);
         }

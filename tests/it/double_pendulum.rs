@@ -183,7 +183,7 @@ fn what_the_energy_loses_is_the_work_of_friction() {
     for x in solution.x() {
         assert_relative_eq!(energy(x) + x[4], first, epsilon = 1e-7);
     }
-    assert!(solution.last().1[4] > 20.0, "the plates hardly swung");
+    assert!(solution.end()[4] > 20.0, "the plates hardly swung");
 }
 
 /// The power of friction is what the energy loses, at every state: `dE/dt = -gamma1 w1^2 - gamma2 (w1 - w2)^2`.

@@ -7,6 +7,7 @@ use std::process::Command;
 use nalgebra::{SMatrix, SVector};
 use pendulum_codegen::Sources;
 use pendulum_codegen::program::{Argument, Program, Shape};
+use pendulum_core::ParameterError;
 use pendulum_core::prelude::*;
 use pendulum_core::{Canonical, Controlled, TaylorSeries};
 use testbed::mechanisms::{Furuta, FurutaParams};

@@ -4,8 +4,9 @@ use std::f64::consts::PI;
 
 use approx::assert_abs_diff_eq;
 use pendulum_core::ensemble::InLanes;
-use pendulum_core::method::{Adaptive, Family, Fixed};
+use pendulum_core::method::{Adaptive, Fixed, OneStep};
 use pendulum_core::prelude::*;
+use pendulum_core::{EnsembleError, Reason};
 use testbed::methods::Promise;
 use testbed::scenes::DoublePendulum;
 
@@ -76,14 +77,14 @@ fn nonsense_is_refused_by_name() {
             assert_eq!(refused(method, (1.0, 1.0), [x, 0.0]), "x0");
         }
     }
-    fn fixed<F: Family<Spring, f64, 2> + Default>(_: &Promise) {
+    fn fixed<F: OneStep<Spring, f64, 2> + Default>(_: &Promise) {
         check(&Fixed::<F>::new(0.1));
         for h in [0.0, -0.1, NAN, INFINITY, 1e-18] {
             assert_eq!(refused(&Fixed::<F>::new(h), (0.0, 1.0), [1.0, 0.0]), "h");
         }
         assert_eq!(refused(&Fixed::<F>::new(1e-7), (1e9, 1e9 + 1.0), [1.0, 0.0]), "h");
     }
-    fn adaptive<F: Family<Spring, f64, 2> + Default>(_: &Promise) {
+    fn adaptive<F: OneStep<Spring, f64, 2> + Default>(_: &Promise) {
         let (method, unit, x0) = (Adaptive::<F>::new, (0.0, 1.0), [1.0, 0.0]);
         check(&method());
         for rtol in [0.0, -1e-6, NAN, INFINITY, 9.0 * f64::EPSILON] {
@@ -104,7 +105,7 @@ fn nonsense_is_refused_by_name() {
         assert_eq!(refused(&method().h_min(0.2).h_max(0.1), unit, x0), "h_max");
         assert_eq!(refused(&method().h_max(1e-7), (1e9, 1e9 + 1.0), x0), "h_max");
     }
-    fn without_estimate<F: Family<Spring, f64, 2> + Default>(_: &Promise) {
+    fn without_estimate<F: OneStep<Spring, f64, 2> + Default>(_: &Promise) {
         assert_eq!(refused(&Adaptive::<F>::new(), (0.0, 1.0), [1.0, 0.0]), "rtol");
     }
     testbed::each_adaptive!(fixed);
@@ -115,7 +116,7 @@ fn nonsense_is_refused_by_name() {
 
 #[test]
 fn too_many_steps_keep_the_part_that_was_reached() {
-    fn check<F: Family<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn check<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
         let model = DoublePendulum::new(Default::default()).expect("physical");
         let method = Adaptive::<F>::new().max_steps(7);
         let error = method
@@ -154,7 +155,7 @@ fn is_end(reason: &Reason, promise: &Promise) -> bool {
 
 #[test]
 fn a_right_hand_side_that_ends_is_followed_to_its_end() {
-    fn fixed<F: Family<Ending, f64, 2> + Default>(promise: &Promise) {
+    fn fixed<F: OneStep<Ending, f64, 2> + Default>(promise: &Promise) {
         let model = Ending::new(EndingParams {}).expect("physical");
         let method = Fixed::<F>::new(0.3);
         let error = method
@@ -182,7 +183,7 @@ fn a_right_hand_side_that_ends_is_followed_to_its_end() {
             "{promise:?}"
         );
     }
-    fn adaptive<F: Family<Ending, f64, 2> + Default>(promise: &Promise) {
+    fn adaptive<F: OneStep<Ending, f64, 2> + Default>(promise: &Promise) {
         let model = Ending::new(EndingParams {}).expect("physical");
         let method = Adaptive::<F>::new().rtol(1e-9);
         let error = method
@@ -211,7 +212,7 @@ fn a_right_hand_side_that_ends_is_followed_to_its_end() {
 #[test]
 fn a_domain_that_ends_is_followed_to_its_edge() {
     // v^2 = 1 + 4/3 (1 - (1 - x)^1.5)
-    fn check<F: Family<Cliff, f64, 2> + Default>(promise: &Promise) {
+    fn check<F: OneStep<Cliff, f64, 2> + Default>(promise: &Promise) {
         let model = Cliff::new(CliffParams::default()).expect("physical");
         let method = Adaptive::<F>::new().rtol(1e-9);
         let error = method
@@ -226,7 +227,7 @@ fn a_domain_that_ends_is_followed_to_its_edge() {
 
 #[test]
 fn a_pole_is_the_end() {
-    fn check<F: Family<Pole, f64, 2> + Default>(promise: &Promise) {
+    fn check<F: OneStep<Pole, f64, 2> + Default>(promise: &Promise) {
         let model = Pole::new(PoleParams::default()).expect("physical");
         let method = Adaptive::<F>::new().rtol(1e-7).max_steps(50_000);
         let error = method.solve(&model, 0.0, 2.0, [0.0, 0.0]).expect_err("the centre");
@@ -277,7 +278,7 @@ macro_rules! stopped_alike {
     ($test:ident: $model:ident, $params:ident, $symbol:ident, $x0:expr) => {
         #[test]
         fn $test() {
-            fn check<F: InLanes<$model, f64, 2> + Family<$model, f64, 2> + Default>(promise: &Promise) {
+            fn check<F: InLanes<$model, f64, 2> + OneStep<$model, f64, 2> + Default>(promise: &Promise) {
                 // some end, and some do not
                 let models = [1.0, -0.5, 0.9, -0.2, 1.1, 1.2, -0.1, 1.3, 1.4, 1.5, 1.6]
                     .map(|$symbol| $model::new($params { $symbol }).expect("physical"));
@@ -290,7 +291,7 @@ macro_rules! stopped_alike {
                 let mut alone = Vec::new();
                 for (index, model) in models.iter().enumerate() {
                     match method.solve(model, 0.0, 1.5, starts[index]) {
-                        Ok(solution) => assert_eq!(solution.last().1, x[index], "{promise:?} {index}"),
+                        Ok(solution) => assert_eq!(solution.end(), x[index], "{promise:?} {index}"),
                         Err(error) => {
                             assert_eq!(error.x(), x[index], "{promise:?} {index}");
                             alone.push((index, error.t(), error.reason));
@@ -339,10 +340,10 @@ fn a_restart_that_fails_changes_nothing() {
         assert!(step.t0 == t && step.t1 < 1.0, "{promise:?}: {step:?}");
         assert_abs_diff_eq!(step.x1, until_the_end(step.t1), epsilon = 1e-5);
     }
-    fn fixed<F: Family<Ending, f64, 2> + Default>(promise: &Promise) {
+    fn fixed<F: OneStep<Ending, f64, 2> + Default>(promise: &Promise) {
         check(promise, &Fixed::<F>::new(0.2));
     }
-    fn adaptive<F: Family<Ending, f64, 2> + Default>(promise: &Promise) {
+    fn adaptive<F: OneStep<Ending, f64, 2> + Default>(promise: &Promise) {
         check(promise, &Adaptive::<F>::new().h0(0.2));
     }
     testbed::each_adaptive!(fixed);

@@ -3,8 +3,9 @@
 use std::f64::consts::PI;
 
 use approx::assert_abs_diff_eq;
-use pendulum_core::method::{Adaptive, Family, Fixed};
+use pendulum_core::method::{Adaptive, Fixed, OneStep};
 use pendulum_core::prelude::*;
+use pendulum_core::{Occurrence, Reason, Solution, Statistics};
 use testbed::methods::Promise;
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 use testbed::trajectories::scene;
@@ -35,16 +36,16 @@ mechanism! {
 // Orders and accuracy
 
 /// The large swing in a tenth of the tolerances that it is compared with: itself compared with the reference.
-fn swing() -> Solution<4> {
+fn swing() -> Solution<f64, 4> {
     let method = Taylor::new().rtol(3e-15).atol(3e-15);
     let solution = method.solve(&pendulum(0.0), 0.0, 2.0, START).expect("regular");
-    assert_abs_diff_eq!(solution.last().1, reference("large_swing", 2.0), epsilon = 1e-13);
+    assert_abs_diff_eq!(solution.end(), reference("large_swing", 2.0), epsilon = 1e-13);
     solution
 }
 
 #[test]
 fn errors_fall_with_the_order() {
-    fn check<F: Family<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn check<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
         let (model, exact) = (pendulum(0.0), reference("large_swing", 2.0));
         let error = |h: f64| {
             let mut stepper = Fixed::<F>::new(h).stepper(&model, 0.0, 2.0, START).expect("valid");
@@ -64,7 +65,7 @@ fn errors_fall_with_the_order() {
 
 #[test]
 fn dense_errors_fall_with_their_order() {
-    fn check<F: Family<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn check<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
         let (model, swing) = (pendulum(0.0), swing());
         let start = swing.at(0.5).expect("within");
         // of one step, which falls with one power more
@@ -92,7 +93,7 @@ fn dense_errors_fall_with_their_order() {
 }
 
 /// The end of a motion within a tolerance.
-fn end<F: Family<DoublePendulum, f64, 4> + Default>(
+fn end<F: OneStep<DoublePendulum, f64, 4> + Default>(
     model: &DoublePendulum,
     tolerance: f64,
     (t0, t1): (f64, f64),
@@ -108,7 +109,7 @@ fn end<F: Family<DoublePendulum, f64, 4> + Default>(
 
 #[test]
 fn errors_fall_with_the_tolerance() {
-    fn check<F: Family<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn check<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
         for (name, gamma, t) in [("large_swing", 0.0, 2.0), ("paper_gamma_0.1", 0.1, 20.0)] {
             let (model, start) = (pendulum(gamma), SVector::from(scene(name).start::<4>()));
             let error = |tolerance| (end::<F>(&model, tolerance, (0.0, t), start) - reference(name, t)).amax();
@@ -129,7 +130,7 @@ fn errors_fall_with_the_tolerance() {
 
 #[test]
 fn forth_and_back_returns_to_the_start() {
-    fn check<F: Family<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn check<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
         for (name, gamma) in [("large_swing", 0.0), ("paper_gamma_0.1", 0.1)] {
             let (model, start) = (pendulum(gamma), SVector::from(scene(name).start::<4>()));
             let there = end::<F>(&model, 1e-10, (0.0, 2.0), start);
@@ -142,7 +143,7 @@ fn forth_and_back_returns_to_the_start() {
         }
     }
     testbed::each_adaptive!(check);
-    fn check_fixed<F: Family<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn check_fixed<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
         let (model, method) = (pendulum(0.0), Fixed::<F>::new(0.5 * promise.h));
         let there = method
             .stepper(&model, 0.0, 2.0, START)
@@ -171,11 +172,11 @@ fn single_precision_reaches_its_own_accuracy() {
         assert!(error.amax() < most, "{promise:?}: {error}");
     }
     // Defaults: rtol 1.2e-5, atol 1.2e-7; the amplitude is 0.07, so a tolerance of 1e-6, and some more for many steps.
-    fn adaptive<F: Family<DoublePendulum<f32>, f32, 4> + Default>(promise: &Promise) {
+    fn adaptive<F: OneStep<DoublePendulum<f32>, f32, 4> + Default>(promise: &Promise) {
         check(promise, &Adaptive::<F>::new(), 5e-6);
     }
     // 250 steps that are rounded to 6e-8 of the amplitude of 0.07 each
-    fn fixed<F: Family<DoublePendulum<f32>, f32, 4> + Default>(promise: &Promise) {
+    fn fixed<F: OneStep<DoublePendulum<f32>, f32, 4> + Default>(promise: &Promise) {
         check(promise, &Fixed::<F>::new(0.02), 5e-6);
     }
     testbed::each_adaptive!(adaptive);
@@ -197,13 +198,13 @@ fn the_last_point_is_the_end_exactly() {
         (0.0, 0.01, 7.0, 1),
     ];
     const REST: [f64; 4] = [0.0, 0.07, 0.0, 0.0];
-    fn ordered(solution: &Solution<4>, t0: f64, t1: f64, promise: &Promise) {
+    fn ordered(solution: &Solution<f64, 4>, t0: f64, t1: f64, promise: &Promise) {
         let ordered = |pair: &[f64]| (pair[0] < pair[1]) == (t0 < t1) && pair[0] != pair[1];
         assert!(solution.t()[0] == t0 && solution.last().0 == t1, "{promise:?} to {t1}");
         assert!(solution.t().windows(2).all(ordered), "{promise:?} to {t1}");
         assert!(solution.x().iter().all(|x| x.amax() < 1.0), "{promise:?} to {t1}");
     }
-    fn fixed<F: Family<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn fixed<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
         for (t0, t1, h, steps) in SPANS {
             let solution = Fixed::<F>::new(h).solve(&pendulum(0.1), t0, t1, REST).expect("regular");
             ordered(&solution, t0, t1, promise);
@@ -217,7 +218,7 @@ fn the_last_point_is_the_end_exactly() {
             (&[3.0][..], (3.0, REST.into()), Statistics::default())
         );
     }
-    fn adaptive<F: Family<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn adaptive<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
         for (t0, t1, ..) in SPANS {
             ordered(
                 &Adaptive::<F>::new()
@@ -249,7 +250,7 @@ fn the_last_point_is_the_end_exactly() {
 fn passages(promise: &Promise, method: &impl Method<Spring, f64, 2>, within: f64) {
     let model = Spring::new(SpringParams {}).expect("physical");
     let zero = |_t: f64, x: &SVector<f64, 2>| x[0];
-    let near = |found: &[Occurrence<2>], index: usize, expected: &[f64]| {
+    let near = |found: &[Occurrence<f64, 2>], index: usize, expected: &[f64]| {
         let times: Vec<f64> = found
             .iter()
             .filter(|event| event.index == index)
@@ -277,16 +278,13 @@ fn passages(promise: &Promise, method: &impl Method<Spring, f64, 2>, within: f64
         .solve_with(&model, 0.0, 10.0, [1.0, 0.0], &[wall()])
         .expect("regular");
     near(solution.events(), 0, &[0.5, 1.5, 2.5]);
-    assert!(
-        (solution.last().1[0] - 10.0_f64.cos().abs()).abs() < within,
-        "{promise:?}"
-    );
+    assert!((solution.end()[0] - 10.0_f64.cos().abs()).abs() < within, "{promise:?}");
     let solution = method
         .solve_with(&model, 0.0, 10.0, [1.0, 0.0], &[wall().terminal()])
         .expect("regular");
     near(solution.events(), 0, &[0.5]);
     assert!(
-        (solution.last().0 - 0.5 * PI).abs() < within && solution.last().1[1] > 0.9,
+        (solution.last().0 - 0.5 * PI).abs() < within && solution.end()[1] > 0.9,
         "{promise:?}"
     );
     // undefined at the start, or once the position is negative
@@ -314,10 +312,10 @@ fn passages(promise: &Promise, method: &impl Method<Spring, f64, 2>, within: f64
 
 #[test]
 fn events_are_found_when_they_occur() {
-    fn fixed<F: Family<Spring, f64, 2> + Default>(promise: &Promise) {
+    fn fixed<F: OneStep<Spring, f64, 2> + Default>(promise: &Promise) {
         passages(promise, &Fixed::<F>::new(0.02), 1e-6);
     }
-    fn adaptive<F: Family<Spring, f64, 2> + Default>(promise: &Promise) {
+    fn adaptive<F: OneStep<Spring, f64, 2> + Default>(promise: &Promise) {
         passages(promise, &Adaptive::<F>::new().rtol(1e-10).atol(1e-10), 1e-8);
     }
     testbed::each_adaptive!(fixed);

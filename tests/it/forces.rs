@@ -2,6 +2,7 @@
 
 use approx::assert_relative_eq;
 use nalgebra::{SMatrix, SVector};
+use pendulum_core::Real;
 use pendulum_core::prelude::*;
 use testbed::dual::Dual;
 

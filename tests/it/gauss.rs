@@ -3,6 +3,7 @@
 use approx::assert_abs_diff_eq;
 use nalgebra::{SMatrix, SVector};
 use pendulum_core::prelude::*;
+use pendulum_core::{Canonical, Reason};
 use testbed::trajectories::scene;
 
 mechanism! {

@@ -4,7 +4,8 @@ use std::fmt::Debug;
 
 use nalgebra::SVector;
 use pendulum_core::prelude::*;
-use pendulum_core::real::lanes::{F32x8, F32x16, F64x4, F64x8, Isa, Kernel, Lane, Lanes};
+use pendulum_core::real::lanes::{F32x8, F32x16, F64x4, F64x8, Isa, Kernel, LaneElement, Lanes};
+use pendulum_core::{Cast, EnsembleError, Float, Real, Reason};
 use testbed::random::Random;
 use testbed::robots::{Ur5, Ur5Params};
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
@@ -133,14 +134,14 @@ fn pendulums(count: usize) -> (Vec<DoublePendulum>, Vec<SVector<f64, 4>>) {
 fn assert_ensemble<A, M, T, const N: usize>(method: A, models: &[M], (t0, t1): (T, T), starts: &[SVector<T, N>])
 where
     A: Ensemble<M, T, N> + Method<M::In<T>, T, N>,
-    M: Model<N>,
-    T: Lane + Debug,
+    M: Cast<N>,
+    T: LaneElement + Debug,
 {
     for isa in Isa::available() {
-        let ends = method.ensemble_on(isa, models, (t0, t1), starts).expect("regular");
+        let ends = method.ensemble_on(isa, models, t0, t1, starts).expect("regular");
         for (i, (end, start)) in ends.iter().zip(starts).enumerate() {
             let model = models.get(i).unwrap_or(&models[0]).cast::<T>();
-            let alone = method.solve(&model, t0, t1, *start).expect("regular").last().1;
+            let alone = method.solve(&model, t0, t1, *start).expect("regular").end();
             assert!(
                 end.iter().zip(&alone).all(|(&a, &b)| same(a, b)),
                 "{isa:?}, {i}: {end:?} {alone:?}"
@@ -219,7 +220,7 @@ impl<T: Real> System<T, 1> for Burst<T> {
     }
 }
 
-impl Model<1> for Burst {
+impl Cast<1> for Burst {
     type In<T: Real> = Burst<T>;
 
     fn cast<T: Real>(&self) -> Burst<T> {
@@ -265,7 +266,7 @@ fn assert_burst<A: Ensemble<Burst, f64, 1> + Method<Burst, f64, 1>>(method: A) {
     for i in [0, 3] {
         assert_eq!(
             x[i],
-            method.solve(&models[i], 0.0, 2.0, starts[i]).expect("regular").last().1
+            method.solve(&models[i], 0.0, 2.0, starts[i]).expect("regular").end()
         );
     }
 }

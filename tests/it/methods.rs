@@ -6,6 +6,7 @@ use approx::assert_abs_diff_eq;
 use pendulum_core::method::{Explicit, Fixed};
 use pendulum_core::prelude::*;
 use pendulum_core::tableau::{DormandPrince5, Kutta4, Tableau, Tsitouras5, Verner7, Verner9};
+use pendulum_core::{OutsideSpan, Reason, Solution};
 use testbed::eq22::Eq22;
 use testbed::trajectories::scene;
 
@@ -22,7 +23,7 @@ fn exact(t: f64) -> SVector<f64, 2> {
 }
 
 /// The largest errors of a solution of [`curve`]: at the accepted points, and between them.
-fn errors(solution: &Solution<2>) -> (f64, f64) {
+fn errors(solution: &Solution<f64, 2>) -> (f64, f64) {
     let at_points = solution.points().map(|(t, x)| (x - exact(t)).amax());
     let between = solution.t().windows(2).flat_map(|pair| {
         let time = move |theta: f64| pair[0] + theta * (pair[1] - pair[0]);
@@ -114,7 +115,7 @@ fn dense_output_is_smooth_across_the_points() {
 
 // Accuracy
 
-fn pendulum(name: &str, tolerance: f64, t1: f64) -> Solution<4> {
+fn pendulum(name: &str, tolerance: f64, t1: f64) -> Solution<f64, 4> {
     let scene = scene(name);
     let method = Rk45::new().rtol(tolerance).atol(tolerance);
     method
@@ -123,7 +124,7 @@ fn pendulum(name: &str, tolerance: f64, t1: f64) -> Solution<4> {
 }
 
 /// The distance of a solution from a reference scene at the time `t`.
-fn distance(solution: &Solution<4>, name: &str, t: f64) -> f64 {
+fn distance(solution: &Solution<f64, 4>, name: &str, t: f64) -> f64 {
     let points = scene(name).points::<4>();
     let (_, reference) = points.into_iter().find(|point| point.0 == t).expect("time");
     (solution.at(t).expect("within") - SVector::from(reference)).amax()
@@ -185,7 +186,7 @@ fn a_distant_origin_of_time_costs_what_it_resolves() {
     let solve = |t0: f64| {
         let method = Rk45::new().rtol(1e-9).atol(1e-9);
         let solution = method.solve(&model, t0, t0 + 1.0, [0.0, 0.07, 0.0, 0.0]);
-        solution.expect("regular").last().1
+        solution.expect("regular").end()
     };
     assert_abs_diff_eq!(solve(0.0), solve(1e9), epsilon = 2e-9);
 }
@@ -216,7 +217,7 @@ fn there_are_no_states_outside_of_the_span() {
     assert!(solution.sample([0.5, 1.5]).is_err());
     let states = solution.sample((0..=10).map(|i| f64::from(i) / 10.0));
     let states = states.expect("within");
-    assert_eq!((states.len(), states[10]), (11, solution.last().1));
+    assert_eq!((states.len(), states[10]), (11, solution.end()));
 }
 
 // Steps

@@ -259,8 +259,7 @@ fn a_start_beside_an_unstable_rest_leaves_at_the_growth_rate() {
             .atol(1e-15)
             .solve(&model, 0.0, t, start)
             .expect("regular")
-            .last()
-            .1;
+            .end();
         let grown = (end - equilibrium.x).dot(&shape) / shape.norm_squared();
         assert!((grown / 1e-5 - 1.0).abs() < 1e-4, "{grown:e} {equilibrium:?}");
     }
@@ -357,7 +356,7 @@ fn a_section_of_a_mode_is_one_point_for_each_period() {
     let method = Taylor::new().rtol(1e-12).atol(1e-14);
     for mode in hanging.spectrum.modes().iter().step_by(2) {
         let start = mode.shape.map(|part| 1e-4 * part.re);
-        let points = section(&method, &model, (0.0, 200.0), start, &surface).expect("regular");
+        let points = section(&method, &model, 0.0, 200.0, start, &surface).expect("regular");
         let energy = model.energy(0.0, &start);
         for (k, point) in points.iter().enumerate() {
             assert!(point.x[0].abs() < 1e-15 && point.x[2] > 0.0);

@@ -1,5 +1,6 @@
 //! Methods for stiff systems: what they promise, tested on problems with known answers.
 
+use pendulum_core::Solution;
 use pendulum_core::prelude::*;
 
 mod driven {
@@ -53,7 +54,7 @@ fn stiff(gamma: f64) -> DoublePendulum {
 const START: [f64; 4] = [1.0, -1.0, 0.0, 0.0];
 
 /// All methods at a tolerance.
-fn solve(system: &DoublePendulum, tolerance: f64, t1: f64) -> [Solution<4>; 3] {
+fn solve(system: &DoublePendulum, tolerance: f64, t1: f64) -> [Solution<f64, 4>; 3] {
     [
         Rodas4::new()
             .rtol(tolerance)

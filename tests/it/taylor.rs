@@ -4,6 +4,7 @@ use nalgebra::SVector;
 use pendulum_core::prelude::*;
 use pendulum_core::real::lanes::{F64x4, Isa, Kernel, Lanes};
 use pendulum_core::taylor::MAX_ORDER;
+use pendulum_core::{Cast, CastTaylor, TaylorSeries};
 use testbed::power_series::{LENGTH, Series, motion};
 use testbed::random::Random;
 use testbed::robots::{Panda, Ur5};
@@ -27,7 +28,7 @@ fn difference<const N: usize>(ours: &[SVector<f64, N>], theirs: &[SVector<f64, N
 
 fn assert_series<M, const N: usize>(name: &str, model: &M)
 where
-    M: TaylorSeries<f64, N> + Model<N>,
+    M: TaylorSeries<f64, N> + Cast<N>,
     M::In<f64>: TaylorSeries<f64, N>,
 {
     let mut random = Random::new(7);
@@ -143,7 +144,7 @@ fn beyond_the_highest_order() {
 /// Series in lanes, each with a start and parameters of its own.
 struct Side<'a, M, const N: usize>(&'a [M], &'a [SVector<f64, N>]);
 
-impl<M: TaylorModel<N>, const N: usize> Kernel<f64> for Side<'_, M, N>
+impl<M: CastTaylor<N>, const N: usize> Kernel<f64> for Side<'_, M, N>
 where
     M::In<f64>: TaylorSeries<f64, N>,
 {
@@ -163,7 +164,7 @@ where
     }
 }
 
-fn assert_lanes<M: TaylorModel<N>, const N: usize>(models: &[M])
+fn assert_lanes<M: CastTaylor<N>, const N: usize>(models: &[M])
 where
     M::In<f64>: TaylorSeries<f64, N>,
 {

@@ -3,6 +3,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use approx::assert_abs_diff_eq;
+use pendulum_core::TaylorSeries;
 use pendulum_core::prelude::*;
 
 mechanism! {
@@ -34,11 +35,11 @@ where
     S: TaylorSeries<f64, 2>,
 {
     let expected = Vern9::new().rtol(1e-13).atol(1e-13).h_max(0.02);
-    let expected = expected.solve(system, 0.0, 10.0, x0).expect("regular").last().1;
+    let expected = expected.solve(system, 0.0, 10.0, x0).expect("regular").end();
     for tolerance in [1e-6, 1e-9, 1e-12] {
         for order in [4, 8, 11, 12, 13, 14, 15, 16, 20, 24] {
             let method = Taylor::new().order(order).rtol(tolerance).atol(tolerance);
-            let x = method.solve(system, 0.0, 10.0, x0).expect("regular").last().1;
+            let x = method.solve(system, 0.0, 10.0, x0).expect("regular").end();
             // Ten seconds carry an error on, and multiply it by some tens.
             assert_abs_diff_eq!(x, expected, epsilon = 100.0 * tolerance);
         }

@@ -110,7 +110,7 @@ fn rk4_converges_with_its_order() {
     let (t, state) = scene.points::<4>()[2];
     let error = |h: f64| {
         let solution = Rk4::new(h).solve(&model, 0.0, t, scene.start()).expect("regular");
-        (solution.last().1 - SVector::from(state)).amax()
+        (solution.end() - SVector::from(state)).amax()
     };
     let order = (error(0.02) / error(0.01)).log2();
     assert!((order - 4.0).abs() < 0.1, "observed order {order}");

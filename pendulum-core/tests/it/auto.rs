@@ -1,6 +1,7 @@
 //! The method that looks for stiffness itself: what it does is read off its statistics.
 
 use approx::assert_abs_diff_eq;
+use pendulum_core::Statistics;
 use pendulum_core::prelude::*;
 
 /// `x'' = -lambda (x - cos t)` as friction would do it, to first order: it is as stiff as `lambda` is large.
@@ -37,7 +38,7 @@ fn stiff_systems_are_left_to_the_implicit_method() {
             stiff + 100 > accepted && accepted < 1000,
             "{lambda} {tolerance}: {stiff} of {accepted}"
         );
-        assert_abs_diff_eq!(solution.last().1[0], 20.0_f64.cos(), epsilon = 10.0 * tolerance);
+        assert_abs_diff_eq!(solution.end()[0], 20.0_f64.cos(), epsilon = 10.0 * tolerance);
     }
 }
 
@@ -91,10 +92,6 @@ fn it_changes_with_the_motion() {
         "{stiff} of {accepted} and {rejected}"
     );
     let implicit = Rodas5P::new().rtol(1e-10).atol(1e-10);
-    let expected = implicit
-        .solve(&system, 0.0, 3000.0, [2.0, 0.0])
-        .expect("regular")
-        .last()
-        .1;
-    assert_abs_diff_eq!(solution.last().1, expected, epsilon = 1e-4);
+    let expected = implicit.solve(&system, 0.0, 3000.0, [2.0, 0.0]).expect("regular").end();
+    assert_abs_diff_eq!(solution.end(), expected, epsilon = 1e-4);
 }

@@ -5,6 +5,7 @@ use std::f64::consts::{PI, TAU};
 use crate::pair::Pair;
 use approx::assert_abs_diff_eq;
 use nalgebra::{SMatrix, SVector};
+use pendulum_core::ParameterError;
 use pendulum_core::prelude::*;
 use pendulum_core::stability::{
     Bifurcation, BifurcationKind, BranchEnd, Continuation, PeriodicOrbit, Stability, StabilityError,
@@ -47,7 +48,7 @@ fn rotor(g: impl Fn(f64) -> ([f64; 2], [f64; 2]), (drive, omega): (f64, f64)) ->
 
 #[test]
 fn rest_gives_way_to_the_cycle_of_van_der_pol_at_zero_with_frequency_one() {
-    let branch = Continuation::new(van_der_pol, (-1.0, 1.5))
+    let branch = Continuation::new(van_der_pol, -1.0, 1.5)
         .equilibria([0.1, 0.1], -0.7)
         .expect("rest");
     let [
@@ -78,7 +79,7 @@ fn rest_gives_way_to_the_cycle_of_van_der_pol_at_zero_with_frequency_one() {
 
 #[test]
 fn the_cycle_of_van_der_pol_is_followed_to_long_periods() {
-    let branch = Continuation::new(van_der_pol, (0.5, 3.0))
+    let branch = Continuation::new(van_der_pol, 0.5, 3.0)
         .autonomous_orbits([2.0, 0.0], 6.6, 1.0)
         .expect("a cycle");
     assert_eq!(branch.ends(), [BranchEnd::Span; 2]);
@@ -102,7 +103,7 @@ fn curves_that_cross_are_told_from_folds() {
             move |x| p - 3.0 * of(x).powi(2),
         ))
     };
-    let through = Continuation::new(family, (-1.0, 1.0))
+    let through = Continuation::new(family, -1.0, 1.0)
         .equilibria([-0.4], -0.5)
         .expect("the straight branch");
     let [crossing] = through.bifurcations() else {
@@ -110,7 +111,7 @@ fn curves_that_cross_are_told_from_folds() {
     };
     assert_eq!(crossing.kind, BifurcationKind::Crossing);
     assert_abs_diff_eq!(crossing.parameter, 0.0, epsilon = 1e-8);
-    let aside = Continuation::new(family, (-1.0, 1.0))
+    let aside = Continuation::new(family, -1.0, 1.0)
         .equilibria([1.5], 0.7)
         .expect("a side branch");
     let [crossing] = aside.bifurcations() else {
@@ -120,7 +121,7 @@ fn curves_that_cross_are_told_from_folds() {
     assert_abs_diff_eq!(crossing.parameter, 0.0, epsilon = 1e-8);
     // transcritical: x' = (x - p) (x + 2 p - 1), where x = p meets x = 1 - 2 p at a third
     let family = |p: f64| Ok(line(move |x| (x - p) * (x + 2.0 * p - 1.0), move |x| 2.0 * x + p - 1.0));
-    let branch = Continuation::new(family, (-1.0, 1.0))
+    let branch = Continuation::new(family, -1.0, 1.0)
         .equilibria([-0.9], -0.9)
         .expect("a branch");
     let [crossing] = branch.bifurcations() else {
@@ -133,7 +134,7 @@ fn curves_that_cross_are_told_from_folds() {
 #[test]
 fn a_closed_branch_ends_where_it_began_with_both_its_folds() {
     let family = |p: f64| Ok(line(move |x| 1.0 - x * x - p * p, |x| -2.0 * x));
-    let circle = Continuation::new(family, (-3.0, 3.0))
+    let circle = Continuation::new(family, -3.0, 3.0)
         .equilibria([1.0], 0.1)
         .expect("a point of the circle");
     assert_eq!(circle.ends(), [BranchEnd::Closed; 2]);
@@ -153,7 +154,7 @@ fn a_closed_branch_ends_where_it_began_with_both_its_folds() {
 #[test]
 fn a_branch_that_ends_early_keeps_its_points_and_tells_why() {
     let root = |p: f64| Ok(line(move |x| p.powf(1.5) - x, |_| -1.0));
-    let branch = Continuation::new(root, (-1.0, 1.0))
+    let branch = Continuation::new(root, -1.0, 1.0)
         .equilibria([0.1], 0.25)
         .expect("a point");
     assert_eq!(
@@ -173,7 +174,7 @@ fn a_branch_that_ends_early_keeps_its_points_and_tells_why() {
             Err(error)
         }
     };
-    let branch = Continuation::new(family, (0.0, 2.0))
+    let branch = Continuation::new(family, 0.0, 2.0)
         .equilibria([1.0], 1.0)
         .expect("a point");
     assert_eq!(
@@ -181,14 +182,14 @@ fn a_branch_that_ends_early_keeps_its_points_and_tells_why() {
         [BranchEnd::Failed(StabilityError::Build(error)), BranchEnd::Span]
     );
     assert_abs_diff_eq!(branch.points()[0].parameter, 0.5, epsilon = 1e-4);
-    let none = Continuation::new(family, (0.0, 2.0)).equilibria([1.0], 0.3);
+    let none = Continuation::new(family, 0.0, 2.0).equilibria([1.0], 0.3);
     assert_eq!(none, Err(StabilityError::Build(error)));
-    let short = Continuation::new(family, (0.6, 2.0))
+    let short = Continuation::new(family, 0.6, 2.0)
         .points(3)
         .equilibria([1.0], 1.0)
         .expect("a point");
     assert_eq!((short.ends(), short.points().len()), ([BranchEnd::Points; 2], 7));
-    let outside = Continuation::new(family, (0.6, 2.0))
+    let outside = Continuation::new(family, 0.6, 2.0)
         .equilibria([1.0], 3.0)
         .expect_err("3 is not in the span");
     assert_eq!(outside.to_string(), "`p0` is 3.0: the start must lie in the span");
@@ -204,7 +205,7 @@ fn subcritical(mu: f64) -> Result<impl Jacobian<f64, 2>, ParameterError> {
 
 #[test]
 fn cycles_fold_at_minus_a_quarter_and_shrink_to_rest_at_zero() {
-    let continuation = Continuation::new(subcritical, (-0.4, 0.3));
+    let continuation = Continuation::new(subcritical, -0.4, 0.3);
     let branch = continuation
         .autonomous_orbits([1.05, 0.0], 3.0, 0.1)
         .expect("the large cycle");
@@ -246,7 +247,7 @@ fn driven_rotor(mu: f64) -> Result<impl Jacobian<f64, 2>, ParameterError> {
 #[test]
 fn a_driven_cycle_loses_its_lock_to_a_torus() {
     // |w|^2 = 1/4 at mu = 1/2, where the trace 2 (mu - 2 |w|^2) is zero and the determinant 1 - |w|^4
-    let branch = Continuation::new(driven_rotor, (0.0, 1.0)).forced_orbits([0.3, 0.3], |_| TAU / 3.0, 0.1);
+    let branch = Continuation::new(driven_rotor, 0.0, 1.0).forced_orbits([0.3, 0.3], |_| TAU / 3.0, 0.1);
     let branch = branch.expect("a response");
     let [
         Bifurcation {
@@ -274,7 +275,7 @@ fn a_period_that_depends_on_the_parameter_is_followed_through_resonance() {
             |_, _: &SVector<f64, 2>| SMatrix::from([[0.0, -1.0], [1.0, -0.1]]),
         ))
     };
-    let branch = Continuation::new(family, (0.5, 2.0))
+    let branch = Continuation::new(family, 0.5, 2.0)
         .step(0.5)
         .forced_orbits([1.0, 0.0], |p| TAU / p, 0.6);
     let branch = branch.expect("a response");

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use approx::assert_abs_diff_eq;
 use pendulum_core::prelude::*;
+use pendulum_core::{Occurrence, Reason};
 
 /// A state that is the time, up to rounding.
 fn clock() -> impl System<f64, 1> {
@@ -132,7 +133,7 @@ fn ball() -> impl System<f64, 2> {
     FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], -9.81]))
 }
 
-fn bounce<'e>(restitution: f64) -> Event<'e, 2> {
+fn bounce<'e>(restitution: f64) -> Event<'e, f64, 2> {
     let floor = Event::new(|_t, x: &SVector<f64, 2>| x[0]).falling();
     floor.reset(move |_t, x| SVector::from([x[0], -restitution * x[1]]))
 }
@@ -196,11 +197,7 @@ fn simultaneous_events_see_each_other() {
     let solution = Rk45::new().solve_with(&flight, 0.0, 2.0, [0.5, 0.5, 1.0, 1.0], &[wall(0), wall(1)]);
     let solution = solution.expect("regular");
     assert_eq!(solution.events().len(), 2);
-    assert_abs_diff_eq!(
-        solution.last().1,
-        SVector::from([-0.5, -0.5, -1.0, -1.0]),
-        epsilon = 1e-14
-    );
+    assert_abs_diff_eq!(solution.end(), SVector::from([-0.5, -0.5, -1.0, -1.0]), epsilon = 1e-14);
 }
 
 #[test]

@@ -1,6 +1,7 @@
 //! Integrations that cannot succeed: each says why, and keeps what it had reached.
 
 use approx::assert_abs_diff_eq;
+use pendulum_core::Reason;
 use pendulum_core::prelude::*;
 
 /// Decays, and is not defined after `t = 1`.
@@ -48,7 +49,7 @@ fn a_step_that_leaves_the_domain_is_shortened() {
     let solution = method.solve(&system, 0.0, 1.9, [1.0]).expect("defined up to 2");
     assert!(solution.statistics().rejected > 0);
     // x = (1 - t/2)^2 is 0.0025; the tolerance of 1e-6 and as much for several steps.
-    assert_abs_diff_eq!(solution.last().1[0], 0.0025, epsilon = 5e-6);
+    assert_abs_diff_eq!(solution.end()[0], 0.0025, epsilon = 5e-6);
 }
 
 #[test]

@@ -2,6 +2,7 @@
 
 use approx::assert_abs_diff_eq;
 use pendulum_core::prelude::*;
+use pendulum_core::{Real, WithInputs};
 
 /// A cart of mass 2 kg that is pushed; the state is its position and its speed.
 struct Cart;
@@ -35,5 +36,5 @@ fn a_law_for_the_inputs_closes_the_loop() {
     let method = Rk45::new().rtol(1e-10).atol(1e-10);
     let solution = method.solve(&spring, 0.0, 1.0, [1.0, 0.0]).expect("regular");
     let exact = SVector::from([2.0_f64.cos(), -2.0 * 2.0_f64.sin()]);
-    assert_abs_diff_eq!(solution.last().1, exact, epsilon = 10e-10);
+    assert_abs_diff_eq!(solution.end(), exact, epsilon = 10e-10);
 }

@@ -2,7 +2,7 @@
 
 use crate::tableaus::tree::{Tree, trees};
 use nalgebra::{SMatrix, SVector};
-use pendulum_core::tableau::{Rodas4, Rodas5P, RosenbrockMethod};
+use pendulum_core::tableau::{HairerWanner4, RosenbrockMethod, Steinebach5};
 
 /// The coefficients are printed to 16 digits; those of `Gamma^-1` reach 166, and a condition multiplies few of them that are large.
 const TOLERANCE: f64 = 1e-12;
@@ -90,10 +90,10 @@ fn check<B: RosenbrockMethod<S>, const S: usize>() {
 
 #[test]
 fn rodas4() {
-    check::<Rodas4, 6>();
+    check::<HairerWanner4, 6>();
 }
 
 #[test]
 fn rodas5p() {
-    check::<Rodas5P, 8>();
+    check::<Steinebach5, 8>();
 }

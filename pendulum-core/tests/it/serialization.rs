@@ -1,20 +1,24 @@
 //! Results survive being written and read.
 
 use pendulum_core::prelude::*;
+use pendulum_core::{ParameterError, Solution};
 
 #[test]
 fn a_solution_is_read_back_as_it_was_written() {
     let swing = FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], -x[0].sin()]));
     let solution = Rk45::new().solve(&swing, 0.0, 5.0, [0.5, 0.0]).expect("regular");
     let text = serde_json::to_string(&solution).expect("writes");
-    let read: Solution<2> = serde_json::from_str(&text).expect("reads");
+    let read: Solution<f64, 2> = serde_json::from_str(&text).expect("reads");
     assert_eq!(read, solution);
     assert_eq!(read.at(2.5), solution.at(2.5));
     let event = || Event::new(|_t, x: &SVector<f64, 2>| x[0]).reset(|_t, x| -x);
     let solution = Rk45::new().solve_with(&swing, 0.0, 5.0, [0.5, 0.0], &[event()]);
     let solution = solution.expect("regular");
     let text = serde_json::to_string(&solution).expect("writes");
-    assert_eq!(serde_json::from_str::<Solution<2>>(&text).expect("reads"), solution);
+    assert_eq!(
+        serde_json::from_str::<Solution<f64, 2>>(&text).expect("reads"),
+        solution
+    );
 }
 
 mechanism! {
@@ -71,7 +75,7 @@ fn what_is_not_a_solution_is_not_read_as_one() {
     ];
     for (fields, message) in cases {
         let text = format!("{{{fields},{statistics}}}");
-        let error = serde_json::from_str::<Solution<1>>(&text).expect_err(message);
+        let error = serde_json::from_str::<Solution<f64, 1>>(&text).expect_err(message);
         assert!(error.to_string().contains(message), "{error}");
     }
 }

@@ -1,6 +1,7 @@
 //! The double pendulum of points, solved as textbooks do.
 
 use nalgebra::{Matrix2, Vector2};
+use pendulum_core::ParameterError;
 use pendulum_core::prelude::*;
 
 use testbed::lopsided::{Points, PointsParams};

@@ -7,6 +7,7 @@ use std::error::Error;
 use std::fmt;
 
 use charts::page::RGBColor;
+use pendulum_core::Occurrence;
 use pendulum_core::prelude::*;
 use pendulum_core::stability::{Lyapunov, section};
 
@@ -81,7 +82,7 @@ fn passages(frictionless: &DoublePendulum, x0: &SVector<f64, 4>) -> Result<Vec<f
     // The sine rises there, and at the highest place on the way back.
     let through = Event::new(|_t, x: &SVector<f64, 4>| x[0].sin()).rising();
     let method = Taylor::new().rtol(SECTION_TOLERANCE).atol(SECTION_TOLERANCE);
-    let passages = section(&method, frictionless, (0.0, SECTION), *x0, &through).map_err(|error| error.to_string())?;
+    let passages = section(&method, frictionless, 0.0, SECTION, *x0, &through).map_err(|error| error.to_string())?;
     let energy = frictionless.energy(0.0, x0);
     let mut rates = Vec::new();
     for Occurrence { t, x, .. } in passages {

@@ -1,5 +1,6 @@
 //! The scene: a double pendulum of two plates.
 
+use pendulum_core::ParameterError;
 use pendulum_core::prelude::*;
 
 mechanism! {

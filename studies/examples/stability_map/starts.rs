@@ -81,7 +81,7 @@ fn flip(pendulum: &DoublePendulum, &[theta1, theta2]: &[f64; 2]) -> Result<Optio
         .falling()
         .terminal();
     let method = Taylor::new().rtol(TOLERANCE).atol(TOLERANCE);
-    let flips = section(&method, pendulum, (0.0, DURATION), [theta1, theta2, 0.0, 0.0], &upright)?;
+    let flips = section(&method, pendulum, 0.0, DURATION, [theta1, theta2, 0.0, 0.0], &upright)?;
     Ok(flips.first().map(|flip| flip.t))
 }
 

@@ -43,8 +43,8 @@ pub(crate) fn figure() -> Result<Figure, StabilityError> {
         ("Taylor", factor::<PowerSeries>),
     ];
     let implicit: [(&str, Factor); 5] = [
-        ("Rodas4", factor::<Rosenbrock<tableau::Rodas4, 6>>),
-        ("Rodas5P", factor::<Rosenbrock<tableau::Rodas5P, 8>>),
+        ("Rodas4", factor::<Rosenbrock<tableau::HairerWanner4, 6>>),
+        ("Rodas5P", factor::<Rosenbrock<tableau::Steinebach5, 8>>),
         ("Radau5", factor::<RadauIIA>),
         ("Gauss4", factor::<Gauss<2>>),
         ("Gauss6", factor::<Gauss<3>>),

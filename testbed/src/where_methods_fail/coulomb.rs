@@ -137,7 +137,7 @@ pub fn smooth(_: Size) -> Row {
             Claim::close(
                 "speed of the block that should stand (m/s)",
                 creep,
-                solution.last().1[1],
+                solution.end()[1],
                 1e-9,
             ),
             Claim::close(
@@ -179,7 +179,7 @@ fn stick_slip(t1: f64) -> Vec<(f64, f64)> {
         let slip = Slip::new(params).expect("physical");
         let stops = Event::new(|_t, x: &SVector<f64, 2>| side * x[1]).falling().terminal();
         let slipped = method.solve_with(&slip, t, t1, [x, 0.0], &[stops]).expect("regular");
-        (t, x) = (slipped.last().0, slipped.last().1[0]);
+        (t, x) = (slipped.last().0, slipped.end()[0]);
         changes.push((t, x));
     }
     changes

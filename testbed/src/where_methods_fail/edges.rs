@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use pendulum_core::Reason;
 use pendulum_core::prelude::*;
 use pendulum_core::stability::equilibrium;
 
@@ -34,7 +35,7 @@ pub fn resolution(_: Size) -> Row {
     // steps and times that are sums of powers of two
     let h = 1.0 / 128.0;
     let late = f64::from(1 << 30);
-    let end = |t0: f64| Rk4::new(h).solve(&model, t0, t0 + 2.0, x0).expect("regular").last().1;
+    let end = |t0: f64| Rk4::new(h).solve(&model, t0, t0 + 2.0, x0).expect("regular").end();
     // far from zero an angle has fewer digits
     let far = 1e5_f64;
     let swing = double_pendulum(0.0);
@@ -90,8 +91,8 @@ pub fn back_in_time(_: Size) -> Row {
     fn distance(method: &impl Method<DoublePendulum, f64, 4>) -> f64 {
         let model = double_pendulum(0.0);
         let x0 = SVector::from([2.0, 2.5, 0.0, 0.0]);
-        let there = method.solve(&model, 0.0, 2.0, x0).expect("regular").last().1;
-        let back = method.solve(&model, 2.0, 0.0, there).expect("regular").last().1;
+        let there = method.solve(&model, 0.0, 2.0, x0).expect("regular").end();
+        let back = method.solve(&model, 2.0, 0.0, there).expect("regular").end();
         (back - x0).amax()
     }
     let most = 20.0 * TOLERANCE;
@@ -126,7 +127,7 @@ pub fn upright(_: Size) -> Row {
     Row {
         case: "Upright",
         claims: vec![
-            Claim::at_most("exactly upright, way in 1000 s (rad)", 0.0, stays.last().1.amax()),
+            Claim::at_most("exactly upright, way in 1000 s (rad)", 0.0, stays.end().amax()),
             Claim::close(
                 "off by 1e-7, rate of growth over 2 s (1/s)",
                 fastest.growth_rate(),

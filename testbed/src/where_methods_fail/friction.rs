@@ -3,6 +3,7 @@
 use pendulum_core::method::{Fixed, RadauIIA};
 use pendulum_core::prelude::*;
 use pendulum_core::stability::{StabilityFunction, equilibrium, max_stable_step};
+use pendulum_core::{Reason, Statistics};
 
 use super::row::{Claim, Row, Size, kind};
 use super::scenes::double_pendulum;

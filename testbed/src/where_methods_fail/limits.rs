@@ -1,6 +1,6 @@
 //! How long steps of linear motions may be.
 
-use pendulum_core::method::{Explicit, Family, Fixed, Gauss, PowerSeries, RadauIIA, Rosenbrock};
+use pendulum_core::method::{Explicit, Fixed, Gauss, OneStep, PowerSeries, RadauIIA, Rosenbrock};
 use pendulum_core::prelude::*;
 use pendulum_core::stability::{Complex, StabilityFunction, imaginary_limit, real_limit};
 use pendulum_core::tableau::{self, DormandPrince5, Kutta4, Tsitouras5, Verner7, Verner9};
@@ -23,7 +23,7 @@ macro_rules! each_explicit {
 }
 
 /// What is left of a motion after `steps` steps.
-fn left<F: Family<Cart, f64, 2> + Default>(model: &Cart, h: f64, steps: u32, x0: [f64; 2]) -> SVector<f64, 2> {
+fn left<F: OneStep<Cart, f64, 2> + Default>(model: &Cart, h: f64, steps: u32, x0: [f64; 2]) -> SVector<f64, 2> {
     let mut stepper = Fixed::<F>::new(h)
         .stepper(model, 0.0, h * f64::from(steps), x0)
         .expect("valid");
@@ -49,7 +49,7 @@ const GROWTH: f64 = 1e-9;
 
 /// `v' = -v`.
 pub fn real_axis(_: Size) -> Row {
-    fn claim<F: Family<Cart, f64, 2> + Default>(name: &str) -> Claim
+    fn claim<F: OneStep<Cart, f64, 2> + Default>(name: &str) -> Claim
     where
         Fixed<F>: StabilityFunction,
     {
@@ -67,7 +67,7 @@ pub fn real_axis(_: Size) -> Row {
 
 /// `x'' = -x`.
 pub fn imaginary_axis(_: Size) -> Row {
-    fn claim<F: Family<Cart, f64, 2> + Default>(name: &str) -> Claim
+    fn claim<F: OneStep<Cart, f64, 2> + Default>(name: &str) -> Claim
     where
         Fixed<F>: StabilityFunction,
     {
@@ -86,7 +86,7 @@ pub fn imaginary_axis(_: Size) -> Row {
 /// One step that is a billion times as long as the motion.
 pub fn infinity(_: Size) -> Row {
     const FAR: f64 = 1e9;
-    fn claim<F: Family<Cart, f64, 2> + Default>(name: &str) -> Claim
+    fn claim<F: OneStep<Cart, f64, 2> + Default>(name: &str) -> Claim
     where
         Fixed<F>: StabilityFunction,
     {
@@ -106,8 +106,8 @@ pub fn infinity(_: Size) -> Row {
             claim::<Gauss<3>>("Gauss6"),
             claim::<Gauss<2>>("Gauss4"),
             claim::<RadauIIA>("Radau5"),
-            claim::<Rosenbrock<tableau::Rodas4, 6>>("Rodas4"),
-            claim::<Rosenbrock<tableau::Rodas5P, 8>>("Rodas5P"),
+            claim::<Rosenbrock<tableau::HairerWanner4, 6>>("Rodas4"),
+            claim::<Rosenbrock<tableau::Steinebach5, 8>>("Rodas5P"),
             claim::<Explicit<Kutta4, 5>>("Rk4"),
         ],
         survives: "Rodas, Radau; what should be gone stays with Gauss4 and rings with Gauss6",

@@ -1,6 +1,7 @@
 //! Masses that are small beside others, or none.
 
 use nalgebra::{SMatrix, SVector};
+use pendulum_core::SolveError;
 use pendulum_core::prelude::*;
 use pendulum_core::stability::{equilibrium, max_stable_step};
 
@@ -105,7 +106,7 @@ pub fn none(_: Size) -> Row {
     let refused = Points::new(PointsParams { m1: 0.0, m2: 1.0 }).expect_err("singular");
     // a mass that is positive, and that numbers of full precision do not reach
     let (model, x0) = (points(1e-320), SVector::from([0.5, 0.5, 0.0, 0.0]));
-    let ends = |error: SolveError<4>| {
+    let ends = |error: SolveError<f64, 4>| {
         let kept = error.t() == 0.0 && error.x() == x0;
         format!(
             "{} at {}",

@@ -831,7 +831,7 @@ for DoublePendulum<T> {
     }
 }
 #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-impl ::pendulum_core::taylor::TaylorModel<4> for DoublePendulum {
+impl ::pendulum_core::taylor::CastTaylor<4> for DoublePendulum {
     type Workspace<T: ::pendulum_core::real::Real> = ::pendulum_core::taylor::Products<
         T,
         12,
@@ -855,7 +855,7 @@ impl ::pendulum_core::taylor::TaylorModel<4> for DoublePendulum {
     }
 }
 #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-impl ::pendulum_core::Model<4> for DoublePendulum {
+impl ::pendulum_core::Cast<4> for DoublePendulum {
     type In<T: ::pendulum_core::real::Real> = DoublePendulum<T>;
     fn cast<T: ::pendulum_core::real::Real>(&self) -> DoublePendulum<T> {
         DoublePendulum::cast(self)

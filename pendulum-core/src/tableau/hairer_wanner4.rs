@@ -8,9 +8,9 @@ use super::rows;
 /// E. Hairer, G. Wanner, "Solving Ordinary Differential Equations II", 2nd ed. (1996), IV.7 and VI.4; the coefficients are those of
 /// the authors' code RODAS, its first set.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Rodas4;
+pub struct HairerWanner4;
 
-impl RosenbrockMethod<6> for Rodas4 {
+impl RosenbrockMethod<6> for HairerWanner4 {
     const TABLEAU: RosenbrockTableau<6> = RosenbrockTableau {
         gamma: 0.25,
         a: rows(A),

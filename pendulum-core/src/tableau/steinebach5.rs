@@ -1,16 +1,16 @@
-//! The method Rodas5P of Steinebach.
+//! The method Steinebach5 of Steinebach.
 
 use super::rosenbrock::{RosenbrockMethod, RosenbrockTableau, continuous};
 use super::rows;
 
-/// Rodas5P: orders 5 and 4, stiffly accurate and L-stable, with dense output of order 4, in 8 stages.
+/// Steinebach5: orders 5 and 4, stiffly accurate and L-stable, with dense output of order 4, in 8 stages.
 ///
-/// G. Steinebach, "Construction of Rosenbrock-Wanner method Rodas5P and numerical benchmarks within the Julia Differential
+/// G. Steinebach, "Construction of Rosenbrock-Wanner method Steinebach5 and numerical benchmarks within the Julia Differential
 /// Equations package", BIT Numer. Math. 63 (2023) 27.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Rodas5P;
+pub struct Steinebach5;
 
-impl RosenbrockMethod<8> for Rodas5P {
+impl RosenbrockMethod<8> for Steinebach5 {
     const TABLEAU: RosenbrockTableau<8> = RosenbrockTableau {
         gamma: 0.211_937_563_194_290_14,
         a: rows(A),
