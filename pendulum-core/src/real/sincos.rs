@@ -68,7 +68,7 @@ impl Precision for f64 {
 impl Precision for f32 {
     const LIMIT: Self = 6400.0;
     /// Of 12 bits; to 2^-24, which no difference of an angle and the first part falls below; of 9 and of 24 bits.
-    const HALF_PI: (&'static [Self], [Self; 2]) = (&[1.570_800_8, -4.470_348_4e-6], [1.589_069_1e-8, 2.563_344_1e-12]);
+    const HALF_PI: (&'static [Self], [Self; 2]) = (&[1.570_800_8, -4.470_348_4e-6], [1.589_069_1e-8, 2.563_344e-12]);
     const SHIFT: Self = 12_582_912.0;
     const SIN: &'static [Self] = &[0.166_666_54, -0.008_332_106, 0.000_195_078_83];
     const COS: &'static [Self] = &[0.041_666_646, -0.001_388_730_8, 2.443_210_2e-5];
