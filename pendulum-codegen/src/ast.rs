@@ -48,8 +48,6 @@ pub(crate) struct Items {
     pub bodies: Vec<Body>,
     /// What to generate.
     pub generate: Option<Vec<Ident>>,
-    /// Names of parameters and inputs that could not be read.
-    pub unread: Vec<Ident>,
 }
 
 /// `name: unit = default`
@@ -60,9 +58,9 @@ pub(crate) struct Param {
     /// Name.
     pub name: Ident,
     /// Unit.
-    pub unit: Unit,
+    pub unit: Read<Unit>,
     /// Value where none is given.
-    pub default: Option<Expr>,
+    pub default: Option<Read<Expr>>,
 }
 
 /// `let name = value,`
@@ -71,7 +69,7 @@ pub(crate) struct Let {
     /// Name.
     pub name: Ident,
     /// What it stands for.
-    pub value: Expr,
+    pub value: Read<Expr>,
 }
 
 /// `input name: unit,`
@@ -82,7 +80,7 @@ pub(crate) struct Input {
     /// Name.
     pub name: Ident,
     /// Unit.
-    pub unit: Unit,
+    pub unit: Read<Unit>,
 }
 
 /// `shape name { .. }`
@@ -191,7 +189,7 @@ pub(crate) struct Body {
     /// Name.
     pub name: Ident,
     /// The body that carries it, or `ground`.
-    pub parent: Ident,
+    pub parent: Read<Ident>,
     /// The shape it takes.
     pub shape: Option<Ident>,
     /// What stands in the braces.

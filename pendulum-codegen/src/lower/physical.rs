@@ -8,8 +8,8 @@ use super::Lower;
 use super::expr::Place;
 use crate::ast::{self, Inertia};
 use crate::error::Reported;
-use crate::expr::{Expr, Level, Printer};
-use crate::model::{Requirement, Rule};
+use crate::expr::{Expr, Level, Printer, SymbolKind};
+use crate::model::{Parameter, Requirement, Rule};
 use crate::screw::Symmetric3;
 
 /// The three ways to write that the largest principal moment is at most the sum of the others, for each axis.
@@ -123,12 +123,52 @@ impl<'g> Lower<'g> {
         }
     }
 
+    /// Defaults that `new` would refuse.
+    pub(super) fn report_refused_defaults(&mut self, params: &[ast::Param], parameters: &[Parameter<'g>]) {
+        for Rule {
+            value,
+            requirement,
+            text,
+            ..
+        } in &self.rules
+        {
+            let read = self.graph.reachable(&[*value]);
+            let read = parameters
+                .iter()
+                .zip(params)
+                .filter(|(p, _)| read.contains(&p.symbol.id()));
+            let defaults: Option<Vec<_>> = read
+                .map(|(p, param)| {
+                    Some((
+                        p.symbol.id(),
+                        p.default?,
+                        param.default.as_ref()?.as_ref().ok()?,
+                        &p.name,
+                    ))
+                })
+                .collect();
+            let Some(defaults) = defaults.filter(|defaults| !defaults.is_empty()) else {
+                continue;
+            };
+            let scale = requirement.scale().unwrap_or(*value);
+            let values = self.graph.evaluate(&[*value, scale], |symbol| {
+                let SymbolKind::Parameter(n) = symbol.kind else {
+                    return f64::NAN;
+                };
+                parameters[n].default.unwrap_or(f64::NAN)
+            });
+            if requirement.allows(values[0], values[1].abs()) {
+                continue;
+            }
+            let (_, _, default, name) = defaults[defaults.len() - 1];
+            let fact = format!("the default of `{name}` is refused: {text}");
+            self.errors.on(default, fact, "give another default, or none");
+        }
+    }
+
     /// The value of a constant that does not obey.
     fn broken_by(&self, value: Expr<'g>, requirement: Requirement<'g>) -> Option<f64> {
-        let scale = match requirement {
-            Requirement::NonNegativeWithin(scale) => scale.constant()?.abs(),
-            _ => 0.0,
-        };
+        let scale = requirement.scale().map_or(Some(0.0), Expr::constant)?.abs();
         value.constant().filter(|&number| !requirement.allows(number, scale))
     }
 
