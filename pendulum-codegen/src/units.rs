@@ -5,6 +5,7 @@ use syn::parse::{Parse, ParseStream};
 use syn::{Ident, Lit, LitFloat, LitInt, Token, token};
 
 use crate::error::at;
+use crate::parse::starts_item;
 use crate::words::advice;
 
 /// A product of powers of metre, kilogram, second, ampere and kelvin; the radian is 1.
@@ -113,6 +114,7 @@ pub(crate) fn of_number(number: &impl std::fmt::Display, word: &str) -> Option<S
 /// What to do about an unknown unit.
 fn help(word: &str) -> String {
     match (other(word), written_together(word)) {
+        (Some(("1", _)), _) => "write `1` for a plain number".to_owned(),
         (Some((unit, "1")), _) => format!("write `{unit}`"),
         (Some((unit, factor)), _) => {
             format!("write `{unit}`, and numbers in that unit: 1 {word} is `{factor}` {unit}")
@@ -174,8 +176,8 @@ impl Parse for Unit {
                 1
             };
             unit.factor(input, sign)?;
-            // a word before a colon is the next parameter, after a comma that is missing
-            let name = input.peek(Ident) && !input.peek2(Token![:]);
+            // what begins something else stands after a comma that is missing
+            let name = input.peek(Ident) && !starts_item(input);
             let more = input.peek(Token![/]) || input.peek(Token![*]) || name || input.peek(LitInt);
             if !more {
                 return Ok(unit);
@@ -190,10 +192,8 @@ impl Unit {
             let one: Lit = input.parse()?;
             if one.to_token_stream().to_string() != "1" {
                 let fact = "expected a unit, not a value";
-                let help = format!(
-                    "write the unit first, such as `kg = {0}`, or `1 = {0}` for a plain number",
-                    one.to_token_stream()
-                );
+                let value = one.to_token_stream().to_string().replace(' ', "");
+                let help = format!("write the unit first, such as `kg = {value}`, or `1 = {value}` for a plain number");
                 return Err(at(one.span(), fact, help));
             }
             self.text.push('1');

@@ -70,7 +70,10 @@ pub(crate) const ITEMS: &Synonyms = &[
     (&["link", "links", "rigidbody", "bodies", "part", "segment"], "body"),
     (&["control", "controls", "actuator", "inputs"], "input"),
     (&["mesh", "geometry", "solid", "shapes"], "shape"),
-    (&["outputs", "output", "options", "emit", "functions"], "generate"),
+    (
+        &["outputs", "output", "options", "emit", "functions"],
+        "what a scene needs is listed by `generate: [rhs, jacobian, energy],`",
+    ),
     (&["g"], "gravity"),
     (
         &["def", "define", "var", "variable", "const", "set"],
@@ -94,7 +97,7 @@ pub(crate) const FIELDS: &Synonyms = &[
         ],
         "torque",
     ),
-    (&["stiffness", "elasticity", "k"], "spring"),
+    (&["stiffness", "elasticity", "k"], "write `spring: (stiffness, rest)`"),
     (
         &[
             "angle",

@@ -8,7 +8,7 @@ use num_traits::{Signed, ToPrimitive, Zero};
 use super::Lower;
 use crate::ast::{self, ExprKind, Operator, Vector};
 use crate::error::Reported;
-use crate::expr::{Expr, Level, Rational, SymbolKind};
+use crate::expr::{Expr, Level, Rational, Symbol, SymbolKind};
 use crate::screw::Vec3;
 
 /// Where an expression stands: what it may use, and how errors speak of it.
@@ -142,11 +142,13 @@ impl<'g> Lower<'g> {
         what: &str,
         instead: impl Display,
     ) -> Result<(), Reported> {
-        let kind = value.as_symbol().map(|symbol| symbol.kind);
-        if !matches!(kind, Some(SymbolKind::Coordinate(_) | SymbolKind::Rate(_))) {
+        let Some(Symbol {
+            name: x,
+            kind: SymbolKind::Coordinate(_) | SymbolKind::Rate(_),
+        }) = value.as_symbol()
+        else {
             return Ok(());
-        }
-        let x = given.tokens.to_string();
+        };
         let fact = format_args!("{what} has no value where `{x}` is negative");
         let help = format!("write `{instead}`").replace("(x)", &format!("({x})"));
         Err(self.errors.on(given, fact, help))

@@ -39,9 +39,9 @@ impl<'g> Lower<'g> {
         let screw = self.screw(body, &joint.kind);
         let (at, Vec3(rpy)) = (at?, rpy?);
         for (angle, given) in rpy.iter().zip(joint.rpy.iter().flat_map(|rpy| &rpy.components)) {
-            if angle.constant().is_some_and(|angle| angle.abs() > TAU) {
+            if let Some(angle) = angle.constant().filter(|angle| angle.abs() > TAU) {
                 let fact = format_args!("an angle of the joint of `{body}` is larger than a turn");
-                let help = format!("angles are in rad: write `{0}*pi/180` for {0} degrees", given.tokens);
+                let help = format_args!("angles are in rad: write `{angle}*pi/180` for {angle} degrees");
                 self.errors.on(given, fact, help);
             }
         }

@@ -1,5 +1,7 @@
 //! What numbers must obey: checked now where they are constant, left as rules for `new` where they depend on parameters.
 
+use std::collections::BTreeSet;
+
 use proc_macro2::TokenStream;
 use quote::ToTokens;
 use syn::Ident;
@@ -8,7 +10,7 @@ use super::Lower;
 use super::expr::Place;
 use crate::ast::{self, Inertia};
 use crate::error::Reported;
-use crate::expr::{Expr, Level, Printer, SymbolKind};
+use crate::expr::{Expr, Level, Printer, Symbol, SymbolKind};
 use crate::model::{Parameter, Requirement, Rule};
 use crate::screw::Symmetric3;
 
@@ -123,46 +125,33 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// Defaults that `new` would refuse.
+    /// Reports defaults that `new` would refuse, one rule for each of them.
     pub(super) fn report_refused_defaults(&mut self, params: &[ast::Param], parameters: &[Parameter<'g>]) {
-        for Rule {
-            value,
-            requirement,
-            text,
-            ..
-        } in &self.rules
-        {
-            let read = self.graph.reachable(&[*value]);
+        let value_of = |symbol: &Symbol| match symbol.kind {
+            SymbolKind::Parameter(n) => parameters[n].default.unwrap_or(f64::NAN),
+            _ => f64::NAN,
+        };
+        let mut reported = BTreeSet::new();
+        for rule in &self.rules {
+            let symbols = self.graph.reachable(&[rule.value]);
             let read = parameters
                 .iter()
                 .zip(params)
-                .filter(|(p, _)| read.contains(&p.symbol.id()));
-            let defaults: Option<Vec<_>> = read
-                .map(|(p, param)| {
-                    Some((
-                        p.symbol.id(),
-                        p.default?,
-                        param.default.as_ref()?.as_ref().ok()?,
-                        &p.name,
-                    ))
-                })
-                .collect();
-            let Some(defaults) = defaults.filter(|defaults| !defaults.is_empty()) else {
+                .filter(|(p, _)| symbols.contains(&p.symbol.id()));
+            let Some((parameter, param)) = read.last() else {
                 continue;
             };
-            let scale = requirement.scale().unwrap_or(*value);
-            let values = self.graph.evaluate(&[*value, scale], |symbol| {
-                let SymbolKind::Parameter(n) = symbol.kind else {
-                    return f64::NAN;
-                };
-                parameters[n].default.unwrap_or(f64::NAN)
-            });
-            if requirement.allows(values[0], values[1].abs()) {
+            let values = [rule.value, rule.requirement.scale().unwrap_or(rule.value)];
+            let [value, scale] = self.graph.evaluate(&values, value_of)[..] else {
+                continue;
+            };
+            if value.is_nan() || rule.requirement.allows(value, scale.abs()) || !reported.insert(&parameter.name) {
                 continue;
             }
-            let (_, _, default, name) = defaults[defaults.len() - 1];
-            let fact = format!("the default of `{name}` is refused: {text}");
-            self.errors.on(default, fact, "give another default, or none");
+            if let Some(Ok(default)) = &param.default {
+                let fact = format!("the default of `{}` is refused: {}", parameter.name, rule.text);
+                self.errors.on(default, fact, "give another default, or none");
+            }
         }
     }
 

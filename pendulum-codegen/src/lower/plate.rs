@@ -4,8 +4,12 @@ use syn::Ident;
 
 use super::Lower;
 use crate::error::Reported;
-use crate::expr::{Expr, ratio};
+use crate::expr::{Expr, Level, Normalizer, Unary, ratio};
+use crate::model::{Requirement, Rule};
 use crate::screw::{SpatialInertia, Symmetric3, Vec3};
+
+/// How far the small normal forms of corners may grow.
+const BUDGET: usize = 10_000;
 
 impl<'g> Lower<'g> {
     /// A uniform polygon in the xy plane, as a sum over the triangles between its sides and the origin (Green).
@@ -24,9 +28,7 @@ impl<'g> Lower<'g> {
             ));
         }
         let constants: Option<Vec<_>> = corners.iter().map(|&(x, y)| x.constant().zip(y.constant())).collect();
-        if let Some(corners) = &constants
-            && !is_simple(corners)
-        {
+        if constants.is_some_and(|corners| !is_simple(&corners)) {
             return Err(self.errors.on(
                 tokens,
                 format_args!("the sides of a plate of `{owner}` cross or touch"),
@@ -46,6 +48,14 @@ impl<'g> Lower<'g> {
             }
         }
         let [twice_area, x, y, xx, yy, xy] = sums;
+        if Normalizer::new(self.graph, BUDGET).is_zero(twice_area) == Ok(true) {
+            return Err(self.errors.on(
+                tokens,
+                format_args!("a plate of `{owner}` has no area"),
+                "list the corners in order around the plate, each once",
+            ));
+        }
+        self.require_simple(owner, corners, twice_area);
         let density = mass / twice_area;
         let part = |total: Expr<'g>, share: i64| ratio(1, share) * (density * total);
         // of twice the area: 2/6 for the first moments, 2/12 and 2/24 for the second ones
@@ -56,6 +66,41 @@ impl<'g> Lower<'g> {
             moment: Vec3([x, y, zero]),
             about_origin: Symmetric3([yy, xx, xx + yy, -xy, zero, zero]),
         })
+    }
+}
+
+impl<'g> Lower<'g> {
+    /// No two sides may cross, whatever the parameters.
+    fn require_simple(&mut self, owner: &Ident, corners: &[(Expr<'g>, Expr<'g>)], twice_area: Expr<'g>) {
+        let mut normalizer = Normalizer::new(self.graph, BUDGET);
+        let n = corners.len();
+        let turn = |a: usize, b: usize, c: usize| {
+            let [a, b, c] = [a, b, c].map(|k| corners[k % n]);
+            (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0)
+        };
+        for (i, j) in (0..n)
+            .flat_map(|i| (i + 2..n).map(move |j| (i, j)))
+            .filter(|(i, j)| (j + 1) % n != *i)
+        {
+            // the ends of each side lie on two sides of the other: two negative products
+            let sides = [
+                [turn(i, i + 1, j), turn(i, i + 1, j + 1)],
+                [turn(j, j + 1, i), turn(j, j + 1, i + 1)],
+            ];
+            if sides.iter().any(|[p, q]| normalizer.is_zero(*p - *q) == Ok(true)) {
+                continue;
+            }
+            let [u, v] = sides.map(|[p, q]| p * q);
+            let larger = ratio(1, 2) * (u + v + (u - v).apply(Unary::Abs));
+            if larger.level() == Level::Parameter {
+                self.rule(Rule {
+                    value: larger,
+                    requirement: Requirement::NonNegativeWithin(twice_area.powi(2)),
+                    name: format!("plate of {owner}"),
+                    text: format!("the sides of a plate of `{owner}` must not cross"),
+                });
+            }
+        }
     }
 }
 

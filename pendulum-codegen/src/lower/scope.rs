@@ -160,7 +160,11 @@ impl<'g> Names<'g> {
         unused.sort_by_key(|(_, name)| name.order);
         for (text, name) in unused {
             let help = "remove it, or use it: every declared number must matter to the motion";
-            errors.at(name.span, format_args!("{} `{text}` is never used", name.kind), help);
+            let what = match name.kind {
+                Kind::Let => format!("`let {text}`"),
+                kind => format!("{kind} `{text}`"),
+            };
+            errors.at(name.span, format_args!("{what} is never used"), help);
         }
     }
 }

@@ -1,5 +1,6 @@
 //! What declares a name: parameters, inputs and `let`. The name is kept even if the rest is wrong, so that its uses are no errors too.
 
+use syn::ext::IdentExt;
 use syn::parse::{ParseBuffer, ParseStream};
 use syn::{Ident, Token};
 
@@ -32,8 +33,13 @@ pub(super) fn params<'a>(input: &ParseBuffer<'a>, errors: &mut Errors) -> syn::R
 /// `name: unit = default`
 pub(super) fn param(input: ParseStream, errors: &mut Errors) -> syn::Result<Param> {
     let docs = docs(input)?;
+    if (input.peek(Token![pub]) || input.peek(Token![let])) && input.peek2(Ident) {
+        let word = input.call(Ident::parse_any)?;
+        let fact = format_args!("a parameter takes no `{word}`");
+        errors.at(word.span(), fact, "leave it out");
+    }
     let name = identifier(input, "the name of a parameter", "name: unit = default")?;
-    let unit = unit(input, "parameter", &name);
+    let unit = unit(input, "parameter", &name, "kg");
     if input.peek(Token![:]) && unit.is_ok() {
         let help = format!("write `{name}: unit = default`");
         errors.at(
@@ -42,6 +48,7 @@ pub(super) fn param(input: ParseStream, errors: &mut Errors) -> syn::Result<Para
             help,
         );
         input.parse::<Token![:]>()?;
+        input.parse::<Option<Token![=]>>()?;
         return Ok(Param {
             docs,
             name,
@@ -61,8 +68,8 @@ pub(super) fn param(input: ParseStream, errors: &mut Errors) -> syn::Result<Para
 /// `name: unit`, after the word `input`
 pub(super) fn input(input: ParseStream, docs: Vec<String>, errors: &mut Errors) -> syn::Result<Input> {
     let name = identifier(input, "the name of an input", "input push: N")?;
-    let unit = unit(input, "input", &name);
-    if input.peek(Token![=]) {
+    let unit = unit(input, "input", &name, "N");
+    if input.peek(Token![=]) && unit.is_ok() {
         let help = "leave it out: the value is given at each evaluation";
         errors.at(input.span(), format_args!("input `{name}` has no default"), help);
         skip_to(input, |input| input.peek(Token![,]));
@@ -89,14 +96,15 @@ pub(super) fn named_expression(input: ParseStream, errors: &mut Errors) -> syn::
     Ok(Let { name, value })
 }
 
-/// `: unit` after the name of a parameter or an input
-fn unit(input: ParseStream, kind: &str, name: &Ident) -> Read<Unit> {
+/// `: unit` after the name of a parameter or an input, of which `such` is one
+fn unit(input: ParseStream, kind: &str, name: &Ident, such: &str) -> Read<Unit> {
     if input.parse::<Option<Token![:]>>()?.is_some() {
         return read(input, |input| input.peek(Token![=]));
     }
+    skip_to(input, |input| input.peek(Token![=]) || input.peek(Token![,]));
     Err(at(
         name.span(),
         format_args!("{kind} `{name}` has no unit"),
-        format_args!("write `{name}: kg`, or `{name}: 1` for a plain number"),
+        format_args!("write `{name}: {such}`, or `{name}: 1` for a plain number"),
     ))
 }

@@ -27,7 +27,7 @@ impl Parse for Expr {
         }
         let expr = sum(input)?;
         let about = input.cursor().ident().is_some_and(|(word, _)| word == "about");
-        if input.is_empty() || input.peek(Token![,]) || about || starts_item(input) {
+        if input.is_empty() || input.peek(Token![,]) || input.peek(Token![;]) || about || starts_item(input) {
             return Ok(expr);
         }
         Err(unexpected(input))

@@ -1,6 +1,6 @@
 //! What other languages have in expressions, and what to write instead.
 
-use proc_macro2::{Ident, TokenStream};
+use proc_macro2::{Ident, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::ext::IdentExt;
 use syn::parse::ParseStream;
@@ -22,7 +22,10 @@ pub(super) fn no_operand(input: ParseStream) -> syn::Error {
         return at(span, format_args!("`{keyword}` has no place in an expression"), help);
     }
     let (fact, help) = if input.peek(Token![*]) {
-        ("expected an expression, not a second operator", "write a power as `x^2`, not `x**2`")
+        (
+            "expected an expression, not a second operator",
+            "write a power as `x^2`, not `x**2`",
+        )
     } else if input.peek(Token![+]) {
         ("a plus stands between two terms", "leave it out")
     } else if input.peek(Token![.]) {
@@ -85,7 +88,11 @@ fn method(input: ParseStream, operand: &TokenStream) -> syn::Error {
         let arguments = parentheses(input)?.map(|inner| inner.parse()).transpose()?;
         Ok((name, arguments))
     };
-    let operand = operand.to_string();
+    let mut trees = operand.clone().into_iter();
+    let operand = match (trees.next(), trees.next()) {
+        (Some(TokenTree::Group(group)), None) => group.stream().to_string(),
+        _ => operand.to_string(),
+    };
     let (fact, help) = match read() {
         Ok((name, Some(arguments))) => {
             let name = name.to_string();

@@ -65,11 +65,17 @@ fn kind(body: &Ident, word: &Ident, arguments: Vec<JointArgument>) -> Read<Joint
         rest: arguments.into_iter(),
     };
     let kind = read(&mut arguments).filter(|_| arguments.rest.len() == 0);
+    let has_axis = form.contains('(') && !form.contains('[');
+    let axis = if has_axis {
+        "; an axis is x, y, z, -x, .. or a vector"
+    } else {
+        ""
+    };
     kind.ok_or_else(|| {
         at(
             word.span(),
             format_args!("a {word} joint takes other arguments"),
-            format_args!("write `{form}`; an axis is x, y, z, -x, .. or a vector"),
+            format_args!("write `{form}`{axis}"),
         )
     })
 }

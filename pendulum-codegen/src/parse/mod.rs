@@ -9,22 +9,28 @@ mod joint;
 mod solid;
 mod token;
 
+pub(crate) use token::starts_item;
+
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream, Parser};
-use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, MetaNameValue, Token, Visibility};
+use syn::token::Brace;
+use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, MetaNameValue, Token, Visibility, braced};
 
 use crate::ast::{Head, Items, Read, Scene};
 use crate::error::{Errors, Reported, at, on};
 use crate::words::{self, Advice, advice};
-use token::{braces, brackets, colon, identifier, list, starts_item, unexpected};
+use token::{brackets, colon, identifier, list, starts_known, unexpected};
 
 /// The items of a scene.
 const ITEMS: [&str; 7] = ["params", "gravity", "let", "input", "shape", "body", "generate"];
 
-/// Types that the generated code uses by their bare names: not even a stand-in can be made under one of them.
-const USED: [&str; 5] = ["T", "bool", "f64", "str", "usize"];
+/// Names that the generated code uses itself: not even a stand-in can be made under one of them.
+const USED: [&str; 10] = ["T", "V", "F", "N", "M", "D", "Fn", "bool", "f64", "usize"];
+
+/// Traits of the core's prelude: a model of this name would hide one of them, and its methods with it.
+const HIDDEN: [&str; 6] = ["Controlled", "Energy", "Ensemble", "Jacobian", "Method", "System"];
 
 /// Reads a declaration. The scene is there unless its head could not be read; errors may stand beside it.
 pub(crate) fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
@@ -35,7 +41,22 @@ pub(crate) fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
         let input = &whole.fork();
         whole.parse::<TokenStream>()?;
         let head = head(input)?;
-        let inner = braces(input, "the items of the scene", &format!("{} {{ body .. }}", head.name))?;
+        let name = &head.name;
+        if !input.peek(Brace) {
+            let (fact, help) = match input.parse::<Ident>() {
+                Ok(word) => (
+                    "the name of a scene is one word".to_owned(),
+                    format!("write `pub {word} {{ body .. }}`"),
+                ),
+                Err(_) => (
+                    format!("`{name}` has no items in braces"),
+                    format!("write `{name} {{ body .. }}`"),
+                ),
+            };
+            return Err(at(name.span(), fact, help));
+        }
+        let inner;
+        braced!(inner in input);
         let mut items = Items::default();
         each(&inner, &mut errors, |input, errors| item(input, &mut items, errors));
         if !input.is_empty() {
@@ -72,7 +93,11 @@ fn head(input: ParseStream) -> syn::Result<Head> {
         "mechanism! { pub DoublePendulum { body .. } }",
     )?;
     if USED.iter().any(|used| name == used) {
-        let fact = format!("`{name}` is a type that the generated code uses itself");
+        let fact = format!("`{name}` is a name that the generated code uses itself");
+        return Err(at(span, fact, "choose another name, such as `DoublePendulum`"));
+    }
+    if HIDDEN.iter().any(|hidden| name == hidden) {
+        let fact = format!("`{name}` would hide the trait of `pendulum_core::prelude`, and its methods with it");
         return Err(at(span, fact, "choose another name, such as `DoublePendulum`"));
     }
     Ok(Head { docs, vis, name })
@@ -100,7 +125,9 @@ fn each(
             // where a comma alone is missing, the next item can be read
             Ok((End::Comma, None)) if !input.is_empty() => {
                 reported = Some(errors.push(unexpected(input)));
-                skip(input);
+                if !starts_item(input) {
+                    skip(input);
+                }
             }
             Ok((End::Braces, None)) if input.peek(Token![;]) => {
                 reported = Some(errors.push(unexpected(input)));
@@ -122,7 +149,7 @@ fn each(
 
 /// Skips to where the next item may begin.
 fn skip(input: ParseStream) {
-    while !starts_item(input)
+    while !starts_known(input)
         && let Ok(token) = input.parse::<TokenTree>()
     {
         match token {

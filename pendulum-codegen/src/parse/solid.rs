@@ -1,10 +1,11 @@
 //! Solids.
 
 use syn::Ident;
+use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
 
 use super::argument::Argument;
-use super::token::{brackets, identifier, list, parentheses};
+use super::token::{brackets, list, parentheses};
 use crate::ast::{Expr, Read, Solid, SolidKind, Vector};
 use crate::error::{at, on};
 use crate::words::{self, Advice, advice};
@@ -48,7 +49,11 @@ pub(super) fn solids(input: ParseStream, owner: &Ident) -> syn::Result<Vec<Read<
 }
 
 fn call(input: ParseStream) -> syn::Result<(Ident, Vec<Argument>)> {
-    let word = identifier(input, "a solid", "point(m, [0, -l, 0])")?;
+    // also `box`, which is a keyword
+    let help = "write one such as `point(m, [0, -l, 0])`";
+    let word = input
+        .call(Ident::parse_any)
+        .map_err(|e| at(e.span(), "expected a solid", help))?;
     let known = SOLIDS.into_iter().find(|(known, ..)| word == known);
     let form = known.map_or("point(m, [0, -l, 0])", |(_, form, _)| form);
     let arguments = match parentheses(input)? {

@@ -5,7 +5,7 @@ use syn::ext::IdentExt;
 use syn::parse::{ParseBuffer, ParseStream};
 use syn::{Token, braced, bracketed, parenthesized, token};
 
-use super::ITEMS;
+use super::{ITEMS, body};
 use crate::error::{Errors, at};
 
 /// The name of `what`, which stands in the text as in `form`.
@@ -112,17 +112,23 @@ pub(super) fn list<T>(
 }
 
 /// The word before a colon.
-fn label(input: ParseStream) -> Option<Ident> {
+pub(super) fn label(input: ParseStream) -> Option<Ident> {
     let (word, rest) = input.cursor().ident()?;
     let (colon, _) = rest.punct()?;
     let is_path = input.peek2(Token![::]);
     (colon.as_char() == ':' && !is_path).then_some(word)
 }
 
-/// Whether another item or field begins here.
-pub(super) fn starts_item(input: ParseStream) -> bool {
+/// Whether a known item or field begins here.
+pub(super) fn starts_known(input: ParseStream) -> bool {
     let word = input.cursor().ident().map(|(word, _)| word);
-    input.peek(Token![let]) || label(input).is_some() || word.is_some_and(|word| ITEMS.iter().any(|item| word == item))
+    let is_item = word.is_some_and(|word| ITEMS.iter().any(|item| word == item));
+    input.peek(Token![let]) || is_item || label(input).is_some_and(|word| body::is_field(&word.to_string()))
+}
+
+/// Whether something begins here that has a name of its own: an item, a field, a parameter.
+pub(crate) fn starts_item(input: ParseStream) -> bool {
+    starts_known(input) || label(input).is_some()
 }
 
 /// What is left inside brackets must be nothing.
@@ -136,22 +142,26 @@ pub(super) fn end_of(input: ParseStream) -> syn::Result<()> {
 
 /// Something stands where a comma or an operator should.
 pub(super) fn unexpected(input: ParseStream) -> syn::Error {
-    let operator = input.cursor().punct().map(|(punct, _)| punct.as_char());
-    let (fact, help) = match operator {
-        Some(';') => (
-            "expected a comma, not a semicolon".to_owned(),
-            "items and entries end in a comma",
+    let mark = input.cursor().punct().map(|(punct, _)| punct.as_char());
+    let (fact, help) = match mark {
+        _ if starts_item(input) => ("expected a comma", "items and entries end in a comma"),
+        _ if input.peek(Token![as]) => ("numbers have one type", "leave out `as`"),
+        Some(';') => ("expected a comma, not a semicolon", "items and entries end in a comma"),
+        Some(':') => (
+            "a colon has no place here",
+            "units stand in `params` and at inputs only",
+        ),
+        Some('=') if !input.peek(Token![==]) => (
+            "an equals sign has no place here",
+            "it gives a parameter its default and a `let` its value; the state is given where the scene is solved",
         ),
         Some('<' | '>' | '=' | '!') => (
-            "conditions have no place here".to_owned(),
+            "conditions have no place here",
             "write a smooth law: `(1 + tanh(x/eps))/2` is a step at x = 0",
         ),
-        Some(operator @ ('%' | '&' | '|' | '?' | ':' | '@' | '~' | '$')) => {
-            (format!("`{operator}` is not an operator"), "operators are + - * / ^")
-        }
-        _ if input.peek(Token![as]) => ("numbers have one type".to_owned(), "leave out `as`"),
+        Some('%' | '&' | '|' | '?' | '@' | '~' | '$') => ("this is not an operator", "operators are + - * / ^"),
         _ => (
-            "expected a comma or an operator".to_owned(),
+            "expected a comma or an operator",
             "items end in a comma; products need a `*`, functions parentheses",
         ),
     };
