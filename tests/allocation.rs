@@ -4,20 +4,15 @@
     reason = "a global allocator is unsafe by its nature; this one counts and forwards"
 )]
 
-mod common;
-#[macro_use]
-#[path = "common/methods.rs"]
-mod methods;
-
 use std::alloc::{GlobalAlloc, Layout, System as Heap};
 use std::cell::Cell;
 
-use common::mechanisms::Tree;
-use common::scenes::{DoublePendulum, DoublePendulumParams};
-use methods::Promise;
-use pendulum_core::method::{Adaptive, Explicit, Family, Fixed, Gauss, PowerSeries, RadauIIA, Rosenbrock, Switching};
+use pendulum_core::Reason;
+use pendulum_core::method::{Adaptive, Fixed, OneStep};
 use pendulum_core::prelude::*;
-use pendulum_core::tableau;
+use testbed::mechanisms::Tree;
+use testbed::methods::Promise;
+use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 
 struct Counting;
 
@@ -109,32 +104,32 @@ where
 
 #[test]
 fn steps_do_not_allocate() {
-    fn fixed<F: Family<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn fixed<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
         let steps = walk(&Fixed::<F>::new(0.01), &pendulum(0.0), 2.0, START);
         assert!(steps >= 200, "{promise:?}: {steps}");
     }
     // more states than the short cuts are for
-    fn longer<F: Family<Tree, f64, 8> + Default>(promise: &Promise) {
+    fn longer<F: OneStep<Tree, f64, 8> + Default>(promise: &Promise) {
         let tree = Tree::new(Default::default()).expect("physical");
         let start = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8];
         let steps = walk(&Fixed::<F>::new(0.01), &tree, 1.0, start);
         assert!(steps >= 100, "{promise:?}: {steps}");
     }
-    fn adaptive<F: Family<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn adaptive<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
         for gamma in [0.0, 100.0] {
             let steps = walk(&Adaptive::<F>::new(), &pendulum(gamma), 10.0, START);
             assert!(steps > 10, "{promise:?}: {steps}");
         }
     }
-    each_adaptive!(fixed);
-    each_without_estimate!(fixed);
-    each_without_estimate!(longer);
-    each_adaptive!(adaptive);
+    testbed::each_adaptive!(fixed);
+    testbed::each_without_estimate!(fixed);
+    testbed::each_without_estimate!(longer);
+    testbed::each_adaptive!(adaptive);
 }
 
 #[test]
 fn errors_of_a_stepper_do_not_allocate() {
-    fn check<F: Family<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn check<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
         let (model, method) = (pendulum(0.0), Adaptive::<F>::new().max_steps(10));
         let fail = || {
             let mut stepper = method.stepper(&model, 0.0, 50.0, START).expect("valid");
@@ -143,5 +138,5 @@ fn errors_of_a_stepper_do_not_allocate() {
         };
         assert_eq!(allocations(fail), 0);
     }
-    each_adaptive!(check);
+    testbed::each_adaptive!(check);
 }

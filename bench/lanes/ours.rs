@@ -5,7 +5,8 @@
 use std::ffi::c_long;
 
 use pendulum_core::prelude::*;
-use pendulum_core::real::lanes::{Isa, Lane};
+use pendulum_core::Float;
+use pendulum_core::real::lanes::{Isa, LaneElement};
 
 mechanism! {
     pub DoublePendulum {
@@ -46,10 +47,10 @@ where
     }
 }
 
-fn lanes<T: Lane>(name: &str, starts: &[[f64; 4]], ends: &mut [[f64; 4]]) {
+fn lanes<T: LaneElement>(name: &str, starts: &[[f64; 4]], ends: &mut [[f64; 4]]) {
     let isa = Isa::available().find(|isa| format!("{isa:?}") == name).expect("an instruction set of this machine");
     let starts: Vec<SVector<T, 4>> = starts.iter().map(|start| SVector::from(start.map(T::from_f64))).collect();
-    let found = METHOD().ensemble_on(isa, &[model()], (T::from_f64(0.0), T::from_f64(END)), &starts).expect("good steps");
+    let found = METHOD().ensemble_on(isa, &[model()], T::from_f64(0.0), T::from_f64(END), &starts).expect("good steps");
     for (found, end) in found.iter().zip(ends) {
         *end = found.data.0[0].map(Float::to_f64);
     }

@@ -2,10 +2,10 @@
 
 use std::error::Error;
 
-use pendulum_core::prelude::*;
+use pendulum_core::{OutsideSpan, Solution};
 
-use crate::common::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
-use crate::common::page::{BLUE, VERMILION};
+use charts::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
+use charts::page::{BLUE, VERMILION};
 
 const UPPER: Line = Line::solid(BLUE);
 const LOWER: Line = Line::dashed(VERMILION);
@@ -14,7 +14,7 @@ const LOWER: Line = Line::dashed(VERMILION);
 const POINTS: u32 = 800;
 
 /// One row of panels for each solution, named by its friction.
-pub(crate) fn figure2(runs: &[(f64, Solution<4>)], t_end: f64) -> Result<Figure, Box<dyn Error>> {
+pub(crate) fn figure2(runs: &[(f64, Solution<f64, 4>)], t_end: f64) -> Result<Figure, Box<dyn Error>> {
     let rows = runs.iter().map(|(gamma, solution)| row(*gamma, solution, t_end));
     let axis = |label: &str, range| Axis {
         label: label.to_owned(),
@@ -42,7 +42,7 @@ pub(crate) fn figure2(runs: &[(f64, Solution<4>)], t_end: f64) -> Result<Figure,
     })
 }
 
-fn row(gamma: f64, solution: &Solution<4>, t_end: f64) -> Result<Row, OutsideSpan> {
+fn row(gamma: f64, solution: &Solution<f64, 4>, t_end: f64) -> Result<Row, OutsideSpan> {
     let times: Vec<f64> = (0..=POINTS).map(|n| t_end * f64::from(n) / f64::from(POINTS)).collect();
     let states = solution.sample(times.iter().copied())?;
     let curve = |line, component: usize| {

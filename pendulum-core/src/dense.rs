@@ -6,7 +6,7 @@ use crate::real::{Float, Real};
 
 /// An accepted step from `(t0, x0)` to `(t1, x1)`.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Step<const N: usize, T = f64> {
+pub struct Step<T, const N: usize> {
     /// The time at which the step starts.
     pub t0: T,
     /// The time at which it ends.
@@ -19,7 +19,7 @@ pub struct Step<const N: usize, T = f64> {
     pub x1: SVector<T, N>,
 }
 
-impl<const N: usize, T: Float> Step<N, T> {
+impl<T: Float, const N: usize> Step<T, N> {
     #[inline]
     pub(crate) fn new((t0, x0): (T, SVector<T, N>), (t1, x1): (T, SVector<T, N>)) -> Self {
         let h = t1 - t0;
@@ -34,20 +34,20 @@ impl<const N: usize, T: Float> Step<N, T> {
 
 /// The states within a step: dense output, of which [`Step`] holds the ends.
 #[derive(Clone, Copy, Debug)]
-pub struct Dense<'a, const N: usize, T = f64> {
-    step: Step<N, T>,
+pub struct Dense<'a, T, const N: usize> {
+    step: Step<T, N>,
     coefficients: &'a [SVector<T, N>],
 }
 
-impl<'a, const N: usize, T: Float> Dense<'a, N, T> {
+impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
     /// `coefficients` are the vectors `c_1, c_2, ..` of `x0 + c_1 theta + c_2 theta^2 + ..`, `theta` the fraction of the step.
-    pub(crate) fn new(step: Step<N, T>, coefficients: &'a [SVector<T, N>]) -> Self {
+    pub(crate) fn new(step: Step<T, N>, coefficients: &'a [SVector<T, N>]) -> Self {
         Self { step, coefficients }
     }
 
     /// The step.
     #[must_use]
-    pub fn step(&self) -> &Step<N, T> {
+    pub fn step(&self) -> &Step<T, N> {
         &self.step
     }
 

@@ -125,16 +125,16 @@ impl Error for Reason {}
 
 /// An integration that ended before its time, with all that it had reached.
 #[derive(Clone, Debug, PartialEq)]
-pub struct SolveError<const N: usize, T = f64> {
+pub struct SolveError<T, const N: usize> {
     /// Why it ended.
     pub reason: Reason,
     /// The solution up to the last good state; the initial point alone if no step succeeded.
     ///
     /// For [`Reason::InvalidInput`] that is the initial point as it was given, good or not.
-    pub solution: Box<Solution<N, T>>,
+    pub solution: Box<Solution<T, N>>,
 }
 
-impl<const N: usize, T: Float> SolveError<N, T> {
+impl<T: Float, const N: usize> SolveError<T, N> {
     /// An integration that did not come to its first step.
     pub(crate) fn at_start(reason: Reason, t0: T, x0: SVector<T, N>) -> Self {
         Self {
@@ -152,11 +152,11 @@ impl<const N: usize, T: Float> SolveError<N, T> {
     /// The last good state.
     #[must_use]
     pub fn x(&self) -> SVector<T, N> {
-        self.solution.last().1
+        self.solution.end()
     }
 }
 
-impl<const N: usize, T: Float> fmt::Display for SolveError<N, T> {
+impl<T: Float, const N: usize> fmt::Display for SolveError<T, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.reason {
             Reason::InvalidInput { .. } => self.reason.fmt(f),
@@ -165,7 +165,7 @@ impl<const N: usize, T: Float> fmt::Display for SolveError<N, T> {
     }
 }
 
-impl<const N: usize, T: Float> Error for SolveError<N, T> {}
+impl<T: Float, const N: usize> Error for SolveError<T, N> {}
 
 #[cfg(test)]
 mod tests {

@@ -16,6 +16,7 @@ use nalgebra::SVector;
 ///
 /// ```
 /// use pendulum_core::prelude::*;
+/// use pendulum_core::SolveError;
 ///
 /// // a ball that is dropped and rebounds with four fifths of its speed
 /// let ball = FnSystem(|_t: f64, _x: &SVector<f64, 2>| SVector::from([_x[1], -9.81]));
@@ -27,20 +28,20 @@ use nalgebra::SVector;
 /// let bounces: Vec<f64> = solution.events().iter().filter(|event| event.index == 0).map(|event| event.t).collect();
 /// let fall = (2.0_f64 / 9.81).sqrt();
 /// assert!((bounces[0] - fall).abs() < 1e-12 && (bounces[1] - 2.6 * fall).abs() < 1e-12);
-/// # Ok::<(), SolveError<2>>(())
+/// # Ok::<(), SolveError<f64, 2>>(())
 /// ```
-pub struct Event<'e, const N: usize, T = f64> {
-    pub(crate) function: Function<'e, N, T>,
+pub struct Event<'e, T, const N: usize> {
+    pub(crate) function: Function<'e, T, N>,
     pub(crate) direction: Direction,
     pub(crate) terminal: bool,
-    pub(crate) reset: Option<Reset<'e, N, T>>,
+    pub(crate) reset: Option<Reset<'e, T, N>>,
 }
 
 /// The value that passes zero.
-type Function<'e, const N: usize, T> = Box<dyn Fn(T, &SVector<T, N>) -> T + 'e>;
+type Function<'e, T, const N: usize> = Box<dyn Fn(T, &SVector<T, N>) -> T + 'e>;
 
 /// The state behind an event, from that before it.
-type Reset<'e, const N: usize, T> = Box<dyn Fn(T, &SVector<T, N>) -> SVector<T, N> + 'e>;
+type Reset<'e, T, const N: usize> = Box<dyn Fn(T, &SVector<T, N>) -> SVector<T, N> + 'e>;
 
 /// Which passages of zero count.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -54,7 +55,7 @@ pub enum Direction {
     Falling,
 }
 
-impl<'e, const N: usize, T> Event<'e, N, T> {
+impl<'e, T, const N: usize> Event<'e, T, N> {
     /// The event that `function` passes zero, in whatever direction; nothing happens but that it is noted.
     #[must_use]
     pub fn new(function: impl Fn(T, &SVector<T, N>) -> T + 'e) -> Self {
@@ -102,7 +103,7 @@ impl<'e, const N: usize, T> Event<'e, N, T> {
     }
 }
 
-impl<const N: usize, T> fmt::Debug for Event<'_, N, T> {
+impl<T, const N: usize> fmt::Debug for Event<'_, T, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("Event")
             .field("direction", &self.direction)
@@ -122,7 +123,7 @@ impl<const N: usize, T> fmt::Debug for Event<'_, N, T> {
         deserialize = "T: nalgebra::Scalar + serde::Deserialize<'de>"
     ))
 )]
-pub struct Occurrence<const N: usize, T = f64> {
+pub struct Occurrence<T, const N: usize> {
     /// Which: its place among the events that were given.
     pub index: usize,
     /// When.

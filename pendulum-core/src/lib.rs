@@ -71,8 +71,8 @@ pub use method::{
 };
 pub use real::{Float, Real};
 pub use solution::{OutsideSpan, Solution, Statistics};
-pub use system::{Canonical, Controlled, Energy, FnSystem, Jacobian, Model, System, WithInputs};
-pub use taylor::{TaylorModel, TaylorSeries};
+pub use system::{Canonical, Cast, Controlled, Energy, FnSystem, Jacobian, System, WithInputs};
+pub use taylor::{CastTaylor, TaylorSeries};
 
 /// Declares a mechanism and generates its equations of motion: see [`language`].
 pub use pendulum_macros::mechanism;
@@ -86,18 +86,13 @@ pub use nalgebra;
 #[doc(hidden)]
 pub use serde;
 
-/// All that a program with mechanisms usually needs: `use pendulum_core::prelude::*;`.
+/// What most programs with mechanisms need: `use pendulum_core::prelude::*;`.
 pub mod prelude {
     pub use crate::mechanism;
-    pub use crate::{Auto, Gauss4, Gauss6, Method, Radau5, Rk4, Rk45, Rodas4, Rodas5P, Taylor, Tsit5, Vern7, Vern9};
-    pub use crate::{
-        Canonical, Controlled, Energy, FnSystem, Jacobian, Model, System, TaylorModel, TaylorSeries, WithInputs,
-    };
-    pub use crate::{Cost, FunctionCost, Operations, ParameterError};
-    pub use crate::{Dense, OutsideSpan, Solution, Statistics, Step, Stepper};
-    pub use crate::{Direction, Event, Occurrence};
-    pub use crate::{Ensemble, EnsembleError, Reason, SolveError};
-    pub use crate::{Float, Real};
+    pub use crate::{Auto, Gauss4, Gauss6, Radau5, Rk4, Rk45, Rodas4, Rodas5P, Taylor, Tsit5, Vern7, Vern9};
+    pub use crate::{Controlled, Energy, Ensemble, Event, FnSystem, Jacobian, Method, System};
+    // Their methods alone: the names stay free.
+    pub use crate::{Canonical as _, Cast as _, Float as _, Real as _, TaylorSeries as _};
     pub use nalgebra::{SMatrix, SVector};
 }
 

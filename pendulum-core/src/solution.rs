@@ -12,6 +12,7 @@ use crate::real::Float;
 /// How much work an integration was.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
+#[non_exhaustive]
 pub struct Statistics {
     /// Evaluations of the right-hand side, those for the first step size included.
     pub evaluations: usize,
@@ -41,25 +42,25 @@ pub struct Statistics {
 #[cfg_attr(
     feature = "serde",
     serde(
-        try_from = "Unchecked<N, T>",
+        try_from = "Unchecked<T, N>",
         bound(
             serialize = "T: Float + serde::Serialize",
             deserialize = "T: Float + serde::Deserialize<'de>"
         )
     )
 )]
-pub struct Solution<const N: usize, T = f64> {
+pub struct Solution<T, const N: usize> {
     t: Vec<T>,
     x: Vec<SVector<T, N>>,
     /// Those of the steps, one after the other: `x(t_i + theta h) = x_i + c_1 theta + c_2 theta^2 + ..`.
     coefficients: Vec<SVector<T, N>>,
     /// Where those of each step end.
     ends: Vec<usize>,
-    events: Vec<Occurrence<N, T>>,
+    events: Vec<Occurrence<T, N>>,
     statistics: Statistics,
 }
 
-impl<const N: usize, T: Float> Solution<N, T> {
+impl<T: Float, const N: usize> Solution<T, N> {
     /// The solution that consists of its initial point.
     pub(crate) fn start(t0: T, x0: SVector<T, N>) -> Self {
         Self {
@@ -100,9 +101,15 @@ impl<const N: usize, T: Float> Solution<N, T> {
         (self.t[last], self.x[last])
     }
 
+    /// The state at the end, which is the last good one if the integration stopped early.
+    #[must_use]
+    pub fn end(&self) -> SVector<T, N> {
+        self.last().1
+    }
+
     /// The events that occurred, in the order in which they did.
     #[must_use]
-    pub fn events(&self) -> &[Occurrence<N, T>] {
+    pub fn events(&self) -> &[Occurrence<T, N>] {
         &self.events
     }
 
@@ -157,23 +164,23 @@ impl<const N: usize, T: Float> Solution<N, T> {
 }
 
 /// What is kept of a trajectory that is followed.
-pub(crate) trait Record<const N: usize, T> {
+pub(crate) trait Record<T, const N: usize> {
     /// A step.
-    fn push(&mut self, dense: &Dense<'_, N, T>);
+    fn push(&mut self, dense: &Dense<'_, T, N>);
 
     /// The part of a step up to the fraction `theta`.
-    fn push_part(&mut self, dense: &Dense<'_, N, T>, theta: T);
+    fn push_part(&mut self, dense: &Dense<'_, T, N>, theta: T);
 
     /// Another state at the last time.
     fn jump(&mut self, t: T, x: SVector<T, N>);
 
     /// An event.
-    fn note(&mut self, event: Occurrence<N, T>);
+    fn note(&mut self, event: Occurrence<T, N>);
 }
 
 /// All of it.
-impl<const N: usize, T: Float> Record<N, T> for Solution<N, T> {
-    fn push(&mut self, dense: &Dense<'_, N, T>) {
+impl<T: Float, const N: usize> Record<T, N> for Solution<T, N> {
+    fn push(&mut self, dense: &Dense<'_, T, N>) {
         let step = dense.step();
         self.t.push(step.t1);
         self.x.push(step.x1);
@@ -181,7 +188,7 @@ impl<const N: usize, T: Float> Record<N, T> for Solution<N, T> {
         self.ends.push(self.coefficients.len());
     }
 
-    fn push_part(&mut self, dense: &Dense<'_, N, T>, theta: T) {
+    fn push_part(&mut self, dense: &Dense<'_, T, N>, theta: T) {
         let t = dense.time(theta);
         if t == self.last().0 {
             return;
@@ -202,26 +209,26 @@ impl<const N: usize, T: Float> Record<N, T> for Solution<N, T> {
         self.ends.push(self.coefficients.len());
     }
 
-    fn note(&mut self, event: Occurrence<N, T>) {
+    fn note(&mut self, event: Occurrence<T, N>) {
         self.events.push(event);
     }
 }
 
 /// Its events alone.
-impl<const N: usize, T> Record<N, T> for Vec<Occurrence<N, T>> {
-    fn push(&mut self, _dense: &Dense<'_, N, T>) {}
+impl<T, const N: usize> Record<T, N> for Vec<Occurrence<T, N>> {
+    fn push(&mut self, _dense: &Dense<'_, T, N>) {}
 
-    fn push_part(&mut self, _dense: &Dense<'_, N, T>, _theta: T) {}
+    fn push_part(&mut self, _dense: &Dense<'_, T, N>, _theta: T) {}
 
     fn jump(&mut self, _t: T, _x: SVector<T, N>) {}
 
-    fn note(&mut self, event: Occurrence<N, T>) {
+    fn note(&mut self, event: Occurrence<T, N>) {
         self.push(event);
     }
 }
 
 /// In short: a trajectory may have a million points.
-impl<const N: usize, T: fmt::Debug> fmt::Debug for Solution<N, T> {
+impl<T: fmt::Debug, const N: usize> fmt::Debug for Solution<T, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let last = self.t.len() - 1;
         f.debug_struct("Solution")
@@ -237,20 +244,20 @@ impl<const N: usize, T: fmt::Debug> fmt::Debug for Solution<N, T> {
 #[cfg(feature = "serde")]
 #[derive(serde::Deserialize)]
 #[serde(bound(deserialize = "T: Float + serde::Deserialize<'de>"))]
-struct Unchecked<const N: usize, T> {
+struct Unchecked<T, const N: usize> {
     t: Vec<T>,
     x: Vec<SVector<T, N>>,
     coefficients: Vec<SVector<T, N>>,
     ends: Vec<usize>,
-    events: Vec<Occurrence<N, T>>,
+    events: Vec<Occurrence<T, N>>,
     statistics: Statistics,
 }
 
 #[cfg(feature = "serde")]
-impl<const N: usize, T: Float> TryFrom<Unchecked<N, T>> for Solution<N, T> {
+impl<T: Float, const N: usize> TryFrom<Unchecked<T, N>> for Solution<T, N> {
     type Error = &'static str;
 
-    fn try_from(record: Unchecked<N, T>) -> Result<Self, Self::Error> {
+    fn try_from(record: Unchecked<T, N>) -> Result<Self, Self::Error> {
         let Some(steps) = record.t.len().checked_sub(1) else {
             return Err("a solution has at least one point");
         };

@@ -23,23 +23,23 @@ pub trait System<T: Real, const N: usize> {
     }
 }
 
-/// A model whose right-hand side can be had in any number type; `N` is the length of its state.
+/// A model that can be converted to any number type, vectors of lanes included; `N` is the length of its state.
 ///
 /// [`mechanism!`](crate::mechanism) implements it for models without inputs, in double precision.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no model that runs in other number types",
-    note = "`mechanism!` makes one of a scene without inputs whose `generate` has `rhs`"
+    message = "`{Self}` cannot be converted to other number types",
+    note = "`mechanism!` implements `Cast` for scenes without inputs whose `generate` has `rhs`"
 )]
-pub trait Model<const N: usize> {
+pub trait Cast<const N: usize> {
     /// The model in another number type.
     type In<T: Real>: System<T, N>;
 
     /// The same model in another number type; its constants are rounded.
     fn cast<T: Real>(&self) -> Self::In<T>;
 
-    /// A model for each lane, so that parameters may differ: `models(i)` is that of lane `i`.
+    /// One model per lane, so that parameters may differ: lane `i` takes its constants from `models(i)`.
     ///
-    /// What is left of the models beside their constants, such as their parameters by name, is that of the first.
+    /// Everything except the constants, such as the parameters by name, is taken from model 0.
     fn gather<'m, V: Lanes>(models: impl Fn(usize) -> &'m Self) -> Self::In<V>
     where
         Self: 'm;
@@ -227,11 +227,12 @@ impl<S: fmt::Debug + ?Sized, F, const M: usize> fmt::Debug for WithInputs<'_, S,
 ///
 /// ```
 /// use pendulum_core::prelude::*;
+/// use pendulum_core::SolveError;
 ///
 /// let decay = FnSystem(|_t: f64, x: &SVector<f64, 1>| -x);
 /// let solution = Rk45::new().solve(&decay, 0.0, 1.0, [1.0])?;
-/// assert!((solution.last().1[0] - (-1.0_f64).exp()).abs() < 1e-6);
-/// # Ok::<(), SolveError<1>>(())
+/// assert!((solution.end()[0] - (-1.0_f64).exp()).abs() < 1e-6);
+/// # Ok::<(), SolveError<f64, 1>>(())
 /// ```
 #[derive(Clone, Copy)]
 pub struct FnSystem<F>(pub F);

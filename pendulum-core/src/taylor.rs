@@ -8,7 +8,7 @@
 use nalgebra::SVector;
 
 use crate::real::Real;
-use crate::system::{Model, System};
+use crate::system::{Cast, System};
 
 /// The highest order of a series.
 pub const MAX_ORDER: usize = 24;
@@ -35,12 +35,12 @@ pub trait TaylorSeries<T: Real, const N: usize>: System<T, N> {
     fn series(&self, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace);
 }
 
-/// A [`Model`] whose series can be had in every number type, lanes included.
+/// A [`Cast`] whose series can be had in every number type, lanes included.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` is no model that knows the power series of its motions in other number types",
+    message = "`{Self}` does not know the power series of its motions in other number types",
     note = "`mechanism!` makes one of a scene without inputs whose `generate` has `taylor`"
 )]
-pub trait TaylorModel<const N: usize>: Model<N> {
+pub trait CastTaylor<const N: usize>: Cast<N> {
     /// [`TaylorSeries::Workspace`] of the model in a number type.
     type Workspace<T: Real>: Clone;
 

@@ -20,5 +20,5 @@ mechanism! {
 fn main() {
     let arm = Arm::new(ArmParams::default()).unwrap();
     let solution = Rk45::new().solve(&arm, 0.0, 1.0, [0.0, 0.0, 0.0, 0.0]).unwrap();
-    println!("{} {}", solution.last().1, arm.energy(0.0, &solution.last().1));
+    println!("{} {}", solution.end(), arm.energy(0.0, &solution.end()));
 }

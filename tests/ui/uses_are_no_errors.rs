@@ -15,7 +15,7 @@ fn main() {
     let cart = Cart::new(CartParams { m: 2.0 }).unwrap();
     let pushed = cart.with_inputs(|_t, _x: &SVector<f64, 2>| CartInputs { push: 1.0 });
     let solution = Rk45::new().solve(&pushed, 0.0, 1.0, [0.0, 0.0]).unwrap();
-    let x = solution.last().1;
+    let x = solution.end();
     let _ = (cart.mass_matrix(0.0, &x), cart.bias(0.0, &x), cart.energy(0.0, &x), cart.params().m);
     let _ = (cart.momentum(0.0, &x), cart.inverse_dynamics(0.0, &x, &[1.0].into()));
     let _ = cart.parameter_jacobian(0.0, &x, &CartInputs { push: 1.0 });

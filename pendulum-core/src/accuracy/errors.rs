@@ -26,7 +26,7 @@ const WITHIN: u32 = 8;
 impl Errors {
     /// The errors of `solution`, or `None` where the reference does not know its end.
     #[must_use]
-    pub fn of<const N: usize>(solution: &Solution<N>, reference: &Reference<'_, N>) -> Option<Self> {
+    pub fn of<const N: usize>(solution: &Solution<f64, N>, reference: &Reference<'_, N>) -> Option<Self> {
         let (end, x) = solution.last();
         Some(Self {
             largest: along(solution, reference, |_, x, known| distance(x, known)),
@@ -52,7 +52,7 @@ impl Errors {
     #[must_use]
     pub fn with_energy<const N: usize>(
         mut self,
-        solution: &Solution<N>,
+        solution: &Solution<f64, N>,
         reference: &Reference<'_, N>,
         energy: impl Fn(f64, &SVector<f64, N>) -> f64,
         scale: f64,
@@ -82,7 +82,7 @@ pub(super) fn distance<const N: usize>(a: &SVector<f64, N>, b: &SVector<f64, N>)
 
 /// The largest difference at the accepted points, if the reference knows them all.
 fn along<const N: usize>(
-    solution: &Solution<N>,
+    solution: &Solution<f64, N>,
     reference: &Reference<'_, N>,
     difference: impl Fn(f64, &SVector<f64, N>, &SVector<f64, N>) -> f64,
 ) -> Option<f64> {
@@ -92,7 +92,7 @@ fn along<const N: usize>(
 }
 
 /// The largest error of the dense output.
-fn dense<const N: usize>(solution: &Solution<N>, reference: &Reference<'_, N>) -> Option<f64> {
+fn dense<const N: usize>(solution: &Solution<f64, N>, reference: &Reference<'_, N>) -> Option<f64> {
     let steps = if reference.is_curve() { solution.t() } else { &[] };
     let within = steps.windows(2).filter(|ends| ends[0] != ends[1]).flat_map(|ends| {
         let time = |n: u32| ends[0] + (ends[1] - ends[0]) * (f64::from(n) + 0.5) / f64::from(WITHIN);

@@ -59,7 +59,7 @@ impl<'a, S: System<f64, N>, const N: usize> Problem<'a, S, N> {
     }
 
     /// The errors of a solution that came to the end.
-    pub(super) fn errors(&self, solution: &Solution<N>) -> Errors {
+    pub(super) fn errors(&self, solution: &Solution<f64, N>) -> Errors {
         let errors = Errors::of(solution, self.reference).expect("the reference knows the end");
         match &self.energy {
             Some((energy, scale)) => errors.with_energy(solution, self.reference, energy, *scale),

@@ -23,7 +23,7 @@ pub struct Reference<'a, const N: usize> {
 /// What is known between points.
 enum Curve<'a, const N: usize> {
     Function(Box<dyn Fn(f64) -> SVector<f64, N> + 'a>),
-    Solution(Solution<N>),
+    Solution(Solution<f64, N>),
 }
 
 /// How far the largest component of the state may be wrong.
@@ -59,7 +59,7 @@ impl<'a, const N: usize> Reference<'a, N> {
     ///
     /// # Errors
     /// If they do not cover the same span.
-    pub fn solutions(best: Solution<N>, other: &Solution<N>) -> Result<Self, OutsideSpan> {
+    pub fn solutions(best: Solution<f64, N>, other: &Solution<f64, N>) -> Result<Self, OutsideSpan> {
         other.sample([best.t()[0], best.last().0])?;
         let mut uncertainty = 0.0_f64;
         for (t, x) in other.points() {
@@ -79,7 +79,7 @@ impl<'a, const N: usize> Reference<'a, N> {
         t0: f64,
         t1: f64,
         x0: impl Into<SVector<f64, N>>,
-    ) -> Result<Self, SolveError<N>> {
+    ) -> Result<Self, SolveError<f64, N>> {
         let x0 = x0.into();
         // Not the other way round: the dense output of order 9 has large weights of both signs, and rounds a hundred times worse.
         let best = Vern7::new().rtol(TIGHT).atol(TIGHT).solve(system, t0, t1, x0)?;

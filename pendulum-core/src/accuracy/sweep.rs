@@ -235,7 +235,7 @@ where
 }
 
 /// Of the first trajectory that stopped.
-fn first_failure<const N: usize>(error: &EnsembleError<N>, t0: f64) -> Failure {
+fn first_failure<const N: usize>(error: &EnsembleError<f64, N>, t0: f64) -> Failure {
     match error {
         EnsembleError::InvalidInput(reason) => Failure { t: t0, reason: *reason },
         EnsembleError::Stopped { stopped, .. } => Failure {

@@ -7,18 +7,18 @@ use crate::control::Tolerance;
 use crate::dense::polynomial;
 use crate::error::Reason;
 use crate::method::{
-    Adaptation, Adaptive, Explicit, Family, NonFinite, PowerSeries, SHORT, Scheme, TERMS, attempt, check_span,
+    Adaptation, Adaptive, Explicit, NonFinite, OneStep, PowerSeries, SHORT, Scheme, TERMS, attempt, check_span,
     check_state, defect, last_terms, length, order_for, weighted_sum,
 };
-use crate::real::lanes::{Isa, Kernel, Lane, Lanes};
-use crate::system::{Model, System};
+use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
+use crate::system::{Cast, System};
 use crate::tableau::Tableau;
-use crate::taylor::{MAX_ORDER, TaylorModel};
+use crate::taylor::{CastTaylor, MAX_ORDER};
 
 /// A family of methods whose steps run in lanes, each with a length of its own.
 ///
 /// What it computes in each lane is what its [`Scheme`] computes for a scalar.
-pub trait InLanes<M: Model<N>, T: Lane, const N: usize>: Family<M::In<T>, T, N> + Copy {
+pub trait InLanes<M: Cast<N>, T: LaneElement, const N: usize>: OneStep<M::In<T>, T, N> + Copy {
     /// What a step works with.
     type Memory<V: Lanes<Scalar = T>>;
 
@@ -56,9 +56,9 @@ pub trait InLanes<M: Model<N>, T: Lane, const N: usize>: Family<M::In<T>, T, N> 
 
 impl<M, B, T, const STAGES: usize, const N: usize> InLanes<M, T, N> for Explicit<B, STAGES>
 where
-    M: Model<N>,
+    M: Cast<N>,
     B: Tableau<STAGES> + Copy,
-    T: Lane,
+    T: LaneElement,
 {
     type Memory<V: Lanes<Scalar = T>> = [SVector<V, N>; STAGES];
     const NARROW: bool = N > SHORT;
@@ -136,9 +136,9 @@ impl<W, V, const N: usize> LaneSeries<W, V, N> {
 
 impl<M, T, const N: usize> InLanes<M, T, N> for PowerSeries
 where
-    M: TaylorModel<N>,
-    PowerSeries: Family<M::In<T>, T, N>,
-    T: Lane,
+    M: CastTaylor<N>,
+    PowerSeries: OneStep<M::In<T>, T, N>,
+    T: LaneElement,
 {
     type Memory<V: Lanes<Scalar = T>> = LaneSeries<M::Workspace<V>, V, N>;
     const NARROW: bool = true;
@@ -203,17 +203,18 @@ where
 
 impl<M, F, T, const N: usize> Ensemble<M, T, N> for Adaptive<F>
 where
-    M: Model<N>,
+    M: Cast<N>,
     F: InLanes<M, T, N>,
-    T: Lane,
+    T: LaneElement,
 {
     fn ensemble_on(
         &self,
         isa: Isa,
         models: &[M],
-        (t0, t1): (T, T),
+        t0: T,
+        t1: T,
         starts: &[SVector<T, N>],
-    ) -> Result<Vec<SVector<T, N>>, EnsembleError<N, T>> {
+    ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>> {
         check_span(t0, t1)?;
         check_models(models, starts)?;
         let mut x = starts.to_vec();
@@ -245,8 +246,8 @@ struct March<'a, F, M, T, const N: usize> {
 impl<F, M, T, const N: usize> Kernel<T> for March<'_, F, M, T, N>
 where
     F: InLanes<M, T, N>,
-    M: Model<N>,
-    T: Lane,
+    M: Cast<N>,
+    T: LaneElement,
 {
     type Output = ();
 
@@ -279,8 +280,8 @@ struct Member<T> {
 impl<F, M, T, const N: usize> March<'_, F, M, T, N>
 where
     F: InLanes<M, T, N>,
-    M: Model<N>,
-    T: Lane,
+    M: Cast<N>,
+    T: LaneElement,
 {
     #[inline(always)]
     fn in_lanes<V: Lanes<Scalar = T>>(mut self) {

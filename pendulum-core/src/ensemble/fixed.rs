@@ -7,23 +7,24 @@ use nalgebra::SVector;
 use super::{Ensemble, EnsembleError, check_models, conclude, model_of};
 use crate::method::{Explicit, Fixed, Grid, SHORT, attempt, check_span};
 use crate::real::Float;
-use crate::real::lanes::{Isa, Kernel, Lane, Lanes};
-use crate::system::{Model, System};
+use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
+use crate::system::{Cast, System};
 use crate::tableau::Tableau;
 
 impl<M, B, T, const STAGES: usize, const N: usize> Ensemble<M, T, N> for Fixed<Explicit<B, STAGES>>
 where
-    M: Model<N>,
+    M: Cast<N>,
     B: Tableau<STAGES>,
-    T: Lane,
+    T: LaneElement,
 {
     fn ensemble_on(
         &self,
         isa: Isa,
         models: &[M],
-        (t0, t1): (T, T),
+        t0: T,
+        t1: T,
         starts: &[SVector<T, N>],
-    ) -> Result<Vec<SVector<T, N>>, EnsembleError<N, T>> {
+    ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>> {
         check_span(t0, t1)?;
         let grid = Grid::new(self.h, t0, t1)?;
         check_models(models, starts)?;
@@ -49,7 +50,7 @@ struct March<'a, B, M, T, const STAGES: usize, const N: usize> {
 impl<B, M, T, const STAGES: usize, const N: usize> Kernel<T> for March<'_, B, M, T, STAGES, N>
 where
     B: Tableau<STAGES>,
-    M: Model<N>,
+    M: Cast<N>,
     T: Float,
 {
     type Output = ();
@@ -71,7 +72,7 @@ where
 impl<B, M, T, const STAGES: usize, const N: usize> March<'_, B, M, T, STAGES, N>
 where
     B: Tableau<STAGES>,
-    M: Model<N>,
+    M: Cast<N>,
     T: Float,
 {
     /// As many trajectories at a time as there are lanes; where they run out, the last fills the group.

@@ -13,11 +13,11 @@ pub use adaptive::InLanes;
 use crate::error::Reason;
 use crate::method::{Method, NonFinite, require};
 use crate::real::Float;
-use crate::real::lanes::{Isa, Lane};
-use crate::system::Model;
+use crate::real::lanes::{Isa, LaneElement};
+use crate::system::Cast;
 
 /// A method that takes many trajectories at a time.
-pub trait Ensemble<M, T: Lane, const N: usize> {
+pub trait Ensemble<M, T: LaneElement, const N: usize> {
     /// Integrates a model from each of many states at `t0` to `t1`, and returns the states there.
     ///
     /// There is one model for each start, or a single one for all. Each trajectory is bit for bit what [`solve`](Method::solve) gives
@@ -39,7 +39,7 @@ pub trait Ensemble<M, T: Lane, const N: usize> {
     /// let swings = lengths.collect::<Result<Vec<_>, _>>()?;
     /// let starts = vec![SVector::from([0.5, 0.0]); swings.len()];
     /// let ends = Rk4::new(0.001).ensemble(&swings, 0.0, 10.0, &starts)?;
-    /// assert_eq!(ends[41], Rk4::new(0.001).solve(&swings[41], 0.0, 10.0, starts[41])?.last().1);
+    /// assert_eq!(ends[41], Rk4::new(0.001).solve(&swings[41], 0.0, 10.0, starts[41])?.end());
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
@@ -55,11 +55,11 @@ pub trait Ensemble<M, T: Lane, const N: usize> {
         t0: T,
         t1: T,
         starts: &[SVector<T, N>],
-    ) -> Result<Vec<SVector<T, N>>, EnsembleError<N, T>> {
-        self.ensemble_on(Isa::widest(), models, (t0, t1), starts)
+    ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>> {
+        self.ensemble_on(Isa::widest(), models, t0, t1, starts)
     }
 
-    /// [`ensemble`](Self::ensemble) with a given instruction set, for comparisons: the results are the same bits. The span of time is `(t0, t1)`.
+    /// [`ensemble`](Self::ensemble) with a given instruction set, for comparisons: the results are the same bits.
     ///
     /// # Errors
     /// As for [`ensemble`](Self::ensemble).
@@ -67,13 +67,15 @@ pub trait Ensemble<M, T: Lane, const N: usize> {
         &self,
         isa: Isa,
         models: &[M],
-        span: (T, T),
+        t0: T,
+        t1: T,
         starts: &[SVector<T, N>],
-    ) -> Result<Vec<SVector<T, N>>, EnsembleError<N, T>>;
+    ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>;
 }
 
 /// A trajectory that ended before its time.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub struct Stopped<T = f64> {
     /// Its place among the starts.
     pub index: usize,
@@ -85,7 +87,8 @@ pub struct Stopped<T = f64> {
 
 /// Why an ensemble did not come to its end as a whole.
 #[derive(Clone, Debug, PartialEq)]
-pub enum EnsembleError<const N: usize, T = f64> {
+#[non_exhaustive]
+pub enum EnsembleError<T, const N: usize> {
     /// A setting or an argument makes no sense; nothing was integrated.
     InvalidInput(Reason),
     /// Some trajectories ended before their time.
@@ -97,13 +100,13 @@ pub enum EnsembleError<const N: usize, T = f64> {
     },
 }
 
-impl<const N: usize, T> From<Reason> for EnsembleError<N, T> {
+impl<T, const N: usize> From<Reason> for EnsembleError<T, N> {
     fn from(reason: Reason) -> Self {
         Self::InvalidInput(reason)
     }
 }
 
-impl<const N: usize, T: Float> fmt::Display for EnsembleError<N, T> {
+impl<T: Float, const N: usize> fmt::Display for EnsembleError<T, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::InvalidInput(reason) => reason.fmt(f),
@@ -118,7 +121,7 @@ impl<const N: usize, T: Float> fmt::Display for EnsembleError<N, T> {
     }
 }
 
-impl<const N: usize, T: Float> Error for EnsembleError<N, T> {}
+impl<T: Float, const N: usize> Error for EnsembleError<T, N> {}
 
 fn check_models<M, X>(models: &[M], starts: &[X]) -> Result<(), Reason> {
     require(
@@ -136,10 +139,10 @@ fn conclude<A, M, T, const N: usize>(
     (t0, t1): (T, T),
     starts: &[SVector<T, N>],
     mut x: Vec<SVector<T, N>>,
-) -> Result<Vec<SVector<T, N>>, EnsembleError<N, T>>
+) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>
 where
     A: Method<M::In<T>, T, N>,
-    M: Model<N>,
+    M: Cast<N>,
     T: Float,
 {
     let mut stopped = Vec::new();

@@ -6,7 +6,7 @@ use crate::control::{Controller, Tolerance};
 use crate::error::Reason;
 use crate::method::input::{check_start, require};
 use crate::method::pace::{Adaptation, Pace};
-use crate::method::scheme::{Family, Scheme};
+use crate::method::scheme::{OneStep, Scheme};
 use crate::method::{Method, Stepper};
 use crate::real::Float;
 use crate::system::System;
@@ -156,7 +156,7 @@ impl<F: Default> Default for Adaptive<F> {
 
 impl<F, S, T, const N: usize> Method<S, T, N> for Adaptive<F>
 where
-    F: Family<S, T, N>,
+    F: OneStep<S, T, N>,
     S: System<T, N> + ?Sized,
     T: Float,
 {
@@ -168,7 +168,7 @@ where
         t0: T,
         t1: T,
         x0: impl Into<SVector<T, N>>,
-    ) -> Result<Stepper<'s, Self::Scheme, S, N, T>, Reason> {
+    ) -> Result<Stepper<'s, Self::Scheme, S, T, N>, Reason> {
         let x0 = x0.into();
         check_start(t0, t1, &x0)?;
         let tolerance = self.tolerance()?;

@@ -6,9 +6,9 @@ use crate::control::Tolerance;
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::linear::{image, square};
-use crate::method::explicit::Stages;
-use crate::method::rosenbrock::LinearStages;
-use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
+use crate::method::explicit::ExplicitStages;
+use crate::method::rosenbrock::RosenbrockStages;
+use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
 use crate::method::{Adaptive, Explicit, Rosenbrock};
 use crate::real::Float;
 use crate::solution::Statistics;
@@ -61,27 +61,27 @@ const FREE: usize = 4;
 /// An implicit step at no more than this part of the limit could as well be explicit; `FREE` in a row are.
 const WITHIN: f64 = 0.3;
 
-impl<S, T, const N: usize> Family<S, T, N> for Switching
+impl<S, T, const N: usize> OneStep<S, T, N> for Switching
 where
     S: Jacobian<T, N> + ?Sized,
     T: Float,
 {
-    type Scheme = Switch<N, T>;
+    type Scheme = Switch<T, N>;
 
     fn scheme(&self, system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
         let least = tolerance
             .as_ref()
             .map_or(0.0, |tolerance| tolerance.rtol.max(tolerance.atol).to_f64());
         let explicit = if least > LOOSE {
-            Free::Tsit5(Family::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
+            Free::Tsit5(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
         } else if least > MIDDLE {
-            Free::Vern7(Family::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
+            Free::Vern7(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
         } else {
-            Free::Vern9(Family::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
+            Free::Vern9(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
         };
         Ok(Switch {
             explicit,
-            implicit: Family::<S, T, N>::scheme(&Rosenbrock::default(), system, tolerance)?,
+            implicit: OneStep::<S, T, N>::scheme(&Rosenbrock::default(), system, tolerance)?,
             is_stiff: false,
             changes: false,
             at_limit: 0,
@@ -93,9 +93,9 @@ where
 
 /// Both methods, of which one is at work.
 #[derive(Clone, Debug)]
-pub struct Switch<const N: usize, T> {
-    explicit: Free<N, T>,
-    implicit: LinearStages<tableau::Rodas5P, 8, N, T>,
+pub struct Switch<T, const N: usize> {
+    explicit: Free<T, N>,
+    implicit: RosenbrockStages<tableau::Steinebach5, T, 8, N>,
     is_stiff: bool,
     /// Whether the other one is to take the next step.
     changes: bool,
@@ -109,10 +109,10 @@ pub struct Switch<const N: usize, T> {
 
 /// The explicit method.
 #[derive(Clone, Debug)]
-enum Free<const N: usize, T> {
-    Tsit5(Stages<Tsitouras5, 7, N, T>),
-    Vern7(Stages<Verner7, 11, N, T>),
-    Vern9(Stages<Verner9, 17, N, T>),
+enum Free<T, const N: usize> {
+    Tsit5(ExplicitStages<Tsitouras5, T, 7, N>),
+    Vern7(ExplicitStages<Verner7, T, 11, N>),
+    Vern9(ExplicitStages<Verner9, T, 17, N>),
 }
 
 /// The explicit method, whichever it is.
@@ -126,7 +126,7 @@ macro_rules! explicit {
     };
 }
 
-impl<const N: usize, T: Float> Free<N, T> {
+impl<T: Float, const N: usize> Free<T, N> {
     /// The limit of stability on the negative real axis.
     fn limit(&self) -> f64 {
         match self {
@@ -137,7 +137,7 @@ impl<const N: usize, T: Float> Free<N, T> {
     }
 }
 
-impl<const N: usize, T: Float> Switch<N, T> {
+impl<T: Float, const N: usize> Switch<T, N> {
     /// Looks at an explicit step: whether it was one too many at the limit of stability.
     fn is_too_stiff(&mut self, h: T) -> bool {
         let measured = explicit!(&self.explicit, stages => stages.stiffness(h));
@@ -185,7 +185,7 @@ fn fastest_rate<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, v: &mut SVe
     product.sqrt().sqrt()
 }
 
-impl<S, T, const N: usize> Scheme<S, T, N> for Switch<N, T>
+impl<S, T, const N: usize> Scheme<S, T, N> for Switch<T, N>
 where
     S: Jacobian<T, N> + ?Sized,
     T: Float,
@@ -222,7 +222,7 @@ where
         start: (T, &SVector<T, N>),
         t_new: T,
         work: &mut Statistics,
-    ) -> Result<Attempt<N, T>, Stalled> {
+    ) -> Result<Attempt<T, N>, Stalled> {
         if self.is_stiff {
             self.implicit.attempt(system, start, t_new, work)
         } else {
@@ -230,7 +230,7 @@ where
         }
     }
 
-    fn finish(&mut self, system: &S, step: &Step<N, T>, work: &mut Statistics) -> Result<(), NonFinite> {
+    fn finish(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> Result<(), NonFinite> {
         if self.is_stiff {
             self.implicit.finish(system, step, work)?;
             work.stiff += 1;
@@ -242,7 +242,7 @@ where
         Ok(())
     }
 
-    fn dense(&mut self, system: &S, step: &Step<N, T>, work: &mut Statistics) -> &[SVector<T, N>] {
+    fn dense(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
         if self.is_stiff {
             self.implicit.dense(system, step, work)
         } else {

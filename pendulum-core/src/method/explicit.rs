@@ -9,7 +9,7 @@ use crate::dense::Step;
 use crate::error::Reason;
 use crate::linear::square;
 use crate::method::input::refuse_tolerance;
-use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
+use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
 use crate::real::{Float, Real};
 use crate::solution::Statistics;
 use crate::system::System;
@@ -27,13 +27,13 @@ impl<B, const STAGES: usize> Explicit<B, STAGES> {
     }
 }
 
-impl<B, S, T, const STAGES: usize, const N: usize> Family<S, T, N> for Explicit<B, STAGES>
+impl<B, S, T, const STAGES: usize, const N: usize> OneStep<S, T, N> for Explicit<B, STAGES>
 where
     B: Tableau<STAGES>,
     S: System<T, N> + ?Sized,
     T: Float,
 {
-    type Scheme = Stages<B, STAGES, N, T>;
+    type Scheme = ExplicitStages<B, T, STAGES, N>;
 
     #[inline]
     fn scheme(&self, _system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
@@ -41,7 +41,7 @@ where
             refuse_tolerance(tolerance)?;
         }
         let zero = SVector::from_element(T::default());
-        Ok(Stages {
+        Ok(ExplicitStages {
             tolerance,
             slope: zero,
             stages: [zero; STAGES],
@@ -53,7 +53,7 @@ where
 
 /// The stages of a step.
 #[derive(Clone, Copy, Debug)]
-pub struct Stages<B, const STAGES: usize, const N: usize, T> {
+pub struct ExplicitStages<B, T, const STAGES: usize, const N: usize> {
     tolerance: Option<Tolerance<T>>,
     /// The derivative where the next step starts.
     slope: SVector<T, N>,
@@ -62,7 +62,7 @@ pub struct Stages<B, const STAGES: usize, const N: usize, T> {
     tableau: PhantomData<B>,
 }
 
-impl<B, T, const STAGES: usize, const N: usize> Stages<B, STAGES, N, T>
+impl<B, T, const STAGES: usize, const N: usize> ExplicitStages<B, T, STAGES, N>
 where
     B: Tableau<STAGES>,
     T: Float,
@@ -92,7 +92,7 @@ where
     }
 }
 
-impl<B, S, T, const STAGES: usize, const N: usize> Scheme<S, T, N> for Stages<B, STAGES, N, T>
+impl<B, S, T, const STAGES: usize, const N: usize> Scheme<S, T, N> for ExplicitStages<B, T, STAGES, N>
 where
     B: Tableau<STAGES>,
     S: System<T, N> + ?Sized,
@@ -117,7 +117,7 @@ where
         (t, x): (T, &SVector<T, N>),
         t_new: T,
         work: &mut Statistics,
-    ) -> Result<Attempt<N, T>, Stalled> {
+    ) -> Result<Attempt<T, N>, Stalled> {
         self.stages[0] = self.slope;
         // The right-hand side of a reference may stay a function of its own, where that of a generated model is always inlined: many
         // copies of a long one are slower than calls.
@@ -143,7 +143,7 @@ where
     }
 
     #[inline]
-    fn finish(&mut self, system: &S, step: &Step<N, T>, work: &mut Statistics) -> Result<(), NonFinite> {
+    fn finish(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> Result<(), NonFinite> {
         if self.tolerance.is_none() || const { !B::TABLEAU.error_wants_the_last_stage() } {
             work.evaluations += 1;
             self.stages[STAGES - 1] = system.rhs(step.t1, &step.x1);
@@ -153,7 +153,7 @@ where
         Ok(())
     }
 
-    fn dense(&mut self, system: &S, step: &Step<N, T>, work: &mut Statistics) -> &[SVector<T, N>] {
+    fn dense(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
         let tableau = const { &B::TABLEAU };
         let mut extra = [SVector::from_element(T::default()); MAX_EXTRA];
         let sum = |weights: &[f64], extra: &[SVector<T, N>]| {

@@ -6,7 +6,7 @@ use crate::error::Reason;
 use crate::method::grid::Grid;
 use crate::method::input::check_start;
 use crate::method::pace::Pace;
-use crate::method::scheme::Family;
+use crate::method::scheme::OneStep;
 use crate::method::{Method, Stepper};
 use crate::real::Float;
 use crate::system::System;
@@ -36,7 +36,7 @@ impl<F: Default> Fixed<F> {
 
 impl<F, S, T, const N: usize> Method<S, T, N> for Fixed<F>
 where
-    F: Family<S, T, N>,
+    F: OneStep<S, T, N>,
     S: System<T, N> + ?Sized,
     T: Float,
 {
@@ -48,7 +48,7 @@ where
         t0: T,
         t1: T,
         x0: impl Into<SVector<T, N>>,
-    ) -> Result<Stepper<'s, Self::Scheme, S, N, T>, Reason> {
+    ) -> Result<Stepper<'s, Self::Scheme, S, T, N>, Reason> {
         let x0 = x0.into();
         check_start(t0, t1, &x0)?;
         let grid = Grid::new(self.h, t0, t1)?;

@@ -11,7 +11,7 @@ use crate::method::collocation::Pencil;
 use crate::method::hermite;
 use crate::method::input::refuse_tolerance;
 use crate::method::legendre::{Legendre, Table};
-use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
+use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
 use crate::real::Float;
 use crate::solution::Statistics;
 use crate::system::Canonical;
@@ -26,19 +26,19 @@ use crate::system::Canonical;
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gauss<const STAGES: usize>;
 
-impl<S, T, const STAGES: usize, const N: usize> Family<S, T, N> for Gauss<STAGES>
+impl<S, T, const STAGES: usize, const N: usize> OneStep<S, T, N> for Gauss<STAGES>
 where
     Self: Legendre<STAGES>,
     S: Canonical<T, N> + ?Sized,
     T: Float,
 {
-    type Scheme = Stages<STAGES, N, T>;
+    type Scheme = GaussStages<T, STAGES, N>;
 
     fn scheme(&self, system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
         refuse_tolerance(tolerance)?;
         let zeros = SVector::from_element(T::default());
         let start = Point { y: zeros, lost: zeros };
-        Ok(Stages {
+        Ok(GaussStages {
             start,
             slope: zeros,
             positions: system.layout().map_or(N / 2, StateLayout::positions),
@@ -51,9 +51,9 @@ where
 
 /// The stages of a step.
 #[derive(Clone, Copy, Debug)]
-pub struct Stages<const STAGES: usize, const N: usize, T> {
+pub struct GaussStages<T, const STAGES: usize, const N: usize> {
     /// Where the next step starts.
-    start: Point<N, T>,
+    start: Point<T, N>,
     /// The derivative of the state where it began.
     slope: SVector<T, N>,
     /// How many of the canonical variables are coordinates; the momenta follow them.
@@ -61,13 +61,13 @@ pub struct Stages<const STAGES: usize, const N: usize, T> {
     /// The last step: its start, its stages and its length.
     before: Option<(SVector<T, N>, [SVector<T, N>; STAGES], T)>,
     /// Where the step that was tried last ends, and its stages.
-    tried: (Point<N, T>, [SVector<T, N>; STAGES]),
+    tried: (Point<T, N>, [SVector<T, N>; STAGES]),
     coefficients: [SVector<T, N>; 5],
 }
 
 /// A point in canonical variables, which are the state that the method steps on.
 #[derive(Clone, Copy, Debug)]
-struct Point<const N: usize, T> {
+struct Point<T, const N: usize> {
     y: SVector<T, N>,
     /// What was rounded off when the last step was added (compensated summation).
     lost: SVector<T, N>,
@@ -80,9 +80,9 @@ const MAX_ITERATIONS: usize = 100;
 const MAX_RISES: usize = 2;
 
 /// A vector for each stage.
-type Vectors<const STAGES: usize, const N: usize, T> = [SVector<T, N>; STAGES];
+type Vectors<T, const STAGES: usize, const N: usize> = [SVector<T, N>; STAGES];
 
-impl<const STAGES: usize, const N: usize, T: Float> Stages<STAGES, N, T>
+impl<T: Float, const STAGES: usize, const N: usize> GaussStages<T, STAGES, N>
 where
     Gauss<STAGES>: Legendre<STAGES>,
 {
@@ -115,7 +115,7 @@ where
         (t, x): (T, &SVector<T, N>),
         h: T,
         work: &mut Statistics,
-    ) -> Result<(Vectors<STAGES, N, T>, Vectors<STAGES, N, T>), Stalled> {
+    ) -> Result<(Vectors<T, STAGES, N>, Vectors<T, STAGES, N>), Stalled> {
         let Table { c, b, w, modes, .. } = const { &Self::TABLE };
         let [one_half, zero] = [0.5, 0.0].map(T::from_f64);
         let mut stages = self.predicted(x, h);
@@ -173,7 +173,7 @@ where
     }
 }
 
-impl<S, T, const STAGES: usize, const N: usize> Scheme<S, T, N> for Stages<STAGES, N, T>
+impl<S, T, const STAGES: usize, const N: usize> Scheme<S, T, N> for GaussStages<T, STAGES, N>
 where
     Gauss<STAGES>: Legendre<STAGES>,
     S: Canonical<T, N> + ?Sized,
@@ -201,7 +201,7 @@ where
         (t, x): (T, &SVector<T, N>),
         t_new: T,
         work: &mut Statistics,
-    ) -> Result<Attempt<N, T>, Stalled> {
+    ) -> Result<Attempt<T, N>, Stalled> {
         let (stages, parts) = self.solve(system, (t, x), t_new - t, work)?;
         let increment = parts.iter().fold(self.start.lost, |sum, part| sum + part);
         let (y, lost) = sum_and_rest(&self.start.y, &increment);
@@ -235,14 +235,14 @@ where
     }
 
     #[inline]
-    fn finish(&mut self, _system: &S, step: &Step<N, T>, _work: &mut Statistics) -> Result<(), NonFinite> {
+    fn finish(&mut self, _system: &S, step: &Step<T, N>, _work: &mut Statistics) -> Result<(), NonFinite> {
         let (end, stages) = self.tried;
         self.start = end;
         self.before = Some((step.x0, stages, step.h));
         Ok(())
     }
 
-    fn dense(&mut self, system: &S, step: &Step<N, T>, work: &mut Statistics) -> &[SVector<T, N>] {
+    fn dense(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
         let count = 2 * STAGES - 1;
         if STAGES == 2 {
             self.coefficients[..3].copy_from_slice(&hermite::cubic(system, step, work));

@@ -10,7 +10,7 @@ use crate::system::System;
 /// The coefficients from the first power on of the cubic with the states and slopes of both ends: of order 3.
 ///
 /// Slopes are by the fraction of the step.
-pub(super) fn cubic<S, T, const N: usize>(system: &S, step: &Step<N, T>, work: &mut Statistics) -> [SVector<T, N>; 3]
+pub(super) fn cubic<S, T, const N: usize>(system: &S, step: &Step<T, N>, work: &mut Statistics) -> [SVector<T, N>; 3]
 where
     S: System<T, N> + ?Sized,
     T: Float,
@@ -28,7 +28,7 @@ where
 /// It is the cubic plus `theta^2 (1 - theta)^2 (alpha + beta theta)`. The slopes are taken from states of the polynomial before, twice,
 /// and each time the order rises by one (W. H. Enright, K. R. Jackson, S. P. Norsett, P. G. Thomsen, "Interpolants for Runge-Kutta
 /// formulas", ACM TOMS 12 (1986) 193-218).
-pub(super) fn quintic<S, T, const N: usize>(system: &S, step: &Step<N, T>, work: &mut Statistics) -> [SVector<T, N>; 5]
+pub(super) fn quintic<S, T, const N: usize>(system: &S, step: &Step<T, N>, work: &mut Statistics) -> [SVector<T, N>; 5]
 where
     S: System<T, N> + ?Sized,
     T: Float,

@@ -46,7 +46,7 @@ pub use fixed::Fixed;
 pub use gauss::Gauss;
 pub use radau::RadauIIA;
 pub use rosenbrock::Rosenbrock;
-pub use scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
+pub use scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
 pub use stepper::Stepper;
 pub use taylor::{PowerSeries, Taylor};
 
@@ -67,7 +67,7 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
         t0: T,
         t1: T,
         x0: impl Into<SVector<T, N>>,
-    ) -> Result<Stepper<'s, Self::Scheme, S, N, T>, Reason>;
+    ) -> Result<Stepper<'s, Self::Scheme, S, T, N>, Reason>;
 
     /// The trajectory of `system` from the state `x0` at `t0` to `t1`, which may lie before `t0`.
     ///
@@ -75,7 +75,7 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
     ///
     /// # Errors
     /// Those of [`stepper`](Self::stepper) and of [`Stepper::step`]. The error holds the solution up to the last good state.
-    fn solve(&self, system: &S, t0: T, t1: T, x0: impl Into<SVector<T, N>>) -> Result<Solution<N, T>, SolveError<N, T>>
+    fn solve(&self, system: &S, t0: T, t1: T, x0: impl Into<SVector<T, N>>) -> Result<Solution<T, N>, SolveError<T, N>>
     where
         S: System<T, N>,
     {
@@ -94,8 +94,8 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
         t0: T,
         t1: T,
         x0: impl Into<SVector<T, N>>,
-        events: &[Event<'_, N, T>],
-    ) -> Result<Solution<N, T>, SolveError<N, T>>
+        events: &[Event<'_, T, N>],
+    ) -> Result<Solution<T, N>, SolveError<T, N>>
     where
         S: System<T, N>,
     {
@@ -113,11 +113,12 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
 ///
 /// ```
 /// use pendulum_core::prelude::*;
+/// use pendulum_core::SolveError;
 ///
 /// let swing = FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], -x[0].sin()]));
 /// let solution = Rk4::new(0.01).solve(&swing, 0.0, 1.0, [0.5, 0.0])?;
 /// assert_eq!(solution.t().len(), 101);
-/// # Ok::<(), SolveError<2>>(())
+/// # Ok::<(), SolveError<f64, 2>>(())
 /// ```
 pub type Rk4 = Fixed<Explicit<Kutta4, 5>>;
 
@@ -153,17 +154,18 @@ pub type Vern7 = Adaptive<Explicit<Verner7, 11>>;
 /// Sixteen evaluations a step; the states between the steps are of order 9, and take nine more where they are asked for.
 pub type Vern9 = Adaptive<Explicit<Verner9, 17>>;
 
-/// The Rosenbrock method Rodas of order 4 for stiff systems; see [`Adaptive`] for its settings, and [`tableau::Rodas4`].
+/// The Rosenbrock method Rodas of order 4 for stiff systems; see [`Adaptive`] for its settings, and [`tableau::HairerWanner4`].
 ///
 /// Six evaluations, one Jacobian and one factorisation a step; the states between the steps are of order 3.
-pub type Rodas4 = Adaptive<Rosenbrock<tableau::Rodas4, 6>>;
+pub type Rodas4 = Adaptive<Rosenbrock<tableau::HairerWanner4, 6>>;
 
-/// The Rosenbrock method Rodas5P of order 5 for stiff systems; see [`Adaptive`] for its settings, and [`tableau::Rodas5P`].
+/// The Rosenbrock method Rodas5P of order 5 for stiff systems; see [`Adaptive`] for its settings, and [`tableau::Steinebach5`].
 ///
 /// Eight evaluations, one Jacobian and one factorisation a step; the states between the steps are of order 4.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
+/// use pendulum_core::SolveError;
 ///
 /// /// Follows the cosine of time, from which it strays for a microsecond only.
 /// struct Follower;
@@ -181,11 +183,11 @@ pub type Rodas4 = Adaptive<Rosenbrock<tableau::Rodas4, 6>>;
 /// }
 ///
 /// let solution = Rodas5P::new().solve(&Follower, 0.0, 10.0, [2.0])?;
-/// assert!((solution.last().1[0] - 10.0_f64.cos()).abs() < 1e-6);
+/// assert!((solution.end()[0] - 10.0_f64.cos()).abs() < 1e-6);
 /// assert!(solution.statistics().accepted < 100);
-/// # Ok::<(), SolveError<1>>(())
+/// # Ok::<(), SolveError<f64, 1>>(())
 /// ```
-pub type Rodas5P = Adaptive<Rosenbrock<tableau::Rodas5P, 8>>;
+pub type Rodas5P = Adaptive<Rosenbrock<tableau::Steinebach5, 8>>;
 
 /// The method Radau IIA of order 5 for stiff systems; see [`Adaptive`] for its settings, and [`RadauIIA`].
 ///

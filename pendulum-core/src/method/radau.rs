@@ -8,7 +8,7 @@ use crate::error::Reason;
 use crate::linear::{Complex, Singular};
 use crate::method::collocation::{Mode, Modes, Pencil};
 use crate::method::explicit::SHORT;
-use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
+use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
 use crate::real::Float;
 use crate::solution::Statistics;
 use crate::system::{Jacobian, System};
@@ -79,12 +79,12 @@ const MOST_FIXED: usize = 50;
 /// The tolerance of steps of a given length, in ulps: their equations are solved to what rounding leaves.
 const ULPS: f64 = 100.0;
 
-impl<S, T, const N: usize> Family<S, T, N> for RadauIIA
+impl<S, T, const N: usize> OneStep<S, T, N> for RadauIIA
 where
     S: Jacobian<T, N> + ?Sized,
     T: Float,
 {
-    type Scheme = RadauStages<N, T>;
+    type Scheme = RadauStages<T, N>;
 
     #[inline]
     fn scheme(&self, _system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
@@ -104,7 +104,7 @@ where
 
 /// The stages of a step of a method of Radau.
 #[derive(Clone, Copy, Debug)]
-pub struct RadauStages<const N: usize, T> {
+pub struct RadauStages<T, const N: usize> {
     tolerance: Option<Tolerance<T>>,
     /// The derivative where the next step starts, and its derivative by the state.
     slope: SVector<T, N>,
@@ -120,7 +120,7 @@ pub struct RadauStages<const N: usize, T> {
     is_doubtful: bool,
 }
 
-impl<const N: usize, T: Float> RadauStages<N, T> {
+impl<T: Float, const N: usize> RadauStages<T, N> {
     /// Continues the polynomial of the last step over one of length `h`.
     #[inline]
     fn predict(&mut self, h: T) {
@@ -245,7 +245,7 @@ impl<const N: usize, T: Float> RadauStages<N, T> {
     }
 }
 
-impl<S, T, const N: usize> Scheme<S, T, N> for RadauStages<N, T>
+impl<S, T, const N: usize> Scheme<S, T, N> for RadauStages<T, N>
 where
     S: Jacobian<T, N> + ?Sized,
     T: Float,
@@ -271,7 +271,7 @@ where
         (t, x): (T, &SVector<T, N>),
         t_new: T,
         work: &mut Statistics,
-    ) -> Result<Attempt<N, T>, Stalled> {
+    ) -> Result<Attempt<T, N>, Stalled> {
         let h = t_new - t;
         let identity = SMatrix::from_fn(|i, j| T::from_f64(if i == j { 1.0 } else { 0.0 }));
         let pencil = Pencil::new(&MODES, h, &identity, &self.jacobian).map_err(|Singular| Stalled)?;
@@ -292,7 +292,7 @@ where
     }
 
     #[inline]
-    fn finish(&mut self, system: &S, step: &Step<N, T>, work: &mut Statistics) -> Result<(), NonFinite> {
+    fn finish(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> Result<(), NonFinite> {
         work.evaluations += 1;
         work.jacobians += 1;
         let (slope, jacobian) = system.rhs_and_jacobian(step.t1, &step.x1);
@@ -303,7 +303,7 @@ where
         Ok(())
     }
 
-    fn dense(&mut self, _system: &S, _step: &Step<N, T>, _work: &mut Statistics) -> &[SVector<T, N>] {
+    fn dense(&mut self, _system: &S, _step: &Step<T, N>, _work: &mut Statistics) -> &[SVector<T, N>] {
         &self.coefficients
     }
 }

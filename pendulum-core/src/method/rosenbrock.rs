@@ -9,7 +9,7 @@ use crate::dense::Step;
 use crate::error::Reason;
 use crate::linear::{Lu, Singular};
 use crate::method::explicit::{SHORT, shifted, weighted_sum};
-use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
+use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
 use crate::real::Float;
 use crate::solution::Statistics;
 use crate::system::{Jacobian, System};
@@ -22,18 +22,18 @@ use crate::tableau::{RosenbrockMethod, RosenbrockTableau, difference};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Rosenbrock<B, const STAGES: usize>(PhantomData<B>);
 
-impl<B, S, T, const STAGES: usize, const N: usize> Family<S, T, N> for Rosenbrock<B, STAGES>
+impl<B, S, T, const STAGES: usize, const N: usize> OneStep<S, T, N> for Rosenbrock<B, STAGES>
 where
     B: RosenbrockMethod<STAGES>,
     S: Jacobian<T, N> + ?Sized,
     T: Float,
 {
-    type Scheme = LinearStages<B, STAGES, N, T>;
+    type Scheme = RosenbrockStages<B, T, STAGES, N>;
 
     #[inline]
     fn scheme(&self, _system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
         let zero = SVector::from_element(T::default());
-        Ok(LinearStages {
+        Ok(RosenbrockStages {
             tolerance,
             start: Linearisation {
                 slope: zero,
@@ -49,10 +49,10 @@ where
 
 /// The stages of a step of a Rosenbrock method.
 #[derive(Clone, Copy, Debug)]
-pub struct LinearStages<B, const STAGES: usize, const N: usize, T> {
+pub struct RosenbrockStages<B, T, const STAGES: usize, const N: usize> {
     tolerance: Option<Tolerance<T>>,
     /// The system where the next step starts.
-    start: Linearisation<N, T>,
+    start: Linearisation<T, N>,
     /// The `u_i` of the tableau.
     stages: [SVector<T, N>; STAGES],
     coefficients: [SVector<T, N>; MAX_DEGREE],
@@ -61,7 +61,7 @@ pub struct LinearStages<B, const STAGES: usize, const N: usize, T> {
 
 /// A system to first order about a point.
 #[derive(Clone, Copy, Debug)]
-struct Linearisation<const N: usize, T> {
+struct Linearisation<T, const N: usize> {
     slope: SVector<T, N>,
     /// The derivative of the slope by the state.
     jacobian: SMatrix<T, N, N>,
@@ -69,7 +69,7 @@ struct Linearisation<const N: usize, T> {
     drift: SVector<T, N>,
 }
 
-impl<const N: usize, T: Float> Linearisation<N, T> {
+impl<T: Float, const N: usize> Linearisation<T, N> {
     #[inline]
     fn new<S>(system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> Self
     where
@@ -83,7 +83,7 @@ impl<const N: usize, T: Float> Linearisation<N, T> {
     }
 }
 
-impl<B, T, const STAGES: usize, const N: usize> LinearStages<B, STAGES, N, T>
+impl<B, T, const STAGES: usize, const N: usize> RosenbrockStages<B, T, STAGES, N>
 where
     B: RosenbrockMethod<STAGES>,
     T: Float,
@@ -134,7 +134,7 @@ where
     }
 }
 
-impl<B, S, T, const STAGES: usize, const N: usize> Scheme<S, T, N> for LinearStages<B, STAGES, N, T>
+impl<B, S, T, const STAGES: usize, const N: usize> Scheme<S, T, N> for RosenbrockStages<B, T, STAGES, N>
 where
     B: RosenbrockMethod<STAGES>,
     S: Jacobian<T, N> + ?Sized,
@@ -158,7 +158,7 @@ where
         (t, x): (T, &SVector<T, N>),
         t_new: T,
         work: &mut Statistics,
-    ) -> Result<Attempt<N, T>, Stalled> {
+    ) -> Result<Attempt<T, N>, Stalled> {
         work.factorizations += 1;
         work.evaluations += STAGES - 1;
         let x_new = if const { N <= SHORT } {
@@ -179,14 +179,14 @@ where
     }
 
     #[inline]
-    fn finish(&mut self, system: &S, step: &Step<N, T>, work: &mut Statistics) -> Result<(), NonFinite> {
+    fn finish(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> Result<(), NonFinite> {
         let end = Linearisation::new(system, step.t1, &step.x1, work);
         NonFinite::check(&end.slope)?;
         self.start = end;
         Ok(())
     }
 
-    fn dense(&mut self, _system: &S, _step: &Step<N, T>, _work: &mut Statistics) -> &[SVector<T, N>] {
+    fn dense(&mut self, _system: &S, _step: &Step<T, N>, _work: &mut Statistics) -> &[SVector<T, N>] {
         let rows = const { B::TABLEAU.dense };
         for (coefficient, row) in self.coefficients.iter_mut().zip(rows) {
             *coefficient = SVector::from_element(T::default());

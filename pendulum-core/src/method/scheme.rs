@@ -9,7 +9,7 @@ use crate::real::Float;
 use crate::solution::Statistics;
 
 /// A kind of one-step method, which [`Fixed`](crate::method::Fixed) and [`Adaptive`](crate::method::Adaptive) give a pace.
-pub trait Family<S: ?Sized, T: Float, const N: usize> {
+pub trait OneStep<S: ?Sized, T: Float, const N: usize> {
     /// What a step of it works with.
     type Scheme: Scheme<S, T, N>;
 
@@ -46,19 +46,19 @@ pub trait Scheme<S: ?Sized, T: Float, const N: usize> {
         start: (T, &SVector<T, N>),
         t_new: T,
         work: &mut Statistics,
-    ) -> Result<Attempt<N, T>, Stalled>;
+    ) -> Result<Attempt<T, N>, Stalled>;
 
     /// Accepts the step that was tried last; if the derivative at its end is not finite, the scheme stays where it was.
-    fn finish(&mut self, system: &S, step: &Step<N, T>, work: &mut Statistics) -> Result<(), NonFinite>;
+    fn finish(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> Result<(), NonFinite>;
 
     /// The vectors `c_1, c_2, ..` of the dense output `x0 + c_1 theta + c_2 theta^2 + ..`, `theta` the fraction of the step, for
     /// the step that was accepted last.
-    fn dense(&mut self, system: &S, step: &Step<N, T>, work: &mut Statistics) -> &[SVector<T, N>];
+    fn dense(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>];
 }
 
 /// Where an attempt arrived.
 #[derive(Clone, Copy, Debug)]
-pub struct Attempt<const N: usize, T> {
+pub struct Attempt<T, const N: usize> {
     /// The state at the end.
     pub x: SVector<T, N>,
     /// The mean square of the estimated error in units of the tolerance; 0 where there is no estimate.

@@ -20,6 +20,7 @@ use crate::system::System;
 ///
 /// ```
 /// use pendulum_core::prelude::*;
+/// use pendulum_core::Reason;
 ///
 /// let swing = FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], -x[0].sin()]));
 /// let mut stepper = Rk45::new().stepper(&swing, 0.0, 100.0, [0.5, 0.0])?;
@@ -32,14 +33,14 @@ use crate::system::System;
 /// # Ok::<(), Reason>(())
 /// ```
 #[derive(Clone)]
-pub struct Stepper<'s, C, S: ?Sized, const N: usize, T = f64> {
+pub struct Stepper<'s, C, S: ?Sized, T, const N: usize> {
     system: &'s S,
     scheme: C,
     pace: Pace<T>,
     /// Where it ends.
     t1: T,
     /// The last accepted step; of no length where there is none.
-    last: Step<N, T>,
+    last: Step<T, N>,
     statistics: Statistics,
 }
 
@@ -71,7 +72,7 @@ impl Failure {
     }
 }
 
-impl<'s, C, S, T, const N: usize> Stepper<'s, C, S, N, T>
+impl<'s, C, S, T, const N: usize> Stepper<'s, C, S, T, N>
 where
     C: Scheme<S, T, N>,
     S: System<T, N> + ?Sized,
@@ -133,7 +134,7 @@ where
     /// [`Reason::NonFinite`] and, from implicit methods, [`Reason::NoConvergence`]; where the method chooses its steps,
     /// [`Reason::StepUnderflow`] and [`Reason::TooManySteps`].
     #[inline]
-    pub fn step(&mut self) -> Result<Option<Step<N, T>>, Reason> {
+    pub fn step(&mut self) -> Result<Option<Step<T, N>>, Reason> {
         if self.t() == self.t1 {
             return Ok(None);
         }
@@ -148,7 +149,7 @@ where
 
     /// The states within the step that was taken last, by the dense output of the method. Some methods evaluate the right-hand side a
     /// few more times for it. Before the first step, and after a failed one, it is the point reached.
-    pub fn dense(&mut self) -> Dense<'_, N, T> {
+    pub fn dense(&mut self) -> Dense<'_, T, N> {
         let coefficients = if self.last.t0 == self.last.t1 {
             &[]
         } else {
@@ -270,7 +271,7 @@ where
 
     /// Tries a step to `t_new`: where it arrives is finite, and so is its error.
     #[inline]
-    fn attempt(&mut self, t_new: T) -> Result<Attempt<N, T>, Failure> {
+    fn attempt(&mut self, t_new: T) -> Result<Attempt<T, N>, Failure> {
         let start = (self.last.t1, &self.last.x1);
         let attempt = self.scheme.attempt(self.system, start, t_new, &mut self.statistics)?;
         NonFinite::check(&attempt.x)?;
@@ -279,7 +280,7 @@ where
 
     /// Makes an attempt the last step.
     #[inline]
-    fn advance(&mut self, t_new: T, attempt: &Attempt<N, T>) -> Result<(), Failure> {
+    fn advance(&mut self, t_new: T, attempt: &Attempt<T, N>) -> Result<(), Failure> {
         let step = Step::new((self.last.t1, self.last.x1), (t_new, attempt.x));
         self.scheme.finish(self.system, &step, &mut self.statistics)?;
         self.last = step;
@@ -287,7 +288,7 @@ where
     }
 }
 
-impl<C, S, T, const N: usize> fmt::Debug for Stepper<'_, C, S, N, T>
+impl<C, S, T, const N: usize> fmt::Debug for Stepper<'_, C, S, T, N>
 where
     S: ?Sized,
     T: Float,

@@ -6,8 +6,8 @@ use crate::control::Tolerance;
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::linear::{image, square};
-use crate::method::explicit::{Explicit, Stages, shifted, weighted_sum};
-use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
+use crate::method::explicit::{Explicit, ExplicitStages, shifted, weighted_sum};
+use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
 use crate::real::Float;
 use crate::solution::Statistics;
 use crate::system::Jacobian;
@@ -20,13 +20,13 @@ use crate::tableau::Tableau;
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tangent<B, const STAGES: usize, const K: usize>(Explicit<B, STAGES>);
 
-impl<B, S, T, const STAGES: usize, const K: usize, const N: usize> Family<S, T, N> for Tangent<B, STAGES, K>
+impl<B, S, T, const STAGES: usize, const K: usize, const N: usize> OneStep<S, T, N> for Tangent<B, STAGES, K>
 where
     B: Tableau<STAGES>,
     S: Jacobian<T, N> + ?Sized,
     T: Float,
 {
-    type Scheme = Bundle<B, STAGES, K, N, T>;
+    type Scheme = Bundle<B, T, STAGES, K, N>;
 
     fn scheme(&self, system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
         let zero = SVector::from_element(T::default());
@@ -35,7 +35,7 @@ where
             tangent[k] = T::from_f64(1.0);
         }
         Ok(Bundle {
-            state: Family::<S, T, N>::scheme(&self.0, system, tolerance)?,
+            state: OneStep::<S, T, N>::scheme(&self.0, system, tolerance)?,
             tolerance,
             tangents,
             tried: tangents,
@@ -46,8 +46,8 @@ where
 
 /// A state and its tangents on their way.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Bundle<B, const STAGES: usize, const K: usize, const N: usize, T> {
-    state: Stages<B, STAGES, N, T>,
+pub(crate) struct Bundle<B, T, const STAGES: usize, const K: usize, const N: usize> {
+    state: ExplicitStages<B, T, STAGES, N>,
     tolerance: Option<Tolerance<T>>,
     /// Where the last accepted step ended; at first the unit vectors of the first `K` components.
     pub(crate) tangents: [SVector<T, N>; K],
@@ -57,7 +57,7 @@ pub(crate) struct Bundle<B, const STAGES: usize, const K: usize, const N: usize,
     rates: [[SVector<T, N>; STAGES]; K],
 }
 
-impl<B, T, const STAGES: usize, const K: usize, const N: usize> Bundle<B, STAGES, K, N, T>
+impl<B, T, const STAGES: usize, const K: usize, const N: usize> Bundle<B, T, STAGES, K, N>
 where
     B: Tableau<STAGES>,
     T: Float,
@@ -93,7 +93,7 @@ where
     }
 }
 
-impl<B, S, T, const STAGES: usize, const K: usize, const N: usize> Scheme<S, T, N> for Bundle<B, STAGES, K, N, T>
+impl<B, S, T, const STAGES: usize, const K: usize, const N: usize> Scheme<S, T, N> for Bundle<B, T, STAGES, K, N>
 where
     B: Tableau<STAGES>,
     S: Jacobian<T, N> + ?Sized,
@@ -113,7 +113,7 @@ where
         (t, x): (T, &SVector<T, N>),
         t_new: T,
         work: &mut Statistics,
-    ) -> Result<Attempt<N, T>, Stalled> {
+    ) -> Result<Attempt<T, N>, Stalled> {
         let Attempt { x: x_new, mean_square } = self.state.attempt(system, (t, x), t_new, work)?;
         let of_tangents = self.attempt_tangents(system, (t, x), t_new - t);
         work.jacobians += STAGES - 1;
@@ -128,13 +128,13 @@ where
         })
     }
 
-    fn finish(&mut self, system: &S, step: &Step<N, T>, work: &mut Statistics) -> Result<(), NonFinite> {
+    fn finish(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> Result<(), NonFinite> {
         self.state.finish(system, step, work)?;
         self.tangents = self.tried;
         Ok(())
     }
 
-    fn dense(&mut self, system: &S, step: &Step<N, T>, work: &mut Statistics) -> &[SVector<T, N>] {
+    fn dense(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
         self.state.dense(system, step, work)
     }
 }

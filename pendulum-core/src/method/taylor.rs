@@ -5,9 +5,9 @@ use nalgebra::SVector;
 use crate::control::{Tolerance, exp2, log2};
 use crate::dense::{Step, polynomial};
 use crate::error::Reason;
-use crate::method::scheme::{Attempt, Family, NonFinite, Scheme, Stalled};
+use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
 use crate::method::{Adaptive, require};
-use crate::real::lanes::{Isa, Kernel, Lane, Lanes};
+use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
 use crate::real::{Float, Real};
 use crate::solution::Statistics;
 use crate::taylor::{MAX_ORDER, TaylorSeries};
@@ -34,7 +34,7 @@ use crate::taylor::{MAX_ORDER, TaylorSeries};
 /// let swing = Swing::new(SwingParams::default())?;
 /// let solution = Taylor::new().rtol(1e-14).atol(1e-14).solve(&swing, 0.0, 10.0, [3.0, 0.0])?;
 /// let energy = |x: &SVector<f64, 2>| swing.energy(0.0, x);
-/// assert!((energy(&solution.last().1) - energy(&solution.at(0.0)?)).abs() < 1e-12);
+/// assert!((energy(&solution.end()) - energy(&solution.at(0.0)?)).abs() < 1e-12);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub type Taylor = Adaptive<PowerSeries>;
@@ -71,17 +71,17 @@ impl PowerSeries {
     }
 }
 
-impl<S, T, const N: usize> Family<S, T, N> for PowerSeries
+impl<S, T, const N: usize> OneStep<S, T, N> for PowerSeries
 where
     S: TaylorSeries<T, N> + ?Sized,
-    T: Lane,
+    T: LaneElement,
 {
-    type Scheme = Series<S::Workspace, N, T>;
+    type Scheme = TaylorStages<S::Workspace, T, N>;
 
     fn scheme(&self, system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
         let order = self.order_within(tolerance)?;
         let zero = SVector::from_element(T::default());
-        Ok(Series {
+        Ok(TaylorStages {
             tolerance,
             order,
             isa: Isa::for_scalars(),
@@ -153,17 +153,17 @@ pub(crate) fn defect<R: Real, const N: usize>(x: &[SVector<R, N>], h: R, slope: 
 }
 
 /// A series, as code that may use wider registers: its loops over products have the numbers side by side.
-struct Recurrences<'a, S: ?Sized, W, const N: usize, T> {
+struct Recurrences<'a, S: ?Sized, W, T, const N: usize> {
     system: &'a S,
     t: T,
     x: &'a mut [SVector<T, N>],
     work: &'a mut W,
 }
 
-impl<S, T, const N: usize> Kernel<T> for Recurrences<'_, S, S::Workspace, N, T>
+impl<S, T, const N: usize> Kernel<T> for Recurrences<'_, S, S::Workspace, T, N>
 where
     S: TaylorSeries<T, N> + ?Sized,
-    T: Lane,
+    T: LaneElement,
 {
     type Output = ();
 
@@ -175,7 +175,7 @@ where
 
 /// The power series of a step.
 #[derive(Clone, Debug)]
-pub struct Series<W, const N: usize, T> {
+pub struct TaylorStages<W, T, const N: usize> {
     tolerance: Option<Tolerance<T>>,
     order: usize,
     isa: Isa,
@@ -187,7 +187,7 @@ pub struct Series<W, const N: usize, T> {
     work: W,
 }
 
-impl<W, const N: usize, T: Lane> Series<W, N, T> {
+impl<W, T: LaneElement, const N: usize> TaylorStages<W, T, N> {
     /// Computes one of the two series.
     #[inline]
     fn find<S>(&mut self, which: usize, system: &S, (t, x): (T, &SVector<T, N>), work: &mut Statistics)
@@ -211,10 +211,10 @@ impl<W, const N: usize, T: Lane> Series<W, N, T> {
     }
 }
 
-impl<S, T, const N: usize> Scheme<S, T, N> for Series<S::Workspace, N, T>
+impl<S, T, const N: usize> Scheme<S, T, N> for TaylorStages<S::Workspace, T, N>
 where
     S: TaylorSeries<T, N> + ?Sized,
-    T: Lane,
+    T: LaneElement,
 {
     const PROPOSES: bool = true;
 
@@ -241,7 +241,7 @@ where
         (t, x): (T, &SVector<T, N>),
         t_new: T,
         work: &mut Statistics,
-    ) -> Result<Attempt<N, T>, Stalled> {
+    ) -> Result<Attempt<T, N>, Stalled> {
         let (h, other) = (t_new - t, 1 - self.current);
         let x_new = polynomial(x, &self.series(self.current)[1..], h);
         self.find(other, system, (t_new, &x_new), work);
@@ -256,13 +256,13 @@ where
     }
 
     #[inline]
-    fn finish(&mut self, _system: &S, _step: &Step<N, T>, _work: &mut Statistics) -> Result<(), NonFinite> {
+    fn finish(&mut self, _system: &S, _step: &Step<T, N>, _work: &mut Statistics) -> Result<(), NonFinite> {
         NonFinite::check(&self.x[1 - self.current][1])?;
         self.current = 1 - self.current;
         Ok(())
     }
 
-    fn dense(&mut self, _system: &S, step: &Step<N, T>, _work: &mut Statistics) -> &[SVector<T, N>] {
+    fn dense(&mut self, _system: &S, step: &Step<T, N>, _work: &mut Statistics) -> &[SVector<T, N>] {
         let mut power = T::from_f64(1.0);
         let series = &self.x[1 - self.current][1..=self.order];
         for (coefficient, x) in self.coefficients.iter_mut().zip(series) {

@@ -25,9 +25,9 @@ const HURRIED: f64 = 4.0;
 
 /// Goes on to the end, with events if there are any, and keeps the trajectory.
 pub(super) fn collect<C, S, T, const N: usize>(
-    mut stepper: Stepper<'_, C, S, N, T>,
-    events: &[Event<'_, N, T>],
-) -> Result<Solution<N, T>, SolveError<N, T>>
+    mut stepper: Stepper<'_, C, S, T, N>,
+    events: &[Event<'_, T, N>],
+) -> Result<Solution<T, N>, SolveError<T, N>>
 where
     C: Scheme<S, T, N>,
     S: System<T, N> + ?Sized,
@@ -47,9 +47,9 @@ where
 
 /// Goes on to the end, and keeps what `record` wants.
 pub(crate) fn follow<C, S, T, const N: usize>(
-    stepper: &mut Stepper<'_, C, S, N, T>,
-    events: &[Event<'_, N, T>],
-    record: &mut impl Record<N, T>,
+    stepper: &mut Stepper<'_, C, S, T, N>,
+    events: &[Event<'_, T, N>],
+    record: &mut impl Record<T, N>,
 ) -> Result<(), Reason>
 where
     C: Scheme<S, T, N>,
@@ -124,8 +124,8 @@ where
 }
 
 /// What is known of the events where the last step ended.
-struct Watch<'w, 'e, const N: usize, T> {
-    events: &'w [Event<'e, N, T>],
+struct Watch<'w, 'e, T, const N: usize> {
+    events: &'w [Event<'e, T, N>],
     seen: Vec<Seen<T>>,
     /// Whether the integration starts here, or anew.
     starts: bool,
@@ -176,7 +176,7 @@ enum What {
 
 impl<T: Float> Found<T> {
     /// The error that it is, unless it is none.
-    fn trouble<const N: usize>(&self, dense: &Dense<'_, N, T>) -> Option<Reason> {
+    fn trouble<const N: usize>(&self, dense: &Dense<'_, T, N>) -> Option<Reason> {
         let event = self.index;
         match self.what {
             What::Passage { .. } => None,
@@ -201,8 +201,8 @@ impl<T: Float> Side<T> {
     }
 }
 
-impl<'w, 'e, const N: usize, T: Float> Watch<'w, 'e, N, T> {
-    fn new(events: &'w [Event<'e, N, T>], t: T, x: &SVector<T, N>) -> Result<Self, Reason> {
+impl<'w, 'e, T: Float, const N: usize> Watch<'w, 'e, T, N> {
+    fn new(events: &'w [Event<'e, T, N>], t: T, x: &SVector<T, N>) -> Result<Self, Reason> {
         let mut seen = Vec::with_capacity(events.len());
         for index in 0..events.len() {
             let value = Self::value(events, index, t, x)?;
@@ -249,7 +249,7 @@ impl<'w, 'e, const N: usize, T: Float> Watch<'w, 'e, N, T> {
         Ok(())
     }
 
-    fn value(events: &[Event<'e, N, T>], index: usize, t: T, x: &SVector<T, N>) -> Result<T, Reason> {
+    fn value(events: &[Event<'e, T, N>], index: usize, t: T, x: &SVector<T, N>) -> Result<T, Reason> {
         let value = (events[index].function)(t, x);
         if value.is_finite() {
             Ok(value)
@@ -270,7 +270,7 @@ impl<'w, 'e, const N: usize, T: Float> Watch<'w, 'e, N, T> {
     }
 
     /// All that is found in a step, in the order of time.
-    fn look(&mut self, dense: &Dense<'_, N, T>) -> Vec<Found<T>> {
+    fn look(&mut self, dense: &Dense<'_, T, N>) -> Vec<Found<T>> {
         let mut found = Vec::new();
         for index in 0..self.events.len() {
             self.look_at(index, dense, &mut found);
@@ -281,7 +281,7 @@ impl<'w, 'e, const N: usize, T: Float> Watch<'w, 'e, N, T> {
         found
     }
 
-    fn look_at(&mut self, index: usize, dense: &Dense<'_, N, T>, found: &mut Vec<Found<T>>) {
+    fn look_at(&mut self, index: usize, dense: &Dense<'_, T, N>, found: &mut Vec<Found<T>>) {
         let event = &self.events[index];
         let seen = &mut self.seen[index];
         let value = |theta: T| (event.function)(dense.time(theta), &dense.at_fraction(theta));

@@ -60,6 +60,7 @@ pub enum BifurcationKind {
 
 /// Why a branch ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[non_exhaustive]
 pub enum BranchEnd {
     /// The parameter comes to an end of its span.
     Span,

@@ -43,7 +43,7 @@ use crate::system::Jacobian;
 /// }
 ///
 /// let held = |torque| Held::new(HeldParams { torque });
-/// let branch = Continuation::new(held, (0.0, 20.0)).equilibria([0.0, 0.0], 0.0)?;
+/// let branch = Continuation::new(held, 0.0, 20.0).equilibria([0.0, 0.0], 0.0)?;
 /// // It is lifted to the horizontal, and no torque beyond holds it.
 /// let [fold] = branch.bifurcations() else { panic!("there is one") };
 /// assert_eq!(fold.kind, BifurcationKind::Fold);
@@ -64,13 +64,13 @@ impl<F, S> Continuation<F>
 where
     F: Fn(f64) -> Result<S, ParameterError>,
 {
-    /// The continuation of the systems that `family` builds, over the span of its parameter from the lower end to the upper. Newton's
+    /// The continuation of the systems that `family` builds, over the span of its parameter from `from` to the larger `to`. Newton's
     /// method may try values somewhat beyond, and takes shorter steps if there are no members.
     #[must_use]
-    pub fn new(family: F, span: (f64, f64)) -> Self {
+    pub fn new(family: F, from: f64, to: f64) -> Self {
         Self {
             family,
-            span,
+            span: (from, to),
             step: 0.05,
             points: 1000,
             tolerance: 1e-10,

@@ -21,7 +21,7 @@ use crate::system::System;
 ///
 /// let swing = FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], -x[0].sin()]));
 /// let upward = Event::new(|_t, x: &SVector<f64, 2>| x[0]).rising();
-/// let points = section(&Vern9::new().rtol(1e-12).atol(1e-12), &swing, (0.0, 100.0), [1.0, 0.0], &upward)?;
+/// let points = section(&Vern9::new().rtol(1e-12).atol(1e-12), &swing, 0.0, 100.0, [1.0, 0.0], &upward)?;
 /// let period = points[1].t - points[0].t;
 /// assert!((period - 6.699_975_664).abs() < 1e-9); // 4 K(sin(1 / 2))
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -32,10 +32,11 @@ use crate::system::System;
 pub fn section<M, S, const N: usize>(
     method: &M,
     system: &S,
-    (t0, t1): (f64, f64),
+    t0: f64,
+    t1: f64,
     x0: impl Into<SVector<f64, N>>,
-    surface: &Event<'_, N>,
-) -> Result<Vec<Occurrence<N>>, StabilityError>
+    surface: &Event<'_, f64, N>,
+) -> Result<Vec<Occurrence<f64, N>>, StabilityError>
 where
     M: Method<S, f64, N>,
     S: System<f64, N> + ?Sized,

@@ -209,7 +209,7 @@ impl<const N: usize> Lap<N> {
     where
         S: Jacobian<f64, N> + ?Sized,
     {
-        let (end, monodromy) = transition(system, (0.0, period), x, tolerance)?;
+        let (end, monodromy) = transition(system, 0.0, period, x, tolerance)?;
         let (gap, turns) = gap(&x, &end, angles);
         Ok(Self {
             gap,

@@ -27,7 +27,8 @@ pub(super) fn flow<const K: usize>(tolerance: f64) -> Flow<K> {
 /// Those of [`Vern9`](crate::Vern9).
 pub fn transition<S, const N: usize>(
     system: &S,
-    (t0, t1): (f64, f64),
+    t0: f64,
+    t1: f64,
     x0: impl Into<SVector<f64, N>>,
     tolerance: f64,
 ) -> Result<(SVector<f64, N>, SMatrix<f64, N, N>), Reason>

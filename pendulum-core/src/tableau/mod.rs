@@ -10,24 +10,24 @@
 //! | [`Verner7`] | 7 | 6 | 7 | 10 | 5 |
 //! | [`Verner9`] | 9 | 8 | 9 | 16 | 9 |
 //!
-//! Rosenbrock methods, for stiff systems, have tableaus of their own: [`Rodas4`] of order 4(3) in 6 stages, with dense output of
-//! order 3, and [`Rodas5P`] of order 5(4) in 8, with dense output of order 4.
+//! Rosenbrock methods, for stiff systems, have tableaus of their own: [`HairerWanner4`] of order 4(3) in 6 stages, with dense output of
+//! order 3, and [`Steinebach5`] of order 5(4) in 8, with dense output of order 4.
 
 mod dormand_prince5;
+mod hairer_wanner4;
 mod hermite;
 mod kutta4;
-mod rodas4;
-mod rodas5p;
 mod rosenbrock;
+mod steinebach5;
 mod tsitouras5;
 mod verner7;
 mod verner9;
 
 pub use dormand_prince5::DormandPrince5;
+pub use hairer_wanner4::HairerWanner4;
 pub use kutta4::Kutta4;
-pub use rodas4::Rodas4;
-pub use rodas5p::Rodas5P;
 pub use rosenbrock::{RosenbrockMethod, RosenbrockTableau};
+pub use steinebach5::Steinebach5;
 pub use tsitouras5::Tsitouras5;
 pub use verner7::Verner7;
 pub use verner9::Verner9;

@@ -12,7 +12,7 @@ pub(super) fn inlined_into_lanes() -> TokenStream {
 }
 
 impl Items<'_> {
-    /// `impl Model<N>`, where the model has a right-hand side of its own, without inputs.
+    /// `impl Cast<N>`, where the model has a right-hand side of its own, without inputs.
     pub(super) fn over_numbers(&self) -> Option<TokenStream> {
         if !self.program.inputs.is_empty() || self.program.routine("rhs").is_none() {
             return None;
@@ -24,7 +24,7 @@ impl Items<'_> {
         );
         Some(quote! {
             #allowed
-            impl ::pendulum_core::Model<#length> for #name {
+            impl ::pendulum_core::Cast<#length> for #name {
                 type In<T: #real> = #name<T>;
 
                 fn cast<T: #real>(&self) -> #name<T> {

@@ -10,7 +10,7 @@ use crate::expr::Precedence;
 use crate::program::{Coefficient, Series, Variable};
 
 impl Items<'_> {
-    /// `impl TaylorSeries` for the model in any number type, and `impl TaylorModel` for all of them together.
+    /// `impl TaylorSeries` for the model in any number type, and `impl CastTaylor` for all of them together.
     pub(super) fn series(&self) -> Option<TokenStream> {
         let series = self.program.series.as_ref()?;
         let (name, allowed, inline) = (&self.head.name, allowed(), inlined_into_lanes());
@@ -36,7 +36,7 @@ impl Items<'_> {
                 }
             }
             #allowed
-            impl #core::TaylorModel<#length> for #name {
+            impl #core::CastTaylor<#length> for #name {
                 type Workspace<T: #real> = #core::Products<T, #slots>;
                 #[inline]
                 fn workspace<T: #real>() -> #core::Products<T, #slots> {

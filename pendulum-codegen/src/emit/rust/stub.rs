@@ -121,7 +121,7 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             }
         }
         #allowed
-        impl<const N: usize> ::pendulum_core::Model<N> for #name {
+        impl<const N: usize> ::pendulum_core::Cast<N> for #name {
             type In<T: #real> = #name<T>;
             fn cast<T: #real>(&self) -> #name<T> {
                 #name::cast(self)
@@ -140,7 +140,7 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             fn series(&self, _: T, _: &mut [#vector], _: &mut ()) {}
         }
         #allowed
-        impl<const N: usize> ::pendulum_core::TaylorModel<N> for #name {
+        impl<const N: usize> ::pendulum_core::CastTaylor<N> for #name {
             type Workspace<T: #real> = ();
             fn workspace<T: #real>() {}
             fn series<T: #real>(_: &#name<T>, _: T, _: &mut [#vector], _: &mut ()) {}

@@ -60,7 +60,7 @@ impl Isa {
 
     /// Runs a kernel on lanes of one register each.
     #[inline]
-    pub fn run<T: Lane, K: Kernel<T>>(self, kernel: K) -> K::Output {
+    pub fn run<T: LaneElement, K: Kernel<T>>(self, kernel: K) -> K::Output {
         T::run(self, kernel)
     }
 }
@@ -73,14 +73,14 @@ impl fmt::Debug for Isa {
 }
 
 /// A scalar that comes in lanes: `f64` and `f32`.
-pub trait Lane: Float {
+pub trait LaneElement: Float {
     /// Runs a kernel on lanes of one register each.
     fn run<K: Kernel<Self>>(isa: Isa, kernel: K) -> K::Output;
 }
 
 macro_rules! lane {
     ($($scalar:ident: $avx2:ident $avx512:ident;)*) => { $(
-        impl Lane for $scalar {
+        impl LaneElement for $scalar {
             #[inline]
             fn run<K: Kernel<Self>>(isa: Isa, kernel: K) -> K::Output {
                 match isa.0 {

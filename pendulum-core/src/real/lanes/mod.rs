@@ -38,7 +38,7 @@ mod register;
 #[cfg(target_arch = "x86_64")]
 mod x86;
 
-pub use isa::{Isa, Kernel, Lane};
+pub use isa::{Isa, Kernel, LaneElement};
 #[cfg(not(target_arch = "x86_64"))]
 pub(super) use register::Pair;
 pub(super) use register::Register;

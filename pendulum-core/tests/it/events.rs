@@ -1,0 +1,266 @@
+//! Events against times that are known exactly.
+
+use std::f64::consts::PI;
+
+use approx::assert_abs_diff_eq;
+use pendulum_core::prelude::*;
+use pendulum_core::{Occurrence, Reason};
+
+/// A state that is the time, up to rounding.
+fn clock() -> impl System<f64, 1> {
+    FnSystem(|_t: f64, _x: &SVector<f64, 1>| SVector::from([1.0]))
+}
+
+/// The times at which `g` passes zero between 0 and `t1`, found on steps of length `h`.
+fn passages(g: impl Fn(f64) -> f64, h: f64, t1: f64) -> Vec<f64> {
+    let event = Event::new(move |t, _x: &SVector<f64, 1>| g(t));
+    let solution = Rk4::new(h).solve_with(&clock(), 0.0, t1, [0.0], &[event]);
+    let solution = solution.expect("regular");
+    assert_eq!(solution.last().0, t1);
+    solution.events().iter().map(|event| event.t).collect()
+}
+
+#[test]
+fn each_passage_is_found_once_wherever_it_lies() {
+    // Within a step, at the end of one, at its start, at the start and at the end of all: to the last bits of the time.
+    for zero in [0.3, 0.25, 0.0, 1.0, 0.75 + 1e-15, 0.5 - 1e-16] {
+        for g in [
+            |t: f64, zero: f64| t - zero,
+            |t: f64, zero: f64| zero - t,
+            |t: f64, zero: f64| (t - zero).powi(3),
+        ] {
+            let found = passages(|t| g(t, zero), 0.25, 1.0);
+            assert_eq!(found.len(), 1, "{zero}: {found:?}");
+            assert_abs_diff_eq!(found[0], zero, epsilon = 1e-15);
+        }
+    }
+}
+
+#[test]
+fn two_in_one_step() {
+    for (a, b) in [
+        (0.3, 0.31),
+        (0.3, 0.3001),
+        (0.1, 0.9),
+        (0.013, 0.05),
+        (0.96, 0.985),
+        (0.5, 1.0),
+        (0.0, 0.5),
+    ] {
+        let found = passages(|t| (t - a) * (t - b), 1.0, 1.0);
+        assert_eq!(found.len(), 2, "{a} {b}: {found:?}");
+        assert_abs_diff_eq!(found[0], a, epsilon = 1e-12);
+        assert_abs_diff_eq!(found[1], b, epsilon = 1e-12);
+    }
+}
+
+#[test]
+fn grazing_events_are_found_where_they_pass() {
+    // 1e-10 deep or high: the zeros lie 1e-5 to the sides of the extremum.
+    let found = passages(|t| (t - 0.55) * (t - 0.55) - 1e-10, 1.0, 3.0);
+    assert_eq!(found.len(), 2);
+    assert_abs_diff_eq!(found[0], 0.55 - 1e-5, epsilon = 1e-10);
+    assert_abs_diff_eq!(found[1], 0.55 + 1e-5, epsilon = 1e-10);
+    assert!(passages(|t| (t - 0.55) * (t - 0.55) + 1e-10, 1.0, 3.0).is_empty());
+    assert!(passages(|t| t + 1e-300, 1.0, 3.0).is_empty());
+    // many, over steps that are as long as their distance
+    let found = passages(|t| (PI * t).sin() * (1.0 + t), 1.0, 9.5);
+    let integers: Vec<f64> = (0..10).map(f64::from).collect();
+    assert_abs_diff_eq!(found[..], integers[..], epsilon = 1e-14);
+}
+
+#[test]
+fn directions_are_those_of_the_integration() {
+    let swing = FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], -x[0]]));
+    let events = || {
+        let zero = |_t, x: &SVector<f64, 2>| x[0];
+        [Event::new(zero), Event::new(zero).rising(), Event::new(zero).falling()]
+    };
+    let method = Rk45::new().rtol(1e-12).atol(1e-12);
+    for direction in [1.0, -1.0] {
+        let solution = method.solve_with(&swing, 0.0, direction * 10.0, [1.0, 0.0], &events());
+        let solution = solution.expect("regular");
+        let times = |index| {
+            let events = solution.events().iter().filter(move |event| event.index == index);
+            events.map(|event| event.t * direction).collect::<Vec<_>>()
+        };
+        assert_abs_diff_eq!(times(0)[..], [0.5 * PI, 1.5 * PI, 2.5 * PI][..], epsilon = 1e-10);
+        assert_abs_diff_eq!(times(1)[..], [1.5 * PI][..], epsilon = 1e-10);
+        assert_abs_diff_eq!(times(2)[..], [0.5 * PI, 2.5 * PI][..], epsilon = 1e-10);
+        for event in solution.events() {
+            assert_abs_diff_eq!(event.x[0], 0.0, epsilon = 1e-15);
+            assert_abs_diff_eq!(event.x, solution.at(event.t).expect("within"), epsilon = 1e-15);
+        }
+    }
+    // at the start: it rises, so it is no falling one
+    let solution = method
+        .solve_with(&swing, 0.0, 1.0, [0.0, 1.0], &events())
+        .expect("regular");
+    let found: Vec<_> = solution.events().iter().map(|event| (event.index, event.t)).collect();
+    assert_eq!(found, [(0, 0.0), (1, 0.0)]);
+}
+
+#[test]
+fn a_terminal_event_is_the_end() {
+    let swing = FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], -x[0]]));
+    let end = |value: f64| Event::new(move |_t, x: &SVector<f64, 2>| x[0] - value).terminal();
+    let method = Rk45::new().rtol(1e-12).atol(1e-12);
+    let whole = method.solve(&swing, 0.0, 10.0, [1.0, 0.0]).expect("regular");
+    let solution = method.solve_with(&swing, 0.0, 10.0, [1.0, 0.0], &[end(2.0), end(0.3)]);
+    let solution = solution.expect("regular");
+    let (t, x) = solution.last();
+    assert_abs_diff_eq!(t, 0.3_f64.acos(), epsilon = 1e-11);
+    assert_abs_diff_eq!(x[0], 0.3, epsilon = 1e-15);
+    assert_eq!(solution.events(), [Occurrence { index: 1, t, x }]);
+    // the part of the step that is left is the same polynomial
+    for theta in [0.1, 0.5, 0.9, 0.99] {
+        let t = theta * t;
+        assert_abs_diff_eq!(
+            solution.at(t).expect("within"),
+            whole.at(t).expect("within"),
+            epsilon = 1e-15
+        );
+    }
+    assert!(solution.at(t.next_up()).is_err());
+    let solution = method
+        .solve_with(&swing, 0.0, 10.0, [1.0, 0.0], &[end(1.0)])
+        .expect("regular");
+    assert_eq!(solution.t(), [0.0], "at the start");
+}
+
+/// A ball that falls from a height of 1.
+fn ball() -> impl System<f64, 2> {
+    FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], -9.81]))
+}
+
+fn bounce<'e>(restitution: f64) -> Event<'e, f64, 2> {
+    let floor = Event::new(|_t, x: &SVector<f64, 2>| x[0]).falling();
+    floor.reset(move |_t, x| SVector::from([x[0], -restitution * x[1]]))
+}
+
+#[test]
+fn a_ball_rebounds_at_the_times_of_its_parabolas() {
+    let fall = (2.0_f64 / 9.81).sqrt();
+    for h in [0.01, 0.3, 5.0] {
+        let solution = Rk4::new(h).solve_with(&ball(), 0.0, 3.0, [1.0, 0.0], &[bounce(0.8)]);
+        let solution = solution.expect("regular");
+        let mut time = fall;
+        let mut flight = 2.0 * fall;
+        for event in solution.events() {
+            // The rounding errors of the times, and each is carried on.
+            assert_abs_diff_eq!(event.t, time, epsilon = 1e-14);
+            flight *= 0.8;
+            time += flight;
+        }
+        assert!(
+            time > 3.0 && solution.events().len() == 6,
+            "{h}: {}",
+            solution.events().len()
+        );
+        assert!(solution.x().iter().all(|x| x[0] > -1e-14), "never below the floor");
+        // two points at a rebound, of which the later one counts
+        let first = solution.events()[0];
+        let after = solution.at(first.t).expect("within");
+        assert_abs_diff_eq!(first.x[1], -9.81 * fall, epsilon = 1e-13);
+        assert_eq!(after[1], -0.8 * first.x[1]);
+        assert_eq!(solution.t().iter().filter(|&&t| t == first.t).count(), 2);
+    }
+}
+
+#[test]
+fn rebounds_that_accumulate_are_an_error_at_that_time() {
+    // fall (1 + 2 (r + r^2 + ..)) = fall (1 + r) / (1 - r)
+    let end = (2.0_f64 / 9.81).sqrt() * 1.5 / 0.5;
+    for method in [Rk45::new(), Rk45::new().h_max(0.01)] {
+        let error = method.solve_with(&ball(), 0.0, 3.0, [1.0, 0.0], &[bounce(0.5)]);
+        let error = error.expect_err("it comes to rest");
+        assert_eq!(error.reason, Reason::EventsAccumulate { event: 0 });
+        // Rebounds lower than the rounding errors of the height, 1e-16, are not seen; they take 1e-8 s.
+        assert_abs_diff_eq!(error.t(), end, epsilon = 2e-8);
+        assert_abs_diff_eq!(error.x(), SVector::zeros(), epsilon = 1e-7);
+    }
+}
+
+#[test]
+fn simultaneous_events_see_each_other() {
+    // a ball in a corner: both walls are met at once, and each turns its own component
+    let flight = FnSystem(|_t: f64, x: &SVector<f64, 4>| SVector::from([x[2], x[3], 0.0, 0.0]));
+    let wall = |i: usize| {
+        Event::new(move |_t, x: &SVector<f64, 4>| 1.0 - x[i])
+            .falling()
+            .reset(move |_t, x| {
+                let mut x = *x;
+                x[i + 2] = -x[i + 2];
+                x
+            })
+    };
+    let solution = Rk45::new().solve_with(&flight, 0.0, 2.0, [0.5, 0.5, 1.0, 1.0], &[wall(0), wall(1)]);
+    let solution = solution.expect("regular");
+    assert_eq!(solution.events().len(), 2);
+    assert_abs_diff_eq!(solution.end(), SVector::from([-0.5, -0.5, -1.0, -1.0]), epsilon = 1e-14);
+}
+
+#[test]
+fn undefined_events_are_errors_with_what_was_reached() {
+    let root = Event::new(|_t, x: &SVector<f64, 1>| (2.0 - x[0]).sqrt() - 0.1);
+    let error = Rk4::new(0.25).solve_with(&clock(), 0.0, 5.0, [0.0], &[root]);
+    let error = error.expect_err("undefined beyond 2");
+    assert!(matches!(error.reason, Reason::EventNotFinite { event: 0, t } if t > 2.0 && t < 2.01));
+    assert_eq!((error.t(), error.solution.events().len()), (2.0, 1));
+    let undefined = Event::new(|_t, _x: &SVector<f64, 1>| f64::NAN);
+    let error = Rk45::new().solve_with(&clock(), 0.0, 5.0, [0.0], &[undefined]);
+    let error = error.expect_err("undefined");
+    assert_eq!(error.reason, Reason::EventNotFinite { event: 0, t: 0.0 });
+    // not if the integration ends before
+    let root = Event::new(|_t, x: &SVector<f64, 1>| (2.0 - x[0]).sqrt() - 0.1).terminal();
+    let solution = Rk4::new(0.25).solve_with(&clock(), 0.0, 5.0, [0.0], &[root]);
+    assert_abs_diff_eq!(solution.expect("ends").last().0, 1.99, epsilon = 1e-14);
+    let nonsense = Event::new(|_t, x: &SVector<f64, 1>| x[0] - 1.0).reset(|_t, _x| SVector::from([f64::NAN]));
+    let error = Rk45::new().solve_with(&clock(), 0.0, 5.0, [0.0], &[nonsense]);
+    let error = error.expect_err("a bad reset");
+    assert!(matches!(error.reason, Reason::NonFinite { component: 0, .. }));
+    assert_abs_diff_eq!(error.t(), 1.0, epsilon = 1e-15);
+}
+
+#[test]
+fn the_period_of_a_pendulum() {
+    // 4 K(sin(a / 2)) = 2 pi / agm(1, cos(a / 2))
+    let swing = FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], -x[0].sin()]));
+    let amplitude: f64 = 2.5;
+    let (mut a, mut b) = (1.0, (0.5 * amplitude).cos());
+    for _ in 0..6 {
+        (a, b) = (0.5 * (a + b), (a * b).sqrt());
+    }
+    let period = 2.0 * PI / a;
+    let top = Event::new(|_t, x: &SVector<f64, 2>| x[1]).falling();
+    let solution = Rk45::new()
+        .rtol(1e-12)
+        .atol(1e-12)
+        .solve_with(&swing, 0.0, 45.0, [amplitude, 0.0], &[top]);
+    let solution = solution.expect("regular");
+    for (n, event) in solution.events().iter().enumerate() {
+        assert_abs_diff_eq!(event.t, period * n as f64, epsilon = 1e-9);
+    }
+    assert_eq!(solution.events().len(), 1 + (45.0 / period) as usize);
+}
+
+#[test]
+fn jumps_of_an_event_function_are_passages_too() {
+    let square = |t: f64| (std::f64::consts::TAU * t).sin().signum();
+    let event = Event::new(move |t, _x: &SVector<f64, 1>| square(t)).reset(|_t, x| *x);
+    let solution = Rk4::new(0.07).solve_with(&clock(), 0.1, 10.1, [0.0], &[event]);
+    let solution = solution.expect("regular");
+    let halves: Vec<f64> = (1..=20).map(|n| 0.5 * f64::from(n)).collect();
+    let found: Vec<f64> = solution.events().iter().map(|event| event.t).collect();
+    assert_abs_diff_eq!(found[..], halves[..], epsilon = 1e-13);
+}
+
+#[test]
+fn rebounds_may_accumulate_at_the_time_zero() {
+    let end = (2.0_f64 / 9.81).sqrt() * 1.5 / 0.5;
+    let error = Rk45::new().solve_with(&ball(), -end, 2.0, [1.0, 0.0], &[bounce(0.5)]);
+    assert_eq!(
+        error.expect_err("it comes to rest").reason,
+        Reason::EventsAccumulate { event: 0 }
+    );
+}

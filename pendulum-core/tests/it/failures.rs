@@ -1,0 +1,106 @@
+//! Integrations that cannot succeed: each says why, and keeps what it had reached.
+
+use approx::assert_abs_diff_eq;
+use pendulum_core::Reason;
+use pendulum_core::prelude::*;
+
+/// Decays, and is not defined after `t = 1`.
+fn ends_at_one(t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
+    SVector::from([-x[0], if t > 1.0 { f64::NAN } else { -x[1] }])
+}
+
+#[test]
+fn a_right_hand_side_that_ends_is_followed_to_its_end() {
+    let system = FnSystem(ends_at_one);
+    let error = Rk45::new()
+        .solve(&system, 0.0, 2.0, [1.0, 1.0])
+        .expect_err("NaN after 1");
+    assert!(
+        matches!(error.reason, Reason::NonFinite { component: 1, .. }),
+        "{error}"
+    );
+    // The least step is 4 ulps, and one that leads beyond the end is quartered: nothing is left to try within 16 ulps.
+    assert!(error.t() <= 1.0 && error.t() > 1.0 - 16.0 * f64::EPSILON);
+    // The defaults' tolerance of 1e-6 and as much for several steps.
+    assert_abs_diff_eq!(error.x()[0], (-1.0_f64).exp(), epsilon = 5e-6);
+    assert_abs_diff_eq!(
+        error.solution.at(0.5).expect("kept")[1],
+        (-0.5_f64).exp(),
+        epsilon = 5e-6
+    );
+    assert!(error.to_string().contains("component 1"), "{error}");
+
+    let error = Rk4::new(0.3)
+        .solve(&system, 0.0, 2.0, [1.0, 1.0])
+        .expect_err("NaN after 1");
+    assert!(
+        matches!(error.reason, Reason::NonFinite { component: 1, .. }),
+        "{error}"
+    );
+    assert_abs_diff_eq!(error.t(), 0.9, epsilon = 1e-15);
+    assert_eq!(error.solution.statistics().accepted, 3);
+}
+
+#[test]
+fn a_step_that_leaves_the_domain_is_shortened() {
+    // x' = -sqrt(x) reaches 0 at t = 2 with a slope of 0; long steps overshoot to where there is no root.
+    let system = FnSystem(|_t: f64, x: &SVector<f64, 1>| SVector::from([-x[0].sqrt()]));
+    let method = Rk45::new().h0(1.9);
+    let solution = method.solve(&system, 0.0, 1.9, [1.0]).expect("defined up to 2");
+    assert!(solution.statistics().rejected > 0);
+    // x = (1 - t/2)^2 is 0.0025; the tolerance of 1e-6 and as much for several steps.
+    assert_abs_diff_eq!(solution.end()[0], 0.0025, epsilon = 5e-6);
+}
+
+#[test]
+fn a_blow_up_ends_in_a_step_underflow_at_the_pole() {
+    // x' = x^2 from 1 is 1 / (1 - t).
+    let system = FnSystem(|_t: f64, x: &SVector<f64, 1>| x.component_mul(x));
+    let method = Rk45::new().rtol(1e-10).atol(1e-10);
+    let error = method.solve(&system, 0.0, 2.0, [1.0]).expect_err("a pole at 1");
+    assert!(matches!(error.reason, Reason::StepUnderflow { .. }), "{error}");
+    // The tolerance displaces the pole; to its own rounding errors the state follows the displaced one.
+    assert_abs_diff_eq!(error.t(), 1.0, epsilon = 1e-9);
+    assert!(error.x()[0] > 1e12);
+    assert_abs_diff_eq!(error.solution.at(0.9).expect("kept")[0], 10.0, epsilon = 1e-7);
+}
+
+#[test]
+fn too_many_steps_keep_the_part_that_was_reached() {
+    let system = FnSystem(|t: f64, x: &SVector<f64, 1>| SVector::from([-1e4 * (x[0] - t.cos())]));
+    let method = Rk45::new().max_steps(100);
+    let error = method.solve(&system, 0.0, 20.0, [0.0]).expect_err("stiff");
+    assert_eq!(error.reason, Reason::TooManySteps { max_steps: 100 });
+    let statistics = error.solution.statistics();
+    assert_eq!(statistics.accepted + statistics.rejected, 100);
+    assert_eq!(error.solution.t().len(), statistics.accepted + 1);
+    assert!(error.t() > 0.0 && error.x().iter().all(|x| x.is_finite()));
+}
+
+#[test]
+fn steps_that_time_cannot_resolve_are_refused() {
+    let decay = FnSystem(|_t: f64, x: &SVector<f64, 1>| -x);
+    let spans = [
+        (0.0, 0.0, 1.0),
+        (-0.1, 0.0, 1.0),
+        (f64::NAN, 0.0, 1.0),
+        (f64::INFINITY, 0.0, 1.0),
+        (1e-7, 1e9, 1e9 + 1.0),
+        (1e-7, 0.0, 1e9),
+    ];
+    for (h, t0, t1) in spans {
+        let error = Rk4::new(h).solve(&decay, t0, t1, [1.0]).expect_err("nonsense");
+        assert!(
+            matches!(error.reason, Reason::InvalidInput { what: "h", .. }),
+            "{error}"
+        );
+        assert_eq!((error.t(), error.x()), (t0, SVector::from([1.0])));
+    }
+    let decay = FnSystem(|_t: f32, x: &SVector<f32, 1>| -x);
+    let error = Rk45::new().rtol(1e-7).solve(&decay, 0.0, 1.0, [1.0]);
+    let error = error.expect_err("below 10 ulps of f32");
+    assert!(
+        matches!(error.reason, Reason::InvalidInput { what: "rtol", .. }),
+        "{error}"
+    );
+}
