@@ -8,7 +8,8 @@ use crate::error::Reported;
 use crate::expr::Rational;
 use crate::units::Unit;
 
-/// A part of the text, or why it cannot be read. The error is reported when lowering comes to it, in line with others of the body.
+/// A part of the text, or why it cannot be read. The error is reported when lowering comes to it, in line with others
+/// of the body.
 pub(crate) type Read<T> = syn::Result<T>;
 
 /// A whole declaration.

@@ -24,7 +24,8 @@ pub(crate) fn check(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'_>) -
             format!("give `{name}` mass or make the joint `fixed`")
         } else {
             format!(
-                "the joint of `{name}` moves no mass that other joints do not move in the same way: check where its mass and its axis are"
+                "the joint of `{name}` moves no mass that other joints do not move in the same way: \
+                 check where its mass and its axis are"
             )
         };
         errors.at(spans.bodies[n], fact, help);

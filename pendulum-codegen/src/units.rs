@@ -154,7 +154,8 @@ pub(crate) struct Unit {
 }
 
 impl Parse for Unit {
-    /// `kg m^2`, `N*m*s`, `m/s^2`, `1`: juxtaposed or multiplied names with integer powers; a `/` takes the next name only.
+    /// `kg m^2`, `N*m*s`, `m/s^2`, `1`: names with integer powers, side by side or multiplied; a `/` takes the next
+    /// name only.
     fn parse(input: ParseStream) -> syn::Result<Self> {
         let mut unit = Self {
             text: String::new(),

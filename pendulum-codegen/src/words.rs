@@ -1,7 +1,7 @@
 //! Words that people write for words of the language: near misses, and those of other tools.
 
-/// Words for one thing, in lower case and without underscores, and the word of the language for it; where the language has none,
-/// what to do instead.
+/// Words for one thing, in lower case and without underscores, and the word of the language for it; where the language
+/// has none, what to do instead.
 pub(crate) type Synonyms = [(&'static [&'static str], &'static str)];
 
 /// What to do about an unknown word.

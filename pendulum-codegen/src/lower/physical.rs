@@ -1,4 +1,4 @@
-//! What numbers must obey: checked now where they are constant, left as rules for `new` where they depend on parameters.
+//! What numbers must obey: checked now where they are constant, rules for `new` where they depend on parameters.
 
 use std::collections::BTreeSet;
 
@@ -63,15 +63,23 @@ impl<'g> Lower<'g> {
                 let (fact, help) = match TRIANGLES.get(n) {
                     Some([p, q, r]) if diagonal => {
                         let text = |name: &str| {
-                            let at = ["ixx", "iyy", "izz"].iter().position(|known| *known == name).unwrap_or(0);
+                            let at = ["ixx", "iyy", "izz"]
+                                .iter()
+                                .position(|known| *known == name)
+                                .unwrap_or(0);
                             Printer::new(self.graph).print(about_com.0[at].id())
                         };
-                        let fact = format!("principal moments break the triangle inequality: {} + {} < {}", text(p), text(q), text(r));
+                        let [a, b, c] = [p, q, r].map(|name| text(name));
+                        let fact = format!("principal moments break the triangle inequality: {a} + {b} < {c}");
                         (fact, format!("a rigid body needs {p} + {q} >= {r}"))
                     }
                     _ => (
-                        format!("no rigid body has the inertia of `{owner}`: its principal moments about the centre of mass break the triangle inequality"),
-                        "check the signs, the order [ixx, iyy, izz, ixy, ixz, iyz], and the point that it is taken about".to_owned(),
+                        format!(
+                            "no rigid body has the inertia of `{owner}`: \
+                             its principal moments about the centre of mass break the triangle inequality"
+                        ),
+                        "check the signs, the order [ixx, iyy, izz, ixy, ixz, iyz], and the point that it is about"
+                            .to_owned(),
                     ),
                 };
                 self.errors.on(&inertia.tokens, fact, help);
@@ -134,11 +142,11 @@ impl<'g> Lower<'g> {
         let mut reported = BTreeSet::new();
         for rule in &self.rules {
             let symbols = self.graph.reachable(&[rule.value]);
-            let read = parameters
+            let mut read = parameters
                 .iter()
                 .zip(params)
                 .filter(|(p, _)| symbols.contains(&p.symbol.id()));
-            let Some((parameter, param)) = read.last() else {
+            let Some((parameter, param)) = read.next_back() else {
                 continue;
             };
             let values = [rule.value, rule.requirement.scale().unwrap_or(rule.value)];

@@ -70,38 +70,40 @@ impl<'g> Lower<'g> {
 }
 
 impl<'g> Lower<'g> {
-    /// No two sides may cross, whatever the parameters.
+    /// No two sides may cross, whatever the parameters: a rule for each two that they might make cross.
     fn require_simple(&mut self, owner: &Ident, corners: &[(Expr<'g>, Expr<'g>)], twice_area: Expr<'g>) {
         let mut normalizer = Normalizer::new(self.graph, BUDGET);
         let n = corners.len();
-        let turn = |a: usize, b: usize, c: usize| {
-            let [a, b, c] = [a, b, c].map(|k| corners[k % n]);
-            (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0)
-        };
-        for (i, j) in (0..n)
-            .flat_map(|i| (i + 2..n).map(move |j| (i, j)))
-            .filter(|(i, j)| (j + 1) % n != *i)
-        {
-            // the ends of each side lie on two sides of the other: two negative products
-            let sides = [
-                [turn(i, i + 1, j), turn(i, i + 1, j + 1)],
-                [turn(j, j + 1, i), turn(j, j + 1, i + 1)],
-            ];
-            if sides.iter().any(|[p, q]| normalizer.is_zero(*p - *q) == Ok(true)) {
+        let pairs = (0..n).flat_map(|i| (i + 2..n).map(move |j| [i, i + 1, j, (j + 1) % n]));
+        for [a, b, c, d] in pairs.filter(|[a, .., d]| a != d) {
+            let [a, b, c, d] = [a, b, c, d].map(|k| corners[k]);
+            if [a, b, c, d]
+                .iter()
+                .all(|(x, y)| x.level().max(y.level()) == Level::Constant)
+            {
+                continue;
+            }
+            // they cross where the line of each parts the ends of the other: the larger product is negative
+            let sides = [[turn(a, b, c), turn(a, b, d)], [turn(c, d, a), turn(c, d, b)]];
+            let same = |[p, q]: &[Expr<'g>; 2]| normalizer.is_zero(*p - *q) == Ok(true);
+            if sides.iter().any(same) {
                 continue;
             }
             let [u, v] = sides.map(|[p, q]| p * q);
             let larger = ratio(1, 2) * (u + v + (u - v).apply(Unary::Abs));
-            if larger.level() == Level::Parameter {
-                self.rule(Rule {
-                    value: larger,
-                    requirement: Requirement::NonNegativeWithin(twice_area.powi(2)),
-                    name: format!("plate of {owner}"),
-                    text: format!("the sides of a plate of `{owner}` must not cross"),
-                });
-            }
+            self.rule(Rule {
+                value: larger,
+                requirement: Requirement::NonNegativeWithin(twice_area.powi(2)),
+                name: format!("plate of {owner}"),
+                text: format!("the sides of a plate of `{owner}` must not cross"),
+            });
         }
     }
+}
+
+/// Twice the area of a triangle, positive where its corners turn to the left.
+fn turn<'g>(a: (Expr<'g>, Expr<'g>), b: (Expr<'g>, Expr<'g>), c: (Expr<'g>, Expr<'g>)) -> Expr<'g> {
+    (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0)
 }
 
 /// Whether no two sides of a polygon share a point but their common corner.

@@ -135,7 +135,7 @@ fn fields_of<'a>(input: &ParseBuffer<'a>, what: &str, form: &str, errors: &mut E
     })
 }
 
-/// The word that a field begins with, and the colon after it. After a mistake whose meaning is clear the reading goes on.
+/// The word that a field begins with, and the colon after it. After a mistake with a clear meaning reading goes on.
 fn key(input: ParseStream, owner: &Ident, known: &[&'static str], errors: &mut Errors) -> syn::Result<Ident> {
     docs(input)?;
     let mut key = input.call(Ident::parse_any).map_err(|e| {

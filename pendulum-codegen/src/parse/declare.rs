@@ -1,4 +1,5 @@
-//! What declares a name: parameters, inputs and `let`. The name is kept even if the rest is wrong, so that its uses are no errors too.
+//! What declares a name: parameters, inputs and `let`. The name is kept even if the rest is wrong, so that its uses
+//! are no errors too.
 
 use syn::ext::IdentExt;
 use syn::parse::{ParseBuffer, ParseStream};

@@ -34,7 +34,7 @@ impl Parse for Expr {
     }
 }
 
-/// The number of tokens before the next comma, and how deep they are nested; the count ends where there are far too many.
+/// The number of tokens before the next comma, and how deep they are nested; the count ends where there are too many.
 fn size_until_comma(tokens: TokenStream) -> (usize, usize) {
     let (mut count, mut deepest) = (0, 0);
     let mut levels = vec![tokens.into_iter()];

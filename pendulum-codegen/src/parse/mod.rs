@@ -36,8 +36,8 @@ const HIDDEN: [&str; 6] = ["Controlled", "Energy", "Ensemble", "Jacobian", "Meth
 pub(crate) fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
     let mut errors = Errors::default();
     let scene = (|whole: ParseStream| {
-        // syn reports what is left in brackets where the reading of a stream ends, but not that of a copy of it; here every mistake
-        // has an error of its own
+        // syn reports what is left in brackets when a stream ends, but not when a copy of it does; here every mistake has
+        // an error of its own
         let input = &whole.fork();
         whole.parse::<TokenStream>()?;
         let head = head(input)?;
@@ -164,7 +164,7 @@ fn skip(input: ParseStream) {
     }
 }
 
-/// Reads a part of an item. After a mistake it skips to where `ends` says that the part ends, or to the end of the item.
+/// Reads a part of an item. After a mistake it skips to the end of the part, where `ends` holds, or of the item.
 fn read<T: Parse>(input: ParseStream, ends: impl Fn(ParseStream) -> bool) -> Read<T> {
     input
         .parse()

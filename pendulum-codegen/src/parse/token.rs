@@ -1,4 +1,4 @@
-//! What a declaration is built of: names, colons, brackets and lists, each with a message for what stands there instead.
+//! What a declaration is built of: names, colons, brackets and lists, with messages for what stands there instead.
 
 use proc_macro2::Ident;
 use syn::ext::IdentExt;
