@@ -155,7 +155,15 @@ pub(crate) enum Requirement<'g> {
 /// How much of a difference is rounding.
 pub(crate) const ROUNDING: f64 = 1e-12;
 
-impl Requirement<'_> {
+impl<'g> Requirement<'g> {
+    /// The number by whose size the rounding is measured.
+    pub(crate) fn scale(self) -> Option<Expr<'g>> {
+        match self {
+            Self::NonNegativeWithin(scale) => Some(scale),
+            Self::Positive | Self::NonNegative => None,
+        }
+    }
+
     /// Whether a value obeys, where `scale` is the size that the rounding is measured by.
     pub(crate) fn allows(self, value: f64, scale: f64) -> bool {
         match self {
