@@ -270,6 +270,24 @@ where
 }
 
 impl Axis {
+    /// An axis of numbers.
+    pub fn linear(label: &str, range: Range<f64>) -> Self {
+        Self {
+            label: label.to_owned(),
+            scale: Scale::Linear,
+            range,
+            ticks: 5,
+        }
+    }
+
+    /// An axis of the logarithms of numbers to base ten; the range is of logarithms as well.
+    pub fn decades(label: &str, range: Range<f64>) -> Self {
+        Self {
+            scale: Scale::Decades,
+            ..Self::linear(label, range)
+        }
+    }
+
     pub(crate) fn shows(&self, value: f64) -> bool {
         self.range.start <= value && value <= self.range.end
     }
@@ -284,6 +302,17 @@ impl Axis {
             Scale::Falling => 0.0 - value,
         };
         power_of_ten(value.round() as i32)
+    }
+}
+
+impl Curve {
+    /// A curve without a label.
+    pub fn new(line: Line, points: Vec<(f64, f64)>) -> Self {
+        Self {
+            line,
+            points,
+            label: None,
+        }
     }
 }
 

@@ -1,6 +1,7 @@
 //! Charts in one style, written as SVG and as PNG.
 #![allow(missing_docs, reason = "fields and functions whose names say what they are")]
 
+pub mod animation;
 pub mod bars;
 pub mod chart;
 pub mod heat;

@@ -63,17 +63,21 @@ pub trait Picture {
         ))
     }
 
-    /// Drawn just as large and averaged down, which makes the edges smooth.
     fn png(&self) -> Result<Vec<u8>, Box<dyn Error>> {
+        encode(&self.pixels()?, self.size())
+    }
+
+    /// Red, green and blue of each pixel: drawn as large as the SVG and averaged down, which makes the edges smooth.
+    fn pixels(&self) -> Result<Vec<u8>, Box<dyn Error>> {
         let (width, height) = self.size();
         let fine = (width * FINENESS, height * FINENESS);
         let mut pixels = vec![0; 3 * fine.0 as usize * fine.1 as usize];
         self.draw(&Typeset(BitMapBackend::with_buffer(&mut pixels, fine)).into_drawing_area())?;
-        encode(&shrink(&pixels, fine.0 as usize), self.size())
+        Ok(shrink(&pixels, fine.0 as usize))
     }
 }
 
-fn write(stem: &Path, ending: &str, contents: &[u8]) -> Result<PathBuf, Box<dyn Error>> {
+pub(crate) fn write(stem: &Path, ending: &str, contents: &[u8]) -> Result<PathBuf, Box<dyn Error>> {
     if let Some(folder) = stem.parent() {
         fs::create_dir_all(folder).map_err(|error| format!("cannot make the folder {}: {error}", folder.display()))?;
     }

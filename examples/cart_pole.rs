@@ -1,0 +1,125 @@
+//! A pole on a cart, held upright by a linear-quadratic regulator.
+//!
+//! `cargo run --release --example cart_pole` linearises the model, finds the gain, compares the small motions with the whole one, and draws the
+//! motion from 30 degrees into `out/cart_pole/`.
+
+use std::error::Error;
+use std::path::Path;
+
+use charts::chart::{Axis, Column, Curve, Figure, Line, Row};
+use charts::page::{BLUE, GREEN, Picture, VERMILION};
+use pendulum_core::prelude::*;
+use pendulum_core::stability::equilibrium;
+
+mechanism! {
+    /// A pole that is hinged to a cart; the angle is 0 upright.
+    CartPole {
+        params { cart: kg = 1, pole: kg = 0.2, l: m = 0.6, g: m/s^2 = 9.81 }
+        input push: N,
+        gravity: [0, -g, 0],
+        body slider on ground { mass: cart, joint: prismatic(x), coordinate: s, torque: push }
+        body rod on slider {
+            solids: [rod(pole, [0, 0, 0], [0, l, 0])],
+            joint: revolute(z),
+            coordinate: theta,
+        }
+    }
+}
+
+type Matrix = SMatrix<f64, 4, 4>;
+type Gain = SMatrix<f64, 1, 4>;
+
+/// The end of the motion, in seconds.
+const T_END: f64 = 6.0;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let model = CartPole::new(CartPoleParams::default())?;
+    let upright = SVector::zeros();
+    let rest = CartPoleInputs { push: 0.0 };
+    let a = model.jacobian_with(0.0, &upright, &rest);
+    let b = model.input_jacobian(0.0, &upright, &rest);
+    let weights = Matrix::from_diagonal(&[1.0, 10.0, 1.0, 1.0].into());
+    let k = lqr(&a, &b, &weights, 0.1).ok_or("the model cannot be balanced")?;
+    println!("push = -K x with K = {k:.3}");
+
+    let closed = model
+        .with_inputs(|_t, x| CartPoleInputs { push: -(k * x)[0] })
+        .with_derivative(|_t, _x| -k);
+    let balance = equilibrium(&closed, upright)?;
+    println!("upright is {:?} with modes of", balance.stability());
+    for mode in balance.spectrum.modes() {
+        println!(
+            "  {:8.3} 1/s, {:6.3} rad/s",
+            mode.growth_rate(),
+            mode.angular_frequency()
+        );
+    }
+
+    let mut start = SVector::zeros();
+    start[CartPole::THETA] = 30.0_f64.to_radians();
+    let solution = Vern7::new().rtol(1e-9).atol(1e-9).solve(&closed, 0.0, T_END, start)?;
+    println!("after {T_END} s, no component is above {:.1e}\n", solution.end().amax());
+
+    let times: Vec<f64> = (0..=600).map(|i| T_END * f64::from(i) / 600.0).collect();
+    let states = solution.sample(times.iter().copied())?;
+    let curve = |line, value: &dyn Fn(&SVector<f64, 4>) -> f64| {
+        Curve::new(line, times.iter().copied().zip(states.iter().map(value)).collect())
+    };
+    let time = || Axis::linear("time t (s)", 0.0..T_END);
+    let figure = Figure {
+        title: "A pole on a cart, released at 30° and balanced by LQR".to_owned(),
+        subtitle: "cart 1 kg, pole 0.2 kg and 0.6 m long".to_owned(),
+        size: (1800, 620),
+        legend: Vec::new(),
+        columns: vec![
+            Column {
+                x: time(),
+                y: Axis::linear("angle of the pole (°)", -15.0..35.0),
+            },
+            Column {
+                x: time(),
+                y: Axis::linear("position of the cart (m)", -0.2..1.4),
+            },
+            Column {
+                x: time(),
+                y: Axis::linear("push (N)", -10.0..30.0),
+            },
+        ],
+        rows: vec![Row {
+            caption: String::new(),
+            legend: Vec::new(),
+            panels: vec![
+                vec![curve(Line::solid(BLUE), &|x| x[CartPole::THETA].to_degrees())],
+                vec![curve(Line::solid(GREEN), &|x| x[CartPole::S])],
+                vec![curve(Line::solid(VERMILION), &|x| -(k * x)[0])],
+            ],
+        }],
+    };
+    for path in figure.save(Path::new("out/cart_pole/balance"))? {
+        println!("{}", path.display());
+    }
+    Ok(())
+}
+
+/// The gain `K` for which `u = -K x` minimises the integral of `x . Q x + r u^2`; none if there is no stabilising one.
+///
+/// The sign of the Hamiltonian matrix gives the solution `P` of the Riccati equation (J. D. Roberts, Int. J. Control 32 (1980) 677).
+fn lqr(a: &Matrix, b: &SMatrix<f64, 4, 1>, q: &Matrix, r: f64) -> Option<Gain> {
+    let mut sign = SMatrix::<f64, 8, 8>::zeros();
+    sign.fixed_view_mut::<4, 4>(0, 0).copy_from(a);
+    sign.fixed_view_mut::<4, 4>(0, 4).copy_from(&(-b * b.transpose() / r));
+    sign.fixed_view_mut::<4, 4>(4, 0).copy_from(&-q);
+    sign.fixed_view_mut::<4, 4>(4, 4).copy_from(&-a.transpose());
+    for _ in 0..40 {
+        sign = 0.5 * (sign + sign.try_inverse()?);
+    }
+    // [W12; W22 + I] P = -[W11 + I; W21], in the least squares sense.
+    let mut left = sign.fixed_columns::<4>(4).into_owned();
+    let mut right = -sign.fixed_columns::<4>(0);
+    for i in 0..4 {
+        left[(4 + i, i)] += 1.0;
+        right[(i, i)] -= 1.0;
+    }
+    let normal = (left.transpose() * left).cholesky()?;
+    Some(b.transpose() * normal.solve(&(left.transpose() * right)) / r)
+}
