@@ -1,4 +1,4 @@
-//! Charts in one style for all examples: panels in rows and columns.
+//! Charts in one style for all examples: titled panels in rows and columns.
 
 use std::error::Error;
 use std::ops::Range;
@@ -23,16 +23,17 @@ pub struct Figure {
     pub rows: Vec<Row>,
 }
 
-/// The axes of the panels below each other.
+/// The axes of the panels below each other, and what distinguishes these panels from those of other columns.
 pub struct Column {
+    pub title: String,
     pub x: Axis,
     pub y: Axis,
 }
 
-/// Panels beside each other, below a caption.
+/// Panels beside each other. Each has the caption, and the title of its column, for a title.
 pub struct Row {
     pub caption: String,
-    /// The keys of the lines that only this row has.
+    /// The keys of the lines that only this row has, above its panels.
     pub legend: Vec<(Line, String)>,
     /// The curves of the panel in each column.
     pub panels: Vec<Vec<Curve>>,
@@ -64,10 +65,21 @@ pub struct Line {
     pub color: RGBColor,
     /// In pixels.
     pub width: f64,
-    pub dashed: bool,
+    pub stroke: Stroke,
 }
 
-/// Points joined by a line; those outside of the axes are left out.
+/// What is drawn of the points of a curve.
+#[derive(Clone, Copy, PartialEq)]
+pub enum Stroke {
+    Solid,
+    Dashed,
+    /// The points alone.
+    Dots,
+    /// The area that they surround.
+    Area,
+}
+
+/// Some points; those outside of the axes are left out.
 #[derive(Clone)]
 pub struct Curve {
     pub line: Line,
@@ -99,19 +111,33 @@ impl Picture for Figure {
 }
 
 impl Figure {
+    /// The same figure, of the height that makes one unit as long on both axes of the first column.
+    #[must_use]
+    pub fn with_equal_scales(mut self) -> Self {
+        let length = |axis: &Axis| axis.range.end - axis.range.start;
+        let panel = (self.column() - LABELS - self.right()) * length(&self.columns[0].y) / length(&self.columns[0].x);
+        let rows: f64 = self.rows.iter().map(|row| row.head() + CAPTION + panel + TICKS).sum();
+        self.size.1 = (MARGIN + head(&self.legend) + rows + FOOTER).round() as u32;
+        self
+    }
+
+    /// The width of a panel with its labels, in pixels.
+    fn column(&self) -> f64 {
+        (f64::from(self.size.0) - 2.0 * MARGIN) / self.columns.len() as f64
+    }
+
     fn draw_row<B: DrawingBackend>(&self, row: &Row, area: &DrawingArea<B, Shift>) -> Result<(), Box<dyn Error>>
     where
         B::ErrorType: 'static,
     {
-        let (head, body) = area.split_vertically(px(56.0));
-        let style = bold(25.0).pos(Pos::new(HPos::Left, VPos::Center));
-        head.draw_text(&row.caption, &style, (px(LABELS), px(32.0)))?;
-        let (width, _) = head.estimate_text_size(&row.caption, &style)?;
-        let start = px(LABELS + 48.0) + i32::try_from(width)?;
-        draw_legend(&head, &row.legend, (start, px(32.0)))?;
+        let (head, body) = area.split_vertically(px(row.head()));
+        draw_legend(&head, &row.legend, (0, px(0.5 * LEGEND)))?;
         let panels = body.split_evenly((1, self.columns.len()));
         for ((curves, column), panel) in row.panels.iter().zip(&self.columns).zip(panels) {
-            self.draw_panel(curves, column, &panel)?;
+            let (head, body) = panel.split_vertically(px(CAPTION));
+            let style = bold(25.0).pos(Pos::new(HPos::Left, VPos::Center));
+            head.draw_text(&row.title(column), &style, (px(LABELS), px(32.0)))?;
+            self.draw_panel(curves, column, &body)?;
         }
         Ok(())
     }
@@ -119,7 +145,7 @@ impl Figure {
     fn draw_panel<B: DrawingBackend>(
         &self,
         curves: &[Curve],
-        Column { x, y }: &Column,
+        Column { x, y, .. }: &Column,
         area: &DrawingArea<B, Shift>,
     ) -> Result<(), Box<dyn Error>>
     where
@@ -127,7 +153,7 @@ impl Figure {
     {
         let mut chart = ChartBuilder::on(area)
             .set_label_area_size(LabelAreaPosition::Left, px(LABELS))
-            .set_label_area_size(LabelAreaPosition::Bottom, px(36.0))
+            .set_label_area_size(LabelAreaPosition::Bottom, px(TICKS))
             .margin_right(px(self.right()))
             .build_cartesian_2d(x.range.clone(), y.range.clone())?;
         chart
@@ -148,11 +174,11 @@ impl Figure {
         let mut curves = curves.to_vec();
         for Curve { line, points, label } in &mut curves {
             points.retain(|point| x.shows(point.0) && y.shows(point.1));
-            if label.is_none() || line.dashed {
-                line.draw(plot, points.clone())?;
-            } else {
+            if label.is_some() && line.stroke == Stroke::Solid {
                 // One by one: where a curve turns back, its corner would be a long spike.
                 points.windows(2).try_for_each(|ends| line.draw(plot, ends.to_vec()))?;
+            } else {
+                line.draw(plot, points.clone())?;
             }
             for &point in points.iter().filter(|_| label.is_some()) {
                 plot.draw(&Circle::new(point, px(1.4 * line.width), line.color.filled()))?;
@@ -176,13 +202,29 @@ impl Figure {
         B::ErrorType: 'static,
     {
         let style = text(23.0, INK).pos(Pos::new(HPos::Center, VPos::Center));
-        let (width, height) = (f64::from(self.size.0), f64::from(self.size.1));
-        let column = (width - 2.0 * MARGIN) / self.columns.len() as f64;
+        let (column, height) = (self.column(), f64::from(self.size.1));
         for (n, Column { x, .. }) in self.columns.iter().enumerate() {
             let middle = MARGIN + n as f64 * column + 0.5 * (LABELS + column - self.right());
             page.draw_text(&x.label, &style, (px(middle), px(height - 0.62 * FOOTER)))?;
         }
         Ok(())
+    }
+}
+
+impl Row {
+    /// The height of what stands above the panels, in pixels.
+    fn head(&self) -> f64 {
+        if self.legend.is_empty() { 0.0 } else { LEGEND }
+    }
+
+    fn title(&self, column: &Column) -> String {
+        let parts = [&self.caption, &column.title];
+        parts
+            .map(String::as_str)
+            .into_iter()
+            .filter(|part| !part.is_empty())
+            .collect::<Vec<_>>()
+            .join(": ")
     }
 }
 
@@ -218,7 +260,7 @@ where
     let style = text(24.0, INK).pos(Pos::new(HPos::Left, VPos::Center));
     for (line, name) in legend {
         let end = x + px(74.0);
-        line.draw(page, vec![(x, y), (end, y)])?;
+        line.key().draw(page, vec![(x, y), (end, y)])?;
         let start = end + px(14.0);
         page.draw_text(name, &style, (start, y))?;
         let (width, _) = page.estimate_text_size(name, &style)?;
@@ -279,14 +321,32 @@ impl Line {
         Self {
             color,
             width: 3.2,
-            dashed: false,
+            stroke: Stroke::Solid,
         }
     }
 
     pub const fn dashed(color: RGBColor) -> Self {
         Self {
-            dashed: true,
+            stroke: Stroke::Dashed,
             ..Self::solid(color)
+        }
+    }
+
+    pub const fn area(color: RGBColor) -> Self {
+        Self {
+            stroke: Stroke::Area,
+            ..Self::solid(color)
+        }
+    }
+
+    /// What a legend shows: of an area, a broad line.
+    fn key(self) -> Self {
+        match self.stroke {
+            Stroke::Area => Self {
+                width: 18.0,
+                ..Self::solid(self.color)
+            },
+            _ => self,
         }
     }
 
@@ -308,16 +368,23 @@ impl Line {
         C::From: Clone + 'static,
     {
         let style = self.color.stroke_width(width(self.width));
-        if self.dashed {
-            area.draw(&DashedPathElement::new(points, px(12.0), px(7.0), style))?;
-        } else {
-            area.draw(&PathElement::new(points, style))?;
+        match self.stroke {
+            Stroke::Solid => area.draw(&PathElement::new(points, style))?,
+            Stroke::Dashed => area.draw(&DashedPathElement::new(points, px(12.0), px(7.0), style))?,
+            Stroke::Dots => {
+                let dot = |point| area.draw(&Circle::new(point, px(0.5 * self.width), style.filled()));
+                points.into_iter().try_for_each(dot)?;
+            }
+            Stroke::Area => area.draw(&Polygon::new(points, style.filled()))?,
         }
         Ok(())
     }
 }
 
-/// Space around the parts of the page, in pixels of the picture.
+/// Space for the parts of the page, in pixels of the picture.
+const LEGEND: f64 = 46.0;
+const CAPTION: f64 = 56.0;
+const TICKS: f64 = 36.0;
 const FOOTER: f64 = 62.0;
 pub(crate) const LABELS: f64 = 96.0;
 const RIGHT: f64 = 24.0;

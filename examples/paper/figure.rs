@@ -32,8 +32,9 @@ pub(crate) fn figure2(runs: &[(f64, Solution<f64, 4>)], t_end: f64) -> Result<Fi
             (UPPER, "upper plate: θ₁ and dθ₁/dt".to_owned()),
             (LOWER, "lower plate: θ₂ and dθ₂/dt".to_owned()),
         ],
-        columns: [("angle θ (°)", -4.6..4.6), ("rate dθ/dt (°/s)", -11.5..11.5)]
-            .map(|(label, range)| Column {
+        columns: [("angles", "angle θ (°)", -4.6..4.6), ("rates", "rate dθ/dt (°/s)", -11.5..11.5)]
+            .map(|(title, label, range)| Column {
+                title: title.to_owned(),
                 x: axis("time t (s)", 0.0..t_end),
                 y: axis(label, range),
             })

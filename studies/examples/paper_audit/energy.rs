@@ -34,23 +34,20 @@ pub(crate) fn figure() -> Result<Figure, Box<dyn Error>> {
             curve("Eq. 22b as printed", EQ_22B, &free, &eq22b, start)?,
         ]);
     }
-    let axis = |label: String, range| Axis {
-        label,
+    let axis = |label: &str, range| Axis {
+        label: label.to_owned(),
         scale: Scale::Linear,
         range,
         ticks: 5,
     };
     let column = |([theta1, theta2], range): ([f64; 2], _)| Column {
-        x: axis("time t (s)".to_owned(), 0.0..END),
-        y: axis(
-            format!("energy gained (J) from ({theta1}, {theta2})").replace('-', "\u{2212}"),
-            range,
-        ),
+        title: format!("released at θ₁ = {theta1}, θ₂ = {theta2} rad").replace('-', "\u{2212}"),
+        x: axis("time t (s)", 0.0..END),
+        y: axis("energy gained (J)", range),
     };
     Ok(Figure {
-        title: "Without friction the printed equations do not conserve energy".to_owned(),
-        subtitle: "Two plates released at rest from (θ₁, θ₂) in rad; m = 1 kg, I = 1 kg m², c = d = 1 m, g = 9.8 m/s²"
-            .to_owned(),
+        title: "Without friction, the printed equations do not conserve energy".to_owned(),
+        subtitle: "Two plates, released from rest; m = 1 kg, I = 1 kg m², c = d = 1 m, g = 9.8 m/s²".to_owned(),
         size: (1600, 720),
         legend: vec![
             (RIGHT, "generated".to_owned()),

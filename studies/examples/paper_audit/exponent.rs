@@ -116,18 +116,19 @@ fn chart(scan: &[Measured], regular: f64) -> Figure {
     };
     let exponents = scan.iter().map(|m| (m.degrees, m.value.log10())).collect();
     Figure {
-        title: "Without friction the largest Lyapunov exponent is found positive only in the largest swings".to_owned(),
+        title: "Without friction, only the largest swings have a positive Lyapunov exponent".to_owned(),
         subtitle: format!(
-            "Released from rest at θ₁ = 0; {DURATION} s; m = 1 kg, I = 1 kg m², c = d = 1 m, g = 9.8 m/s²"
+            "Released from rest at θ₁ = 0, measured over {DURATION} s; m = 1 kg, I = 1 kg m², c = d = 1 m, g = 9.8 m/s²"
         ),
         size: (1600, 800),
         legend: vec![
             (EXPONENT, "measured".to_owned()),
-            (REGULAR, "ln(t)/t: about the most in regular motion".to_owned()),
+            (REGULAR, "ln(t)/t: about the largest value of regular motion".to_owned()),
         ],
         columns: vec![Column {
+            title: String::new(),
             x: axis("θ₂ at the start (°)", Scale::Linear, 0.0..180.0, 10),
-            y: axis("exponent (1/s)", Scale::Decades, -4.0..0.0, 5),
+            y: axis("largest exponent (1/s)", Scale::Decades, -4.0..0.0, 5),
         }],
         rows: vec![Row {
             caption: String::new(),

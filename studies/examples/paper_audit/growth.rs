@@ -92,21 +92,25 @@ fn chart(columns: Vec<[Vec<Curve>; 2]>) -> Figure {
         panels: columns.iter().map(|column| column[n].clone()).collect(),
     };
     Figure {
-        title: "Hanging at rest: the right linearisation decays at every friction".to_owned(),
+        title: "Hanging at rest: the correct linearization decays at every friction".to_owned(),
         subtitle: format!(
             "Williams (2023), Section 5: m = 1 kg, I = 1 kg m², c = d = 1 m, g = 9.8 m/s²; the other axle has {OTHER} N m s"
         ),
         size: (1600, 1200),
         legend: legend.collect(),
-        columns: ["γ₁ (N m s)", "γ₂ (N m s)"]
-            .map(|label| Column {
-                x: axis(label, POWERS.0..POWERS.1),
-                y: axis("rate (1/s)", -5.0..3.0),
-            })
-            .into(),
+        columns: [
+            ("friction of the upper axle", "γ₁ (N m s)"),
+            ("friction of the lower axle", "γ₂ (N m s)"),
+        ]
+        .map(|(title, label)| Column {
+            title: title.to_owned(),
+            x: axis(label, POWERS.0..POWERS.1),
+            y: axis("rate (1/s)", -5.0..3.0),
+        })
+        .into(),
         rows: vec![
-            row("Stable: the slowest decay", 0),
-            row("Unstable: the fastest growth", 1),
+            row("Slowest decay, where stable", 0),
+            row("Fastest growth, where unstable", 1),
         ],
     }
 }

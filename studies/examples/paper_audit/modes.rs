@@ -50,10 +50,12 @@ pub(crate) fn figure() -> Result<Figure, Box<dyn Error>> {
         ],
         columns: vec![
             Column {
+                title: "motion and modes".to_owned(),
                 x: axis("time t (s)", 0.0..END),
                 y: axis("angle (°)", -4.6..4.6),
             },
             Column {
+                title: "what the modes leave".to_owned(),
                 x: axis("time t (s)", 0.0..END),
                 y: axis("remainder (0.001°)", -5.5..5.5),
             },

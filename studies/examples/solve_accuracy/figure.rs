@@ -23,8 +23,9 @@ pub(crate) fn figure(runs: &[Run], textbook: &[Run]) -> Result<Figure, String> {
         ticks,
     };
     let errors = |states: &str| Column {
+        title: states.to_owned(),
         x: axis("mass of one body over its usual mass", -8.0..8.0, 9),
-        y: axis(&format!("error, {states}"), DECADES[0]..DECADES[1], 8),
+        y: axis("relative error", DECADES[0]..DECADES[1], 8),
     };
     let textbook: Vec<_> = textbook.iter().map(|run| (run, run.name.clone())).collect();
     Ok(Figure {

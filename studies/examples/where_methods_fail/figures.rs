@@ -7,10 +7,15 @@ use pendulum_core::stability::StabilityError;
 
 use charts::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
 use charts::methods::line;
-use charts::page::{BLUE, INK};
+use charts::page::{BLUE, GREY, INK};
 use testbed::scenes::DoublePendulum;
 use testbed::where_methods_fail::scenes::double_pendulum;
 use testbed::where_methods_fail::{chaos, energy, friction};
+
+const PREDICTED: Line = Line {
+    width: 1.6,
+    ..Line::solid(GREY)
+};
 
 fn axis(label: &str, scale: Scale, range: Range<f64>, ticks: usize) -> Axis {
     Axis {
@@ -32,14 +37,10 @@ pub(crate) fn energy() -> Figure {
             energy_of("Gauss6", &Gauss6::new(energy::H), x0),
         ]
     };
-    let column = |name: &str| Column {
+    let column = |title: &str| Column {
+        title: title.to_owned(),
         x: axis("time (s)", Scale::Decades, -1.0..energy::TIME.log10(), 4),
-        y: axis(
-            &format!("{name}: relative error of the energy"),
-            Scale::Decades,
-            -16.0..0.0,
-            8,
-        ),
+        y: axis("relative error of the energy", Scale::Decades, -16.0..0.0, 8),
     };
     Figure {
         title: "Energy over time, without friction".to_owned(),
@@ -47,7 +48,7 @@ pub(crate) fn energy() -> Figure {
             .to_owned(),
         size: (1600, 860),
         legend: Vec::new(),
-        columns: vec![column("regular"), column("chaotic")],
+        columns: vec![column("regular motion"), column("chaotic motion")],
         rows: vec![Row {
             caption: String::new(),
             legend: Vec::new(),
@@ -102,19 +103,22 @@ pub(crate) fn friction() -> Figure {
         ($($name:literal: $method:ident),*) => {$(
             let method = $method::new().rtol(TOLERANCE).atol(TOLERANCE);
             let steps = |gamma| friction::stable_steps(&method, gamma);
-            let thin = Line { width: 1.6, ..Line::dashed(INK) };
-            curves.push(curve("", thin, &steps));
+            curves.push(curve("", PREDICTED, &steps));
         )*};
     }
     observed!("Rk45": Rk45, "Vern9": Vern9, "Taylor": Taylor, "Rodas5P": Rodas5P, "Radau5": Radau5, "Auto": Auto);
     predicted!("Rk45": Rk45, "Vern9": Vern9, "Taylor": Taylor);
     Figure {
         title: "Steps against friction".to_owned(),
-        subtitle: "Eq. 22 from (1, −1), 10 s within 1e-6. Thin: what stability asks for, by the generated Jacobian"
-            .to_owned(),
-        size: (1200, 860),
-        legend: Vec::new(),
+        subtitle: "Double pendulum, Eq. 22, from rest at (1, −1) rad, 10 s with tolerances of 1e-6".to_owned(),
+        size: (1200, 880),
+        legend: vec![
+            (Line::solid(INK), "explicit method".to_owned()),
+            (Line::dashed(INK), "implicit method, Auto".to_owned()),
+            (PREDICTED, "predicted from the Jacobian".to_owned()),
+        ],
         columns: vec![Column {
+            title: String::new(),
             x: axis("friction γ of both axles (N m s)", Scale::Decades, 0.0..4.0, 5),
             y: axis("accepted steps", Scale::Decades, 1.0..5.0, 5),
         }],
@@ -126,7 +130,7 @@ pub(crate) fn friction() -> Figure {
     }
 }
 
-/// How long a motion can be told ahead.
+/// How long a motion can be predicted.
 pub(crate) fn horizon() -> Result<Figure, StabilityError> {
     const STARTS: u32 = 64;
     let exponents = chaos::exponents_of_start(4e4)?;
@@ -142,21 +146,27 @@ pub(crate) fn horizon() -> Result<Figure, StabilityError> {
         label: Some("Vern7".to_owned()),
     };
     let predicted = Curve {
-        line: Line::dashed(INK),
+        line: PREDICTED,
         points: points(&|tolerance| exponents.horizon(tolerance, chaos::LOST)),
         label: None,
     };
     Ok(Figure {
         title: "The horizon of prediction against the tolerance".to_owned(),
         subtitle: format!(
-            "Time to an error of {}, mean of {STARTS} starts near (2, 2.5). Dashed: ln({} / tolerance) / λ, λ = {:.3} / s",
-            chaos::LOST,
-            chaos::LOST,
-            exponents.values[0]
+            "Time until a chaotic motion is off by {}: mean of {STARTS} starts near (2, 2.5) rad",
+            chaos::LOST
         ),
-        size: (1200, 860),
-        legend: Vec::new(),
+        size: (1200, 880),
+        legend: vec![(
+            PREDICTED,
+            format!(
+                "predicted: ln({} / tolerance) / λ with the Lyapunov exponent λ = {:.3} 1/s",
+                chaos::LOST,
+                exponents.values[0]
+            ),
+        )],
         columns: vec![Column {
+            title: String::new(),
             x: axis("tolerance", Scale::Falling, 3.0..12.0, 9),
             y: axis("time (s)", Scale::Linear, 0.0..24.0, 6),
         }],

@@ -4,152 +4,173 @@ use pendulum_core::accuracy::{Measured, Report, Series};
 
 use crate::methods::{LANES, line};
 use crate::scenes::{NEIGHBOURS, Scene};
-use charts::chart::{Axis, Column, Curve, Figure, Row, Scale};
+use charts::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
+use charts::page::{GRID, INK};
 
 /// One row of panels for each scene.
 type Reports<'r> = &'r [(&'r Scene, Report)];
-/// What a panel has on its axes, or `None` where a method has no such thing.
+/// What is measured, or `None` where a method has no such thing.
 type Value = fn(&Measured) -> Option<f64>;
 
-/// Decades of the times, in microseconds, of evaluations, and of errors.
-const TIMES: [f64; 2] = [0.0, 4.0];
-const EVALUATIONS: [f64; 2] = [1.0, 5.0];
-const ERRORS: [f64; 2] = [-14.0, 0.0];
+/// What the panels of a column show.
+#[derive(Clone, Copy)]
+struct Panels {
+    title: &'static str,
+    error: (&'static str, Value),
+    /// How far the reference may be off in it.
+    uncertainty: fn(&Scene) -> f64,
+    cost: (&'static str, Value),
+    /// Decades of the cost.
+    decades: [f64; 2],
+    shows: fn(&Series) -> bool,
+}
 
-const LAST: Value = |measured| Some(measured.errors.last);
-const TIME: Value = |measured| Some(1e6 * measured.minimum);
+/// Decades of the errors.
+const ERRORS: [f64; 2] = [-16.0, 0.0];
+
+const TIME: Panels = Panels {
+    title: "time",
+    error: ("error at the end (rad, rad/s)", |measured| Some(measured.errors.last)),
+    uncertainty: |scene| scene.reference.uncertainty(scene.t1),
+    cost: ("time for a trajectory (µs)", |measured| Some(1e6 * measured.minimum)),
+    decades: [0.0, 5.0],
+    shows: |series| !series.name.ends_with(LANES),
+};
+const EVALUATIONS: Panels = Panels {
+    title: "evaluations",
+    cost: ("evaluations of the right-hand side, or series", |measured| {
+        Some(measured.work?.evaluations as f64)
+    }),
+    decades: [1.0, 6.0],
+    ..TIME
+};
+const IN_LANES: Panels = Panels {
+    title: "in lanes",
+    shows: |series| series.name.ends_with(LANES),
+    ..TIME
+};
+/// Between the points that are known to all digits.
+const LARGEST: Panels = Panels {
+    title: "largest error at a step, the fast start included",
+    error: ("largest error (rad, rad/s)", |measured| measured.errors.largest),
+    uncertainty: |scene| scene.reference.uncertainty(0.5 * scene.t1),
+    ..TIME
+};
+const DENSE: Panels = Panels {
+    title: "dense output",
+    error: ("largest error (rad, rad/s)", |measured| measured.errors.dense),
+    ..LARGEST
+};
+const ENERGY: Panels = Panels {
+    title: "energy",
+    error: ("largest error over the energy at the start", |measured| {
+        measured.errors.energy
+    }),
+    uncertainty: |_| 0.0,
+    ..TIME
+};
 
 pub(crate) fn methods(reports: Reports<'_>) -> Figure {
-    let error = "error at the end (rad, rad/s)";
-    let panels: [(Value, Value); 2] = [(LAST, TIME), (LAST, |measured| Some(measured.work?.evaluations as f64))];
-    Figure {
-        title: "Error of each method against the time that it takes".to_owned(),
-        subtitle: "Each dot is a tolerance or a step; lower is faster, further right is more accurate; dashed: implicit methods, and Auto"
-            .to_owned(),
-        size: (1600, 1700),
-        legend: Vec::new(),
-        columns: vec![
-            column(error, TIMES, "time for a trajectory (µs)"),
-            column(error, EVALUATIONS, "evaluations of the right-hand side, or series"),
-        ],
-        rows: rows(reports, &panels, |name| !name.ends_with(LANES)),
-    }
+    figure(
+        "Error of each method against the time that it takes",
+        "Each dot is a tolerance or a step; lower is faster, further right is more accurate",
+        reports,
+        &[TIME, EVALUATIONS],
+    )
 }
 
 pub(crate) fn stiff(reports: Reports<'_>) -> Figure {
-    let largest: Value = |measured| measured.errors.largest;
-    Figure {
-        title: "A stiff motion".to_owned(),
-        subtitle: "Friction of 10⁴ N m s stops the first swing within milliseconds, and then the pendulum creeps"
-            .to_owned(),
-        size: (1600, 920),
-        columns: vec![
-            column("error at the end", TIMES, "time for a trajectory (µs)"),
-            column(
-                "largest error at a step, the fast start included",
-                TIMES,
-                "time for a trajectory (µs)",
-            ),
+    figure(
+        "A stiff motion",
+        "Friction of 10⁴ N m s stops the first swing within milliseconds, and then the pendulum creeps",
+        reports,
+        &[
+            Panels {
+                title: "error at the end",
+                ..TIME
+            },
+            LARGEST,
         ],
-        rows: rows(reports, &[(LAST, TIME), (largest, TIME)], |_| true),
-        ..methods(&[])
-    }
+    )
 }
 
 pub(crate) fn lanes(reports: Reports<'_>) -> Figure {
-    let error = "error at the end (rad, rad/s)";
-    let row = |(scene, report): &(&Scene, Report)| {
-        let has_lanes = |name: &str| {
-            report
-                .series
-                .iter()
-                .any(|series| series.name == format!("{name}{LANES}"))
-        };
-        Row {
-            caption: scene.title.to_owned(),
-            legend: Vec::new(),
-            panels: vec![
-                curves(report, (LAST, TIME), has_lanes),
-                curves(report, (LAST, TIME), |name| name.ends_with(LANES)),
-            ],
-        }
-    };
-    Figure {
-        title: "Many trajectories at a time, in the lanes of vector registers".to_owned(),
-        subtitle: format!(
-            "Left: one alone. Right: {NEIGHBOURS} together, from starts a little apart; the error is that of the first"
+    figure(
+        "Many trajectories at a time, in the lanes of vector registers",
+        &format!(
+            "Alone, and {NEIGHBOURS} together from starts a little apart, of which the first one's error is shown"
         ),
-        columns: vec![
-            column(error, TIMES, "alone: time for a trajectory (µs)"),
-            column(error, TIMES, "in lanes: time for a trajectory (µs)"),
-        ],
-        rows: reports.iter().map(row).collect(),
-        ..methods(&[])
-    }
+        reports,
+        &[Panels { title: "alone", ..TIME }, IN_LANES],
+    )
 }
 
 pub(crate) fn dense_and_energy(reports: Reports<'_>) -> Figure {
-    let panels: [(Value, Value); 2] = [
-        (|measured| measured.errors.dense, TIME),
-        (|measured| measured.errors.energy, TIME),
-    ];
-    Figure {
-        title: "Errors between the steps, and of the energy".to_owned(),
-        subtitle:
-            "Left: dense output at eight times within each step. Right: largest difference of the energy at a step, \
-                   in units of the energy at the start"
-                .to_owned(),
-        columns: vec![
-            column(
-                "largest error of the dense output (rad, rad/s)",
-                TIMES,
-                "time for a trajectory (µs)",
-            ),
-            column("largest error of the energy", TIMES, "time for a trajectory (µs)"),
-        ],
-        rows: rows(reports, &panels, |name| !name.ends_with(LANES)),
-        ..methods(&[])
-    }
+    figure(
+        "Errors between the steps, and of the energy",
+        "Dense output at eight times within each step; largest difference of the energy at a step",
+        reports,
+        &[DENSE, ENERGY],
+    )
 }
 
-fn column(error: &str, [least, most]: [f64; 2], cost: &str) -> Column {
-    Column {
-        x: Axis {
-            label: error.to_owned(),
-            scale: Scale::Falling,
-            range: -ERRORS[1]..-ERRORS[0],
-            ticks: 8,
-        },
-        y: Axis {
-            label: cost.to_owned(),
-            scale: Scale::Decades,
-            range: least..most,
-            ticks: 5,
-        },
-    }
-}
-
-fn rows(reports: Reports<'_>, panels: &[(Value, Value)], shown: fn(&str) -> bool) -> Vec<Row> {
+fn figure(title: &str, subtitle: &str, reports: Reports<'_>, columns: &[Panels]) -> Figure {
     let row = |(scene, report): &(&Scene, Report)| Row {
         caption: scene.title.to_owned(),
         legend: Vec::new(),
-        panels: panels.iter().map(|&values| curves(report, values, shown)).collect(),
+        panels: columns.iter().map(|panels| panels.curves(scene, report)).collect(),
     };
-    reports.iter().map(row).collect()
+    Figure {
+        title: title.to_owned(),
+        subtitle: subtitle.to_owned(),
+        size: (1600, 140 + 780 * reports.len() as u32),
+        legend: vec![
+            (Line::solid(INK), "explicit method".to_owned()),
+            (Line::dashed(INK), "implicit method, Auto".to_owned()),
+            (Line::area(GRID), "within the uncertainty of the reference".to_owned()),
+        ],
+        columns: columns.iter().map(Panels::column).collect(),
+        rows: reports.iter().map(row).collect(),
+    }
 }
 
-/// Errors below the axis stand at its end.
-fn curves(report: &Report, (error, cost): (Value, Value), shown: impl Fn(&str) -> bool) -> Vec<Curve> {
-    let point = |measured: &Measured| Some((-error(measured)?.log10().max(ERRORS[0]), cost(measured)?.log10()));
-    let curve = |series: &Series| Curve {
-        line: line(&series.name),
-        points: series.measured().filter_map(|(_, measured)| point(measured)).collect(),
-        label: Some(series.name.trim_end_matches(LANES).to_owned()),
-    };
-    report
-        .series
-        .iter()
-        .filter(|series| shown(&series.name))
-        .map(curve)
-        .collect()
+impl Panels {
+    fn column(&self) -> Column {
+        let [least, most] = self.decades;
+        Column {
+            title: self.title.to_owned(),
+            x: Axis {
+                label: self.error.0.to_owned(),
+                scale: Scale::Falling,
+                range: -ERRORS[1]..-ERRORS[0],
+                ticks: 9,
+            },
+            y: Axis {
+                label: self.cost.0.to_owned(),
+                scale: Scale::Decades,
+                range: least..most,
+                ticks: 6,
+            },
+        }
+    }
+
+    /// Errors below the axis are drawn at its end.
+    fn curves(&self, scene: &Scene, report: &Report) -> Vec<Curve> {
+        let falling = |error: f64| -error.log10().max(ERRORS[0]);
+        let point = |measured: &Measured| Some((falling((self.error.1)(measured)?), (self.cost.1)(measured)?.log10()));
+        let curve = |series: &Series| Curve {
+            line: line(&series.name),
+            points: series.measured().filter_map(|(_, measured)| point(measured)).collect(),
+            label: Some(series.name.trim_end_matches(LANES).to_owned()),
+        };
+        let [least, most] = self.decades;
+        let [known, end] = [falling((self.uncertainty)(scene)), -ERRORS[0]];
+        let unknown = Curve {
+            line: Line::area(GRID),
+            points: vec![(known, least), (end, least), (end, most), (known, most)],
+            label: None,
+        };
+        let shown = report.series.iter().filter(|series| (self.shows)(series));
+        std::iter::once(unknown).chain(shown.map(curve)).collect()
+    }
 }

@@ -13,31 +13,31 @@ pub(crate) fn page(reports: &[(&Scene, Report)], simpler: &Simpler, table: &str)
     let mut page = format!(
         "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>Accuracy against speed</title>\n<style>{STYLE}</style>\n\
          <h1>Accuracy against speed</h1>\n\
-         <p>Times are the least of many, for one trajectory without a record, all methods in turns on one core. Errors are of the largest component of the state. \
-         A setting that did not come to its end has no dot, and the lists below tell why; errors below 1e-14 stand at the border.</p>\n"
+         <p>Times are the shortest of many rounds, for one trajectory of which only the end is kept, all methods in turns on one core. Errors are those of the \
+         largest component of the state. Runs that failed have no dot; the lists below say why. Errors below 1e-16 are drawn at the edge.</p>\n"
     );
     for (stem, text) in [
         (
             "methods",
-            "An evaluation of <code>Taylor</code> is a whole power series, and implicit methods solve equations beside their evaluations: \
-             the left charts tell what that takes.",
+            "One evaluation of <code>Taylor</code> is a whole power series, and implicit methods solve equations as well: \
+             the charts on the left include that.",
         ),
         (
             "lanes",
-            "With AVX-512 eight trajectories share a register, with AVX2 four. Each has steps of its own, and the bits that it has alone.",
+            "With AVX-512 eight trajectories share a register, with AVX2 four. Each takes its own steps, and ends bit for bit where it ends alone.",
         ),
         (
             "dense_and_energy",
-            "Methods differ in what lies between their steps: the dense output of <code>Vern9</code> ends at 1e-13, where its large weights of both signs round. \
-             The energy of the small swing is a small difference of large numbers, whose rounding is the wall at 1e-12.",
+            "Methods differ in their accuracy between the steps: the dense output of <code>Vern9</code> stops at 1e-13, because its weights are large and of both signs. \
+             The energy of the small swing is a small difference of large numbers: rounding stops it at 1e-12.",
         ),
         (
             "stiff",
-            "Explicit methods take steps as short as the friction asks for, whatever the tolerance. <code>Auto</code> notices and changes over.",
+            "Friction forces short steps on explicit methods, whatever the tolerance. <code>Auto</code> notices and switches to an implicit method.",
         ),
         (
             "simpler_models",
-            "Where the linear model is good enough, a state at any time is one product with a matrix: nanoseconds in place of microseconds. Leaving friction out saves hardly any time.",
+            "Where the linear model is good enough, the state at any time is one product with a matrix: nanoseconds instead of microseconds. Leaving out friction saves no time.",
         ),
     ] {
         page += &format!("<p>{text}</p>\n<img src=\"{stem}.svg\" alt=\"{stem}\">\n");
@@ -49,7 +49,7 @@ pub(crate) fn page(reports: &[(&Scene, Report)], simpler: &Simpler, table: &str)
     );
     for (scene, report) in reports {
         page += &format!(
-            "<h2>All settings, {}</h2>\n<pre>{}</pre>\n",
+            "<h2>All settings: {}</h2>\n<pre>{}</pre>\n",
             scene.title,
             escaped(&report.to_string())
         );

@@ -25,7 +25,7 @@ mechanism! {
 const T1: f64 = 10.0;
 /// Relative to the amplitude.
 const TOLERANCE: f64 = 1e-6;
-/// The errors whose amplitudes are told.
+/// The errors whose amplitudes are marked.
 const LEVELS: [(f64, &str); 2] = [(1e-2, "1 %"), (1e-3, "0.1 %")];
 const NAMES: [&str; 3] = ["linear", "frictionless", "full, 1e-6"];
 
@@ -108,6 +108,10 @@ impl Simpler {
 
     pub(crate) fn figure(&self) -> Figure {
         let lines = [VERMILION, BLUE, GREEN].map(Line::solid);
+        let within = Line {
+            width: 2.0,
+            ..Line::dashed(GREY)
+        };
         let panel = |value: fn((f64, f64)) -> f64| -> Vec<Curve> {
             let curve = |n: usize| Curve {
                 line: lines[n],
@@ -126,10 +130,7 @@ impl Simpler {
                 let limit = self.limit(level)?.log10();
                 let y = level.log10();
                 Some(Curve {
-                    line: Line {
-                        width: 2.0,
-                        ..Line::dashed(GREY)
-                    },
+                    line: within,
                     points: vec![(limit, ERRORS[0]), (limit, y), (2.0, y)],
                     label: Some(name.to_owned()),
                 })
@@ -142,7 +143,8 @@ impl Simpler {
             range: -1.0..2.0,
             ticks: 4,
         };
-        let column = |label: &str, [least, most]: [f64; 2]| Column {
+        let column = |title: &str, label: &str, [least, most]: [f64; 2]| Column {
+            title: title.to_owned(),
             x: x.clone(),
             y: Axis {
                 label: label.to_owned(),
@@ -154,18 +156,23 @@ impl Simpler {
         Figure {
             title: "Up to which amplitude is a simpler model enough?".to_owned(),
             subtitle: format!(
-                "Both angles released at rest, γ = 0.1 N m s, {T1} s; the linear model is within 1 % up to {:.1}°, within 0.1 % up to {:.1}°",
-                self.limit(1e-2).unwrap_or(f64::NAN),
-                self.limit(1e-3).unwrap_or(f64::NAN)
+                "Released at rest with equal angles, γ = 0.1 N m s, {T1} s; full: the whole model by Taylor with a tolerance of 1e-6"
             ),
-            size: (1600, 920),
-            legend: Vec::new(),
+            size: (1600, 960),
+            legend: vec![(
+                within,
+                format!(
+                    "linear model within 1 % up to {:.1}°, within 0.1 % up to {:.1}°",
+                    self.limit(1e-2).unwrap_or(f64::NAN),
+                    self.limit(1e-3).unwrap_or(f64::NAN)
+                ),
+            )],
             columns: vec![
-                column("largest error of angles and rates, over the amplitude", ERRORS),
-                column("time for the state after 10 s (µs)", TIMES),
+                column("largest error of angles and rates", "error over the amplitude", ERRORS),
+                column("time for the state after 10 s", "time (µs)", TIMES),
             ],
             rows: vec![Row {
-                caption: "full: the whole model, integrated by Taylor with a tolerance of 1e-6".to_owned(),
+                caption: String::new(),
                 legend: Vec::new(),
                 panels: vec![errors, panel(|(_, time)| 1e6 * time)],
             }],
@@ -174,7 +181,7 @@ impl Simpler {
 }
 
 /// Decades of the axes.
-const ERRORS: [f64; 2] = [-7.0, 1.0];
+const ERRORS: [f64; 2] = [-9.0, 1.0];
 const TIMES: [f64; 2] = [-3.0, 2.0];
 
 /// A table over the amplitude, and the operations.
