@@ -83,7 +83,7 @@ impl<'g> Lower<'g> {
             {
                 continue;
             }
-            // they cross where the line of each parts the ends of the other: the larger product is negative
+            // they cross where the ends of each lie on both sides of the other: then the larger product is negative
             let sides = [[turn(a, b, c), turn(a, b, d)], [turn(c, d, a), turn(c, d, b)]];
             let same = |[p, q]: &[Expr<'g>; 2]| normalizer.is_zero(*p - *q) == Ok(true);
             if sides.iter().any(same) {

@@ -34,7 +34,7 @@ pub(crate) struct Model<'g> {
     pub gravity: Vec3<'g>,
     /// Each `let`, as it was written.
     pub lets: Vec<Definition>,
-    /// Bodies, each behind the one that carries it.
+    /// Bodies, each after the one that carries it.
     pub bodies: Vec<Body<'g>>,
     /// What the parameters must obey.
     pub rules: Vec<Rule<'g>>,
@@ -112,7 +112,7 @@ pub(crate) struct Body<'g> {
     pub potential: Expr<'g>,
 }
 
-/// The orientation of a body in its station: the rotation by `turn` about `axis`, behind the constant rotation `rest`.
+/// The orientation of a body in its station: the rotation by `turn` about `axis`, after the constant rotation `rest`.
 ///
 /// A station is a frame in which a group of bodies turns about one axis only: the ground, or the body before the first
 /// joint of the group. Parallel joints so become one rotation by a sum of angles.
@@ -180,7 +180,7 @@ impl<'g> Model<'g> {
         self.coordinates.len()
     }
 
-    /// The bodies and their positions, each behind the one that carries it.
+    /// The bodies and their positions, each after the one that carries it.
     pub(crate) fn bodies(&self) -> impl DoubleEndedIterator<Item = (BodyId, &Body<'g>)> {
         BodyId::all(self.bodies.len()).zip(&self.bodies)
     }
