@@ -39,11 +39,16 @@ mod register;
 mod x86;
 
 pub use isa::{Isa, Kernel, LaneElement};
-#[cfg(not(target_arch = "x86_64"))]
-pub(super) use register::Pair;
 pub(super) use register::Register;
 #[cfg(target_arch = "x86_64")]
-pub(super) use x86::Xmm64;
+pub(super) use x86::{Xmm32 as Two32, Xmm64 as Two64};
+
+/// Two numbers or more in the vector register that every machine has.
+#[cfg(not(target_arch = "x86_64"))]
+pub(super) type Two32 = register::Pair<f32>;
+/// Two numbers or more in the vector register that every machine has.
+#[cfg(not(target_arch = "x86_64"))]
+pub(super) type Two64 = register::Pair<f64>;
 
 pub use pack::{F32x8, F32x16, F64x4, F64x8, Pack};
 

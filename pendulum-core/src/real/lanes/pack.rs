@@ -64,8 +64,8 @@ impl<R: Register> Real for Pack<R> {
 
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
-        let (sin, cos) = sincos::sin_cos(self.0.widen());
-        (Self(R::narrow(sin)), Self(R::narrow(cos)))
+        let (sin, cos) = sincos::sin_cos(self.0);
+        (Self(sin), Self(cos))
     }
 
     #[inline(always)]

@@ -8,5 +8,5 @@ mod enter;
 mod registers;
 
 pub(super) use enter::{avx2, avx512};
-pub(in crate::real) use registers::Xmm64;
+pub(in crate::real) use registers::{Xmm32, Xmm64};
 pub(super) use registers::{Ymm32, Ymm64, Zmm32, Zmm64};
