@@ -132,7 +132,8 @@ fn check_models<M, X>(models: &[M], starts: &[X]) -> Result<(), Reason> {
     )
 }
 
-/// The final states `x`, of which those that are not finite have been stopped: the same trajectories alone tell where they ended, and why.
+/// The final states `x`. Trajectories whose states are not finite were stopped, or left: they are integrated alone, which shows where and
+/// why they ended.
 fn conclude<A, M, T, const N: usize>(
     method: &A,
     models: &[M],
@@ -166,6 +167,12 @@ where
     } else {
         Err(EnsembleError::Stopped { stopped, x })
     }
+}
+
+/// Leaves all trajectories for [`conclude`] to integrate alone: a single lane takes longer than a scalar, whose right-hand side is a
+/// function and not a copy in each stage.
+fn leave_alone<T: Float, const N: usize>(x: &mut [SVector<T, N>]) {
+    x.fill(SVector::from_element(T::from_f64(f64::NAN)));
 }
 
 /// The model of trajectory `i`.
