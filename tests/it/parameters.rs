@@ -97,6 +97,9 @@ fn an_inertia_about_the_joint_is_at_least_that_of_its_mass() {
     })
     .expect_err("too small");
     assert!(error.rule.contains("about its joint"), "{error}");
+    let text = "the inertia of `b` about its joint must not be less than that of its mass at the centre of mass; \
+                the parameters are m = 1, l = 1, inertia = 0.9";
+    assert_eq!(error.to_string(), text);
 }
 
 mechanism! {

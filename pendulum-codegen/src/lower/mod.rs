@@ -11,6 +11,7 @@ mod mass;
 mod name;
 mod order;
 mod physical;
+mod places;
 mod plate;
 mod scope;
 mod shape;
@@ -85,6 +86,7 @@ impl<'g> Lower<'g> {
         let lets = self.declare_lets(&items.lets);
         let order = self.order(&items.bodies);
         let coordinates = self.coordinates(&items.bodies);
+        self.check_places(&items.bodies);
         self.lets(&items.lets);
         let gravity = self.gravity(items.gravity.as_ref());
         let shapes = self.shapes(&items.shapes);

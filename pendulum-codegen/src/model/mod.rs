@@ -83,6 +83,15 @@ pub(crate) struct Coordinate<'g> {
     pub acceleration: Expr<'g>,
 }
 
+/// The constants that a model has beside the places of its coordinates.
+pub(crate) const FACTS: [&str; 5] = ["DOF", "COORDINATES", "COST", "LAYOUT", "EQUATIONS"];
+
+/// The constants for the places of a coordinate and of its rate in the state: `THETA1` and `DOT_THETA1`.
+pub(crate) fn places(coordinate: &str) -> [String; 2] {
+    let name = coordinate.trim_start_matches("r#").to_uppercase();
+    [name.clone(), format!("DOT_{name}")]
+}
+
 /// A rigid body and the joint that carries it.
 #[derive(Debug)]
 pub(crate) struct Body<'g> {
