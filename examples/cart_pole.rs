@@ -72,28 +72,15 @@ fn main() -> Result<(), Box<dyn Error>> {
         size: (1800, 620),
         legend: Vec::new(),
         columns: vec![
-            Column {
-                x: time(),
-                y: Axis::linear("angle of the pole (°)", -15.0..35.0),
-            },
-            Column {
-                x: time(),
-                y: Axis::linear("position of the cart (m)", -0.2..1.4),
-            },
-            Column {
-                x: time(),
-                y: Axis::linear("push (N)", -10.0..30.0),
-            },
+            Column::new("Pole", time(), Axis::linear("angle (°)", -15.0..35.0)),
+            Column::new("Cart", time(), Axis::linear("position (m)", -0.2..1.4)),
+            Column::new("Control", time(), Axis::linear("push (N)", -10.0..30.0)),
         ],
-        rows: vec![Row {
-            caption: String::new(),
-            legend: Vec::new(),
-            panels: vec![
-                vec![curve(Line::solid(BLUE), &|x| x[CartPole::THETA].to_degrees())],
-                vec![curve(Line::solid(GREEN), &|x| x[CartPole::S])],
-                vec![curve(Line::solid(VERMILION), &|x| -(k * x)[0])],
-            ],
-        }],
+        rows: vec![Row::new(vec![
+            vec![curve(Line::solid(BLUE), &|x| x[CartPole::THETA].to_degrees())],
+            vec![curve(Line::solid(GREEN), &|x| x[CartPole::S])],
+            vec![curve(Line::solid(VERMILION), &|x| -(k * x)[0])],
+        ])],
     };
     for path in figure.save(Path::new("out/cart_pole/balance"))? {
         println!("{}", path.display());

@@ -117,26 +117,24 @@ fn main() -> Result<(), Box<dyn Error>> {
             (Line::solid(VERMILION), "distance".to_owned()),
         ],
         columns: vec![
-            Column {
-                x: Axis::linear("x (m)", 0.2..0.65),
-                y: Axis::linear("y (m)", -0.1..0.35),
-            },
-            Column {
-                x: Axis::linear("time t (s)", 0.0..T_END),
-                y: Axis::decades("distance (m)", -9.0..0.0),
-            },
+            Column::new(
+                "Seen from above",
+                Axis::linear("x (m)", 0.2..0.65),
+                Axis::linear("y (m)", -0.1..0.35),
+            ),
+            Column::new(
+                "Distance of the tool from the path",
+                Axis::linear("time t (s)", 0.0..T_END),
+                Axis::decades("distance (m)", -9.0..0.0),
+            ),
         ],
-        rows: vec![Row {
-            caption: String::new(),
-            legend: Vec::new(),
-            panels: vec![
-                vec![
-                    Curve::new(Line::dashed(GREY), path(&wanted)),
-                    Curve::new(Line::solid(BLUE), path(&drawn)),
-                ],
-                vec![Curve::new(Line::solid(VERMILION), errors)],
+        rows: vec![Row::new(vec![
+            vec![
+                Curve::new(Line::dashed(GREY), path(&wanted)),
+                Curve::new(Line::solid(BLUE), path(&drawn)),
             ],
-        }],
+            vec![Curve::new(Line::solid(VERMILION), errors)],
+        ])],
     };
     println!();
     for path in figure.save(Path::new("out/scara/star"))? {

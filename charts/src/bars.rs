@@ -1,4 +1,4 @@
-//! Horizontal bars, in rows and columns of panels.
+//! Horizontal bars, or dots on logarithmic axes, in rows and columns of panels.
 
 use std::error::Error;
 
@@ -9,7 +9,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use crate::page::{BLUE, GREY, GRID, INK, MARGIN, Picture, bold, px, text, width};
 use crate::scale::Scale;
 
-/// Panels of bars; all of a column share their axis.
+/// Panels of bars; all of a column share their axis. A logarithmic axis has no zero for bars to begin at: there they are dots.
 pub struct Bars {
     pub title: String,
     pub subtitle: String,
@@ -22,7 +22,8 @@ pub struct Bars {
 
 pub struct Bar {
     pub label: String,
-    pub value: f64,
+    /// What was not measured has no bar, but words.
+    pub value: Option<f64>,
     /// Highlighted.
     pub ours: bool,
 }
@@ -34,11 +35,11 @@ const CAPTION: f64 = 52.0;
 const BAR: f64 = 30.0;
 const GAP: f64 = 22.0;
 const FOOTER: f64 = 40.0;
-/// For the names, and for the number behind the longest bar.
+/// For the names, and for the number beside the longest bar.
 const NAMES: f64 = 138.0;
 const NUMBERS: f64 = 76.0;
 
-const PALE: RGBColor = RGBColor(176, 182, 188);
+const PALE: RGBColor = RGBColor(150, 156, 162);
 
 impl Bars {
     fn height(&self) -> f64 {
@@ -58,7 +59,7 @@ impl Bars {
             self.rows
                 .iter()
                 .flat_map(|(_, panels)| &panels[column])
-                .map(|bar| bar.value)
+                .filter_map(|bar| bar.value)
         };
         if self.logarithmic {
             Scale::around(values())
@@ -100,9 +101,20 @@ impl Bars {
                 let name = style.clone().pos(Pos::new(HPos::Right, VPos::Center));
                 page.draw_text(&bar.label, &name, (px(left - 12.0), px(y)))?;
                 let color = if bar.ours { BLUE } else { PALE };
-                let corners = [(px(left), px(y - 0.37 * BAR)), (px(x(bar.value)), px(y + 0.37 * BAR))];
-                page.draw(&Rectangle::new(corners, color.filled()))?;
-                page.draw_text(&short(bar.value), &style.pos(middle), (px(x(bar.value) + 9.0), px(y)))?;
+                let Some(value) = bar.value else {
+                    page.draw_text("not measured", &text(21.0, GREY).pos(middle), (px(left + 9.0), px(y)))?;
+                    continue;
+                };
+                let (end, beside) = (x(value), if self.logarithmic { 16.0 } else { 9.0 });
+                if self.logarithmic {
+                    let line = GRID.stroke_width(width(2.0));
+                    page.draw(&PathElement::new(vec![(px(left), px(y)), (px(end), px(y))], line))?;
+                    page.draw(&Circle::new((px(end), px(y)), px(0.25 * BAR), color.filled()))?;
+                } else {
+                    let corners = [(px(left), px(y - 0.37 * BAR)), (px(end), px(y + 0.37 * BAR))];
+                    page.draw(&Rectangle::new(corners, color.filled()))?;
+                }
+                page.draw_text(&short(value), &style.pos(middle), (px(end + beside), px(y)))?;
             }
             top += row_height(panels);
             bottom = top;

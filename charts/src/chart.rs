@@ -69,7 +69,7 @@ pub struct Line {
 }
 
 /// What is drawn of the points of a curve.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy)]
 pub enum Stroke {
     Solid,
     Dashed,
@@ -131,7 +131,7 @@ impl Figure {
         B::ErrorType: 'static,
     {
         let (head, body) = area.split_vertically(px(row.head()));
-        draw_legend(&head, &row.legend, (0, px(0.5 * LEGEND)))?;
+        draw_legend(&head, &row.legend, (0, px(0.62 * LEGEND)))?;
         let panels = body.split_evenly((1, self.columns.len()));
         for ((curves, column), panel) in row.panels.iter().zip(&self.columns).zip(panels) {
             let (head, body) = panel.split_vertically(px(CAPTION));
@@ -174,7 +174,7 @@ impl Figure {
         let mut curves = curves.to_vec();
         for Curve { line, points, label } in &mut curves {
             points.retain(|point| x.shows(point.0) && y.shows(point.1));
-            if label.is_some() && line.stroke == Stroke::Solid {
+            if label.is_some() {
                 // One by one: where a curve turns back, its corner would be a long spike.
                 points.windows(2).try_for_each(|ends| line.draw(plot, ends.to_vec()))?;
             } else {
@@ -211,7 +211,26 @@ impl Figure {
     }
 }
 
+impl Column {
+    pub fn new(title: &str, x: Axis, y: Axis) -> Self {
+        Self {
+            title: title.to_owned(),
+            x,
+            y,
+        }
+    }
+}
+
 impl Row {
+    /// Panels without a caption.
+    pub fn new(panels: Vec<Vec<Curve>>) -> Self {
+        Self {
+            caption: String::new(),
+            legend: Vec::new(),
+            panels,
+        }
+    }
+
     /// The height of what stands above the panels, in pixels.
     fn head(&self) -> f64 {
         if self.legend.is_empty() { 0.0 } else { LEGEND }
@@ -260,7 +279,7 @@ where
     let style = text(24.0, INK).pos(Pos::new(HPos::Left, VPos::Center));
     for (line, name) in legend {
         let end = x + px(74.0);
-        line.key().draw(page, vec![(x, y), (end, y)])?;
+        line.draw_key(page, [x, end], y)?;
         let start = end + px(14.0);
         page.draw_text(name, &style, (start, y))?;
         let (width, _) = page.estimate_text_size(name, &style)?;
@@ -339,14 +358,21 @@ impl Line {
         }
     }
 
-    /// What a legend shows: of an area, a broad line.
-    fn key(self) -> Self {
+    /// What a legend shows: of dots a large one, of an area a piece.
+    fn draw_key<B: DrawingBackend>(
+        self,
+        page: &DrawingArea<B, Shift>,
+        [left, right]: [i32; 2],
+        y: i32,
+    ) -> Result<(), Box<dyn Error>>
+    where
+        B::ErrorType: 'static,
+    {
+        let [up, down] = [y - px(9.0), y + px(9.0)];
         match self.stroke {
-            Stroke::Area => Self {
-                width: 18.0,
-                ..Self::solid(self.color)
-            },
-            _ => self,
+            Stroke::Solid | Stroke::Dashed => self.draw(page, vec![(left, y), (right, y)]),
+            Stroke::Dots => Self { width: 9.0, ..self }.draw(page, vec![(right - px(9.0), y)]),
+            Stroke::Area => self.draw(page, vec![(left, up), (right, up), (right, down), (left, down)]),
         }
     }
 
@@ -382,7 +408,7 @@ impl Line {
 }
 
 /// Space for the parts of the page, in pixels of the picture.
-const LEGEND: f64 = 46.0;
+const LEGEND: f64 = 52.0;
 const CAPTION: f64 = 56.0;
 const TICKS: f64 = 36.0;
 const FOOTER: f64 = 62.0;

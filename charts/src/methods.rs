@@ -3,6 +3,16 @@
 use crate::chart::Line;
 use crate::page::{BLUE, GREEN, GREY, INK, ORANGE, PURPLE, SKY, VERMILION};
 
+/// What the lines are.
+pub fn legend() -> Vec<(Line, String)> {
+    [
+        (Line::solid(INK), "explicit methods"),
+        (Line::dashed(INK), "implicit methods, Auto"),
+    ]
+    .map(|(line, name)| (line, name.to_owned()))
+    .into()
+}
+
 /// How the curve of a method looks, in all charts.
 pub fn line(name: &str) -> Line {
     match name {

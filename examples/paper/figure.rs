@@ -4,7 +4,7 @@ use std::error::Error;
 
 use pendulum_core::{OutsideSpan, Solution};
 
-use charts::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
+use charts::chart::{Axis, Column, Curve, Figure, Line, Row};
 use charts::page::{BLUE, VERMILION};
 
 const UPPER: Line = Line::solid(BLUE);
@@ -16,12 +16,6 @@ const POINTS: u32 = 800;
 /// One row of panels for each solution, named by its friction.
 pub(crate) fn figure2(runs: &[(f64, Solution<f64, 4>)], t_end: f64) -> Result<Figure, Box<dyn Error>> {
     let rows = runs.iter().map(|(gamma, solution)| row(*gamma, solution, t_end));
-    let axis = |label: &str, range| Axis {
-        label: label.to_owned(),
-        scale: Scale::Linear,
-        range,
-        ticks: 5,
-    };
     Ok(Figure {
         title: "Compound double pendulum with friction, released from rest at θ₁ = 0°, θ₂ = 4°".to_owned(),
         subtitle:
@@ -33,10 +27,8 @@ pub(crate) fn figure2(runs: &[(f64, Solution<f64, 4>)], t_end: f64) -> Result<Fi
             (LOWER, "lower plate: θ₂ and dθ₂/dt".to_owned()),
         ],
         columns: [("angles", "angle θ (°)", -4.6..4.6), ("rates", "rate dθ/dt (°/s)", -11.5..11.5)]
-            .map(|(title, label, range)| Column {
-                title: title.to_owned(),
-                x: axis("time t (s)", 0.0..t_end),
-                y: axis(label, range),
+            .map(|(title, label, range)| {
+                Column::new(title, Axis::linear("time t (s)", 0.0..t_end), Axis::linear(label, range))
             })
             .into(),
         rows: rows.collect::<Result<_, _>>()?,
@@ -48,11 +40,7 @@ fn row(gamma: f64, solution: &Solution<f64, 4>, t_end: f64) -> Result<Row, Outsi
     let states = solution.sample(times.iter().copied())?;
     let curve = |line, component: usize| {
         let degrees = states.iter().map(|x| x[component].to_degrees());
-        Curve {
-            line,
-            points: times.iter().copied().zip(degrees).collect(),
-            label: None,
-        }
+        Curve::new(line, times.iter().copied().zip(degrees).collect())
     };
     Ok(Row {
         caption: format!("γ = {gamma} N m s"),

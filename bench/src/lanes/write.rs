@@ -68,7 +68,7 @@ fn chart(results: &Results) -> Bars {
         let rows = results.rows.iter().filter(|row| row.number == number && !row.slower);
         let bar = |row: &Row| Bar {
             label: label(row),
-            value: row.most,
+            value: Some(row.most),
             ours: !row.side.starts_with("C++"),
         };
         rows.map(bar).collect()

@@ -162,21 +162,21 @@ fn others(results: &Results) -> String {
 
 fn chart(results: &Results) -> Bars {
     let functions = [Function::Rhs, Function::Jacobian];
+    let bar = |peer: &str, value: Option<f64>| Bar {
+        label: if peer == OURS { "mechanism!" } else { peer }.to_owned(),
+        value,
+        ours: peer == OURS,
+    };
     let panel = |model: &str, function| {
-        let bar = |row: &Row| Bar {
-            label: if row.peer == OURS {
-                "mechanism!".to_owned()
-            } else {
-                row.peer.clone()
-            },
-            value: row.least,
-            ours: row.peer == OURS,
-        };
-        of(results, model, function).map(bar).collect()
+        let measured = || of(results, model, function);
+        let others = functions.iter().flat_map(|&function| of(results, model, function));
+        let missing = others.filter(|row| measured().all(|here| here.peer != row.peer));
+        let bars = measured().map(|row| bar(&row.peer, Some(row.least)));
+        bars.chain(missing.map(|row| bar(&row.peer, None))).collect()
     };
     Bars {
         title: "Time of one evaluation".to_owned(),
-        subtitle: "The generated code and the best form of each peer, taken in turns; nanoseconds, logarithmic"
+        subtitle: "Nanoseconds on logarithmic axes: the generated code and the best form of each peer, taken in turns"
             .to_owned(),
         logarithmic: true,
         columns: functions.map(|function| capital(function.title())).to_vec(),

@@ -134,8 +134,9 @@ fn chart(results: &Results) -> Bars {
     };
     Bars {
         title: "What operations take, in additions".to_owned(),
-        subtitle: "In generated functions, evaluated in sequence (with a critical path) or side by side; logarithmic"
-            .to_owned(),
+        subtitle:
+            "In generated functions, evaluated in sequence (with a critical path) or side by side; logarithmic axes"
+                .to_owned(),
         logarithmic: true,
         columns: vec!["Least squares".to_owned(), "One operation more".to_owned()],
         rows: operations
@@ -147,7 +148,7 @@ fn chart(results: &Results) -> Bars {
 fn bar(label: &str, value: f64) -> Bar {
     Bar {
         label: label.to_owned(),
-        value: value.max(LEAST),
+        value: Some(value.max(LEAST)),
         ours: true,
     }
 }

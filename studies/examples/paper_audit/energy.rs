@@ -5,7 +5,7 @@ use std::error::Error;
 use pendulum_core::prelude::*;
 
 use crate::model;
-use charts::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
+use charts::chart::{Axis, Column, Curve, Figure, Line, Row};
 use charts::page::{BLUE, ORANGE, VERMILION};
 use testbed::printed::Pendulum;
 
@@ -34,16 +34,12 @@ pub(crate) fn figure() -> Result<Figure, Box<dyn Error>> {
             curve("Eq. 22b as printed", EQ_22B, &free, &eq22b, start)?,
         ]);
     }
-    let axis = |label: &str, range| Axis {
-        label: label.to_owned(),
-        scale: Scale::Linear,
-        range,
-        ticks: 5,
-    };
-    let column = |([theta1, theta2], range): ([f64; 2], _)| Column {
-        title: format!("released at θ₁ = {theta1}, θ₂ = {theta2} rad").replace('-', "\u{2212}"),
-        x: axis("time t (s)", 0.0..END),
-        y: axis("energy gained (J)", range),
+    let column = |([theta1, theta2], range): ([f64; 2], _)| {
+        Column::new(
+            &format!("Released at θ₁ = {theta1}, θ₂ = {theta2} rad").replace('-', "\u{2212}"),
+            Axis::linear("time t (s)", 0.0..END),
+            Axis::linear("energy gained (J)", range),
+        )
     };
     Ok(Figure {
         title: "Without friction, the printed equations do not conserve energy".to_owned(),
@@ -83,9 +79,5 @@ fn curve(
     let (low, high) = gains.fold((0.0_f64, 0.0_f64), |(low, high), gain| (low.min(gain), high.max(gain)));
     let rest = first - energy(&SVector::zeros());
     println!("  from ({theta1}, {theta2}), {rest:.2} J, {name:<18} {low:>9.2e} to {high:>9.2e}");
-    Ok(Curve {
-        line,
-        points,
-        label: None,
-    })
+    Ok(Curve::new(line, points))
 }

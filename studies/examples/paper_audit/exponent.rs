@@ -7,7 +7,7 @@ use pendulum_core::prelude::*;
 use pendulum_core::stability::{Lyapunov, StabilityError, equilibrium};
 
 use crate::model;
-use charts::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
+use charts::chart::{Axis, Column, Curve, Figure, Line, Row};
 use charts::page::{BLUE, GREY};
 use testbed::scenes::DoublePendulum;
 
@@ -103,17 +103,6 @@ fn measure(model: &DoublePendulum, degrees: f64) -> Result<Measured, StabilityEr
 fn chart(scan: &[Measured], regular: f64) -> Figure {
     const EXPONENT: Line = Line::solid(BLUE);
     const REGULAR: Line = Line::dashed(GREY);
-    let axis = |label: &str, scale, range, ticks| Axis {
-        label: label.to_owned(),
-        scale,
-        range,
-        ticks,
-    };
-    let curve = |line, points| Curve {
-        line,
-        points,
-        label: None,
-    };
     let exponents = scan.iter().map(|m| (m.degrees, m.value.log10())).collect();
     Figure {
         title: "Without friction, only the largest swings have a positive Lyapunov exponent".to_owned(),
@@ -125,18 +114,17 @@ fn chart(scan: &[Measured], regular: f64) -> Figure {
             (EXPONENT, "measured".to_owned()),
             (REGULAR, "ln(t)/t: about the largest value of regular motion".to_owned()),
         ],
-        columns: vec![Column {
-            title: String::new(),
-            x: axis("θ₂ at the start (°)", Scale::Linear, 0.0..180.0, 10),
-            y: axis("largest exponent (1/s)", Scale::Decades, -4.0..0.0, 5),
-        }],
-        rows: vec![Row {
-            caption: String::new(),
-            legend: Vec::new(),
-            panels: vec![vec![
-                curve(REGULAR, vec![(0.0, regular.log10()), (180.0, regular.log10())]),
-                curve(EXPONENT, exponents),
-            ]],
-        }],
+        columns: vec![Column::new(
+            "",
+            Axis {
+                ticks: 10,
+                ..Axis::linear("θ₂ at the start (°)", 0.0..180.0)
+            },
+            Axis::decades("largest exponent (1/s)", -4.0..0.0),
+        )],
+        rows: vec![Row::new(vec![vec![
+            Curve::new(REGULAR, vec![(0.0, regular.log10()), (180.0, regular.log10())]),
+            Curve::new(EXPONENT, exponents),
+        ]])],
     }
 }

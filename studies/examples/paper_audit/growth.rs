@@ -6,7 +6,7 @@ use pendulum_core::prelude::*;
 use pendulum_core::stability::{Spectrum, StabilityError};
 
 use crate::model;
-use charts::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
+use charts::chart::{Axis, Column, Curve, Figure, Line, Row};
 use charts::page::{BLUE, ORANGE, VERMILION};
 use testbed::printed::Pendulum;
 
@@ -16,12 +16,12 @@ const RIGHT: Line = Line::solid(BLUE);
 const PRINTED: [(Line, &str, Form); 2] = [
     (
         Line::solid(VERMILION),
-        "sign of Eq. 24a",
+        "with the sign of Eq. 24a",
         Pendulum::linear_with_sign_of_24a,
     ),
     (
         Line::dashed(ORANGE),
-        "friction in the denominator, Eq. 25 and 26",
+        "with friction in the denominator, Eq. 25 and 26",
         Pendulum::linear_with_friction_in_denominator,
     ),
 ];
@@ -79,10 +79,8 @@ pub(crate) fn figure() -> Result<Figure, Box<dyn Error>> {
 
 fn chart(columns: Vec<[Vec<Curve>; 2]>) -> Figure {
     let axis = |label: &str, range| Axis {
-        label: label.to_owned(),
-        scale: Scale::Decades,
-        range,
         ticks: 8,
+        ..Axis::decades(label, range)
     };
     let printed = PRINTED.map(|(line, name, _)| (line, name.to_owned()));
     let legend = std::iter::once((RIGHT, "generated Jacobian".to_owned())).chain(printed);
@@ -99,14 +97,10 @@ fn chart(columns: Vec<[Vec<Curve>; 2]>) -> Figure {
         size: (1600, 1200),
         legend: legend.collect(),
         columns: [
-            ("friction of the upper axle", "γ₁ (N m s)"),
-            ("friction of the lower axle", "γ₂ (N m s)"),
+            ("upper axle", "friction γ₁ (N m s)"),
+            ("lower axle", "friction γ₂ (N m s)"),
         ]
-        .map(|(title, label)| Column {
-            title: title.to_owned(),
-            x: axis(label, POWERS.0..POWERS.1),
-            y: axis("rate (1/s)", -5.0..3.0),
-        })
+        .map(|(title, label)| Column::new(title, axis(label, POWERS.0..POWERS.1), axis("rate (1/s)", -5.0..3.0)))
         .into(),
         rows: vec![
             row("Slowest decay, where stable", 0),
@@ -132,10 +126,11 @@ fn fastest(matrix: &SMatrix<f64, 4, 4>) -> Result<f64, StabilityError> {
 /// The stretches where the rate has this sign, in powers of ten.
 fn runs(line: Line, rates: &[(f64, f64)], sign: f64) -> Vec<Curve> {
     let stretches = rates.split(|&(_, rate)| sign * rate <= 0.0);
-    let curve = |stretch: &[(f64, f64)]| Curve {
-        line,
-        points: stretch.iter().map(|&(x, rate)| (x, (sign * rate).log10())).collect(),
-        label: None,
+    let curve = |stretch: &[(f64, f64)]| {
+        Curve::new(
+            line,
+            stretch.iter().map(|&(x, rate)| (x, (sign * rate).log10())).collect(),
+        )
     };
     stretches.filter(|stretch| stretch.len() > 1).map(curve).collect()
 }

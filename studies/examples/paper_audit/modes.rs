@@ -6,7 +6,7 @@ use pendulum_core::prelude::*;
 use pendulum_core::stability::equilibrium;
 
 use crate::model;
-use charts::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
+use charts::chart::{Axis, Column, Curve, Figure, Line, Row};
 use charts::page::{BLUE, INK, ORANGE, VERMILION};
 use testbed::fit::{eigenvalues_of, fit};
 use testbed::printed::Pendulum;
@@ -31,11 +31,8 @@ pub(crate) fn figure() -> Result<Figure, Box<dyn Error>> {
         "Fig. 2 as two modes: from rest at theta1 = 0, theta2 = {AMPLITUDE} degrees, {END} s; rates in 1/s and rad/s"
     );
     let rows = FRICTIONS.map(row).into_iter().collect::<Result<_, _>>()?;
-    let axis = |label: &str, range| Axis {
-        label: label.to_owned(),
-        scale: Scale::Linear,
-        range,
-        ticks: 5,
+    let column = |title: &str, label: &str, range| {
+        Column::new(title, Axis::linear("time t (s)", 0.0..END), Axis::linear(label, range))
     };
     Ok(Figure {
         title: "Fig. 2 of the paper is the sum of two damped modes".to_owned(),
@@ -49,16 +46,8 @@ pub(crate) fn figure() -> Result<Figure, Box<dyn Error>> {
             (LEFT_OF_LOWER, "remainder of θ₂".to_owned()),
         ],
         columns: vec![
-            Column {
-                title: "motion and modes".to_owned(),
-                x: axis("time t (s)", 0.0..END),
-                y: axis("angle (°)", -4.6..4.6),
-            },
-            Column {
-                title: "what the modes leave".to_owned(),
-                x: axis("time t (s)", 0.0..END),
-                y: axis("remainder (0.001°)", -5.5..5.5),
-            },
+            column("motion and modes", "angle (°)", -4.6..4.6),
+            column("what the modes leave", "remainder (0.001°)", -5.5..5.5),
         ],
         rows,
     })
@@ -101,10 +90,8 @@ fn row(gamma: f64) -> Result<Row, Box<dyn Error>> {
     let apart = apart.fold(0.0, f64::max).to_degrees();
     println!("    Eq. 22b as printed moves the angles by {apart:.5} degrees at most");
 
-    let curve = |line, value: &dyn Fn(&Sample) -> f64| Curve {
-        line,
-        points: samples.iter().map(|sample| (sample.0, value(sample))).collect(),
-        label: None,
+    let curve = |line, value: &dyn Fn(&Sample) -> f64| {
+        Curve::new(line, samples.iter().map(|sample| (sample.0, value(sample))).collect())
     };
     Ok(Row {
         caption: format!("γ₁ = γ₂ = {gamma} N m s"),

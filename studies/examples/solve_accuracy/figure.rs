@@ -1,7 +1,7 @@
 //! The errors over the mass ratio, beside what the condition explains.
 
 use crate::{Run, Worst};
-use charts::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
+use charts::chart::{Axis, Column, Curve, Figure, Line, Row};
 use charts::page::{BLUE, GREEN, PURPLE, VERMILION};
 
 /// What is drawn of the errors: an exact value stands at the bottom.
@@ -16,32 +16,32 @@ pub(crate) fn figure(runs: &[Run], textbook: &[Run]) -> Result<Figure, String> {
         };
         names.iter().map(find).collect::<Result<Vec<_>, String>>()
     };
-    let axis = |label: &str, range, ticks| Axis {
-        label: label.to_owned(),
-        scale: Scale::Decades,
-        range,
-        ticks,
+    let axis = |label: &str, range| Axis {
+        ticks: 9,
+        ..Axis::decades(label, range)
     };
-    let errors = |states: &str| Column {
-        title: states.to_owned(),
-        x: axis("mass of one body over its usual mass", -8.0..8.0, 9),
-        y: axis("relative error", DECADES[0]..DECADES[1], 8),
+    let errors = |states: &str| {
+        Column::new(
+            states,
+            axis("mass of one body over its usual mass", -8.0..8.0),
+            axis("relative error", DECADES[0]..DECADES[1]),
+        )
     };
     let textbook: Vec<_> = textbook.iter().map(|run| (run, run.name.clone())).collect();
     Ok(Figure {
         title: "Error of the accelerations over the ratio of masses".to_owned(),
-        subtitle: "Largest over the states of a scene, in units of the largest acceleration, against 50-digit values; \
-                   steady states have a condition κ below 100"
+        subtitle: "Largest over the states of a scene, relative to the largest acceleration, against 50-digit values; \
+                   an error of 0 is drawn at the bottom"
             .to_owned(),
-        size: (1600, 1560),
+        size: (1600, 1600),
         legend: vec![
             (Line::solid(BLUE), "error".to_owned()),
             (
                 Line::solid(BLUE).lighter(),
-                "what the condition explains: ε (1 + κ)".to_owned(),
+                "explained by the condition: ε (1 + κ)".to_owned(),
             ),
         ],
-        columns: vec![errors("steady states"), errors("sensitive states")],
+        columns: vec![errors("condition κ below 100"), errors("condition κ above 100")],
         rows: vec![
             row(
                 "Two coordinates",
@@ -88,9 +88,5 @@ fn row(caption: &str, runs: &[(&Run, String)]) -> Row {
 fn curve(worst: &[Worst], line: Line, value: fn(&Worst) -> f64) -> Curve {
     let [least, most] = DECADES;
     let point = |worst: &Worst| (worst.ratio.log10(), value(worst).log10().clamp(least, most));
-    Curve {
-        line,
-        points: worst.iter().map(point).collect(),
-        label: None,
-    }
+    Curve::new(line, worst.iter().map(point).collect())
 }

@@ -96,7 +96,7 @@ impl Frictions {
             map(colors, 128, &|pair| value(pair).log10())
         };
         let swinging = Axis {
-            label: "hanging: how many of the two modes swing".to_owned(),
+            label: "Hanging: how many of the two modes swing".to_owned(),
             scale: Scale::Linear,
             range: -0.5..2.5,
             ticks: 3,
@@ -108,10 +108,10 @@ impl Frictions {
             legend: Vec::new(),
             columns: 2,
             maps: vec![
-                decades("hanging: decay rate of the slowest mode (1/s)", |pair| pair.decay),
+                decades("Hanging: decay rate of the slowest mode (1/s)", |pair| pair.decay),
                 map(swinging, 3, &|pair| pair.swinging as f64),
-                decades("hanging: decay rates, fastest over slowest", |pair| pair.stiffness),
-                decades("inverted: growth rate, least of the three (1/s)", |pair| pair.growth),
+                decades("Hanging: decay rates, fastest over slowest", |pair| pair.stiffness),
+                decades("Inverted: growth rate, smallest of the three (1/s)", |pair| pair.growth),
             ],
         }
     }

@@ -1,12 +1,13 @@
-//! Maps of stability: over the friction of both axles, over the starts at rest, and over the amplitude.
+//! Maps of stability: over the friction of both axles, over the starts at rest, and over the amplitude; and Poincare sections.
 //!
 //! `cargo run --release --example stability_map` measures and draws them on all cores, and takes a minute of processor time in all.
-//! `-- --size N` takes N cells along each side of a map, in place of 270; most of the time goes with the square of N.
+//! `-- --size N` computes N cells along each side of a map instead of 270; most of the time goes with the square of N.
 
 mod amplitude;
 mod friction;
 mod progress;
 mod scene;
+mod sections;
 mod starts;
 
 use std::error::Error;
@@ -35,16 +36,16 @@ fn main() -> ExitCode {
 fn size(mut arguments: impl Iterator<Item = String>) -> Result<usize, Box<dyn Error>> {
     let size = match arguments.next().as_deref() {
         None => return Ok(SIZE),
-        Some("--size") => arguments.next().ok_or("--size wants a number of cells")?,
-        Some(other) => return Err(format!("unknown argument `{other}`; there is `--size N` alone").into()),
+        Some("--size") => arguments.next().ok_or("--size needs a number of cells")?,
+        Some(other) => return Err(format!("unknown argument `{other}`; the only option is `--size N`").into()),
     };
     if let Some(more) = arguments.next() {
-        return Err(format!("unknown argument `{more}`; there is `--size N` alone").into());
+        return Err(format!("unknown argument `{more}`; the only option is `--size N`").into());
     }
     match size.parse() {
         Ok(size) if SIZES.contains(&size) => Ok(size),
         _ => Err(format!(
-            "--size is `{size}`; it wants a whole number of cells from {} to {}",
+            "--size is `{size}`, but must be a whole number from {} to {}",
             SIZES.start(),
             SIZES.end()
         )
@@ -63,7 +64,9 @@ fn run(size: usize) -> Result<(), Box<dyn Error>> {
     let amplitudes = amplitude::measure(size)?;
     println!("{amplitudes}\n");
     files.extend(amplitudes.figure().save(&folder.join("exponents"))?);
-    files.push(amplitudes.atlas().save_png(&folder.join("sections"))?);
+    let sections = sections::measure()?;
+    println!("{sections}\n");
+    files.push(sections.figure().save_png(&folder.join("sections"))?);
     for path in files {
         println!("{}", path.display());
     }

@@ -13,7 +13,7 @@ mechanism! {
             gamma2: N m s = 0.0,
         }
         gravity: [0, -9.8, 0],
-        generate: [rhs, jacobian, energy, taylor],
+        generate: [rhs, jacobian, energy, mass_matrix, taylor],
 
         shape plate { mass: 1, com: [0, -1, 0], inertia: 1 }
 

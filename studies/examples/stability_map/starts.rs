@@ -122,20 +122,16 @@ impl Starts {
             steps: 64,
             cells: self.motions.iter().map(value).collect(),
             across: self.size,
-            curves: vec![Curve {
-                line,
-                points: bound(),
-                label: None,
-            }],
+            curves: vec![Curve::new(line, bound())],
         };
         let flips = Axis {
-            label: "first flip (s)".to_owned(),
+            label: "First flip (s)".to_owned(),
             scale: Scale::Decades,
             range: 0.0..DURATION.log10(),
             ticks: 3,
         };
         let exponents = Axis {
-            label: "largest finite-time Lyapunov exponent (1/s)".to_owned(),
+            label: "Largest finite-time Lyapunov exponent (1/s)".to_owned(),
             scale: Scale::Linear,
             range: 0.0..(10.0 * self.exponents().1).ceil() / 10.0,
             ticks: 8,

@@ -1,30 +1,19 @@
 //! The energy over time, steps against friction, and the horizon of prediction.
 
-use std::ops::Range;
-
 use pendulum_core::prelude::*;
 use pendulum_core::stability::StabilityError;
 
 use charts::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
-use charts::methods::line;
-use charts::page::{BLUE, GREY, INK};
+use charts::methods::{legend, line};
+use charts::page::{BLUE, RGBColor};
 use testbed::scenes::DoublePendulum;
 use testbed::where_methods_fail::scenes::double_pendulum;
 use testbed::where_methods_fail::{chaos, energy, friction};
 
 const PREDICTED: Line = Line {
     width: 1.6,
-    ..Line::solid(GREY)
+    ..Line::solid(RGBColor(170, 170, 170))
 };
-
-fn axis(label: &str, scale: Scale, range: Range<f64>, ticks: usize) -> Axis {
-    Axis {
-        label: label.to_owned(),
-        scale,
-        range,
-        ticks,
-    }
-}
 
 /// The largest relative errors of the energy so far.
 pub(crate) fn energy() -> Figure {
@@ -37,28 +26,29 @@ pub(crate) fn energy() -> Figure {
             energy_of("Gauss6", &Gauss6::new(energy::H), x0),
         ]
     };
-    let column = |title: &str| Column {
-        title: title.to_owned(),
-        x: axis("time (s)", Scale::Decades, -1.0..energy::TIME.log10(), 4),
-        y: axis("relative error of the energy", Scale::Decades, -16.0..0.0, 8),
+    let column = |title: &str| {
+        Column::new(
+            title,
+            Axis::decades("time (s)", -1.0..energy::TIME.log10()),
+            Axis {
+                ticks: 8,
+                ..Axis::decades("relative error of the energy", -16.0..-2.0)
+            },
+        )
     };
     Figure {
         title: "Energy over time, without friction".to_owned(),
-        subtitle: "Largest error so far. Rk4 and Gauss with h = 0.02 s, Rk45 within 1e-6, Taylor within 1e-12"
+        subtitle: "Largest error so far; Rk4 and Gauss with h = 0.02 s, Rk45 with tolerances of 1e-6, Taylor of 1e-12"
             .to_owned(),
-        size: (1600, 860),
-        legend: Vec::new(),
-        columns: vec![column("regular motion"), column("chaotic motion")],
-        rows: vec![Row {
-            caption: String::new(),
-            legend: Vec::new(),
-            panels: vec![panel(energy::REGULAR), panel(energy::CHAOTIC)],
-        }],
+        size: (1600, 900),
+        legend: legend(),
+        columns: vec![column("Regular motion"), column("Chaotic motion")],
+        rows: vec![Row::new(vec![panel(energy::REGULAR), panel(energy::CHAOTIC)])],
     }
 }
 
 fn energy_of(name: &str, method: &impl Method<DoublePendulum, f64, 4>, x0: [f64; 4]) -> Curve {
-    const POINTS: f64 = 12.0;
+    const POINTS: f64 = 6.0;
     let mut largest = 0.0_f64;
     let mut points: Vec<(f64, f64)> = Vec::new();
     for (t, error) in energy::errors(method, &double_pendulum(0.0), x0) {
@@ -112,21 +102,13 @@ pub(crate) fn friction() -> Figure {
         title: "Steps against friction".to_owned(),
         subtitle: "Double pendulum, Eq. 22, from rest at (1, −1) rad, 10 s with tolerances of 1e-6".to_owned(),
         size: (1200, 880),
-        legend: vec![
-            (Line::solid(INK), "explicit method".to_owned()),
-            (Line::dashed(INK), "implicit method, Auto".to_owned()),
-            (PREDICTED, "predicted from the Jacobian".to_owned()),
-        ],
-        columns: vec![Column {
-            title: String::new(),
-            x: axis("friction γ of both axles (N m s)", Scale::Decades, 0.0..4.0, 5),
-            y: axis("accepted steps", Scale::Decades, 1.0..5.0, 5),
-        }],
-        rows: vec![Row {
-            caption: String::new(),
-            legend: Vec::new(),
-            panels: vec![curves],
-        }],
+        legend: [legend(), vec![(PREDICTED, "stability limit, predicted".to_owned())]].concat(),
+        columns: vec![Column::new(
+            "",
+            Axis::decades("friction γ of both axles (N m s)", 0.0..4.0),
+            Axis::decades("accepted steps", 1.0..5.0),
+        )],
+        rows: vec![Row::new(vec![curves])],
     }
 }
 
@@ -145,15 +127,14 @@ pub(crate) fn horizon() -> Result<Figure, StabilityError> {
         points: points(&|tolerance| chaos::horizon(tolerance, STARTS)),
         label: Some("Vern7".to_owned()),
     };
-    let predicted = Curve {
-        line: PREDICTED,
-        points: points(&|tolerance| exponents.horizon(tolerance, chaos::LOST)),
-        label: None,
-    };
+    let predicted = Curve::new(
+        PREDICTED,
+        points(&|tolerance| exponents.horizon(tolerance, chaos::LOST)),
+    );
     Ok(Figure {
         title: "The horizon of prediction against the tolerance".to_owned(),
         subtitle: format!(
-            "Time until a chaotic motion is off by {}: mean of {STARTS} starts near (2, 2.5) rad",
+            "Time until a chaotic motion is off by {} rad or rad/s: mean of {STARTS} starts near (2, 2.5) rad",
             chaos::LOST
         ),
         size: (1200, 880),
@@ -165,15 +146,14 @@ pub(crate) fn horizon() -> Result<Figure, StabilityError> {
                 exponents.values[0]
             ),
         )],
-        columns: vec![Column {
-            title: String::new(),
-            x: axis("tolerance", Scale::Falling, 3.0..12.0, 9),
-            y: axis("time (s)", Scale::Linear, 0.0..24.0, 6),
-        }],
-        rows: vec![Row {
-            caption: String::new(),
-            legend: Vec::new(),
-            panels: vec![vec![predicted, observed]],
-        }],
+        columns: vec![Column::new(
+            "",
+            Axis {
+                scale: Scale::Falling,
+                ..Axis::decades("tolerance", 3.0..12.0)
+            },
+            Axis::linear("time (s)", 0.0..20.0),
+        )],
+        rows: vec![Row::new(vec![vec![predicted, observed]])],
     })
 }

@@ -8,7 +8,7 @@ use pendulum_core::system::Jacobian;
 use pendulum_core::tableau::{self, DormandPrince5, Kutta4, Tsitouras5, Verner7, Verner9};
 
 use crate::contour;
-use charts::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
+use charts::chart::{Axis, Column, Curve, Figure, Line, Row};
 use charts::methods::line;
 use charts::page::INK;
 use testbed::where_methods_fail::scenes::double_pendulum;
@@ -65,10 +65,8 @@ pub(crate) fn figure() -> Result<Figure, StabilityError> {
             .map(|&(name, _)| (line(name), title(name).to_owned()))
             .collect()
     };
-    let column = |title: &str, [x, y]: &[Range<f64>; 2]| Column {
-        title: title.to_owned(),
-        x: axis("real part of h λ", x),
-        y: axis("imaginary part of h λ", y),
+    let column = |title: &str, [x, y]: &[Range<f64>; 2]| {
+        Column::new(title, axis("real part of h λ", x), axis("imaginary part of h λ", y))
     };
     Ok(Figure {
         title: "Regions of stability, and the modes of the double pendulum".to_owned(),
@@ -78,8 +76,8 @@ pub(crate) fn figure() -> Result<Figure, StabilityError> {
         size: (1700, 1000),
         legend: legend(&explicit),
         columns: vec![
-            column("explicit methods, stable inside", &EXPLICIT),
-            column("implicit methods, stable to the left", &IMPLICIT),
+            column("Explicit methods, stable inside", &EXPLICIT),
+            column("Implicit methods, stable to the left", &IMPLICIT),
         ],
         rows: vec![Row {
             caption: String::new(),
@@ -92,10 +90,8 @@ pub(crate) fn figure() -> Result<Figure, StabilityError> {
 
 fn axis(label: &str, range: &Range<f64>) -> Axis {
     Axis {
-        label: label.to_owned(),
-        scale: Scale::Linear,
-        range: range.clone(),
         ticks: 7,
+        ..Axis::linear(label, range.clone())
     }
 }
 
@@ -104,11 +100,7 @@ fn borders(methods: &[(&str, Factor)], [x, y]: &[Range<f64>; 2]) -> Vec<Curve> {
     let border = |(name, factor): &(&str, Factor)| {
         let excess = |re: f64, im: f64| factor(Complex::new(re, im)).norm().ln();
         let lines = contour::zeros(excess, x, y, CELLS);
-        Some(Curve {
-            line: line(name),
-            points: lines.into_iter().max_by_key(Vec::len)?,
-            label: None,
-        })
+        Some(Curve::new(line(name), lines.into_iter().max_by_key(Vec::len)?))
     };
     methods.iter().filter_map(border).collect()
 }

@@ -5,7 +5,7 @@ use pendulum_core::accuracy::{Measured, Report, Series};
 use crate::methods::{LANES, line};
 use crate::scenes::{NEIGHBOURS, Scene};
 use charts::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
-use charts::page::{GRID, INK};
+use charts::page::GRID;
 
 /// One row of panels for each scene.
 type Reports<'r> = &'r [(&'r Scene, Report)];
@@ -26,14 +26,14 @@ struct Panels {
 }
 
 /// Decades of the errors.
-const ERRORS: [f64; 2] = [-16.0, 0.0];
+const ERRORS: [f64; 2] = [-17.0, 0.0];
 
 const TIME: Panels = Panels {
     title: "time",
     error: ("error at the end (rad, rad/s)", |measured| Some(measured.errors.last)),
     uncertainty: |scene| scene.reference.uncertainty(scene.t1),
     cost: ("time for a trajectory (µs)", |measured| Some(1e6 * measured.minimum)),
-    decades: [0.0, 5.0],
+    decades: [0.0, 4.5],
     shows: |series| !series.name.ends_with(LANES),
 };
 const EVALUATIONS: Panels = Panels {
@@ -41,7 +41,7 @@ const EVALUATIONS: Panels = Panels {
     cost: ("evaluations of the right-hand side, or series", |measured| {
         Some(measured.work?.evaluations as f64)
     }),
-    decades: [1.0, 6.0],
+    decades: [1.0, 5.5],
     ..TIME
 };
 const IN_LANES: Panels = Panels {
@@ -51,7 +51,7 @@ const IN_LANES: Panels = Panels {
 };
 /// Between the points that are known to all digits.
 const LARGEST: Panels = Panels {
-    title: "largest error at a step, the fast start included",
+    title: "largest error",
     error: ("largest error (rad, rad/s)", |measured| measured.errors.largest),
     uncertainty: |scene| scene.reference.uncertainty(0.5 * scene.t1),
     ..TIME
@@ -82,7 +82,7 @@ pub(crate) fn methods(reports: Reports<'_>) -> Figure {
 pub(crate) fn stiff(reports: Reports<'_>) -> Figure {
     figure(
         "A stiff motion",
-        "Friction of 10⁴ N m s stops the first swing within milliseconds, and then the pendulum creeps",
+        "Friction of 10⁴ N m s stops the first swing within milliseconds, and then the pendulum creeps; the largest error includes the start",
         reports,
         &[
             Panels {
@@ -124,11 +124,11 @@ fn figure(title: &str, subtitle: &str, reports: Reports<'_>, columns: &[Panels])
         title: title.to_owned(),
         subtitle: subtitle.to_owned(),
         size: (1600, 140 + 780 * reports.len() as u32),
-        legend: vec![
-            (Line::solid(INK), "explicit method".to_owned()),
-            (Line::dashed(INK), "implicit method, Auto".to_owned()),
-            (Line::area(GRID), "within the uncertainty of the reference".to_owned()),
-        ],
+        legend: [
+            charts::methods::legend(),
+            vec![(Line::area(GRID), "within the uncertainty of the reference".to_owned())],
+        ]
+        .concat(),
         columns: columns.iter().map(Panels::column).collect(),
         rows: reports.iter().map(row).collect(),
     }
@@ -137,21 +137,18 @@ fn figure(title: &str, subtitle: &str, reports: Reports<'_>, columns: &[Panels])
 impl Panels {
     fn column(&self) -> Column {
         let [least, most] = self.decades;
-        Column {
-            title: self.title.to_owned(),
-            x: Axis {
-                label: self.error.0.to_owned(),
+        Column::new(
+            self.title,
+            Axis {
                 scale: Scale::Falling,
-                range: -ERRORS[1]..-ERRORS[0],
                 ticks: 9,
+                ..Axis::decades(self.error.0, -ERRORS[1]..-ERRORS[0])
             },
-            y: Axis {
-                label: self.cost.0.to_owned(),
-                scale: Scale::Decades,
-                range: least..most,
+            Axis {
                 ticks: 6,
+                ..Axis::decades(self.cost.0, least..most)
             },
-        }
+        )
     }
 
     /// Errors below the axis are drawn at its end.
@@ -165,11 +162,10 @@ impl Panels {
         };
         let [least, most] = self.decades;
         let [known, end] = [falling((self.uncertainty)(scene)), -ERRORS[0]];
-        let unknown = Curve {
-            line: Line::area(GRID),
-            points: vec![(known, least), (end, least), (end, most), (known, most)],
-            label: None,
-        };
+        let unknown = Curve::new(
+            Line::area(GRID),
+            vec![(known, least), (end, least), (end, most), (known, most)],
+        );
         let shown = report.series.iter().filter(|series| (self.shows)(series));
         std::iter::once(unknown).chain(shown.map(curve)).collect()
     }

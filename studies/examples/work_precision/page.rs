@@ -14,7 +14,7 @@ pub(crate) fn page(reports: &[(&Scene, Report)], simpler: &Simpler, table: &str)
         "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>Accuracy against speed</title>\n<style>{STYLE}</style>\n\
          <h1>Accuracy against speed</h1>\n\
          <p>Times are the shortest of many rounds, for one trajectory of which only the end is kept, all methods in turns on one core. Errors are those of the \
-         largest component of the state. Runs that failed have no dot; the lists below say why. Errors below 1e-16 are drawn at the edge.</p>\n"
+         largest component of the state. Runs that failed have no dot; the lists below say why. Errors below 1e-17 are drawn at the edge.</p>\n"
     );
     for (stem, text) in [
         (

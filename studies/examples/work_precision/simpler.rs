@@ -7,7 +7,7 @@ use pendulum_core::accuracy::{Errors, Problem, Reference, Report, Sweep};
 use pendulum_core::prelude::*;
 
 use crate::scenes::{DoublePendulum, DoublePendulumParams};
-use charts::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
+use charts::chart::{Axis, Column, Curve, Figure, Line, Row};
 use charts::page::{BLUE, GREEN, GREY, VERMILION};
 
 mechanism! {
@@ -137,21 +137,15 @@ impl Simpler {
             })
             .collect();
         errors.extend(panel(|(error, _)| error));
-        let x = Axis {
-            label: "amplitude of both angles (°)".to_owned(),
-            scale: Scale::Decades,
-            range: -1.0..2.0,
-            ticks: 4,
-        };
-        let column = |title: &str, label: &str, [least, most]: [f64; 2]| Column {
-            title: title.to_owned(),
-            x: x.clone(),
-            y: Axis {
-                label: label.to_owned(),
-                scale: Scale::Decades,
-                range: least..most,
-                ticks: 9,
-            },
+        let column = |title: &str, label: &str, [least, most]: [f64; 2]| {
+            Column::new(
+                title,
+                Axis::decades("amplitude of both angles (°)", -1.0..2.0),
+                Axis {
+                    ticks: 9,
+                    ..Axis::decades(label, least..most)
+                },
+            )
         };
         Figure {
             title: "Up to which amplitude is a simpler model enough?".to_owned(),
@@ -168,14 +162,10 @@ impl Simpler {
                 ),
             )],
             columns: vec![
-                column("largest error of angles and rates", "error over the amplitude", ERRORS),
-                column("time for the state after 10 s", "time (µs)", TIMES),
+                column("Largest error of angles and rates", "error over the amplitude", ERRORS),
+                column("Time for the state after 10 s", "time (µs)", TIMES),
             ],
-            rows: vec![Row {
-                caption: String::new(),
-                legend: Vec::new(),
-                panels: vec![errors, panel(|(_, time)| 1e6 * time)],
-            }],
+            rows: vec![Row::new(vec![errors, panel(|(_, time)| 1e6 * time)])],
         }
     }
 }
