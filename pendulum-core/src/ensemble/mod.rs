@@ -169,8 +169,8 @@ where
     }
 }
 
-/// Leaves all trajectories for [`conclude`] to integrate alone: a single lane takes longer than a scalar, whose right-hand side is a
-/// function and not a copy in each stage.
+/// Leaves all trajectories for [`conclude`] to integrate alone. A single lane is slower than a scalar, whose right-hand side is a function
+/// rather than a copy in each stage.
 fn leave_alone<T: Float, const N: usize>(x: &mut [SVector<T, N>]) {
     x.fill(SVector::from_element(T::from_f64(f64::NAN)));
 }

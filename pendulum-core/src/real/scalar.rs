@@ -31,7 +31,7 @@ macro_rules! scalar {
                 sincos::sin_cos(self)
             }
 
-            // Inlined, since the way of an array through memory takes as long as a sine.
+            // Inlined, since passing an array through memory takes as long as a sine.
             #[inline(always)]
             fn sin_cos_pair(self, other: Self) -> [(Self, Self); 2] {
                 sincos::sin_cos_pair::<$two>([self, other])

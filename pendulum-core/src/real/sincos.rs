@@ -1,25 +1,28 @@
 //! Sine and cosine: one kernel for both precisions, for scalars and for lanes.
 //!
-//! It uses additions, multiplications and operations on bits only, each of which IEEE 754 defines to the last bit, and no fused
-//! ones. So the result is the same on every machine, and a lane is the scalar, bit for bit.
+//! It uses only additions, multiplications and bit operations, which IEEE 754 defines to the last bit, and no fused
+//! operations. So the result is the same on every machine, and in lanes the same bits as for a scalar.
 //!
-//! The angle is reduced to `[-pi/4, pi/4]` by a multiple of `pi/2` in parts (W. J. Cody, W. Waite, "Software Manual for the
-//! Elementary Functions", 1980), and the rounding error of the reduced angle is carried along. The polynomials are minimax ones on this
-//! interval, found by Remez's exchange of the extrema of the relative error of sine and cosine.
+//! The angle is reduced to `[-pi/4, pi/4]` by a multiple of `pi/2` in parts (W. J. Cody, W. Waite, "Software Manual for
+//! the Elementary Functions", 1980), and the rounding error of the reduced angle is carried along. The polynomials
+//! minimise the largest relative error of sine and cosine on this interval (Remez's algorithm); their coefficients are
+//! rounded one after the other, each time with the higher ones fitted anew.
 
 use super::lanes::Register;
 use super::{Float, Real};
 
 /// A precision of the kernel: its range, and its constants.
 pub trait Precision: Float + Register<Scalar = Self> {
-    /// Up to here the kernel reduces the angle: the products of the quotient and the first parts of pi/2 are exact.
+    /// The largest angle that the kernel reduces: up to here the quotient's products with all but the last part of pi/2
+    /// are exact.
     const LIMIT: Self;
 
-    /// pi/2 in parts: their multiples are taken from the angle without error, but for the last two.
+    /// pi/2 as a sum. Subtracting multiples of the first parts from the angle is exact; the rounding error of the last
+    /// two is carried along.
     const HALF_PI: (&'static [Self], [Self; 2]);
 
-    /// Added to a number of at most a quarter of it, it leaves no room for a fraction: the number is rounded to an integer, which
-    /// stands in the lowest bits.
+    /// 1.5 times the power of 2 from which on numbers have no fraction: adding it to the quotient rounds that to an
+    /// integer, in the lowest bits.
     const SHIFT: Self;
 
     /// `(x - sin x) / x^3` by ascending powers of `x^2`.
@@ -67,7 +70,7 @@ impl Precision for f64 {
 /// Quotients of 12 bits, polynomials to 2^-27.
 impl Precision for f32 {
     const LIMIT: Self = 6400.0;
-    /// Of 12 bits; to 2^-24, which no difference of an angle and the first part falls below; of 9 and of 24 bits.
+    /// Of 12 bits; rounded to 2^-24, so that differences from the angle remain exact; of 9 and of 24 bits.
     const HALF_PI: (&'static [Self], [Self; 2]) = (&[1.570_800_8, -4.470_348_4e-6], [1.589_069_1e-8, 2.563_344e-12]);
     const SHIFT: Self = 12_582_912.0;
     const SIN: &'static [Self] = &[0.166_666_54, -0.008_332_106, 0.000_195_078_83];
@@ -80,7 +83,7 @@ impl Precision for f32 {
     }
 }
 
-/// Sine and cosine of an angle in radians, below 1 ulp; NaN where the angle is not finite.
+/// Sine and cosine of an angle in radians, with errors below 1 ulp; NaN if the angle is not finite.
 #[inline(always)]
 pub(crate) fn sin_cos<R: Register>(x: R) -> (R, R) {
     if x.any_beyond(R::Scalar::LIMIT) {
@@ -150,7 +153,7 @@ fn constant<R: Register>(v: f64) -> R {
     R::splat(R::Scalar::from_f64(v))
 }
 
-/// Sine and cosine of each lane alone: those within the range of the kernel must give what they always give.
+/// Sine and cosine of each lane alone: those within the range of the kernel must keep their bits.
 #[inline(always)]
 fn one_by_one<R: Register>(x: R) -> (R, R) {
     #[cold]
@@ -167,7 +170,7 @@ fn one_by_one<R: Register>(x: R) -> (R, R) {
         *x_sin = R::from_fn(&mut |i| alone(x.lane(i)).0);
         *cos = R::from_fn(&mut |i| alone(x.lane(i)).1);
     }
-    // Copies, which go to memory for the call; `x` itself can stay in its register where there is none.
+    // Copies, which the call needs in memory, so that `x` itself can stay in a register.
     let (mut sin, mut cos) = (x, x);
     replace(&mut sin, &mut cos);
     (sin, cos)

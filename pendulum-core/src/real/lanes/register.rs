@@ -1,14 +1,14 @@
-//! What lanes are made of: scalars, vector registers of the machine, and pairs of these.
+//! Registers: what lanes are stored in. Scalars, vector registers of the machine, and pairs of these.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::real::Real;
 use crate::real::sincos::Precision;
 
-/// Some numbers that are computed with at once.
+/// One or more numbers that are computed together.
 ///
-/// Public, since it bounds a public type, but out of reach: a register type of some instruction set must not be made where
-/// the machine lacks it.
+/// Public because it bounds a public type, but its module is private: nobody may create a register of an instruction
+/// set that the machine lacks.
 pub trait Register:
     Copy
     + Send
@@ -36,9 +36,9 @@ pub trait Register:
     /// Absolute value.
     fn abs(self) -> Self;
 
-    /// Whether the absolute value of any lane is above the limit. NaN is not.
+    /// Whether the absolute value of any lane exceeds the limit. That of NaN does not.
     fn any_beyond(self, limit: Self::Scalar) -> bool;
-    /// `(sin(x + n pi/2), cos(x + n pi/2))` from `sin x` and `cos x`, where `n` stands in the lowest bits of `self`.
+    /// `(sin(x + n pi/2), cos(x + n pi/2))` from `sin x` and `cos x`, where the lowest bits of `self` hold `n`.
     fn turn(self, sin: Self, cos: Self) -> (Self, Self);
 }
 
@@ -97,9 +97,10 @@ macro_rules! one_lane {
 one_lane!(f64 of 64 bits);
 one_lane!(f32 of 32 bits);
 
-/// Two registers in the place of one of twice the width.
+/// Two registers used as one of twice the width.
 ///
-/// Operation by operation, and not one half after the other: so the two wait for each other's results, and not for their own.
+/// Each operation is applied to both halves before the next one, so that one half computes while the other waits for a
+/// result.
 #[derive(Clone, Copy)]
 pub struct Pair<R>(pub(super) R, pub(super) R);
 

@@ -1,7 +1,7 @@
 //! Vector registers of x86-64, and functions in which the compiler may use them.
 #![allow(
     unsafe_code,
-    reason = "intrinsics are unsafe where the instruction set is not known to be there, and so is the call of a function that uses it"
+    reason = "intrinsics, and functions compiled for an instruction set, are unsafe where it may not exist"
 )]
 
 mod enter;

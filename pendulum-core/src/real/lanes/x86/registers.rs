@@ -1,10 +1,9 @@
-//! The vector registers as types: one row for each.
+//! The vector registers as types, one table row each.
 //!
-//! Values of these types are made in kernels only, which run beyond [`enter`](super::enter): there the machine is known to have the
-//! instructions. Nobody else can name the types. Those of `xmm` registers are on every x86-64 machine.
+//! Values of `ymm` and `zmm` types are only created inside kernels, which [`enter`](super::enter) runs after checking
+//! that the machine has the instructions; code outside cannot name the types. Every x86-64 machine has `xmm` registers.
 
 use std::arch::x86_64::*;
-use std::array;
 use std::mem::transmute;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -48,13 +47,13 @@ macro_rules! register {
         impl $name {
             #[inline(always)]
             fn from_array(array: [$scalar; $lanes]) -> Self {
-                // SAFETY: a vector is its lanes one after the other, and any bits are a number.
+                // SAFETY: a vector is laid out as the array of its lanes, and all bit patterns are valid.
                 Self(unsafe { transmute::<[$scalar; $lanes], $vector>(array) })
             }
 
             #[inline(always)]
             fn to_array(self) -> [$scalar; $lanes] {
-                // SAFETY: a vector is its lanes one after the other, and any bits are a number.
+                // SAFETY: a vector is laid out as the array of its lanes, and all bit patterns are valid.
                 unsafe { transmute::<$vector, [$scalar; $lanes]>(self.0) }
             }
         }
@@ -65,13 +64,18 @@ macro_rules! register {
 
             #[inline(always)]
             fn splat(v: $scalar) -> Self {
-                // SAFETY: kernels alone can ask for a value of the type, and they run where the machine has the instruction.
+                // SAFETY: only kernels create values of the type, and they only run on machines with the instruction.
                 unsafe { Self($splat(v)) }
             }
 
             #[inline(always)]
             fn from_fn(f: &mut impl FnMut(usize) -> $scalar) -> Self {
-                Self::from_array(array::from_fn(f))
+                // Not `array::from_fn`, whose calls of `f` the compiler does not inline.
+                let mut array = [0.0; $lanes];
+                for (i, lane) in array.iter_mut().enumerate() {
+                    *lane = f(i);
+                }
+                Self::from_array(array)
             }
 
             #[inline(always)]
@@ -97,7 +101,7 @@ macro_rules! register {
 
             #[inline(always)]
             fn turn(self, sin: Self, cos: Self) -> (Self, Self) {
-                // The lowest bit in the place of the sign, and the second.
+                // Each of the two lowest bits of the quotient as a sign.
                 let (odd, second) = (self.lowest_to_sign(), self.second_to_sign());
                 (
                     odd.select(cos, sin).flip(second.sign()),
@@ -129,7 +133,7 @@ register! {
     _mm512_set1_ps _mm512_add_ps _mm512_sub_ps _mm512_mul_ps _mm512_div_ps _mm512_sqrt_ps;
 }
 
-/// Operations on bits, and what follows from a sign or an order: they have other names, or another form, for each register.
+/// Operations on bits, selection and comparison, whose intrinsics differ from register to register.
 macro_rules! bits {
     ($(
         $name:ident: $cast:ident $back:ident $xor:ident $and:ident $andnot:ident $shift:ident from $bits:literal,
@@ -144,35 +148,35 @@ macro_rules! bits {
                 unsafe { Self($back($andnot($cast(bits.0), $cast(self.0)))) }
             }
 
-            /// With the bits that are set in `bits` inverted.
+            /// With the bits that are set in `bits` flipped.
             #[inline(always)]
             fn flip(self, bits: Self) -> Self {
                 // SAFETY: there is a value of the type, so the machine has the instructions.
                 unsafe { Self($back($xor($cast(bits.0), $cast(self.0)))) }
             }
 
-            /// The bit of the sign alone.
+            /// The sign bit alone.
             #[inline(always)]
             fn sign(self) -> Self {
                 // SAFETY: there is a value of the type, so the machine has the instructions.
                 unsafe { Self($back($and($cast(self.0), $cast(Self::splat(-0.0).0)))) }
             }
 
-            /// The lowest bit in the place of the sign.
+            /// The lowest bit, moved to that of the sign.
             #[inline(always)]
             fn lowest_to_sign(self) -> Self {
                 // SAFETY: there is a value of the type, so the machine has the instructions.
                 unsafe { Self($back($shift::<{ $bits - 1 }>($cast(self.0)))) }
             }
 
-            /// The second lowest bit in the place of the sign.
+            /// The second lowest bit, moved to that of the sign.
             #[inline(always)]
             fn second_to_sign(self) -> Self {
                 // SAFETY: there is a value of the type, so the machine has the instructions.
                 unsafe { Self($back($shift::<{ $bits - 2 }>($cast(self.0)))) }
             }
 
-            /// `then` where the sign is minus.
+            /// `then` where the sign bit is set, `otherwise` elsewhere.
             #[inline(always)]
             fn select(self, Self($then): Self, Self($otherwise): Self) -> Self {
                 let $sign = self.0;
@@ -180,7 +184,7 @@ macro_rules! bits {
                 unsafe { Self($select) }
             }
 
-            /// Whether any lane is above that of the other.
+            /// Whether any lane is greater than that of the other.
             #[inline(always)]
             fn any_above(self, Self($right): Self) -> bool {
                 let $left = self.0;
@@ -192,32 +196,38 @@ macro_rules! bits {
 }
 
 bits! {
-    Xmm64: _mm_castpd_si128 _mm_castsi128_pd _mm_xor_si128 _mm_and_si128 _mm_andnot_si128 _mm_slli_epi64 from 64,
+    Xmm64: _mm_castpd_si128 _mm_castsi128_pd _mm_xor_si128 _mm_and_si128 _mm_andnot_si128
+    _mm_slli_epi64 from 64,
     |sign, then, otherwise| {
         let high = _mm_srai_epi32::<31>(_mm_castpd_si128(sign));
         let mask = _mm_castsi128_pd(_mm_shuffle_epi32::<0b11_11_01_01>(high));
         _mm_xor_pd(otherwise, _mm_and_pd(_mm_xor_pd(then, otherwise), mask))
     },
     |left, right| _mm_movemask_pd(_mm_cmpgt_pd(left, right)) != 0;
-    Xmm32: _mm_castps_si128 _mm_castsi128_ps _mm_xor_si128 _mm_and_si128 _mm_andnot_si128 _mm_slli_epi32 from 32,
+    Xmm32: _mm_castps_si128 _mm_castsi128_ps _mm_xor_si128 _mm_and_si128 _mm_andnot_si128
+    _mm_slli_epi32 from 32,
     |sign, then, otherwise| {
         let mask = _mm_castsi128_ps(_mm_srai_epi32::<31>(_mm_castps_si128(sign)));
         _mm_xor_ps(otherwise, _mm_and_ps(_mm_xor_ps(then, otherwise), mask))
     },
     |left, right| _mm_movemask_ps(_mm_cmpgt_ps(left, right)) != 0;
-    Ymm64: _mm256_castpd_si256 _mm256_castsi256_pd _mm256_xor_si256 _mm256_and_si256 _mm256_andnot_si256 _mm256_slli_epi64 from 64,
+    Ymm64: _mm256_castpd_si256 _mm256_castsi256_pd _mm256_xor_si256 _mm256_and_si256 _mm256_andnot_si256
+    _mm256_slli_epi64 from 64,
     |sign, then, otherwise| _mm256_blendv_pd(otherwise, then, sign),
     |left, right| _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_GT_OQ>(left, right)) != 0;
-    Ymm32: _mm256_castps_si256 _mm256_castsi256_ps _mm256_xor_si256 _mm256_and_si256 _mm256_andnot_si256 _mm256_slli_epi32 from 32,
+    Ymm32: _mm256_castps_si256 _mm256_castsi256_ps _mm256_xor_si256 _mm256_and_si256 _mm256_andnot_si256
+    _mm256_slli_epi32 from 32,
     |sign, then, otherwise| _mm256_blendv_ps(otherwise, then, sign),
     |left, right| _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_GT_OQ>(left, right)) != 0;
-    Zmm64: _mm512_castpd_si512 _mm512_castsi512_pd _mm512_xor_si512 _mm512_and_si512 _mm512_andnot_si512 _mm512_slli_epi64 from 64,
+    Zmm64: _mm512_castpd_si512 _mm512_castsi512_pd _mm512_xor_si512 _mm512_and_si512 _mm512_andnot_si512
+    _mm512_slli_epi64 from 64,
     |sign, then, otherwise| {
         let minus = _mm512_test_epi64_mask(_mm512_castpd_si512(sign), _mm512_set1_epi64(i64::MIN));
         _mm512_mask_blend_pd(minus, otherwise, then)
     },
     |left, right| _mm512_cmp_pd_mask::<_CMP_GT_OQ>(left, right) != 0;
-    Zmm32: _mm512_castps_si512 _mm512_castsi512_ps _mm512_xor_si512 _mm512_and_si512 _mm512_andnot_si512 _mm512_slli_epi32 from 32,
+    Zmm32: _mm512_castps_si512 _mm512_castsi512_ps _mm512_xor_si512 _mm512_and_si512 _mm512_andnot_si512
+    _mm512_slli_epi32 from 32,
     |sign, then, otherwise| {
         let minus = _mm512_test_epi32_mask(_mm512_castps_si512(sign), _mm512_set1_epi32(i32::MIN));
         _mm512_mask_blend_ps(minus, otherwise, then)
