@@ -27,7 +27,7 @@ use token::{brackets, colon, identifier, list, starts_known, unexpected};
 const ITEMS: [&str; 7] = ["params", "gravity", "let", "input", "shape", "body", "generate"];
 
 /// Names that the generated code uses itself: not even a stand-in can be made under one of them.
-const USED: [&str; 10] = ["T", "V", "F", "N", "M", "D", "Fn", "bool", "f64", "usize"];
+const USED: [&str; 7] = ["T", "N", "M", "D", "bool", "f64", "usize"];
 
 /// Traits of the core's prelude: a model of this name would hide one of them, and its methods with it.
 const HIDDEN: [&str; 6] = ["Controlled", "Energy", "Ensemble", "Jacobian", "Method", "System"];
