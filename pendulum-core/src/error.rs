@@ -8,21 +8,42 @@ use nalgebra::SVector;
 use crate::real::Float;
 use crate::solution::Solution;
 
-/// A parameter that no mechanism can have.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A parameter, or several together, that no mechanism can have.
+#[derive(Clone, Debug, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ParameterError {
-    /// The name of the parameter.
+    /// The parameter, or the combination of parameters, that was checked.
     pub name: &'static str,
     /// Its value.
     pub value: f64,
     /// The rule it breaks, as a sentence: "the mass of `upper` must be positive".
     pub rule: &'static str,
+    /// The parameters of a combination with their values; empty where a single parameter breaks the rule.
+    pub given: Vec<(&'static str, f64)>,
+}
+
+impl ParameterError {
+    /// `name` has the `value`, which breaks the `rule`; a combination of parameters has it from those that are `given`.
+    #[must_use]
+    pub fn new(name: &'static str, value: f64, rule: &'static str, given: &[(&'static str, f64)]) -> Self {
+        let given = given.to_vec();
+        Self {
+            name,
+            value,
+            rule,
+            given,
+        }
+    }
 }
 
 impl fmt::Display for ParameterError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "parameter `{}` is {}: {}", self.name, self.value, self.rule)
+        let [(first, value), rest @ ..] = &self.given[..] else {
+            return write!(f, "parameter `{}` is {}: {}", self.name, self.value, self.rule);
+        };
+        write!(f, "{}; the parameters are {first} = {value}", self.rule)?;
+        rest.iter()
+            .try_for_each(|(name, value)| write!(f, ", {name} = {value}"))
     }
 }
 
@@ -173,14 +194,14 @@ mod tests {
 
     #[test]
     fn a_parameter_error_names_value_and_rule() {
-        const ERROR: ParameterError = ParameterError {
-            name: "m",
-            value: -1.0,
-            rule: "the mass of `upper` must be positive",
-        };
+        let rule = "the mass of `upper` must be positive";
         assert_eq!(
-            ERROR.to_string(),
+            ParameterError::new("m", -1.0, rule, &[]).to_string(),
             "parameter `m` is -1: the mass of `upper` must be positive"
+        );
+        assert_eq!(
+            ParameterError::new("m - n", -1.0, rule, &[("m", 1.0), ("n", 2.0)]).to_string(),
+            "the mass of `upper` must be positive; the parameters are m = 1, n = 2"
         );
     }
 }

@@ -27,9 +27,10 @@
 //! | module | holds |
 //! |---|---|
 //! | [`language`] | what [`mechanism!`] understands, and what it makes of it |
-//! | [`system`] | what a model offers: right-hand side, Jacobian, energy, inputs |
+//! | [`system`] | what a model offers: right-hand side, Jacobian, energy |
+//! | [`inputs`] | models with inputs, and laws for these |
 //! | [`layout`] | what each part of a state is |
-//! | [`real`] | the number types, scalars and lanes |
+//! | [`real`], [`dual`] | the number types: scalars, lanes and dual numbers |
 //! | [`ensemble`] | many trajectories at a time, in the lanes of vector registers |
 //! | [`method`] | the methods, and the [`Stepper`] beneath them, which uses no heap |
 //! | [`tableau`] | Butcher tableaus as data |
@@ -45,9 +46,11 @@
 pub mod accuracy;
 pub mod cost;
 pub mod dense;
+pub mod dual;
 pub mod ensemble;
 pub mod error;
 pub mod event;
+pub mod inputs;
 pub mod layout;
 pub mod linear;
 pub mod method;
@@ -59,19 +62,21 @@ pub mod tableau;
 pub mod taylor;
 
 mod control;
+mod csv;
 
 pub use cost::{Cost, FunctionCost, Operations};
 pub use dense::{Dense, Step};
 pub use ensemble::{Ensemble, EnsembleError};
 pub use error::{ParameterError, Reason, SolveError};
 pub use event::{Direction, Event, Occurrence};
-pub use layout::{Slot, SlotKind, StateLayout};
+pub use inputs::{CastControlled, Controlled, InputLaw, WithInputs};
+pub use layout::{Slot, SlotKind, StateLayout, WrongLength};
 pub use method::{
     Auto, Gauss4, Gauss6, Method, Radau5, Rk4, Rk45, Rodas4, Rodas5P, Stepper, Taylor, Tsit5, Vern7, Vern9,
 };
 pub use real::{Float, Real};
 pub use solution::{OutsideSpan, Solution, Statistics};
-pub use system::{Canonical, Cast, Controlled, Energy, FnSystem, Jacobian, System, WithInputs};
+pub use system::{Canonical, Cast, Energy, FnSystem, IntoState, Jacobian, System};
 pub use taylor::{CastTaylor, TaylorSeries};
 
 /// Declares a mechanism and generates its equations of motion: see [`language`].

@@ -3,15 +3,28 @@
 //! Everywhere `x` is the state, `[q; qd]` for a mechanism: the coordinates first, then their rates, in the order of
 //! declaration and in SI units (m, rad, s). `N` is the length of the state, twice the number of degrees of freedom.
 
-use std::fmt;
+mod differences;
+mod function;
+mod state;
+
+pub use differences::Differences;
+pub(crate) use differences::{by_number, by_state};
+pub use function::{FnSystem, WithJacobian};
+pub use state::IntoState;
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::inputs::Controlled;
 use crate::layout::StateLayout;
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
 
 /// A system of first-order ordinary differential equations, `dx/dt = rhs(t, x)`.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` is not a system of first-order equations",
+    note = "a model with inputs becomes a `System` with a law for them: `model.with_inputs(|t, x| ..)` or `model.with_law(law)`",
+    note = "a function of time and state becomes one as `FnSystem(|t, x| ..)`; `mechanism!` implements `System` where `generate` has `rhs`"
+)]
 pub trait System<T: Real, const N: usize> {
     /// The time derivative of the state; `[qd; qdd]` for a mechanism.
     fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>;
@@ -25,10 +38,12 @@ pub trait System<T: Real, const N: usize> {
 
 /// A model that can be converted to any number type, vectors of lanes included; `N` is the length of its state.
 ///
-/// [`mechanism!`](crate::mechanism) implements it for models without inputs, in double precision.
+/// [`mechanism!`](crate::mechanism) implements it for models without inputs, in double precision. A model with inputs has it together with a
+/// law that is generic as well: see [`InputLaw`](crate::InputLaw).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be converted to other number types",
-    note = "`mechanism!` implements `Cast` for scenes without inputs whose `generate` has `rhs`"
+    note = "`mechanism!` implements `Cast` for scenes without inputs where `generate` has `rhs`; a model with inputs has it as \
+            `model.with_law(law)`, with a law that is generic over `Real`"
 )]
 pub trait Cast<const N: usize> {
     /// The model in another number type.
@@ -43,13 +58,19 @@ pub trait Cast<const N: usize> {
     fn gather<'m, V: Lanes>(models: impl Fn(usize) -> &'m Self) -> Self::In<V>
     where
         Self: 'm;
+
+    /// Whether the two models differ in their constants at most, so that they may share lanes: always, by default.
+    fn shares_lanes(&self, _other: &Self) -> bool {
+        true
+    }
 }
 
 /// A [`System`] that knows the derivative of its right-hand side.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` does not know its Jacobian",
-    note = "`mechanism!` writes that of a scene without inputs whose `generate` has `jacobian`, as it does unless told otherwise; implement \
-            `Jacobian` for systems of your own, or take an explicit method such as `Vern9`"
+    message = "`{Self}` has no Jacobian",
+    note = "`mechanism!` generates it unless `generate` leaves it out; a system of your own gets it by `FnSystem::with_jacobian(f, j)` or \
+            `impl Jacobian`, or by differences as `Differences(system)`",
+    note = "explicit methods such as `Vern9` do not require it"
 )]
 pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
     /// Entry `(i, j)` is the derivative of component `i` of the right-hand side with respect to component `j` of the state.
@@ -61,7 +82,7 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
         (self.rhs(t, x), self.jacobian(t, x))
     }
 
-    /// The derivative of the right-hand side with respect to the time, the state held fixed; Rosenbrock methods want it.
+    /// The derivative of the right-hand side with respect to the time, the state held fixed; Rosenbrock methods require it.
     ///
     /// Generated models know it exactly. By default it is a central difference over `cbrt(EPSILON) max(|t|, 1)` to either side, for two
     /// evaluations of the right-hand side: where that varies over times of about 1 s, it is right to about 10 digits, in `f32` to 4.
@@ -74,10 +95,7 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
         if self.layout().is_some_and(|layout| layout.autonomous) {
             return SVector::from_element(T::default());
         }
-        let one = T::from_f64(1.0);
-        let reach = T::from_f64(T::EPSILON.to_f64().cbrt()) * t.abs().max(one);
-        let (before, after) = (t - reach, t + reach);
-        (self.rhs(after, x) - self.rhs(before, x)) / (after - before)
+        by_number(t, |t| self.rhs(t, x))
     }
 }
 
@@ -87,10 +105,10 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
 /// and the forces `Q` that have no potential. A momentum has the unit of energy times time over that of its coordinate. Structure-preserving
 /// methods such as [`Gauss4`](crate::Gauss4) step in these variables, in which the motion without friction is a canonical map.
 ///
-/// [`mechanism!`](crate::mechanism) implements it for scenes without inputs whose `generate` has `canonical`.
+/// [`mechanism!`](crate::mechanism) implements it for scenes without inputs where `generate` has `canonical`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no canonical equations",
-    note = "`mechanism!` writes those of a scene without inputs whose `generate` has `canonical`"
+    note = "`mechanism!` generates them for scenes without inputs where `generate` has `canonical`"
 )]
 pub trait Canonical<T: Real, const N: usize>: System<T, N> {
     /// The variables `y = [q; p]`, and their rates `dy/dt = [qd; dp/dt]`.
@@ -101,6 +119,10 @@ pub trait Canonical<T: Real, const N: usize>: System<T, N> {
 }
 
 /// A model that knows its energy, in joules.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no energy",
+    note = "`mechanism!` generates it unless `generate` leaves it out; implement `Energy` for systems of your own"
+)]
 pub trait Energy<T: Real, const N: usize> {
     /// Kinetic energy.
     fn kinetic(&self, t: T, x: &SVector<T, N>) -> T;
@@ -115,234 +137,58 @@ pub trait Energy<T: Real, const N: usize> {
     }
 }
 
-/// A model with `M` inputs (controls), whose values are given at each evaluation.
-///
-/// With a law for the inputs it becomes a [`System`]: see [`WithInputs`].
-pub trait Controlled<T: Real, const N: usize, const M: usize> {
-    /// The inputs by name.
-    type Inputs: Copy;
-
-    /// The time derivative of the state under the inputs `u`.
-    fn rhs_with(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SVector<T, N>;
-
-    /// The derivative of [`rhs_with`](Controlled::rhs_with) with respect to the state, the inputs held fixed.
-    fn jacobian_with(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, N>;
-
-    /// Both at once, as [`Jacobian::rhs_and_jacobian`].
-    #[inline]
-    fn rhs_and_jacobian_with(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> (SVector<T, N>, SMatrix<T, N, N>) {
-        (self.rhs_with(t, x, u), self.jacobian_with(t, x, u))
-    }
-
-    /// The derivative of [`rhs_with`](Controlled::rhs_with) with respect to the inputs: one column for each, in the order of
-    /// their declaration.
-    fn input_jacobian(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, M>;
-
-    /// The layout of the state under any law for the inputs, which may depend on time and on turns: see [`System::layout`].
-    #[inline]
-    fn layout(&self) -> Option<&'static StateLayout> {
-        None
-    }
-}
-
-/// A [`Controlled`] model whose inputs follow a law: a [`System`] that can be integrated.
-///
-/// The law may use the state (feedback). There is no [`Jacobian`] here for that reason: the closed loop's is
-/// `jacobian_with + input_jacobian * K`, where only the author of the law knows its derivative `K` with respect to the state.
-///
-/// `M`, the number of inputs, is found by inference.
-pub struct WithInputs<'a, S: ?Sized, F, const M: usize> {
-    system: &'a S,
-    inputs: F,
-}
-
-impl<'a, S: ?Sized, F, const M: usize> WithInputs<'a, S, F, M> {
-    /// The model `system` with the inputs `inputs(t, x)`.
-    #[inline]
-    pub fn new<T, const N: usize>(system: &'a S, inputs: F) -> Self
-    where
-        T: Real,
-        S: Controlled<T, N, M>,
-        F: Fn(T, &SVector<T, N>) -> S::Inputs,
-    {
-        Self { system, inputs }
-    }
-}
-
-impl<T, S, F, const N: usize, const M: usize> System<T, N> for WithInputs<'_, S, F, M>
-where
-    T: Real,
-    S: Controlled<T, N, M> + ?Sized,
-    F: Fn(T, &SVector<T, N>) -> S::Inputs,
-{
-    #[inline]
-    fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
-        self.system.rhs_with(t, x, &(self.inputs)(t, x))
-    }
-
-    #[inline]
-    fn layout(&self) -> Option<&'static StateLayout> {
-        self.system.layout()
-    }
-}
-
-impl<T, S, F, const N: usize, const M: usize> Energy<T, N> for WithInputs<'_, S, F, M>
-where
-    T: Real,
-    S: Energy<T, N> + ?Sized,
-{
-    #[inline]
-    fn kinetic(&self, t: T, x: &SVector<T, N>) -> T {
-        self.system.kinetic(t, x)
-    }
-
-    #[inline]
-    fn potential(&self, t: T, x: &SVector<T, N>) -> T {
-        self.system.potential(t, x)
-    }
-}
-
-impl<S: ?Sized, F: Clone, const M: usize> Clone for WithInputs<'_, S, F, M> {
-    fn clone(&self) -> Self {
-        Self {
-            system: self.system,
-            inputs: self.inputs.clone(),
-        }
-    }
-}
-
-impl<S: ?Sized, F: Copy, const M: usize> Copy for WithInputs<'_, S, F, M> {}
-
-impl<S: fmt::Debug + ?Sized, F, const M: usize> fmt::Debug for WithInputs<'_, S, F, M> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("WithInputs")
-            .field("system", &self.system)
-            .finish_non_exhaustive()
-    }
-}
-
-/// A function `f(t, x)` as a [`System`].
-///
-/// A type of its own, since closures that were systems themselves would forbid every other general implementation.
-///
-/// ```
-/// use pendulum_core::prelude::*;
-/// use pendulum_core::SolveError;
-///
-/// let decay = FnSystem(|_t: f64, x: &SVector<f64, 1>| -x);
-/// let solution = Rk45::new().solve(&decay, 0.0, 1.0, [1.0])?;
-/// assert!((solution.end()[0] - (-1.0_f64).exp()).abs() < 1e-6);
-/// # Ok::<(), SolveError<f64, 1>>(())
-/// ```
-#[derive(Clone, Copy)]
-pub struct FnSystem<F>(pub F);
-
-impl<T, F, const N: usize> System<T, N> for FnSystem<F>
-where
-    T: Real,
-    F: Fn(T, &SVector<T, N>) -> SVector<T, N>,
-{
-    #[inline]
-    fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
-        (self.0)(t, x)
-    }
-}
-
-impl<F> fmt::Debug for FnSystem<F> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("FnSystem").finish_non_exhaustive()
-    }
+/// Methods of `&S`, by those of `S`.
+macro_rules! forward {
+    ($($method:ident($($argument:ident: $kind:ty),*) -> $output:ty $(where $number:ident: $order:ident)?;)*) => {
+        $(
+            #[inline]
+            fn $method(&self, $($argument: $kind),*) -> $output
+            $(where $number: $order)?
+            {
+                (**self).$method($($argument),*)
+            }
+        )*
+    };
 }
 
 impl<T: Real, S: System<T, N> + ?Sized, const N: usize> System<T, N> for &S {
-    #[inline]
-    fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
-        (**self).rhs(t, x)
-    }
-
-    #[inline]
-    fn layout(&self) -> Option<&'static StateLayout> {
-        (**self).layout()
+    forward! {
+        rhs(t: T, x: &SVector<T, N>) -> SVector<T, N>;
+        layout() -> Option<&'static StateLayout>;
     }
 }
 
 impl<T: Real, S: Jacobian<T, N> + ?Sized, const N: usize> Jacobian<T, N> for &S {
-    #[inline]
-    fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
-        (**self).jacobian(t, x)
-    }
-
-    #[inline]
-    fn rhs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
-        (**self).rhs_and_jacobian(t, x)
-    }
-
-    #[inline]
-    fn time_derivative(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>
-    where
-        T: Float,
-    {
-        (**self).time_derivative(t, x)
+    forward! {
+        jacobian(t: T, x: &SVector<T, N>) -> SMatrix<T, N, N>;
+        rhs_and_jacobian(t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>);
+        time_derivative(t: T, x: &SVector<T, N>) -> SVector<T, N> where T: Float;
     }
 }
 
 impl<T: Real, S: Canonical<T, N> + ?Sized, const N: usize> Canonical<T, N> for &S {
-    #[inline]
-    fn canonical(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>) {
-        (**self).canonical(t, x)
-    }
-
-    #[inline]
-    fn canonical_jacobian(&self, t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>) {
-        (**self).canonical_jacobian(t, x)
+    forward! {
+        canonical(t: T, x: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>);
+        canonical_jacobian(t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>);
     }
 }
 
 impl<T: Real, S: Energy<T, N> + ?Sized, const N: usize> Energy<T, N> for &S {
-    #[inline]
-    fn kinetic(&self, t: T, x: &SVector<T, N>) -> T {
-        (**self).kinetic(t, x)
-    }
-
-    #[inline]
-    fn potential(&self, t: T, x: &SVector<T, N>) -> T {
-        (**self).potential(t, x)
-    }
-
-    #[inline]
-    fn energy(&self, t: T, x: &SVector<T, N>) -> T {
-        (**self).energy(t, x)
+    forward! {
+        kinetic(t: T, x: &SVector<T, N>) -> T;
+        potential(t: T, x: &SVector<T, N>) -> T;
+        energy(t: T, x: &SVector<T, N>) -> T;
     }
 }
 
-impl<T: Real, S, const N: usize, const M: usize> Controlled<T, N, M> for &S
-where
-    S: Controlled<T, N, M> + ?Sized,
-{
+impl<T: Real, S: Controlled<T, N, M> + ?Sized, const N: usize, const M: usize> Controlled<T, N, M> for &S {
     type Inputs = S::Inputs;
 
-    #[inline]
-    fn rhs_with(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SVector<T, N> {
-        (**self).rhs_with(t, x, u)
-    }
-
-    #[inline]
-    fn jacobian_with(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, N> {
-        (**self).jacobian_with(t, x, u)
-    }
-
-    #[inline]
-    fn rhs_and_jacobian_with(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> (SVector<T, N>, SMatrix<T, N, N>) {
-        (**self).rhs_and_jacobian_with(t, x, u)
-    }
-
-    #[inline]
-    fn input_jacobian(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, M> {
-        (**self).input_jacobian(t, x, u)
-    }
-
-    #[inline]
-    fn layout(&self) -> Option<&'static StateLayout> {
-        (**self).layout()
+    forward! {
+        rhs_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SVector<T, N>;
+        jacobian_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, N>;
+        rhs_and_jacobian_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> (SVector<T, N>, SMatrix<T, N, N>);
+        input_jacobian(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, M>;
+        time_derivative_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SVector<T, N> where T: Float;
     }
 }

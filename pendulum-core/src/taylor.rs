@@ -15,8 +15,8 @@ pub const MAX_ORDER: usize = 24;
 
 /// A [`System`] that knows the power series of its motions.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` does not know the power series of its motions",
-    note = "`mechanism!` makes one that does of a scene without inputs whose `generate` has `taylor`"
+    message = "`{Self}` has no power series of its motions",
+    note = "`mechanism!` generates it for scenes without inputs where `generate` has `taylor`"
 )]
 pub trait TaylorSeries<T: Real, const N: usize>: System<T, N> {
     /// What the recurrences remember of the orders before: of some kilobytes, without heap.
@@ -37,8 +37,8 @@ pub trait TaylorSeries<T: Real, const N: usize>: System<T, N> {
 
 /// A [`Cast`] whose series can be had in every number type, lanes included.
 #[diagnostic::on_unimplemented(
-    message = "`{Self}` does not know the power series of its motions in other number types",
-    note = "`mechanism!` makes one of a scene without inputs whose `generate` has `taylor`"
+    message = "`{Self}` has no power series of its motions in other number types",
+    note = "`mechanism!` generates it for scenes without inputs where `generate` has `taylor`"
 )]
 pub trait CastTaylor<const N: usize>: Cast<N> {
     /// [`TaylorSeries::Workspace`] of the model in a number type.

@@ -25,7 +25,7 @@ fn a_torque_holds_a_pendulum_up_to_the_horizontal_and_the_branch_goes_round() {
         .equilibria([0.0, 0.0], 0.0)
         .expect("it hangs");
     // hanging, horizontal, standing, horizontal on the other side, and hanging again after a full turn
-    assert_eq!(branch.ends(), [BranchEnd::Closed; 2]);
+    assert_eq!(branch.ends(), [const { BranchEnd::Closed }; 2]);
     let [up, down] = branch.bifurcations() else {
         panic!("{:?}", branch.bifurcations())
     };

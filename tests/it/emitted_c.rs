@@ -119,6 +119,7 @@ fn functions_of_the_platform_are_called() {
             r#loop: u[1],
         };
         let (rhs, (rates, jacobian)) = (model.rhs_with(t, &x, &u), model.rhs_and_jacobian_with(t, &x, &u));
+        let by_time = model.time_derivative_with(t, &x, &u);
         let by_inputs: SMatrix<f64, 4, 2> = model.input_jacobian(t, &x, &u);
         let by_parameters = model.parameter_jacobian(t, &x, &u);
         let energies = [model.kinetic(t, &x), model.potential(t, &x)];
@@ -126,6 +127,7 @@ fn functions_of_the_platform_are_called() {
             rhs.as_slice(),
             rates.as_slice(),
             jacobian.as_slice(),
+            by_time.as_slice(),
             by_inputs.as_slice(),
             &energies,
         ];

@@ -71,6 +71,8 @@ fn numbers<T: Float>() -> Vec<(T, T)> {
         f64::INFINITY,
         f64::NEG_INFINITY,
         f64::NAN,
+        6400.0,
+        6401.0,
         1e5,
         1.1e5,
         -3e8,

@@ -3,6 +3,7 @@
 mod accuracy;
 mod bifurcations;
 mod canonical;
+mod closed_loops;
 mod double_pendulum;
 mod emitted_c;
 mod every_failure;

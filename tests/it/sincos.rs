@@ -100,7 +100,8 @@ fn magnitude(random: &mut Random, low: f64, high: f64) -> f64 {
     sign * random.between(low.ln(), high.ln()).exp()
 }
 
-/// A million random angles reach 0.80 ulp: the rounding of the result, and those of the square of the reduced angle and of its half.
+/// A million random angles reach 0.80 ulp, and all of `f32` 0.84: the rounding of the result, and those of the square
+/// of the reduced angle and of its half.
 const MOST: f64 = 0.85;
 
 /// Random angles in each test.
@@ -170,16 +171,60 @@ fn beyond_the_range_of_the_kernel() {
 #[test]
 fn single_precision() {
     let (fixed, mut random) = (Fixed::new(512), Random::new(4));
-    let worst = (0..COUNT)
-        .flat_map(|n| {
-            let near = ((n + 1) as f64 * 3.0 * std::f64::consts::FRAC_PI_2) as f32;
-            [magnitude(&mut random, 1e-38, 1e10) as f32, near]
-        })
-        .map(|x| fixed.error_f32(x))
-        .fold(0.0, f64::max);
-    println!("{worst:.5} ulp");
+    let (mut within, mut beyond) = (0.0_f64, 0.0_f64);
+    for n in 0..COUNT {
+        let near = ((n + 1) as f64 * std::f64::consts::FRAC_PI_2) as f32;
+        for x in [magnitude(&mut random, 1e-38, 1e10) as f32, near] {
+            let worst = if x.abs() > MOST_F32 { &mut beyond } else { &mut within };
+            *worst = worst.max(fixed.error_f32(x));
+        }
+    }
+    println!("{within:.3} ulp, {beyond:.5} ulp");
+    assert!(within < MOST, "{within} ulp");
     // one rounding of a far better value
-    assert!(worst < 0.501, "{worst} ulp");
+    assert!(beyond < 0.501, "{beyond} ulp");
+    for x in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY] {
+        let (sin, cos) = Real::sin_cos(x);
+        assert!(sin.is_nan() && cos.is_nan());
+    }
+}
+
+/// Up to here the kernel of `f32` reduces the angle.
+const MOST_F32: f32 = 6400.0;
+
+/// Every `stride`-th angle of `f32` in the range of the kernel against `f64`, with both signs, in pairs.
+fn assert_single_precision(stride: usize) {
+    let error = |value: f32, exact: f64| {
+        let ulp = 2f64.powi(exact.abs().log2().floor().max(-126.0) as i32 - 23);
+        (f64::from(value) - exact).abs() / ulp
+    };
+    let mut worst = (0.0, 0.0);
+    for bits in (0..=MOST_F32.to_bits()).step_by(stride) {
+        let x = f32::from_bits(bits);
+        let [(sin, cos), (sin_minus, cos_minus)] = Real::sin_cos_pair(x, -x);
+        assert_eq!((sin, cos), Real::sin_cos(x), "{x}");
+        assert_eq!((sin, cos), (-sin_minus, cos_minus), "{x}");
+        let exact = Real::sin_cos(f64::from(x));
+        let error = error(sin, exact.0).max(error(cos, exact.1));
+        if error > worst.0 {
+            worst = (error, x);
+        }
+    }
+    println!("{:.4} ulp at {}", worst.0, worst.1);
+    assert!(worst.0 < MOST, "{} ulp at {}", worst.0, worst.1);
+}
+
+#[test]
+fn a_sample_of_single_precision() {
+    assert_single_precision(1009);
+}
+
+/// `cargo test --release --test it -- --ignored all_of_single_precision` takes a minute and prints 0.8439 ulp at
+/// 308.64505.
+#[test]
+#[ignore = "takes a minute with optimisation"]
+fn all_of_single_precision() {
+    assert_single_precision(1);
 }
 
 /// The bits of many values, in one number: they must be the same on every machine.
@@ -187,13 +232,18 @@ fn single_precision() {
 fn the_bits_are_the_same_everywhere() {
     let mut random = Random::new(5);
     let mut sum = 0_u64;
+    let mut sum_f32 = 0_u64;
+    let add = |sum: &mut u64, bits: u64| *sum = sum.rotate_left(5).wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ bits;
     for n in 0..100_000 {
         // nothing but exact operations
         let x = random.between(-1.0, 1.0) * f64::from(1 << (n % 18));
         let (sin, cos) = Real::sin_cos(x);
-        for value in [sin, cos] {
-            sum = sum.rotate_left(5).wrapping_mul(0x9E37_79B9_7F4A_7C15) ^ value.to_bits();
+        let (sin_f32, cos_f32) = Real::sin_cos(x as f32);
+        for (value, value_f32) in [(sin, sin_f32), (cos, cos_f32)] {
+            add(&mut sum, value.to_bits());
+            add(&mut sum_f32, u64::from(value_f32.to_bits()));
         }
     }
     assert_eq!(sum, 0xbee1_59e5_90c9_b40b, "{sum:#x}");
+    assert_eq!(sum_f32, 0x5b06_1be3_a21c_d03a, "{sum_f32:#x}");
 }

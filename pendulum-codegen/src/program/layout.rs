@@ -7,7 +7,7 @@ use num_traits::Zero;
 
 use super::block::{Term, Variable};
 use crate::expr::{Binary, Expr, ExprId, Graph, Node, Normalizer, Rational, Unary, ratio};
-use crate::model::{CoordinateId, Model};
+use crate::model::{CoordinateId, Model, places};
 use crate::screw::Twist;
 
 /// What each part of the state is.
@@ -30,6 +30,8 @@ pub struct Slot {
     pub positions: Range<usize>,
     /// Where its rate stands in the state.
     pub rates: Range<usize>,
+    /// The constants that hold the two places, for a coordinate of one component: `THETA1` and `DOT_THETA1`.
+    pub constants: [String; 2],
     /// How its positions change: a row of `q' = K(q) v` for each.
     pub kinematics: Vec<Term>,
     /// Whether a full turn is known to leave everything as it was.
@@ -82,6 +84,7 @@ impl StateLayout {
                 kind: kind(model, coordinate),
                 positions: k..k + 1,
                 rates: dof + k..dof + k + 1,
+                constants: places(name),
                 kinematics: vec![Term::Read(Variable::State(dof + k))],
                 periodic: !controlled && returns(model, coordinate) && repeats(g, &nodes, roots, symbol),
                 cyclic: !controlled && !occurs(symbol),

@@ -82,6 +82,8 @@ pub struct Rule {
     pub name: String,
     /// The rule as a sentence.
     pub text: String,
+    /// The parameters that the value is computed from; none where it is a parameter itself.
+    pub parameters: Vec<usize>,
 }
 
 /// What a checked value must be.
@@ -231,8 +233,14 @@ fn rules<'g>(model: &Model<'g>) -> (Vec<Rule>, Vec<Expr<'g>>) {
                 Condition::NonNegativeWithin(value + 1)
             }
         };
+        let read = model.graph.reachable(&[rule.value]);
+        let parameters = model.parameters.iter().map(|parameter| parameter.symbol);
+        let parameters = parameters
+            .enumerate()
+            .filter(|(_, symbol)| *symbol != rule.value && read.contains(&symbol.id()));
         Rule {
             value,
+            parameters: parameters.map(|(n, _)| n).collect(),
             condition,
             name: rule.name.clone(),
             text: rule.text.clone(),

@@ -236,10 +236,9 @@ pub(crate) const ROUTINES: &[Row] = &[
         word: "jacobian",
         name: "time_derivative",
         doc: "The derivative of the right-hand side by the time.",
-        arguments: &[],
+        arguments: &[Inputs],
         shapes: &[Vector(State)],
-        // a law for inputs depends on time in its own way: nothing of it is known here
-        wanted: |scene, _| scene.jacobian() && !scene.is_controlled() && scene.time_occurs,
+        wanted: |scene, _| scene.jacobian() && scene.time_occurs,
         form: form::time_derivative,
     },
     Row {

@@ -6,6 +6,7 @@ mod equations;
 mod equations_text;
 mod forms;
 mod normal_form;
+mod places;
 mod solids;
 
 use crate::ast::{self, ExprKind, Operator};

@@ -6,7 +6,7 @@ use nalgebra::SVector;
 
 use crate::accuracy::{Errors, Reference};
 use crate::solution::Solution;
-use crate::system::{Energy, System};
+use crate::system::{Energy, IntoState, System};
 
 /// A system, a span of time, a start, and the solution that is trusted.
 pub struct Problem<'a, S, const N: usize> {
@@ -26,13 +26,7 @@ impl<'a, S: System<f64, N>, const N: usize> Problem<'a, S, N> {
     ///
     /// # Panics
     /// If the reference does not know the state at `t1`.
-    pub fn new(
-        system: &'a S,
-        t0: f64,
-        t1: f64,
-        x0: impl Into<SVector<f64, N>>,
-        reference: &'a Reference<'a, N>,
-    ) -> Self {
+    pub fn new(system: &'a S, t0: f64, t1: f64, x0: impl IntoState<f64, N>, reference: &'a Reference<'a, N>) -> Self {
         assert!(
             reference.at(t1).is_some(),
             "the reference has no state at the end, t = {t1}"
@@ -41,7 +35,7 @@ impl<'a, S: System<f64, N>, const N: usize> Problem<'a, S, N> {
             system,
             t0,
             t1,
-            x0: x0.into(),
+            x0: x0.into_state(),
             reference,
             energy: None,
         }

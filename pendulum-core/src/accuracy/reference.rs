@@ -8,7 +8,7 @@ use super::errors::distance;
 use crate::error::SolveError;
 use crate::method::{Method, Vern7, Vern9};
 use crate::solution::{OutsideSpan, Solution};
-use crate::system::System;
+use crate::system::{IntoState, System};
 
 /// A trusted solution, which tells how far it can be trusted.
 ///
@@ -78,9 +78,9 @@ impl<'a, const N: usize> Reference<'a, N> {
         system: &impl System<f64, N>,
         t0: f64,
         t1: f64,
-        x0: impl Into<SVector<f64, N>>,
+        x0: impl IntoState<f64, N>,
     ) -> Result<Self, SolveError<f64, N>> {
-        let x0 = x0.into();
+        let x0 = x0.into_state();
         // Not the other way round: the dense output of order 9 has large weights of both signs, and rounds a hundred times worse.
         let best = Vern7::new().rtol(TIGHT).atol(TIGHT).solve(system, t0, t1, x0)?;
         let other = Vern9::new().rtol(TIGHT).atol(TIGHT).solve(system, t0, t1, x0)?;

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::{Ensemble, EnsembleError, check_models, conclude, model_of};
+use super::{Ensemble, EnsembleError, check_models, conclude, leave_alone, model_of};
 use crate::control::Tolerance;
 use crate::dense::polynomial;
 use crate::error::Reason;
@@ -253,10 +253,12 @@ where
 
     #[inline(always)]
     fn run<V: Lanes<Scalar = T>>(self) {
-        if const { F::NARROW } {
+        if const { !F::NARROW } {
+            self.in_lanes::<V::Double>();
+        } else if const { V::LANES > 1 } {
             self.in_lanes::<V>();
         } else {
-            self.in_lanes::<V::Double>();
+            leave_alone(self.x);
         }
     }
 }

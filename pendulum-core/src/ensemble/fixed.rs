@@ -4,7 +4,7 @@ use std::marker::PhantomData;
 
 use nalgebra::SVector;
 
-use super::{Ensemble, EnsembleError, check_models, conclude, model_of};
+use super::{Ensemble, EnsembleError, check_models, conclude, leave_alone, model_of};
 use crate::method::{Explicit, Fixed, Grid, SHORT, attempt, check_span};
 use crate::real::Float;
 use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
@@ -57,14 +57,14 @@ where
 
     #[inline(always)]
     fn run<V: Lanes<Scalar = T>>(self) {
-        // Further lanes fill the gaps where operations wait for one another, but that of `f32` is two already where it computes
-        // sines. A longer system has enough that are independent, and wants the registers for itself.
-        if const { N > SHORT } {
-            self.in_groups::<V>();
-        } else if const { size_of::<T>() < size_of::<f64>() } {
-            self.in_groups::<V::Double>();
-        } else {
+        // Further lanes fill the gaps where operations wait for one another. A longer system has enough that are independent, and
+        // needs the registers for itself.
+        if const { N <= SHORT } {
             self.in_groups::<<V::Double as Lanes>::Double>();
+        } else if const { V::LANES > 1 } {
+            self.in_groups::<V>();
+        } else {
+            leave_alone(self.x);
         }
     }
 }
@@ -85,7 +85,7 @@ where
             let (x, slope) = march::<B, _, V, STAGES, N>(&system, self.grid, x);
             for (lane, state) in states.iter_mut().enumerate() {
                 *state = x.map(|x| x.lane(lane));
-                // The stepper wants a finite derivative at the end, too.
+                // The stepper requires a finite derivative at the end, too.
                 if slope.iter().any(|slope| !slope.lane(lane).is_finite()) {
                     state.fill(T::from_f64(f64::NAN));
                 }

@@ -123,16 +123,17 @@ impl<T: Float, const N: usize> fmt::Display for EnsembleError<T, N> {
 
 impl<T: Float, const N: usize> Error for EnsembleError<T, N> {}
 
-fn check_models<M, X>(models: &[M], starts: &[X]) -> Result<(), Reason> {
-    require(
-        models.len() == 1 || models.len() == starts.len(),
-        "models",
-        models.len() as f64,
-        "an ensemble takes one model for all starts, or one for each",
-    )
+fn check_models<M: Cast<N>, X, const N: usize>(models: &[M], starts: &[X]) -> Result<(), Reason> {
+    let rule = "an ensemble takes one model for all starts, or one for each";
+    let fits = models.len() == 1 || models.len() == starts.len();
+    require(fits, "models", models.len() as f64, rule)?;
+    let rule = "the models of an ensemble may differ in their constants, not in their laws of inputs, as this one does";
+    let strange = models.iter().position(|model| !model.shares_lanes(&models[0]));
+    require(strange.is_none(), "models", strange.unwrap_or(0) as f64, rule)
 }
 
-/// The final states `x`, of which those that are not finite have been stopped: the same trajectories alone tell where they ended, and why.
+/// The final states `x`. Trajectories whose states are not finite were stopped, or left: they are integrated alone, which shows where and
+/// why they ended.
 fn conclude<A, M, T, const N: usize>(
     method: &A,
     models: &[M],
@@ -166,6 +167,12 @@ where
     } else {
         Err(EnsembleError::Stopped { stopped, x })
     }
+}
+
+/// Leaves all trajectories for [`conclude`] to integrate alone. A single lane is slower than a scalar, whose right-hand side is a function
+/// rather than a copy in each stage.
+fn leave_alone<T: Float, const N: usize>(x: &mut [SVector<T, N>]) {
+    x.fill(SVector::from_element(T::from_f64(f64::NAN)));
 }
 
 /// The model of trajectory `i`.

@@ -1,7 +1,5 @@
 //! Steps as long as a tolerance allows.
 
-use nalgebra::SVector;
-
 use crate::control::{Controller, Tolerance};
 use crate::error::Reason;
 use crate::method::input::{check_start, require};
@@ -9,7 +7,7 @@ use crate::method::pace::{Adaptation, Pace};
 use crate::method::scheme::{OneStep, Scheme};
 use crate::method::{Method, Stepper};
 use crate::real::Float;
-use crate::system::System;
+use crate::system::{IntoState, System};
 
 /// A method that chooses the length of its steps; [`Rk45`](crate::Rk45) is one. `F` is what a step of it does.
 ///
@@ -167,9 +165,9 @@ where
         system: &'s S,
         t0: T,
         t1: T,
-        x0: impl Into<SVector<T, N>>,
+        x0: impl IntoState<T, N>,
     ) -> Result<Stepper<'s, Self::Scheme, S, T, N>, Reason> {
-        let x0 = x0.into();
+        let x0 = x0.into_state();
         check_start(t0, t1, &x0)?;
         let tolerance = self.tolerance()?;
         let scheme = self.family.scheme(system, Some(tolerance))?;

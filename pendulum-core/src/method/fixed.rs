@@ -1,7 +1,5 @@
 //! Steps of a given length.
 
-use nalgebra::SVector;
-
 use crate::error::Reason;
 use crate::method::grid::Grid;
 use crate::method::input::check_start;
@@ -9,7 +7,7 @@ use crate::method::pace::Pace;
 use crate::method::scheme::OneStep;
 use crate::method::{Method, Stepper};
 use crate::real::Float;
-use crate::system::System;
+use crate::system::{IntoState, System};
 
 /// A method with steps of a given length; [`Rk4`](crate::Rk4) is one. `F` is what a step of it does.
 ///
@@ -47,9 +45,9 @@ where
         system: &'s S,
         t0: T,
         t1: T,
-        x0: impl Into<SVector<T, N>>,
+        x0: impl IntoState<T, N>,
     ) -> Result<Stepper<'s, Self::Scheme, S, T, N>, Reason> {
-        let x0 = x0.into();
+        let x0 = x0.into_state();
         check_start(t0, t1, &x0)?;
         let grid = Grid::new(self.h, t0, t1)?;
         let scheme = self.family.scheme(system, None)?;

@@ -20,13 +20,11 @@ mod taylor;
 mod watch;
 mod zero;
 
-use nalgebra::SVector;
-
 use crate::error::{Reason, SolveError};
 use crate::event::Event;
 use crate::real::Float;
 use crate::solution::Solution;
-use crate::system::System;
+use crate::system::{IntoState, System};
 use crate::tableau::{self, DormandPrince5, Kutta4, Tsitouras5, Verner7, Verner9};
 
 pub(crate) use explicit::{SHORT, attempt, weighted_sum};
@@ -66,7 +64,7 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
         system: &'s S,
         t0: T,
         t1: T,
-        x0: impl Into<SVector<T, N>>,
+        x0: impl IntoState<T, N>,
     ) -> Result<Stepper<'s, Self::Scheme, S, T, N>, Reason>;
 
     /// The trajectory of `system` from the state `x0` at `t0` to `t1`, which may lie before `t0`.
@@ -75,7 +73,7 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
     ///
     /// # Errors
     /// Those of [`stepper`](Self::stepper) and of [`Stepper::step`]. The error holds the solution up to the last good state.
-    fn solve(&self, system: &S, t0: T, t1: T, x0: impl Into<SVector<T, N>>) -> Result<Solution<T, N>, SolveError<T, N>>
+    fn solve(&self, system: &S, t0: T, t1: T, x0: impl IntoState<T, N>) -> Result<Solution<T, N>, SolveError<T, N>>
     where
         S: System<T, N>,
     {
@@ -93,13 +91,13 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
         system: &S,
         t0: T,
         t1: T,
-        x0: impl Into<SVector<T, N>>,
+        x0: impl IntoState<T, N>,
         events: &[Event<'_, T, N>],
     ) -> Result<Solution<T, N>, SolveError<T, N>>
     where
         S: System<T, N>,
     {
-        let x0 = x0.into();
+        let x0 = x0.into_state();
         match self.stepper(system, t0, t1, x0) {
             Ok(stepper) => watch::collect(stepper, events),
             Err(reason) => Err(SolveError::at_start(reason, t0, x0)),

@@ -1,8 +1,8 @@
 //! The number types that a mechanism and its integration are generic over.
 //!
-//! Two traits, because two kinds of code ask for different things. Generated code only ever computes: it takes any [`Real`],
-//! and a SIMD vector of lanes can be one. An integrator also decides (is this step good enough?), which takes an order:
-//! it wants a [`Float`].
+//! There are two traits because there are two kinds of code. Generated code only computes: it accepts any [`Real`],
+//! which may be a SIMD vector. An integrator also decides (is this step accurate enough?), so it needs an order: a
+//! [`Float`].
 
 pub mod lanes;
 
@@ -13,12 +13,11 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 
 /// The number type of generated code: `f64`, `f32` or [lanes](lanes::Lanes) of these.
 ///
-/// There is deliberately no comparison here, so that a vector of lanes, which has no single answer to `a < b`, can be a `Real`.
-/// `Default` is the number zero.
+/// It has no comparisons, since a vector of lanes has no single answer to `a < b`. `Default` is zero.
 ///
-/// The methods bear the names of the inherent ones of `f64`, which take precedence where both apply. They agree,
-/// but for [`signum`](Real::signum), which is 0 at 0 here, and for the last bit of [`sin_cos`](Real::sin_cos), which here is
-/// the same on every machine.
+/// The methods are named after the inherent ones of `f64`, which take precedence where both apply. Results agree except
+/// for [`signum`](Real::signum), which is 0 at 0, and for the last bit of [`sin_cos`](Real::sin_cos), which is the same
+/// on every machine.
 pub trait Real:
     nalgebra::Scalar
     + Copy
@@ -36,12 +35,14 @@ pub trait Real:
     /// The number nearest to `v`.
     fn from_f64(v: f64) -> Self;
 
-    /// Sine and cosine of an angle in radians; NaN where it is not finite.
+    /// Sine and cosine of an angle in radians; NaN if it is not finite.
     ///
-    /// For `f64` and `f32` the errors are below 1 ulp, and the bits are the same on every machine.
+    /// For `f64` and `f32`, and lanes of these, the errors are below 1 ulp, and the bits are the same on every machine.
+    /// Beyond 1e5 rad in `f64` and 6400 rad in `f32` they take longer.
     fn sin_cos(self) -> (Self, Self);
 
-    /// Sine and cosine of two angles: the same as those of each. Scalars compute them together, in one vector register.
+    /// Sines and cosines of two angles, equal to [`sin_cos`](Self::sin_cos) of each. Scalars compute them together in
+    /// one vector register.
     #[inline(always)]
     fn sin_cos_pair(self, other: Self) -> [(Self, Self); 2] {
         [self.sin_cos(), other.sin_cos()]
@@ -65,19 +66,19 @@ pub trait Real:
     /// Absolute value.
     fn abs(self) -> Self;
 
-    /// Sign: -1, 0 or 1; zero (of either sign) and NaN are returned as they are.
+    /// Sign: -1, 0 or 1; zero (of either sign) and NaN are returned unchanged.
     ///
-    /// A friction law such as `-mu * signum(qd)` must vanish at rest, which is why this differs from `f64::signum`.
+    /// It differs from `f64::signum` because a friction law such as `-mu * signum(qd)` must vanish at rest.
     fn signum(self) -> Self;
 
-    /// The angle, in radians in (-pi, pi], of the point whose ordinate is `self` and whose abscissa is `x`.
+    /// The angle of the point `(x, self)`, in radians in (-pi, pi].
     fn atan2(self, x: Self) -> Self;
 
-    /// `self` to the power of `exponent`; NaN where a negative number meets an exponent that is not whole.
+    /// `self` to the power of `exponent`; NaN for a negative number and an exponent that is not an integer.
     fn powf(self, exponent: Self) -> Self;
 }
 
-/// A [`Real`] with an order: what the integrators step on.
+/// A [`Real`] with an order: the number type of the integrators.
 pub trait Float: Real + PartialOrd {
     /// The distance from 1 to the next larger number.
     const EPSILON: Self;

@@ -1,5 +1,6 @@
 //! `Real` and `Float` for the floating-point types of the language.
 
+use super::lanes::{Two32, Two64};
 use super::{Float, Real, sincos};
 
 macro_rules! forward {
@@ -14,7 +15,7 @@ macro_rules! forward {
 }
 
 macro_rules! scalar {
-    ($float:ident) => {
+    ($float:ident, two in $two:ty) => {
         impl Real for $float {
             #[inline]
             #[allow(
@@ -27,13 +28,13 @@ macro_rules! scalar {
 
             #[inline]
             fn sin_cos(self) -> (Self, Self) {
-                rounded(sincos::sin_cos(f64::from(self)))
+                sincos::sin_cos(self)
             }
 
-            // Inlined, since the way of an array through memory takes as long as a sine.
+            // Inlined, since passing an array through memory takes as long as a sine.
             #[inline(always)]
             fn sin_cos_pair(self, other: Self) -> [(Self, Self); 2] {
-                sincos::sin_cos_pair([self, other].map(f64::from)).map(rounded)
+                sincos::sin_cos_pair::<$two>([self, other])
             }
 
             #[inline]
@@ -77,14 +78,8 @@ macro_rules! scalar {
     };
 }
 
-/// Sine and cosine, which are computed in `f64`.
-#[inline(always)]
-fn rounded<T: Real>((sin, cos): (f64, f64)) -> (T, T) {
-    (T::from_f64(sin), T::from_f64(cos))
-}
-
-scalar!(f64);
-scalar!(f32);
+scalar!(f64, two in Two64);
+scalar!(f32, two in Two32);
 
 #[cfg(test)]
 mod tests {

@@ -1,132 +1,177 @@
-//! Sine and cosine: one kernel for scalars and for lanes.
+//! Sine and cosine: one kernel for both precisions, for scalars and for lanes.
 //!
-//! It uses additions, multiplications and operations on bits only, each of which IEEE 754 defines to the last bit, and no fused
-//! ones. So the result is the same on every machine, and a lane is the scalar, bit for bit.
+//! It uses only additions, multiplications and bit operations, which IEEE 754 defines to the last bit, and no fused
+//! operations. So the result is the same on every machine, and in lanes the same bits as for a scalar.
 //!
-//! The angle is reduced to `[-pi/4, pi/4]` by a multiple of `pi/2` in three parts (W. J. Cody, W. Waite, "Software Manual for the
-//! Elementary Functions", 1980), and what the reduced angle lacks is carried along. The polynomials are minimax ones of this
-//! interval, of relative error below 2^-56 with their coefficients rounded.
+//! The angle is reduced to `[-pi/4, pi/4]` by a multiple of `pi/2` in parts (W. J. Cody, W. Waite, "Software Manual for
+//! the Elementary Functions", 1980), and the rounding error of the reduced angle is carried along. The polynomials
+//! minimise the largest relative error of sine and cosine on this interval (Remez's algorithm); their coefficients are
+//! rounded one after the other, each time with the higher ones fitted anew.
 
 use super::lanes::Register;
+use super::{Float, Real};
 
-/// What the kernel asks of a number, or of lanes of them, beside arithmetic.
-pub trait Angle: Register<Scalar = f64> {
-    /// Whether the absolute value of any lane is above the limit. NaN is not.
-    fn any_beyond(self, limit: f64) -> bool;
+/// A precision of the kernel: its range, and its constants.
+pub trait Precision: Float + Register<Scalar = Self> {
+    /// The largest angle that the kernel reduces: up to here the quotient's products with all but the last part of pi/2
+    /// are exact.
+    const LIMIT: Self;
 
-    /// `(sin(x + n pi/2), cos(x + n pi/2))` from `sin x` and `cos x`, where `n` stands in the lowest bits of `self`.
-    fn turn(self, sin: Self, cos: Self) -> (Self, Self);
+    /// pi/2 as a sum. Subtracting multiples of the first parts from the angle is exact; the rounding error of the last
+    /// two is carried along.
+    const HALF_PI: (&'static [Self], [Self; 2]);
 
-    /// Sine and cosine where a lane is beyond [`LIMIT`].
+    /// 1.5 times the power of 2 from which on numbers have no fraction: adding it to the quotient rounds that to an
+    /// integer, in the lowest bits.
+    const SHIFT: Self;
+
+    /// `(x - sin x) / x^3` by ascending powers of `x^2`.
+    const SIN: &'static [Self];
+
+    /// `(cos x - 1 + x^2 / 2) / x^4` by ascending powers of `x^2`.
+    const COS: &'static [Self];
+
+    /// Sine and cosine of an angle beyond [`LIMIT`](Self::LIMIT).
     fn far(self) -> (Self, Self);
 }
 
-/// Up to here the angle is reduced by the kernel: products of the quotient, of 16 bits, and the first two parts of pi/2 are exact.
-const LIMIT: f64 = 1e5;
+/// Quotients of 16 bits, polynomials to 2^-56.
+impl Precision for f64 {
+    const LIMIT: Self = 1e5;
+    /// Of 37, 37 and 53 bits.
+    const HALF_PI: (&'static [Self], [Self; 2]) = (
+        &[1.570_796_326_792_333_3],
+        [2.563_344_151_583_955_8e-12, 1.056_299_906_698_742_8e-23],
+    );
+    const SHIFT: Self = 6_755_399_441_055_744.0;
+    const SIN: &'static [Self] = &[
+        0.166_666_666_666_666_3,
+        -0.008_333_333_333_322_118,
+        0.000_198_412_698_295_887_7,
+        -2.755_731_362_109_259_4e-6,
+        2.505_074_771_372_332_4e-8,
+        -1.589_622_714_940_337_6e-10,
+    ];
+    const COS: &'static [Self] = &[
+        0.041_666_666_666_666_595,
+        -0.001_388_888_888_887_305_6,
+        2.480_158_728_885_065_3e-5,
+        -2.755_731_417_898_857_4e-7,
+        2.087_570_079_935_264_4e-9,
+        -1.135_853_427_442_955_5e-11,
+    ];
 
-/// pi/2 in parts of 37, 37 and 53 bits.
-const HALF_PI: [f64; 3] = [
-    1.570_796_326_792_333_3,
-    2.563_344_151_583_955_8e-12,
-    1.056_299_906_698_742_8e-23,
-];
-
-/// Added to a number of less than 2^51, it leaves no room for a fraction: the number is rounded to an integer, which stands in
-/// the lowest bits.
-const SHIFT: f64 = 6_755_399_441_055_744.0;
-
-/// `(x - sin x) / x^3` by ascending powers of `x^2`.
-const SIN: [f64; 6] = [
-    0.166_666_666_666_666_3,
-    -0.008_333_333_333_322_118,
-    0.000_198_412_698_295_887_7,
-    -2.755_731_362_109_259_4e-6,
-    2.505_074_771_372_332_4e-8,
-    -1.589_622_714_940_337_6e-10,
-];
-
-/// `(cos x - 1 + x^2 / 2) / x^4` by ascending powers of `x^2`.
-const COS: [f64; 6] = [
-    0.041_666_666_666_666_595,
-    -0.001_388_888_888_887_305_6,
-    2.480_158_728_885_065_3e-5,
-    -2.755_731_417_898_857_4e-7,
-    2.087_570_079_935_264_4e-9,
-    -1.135_853_427_442_955_5e-11,
-];
-
-/// Sine and cosine of an angle in radians, below 1 ulp; NaN where the angle is not finite.
-#[inline(always)]
-pub(crate) fn sin_cos<A: Angle>(x: A) -> (A, A) {
-    if x.any_beyond(LIMIT) {
-        return x.far();
-    }
-    let shifted = x * A::splat(std::f64::consts::FRAC_2_PI) + A::splat(SHIFT);
-    let n = shifted - A::splat(SHIFT);
-    let near = x - n * A::splat(HALF_PI[0]);
-    let low = n * A::splat(HALF_PI[1]);
-    let r = near - low;
-    // The reduced angle is r - excess.
-    let excess = (low - (near - r)) + n * A::splat(HALF_PI[2]);
-
-    let one = A::splat(1.0);
-    let z = r * r;
-    let z2 = z * z;
-    let half_z = z * A::splat(0.5);
-    let base = one - half_z;
-    // A difference, so that the sine of -0.0 is -0.0.
-    let sin = r - (r * (z * polynomial(&SIN, z, z2)) + excess * base);
-    let cos = base + (((one - base) - half_z) + (z2 * polynomial(&COS, z, z2) + r * excess));
-    shifted.turn(sin, cos)
-}
-
-/// Two angles in the vector register that every machine of the kind has.
-#[cfg(target_arch = "x86_64")]
-type Two = super::lanes::Xmm64;
-#[cfg(not(target_arch = "x86_64"))]
-type Two = super::lanes::Pair<f64>;
-
-/// Sines and cosines of two angles together: the same bits as one by one.
-#[inline(always)]
-pub(crate) fn sin_cos_pair(angles: [f64; 2]) -> [(f64, f64); 2] {
-    let (sin, cos) = sin_cos(Two::from_fn(&mut |i| angles[i]));
-    [0, 1].map(|i| (sin.lane(i), cos.lane(i)))
-}
-
-/// A polynomial in `z`, by Estrin's scheme: three short chains instead of a long one.
-#[inline(always)]
-fn polynomial<A: Angle>(c: &[f64; 6], z: A, z2: A) -> A {
-    linear(c[0], c[1], z) + z2 * (linear(c[2], c[3], z) + z2 * linear(c[4], c[5], z))
-}
-
-// Not a closure, which the compiler does not promise to inline.
-#[inline(always)]
-fn linear<A: Angle>(c0: f64, c1: f64, z: A) -> A {
-    A::splat(c0) + z * A::splat(c1)
-}
-
-impl Angle for f64 {
-    #[inline(always)]
-    fn any_beyond(self, limit: f64) -> bool {
-        self.abs() > limit
-    }
-
-    #[inline(always)]
-    fn turn(self, sin: Self, cos: Self) -> (Self, Self) {
-        let n = self.to_bits();
-        let odd = (n & 1).wrapping_neg();
-        let (sin, cos) = (sin.to_bits(), cos.to_bits());
-        let swap = (sin ^ cos) & odd;
-        let sign = |quarter: u64| (quarter & 2) << 62;
-        (
-            Self::from_bits((sin ^ swap) ^ sign(n)),
-            Self::from_bits((cos ^ swap) ^ sign(n.wrapping_add(1))),
-        )
-    }
-
-    #[cold]
-    #[inline(never)]
+    #[inline]
     fn far(self) -> (Self, Self) {
         libm::sincos(self)
     }
+}
+
+/// Quotients of 12 bits, polynomials to 2^-27.
+impl Precision for f32 {
+    const LIMIT: Self = 6400.0;
+    /// Of 12 bits; rounded to 2^-24, so that differences from the angle remain exact; of 9 and of 24 bits.
+    const HALF_PI: (&'static [Self], [Self; 2]) = (&[1.570_800_8, -4.470_348_4e-6], [1.589_069_1e-8, 2.563_344e-12]);
+    const SHIFT: Self = 12_582_912.0;
+    const SIN: &'static [Self] = &[0.166_666_54, -0.008_332_106, 0.000_195_078_83];
+    const COS: &'static [Self] = &[0.041_666_646, -0.001_388_730_8, 2.443_210_2e-5];
+
+    #[inline]
+    fn far(self) -> (Self, Self) {
+        let (sin, cos) = sin_cos(f64::from(self));
+        (Self::from_f64(sin), Self::from_f64(cos))
+    }
+}
+
+/// Sine and cosine of an angle in radians, with errors below 1 ulp; NaN if the angle is not finite.
+#[inline(always)]
+pub(crate) fn sin_cos<R: Register>(x: R) -> (R, R) {
+    if x.any_beyond(R::Scalar::LIMIT) {
+        return one_by_one(x);
+    }
+    near(x)
+}
+
+/// Sines and cosines of two angles together, in a register of two lanes or more: the same bits as one by one.
+#[inline(always)]
+pub(crate) fn sin_cos_pair<R: Register>(angles: [R::Scalar; 2]) -> [(R::Scalar, R::Scalar); 2] {
+    let (sin, cos) = sin_cos(R::from_fn(&mut |i| angles[i % 2]));
+    [0, 1].map(|i| (sin.lane(i), cos.lane(i)))
+}
+
+/// Sine and cosine of angles up to the limit of the kernel.
+#[inline(always)]
+fn near<R: Register>(x: R) -> (R, R) {
+    let shift = R::splat(R::Scalar::SHIFT);
+    let shifted = x * constant::<R>(std::f64::consts::FRAC_2_PI) + shift;
+    let n = shifted - shift;
+    let (first, [low, last]) = R::Scalar::HALF_PI;
+    let mut near = x;
+    for &part in first {
+        near = near - n * R::splat(part);
+    }
+    let low = n * R::splat(low);
+    let r = near - low;
+    // The reduced angle is r - excess.
+    let excess = (low - (near - r)) + n * R::splat(last);
+
+    let one = constant::<R>(1.0);
+    let z = r * r;
+    let z2 = z * z;
+    let half_z = z * constant::<R>(0.5);
+    let base = one - half_z;
+    // A difference, so that the sine of -0.0 is -0.0.
+    let sin = r - (r * (z * polynomial(R::Scalar::SIN, z, z2)) + excess * base);
+    let cos = base + (((one - base) - half_z) + (z2 * polynomial(R::Scalar::COS, z, z2) + r * excess));
+    shifted.turn(sin, cos)
+}
+
+/// A polynomial in `z`, by Estrin's scheme: a chain of half the length, and beside it the pairs of terms.
+#[inline(always)]
+fn polynomial<R: Register>(c: &[R::Scalar], z: R, z2: R) -> R {
+    let mut i = (c.len() - 1) / 2 * 2;
+    let mut sum = pair(c, i, z);
+    while i > 0 {
+        i -= 2;
+        sum = pair(c, i, z) + z2 * sum;
+    }
+    sum
+}
+
+/// The term `i`, and the next if there is one. Not a closure, which the compiler does not promise to inline.
+#[inline(always)]
+fn pair<R: Register>(c: &[R::Scalar], i: usize, z: R) -> R {
+    if i + 1 < c.len() {
+        R::splat(c[i]) + z * R::splat(c[i + 1])
+    } else {
+        R::splat(c[i])
+    }
+}
+
+#[inline(always)]
+fn constant<R: Register>(v: f64) -> R {
+    R::splat(R::Scalar::from_f64(v))
+}
+
+/// Sine and cosine of each lane alone: those within the range of the kernel must keep their bits.
+#[inline(always)]
+fn one_by_one<R: Register>(x: R) -> (R, R) {
+    #[cold]
+    #[inline(never)]
+    fn replace<R: Register>(x_sin: &mut R, cos: &mut R) {
+        let alone = |x: R::Scalar| {
+            if x.any_beyond(R::Scalar::LIMIT) {
+                x.far()
+            } else {
+                near(x)
+            }
+        };
+        let x = *x_sin;
+        *x_sin = R::from_fn(&mut |i| alone(x.lane(i)).0);
+        *cos = R::from_fn(&mut |i| alone(x.lane(i)).1);
+    }
+    // Copies, which the call needs in memory, so that `x` itself can stay in a register.
+    let (mut sin, mut cos) = (x, x);
+    replace(&mut sin, &mut cos);
+    (sin, cos)
 }

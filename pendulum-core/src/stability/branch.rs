@@ -59,7 +59,7 @@ pub enum BifurcationKind {
 }
 
 /// Why a branch ends.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum BranchEnd {
     /// The parameter comes to an end of its span.
@@ -89,6 +89,6 @@ impl<P> Branch<P> {
     /// Why the branch ends at its first point, and at its last.
     #[must_use]
     pub fn ends(&self) -> [BranchEnd; 2] {
-        self.ends
+        self.ends.clone()
     }
 }

@@ -9,7 +9,7 @@ use super::trace::Tracer;
 use super::{Equilibrium, PeriodicOrbit, Shooting, StabilityError, equilibrium};
 use crate::error::{ParameterError, Reason};
 use crate::method::require;
-use crate::system::Jacobian;
+use crate::system::{IntoState, Jacobian};
 
 /// The continuation of equilibria, or of periodic orbits, in a parameter: a plain value with settings.
 ///
@@ -105,7 +105,7 @@ where
     /// those of [`equilibrium`]. What goes wrong later ends the branch, which tells it.
     pub fn equilibria<const N: usize>(
         &self,
-        x0: impl Into<SVector<f64, N>>,
+        x0: impl IntoState<f64, N>,
         p0: f64,
     ) -> Result<Branch<Equilibrium<N>>, StabilityError>
     where
@@ -131,7 +131,7 @@ where
     /// As [`equilibria`](Self::equilibria), and those of [`Shooting::autonomous`].
     pub fn autonomous_orbits<const N: usize>(
         &self,
-        x0: impl Into<SVector<f64, N>>,
+        x0: impl IntoState<f64, N>,
         period: f64,
         p0: f64,
     ) -> Result<Branch<PeriodicOrbit<N>>, StabilityError>
@@ -159,7 +159,7 @@ where
     /// As [`equilibria`](Self::equilibria), and those of [`Shooting::forced`].
     pub fn forced_orbits<const N: usize>(
         &self,
-        x0: impl Into<SVector<f64, N>>,
+        x0: impl IntoState<f64, N>,
         period: impl Fn(f64) -> f64,
         p0: f64,
     ) -> Result<Branch<PeriodicOrbit<N>>, StabilityError>

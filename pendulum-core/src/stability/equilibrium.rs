@@ -7,7 +7,7 @@ use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use super::least_squares::shortest_step;
 use super::{Spectrum, StabilityError};
 use crate::layout::StateLayout;
-use crate::system::{Jacobian, System};
+use crate::system::{IntoState, Jacobian, System};
 
 /// A state at which the right-hand side vanishes, with the small motions about it: `d(x - x0)/dt = jacobian (x - x0)`.
 #[derive(Clone, Debug, PartialEq)]
@@ -76,13 +76,13 @@ impl<const N: usize> Equilibrium<N> {
 /// finite, and [`StabilityError::NoConvergence`] if no zero of it is found.
 pub fn equilibrium<S, const N: usize>(
     system: &S,
-    seed: impl Into<SVector<f64, N>>,
+    seed: impl IntoState<f64, N>,
 ) -> Result<Equilibrium<N>, StabilityError>
 where
     S: Jacobian<f64, N> + ?Sized,
 {
     require_autonomous(system)?;
-    Equilibrium::at(system, settle(system, seed.into())?)
+    Equilibrium::at(system, settle(system, seed.into_state())?)
 }
 
 /// Where the search from `x` comes to rest.

@@ -6,7 +6,7 @@ use std::fmt;
 use crate::error::{ParameterError, Reason};
 
 /// Why an analysis came to no result.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum StabilityError {
     /// An integration ended before its time, or a setting makes no sense.

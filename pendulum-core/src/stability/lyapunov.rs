@@ -6,7 +6,7 @@ use super::StabilityError;
 use super::transition::flow;
 use crate::error::Reason;
 use crate::method::{Method, require};
-use crate::system::Jacobian;
+use crate::system::{IntoState, Jacobian};
 
 /// The measurement of Lyapunov exponents, a plain value with settings.
 ///
@@ -116,7 +116,7 @@ impl Lyapunov {
     pub fn largest<const N: usize>(
         &self,
         system: &(impl Jacobian<f64, N> + ?Sized),
-        x0: impl Into<SVector<f64, N>>,
+        x0: impl IntoState<f64, N>,
     ) -> Result<Exponents<1, N>, StabilityError> {
         self.exponents(system, x0)
     }
@@ -128,7 +128,7 @@ impl Lyapunov {
     pub fn exponents<const K: usize, const N: usize>(
         &self,
         system: &(impl Jacobian<f64, N> + ?Sized),
-        x0: impl Into<SVector<f64, N>>,
+        x0: impl IntoState<f64, N>,
     ) -> Result<Exponents<K, N>, StabilityError> {
         const { assert!(1 <= K && K <= N, "there are from one to N exponents") };
         self.check()?;

@@ -1,11 +1,9 @@
 //! Poincare sections.
 
-use nalgebra::SVector;
-
 use super::StabilityError;
 use crate::event::{Event, Occurrence};
 use crate::method::{Method, follow};
-use crate::system::System;
+use crate::system::{IntoState, System};
 
 /// The points at which a trajectory, from the state `x0` at `t0` to `t1`, passes through a surface: its Poincare section.
 ///
@@ -34,7 +32,7 @@ pub fn section<M, S, const N: usize>(
     system: &S,
     t0: f64,
     t1: f64,
-    x0: impl Into<SVector<f64, N>>,
+    x0: impl IntoState<f64, N>,
     surface: &Event<'_, f64, N>,
 ) -> Result<Vec<Occurrence<f64, N>>, StabilityError>
 where

@@ -11,7 +11,7 @@ use super::transition::flow;
 use super::{StabilityError, transition};
 use crate::error::Reason;
 use crate::method::{Method, require};
-use crate::system::Jacobian;
+use crate::system::{IntoState, Jacobian};
 
 /// The search for periodic orbits by shooting, a plain value with settings.
 ///
@@ -89,11 +89,11 @@ impl Shooting {
     pub fn autonomous<const N: usize>(
         &self,
         system: &(impl Jacobian<f64, N> + ?Sized),
-        x0: impl Into<SVector<f64, N>>,
+        x0: impl IntoState<f64, N>,
         period: f64,
     ) -> Result<PeriodicOrbit<N>, StabilityError> {
         require_autonomous(system)?;
-        self.search(system, (x0.into(), period), true)
+        self.search(system, (x0.into_state(), period), true)
     }
 
     /// The motion near the state `x0` at the time 0 that repeats itself with the period given, in s: of a driven system, that of the drive or a
@@ -105,10 +105,10 @@ impl Shooting {
     pub fn forced<const N: usize>(
         &self,
         system: &(impl Jacobian<f64, N> + ?Sized),
-        x0: impl Into<SVector<f64, N>>,
+        x0: impl IntoState<f64, N>,
         period: f64,
     ) -> Result<PeriodicOrbit<N>, StabilityError> {
-        self.search(system, (x0.into(), period), false)
+        self.search(system, (x0.into_state(), period), false)
     }
 
     fn search<S, const N: usize>(

@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::error::Reason;
 use crate::method::{Adaptive, Method, Tangent};
-use crate::system::Jacobian;
+use crate::system::{IntoState, Jacobian};
 use crate::tableau::Verner9;
 
 /// Verner's method of order 9 with `K` tangents.
@@ -29,7 +29,7 @@ pub fn transition<S, const N: usize>(
     system: &S,
     t0: f64,
     t1: f64,
-    x0: impl Into<SVector<f64, N>>,
+    x0: impl IntoState<f64, N>,
     tolerance: f64,
 ) -> Result<(SVector<f64, N>, SMatrix<f64, N, N>), Reason>
 where

@@ -2,7 +2,6 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::pair::Pair;
 use approx::assert_abs_diff_eq;
 use nalgebra::{SMatrix, SVector};
 use pendulum_core::ParameterError;
@@ -13,14 +12,14 @@ use pendulum_core::stability::{
 
 /// `x' = f(x)`, with its derivative.
 fn line(f: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64) -> impl Jacobian<f64, 1> {
-    Pair(
+    FnSystem::with_jacobian(
         move |_, x: &SVector<f64, 1>| SVector::from([f(x[0])]),
         move |_, x: &SVector<f64, 1>| SMatrix::from([[slope(x[0])]]),
     )
 }
 
 fn van_der_pol(mu: f64) -> Result<impl Jacobian<f64, 2>, ParameterError> {
-    Ok(Pair(
+    Ok(FnSystem::with_jacobian(
         move |_, x: &SVector<f64, 2>| SVector::from([x[1], mu * (1.0 - x[0] * x[0]) * x[1] - x[0]]),
         move |_, x: &SVector<f64, 2>| {
             SMatrix::from([[0.0, -2.0 * mu * x[0] * x[1] - 1.0], [1.0, mu * (1.0 - x[0] * x[0])]])
@@ -32,7 +31,7 @@ fn van_der_pol(mu: f64) -> Result<impl Jacobian<f64, 2>, ParameterError> {
 fn rotor(g: impl Fn(f64) -> ([f64; 2], [f64; 2]), (drive, omega): (f64, f64)) -> impl Jacobian<f64, 2> {
     let g = std::rc::Rc::new(g);
     let of = g.clone();
-    Pair(
+    FnSystem::with_jacobian(
         move |t: f64, z: &SVector<f64, 2>| {
             let [re, im] = g(z.norm_squared()).0;
             let (sin, cos) = (omega * t).sin_cos();
@@ -63,7 +62,7 @@ fn rest_gives_way_to_the_cycle_of_van_der_pol_at_zero_with_frequency_one() {
     };
     assert_abs_diff_eq!(*parameter, 0.0, epsilon = 1e-10);
     assert_abs_diff_eq!(*angular_frequency, 1.0, epsilon = 1e-10);
-    assert_eq!(branch.ends(), [BranchEnd::Span; 2]);
+    assert_eq!(branch.ends(), [const { BranchEnd::Span }; 2]);
     let parameters: Vec<f64> = branch.points().iter().map(|point| point.parameter).collect();
     assert!(parameters.is_sorted());
     assert_eq!((parameters[0], *parameters.last().expect("points")), (-1.0, 1.5));
@@ -82,7 +81,7 @@ fn the_cycle_of_van_der_pol_is_followed_to_long_periods() {
     let branch = Continuation::new(van_der_pol, 0.5, 3.0)
         .autonomous_orbits([2.0, 0.0], 6.6, 1.0)
         .expect("a cycle");
-    assert_eq!(branch.ends(), [BranchEnd::Span; 2]);
+    assert_eq!(branch.ends(), [const { BranchEnd::Span }; 2]);
     assert_eq!(branch.bifurcations(), []);
     let last = &branch.points().last().expect("points").solution;
     // as shooting finds it from elsewhere
@@ -137,7 +136,7 @@ fn a_closed_branch_ends_where_it_began_with_both_its_folds() {
     let circle = Continuation::new(family, -3.0, 3.0)
         .equilibria([1.0], 0.1)
         .expect("a point of the circle");
-    assert_eq!(circle.ends(), [BranchEnd::Closed; 2]);
+    assert_eq!(circle.ends(), [const { BranchEnd::Closed }; 2]);
     assert_eq!(circle.points().first(), circle.points().last());
     let folds: Vec<f64> = circle.bifurcations().iter().map(|fold| fold.parameter).collect();
     assert_eq!(folds.len(), 2);
@@ -162,16 +161,12 @@ fn a_branch_that_ends_early_keeps_its_points_and_tells_why() {
         [BranchEnd::Failed(StabilityError::NotFinite), BranchEnd::Span]
     );
     assert_abs_diff_eq!(branch.points()[0].parameter, 0.0, epsilon = 1e-3);
-    let error = ParameterError {
-        name: "m",
-        value: -0.5,
-        rule: "a mass must be positive",
-    };
+    let error = || ParameterError::new("m", -0.5, "a mass must be positive", &[]);
     let family = |m: f64| {
         if m > 0.5 {
             Ok(line(move |x| 1.0 - m * x, move |_| -m))
         } else {
-            Err(error)
+            Err(error())
         }
     };
     let branch = Continuation::new(family, 0.0, 2.0)
@@ -179,16 +174,19 @@ fn a_branch_that_ends_early_keeps_its_points_and_tells_why() {
         .expect("a point");
     assert_eq!(
         branch.ends(),
-        [BranchEnd::Failed(StabilityError::Build(error)), BranchEnd::Span]
+        [BranchEnd::Failed(StabilityError::Build(error())), BranchEnd::Span]
     );
     assert_abs_diff_eq!(branch.points()[0].parameter, 0.5, epsilon = 1e-4);
     let none = Continuation::new(family, 0.0, 2.0).equilibria([1.0], 0.3);
-    assert_eq!(none, Err(StabilityError::Build(error)));
+    assert_eq!(none, Err(StabilityError::Build(error())));
     let short = Continuation::new(family, 0.6, 2.0)
         .points(3)
         .equilibria([1.0], 1.0)
         .expect("a point");
-    assert_eq!((short.ends(), short.points().len()), ([BranchEnd::Points; 2], 7));
+    assert_eq!(
+        (short.ends(), short.points().len()),
+        ([const { BranchEnd::Points }; 2], 7)
+    );
     let outside = Continuation::new(family, 0.6, 2.0)
         .equilibria([1.0], 3.0)
         .expect_err("3 is not in the span");
@@ -263,14 +261,14 @@ fn a_driven_cycle_loses_its_lock_to_a_torus() {
     assert_abs_diff_eq!(*parameter, 0.5, epsilon = 1e-9);
     assert_abs_diff_eq!(solution.x.norm_squared(), 0.25, epsilon = 1e-9);
     assert_abs_diff_eq!(*angle, (15.0_f64 / 16.0).sqrt() * TAU / 3.0, epsilon = 1e-8);
-    assert_eq!(branch.ends(), [BranchEnd::Span; 2]);
+    assert_eq!(branch.ends(), [const { BranchEnd::Span }; 2]);
 }
 
 #[test]
 fn a_period_that_depends_on_the_parameter_is_followed_through_resonance() {
     // x'' + 0.1 x' + x = cos(p t): the response is known
     let family = |p: f64| {
-        Ok(Pair(
+        Ok(FnSystem::with_jacobian(
             move |t: f64, x: &SVector<f64, 2>| SVector::from([x[1], (p * t).cos() - x[0] - 0.1 * x[1]]),
             |_, _: &SVector<f64, 2>| SMatrix::from([[0.0, -1.0], [1.0, -0.1]]),
         ))

@@ -2,7 +2,6 @@
 
 use std::cell::Cell;
 
-use crate::pair::Pair;
 use pendulum_core::StateLayout;
 use pendulum_core::method::{Fixed, RadauIIA, Rosenbrock};
 use pendulum_core::prelude::*;
@@ -91,7 +90,7 @@ fn end<M: Method<S, f64, N>, S: System<f64, N>, const N: usize>(
     method: M,
     system: &S,
     (t0, t1): (f64, f64),
-    x0: impl Into<SVector<f64, N>>,
+    x0: impl pendulum_core::IntoState<f64, N>,
 ) -> SVector<f64, N> {
     method.solve(system, t0, t1, x0).expect("regular").end()
 }
@@ -199,7 +198,7 @@ fn of<const N: usize>(
     f: impl Fn(&SVector<f64, N>) -> SVector<f64, N>,
     g: impl Fn(&SVector<f64, N>) -> SMatrix<f64, N, N>,
 ) -> impl Jacobian<f64, N> {
-    Pair(move |_t, x: &_| f(x), move |_t, x: &_| g(x))
+    FnSystem::with_jacobian(move |_t, x: &_| f(x), move |_t, x: &_| g(x))
 }
 
 #[test]

@@ -7,7 +7,6 @@ mod failures;
 mod implicit;
 mod inputs;
 mod orbits;
-mod pair;
 mod rosenbrock;
 #[cfg(feature = "serde")]
 mod serialization;

@@ -8,25 +8,15 @@ use pendulum_core::prelude::*;
 use pendulum_core::stability::{PeriodicOrbit, Shooting, Stability, StabilityError};
 use pendulum_core::{Slot, StateLayout};
 
-/// A system of two components with its Jacobian.
-struct Planar<F, J>(F, J);
-
-impl<F: Fn(f64, f64, f64) -> [f64; 2], J> System<f64, 2> for Planar<F, J> {
-    fn rhs(&self, t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
-        SVector::from((self.0)(t, x[0], x[1]))
-    }
-}
-
-impl<F, J> Jacobian<f64, 2> for Planar<F, J>
-where
-    F: Fn(f64, f64, f64) -> [f64; 2],
-    J: Fn(f64, f64, f64) -> [f64; 2],
-{
-    /// All of these are `x'' = ..`: the first row is `[0, 1]`, the second is given.
-    fn jacobian(&self, t: f64, x: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
-        let [by_x, by_v] = (self.1)(t, x[0], x[1]);
-        SMatrix::from([[0.0, by_x], [1.0, by_v]])
-    }
+/// `x'' = f(t, x, x')`, in components `[x, x']`; `by` has the derivatives of `f` with respect to both.
+fn planar(f: impl Fn(f64, f64, f64) -> f64, by: impl Fn(f64, f64, f64) -> [f64; 2]) -> impl Jacobian<f64, 2> {
+    FnSystem::with_jacobian(
+        move |t, x: &SVector<f64, 2>| SVector::from([x[1], f(t, x[0], x[1])]),
+        move |t, x: &SVector<f64, 2>| {
+            let [by_x, by_v] = by(t, x[0], x[1]);
+            SMatrix::from([[0.0, by_x], [1.0, by_v]])
+        },
+    )
 }
 
 /// `q'' = -sin q`.
@@ -50,16 +40,16 @@ impl Jacobian<f64, 2> for Pendulum {
 }
 
 fn van_der_pol(mu: f64) -> impl Jacobian<f64, 2> {
-    Planar(
-        move |_, x, v| [v, mu * (1.0 - x * x) * v - x],
+    planar(
+        move |_, x, v| mu * (1.0 - x * x) * v - x,
         move |_, x, v| [-2.0 * mu * x * v - 1.0, mu * (1.0 - x * x)],
     )
 }
 
 /// `x'' = (2 q cos 2t - a) x`.
 fn mathieu(a: f64, q: f64) -> impl Jacobian<f64, 2> {
-    Planar(
-        move |t: f64, x, v| [v, (2.0 * q * (2.0 * t).cos() - a) * x],
+    planar(
+        move |t: f64, x, _| (2.0 * q * (2.0 * t).cos() - a) * x,
         move |t: f64, _, _| [2.0 * q * (2.0 * t).cos() - a, 0.0],
     )
 }
@@ -147,7 +137,7 @@ fn a_pendulum_swings_and_turns_over_with_the_periods_of_jacobi() {
 /// The layout alone says that a full turn leads back.
 #[test]
 fn without_a_layout_a_rotation_does_not_close() {
-    let unknown = Planar(|_, q: f64, v| [v, -q.sin()], |_, q: f64, _| [-q.cos(), 0.0]);
+    let unknown = planar(|_, q: f64, _| -q.sin(), |_, q: f64, _| [-q.cos(), 0.0]);
     let over = Shooting::new().autonomous(&unknown, [0.2, -2.5], 3.0);
     assert!(over.is_err(), "{over:?}");
     let swing = Shooting::new().autonomous(&unknown, [1.0, 0.3], 6.5);
@@ -227,8 +217,8 @@ fn a_pendulum_stands_upright_from_kapitzas_frequency_on() {
     assert_abs_diff_eq!(critical * a / (2.0 * gravity).sqrt(), 1.0, epsilon = 0.02);
     let upright = |omega: f64| {
         let pull = move |t: f64| gravity - a * omega * omega * (omega * t).cos();
-        let shaken = Planar(
-            move |t, q: f64, v| [v, pull(t) * q.sin()],
+        let shaken = planar(
+            move |t, q: f64, _| pull(t) * q.sin(),
             move |t, q: f64, _| [pull(t) * q.cos(), 0.0],
         );
         Shooting::new()
@@ -246,7 +236,7 @@ fn a_search_that_fails_tells_why() {
     let at_rest = shooting.autonomous(&van_der_pol(1.0), [1e-3, 0.0], 6.3);
     assert_eq!(at_rest, Err(StabilityError::AtRest));
     // nothing comes back where everything falls
-    let falling = Planar(|_, _, v| [v, -9.81], |_, _, _| [0.0, 0.0]);
+    let falling = planar(|_, _, _| -9.81, |_, _, _| [0.0, 0.0]);
     let none = shooting.forced(&falling, [0.0, 1.0], 1.0);
     assert!(
         matches!(none, Err(StabilityError::NoConvergence { residual, .. }) if residual > 9.0),
@@ -260,7 +250,7 @@ fn a_search_that_fails_tells_why() {
         "`period` is -1.0: a period must be finite and positive"
     );
     // the solution of x'' = x^2 runs away
-    let escape = Planar(|_, x, v| [v, x * x], |_, x, _| [2.0 * x, 0.0]);
+    let escape = planar(|_, x, _| x * x, |_, x, _| [2.0 * x, 0.0]);
     let lost = shooting.forced(&escape, [10.0, 10.0], 10.0);
     assert!(matches!(lost, Err(StabilityError::Integration(_))), "{lost:?}");
 }

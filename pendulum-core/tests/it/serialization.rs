@@ -47,13 +47,12 @@ fn parameters_of_a_model_are_read_by_name() {
 
 #[test]
 fn a_parameter_error_is_written_by_field() {
-    let error = ParameterError {
-        name: "m",
-        value: -1.0,
-        rule: "a mass must be positive",
-    };
+    let error = ParameterError::new("m", -1.0, "a mass must be positive", &[]);
     let text = serde_json::to_string(&error).expect("writes");
-    assert_eq!(text, r#"{"name":"m","value":-1.0,"rule":"a mass must be positive"}"#);
+    assert_eq!(
+        text,
+        r#"{"name":"m","value":-1.0,"rule":"a mass must be positive","given":[]}"#
+    );
 }
 
 #[test]

@@ -2,19 +2,18 @@
 
 use std::f64::consts::{PI, TAU};
 
-use crate::pair::Pair;
 use pendulum_core::Reason;
 use pendulum_core::prelude::*;
 use pendulum_core::stability::{Complex, Lyapunov, Spectrum, StabilityError, equilibrium, section, transition};
 
 /// `x' = matrix x`.
 fn linear<const N: usize>(matrix: SMatrix<f64, N, N>) -> impl Jacobian<f64, N> {
-    Pair(move |_t, x: &SVector<f64, N>| matrix * x, move |_t, _x: &_| matrix)
+    FnSystem::with_jacobian(move |_t, x: &SVector<f64, N>| matrix * x, move |_t, _x: &_| matrix)
 }
 
 /// A pendulum with `g / l = 1`, angles from where it hangs.
 fn swing() -> impl Jacobian<f64, 2> {
-    Pair(
+    FnSystem::with_jacobian(
         |_t, x: &SVector<f64, 2>| SVector::from([x[1], -x[0].sin()]),
         |_t, x: &SVector<f64, 2>| SMatrix::<f64, 2, 2>::new(0.0, 1.0, -x[0].cos(), 0.0),
     )
@@ -112,7 +111,7 @@ fn the_uncertainty_is_what_rounding_errors_do() {
 fn numbers_that_are_none_are_told() {
     let matrix = SMatrix::<f64, 2, 2>::new(1.0, f64::NAN, 0.0, 1.0);
     assert_eq!(Spectrum::of(&matrix), Err(StabilityError::NotFinite));
-    let pole = Pair(
+    let pole = FnSystem::with_jacobian(
         |_t, x: &SVector<f64, 1>| SVector::from([1.0 / x[0]]),
         |_t, x: &SVector<f64, 1>| SMatrix::from([[-1.0 / (x[0] * x[0])]]),
     );
@@ -121,7 +120,7 @@ fn numbers_that_are_none_are_told() {
 
 #[test]
 fn what_has_no_zero_has_no_equilibrium() {
-    let never = Pair(
+    let never = FnSystem::with_jacobian(
         |_t, x: &SVector<f64, 1>| SVector::from([1.0 + x[0] * x[0]]),
         |_t, x: &SVector<f64, 1>| SMatrix::from([[2.0 * x[0]]]),
     );
@@ -207,7 +206,7 @@ fn exponents_of_a_linear_system_are_its_growth_rates() {
 #[test]
 fn exponents_of_lorenz() {
     let (sigma, rho, beta) = (10.0, 28.0, 8.0 / 3.0);
-    let lorenz = Pair(
+    let lorenz = FnSystem::with_jacobian(
         move |_t, x: &SVector<f64, 3>| {
             SVector::from([
                 sigma * (x[1] - x[0]),

@@ -1,45 +1,77 @@
-///Parameters of [`DoublePendulum`].
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DoublePendulumParams {
-    /// Mass of each plate.
-    ///In kg.
-    pub m: f64,
-    /// Rotational inertia of each plate about its centre of mass.
-    ///In kg m^2.
-    pub inertia: f64,
-    /// Distance from a plate's axle to its centre of mass.
-    ///In m.
-    pub c: f64,
-    /// Distance between the two axles.
-    ///In m.
-    pub d: f64,
-    /// Acceleration of gravity.
-    ///In m/s^2.
-    pub g: f64,
-    /// Friction of the upper axle.
-    ///In N m s.
-    pub gamma1: f64,
-    /// Friction of the lower axle.
-    ///In N m s.
-    pub gamma2: f64,
-}
-impl ::core::default::Default for DoublePendulumParams {
-    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    fn default() -> Self {
-        Self {
-            m: 1f64,
-            inertia: 1f64,
-            c: 1f64,
-            d: 1f64,
-            g: 9.8f64,
-            gamma1: 0.1f64,
-            gamma2: 0.1f64,
+#[allow(non_snake_case)]
+mod __DoublePendulum {
+    ///Parameters of [`DoublePendulum`].
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct DoublePendulumParams {
+        /// Mass of each plate.
+        ///In kg.
+        pub m: f64,
+        /// Rotational inertia of each plate about its centre of mass.
+        ///In kg m^2.
+        pub inertia: f64,
+        /// Distance from a plate's axle to its centre of mass.
+        ///In m.
+        pub c: f64,
+        /// Distance between the two axles.
+        ///In m.
+        pub d: f64,
+        /// Acceleration of gravity.
+        ///In m/s^2.
+        pub g: f64,
+        /// Friction of the upper axle.
+        ///In N m s.
+        pub gamma1: f64,
+        /// Friction of the lower axle.
+        ///In N m s.
+        pub gamma2: f64,
+    }
+    impl ::core::default::Default for DoublePendulumParams {
+        #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+        fn default() -> Self {
+            Self {
+                m: 1f64,
+                inertia: 1f64,
+                c: 1f64,
+                d: 1f64,
+                g: 9.8f64,
+                gamma1: 0.1f64,
+                gamma2: 0.1f64,
+            }
         }
     }
-}
-/// Two identical plates on axles with friction: Williams (2023), Eq. 22.
-///
-/**# Equations of motion
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl DoublePendulumParams {
+        /// The names of the parameters, in the order of their declaration.
+        pub const NAMES: [&'static str; 7] = [
+            "m",
+            "inertia",
+            "c",
+            "d",
+            "g",
+            "gamma1",
+            "gamma2",
+        ];
+        /// The values of the parameters, in the order of [`NAMES`](Self::NAMES).
+        pub const fn to_array(self) -> [f64; 7] {
+            [self.m, self.inertia, self.c, self.d, self.g, self.gamma1, self.gamma2]
+        }
+        /// The parameters with these values, in the order of [`NAMES`](Self::NAMES).
+        pub const fn from_array(values: [f64; 7]) -> Self {
+            let [v0, v1, v2, v3, v4, v5, v6] = values;
+            Self {
+                m: v0,
+                inertia: v1,
+                c: v2,
+                d: v3,
+                g: v4,
+                gamma1: v5,
+                gamma2: v6,
+            }
+        }
+    }
+    /// Two identical plates on axles with friction: Williams (2023), Eq. 22.
+    ///
+    /**# Equations of motion
 
 ```text
 A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints
@@ -70,811 +102,841 @@ k10 = -1/(inertia + m*c^2)
 k11 = -m*c*d/(inertia + m*c^2)
 ```
 */
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct DoublePendulum<T = f64> {
-    params: DoublePendulumParams,
-    constants: [T; 12],
-}
-#[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-impl DoublePendulum {
-    /// Builds the model: checks the parameters, and computes once whatever depends on them alone.
-    ///
-    /// # Errors
-    ///
-    /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
-    pub fn new(
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct DoublePendulum<T = f64> {
         params: DoublePendulumParams,
-    ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
-        #[inline]
-        fn rules<T: ::pendulum_core::real::Real>(given: [T; 7]) -> [T; 4] {
-            let [p_m, p_inertia, p_c, p_d, p_g, p_gamma1, p_gamma2] = given;
-            [p_m, p_inertia, p_gamma1, p_gamma2]
+        constants: [T; 12],
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl DoublePendulum {
+        /// Builds the model: checks the parameters, and computes once whatever depends on them alone.
+        ///
+        /// # Errors
+        ///
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        pub fn new(
+            params: DoublePendulumParams,
+        ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
+            #[inline]
+            fn rules<T: ::pendulum_core::real::Real>(given: [T; 7]) -> [T; 4] {
+                let [p_m, p_inertia, p_c, p_d, p_g, p_gamma1, p_gamma2] = given;
+                [p_m, p_inertia, p_gamma1, p_gamma2]
+            }
+            #[inline]
+            fn constants<T: ::pendulum_core::real::Real>(given: [T; 7]) -> [T; 12] {
+                let [p_m, p_inertia, p_c, p_d, p_g, p_gamma1, p_gamma2] = given;
+                let t0 = p_gamma1 + p_gamma2;
+                let t1 = p_c * p_c;
+                let t2 = p_m * t1;
+                let t3 = p_inertia + t2;
+                let t4 = T::from_f64(0.5) * t3;
+                let t5 = T::from_f64(-1.0) / t3;
+                let t6 = p_d * p_d;
+                let t7 = p_inertia + (t2 + p_m * t6);
+                let t8 = t1 * (p_inertia * (T::from_f64(2.0) * p_m))
+                    + t6 * (p_m * p_inertia) + p_m * p_m * (p_c * p_c * p_c * p_c);
+                let t9 = t8 + p_inertia * p_inertia;
+                let t10 = T::from_f64(0.5) * t7;
+                let t11 = p_m * p_c;
+                let t12 = p_d * t11;
+                let t13 = t12 * t5;
+                let t14 = p_g * t11;
+                let t15 = t14 + p_g * (p_m * p_d);
+                [p_gamma2, t3, t7, t12, t14, t15, t0, t9, t10, t4, t5, t13]
+            }
+            let given = params.to_array();
+            for (name, value) in DoublePendulumParams::NAMES.into_iter().zip(given) {
+                if !value.is_finite() {
+                    return Err(
+                        ::pendulum_core::ParameterError::new(
+                            name,
+                            value,
+                            "a parameter must be finite",
+                            &[],
+                        ),
+                    );
+                }
+            }
+            let [r0, r1, r2, r3] = rules(given);
+            if !(r0 > 0.0) {
+                return Err(
+                    ::pendulum_core::ParameterError::new(
+                        "m",
+                        r0,
+                        "the mass of `plate` must be positive",
+                        &[],
+                    ),
+                );
+            }
+            if !(r1 >= 0.0) {
+                return Err(
+                    ::pendulum_core::ParameterError::new(
+                        "inertia",
+                        r1,
+                        "the inertia of `plate` must not be negative",
+                        &[],
+                    ),
+                );
+            }
+            if !(r2 >= 0.0) {
+                return Err(
+                    ::pendulum_core::ParameterError::new(
+                        "gamma1",
+                        r2,
+                        "the friction of `upper` must not be negative",
+                        &[],
+                    ),
+                );
+            }
+            if !(r3 >= 0.0) {
+                return Err(
+                    ::pendulum_core::ParameterError::new(
+                        "gamma2",
+                        r3,
+                        "the friction of `lower` must not be negative",
+                        &[],
+                    ),
+                );
+            }
+            let constants = constants(given);
+            let names: [&'static str; 12] = [
+                "gamma2",
+                "inertia + m*c^2",
+                "inertia + m*c^2 + m*d^2",
+                "m*c*d",
+                "m*c*g",
+                "m*c*g + m*d*g",
+                "gamma1 + gamma2",
+                "2*m*inertia*c^2 + m*inertia*d^2 + m^2*c^4 + inertia^2",
+                "0.5*(inertia + m*c^2 + m*d^2)",
+                "0.5*(inertia + m*c^2)",
+                "-1/(inertia + m*c^2)",
+                "-m*c*d/(inertia + m*c^2)",
+            ];
+            for (name, value) in names.into_iter().zip(constants) {
+                if !value.is_finite() {
+                    return Err(
+                        ::pendulum_core::ParameterError::new(
+                            name,
+                            value,
+                            "this combination of parameters must be finite: it overflows, a divisor is zero, or a coordinate has no inertia",
+                            &[],
+                        ),
+                    );
+                }
+            }
+            Ok(Self { params, constants })
         }
-        #[inline]
-        fn constants<T: ::pendulum_core::real::Real>(given: [T; 7]) -> [T; 12] {
-            let [p_m, p_inertia, p_c, p_d, p_g, p_gamma1, p_gamma2] = given;
-            let t0 = p_gamma1 + p_gamma2;
-            let t1 = p_c * p_c;
-            let t2 = p_m * t1;
-            let t3 = p_inertia + t2;
-            let t4 = T::from_f64(0.5) * t3;
-            let t5 = T::from_f64(-1.0) / t3;
-            let t6 = p_d * p_d;
-            let t7 = p_inertia + (t2 + p_m * t6);
-            let t8 = t1 * (p_inertia * (T::from_f64(2.0) * p_m)) + t6 * (p_m * p_inertia)
-                + p_m * p_m * (p_c * p_c * p_c * p_c);
-            let t9 = t8 + p_inertia * p_inertia;
-            let t10 = T::from_f64(0.5) * t7;
-            let t11 = p_m * p_c;
-            let t12 = p_d * t11;
-            let t13 = t12 * t5;
-            let t14 = p_g * t11;
-            let t15 = t14 + p_g * (p_m * p_d);
-            [p_gamma2, t3, t7, t12, t14, t15, t0, t9, t10, t4, t5, t13]
-        }
-        let given: [f64; 7] = [
-            params.m,
-            params.inertia,
-            params.c,
-            params.d,
-            params.g,
-            params.gamma1,
-            params.gamma2,
-        ];
-        let names: [&'static str; 7] = [
-            "m",
-            "inertia",
-            "c",
-            "d",
-            "g",
-            "gamma1",
-            "gamma2",
-        ];
-        for (name, value) in names.into_iter().zip(given) {
-            if !value.is_finite() {
-                return Err(::pendulum_core::ParameterError {
-                    name,
-                    value,
-                    rule: "a parameter must be finite",
-                });
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
+        /// then rounded.
+        pub fn cast<T: ::pendulum_core::real::Real>(&self) -> DoublePendulum<T> {
+            DoublePendulum {
+                params: self.params,
+                constants: self.constants.map(T::from_f64),
             }
         }
-        let [r0, r1, r2, r3] = rules(given);
-        if !(r0 > 0.0) {
-            return Err(::pendulum_core::ParameterError {
-                name: "m",
-                value: r0,
-                rule: "the mass of `plate` must be positive",
-            });
-        }
-        if !(r1 >= 0.0) {
-            return Err(::pendulum_core::ParameterError {
-                name: "inertia",
-                value: r1,
-                rule: "the inertia of `plate` must not be negative",
-            });
-        }
-        if !(r2 >= 0.0) {
-            return Err(::pendulum_core::ParameterError {
-                name: "gamma1",
-                value: r2,
-                rule: "the friction of `upper` must not be negative",
-            });
-        }
-        if !(r3 >= 0.0) {
-            return Err(::pendulum_core::ParameterError {
-                name: "gamma2",
-                value: r3,
-                rule: "the friction of `lower` must not be negative",
-            });
-        }
-        let constants = constants(given);
-        let names: [&'static str; 12] = [
-            "gamma2",
-            "inertia + m*c^2",
-            "inertia + m*c^2 + m*d^2",
-            "m*c*d",
-            "m*c*g",
-            "m*c*g + m*d*g",
-            "gamma1 + gamma2",
-            "2*m*inertia*c^2 + m*inertia*d^2 + m^2*c^4 + inertia^2",
-            "0.5*(inertia + m*c^2 + m*d^2)",
-            "0.5*(inertia + m*c^2)",
-            "-1/(inertia + m*c^2)",
-            "-m*c*d/(inertia + m*c^2)",
-        ];
-        for (name, value) in names.into_iter().zip(constants) {
-            if !value.is_finite() {
-                let rule = "this combination of parameters must be finite: it overflows, a divisor is zero, or a coordinate has no inertia";
-                return Err(::pendulum_core::ParameterError {
-                    name,
-                    value,
-                    rule,
-                });
-            }
-        }
-        Ok(Self { params, constants })
     }
-    /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-    /// then rounded.
-    pub fn cast<T: ::pendulum_core::real::Real>(&self) -> DoublePendulum<T> {
-        DoublePendulum {
-            params: self.params,
-            constants: self.constants.map(T::from_f64),
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> DoublePendulum<T> {
+        /// The parameters that the model was built from.
+        pub fn params(&self) -> &DoublePendulumParams {
+            &self.params
+        }
+        /// The model with other parameters, in the same number type. Its constants are computed anew.
+        ///
+        /// # Errors
+        ///
+        /// Those of `new`.
+        pub fn with_params(
+            &self,
+            params: DoublePendulumParams,
+        ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
+            Ok(<DoublePendulum>::new(params)?.cast())
         }
     }
-}
-#[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-impl<T: ::pendulum_core::real::Real> DoublePendulum<T> {
-    /// The parameters that the model was built from.
-    pub fn params(&self) -> &DoublePendulumParams {
-        &self.params
-    }
-}
-impl DoublePendulum {
-    /// The number of degrees of freedom; the state has twice as many components.
-    pub const DOF: usize = 2;
-    /// The names of the coordinates, in the order in which they, and then their rates, stand in the state.
-    pub const COORDINATES: [&'static str; 2] = ["theta1", "theta2"];
-    /// Counted operations of each generated function, in the form that it has and in others.
-    pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::new(
-        &[
-            (
-                "rhs",
-                ::pendulum_core::FunctionCost::new(
-                        "closed form, factors of the state first, L^T D L",
-                        ::pendulum_core::Operations::new(12, 19, 1, 2, 0, 32),
-                    )
-                    .with_others(
-                        &[
-                            ::pendulum_core::FunctionCost::new(
-                                "closed form, factors of parameters first, L^T D L",
-                                ::pendulum_core::Operations::new(12, 19, 1, 2, 0, 32),
-                            ),
-                            ::pendulum_core::FunctionCost::new(
-                                "closed form, expanded, L^T D L",
-                                ::pendulum_core::Operations::new(12, 19, 1, 2, 0, 33),
-                            ),
-                            ::pendulum_core::FunctionCost::new(
-                                "recursion, adjugate",
-                                ::pendulum_core::Operations::new(24, 30, 1, 2, 0, 37),
-                            ),
-                            ::pendulum_core::FunctionCost::new(
-                                "A, B and C, adjugate",
-                                ::pendulum_core::Operations::new(32, 40, 1, 2, 0, 38),
-                            ),
-                            ::pendulum_core::FunctionCost::new(
-                                "articulated bodies",
-                                ::pendulum_core::Operations::new(30, 46, 2, 2, 0, 48),
-                            ),
-                        ],
-                    ),
-            ),
-            (
-                "jacobian",
-                ::pendulum_core::FunctionCost::new(
-                        "closed form, factors of the state first, inverse, derived in the graph",
-                        ::pendulum_core::Operations::new(28, 50, 1, 2, 0, 38),
-                    )
-                    .with_others(
-                        &[
-                            ::pendulum_core::FunctionCost::new(
-                                "closed form, factors of parameters first, inverse, derived and expanded",
-                                ::pendulum_core::Operations::new(28, 50, 1, 2, 0, 39),
-                            ),
-                            ::pendulum_core::FunctionCost::new(
-                                "closed form, expanded, inverse, derived and expanded",
-                                ::pendulum_core::Operations::new(28, 50, 1, 2, 0, 38),
-                            ),
-                            ::pendulum_core::FunctionCost::new(
-                                "recursion, inverse, derived in the graph",
-                                ::pendulum_core::Operations::new(50, 65, 1, 2, 0, 49),
-                            ),
-                            ::pendulum_core::FunctionCost::new(
-                                "A, B and C, inverse, derived in the graph",
-                                ::pendulum_core::Operations::new(98, 99, 1, 2, 0, 44),
-                            ),
-                        ],
-                    ),
-            ),
-            (
-                "kinetic",
-                ::pendulum_core::FunctionCost::new(
-                        "closed form, factors of the state first",
-                        ::pendulum_core::Operations::new(3, 6, 0, 1, 0, 25),
-                    )
-                    .with_others(
-                        &[
-                            ::pendulum_core::FunctionCost::new(
-                                "closed form, expanded",
-                                ::pendulum_core::Operations::new(3, 6, 0, 1, 0, 26),
-                            ),
-                            ::pendulum_core::FunctionCost::new(
-                                "closed form, factors of parameters first",
-                                ::pendulum_core::Operations::new(3, 7, 0, 1, 0, 25),
-                            ),
-                            ::pendulum_core::FunctionCost::new(
-                                "recursion",
-                                ::pendulum_core::Operations::new(15, 23, 0, 2, 0, 32),
-                            ),
-                            ::pendulum_core::FunctionCost::new(
-                                "A, B and C",
-                                ::pendulum_core::Operations::new(22, 23, 0, 2, 0, 35),
-                            ),
-                        ],
-                    ),
-            ),
-            (
-                "potential",
-                ::pendulum_core::FunctionCost::new(
-                        "closed form, factors of the state first",
-                        ::pendulum_core::Operations::new(2, 2, 0, 2, 0, 22),
-                    )
-                    .with_others(
-                        &[
-                            ::pendulum_core::FunctionCost::new(
-                                "closed form, factors of parameters first",
-                                ::pendulum_core::Operations::new(2, 2, 0, 2, 0, 22),
-                            ),
-                            ::pendulum_core::FunctionCost::new(
-                                "closed form, expanded",
-                                ::pendulum_core::Operations::new(2, 2, 0, 2, 0, 22),
-                            ),
-                            ::pendulum_core::FunctionCost::new(
-                                "A, B and C",
-                                ::pendulum_core::Operations::new(3, 2, 0, 2, 0, 23),
-                            ),
-                            ::pendulum_core::FunctionCost::new(
-                                "recursion",
-                                ::pendulum_core::Operations::new(3, 2, 0, 2, 0, 23),
-                            ),
-                        ],
-                    ),
-            ),
-            (
-                "canonical",
-                ::pendulum_core::FunctionCost::new(
-                        "closed form, factors of the state first, derived and expanded",
-                        ::pendulum_core::Operations::new(10, 16, 0, 2, 0, 26),
-                    )
-                    .with_others(
-                        &[
-                            ::pendulum_core::FunctionCost::new(
-                                "closed form, expanded, derived and expanded",
-                                ::pendulum_core::Operations::new(9, 17, 0, 2, 0, 26),
-                            ),
-                            ::pendulum_core::FunctionCost::new(
-                                "closed form, factors of parameters first, derived and expanded",
-                                ::pendulum_core::Operations::new(10, 18, 0, 2, 0, 26),
-                            ),
-                            ::pendulum_core::FunctionCost::new(
-                                "recursion, derived in the graph",
-                                ::pendulum_core::Operations::new(34, 54, 0, 2, 0, 30),
-                            ),
-                            ::pendulum_core::FunctionCost::new(
-                                "A, B and C, derived in the graph",
-                                ::pendulum_core::Operations::new(62, 70, 0, 2, 0, 34),
-                            ),
-                        ],
-                    ),
-            ),
-            (
-                "canonical_jacobian",
-                ::pendulum_core::FunctionCost::new(
-                        "closed form, factors of the state first, derived and expanded",
-                        ::pendulum_core::Operations::new(13, 13, 0, 2, 0, 24),
-                    )
-                    .with_others(
-                        &[
-                            ::pendulum_core::FunctionCost::new(
-                                "closed form, factors of parameters first, derived and expanded",
-                                ::pendulum_core::Operations::new(13, 13, 0, 2, 0, 24),
-                            ),
-                            ::pendulum_core::FunctionCost::new(
-                                "closed form, expanded, derived and expanded",
-                                ::pendulum_core::Operations::new(13, 13, 0, 2, 0, 24),
-                            ),
-                            ::pendulum_core::FunctionCost::new(
-                                "recursion, derived in the graph",
-                                ::pendulum_core::Operations::new(76, 71, 0, 2, 0, 29),
-                            ),
-                            ::pendulum_core::FunctionCost::new(
-                                "A, B and C, derived in the graph",
-                                ::pendulum_core::Operations::new(149, 117, 0, 2, 0, 35),
-                            ),
-                        ],
-                    ),
-            ),
-            (
-                "taylor",
-                ::pendulum_core::FunctionCost::new(
-                        "closed form, factors of the state first, inverse",
-                        ::pendulum_core::Operations::new(28, 37, 0, 0, 0, 12),
-                    )
-                    .with_products(12)
-                    .with_others(
-                        &[
-                            ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first, inverse",
-                                    ::pendulum_core::Operations::new(29, 36, 0, 0, 0, 12),
-                                )
-                                .with_products(12),
-                            ::pendulum_core::FunctionCost::new(
-                                    "closed form, expanded, inverse",
-                                    ::pendulum_core::Operations::new(30, 36, 0, 0, 0, 12),
-                                )
-                                .with_products(12),
-                            ::pendulum_core::FunctionCost::new(
-                                    "recursion, inverse",
-                                    ::pendulum_core::Operations::new(69, 59, 0, 0, 0, 18),
-                                )
-                                .with_products(22),
-                            ::pendulum_core::FunctionCost::new(
-                                    "A, B and C, inverse",
-                                    ::pendulum_core::Operations::new(84, 74, 0, 0, 0, 19),
-                                )
-                                .with_products(26),
-                        ],
-                    ),
-            ),
-        ],
-    );
-    /// What each part of the state is.
-    pub const LAYOUT: ::pendulum_core::StateLayout = ::pendulum_core::StateLayout::new(
+    impl DoublePendulum {
+        ///The place of `theta1` in the state, where it stands in rad.
+        pub const THETA1: usize = 0;
+        ///The place of `dot(theta1)` in the state, where it stands in rad/s.
+        pub const DOT_THETA1: usize = 2;
+        ///The place of `theta2` in the state, where it stands in rad.
+        pub const THETA2: usize = 1;
+        ///The place of `dot(theta2)` in the state, where it stands in rad/s.
+        pub const DOT_THETA2: usize = 3;
+        /// The number of degrees of freedom; the state has twice as many components.
+        pub const DOF: usize = 2;
+        /// The names of the coordinates, in the order in which they, and then their rates, stand in the state.
+        pub const COORDINATES: [&'static str; 2] = ["theta1", "theta2"];
+        /// Counted operations of each generated function, in the form that it has and in others.
+        pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::new(
             &[
-                ::pendulum_core::Slot::new(
-                        "theta1",
-                        ::pendulum_core::SlotKind::Angle,
-                        0..1,
-                        2..3,
-                    )
-                    .periodic(),
-                ::pendulum_core::Slot::new(
-                        "theta2",
-                        ::pendulum_core::SlotKind::Angle,
-                        1..2,
-                        3..4,
-                    )
-                    .periodic(),
+                (
+                    "rhs",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of the state first, L^T D L",
+                            ::pendulum_core::Operations::new(12, 19, 1, 2, 0, 32),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first, L^T D L",
+                                    ::pendulum_core::Operations::new(12, 19, 1, 2, 0, 32),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded, L^T D L",
+                                    ::pendulum_core::Operations::new(12, 19, 1, 2, 0, 33),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "recursion, adjugate",
+                                    ::pendulum_core::Operations::new(24, 30, 1, 2, 0, 37),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C, adjugate",
+                                    ::pendulum_core::Operations::new(32, 40, 1, 2, 0, 38),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "articulated bodies",
+                                    ::pendulum_core::Operations::new(30, 46, 2, 2, 0, 48),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "jacobian",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of the state first, inverse, derived in the graph",
+                            ::pendulum_core::Operations::new(28, 50, 1, 2, 0, 38),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first, inverse, derived and expanded",
+                                    ::pendulum_core::Operations::new(28, 50, 1, 2, 0, 39),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded, inverse, derived and expanded",
+                                    ::pendulum_core::Operations::new(28, 50, 1, 2, 0, 38),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "recursion, inverse, derived in the graph",
+                                    ::pendulum_core::Operations::new(50, 65, 1, 2, 0, 49),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C, inverse, derived in the graph",
+                                    ::pendulum_core::Operations::new(98, 99, 1, 2, 0, 44),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "kinetic",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of the state first",
+                            ::pendulum_core::Operations::new(3, 6, 0, 1, 0, 25),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(3, 6, 0, 1, 0, 26),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(3, 7, 0, 1, 0, 25),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "recursion",
+                                    ::pendulum_core::Operations::new(15, 23, 0, 2, 0, 32),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C",
+                                    ::pendulum_core::Operations::new(22, 23, 0, 2, 0, 35),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "potential",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of the state first",
+                            ::pendulum_core::Operations::new(2, 2, 0, 2, 0, 22),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(2, 2, 0, 2, 0, 22),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(2, 2, 0, 2, 0, 22),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C",
+                                    ::pendulum_core::Operations::new(3, 2, 0, 2, 0, 23),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "recursion",
+                                    ::pendulum_core::Operations::new(3, 2, 0, 2, 0, 23),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "canonical",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of the state first, derived and expanded",
+                            ::pendulum_core::Operations::new(10, 16, 0, 2, 0, 26),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded, derived and expanded",
+                                    ::pendulum_core::Operations::new(9, 17, 0, 2, 0, 26),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first, derived and expanded",
+                                    ::pendulum_core::Operations::new(10, 18, 0, 2, 0, 26),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "recursion, derived in the graph",
+                                    ::pendulum_core::Operations::new(34, 54, 0, 2, 0, 30),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C, derived in the graph",
+                                    ::pendulum_core::Operations::new(62, 70, 0, 2, 0, 34),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "canonical_jacobian",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of the state first, derived and expanded",
+                            ::pendulum_core::Operations::new(13, 13, 0, 2, 0, 24),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first, derived and expanded",
+                                    ::pendulum_core::Operations::new(13, 13, 0, 2, 0, 24),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded, derived and expanded",
+                                    ::pendulum_core::Operations::new(13, 13, 0, 2, 0, 24),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "recursion, derived in the graph",
+                                    ::pendulum_core::Operations::new(76, 71, 0, 2, 0, 29),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C, derived in the graph",
+                                    ::pendulum_core::Operations::new(149, 117, 0, 2, 0, 35),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "taylor",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of the state first, inverse",
+                            ::pendulum_core::Operations::new(28, 37, 0, 0, 0, 12),
+                        )
+                        .with_products(12)
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                        "closed form, factors of parameters first, inverse",
+                                        ::pendulum_core::Operations::new(29, 36, 0, 0, 0, 12),
+                                    )
+                                    .with_products(12),
+                                ::pendulum_core::FunctionCost::new(
+                                        "closed form, expanded, inverse",
+                                        ::pendulum_core::Operations::new(30, 36, 0, 0, 0, 12),
+                                    )
+                                    .with_products(12),
+                                ::pendulum_core::FunctionCost::new(
+                                        "recursion, inverse",
+                                        ::pendulum_core::Operations::new(69, 59, 0, 0, 0, 18),
+                                    )
+                                    .with_products(22),
+                                ::pendulum_core::FunctionCost::new(
+                                        "A, B and C, inverse",
+                                        ::pendulum_core::Operations::new(84, 74, 0, 0, 0, 19),
+                                    )
+                                    .with_products(26),
+                            ],
+                        ),
+                ),
             ],
-        )
-        .autonomous();
-    /// The equations of motion as text.
-    pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[theta1, theta1] = inertia + m*c^2 + m*d^2\nA[theta1, theta2] = m*c*d*cos(theta1 - theta2)\nA[theta2, theta2] = inertia + m*c^2\nb[theta1] = m*c*d*dot(theta2)^2*sin(theta1 - theta2) + (m*c*g + m*d*g)*sin(theta1)\nb[theta2] = m*c*g*sin(theta2) - m*c*d*dot(theta1)^2*sin(theta1 - theta2)\nQ[theta1] = gamma2*dot(theta2) - (gamma1 + gamma2)*dot(theta1)\nQ[theta2] = gamma2*dot(theta1) - gamma2*dot(theta2)\n";
-}
-#[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-impl<T: ::pendulum_core::real::Real> ::pendulum_core::System<T, 4>
-for DoublePendulum<T> {
-    #[cfg_attr(debug_assertions, inline)]
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn rhs(
-        &self,
-        t: T,
-        x: &::pendulum_core::nalgebra::SVector<T, 4>,
-    ) -> ::pendulum_core::nalgebra::SVector<T, 4> {
-        let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
-        let k0 = self.constants[0];
-        let k1 = self.constants[1];
-        let k3 = self.constants[3];
-        let k4 = self.constants[4];
-        let k5 = self.constants[5];
-        let k6 = self.constants[6];
-        let k7 = self.constants[7];
-        let k10 = self.constants[10];
-        let k11 = self.constants[11];
-        let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
-            .sin_cos_pair(q_theta2);
-        let t0 = k3 * (sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2);
-        let t1 = k4 * sin_theta2 + k0 * qd_theta2 - qd_theta1 * (k0 + qd_theta1 * t0);
-        let t2 = k11 * (cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2);
-        let t3 = k5 * sin_theta1 + k6 * qd_theta1 + qd_theta2 * (qd_theta2 * t0 - k0)
-            + t1 * t2;
-        let t4 = k1 / (k7 + t0 * t0) * t3;
-        ::pendulum_core::nalgebra::SVector::from([
-            qd_theta1,
-            qd_theta2,
-            -t4,
-            k10 * t1 - t2 * t4,
-        ])
+        );
+        /// What each part of the state is.
+        pub const LAYOUT: ::pendulum_core::StateLayout = ::pendulum_core::StateLayout::new(
+                &[
+                    ::pendulum_core::Slot::new(
+                            "theta1",
+                            ::pendulum_core::SlotKind::Angle,
+                            0..1,
+                            2..3,
+                        )
+                        .periodic(),
+                    ::pendulum_core::Slot::new(
+                            "theta2",
+                            ::pendulum_core::SlotKind::Angle,
+                            1..2,
+                            3..4,
+                        )
+                        .periodic(),
+                ],
+            )
+            .autonomous();
+        /// The equations of motion as text.
+        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[theta1, theta1] = inertia + m*c^2 + m*d^2\nA[theta1, theta2] = m*c*d*cos(theta1 - theta2)\nA[theta2, theta2] = inertia + m*c^2\nb[theta1] = m*c*d*dot(theta2)^2*sin(theta1 - theta2) + (m*c*g + m*d*g)*sin(theta1)\nb[theta2] = m*c*g*sin(theta2) - m*c*d*dot(theta1)^2*sin(theta1 - theta2)\nQ[theta1] = gamma2*dot(theta2) - (gamma1 + gamma2)*dot(theta1)\nQ[theta2] = gamma2*dot(theta1) - gamma2*dot(theta2)\n";
     }
-    #[inline]
-    fn layout(&self) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
-        Some(&<DoublePendulum>::LAYOUT)
-    }
-}
-#[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-impl<T: ::pendulum_core::real::Real> ::pendulum_core::Jacobian<T, 4>
-for DoublePendulum<T> {
-    #[inline]
-    fn jacobian(
-        &self,
-        t: T,
-        x: &::pendulum_core::nalgebra::SVector<T, 4>,
-    ) -> ::pendulum_core::nalgebra::SMatrix<T, 4, 4> {
-        self.rhs_and_jacobian(t, x).1
-    }
-    #[inline]
-    fn rhs_and_jacobian(
-        &self,
-        t: T,
-        x: &::pendulum_core::nalgebra::SVector<T, 4>,
-    ) -> (
-        ::pendulum_core::nalgebra::SVector<T, 4>,
-        ::pendulum_core::nalgebra::SMatrix<T, 4, 4>,
-    ) {
-        let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
-        let k0 = self.constants[0];
-        let k1 = self.constants[1];
-        let k2 = self.constants[2];
-        let k3 = self.constants[3];
-        let k4 = self.constants[4];
-        let k5 = self.constants[5];
-        let k6 = self.constants[6];
-        let k7 = self.constants[7];
-        let t0 = k3 * qd_theta2;
-        let t1 = k3 * qd_theta1;
-        let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
-            .sin_cos_pair(q_theta2);
-        let t2 = sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2;
-        let t3 = t0 * t2 - k0;
-        let t4 = k5 * sin_theta1 + k6 * qd_theta1 + qd_theta2 * t3;
-        let t5 = k3 * t2;
-        let t6 = k0 + t2 * t1;
-        let t7 = t3 + qd_theta2 * t5;
-        let t8 = T::from_f64(-1.0) / (k7 + t5 * t5);
-        let t9 = k1 * t8;
-        let t10 = k4 * sin_theta2 + k0 * qd_theta2 - qd_theta1 * t6;
-        let t11 = t6 + qd_theta1 * t5;
-        let t12 = cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2;
-        let t13 = k3 * t8 * t12;
-        let t14 = k2 * t8;
-        let t15 = k6 * t9 + t13 * t11;
-        let t16 = -(k6 * t13 + t14 * t11);
-        let t17 = t9 * t7 - k0 * t13;
-        let t18 = k0 * t14 - t13 * t7;
-        let t19 = t4 * t9 - t10 * t13;
-        let t20 = t10 * t14 - t4 * t13;
-        let t21 = qd_theta2 * t0 * t12 - t20 * t5;
-        let t22 = qd_theta1 * t1 * t12 + t19 * t5;
-        let t23 = k5 * cos_theta1 + t21;
-        let t24 = t22 + k4 * cos_theta2;
-        let t25 = t9 * t23 + t13 * t22;
-        let t26 = -(t13 * t23 + t14 * t22);
-        let t27 = -(t9 * t21 + t13 * t24);
-        let t28 = t14 * t24 + t13 * t21;
-        (
-            ::pendulum_core::nalgebra::SVector::from([qd_theta1, qd_theta2, t19, t20]),
-            ::pendulum_core::nalgebra::SMatrix::from([
-                [T::from_f64(0.0), T::from_f64(0.0), t25, t26],
-                [T::from_f64(0.0), T::from_f64(0.0), t27, t28],
-                [T::from_f64(1.0), T::from_f64(0.0), t15, t16],
-                [T::from_f64(0.0), T::from_f64(1.0), t17, t18],
-            ]),
-        )
-    }
-    #[inline]
-    fn time_derivative(
-        &self,
-        t: T,
-        x: &::pendulum_core::nalgebra::SVector<T, 4>,
-    ) -> ::pendulum_core::nalgebra::SVector<T, 4>
-    where
-        T: ::pendulum_core::Float,
-    {
-        ::pendulum_core::nalgebra::SVector::from([
-            T::from_f64(0.0),
-            T::from_f64(0.0),
-            T::from_f64(0.0),
-            T::from_f64(0.0),
-        ])
-    }
-}
-#[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-impl<T: ::pendulum_core::real::Real> ::pendulum_core::Canonical<T, 4>
-for DoublePendulum<T> {
-    #[inline]
-    fn canonical(
-        &self,
-        t: T,
-        x: &::pendulum_core::nalgebra::SVector<T, 4>,
-    ) -> (
-        ::pendulum_core::nalgebra::SVector<T, 4>,
-        ::pendulum_core::nalgebra::SVector<T, 4>,
-    ) {
-        let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
-        let k0 = self.constants[0];
-        let k1 = self.constants[1];
-        let k2 = self.constants[2];
-        let k3 = self.constants[3];
-        let k4 = self.constants[4];
-        let k5 = self.constants[5];
-        let k6 = self.constants[6];
-        let t0 = qd_theta2 * k3;
-        let t1 = k0 * qd_theta2;
-        let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
-            .sin_cos_pair(q_theta2);
-        let t2 = t0 * (sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2);
-        let t3 = cos_theta1 * cos_theta2 + sin_theta1 * sin_theta2;
-        (
-            ::pendulum_core::nalgebra::SVector::from([
-                q_theta1,
-                q_theta2,
-                qd_theta1 * k2 + t0 * t3,
-                qd_theta2 * k1 + qd_theta1 * k3 * t3,
-            ]),
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::System<T, 4>
+    for DoublePendulum<T> {
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn rhs(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 4>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 4> {
+            let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k1 = self.constants[1];
+            let k3 = self.constants[3];
+            let k4 = self.constants[4];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let k7 = self.constants[7];
+            let k10 = self.constants[10];
+            let k11 = self.constants[11];
+            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
+                .sin_cos_pair(q_theta2);
+            let t0 = k3 * (sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2);
+            let t1 = k4 * sin_theta2 + k0 * qd_theta2
+                - qd_theta1 * (k0 + qd_theta1 * t0);
+            let t2 = k11 * (cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2);
+            let t3 = k5 * sin_theta1 + k6 * qd_theta1 + qd_theta2 * (qd_theta2 * t0 - k0)
+                + t1 * t2;
+            let t4 = k1 / (k7 + t0 * t0) * t3;
             ::pendulum_core::nalgebra::SVector::from([
                 qd_theta1,
                 qd_theta2,
-                t1 - sin_theta1 * k5 - qd_theta1 * (k6 + t2),
-                qd_theta1 * (k0 + t2) - (sin_theta2 * k4 + t1),
-            ]),
-        )
-    }
-    #[inline]
-    fn canonical_jacobian(
-        &self,
-        t: T,
-        x: &::pendulum_core::nalgebra::SVector<T, 4>,
-    ) -> (
-        ::pendulum_core::nalgebra::SMatrix<T, 4, 4>,
-        ::pendulum_core::nalgebra::SMatrix<T, 4, 4>,
-    ) {
-        let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
-        let k0 = self.constants[0];
-        let k1 = self.constants[1];
-        let k2 = self.constants[2];
-        let k3 = self.constants[3];
-        let k4 = self.constants[4];
-        let k5 = self.constants[5];
-        let k6 = self.constants[6];
-        let t0 = qd_theta1 * k3;
-        let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
-            .sin_cos_pair(q_theta2);
-        let t1 = sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2;
-        let t2 = qd_theta2 * k3 * t1;
-        let t3 = -t2;
-        let t4 = t0 * t1;
-        let t5 = -t4;
-        let t6 = -(k6 + t2);
-        let t7 = k0 + t2;
-        let t8 = k0 - t4;
-        let t9 = t4 - k0;
-        let t10 = cos_theta1 * cos_theta2 + sin_theta1 * sin_theta2;
-        let t11 = qd_theta2 * t0 * t10;
-        let t12 = k3 * t10;
-        let t13 = -(cos_theta1 * k5 + t11);
-        let t14 = -(cos_theta2 * k4 + t11);
-        (
-            ::pendulum_core::nalgebra::SMatrix::from([
-                [T::from_f64(1.0), T::from_f64(0.0), t3, t5],
-                [T::from_f64(0.0), T::from_f64(1.0), t2, t4],
-                [T::from_f64(0.0), T::from_f64(0.0), k2, t12],
-                [T::from_f64(0.0), T::from_f64(0.0), t12, k1],
-            ]),
-            ::pendulum_core::nalgebra::SMatrix::from([
-                [T::from_f64(0.0), T::from_f64(0.0), t13, t11],
-                [T::from_f64(0.0), T::from_f64(0.0), t11, t14],
-                [T::from_f64(1.0), T::from_f64(0.0), t6, t7],
-                [T::from_f64(0.0), T::from_f64(1.0), t8, t9],
-            ]),
-        )
-    }
-}
-#[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-impl<T: ::pendulum_core::real::Real> ::pendulum_core::Energy<T, 4>
-for DoublePendulum<T> {
-    #[inline]
-    fn kinetic(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 4>) -> T {
-        let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
-        let k3 = self.constants[3];
-        let k8 = self.constants[8];
-        let k9 = self.constants[9];
-        let (_, cos0) = (q_theta1 - q_theta2).sin_cos();
-        qd_theta2 * (qd_theta2 * k9)
-            + qd_theta1 * (cos0 * (qd_theta2 * k3) + qd_theta1 * k8)
-    }
-    #[inline]
-    fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 4>) -> T {
-        let [q_theta1, q_theta2, _, _] = x.data.0[0];
-        let k4 = self.constants[4];
-        let k5 = self.constants[5];
-        let [(_, cos_theta1), (_, cos_theta2)] = q_theta1.sin_cos_pair(q_theta2);
-        -(cos_theta1 * k5 + cos_theta2 * k4)
-    }
-}
-#[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-impl<T: ::pendulum_core::real::Real> ::pendulum_core::taylor::TaylorSeries<T, 4>
-for DoublePendulum<T> {
-    type Workspace = ::pendulum_core::taylor::Products<T, 12>;
-    #[inline]
-    fn workspace(&self) -> Self::Workspace {
-        ::pendulum_core::taylor::Products::new()
-    }
-    #[cfg_attr(debug_assertions, inline)]
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn series(
-        &self,
-        t: T,
-        x: &mut [::pendulum_core::nalgebra::SVector<T, 4>],
-        work: &mut Self::Workspace,
-    ) {
-        if x.len() < 2 {
-            return;
+                -t4,
+                k10 * t1 - t2 * t4,
+            ])
         }
-        let (
-            a0,
-            a1,
-            a2,
-            a3,
-            h0,
-            h1,
-            h2,
-            h3,
-            h4,
-            h5,
-            h6,
-            h7,
-            h8,
-            h9,
-            h10,
-            h11,
-            h12,
-            h13,
-            h14,
-            h15,
-            h16,
-            h17,
-        ) = {
-            let x = &x[0];
-            {
-                let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
-                let k0 = self.constants[0];
-                let k1 = self.constants[1];
-                let k2 = self.constants[2];
-                let k3 = self.constants[3];
-                let k4 = self.constants[4];
-                let k5 = self.constants[5];
-                let k6 = self.constants[6];
-                let k7 = self.constants[7];
-                let t0 = k3 * qd_theta2;
-                let t1 = k3 * qd_theta1;
-                let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
-                    .sin_cos_pair(q_theta2);
-                let t2 = sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2;
-                let t3 = t0 * t2 - k0;
-                let t4 = k5 * sin_theta1 + k6 * qd_theta1 + qd_theta2 * t3;
-                let t5 = k0 + t2 * t1;
-                let t6 = k3 * t2;
-                let t7 = T::from_f64(-1.0) / (k7 + t6 * t6);
-                let t8 = k4 * sin_theta2 + k0 * qd_theta2 - qd_theta1 * t5;
-                let t9 = cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2;
-                let t10 = k3 * t7 * t9;
-                let t11 = k1 * t7;
-                let t12 = t4 * t11 - t8 * t10;
-                let t13 = k3 * t12;
-                let t14 = k2 * t7;
-                let t15 = t8 * t14 - t4 * t10;
-                let t16 = k3 * t15;
-                (
+        #[inline]
+        fn layout(
+            &self,
+        ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
+            Some(&<DoublePendulum>::LAYOUT)
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Jacobian<T, 4>
+    for DoublePendulum<T> {
+        #[inline]
+        fn jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 4>,
+        ) -> ::pendulum_core::nalgebra::SMatrix<T, 4, 4> {
+            self.rhs_and_jacobian(t, x).1
+        }
+        #[inline]
+        fn rhs_and_jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 4>,
+        ) -> (
+            ::pendulum_core::nalgebra::SVector<T, 4>,
+            ::pendulum_core::nalgebra::SMatrix<T, 4, 4>,
+        ) {
+            let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k1 = self.constants[1];
+            let k2 = self.constants[2];
+            let k3 = self.constants[3];
+            let k4 = self.constants[4];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let k7 = self.constants[7];
+            let t0 = k3 * qd_theta2;
+            let t1 = k3 * qd_theta1;
+            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
+                .sin_cos_pair(q_theta2);
+            let t2 = sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2;
+            let t3 = t0 * t2 - k0;
+            let t4 = k5 * sin_theta1 + k6 * qd_theta1 + qd_theta2 * t3;
+            let t5 = k3 * t2;
+            let t6 = k0 + t2 * t1;
+            let t7 = t3 + qd_theta2 * t5;
+            let t8 = T::from_f64(-1.0) / (k7 + t5 * t5);
+            let t9 = k1 * t8;
+            let t10 = k4 * sin_theta2 + k0 * qd_theta2 - qd_theta1 * t6;
+            let t11 = t6 + qd_theta1 * t5;
+            let t12 = cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2;
+            let t13 = k3 * t8 * t12;
+            let t14 = k2 * t8;
+            let t15 = k6 * t9 + t13 * t11;
+            let t16 = -(k6 * t13 + t14 * t11);
+            let t17 = t9 * t7 - k0 * t13;
+            let t18 = k0 * t14 - t13 * t7;
+            let t19 = t4 * t9 - t10 * t13;
+            let t20 = t10 * t14 - t4 * t13;
+            let t21 = qd_theta2 * t0 * t12 - t20 * t5;
+            let t22 = qd_theta1 * t1 * t12 + t19 * t5;
+            let t23 = k5 * cos_theta1 + t21;
+            let t24 = t22 + k4 * cos_theta2;
+            let t25 = t9 * t23 + t13 * t22;
+            let t26 = -(t13 * t23 + t14 * t22);
+            let t27 = -(t9 * t21 + t13 * t24);
+            let t28 = t14 * t24 + t13 * t21;
+            (
+                ::pendulum_core::nalgebra::SVector::from([
                     qd_theta1,
                     qd_theta2,
-                    t12,
-                    t15,
+                    t19,
+                    t20,
+                ]),
+                ::pendulum_core::nalgebra::SMatrix::from([
+                    [T::from_f64(0.0), T::from_f64(0.0), t25, t26],
+                    [T::from_f64(0.0), T::from_f64(0.0), t27, t28],
+                    [T::from_f64(1.0), T::from_f64(0.0), t15, t16],
+                    [T::from_f64(0.0), T::from_f64(1.0), t17, t18],
+                ]),
+            )
+        }
+        #[inline]
+        fn time_derivative(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 4>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 4>
+        where
+            T: ::pendulum_core::Float,
+        {
+            ::pendulum_core::nalgebra::SVector::from([
+                T::from_f64(0.0),
+                T::from_f64(0.0),
+                T::from_f64(0.0),
+                T::from_f64(0.0),
+            ])
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Canonical<T, 4>
+    for DoublePendulum<T> {
+        #[inline]
+        fn canonical(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 4>,
+        ) -> (
+            ::pendulum_core::nalgebra::SVector<T, 4>,
+            ::pendulum_core::nalgebra::SVector<T, 4>,
+        ) {
+            let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k1 = self.constants[1];
+            let k2 = self.constants[2];
+            let k3 = self.constants[3];
+            let k4 = self.constants[4];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let t0 = qd_theta2 * k3;
+            let t1 = k0 * qd_theta2;
+            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
+                .sin_cos_pair(q_theta2);
+            let t2 = t0 * (sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2);
+            let t3 = cos_theta1 * cos_theta2 + sin_theta1 * sin_theta2;
+            (
+                ::pendulum_core::nalgebra::SVector::from([
+                    q_theta1,
+                    q_theta2,
+                    qd_theta1 * k2 + t0 * t3,
+                    qd_theta2 * k1 + qd_theta1 * k3 * t3,
+                ]),
+                ::pendulum_core::nalgebra::SVector::from([
                     qd_theta1,
                     qd_theta2,
-                    sin_theta1,
-                    cos_theta1,
-                    sin_theta2,
-                    cos_theta2,
-                    t9,
-                    t2,
-                    t0,
-                    t1,
-                    t3,
-                    t5,
-                    t11,
-                    t10,
-                    t14,
-                    t6,
-                    t16,
-                    t13,
-                )
+                    t1 - sin_theta1 * k5 - qd_theta1 * (k6 + t2),
+                    qd_theta1 * (k0 + t2) - (sin_theta2 * k4 + t1),
+                ]),
+            )
+        }
+        #[inline]
+        fn canonical_jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 4>,
+        ) -> (
+            ::pendulum_core::nalgebra::SMatrix<T, 4, 4>,
+            ::pendulum_core::nalgebra::SMatrix<T, 4, 4>,
+        ) {
+            let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k1 = self.constants[1];
+            let k2 = self.constants[2];
+            let k3 = self.constants[3];
+            let k4 = self.constants[4];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let t0 = qd_theta1 * k3;
+            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
+                .sin_cos_pair(q_theta2);
+            let t1 = sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2;
+            let t2 = qd_theta2 * k3 * t1;
+            let t3 = -t2;
+            let t4 = t0 * t1;
+            let t5 = -t4;
+            let t6 = -(k6 + t2);
+            let t7 = k0 + t2;
+            let t8 = k0 - t4;
+            let t9 = t4 - k0;
+            let t10 = cos_theta1 * cos_theta2 + sin_theta1 * sin_theta2;
+            let t11 = qd_theta2 * t0 * t10;
+            let t12 = k3 * t10;
+            let t13 = -(cos_theta1 * k5 + t11);
+            let t14 = -(cos_theta2 * k4 + t11);
+            (
+                ::pendulum_core::nalgebra::SMatrix::from([
+                    [T::from_f64(1.0), T::from_f64(0.0), t3, t5],
+                    [T::from_f64(0.0), T::from_f64(1.0), t2, t4],
+                    [T::from_f64(0.0), T::from_f64(0.0), k2, t12],
+                    [T::from_f64(0.0), T::from_f64(0.0), t12, k1],
+                ]),
+                ::pendulum_core::nalgebra::SMatrix::from([
+                    [T::from_f64(0.0), T::from_f64(0.0), t13, t11],
+                    [T::from_f64(0.0), T::from_f64(0.0), t11, t14],
+                    [T::from_f64(1.0), T::from_f64(0.0), t6, t7],
+                    [T::from_f64(0.0), T::from_f64(1.0), t8, t9],
+                ]),
+            )
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Energy<T, 4>
+    for DoublePendulum<T> {
+        #[inline]
+        fn kinetic(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 4>) -> T {
+            let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
+            let k3 = self.constants[3];
+            let k8 = self.constants[8];
+            let k9 = self.constants[9];
+            let (_, cos0) = (q_theta1 - q_theta2).sin_cos();
+            qd_theta2 * (qd_theta2 * k9)
+                + qd_theta1 * (cos0 * (qd_theta2 * k3) + qd_theta1 * k8)
+        }
+        #[inline]
+        fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 4>) -> T {
+            let [q_theta1, q_theta2, _, _] = x.data.0[0];
+            let k4 = self.constants[4];
+            let k5 = self.constants[5];
+            let [(_, cos_theta1), (_, cos_theta2)] = q_theta1.sin_cos_pair(q_theta2);
+            -(cos_theta1 * k5 + cos_theta2 * k4)
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::taylor::TaylorSeries<T, 4>
+    for DoublePendulum<T> {
+        type Workspace = ::pendulum_core::taylor::Products<T, 12>;
+        #[inline]
+        fn workspace(&self) -> Self::Workspace {
+            ::pendulum_core::taylor::Products::new()
+        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn series(
+            &self,
+            t: T,
+            x: &mut [::pendulum_core::nalgebra::SVector<T, 4>],
+            work: &mut Self::Workspace,
+        ) {
+            if x.len() < 2 {
+                return;
             }
-        };
-        x[1] = ::pendulum_core::nalgebra::SVector::from([a0, a1, a2, a3]);
-        let k0 = self.constants[0];
-        let k3 = self.constants[3];
-        let k4 = self.constants[4];
-        let k5 = self.constants[5];
-        let k6 = self.constants[6];
-        let mut over_next = T::from_f64(1.0);
-        let mut newest = ::pendulum_core::taylor::Newest::new();
-        for k in 1..x.len() - 1 {
-            let order = T::from_f64(k as f64);
-            let over_order = over_next;
-            over_next = T::from_f64(1.0) / T::from_f64((k + 1) as f64);
-            let [s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11] = newest
-                .add(work.sums(k));
-            let [x0, x1, x2, x3] = x[k].data.0[0];
-            let t0 = -(over_order * s10 + x0 * h2);
-            let t1 = -(over_order * s11 + x1 * h4);
-            let t2 = over_order * s0 + x0 * h3;
-            let t3 = x0 - x1;
-            let t4 = over_order * s1 + t3 * h6;
-            let t5 = x3 * h15 + (k3 * s2 + h8 * t4);
-            let t6 = k6 * x2 + k5 * t2 + (h1 * t5 + (s3 + x3 * h10));
-            let t7 = x2 * h15 + (k3 * s7 + h9 * t4);
-            let t8 = over_order * s4 + t3 * h7;
-            let t9 = t6 + (k3 * s5 - h16 * t8);
-            let t10 = order * t3;
-            let t11 = over_order * s6 + x1 * h5;
-            let t12 = k0 * x3 + k4 * t11 - (h0 * t7 + (s8 + x2 * h11));
-            let t13 = t12 + (k3 * s9 - h17 * t8);
-            let t14 = -t8;
-            let t15 = h12 * t9 - h13 * t13;
-            let t16 = h14 * t13 - h13 * t9;
-            let t17 = order * x0;
-            let t18 = order * x1;
-            let (left, right) = (
-                [t17, t10, t4, x3, t10, t14, t18, t4, x2, t14, t17, t18],
-                [t0, t14, x3, t5, t4, t16, t1, x2, t7, t15, t2, t11],
-            );
-            newest.push(k, left, right);
-            work.set(k, left, right);
-            x[k + 1] = ::pendulum_core::nalgebra::SVector::from([
-                x2 * over_next,
-                x3 * over_next,
-                t15 * over_next,
-                t16 * over_next,
-            ]);
+            let (
+                a0,
+                a1,
+                a2,
+                a3,
+                h0,
+                h1,
+                h2,
+                h3,
+                h4,
+                h5,
+                h6,
+                h7,
+                h8,
+                h9,
+                h10,
+                h11,
+                h12,
+                h13,
+                h14,
+                h15,
+                h16,
+                h17,
+            ) = {
+                let x = &x[0];
+                {
+                    let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
+                    let k0 = self.constants[0];
+                    let k1 = self.constants[1];
+                    let k2 = self.constants[2];
+                    let k3 = self.constants[3];
+                    let k4 = self.constants[4];
+                    let k5 = self.constants[5];
+                    let k6 = self.constants[6];
+                    let k7 = self.constants[7];
+                    let t0 = k3 * qd_theta2;
+                    let t1 = k3 * qd_theta1;
+                    let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
+                        .sin_cos_pair(q_theta2);
+                    let t2 = sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2;
+                    let t3 = t0 * t2 - k0;
+                    let t4 = k5 * sin_theta1 + k6 * qd_theta1 + qd_theta2 * t3;
+                    let t5 = k0 + t2 * t1;
+                    let t6 = k3 * t2;
+                    let t7 = T::from_f64(-1.0) / (k7 + t6 * t6);
+                    let t8 = k4 * sin_theta2 + k0 * qd_theta2 - qd_theta1 * t5;
+                    let t9 = cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2;
+                    let t10 = k3 * t7 * t9;
+                    let t11 = k1 * t7;
+                    let t12 = t4 * t11 - t8 * t10;
+                    let t13 = k3 * t12;
+                    let t14 = k2 * t7;
+                    let t15 = t8 * t14 - t4 * t10;
+                    let t16 = k3 * t15;
+                    (
+                        qd_theta1,
+                        qd_theta2,
+                        t12,
+                        t15,
+                        qd_theta1,
+                        qd_theta2,
+                        sin_theta1,
+                        cos_theta1,
+                        sin_theta2,
+                        cos_theta2,
+                        t9,
+                        t2,
+                        t0,
+                        t1,
+                        t3,
+                        t5,
+                        t11,
+                        t10,
+                        t14,
+                        t6,
+                        t16,
+                        t13,
+                    )
+                }
+            };
+            x[1] = ::pendulum_core::nalgebra::SVector::from([a0, a1, a2, a3]);
+            let k0 = self.constants[0];
+            let k3 = self.constants[3];
+            let k4 = self.constants[4];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let mut over_next = T::from_f64(1.0);
+            let mut newest = ::pendulum_core::taylor::Newest::new();
+            for k in 1..x.len() - 1 {
+                let order = T::from_f64(k as f64);
+                let over_order = over_next;
+                over_next = T::from_f64(1.0) / T::from_f64((k + 1) as f64);
+                let [s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11] = newest
+                    .add(work.sums(k));
+                let [x0, x1, x2, x3] = x[k].data.0[0];
+                let t0 = -(over_order * s10 + x0 * h2);
+                let t1 = -(over_order * s11 + x1 * h4);
+                let t2 = over_order * s0 + x0 * h3;
+                let t3 = x0 - x1;
+                let t4 = over_order * s1 + t3 * h6;
+                let t5 = x3 * h15 + (k3 * s2 + h8 * t4);
+                let t6 = k6 * x2 + k5 * t2 + (h1 * t5 + (s3 + x3 * h10));
+                let t7 = x2 * h15 + (k3 * s7 + h9 * t4);
+                let t8 = over_order * s4 + t3 * h7;
+                let t9 = t6 + (k3 * s5 - h16 * t8);
+                let t10 = order * t3;
+                let t11 = over_order * s6 + x1 * h5;
+                let t12 = k0 * x3 + k4 * t11 - (h0 * t7 + (s8 + x2 * h11));
+                let t13 = t12 + (k3 * s9 - h17 * t8);
+                let t14 = -t8;
+                let t15 = h12 * t9 - h13 * t13;
+                let t16 = h14 * t13 - h13 * t9;
+                let t17 = order * x0;
+                let t18 = order * x1;
+                let (left, right) = (
+                    [t17, t10, t4, x3, t10, t14, t18, t4, x2, t14, t17, t18],
+                    [t0, t14, x3, t5, t4, t16, t1, x2, t7, t15, t2, t11],
+                );
+                newest.push(k, left, right);
+                work.set(k, left, right);
+                x[k + 1] = ::pendulum_core::nalgebra::SVector::from([
+                    x2 * over_next,
+                    x3 * over_next,
+                    t15 * over_next,
+                    t16 * over_next,
+                ]);
+            }
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::taylor::CastTaylor<4> for DoublePendulum {
+        type Workspace<T: ::pendulum_core::real::Real> = ::pendulum_core::taylor::Products<
+            T,
+            12,
+        >;
+        #[inline]
+        fn workspace<T: ::pendulum_core::real::Real>() -> ::pendulum_core::taylor::Products<
+            T,
+            12,
+        > {
+            ::pendulum_core::taylor::Products::new()
+        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn series<T: ::pendulum_core::real::Real>(
+            system: &DoublePendulum<T>,
+            t: T,
+            x: &mut [::pendulum_core::nalgebra::SVector<T, 4>],
+            work: &mut ::pendulum_core::taylor::Products<T, 12>,
+        ) {
+            ::pendulum_core::taylor::TaylorSeries::series(system, t, x, work);
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::Cast<4> for DoublePendulum {
+        type In<T: ::pendulum_core::real::Real> = DoublePendulum<T>;
+        fn cast<T: ::pendulum_core::real::Real>(&self) -> DoublePendulum<T> {
+            DoublePendulum::cast(self)
+        }
+        #[inline]
+        fn gather<'m, T: ::pendulum_core::real::lanes::Lanes>(
+            models: impl ::core::ops::Fn(usize) -> &'m Self,
+        ) -> DoublePendulum<T>
+        where
+            Self: 'm,
+        {
+            let scalar = <<T as ::pendulum_core::real::lanes::Lanes>::Scalar as ::pendulum_core::real::Real>::from_f64;
+            DoublePendulum {
+                params: models(0).params,
+                constants: ::core::array::from_fn(|k| {
+                    <T as ::pendulum_core::real::lanes::Lanes>::from_fn(|lane| scalar(
+                        models(lane).constants[k],
+                    ))
+                }),
+            }
         }
     }
 }
-#[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-impl ::pendulum_core::taylor::CastTaylor<4> for DoublePendulum {
-    type Workspace<T: ::pendulum_core::real::Real> = ::pendulum_core::taylor::Products<
-        T,
-        12,
-    >;
-    #[inline]
-    fn workspace<T: ::pendulum_core::real::Real>() -> ::pendulum_core::taylor::Products<
-        T,
-        12,
-    > {
-        ::pendulum_core::taylor::Products::new()
-    }
-    #[cfg_attr(debug_assertions, inline)]
-    #[cfg_attr(not(debug_assertions), inline(always))]
-    fn series<T: ::pendulum_core::real::Real>(
-        system: &DoublePendulum<T>,
-        t: T,
-        x: &mut [::pendulum_core::nalgebra::SVector<T, 4>],
-        work: &mut ::pendulum_core::taylor::Products<T, 12>,
-    ) {
-        ::pendulum_core::taylor::TaylorSeries::series(system, t, x, work);
-    }
-}
-#[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-impl ::pendulum_core::Cast<4> for DoublePendulum {
-    type In<T: ::pendulum_core::real::Real> = DoublePendulum<T>;
-    fn cast<T: ::pendulum_core::real::Real>(&self) -> DoublePendulum<T> {
-        DoublePendulum::cast(self)
-    }
-    #[inline]
-    fn gather<'m, V: ::pendulum_core::real::lanes::Lanes>(
-        models: impl Fn(usize) -> &'m Self,
-    ) -> DoublePendulum<V>
-    where
-        Self: 'm,
-    {
-        let scalar = <<V as ::pendulum_core::real::lanes::Lanes>::Scalar as ::pendulum_core::real::Real>::from_f64;
-        DoublePendulum {
-            params: models(0).params,
-            constants: ::core::array::from_fn(|k| {
-                <V as ::pendulum_core::real::lanes::Lanes>::from_fn(|lane| scalar(
-                    models(lane).constants[k],
-                ))
-            }),
-        }
-    }
-}
+#[allow(unreachable_pub, unused_imports)]
+pub use __DoublePendulum::{DoublePendulum, DoublePendulumParams};

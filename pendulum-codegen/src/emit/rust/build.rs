@@ -8,12 +8,10 @@ use super::{Items, allowed, count, field};
 use crate::program::{Block, Condition, FINITE_CONSTANT, FINITE_PARAMETER, ROUNDING, Variable};
 
 impl Items<'_> {
-    /// `new` and `cast`, and the parameters of a model that was built.
+    /// `new` and `cast`, and the parameters of a model that was built, as they are and changed.
     pub(super) fn constructor(&self) -> TokenStream {
         let (name, parameters, program) = (&self.head.name, self.parameters_name(), self.program);
-        let fields: Vec<_> = program.parameters.iter().map(|p| field(&p.name)).collect();
-        let texts: Vec<_> = program.parameters.iter().map(|p| &p.name).collect();
-        let (given, constants) = (count(fields.len()), count(program.constants_text.len()));
+        let (given, constants) = (count(program.parameters.len()), count(program.constants_text.len()));
         let tests = self.tests();
         let values = (0..program.checked.results.len()).map(|n| local(&format!("r{n}")));
         let (rules, compute) = (
@@ -35,11 +33,10 @@ impl Items<'_> {
                     fn rules<T: ::pendulum_core::real::Real>(given: [T; #given]) -> [T; #checked] #rules
                     #[inline]
                     fn constants<T: ::pendulum_core::real::Real>(given: [T; #given]) -> [T; #constants] #compute
-                    let given: [f64; #given] = [#(params.#fields),*];
-                    let names: [&'static str; #given] = [#(#texts),*];
-                    for (name, value) in names.into_iter().zip(given) {
+                    let given = params.to_array();
+                    for (name, value) in #parameters::NAMES.into_iter().zip(given) {
                         if !value.is_finite() {
-                            return Err(::pendulum_core::ParameterError { name, value, rule: #FINITE_PARAMETER });
+                            return Err(::pendulum_core::ParameterError::new(name, value, #FINITE_PARAMETER, &[]));
                         }
                     }
                     let [#(#values),*] = rules(given);
@@ -48,8 +45,7 @@ impl Items<'_> {
                     let names: [&'static str; #constants] = [#(#constants_text),*];
                     for (name, value) in names.into_iter().zip(constants) {
                         if !value.is_finite() {
-                            let rule = #FINITE_CONSTANT;
-                            return Err(::pendulum_core::ParameterError { name, value, rule });
+                            return Err(::pendulum_core::ParameterError::new(name, value, #FINITE_CONSTANT, &[]));
                         }
                     }
                     Ok(Self { params, constants })
@@ -68,6 +64,18 @@ impl Items<'_> {
                 pub fn params(&self) -> &#parameters {
                     &self.params
                 }
+
+                /// The model with other parameters, in the same number type. Its constants are computed anew.
+                ///
+                /// # Errors
+                ///
+                /// Those of `new`.
+                pub fn with_params(
+                    &self,
+                    params: #parameters,
+                ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
+                    Ok(<#name>::new(params)?.cast())
+                }
             }
         }
     }
@@ -84,9 +92,14 @@ impl Items<'_> {
                     quote!(#value >= -#ROUNDING * #size.abs())
                 }
             };
+            let given = rule.parameters.iter().map(|&n| {
+                let name = &self.program.parameters[n].name;
+                let field = field(name);
+                quote!((#name, params.#field))
+            });
             quote! {
                 if !(#holds) {
-                    return Err(::pendulum_core::ParameterError { name: #text, value: #value, rule: #sentence });
+                    return Err(::pendulum_core::ParameterError::new(#text, #value, #sentence, &[#(#given),*]));
                 }
             }
         });

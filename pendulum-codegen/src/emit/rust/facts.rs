@@ -3,10 +3,10 @@
 use std::ops::Range;
 
 use proc_macro2::TokenStream;
-use quote::quote;
+use quote::{format_ident, quote};
 
 use super::{Items, count};
-use crate::program::{Cost, Operations, SlotKind, StateLayout};
+use crate::program::{Cost, Operations, Slot, SlotKind, StateLayout};
 
 impl Items<'_> {
     /// Names, costs and equations.
@@ -21,8 +21,10 @@ impl Items<'_> {
             quote!((#name, #of_routine))
         });
         let layout = layout(&program.layout);
+        let places = program.layout.slots.iter().map(places);
         quote! {
             impl #name {
+                #(#places)*
                 /// The number of degrees of freedom; the state has twice as many components.
                 pub const DOF: usize = #dof;
                 /// The names of the coordinates, in the order in which they, and then their rates, stand in the state.
@@ -35,6 +37,28 @@ impl Items<'_> {
                 pub const EQUATIONS: &'static str = #equations;
             }
         }
+    }
+}
+
+/// The places of a coordinate and of its rate in the state.
+fn places(slot: &Slot) -> TokenStream {
+    let Slot {
+        name,
+        kind,
+        positions,
+        rates,
+        constants: [position, rate],
+        ..
+    } = slot;
+    let [own, dot] = [(name.clone(), kind.unit()), (format!("dot({name})"), kind.rate_unit())]
+        .map(|(name, unit)| format!("The place of `{name}` in the state, where it stands in {unit}."));
+    let (position, rate) = (format_ident!("{position}"), format_ident!("{rate}"));
+    let (first, first_rate) = (count(positions.start), count(rates.start));
+    quote! {
+        #[doc = #own]
+        pub const #position: usize = #first;
+        #[doc = #dot]
+        pub const #rate: usize = #first_rate;
     }
 }
 

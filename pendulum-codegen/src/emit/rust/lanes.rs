@@ -3,7 +3,7 @@
 use proc_macro2::TokenStream;
 use quote::quote;
 
-use super::{Items, allowed};
+use super::{Items, allowed, count};
 
 /// The attributes of a function that must be inlined into code for an instruction set, since it is compiled for all machines otherwise.
 /// Without optimisation it would fill the stack, as no two of its temporaries share a place.
@@ -12,19 +12,24 @@ pub(super) fn inlined_into_lanes() -> TokenStream {
 }
 
 impl Items<'_> {
-    /// `impl Cast<N>`, where the model has a right-hand side of its own, without inputs.
+    /// `impl Cast<N>`, or `impl CastControlled<N, M>` with inputs, where the model has a right-hand side.
     pub(super) fn over_numbers(&self) -> Option<TokenStream> {
-        if !self.program.inputs.is_empty() || self.program.routine("rhs").is_none() {
-            return None;
-        }
+        self.program.routine("rhs")?;
         let (name, length, allowed) = (&self.head.name, self.length(), allowed());
+        let of_trait = match self.program.inputs.len() {
+            0 => quote!(Cast<#length>),
+            inputs => {
+                let inputs = count(inputs);
+                quote!(CastControlled<#length, #inputs>)
+            }
+        };
         let (real, lanes) = (
             quote!(::pendulum_core::real::Real),
             quote!(::pendulum_core::real::lanes::Lanes),
         );
         Some(quote! {
             #allowed
-            impl ::pendulum_core::Cast<#length> for #name {
+            impl ::pendulum_core::#of_trait for #name {
                 type In<T: #real> = #name<T>;
 
                 fn cast<T: #real>(&self) -> #name<T> {
@@ -32,15 +37,15 @@ impl Items<'_> {
                 }
 
                 #[inline]
-                fn gather<'m, V: #lanes>(models: impl Fn(usize) -> &'m Self) -> #name<V>
+                fn gather<'m, T: #lanes>(models: impl ::core::ops::Fn(usize) -> &'m Self) -> #name<T>
                 where
                     Self: 'm,
                 {
-                    let scalar = <<V as #lanes>::Scalar as #real>::from_f64;
+                    let scalar = <<T as #lanes>::Scalar as #real>::from_f64;
                     #name {
                         params: models(0).params,
                         constants: ::core::array::from_fn(|k| {
-                            <V as #lanes>::from_fn(|lane| scalar(models(lane).constants[k]))
+                            <T as #lanes>::from_fn(|lane| scalar(models(lane).constants[k]))
                         }),
                     }
                 }

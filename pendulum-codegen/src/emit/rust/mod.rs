@@ -1,4 +1,7 @@
 //! A program as Rust: the items that a declaration stands for.
+//!
+//! They stand in a module of their own, which keeps their fields private, and are exported from there with the visibility of the declaration.
+//! Every path is absolute, so that a scene may have the name of anything but a primitive type.
 
 mod block;
 mod build;
@@ -15,7 +18,7 @@ pub(crate) use stub::stub;
 
 use crate::ast::Head;
 use crate::program::{Program, Quantity};
-use block::Names;
+use block::{Names, local};
 
 /// Everything that a declaration stands for.
 pub(crate) fn items(head: &Head, program: &Program) -> TokenStream {
@@ -30,7 +33,20 @@ pub(crate) fn items(head: &Head, program: &Program) -> TokenStream {
         items.series().unwrap_or_default(),
         items.over_numbers().unwrap_or_default(),
     ];
-    parts.into_iter().collect()
+    let mut names = vec![head.name.clone(), items.parameters_name()];
+    names.extend((!program.inputs.is_empty()).then(|| items.inputs_name()));
+    in_own_module(head, &names, &parts.into_iter().collect())
+}
+
+/// A private module of `items`, of which `names` are exported.
+fn in_own_module(head: &Head, names: &[Ident], items: &TokenStream) -> TokenStream {
+    let (vis, module) = (&head.vis, format_ident!("__{}", head.name));
+    quote! {
+        #[allow(non_snake_case)]
+        mod #module { #items }
+        #[allow(unreachable_pub, unused_imports)]
+        #vis use #module::{#(#names),*};
+    }
 }
 
 /// The lints that say nothing about generated code.
@@ -62,7 +78,7 @@ impl Items<'_> {
     }
 
     fn parameters(&self) -> TokenStream {
-        let (vis, name) = (&self.head.vis, self.parameters_name());
+        let name = self.parameters_name();
         let parameters = &self.program.parameters;
         let doc = format!("Parameters of [`{}`].", self.head.name);
         let fields = parameters.iter().map(|p| declared(p, &quote!(f64)));
@@ -88,12 +104,31 @@ impl Items<'_> {
                 #[serde(crate = "::pendulum_core::serde")]
             }
         });
+        let (allowed, length) = (allowed(), count(parameters.len()));
+        let names = parameters.iter().map(|p| &p.name);
+        let (own, given) = as_array(parameters);
         quote! {
             #[doc = #doc]
             #serde
             #[derive(Clone, Copy, Debug, PartialEq)]
-            #vis struct #name { #(#fields),* }
+            pub struct #name { #(#fields),* }
             #default
+            #allowed
+            impl #name {
+                /// The names of the parameters, in the order of their declaration.
+                pub const NAMES: [&'static str; #length] = [#(#names),*];
+
+                /// The values of the parameters, in the order of [`NAMES`](Self::NAMES).
+                pub const fn to_array(self) -> [f64; #length] {
+                    [#(self.#own),*]
+                }
+
+                /// The parameters with these values, in the order of [`NAMES`](Self::NAMES).
+                pub const fn from_array(values: [f64; #length]) -> Self {
+                    let [#(#given),*] = values;
+                    Self { #(#own: #given),* }
+                }
+            }
         }
     }
 
@@ -102,18 +137,35 @@ impl Items<'_> {
         if inputs.is_empty() {
             return None;
         }
-        let (vis, name) = (&self.head.vis, self.inputs_name());
+        let name = self.inputs_name();
         let doc = format!("Inputs of [`{}`], given at each evaluation.", self.head.name);
         let fields = inputs.iter().map(|input| declared(input, &quote!(T)));
+        let (allowed, length) = (allowed(), count(inputs.len()));
+        let (own, given) = as_array(inputs);
         Some(quote! {
             #[doc = #doc]
             #[derive(Clone, Copy, Debug, Default, PartialEq)]
-            #vis struct #name<T = f64> { #(#fields),* }
+            pub struct #name<T = f64> { #(#fields),* }
+            #allowed
+            impl<T> ::core::convert::From<[T; #length]> for #name<T> {
+                #[inline]
+                fn from(values: [T; #length]) -> Self {
+                    let [#(#given),*] = values;
+                    Self { #(#own: #given),* }
+                }
+            }
+            #allowed
+            impl<T> ::core::convert::From<#name<T>> for [T; #length] {
+                #[inline]
+                fn from(inputs: #name<T>) -> Self {
+                    [#(inputs.#own),*]
+                }
+            }
         })
     }
 
     fn model(&self) -> TokenStream {
-        let (vis, name, parameters) = (&self.head.vis, &self.head.name, self.parameters_name());
+        let (name, parameters) = (&self.head.name, self.parameters_name());
         let (docs, constants) = (&self.head.docs, &self.program.constants_text);
         let mut text = format!("# Equations of motion\n\n```text\n{}```\n", self.program.equations);
         if !constants.is_empty() {
@@ -129,7 +181,7 @@ impl Items<'_> {
             #[doc = ""]
             #[doc = #text]
             #[derive(Clone, Copy, Debug, PartialEq)]
-            #vis struct #name<T = f64> {
+            pub struct #name<T = f64> {
                 params: #parameters,
                 constants: [T; #count],
             }
@@ -145,6 +197,12 @@ fn declared(quantity: &Quantity, of: &TokenStream) -> TokenStream {
         unit => format!("In {unit}."),
     };
     quote!(#(#[doc = #docs])* #[doc = #unit] pub #field: #of)
+}
+
+/// The fields of parameters or inputs, and names for the entries of an array of them.
+fn as_array(quantities: &[Quantity]) -> (Vec<Ident>, Vec<Ident>) {
+    let names = quantities.iter().enumerate();
+    names.map(|(n, of)| (field(&of.name), local(&format!("v{n}")))).unzip()
 }
 
 /// The name of the field of a parameter or an input.

@@ -14,7 +14,7 @@ use crate::program::{Argument, Block, Routine, Shape, Variable};
 const TRAITS: [(&str, &[&str]); 5] = [
     ("System", &["rhs"]),
     ("Jacobian", &["jacobian", "time_derivative"]),
-    ("Controlled", &["rhs", "jacobian", "input_jacobian"]),
+    ("Controlled", &["rhs", "jacobian", "input_jacobian", "time_derivative"]),
     ("Canonical", &["canonical", "canonical_jacobian"]),
     ("Energy", &["kinetic", "potential"]),
 ];
@@ -76,7 +76,7 @@ impl Items<'_> {
             let arguments = self.arguments(routine);
             let matrix = self.shape(routine.shapes[1]);
             let both = self.function(&format_ident!("rhs_and_jacobian"), routine);
-            let time_derivative = self.time_derivative();
+            let time_derivative = self.time_derivative("time_derivative", &arguments);
             let functions = quote! {
                 #[inline]
                 fn jacobian(#arguments) -> #matrix {
@@ -92,7 +92,7 @@ impl Items<'_> {
         Some(quote!(#system #jacobian))
     }
 
-    /// The method of `System` and of `Controlled` that returns the layout of the state.
+    /// The method of `System` that returns the layout of the state.
     fn layout(&self) -> TokenStream {
         let name = &self.head.name;
         quote! {
@@ -104,7 +104,8 @@ impl Items<'_> {
     }
 
     /// The derivative of the right-hand side by the time; zeros where that does not occur.
-    fn time_derivative(&self) -> TokenStream {
+    fn time_derivative(&self, name: &str, arguments: &TokenStream) -> TokenStream {
+        let name = format_ident!("{name}");
         let state = Shape::Vector(self.program.layout.len());
         let vector = self.shape(state);
         let block = match self.program.routine("time_derivative") {
@@ -115,7 +116,7 @@ impl Items<'_> {
             }
         };
         quote! {
-            fn time_derivative(&self, t: T, x: &#vector) -> #vector
+            fn #name(#arguments) -> #vector
             where
                 T: ::pendulum_core::Float,
             #block
@@ -130,13 +131,14 @@ impl Items<'_> {
             self.arguments(jacobian),
             self.shape(jacobian.shapes[1]),
         );
-        let (vector, layout) = (self.shape(jacobian.shapes[0]), self.layout());
+        let vector = self.shape(jacobian.shapes[0]);
         let rhs = self.function(&format_ident!("rhs_with"), rhs);
         let both = self.function(&format_ident!("rhs_and_jacobian_with"), jacobian);
         let by_inputs = self.function(
             &format_ident!("input_jacobian"),
             self.program.routine("input_jacobian")?,
         );
+        let by_time = self.time_derivative("time_derivative_with", &arguments);
         let functions = quote! {
             type Inputs = #name<T>;
             #[inline]
@@ -149,19 +151,31 @@ impl Items<'_> {
             #both
             #[inline]
             #by_inputs
-            #layout
+            #[inline]
+            #by_time
         };
         let controlled = self.implement(
             Some(quote!(::pendulum_core::Controlled<T, #length, #inputs>)),
             &functions,
         );
         let with_inputs = quote! {
-            /// The model with a law for its inputs: a `System`.
-            pub fn with_inputs<F>(&self, inputs: F) -> ::pendulum_core::WithInputs<'_, Self, F, #inputs>
+            /// The model with a law for its inputs: a `System`. Its Jacobian requires the derivative of the law: see `WithInputs`.
+            pub fn with_inputs<F>(&self, inputs: F) -> ::pendulum_core::WithInputs<Self, F, #inputs>
             where
-                F: Fn(T, &#vector) -> #name<T>,
+                F: ::core::ops::Fn(T, &#vector) -> #name<T>,
             {
-                ::pendulum_core::WithInputs::new(self, inputs)
+                ::pendulum_core::WithInputs::new(*self, inputs)
+            }
+
+            /// The model with a law for its inputs that is generic over the number type: a `System` with a `Jacobian`.
+            pub fn with_law<L>(
+                &self,
+                law: L,
+            ) -> ::pendulum_core::WithInputs<Self, ::pendulum_core::inputs::Generic<L>, #inputs>
+            where
+                L: ::pendulum_core::InputLaw<#length, #inputs>,
+            {
+                ::pendulum_core::WithInputs::with_law(*self, law)
             }
         };
         let inherent = self.implement(None, &with_inputs);

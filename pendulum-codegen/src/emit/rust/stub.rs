@@ -6,29 +6,35 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 use super::routines::is_inherent;
-use super::{allowed, count};
+use super::{allowed, count, in_own_module};
 use crate::ast::Scene;
+use crate::model::{FACTS, places};
 use crate::program::{Argument, Length, ROUTINES, Shape};
 
 /// Types that have everything a declaration could ask for, for states of any length, and that are never run.
 pub(crate) fn stub(scene: &Scene) -> TokenStream {
-    let (vis, name, items) = (&scene.head.vis, &scene.head.name, &scene.items);
+    let (name, items) = (&scene.head.name, &scene.items);
     let [parameters, inputs] = ["Params", "Inputs"].map(|suffix| format_ident!("{name}{suffix}"));
-    // what could not be read may have been a parameter or an input
-    let declared = items.params.iter().map(|param| &param.name).chain(&items.unread);
-    let fields = declared.collect::<BTreeSet<&Ident>>().into_iter();
-    let controls = items.inputs.iter().map(|input| &input.name).chain(&items.unread);
-    let controls = controls.collect::<BTreeSet<&Ident>>();
+    // a name that is declared twice is a field once
+    let fields: BTreeSet<&Ident> = items.params.iter().map(|param| &param.name).collect();
+    let controls: BTreeSet<&Ident> = items.inputs.iter().map(|input| &input.name).collect();
     let marker = controls
         .is_empty()
         .then(|| quote!(stub: ::core::marker::PhantomData<T>));
-    let controls = controls.into_iter();
+    let (fields, controls) = (fields.into_iter(), controls.into_iter());
     let freedom = items
         .bodies
         .iter()
         .filter(|body| body.fields.coordinate.is_some())
         .count();
     let dof = count(freedom);
+    let coordinates = items.bodies.iter().filter_map(|body| body.fields.coordinate.as_ref());
+    let of_coordinates = coordinates.flat_map(|coordinate| places(&coordinate.to_string()));
+    // by mistake a place may have the name of another, or of a fact
+    let mut places: BTreeSet<String> = of_coordinates.collect();
+    places.retain(|place| !FACTS.contains(&place.as_str()));
+    let places = places.iter().map(|place| format_ident!("{place}"));
+    let given = count(items.params.len());
     // the length of the state tells a law of inputs its types; without any coordinate, the length was not read
     let (length, any_length) = if freedom > 0 {
         (count(2 * freedom).into_token_stream(), None)
@@ -76,18 +82,41 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             }
         }
     });
-    quote! {
+    let items = quote! {
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
         #allowed
-        #vis struct #parameters { #(pub #fields: f64),* }
+        pub struct #parameters { #(pub #fields: f64),* }
+        #allowed
+        impl #parameters {
+            pub const NAMES: [&'static str; #given] = [""; #given];
+            pub const fn to_array(self) -> [f64; #given] {
+                [0.0; #given]
+            }
+            pub fn from_array(_: [f64; #given]) -> Self {
+                ::core::default::Default::default()
+            }
+        }
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
         #allowed
-        #vis struct #inputs<T = f64> { #(pub #controls: T,)* #marker }
+        pub struct #inputs<T = f64> { #(pub #controls: T,)* #marker }
+        #allowed
+        impl<T: #real, const M: usize> ::core::convert::From<[T; M]> for #inputs<T> {
+            fn from(_: [T; M]) -> Self {
+                ::core::default::Default::default()
+            }
+        }
+        #allowed
+        impl<T: #real, const M: usize> ::core::convert::From<#inputs<T>> for [T; M] {
+            fn from(_: #inputs<T>) -> Self {
+                [T::from_f64(0.0); M]
+            }
+        }
         #[derive(Clone, Copy, Debug, PartialEq)]
         #allowed
-        #vis struct #name<T = f64>(::core::marker::PhantomData<T>, #parameters);
+        pub struct #name<T = f64>(::core::marker::PhantomData<T>, #parameters);
         #allowed
         impl #name {
+            #(pub const #places: usize = 0;)*
             pub const DOF: usize = #dof;
             pub const COORDINATES: [&'static str; #dof] = [""; #dof];
             pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::new(&[]);
@@ -105,12 +134,30 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             pub fn params(&self) -> &#parameters {
                 &self.1
             }
+            pub fn with_params(
+                &self,
+                params: #parameters,
+            ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
+                Ok(Self(::core::marker::PhantomData, params))
+            }
             pub fn layout(&self) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
                 None
             }
+            pub fn with_derivative<K #any_length, const M: usize>(self, _: K) -> Self
+            where
+                K: ::core::ops::Fn(T, &::pendulum_core::nalgebra::SVector<T, #length>) -> #matrix<T, M, #length>,
+            {
+                self
+            }
+            pub fn by_differences(self) -> Self {
+                self
+            }
+            pub fn with_law<L>(&self, _: L) -> Self {
+                *self
+            }
             pub fn with_inputs<F #any_length>(&self, _: F) -> Self
             where
-                F: Fn(T, &::pendulum_core::nalgebra::SVector<T, #length>) -> #inputs<T>,
+                F: ::core::ops::Fn(T, &::pendulum_core::nalgebra::SVector<T, #length>) -> #inputs<T>,
             {
                 *self
             }
@@ -128,7 +175,20 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             fn cast<T: #real>(&self) -> #name<T> {
                 #name::cast(self)
             }
-            fn gather<'m, V: ::pendulum_core::real::lanes::Lanes>(models: impl Fn(usize) -> &'m Self) -> #name<V>
+            fn gather<'m, T: ::pendulum_core::real::lanes::Lanes>(models: impl ::core::ops::Fn(usize) -> &'m Self) -> #name<T>
+            where
+                Self: 'm,
+            {
+                models(0).cast()
+            }
+        }
+        #allowed
+        impl<const N: usize, const M: usize> ::pendulum_core::CastControlled<N, M> for #name {
+            type In<T: #real> = #name<T>;
+            fn cast<T: #real>(&self) -> #name<T> {
+                #name::cast(self)
+            }
+            fn gather<'m, T: ::pendulum_core::real::lanes::Lanes>(models: impl ::core::ops::Fn(usize) -> &'m Self) -> #name<T>
             where
                 Self: 'm,
             {
@@ -184,5 +244,6 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
                 T::from_f64(0.0)
             }
         }
-    }
+    };
+    in_own_module(&scene.head, &[name.clone(), parameters, inputs], &items)
 }

@@ -1,21 +1,21 @@
-//! Which registers the machine has, and code that runs on any of them.
+//! Instruction sets: which ones the machine has, and how to run code on their registers.
 
 use std::fmt;
 
 use super::{Lanes, Pack};
 use crate::real::Float;
 
-/// Code that runs on lanes of `T`, however many.
+/// Code that runs on any number of lanes of `T`.
 pub trait Kernel<T> {
     /// What it returns.
     type Output;
 
-    /// The code. It must be `#[inline(always)]`, and whatever is to be fast in it must be inlined as well: a function
-    /// that stands for itself is compiled for all machines, and uses no instruction of a newer one.
+    /// The code. It must be `#[inline(always)]`, and so must all functions that it calls where speed matters: a
+    /// function that is not inlined is compiled for all machines, without the instructions of newer ones.
     fn run<V: Lanes<Scalar = T>>(self) -> Self::Output;
 }
 
-/// An instruction set that this machine has, which a value of the type is the proof of.
+/// An instruction set. A value of this type proves that the machine has it.
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Isa(Set);
 
@@ -29,8 +29,8 @@ enum Set {
 }
 
 impl Isa {
-    /// The instruction sets of this machine, those with the widest registers first. The last one, of a single lane, is that
-    /// of every machine.
+    /// The instruction sets of this machine, the widest registers first. The last one has a single lane and exists on
+    /// every machine.
     pub fn available() -> impl Iterator<Item = Self> {
         [
             #[cfg(target_arch = "x86_64")]
@@ -49,7 +49,8 @@ impl Isa {
         Self::available().next().unwrap_or(Self(Set::Portable))
     }
 
-    /// An instruction set for scalar code whose loops compilers turn into vectors: such loops are short, and the widest registers gain nothing.
+    /// An instruction set for scalar code with loops that compilers vectorise: they are short, so the widest registers
+    /// gain nothing.
     pub(crate) fn for_scalars() -> Self {
         #[cfg(target_arch = "x86_64")]
         if is_x86_feature_detected!("avx2") {
@@ -58,7 +59,7 @@ impl Isa {
         Self(Set::Portable)
     }
 
-    /// Runs a kernel on lanes of one register each.
+    /// Runs a kernel whose lanes fill one register.
     #[inline]
     pub fn run<T: LaneElement, K: Kernel<T>>(self, kernel: K) -> K::Output {
         T::run(self, kernel)
@@ -72,9 +73,9 @@ impl fmt::Debug for Isa {
     }
 }
 
-/// A scalar that comes in lanes: `f64` and `f32`.
+/// A scalar that can be a lane: `f64` or `f32`.
 pub trait LaneElement: Float {
-    /// Runs a kernel on lanes of one register each.
+    /// Runs a kernel whose lanes fill one register.
     fn run<K: Kernel<Self>>(isa: Isa, kernel: K) -> K::Output;
 }
 

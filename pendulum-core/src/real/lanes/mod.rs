@@ -1,8 +1,8 @@
-//! Lanes: several numbers that are computed with at once, in the vector registers of the machine.
+//! Lanes: several numbers side by side in the vector registers of the machine.
 //!
-//! Code that is generic over [`Real`] runs on lanes as it stands, and gives in each lane what it gives for a scalar, bit for bit.
-//! [`F64x4`] and its like work on any machine. They are as fast as the code that a compiler makes for all machines; where AVX2 or AVX-512
-//! are there at run time, [`Isa`] lends registers of these to a [`Kernel`]:
+//! Code that is generic over [`Real`] runs on lanes unchanged, and each lane has the same bits as a scalar computation.
+//! [`F64x4`] and its siblings work on any machine, but use only the instructions that every machine of the target has.
+//! [`Isa`] detects AVX2 and AVX-512 at run time and runs a [`Kernel`] on their registers:
 //!
 //! ```
 //! use pendulum_core::real::Real;
@@ -17,7 +17,7 @@
 //!     #[inline(always)]
 //!     fn run<V: Lanes<Scalar = f64>>(self) {
 //!         for angles in self.0.chunks_mut(V::LANES) {
-//!             // a number too few: the last again
+//!             // the last chunk may be shorter: fill it up with its last number
 //!             let angle = V::from_fn(|i| angles[i.min(angles.len() - 1)]);
 //!             let height = -angle.sin_cos().1;
 //!             for (i, angle) in angles.iter_mut().enumerate() {
@@ -39,11 +39,16 @@ mod register;
 mod x86;
 
 pub use isa::{Isa, Kernel, LaneElement};
-#[cfg(not(target_arch = "x86_64"))]
-pub(super) use register::Pair;
 pub(super) use register::Register;
 #[cfg(target_arch = "x86_64")]
-pub(super) use x86::Xmm64;
+pub(super) use x86::{Xmm32 as Two32, Xmm64 as Two64};
+
+/// Two numbers or more in the vector register that every machine has.
+#[cfg(not(target_arch = "x86_64"))]
+pub(super) type Two32 = register::Pair<f32>;
+/// Two numbers or more in the vector register that every machine has.
+#[cfg(not(target_arch = "x86_64"))]
+pub(super) type Two64 = register::Pair<f64>;
 
 pub use pack::{F32x8, F32x16, F64x4, F64x8, Pack};
 
@@ -54,7 +59,7 @@ pub trait Lanes: Real {
     /// The type of one lane.
     type Scalar: Float;
 
-    /// The same lanes twice, computed in turns: what waits for a result in one half, the other half can use.
+    /// Twice as many lanes, as two registers: one half computes while the other waits for a result.
     type Double: Lanes<Scalar = Self::Scalar>;
 
     /// The number of lanes.

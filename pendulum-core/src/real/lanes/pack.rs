@@ -7,17 +7,17 @@ use super::Lanes;
 use super::register::{Pair, Register};
 use crate::real::{Real, sincos};
 
-/// Lanes in the registers `R`: see [`F64x4`], [`F64x8`], [`F32x8`] and [`F32x16`].
+/// Lanes stored in registers `R`: see [`F64x4`], [`F64x8`], [`F32x8`] and [`F32x16`].
 #[derive(Clone, Copy)]
 pub struct Pack<R>(R);
 
-/// Four lanes of `f64`, on any machine; [`Isa`](super::Isa) finds faster ones.
+/// Four lanes of `f64`, on any machine; [`Isa`](super::Isa) selects faster ones.
 pub type F64x4 = Pack<Pair<Pair<f64>>>;
-/// Eight lanes of `f64`, on any machine; [`Isa`](super::Isa) finds faster ones.
+/// Eight lanes of `f64`, on any machine; [`Isa`](super::Isa) selects faster ones.
 pub type F64x8 = Pack<Pair<Pair<Pair<f64>>>>;
-/// Eight lanes of `f32`, on any machine; [`Isa`](super::Isa) finds faster ones.
+/// Eight lanes of `f32`, on any machine; [`Isa`](super::Isa) selects faster ones.
 pub type F32x8 = Pack<Pair<Pair<Pair<f32>>>>;
-/// Sixteen lanes of `f32`, on any machine; [`Isa`](super::Isa) finds faster ones.
+/// Sixteen lanes of `f32`, on any machine; [`Isa`](super::Isa) selects faster ones.
 pub type F32x16 = Pack<Pair<Pair<Pair<Pair<f32>>>>>;
 
 impl<R: Register> Pack<R> {
@@ -64,8 +64,8 @@ impl<R: Register> Real for Pack<R> {
 
     #[inline(always)]
     fn sin_cos(self) -> (Self, Self) {
-        let (sin, cos) = sincos::sin_cos(self.0.widen());
-        (Self(R::narrow(sin)), Self(R::narrow(cos)))
+        let (sin, cos) = sincos::sin_cos(self.0);
+        (Self(sin), Self(cos))
     }
 
     #[inline(always)]

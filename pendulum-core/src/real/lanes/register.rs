@@ -1,14 +1,14 @@
-//! What lanes are made of: scalars, vector registers of the machine, and pairs of these.
+//! Registers: what lanes are stored in. Scalars, vector registers of the machine, and pairs of these.
 
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use crate::real::sincos::{Angle, sin_cos};
-use crate::real::{Float, Real};
+use crate::real::Real;
+use crate::real::sincos::Precision;
 
-/// Some numbers that are computed with at once.
+/// One or more numbers that are computed together.
 ///
-/// Public, since it bounds a public type, but out of reach: a register type of some instruction set must not be made where
-/// the machine lacks it.
+/// Public because it bounds a public type, but its module is private: nobody may create a register of an instruction
+/// set that the machine lacks.
 pub trait Register:
     Copy
     + Send
@@ -21,7 +21,7 @@ pub trait Register:
     + Neg<Output = Self>
 {
     /// The type of one lane.
-    type Scalar: Float;
+    type Scalar: Precision;
     /// The number of lanes.
     const LANES: usize;
 
@@ -36,16 +36,14 @@ pub trait Register:
     /// Absolute value.
     fn abs(self) -> Self;
 
-    /// The same lanes in `f64`, in which sine and cosine are computed.
-    type Wide: Angle;
-    /// In `f64`.
-    fn widen(self) -> Self::Wide;
-    /// Rounded to the type of the lanes.
-    fn narrow(wide: Self::Wide) -> Self;
+    /// Whether the absolute value of any lane exceeds the limit. That of NaN does not.
+    fn any_beyond(self, limit: Self::Scalar) -> bool;
+    /// `(sin(x + n pi/2), cos(x + n pi/2))` from `sin x` and `cos x`, where the lowest bits of `self` hold `n`.
+    fn turn(self, sin: Self, cos: Self) -> (Self, Self);
 }
 
 macro_rules! one_lane {
-    ($float:ident) => {
+    ($float:ident of $bits:literal bits) => {
         impl Register for $float {
             type Scalar = Self;
             const LANES: usize = 1;
@@ -75,25 +73,34 @@ macro_rules! one_lane {
                 Real::abs(self)
             }
 
-            type Wide = f64;
-
             #[inline(always)]
-            fn widen(self) -> f64 {
-                f64::from(self)
+            fn any_beyond(self, limit: Self) -> bool {
+                Real::abs(self) > limit
             }
 
             #[inline(always)]
-            fn narrow(wide: f64) -> Self {
-                Self::from_f64(wide)
+            fn turn(self, sin: Self, cos: Self) -> (Self, Self) {
+                let n = self.to_bits();
+                let odd = (n & 1).wrapping_neg();
+                let (sin, cos) = (sin.to_bits(), cos.to_bits());
+                let swap = (sin ^ cos) & odd;
+                let sign = |quarter| (quarter & 2) << ($bits - 2);
+                (
+                    Self::from_bits((sin ^ swap) ^ sign(n)),
+                    Self::from_bits((cos ^ swap) ^ sign(n.wrapping_add(1))),
+                )
             }
         }
     };
 }
 
-one_lane!(f64);
-one_lane!(f32);
+one_lane!(f64 of 64 bits);
+one_lane!(f32 of 32 bits);
 
-/// Two registers in the place of one of twice the width.
+/// Two registers used as one of twice the width.
+///
+/// Each operation is applied to both halves before the next one, so that one half computes while the other waits for a
+/// result.
 #[derive(Clone, Copy)]
 pub struct Pair<R>(pub(super) R, pub(super) R);
 
@@ -154,23 +161,8 @@ impl<R: Register> Register for Pair<R> {
         Self(self.0.abs(), self.1.abs())
     }
 
-    type Wide = Pair<R::Wide>;
-
     #[inline(always)]
-    fn widen(self) -> Self::Wide {
-        Pair(self.0.widen(), self.1.widen())
-    }
-
-    #[inline(always)]
-    fn narrow(wide: Self::Wide) -> Self {
-        Self(R::narrow(wide.0), R::narrow(wide.1))
-    }
-}
-
-/// Operation by operation, and not one half after the other: so the two wait for each other's results, and not for their own.
-impl<R: Angle> Angle for Pair<R> {
-    #[inline(always)]
-    fn any_beyond(self, limit: f64) -> bool {
+    fn any_beyond(self, limit: R::Scalar) -> bool {
         self.0.any_beyond(limit) | self.1.any_beyond(limit)
     }
 
@@ -179,25 +171,4 @@ impl<R: Angle> Angle for Pair<R> {
         let ((sin0, cos0), (sin1, cos1)) = (self.0.turn(sin.0, cos.0), self.1.turn(sin.1, cos.1));
         (Self(sin0, sin1), Self(cos0, cos1))
     }
-
-    #[inline(always)]
-    fn far(self) -> (Self, Self) {
-        one_by_one(self)
-    }
-}
-
-/// Sine and cosine of each lane as of a scalar: lanes within the range of the kernel must give what they always give.
-#[inline(always)]
-pub(super) fn one_by_one<R: Register<Scalar = f64>>(x: R) -> (R, R) {
-    #[cold]
-    #[inline(never)]
-    fn replace<R: Register<Scalar = f64>>(x_sin: &mut R, cos: &mut R) {
-        let x = *x_sin;
-        *x_sin = R::from_fn(&mut |i| sin_cos(x.lane(i)).0);
-        *cos = R::from_fn(&mut |i| sin_cos(x.lane(i)).1);
-    }
-    // Copies, which go to memory for the call; `x` itself can stay in its register where there is none.
-    let (mut sin, mut cos) = (x, x);
-    replace(&mut sin, &mut cos);
-    (sin, cos)
 }

@@ -1,4 +1,4 @@
-//! The ways into code for an instruction set.
+//! Entry points to code that is compiled for an instruction set.
 
 use super::super::{Kernel, Lanes};
 
@@ -11,7 +11,7 @@ macro_rules! enter {
                 kernel.run::<V>()
             }
             assert!(is_x86_feature_detected!($feature));
-            // SAFETY: the machine has the feature, as the line above makes sure.
+            // SAFETY: the line above checks that the machine has the feature.
             unsafe { inside::<K, V>(kernel) }
         }
     };

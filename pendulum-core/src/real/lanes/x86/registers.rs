@@ -1,15 +1,13 @@
-//! The vector registers as types: one row for each.
+//! The vector registers as types, one table row each.
 //!
-//! Values of these types are made in kernels only, which run beyond [`enter`](super::enter): there the machine is known to have the
-//! instructions. Nobody else can name the types. Those of `xmm` registers are on every x86-64 machine.
+//! Values of `ymm` and `zmm` types are only created inside kernels, which [`enter`](super::enter) runs after checking
+//! that the machine has the instructions; code outside cannot name the types. Every x86-64 machine has `xmm` registers.
 
 use std::arch::x86_64::*;
-use std::array;
 use std::mem::transmute;
 use std::ops::{Add, Div, Mul, Neg, Sub};
 
-use super::super::register::{Pair, Register, one_by_one};
-use crate::real::sincos::Angle;
+use super::super::register::Register;
 
 macro_rules! binary {
     ($name:ident, $($trait:ident $method:ident $intrinsic:ident),*) => { $(
@@ -29,7 +27,7 @@ macro_rules! register {
     ($(
         $(#[$doc:meta])*
         $name:ident = $lanes:literal $scalar:ident in $vector:ident,
-        $splat:ident $add:ident $sub:ident $mul:ident $div:ident $sqrt:ident, $widen:ident $narrow:ident $wide:ty;
+        $splat:ident $add:ident $sub:ident $mul:ident $div:ident $sqrt:ident;
     )*) => { $(
         $(#[$doc])*
         #[derive(Clone, Copy)]
@@ -49,13 +47,13 @@ macro_rules! register {
         impl $name {
             #[inline(always)]
             fn from_array(array: [$scalar; $lanes]) -> Self {
-                // SAFETY: a vector is its lanes one after the other, and any bits are a number.
+                // SAFETY: a vector is laid out as the array of its lanes, and all bit patterns are valid.
                 Self(unsafe { transmute::<[$scalar; $lanes], $vector>(array) })
             }
 
             #[inline(always)]
             fn to_array(self) -> [$scalar; $lanes] {
-                // SAFETY: a vector is its lanes one after the other, and any bits are a number.
+                // SAFETY: a vector is laid out as the array of its lanes, and all bit patterns are valid.
                 unsafe { transmute::<$vector, [$scalar; $lanes]>(self.0) }
             }
         }
@@ -66,13 +64,18 @@ macro_rules! register {
 
             #[inline(always)]
             fn splat(v: $scalar) -> Self {
-                // SAFETY: kernels alone can ask for a value of the type, and they run where the machine has the instruction.
+                // SAFETY: only kernels create values of the type, and they only run on machines with the instruction.
                 unsafe { Self($splat(v)) }
             }
 
             #[inline(always)]
             fn from_fn(f: &mut impl FnMut(usize) -> $scalar) -> Self {
-                Self::from_array(array::from_fn(f))
+                // Not `array::from_fn`, whose calls of `f` the compiler does not inline.
+                let mut array = [0.0; $lanes];
+                for (i, lane) in array.iter_mut().enumerate() {
+                    *lane = f(i);
+                }
+                Self::from_array(array)
             }
 
             #[inline(always)]
@@ -91,16 +94,19 @@ macro_rules! register {
                 self.clear(Self::splat(-0.0))
             }
 
-            type Wide = $wide;
-
             #[inline(always)]
-            fn widen(self) -> $wide {
-                $widen(self)
+            fn any_beyond(self, limit: $scalar) -> bool {
+                self.abs().any_above(Self::splat(limit))
             }
 
             #[inline(always)]
-            fn narrow(wide: $wide) -> Self {
-                $narrow(wide)
+            fn turn(self, sin: Self, cos: Self) -> (Self, Self) {
+                // Each of the two lowest bits of the quotient as a sign.
+                let (odd, second) = (self.lowest_to_sign(), self.second_to_sign());
+                (
+                    odd.select(cos, sin).flip(second.sign()),
+                    odd.select(sin, cos).flip(second.flip(odd).sign()),
+                )
             }
         }
     )* };
@@ -109,24 +115,31 @@ macro_rules! register {
 register! {
     /// An `xmm` register of `f64`.
     Xmm64 = 2 f64 in __m128d,
-    _mm_set1_pd _mm_add_pd _mm_sub_pd _mm_mul_pd _mm_div_pd _mm_sqrt_pd, same same Xmm64;
+    _mm_set1_pd _mm_add_pd _mm_sub_pd _mm_mul_pd _mm_div_pd _mm_sqrt_pd;
+    /// An `xmm` register of `f32`.
+    Xmm32 = 4 f32 in __m128,
+    _mm_set1_ps _mm_add_ps _mm_sub_ps _mm_mul_ps _mm_div_ps _mm_sqrt_ps;
     /// A `ymm` register of `f64`.
     Ymm64 = 4 f64 in __m256d,
-    _mm256_set1_pd _mm256_add_pd _mm256_sub_pd _mm256_mul_pd _mm256_div_pd _mm256_sqrt_pd, same same Ymm64;
-    /// A `zmm` register of `f64`.
-    Zmm64 = 8 f64 in __m512d,
-    _mm512_set1_pd _mm512_add_pd _mm512_sub_pd _mm512_mul_pd _mm512_div_pd _mm512_sqrt_pd, same same Zmm64;
+    _mm256_set1_pd _mm256_add_pd _mm256_sub_pd _mm256_mul_pd _mm256_div_pd _mm256_sqrt_pd;
     /// A `ymm` register of `f32`.
     Ymm32 = 8 f32 in __m256,
-    _mm256_set1_ps _mm256_add_ps _mm256_sub_ps _mm256_mul_ps _mm256_div_ps _mm256_sqrt_ps, widen_ymm narrow_ymm Pair<Ymm64>;
+    _mm256_set1_ps _mm256_add_ps _mm256_sub_ps _mm256_mul_ps _mm256_div_ps _mm256_sqrt_ps;
+    /// A `zmm` register of `f64`.
+    Zmm64 = 8 f64 in __m512d,
+    _mm512_set1_pd _mm512_add_pd _mm512_sub_pd _mm512_mul_pd _mm512_div_pd _mm512_sqrt_pd;
     /// A `zmm` register of `f32`.
     Zmm32 = 16 f32 in __m512,
-    _mm512_set1_ps _mm512_add_ps _mm512_sub_ps _mm512_mul_ps _mm512_div_ps _mm512_sqrt_ps, widen_zmm narrow_zmm Pair<Zmm64>;
+    _mm512_set1_ps _mm512_add_ps _mm512_sub_ps _mm512_mul_ps _mm512_div_ps _mm512_sqrt_ps;
 }
 
-/// Operations on bits, which have a name of their own for each register.
+/// Operations on bits, selection and comparison, whose intrinsics differ from register to register.
 macro_rules! bits {
-    ($($name:ident $cast:ident $back:ident $xor:ident $andnot:ident;)*) => { $(
+    ($(
+        $name:ident: $cast:ident $back:ident $xor:ident $and:ident $andnot:ident $shift:ident from $bits:literal,
+        |$sign:ident, $then:ident, $otherwise:ident| $select:expr,
+        |$left:ident, $right:ident| $any_above:expr;
+    )*) => { $(
         impl $name {
             /// Without the bits that are set in `bits`.
             #[inline(always)]
@@ -135,164 +148,89 @@ macro_rules! bits {
                 unsafe { Self($back($andnot($cast(bits.0), $cast(self.0)))) }
             }
 
-            /// With the bits that are set in `bits` inverted.
+            /// With the bits that are set in `bits` flipped.
             #[inline(always)]
             fn flip(self, bits: Self) -> Self {
                 // SAFETY: there is a value of the type, so the machine has the instructions.
                 unsafe { Self($back($xor($cast(bits.0), $cast(self.0)))) }
+            }
+
+            /// The sign bit alone.
+            #[inline(always)]
+            fn sign(self) -> Self {
+                // SAFETY: there is a value of the type, so the machine has the instructions.
+                unsafe { Self($back($and($cast(self.0), $cast(Self::splat(-0.0).0)))) }
+            }
+
+            /// The lowest bit, moved to that of the sign.
+            #[inline(always)]
+            fn lowest_to_sign(self) -> Self {
+                // SAFETY: there is a value of the type, so the machine has the instructions.
+                unsafe { Self($back($shift::<{ $bits - 1 }>($cast(self.0)))) }
+            }
+
+            /// The second lowest bit, moved to that of the sign.
+            #[inline(always)]
+            fn second_to_sign(self) -> Self {
+                // SAFETY: there is a value of the type, so the machine has the instructions.
+                unsafe { Self($back($shift::<{ $bits - 2 }>($cast(self.0)))) }
+            }
+
+            /// `then` where the sign bit is set, `otherwise` elsewhere.
+            #[inline(always)]
+            fn select(self, Self($then): Self, Self($otherwise): Self) -> Self {
+                let $sign = self.0;
+                // SAFETY: there is a value of the type, so the machine has the instructions.
+                unsafe { Self($select) }
+            }
+
+            /// Whether any lane is greater than that of the other.
+            #[inline(always)]
+            fn any_above(self, Self($right): Self) -> bool {
+                let $left = self.0;
+                // SAFETY: there is a value of the type, so the machine has the instructions.
+                unsafe { $any_above }
             }
         }
     )* };
 }
 
 bits! {
-    Xmm64 _mm_castpd_si128 _mm_castsi128_pd _mm_xor_si128 _mm_andnot_si128;
-    Ymm64 _mm256_castpd_si256 _mm256_castsi256_pd _mm256_xor_si256 _mm256_andnot_si256;
-    Zmm64 _mm512_castpd_si512 _mm512_castsi512_pd _mm512_xor_si512 _mm512_andnot_si512;
-    Ymm32 _mm256_castps_si256 _mm256_castsi256_ps _mm256_xor_si256 _mm256_andnot_si256;
-    Zmm32 _mm512_castps_si512 _mm512_castsi512_ps _mm512_xor_si512 _mm512_andnot_si512;
-}
-
-/// Registers of `f64` are as wide as they get.
-#[inline(always)]
-fn same<R>(register: R) -> R {
-    register
-}
-
-#[inline(always)]
-fn widen_ymm(narrow: Ymm32) -> Pair<Ymm64> {
-    // SAFETY: there is a value of the type, so the machine has the instructions.
-    unsafe {
-        Pair(
-            Ymm64(_mm256_cvtps_pd(_mm256_castps256_ps128(narrow.0))),
-            Ymm64(_mm256_cvtps_pd(_mm256_extractf128_ps::<1>(narrow.0))),
-        )
-    }
-}
-
-#[inline(always)]
-fn narrow_ymm(Pair(low, high): Pair<Ymm64>) -> Ymm32 {
-    // SAFETY: there are values of the type, so the machine has the instructions.
-    unsafe { Ymm32(_mm256_set_m128(_mm256_cvtpd_ps(high.0), _mm256_cvtpd_ps(low.0))) }
-}
-
-#[inline(always)]
-fn widen_zmm(narrow: Zmm32) -> Pair<Zmm64> {
-    // SAFETY: there is a value of the type, so the machine has the instructions.
-    unsafe {
-        let high = _mm512_extractf64x4_pd::<1>(_mm512_castps_pd(narrow.0));
-        Pair(
-            Zmm64(_mm512_cvtps_pd(_mm512_castps512_ps256(narrow.0))),
-            Zmm64(_mm512_cvtps_pd(_mm256_castpd_ps(high))),
-        )
-    }
-}
-
-#[inline(always)]
-fn narrow_zmm(Pair(low, high): Pair<Zmm64>) -> Zmm32 {
-    // SAFETY: there are values of the type, so the machine has the instructions.
-    unsafe {
-        let low = _mm512_castpd256_pd512(_mm256_castps_pd(_mm512_cvtpd_ps(low.0)));
-        let high = _mm256_castps_pd(_mm512_cvtpd_ps(high.0));
-        Zmm32(_mm512_castpd_ps(_mm512_insertf64x4::<1>(low, high)))
-    }
-}
-
-impl Angle for Xmm64 {
-    #[inline(always)]
-    fn any_beyond(self, limit: f64) -> bool {
-        // SAFETY: every x86-64 machine has the instructions.
-        unsafe { _mm_movemask_pd(_mm_cmpgt_pd(self.abs().0, _mm_set1_pd(limit))) != 0 }
-    }
-
-    #[inline(always)]
-    fn turn(self, sin: Self, cos: Self) -> (Self, Self) {
-        // SAFETY: every x86-64 machine has the instructions.
-        unsafe {
-            let (n, one) = (_mm_castpd_si128(self.0), _mm_set1_epi64x(1));
-            let (sin, cos) = (_mm_castpd_si128(sin.0), _mm_castpd_si128(cos.0));
-            let odd = _mm_sub_epi64(_mm_setzero_si128(), _mm_and_si128(n, one));
-            let swap = _mm_and_si128(_mm_xor_si128(sin, cos), odd);
-            let turned = |v: __m128i, n: __m128i| {
-                let sign = _mm_and_si128(_mm_slli_epi64::<62>(n), _mm_set1_epi64x(i64::MIN));
-                Self(_mm_castsi128_pd(_mm_xor_si128(_mm_xor_si128(v, swap), sign)))
-            };
-            (turned(sin, n), turned(cos, _mm_add_epi64(n, one)))
-        }
-    }
-
-    #[inline(always)]
-    fn far(self) -> (Self, Self) {
-        one_by_one(self)
-    }
-}
-
-impl Angle for Ymm64 {
-    #[inline(always)]
-    fn any_beyond(self, limit: f64) -> bool {
-        // SAFETY: there is a value of the type, so the machine has the instructions.
-        unsafe {
-            let limit = _mm256_set1_pd(limit);
-            _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_GT_OQ>(self.abs().0, limit)) != 0
-        }
-    }
-
-    #[inline(always)]
-    fn turn(self, sin: Self, cos: Self) -> (Self, Self) {
-        // SAFETY: there is a value of the type, so the machine has the instructions.
-        unsafe {
-            let n = _mm256_castpd_si256(self.0);
-            // The lowest bit in the place of the sign, which decides in a blend.
-            let odd = _mm256_castsi256_pd(_mm256_slli_epi64::<63>(n));
-            let second = _mm256_castsi256_pd(_mm256_slli_epi64::<62>(n));
-            let minus = _mm256_set1_pd(-0.0);
-            let sign = _mm256_and_pd(second, minus);
-            let sin_or_cos = _mm256_blendv_pd(sin.0, cos.0, odd);
-            let cos_or_sin = _mm256_blendv_pd(cos.0, sin.0, odd);
-            let sign_cos = _mm256_and_pd(_mm256_xor_pd(second, odd), minus);
-            (
-                Self(_mm256_xor_pd(sin_or_cos, sign)),
-                Self(_mm256_xor_pd(cos_or_sin, sign_cos)),
-            )
-        }
-    }
-
-    #[inline(always)]
-    fn far(self) -> (Self, Self) {
-        one_by_one(self)
-    }
-}
-
-impl Angle for Zmm64 {
-    #[inline(always)]
-    fn any_beyond(self, limit: f64) -> bool {
-        // SAFETY: there is a value of the type, so the machine has the instructions.
-        unsafe { _mm512_cmp_pd_mask::<_CMP_GT_OQ>(self.abs().0, _mm512_set1_pd(limit)) != 0 }
-    }
-
-    #[inline(always)]
-    fn turn(self, sin: Self, cos: Self) -> (Self, Self) {
-        /// `a ^ (b & c)` as a table of truth.
-        const FLIP: i32 = 0x78;
-        // SAFETY: there is a value of the type, so the machine has the instructions.
-        unsafe {
-            let n = _mm512_castpd_si512(self.0);
-            let odd = _mm512_test_epi64_mask(n, _mm512_set1_epi64(1));
-            let minus = _mm512_set1_epi64(i64::MIN);
-            let turned = |v: __m512d, second: __m512i| {
-                let flipped = _mm512_ternarylogic_epi64::<FLIP>(_mm512_castpd_si512(v), second, minus);
-                Self(_mm512_castsi512_pd(flipped))
-            };
-            let next = _mm512_add_epi64(n, _mm512_set1_epi64(1));
-            (
-                turned(_mm512_mask_blend_pd(odd, sin.0, cos.0), _mm512_slli_epi64::<62>(n)),
-                turned(_mm512_mask_blend_pd(odd, cos.0, sin.0), _mm512_slli_epi64::<62>(next)),
-            )
-        }
-    }
-
-    #[inline(always)]
-    fn far(self) -> (Self, Self) {
-        one_by_one(self)
-    }
+    Xmm64: _mm_castpd_si128 _mm_castsi128_pd _mm_xor_si128 _mm_and_si128 _mm_andnot_si128
+    _mm_slli_epi64 from 64,
+    |sign, then, otherwise| {
+        let high = _mm_srai_epi32::<31>(_mm_castpd_si128(sign));
+        let mask = _mm_castsi128_pd(_mm_shuffle_epi32::<0b11_11_01_01>(high));
+        _mm_xor_pd(otherwise, _mm_and_pd(_mm_xor_pd(then, otherwise), mask))
+    },
+    |left, right| _mm_movemask_pd(_mm_cmpgt_pd(left, right)) != 0;
+    Xmm32: _mm_castps_si128 _mm_castsi128_ps _mm_xor_si128 _mm_and_si128 _mm_andnot_si128
+    _mm_slli_epi32 from 32,
+    |sign, then, otherwise| {
+        let mask = _mm_castsi128_ps(_mm_srai_epi32::<31>(_mm_castps_si128(sign)));
+        _mm_xor_ps(otherwise, _mm_and_ps(_mm_xor_ps(then, otherwise), mask))
+    },
+    |left, right| _mm_movemask_ps(_mm_cmpgt_ps(left, right)) != 0;
+    Ymm64: _mm256_castpd_si256 _mm256_castsi256_pd _mm256_xor_si256 _mm256_and_si256 _mm256_andnot_si256
+    _mm256_slli_epi64 from 64,
+    |sign, then, otherwise| _mm256_blendv_pd(otherwise, then, sign),
+    |left, right| _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_GT_OQ>(left, right)) != 0;
+    Ymm32: _mm256_castps_si256 _mm256_castsi256_ps _mm256_xor_si256 _mm256_and_si256 _mm256_andnot_si256
+    _mm256_slli_epi32 from 32,
+    |sign, then, otherwise| _mm256_blendv_ps(otherwise, then, sign),
+    |left, right| _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_GT_OQ>(left, right)) != 0;
+    Zmm64: _mm512_castpd_si512 _mm512_castsi512_pd _mm512_xor_si512 _mm512_and_si512 _mm512_andnot_si512
+    _mm512_slli_epi64 from 64,
+    |sign, then, otherwise| {
+        let minus = _mm512_test_epi64_mask(_mm512_castpd_si512(sign), _mm512_set1_epi64(i64::MIN));
+        _mm512_mask_blend_pd(minus, otherwise, then)
+    },
+    |left, right| _mm512_cmp_pd_mask::<_CMP_GT_OQ>(left, right) != 0;
+    Zmm32: _mm512_castps_si512 _mm512_castsi512_ps _mm512_xor_si512 _mm512_and_si512 _mm512_andnot_si512
+    _mm512_slli_epi32 from 32,
+    |sign, then, otherwise| {
+        let minus = _mm512_test_epi32_mask(_mm512_castps_si512(sign), _mm512_set1_epi32(i32::MIN));
+        _mm512_mask_blend_ps(minus, otherwise, then)
+    },
+    |left, right| _mm512_cmp_ps_mask::<_CMP_GT_OQ>(left, right) != 0;
 }

@@ -1,0 +1,25 @@
+//! The constants by which a model names the places of its coordinates in the state.
+
+use super::Lower;
+use crate::ast;
+use crate::model::{FACTS, places};
+
+impl Lower<'_> {
+    /// No two constants of a model may have the same name.
+    pub(super) fn check_places(&mut self, bodies: &[ast::Body]) {
+        let mut taken: Vec<(String, String)> = FACTS
+            .map(|fact| (fact.to_owned(), "another fact of the model".to_owned()))
+            .into();
+        for ident in bodies.iter().filter_map(|body| body.fields.coordinate.as_ref()) {
+            let own = places(&ident.to_string());
+            let clash = taken.iter().find(|(constant, _)| own.contains(constant));
+            if let Some((constant, owner)) = clash.filter(|(_, owner)| *owner != format!("`{ident}`")) {
+                let fact = format!(
+                    "coordinate `{ident}` needs the constant `{constant}` for its place in the state, but {owner} has that name"
+                );
+                self.errors.at(ident.span(), fact, "rename the coordinate");
+            }
+            taken.extend(own.map(|constant| (constant, format!("`{ident}`"))));
+        }
+    }
+}

@@ -1,0 +1,79 @@
+//! Solutions as tables.
+
+use std::io;
+
+use nalgebra::SVector;
+
+use crate::layout::{StateLayout, WrongLength};
+use crate::real::Float;
+use crate::solution::Solution;
+
+impl<T: Float, const N: usize> Solution<T, N> {
+    /// Writes the accepted points as CSV: a header with `t` and the names of the [components](StateLayout::components), then a line for each
+    /// point. Numbers are written in full, so that they read back as the same bits.
+    ///
+    /// A file should stand behind a [`BufWriter`](io::BufWriter).
+    ///
+    /// ```
+    /// use pendulum_core::prelude::*;
+    ///
+    /// mechanism! {
+    ///     pub Swing {
+    ///         gravity: [0, -9.81, 0],
+    ///         body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle }
+    ///     }
+    /// }
+    ///
+    /// let swing = Swing::new(SwingParams {})?;
+    /// let solution = Rk4::new(0.5).solve(&swing, 0.0, 1.0, [0.0, 0.0])?;
+    /// let mut table = Vec::new();
+    /// solution.write_csv(&mut table, &Swing::LAYOUT)?;
+    /// assert_eq!(String::from_utf8(table)?, "t,angle,dot(angle)\n0.0,0.0,0.0\n0.5,0.0,0.0\n1.0,0.0,0.0\n");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// Those of `writer`, and [`WrongLength`] as [`io::ErrorKind::InvalidInput`] if `layout` is not that of the state.
+    pub fn write_csv(&self, writer: impl io::Write, layout: &StateLayout) -> io::Result<()> {
+        write(writer, layout, self.points().map(|(t, x)| Ok((t, *x))))
+    }
+
+    /// The same with the states at `times`, in any order, by the dense output of the method.
+    ///
+    /// # Errors
+    /// Those of [`write_csv`](Self::write_csv), and [`OutsideSpan`](crate::OutsideSpan) as [`io::ErrorKind::InvalidInput`].
+    pub fn write_csv_at(
+        &self,
+        writer: impl io::Write,
+        layout: &StateLayout,
+        times: impl IntoIterator<Item = T>,
+    ) -> io::Result<()> {
+        let point = |t| self.at(t).map(|x| (t, x)).map_err(invalid);
+        write(writer, layout, times.into_iter().map(point))
+    }
+}
+
+fn write<T: Float, const N: usize>(
+    mut writer: impl io::Write,
+    layout: &StateLayout,
+    points: impl Iterator<Item = io::Result<(T, SVector<T, N>)>>,
+) -> io::Result<()> {
+    let names = layout.components();
+    if names.len() != N {
+        return Err(invalid(WrongLength { given: N, names }));
+    }
+    writeln!(writer, "t,{}", names.join(","))?;
+    for point in points {
+        let (t, x) = point?;
+        write!(writer, "{t:?}")?;
+        for component in &x {
+            write!(writer, ",{component:?}")?;
+        }
+        writeln!(writer)?;
+    }
+    Ok(())
+}
+
+fn invalid(error: impl std::error::Error + Send + Sync + 'static) -> io::Error {
+    io::Error::new(io::ErrorKind::InvalidInput, error)
+}

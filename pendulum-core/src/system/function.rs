@@ -1,0 +1,120 @@
+//! Functions as systems.
+
+use std::fmt;
+
+use nalgebra::{SMatrix, SVector};
+
+use super::{Jacobian, System};
+use crate::layout::StateLayout;
+use crate::real::Real;
+
+/// A function `f(t, x)` as a [`System`].
+///
+/// A type of its own, since closures that were systems themselves would forbid every other general implementation.
+///
+/// ```
+/// use pendulum_core::prelude::*;
+/// use pendulum_core::SolveError;
+///
+/// let decay = FnSystem(|_t: f64, x: &SVector<f64, 1>| -x);
+/// let solution = Rk45::new().solve(&decay, 0.0, 1.0, [1.0])?;
+/// assert!((solution.end()[0] - (-1.0_f64).exp()).abs() < 1e-6);
+/// # Ok::<(), SolveError<f64, 1>>(())
+/// ```
+///
+/// Stiff methods require a Jacobian: see [`with_jacobian`](Self::with_jacobian) and [`Differences`](super::Differences).
+#[derive(Clone, Copy)]
+pub struct FnSystem<F>(pub F);
+
+impl<F> FnSystem<F> {
+    /// The system of the function `f(t, x)` whose derivative with respect to `x` is `jacobian(t, x)`.
+    ///
+    /// ```
+    /// use pendulum_core::prelude::*;
+    /// use pendulum_core::SolveError;
+    ///
+    /// let follower = FnSystem::with_jacobian(
+    ///     |t: f64, x: &SVector<f64, 1>| SVector::from([-1e6 * (x[0] - t.cos())]),
+    ///     |_t, _x| SMatrix::from([[-1e6]]),
+    /// );
+    /// let solution = Rodas5P::new().solve(&follower, 0.0, 10.0, [2.0])?;
+    /// assert!((solution.end()[0] - 10.0_f64.cos()).abs() < 1e-5);
+    /// # Ok::<(), SolveError<f64, 1>>(())
+    /// ```
+    #[inline]
+    pub fn with_jacobian<T, J, const N: usize>(f: F, jacobian: J) -> WithJacobian<Self, J>
+    where
+        T: Real,
+        F: Fn(T, &SVector<T, N>) -> SVector<T, N>,
+        J: Fn(T, &SVector<T, N>) -> SMatrix<T, N, N>,
+    {
+        WithJacobian::new(Self(f), jacobian)
+    }
+}
+
+impl<T, F, const N: usize> System<T, N> for FnSystem<F>
+where
+    T: Real,
+    F: Fn(T, &SVector<T, N>) -> SVector<T, N>,
+{
+    #[inline]
+    fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
+        (self.0)(t, x)
+    }
+}
+
+impl<F> fmt::Debug for FnSystem<F> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("FnSystem").finish_non_exhaustive()
+    }
+}
+
+/// A [`System`], or a [law](crate::inputs::Law) for inputs, with its derivative with respect to the state as a function `jacobian(t, x)`.
+///
+/// [`FnSystem::with_jacobian`] and [`WithInputs::with_derivative`](crate::WithInputs::with_derivative) make it. The derivative with
+/// respect to time is a central difference: see [`Jacobian::time_derivative`].
+#[derive(Clone, Copy)]
+pub struct WithJacobian<F, J> {
+    pub(crate) function: F,
+    pub(crate) jacobian: J,
+}
+
+impl<F, J> WithJacobian<F, J> {
+    /// `function` with the derivative `jacobian`.
+    #[inline]
+    pub const fn new(function: F, jacobian: J) -> Self {
+        Self { function, jacobian }
+    }
+}
+
+impl<T: Real, F: System<T, N>, J, const N: usize> System<T, N> for WithJacobian<F, J> {
+    #[inline]
+    fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
+        self.function.rhs(t, x)
+    }
+
+    #[inline]
+    fn layout(&self) -> Option<&'static StateLayout> {
+        self.function.layout()
+    }
+}
+
+impl<T, F, J, const N: usize> Jacobian<T, N> for WithJacobian<F, J>
+where
+    T: Real,
+    F: System<T, N>,
+    J: Fn(T, &SVector<T, N>) -> SMatrix<T, N, N>,
+{
+    #[inline]
+    fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
+        (self.jacobian)(t, x)
+    }
+}
+
+impl<F: fmt::Debug, J> fmt::Debug for WithJacobian<F, J> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("WithJacobian")
+            .field("function", &self.function)
+            .finish_non_exhaustive()
+    }
+}
