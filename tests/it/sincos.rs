@@ -219,7 +219,7 @@ fn a_sample_of_single_precision() {
     assert_single_precision(1009);
 }
 
-/// `cargo test --release --test it -- --ignored all_of_single_precision` takes a minute and prints 0.8439 ulp at
+/// `cargo test --release --package tests --test it -- --ignored all_of_single_precision` takes a minute and prints 0.8439 ulp at
 /// 308.64505.
 #[test]
 #[ignore = "takes a minute with optimisation"]
