@@ -11,11 +11,10 @@ use crate::real::Real;
 ///
 /// ```
 /// use pendulum_core::dual::Dual;
-/// use pendulum_core::real::Real;
 ///
 /// let [x, y] = [Dual::variable(3.0, 0), Dual::variable(4.0, 1)];
-/// let distance: Dual<f64, 2> = (x * x + y * y).sqrt();
-/// assert_eq!((distance.value, distance.slopes), (5.0, [0.6, 0.8]));
+/// let volume: Dual<f64, 2> = x * x * y;
+/// assert_eq!((volume.value, volume.slopes), (36.0, [24.0, 9.0]));
 /// ```
 ///
 /// A. Griewank, A. Walther, "Evaluating Derivatives", 2nd ed. (2008), chapter 3.

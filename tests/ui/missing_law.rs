@@ -14,5 +14,4 @@ fn main() {
     let _ = Rk45::new().solve(&cart, 0.0, 1.0, [0.0, 0.0]);
     let pushed = cart.with_inputs(|_, _| CartInputs { push: 1.0 });
     let _ = Rodas5P::new().solve(&pushed, 0.0, 1.0, [0.0, 0.0]);
-    let _ = Rk45::new().ensemble(&[pushed], 0.0, 1.0, &[SVector::from([0.0, 0.0])]);
 }
