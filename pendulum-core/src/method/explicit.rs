@@ -10,6 +10,7 @@ use crate::error::Reason;
 use crate::linear::square;
 use crate::method::input::refuse_tolerance;
 use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
+use crate::method::stages::{SHORT, shifted, weighted_sum};
 use crate::real::{Float, Real};
 use crate::solution::Statistics;
 use crate::system::System;
@@ -184,10 +185,6 @@ const MAX_EXTRA: usize = 10;
 /// The highest degree of a dense output.
 const MAX_DEGREE: usize = 9;
 
-/// The right-hand side of a system with no more states than this, two bodies, takes few operations, and most of them wait for one
-/// another.
-pub(crate) const SHORT: usize = 4;
-
 /// Evaluates the stages of a step from `(t, x)` to `t_new`, but for the first and the last, and returns the state there.
 ///
 /// `stages[0]` is the derivative at the start, given. The last one is the derivative at the end: `rhs(t_new, x_new)`.
@@ -229,44 +226,6 @@ where
     stages!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18);
     let weights = const { &B::TABLEAU.b };
     shifted(x, &weighted_sum::<T, STAGES, N>(h, weights, STAGES - 1, stages))
-}
-
-/// `x + change`, the components spelled out; see [`weighted_sum`].
-#[inline(always)]
-pub(super) fn shifted<T: Real, const N: usize>(x: &SVector<T, N>, change: &SVector<T, N>) -> SVector<T, N> {
-    let mut sum = *x;
-    for (sum, change) in sum.data.0[0].iter_mut().zip(&change.data.0[0]) {
-        *sum += *change;
-    }
-    sum
-}
-
-/// `sum_(i < count) (h weights_i) stages_i`, passing over zero weights.
-///
-/// The products `h weights_i` are formed first: once, where the components would each want one, and off the path from a stage to
-/// the next. The components are spelled out, since arithmetic of whole vectors is functions, which compilers need not inline: in lanes
-/// they must.
-#[inline(always)]
-pub(crate) fn weighted_sum<T: Real, const STAGES: usize, const N: usize>(
-    h: T,
-    weights: &[f64; STAGES],
-    count: usize,
-    stages: &[SVector<T, N>; STAGES],
-) -> SVector<T, N> {
-    let mut sums = [T::default(); N];
-    let mut is_first = true;
-    for i in 0..count {
-        if weights[i] == 0.0 {
-            continue;
-        }
-        let weight = h * T::from_f64(weights[i]);
-        for (component, sum) in sums.iter_mut().enumerate() {
-            let term = weight * stages[i].data.0[0][component];
-            *sum = if is_first { term } else { *sum + term };
-        }
-        is_first = false;
-    }
-    SVector::from(sums)
 }
 
 /// One row of a tableau.

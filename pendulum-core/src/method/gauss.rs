@@ -10,11 +10,11 @@ use crate::linear::Lu;
 use crate::method::collocation::Pencil;
 use crate::method::hermite;
 use crate::method::input::refuse_tolerance;
-use crate::method::legendre::{Legendre, Table};
 use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
 use crate::real::Float;
 use crate::solution::Statistics;
 use crate::system::Canonical;
+use crate::tableau::{GaussLegendre, GaussTableau, HasTableau};
 
 /// The Gauss-Legendre method of two or three stages, of order 4 or 6, in canonical variables.
 ///
@@ -28,7 +28,7 @@ pub struct Gauss<const STAGES: usize>;
 
 impl<S, T, const STAGES: usize, const N: usize> OneStep<S, T, N> for Gauss<STAGES>
 where
-    Self: Legendre<STAGES>,
+    GaussLegendre: HasTableau<STAGES>,
     S: Canonical<T, N> + ?Sized,
     T: Float,
 {
@@ -84,13 +84,13 @@ type Vectors<T, const STAGES: usize, const N: usize> = [SVector<T, N>; STAGES];
 
 impl<T: Float, const STAGES: usize, const N: usize> GaussStages<T, STAGES, N>
 where
-    Gauss<STAGES>: Legendre<STAGES>,
+    GaussLegendre: HasTableau<STAGES>,
 {
-    const TABLE: Table<STAGES> = Gauss::<STAGES>::TABLE;
+    const TABLEAU: GaussTableau<STAGES> = GaussLegendre::TABLEAU;
 
     /// Starting values: the polynomial through start, stages and end of the last step, carried on; before there is one, a straight line.
     fn predicted(&self, x: &SVector<T, N>, h: T) -> [SVector<T, N>; STAGES] {
-        let table = const { &Self::TABLE };
+        let table = const { &Self::TABLEAU };
         let Some((x0, stages, before)) = &self.before else {
             return table.c.map(|c| x + self.slope * (h * T::from_f64(c)));
         };
@@ -116,7 +116,7 @@ where
         h: T,
         work: &mut Statistics,
     ) -> Result<(Vectors<T, STAGES, N>, Vectors<T, STAGES, N>), Stalled> {
-        let Table { c, b, w, modes, .. } = const { &Self::TABLE };
+        let GaussTableau { c, b, w, modes, .. } = const { &Self::TABLEAU };
         let [one_half, zero] = [0.5, 0.0].map(T::from_f64);
         let mut stages = self.predicted(x, h);
         // in the middle of the step, where the stages are on both sides
@@ -175,7 +175,7 @@ where
 
 impl<S, T, const STAGES: usize, const N: usize> Scheme<S, T, N> for GaussStages<T, STAGES, N>
 where
-    Gauss<STAGES>: Legendre<STAGES>,
+    GaussLegendre: HasTableau<STAGES>,
     S: Canonical<T, N> + ?Sized,
     T: Float,
 {
