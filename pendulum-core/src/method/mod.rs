@@ -13,6 +13,8 @@ mod pace;
 mod radau;
 mod rosenbrock;
 mod scheme;
+mod search;
+mod side;
 mod stages;
 mod stepper;
 mod tangent;
