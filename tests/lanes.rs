@@ -10,6 +10,7 @@ use std::fmt::Debug;
 use common::random::Random;
 use common::scenes::{DoublePendulum, DoublePendulumParams};
 use nalgebra::SVector;
+use pendulum_core::method::{Fixed, PowerSeries};
 use pendulum_core::prelude::*;
 use pendulum_core::real::lanes::{F32x8, F32x16, F64x4, F64x8, Isa, Kernel, LaneElement, Lanes};
 use pendulum_core::{Cast, EnsembleError, Float, Real, Reason};
@@ -175,6 +176,7 @@ fn pendulums_that_differ() {
         Vern9::new().rtol(1e-5);
         Taylor::new();
         Taylor::new().order(7);
+        Fixed::<PowerSeries>::new(0.05);
     }
 }
 

@@ -45,8 +45,8 @@ pub enum Reason {
     NonFinite {
         /// The first component of the state, or of its derivative, that is not finite.
         component: usize,
-        /// The length of the step in which it appeared; 0 if it did at the initial point.
-        h: f64,
+        /// The length of the step in which it appeared; `None` if it did where the integration starts, or goes on after a reset.
+        h: Option<f64>,
     },
     /// The tolerance asks for a step shorter than the time can resolve, or shorter than the least one allowed.
     StepUnderflow {
@@ -83,12 +83,12 @@ impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::InvalidInput { what, value, rule } => write!(f, "`{what}` is {value:?}: {rule}"),
-            Self::NonFinite { component, h: 0.0 } => write!(
+            Self::NonFinite { component, h: None } => write!(
                 f,
                 "component {component} of the state, or of its derivative, is not finite where the integration starts or goes on after a reset; \
                  check the parameters, the initial state, and what a reset returns"
             ),
-            Self::NonFinite { component, h } => write!(
+            Self::NonFinite { component, h: Some(h) } => write!(
                 f,
                 "component {component} of the state or of its derivative is not finite after a step of {h:.3e}; \
                  look for a singularity or a domain error of the right-hand side there, or end the integration earlier"

@@ -1,26 +1,27 @@
 //! Many trajectories of one method, in the lanes of the machine's vector registers.
 
 mod adaptive;
+mod check;
 mod fixed;
+mod lanes;
 
 use std::error::Error;
 use std::fmt;
 
 use nalgebra::SVector;
 
-pub use adaptive::InLanes;
+pub use lanes::{Expanded, InLanes};
 
 use crate::error::Reason;
-use crate::method::{Method, NonFinite, require};
+use crate::method::require;
 use crate::real::Float;
 use crate::real::lanes::{Isa, LaneElement};
-use crate::system::Cast;
 
 /// A method that takes many trajectories at a time.
 pub trait Ensemble<M, T: LaneElement, const N: usize> {
     /// Integrates a model from each of many states at `t0` to `t1`, and returns the states there.
     ///
-    /// There is one model for each start, or a single one for all. Each trajectory is bit for bit what [`solve`](Method::solve) gives
+    /// There is one model for each start, or a single one for all. Each trajectory is bit for bit what [`solve`](crate::Method::solve) gives
     /// for it alone; there is no record of the way. Beside the result no heap is used. Without optimisation, and with debug assertions,
     /// the code is not inlined as wide registers need it, and lanes are slower than scalars.
     ///
@@ -47,7 +48,7 @@ pub trait Ensemble<M, T: LaneElement, const N: usize> {
     ///
     /// # Errors
     /// [`EnsembleError::InvalidInput`] if there are neither one nor as many models as starts, or if times or settings are not what
-    /// [`solve`](Method::solve) takes. [`EnsembleError::Stopped`] names the trajectories that did not come to their end, a bad start
+    /// [`solve`](crate::Method::solve) takes. [`EnsembleError::Stopped`] names the trajectories that did not come to their end, a bad start
     /// included, and has the final states of the others.
     fn ensemble(
         &self,
@@ -132,43 +133,22 @@ fn check_models<M, X>(models: &[M], starts: &[X]) -> Result<(), Reason> {
     )
 }
 
-/// The final states `x`, of which those that are not finite have been stopped: the same trajectories alone tell where they ended, and why.
-fn conclude<A, M, T, const N: usize>(
-    method: &A,
-    models: &[M],
-    (t0, t1): (T, T),
-    starts: &[SVector<T, N>],
-    mut x: Vec<SVector<T, N>>,
-) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>
-where
-    A: Method<M::In<T>, T, N>,
-    M: Cast<N>,
-    T: Float,
-{
-    let mut stopped = Vec::new();
-    for (index, x) in x.iter_mut().enumerate() {
-        if NonFinite::check(x).is_ok() {
-            continue;
-        }
-        let model = model_of(models, index).cast::<T>();
-        let (t, reason);
-        (t, *x, reason) = match method.stepper(&model, t0, t1, starts[index]) {
-            Ok(mut stepper) => {
-                let reason = stepper.run().err();
-                (stepper.t(), stepper.x(), reason)
-            }
-            Err(reason) => (t0, starts[index], Some(reason)),
-        };
-        stopped.extend(reason.map(|reason| Stopped { index, t, reason }));
-    }
+/// The final states, or which trajectories stopped.
+fn conclude<T, const N: usize>(
+    x: Vec<SVector<T, N>>,
+    mut stopped: Vec<Stopped<T>>,
+) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>> {
     if stopped.is_empty() {
-        Ok(x)
-    } else {
-        Err(EnsembleError::Stopped { stopped, x })
+        return Ok(x);
     }
+    stopped.sort_by_key(|stopped| stopped.index);
+    Err(EnsembleError::Stopped { stopped, x })
 }
 
 /// The model of trajectory `i`.
 fn model_of<M>(models: &[M], i: usize) -> &M {
     if let [model] = models { model } else { &models[i] }
 }
+
+/// The most lanes there are: registers of eight `f64` four times, or of sixteen `f32` twice; twice that is left for wider ones.
+const MOST_LANES: usize = 64;

@@ -4,13 +4,13 @@ use std::marker::PhantomData;
 
 use nalgebra::SVector;
 
-use crate::control::Tolerance;
+use crate::control::{Estimates, Tolerance};
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::linear::square;
-use crate::method::input::refuse_tolerance;
-use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
+use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::stages::{SHORT, shifted, weighted_sum};
+use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
 use crate::solution::Statistics;
 use crate::system::System;
@@ -32,18 +32,15 @@ impl<B, S, T, const STAGES: usize, const N: usize> OneStep<S, T, N> for Explicit
 where
     B: Tableau<STAGES>,
     S: System<T, N> + ?Sized,
-    T: Float,
+    T: Lanes,
 {
     type Scheme = ExplicitStages<B, T, STAGES, N>;
 
-    #[inline]
-    fn scheme(&self, _system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
-        if const { B::TABLEAU.b_hat.is_none() } {
-            refuse_tolerance(tolerance)?;
-        }
+    #[inline(always)]
+    fn scheme(&self, _system: &S, tolerance: Option<Tolerance<T::Scalar>>) -> Result<Self::Scheme, Reason> {
         let zero = SVector::from_element(T::default());
         Ok(ExplicitStages {
-            tolerance,
+            tolerance: tolerance.map(Tolerance::in_lanes),
             slope: zero,
             stages: [zero; STAGES],
             coefficients: [zero; MAX_DEGREE],
@@ -52,15 +49,30 @@ where
     }
 }
 
+impl<B: Estimates, const STAGES: usize> Estimates for Explicit<B, STAGES> {}
+
 /// The stages of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct ExplicitStages<B, T, const STAGES: usize, const N: usize> {
     tolerance: Option<Tolerance<T>>,
-    /// The derivative where the next step starts.
+    /// See [`slope`](Self::slope).
     slope: SVector<T, N>,
     stages: [SVector<T, N>; STAGES],
     coefficients: [SVector<T, N>; MAX_DEGREE],
     tableau: PhantomData<B>,
+}
+
+impl<B, T: Lanes, const STAGES: usize, const N: usize> ExplicitStages<B, T, STAGES, N> {
+    /// The derivative where the next step starts. It stands beside the stages of the last step, whose first one dense output needs; lanes
+    /// have no dense output, and save the copy.
+    #[inline(always)]
+    fn slope(&mut self) -> &mut SVector<T, N> {
+        if const { T::LANES == 1 } {
+            &mut self.slope
+        } else {
+            &mut self.stages[0]
+        }
+    }
 }
 
 impl<B, T, const STAGES: usize, const N: usize> ExplicitStages<B, T, STAGES, N>
@@ -97,61 +109,66 @@ impl<B, S, T, const STAGES: usize, const N: usize> Scheme<S, T, N> for ExplicitS
 where
     B: Tableau<STAGES>,
     S: System<T, N> + ?Sized,
-    T: Float,
+    T: Lanes,
 {
-    #[inline]
+    #[inline(always)]
     fn error_order(&self) -> usize {
         B::TABLEAU.order_hat
     }
 
-    #[inline]
+    #[inline(always)]
     fn begin(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
         work.evaluations += 1;
-        self.slope = system.rhs(t, x);
-        self.slope
+        *self.slope() = system.rhs(t, x);
+        *self.slope()
     }
 
-    #[inline]
+    #[inline(always)]
     fn attempt(
         &mut self,
         system: &S,
         (t, x): (T, &SVector<T, N>),
-        t_new: T,
+        (t_new, x_new): (T, &mut SVector<T, N>),
         work: &mut Statistics,
-    ) -> Result<Attempt<T, N>, Stalled> {
-        self.stages[0] = self.slope;
+    ) -> Result<T, Stalled> {
+        if const { T::LANES == 1 } {
+            self.stages[0] = self.slope;
+        }
         // The right-hand side of a reference may stay a function of its own, where that of a generated model is always inlined: many
         // copies of a long one are slower than calls.
-        let x_new = if const { N <= SHORT } {
+        *x_new = if const { N <= SHORT || T::LANES > 1 } {
             attempt::<B, S, _, _, _>(system, (t, x), t_new, &mut self.stages)
         } else {
             attempt::<B, &S, _, _, _>(&system, (t, x), t_new, &mut self.stages)
         };
         work.evaluations += STAGES - 2;
-        let mean_square = match &self.tolerance {
+        Ok(match &self.tolerance {
             None => T::default(),
             Some(tolerance) => {
                 if const { B::TABLEAU.error_wants_the_last_stage() } {
                     work.evaluations += 1;
-                    self.stages[STAGES - 1] = system.rhs(t_new, &x_new);
+                    self.stages[STAGES - 1] = system.rhs(t_new, x_new);
                 }
                 let weights = const { &B::TABLEAU.error_weights() };
                 let error = weighted_sum((t_new - t).abs(), weights, STAGES, &self.stages);
-                tolerance.mean_square(&error, x, &x_new)
+                tolerance.mean_square(&error, x, x_new)
             }
-        };
-        Ok(Attempt { x: x_new, mean_square })
+        })
     }
 
-    #[inline]
-    fn finish(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> Result<(), NonFinite> {
+    #[inline(always)]
+    fn arrive(&mut self, system: &S, (t, x): (T, &SVector<T, N>), work: &mut Statistics) -> Option<&SVector<T, N>> {
         if self.tolerance.is_none() || const { !B::TABLEAU.error_wants_the_last_stage() } {
             work.evaluations += 1;
-            self.stages[STAGES - 1] = system.rhs(step.t1, &step.x1);
+            self.stages[STAGES - 1] = system.rhs(t, x);
         }
-        NonFinite::check(&self.stages[STAGES - 1])?;
-        self.slope = self.stages[STAGES - 1];
-        Ok(())
+        Some(&self.stages[STAGES - 1])
+    }
+
+    #[inline(always)]
+    fn accept(&mut self, _system: &S, _step: &Step<T, N>, lanes: Accepted<'_>, _work: &mut Statistics) {
+        let last = self.stages[STAGES - 1];
+        *self.slope() = lanes.select(&last, self.slope());
     }
 
     fn dense(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
@@ -192,7 +209,7 @@ const MAX_DEGREE: usize = 9;
 /// The stages are spelled out up to `MAX_STAGES`, since compilers do not unroll a loop over calls of the right-hand side:
 /// so each sees its row of the tableau as constants, and zero coefficients vanish.
 #[inline(always)]
-pub(crate) fn attempt<B, S, T, const STAGES: usize, const N: usize>(
+fn attempt<B, S, T, const STAGES: usize, const N: usize>(
     system: &S,
     (t, x): (T, &SVector<T, N>),
     t_new: T,

@@ -9,8 +9,7 @@ use crate::layout::StateLayout;
 use crate::linear::Lu;
 use crate::method::collocation::Pencil;
 use crate::method::hermite;
-use crate::method::input::refuse_tolerance;
-use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
+use crate::method::scheme::{Accepted, NonFinite, OneStep, Scheme, Stalled};
 use crate::real::Float;
 use crate::solution::Statistics;
 use crate::system::Canonical;
@@ -34,8 +33,7 @@ where
 {
     type Scheme = GaussStages<T, STAGES, N>;
 
-    fn scheme(&self, system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
-        refuse_tolerance(tolerance)?;
+    fn scheme(&self, system: &S, _tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
         let zeros = SVector::from_element(T::default());
         let start = Point { y: zeros, lost: zeros };
         Ok(GaussStages {
@@ -199,17 +197,15 @@ where
         &mut self,
         system: &S,
         (t, x): (T, &SVector<T, N>),
-        t_new: T,
+        (t_new, x_new): (T, &mut SVector<T, N>),
         work: &mut Statistics,
-    ) -> Result<Attempt<T, N>, Stalled> {
+    ) -> Result<T, Stalled> {
         let (stages, parts) = self.solve(system, (t, x), t_new - t, work)?;
         let increment = parts.iter().fold(self.start.lost, |sum, part| sum + part);
         let (y, lost) = sum_and_rest(&self.start.y, &increment);
         if NonFinite::check(&y).is_err() {
-            return Ok(Attempt {
-                x: y,
-                mean_square: T::default(),
-            });
+            *x_new = y;
+            return Ok(T::default());
         }
         // The coordinates are there; their rates solve A qd = p, from some rates nearby.
         let nearby = SVector::from_fn(|k, _| {
@@ -228,18 +224,20 @@ where
         work.jacobians += 1;
         work.factorizations += 1;
         self.tried = (Point { y, lost }, stages);
-        Ok(Attempt {
-            x: nearby + SVector::from(change),
-            mean_square: T::default(),
-        })
+        *x_new = nearby + SVector::from(change);
+        Ok(T::default())
     }
 
     #[inline]
-    fn finish(&mut self, _system: &S, step: &Step<T, N>, _work: &mut Statistics) -> Result<(), NonFinite> {
+    fn arrive(&mut self, _system: &S, _end: (T, &SVector<T, N>), _work: &mut Statistics) -> Option<&SVector<T, N>> {
+        None
+    }
+
+    #[inline]
+    fn accept(&mut self, _system: &S, step: &Step<T, N>, _lanes: Accepted<'_>, _work: &mut Statistics) {
         let (end, stages) = self.tried;
         self.start = end;
         self.before = Some((step.x0, stages, step.h));
-        Ok(())
     }
 
     fn dense(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {

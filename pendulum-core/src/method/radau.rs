@@ -2,12 +2,12 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::control::Tolerance;
+use crate::control::{Estimates, Tolerance};
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::linear::Singular;
 use crate::method::collocation::Pencil;
-use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
+use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::stages::SHORT;
 use crate::real::Float;
 use crate::solution::Statistics;
@@ -44,8 +44,8 @@ where
         let zero = SVector::from_element(T::default());
         Ok(RadauStages {
             tolerance,
-            slope: zero,
-            jacobian: SMatrix::from_element(T::default()),
+            start: (zero, SMatrix::from_element(T::default())),
+            end: (zero, SMatrix::from_element(T::default())),
             rises: [zero; STAGES],
             coefficients: [zero; STAGES],
             h: T::default(),
@@ -55,13 +55,16 @@ where
     }
 }
 
+impl Estimates for RadauIIA {}
+
 /// The stages of a step of a method of Radau.
 #[derive(Clone, Copy, Debug)]
 pub struct RadauStages<T, const N: usize> {
     tolerance: Option<Tolerance<T>>,
     /// The derivative where the next step starts, and its derivative by the state.
-    slope: SVector<T, N>,
-    jacobian: SMatrix<T, N, N>,
+    start: (SVector<T, N>, SMatrix<T, N, N>),
+    /// The same where the step that was tried last ends.
+    end: (SVector<T, N>, SMatrix<T, N, N>),
     /// By how much the stages differ from the state at the start.
     rises: [SVector<T, N>; STAGES],
     /// The polynomial of the last step and its length, 0 where there is none.
@@ -186,7 +189,7 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
         let Some(tolerance) = &self.tolerance else {
             return T::default();
         };
-        let error = self.error(&self.slope, h, pencil);
+        let error = self.error(&self.start.0, h, pencil);
         let mean_square = tolerance.mean_square(&error, x, x_new);
         if mean_square <= T::from_f64(1.0) || !self.is_doubtful {
             return mean_square;
@@ -212,9 +215,9 @@ where
     fn begin(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
         work.evaluations += 1;
         work.jacobians += 1;
-        (self.slope, self.jacobian) = system.rhs_and_jacobian(t, x);
+        self.start = system.rhs_and_jacobian(t, x);
         (self.h, self.eta, self.is_doubtful) = (T::default(), T::from_f64(1.0), true);
-        self.slope
+        self.start.0
     }
 
     #[inline]
@@ -222,12 +225,12 @@ where
         &mut self,
         system: &S,
         (t, x): (T, &SVector<T, N>),
-        t_new: T,
+        (t_new, x_new): (T, &mut SVector<T, N>),
         work: &mut Statistics,
-    ) -> Result<Attempt<T, N>, Stalled> {
+    ) -> Result<T, Stalled> {
         let h = t_new - t;
         let identity = SMatrix::from_fn(|i, j| T::from_f64(if i == j { 1.0 } else { 0.0 }));
-        let pencil = Pencil::new(&MODES, h, &identity, &self.jacobian).map_err(|Singular| Stalled)?;
+        let pencil = Pencil::new(&MODES, h, &identity, &self.start.1).map_err(|Singular| Stalled)?;
         work.factorizations += pencil.factorizations();
         self.predict(h);
         let solved = if const { N <= SHORT } {
@@ -235,25 +238,25 @@ where
         } else {
             self.iterate::<&S>(&system, (t, x), t_new, &pencil, work)
         };
-        let x_new = x + self.rises[STAGES - 1];
-        let mean_square = solved.map(|()| self.estimate(system, (t, x), (h, &x_new), &pencil, work));
+        *x_new = x + self.rises[STAGES - 1];
+        let mean_square = solved.map(|()| self.estimate(system, (t, x), (h, x_new), &pencil, work));
         self.is_doubtful = true;
-        Ok(Attempt {
-            x: x_new,
-            mean_square: mean_square?,
-        })
+        mean_square
     }
 
     #[inline]
-    fn finish(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> Result<(), NonFinite> {
+    fn arrive(&mut self, system: &S, (t, x): (T, &SVector<T, N>), work: &mut Statistics) -> Option<&SVector<T, N>> {
         work.evaluations += 1;
         work.jacobians += 1;
-        let (slope, jacobian) = system.rhs_and_jacobian(step.t1, &step.x1);
-        NonFinite::check(&slope)?;
-        (self.slope, self.jacobian) = (slope, jacobian);
+        self.end = system.rhs_and_jacobian(t, x);
+        Some(&self.end.0)
+    }
+
+    #[inline]
+    fn accept(&mut self, _system: &S, step: &Step<T, N>, _lanes: Accepted<'_>, _work: &mut Statistics) {
+        self.start = self.end;
         self.coefficients = std::array::from_fn(|power| combined(&POWERS[power], &self.rises));
         (self.h, self.is_doubtful) = (step.h, false);
-        Ok(())
     }
 
     fn dense(&mut self, _system: &S, _step: &Step<T, N>, _work: &mut Statistics) -> &[SVector<T, N>] {

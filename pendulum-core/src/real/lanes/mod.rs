@@ -39,9 +39,7 @@ mod register;
 mod x86;
 
 pub use isa::{Isa, Kernel, LaneElement};
-#[cfg(not(target_arch = "x86_64"))]
-pub(super) use register::Pair;
-pub(super) use register::Register;
+pub(super) use register::{Pair, Register};
 #[cfg(target_arch = "x86_64")]
 pub(super) use x86::Xmm64;
 
@@ -49,16 +47,13 @@ pub use pack::{F32x8, F32x16, F64x4, F64x8, Pack};
 
 use super::{Float, Real};
 
-/// A [`Real`] that is several scalars side by side.
+/// A [`Real`] that is scalars side by side; a scalar is one lane.
 pub trait Lanes: Real {
     /// The type of one lane.
     type Scalar: Float;
 
     /// The same lanes twice, computed in turns: what waits for a result in one half, the other half can use.
     type Double: Lanes<Scalar = Self::Scalar>;
-
-    /// The number of lanes.
-    const LANES: usize;
 
     /// The same number in all lanes.
     fn splat(v: Self::Scalar) -> Self;
