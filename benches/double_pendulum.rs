@@ -2,21 +2,14 @@
 //!
 //! The last lines are ratios of times taken in turns, which hold on a noisy machine better than the times themselves.
 
-#[path = "../tests/common/eq22.rs"]
-#[allow(dead_code, unreachable_pub, reason = "shared with the tests, which use more of it")]
-mod eq22;
-#[path = "../tests/common/scenes.rs"]
-#[allow(unreachable_pub, reason = "shared with the tests")]
-mod scenes;
-
 use std::hint::black_box;
 use std::time::{Duration, Instant};
 
 use divan::Bencher;
-use eq22::Eq22;
 use nalgebra::SVector;
 use pendulum_core::prelude::*;
-use scenes::{DoublePendulum, DoublePendulumParams};
+use testbed::eq22::Eq22;
+use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 
 /// Evaluations between two looks at the clock.
 const BATCH: usize = 1000;

@@ -4,23 +4,15 @@
     reason = "a global allocator is unsafe by its nature; this one counts and forwards"
 )]
 
-mod common;
-#[macro_use]
-#[path = "common/methods.rs"]
-mod methods;
-
 use std::alloc::{GlobalAlloc, Layout, System as Heap};
 use std::cell::Cell;
 
-use common::mechanisms::Tree;
-use common::scenes::{DoublePendulum, DoublePendulumParams};
-use methods::Promise;
 use pendulum_core::Reason;
-use pendulum_core::method::{
-    Adaptive, Estimates, Explicit, Fixed, Gauss, OneStep, PowerSeries, RadauIIA, Rosenbrock, Switching,
-};
+use pendulum_core::method::{Adaptive, Estimates, Fixed, OneStep};
 use pendulum_core::prelude::*;
-use pendulum_core::tableau;
+use testbed::mechanisms::Tree;
+use testbed::methods::Promise;
+use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 
 struct Counting;
 
@@ -129,10 +121,10 @@ fn steps_do_not_allocate() {
             assert!(steps > 10, "{promise:?}: {steps}");
         }
     }
-    each_adaptive!(fixed);
-    each_without_estimate!(fixed);
-    each_without_estimate!(longer);
-    each_adaptive!(adaptive);
+    testbed::each_adaptive!(fixed);
+    testbed::each_without_estimate!(fixed);
+    testbed::each_without_estimate!(longer);
+    testbed::each_adaptive!(adaptive);
 }
 
 #[test]
@@ -146,5 +138,5 @@ fn errors_of_a_stepper_do_not_allocate() {
         };
         assert_eq!(allocations(fail), 0);
     }
-    each_adaptive!(check);
+    testbed::each_adaptive!(check);
 }

@@ -27,7 +27,7 @@ class Robot:
 
 
 def read(path):
-    """The robots of `tests/data/robots.json`."""
+    """The robots of `testbed/data/robots.json`."""
     return [robot(data) for data in json.loads(path.read_text())["mechanisms"]]
 
 

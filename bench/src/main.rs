@@ -1,8 +1,5 @@
 //! Measurements of the generated code and of the methods beside their peers, each written as a table and a chart into `out/`.
 
-mod bars;
-#[path = "../../pendulum-codegen/tests/common/chains.rs"]
-mod chains;
 mod cheap;
 mod compile;
 mod generated;
@@ -10,19 +7,12 @@ mod lanes;
 mod library;
 mod machine;
 mod methods;
-#[path = "../../examples/common/page.rs"]
-#[allow(dead_code, reason = "shared with the examples, which use more colours")]
-mod page;
-mod panels;
 mod peers;
 mod python;
 mod report;
 mod rust;
-mod scale;
 mod scaling;
 mod timing;
-#[path = "../../examples/common/typeset.rs"]
-mod typeset;
 mod weights;
 
 use std::error::Error;

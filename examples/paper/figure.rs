@@ -4,8 +4,8 @@ use std::error::Error;
 
 use pendulum_core::{OutsideSpan, Solution};
 
-use crate::common::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
-use crate::common::page::{BLUE, VERMILION};
+use charts::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
+use charts::page::{BLUE, VERMILION};
 
 const UPPER: Line = Line::solid(BLUE);
 const LOWER: Line = Line::dashed(VERMILION);

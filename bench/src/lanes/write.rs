@@ -4,9 +4,9 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 
 use super::{COUNT, Results, Row, START};
-use crate::bars::{Bar, Bars};
-use crate::page::Picture;
 use crate::report::{list, number, table, write};
+use charts::bars::{Bar, Bars};
+use charts::page::Picture;
 
 pub(crate) fn all(results: &Results, out: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
     let text = markdown(results);

@@ -14,9 +14,6 @@ mod pendulum;
 mod results;
 mod scene;
 mod sweep;
-#[path = "../../../tests/common/trajectories.rs"]
-#[allow(dead_code, reason = "shared with the tests, which use more of it")]
-mod trajectories;
 mod write;
 
 use std::error::Error;
@@ -26,7 +23,7 @@ use std::path::Path;
 use results::{Results, SceneResults};
 
 use crate::machine;
-use crate::peers::eq22;
+use testbed::eq22;
 
 pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -3,9 +3,9 @@
 use std::error::Error;
 
 use super::pendulum::{DoublePendulum, DoublePendulumParams, double_pendulum};
-use super::trajectories;
+use testbed::trajectories;
 
-/// A scene of `tests/data/trajectories.json` to its last time.
+/// A scene of `testbed/data/trajectories.json` to its last time.
 pub(crate) struct Scene {
     /// One letter.
     pub name: &'static str,

@@ -3,13 +3,11 @@
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
-use plotters::style::RGBColor;
-
 use super::entrant::OURS;
 use super::results::{Curve, Point, Results, SceneResults};
-use crate::page::{BLUE, Picture, VERMILION};
-use crate::panels::{self, Column, Panels};
 use crate::report::{count, list, number, table, write};
+use charts::page::{BLUE, GREEN, INK, ORANGE, PURPLE, Picture, RGBColor, SKY, VERMILION};
+use charts::panels::{self, Column, Panels};
 
 /// Errors of the final state.
 const TARGETS: [f64; 4] = [1e-6, 1e-8, 1e-10, 1e-12];
@@ -18,11 +16,11 @@ const TARGETS: [f64; 4] = [1e-6, 1e-8, 1e-10, 1e-12];
 const LIBRARIES: [(&str, RGBColor); 8] = [
     (OURS, BLUE),
     ("heyoka", VERMILION),
-    ("GSL", RGBColor(0, 158, 115)),
-    ("Boost.odeint", RGBColor(230, 159, 0)),
-    ("CVODE", RGBColor(34, 34, 34)),
-    ("ode_solvers", RGBColor(204, 121, 167)),
-    ("differential-equations", RGBColor(86, 180, 233)),
+    ("GSL", GREEN),
+    ("Boost.odeint", ORANGE),
+    ("CVODE", INK),
+    ("ode_solvers", PURPLE),
+    ("differential-equations", SKY),
     ("diffsol", RGBColor(150, 150, 150)),
 ];
 

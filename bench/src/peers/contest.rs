@@ -8,10 +8,10 @@ use pendulum_core::real::Real;
 
 use super::candidate::{Candidate, Function, OURS};
 use super::entrants;
-use super::random::Random;
 use super::results::Row;
 use crate::library::Program;
 use crate::timing::{Times, in_turns};
+use testbed::random::Random;
 
 /// States that are evaluated one after the other, in each pass. So few that the processor learns which branches the sines and
 /// cosines of the platform take, as it does where the states are those of a motion.

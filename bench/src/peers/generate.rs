@@ -60,7 +60,7 @@ impl From<Counted> for Operations {
 
 pub(crate) fn generate(root: &Path, folder: &Path) -> Result<Generated, Box<dyn Error>> {
     let python = python(root);
-    let data = root.join("../tests/data/robots.json");
+    let data = root.join("../testbed/data/robots.json");
     let output = Command::new(&python)
         .arg(root.join("peers/generate.py"))
         .args([&data, &root.join("peers/double_pendulum.json"), folder])

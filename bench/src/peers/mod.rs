@@ -6,18 +6,9 @@ mod agree;
 mod candidate;
 mod contest;
 mod entrants;
-#[path = "../../../tests/common/eq22.rs"]
-#[allow(dead_code, reason = "shared with the tests, which use more of it")]
-pub(crate) mod eq22;
 mod generate;
 mod ours;
-#[path = "../../../tests/common/random.rs"]
-mod random;
 mod results;
-#[path = "../../../tests/common/robots.rs"]
-mod robots;
-#[path = "../../../tests/common/scenes.rs"]
-mod scenes;
 mod write;
 
 use std::error::Error;

@@ -10,11 +10,11 @@ use pendulum_core::{Cost, FunctionCost};
 use serde::Deserialize;
 
 use super::candidate::{Candidate, Function, OURS};
-use super::eq22::{Eq22, Plate};
-use super::robots::{Panda, PandaParams, Ur5, Ur5Params};
-use super::scenes::{DoublePendulum, DoublePendulumParams};
 use crate::cheap::Cheap;
 use crate::library::Program;
+use testbed::eq22::{Eq22, Plate};
+use testbed::robots::{Panda, PandaParams, Ur5, Ur5Params};
+use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 
 /// The numbers of the double pendulum. They are not the round ones of the paper, since products with 1 would vanish from the
 /// code of those peers that hold numbers instead of parameters.

@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 
 use super::candidate::{Function, MODELS, OURS};
 use super::results::{Results, Row};
-use crate::bars::{Bar, Bars};
-use crate::page::Picture;
 use crate::report::{count, list, number, table, write};
+use charts::bars::{Bar, Bars};
+use charts::page::Picture;
 
 /// Code that was written by hand is shown, but is no generator to be faster than.
 const BY_HAND: &str = "by hand";

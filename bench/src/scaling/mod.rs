@@ -11,12 +11,12 @@ use std::time::Duration;
 use pendulum_codegen::program::Cost;
 use results::{Counted, Results, Robot, Row};
 
-use crate::chains::{planar, spatial};
 use crate::generated::Declaration;
 use crate::library;
 use crate::machine;
 use crate::rust::{Processors, Rust};
 use crate::timing::in_turns;
+use testbed::chains::{planar, spatial};
 
 const LENGTHS: std::ops::RangeInclusive<usize> = 2..=12;
 /// What is generated, the function whose operations and time are given, and its title.
@@ -31,7 +31,7 @@ const TURNS: Duration = Duration::from_secs(30);
 /// States that are evaluated one after the other.
 const STATES: usize = 64;
 
-const ROBOTS: &str = include_str!("../../../tests/common/robots.rs");
+const ROBOTS: &str = testbed::source::ROBOTS;
 
 pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 
 use super::FUNCTIONS;
 use super::results::{Results, Robot, Row};
-use crate::page::{BLUE, GREY, Picture, VERMILION};
-use crate::panels::{Column, Curve, Panels};
 use crate::report::{list, number, table, write};
+use charts::page::{BLUE, GREY, Picture, VERMILION};
+use charts::panels::{Column, Curve, Panels};
 
 /// Seconds for Panda with Jacobian: expansion, and with compilation.
 const TARGETS: [f64; 2] = [1.0, 5.0];

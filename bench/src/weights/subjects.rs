@@ -7,10 +7,11 @@ use std::path::{Path, PathBuf};
 use pendulum_codegen::program::Operations;
 
 use super::STATES;
-use crate::chains::{planar, spatial};
 use crate::generated::Declaration;
 use crate::library::{self, Program};
 use crate::rust::Rust;
+use testbed::chains::{planar, spatial};
+use testbed::source::{MECHANISMS, ROBOTS, SCENES};
 
 /// A model, compiled.
 pub(crate) struct Subject {
@@ -64,12 +65,11 @@ impl Subject {
 
 pub(crate) fn all(root: &Path, rust: &Rust) -> Result<Vec<Subject>, Box<dyn Error>> {
     let generate = "rhs, jacobian";
-    let shared = root.join("../tests/common");
     let mut declarations = Vec::new();
-    for (file, names) in [
-        ("scenes.rs", &["DoublePendulum"][..]),
+    for (source, names) in [
+        (SCENES, &["DoublePendulum"][..]),
         (
-            "mechanisms.rs",
+            MECHANISMS,
             &[
                 "Eq22Joint",
                 "IrregularPlates",
@@ -82,11 +82,10 @@ pub(crate) fn all(root: &Path, rust: &Rust) -> Result<Vec<Subject>, Box<dyn Erro
                 "SpringPendulumRig",
             ],
         ),
-        ("robots.rs", &["Ur5", "Panda"]),
+        (ROBOTS, &["Ur5", "Panda"]),
     ] {
-        let source = fs::read_to_string(shared.join(file))?;
         for name in names {
-            declarations.push(((*name).to_owned(), Declaration::read(&source, name, generate)?));
+            declarations.push(((*name).to_owned(), Declaration::read(source, name, generate)?));
         }
     }
     for n in 3..=8 {

@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 
 use super::Results;
 use super::insertions::PLACES;
-use crate::bars::{Bar, Bars};
-use crate::page::Picture;
 use crate::report::{list, number, table, write};
+use charts::bars::{Bar, Bars};
+use charts::page::Picture;
 
 /// What is less than this is noise.
 const LEAST: f64 = 0.1;

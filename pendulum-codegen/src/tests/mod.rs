@@ -1,13 +1,10 @@
 //! Tests of the inside of the generator, and what several of them share.
 
 mod base_parameters;
-#[path = "../../tests/common/chains.rs"]
-mod chains;
 mod coefficients;
 mod equations;
 mod equations_text;
 mod forms;
-mod growth;
 mod normal_form;
 mod solids;
 

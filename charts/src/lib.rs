@@ -1,0 +1,13 @@
+//! Charts in one style, written as SVG and as PNG.
+#![allow(missing_docs, reason = "fields and functions whose names say what they are")]
+
+pub mod bars;
+pub mod chart;
+pub mod heat;
+mod label;
+pub mod methods;
+pub mod page;
+mod palette;
+pub mod panels;
+mod scale;
+mod typeset;

@@ -1,0 +1,22 @@
+//! How the methods look, in the charts of all examples.
+
+use crate::chart::Line;
+use crate::page::{BLUE, GREEN, GREY, INK, ORANGE, PURPLE, SKY, VERMILION};
+
+/// How the curve of a method looks, in all charts.
+pub fn line(name: &str) -> Line {
+    match name {
+        "Rk4" => Line::solid(GREY),
+        "Rk45" => Line::solid(VERMILION),
+        "Tsit5" => Line::solid(ORANGE),
+        "Vern7" => Line::solid(SKY),
+        "Vern9" => Line::solid(BLUE),
+        "Taylor" => Line::solid(GREEN),
+        "Gauss4" => Line::dashed(VERMILION),
+        "Gauss6" => Line::dashed(ORANGE),
+        "Rodas4" => Line::dashed(SKY),
+        "Rodas5P" => Line::dashed(BLUE),
+        "Radau5" => Line::dashed(PURPLE),
+        _ => Line::dashed(INK),
+    }
+}

@@ -1,0 +1,137 @@
+//! Prints what `mechanism!` makes of a declaration.
+//!
+//! ```sh
+//! cargo run --example emitted                         # the code for the double pendulum of the paper, formatted
+//! cargo run --example emitted -- src/lib.rs           # for every declaration of a file, in its functions and modules as well
+//! cargo run --example emitted -- --latex src/lib.rs   # their equations of motion in LaTeX, for documents that load amsmath
+//! cargo run --example emitted -- --c src/lib.rs       # C: a header and a source for each, in out/emitted/ or in a folder named last
+//! ```
+
+use std::collections::BTreeSet;
+use std::error::Error;
+use std::path::{Path, PathBuf};
+use std::process::ExitCode;
+
+use pendulum_codegen::{Sources, c, expand, program};
+use proc_macro2::{TokenStream, TokenTree};
+
+/// What is printed where no file is named.
+const DEFAULT: &str = "testbed/src/scenes.rs";
+
+const USAGE: &str = "usage: emitted [FILE], emitted --latex [FILE] or emitted --c [FILE [FOLDER]]";
+
+/// What is printed of each declaration.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Output {
+    Rust,
+    Latex,
+    C,
+}
+
+struct Arguments {
+    output: Output,
+    path: String,
+    folder: PathBuf,
+}
+
+impl Arguments {
+    fn read(arguments: impl Iterator<Item = String>) -> Result<Self, String> {
+        let mut read = Self {
+            output: Output::Rust,
+            path: DEFAULT.to_owned(),
+            folder: PathBuf::from("out/emitted"),
+        };
+        let mut named = Vec::new();
+        for argument in arguments {
+            match argument.as_str() {
+                "--latex" => read.output = Output::Latex,
+                "--c" => read.output = Output::C,
+                option if option.starts_with('-') => return Err(USAGE.to_owned()),
+                _ => named.push(argument),
+            }
+        }
+        let mut named = named.into_iter();
+        read.path = named.next().unwrap_or(read.path);
+        let folder = named.next();
+        if named.next().is_some() || (folder.is_some() && read.output != Output::C) {
+            return Err(USAGE.to_owned());
+        }
+        read.folder = folder.map_or(read.folder, PathBuf::from);
+        Ok(read)
+    }
+}
+
+fn main() -> ExitCode {
+    match run() {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run() -> Result<(), Box<dyn Error>> {
+    let Arguments { output, path, folder } = Arguments::read(std::env::args().skip(1))?;
+    let source = std::fs::read_to_string(&path).map_err(|error| format!("cannot read {path}: {error}"))?;
+    let tokens: TokenStream = source.parse().map_err(|error| format!("{path}: {error}"))?;
+    let mut declarations = Vec::new();
+    collect(tokens, &mut declarations);
+    if declarations.is_empty() {
+        return Err(format!("{path} holds no `mechanism! {{ .. }}`").into());
+    }
+    let (mut wrong, mut written) = (Vec::new(), BTreeSet::new());
+    for declaration in declarations {
+        match program(declaration.clone()) {
+            Err(errors) => wrong.extend(errors.iter().map(|error| {
+                let at = error.span().start();
+                format!("{path}:{}:{}: {error}", at.line, at.column + 1)
+            })),
+            Ok(program) => match output {
+                Output::Latex => println!("{}", program.equations.latex()),
+                Output::C => {
+                    let sources = c(&program);
+                    let name = &sources.name;
+                    if !written.insert(name.clone()) {
+                        return Err(
+                            format!("two declarations of {path} have the name `{name}` in C; rename one").into(),
+                        );
+                    }
+                    write_c(&sources, &folder)?;
+                }
+                Output::Rust => println!("{}", prettyplease::unparse(&syn::parse2(expand(declaration))?)),
+            },
+        }
+    }
+    if wrong.is_empty() {
+        Ok(())
+    } else {
+        Err(wrong.join("\n").into())
+    }
+}
+
+/// Writes a header and a source, and names them.
+fn write_c(sources: &Sources, folder: &Path) -> Result<(), Box<dyn Error>> {
+    std::fs::create_dir_all(folder)?;
+    for (extension, text) in [("h", &sources.header), ("c", &sources.source)] {
+        let path = folder.join(&sources.name).with_extension(extension);
+        std::fs::write(&path, text)?;
+        println!("{}", path.display());
+    }
+    Ok(())
+}
+
+/// The contents of every `mechanism! { .. }`, wherever it stands.
+fn collect(tokens: TokenStream, declarations: &mut Vec<TokenStream>) {
+    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
+    for (n, token) in tokens.iter().enumerate() {
+        let TokenTree::Group(group) = token else { continue };
+        let called = matches!(&tokens[..n], [.., TokenTree::Ident(name), TokenTree::Punct(bang)]
+            if name == "mechanism" && bang.as_char() == '!');
+        if called {
+            declarations.push(group.stream());
+        } else {
+            collect(group.stream(), declarations);
+        }
+    }
+}

@@ -1,0 +1,16 @@
+//! Methods and stability on systems written by hand.
+
+mod auto;
+mod continuation;
+mod events;
+mod failures;
+mod implicit;
+mod inputs;
+mod orbits;
+mod pair;
+mod rosenbrock;
+#[cfg(feature = "serde")]
+mod serialization;
+mod stability;
+mod stability_functions;
+mod tableaus;

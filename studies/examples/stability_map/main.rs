@@ -1,0 +1,71 @@
+//! Maps of stability: over the friction of both axles, over the starts at rest, and over the amplitude.
+//!
+//! `cargo run --release --example stability_map` measures and draws them on all cores, and takes a minute of processor time in all.
+//! `-- --size N` takes N cells along each side of a map, in place of 270; most of the time goes with the square of N.
+
+mod amplitude;
+mod friction;
+mod progress;
+mod scene;
+mod starts;
+
+use std::error::Error;
+use std::ops::RangeInclusive;
+use std::path::Path;
+use std::process::ExitCode;
+
+use charts::page::Picture;
+
+const OUT: &str = "out/stability_map";
+/// Cells along each side of a map.
+const SIZE: usize = 270;
+const SIZES: RangeInclusive<usize> = 4..=2160;
+
+fn main() -> ExitCode {
+    match size(std::env::args().skip(1)).and_then(run) {
+        Ok(()) => ExitCode::SUCCESS,
+        Err(error) => {
+            eprintln!("stability_map: {error}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+/// What the arguments ask for.
+fn size(mut arguments: impl Iterator<Item = String>) -> Result<usize, Box<dyn Error>> {
+    let size = match arguments.next().as_deref() {
+        None => return Ok(SIZE),
+        Some("--size") => arguments.next().ok_or("--size wants a number of cells")?,
+        Some(other) => return Err(format!("unknown argument `{other}`; there is `--size N` alone").into()),
+    };
+    if let Some(more) = arguments.next() {
+        return Err(format!("unknown argument `{more}`; there is `--size N` alone").into());
+    }
+    match size.parse() {
+        Ok(size) if SIZES.contains(&size) => Ok(size),
+        _ => Err(format!(
+            "--size is `{size}`; it wants a whole number of cells from {} to {}",
+            SIZES.start(),
+            SIZES.end()
+        )
+        .into()),
+    }
+}
+
+fn run(size: usize) -> Result<(), Box<dyn Error>> {
+    let folder = Path::new(OUT);
+    let frictions = friction::measure(size)?;
+    println!("{frictions}\n");
+    let mut files = vec![frictions.atlas().save_png(&folder.join("friction"))?];
+    let starts = starts::measure(size)?;
+    println!("{starts}\n");
+    files.push(starts.atlas().save_png(&folder.join("starts"))?);
+    let amplitudes = amplitude::measure(size)?;
+    println!("{amplitudes}\n");
+    files.extend(amplitudes.figure().save(&folder.join("exponents"))?);
+    files.push(amplitudes.atlas().save_png(&folder.join("sections"))?);
+    for path in files {
+        println!("{}", path.display());
+    }
+    Ok(())
+}

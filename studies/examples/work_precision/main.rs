@@ -1,0 +1,55 @@
+//! What accuracy takes: errors of all methods against time and evaluations, and errors of simpler models against their cost.
+//!
+//! `cargo run --release --example work_precision` measures a regular, a chaotic and a stiff motion of the double pendulum, and the
+//! small-motion model over the amplitude. It prints the table of the README, and writes charts, tables and a page with all of them. It takes
+//! half a minute.
+
+mod figures;
+mod methods;
+mod page;
+mod scenes;
+mod simpler;
+mod table;
+
+use std::error::Error;
+use std::fs;
+use std::path::Path;
+
+use charts::page::Picture;
+
+const OUT: &str = "out/work_precision";
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let [regular, chaotic, stiff] = scenes::scenes()?;
+    let mut reports = Vec::new();
+    for scene in [&regular, &chaotic] {
+        eprintln!("measuring: {} ..", scene.title);
+        reports.push((scene, methods::measure(scene)));
+    }
+    eprintln!("measuring: {} ..", stiff.title);
+    reports.push((&stiff, methods::measure_stiff(&stiff)));
+    eprintln!("measuring: simpler models ..");
+    let simpler = simpler::measure()?;
+
+    let folder = Path::new(OUT);
+    let mut files = Vec::new();
+    for (stem, figure) in [
+        ("methods", figures::methods(&reports[..2])),
+        ("lanes", figures::lanes(&reports[..2])),
+        ("dense_and_energy", figures::dense_and_energy(&reports[..2])),
+        ("stiff", figures::stiff(&reports[2..])),
+        ("simpler_models", simpler.figure()),
+    ] {
+        files.extend(figure.save(&folder.join(stem))?);
+    }
+    let table = [&reports[..2], &reports[2..]].map(table::markdown).join("\n\n");
+    println!("{table}\n\n{simpler}\n");
+    let page = folder.join("index.html");
+    fs::write(&page, page::page(&reports, &simpler, &table))
+        .map_err(|error| format!("cannot write {}: {error}", page.display()))?;
+    files.push(page);
+    for path in files {
+        println!("{}", path.display());
+    }
+    Ok(())
+}

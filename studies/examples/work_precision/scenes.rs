@@ -1,0 +1,120 @@
+//! Three motions of the double pendulum, whose ends are known to 20 digits.
+
+use std::error::Error;
+
+use pendulum_core::accuracy::{Problem, Reference};
+use pendulum_core::prelude::*;
+use testbed::trajectories;
+
+mechanism! {
+    /// Two identical plates on axles with the same friction: Williams (2023), Eq. 22.
+    pub(crate) DoublePendulum {
+        params { gamma: N m s = 0.1 }
+        gravity: [0, -9.8, 0],
+        generate: [rhs, jacobian, energy, taylor, canonical],
+
+        shape plate { mass: 1, com: [0, -1, 0], inertia: 1 }
+
+        body upper on ground: plate {
+            joint: revolute(z),
+            coordinate: theta1,
+            friction: gamma,
+        }
+        body lower on upper: plate {
+            joint: revolute(z) at [0, -1, 0],
+            coordinate: theta2 absolute,
+            friction: gamma,
+        }
+    }
+}
+
+/// A motion to measure methods on.
+pub(crate) struct Scene {
+    pub name: &'static str,
+    pub title: &'static str,
+    pub model: DoublePendulum,
+    pub x0: SVector<f64, 4>,
+    pub t1: f64,
+    pub reference: Reference<'static, 4>,
+    /// What errors of the energy are measured in: that of the start above hanging at rest, in joules.
+    pub energy: f64,
+}
+
+/// A regular motion, a chaotic one, and a stiff one.
+pub(crate) fn scenes() -> Result<[Scene; 3], Box<dyn Error>> {
+    let degree = 1.0_f64.to_radians();
+    Ok([
+        scene(
+            ["regular", "regular: a small swing with friction, 20 s"],
+            ("paper_gamma_0.1", 0.1),
+            [0.0, 4.0 * degree],
+            [0.0; 2],
+            20.0,
+        )?,
+        scene(
+            ["chaotic", "chaotic: a large swing without friction, 10 s"],
+            ("large_swing", 0.0),
+            [2.0, 2.5],
+            [0.0; 2],
+            10.0,
+        )?,
+        scene(
+            ["stiff", "stiff: very much friction, 5 s"],
+            ("stiff_axles", 1e4),
+            [1.0, -1.0],
+            [0.0; 2],
+            5.0,
+        )?,
+    ])
+}
+
+/// Tolerances of the stiff solutions that are trusted between the points.
+const TIGHT: f64 = 1e-14;
+
+fn scene(
+    [name, title]: [&'static str; 2],
+    (known, gamma): (&str, f64),
+    angles: [f64; 2],
+    rates: [f64; 2],
+    t1: f64,
+) -> Result<Scene, Box<dyn Error>> {
+    let model = DoublePendulum::new(DoublePendulumParams { gamma })?;
+    let x0 = SVector::from([angles[0], angles[1], rates[0], rates[1]]);
+    let reference = if gamma < 100.0 {
+        Reference::integrate(&model, 0.0, t1, x0)?
+    } else {
+        let best = Rodas5P::new().rtol(TIGHT).atol(TIGHT).solve(&model, 0.0, t1, x0)?;
+        let other = Radau5::new().rtol(TIGHT).atol(TIGHT).solve(&model, 0.0, t1, x0)?;
+        Reference::solutions(best, &other)?
+    };
+    eprintln!(
+        "{name}: between the points the reference is known to {:.0e}",
+        reference.uncertainty(0.5 * t1)
+    );
+    let end = trajectories::scene(known).state(t1);
+    Ok(Scene {
+        name,
+        title,
+        model,
+        x0,
+        t1,
+        // the digits are rounded to doubles
+        reference: reference.with_points([(t1, end)], f64::EPSILON * end.amax()),
+        energy: model.energy(0.0, &x0) - model.energy(0.0, &SVector::zeros()),
+    })
+}
+
+impl Scene {
+    pub(crate) fn problem(&self) -> Problem<'_, DoublePendulum, 4> {
+        Problem::new(&self.model, 0.0, self.t1, self.x0, &self.reference).energy(self.energy)
+    }
+
+    /// Starts that differ a little from the scene's own.
+    pub(crate) fn neighbours(&self) -> Vec<SVector<f64, 4>> {
+        let shift = |n: u32| SVector::from([1e-4 * f64::from(n), 0.0, 0.0, 0.0]);
+        (1..NEIGHBOURS).map(|n| self.x0 + shift(n)).collect()
+    }
+}
+
+/// How many trajectories an ensemble has.
+pub(crate) const NEIGHBOURS: u32 = 64;

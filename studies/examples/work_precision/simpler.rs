@@ -1,0 +1,213 @@
+//! When a simpler model is enough: small motion and no friction beside the whole model, over the amplitude.
+
+use std::error::Error;
+use std::fmt;
+
+use pendulum_core::accuracy::{Errors, Problem, Reference, Report, Sweep};
+use pendulum_core::prelude::*;
+
+use crate::scenes::{DoublePendulum, DoublePendulumParams};
+use charts::chart::{Axis, Column, Curve, Figure, Line, Row, Scale};
+use charts::page::{BLUE, GREEN, GREY, VERMILION};
+
+mechanism! {
+    /// The same pendulum without friction.
+    Frictionless {
+        gravity: [0, -9.8, 0],
+        generate: [rhs, jacobian, energy, taylor],
+        shape plate { mass: 1, com: [0, -1, 0], inertia: 1 }
+        body upper on ground: plate { joint: revolute(z), coordinate: theta1 }
+        body lower on upper: plate { joint: revolute(z) at [0, -1, 0], coordinate: theta2 absolute }
+    }
+}
+
+/// How far the motion goes, in seconds.
+const T1: f64 = 10.0;
+/// Relative to the amplitude.
+const TOLERANCE: f64 = 1e-6;
+/// The errors whose amplitudes are told.
+const LEVELS: [(f64, &str); 2] = [(1e-2, "1 %"), (1e-3, "0.1 %")];
+const NAMES: [&str; 3] = ["linear", "frictionless", "full, 1e-6"];
+
+/// The models at all amplitudes.
+pub(crate) struct Simpler {
+    amplitudes: Vec<Amplitude>,
+}
+
+/// One start: both angles, at rest.
+struct Amplitude {
+    degrees: f64,
+    /// The largest error in time of angles and rates (per second) over the amplitude, and the time for the last state, in seconds, in the order of [`NAMES`].
+    models: [(f64, f64); 3],
+    evaluations: usize,
+}
+
+pub(crate) fn measure() -> Result<Simpler, Box<dyn Error>> {
+    // 0.1 to 90 degrees
+    let degrees = (0..=36).map(|n| 0.1 * 900.0_f64.powf(f64::from(n) / 36.0));
+    Ok(Simpler {
+        amplitudes: degrees.map(at).collect::<Result<_, _>>()?,
+    })
+}
+
+fn at(degrees: f64) -> Result<Amplitude, Box<dyn Error>> {
+    let model = DoublePendulum::new(DoublePendulumParams { gamma: 0.1 })?;
+    let free = Frictionless::new(FrictionlessParams {})?;
+    let amplitude = degrees.to_radians();
+    let x0 = SVector::from([amplitude, amplitude, 0.0, 0.0]);
+    let reference = Reference::integrate(&model, 0.0, T1, x0)?;
+    let method = |tol: f64| Taylor::new().rtol(tol).atol(tol * amplitude);
+
+    // The solution of x' = J x is the exponential of the Jacobian at rest.
+    let jacobian: SMatrix<f64, 4, 4> = model.jacobian(0.0, &SVector::zeros());
+    let flow = (jacobian * T1).exp();
+    let problem = Problem::new(&model, 0.0, T1, x0, &reference);
+    let linear_and_full = Sweep::new(problem)
+        .other("linear", [0.0], |_| Ok(flow * std::hint::black_box(x0)))
+        .method("full", [TOLERANCE], method)
+        .run();
+    let problem = Problem::new(&free, 0.0, T1, x0, &reference);
+    let frictionless = Sweep::new(problem).method("frictionless", [TOLERANCE], method).run();
+
+    let linear = (0..=1000).map(|n| T1 * f64::from(n) / 1000.0);
+    let linear = linear.map(|t| Some(((jacobian * t).exp() * x0 - reference.at(t)?).amax()));
+    let linear = linear.map(|error| error.unwrap_or(f64::INFINITY)).fold(0.0, f64::max);
+    let of = |report: &Report, n: usize| -> Result<(f64, f64, usize), Box<dyn Error>> {
+        let (_, measured) = report.series[n].measured().next().ok_or("an integration failed")?;
+        let Errors {
+            largest, dense, last, ..
+        } = measured.errors;
+        let error = [largest, dense].into_iter().flatten().fold(last, f64::max);
+        Ok((
+            error,
+            measured.minimum,
+            measured.work.map_or(0, |work| work.evaluations),
+        ))
+    };
+    let (_, linear_time, _) = of(&linear_and_full, 0)?;
+    let (full, full_time, evaluations) = of(&linear_and_full, 1)?;
+    let (free, free_time, _) = of(&frictionless, 0)?;
+    Ok(Amplitude {
+        degrees,
+        models: [(linear, linear_time), (free, free_time), (full, full_time)]
+            .map(|(error, time)| (error / amplitude, time)),
+        evaluations,
+    })
+}
+
+impl Simpler {
+    /// The amplitude up to which the linear model is within an error.
+    fn limit(&self, level: f64) -> Option<f64> {
+        let pairs = self.amplitudes.windows(2);
+        let crossing = |pair: &[Amplitude]| {
+            let [a, b] = [&pair[0], &pair[1]].map(|at| (at.degrees.ln(), (at.models[0].0 / level).ln()));
+            (a.1 <= 0.0 && b.1 > 0.0).then(|| (a.0 - a.1 * (b.0 - a.0) / (b.1 - a.1)).exp())
+        };
+        pairs.into_iter().find_map(crossing)
+    }
+
+    pub(crate) fn figure(&self) -> Figure {
+        let lines = [VERMILION, BLUE, GREEN].map(Line::solid);
+        let panel = |value: fn((f64, f64)) -> f64| -> Vec<Curve> {
+            let curve = |n: usize| Curve {
+                line: lines[n],
+                points: self
+                    .amplitudes
+                    .iter()
+                    .map(|at| (at.degrees.log10(), value(at.models[n]).log10()))
+                    .collect(),
+                label: Some(NAMES[n].to_owned()),
+            };
+            (0..NAMES.len()).map(curve).collect()
+        };
+        let mut errors: Vec<Curve> = LEVELS
+            .into_iter()
+            .filter_map(|(level, name)| {
+                let limit = self.limit(level)?.log10();
+                let y = level.log10();
+                Some(Curve {
+                    line: Line {
+                        width: 2.0,
+                        ..Line::dashed(GREY)
+                    },
+                    points: vec![(limit, ERRORS[0]), (limit, y), (2.0, y)],
+                    label: Some(name.to_owned()),
+                })
+            })
+            .collect();
+        errors.extend(panel(|(error, _)| error));
+        let x = Axis {
+            label: "amplitude of both angles (°)".to_owned(),
+            scale: Scale::Decades,
+            range: -1.0..2.0,
+            ticks: 4,
+        };
+        let column = |label: &str, [least, most]: [f64; 2]| Column {
+            x: x.clone(),
+            y: Axis {
+                label: label.to_owned(),
+                scale: Scale::Decades,
+                range: least..most,
+                ticks: 9,
+            },
+        };
+        Figure {
+            title: "Up to which amplitude is a simpler model enough?".to_owned(),
+            subtitle: format!(
+                "Both angles released at rest, γ = 0.1 N m s, {T1} s; the linear model is within 1 % up to {:.1}°, within 0.1 % up to {:.1}°",
+                self.limit(1e-2).unwrap_or(f64::NAN),
+                self.limit(1e-3).unwrap_or(f64::NAN)
+            ),
+            size: (1600, 920),
+            legend: Vec::new(),
+            columns: vec![
+                column("largest error of angles and rates, over the amplitude", ERRORS),
+                column("time for the state after 10 s (µs)", TIMES),
+            ],
+            rows: vec![Row {
+                caption: "full: the whole model, integrated by Taylor with a tolerance of 1e-6".to_owned(),
+                legend: Vec::new(),
+                panels: vec![errors, panel(|(_, time)| 1e6 * time)],
+            }],
+        }
+    }
+}
+
+/// Decades of the axes.
+const ERRORS: [f64; 2] = [-7.0, 1.0];
+const TIMES: [f64; 2] = [-3.0, 2.0];
+
+/// A table over the amplitude, and the operations.
+impl fmt::Display for Simpler {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        writeln!(
+            f,
+            "largest error of angles and rates (1/s) over the amplitude, and us for the state after {T1} s"
+        )?;
+        writeln!(
+            f,
+            "  degrees          linear              frictionless          full, 1e-6"
+        )?;
+        for Amplitude { degrees, models, .. } in self.amplitudes.iter().step_by(4) {
+            write!(f, "  {degrees:>7.2}")?;
+            for (error, time) in models {
+                write!(f, "  {error:>8.1e} {:>9.4} us", 1e6 * time)?;
+            }
+            writeln!(f)?;
+        }
+        for (level, name) in LEVELS {
+            if let Some(limit) = self.limit(level) {
+                writeln!(f, "linear within {name} up to {limit:.2} degrees")?;
+            }
+        }
+        writeln!(
+            f,
+            "operations: linear 28 for a state (12 additions, 16 multiplications)"
+        )?;
+        let [full, free] = [DoublePendulum::COST["rhs"], Frictionless::COST["rhs"]];
+        writeln!(f, "  right-hand side: frictionless {free}; full {full}")?;
+        let most = self.amplitudes.iter().map(|at| at.evaluations).max().unwrap_or(0);
+        let least = self.amplitudes.iter().map(|at| at.evaluations).min().unwrap_or(0);
+        write!(f, "  full: {least} to {most} power series for {T1} s, by amplitude")
+    }
+}

@@ -1,0 +1,22 @@
+//! What tests and studies share: scenes, reference data, number types and known failures.
+#![allow(missing_docs, reason = "fields and functions whose names say what they are")]
+
+pub mod chains;
+pub mod dual;
+pub mod eq22;
+pub mod fit;
+pub mod lopsided;
+pub mod mechanisms;
+pub mod methods;
+pub mod plates;
+pub mod power_series;
+pub mod printed;
+pub mod random;
+pub mod ratios;
+pub mod reference;
+pub mod robots;
+pub mod scenes;
+pub mod series;
+pub mod source;
+pub mod trajectories;
+pub mod where_methods_fail;

@@ -1,0 +1,101 @@
+//! Chaos, and how far ahead it can be seen.
+
+use pendulum_core::prelude::*;
+use pendulum_core::stability::{Exponents, Lyapunov, StabilityError};
+
+use super::row::{Claim, Row, Size};
+use super::scenes::{Points, PointsParams};
+
+fn points() -> Points {
+    Points::new(PointsParams::default()).expect("physical")
+}
+
+/// Exponents beside those of two trajectories that are pulled together again and again, by `Rk4` with steps of 5e-4 s over 4e4 s.
+pub fn exponents(size: Size) -> Row {
+    // the scatter falls with the root of the time: 2 % and 0.5 %
+    let (duration, within) = match size {
+        Size::Small => (3000.0, 0.05),
+        Size::Full => (4e4, 0.02),
+    };
+    let exponent = |angles: [f64; 2]| {
+        let method = Lyapunov::new().tolerance(1e-6).duration(duration);
+        method
+            .largest(&points(), [angles[0], angles[1], 0.0, 0.0])
+            .expect("regular")
+            .values[0]
+    };
+    Row {
+        case: "Lyapunov exponent of two points, m = l = 1, g = 9.81",
+        claims: vec![
+            Claim::close("from (2, 2.5) (1/s)", 1.45, exponent([2.0, 2.5]), within),
+            Claim::close("from (1.5, 1.5) (1/s)", 0.82, exponent([1.5, 1.5]), within),
+            Claim::at_most(
+                "from (0.5, 0.7), regular: it falls as ln(t) / t (1/s)",
+                duration.ln() / duration,
+                exponent([0.5, 0.7]),
+            ),
+        ],
+        survives: "in the mean every method; no single trajectory for long",
+    }
+}
+
+const START: [f64; 4] = [2.0, 2.5, 0.0, 0.0];
+/// A prediction that is so far off, in rad or rad/s, is none.
+pub const LOST: f64 = 0.1;
+const LONG: f64 = 40.0;
+
+/// The largest exponent of the motion that is to be predicted.
+pub fn exponents_of_start(duration: f64) -> Result<Exponents<1, 4>, StabilityError> {
+    Lyapunov::new()
+        .tolerance(1e-6)
+        .duration(duration)
+        .largest(&points(), START)
+}
+
+/// The time until which a method at a tolerance follows the motion, as a mean over neighbouring starts.
+pub fn horizon(tolerance: f64, starts: u32) -> f64 {
+    let model = points();
+    let mut sum = 0.0;
+    for n in 0..starts {
+        let mut x0 = SVector::from(START);
+        x0[0] += 1e-2 * f64::from(n);
+        let exact = Taylor::new()
+            .rtol(3e-15)
+            .atol(3e-15)
+            .solve(&model, 0.0, LONG, x0)
+            .expect("regular");
+        let mut stepper = Vern7::new()
+            .rtol(tolerance)
+            .atol(tolerance)
+            .stepper(&model, 0.0, LONG, x0)
+            .expect("valid");
+        while let Some(step) = stepper.step().expect("regular") {
+            if (step.x1 - exact.at(step.t1).expect("within")).amax() > LOST {
+                break;
+            }
+        }
+        sum += stepper.t();
+    }
+    sum / f64::from(starts)
+}
+
+/// Errors grow by the factor of e in the time of `1 / exponent`, so each digit that is paid for buys the same time.
+pub fn horizons(size: Size) -> Row {
+    let (starts, duration) = match size {
+        Size::Small => (16, 1000.0),
+        Size::Full => (64, 4e4),
+    };
+    let exponents = exponents_of_start(duration).expect("regular");
+    let [loose, tight] = [1e-4, 1e-12];
+    let gain = horizon(tight, starts) - horizon(loose, starts);
+    Row {
+        case: "Horizon of prediction",
+        claims: vec![Claim::close(
+            "more of it with a tolerance of 1e-12 in place of 1e-4 (s)",
+            exponents.horizon(tight, loose),
+            gain,
+            0.1,
+        )],
+        survives: "none: eight digits more buy some 13 s",
+    }
+}

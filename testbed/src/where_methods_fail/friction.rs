@@ -1,0 +1,150 @@
+//! Friction that makes the double pendulum stiff.
+
+use pendulum_core::method::{Fixed, RadauIIA};
+use pendulum_core::prelude::*;
+use pendulum_core::stability::{StabilityFunction, equilibrium, max_stable_step};
+use pendulum_core::{Reason, Statistics};
+
+use super::row::{Claim, Row, Size, kind};
+use super::scenes::double_pendulum;
+use crate::scenes::DoublePendulum;
+
+const START: [f64; 4] = [1.0, -1.0, 0.0, 0.0];
+
+/// The length of the steps of the method with fixed steps, in s.
+const H: f64 = 0.1;
+/// It comes to rest within seconds.
+const REST: f64 = 400.0;
+
+/// The friction at which `breaks` turns true, between two in which it does not and does.
+fn threshold(breaks: impl Fn(f64) -> bool, (mut sound, mut broken): (f64, f64)) -> f64 {
+    for _ in 0..20 {
+        let middle = sound.midpoint(broken);
+        if breaks(middle) {
+            broken = middle;
+        } else {
+            sound = middle;
+        }
+    }
+    sound.midpoint(broken)
+}
+
+/// Where a method ends.
+fn end_of(method: &impl Method<DoublePendulum, f64, 4>, gamma: f64) -> Result<SVector<f64, 4>, Reason> {
+    method.stepper(&double_pendulum(gamma), 0.0, REST, START)?.run()
+}
+
+/// The friction that is too much for a step.
+pub fn critical(_: Size) -> Row {
+    let around = (1.0, 30.0);
+    let end = |gamma| end_of(&Rk4::new(H), gamma);
+    let predicted = threshold(
+        |gamma| {
+            let hanging = equilibrium(&double_pendulum(gamma), [0.0; 4]).expect("it hangs");
+            H > max_stable_step(&Rk4::new(H), &hanging.jacobian).expect("finite")
+        },
+        around,
+    );
+    // It should rest: what is finite may be wrong all the same.
+    let observed = threshold(|gamma| !end(gamma).is_ok_and(|x| x.amax() < 1e-6), around);
+    let beyond = end(1.1 * predicted).map_or(f64::NAN, |x| x.amax());
+    let far_beyond = end(2.0 * predicted).expect_err("far too long");
+    let gauss = end_of(&Gauss6::new(H), 2.0 * predicted).expect("stable").amax();
+    let radau = end_of(&Fixed::<RadauIIA>::new(H), 2.0 * predicted)
+        .expect("stable")
+        .amax();
+    Row {
+        case: "Friction with steps of 0.1 s",
+        claims: vec![
+            Claim::close("Rk4 breaks at γ (N m s)", predicted, observed, 0.01),
+            Claim::at_least("at 1.1 of that, largest rate after 400 s, truly 0 (rad/s)", 1.0, beyond),
+            Claim::at_most("which stays bounded (rad/s)", 10.0, beyond),
+            Claim::same("at twice of that, it ends in", "NonFinite", kind(far_beyond)),
+            Claim::at_most("and Gauss6 at rest (rad, rad/s)", 1e-6, gauss),
+            Claim::at_most("and Radau5 with such steps at rest (rad, rad/s)", 1e-6, radau),
+        ],
+        survives: "Rodas, Radau, Gauss",
+    }
+}
+
+const TOLERANCE: f64 = 1e-6;
+const TIME: f64 = 10.0;
+
+/// The work of an adaptive method at a friction.
+pub fn work<M: Method<DoublePendulum, f64, 4>>(method: &M, gamma: f64) -> Statistics {
+    let solution = method.solve(&double_pendulum(gamma), 0.0, TIME, START);
+    solution.expect("regular").statistics()
+}
+
+/// The steps that a method needs at least to be stable along the motion.
+pub fn stable_steps(method: &impl StabilityFunction, gamma: f64) -> f64 {
+    let model = double_pendulum(gamma);
+    let motion = Radau5::new()
+        .rtol(TOLERANCE)
+        .atol(TOLERANCE)
+        .solve(&model, 0.0, TIME, START)
+        .expect("regular");
+    let mut steps = 0.0;
+    for pair in motion.t().windows(2) {
+        let middle = motion.at(pair[0].midpoint(pair[1])).expect("within");
+        let longest = max_stable_step(method, &model.jacobian(0.0, &middle)).expect("finite");
+        steps += (pair[1] - pair[0]) / longest;
+    }
+    steps
+}
+
+/// Explicit methods take as many steps as stability wants, which grow with the friction; implicit ones fewer, as there is less to follow.
+pub fn steps(_: Size) -> Row {
+    const FRICTIONS: [f64; 3] = [1e4, 1e3, 1e2];
+    fn explicit<M: Method<DoublePendulum, f64, 4> + StabilityFunction>(name: &str, method: &M) -> [Claim; 3] {
+        FRICTIONS.map(|gamma| {
+            let what = format!("{name}: steps at γ = {gamma:.0e} N m s");
+            Claim::close(
+                what,
+                stable_steps(method, gamma),
+                work(method, gamma).accepted as f64,
+                0.1,
+            )
+        })
+    }
+    fn implicit<M: Method<DoublePendulum, f64, 4>>(name: &str, method: &M) -> [Claim; 2] {
+        let steps = FRICTIONS.map(|gamma| work(method, gamma).accepted as f64);
+        [0, 1].map(|n| {
+            let what = format!("{name}: steps at γ = {:.0e} N m s, fewer than with less", FRICTIONS[n]);
+            Claim::at_most(what, steps[n + 1] - 1.0, steps[n])
+        })
+    }
+    let mut claims = Vec::new();
+    claims.extend(explicit("Rk45", &Rk45::new().rtol(TOLERANCE).atol(TOLERANCE)));
+    claims.extend(explicit("Vern9", &Vern9::new().rtol(TOLERANCE).atol(TOLERANCE)));
+    claims.extend(explicit("Taylor", &Taylor::new().rtol(TOLERANCE).atol(TOLERANCE)));
+    claims.extend(implicit("Rodas4", &Rodas4::new().rtol(TOLERANCE).atol(TOLERANCE)));
+    claims.extend(implicit("Rodas5P", &Rodas5P::new().rtol(TOLERANCE).atol(TOLERANCE)));
+    claims.extend(implicit("Radau5", &Radau5::new().rtol(TOLERANCE).atol(TOLERANCE)));
+    Row {
+        case: "Friction with steps within a tolerance of 1e-6, for 10 s",
+        claims,
+        survives: "Rodas, Radau, Auto",
+    }
+}
+
+/// [`Auto`] changes over where steps are held back by stability, and nowhere else.
+pub fn detection(_: Size) -> Row {
+    let auto = Auto::new().rtol(TOLERANCE).atol(TOLERANCE);
+    let stiff = [1e2, 1e3, 1e4].map(|gamma| {
+        let work = work(&auto, gamma);
+        [
+            Claim::same(format!("changes at γ = {gamma:.0e} N m s"), 1, work.switches),
+            Claim::at_most("explicit steps before", 30.0, (work.accepted - work.stiff) as f64),
+        ]
+    });
+    let chaotic = auto
+        .solve(&double_pendulum(0.0), 0.0, 100.0, [2.0, 2.5, 0.0, 0.0])
+        .expect("regular");
+    let silent = Claim::same("changes without friction, in chaos", 0, chaotic.statistics().switches);
+    Row {
+        case: "Stiffness that is noticed",
+        claims: stiff.into_iter().flatten().chain([silent]).collect(),
+        survives: "Auto",
+    }
+}

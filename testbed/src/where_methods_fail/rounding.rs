@@ -1,0 +1,71 @@
+//! What is left when methods make no errors.
+
+use nalgebra::SVector;
+use pendulum_core::prelude::*;
+
+use super::row::{Claim, Row, Size};
+use super::scenes::double_pendulum;
+
+/// The energy above rest over that of the start, less 1, without the cancellation of large terms.
+fn relative_energy(x: &SVector<f64, 4>, x0: &SVector<f64, 4>) -> f64 {
+    let energy = |x: &SVector<f64, 4>| {
+        let lift = |angle: f64, weight: f64| 2.0 * weight * (0.5 * angle).sin().powi(2);
+        let turning = 1.5 * x[2] * x[2] + x[3] * x[3] + (x[0] - x[1]).cos() * x[2] * x[3];
+        turning + lift(x[0], 19.6) + lift(x[1], 9.8)
+    };
+    (energy(x) - energy(x0)) / energy(x0)
+}
+
+/// In s: steps so short that errors of the method are below those of rounding.
+const H: f64 = 0.01;
+
+/// The root mean square error of the energy after `early` and after `late` steps of [`Gauss6`], over small swings side by side.
+fn walks(early: u32, late: u32, starts: u32) -> [f64; 2] {
+    let model = double_pendulum(0.0);
+    let mut squares = [0.0; 2];
+    for n in 0..starts {
+        let x0 = SVector::from([0.09, 0.12, 0.0, 0.0]) * (1.0 + 0.01 * f64::from(n));
+        let mut stepper = Gauss6::new(H)
+            .stepper(&model, 0.0, H * f64::from(late), x0)
+            .expect("regular");
+        // means of the last tenth, since the rounding of each state hides the walk
+        let mut means = [0.0; 2];
+        for step in 1..=late {
+            let x = stepper.step().expect("regular").expect("not at the end").x1;
+            for (mean, end) in means.iter_mut().zip([early, late]) {
+                if step <= end && step > end - end / 10 {
+                    *mean += relative_energy(&x, &x0) / f64::from(end / 10);
+                }
+            }
+        }
+        for (square, mean) in squares.iter_mut().zip(means) {
+            *square += mean * mean / f64::from(starts);
+        }
+    }
+    squares.map(f64::sqrt)
+}
+
+/// Brouwer's law: where steps make no errors but those of rounding, these are a random walk, so that of the energy grows with the
+/// root of the time. A bias would grow with the time.
+pub fn random_walk(size: Size) -> Row {
+    let (early, late, starts) = match size {
+        Size::Small => (1000, 10_000, 4),
+        Size::Full => (8000, 128_000, 16),
+    };
+    let [before, after] = walks(early, late, starts);
+    // What a step adds is rounded, and is about h omega of the variables at the frequency omega of 3/s.
+    let walk = f64::from(late).sqrt() * f64::EPSILON * H * 3.0;
+    Row {
+        case: "Rounding errors of the energy, Gauss6",
+        claims: vec![
+            Claim::alike(
+                format!("growth from {early} to {late} steps"),
+                f64::from(late / early).sqrt(),
+                after / before,
+                2.0,
+            ),
+            Claim::at_most("relative error at the end", walk, after),
+        ],
+        survives: "Gauss6, whose sums are compensated",
+    }
+}

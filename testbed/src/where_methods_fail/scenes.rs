@@ -1,0 +1,39 @@
+//! The mechanisms of the cases.
+
+use pendulum_core::prelude::*;
+
+use crate::scenes::{DoublePendulum, DoublePendulumParams};
+
+/// Eq. 22 with the same friction in both axles.
+pub fn double_pendulum(gamma: f64) -> DoublePendulum {
+    let params = DoublePendulumParams {
+        gamma1: gamma,
+        gamma2: gamma,
+        ..Default::default()
+    };
+    DoublePendulum::new(params).expect("physical")
+}
+
+mechanism! {
+    /// A mass on a spring with friction: `x'' = -k x - gamma x'`.
+    pub Cart {
+        params { k: N/m = 0.0, gamma: N s/m = 0.0 }
+        generate: [rhs, jacobian, taylor, canonical],
+        body cart on ground { mass: 1, joint: prismatic(x), coordinate: x, spring: (k, 0), friction: gamma }
+    }
+}
+
+pub fn cart(k: f64, gamma: f64) -> Cart {
+    Cart::new(CartParams { k, gamma }).expect("physical")
+}
+
+mechanism! {
+    /// Two points on rods of 1 m without mass.
+    pub Points {
+        params { m1: kg = 1.0, m2: kg = 1.0 }
+        gravity: [0, -9.81, 0],
+        generate: [rhs, jacobian, energy, taylor, canonical],
+        body upper on ground { mass: m1, com: [0, -1, 0], joint: revolute(z), coordinate: theta1 absolute }
+        body lower on upper { mass: m2, com: [0, -1, 0], joint: revolute(z) at [0, -1, 0], coordinate: theta2 absolute }
+    }
+}

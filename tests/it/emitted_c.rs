@@ -1,0 +1,435 @@
+//! The C code of scenes against their Rust code, bit for bit.
+
+use std::fs::{self, File};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+use nalgebra::{SMatrix, SVector};
+use pendulum_codegen::Sources;
+use pendulum_codegen::program::{Argument, Program, Shape};
+use pendulum_core::ParameterError;
+use pendulum_core::prelude::*;
+use pendulum_core::{Canonical, Controlled, TaylorSeries};
+use testbed::mechanisms::{Furuta, FurutaParams};
+use testbed::random::Random;
+use testbed::robots::{Ur5, Ur5Params};
+use testbed::scenes::{DoublePendulum, DoublePendulumParams};
+use testbed::source::{MECHANISMS, ROBOTS, SCENES, declaration};
+
+mechanism! {
+    /// Names that C cannot take, two inputs, and every function of the platform.
+    ///
+    /// A path: C:\
+    pub Driven {
+        params { double: kg = 0.4, x: m = 0.7, härte: N/m = 3, hu00e4rte: m = 0.2, r#in: N m = 0.3 }
+        input unsigned: N,
+        input r#loop: N m,
+        gravity: [0, -9.81, 0],
+        generate: [rhs, jacobian, energy, parameter_jacobian],
+        body cart on ground {
+            mass: 2,
+            joint: prismatic(x),
+            coordinate: int,
+            spring: (härte, hu00e4rte),
+            torque: unsigned - 0.1 * tanh(5*qd) * abs(qd)^(1/3) * exp(-q^2) + tan(q/4) * ln(2 + q^2),
+        }
+        body rod on cart {
+            solids: [rod(double, [0, 0, 0], [0, -x, 0])],
+            joint: revolute(z),
+            coordinate: out,
+            torque: r#in * sin(3*t) + r#loop * cos(q) - 0.02 * dot(int) * atan2(sin(q), 2 + cos(q)) * sqrt(1 + qd^2),
+        }
+    }
+}
+
+mechanism! {
+    /// An inertia that only some parameters allow.
+    pub Solid {
+        params {
+            ixx: kg m^2 = 1, iyy: kg m^2 = 1, izz: kg m^2 = 1,
+            ixy: kg m^2 = 0, ixz: kg m^2 = 0, iyz: kg m^2 = 0,
+        }
+        body b on ground {
+            mass: 1, inertia: [ixx, iyy, izz, ixy, ixz, iyz],
+            joint: revolute([1, 2, 3]),
+            coordinate: angle,
+        }
+    }
+}
+
+/// The declarations of this file.
+const OWN: &str = include_str!("emitted_c.rs");
+
+/// The order of the series, the highest.
+const ORDER: usize = 24;
+
+#[test]
+fn the_double_pendulum_is_the_same() {
+    let model = DoublePendulum::new(DoublePendulumParams::default()).expect("physical");
+    same(SCENES, "DoublePendulum", 0.0, |t, x, _| {
+        let x = SVector::<f64, 4>::from_column_slice(x);
+        [motion(&model, t, &x), canonical(&model, t, &x), series(&model, t, &x)].concat()
+    });
+}
+
+#[test]
+fn the_furuta_pendulum_is_the_same() {
+    let model = Furuta::new(FurutaParams {}).expect("physical");
+    same(MECHANISMS, "Furuta", 0.0, |t, x, qdd| {
+        let (x, qdd) = (
+            SVector::<f64, 4>::from_column_slice(x),
+            SVector::<f64, 2>::from_column_slice(qdd),
+        );
+        let (mass, bias, momentum) = (model.mass_matrix(t, &x), model.bias(t, &x), model.momentum(t, &x));
+        let forces = model.inverse_dynamics(t, &x, &qdd);
+        let own = [mass.as_slice(), bias.as_slice(), momentum.as_slice()].concat();
+        [
+            motion(&model, t, &x),
+            own,
+            canonical(&model, t, &x),
+            forces.as_slice().to_vec(),
+        ]
+        .concat()
+    });
+}
+
+#[test]
+fn a_robot_is_the_same() {
+    let model = Ur5::new(Ur5Params {}).expect("physical");
+    same(ROBOTS, "Ur5", 0.0, |t, x, qdd| {
+        let (x, qdd) = (
+            SVector::<f64, 12>::from_column_slice(x),
+            SVector::<f64, 6>::from_column_slice(qdd),
+        );
+        let (mass, bias, momentum) = (model.mass_matrix(t, &x), model.bias(t, &x), model.momentum(t, &x));
+        let forces = model.inverse_dynamics(t, &x, &qdd);
+        let own = [mass.as_slice(), bias.as_slice(), momentum.as_slice(), forces.as_slice()].concat();
+        [motion(&model, t, &x), own, series(&model, t, &x)].concat()
+    });
+}
+
+#[test]
+fn functions_of_the_platform_are_called() {
+    let model = Driven::new(DrivenParams::default()).expect("physical");
+    // two libraries may differ in the last bit
+    same(OWN, "Driven", 1e-15, |t, x, u| {
+        let x = SVector::<f64, 4>::from_column_slice(x);
+        let u = DrivenInputs {
+            unsigned: u[0],
+            r#loop: u[1],
+        };
+        let (rhs, (rates, jacobian)) = (model.rhs_with(t, &x, &u), model.rhs_and_jacobian_with(t, &x, &u));
+        let by_inputs: SMatrix<f64, 4, 2> = model.input_jacobian(t, &x, &u);
+        let by_parameters = model.parameter_jacobian(t, &x, &u);
+        let energies = [model.kinetic(t, &x), model.potential(t, &x)];
+        let motion = [
+            rhs.as_slice(),
+            rates.as_slice(),
+            jacobian.as_slice(),
+            by_inputs.as_slice(),
+            &energies,
+        ];
+        [motion.concat(), by_parameters.as_slice().to_vec()].concat()
+    });
+}
+
+fn motion<S: Jacobian<f64, N> + Energy<f64, N>, const N: usize>(model: &S, t: f64, x: &SVector<f64, N>) -> Vec<f64> {
+    let (rhs, (rates, jacobian)) = (model.rhs(t, x), model.rhs_and_jacobian(t, x));
+    let energies = [model.kinetic(t, x), model.potential(t, x)];
+    [rhs.as_slice(), rates.as_slice(), jacobian.as_slice(), &energies].concat()
+}
+
+fn canonical<S: Canonical<f64, N>, const N: usize>(model: &S, t: f64, x: &SVector<f64, N>) -> Vec<f64> {
+    let ((x0, rates), (of_x, of_rates)) = (model.canonical(t, x), model.canonical_jacobian(t, x));
+    [x0.as_slice(), rates.as_slice(), of_x.as_slice(), of_rates.as_slice()].concat()
+}
+
+fn series<S: TaylorSeries<f64, N>, const N: usize>(model: &S, t: f64, x: &SVector<f64, N>) -> Vec<f64> {
+    let mut series = [*x; ORDER + 1];
+    model.series(t, &mut series, &mut model.workspace());
+    series[1..].iter().flatten().copied().collect()
+}
+
+#[test]
+fn the_same_parameters_are_refused() {
+    refused(SCENES, "DoublePendulum", 8, |p| {
+        let [m, inertia, c, d, g, gamma1, gamma2] = *p else {
+            unreachable!()
+        };
+        DoublePendulum::new(DoublePendulumParams {
+            m,
+            inertia,
+            c,
+            d,
+            g,
+            gamma1,
+            gamma2,
+        })
+        .err()
+    });
+    refused(OWN, "Solid", 8, |p| {
+        let [ixx, iyy, izz, ixy, ixz, iyz] = *p else {
+            unreachable!()
+        };
+        Solid::new(SolidParams {
+            ixx,
+            iyy,
+            izz,
+            ixy,
+            ixz,
+            iyz,
+        })
+        .err()
+    });
+}
+
+#[test]
+fn the_example_integrates_figure_2() {
+    let Some(folder) = folder("fig2") else { return };
+    let (_, sources) = printed(SCENES, "DoublePendulum");
+    let main = include_str!("../../examples/emitted_c/fig2.c");
+    let output = output(&compiled(&folder, &sources, main), &folder.join("double_pendulum.h"));
+    let text = String::from_utf8(output).expect("text");
+    let last = text.lines().last().expect("a table").split(',');
+    let last: Vec<f64> = last.map(|number| number.parse().expect("a number")).collect();
+    let model = DoublePendulum::new(DoublePendulumParams::default()).expect("physical");
+    let solution = Rk4::new(0.01).solve(&model, 0.0, 20.0, [0.0, 4.0_f64.to_radians(), 0.0, 0.0]);
+    let (t, x) = solution.expect("regular").last();
+    assert_eq!(last[1..], [&[t], x.as_slice()].concat());
+}
+
+/// Compares all results of a scene with its defaults, in many states: by bits, or up to a part of the largest one.
+fn same(source: &str, name: &str, tolerance: f64, rust: impl Fn(f64, &[f64], &[f64]) -> Vec<f64>) {
+    let Some(folder) = folder(name) else { return };
+    let (program, sources) = printed(source, name);
+    let program_of_c = compiled(&folder, &sources, &evaluation(&program, &sources.name));
+    let (length, dof) = (program.layout.len(), program.layout.dof());
+    let mut random = Random::new(1);
+    let mut states: Vec<Vec<f64>> = Vec::new();
+    for n in 0..10_000 {
+        // in every fourth state angles whose sums are as large as the sine of our own can take; zeros of either sign, and what is not finite
+        let reach = if n % 4 == 0 && tolerance == 0.0 {
+            1e5 / dof as f64
+        } else {
+            4.0
+        };
+        let mut state: Vec<f64> = (0..1 + length + dof).map(|_| random.between(-4.0, 4.0)).collect();
+        state[1..=dof].iter_mut().for_each(|angle| *angle *= reach / 4.0);
+        let special = [0.0, -0.0, 0.0, -0.0, f64::NAN, f64::INFINITY];
+        for (at, value) in special.into_iter().take(if n % 100 == 0 { 6 } else { 4 }).enumerate() {
+            if n % 5 == 0 {
+                let place = random.between(0.0, state.len() as f64) as usize;
+                state[place] = if at < 4 || tolerance == 0.0 { value } else { 0.0 };
+            }
+        }
+        states.push(state);
+    }
+    let given = folder.join("states");
+    fs::write(
+        &given,
+        states
+            .concat()
+            .iter()
+            .flat_map(|value| value.to_le_bytes())
+            .collect::<Vec<u8>>(),
+    )
+    .expect("states");
+    let bytes = output(&program_of_c, &given);
+    let values: Vec<f64> = bytes
+        .as_chunks()
+        .0
+        .iter()
+        .map(|bytes| f64::from_le_bytes(*bytes))
+        .collect();
+    let mut results = values.chunks(values.len() / states.len());
+    for state in &states {
+        let (ours, theirs) = (
+            rust(state[0], &state[1..=length], &state[1 + length..]),
+            results.next().expect("results"),
+        );
+        assert_eq!(ours.len(), theirs.len(), "{name}: every routine");
+        let allowed = tolerance * ours.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
+        for (n, (ours, theirs)) in ours.iter().zip(theirs).enumerate() {
+            let agree = ours.to_bits() == theirs.to_bits() || (ours.is_nan() && theirs.is_nan());
+            assert!(
+                agree || (ours - theirs).abs() <= allowed,
+                "{name}: result {n} at {state:?}: {ours:e}, not {theirs:e}"
+            );
+        }
+    }
+}
+
+/// Compares what `new` says of wrong parameters; together they break at least this many rules.
+fn refused(source: &str, name: &str, rules: usize, rust: impl Fn(&[f64]) -> Option<ParameterError>) {
+    let Some(folder) = folder(&format!("{name}Refused")) else {
+        return;
+    };
+    let (program, sources) = printed(source, name);
+    let main = include_str!("emitted_c/refuse.c")
+        .replace("NAME", &sources.name.to_uppercase())
+        .replace("name", &sources.name);
+    let program_of_c = compiled(&folder, &sources, &main);
+    let mut random = Random::new(2);
+    let mut sets: Vec<Vec<f64>> = Vec::new();
+    for _ in 0..5_000 {
+        let mut set: Vec<f64> = program
+            .parameters
+            .iter()
+            .filter_map(|parameter| parameter.default)
+            .collect();
+        for _ in 0..2 {
+            let values = [
+                f64::NAN,
+                f64::INFINITY,
+                0.0,
+                -0.0,
+                -1.0,
+                0.501,
+                2.001,
+                1e200,
+                -1e200,
+                1e-200,
+            ];
+            let at = |random: &mut Random, count: usize| random.between(0.0, count as f64) as usize;
+            let place = at(&mut random, set.len());
+            set[place] = values[at(&mut random, values.len())];
+        }
+        sets.push(set);
+    }
+    let given = folder.join("sets");
+    fs::write(
+        &given,
+        sets.concat()
+            .iter()
+            .flat_map(|value| value.to_le_bytes())
+            .collect::<Vec<u8>>(),
+    )
+    .expect("sets");
+    let text = String::from_utf8(output(&program_of_c, &given)).expect("text");
+    let expected = sets.iter().map(|set| match rust(set) {
+        None => "no error".to_owned(),
+        Some(error) => match program.constants_text.iter().position(|text| text == error.name) {
+            Some(n) if error.rule.starts_with("this combination") => format!("{} {n}", error.rule),
+            _ => format!("`{}`: {}", error.name, error.rule),
+        },
+    });
+    let expected: Vec<String> = expected.collect();
+    assert_eq!(text.lines().collect::<Vec<_>>(), expected);
+    let mut kinds = expected;
+    kinds.sort();
+    kinds.dedup();
+    assert!(kinds.len() > rules, "{kinds:?}");
+}
+
+/// A program that evaluates everything for each state, and the arguments after it, that it reads.
+fn evaluation(program: &Program, name: &str) -> String {
+    let (length, dof) = (program.layout.len(), program.layout.dof());
+    let (mut calls, mut at) = (String::new(), 0);
+    for routine in &program.routines {
+        let mut arguments = String::from("&model, in[0], in + 1");
+        for argument in &routine.arguments {
+            arguments += match argument {
+                Argument::Inputs => ", &u",
+                Argument::Accelerations => ", more",
+            };
+        }
+        if routine.shapes == [Shape::Scalar] {
+            calls += &format!("out[{at}] = {name}_{}({arguments});\n", routine.name);
+            at += 1;
+            continue;
+        }
+        for shape in &routine.shapes {
+            arguments += &format!(", out + {at}");
+            at += match *shape {
+                Shape::Symmetric(n) => n * n,
+                shape => shape.len(),
+            };
+        }
+        calls += &format!("{name}_{}({arguments});\n", routine.name);
+    }
+    if program.inputs.is_empty() {
+        // results may overwrite the state; the right-hand side comes first
+        calls += &format!("double x[{length}];\nfor (int n = 0; n < {length}; n++) x[n] = in[1 + n];\n");
+        calls += &format!("{name}_rhs(&model, in[0], x, x);\nif (memcmp(x, out, sizeof x) != 0) return 4;\n");
+    }
+    if program.series.is_some() {
+        calls += &format!("for (int n = 0; n < {length}; n++) series[0][n] = in[1 + n];\n");
+        calls += &format!("if ({name}_series(&model, in[0], series, {ORDER} + 1, &work) != 1) return 2;\n");
+        calls += &format!("if ({name}_series(&model, in[0], series, {ORDER}, &work) != 0) return 3;\n");
+        calls += &format!(
+            "for (int n = 0; n < {ORDER} * {length}; n++) out[{at} + n] = series[1 + n / {length}][n % {length}];\n"
+        );
+        at += ORDER * length;
+    }
+    let declared = match &program.series {
+        Some(_) => format!("static double series[{ORDER} + 1][{length}];\nstatic {name}_work work;\n"),
+        None => String::new(),
+    };
+    let inputs = match program.inputs.len() {
+        0 => String::new(),
+        n => format!(
+            "const {name}_inputs u = {{{}}};\n",
+            ["more[0]", "more[1]"][..n].join(", ")
+        ),
+    };
+    include_str!("emitted_c/evaluate.c")
+        .replace("DECLARED", &declared)
+        .replace("CALLS", &(inputs + &calls))
+        .replace("IN", &(1 + length + dof).to_string())
+        .replace("MORE", &(1 + length).to_string())
+        .replace("OUT", &at.to_string())
+        .replace("name", name)
+}
+
+/// A folder for a test, or none, and the reason, where there is no compiler.
+fn folder(name: &str) -> Option<PathBuf> {
+    if Command::new("cc").arg("--version").output().is_err() {
+        eprintln!("skipped: there is no `cc` that could compile C");
+        return None;
+    }
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("emitted_c").join(name);
+    fs::create_dir_all(&folder).expect("a folder");
+    Some(folder)
+}
+
+/// A declaration, in C.
+fn printed(source: &str, name: &str) -> (Program, Sources) {
+    let tokens = declaration(source, name).parse().expect("tokens");
+    let program = pendulum_codegen::program(tokens).expect("no errors");
+    let sources = pendulum_codegen::c(&program);
+    (program, sources)
+}
+
+/// A program of a scene and a `main`.
+fn compiled(folder: &Path, sources: &Sources, main: &str) -> PathBuf {
+    let own = |extension| folder.join(&sources.name).with_extension(extension);
+    for (path, text) in [
+        (own("h"), &*sources.header),
+        (own("c"), &*sources.source),
+        (folder.join("main.c"), main),
+    ] {
+        fs::write(path, text).expect("a file");
+    }
+    let mut command = Command::new("cc");
+    command.args(["-std=c99", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off", "-O2"]);
+    // with instructions that could fuse, where the machine has them
+    command.args(cfg!(target_arch = "x86_64").then_some("-march=native"));
+    command.arg("main.c").arg(own("c")).args(["-lm", "-o", "main"]);
+    let status = command.current_dir(folder).status();
+    assert!(
+        status.expect("a compiler").success(),
+        "{} does not compile",
+        sources.name
+    );
+    folder.join("main")
+}
+
+/// What a program writes when it reads a file.
+fn output(program: &Path, given: &Path) -> Vec<u8> {
+    let output = Command::new(program)
+        .stdin(File::open(given).expect("a file"))
+        .output()
+        .expect("it runs");
+    assert!(output.status.success(), "{}: {:?}", program.display(), output.status);
+    output.stdout
+}

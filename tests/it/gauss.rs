@@ -1,0 +1,203 @@
+//! The methods of Gauss and Legendre: orders, what they preserve, and how they fail.
+
+use approx::assert_abs_diff_eq;
+use nalgebra::{SMatrix, SVector};
+use pendulum_core::prelude::*;
+use pendulum_core::{Canonical, Reason};
+use testbed::trajectories::scene;
+
+mechanism! {
+    /// Two plates with m = I = c = d = 1, the pendulum of the reference trajectories.
+    pub Pair {
+        params { gamma: N m s = 0.0 }
+        gravity: [0, -9.8, 0],
+        generate: [rhs, canonical],
+        shape plate { mass: 1, com: [0, -1, 0], inertia: 1 }
+        body upper on ground: plate { joint: revolute(z), coordinate: theta1 absolute, friction: gamma }
+        body lower on upper: plate { joint: revolute(z) at [0, -1, 0], coordinate: theta2 absolute, friction: gamma }
+    }
+}
+
+fn pair(gamma: f64) -> Pair {
+    Pair::new(PairParams { gamma }).expect("physical")
+}
+
+const CHAOTIC: [f64; 4] = [2.0, 2.5, 0.0, 0.0];
+
+fn end<M: Method<Pair, f64, 4>>(method: &M, model: &Pair, t1: f64, x0: [f64; 4]) -> SVector<f64, 4> {
+    let mut stepper = method.stepper(model, 0.0, t1, x0).expect("regular");
+    stepper.run().expect("regular")
+}
+
+// Orders observed
+
+/// The order with which the error at `t` falls when the step is halved, and the error of the shorter one.
+fn order<M: Method<Pair, f64, 4>>(method: impl Fn(f64) -> M, h: f64, name: &str, t: f64) -> (f64, f64) {
+    let scene = scene(name);
+    let model = pair(scene.bodies[0].friction);
+    let (_, exact) = *scene
+        .points::<4>()
+        .iter()
+        .find(|(time, _)| *time == t)
+        .expect("a time of the scene");
+    let error = |h: f64| (end(&method(h), &model, t, scene.start()) - SVector::from(exact)).amax();
+    let (coarse, fine) = (error(h), error(0.5 * h));
+    ((coarse / fine).log2(), fine)
+}
+
+#[test]
+fn errors_fall_with_the_order_of_the_method() {
+    for (name, t) in [("large_swing", 2.0), ("paper_gamma_0.1", 5.0), ("paper_gamma_1", 2.0)] {
+        let four = order(Gauss4::new, 0.02, name, t);
+        let six = order(Gauss6::new, 0.05, name, t);
+        assert_abs_diff_eq!(four.0, 4.0, epsilon = 0.1);
+        assert_abs_diff_eq!(six.0, 6.0, epsilon = 0.1);
+    }
+}
+
+#[test]
+fn the_reference_is_reached() {
+    for (name, t) in [
+        ("large_swing", 5.0),
+        ("paper_gamma_0.1", 20.0),
+        ("paper_gamma_0.4", 20.0),
+    ] {
+        let (_, error) = order(Gauss6::new, 0.01, name, t);
+        assert!(error < 1e-11, "{name}: {error:e}");
+    }
+}
+
+/// The order with which the error of the dense output falls with the length of a single step.
+fn dense_order<M: Method<Pair, f64, 4>>(method: impl Fn(f64) -> M, h: f64) -> f64 {
+    let model = pair(0.1);
+    let x0 = [1.2, -0.4, 2.0, -1.0];
+    let error = |h: f64| {
+        let mut stepper = method(h).stepper(&model, 0.0, h, x0).expect("regular");
+        stepper.step().expect("regular");
+        let dense = stepper.dense();
+        let times = [0.2, 0.5, 0.7].map(|theta| theta * h);
+        let errors = times.map(|t| (dense.at(t) - end(&Gauss6::new(h / 40.0), &model, t, x0)).amax());
+        assert_eq!(dense.at(0.0), SVector::from(x0));
+        assert_eq!(dense.at(h), stepper.x());
+        errors.into_iter().fold(0.0, f64::max)
+    };
+    (error(h) / error(0.5 * h)).log2()
+}
+
+#[test]
+fn dense_output_of_one_step_has_its_order() {
+    // of order 3 and 5: the error of one step falls with one power more
+    let orders = (dense_order(Gauss4::new, 0.02), dense_order(Gauss6::new, 0.02));
+    assert_abs_diff_eq!(orders.0, 4.0, epsilon = 0.2);
+    assert_abs_diff_eq!(orders.1, 6.0, epsilon = 0.2);
+}
+
+// What is preserved
+
+/// Steps so long that the errors are a thousand times larger than rounding: the way back makes the same ones.
+#[test]
+fn forth_and_back_returns_to_the_start_up_to_rounding() {
+    fn distances<M: Method<Pair, f64, 4>>(method: &M) -> [f64; 2] {
+        let model = pair(0.0);
+        let turn = end(method, &model, 2.0, CHAOTIC);
+        let exact = SVector::from(scene("large_swing").points::<4>()[1].1);
+        let back = method
+            .stepper(&model, 2.0, 0.0, turn)
+            .expect("regular")
+            .run()
+            .expect("regular");
+        [(turn - exact).amax(), (back - SVector::from(CHAOTIC)).amax()]
+    }
+    for [there, back] in [distances(&Gauss4::new(0.05)), distances(&Gauss6::new(0.1))] {
+        assert!(there > 1e-6 && back < 1e-13, "{there:e}, {back:e}");
+    }
+}
+
+mechanism! {
+    /// Two rods in free flight in a plane.
+    pub Rods {
+        generate: [rhs, canonical, momentum],
+        body along on ground { joint: prismatic(x), coordinate: x }
+        body across on along { joint: prismatic(y), coordinate: y }
+        body first on across { mass: 1, com: [0.5, 0, 0], inertia: 0.1, joint: revolute(z), coordinate: theta1 absolute }
+        body second on first { mass: 0.7, com: [0.2, 0.3, 0], inertia: 0.05, joint: revolute(z) at [1, 0, 0], coordinate: theta2 absolute }
+    }
+}
+
+/// Linear invariants and quadratic ones, here the angular momentum `x p_y - y p_x + p_1 + p_2`, are kept up to rounding.
+#[test]
+fn momenta_are_conserved_up_to_rounding() {
+    let model = Rods::new(RodsParams {}).expect("physical");
+    let momenta = |x: &SVector<f64, 8>| {
+        let p = model.momentum(0.0, x);
+        [p[0], p[1], x[0] * p[1] - x[1] * p[0] + p[2] + p[3]]
+    };
+    let x0 = SVector::from([0.1, -0.2, 0.5, 1.5, 0.2, -0.1, 3.0, -4.0]);
+    let start = momenta(&x0);
+    let mut stepper = Gauss4::new(0.02).stepper(&model, 0.0, 200.0, x0).expect("regular");
+    let mut worst = [0.0_f64; 3];
+    while let Some(step) = stepper.step().expect("regular") {
+        for (worst, (now, start)) in worst.iter_mut().zip(momenta(&step.x1).into_iter().zip(start)) {
+            *worst = worst.max((now - start).abs());
+        }
+    }
+    assert_eq!(stepper.statistics().accepted, 10_000);
+    // it flies 400 m away, and the parts of the angular momentum grow to 1500
+    assert!(worst[0] < 1e-14 && worst[1] < 1e-14 && worst[2] < 4e-12, "{worst:?}");
+}
+
+// Failures
+
+/// A body of mass 1 on a line that nothing pushes; from a time on its mass is gone, or its rates are not numbers.
+struct Line {
+    massless: f64,
+    unknown: f64,
+}
+
+impl System<f64, 2> for Line {
+    fn rhs(&self, _t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
+        SVector::from([x[1], 0.0])
+    }
+}
+
+impl Canonical<f64, 2> for Line {
+    fn canonical(&self, t: f64, x: &SVector<f64, 2>) -> (SVector<f64, 2>, SVector<f64, 2>) {
+        let force = if t > self.unknown { f64::NAN } else { 0.0 };
+        (*x, SVector::from([x[1], force]))
+    }
+
+    fn canonical_jacobian(&self, t: f64, _x: &SVector<f64, 2>) -> (SMatrix<f64, 2, 2>, SMatrix<f64, 2, 2>) {
+        let mass = if t > self.massless { 0.0 } else { 1.0 };
+        (
+            SMatrix::from([[1.0, 0.0], [0.0, mass]]),
+            SMatrix::from([[0.0, 0.0], [1.0, 0.0]]),
+        )
+    }
+}
+
+#[test]
+fn what_has_no_solution_is_an_error_with_the_last_good_state() {
+    let never = f64::INFINITY;
+    let fails = |massless: f64, unknown: f64| {
+        let error = Gauss6::new(0.25)
+            .solve(&Line { massless, unknown }, 0.0, 2.0, [0.0, 1.0])
+            .err()?;
+        assert_abs_diff_eq!(error.x(), SVector::from([error.t(), 1.0]), epsilon = 1e-15);
+        Some((error.reason, error.t()))
+    };
+    assert_eq!(fails(never, never), None);
+    assert_eq!(fails(1.1, never), Some((Reason::NoConvergence { h: 0.25 }, 1.0)));
+    assert_eq!(
+        fails(never, 1.1),
+        Some((Reason::NonFinite { component: 1, h: Some(0.25) }, 1.0))
+    );
+}
+
+#[test]
+fn steps_that_are_far_too_long_do_not_converge() {
+    let model = pair(0.0);
+    let error = Gauss4::new(3.0)
+        .solve(&model, 0.0, 30.0, CHAOTIC)
+        .expect_err("no solution near the start");
+    assert!(matches!(error.reason, Reason::NoConvergence { .. }), "{error}");
+}

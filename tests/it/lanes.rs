@@ -1,0 +1,298 @@
+//! Lanes against scalars, bit for bit, on every instruction set that the machine has.
+
+use std::fmt::Debug;
+
+use nalgebra::SVector;
+use pendulum_core::method::{Fixed, PowerSeries};
+use pendulum_core::prelude::*;
+use pendulum_core::real::lanes::{F32x8, F32x16, F64x4, F64x8, Isa, Kernel, LaneElement, Lanes};
+use pendulum_core::{Cast, EnsembleError, Float, Real, Reason};
+use testbed::random::Random;
+use testbed::robots::{Ur5, Ur5Params};
+use testbed::scenes::{DoublePendulum, DoublePendulumParams};
+
+/// The same number, or both none.
+fn same<T: Float>(ours: T, theirs: T) -> bool {
+    let (ours, theirs) = (ours.to_f64(), theirs.to_f64());
+    ours.to_bits() == theirs.to_bits() || ours.is_nan() && theirs.is_nan()
+}
+
+/// Every operation in lanes `V`, on pairs of numbers that each have a lane.
+struct Operations<'a, T>(&'a [(T, T)]);
+
+impl<T: Float + Debug> Kernel<T> for Operations<'_, T> {
+    type Output = ();
+
+    fn run<V: Lanes<Scalar = T>>(self) {
+        macro_rules! check {
+            ($($operation:expr;)*) => { $( {
+                /// Both for a scalar and for lanes.
+                fn operation<R: Real>(a: R, b: R) -> R {
+                    let operation: fn(R, R) -> R = $operation;
+                    operation(a, b)
+                }
+                for numbers in self.0.chunks_exact(V::LANES) {
+                    let result = operation(V::from_fn(|i| numbers[i].0), V::from_fn(|i| numbers[i].1));
+                    for (i, &(a, b)) in numbers.iter().enumerate() {
+                        let (ours, theirs) = (result.lane(i), operation(a, b));
+                        assert!(same(ours, theirs), "{} of {a:?}, {b:?}: {ours:?}, not {theirs:?}", stringify!($operation));
+                    }
+                }
+            } )* };
+        }
+        check! {
+            |a, b| a + b;
+            |a, b| a - b;
+            |a, b| a * b;
+            |a, b| a / b;
+            |a, _| -a;
+            |a, _| a.sqrt();
+            |a, _| a.abs();
+            |a, _| a.sin_cos().0;
+            |a, _| a.sin_cos().1;
+            |a, _| a.tan();
+            |a, _| a.exp();
+            |a, _| a.ln();
+            |a, _| a.tanh();
+            |a, _| a.signum();
+            |a, b| a.atan2(b);
+            |a, b| a.powf(b);
+            |_, _| R::from_f64(0.1);
+            |mut a, b| { a += b; a *= b; a -= b; a /= b; a };
+        }
+    }
+}
+
+/// Numbers of all kinds, mixed so that those of different kinds are neighbours.
+fn numbers<T: Float>() -> Vec<(T, T)> {
+    let special = [
+        0.0,
+        -0.0,
+        1.0,
+        f64::INFINITY,
+        f64::NEG_INFINITY,
+        f64::NAN,
+        1e5,
+        1.1e5,
+        -3e8,
+        1e-40,
+        5e-324,
+    ];
+    let mut random = Random::new(1);
+    let mut number = || {
+        let at = random.between(0.0, 4.0 * special.len() as f64) as usize;
+        T::from_f64(special.get(at).copied().unwrap_or_else(|| random.between(-20.0, 20.0)))
+    };
+    (0..2048).map(|_| (number(), number())).collect()
+}
+
+#[test]
+fn every_operation_gives_what_it_gives_for_a_scalar() {
+    let (double, single) = (numbers::<f64>(), numbers::<f32>());
+    Operations(&double).run::<F64x4>();
+    Operations(&double).run::<F64x8>();
+    Operations(&single).run::<F32x8>();
+    Operations(&single).run::<F32x16>();
+    for isa in Isa::available() {
+        isa.run(Operations(&double));
+        isa.run(Operations(&single));
+        isa.run(Twice(Operations(&double)));
+    }
+}
+
+/// A kernel on registers in pairs.
+struct Twice<K>(K);
+
+impl<T: Float, K: Kernel<T>> Kernel<T> for Twice<K> {
+    type Output = K::Output;
+
+    fn run<V: Lanes<Scalar = T>>(self) -> K::Output {
+        self.0.run::<V::Double>()
+    }
+}
+
+/// Pendulums that differ in every parameter, and starts.
+fn pendulums(count: usize) -> (Vec<DoublePendulum>, Vec<SVector<f64, 4>>) {
+    let mut random = Random::new(2);
+    let model = |random: &mut Random| {
+        DoublePendulum::new(DoublePendulumParams {
+            m: random.between(0.5, 2.0),
+            inertia: random.between(0.5, 2.0),
+            c: random.between(0.5, 2.0),
+            d: random.between(0.5, 2.0),
+            g: random.between(5.0, 15.0),
+            gamma1: random.between(0.0, 0.1),
+            gamma2: random.between(0.0, 0.1),
+        })
+        .expect("physical")
+    };
+    let models = (0..count).map(|_| model(&mut random)).collect();
+    let starts = (0..count).map(|_| SVector::from_fn(|_, _| random.between(-3.0, 3.0)));
+    (models, starts.collect())
+}
+
+/// An ensemble on all instruction sets against trajectories one by one.
+fn assert_ensemble<A, M, T, const N: usize>(method: A, models: &[M], (t0, t1): (T, T), starts: &[SVector<T, N>])
+where
+    A: Ensemble<M, T, N> + Method<M::In<T>, T, N>,
+    M: Cast<N>,
+    T: LaneElement + Debug,
+{
+    for isa in Isa::available() {
+        let ends = method.ensemble_on(isa, models, t0, t1, starts).expect("regular");
+        for (i, (end, start)) in ends.iter().zip(starts).enumerate() {
+            let model = models.get(i).unwrap_or(&models[0]).cast::<T>();
+            let alone = method.solve(&model, t0, t1, *start).expect("regular").end();
+            assert!(
+                end.iter().zip(&alone).all(|(&a, &b)| same(a, b)),
+                "{isa:?}, {i}: {end:?} {alone:?}"
+            );
+        }
+    }
+}
+
+#[test]
+fn pendulums_that_differ() {
+    // more than one group, and one that is not full
+    let (models, starts) = pendulums(45);
+    let single: Vec<_> = starts.iter().map(|x| x.map(|x| x as f32)).collect();
+    macro_rules! assert_ensembles {
+        ($($method:expr;)*) => { $(
+            assert_ensemble($method, &models, (0.0, 2.0), &starts);
+            assert_ensemble($method, &models, (1.0, -0.503), &starts);
+            assert_ensemble($method, &models, (1.0, 1.0), &starts);
+            assert_ensemble($method, &models, (0.0, 2.0), &single);
+        )* };
+    }
+    assert_ensembles! {
+        Rk4::new(0.01);
+        Rk45::new();
+        Rk45::new().h0(0.01).h_max(0.02);
+        Vern9::new().rtol(1e-5);
+        Taylor::new();
+        Taylor::new().order(7);
+        Fixed::<PowerSeries>::new(0.05);
+    }
+}
+
+#[test]
+fn one_model_for_all() {
+    let (models, starts) = pendulums(20);
+    assert_ensemble(Rk4::new(0.01), &models[..1], (0.0, 1.0), &starts);
+    assert_ensemble(Tsit5::new(), &models[..1], (0.0, 1.0), &starts);
+    assert_ensemble(Taylor::new(), &models[..1], (0.0, 1.0), &starts);
+}
+
+#[test]
+fn a_robot() {
+    let mut random = Random::new(3);
+    let starts: Vec<_> = (0..11)
+        .map(|_| SVector::from_fn(|_, _| random.between(-1.0, 1.0)))
+        .collect();
+    let robot = [Ur5::new(Ur5Params {}).expect("physical")];
+    assert_ensemble(Rk4::new(0.01), &robot, (0.0, 0.2), &starts);
+    assert_ensemble(Vern7::new(), &robot, (0.0, 0.2), &starts);
+}
+
+#[test]
+fn lanes_by_name() {
+    let (models, starts) = pendulums(F64x8::LANES);
+    let x = SVector::from_fn(|k, _| F64x8::from_fn(|lane| starts[lane][k]));
+    let system = DoublePendulum::gather::<F64x8>(|lane| &models[lane]);
+    let slope = system.rhs(F64x8::default(), &x);
+    for (i, model) in models.iter().enumerate() {
+        assert_eq!(slope.map(|slope| slope.lane(i)), model.rhs(0.0, &starts[i]));
+    }
+}
+
+#[test]
+#[should_panic(expected = "a lane below 4, not 4")]
+fn no_such_lane() {
+    let _ = F64x4::default().lane(4);
+}
+
+/// `x' = rate x^2`, which is infinite at `t = 1 / (rate x0)`.
+#[derive(Clone, Copy, Debug)]
+struct Burst<T = f64>(T);
+
+impl<T: Real> System<T, 1> for Burst<T> {
+    #[inline(always)]
+    fn rhs(&self, _t: T, x: &SVector<T, 1>) -> SVector<T, 1> {
+        SVector::from([self.0 * x[0] * x[0]])
+    }
+}
+
+impl Cast<1> for Burst {
+    type In<T: Real> = Burst<T>;
+
+    fn cast<T: Real>(&self) -> Burst<T> {
+        Burst(T::from_f64(self.0))
+    }
+
+    fn gather<'m, V: Lanes>(models: impl Fn(usize) -> &'m Self) -> Burst<V> {
+        Burst(V::from_fn(|i| V::Scalar::from_f64(models(i).0)))
+    }
+}
+
+#[test]
+fn a_trajectory_that_bursts_is_named_and_spoils_no_other() {
+    assert_burst(Rk4::new(0.01));
+    assert_burst(Rk45::new());
+    assert_burst(Vern7::new().max_steps(40));
+}
+
+fn assert_burst<A: Ensemble<Burst, f64, 1> + Method<Burst, f64, 1>>(method: A) {
+    let models = [0.1, 1.0, 0.2, 0.3].map(Burst);
+    let starts = [1.0, 1.0, f64::NAN, 1.0].map(|x| SVector::from([x]));
+    let error = method
+        .ensemble(&models, 0.0, 2.0, &starts)
+        .expect_err("a pole, and no number");
+    assert!(
+        error
+            .to_string()
+            .starts_with("2 of 4 trajectories stopped, the first, 1, at t = "),
+        "{error}"
+    );
+    let EnsembleError::Stopped { stopped, x } = error else {
+        panic!("{error}");
+    };
+    let pole = method.solve(&models[1], 0.0, 2.0, starts[1]).expect_err("a pole");
+    assert_eq!(
+        (stopped[0].index, stopped[0].t, stopped[0].reason),
+        (1, pole.t(), pole.reason)
+    );
+    assert_eq!(x[1], pole.x());
+    assert_eq!((stopped[1].index, stopped[1].t), (2, 0.0));
+    assert!(matches!(stopped[1].reason, Reason::InvalidInput { what: "x0", .. }));
+    assert_eq!(stopped.len(), 2);
+    for i in [0, 3] {
+        assert_eq!(
+            x[i],
+            method.solve(&models[i], 0.0, 2.0, starts[i]).expect("regular").end()
+        );
+    }
+}
+
+#[test]
+fn bad_input() {
+    let what = |models: usize, starts: usize, h: f64, t1: f64| {
+        let (models, starts) = (vec![Burst(0.1); models], vec![SVector::from([1.0]); starts]);
+        match Rk4::new(h).ensemble(&models, 0.0, t1, &starts) {
+            Err(EnsembleError::InvalidInput(Reason::InvalidInput { what, .. })) => Some(what),
+            Ok(ends) => {
+                assert_eq!(ends.len(), starts.len());
+                None
+            }
+            Err(error) => panic!("{error}"),
+        }
+    };
+    assert_eq!(what(2, 3, 0.1, 1.0), Some("models"));
+    assert_eq!(what(0, 3, 0.1, 1.0), Some("models"));
+    assert_eq!(what(1, 3, -0.1, 1.0), Some("h"));
+    assert_eq!(what(1, 3, f64::NAN, 1.0), Some("h"));
+    assert_eq!(what(1, 3, 1e-18, 1.0), Some("h"));
+    assert_eq!(what(1, 3, 0.1, f64::INFINITY), Some("t1"));
+    for (models, starts) in [(1, 3), (3, 3), (1, 0), (0, 0)] {
+        assert_eq!(what(models, starts, 0.1, 1.0), None);
+    }
+}

@@ -1,0 +1,74 @@
+//! How many digits the accelerations lose where one body is much lighter or heavier than the others, against 50 digits.
+
+use testbed::ratios::{Sample, generated, scenes};
+
+/// Largest error in units of what the condition explains. The longest chain of operations from an input to an acceleration
+/// has some twenty roundings of half a unit each: they add up like a random walk, to about two units. Twice that leaves room for
+/// a less lucky order of operations, and none for a cancellation, which costs thousands.
+const UNITS: f64 = 4.0;
+
+/// Which scenes obey what: every scene of the data stands in one of the two.
+const TWO_COORDINATES: [&str; 5] = ["points", "points_relative", "plates", "plates_slight", "cart"];
+const THREE_COORDINATES: [&str; 3] = ["chain_last", "chain_middle", "arm"];
+
+/// Asserts that no error is above `UNITS` times the `bound` of its sample.
+fn assert_bounded(names: &[&str], bound: impl Fn(&Sample) -> f64) {
+    let mut worst = (0.0, String::new());
+    for scene in scenes().iter().filter(|scene| names.contains(&scene.name.as_str())) {
+        for sample in &scene.samples {
+            let error = sample.error_of(&generated(&scene.name, sample));
+            let units = error / bound(sample);
+            // what is no number is the worst there is
+            if units.is_nan() || units > worst.0 {
+                let (kappa, ratio, state) = (sample.kappa(), sample.ratio, &sample.state);
+                let place = format!(
+                    "{}, ratio {ratio:e}, state {state:?}, condition {kappa:.1e}",
+                    scene.name
+                );
+                worst = (units, format!("{place}: error {error:.1e}, {units:.2} times the bound"));
+            }
+        }
+    }
+    println!("{}", worst.1);
+    assert!(worst.0 <= UNITS, "{}", worst.1);
+}
+
+/// What cancels in the equations of two coordinates did so in symbols.
+#[test]
+fn two_coordinates_lose_no_more_than_their_condition() {
+    assert_bounded(&TWO_COORDINATES, Sample::bound);
+}
+
+/// Three coordinates are eliminated in numbers. What a heavy body adds to a pivot and takes away again leaves its rounding there,
+/// which is like an error of a light mass by as many units as the ratio of the two.
+#[test]
+fn three_coordinates_lose_no_more_than_the_ratio_of_masses() {
+    let spread = |sample: &Sample| sample.ratio.max(sample.ratio.recip());
+    assert_bounded(&THREE_COORDINATES, |sample| spread(sample) * sample.bound());
+}
+
+/// At equal masses nothing cancels that the condition does not know of.
+#[test]
+fn equal_masses_lose_no_more_than_their_condition() {
+    assert_bounded(&[&TWO_COORDINATES[..], &THREE_COORDINATES[..]].concat(), |sample| {
+        if sample.ratio == 1.0 {
+            sample.bound()
+        } else {
+            f64::INFINITY
+        }
+    });
+}
+
+#[test]
+fn the_data_are_whole() {
+    let scenes = scenes();
+    let names: Vec<&str> = scenes.iter().map(|scene| scene.name.as_str()).collect();
+    assert_eq!(names, [&TWO_COORDINATES[..], &THREE_COORDINATES[..]].concat());
+    for scene in &scenes {
+        let mut ratios: Vec<f64> = scene.samples.iter().map(|sample| sample.ratio).collect();
+        ratios.dedup();
+        let expected: Vec<f64> = (-8..=8).map(|k| format!("1e{k}").parse().expect("a number")).collect();
+        assert_eq!(ratios, expected, "{}", scene.name);
+        assert!(scene.samples.len() >= 5 * ratios.len(), "{}", scene.name);
+    }
+}
