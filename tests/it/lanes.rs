@@ -250,7 +250,7 @@ fn assert_burst<A: Ensemble<Burst, f64, 1> + Method<Burst, f64, 1>>(method: A) {
     assert!(
         error
             .to_string()
-            .starts_with("2 of 4 trajectories stopped, the first, 1, at t = "),
+            .starts_with("2 of 4 trajectories stopped; trajectory 1 at t = "),
         "{error}"
     );
     let EnsembleError::Stopped { stopped, x } = error else {

@@ -12,7 +12,7 @@ use nalgebra::SVector;
 
 pub use lanes::{Expanded, InLanes};
 
-use crate::error::Reason;
+use crate::error::{Reason, debug_as_display};
 use crate::method::require;
 use crate::real::Float;
 use crate::real::lanes::{Isa, LaneElement};
@@ -86,8 +86,10 @@ pub struct Stopped<T = f64> {
     pub reason: Reason,
 }
 
-/// Why an ensemble did not come to its end as a whole.
-#[derive(Clone, Debug, PartialEq)]
+debug_as_display! { [T: Float, const N: usize] EnsembleError<T, N>; }
+
+/// Why not every trajectory of an ensemble reached the end.
+#[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum EnsembleError<T, const N: usize> {
     /// A setting or an argument makes no sense; nothing was integrated.
@@ -114,7 +116,7 @@ impl<T: Float, const N: usize> fmt::Display for EnsembleError<T, N> {
             Self::Stopped { stopped, x } => {
                 write!(f, "{} of {} trajectories stopped", stopped.len(), x.len())?;
                 if let Some(Stopped { index, t, reason }) = stopped.first() {
-                    write!(f, ", the first, {index}, at t = {}: {reason}", t.to_f64())?;
+                    write!(f, "; trajectory {index} at t = {}: {reason}", t.to_f64())?;
                 }
                 Ok(())
             }

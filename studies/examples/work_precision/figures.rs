@@ -1,6 +1,6 @@
 //! Errors against time and evaluations.
 
-use pendulum_core::accuracy::{Measured, Report, Series};
+use pendulum_core::accuracy::{Measured, MethodRuns, Report};
 
 use crate::methods::{LANES, line};
 use crate::scenes::{NEIGHBOURS, Scene};
@@ -61,7 +61,7 @@ pub(crate) fn lanes(reports: Reports<'_>) -> Figure {
     let row = |(scene, report): &(&Scene, Report)| {
         let has_lanes = |name: &str| {
             report
-                .series
+                .methods
                 .iter()
                 .any(|series| series.name == format!("{name}{LANES}"))
         };
@@ -141,13 +141,13 @@ fn rows(reports: Reports<'_>, panels: &[(Value, Value)], shown: fn(&str) -> bool
 /// Errors below the axis stand at its end.
 fn curves(report: &Report, (error, cost): (Value, Value), shown: impl Fn(&str) -> bool) -> Vec<Curve> {
     let point = |measured: &Measured| Some((-error(measured)?.log10().max(ERRORS[0]), cost(measured)?.log10()));
-    let curve = |series: &Series| Curve {
+    let curve = |series: &MethodRuns| Curve {
         line: line(&series.name),
         points: series.measured().filter_map(|(_, measured)| point(measured)).collect(),
         label: Some(series.name.trim_end_matches(LANES).to_owned()),
     };
     report
-        .series
+        .methods
         .iter()
         .filter(|series| shown(&series.name))
         .map(curve)
