@@ -8,7 +8,7 @@ use std::alloc::{GlobalAlloc, Layout, System as Heap};
 use std::cell::Cell;
 
 use pendulum_core::Reason;
-use pendulum_core::method::{Adaptive, Fixed, OneStep};
+use pendulum_core::method::{Adaptive, Estimates, Fixed, OneStep};
 use pendulum_core::prelude::*;
 use testbed::mechanisms::Tree;
 use testbed::methods::Promise;
@@ -115,7 +115,7 @@ fn steps_do_not_allocate() {
         let steps = walk(&Fixed::<F>::new(0.01), &tree, 1.0, start);
         assert!(steps >= 100, "{promise:?}: {steps}");
     }
-    fn adaptive<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn adaptive<F: OneStep<DoublePendulum, f64, 4> + Estimates + Default>(promise: &Promise) {
         for gamma in [0.0, 100.0] {
             let steps = walk(&Adaptive::<F>::new(), &pendulum(gamma), 10.0, START);
             assert!(steps > 10, "{promise:?}: {steps}");
@@ -129,7 +129,7 @@ fn steps_do_not_allocate() {
 
 #[test]
 fn errors_of_a_stepper_do_not_allocate() {
-    fn check<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn check<F: OneStep<DoublePendulum, f64, 4> + Estimates + Default>(promise: &Promise) {
         let (model, method) = (pendulum(0.0), Adaptive::<F>::new().max_steps(10));
         let fail = || {
             let mut stepper = method.stepper(&model, 0.0, 50.0, START).expect("valid");

@@ -2,11 +2,12 @@
 
 use nalgebra::SVector;
 
+use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
 use crate::system::System;
 
 /// What an error is measured against: `atol + rtol |x|`, component by component.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tolerance<T> {
     /// Relative.
     pub rtol: T,
@@ -56,6 +57,15 @@ impl<T: Real> Tolerance<T> {
 }
 
 impl<T: Float> Tolerance<T> {
+    /// The same tolerance in all lanes.
+    #[inline(always)]
+    pub(crate) fn in_lanes<V: Lanes<Scalar = T>>(self) -> Tolerance<V> {
+        Tolerance {
+            rtol: V::splat(self.rtol),
+            atol: V::splat(self.atol),
+        }
+    }
+
     /// A first step: so long that an explicit Euler step, judged by the change of the slope along it, is right to a hundredth.
     ///
     /// Hairer, Nørsett, Wanner I, II.4, "Starting step size". `order` is that of the error estimate, `h_max` bounds the result,
@@ -89,20 +99,29 @@ impl<T: Float> Tolerance<T> {
     }
 }
 
+/// A kind of method that estimates the error of each step, so that it can keep a tolerance; also a tableau of one.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` does not estimate its error, so it cannot keep a tolerance",
+    label = "has no error estimate",
+    note = "give it fixed steps, with `Fixed`, `Rk4`, `Gauss4` or `Gauss6`, or take a method that has an estimate: `Rk45`, `Tsit5`, `Vern7`, \
+            `Vern9`, `Taylor`, `Auto`, and for stiff systems `Rodas4`, `Rodas5P` or `Radau5`"
+)]
+pub trait Estimates {}
+
 /// The PI controller of DOPRI5 (Hairer, Nørsett, Wanner I, 2nd ed., II.4 and IV.2), after K. Gustafsson, "Control theoretic
 /// techniques for stepsize selection in explicit Runge-Kutta methods", ACM Trans. Math. Softw. 17 (1991) 533-554.
 ///
 /// After a step with the error `e_n` (1 is the tolerance) the next one is longer by `0.9 e_n^-alpha e_(n-1)^beta`, within 0.2
 /// and 10; `beta = 0.04` damps the steps of mildly stiff systems, and `alpha = 1 / (order + 1) - 0.75 beta`.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Controller {
+pub(crate) struct PiController {
     alpha: f64,
     /// The binary logarithm of the last accepted error.
     last: f64,
     rejected: bool,
 }
 
-impl Controller {
+impl PiController {
     const BETA: f64 = 0.04;
     const SAFETY: f64 = 0.9;
     const SHRINK: f64 = 0.2;
@@ -182,7 +201,7 @@ pub(crate) fn exp2(x: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{Controller, exp2, log2};
+    use super::{PiController, exp2, log2};
 
     #[test]
     fn logarithm_and_power_are_good_enough() {
@@ -198,17 +217,17 @@ mod tests {
 
     #[test]
     fn an_error_of_one_shrinks_the_step_a_little() {
-        let mut controller = Controller::new(4);
+        let mut controller = PiController::new(4);
         controller.last = 0.0;
         assert!((controller.accept(1.0) - 0.9).abs() < 1e-4);
     }
 
     #[test]
     fn the_factor_keeps_its_bounds() {
-        let mut controller = Controller::new(4);
-        assert_eq!(controller.accept(0.0), Controller::GROW);
-        assert_eq!(controller.reject(1e300), Controller::SHRINK);
+        let mut controller = PiController::new(4);
+        assert_eq!(controller.accept(0.0), PiController::GROW);
+        assert_eq!(controller.reject(1e300), PiController::SHRINK);
         assert_eq!(controller.accept(0.0), 1.0, "no growth after a rejection");
-        assert_eq!(controller.accept(0.0), Controller::GROW);
+        assert_eq!(controller.accept(0.0), PiController::GROW);
     }
 }

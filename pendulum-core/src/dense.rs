@@ -19,8 +19,8 @@ pub struct Step<T, const N: usize> {
     pub x1: SVector<T, N>,
 }
 
-impl<T: Float, const N: usize> Step<T, N> {
-    #[inline]
+impl<T: Real, const N: usize> Step<T, N> {
+    #[inline(always)]
     pub(crate) fn new((t0, x0): (T, SVector<T, N>), (t1, x1): (T, SVector<T, N>)) -> Self {
         let h = t1 - t0;
         Self { t0, t1, h, x0, x1 }

@@ -1,4 +1,5 @@
-//! What can go wrong, as types: every error says what the fact is and what to do.
+//! Errors as types. Each message states the fact and what to do; `Debug` prints the same, so that a `main` which returns the error
+//! reads well.
 
 use std::error::Error;
 use std::fmt;
@@ -8,15 +9,34 @@ use nalgebra::SVector;
 use crate::real::Float;
 use crate::solution::Solution;
 
+/// Implements `Debug` as `Display`.
+macro_rules! debug_as_display {
+    ($([$($generics:tt)*] $error:ty;)*) => { $(
+        impl<$($generics)*> std::fmt::Debug for $error {
+            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+                std::fmt::Display::fmt(self, f)
+            }
+        }
+    )* };
+}
+
+pub(crate) use debug_as_display;
+
+debug_as_display! {
+    [] ParameterError;
+    [] Reason;
+    [T: Float, const N: usize] SolveError<T, N>;
+}
+
 /// A parameter, or several together, that no mechanism can have.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize))]
 pub struct ParameterError {
     /// The parameter, or the combination of parameters, that was checked.
     pub name: &'static str,
     /// Its value.
     pub value: f64,
-    /// The rule it breaks, as a sentence: "the mass of `upper` must be positive".
+    /// The rule that it breaks: "the mass of `upper` must be positive".
     pub rule: &'static str,
     /// The parameters of a combination with their values; empty where a single parameter breaks the rule.
     pub given: Vec<(&'static str, f64)>,
@@ -49,51 +69,51 @@ impl fmt::Display for ParameterError {
 
 impl Error for ParameterError {}
 
-/// Why an integration ended before its time.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// Why an integration stopped early.
+#[derive(Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Reason {
-    /// A setting or an argument makes no sense; nothing was integrated.
+    /// A setting or an argument is invalid; nothing was integrated.
     InvalidInput {
         /// The name of the setting or argument.
         what: &'static str,
         /// Its value.
         value: f64,
-        /// The rule it breaks, as a sentence.
+        /// The rule that it breaks.
         rule: &'static str,
     },
-    /// The state or its derivative is infinite or not a number, and smaller steps did not help where the method may choose them.
+    /// The state or its derivative is infinite or NaN, with the shortest step that the method can take.
     NonFinite {
-        /// The first component of the state, or of its derivative, that is not finite.
+        /// The first such component of the state, or else of its derivative.
         component: usize,
-        /// The length of the step in which it appeared; 0 if it did at the initial point.
-        h: f64,
+        /// The length of the step in which it appeared; `None` if it did where the integration starts, or goes on after a reset.
+        h: Option<f64>,
     },
-    /// The tolerance asks for a step shorter than the time can resolve, or shorter than the least one allowed.
+    /// The tolerance requires a step shorter than the minimum, or shorter than the resolution of the time.
     StepUnderflow {
-        /// The length of the step that was asked for.
+        /// The length of the step required.
         h: f64,
-        /// The least length that is allowed.
+        /// The minimum.
         least: f64,
     },
-    /// The equations of an implicit step could not be solved, and smaller steps did not help where the method may choose them.
+    /// The equations of an implicit step could not be solved, with the shortest step that the method can take.
     NoConvergence {
         /// The length of the step.
         h: f64,
     },
-    /// The function of an event is infinite or not a number.
+    /// The function of an event is infinite or NaN.
     EventNotFinite {
-        /// The place of the event among those given.
+        /// The index of the event among those given.
         event: usize,
-        /// The time at which that was seen.
+        /// The time at which it is.
         t: f64,
     },
-    /// An event resets the state again and again within the resolution of time, as the rebounds of a ball that comes to rest.
+    /// An event resets the state repeatedly within the resolution of the time, like the rebounds of a ball that comes to rest.
     EventsAccumulate {
-        /// The place of the event among those given.
+        /// The index of the event among those given.
         event: usize,
     },
-    /// The steps allowed were taken, rejected ones included, and the end was not reached.
+    /// The end was not reached within the number of steps allowed, rejected ones included.
     TooManySteps {
         /// The number of steps allowed.
         max_steps: usize,
@@ -104,39 +124,39 @@ impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
             Self::InvalidInput { what, value, rule } => write!(f, "`{what}` is {value:?}: {rule}"),
-            Self::NonFinite { component, h: 0.0 } => write!(
+            Self::NonFinite { component, h: None } => write!(
                 f,
-                "component {component} of the state, or of its derivative, is not finite where the integration starts or goes on after a reset; \
-                 check the parameters, the initial state, and what a reset returns"
+                "component {component} of the state or its derivative is not finite where the integration starts; check the parameters, \
+                 the initial state, and the state that a reset returns"
             ),
-            Self::NonFinite { component, h } => write!(
+            Self::NonFinite { component, h: Some(h) } => write!(
                 f,
-                "component {component} of the state or of its derivative is not finite after a step of {h:.3e}; \
-                 look for a singularity or a domain error of the right-hand side there, or end the integration earlier"
+                "component {component} of the state or its derivative is not finite after a step of {h:.3e}; if the step is fixed, try a \
+                 shorter one; else the right-hand side is singular or undefined there"
             ),
             Self::StepUnderflow { h, least } => write!(
                 f,
-                "the tolerance asks for a step of {h:.3e}, below the least of {least:.3e}; the solution is singular or jumps \
-                 there, or the tolerance is too tight for the noise of the right-hand side: loosen it or end earlier"
+                "the tolerance requires a step of {h:.3e}, below the minimum of {least:.3e}; the solution may be singular or jump there: \
+                 loosen the tolerance or end the integration earlier"
             ),
             Self::NoConvergence { h } => write!(
                 f,
-                "the equations of an implicit step of {h:.3e} have no solution that the iteration finds; take shorter steps, or look \
-                 for a jump of the right-hand side there"
+                "the equations of an implicit step of {h:.3e} could not be solved; take shorter steps, or look for a jump of the \
+                 right-hand side there"
             ),
             Self::EventNotFinite { event, t } => write!(
                 f,
-                "the function of event {event} is not finite at t = {t}; extend its domain, or end the integration before"
+                "the function of event {event} is not finite at t = {t}; extend its domain or end the integration earlier"
             ),
             Self::EventsAccumulate { event } => write!(
                 f,
-                "event {event} occurs again and again and time stands still, as where rebounds come to rest; make it terminal below some \
-                 speed, and go on with a model of the contact"
+                "event {event} repeats without time advancing, like a bouncing ball that comes to rest; make it terminal below some \
+                 speed, and continue with a model of the contact"
             ),
             Self::TooManySteps { max_steps } => write!(
                 f,
-                "{max_steps} steps did not reach the end; raise `max_steps` or loosen the tolerance, and if the steps are \
-                 far shorter than the motion asks for, the system is stiff and wants an implicit method"
+                "{max_steps} steps did not reach the end; raise `max_steps` or loosen the tolerance, or, if the steps are much shorter than \
+                 the motion requires, use a method for stiff systems, such as `Auto`"
             ),
         }
     }
@@ -144,19 +164,19 @@ impl fmt::Display for Reason {
 
 impl Error for Reason {}
 
-/// An integration that ended before its time, with all that it had reached.
-#[derive(Clone, Debug, PartialEq)]
+/// An integration that stopped early, with the solution up to there.
+#[derive(Clone, PartialEq)]
 pub struct SolveError<T, const N: usize> {
-    /// Why it ended.
+    /// Why it stopped.
     pub reason: Reason,
     /// The solution up to the last good state; the initial point alone if no step succeeded.
     ///
-    /// For [`Reason::InvalidInput`] that is the initial point as it was given, good or not.
+    /// For [`Reason::InvalidInput`] it is the initial point as given, valid or not.
     pub solution: Box<Solution<T, N>>,
 }
 
 impl<T: Float, const N: usize> SolveError<T, N> {
-    /// An integration that did not come to its first step.
+    /// An integration that stopped before its first step.
     pub(crate) fn at_start(reason: Reason, t0: T, x0: SVector<T, N>) -> Self {
         Self {
             reason,
@@ -203,5 +223,21 @@ mod tests {
             ParameterError::new("m - n", -1.0, rule, &[("m", 1.0), ("n", 2.0)]).to_string(),
             "the mass of `upper` must be positive; the parameters are m = 1, n = 2"
         );
+    }
+
+    #[test]
+    fn debug_reads_as_display() {
+        let reason = Reason::NonFinite {
+            component: 1,
+            h: Some(0.3),
+        };
+        assert_eq!(format!("{reason:?}"), reason.to_string());
+        assert!(
+            reason
+                .to_string()
+                .contains("after a step of 3.000e-1; if the step is fixed, try a shorter one")
+        );
+        let error = SolveError::at_start(reason, 0.5, SVector::from([1.0]));
+        assert_eq!(format!("{error:?}"), format!("stopped at t = 0.5: {reason}"));
     }
 }

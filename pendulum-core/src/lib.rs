@@ -38,7 +38,6 @@
 //! | [`solution`], [`dense`] | accepted points and the states between them |
 //! | [`event`] | what happens along a trajectory |
 //! | [`error`] | what can go wrong |
-//! | [`linear`] | linear equations of the size of a state |
 //! | [`stability`] | equilibria, periodic orbits and their bifurcations, chaos, and the limits of methods |
 //! | [`accuracy`] | trusted solutions, norms of errors, and what accuracy takes |
 //! | [`cost`] | counted operations of generated functions |
@@ -52,7 +51,6 @@ pub mod error;
 pub mod event;
 pub mod inputs;
 pub mod layout;
-pub mod linear;
 pub mod method;
 pub mod real;
 pub mod solution;
@@ -63,6 +61,7 @@ pub mod taylor;
 
 mod control;
 mod csv;
+mod linear;
 
 pub use cost::{Cost, FunctionCost, Operations};
 pub use dense::{Dense, Step};

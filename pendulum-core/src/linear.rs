@@ -7,7 +7,7 @@ use nalgebra::{SMatrix, SVector};
 use crate::real::Float;
 
 /// The numbers of a linear system: a [`Float`], or a [`Complex`] over it.
-pub trait Field:
+pub(crate) trait Field:
     Copy + Default + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {
     /// The type of sizes.
@@ -34,19 +34,19 @@ impl<T: Float> Field for T {
     }
 }
 
-/// A complex number.
+/// A complex number over any [`Float`]: that of nalgebra, which is public elsewhere, needs more of its numbers.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Complex<T> {
+pub(crate) struct Complex<T> {
     /// The real part.
-    pub re: T,
+    pub(crate) re: T,
     /// The imaginary part.
-    pub im: T,
+    pub(crate) im: T,
 }
 
 impl<T> Complex<T> {
     /// `re + i im`.
     #[inline]
-    pub const fn new(re: T, im: T) -> Self {
+    pub(crate) const fn new(re: T, im: T) -> Self {
         Self { re, im }
     }
 }
@@ -110,7 +110,7 @@ impl<T: Float> Field for Complex<T> {
 /// Gaussian elimination with partial pivoting (G. H. Golub, C. F. Van Loan, "Matrix Computations", 4th ed., 3.4), made for the few rows
 /// that the state of a mechanism has: all of it is in arrays whose length the compiler knows.
 #[derive(Clone, Copy, Debug)]
-pub struct Lu<F, const N: usize> {
+pub(crate) struct Lu<F, const N: usize> {
     /// By columns: `L` below the diagonal, whose ones are left out, the reciprocals of the pivots on it, and `U` above.
     factors: [[F; N]; N],
     /// The row of the matrix that each row of the factors was.
@@ -119,7 +119,7 @@ pub struct Lu<F, const N: usize> {
 
 /// The matrix has no inverse that numbers of its type can hold, or an entry that is not finite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Singular;
+pub(crate) struct Singular;
 
 impl<F: Field, const N: usize> Lu<F, N> {
     /// Factors a matrix, which is given by its columns.
@@ -127,7 +127,7 @@ impl<F: Field, const N: usize> Lu<F, N> {
     /// # Errors
     /// If a pivot is zero, not finite, or so small or large that its reciprocal is beyond the range of the type.
     #[inline]
-    pub fn new(columns: [[F; N]; N]) -> Result<Self, Singular> {
+    pub(crate) fn new(columns: [[F; N]; N]) -> Result<Self, Singular> {
         let mut a = columns;
         let mut rows = std::array::from_fn(|i| i);
         let mut is_regular = true;
@@ -164,7 +164,7 @@ impl<F: Field, const N: usize> Lu<F, N> {
     /// The `x` of `A x = b`.
     #[inline]
     #[must_use]
-    pub fn solve(&self, b: &[F; N]) -> [F; N] {
+    pub(crate) fn solve(&self, b: &[F; N]) -> [F; N] {
         let mut x = self.rows.map(|row| b[row]);
         for k in 0..N {
             for i in k + 1..N {
@@ -265,7 +265,7 @@ mod tests {
     }
 
     #[test]
-    fn singular_matrices_are_told() {
+    fn singular_matrices_are_refused() {
         assert_eq!(Lu::new([[1.0, 2.0], [2.0, 4.0]]).err(), Some(Singular));
         assert_eq!(Lu::new([[0.0]]).err(), Some(Singular));
         let (one, i) = (Complex::new(1.0, 0.0), Complex::new(0.0, 1.0));
@@ -273,7 +273,7 @@ mod tests {
     }
 
     #[test]
-    fn entries_that_are_not_finite_are_told_wherever_they_are() {
+    fn entries_that_are_not_finite_are_refused_wherever_they_are() {
         for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
             for place in 0..9 {
                 let mut columns = [[4.0, 1.0, 0.0], [0.0, 3.0, 1.0], [2.0, 0.0, 5.0]];

@@ -6,6 +6,7 @@ use std::fmt;
 use nalgebra::SVector;
 
 use crate::dense::{Dense, polynomial};
+use crate::error::debug_as_display;
 use crate::event::Occurrence;
 use crate::real::Float;
 
@@ -283,8 +284,10 @@ impl<T: Float, const N: usize> TryFrom<Unchecked<T, N>> for Solution<T, N> {
     }
 }
 
+debug_as_display! { [] OutsideSpan; }
+
 /// A time at which a solution has no state.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, PartialEq)]
 pub struct OutsideSpan {
     /// The time asked for.
     pub t: f64,
@@ -298,8 +301,8 @@ impl fmt::Display for OutsideSpan {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "the solution runs from t = {} to {} and has no state at {}; ask within, or integrate further",
-            self.start, self.end, self.t
+            "t = {} is outside of the solution, which runs from t = {} to {}; integrate further",
+            self.t, self.start, self.end
         )
     }
 }

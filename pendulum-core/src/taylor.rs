@@ -65,11 +65,6 @@ impl<T: Real, S: TaylorSeries<T, N> + ?Sized, const N: usize> TaylorSeries<T, N>
     }
 }
 
-/// Whether a number is no vector of lanes, which is read from memory as it was written.
-const fn is_scalar<T>() -> bool {
-    size_of::<T>() <= size_of::<f64>()
-}
-
 /// How many products are summed side by side: few enough that their sums stay in registers, those of lanes as well.
 const BLOCK: usize = 4;
 
@@ -125,7 +120,7 @@ impl<T: Real, const M: usize> Products<T, M> {
             block::<T, M, 1>(left, right, at, &mut sums);
             at += 1;
         }
-        if const { is_scalar::<T>() } {
+        if const { T::LANES == 1 } {
             // Through memory, once: else compilers pair the products as the code behind this pairs their sums, and load each number by itself.
             std::hint::black_box(&mut sums);
         } else if k > 1 {
@@ -190,7 +185,7 @@ impl<T: Real, const M: usize> Newest<T, M> {
     /// Adds the terms with the coefficients of order `k - 1` to the sums of order `k`.
     #[inline(always)]
     pub fn add(&self, mut sums: [T; M]) -> [T; M] {
-        if const { !is_scalar::<T>() } {
+        if const { T::LANES > 1 } {
             return sums;
         }
         let (first, last) = (&self.first, &self.last);
@@ -203,7 +198,7 @@ impl<T: Real, const M: usize> Newest<T, M> {
     /// Takes the coefficients of order `k`.
     #[inline(always)]
     pub fn push(&mut self, k: usize, left: [T; M], right: [T; M]) {
-        if const { !is_scalar::<T>() } {
+        if const { T::LANES > 1 } {
             return;
         }
         if k == 1 {

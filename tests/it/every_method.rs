@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use approx::assert_abs_diff_eq;
-use pendulum_core::method::{Adaptive, Fixed, OneStep};
+use pendulum_core::method::{Adaptive, Estimates, Fixed, OneStep};
 use pendulum_core::prelude::*;
 use pendulum_core::{Occurrence, Reason, Solution, Statistics};
 use testbed::methods::Promise;
@@ -93,7 +93,7 @@ fn dense_errors_fall_with_their_order() {
 }
 
 /// The end of a motion within a tolerance.
-fn end<F: OneStep<DoublePendulum, f64, 4> + Default>(
+fn end<F: OneStep<DoublePendulum, f64, 4> + Estimates + Default>(
     model: &DoublePendulum,
     tolerance: f64,
     (t0, t1): (f64, f64),
@@ -109,7 +109,7 @@ fn end<F: OneStep<DoublePendulum, f64, 4> + Default>(
 
 #[test]
 fn errors_fall_with_the_tolerance() {
-    fn check<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn check<F: OneStep<DoublePendulum, f64, 4> + Estimates + Default>(promise: &Promise) {
         for (name, gamma, t) in [("large_swing", 0.0, 2.0), ("paper_gamma_0.1", 0.1, 20.0)] {
             let (model, start) = (pendulum(gamma), SVector::from(scene(name).start::<4>()));
             let error = |tolerance| (end::<F>(&model, tolerance, (0.0, t), start) - reference(name, t)).amax();
@@ -130,7 +130,7 @@ fn errors_fall_with_the_tolerance() {
 
 #[test]
 fn forth_and_back_returns_to_the_start() {
-    fn check<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn check<F: OneStep<DoublePendulum, f64, 4> + Estimates + Default>(promise: &Promise) {
         for (name, gamma) in [("large_swing", 0.0), ("paper_gamma_0.1", 0.1)] {
             let (model, start) = (pendulum(gamma), SVector::from(scene(name).start::<4>()));
             let there = end::<F>(&model, 1e-10, (0.0, 2.0), start);
@@ -172,7 +172,7 @@ fn single_precision_reaches_its_own_accuracy() {
         assert!(error.amax() < most, "{promise:?}: {error}");
     }
     // Defaults: rtol 1.2e-5, atol 1.2e-7; the amplitude is 0.07, so a tolerance of 1e-6, and some more for many steps.
-    fn adaptive<F: OneStep<DoublePendulum<f32>, f32, 4> + Default>(promise: &Promise) {
+    fn adaptive<F: OneStep<DoublePendulum<f32>, f32, 4> + Estimates + Default>(promise: &Promise) {
         check(promise, &Adaptive::<F>::new(), 5e-6);
     }
     // 250 steps that are rounded to 6e-8 of the amplitude of 0.07 each
@@ -218,7 +218,7 @@ fn the_last_point_is_the_end_exactly() {
             (&[3.0][..], (3.0, REST.into()), Statistics::default())
         );
     }
-    fn adaptive<F: OneStep<DoublePendulum, f64, 4> + Default>(promise: &Promise) {
+    fn adaptive<F: OneStep<DoublePendulum, f64, 4> + Estimates + Default>(promise: &Promise) {
         for (t0, t1, ..) in SPANS {
             ordered(
                 &Adaptive::<F>::new()
@@ -315,7 +315,7 @@ fn events_are_found_when_they_occur() {
     fn fixed<F: OneStep<Spring, f64, 2> + Default>(promise: &Promise) {
         passages(promise, &Fixed::<F>::new(0.02), 1e-6);
     }
-    fn adaptive<F: OneStep<Spring, f64, 2> + Default>(promise: &Promise) {
+    fn adaptive<F: OneStep<Spring, f64, 2> + Estimates + Default>(promise: &Promise) {
         passages(promise, &Adaptive::<F>::new().rtol(1e-10).atol(1e-10), 1e-8);
     }
     testbed::each_adaptive!(fixed);

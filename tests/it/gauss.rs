@@ -189,7 +189,13 @@ fn what_has_no_solution_is_an_error_with_the_last_good_state() {
     assert_eq!(fails(1.1, never), Some((Reason::NoConvergence { h: 0.25 }, 1.0)));
     assert_eq!(
         fails(never, 1.1),
-        Some((Reason::NonFinite { component: 1, h: 0.25 }, 1.0))
+        Some((
+            Reason::NonFinite {
+                component: 1,
+                h: Some(0.25)
+            },
+            1.0
+        ))
     );
 }
 

@@ -3,6 +3,7 @@
 use std::fmt::Debug;
 
 use nalgebra::SVector;
+use pendulum_core::method::{Fixed, PowerSeries};
 use pendulum_core::prelude::*;
 use pendulum_core::real::lanes::{F32x8, F32x16, F64x4, F64x8, Isa, Kernel, LaneElement, Lanes};
 use pendulum_core::{Cast, EnsembleError, Float, Real, Reason};
@@ -172,6 +173,7 @@ fn pendulums_that_differ() {
         Vern9::new().rtol(1e-5);
         Taylor::new();
         Taylor::new().order(7);
+        Fixed::<PowerSeries>::new(0.05);
     }
 }
 
@@ -250,7 +252,7 @@ fn assert_burst<A: Ensemble<Burst, f64, 1> + Method<Burst, f64, 1>>(method: A) {
     assert!(
         error
             .to_string()
-            .starts_with("2 of 4 trajectories stopped, the first, 1, at t = "),
+            .starts_with("2 of 4 trajectories stopped; trajectory 1 at t = "),
         "{error}"
     );
     let EnsembleError::Stopped { stopped, x } = error else {

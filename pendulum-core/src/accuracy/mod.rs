@@ -56,5 +56,5 @@ mod timing;
 pub use errors::Errors;
 pub use problem::Problem;
 pub use reference::Reference;
-pub use report::{Failure, Measured, Report, Run, Series};
+pub use report::{Failure, Measured, MethodRuns, Report, Run};
 pub use sweep::Sweep;

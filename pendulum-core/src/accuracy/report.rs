@@ -4,21 +4,23 @@ use std::error::Error;
 use std::fmt;
 
 use crate::accuracy::Errors;
-use crate::error::Reason;
+use crate::error::{Reason, debug_as_display};
 use crate::solution::Statistics;
 
 /// The measurements of all methods.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Report {
-    /// One for each method, in the order in which they were named.
-    pub series: Vec<Series>,
+    /// One for each method, in the order in which they were added.
+    pub methods: Vec<MethodRuns>,
     /// The uncertainty of the reference at the end of the span.
     pub uncertainty: f64,
 }
 
 /// The measurements of one method.
 #[derive(Clone, Debug)]
-pub struct Series {
+#[non_exhaustive]
+pub struct MethodRuns {
     /// Its name.
     pub name: String,
     /// One for each setting.
@@ -27,6 +29,7 @@ pub struct Series {
 
 /// What became of one setting.
 #[derive(Clone, Debug)]
+#[non_exhaustive]
 pub struct Run {
     /// The tolerance or the step.
     pub setting: f64,
@@ -36,6 +39,7 @@ pub struct Run {
 
 /// What an integration that came to its end achieved, and what it took.
 #[derive(Clone, Copy, Debug)]
+#[non_exhaustive]
 pub struct Measured {
     /// How accurate it is.
     pub errors: Errors,
@@ -43,13 +47,14 @@ pub struct Measured {
     pub minimum: f64,
     /// The median of the times, in the same units.
     pub median: f64,
-    /// Evaluations and steps, without those that only dense output takes; `None` for ensembles and
-    /// other solvers, which do not tell.
+    /// Evaluations and steps, without those for dense output; `None` for ensembles and other solvers, which do not report them.
     pub work: Option<Statistics>,
 }
 
-/// Where and why an integration ended before its time.
-#[derive(Clone, Copy, Debug, PartialEq)]
+debug_as_display! { [] Failure; }
+
+/// Where and why an integration stopped early.
+#[derive(Clone, Copy, PartialEq)]
 pub struct Failure {
     /// The last good time.
     pub t: f64,
@@ -58,17 +63,17 @@ pub struct Failure {
 }
 
 impl Report {
-    /// For each method its name, and the setting that took the shortest time among those whose [last](Errors::last) error is no more than
+    /// For each method its name, and the fastest of the settings whose [last](Errors::last) error is no more than
     /// `error`; `None` where there is no such setting, or where the reference is less certain than that.
     pub fn time_to_reach(&self, error: f64) -> impl Iterator<Item = (&str, Option<(f64, &Measured)>)> {
         let known = self.uncertainty <= error;
-        self.series
+        self.methods
             .iter()
-            .map(move |series| (&*series.name, series.cheapest(error).filter(|_| known)))
+            .map(move |method| (&*method.name, method.cheapest(error).filter(|_| known)))
     }
 }
 
-impl Series {
+impl MethodRuns {
     /// The settings that came to their end, with what was measured.
     pub fn measured(&self) -> impl Iterator<Item = (f64, &Measured)> {
         self.runs
@@ -94,9 +99,11 @@ impl Error for Failure {}
 /// A table of all, with times in microseconds.
 impl fmt::Display for Report {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = |method: &MethodRuns| method.name.chars().count();
+        let width = self.methods.iter().map(name).fold(12, usize::max);
         write!(
             f,
-            "{:<12} {:>8}  {:>8} {:>8} {:>8} {:>8}  {:>9} {:>9}  {:>8} {:>8} {:>8}",
+            "{:<width$} {:>8}  {:>8} {:>8} {:>8} {:>8}  {:>9} {:>9}  {:>8} {:>8} {:>8}",
             "method",
             "setting",
             "last",
@@ -109,9 +116,9 @@ impl fmt::Display for Report {
             "accepted",
             "rejected"
         )?;
-        for series in &self.series {
-            for Run { setting, outcome } in &series.runs {
-                write!(f, "\n{:<12} {setting:>8.1e}  ", series.name)?;
+        for MethodRuns { name, runs } in &self.methods {
+            for Run { setting, outcome } in runs {
+                write!(f, "\n{name:<width$} {setting:>8.1e}  ")?;
                 match outcome {
                     Ok(measured) => measured.fmt(f)?,
                     Err(failure) => failure.fmt(f)?,

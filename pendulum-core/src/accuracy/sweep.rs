@@ -7,7 +7,7 @@ use std::rc::Rc;
 use nalgebra::SVector;
 
 use crate::accuracy::timing::{Work, in_turns};
-use crate::accuracy::{Errors, Failure, Measured, Problem, Report, Run, Series};
+use crate::accuracy::{Errors, Failure, Measured, MethodRuns, Problem, Report, Run};
 use crate::ensemble::{Ensemble, EnsembleError};
 use crate::method::Method;
 use crate::solution::Statistics;
@@ -16,7 +16,7 @@ use crate::system::System;
 /// A measurement of errors against time and evaluations: methods with lists of settings, on one [`Problem`].
 pub struct Sweep<'a, S, const N: usize> {
     problem: Problem<'a, S, N>,
-    series: Vec<(String, Vec<Trial<'a, S, N>>)>,
+    methods: Vec<(String, Vec<Trial<'a, S, N>>)>,
     rounds: usize,
 }
 
@@ -40,7 +40,7 @@ impl<'a, S: System<f64, N> + 'a, const N: usize> Sweep<'a, S, N> {
     pub fn new(problem: Problem<'a, S, N>) -> Self {
         Self {
             problem,
-            series: Vec::new(),
+            methods: Vec::new(),
             rounds: 15,
         }
     }
@@ -130,20 +130,20 @@ impl<'a, S: System<f64, N> + 'a, const N: usize> Sweep<'a, S, N> {
     #[must_use]
     pub fn run(self) -> Report {
         let problem = &self.problem;
-        let mut series = Vec::new();
-        for (name, trials) in &self.series {
+        let mut methods = Vec::new();
+        for (name, trials) in &self.methods {
             let runs = trials.iter().map(|trial| {
                 let outcome = (trial.judge)(problem);
                 (trial, outcome.map(|found| (found, Work::new(|| (trial.run)(problem)))))
             });
-            series.push((name, runs.collect::<Vec<_>>()));
+            methods.push((name, runs.collect::<Vec<_>>()));
         }
-        let runs = series.iter_mut().flat_map(|(_, runs)| runs);
+        let runs = methods.iter_mut().flat_map(|(_, runs)| runs);
         in_turns(
             runs.filter_map(|(_, outcome)| Some(&mut outcome.as_mut().ok()?.1)),
             self.rounds,
         );
-        let series = series.into_iter().map(|(name, runs)| Series {
+        let methods = methods.into_iter().map(|(name, runs)| MethodRuns {
             name: name.clone(),
             runs: runs
                 .into_iter()
@@ -151,7 +151,7 @@ impl<'a, S: System<f64, N> + 'a, const N: usize> Sweep<'a, S, N> {
                 .collect(),
         });
         Report {
-            series: series.collect(),
+            methods: methods.collect(),
             uncertainty: problem.reference.uncertainty(problem.t1),
         }
     }
@@ -191,7 +191,7 @@ impl<'a, S: System<f64, N> + 'a, const N: usize> Sweep<'a, S, N> {
         trial: impl Fn(f64) -> Trial<'a, S, N>,
     ) -> Self {
         let trials = settings.into_iter().map(trial).collect();
-        self.series.push((name.into(), trials));
+        self.methods.push((name.into(), trials));
         self
     }
 }
@@ -247,7 +247,7 @@ fn first_failure<const N: usize>(error: &EnsembleError<f64, N>, t0: f64) -> Fail
 
 impl<S, const N: usize> fmt::Debug for Sweep<'_, S, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let names = self.series.iter().map(|(name, trials)| (name, trials.len()));
+        let names = self.methods.iter().map(|(name, trials)| (name, trials.len()));
         f.debug_struct("Sweep")
             .field("problem", &self.problem)
             .field("settings", &names.collect::<Vec<_>>())

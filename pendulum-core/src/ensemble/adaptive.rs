@@ -1,210 +1,25 @@
 //! Many trajectories, each with steps of its own lengths.
 
+use std::ops::Range;
+
 use nalgebra::SVector;
 
-use super::{Ensemble, EnsembleError, check_models, conclude, leave_alone, model_of};
-use crate::control::Tolerance;
-use crate::dense::polynomial;
+use super::check::{first_not_finite, in_lane, sum};
+use super::{Ensemble, EnsembleError, InLanes, MOST_LANES, Stopped, alone, check_models, conclude, model_of};
+use crate::dense::Step;
 use crate::error::Reason;
 use crate::method::{
-    Adaptation, Adaptive, Explicit, NonFinite, OneStep, PowerSeries, SHORT, Scheme, TERMS, attempt, check_span,
-    check_state, defect, last_terms, length, order_for, weighted_sum,
+    Accepted, Adaptive, Estimates, Failure, NonFinite, Pace, Scheme, StepControl, check_span, check_state,
+    is_within_tolerance,
 };
 use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
-use crate::system::{Cast, System};
-use crate::tableau::Tableau;
-use crate::taylor::{CastTaylor, MAX_ORDER};
-
-/// A family of methods whose steps run in lanes, each with a length of its own.
-///
-/// What it computes in each lane is what its [`Scheme`] computes for a scalar.
-pub trait InLanes<M: Cast<N>, T: LaneElement, const N: usize>: OneStep<M::In<T>, T, N> + Copy {
-    /// What a step works with.
-    type Memory<V: Lanes<Scalar = T>>;
-
-    /// A memory of nothing.
-    fn memory<V: Lanes<Scalar = T>>(&self, tolerance: &Tolerance<T>) -> Self::Memory<V>;
-
-    /// Whether the lanes are few: where a step uses much memory, or the registers have enough to do.
-    const NARROW: bool;
-
-    /// Goes to the states `x` at `t`.
-    fn begin<V: Lanes<Scalar = T>>(system: &M::In<V>, t: V, x: &SVector<V, N>, memory: &mut Self::Memory<V>);
-
-    /// What the length of the next step follows from, where the method knows that before it tries.
-    fn prepare<V: Lanes<Scalar = T>>(
-        memory: &Self::Memory<V>,
-        x: &SVector<V, N>,
-        tolerance: &Tolerance<V>,
-    ) -> Option<[V; TERMS]>;
-
-    /// The length, from that of a lane.
-    fn propose<V: Lanes<Scalar = T>>(memory: &Self::Memory<V>, tolerance: &Tolerance<T>, prepared: [T; TERMS]) -> T;
-
-    /// Tries a step: the states at its end, and the mean squares of their errors in units of the tolerance.
-    fn attempt<V: Lanes<Scalar = T>>(
-        system: &M::In<V>,
-        start: (V, &SVector<V, N>),
-        t_new: V,
-        tolerance: &Tolerance<V>,
-        memory: &mut Self::Memory<V>,
-    ) -> (SVector<V, N>, V);
-
-    /// Accepts the step in all lanes; `false` if the next one must [`begin`](Self::begin).
-    fn finish<V: Lanes<Scalar = T>>(system: &M::In<V>, end: (V, &SVector<V, N>), memory: &mut Self::Memory<V>) -> bool;
-}
-
-impl<M, B, T, const STAGES: usize, const N: usize> InLanes<M, T, N> for Explicit<B, STAGES>
-where
-    M: Cast<N>,
-    B: Tableau<STAGES> + Copy,
-    T: LaneElement,
-{
-    type Memory<V: Lanes<Scalar = T>> = [SVector<V, N>; STAGES];
-    const NARROW: bool = N > SHORT;
-
-    #[inline(always)]
-    fn memory<V: Lanes<Scalar = T>>(&self, _tolerance: &Tolerance<T>) -> Self::Memory<V> {
-        [SVector::from_element(V::default()); STAGES]
-    }
-
-    #[inline(always)]
-    fn begin<V: Lanes<Scalar = T>>(system: &M::In<V>, t: V, x: &SVector<V, N>, stages: &mut Self::Memory<V>) {
-        stages[0] = system.rhs(t, x);
-    }
-
-    #[inline(always)]
-    fn prepare<V: Lanes<Scalar = T>>(
-        _stages: &Self::Memory<V>,
-        _x: &SVector<V, N>,
-        _tolerance: &Tolerance<V>,
-    ) -> Option<[V; TERMS]> {
-        None
-    }
-
-    #[inline(always)]
-    fn propose<V: Lanes<Scalar = T>>(_stages: &Self::Memory<V>, _tolerance: &Tolerance<T>, _prepared: [T; TERMS]) -> T {
-        T::default()
-    }
-
-    #[inline(always)]
-    fn attempt<V: Lanes<Scalar = T>>(
-        system: &M::In<V>,
-        (t, x): (V, &SVector<V, N>),
-        t_new: V,
-        tolerance: &Tolerance<V>,
-        stages: &mut Self::Memory<V>,
-    ) -> (SVector<V, N>, V) {
-        let x_new = attempt::<B, _, V, STAGES, N>(system, (t, x), t_new, stages);
-        if const { B::TABLEAU.error_wants_the_last_stage() } {
-            stages[STAGES - 1] = system.rhs(t_new, &x_new);
-        }
-        let weights = const { &B::TABLEAU.error_weights() };
-        let error = weighted_sum((t_new - t).abs(), weights, STAGES, stages);
-        (x_new, tolerance.mean_square(&error, x, &x_new))
-    }
-
-    #[inline(always)]
-    fn finish<V: Lanes<Scalar = T>>(
-        system: &M::In<V>,
-        (t, x): (V, &SVector<V, N>),
-        stages: &mut Self::Memory<V>,
-    ) -> bool {
-        if const { !B::TABLEAU.error_wants_the_last_stage() } {
-            stages[STAGES - 1] = system.rhs(t, x);
-        }
-        stages[0] = stages[STAGES - 1];
-        true
-    }
-}
-
-/// The series of each lane.
-pub struct LaneSeries<W, V, const N: usize> {
-    order: usize,
-    /// Which of the two series is that of the states reached.
-    current: usize,
-    x: [[SVector<V, N>; MAX_ORDER + 1]; 2],
-    work: W,
-}
-
-impl<W, V, const N: usize> LaneSeries<W, V, N> {
-    #[inline(always)]
-    fn series(&self, which: usize) -> &[SVector<V, N>] {
-        &self.x[which][..=self.order]
-    }
-}
-
-impl<M, T, const N: usize> InLanes<M, T, N> for PowerSeries
-where
-    M: CastTaylor<N>,
-    PowerSeries: OneStep<M::In<T>, T, N>,
-    T: LaneElement,
-{
-    type Memory<V: Lanes<Scalar = T>> = LaneSeries<M::Workspace<V>, V, N>;
-    const NARROW: bool = true;
-
-    #[inline(always)]
-    fn memory<V: Lanes<Scalar = T>>(&self, tolerance: &Tolerance<T>) -> Self::Memory<V> {
-        LaneSeries {
-            order: self.order.unwrap_or_else(|| order_for(tolerance)),
-            current: 0,
-            x: [[SVector::from_element(V::default()); MAX_ORDER + 1]; 2],
-            work: M::workspace::<V>(),
-        }
-    }
-
-    #[inline(always)]
-    fn begin<V: Lanes<Scalar = T>>(system: &M::In<V>, t: V, x: &SVector<V, N>, series: &mut Self::Memory<V>) {
-        let (current, order) = (series.current, series.order);
-        series.x[current][0] = *x;
-        M::series(system, t, &mut series.x[current][..=order], &mut series.work);
-    }
-
-    #[inline(always)]
-    fn prepare<V: Lanes<Scalar = T>>(
-        series: &Self::Memory<V>,
-        x: &SVector<V, N>,
-        tolerance: &Tolerance<V>,
-    ) -> Option<[V; TERMS]> {
-        Some(tolerance.mean_sizes(last_terms(series.series(series.current)), x))
-    }
-
-    #[inline(always)]
-    fn propose<V: Lanes<Scalar = T>>(series: &Self::Memory<V>, tolerance: &Tolerance<T>, prepared: [T; TERMS]) -> T {
-        length(series.order, tolerance, prepared)
-    }
-
-    #[inline(always)]
-    fn attempt<V: Lanes<Scalar = T>>(
-        system: &M::In<V>,
-        (t, x): (V, &SVector<V, N>),
-        t_new: V,
-        tolerance: &Tolerance<V>,
-        series: &mut Self::Memory<V>,
-    ) -> (SVector<V, N>, V) {
-        let (h, current, order) = (t_new - t, series.current, series.order);
-        let x_new = polynomial(x, &series.series(current)[1..], h);
-        series.x[1 - current][0] = x_new;
-        M::series(system, t_new, &mut series.x[1 - current][..=order], &mut series.work);
-        let error = defect(series.series(current), h, &series.x[1 - current][1]);
-        (x_new, tolerance.mean_square(&error, x, &x_new))
-    }
-
-    #[inline(always)]
-    fn finish<V: Lanes<Scalar = T>>(
-        _system: &M::In<V>,
-        _end: (V, &SVector<V, N>),
-        series: &mut Self::Memory<V>,
-    ) -> bool {
-        series.current = 1 - series.current;
-        true
-    }
-}
+use crate::solution::Statistics;
+use crate::system::Cast;
 
 impl<M, F, T, const N: usize> Ensemble<M, T, N> for Adaptive<F>
 where
     M: Cast<N>,
-    F: InLanes<M, T, N>,
+    F: InLanes<M, T, N> + Estimates,
     T: LaneElement,
 {
     fn ensemble_on(
@@ -218,65 +33,62 @@ where
         check_span(t0, t1)?;
         check_models(models, starts)?;
         let mut x = starts.to_vec();
-        let tolerance = self.tolerance()?;
-        if let Some(model) = models.first() {
-            let scheme = self.family.scheme(&model.cast(), Some(tolerance))?;
-            let pace = self.pace(tolerance, scheme.error_order(), (t0, t1))?;
-            isa.run(March {
-                family: self.family,
-                models,
-                pace,
-                span: (t0, t1),
-                x: &mut x,
-            });
-        }
-        conclude(self, models, (t0, t1), starts, x)
+        let mut stopped = Vec::new();
+        isa.run(March {
+            method: self,
+            models,
+            span: (t0, t1),
+            waiting: 0..x.len(),
+            x: &mut x,
+            stopped: &mut stopped,
+        })?;
+        conclude(x, stopped)
     }
 }
 
-/// Trajectories on their way from the states `x`, which are replaced: by NaN where they are stopped.
+/// Trajectories on their way from the states `x`, which are replaced.
 struct March<'a, F, M, T, const N: usize> {
-    family: F,
+    method: &'a Adaptive<F>,
     models: &'a [M],
-    pace: Adaptation<T>,
     span: (T, T),
     x: &'a mut [SVector<T, N>],
+    /// Those that have not begun.
+    waiting: Range<usize>,
+    stopped: &'a mut Vec<Stopped<T>>,
 }
 
 impl<F, M, T, const N: usize> Kernel<T> for March<'_, F, M, T, N>
 where
-    F: InLanes<M, T, N>,
+    F: InLanes<M, T, N> + Estimates,
     M: Cast<N>,
     T: LaneElement,
 {
-    type Output = ();
+    type Output = Result<(), Reason>;
 
     #[inline(always)]
-    fn run<V: Lanes<Scalar = T>>(self) {
+    fn run<V: Lanes<Scalar = T>>(self) -> Result<(), Reason> {
         if const { !F::NARROW } {
-            self.in_lanes::<V::Double>();
+            self.in_lanes::<V::Double>()
         } else if const { V::LANES > 1 } {
-            self.in_lanes::<V>();
+            self.in_lanes::<V>()
         } else {
-            leave_alone(self.x);
+            alone(self.method, self.models, self.span, self.x, self.stopped);
+            Ok(())
         }
     }
 }
 
-/// The most lanes that there are: those of `f32`, twice.
-const MOST_LANES: usize = 64;
-
-/// A trajectory in a lane.
+/// A lane, and the trajectory in it.
 #[derive(Clone, Copy)]
 struct Member<T> {
-    /// Which, or none that is still to go.
+    /// Which; none where the lane is free.
     index: Option<usize>,
     t: T,
     t_new: T,
-    pace: Adaptation<T>,
+    pace: Pace<T>,
     steps: usize,
-    /// Whether the last step was rejected: then the length of the next one is known.
-    rejected: bool,
+    /// Whether the last attempt was rejected, so that the length of the next one is known.
+    retries: bool,
 }
 
 impl<F, M, T, const N: usize> March<'_, F, M, T, N>
@@ -286,167 +98,151 @@ where
     T: LaneElement,
 {
     #[inline(always)]
-    fn in_lanes<V: Lanes<Scalar = T>>(mut self) {
-        let (t0, t1) = self.span;
-        if t0 == t1 || self.x.is_empty() {
-            return;
+    fn in_lanes<V: Lanes<Scalar = T>>(mut self) -> Result<(), Reason> {
+        if self.models.is_empty() {
+            return Ok(());
         }
-        let tolerance = self.pace.tolerance;
-        let wide = Tolerance {
-            rtol: V::splat(tolerance.rtol),
-            atol: V::splat(tolerance.atol),
-        };
-        let mut members = [Member {
-            index: None,
-            t: t1,
-            t_new: t1,
-            pace: self.pace,
+        let (t0, t1) = self.span;
+        let tolerance = self.method.tolerance()?;
+        let mut system = F::gather::<V>(|_| &self.models[0]);
+        let mut scheme = self.method.family.stages::<V>(&system, Some(tolerance))?;
+        let control = self.method.control(tolerance, scheme.error_order(), self.span)?;
+        let member = |index| Member {
+            index,
+            t: t0,
+            t_new: t0,
+            pace: control.start(),
             steps: 0,
-            rejected: false,
-        }; MOST_LANES];
+            retries: false,
+        };
+        let mut members = [member(None); MOST_LANES];
         let members = &mut members[..V::LANES];
-        // Lanes that are left over go on in the first state, without a step.
-        let mut x = self.x[0].map(V::splat);
-        let mut memory = self.family.memory::<V>(&tolerance);
-        let mut system = M::gather::<V>(|_| model_of(self.models, 0));
-        let mut next = 0;
-        let mut known = false;
+        let mut x = SVector::from_element(V::default());
+        let mut x_new = x;
+        let work = &mut Statistics::default();
         loop {
-            for lane in 0..V::LANES {
-                if members[lane].index.is_some() || next == self.x.len() {
-                    continue;
-                }
-                while next < self.x.len() && members[lane].index.is_none() {
-                    if let Ok(pace) = self.enter(next) {
-                        members[lane] = Member {
-                            index: Some(next),
-                            t: t0,
-                            t_new: t0,
-                            pace,
-                            steps: 0,
-                            rejected: false,
-                        };
-                        set_lane(&mut x, lane, &self.x[next]);
-                    } else {
-                        self.x[next].fill(T::from_f64(f64::NAN));
-                    }
-                    next += 1;
-                }
-                known = false;
-                if self.models.len() > 1 {
-                    system = M::gather::<V>(|lane| model_of(self.models, members[lane].index.unwrap_or(0)));
+            // Those that wait take the lanes that are free.
+            let mut someone_enters = false;
+            for (lane, free) in members.iter_mut().enumerate() {
+                if free.index.is_none()
+                    && let Some(index) = self.next()
+                {
+                    *free = member(Some(index));
+                    set_lane(&mut x, lane, &self.x[index]);
+                    someone_enters = true;
                 }
             }
             if members.iter().all(|member| member.index.is_none()) {
-                return;
+                return Ok(());
             }
             let t = V::from_fn(|lane| members[lane].t);
-            if !known {
-                F::begin(&system, t, &x, &mut memory);
-            }
-            let prepared = F::prepare(&memory, &x, &wide);
-            for (lane, member) in members.iter_mut().enumerate() {
-                if member.index.is_none() {
-                    continue;
+            if someone_enters {
+                if self.models.len() > 1 {
+                    system = F::gather::<V>(|lane| model_of(self.models, members[lane].index.unwrap_or(0)));
                 }
-                let of_lane = |prepared: [V; TERMS]| {
-                    F::propose(&memory, &tolerance, prepared.map(|prepared| prepared.lane(lane)))
-                };
-                if self.plan(member, prepared.map(of_lane)).is_err() {
-                    self.leave(member, None);
+                let slope = scheme.begin(&system, t, &x, work);
+                for (lane, member) in members.iter_mut().enumerate() {
+                    if let (Some(index), 0) = (member.index, member.steps) {
+                        self.begin(&control, member, index, &in_lane(&slope, lane));
+                    }
+                }
+            }
+            let proposed = scheme.prepare(&system, t, &x, work);
+            for (lane, member) in members.iter_mut().enumerate() {
+                if let Some(index) = member.index {
+                    let proposed = proposed.filter(|_| !member.retries).map(|h| h.lane(lane));
+                    match control.plan(&mut member.pace, (member.t, t1), member.steps, proposed) {
+                        Ok(t_new) => member.t_new = t_new,
+                        Err(reason) => self.stop(member, index, in_lane(&x, lane), reason),
+                    }
                 }
             }
             let t_new = V::from_fn(|lane| members[lane].t_new);
-            let (x_new, mean_square) = F::attempt(&system, (t, &x), t_new, &wide, &mut memory);
-            // Zero where the state is finite.
-            let mut check = V::default();
-            for &x in &x_new.data.0[0] {
-                check += x * V::default();
-            }
+            let attempt = scheme.attempt(&system, (t, &x), (t_new, &mut x_new), work);
+            let slope = scheme.arrive(&system, (t_new, &x_new), work);
+            let sum = sum(&x_new, slope);
             let mut accepted = [true; MOST_LANES];
             for (lane, member) in members.iter_mut().enumerate() {
-                if member.index.is_some() {
-                    let is_finite = check.lane(lane) == T::default();
-                    accepted[lane] = self.judge(member, is_finite.then_some(mean_square.lane(lane)));
+                let Some(index) = member.index else { continue };
+                let outcome = match attempt {
+                    Err(stalled) => Err(Failure::from(stalled)),
+                    Ok(mean_square) if sum.lane(lane).is_finite() => Ok(mean_square.lane(lane)),
+                    Ok(mean_square) => outcome((&x_new, slope), mean_square.lane(lane), lane),
+                };
+                let proposes = const { <F::Stages<V> as Scheme<F::System<V>, V, N>>::PROPOSES };
+                let verdict = control.judge(&mut member.pace, (member.t, member.t_new), outcome, proposes);
+                accepted[lane] = matches!(verdict, Ok(true));
+                member.steps += 1;
+                member.retries = !accepted[lane];
+                if accepted[lane] {
+                    member.t = member.t_new;
+                }
+                if let Err(reason) = verdict {
+                    self.stop(member, index, in_lane(&x, lane), reason);
                 }
             }
-            if accepted.iter().all(|&accepted| accepted) {
-                x = x_new;
-                known = F::finish(&system, (t_new, &x), &mut memory);
+            let lanes = if accepted[..V::LANES].contains(&false) {
+                Accepted::Lanes(&accepted)
             } else {
-                for (x, new) in x.iter_mut().zip(x_new.iter()) {
-                    *x = V::from_fn(|lane| if accepted[lane] { new.lane(lane) } else { x.lane(lane) });
-                }
-                known = false;
-            }
+                Accepted::All
+            };
+            scheme.accept(&system, &Step::new((t, x), (t_new, x_new)), lanes, work);
+            x = lanes.select(&x_new, &x);
             for (lane, member) in members.iter_mut().enumerate() {
-                if member.index.is_some() && member.t == t1 {
-                    let state = x.map(|x| x.lane(lane));
-                    self.leave(member, Some(state));
+                if member.t == t1
+                    && let Some(index) = member.index.take()
+                {
+                    self.x[index] = in_lane(&x, lane);
                 }
             }
         }
     }
 
-    /// The pace of the trajectory `index` at its start.
-    fn enter(&self, index: usize) -> Result<Adaptation<T>, Reason> {
+    /// The next trajectory, if one waits that has a way to go.
+    fn next(&mut self) -> Option<usize> {
         let (t0, t1) = self.span;
-        let (model, x) = (model_of(self.models, index).cast::<T>(), self.x[index]);
-        check_state(&x)?;
-        let mut pace = self.pace;
-        if pace.h == T::default() && const { !<F::Scheme as Scheme<M::In<T>, T, N>>::PROPOSES } {
-            let slope = model.rhs(t0, &x);
-            NonFinite::check(&slope).map_err(NonFinite::at_start)?;
-            pace.h = pace.first_step(&model, (t0, &x, &slope), t1);
-        }
-        Ok(pace)
-    }
-
-    /// Plans the next step of a trajectory.
-    #[inline(always)]
-    fn plan(&self, member: &mut Member<T>, proposed: Option<T>) -> Result<(), Reason> {
-        let t1 = self.span.1;
-        if let (false, Some(h)) = (member.rejected, proposed) {
-            member.pace.propose(h, member.t, (t1 - member.t).abs())?;
-        }
-        member.pace.check_steps(member.steps)?;
-        member.pace.h = member.pace.h.max(member.pace.least(member.t));
-        member.t_new = member.pace.end_of_step(member.t, t1);
-        Ok(())
-    }
-
-    /// Whether a trajectory takes the step that was tried, given the mean square of its error, or none if it arrived nowhere; if it does
-    /// not and cannot take a shorter one, it leaves.
-    #[inline(always)]
-    fn judge(&mut self, member: &mut Member<T>, mean_square: Option<T>) -> bool {
-        let h = (member.t_new - member.t).abs();
-        member.steps += 1;
-        if let Some(mean_square) = mean_square
-            && mean_square <= T::from_f64(1.0)
-        {
-            if const { !<F::Scheme as Scheme<M::In<T>, T, N>>::PROPOSES } {
-                member.pace.accept(h, mean_square);
+        loop {
+            let index = self.waiting.next()?;
+            match check_state(&self.x[index]) {
+                Ok(()) if t0 == t1 => {}
+                Ok(()) => return Some(index),
+                Err(reason) => self.stopped.push(Stopped { index, t: t0, reason }),
             }
-            member.t = member.t_new;
-            member.rejected = false;
-            return true;
         }
-        let least = member.pace.least(member.t);
-        member.pace.reject(h, mean_square);
-        member.rejected = true;
-        if member.pace.h < least {
-            self.leave(member, None);
-        }
-        false
     }
 
-    /// Ends a trajectory in a state, or in none.
-    #[inline(always)]
-    fn leave(&mut self, member: &mut Member<T>, state: Option<SVector<T, N>>) {
-        if let Some(index) = member.index.take() {
-            self.x[index] = state.unwrap_or_else(|| SVector::from_element(T::from_f64(f64::NAN)));
+    /// Begins a trajectory with the derivative at its start: finds a first step, where the method does not propose it.
+    fn begin(&mut self, control: &StepControl<T>, member: &mut Member<T>, index: usize, slope: &SVector<T, N>) {
+        let x = self.x[index];
+        if let Err(component) = NonFinite::check(slope) {
+            self.stop(member, index, x, component.at_start());
+        } else if const { !<F::Scheme as Scheme<M::In<T>, T, N>>::PROPOSES } {
+            let model = model_of(self.models, index).cast::<T>();
+            control.find_first_step(&mut member.pace, &model, (member.t, &x, slope), self.span.1);
         }
-        member.t_new = member.t;
+    }
+
+    /// Ends a trajectory before its time, in its last good state.
+    #[cold]
+    fn stop(&mut self, member: &mut Member<T>, index: usize, x: SVector<T, N>, reason: Reason) {
+        let t = member.t;
+        self.stopped.push(Stopped { index, t, reason });
+        self.x[index] = x;
+        (member.index, member.t_new) = (None, t);
+    }
+}
+
+/// What a step brings in a lane where not all is finite. The derivative at its end does not matter if its error is too large.
+#[cold]
+fn outcome<V: Lanes, const N: usize>(
+    (x, slope): (&SVector<V, N>, Option<&SVector<V, N>>),
+    mean_square: V::Scalar,
+    lane: usize,
+) -> Result<V::Scalar, Failure> {
+    let slope = slope.filter(|_| is_within_tolerance(mean_square));
+    match first_not_finite(x, slope, lane) {
+        Some(component) => Err(component.into()),
+        None => Ok(mean_square),
     }
 }
 

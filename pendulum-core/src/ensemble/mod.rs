@@ -1,17 +1,19 @@
 //! Many trajectories of one method, in the lanes of the machine's vector registers.
 
 mod adaptive;
+mod check;
 mod fixed;
+mod lanes;
 
 use std::error::Error;
 use std::fmt;
 
 use nalgebra::SVector;
 
-pub use adaptive::InLanes;
+pub use lanes::{Expanded, InLanes};
 
-use crate::error::Reason;
-use crate::method::{Method, NonFinite, require};
+use crate::error::{Reason, debug_as_display};
+use crate::method::{Method, require};
 use crate::real::Float;
 use crate::real::lanes::{Isa, LaneElement};
 use crate::system::Cast;
@@ -20,7 +22,7 @@ use crate::system::Cast;
 pub trait Ensemble<M, T: LaneElement, const N: usize> {
     /// Integrates a model from each of many states at `t0` to `t1`, and returns the states there.
     ///
-    /// There is one model for each start, or a single one for all. Each trajectory is bit for bit what [`solve`](Method::solve) gives
+    /// There is one model for each start, or a single one for all. Each trajectory is bit for bit what [`solve`](crate::Method::solve) gives
     /// for it alone; there is no record of the way. Beside the result no heap is used. Without optimisation, and with debug assertions,
     /// the code is not inlined as wide registers need it, and lanes are slower than scalars.
     ///
@@ -47,7 +49,7 @@ pub trait Ensemble<M, T: LaneElement, const N: usize> {
     ///
     /// # Errors
     /// [`EnsembleError::InvalidInput`] if there are neither one nor as many models as starts, or if times or settings are not what
-    /// [`solve`](Method::solve) takes. [`EnsembleError::Stopped`] names the trajectories that did not come to their end, a bad start
+    /// [`solve`](crate::Method::solve) takes. [`EnsembleError::Stopped`] names the trajectories that did not come to their end, a bad start
     /// included, and has the final states of the others.
     fn ensemble(
         &self,
@@ -85,8 +87,10 @@ pub struct Stopped<T = f64> {
     pub reason: Reason,
 }
 
-/// Why an ensemble did not come to its end as a whole.
-#[derive(Clone, Debug, PartialEq)]
+debug_as_display! { [T: Float, const N: usize] EnsembleError<T, N>; }
+
+/// Why not every trajectory of an ensemble reached the end.
+#[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum EnsembleError<T, const N: usize> {
     /// A setting or an argument makes no sense; nothing was integrated.
@@ -113,7 +117,7 @@ impl<T: Float, const N: usize> fmt::Display for EnsembleError<T, N> {
             Self::Stopped { stopped, x } => {
                 write!(f, "{} of {} trajectories stopped", stopped.len(), x.len())?;
                 if let Some(Stopped { index, t, reason }) = stopped.first() {
-                    write!(f, ", the first, {index}, at t = {}: {reason}", t.to_f64())?;
+                    write!(f, "; trajectory {index} at t = {}: {reason}", t.to_f64())?;
                 }
                 Ok(())
             }
@@ -132,50 +136,49 @@ fn check_models<M: Cast<N>, X, const N: usize>(models: &[M], starts: &[X]) -> Re
     require(strange.is_none(), "models", strange.unwrap_or(0) as f64, rule)
 }
 
-/// The final states `x`. Trajectories whose states are not finite were stopped, or left: they are integrated alone, which shows where and
-/// why they ended.
-fn conclude<A, M, T, const N: usize>(
+/// The final states, or which trajectories stopped.
+fn conclude<T, const N: usize>(
+    x: Vec<SVector<T, N>>,
+    mut stopped: Vec<Stopped<T>>,
+) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>> {
+    if stopped.is_empty() {
+        return Ok(x);
+    }
+    stopped.sort_by_key(|stopped| stopped.index);
+    Err(EnsembleError::Stopped { stopped, x })
+}
+
+/// Integrates the trajectories from the states `x`, which are replaced, one after the other. A single lane is slower than a scalar, whose
+/// right-hand side is a function rather than a copy in each stage.
+fn alone<A, M, T, const N: usize>(
     method: &A,
     models: &[M],
     (t0, t1): (T, T),
-    starts: &[SVector<T, N>],
-    mut x: Vec<SVector<T, N>>,
-) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>
-where
+    x: &mut [SVector<T, N>],
+    stopped: &mut Vec<Stopped<T>>,
+) where
     A: Method<M::In<T>, T, N>,
     M: Cast<N>,
     T: Float,
 {
-    let mut stopped = Vec::new();
     for (index, x) in x.iter_mut().enumerate() {
-        if NonFinite::check(x).is_ok() {
-            continue;
-        }
         let model = model_of(models, index).cast::<T>();
-        let (t, reason);
-        (t, *x, reason) = match method.stepper(&model, t0, t1, starts[index]) {
+        let (t, reason) = match method.stepper(&model, t0, t1, *x) {
             Ok(mut stepper) => {
                 let reason = stepper.run().err();
-                (stepper.t(), stepper.x(), reason)
+                *x = stepper.x();
+                (stepper.t(), reason)
             }
-            Err(reason) => (t0, starts[index], Some(reason)),
+            Err(reason) => (t0, Some(reason)),
         };
         stopped.extend(reason.map(|reason| Stopped { index, t, reason }));
     }
-    if stopped.is_empty() {
-        Ok(x)
-    } else {
-        Err(EnsembleError::Stopped { stopped, x })
-    }
-}
-
-/// Leaves all trajectories for [`conclude`] to integrate alone. A single lane is slower than a scalar, whose right-hand side is a function
-/// rather than a copy in each stage.
-fn leave_alone<T: Float, const N: usize>(x: &mut [SVector<T, N>]) {
-    x.fill(SVector::from_element(T::from_f64(f64::NAN)));
 }
 
 /// The model of trajectory `i`.
 fn model_of<M>(models: &[M], i: usize) -> &M {
     if let [model] = models { model } else { &models[i] }
 }
+
+/// The most lanes there are: registers of eight `f64` four times, or of sixteen `f32` twice; twice that is left for wider ones.
+const MOST_LANES: usize = 64;

@@ -1,10 +1,11 @@
 //! Steps as long as a tolerance allows.
 
-use crate::control::{Controller, Tolerance};
+use crate::control::{Estimates, Tolerance};
 use crate::error::Reason;
 use crate::method::input::{check_start, require};
-use crate::method::pace::{Adaptation, Pace};
 use crate::method::scheme::{OneStep, Scheme};
+use crate::method::step_control::StepControl;
+use crate::method::stepper::Steps;
 use crate::method::{Method, Stepper};
 use crate::real::Float;
 use crate::system::{IntoState, System};
@@ -27,10 +28,18 @@ pub struct Adaptive<F> {
 
 impl<F> Adaptive<F> {
     /// The method with its default settings.
+    ///
+    /// The compiler refuses methods without an estimate of their error:
+    ///
+    /// ```compile_fail,E0277
+    /// use pendulum_core::method::{Adaptive, Gauss};
+    ///
+    /// let method = Adaptive::<Gauss<2>>::new();
+    /// ```
     #[must_use]
     pub fn new() -> Self
     where
-        F: Default,
+        F: Estimates + Default,
     {
         Self {
             rtol: None,
@@ -87,24 +96,23 @@ impl<F> Adaptive<F> {
         self
     }
 
-    /// The pace of an integration from `t0` to `t1`.
-    pub(crate) fn pace<T: Float>(
+    /// The step control of an integration from `t0` to `t1`.
+    pub(crate) fn control<T: Float>(
         &self,
         tolerance: Tolerance<T>,
         error_order: usize,
         (t0, t1): (T, T),
-    ) -> Result<Adaptation<T>, Reason> {
-        let pace = Adaptation {
-            h: T::from_f64(self.h0.unwrap_or(0.0).min(self.h_max)),
+    ) -> Result<StepControl<T>, Reason> {
+        let control = StepControl {
+            h0: self.h0.map(|h0| T::from_f64(h0.min(self.h_max))),
             h_min: T::from_f64(self.h_min),
             h_max: T::from_f64(self.h_max),
             max_steps: self.max_steps,
             error_order,
             tolerance,
-            controller: Controller::new(error_order),
         };
-        self.check_steps(pace.least(t0.abs().max(t1.abs())).to_f64())?;
-        Ok(pace)
+        self.check_steps(control.least(t0.abs().max(t1.abs())).to_f64())?;
+        Ok(control)
     }
 
     pub(crate) fn tolerance<T: Float>(&self) -> Result<Tolerance<T>, Reason> {
@@ -146,7 +154,7 @@ impl<F> Adaptive<F> {
     }
 }
 
-impl<F: Default> Default for Adaptive<F> {
+impl<F: Estimates + Default> Default for Adaptive<F> {
     fn default() -> Self {
         Self::new()
     }
@@ -154,7 +162,7 @@ impl<F: Default> Default for Adaptive<F> {
 
 impl<F, S, T, const N: usize> Method<S, T, N> for Adaptive<F>
 where
-    F: OneStep<S, T, N>,
+    F: OneStep<S, T, N> + Estimates,
     S: System<T, N> + ?Sized,
     T: Float,
 {
@@ -171,7 +179,7 @@ where
         check_start(t0, t1, &x0)?;
         let tolerance = self.tolerance()?;
         let scheme = self.family.scheme(system, Some(tolerance))?;
-        let pace = self.pace(tolerance, scheme.error_order(), (t0, t1))?;
-        Stepper::new(system, scheme, (t0, t1), x0, Pace::Adaptive(pace))
+        let control = self.control(tolerance, scheme.error_order(), (t0, t1))?;
+        Stepper::new(system, scheme, (t0, t1), x0, Steps::controlled(control))
     }
 }

@@ -2,13 +2,13 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::control::Tolerance;
+use crate::control::{Estimates, Tolerance};
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::linear::{image, square};
 use crate::method::explicit::ExplicitStages;
 use crate::method::rosenbrock::RosenbrockStages;
-use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
+use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::{Adaptive, Explicit, Rosenbrock};
 use crate::real::Float;
 use crate::solution::Statistics;
@@ -90,6 +90,8 @@ where
         })
     }
 }
+
+impl Estimates for Switching {}
 
 /// Both methods, of which one is at work.
 #[derive(Clone, Debug)]
@@ -220,26 +222,33 @@ where
         &mut self,
         system: &S,
         start: (T, &SVector<T, N>),
-        t_new: T,
+        end: (T, &mut SVector<T, N>),
         work: &mut Statistics,
-    ) -> Result<Attempt<T, N>, Stalled> {
+    ) -> Result<T, Stalled> {
         if self.is_stiff {
-            self.implicit.attempt(system, start, t_new, work)
+            self.implicit.attempt(system, start, end, work)
         } else {
-            explicit!(&mut self.explicit, stages => stages.attempt(system, start, t_new, work))
+            explicit!(&mut self.explicit, stages => stages.attempt(system, start, end, work))
         }
     }
 
-    fn finish(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> Result<(), NonFinite> {
+    fn arrive(&mut self, system: &S, end: (T, &SVector<T, N>), work: &mut Statistics) -> Option<&SVector<T, N>> {
         if self.is_stiff {
-            self.implicit.finish(system, step, work)?;
+            self.implicit.arrive(system, end, work)
+        } else {
+            explicit!(&mut self.explicit, stages => stages.arrive(system, end, work))
+        }
+    }
+
+    fn accept(&mut self, system: &S, step: &Step<T, N>, lanes: Accepted<'_>, work: &mut Statistics) {
+        if self.is_stiff {
+            self.implicit.accept(system, step, lanes, work);
             work.stiff += 1;
             self.changes = self.is_free(step.h);
         } else {
-            explicit!(&mut self.explicit, stages => stages.finish(system, step, work))?;
+            explicit!(&mut self.explicit, stages => stages.accept(system, step, lanes, work));
             self.changes = self.is_too_stiff(step.h);
         }
-        Ok(())
     }
 
     fn dense(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {

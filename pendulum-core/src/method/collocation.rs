@@ -4,29 +4,14 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::linear::{Complex, Field, Lu, Singular};
 use crate::real::Float;
-
-/// An eigenvalue of the matrix `a_ij` of a method with its eigenvectors, of which `left . right` is 1.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Mode<F, const STAGES: usize> {
-    pub(super) value: F,
-    pub(super) left: [F; STAGES],
-    pub(super) right: [F; STAGES],
-}
-
-/// The eigenvalues of a method with two or three stages: a pair of complex ones, and a real one where there is a third stage.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Modes<const STAGES: usize> {
-    pub(super) real: Option<Mode<f64, STAGES>>,
-    /// The one whose imaginary part is positive.
-    pub(super) pair: Mode<Complex<f64>, STAGES>,
-}
+use crate::tableau::{Mode, Modes};
 
 /// The matrix of the iteration, `G d_i - h sum_j a_ij F d_j`, factored: the stages come apart along the eigenvectors of `a_ij`, and a real
 /// and a complex matrix of the size of the state remain (E. Hairer, G. Wanner, "Solving Ordinary Differential Equations II", IV.8).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pencil<T, const STAGES: usize, const N: usize> {
     real: Option<(Mode<f64, STAGES>, Lu<T, N>)>,
-    pair: (Mode<Complex<f64>, STAGES>, Lu<Complex<T>, N>),
+    pair: (Mode<nalgebra::Complex<f64>, STAGES>, Lu<Complex<T>, N>),
 }
 
 impl<T: Float, const STAGES: usize, const N: usize> Pencil<T, STAGES, N> {

@@ -4,12 +4,13 @@ use std::marker::PhantomData;
 
 use nalgebra::SVector;
 
-use crate::control::Tolerance;
+use crate::control::{Estimates, Tolerance};
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::linear::square;
-use crate::method::input::refuse_tolerance;
-use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
+use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
+use crate::method::stages::{SHORT, shifted, weighted_sum};
+use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
 use crate::solution::Statistics;
 use crate::system::System;
@@ -31,18 +32,15 @@ impl<B, S, T, const STAGES: usize, const N: usize> OneStep<S, T, N> for Explicit
 where
     B: Tableau<STAGES>,
     S: System<T, N> + ?Sized,
-    T: Float,
+    T: Lanes,
 {
     type Scheme = ExplicitStages<B, T, STAGES, N>;
 
-    #[inline]
-    fn scheme(&self, _system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
-        if const { B::TABLEAU.b_hat.is_none() } {
-            refuse_tolerance(tolerance)?;
-        }
+    #[inline(always)]
+    fn scheme(&self, _system: &S, tolerance: Option<Tolerance<T::Scalar>>) -> Result<Self::Scheme, Reason> {
         let zero = SVector::from_element(T::default());
         Ok(ExplicitStages {
-            tolerance,
+            tolerance: tolerance.map(Tolerance::in_lanes),
             slope: zero,
             stages: [zero; STAGES],
             coefficients: [zero; MAX_DEGREE],
@@ -51,15 +49,30 @@ where
     }
 }
 
+impl<B: Estimates, const STAGES: usize> Estimates for Explicit<B, STAGES> {}
+
 /// The stages of a step.
 #[derive(Clone, Copy, Debug)]
 pub struct ExplicitStages<B, T, const STAGES: usize, const N: usize> {
     tolerance: Option<Tolerance<T>>,
-    /// The derivative where the next step starts.
+    /// See [`slope`](Self::slope).
     slope: SVector<T, N>,
     stages: [SVector<T, N>; STAGES],
     coefficients: [SVector<T, N>; MAX_DEGREE],
     tableau: PhantomData<B>,
+}
+
+impl<B, T: Lanes, const STAGES: usize, const N: usize> ExplicitStages<B, T, STAGES, N> {
+    /// The derivative where the next step starts. It stands beside the stages of the last step, whose first one dense output needs; lanes
+    /// have no dense output, and save the copy.
+    #[inline(always)]
+    fn slope(&mut self) -> &mut SVector<T, N> {
+        if const { T::LANES == 1 } {
+            &mut self.slope
+        } else {
+            &mut self.stages[0]
+        }
+    }
 }
 
 impl<B, T, const STAGES: usize, const N: usize> ExplicitStages<B, T, STAGES, N>
@@ -96,61 +109,66 @@ impl<B, S, T, const STAGES: usize, const N: usize> Scheme<S, T, N> for ExplicitS
 where
     B: Tableau<STAGES>,
     S: System<T, N> + ?Sized,
-    T: Float,
+    T: Lanes,
 {
-    #[inline]
+    #[inline(always)]
     fn error_order(&self) -> usize {
         B::TABLEAU.order_hat
     }
 
-    #[inline]
+    #[inline(always)]
     fn begin(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
         work.evaluations += 1;
-        self.slope = system.rhs(t, x);
-        self.slope
+        *self.slope() = system.rhs(t, x);
+        *self.slope()
     }
 
-    #[inline]
+    #[inline(always)]
     fn attempt(
         &mut self,
         system: &S,
         (t, x): (T, &SVector<T, N>),
-        t_new: T,
+        (t_new, x_new): (T, &mut SVector<T, N>),
         work: &mut Statistics,
-    ) -> Result<Attempt<T, N>, Stalled> {
-        self.stages[0] = self.slope;
+    ) -> Result<T, Stalled> {
+        if const { T::LANES == 1 } {
+            self.stages[0] = self.slope;
+        }
         // The right-hand side of a reference may stay a function of its own, where that of a generated model is always inlined: many
         // copies of a long one are slower than calls.
-        let x_new = if const { N <= SHORT } {
+        *x_new = if const { N <= SHORT || T::LANES > 1 } {
             attempt::<B, S, _, _, _>(system, (t, x), t_new, &mut self.stages)
         } else {
             attempt::<B, &S, _, _, _>(&system, (t, x), t_new, &mut self.stages)
         };
         work.evaluations += STAGES - 2;
-        let mean_square = match &self.tolerance {
+        Ok(match &self.tolerance {
             None => T::default(),
             Some(tolerance) => {
                 if const { B::TABLEAU.error_wants_the_last_stage() } {
                     work.evaluations += 1;
-                    self.stages[STAGES - 1] = system.rhs(t_new, &x_new);
+                    self.stages[STAGES - 1] = system.rhs(t_new, x_new);
                 }
                 let weights = const { &B::TABLEAU.error_weights() };
                 let error = weighted_sum((t_new - t).abs(), weights, STAGES, &self.stages);
-                tolerance.mean_square(&error, x, &x_new)
+                tolerance.mean_square(&error, x, x_new)
             }
-        };
-        Ok(Attempt { x: x_new, mean_square })
+        })
     }
 
-    #[inline]
-    fn finish(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> Result<(), NonFinite> {
+    #[inline(always)]
+    fn arrive(&mut self, system: &S, (t, x): (T, &SVector<T, N>), work: &mut Statistics) -> Option<&SVector<T, N>> {
         if self.tolerance.is_none() || const { !B::TABLEAU.error_wants_the_last_stage() } {
             work.evaluations += 1;
-            self.stages[STAGES - 1] = system.rhs(step.t1, &step.x1);
+            self.stages[STAGES - 1] = system.rhs(t, x);
         }
-        NonFinite::check(&self.stages[STAGES - 1])?;
-        self.slope = self.stages[STAGES - 1];
-        Ok(())
+        Some(&self.stages[STAGES - 1])
+    }
+
+    #[inline(always)]
+    fn accept(&mut self, _system: &S, _step: &Step<T, N>, lanes: Accepted<'_>, _work: &mut Statistics) {
+        let last = self.stages[STAGES - 1];
+        *self.slope() = lanes.select(&last, self.slope());
     }
 
     fn dense(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
@@ -184,10 +202,6 @@ const MAX_EXTRA: usize = 10;
 /// The highest degree of a dense output.
 const MAX_DEGREE: usize = 9;
 
-/// The right-hand side of a system with no more states than this, two bodies, takes few operations, and most of them wait for one
-/// another.
-pub(crate) const SHORT: usize = 4;
-
 /// Evaluates the stages of a step from `(t, x)` to `t_new`, but for the first and the last, and returns the state there.
 ///
 /// `stages[0]` is the derivative at the start, given. The last one is the derivative at the end: `rhs(t_new, x_new)`.
@@ -195,7 +209,7 @@ pub(crate) const SHORT: usize = 4;
 /// The stages are spelled out up to `MAX_STAGES`, since compilers do not unroll a loop over calls of the right-hand side:
 /// so each sees its row of the tableau as constants, and zero coefficients vanish.
 #[inline(always)]
-pub(crate) fn attempt<B, S, T, const STAGES: usize, const N: usize>(
+fn attempt<B, S, T, const STAGES: usize, const N: usize>(
     system: &S,
     (t, x): (T, &SVector<T, N>),
     t_new: T,
@@ -229,44 +243,6 @@ where
     stages!(1 2 3 4 5 6 7 8 9 10 11 12 13 14 15 16 17 18);
     let weights = const { &B::TABLEAU.b };
     shifted(x, &weighted_sum::<T, STAGES, N>(h, weights, STAGES - 1, stages))
-}
-
-/// `x + change`, the components spelled out; see [`weighted_sum`].
-#[inline(always)]
-pub(super) fn shifted<T: Real, const N: usize>(x: &SVector<T, N>, change: &SVector<T, N>) -> SVector<T, N> {
-    let mut sum = *x;
-    for (sum, change) in sum.data.0[0].iter_mut().zip(&change.data.0[0]) {
-        *sum += *change;
-    }
-    sum
-}
-
-/// `sum_(i < count) (h weights_i) stages_i`, passing over zero weights.
-///
-/// The products `h weights_i` are formed first: once, where the components would each want one, and off the path from a stage to
-/// the next. The components are spelled out, since arithmetic of whole vectors is functions, which compilers need not inline: in lanes
-/// they must.
-#[inline(always)]
-pub(crate) fn weighted_sum<T: Real, const STAGES: usize, const N: usize>(
-    h: T,
-    weights: &[f64; STAGES],
-    count: usize,
-    stages: &[SVector<T, N>; STAGES],
-) -> SVector<T, N> {
-    let mut sums = [T::default(); N];
-    let mut is_first = true;
-    for i in 0..count {
-        if weights[i] == 0.0 {
-            continue;
-        }
-        let weight = h * T::from_f64(weights[i]);
-        for (component, sum) in sums.iter_mut().enumerate() {
-            let term = weight * stages[i].data.0[0][component];
-            *sum = if is_first { term } else { *sum + term };
-        }
-        is_first = false;
-    }
-    SVector::from(sums)
 }
 
 /// One row of a tableau.

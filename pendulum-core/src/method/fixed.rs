@@ -3,8 +3,8 @@
 use crate::error::Reason;
 use crate::method::grid::Grid;
 use crate::method::input::check_start;
-use crate::method::pace::Pace;
 use crate::method::scheme::OneStep;
+use crate::method::stepper::Steps;
 use crate::method::{Method, Stepper};
 use crate::real::Float;
 use crate::system::{IntoState, System};
@@ -51,6 +51,6 @@ where
         check_start(t0, t1, &x0)?;
         let grid = Grid::new(self.h, t0, t1)?;
         let scheme = self.family.scheme(system, None)?;
-        Stepper::new(system, scheme, (t0, t1), x0, Pace::Fixed(grid))
+        Stepper::new(system, scheme, (t0, t1), x0, Steps::Equal(grid))
     }
 }

@@ -9,12 +9,11 @@ use crate::layout::StateLayout;
 use crate::linear::Lu;
 use crate::method::collocation::Pencil;
 use crate::method::hermite;
-use crate::method::input::refuse_tolerance;
-use crate::method::legendre::{Legendre, Table};
-use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
+use crate::method::scheme::{Accepted, NonFinite, OneStep, Scheme, Stalled};
 use crate::real::Float;
 use crate::solution::Statistics;
 use crate::system::Canonical;
+use crate::tableau::{GaussLegendre, GaussTableau, HasTableau};
 
 /// The Gauss-Legendre method of two or three stages, of order 4 or 6, in canonical variables.
 ///
@@ -28,14 +27,13 @@ pub struct Gauss<const STAGES: usize>;
 
 impl<S, T, const STAGES: usize, const N: usize> OneStep<S, T, N> for Gauss<STAGES>
 where
-    Self: Legendre<STAGES>,
+    GaussLegendre: HasTableau<STAGES>,
     S: Canonical<T, N> + ?Sized,
     T: Float,
 {
     type Scheme = GaussStages<T, STAGES, N>;
 
-    fn scheme(&self, system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
-        refuse_tolerance(tolerance)?;
+    fn scheme(&self, system: &S, _tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
         let zeros = SVector::from_element(T::default());
         let start = Point { y: zeros, lost: zeros };
         Ok(GaussStages {
@@ -84,13 +82,13 @@ type Vectors<T, const STAGES: usize, const N: usize> = [SVector<T, N>; STAGES];
 
 impl<T: Float, const STAGES: usize, const N: usize> GaussStages<T, STAGES, N>
 where
-    Gauss<STAGES>: Legendre<STAGES>,
+    GaussLegendre: HasTableau<STAGES>,
 {
-    const TABLE: Table<STAGES> = Gauss::<STAGES>::TABLE;
+    const TABLEAU: GaussTableau<STAGES> = GaussLegendre::TABLEAU;
 
     /// Starting values: the polynomial through start, stages and end of the last step, carried on; before there is one, a straight line.
     fn predicted(&self, x: &SVector<T, N>, h: T) -> [SVector<T, N>; STAGES] {
-        let table = const { &Self::TABLE };
+        let table = const { &Self::TABLEAU };
         let Some((x0, stages, before)) = &self.before else {
             return table.c.map(|c| x + self.slope * (h * T::from_f64(c)));
         };
@@ -116,7 +114,7 @@ where
         h: T,
         work: &mut Statistics,
     ) -> Result<(Vectors<T, STAGES, N>, Vectors<T, STAGES, N>), Stalled> {
-        let Table { c, b, w, modes, .. } = const { &Self::TABLE };
+        let GaussTableau { c, b, w, modes, .. } = const { &Self::TABLEAU };
         let [one_half, zero] = [0.5, 0.0].map(T::from_f64);
         let mut stages = self.predicted(x, h);
         // in the middle of the step, where the stages are on both sides
@@ -175,7 +173,7 @@ where
 
 impl<S, T, const STAGES: usize, const N: usize> Scheme<S, T, N> for GaussStages<T, STAGES, N>
 where
-    Gauss<STAGES>: Legendre<STAGES>,
+    GaussLegendre: HasTableau<STAGES>,
     S: Canonical<T, N> + ?Sized,
     T: Float,
 {
@@ -199,17 +197,15 @@ where
         &mut self,
         system: &S,
         (t, x): (T, &SVector<T, N>),
-        t_new: T,
+        (t_new, x_new): (T, &mut SVector<T, N>),
         work: &mut Statistics,
-    ) -> Result<Attempt<T, N>, Stalled> {
+    ) -> Result<T, Stalled> {
         let (stages, parts) = self.solve(system, (t, x), t_new - t, work)?;
         let increment = parts.iter().fold(self.start.lost, |sum, part| sum + part);
         let (y, lost) = sum_and_rest(&self.start.y, &increment);
         if NonFinite::check(&y).is_err() {
-            return Ok(Attempt {
-                x: y,
-                mean_square: T::default(),
-            });
+            *x_new = y;
+            return Ok(T::default());
         }
         // The coordinates are there; their rates solve A qd = p, from some rates nearby.
         let nearby = SVector::from_fn(|k, _| {
@@ -228,18 +224,20 @@ where
         work.jacobians += 1;
         work.factorizations += 1;
         self.tried = (Point { y, lost }, stages);
-        Ok(Attempt {
-            x: nearby + SVector::from(change),
-            mean_square: T::default(),
-        })
+        *x_new = nearby + SVector::from(change);
+        Ok(T::default())
     }
 
     #[inline]
-    fn finish(&mut self, _system: &S, step: &Step<T, N>, _work: &mut Statistics) -> Result<(), NonFinite> {
+    fn arrive(&mut self, _system: &S, _end: (T, &SVector<T, N>), _work: &mut Statistics) -> Option<&SVector<T, N>> {
+        None
+    }
+
+    #[inline]
+    fn accept(&mut self, _system: &S, step: &Step<T, N>, _lanes: Accepted<'_>, _work: &mut Statistics) {
         let (end, stages) = self.tried;
         self.start = end;
         self.before = Some((step.x0, stages, step.h));
-        Ok(())
     }
 
     fn dense(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {

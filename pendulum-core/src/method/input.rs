@@ -2,7 +2,6 @@
 
 use nalgebra::SVector;
 
-use crate::control::Tolerance;
 use crate::error::Reason;
 use crate::real::Float;
 
@@ -13,13 +12,6 @@ pub(crate) fn require(holds: bool, what: &'static str, value: f64, rule: &'stati
     } else {
         Err(Reason::InvalidInput { what, value, rule })
     }
-}
-
-/// An error if a tolerance is given to a method that cannot keep it.
-pub(super) fn refuse_tolerance<T: Float>(tolerance: Option<Tolerance<T>>) -> Result<(), Reason> {
-    let Some(tolerance) = tolerance else { return Ok(()) };
-    let rule = "the method does not estimate its error, so it cannot keep a tolerance: give it a fixed step";
-    require(false, "rtol", tolerance.rtol.to_f64(), rule)
 }
 
 /// Checks the span of time.

@@ -2,16 +2,17 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::control::Tolerance;
+use crate::control::{Estimates, Tolerance};
 use crate::dense::Step;
 use crate::error::Reason;
-use crate::linear::{Complex, Singular};
-use crate::method::collocation::{Mode, Modes, Pencil};
-use crate::method::explicit::SHORT;
-use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
+use crate::linear::Singular;
+use crate::method::collocation::Pencil;
+use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
+use crate::method::stages::SHORT;
 use crate::real::Float;
 use crate::solution::Statistics;
 use crate::system::{Jacobian, System};
+use crate::tableau::radau_iia5::{A, C, MODES, MU, POWERS, STAGES};
 
 /// The method Radau IIA with three stages, for systems that know their Jacobian: of order 5, stiffly accurate and L-stable.
 ///
@@ -21,54 +22,6 @@ use crate::system::{Jacobian, System};
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RadauIIA;
 
-/// The number of stages.
-const STAGES: usize = 3;
-/// Their times in fractions of a step: `(4 -+ sqrt(6)) / 10` and 1.
-const C: [f64; STAGES] = [0.155_051_025_721_682_2, 0.644_948_974_278_317_8, 1.0];
-/// Its coefficients; the weights of the step are the last row.
-pub(crate) const A: [[f64; STAGES]; STAGES] = [
-    [
-        0.196_815_477_223_660_4,
-        -0.065_535_425_850_198_39,
-        0.023_770_974_348_220_15,
-    ],
-    [
-        0.394_424_314_739_087_3,
-        0.292_073_411_665_228_5,
-        -0.041_548_752_125_997_93,
-    ],
-    [0.376_403_062_700_467_25, 0.512_485_826_188_421_6, 1.0 / 9.0],
-];
-/// The real eigenvalue of `A`.
-const MU: f64 = 0.274_888_829_595_677_34;
-/// The eigenvectors of `A`.
-const MODES: Modes<STAGES> = Modes {
-    real: Some(Mode {
-        value: MU,
-        left: [4.178_718_591_551_905, 0.327_682_820_761_062_37, 0.523_376_445_499_449_5],
-        right: [0.094_438_762_488_975_24, 0.250_213_122_965_333_3, 1.0],
-    }),
-    pair: Mode {
-        value: Complex::new(0.162_555_585_202_161_32, 0.184_949_324_407_140_8),
-        left: [
-            Complex::new(-2.089_359_295_775_952_6, 0.251_436_317_472_893_4),
-            Complex::new(-0.163_841_410_380_531_18, -1.285_963_474_927_802_6),
-            Complex::new(0.238_311_777_250_275_22, 0.298_019_602_414_112_46),
-        ],
-        right: [
-            Complex::new(-0.141_255_295_020_954_2, -0.030_029_194_105_147_424),
-            Complex::new(0.204_129_352_293_799_94, 0.382_942_112_757_261_9),
-            Complex::new(1.0, 0.0),
-        ],
-    },
-};
-/// The coefficients of the polynomial without constant that has the value 1 at one of the times and 0 at the others: a row for each
-/// power, a column for each time.
-const POWERS: [[f64; STAGES]; STAGES] = [
-    [10.048_809_399_827_416, -1.382_142_733_160_749, 1.0 / 3.0],
-    [-25.629_591_447_076_64, 10.296_258_113_743_306, -8.0 / 3.0],
-    [15.580_782_047_249_224, -8.914_115_380_582_556, 10.0 / 3.0],
-];
 /// The order of the embedded method.
 const ORDER_HAT: usize = 3;
 
@@ -91,8 +44,8 @@ where
         let zero = SVector::from_element(T::default());
         Ok(RadauStages {
             tolerance,
-            slope: zero,
-            jacobian: SMatrix::from_element(T::default()),
+            start: (zero, SMatrix::from_element(T::default())),
+            end: (zero, SMatrix::from_element(T::default())),
             rises: [zero; STAGES],
             coefficients: [zero; STAGES],
             h: T::default(),
@@ -102,13 +55,16 @@ where
     }
 }
 
+impl Estimates for RadauIIA {}
+
 /// The stages of a step of a method of Radau.
 #[derive(Clone, Copy, Debug)]
 pub struct RadauStages<T, const N: usize> {
     tolerance: Option<Tolerance<T>>,
     /// The derivative where the next step starts, and its derivative by the state.
-    slope: SVector<T, N>,
-    jacobian: SMatrix<T, N, N>,
+    start: (SVector<T, N>, SMatrix<T, N, N>),
+    /// The same where the step that was tried last ends.
+    end: (SVector<T, N>, SMatrix<T, N, N>),
     /// By how much the stages differ from the state at the start.
     rises: [SVector<T, N>; STAGES],
     /// The polynomial of the last step and its length, 0 where there is none.
@@ -233,7 +189,7 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
         let Some(tolerance) = &self.tolerance else {
             return T::default();
         };
-        let error = self.error(&self.slope, h, pencil);
+        let error = self.error(&self.start.0, h, pencil);
         let mean_square = tolerance.mean_square(&error, x, x_new);
         if mean_square <= T::from_f64(1.0) || !self.is_doubtful {
             return mean_square;
@@ -259,9 +215,9 @@ where
     fn begin(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
         work.evaluations += 1;
         work.jacobians += 1;
-        (self.slope, self.jacobian) = system.rhs_and_jacobian(t, x);
+        self.start = system.rhs_and_jacobian(t, x);
         (self.h, self.eta, self.is_doubtful) = (T::default(), T::from_f64(1.0), true);
-        self.slope
+        self.start.0
     }
 
     #[inline]
@@ -269,12 +225,12 @@ where
         &mut self,
         system: &S,
         (t, x): (T, &SVector<T, N>),
-        t_new: T,
+        (t_new, x_new): (T, &mut SVector<T, N>),
         work: &mut Statistics,
-    ) -> Result<Attempt<T, N>, Stalled> {
+    ) -> Result<T, Stalled> {
         let h = t_new - t;
         let identity = SMatrix::from_fn(|i, j| T::from_f64(if i == j { 1.0 } else { 0.0 }));
-        let pencil = Pencil::new(&MODES, h, &identity, &self.jacobian).map_err(|Singular| Stalled)?;
+        let pencil = Pencil::new(&MODES, h, &identity, &self.start.1).map_err(|Singular| Stalled)?;
         work.factorizations += pencil.factorizations();
         self.predict(h);
         let solved = if const { N <= SHORT } {
@@ -282,25 +238,25 @@ where
         } else {
             self.iterate::<&S>(&system, (t, x), t_new, &pencil, work)
         };
-        let x_new = x + self.rises[STAGES - 1];
-        let mean_square = solved.map(|()| self.estimate(system, (t, x), (h, &x_new), &pencil, work));
+        *x_new = x + self.rises[STAGES - 1];
+        let mean_square = solved.map(|()| self.estimate(system, (t, x), (h, x_new), &pencil, work));
         self.is_doubtful = true;
-        Ok(Attempt {
-            x: x_new,
-            mean_square: mean_square?,
-        })
+        mean_square
     }
 
     #[inline]
-    fn finish(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> Result<(), NonFinite> {
+    fn arrive(&mut self, system: &S, (t, x): (T, &SVector<T, N>), work: &mut Statistics) -> Option<&SVector<T, N>> {
         work.evaluations += 1;
         work.jacobians += 1;
-        let (slope, jacobian) = system.rhs_and_jacobian(step.t1, &step.x1);
-        NonFinite::check(&slope)?;
-        (self.slope, self.jacobian) = (slope, jacobian);
+        self.end = system.rhs_and_jacobian(t, x);
+        Some(&self.end.0)
+    }
+
+    #[inline]
+    fn accept(&mut self, _system: &S, step: &Step<T, N>, _lanes: Accepted<'_>, _work: &mut Statistics) {
+        self.start = self.end;
         self.coefficients = std::array::from_fn(|power| combined(&POWERS[power], &self.rises));
         (self.h, self.is_doubtful) = (step.h, false);
-        Ok(())
     }
 
     fn dense(&mut self, _system: &S, _step: &Step<T, N>, _work: &mut Statistics) -> &[SVector<T, N>] {

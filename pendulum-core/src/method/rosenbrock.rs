@@ -4,12 +4,12 @@ use std::marker::PhantomData;
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::control::Tolerance;
+use crate::control::{Estimates, Tolerance};
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::linear::{Lu, Singular};
-use crate::method::explicit::{SHORT, shifted, weighted_sum};
-use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
+use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
+use crate::method::stages::{SHORT, shifted, weighted_sum};
 use crate::real::Float;
 use crate::solution::Statistics;
 use crate::system::{Jacobian, System};
@@ -33,13 +33,15 @@ where
     #[inline]
     fn scheme(&self, _system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
         let zero = SVector::from_element(T::default());
+        let nothing = Linearisation {
+            slope: zero,
+            jacobian: SMatrix::from_element(T::default()),
+            drift: zero,
+        };
         Ok(RosenbrockStages {
             tolerance,
-            start: Linearisation {
-                slope: zero,
-                jacobian: SMatrix::from_element(T::default()),
-                drift: zero,
-            },
+            swapped: false,
+            points: [nothing; 2],
             stages: [zero; STAGES],
             coefficients: [zero; MAX_DEGREE],
             tableau: PhantomData,
@@ -47,12 +49,16 @@ where
     }
 }
 
+impl<B, const STAGES: usize> Estimates for Rosenbrock<B, STAGES> {}
+
 /// The stages of a step of a Rosenbrock method.
 #[derive(Clone, Copy, Debug)]
 pub struct RosenbrockStages<B, T, const STAGES: usize, const N: usize> {
     tolerance: Option<Tolerance<T>>,
-    /// The system where the next step starts.
-    start: Linearisation<T, N>,
+    /// The system where the next step starts, and beside it where a step was tried to.
+    points: [Linearisation<T, N>; 2],
+    /// Whether the first of them is the second.
+    swapped: bool,
     /// The `u_i` of the tableau.
     stages: [SVector<T, N>; STAGES],
     coefficients: [SVector<T, N>; MAX_DEGREE],
@@ -90,7 +96,13 @@ where
 {
     /// The Jacobian where the next step starts.
     pub(super) fn jacobian(&self) -> &SMatrix<T, N, N> {
-        &self.start.jacobian
+        &self.start().jacobian
+    }
+
+    /// The system where the next step starts.
+    #[inline(always)]
+    fn start(&self) -> &Linearisation<T, N> {
+        &self.points[usize::from(self.swapped)]
     }
 
     /// Solves for the stages, which are spelled out for the reasons that explicit methods have: the state at the end.
@@ -102,13 +114,13 @@ where
         const { assert!(STAGES >= 1 && STAGES <= MAX_STAGES && B::TABLEAU.dense.len() <= MAX_DEGREE) };
         let (one, h) = (T::from_f64(1.0), t_new - t);
         let h_gamma = h * T::from_f64(const { B::TABLEAU.gamma });
-        let lu = Lu::new(identity_minus(h_gamma, &self.start.jacobian))?;
+        let lu = Lu::new(identity_minus(h_gamma, &self.start().jacobian))?;
         macro_rules! stages {
             ($($i:literal)*) => { $(
                 if $i < STAGES {
                     let row = const { &Row::of::<B>($i) };
                     let slope = if $i == 0 {
-                        self.start.slope
+                        self.start().slope
                     } else {
                         let x = shifted(x, &weighted_sum(one, &row.a, $i, &self.stages));
                         // Not t + h, which may differ in the last bit.
@@ -120,7 +132,7 @@ where
                     for (i, right) in right.data.0[0].iter_mut().enumerate() {
                         let mut slope = slope.data.0[0][i];
                         if row.gamma != 0.0 {
-                            slope += of_time * self.start.drift.data.0[0][i];
+                            slope += of_time * self.start().drift.data.0[0][i];
                         }
                         *right += h_gamma * slope;
                     }
@@ -147,8 +159,8 @@ where
 
     #[inline]
     fn begin(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
-        self.start = Linearisation::new(system, t, x, work);
-        self.start.slope
+        self.points[usize::from(self.swapped)] = Linearisation::new(system, t, x, work);
+        self.start().slope
     }
 
     #[inline]
@@ -156,34 +168,37 @@ where
         &mut self,
         system: &S,
         (t, x): (T, &SVector<T, N>),
-        t_new: T,
+        (t_new, x_new): (T, &mut SVector<T, N>),
         work: &mut Statistics,
-    ) -> Result<Attempt<T, N>, Stalled> {
+    ) -> Result<T, Stalled> {
         work.factorizations += 1;
         work.evaluations += STAGES - 1;
-        let x_new = if const { N <= SHORT } {
+        let solved = if const { N <= SHORT } {
             self.solve_stages::<S>(system, (t, x), t_new)
         } else {
             self.solve_stages::<&S>(&system, (t, x), t_new)
         };
-        let x_new = x_new.map_err(|Singular| Stalled)?;
-        let mean_square = match &self.tolerance {
+        *x_new = solved.map_err(|Singular| Stalled)?;
+        Ok(match &self.tolerance {
             None => T::default(),
             Some(tolerance) => {
                 let weights = const { &difference(B::TABLEAU.b, B::TABLEAU.b_hat) };
                 let error = weighted_sum(T::from_f64(1.0), weights, STAGES, &self.stages);
-                tolerance.mean_square(&error, x, &x_new)
+                tolerance.mean_square(&error, x, x_new)
             }
-        };
-        Ok(Attempt { x: x_new, mean_square })
+        })
     }
 
     #[inline]
-    fn finish(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> Result<(), NonFinite> {
-        let end = Linearisation::new(system, step.t1, &step.x1, work);
-        NonFinite::check(&end.slope)?;
-        self.start = end;
-        Ok(())
+    fn arrive(&mut self, system: &S, (t, x): (T, &SVector<T, N>), work: &mut Statistics) -> Option<&SVector<T, N>> {
+        let end = &mut self.points[usize::from(!self.swapped)];
+        *end = Linearisation::new(system, t, x, work);
+        Some(&end.slope)
+    }
+
+    #[inline]
+    fn accept(&mut self, _system: &S, _step: &Step<T, N>, _lanes: Accepted<'_>, _work: &mut Statistics) {
+        self.swapped = !self.swapped;
     }
 
     fn dense(&mut self, _system: &S, _step: &Step<T, N>, _work: &mut Statistics) -> &[SVector<T, N>] {

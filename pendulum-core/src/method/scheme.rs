@@ -1,4 +1,5 @@
-//! What a one-step method supplies; the engine, [`Stepper`](crate::Stepper), does the rest.
+//! What a one-step method supplies. Two engines do the rest: [`Stepper`](crate::Stepper) for one trajectory, and
+//! [`ensemble`](crate::ensemble) for many, in lanes.
 
 use nalgebra::SVector;
 
@@ -6,24 +7,28 @@ use crate::control::Tolerance;
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::real::Float;
+use crate::real::lanes::Lanes;
 use crate::solution::Statistics;
 
-/// A kind of one-step method, which [`Fixed`](crate::method::Fixed) and [`Adaptive`](crate::method::Adaptive) give a pace.
-pub trait OneStep<S: ?Sized, T: Float, const N: usize> {
+/// A kind of one-step method, which [`Fixed`](crate::method::Fixed) and [`Adaptive`](crate::method::Adaptive) give the lengths of its steps.
+///
+/// `T` is a scalar, or several in lanes.
+pub trait OneStep<S: ?Sized, T: Lanes, const N: usize> {
     /// What a step of it works with.
     type Scheme: Scheme<S, T, N>;
 
-    /// The scheme for steps within a tolerance, or for steps of a given length, which have none.
+    /// The scheme for steps within a tolerance, or for steps of fixed length, which have none.
     ///
     /// # Errors
-    /// [`Reason::InvalidInput`] if a setting of the family is out of its range.
-    fn scheme(&self, system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason>;
+    /// [`Reason::InvalidInput`] if a setting is out of its range.
+    fn scheme(&self, system: &S, tolerance: Option<Tolerance<T::Scalar>>) -> Result<Self::Scheme, Reason>;
 }
 
-/// The work of single steps: tried, finished, and interpolated.
+/// The work of single steps: tried, accepted, and interpolated.
 ///
-/// The engine holds time and state, chooses the length of steps, and looks whether what comes back is finite.
-pub trait Scheme<S: ?Sized, T: Float, const N: usize> {
+/// The engine holds time and state, chooses the length of steps, and checks that what comes back is finite. `T` is a scalar, or several
+/// in lanes, each of which has a time and a step of its own.
+pub trait Scheme<S: ?Sized, T: Lanes, const N: usize> {
     /// Whether [`prepare`](Self::prepare) chooses the steps.
     const PROPOSES: bool = false;
 
@@ -33,45 +38,64 @@ pub trait Scheme<S: ?Sized, T: Float, const N: usize> {
     /// Goes to an initial point, or to one after a jump: the derivative there.
     fn begin(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N>;
 
-    /// Gets ready for a step from `(t, x)`: the length that it should have, from methods that know before they try; else `None`.
-    #[inline]
+    /// Prepares a step from `(t, x)`: its length, from methods that know it before they try; else `None`.
+    #[inline(always)]
     fn prepare(&mut self, _system: &S, _t: T, _x: &SVector<T, N>, _work: &mut Statistics) -> Option<T> {
         None
     }
 
-    /// Tries a step from `(t, x)` to `t_new`.
+    /// Tries a step from the start `(t, x)` to the end `(t, x)`, whose state it writes.
+    ///
+    /// Returns the mean square of the estimated error in units of the tolerance; 0 where there is no estimate.
     fn attempt(
         &mut self,
         system: &S,
         start: (T, &SVector<T, N>),
-        t_new: T,
+        end: (T, &mut SVector<T, N>),
         work: &mut Statistics,
-    ) -> Result<Attempt<T, N>, Stalled>;
+    ) -> Result<T, Stalled>;
 
-    /// Accepts the step that was tried last; if the derivative at its end is not finite, the scheme stays where it was.
-    fn finish(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> Result<(), NonFinite>;
+    /// The derivative at the end `(t, x)` of the step that was tried last, from methods that need it for the next step; it must be
+    /// finite.
+    fn arrive(&mut self, system: &S, end: (T, &SVector<T, N>), work: &mut Statistics) -> Option<&SVector<T, N>>;
+
+    /// Accepts the step after [`arrive`](Self::arrive). A step that no lane accepts is not passed here.
+    fn accept(&mut self, system: &S, step: &Step<T, N>, lanes: Accepted<'_>, work: &mut Statistics);
 
     /// The vectors `c_1, c_2, ..` of the dense output `x0 + c_1 theta + c_2 theta^2 + ..`, `theta` the fraction of the step, for
     /// the step that was accepted last.
     fn dense(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>];
 }
 
-/// Where an attempt arrived.
+/// Which lanes accept a step.
 #[derive(Clone, Copy, Debug)]
-pub struct Attempt<T, const N: usize> {
-    /// The state at the end.
-    pub x: SVector<T, N>,
-    /// The mean square of the estimated error in units of the tolerance; 0 where there is no estimate.
-    pub mean_square: T,
+pub enum Accepted<'a> {
+    /// All of them; a scalar is one lane.
+    All,
+    /// Those that are `true`.
+    Lanes(&'a [bool]),
 }
 
-/// The iteration of an implicit method did not converge, or its matrix is singular: a shorter step may do.
+impl Accepted<'_> {
+    /// `new` in the lanes that accept, and `old` in the others.
+    #[inline(always)]
+    pub fn select<T: Lanes, const N: usize>(self, new: &SVector<T, N>, old: &SVector<T, N>) -> SVector<T, N> {
+        match self {
+            Self::All => *new,
+            Self::Lanes(accepted) => {
+                SVector::from_fn(|k, _| T::from_fn(|lane| if accepted[lane] { &new[k] } else { &old[k] }.lane(lane)))
+            }
+        }
+    }
+}
+
+/// The iteration of an implicit method did not converge, or its matrix is singular: a shorter step may succeed.
 #[derive(Clone, Copy, Debug)]
 pub struct Stalled;
 
 /// The component of a state or derivative that is infinite or not a number.
 #[derive(Clone, Copy, Debug)]
-pub struct NonFinite(pub usize);
+pub(crate) struct NonFinite(usize);
 
 impl NonFinite {
     /// The first such component, if there is one.
@@ -86,6 +110,35 @@ impl NonFinite {
     /// The reason not to start, or to go on after a reset, from there.
     pub(crate) fn at_start(self) -> Reason {
         let Self(component) = self;
-        Reason::NonFinite { component, h: 0.0 }
+        Reason::NonFinite { component, h: None }
+    }
+}
+
+/// Why an attempt was not a step.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Failure {
+    Stalled,
+    NonFinite(NonFinite),
+}
+
+impl From<Stalled> for Failure {
+    fn from(Stalled: Stalled) -> Self {
+        Self::Stalled
+    }
+}
+
+impl From<NonFinite> for Failure {
+    fn from(component: NonFinite) -> Self {
+        Self::NonFinite(component)
+    }
+}
+
+impl Failure {
+    /// The reason to give up, after a step of length `h`.
+    pub(crate) fn reason(self, h: f64) -> Reason {
+        match self {
+            Self::Stalled => Reason::NoConvergence { h },
+            Self::NonFinite(NonFinite(component)) => Reason::NonFinite { component, h: Some(h) },
+        }
     }
 }

@@ -8,8 +8,8 @@ use crate::dense::{Dense, Step};
 use crate::error::Reason;
 use crate::method::grid::Grid;
 use crate::method::input::{check_state, require};
-use crate::method::pace::{Adaptation, Pace};
-use crate::method::scheme::{Attempt, NonFinite, Scheme, Stalled};
+use crate::method::scheme::{Accepted, Failure, NonFinite, Scheme, Stalled};
+use crate::method::step_control::{Pace, StepControl, is_within_tolerance};
 use crate::real::Float;
 use crate::solution::Statistics;
 use crate::system::System;
@@ -36,39 +36,29 @@ use crate::system::System;
 pub struct Stepper<'s, C, S: ?Sized, T, const N: usize> {
     system: &'s S,
     scheme: C,
-    pace: Pace<T>,
+    steps: Steps<T>,
     /// Where it ends.
     t1: T,
     /// The last accepted step; of no length where there is none.
     last: Step<T, N>,
+    /// Where the last attempt arrived.
+    tried: SVector<T, N>,
     statistics: Statistics,
 }
 
-/// Why an attempt was no step.
-enum Failure {
-    Stalled,
-    NonFinite(usize),
+/// How long the steps are.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Steps<T> {
+    /// From one time of a grid to the next.
+    Equal(Grid<T>),
+    /// As long as the tolerance allows.
+    Controlled { control: StepControl<T>, pace: Pace<T> },
 }
 
-impl From<Stalled> for Failure {
-    fn from(Stalled: Stalled) -> Self {
-        Self::Stalled
-    }
-}
-
-impl From<NonFinite> for Failure {
-    fn from(NonFinite(component): NonFinite) -> Self {
-        Self::NonFinite(component)
-    }
-}
-
-impl Failure {
-    /// The reason to give up, after a step of length `h`.
-    fn reason(&self, h: f64) -> Reason {
-        match *self {
-            Self::Stalled => Reason::NoConvergence { h },
-            Self::NonFinite(component) => Reason::NonFinite { component, h },
-        }
+impl<T: Float> Steps<T> {
+    pub(super) fn controlled(control: StepControl<T>) -> Self {
+        let pace = control.start();
+        Self::Controlled { control, pace }
     }
 }
 
@@ -84,18 +74,25 @@ where
         scheme: C,
         (t0, t1): (T, T),
         x0: SVector<T, N>,
-        pace: Pace<T>,
+        steps: Steps<T>,
     ) -> Result<Self, Reason> {
         let mut stepper = Self {
             system,
             scheme,
-            pace,
+            steps,
             t1,
             last: Step::at_rest(t0, x0),
+            tried: x0,
             statistics: Statistics::default(),
         };
         if t0 != t1 {
-            stepper.begin()?;
+            let slope = stepper.begin()?;
+            if let Steps::Controlled { control, pace } = &mut stepper.steps
+                && !C::PROPOSES
+                && control.find_first_step(pace, system, (t0, &x0, &slope), t1)
+            {
+                stepper.statistics.evaluations += 1;
+            }
         }
         Ok(stepper)
     }
@@ -138,9 +135,9 @@ where
         if self.t() == self.t1 {
             return Ok(None);
         }
-        match self.pace {
-            Pace::Fixed(grid) => self.step_on_grid(grid),
-            Pace::Adaptive(pace) => self.step_within_tolerance(pace),
+        match self.steps {
+            Steps::Equal(grid) => self.step_on_grid(grid),
+            Steps::Controlled { control, pace } => self.step_within_tolerance(&control, pace),
         }
         .inspect_err(|_| self.last = Step::at_rest(self.t(), self.x()))?;
         self.statistics.accepted += 1;
@@ -178,44 +175,37 @@ where
         let rule = "the time to go on from must lie between the start of the last step and the end";
         require(from <= t && t <= to, "t", t.to_f64(), rule)?;
         check_state(&x)?;
-        let (before, pace) = ((self.t(), self.x()), self.pace);
+        let (before, steps) = ((self.t(), self.x()), self.steps);
         self.last = Step::at_rest(t, x);
-        if let Pace::Fixed(grid) = &mut self.pace {
+        if let Steps::Equal(grid) = &mut self.steps {
             grid.go_to(t);
         }
         if t == self.t1 {
             return Ok(());
         }
-        self.begin().inspect_err(|_| {
+        self.begin().map(drop).inspect_err(|_| {
             // The scheme went to the new point, and its last step is lost.
             self.last = Step::at_rest(before.0, before.1);
-            self.pace = pace;
+            self.steps = steps;
             self.scheme
                 .begin(self.system, before.0, &before.1, &mut self.statistics);
         })
     }
 
-    /// Evaluates the initial point, and finds the length of a first step where none is known.
-    fn begin(&mut self) -> Result<(), Reason> {
+    /// Evaluates the point reached: the derivative there.
+    fn begin(&mut self) -> Result<SVector<T, N>, Reason> {
         let (t, x) = (self.t(), self.x());
         let slope = self.scheme.begin(self.system, t, &x, &mut self.statistics);
         NonFinite::check(&slope).map_err(NonFinite::at_start)?;
-        if let Pace::Adaptive(pace) = &mut self.pace
-            && pace.h == T::default()
-            && !C::PROPOSES
-        {
-            pace.h = pace.first_step(self.system, (t, &x, &slope), self.t1);
-            self.statistics.evaluations += 1;
-        }
-        Ok(())
+        Ok(slope)
     }
 
     #[inline]
     fn step_on_grid(&mut self, mut grid: Grid<T>) -> Result<(), Reason> {
         let t_new = grid.next();
-        match self.attempt(t_new).and_then(|attempt| self.advance(t_new, &attempt)) {
+        match self.attempt(t_new).and_then(|_| self.advance(t_new)) {
             Ok(()) => {
-                self.pace = Pace::Fixed(grid);
+                self.steps = Steps::Equal(grid);
                 Ok(())
             }
             Err(failure) => {
@@ -226,66 +216,70 @@ where
     }
 
     #[inline]
-    fn step_within_tolerance(&mut self, mut pace: Adaptation<T>) -> Result<(), Reason> {
+    fn step_within_tolerance(&mut self, control: &StepControl<T>, mut pace: Pace<T>) -> Result<(), Reason> {
         let t = self.t();
-        if let Some(h) = self.scheme.prepare(self.system, t, &self.last.x1, &mut self.statistics) {
-            pace.propose(h, t, (self.t1 - t).abs())?;
-        }
-        pace.controller.set_order(self.scheme.error_order());
-        let least = pace.least(t);
-        pace.h = pace.h.max(least);
+        let mut proposed = self.scheme.prepare(self.system, t, &self.last.x1, &mut self.statistics);
+        pace.set_order(self.scheme.error_order());
         loop {
-            pace.check_steps(self.statistics.accepted + self.statistics.rejected)?;
-            let t_new = pace.end_of_step(t, self.t1);
-            let h = (t_new - t).abs();
-            let failure = match self.attempt(t_new) {
-                Ok(attempt) if attempt.mean_square <= T::from_f64(1.0) => match self.advance(t_new, &attempt) {
-                    Ok(()) => {
-                        if !C::PROPOSES {
-                            pace.accept(h, attempt.mean_square);
-                        }
-                        self.pace = Pace::Adaptive(pace);
-                        return Ok(());
-                    }
-                    Err(failure) => Some(failure),
-                },
-                Ok(attempt) => {
-                    pace.reject(h, Some(attempt.mean_square));
-                    None
+            let steps = self.statistics.accepted + self.statistics.rejected;
+            let t_new = control.plan(&mut pace, (t, self.t1), steps, proposed.take())?;
+            let outcome = self.attempt(t_new).and_then(|mean_square| {
+                if is_within_tolerance(mean_square) {
+                    self.advance(t_new)?;
                 }
-                Err(failure) => Some(failure),
-            };
+                Ok(mean_square)
+            });
+            let verdict = control.judge(&mut pace, (t, t_new), outcome, C::PROPOSES);
+            if let Ok(true) = verdict {
+                if let Steps::Controlled { pace: before, .. } = &mut self.steps {
+                    *before = pace;
+                }
+                return Ok(());
+            }
             self.statistics.rejected += 1;
-            if failure.is_some() {
-                pace.reject(h, None);
-            }
-            if pace.h < least {
-                let underflow = Reason::StepUnderflow {
-                    h: pace.h.to_f64(),
-                    least: least.to_f64(),
-                };
-                return Err(failure.map_or(underflow, |failure| failure.reason((t_new - t).to_f64())));
-            }
+            verdict?;
         }
     }
 
-    /// Tries a step to `t_new`: where it arrives is finite, and so is its error.
+    /// Tries a step to `t_new`, where it arrives at finite numbers: the mean square of its error.
     #[inline]
-    fn attempt(&mut self, t_new: T) -> Result<Attempt<T, N>, Failure> {
-        let start = (self.last.t1, &self.last.x1);
-        let attempt = self.scheme.attempt(self.system, start, t_new, &mut self.statistics)?;
-        NonFinite::check(&attempt.x)?;
-        Ok(attempt)
+    fn attempt(&mut self, t_new: T) -> Result<T, Failure> {
+        let (start, end) = ((self.last.t1, &self.last.x1), (t_new, &mut self.tried));
+        let mean_square = attempt(&mut self.scheme, self.system, start, end, &mut self.statistics)?;
+        NonFinite::check(&self.tried)?;
+        Ok(mean_square)
     }
 
     /// Makes an attempt the last step.
     #[inline]
-    fn advance(&mut self, t_new: T, attempt: &Attempt<T, N>) -> Result<(), Failure> {
-        let step = Step::new((self.last.t1, self.last.x1), (t_new, attempt.x));
-        self.scheme.finish(self.system, &step, &mut self.statistics)?;
+    fn advance(&mut self, t_new: T) -> Result<(), Failure> {
+        let end = (t_new, &self.tried);
+        if let Some(slope) = self.scheme.arrive(self.system, end, &mut self.statistics) {
+            NonFinite::check(slope)?;
+        }
+        let step = Step::new((self.last.t1, self.last.x1), (t_new, self.tried));
+        self.scheme
+            .accept(self.system, &step, Accepted::All, &mut self.statistics);
         self.last = step;
         Ok(())
     }
+}
+
+/// [`Scheme::attempt`] as a function of its own, so that the compiler knows that what a step writes is not what the system reads.
+#[inline(never)]
+fn attempt<C, S, T, const N: usize>(
+    scheme: &mut C,
+    system: &S,
+    start: (T, &SVector<T, N>),
+    end: (T, &mut SVector<T, N>),
+    work: &mut Statistics,
+) -> Result<T, Stalled>
+where
+    C: Scheme<S, T, N>,
+    S: ?Sized,
+    T: Float,
+{
+    scheme.attempt(system, start, end, work)
 }
 
 impl<C, S, T, const N: usize> fmt::Debug for Stepper<'_, C, S, T, N>

@@ -2,12 +2,13 @@
 
 use nalgebra::SVector;
 
-use crate::control::Tolerance;
+use crate::control::{Estimates, Tolerance};
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::linear::{image, square};
-use crate::method::explicit::{Explicit, ExplicitStages, shifted, weighted_sum};
-use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
+use crate::method::explicit::{Explicit, ExplicitStages};
+use crate::method::scheme::{Accepted, NonFinite, OneStep, Scheme, Stalled};
+use crate::method::stages::{shifted, weighted_sum};
 use crate::real::Float;
 use crate::solution::Statistics;
 use crate::system::Jacobian;
@@ -43,6 +44,8 @@ where
         })
     }
 }
+
+impl<B: Estimates, const STAGES: usize, const K: usize> Estimates for Tangent<B, STAGES, K> {}
 
 /// A state and its tangents on their way.
 #[derive(Clone, Copy, Debug)]
@@ -111,10 +114,10 @@ where
         &mut self,
         system: &S,
         (t, x): (T, &SVector<T, N>),
-        t_new: T,
+        (t_new, x_new): (T, &mut SVector<T, N>),
         work: &mut Statistics,
-    ) -> Result<Attempt<T, N>, Stalled> {
-        let Attempt { x: x_new, mean_square } = self.state.attempt(system, (t, x), t_new, work)?;
+    ) -> Result<T, Stalled> {
+        let mean_square = self.state.attempt(system, (t, x), (t_new, x_new), work)?;
         let of_tangents = self.attempt_tangents(system, (t, x), t_new - t);
         work.jacobians += STAGES - 1;
         // A tangent that is not finite is no step: the maximum passes over NaN.
@@ -122,16 +125,16 @@ where
         if !is_finite {
             return Err(Stalled);
         }
-        Ok(Attempt {
-            x: x_new,
-            mean_square: mean_square.max(of_tangents),
-        })
+        Ok(mean_square.max(of_tangents))
     }
 
-    fn finish(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> Result<(), NonFinite> {
-        self.state.finish(system, step, work)?;
+    fn arrive(&mut self, system: &S, end: (T, &SVector<T, N>), work: &mut Statistics) -> Option<&SVector<T, N>> {
+        self.state.arrive(system, end, work)
+    }
+
+    fn accept(&mut self, system: &S, step: &Step<T, N>, lanes: Accepted<'_>, work: &mut Statistics) {
+        self.state.accept(system, step, lanes, work);
         self.tangents = self.tried;
-        Ok(())
     }
 
     fn dense(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {

@@ -2,10 +2,10 @@
 
 use nalgebra::SVector;
 
-use crate::control::{Tolerance, exp2, log2};
+use crate::control::{Estimates, Tolerance, exp2, log2};
 use crate::dense::{Step, polynomial};
 use crate::error::Reason;
-use crate::method::scheme::{Attempt, NonFinite, OneStep, Scheme, Stalled};
+use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::{Adaptive, require};
 use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
 use crate::real::{Float, Real};
@@ -74,15 +74,16 @@ impl PowerSeries {
 impl<S, T, const N: usize> OneStep<S, T, N> for PowerSeries
 where
     S: TaylorSeries<T, N> + ?Sized,
-    T: LaneElement,
+    T: Lanes<Scalar: LaneElement>,
 {
     type Scheme = TaylorStages<S::Workspace, T, N>;
 
-    fn scheme(&self, system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
+    #[inline(always)]
+    fn scheme(&self, system: &S, tolerance: Option<Tolerance<T::Scalar>>) -> Result<Self::Scheme, Reason> {
         let order = self.order_within(tolerance)?;
         let zero = SVector::from_element(T::default());
         Ok(TaylorStages {
-            tolerance,
+            tolerance: tolerance.map(|tolerance| (tolerance.in_lanes(), bits(&tolerance))),
             order,
             isa: Isa::for_scalars(),
             current: 0,
@@ -93,47 +94,53 @@ where
     }
 }
 
+impl Estimates for PowerSeries {}
+
 /// The order that reaches a tolerance with the least work. For operations that grow with the square of the order it would be
 /// `-ln(tolerance) / 2 + 1` (Jorba and Zou, 3.1); here part of the work is the same for each order, so that some more are better.
-pub(crate) fn order_for<T: Float>(tolerance: &Tolerance<T>) -> usize {
+fn order_for<T: Float>(tolerance: &Tolerance<T>) -> usize {
     let error = tolerance.rtol.max(tolerance.atol).to_f64().min(1.0);
     let order = (-0.5 * error.ln() + 5.0).ceil() as usize;
     order.clamp(TERMS, MAX_ORDER)
 }
 
-/// How many of the last terms tell the length of a step. Symmetric motions, such as those from rest, may have no others than every fourth.
-pub(crate) const TERMS: usize = 4;
+/// How many of the last terms determine the length of a step. Symmetric motions, such as those from rest, may have only every fourth.
+const TERMS: usize = 4;
 /// The last term of a series is this many powers of two below the tolerance: so is about the sum of all that are left out.
 const SAFETY: f64 = 4.0;
 
-/// The length of a step whose last terms are well within the tolerance, from the sizes of their coefficients in units of it: 0 where these
-/// are beyond all numbers, as close to a pole.
+/// How many bits of the state the tolerance asks for.
+fn bits<T: Float>(tolerance: &Tolerance<T>) -> f64 {
+    -log2(tolerance.rtol.max(tolerance.atol).to_f64())
+}
+
+/// The length of a step whose last terms are well within the tolerance of so many bits, from the sizes of their coefficients in units of
+/// it: 0 where these are beyond all numbers, as close to a pole.
 ///
-/// Each of them tells a radius of convergence, as if the terms were the powers of one number from the state on; the least counts.
+/// Each of them gives a radius of convergence, as if the terms were the powers of one number from the state on; the least counts.
 #[inline(always)]
-pub(crate) fn length<T: Float>(order: usize, tolerance: &Tolerance<T>, sizes: [T; TERMS]) -> T {
+fn length<T: Float>(order: usize, bits: f64, sizes: [T; TERMS]) -> T {
     let sizes = sizes.map(T::to_f64);
     if !sizes.iter().sum::<f64>().is_finite() {
         return T::default();
     }
-    let whole = -log2(tolerance.rtol.max(tolerance.atol).to_f64());
     let mut radius = f64::INFINITY;
     for (n, size) in sizes.into_iter().enumerate() {
-        radius = radius.min((whole - log2(size)) / (order - n) as f64);
+        radius = radius.min((bits - log2(size)) / (order - n) as f64);
     }
-    T::from_f64(exp2(radius - (whole + SAFETY) / order as f64))
+    T::from_f64(exp2(radius - (bits + SAFETY) / order as f64))
 }
 
 /// The last terms of a series, the last one first.
 #[inline(always)]
-pub(crate) fn last_terms<R, const N: usize>(x: &[SVector<R, N>]) -> [&SVector<R, N>; TERMS] {
+fn last_terms<R, const N: usize>(x: &[SVector<R, N>]) -> [&SVector<R, N>; TERMS] {
     std::array::from_fn(|n| &x[x.len() - 1 - n])
 }
 
 /// The error of a step of length `h` along the series `x`, from the derivative where it arrives: that of the series differs from it by
 /// the terms left out, which are integrals of this difference over a growing power of the time.
 #[inline(always)]
-pub(crate) fn defect<R: Real, const N: usize>(x: &[SVector<R, N>], h: R, slope: &SVector<R, N>) -> SVector<R, N> {
+fn defect<R: Real, const N: usize>(x: &[SVector<R, N>], h: R, slope: &SVector<R, N>) -> SVector<R, N> {
     let square = h * h;
     let (mut odd, mut even) = ([R::default(); N], [R::default(); N]);
     for (n, pair) in x[1..].chunks(2).enumerate().rev() {
@@ -160,15 +167,15 @@ struct Recurrences<'a, S: ?Sized, W, T, const N: usize> {
     work: &'a mut W,
 }
 
-impl<S, T, const N: usize> Kernel<T> for Recurrences<'_, S, S::Workspace, T, N>
+impl<S, T, const N: usize> Kernel<T::Scalar> for Recurrences<'_, S, S::Workspace, T, N>
 where
     S: TaylorSeries<T, N> + ?Sized,
-    T: LaneElement,
+    T: Lanes,
 {
     type Output = ();
 
     #[inline(always)]
-    fn run<V: Lanes<Scalar = T>>(self) {
+    fn run<V: Lanes<Scalar = T::Scalar>>(self) {
         self.system.series(self.t, self.x, self.work);
     }
 }
@@ -176,7 +183,8 @@ where
 /// The power series of a step.
 #[derive(Clone, Debug)]
 pub struct TaylorStages<W, T, const N: usize> {
-    tolerance: Option<Tolerance<T>>,
+    /// The tolerance, and how many bits it asks for.
+    tolerance: Option<(Tolerance<T>, f64)>,
     order: usize,
     isa: Isa,
     /// The series of the point reached, and beside it that of the point where the last step started, or where a step was tried to.
@@ -187,25 +195,31 @@ pub struct TaylorStages<W, T, const N: usize> {
     work: W,
 }
 
-impl<W, T: LaneElement, const N: usize> TaylorStages<W, T, N> {
+impl<W, T: Lanes<Scalar: LaneElement>, const N: usize> TaylorStages<W, T, N> {
     /// Computes one of the two series.
-    #[inline]
+    #[inline(always)]
     fn find<S>(&mut self, which: usize, system: &S, (t, x): (T, &SVector<T, N>), work: &mut Statistics)
     where
         S: TaylorSeries<T, N, Workspace = W> + ?Sized,
     {
         let series = &mut self.x[which][..=self.order];
         series[0] = *x;
-        self.isa.run(Recurrences {
+        let recurrences = Recurrences {
             system,
             t,
             x: series,
             work: &mut self.work,
-        });
+        };
+        // Lanes are in registers of their own.
+        if const { T::LANES == 1 } {
+            self.isa.run(recurrences);
+        } else {
+            recurrences.run::<T>();
+        }
         work.evaluations += 1;
     }
 
-    #[inline]
+    #[inline(always)]
     fn series(&self, which: usize) -> &[SVector<T, N>] {
         &self.x[which][..=self.order]
     }
@@ -214,52 +228,64 @@ impl<W, T: LaneElement, const N: usize> TaylorStages<W, T, N> {
 impl<S, T, const N: usize> Scheme<S, T, N> for TaylorStages<S::Workspace, T, N>
 where
     S: TaylorSeries<T, N> + ?Sized,
-    T: LaneElement,
+    T: Lanes<Scalar: LaneElement>,
 {
     const PROPOSES: bool = true;
 
+    #[inline(always)]
     fn error_order(&self) -> usize {
         self.order - 1
     }
 
+    #[inline(always)]
     fn begin(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
         self.find(self.current, system, (t, x), work);
         self.x[self.current][1]
     }
 
-    #[inline]
+    #[inline(always)]
     fn prepare(&mut self, _system: &S, _t: T, x: &SVector<T, N>, _work: &mut Statistics) -> Option<T> {
-        let tolerance = self.tolerance.as_ref()?;
-        let terms = last_terms(self.series(self.current));
-        Some(length(self.order, tolerance, tolerance.mean_sizes(terms, x)))
+        let (tolerance, bits) = self.tolerance.as_ref()?;
+        let sizes = tolerance.mean_sizes(last_terms(self.series(self.current)), x);
+        Some(T::from_fn(|lane| {
+            length(self.order, *bits, sizes.map(|size| size.lane(lane)))
+        }))
     }
 
-    #[inline]
+    #[inline(always)]
     fn attempt(
         &mut self,
         system: &S,
         (t, x): (T, &SVector<T, N>),
-        t_new: T,
+        (t_new, x_new): (T, &mut SVector<T, N>),
         work: &mut Statistics,
-    ) -> Result<Attempt<T, N>, Stalled> {
+    ) -> Result<T, Stalled> {
         let (h, other) = (t_new - t, 1 - self.current);
-        let x_new = polynomial(x, &self.series(self.current)[1..], h);
-        self.find(other, system, (t_new, &x_new), work);
-        let mean_square = match &self.tolerance {
-            Some(tolerance) => {
+        *x_new = polynomial(x, &self.series(self.current)[1..], h);
+        self.find(other, system, (t_new, x_new), work);
+        Ok(match &self.tolerance {
+            Some((tolerance, _)) => {
                 let error = defect(self.series(self.current), h, &self.x[other][1]);
-                tolerance.mean_square(&error, x, &x_new)
+                tolerance.mean_square(&error, x, x_new)
             }
             None => T::default(),
-        };
-        Ok(Attempt { x: x_new, mean_square })
+        })
     }
 
-    #[inline]
-    fn finish(&mut self, _system: &S, _step: &Step<T, N>, _work: &mut Statistics) -> Result<(), NonFinite> {
-        NonFinite::check(&self.x[1 - self.current][1])?;
-        self.current = 1 - self.current;
-        Ok(())
+    #[inline(always)]
+    fn arrive(&mut self, _system: &S, _end: (T, &SVector<T, N>), _work: &mut Statistics) -> Option<&SVector<T, N>> {
+        Some(&self.x[1 - self.current][1])
+    }
+
+    #[inline(always)]
+    fn accept(&mut self, _system: &S, _step: &Step<T, N>, lanes: Accepted<'_>, _work: &mut Statistics) {
+        let (old, new) = (self.current, 1 - self.current);
+        if let Accepted::Lanes(_) = lanes {
+            for k in 0..=self.order {
+                self.x[new][k] = lanes.select(&self.x[new][k], &self.x[old][k]);
+            }
+        }
+        self.current = new;
     }
 
     fn dense(&mut self, _system: &S, step: &Step<T, N>, _work: &mut Statistics) -> &[SVector<T, N>] {

@@ -32,6 +32,9 @@ pub trait Real:
     + MulAssign
     + DivAssign
 {
+    /// How many numbers stand side by side: 1, but in a vector of [lanes](lanes::Lanes).
+    const LANES: usize = 1;
+
     /// The number nearest to `v`.
     fn from_f64(v: f64) -> Self;
 
@@ -78,8 +81,8 @@ pub trait Real:
     fn powf(self, exponent: Self) -> Self;
 }
 
-/// A [`Real`] with an order: the number type of the integrators.
-pub trait Float: Real + PartialOrd {
+/// A [`Real`] with an order: what the integrators step on. It is a single lane.
+pub trait Float: lanes::Lanes<Scalar = Self> + PartialOrd {
     /// The distance from 1 to the next larger number.
     const EPSILON: Self;
 

@@ -1,6 +1,6 @@
 //! `Real` and `Float` for the floating-point types of the language.
 
-use super::lanes::{Two32, Two64};
+use super::lanes::{Lanes, Pack, Pair, Two32, Two64};
 use super::{Float, Real, sincos};
 
 macro_rules! forward {
@@ -57,6 +57,28 @@ macro_rules! scalar {
                 abs() -> Self;
                 atan2(x: Self) -> Self;
                 powf(exponent: Self) -> Self;
+            }
+        }
+
+        /// One lane.
+        impl Lanes for $float {
+            type Scalar = Self;
+            type Double = Pack<Pair<Self>>;
+
+            #[inline(always)]
+            fn splat(v: Self) -> Self {
+                v
+            }
+
+            #[inline(always)]
+            fn from_fn(mut f: impl FnMut(usize) -> Self) -> Self {
+                f(0)
+            }
+
+            #[inline(always)]
+            fn lane(&self, i: usize) -> Self {
+                assert!(i == 0, "lane {i} of one");
+                *self
             }
         }
 

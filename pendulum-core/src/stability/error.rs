@@ -3,10 +3,12 @@
 use std::error::Error;
 use std::fmt;
 
-use crate::error::{ParameterError, Reason};
+use crate::error::{ParameterError, Reason, debug_as_display};
 
-/// Why an analysis came to no result.
-#[derive(Clone, Debug, PartialEq)]
+debug_as_display! { [] StabilityError; }
+
+/// Why an analysis has no result.
+#[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum StabilityError {
     /// An integration ended before its time, or a setting makes no sense.

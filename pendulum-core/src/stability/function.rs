@@ -3,8 +3,8 @@
 use nalgebra::Complex;
 
 use crate::linear::{self, Lu};
-use crate::method::{Adaptive, Explicit, Fixed, Gauss, Legendre, PowerSeries, RADAU_IIA, RadauIIA, Rosenbrock};
-use crate::tableau::{RosenbrockMethod, Tableau};
+use crate::method::{Adaptive, Explicit, Fixed, Gauss, PowerSeries, RadauIIA, Rosenbrock};
+use crate::tableau::{GaussLegendre, HasTableau, RosenbrockMethod, Tableau, radau_iia5};
 
 /// A method with a stability function: a step of length `h` multiplies a solution of `x' = lambda x` by `R(h lambda)`.
 ///
@@ -81,25 +81,25 @@ impl<B: RosenbrockMethod<STAGES>, const STAGES: usize> StabilityFunction for Ros
 
 impl StabilityFunction for RadauIIA {
     fn stability_function(&self, z: Complex<f64>) -> Complex<f64> {
-        implicit(&RADAU_IIA, &RADAU_IIA[2], z)
+        implicit(&radau_iia5::A, &radau_iia5::A[2], z)
     }
 
     fn stability_at_infinity(&self) -> f64 {
-        implicit_at_infinity(&RADAU_IIA, &RADAU_IIA[2])
+        implicit_at_infinity(&radau_iia5::A, &radau_iia5::A[2])
     }
 }
 
 impl<const STAGES: usize> StabilityFunction for Gauss<STAGES>
 where
-    Self: Legendre<STAGES>,
+    GaussLegendre: HasTableau<STAGES>,
 {
     fn stability_function(&self, z: Complex<f64>) -> Complex<f64> {
-        let (a, b) = Self::TABLE.coefficients();
+        let (a, b) = GaussLegendre::TABLEAU.coefficients();
         implicit(&a, &b, z)
     }
 
     fn stability_at_infinity(&self) -> f64 {
-        let (a, b) = Self::TABLE.coefficients();
+        let (a, b) = GaussLegendre::TABLEAU.coefficients();
         implicit_at_infinity(&a, &b)
     }
 }

@@ -2,6 +2,7 @@
 
 use super::hermite::hermite;
 use super::{ButcherTableau, Tableau};
+use crate::control::Estimates;
 
 /// The pair of orders 5 and 4 with dense output of order 4.
 ///
@@ -11,6 +12,8 @@ use super::{ButcherTableau, Tableau};
 /// Math. Comput. 46 (1986) 135-150.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct DormandPrince5;
+
+impl Estimates for DormandPrince5 {}
 
 impl Tableau<7> for DormandPrince5 {
     const TABLEAU: ButcherTableau<7> = {

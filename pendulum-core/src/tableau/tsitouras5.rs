@@ -1,6 +1,7 @@
 //! The pair of Tsitouras.
 
 use super::{ButcherTableau, Tableau, rows};
+use crate::control::Estimates;
 
 /// The pair of orders 5 and 4 with dense output of order 4 that takes no further stage.
 ///
@@ -10,6 +11,8 @@ use super::{ButcherTableau, Tableau, rows};
 /// determine the others.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Tsitouras5;
+
+impl Estimates for Tsitouras5 {}
 
 impl Tableau<7> for Tsitouras5 {
     const TABLEAU: ButcherTableau<7> = ButcherTableau {

@@ -1,6 +1,7 @@
 //! The pair of Verner of orders 7 and 6.
 
 use super::{ButcherTableau, ExtraStage, Tableau, rows};
+use crate::control::Estimates;
 
 /// The pair of orders 7 and 6 with dense output of order 7, in 10 stages and the derivative at the end of the step.
 ///
@@ -13,6 +14,8 @@ use super::{ButcherTableau, ExtraStage, Tableau, rows};
 /// stages by less than 2e-4, the weights by less than 0.5, where they are up to 1207.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Verner7;
+
+impl Estimates for Verner7 {}
 
 impl Tableau<11> for Verner7 {
     const TABLEAU: ButcherTableau<11> = ButcherTableau {

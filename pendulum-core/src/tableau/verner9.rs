@@ -1,6 +1,7 @@
 //! The pair of Verner of orders 9 and 8.
 
 use super::{ButcherTableau, ExtraStage, Tableau, rows};
+use crate::control::Estimates;
 
 /// The pair of orders 9 and 8 with dense output of order 9, in 16 stages and the derivative at the end of the step.
 ///
@@ -9,6 +10,8 @@ use super::{ButcherTableau, ExtraStage, Tableau, rows};
 /// derivative at the end is the first of the ten stages that the interpolant adds there.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Verner9;
+
+impl Estimates for Verner9 {}
 
 impl Tableau<17> for Verner9 {
     const TABLEAU: ButcherTableau<17> = ButcherTableau {

@@ -1,6 +1,6 @@
 //! Errors against time and evaluations.
 
-use pendulum_core::accuracy::{Measured, Report, Series};
+use pendulum_core::accuracy::{Measured, MethodRuns, Report};
 
 use crate::methods::{LANES, line};
 use crate::scenes::{NEIGHBOURS, Scene};
@@ -22,7 +22,7 @@ struct Panels {
     cost: (&'static str, Value),
     /// Decades of the cost.
     decades: [f64; 2],
-    shows: fn(&Series) -> bool,
+    shows: fn(&MethodRuns) -> bool,
 }
 
 /// Decades of the errors.
@@ -155,7 +155,7 @@ impl Panels {
     fn curves(&self, scene: &Scene, report: &Report) -> Vec<Curve> {
         let falling = |error: f64| -error.log10().max(ERRORS[0]);
         let point = |measured: &Measured| Some((falling((self.error.1)(measured)?), (self.cost.1)(measured)?.log10()));
-        let curve = |series: &Series| Curve {
+        let curve = |series: &MethodRuns| Curve {
             line: line(&series.name),
             points: series.measured().filter_map(|(_, measured)| point(measured)).collect(),
             label: Some(series.name.trim_end_matches(LANES).to_owned()),
@@ -166,7 +166,7 @@ impl Panels {
             Line::area(GRID),
             vec![(known, least), (end, least), (end, most), (known, most)],
         );
-        let shown = report.series.iter().filter(|series| (self.shows)(series));
+        let shown = report.methods.iter().filter(|series| (self.shows)(series));
         std::iter::once(unknown).chain(shown.map(curve)).collect()
     }
 }

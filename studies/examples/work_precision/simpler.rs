@@ -73,7 +73,7 @@ fn at(degrees: f64) -> Result<Amplitude, Box<dyn Error>> {
     let linear = linear.map(|t| Some(((jacobian * t).exp() * x0 - reference.at(t)?).amax()));
     let linear = linear.map(|error| error.unwrap_or(f64::INFINITY)).fold(0.0, f64::max);
     let of = |report: &Report, n: usize| -> Result<(f64, f64, usize), Box<dyn Error>> {
-        let (_, measured) = report.series[n].measured().next().ok_or("an integration failed")?;
+        let (_, measured) = report.methods[n].measured().next().ok_or("an integration failed")?;
         let Errors {
             largest, dense, last, ..
         } = measured.errors;

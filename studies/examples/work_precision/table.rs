@@ -25,13 +25,13 @@ pub(crate) fn markdown(reports: &[(&Scene, Report)]) -> String {
     let rule = "---:|".repeat((TARGETS.len() + 1) * reports.len());
     let mut lines = vec![format!("| |{}", names.collect::<String>()), format!("|---|{rule}")];
 
-    let series = &reports[0].1.series;
-    let mut order: Vec<usize> = (0..series.len()).collect();
+    let methods = &reports[0].1.methods;
+    let mut order: Vec<usize> = (0..methods.len()).collect();
     let place = |n: usize| columns[0].ratio(TOLD, n).unwrap_or(f64::INFINITY);
     order.sort_by(|&a, &b| place(a).total_cmp(&place(b)));
     for n in order {
         let cells: String = columns.iter().map(|column| column.cells(n)).collect();
-        lines.push(format!("| {} |{cells}", series[n].name));
+        lines.push(format!("| {} |{cells}", methods[n].name));
     }
     let units = columns.iter().zip(reports).map(|(column, (scene, _))| {
         let times = column.fastest.map(|time| format!("{:.1}", 1e6 * time));

@@ -39,31 +39,28 @@ mod register;
 mod x86;
 
 pub use isa::{Isa, Kernel, LaneElement};
-pub(super) use register::Register;
+pub(super) use register::{Pair, Register};
 #[cfg(target_arch = "x86_64")]
 pub(super) use x86::{Xmm32 as Two32, Xmm64 as Two64};
 
 /// Two numbers or more in the vector register that every machine has.
 #[cfg(not(target_arch = "x86_64"))]
-pub(super) type Two32 = register::Pair<f32>;
+pub(super) type Two32 = Pair<f32>;
 /// Two numbers or more in the vector register that every machine has.
 #[cfg(not(target_arch = "x86_64"))]
-pub(super) type Two64 = register::Pair<f64>;
+pub(super) type Two64 = Pair<f64>;
 
 pub use pack::{F32x8, F32x16, F64x4, F64x8, Pack};
 
 use super::{Float, Real};
 
-/// A [`Real`] that is several scalars side by side.
+/// A [`Real`] that is scalars side by side; a scalar is one lane.
 pub trait Lanes: Real {
     /// The type of one lane.
     type Scalar: Float;
 
     /// Twice as many lanes, as two registers: one half computes while the other waits for a result.
     type Double: Lanes<Scalar = Self::Scalar>;
-
-    /// The number of lanes.
-    const LANES: usize;
 
     /// The same number in all lanes.
     fn splat(v: Self::Scalar) -> Self;

@@ -37,7 +37,6 @@ impl<R: Register> Pack<R> {
 impl<R: Register> Lanes for Pack<R> {
     type Scalar = R::Scalar;
     type Double = Pack<Pair<R>>;
-    const LANES: usize = R::LANES;
 
     #[inline(always)]
     fn splat(v: R::Scalar) -> Self {
@@ -57,6 +56,8 @@ impl<R: Register> Lanes for Pack<R> {
 }
 
 impl<R: Register> Real for Pack<R> {
+    const LANES: usize = R::LANES;
+
     #[inline(always)]
     fn from_f64(v: f64) -> Self {
         Self::splat(R::Scalar::from_f64(v))

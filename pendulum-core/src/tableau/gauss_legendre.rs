@@ -1,19 +1,23 @@
-//! The methods of Gauss and Legendre as data.
+//! The methods of Gauss and Legendre.
 
-use crate::linear::Complex;
-use crate::method::collocation::{Mode, Modes};
-use crate::method::gauss::Gauss;
+use nalgebra::Complex;
+
+use super::modes::{Mode, Modes};
 use crate::real::Real;
 
-/// What a method consists of. With `w` antisymmetric its coefficients, `a_ij = b_j (1/2 + w_ij)`, have `b_i a_ij + b_j a_ji = b_i b_j`
-/// however they are rounded, which is what makes a method symplectic (E. Hairer, R. I. McLachlan, A. Razakarivony, "Achieving
-/// Brouwer's law with implicit Runge-Kutta methods", BIT 48 (2008) 231-243).
+/// The coefficients of a method.
+///
+/// With `w` antisymmetric, the coefficients `a_ij = b_j (1/2 + w_ij)` satisfy `b_i a_ij + b_j a_ji = b_i b_j` however they are rounded,
+/// which makes the method symplectic (E. Hairer, R. I. McLachlan, A. Razakarivony, "Achieving Brouwer's law with implicit Runge-Kutta
+/// methods", BIT 48 (2008) 231-243).
 #[derive(Clone, Copy, Debug)]
-pub struct Table<const STAGES: usize> {
-    pub(super) c: [f64; STAGES],
-    pub(super) b: [f64; STAGES],
-    pub(super) w: [[f64; STAGES]; STAGES],
-    pub(super) modes: Modes<STAGES>,
+pub struct GaussTableau<const STAGES: usize> {
+    /// The times of the stages in fractions of a step.
+    pub(crate) c: [f64; STAGES],
+    /// The weights of the step.
+    pub(crate) b: [f64; STAGES],
+    pub(crate) w: [[f64; STAGES]; STAGES],
+    pub(crate) modes: Modes<STAGES>,
     /// One over the products of the differences between start, nodes and end of a step.
     over: [f64; MOST_POINTS],
 }
@@ -21,7 +25,7 @@ pub struct Table<const STAGES: usize> {
 /// Start, nodes and end of a step with three stages.
 const MOST_POINTS: usize = 5;
 
-impl<const STAGES: usize> Table<STAGES> {
+impl<const STAGES: usize> GaussTableau<STAGES> {
     const fn new(c: [f64; STAGES], b: [f64; STAGES], w: [[f64; STAGES]; STAGES], modes: Modes<STAGES>) -> Self {
         let mut over = [1.0; MOST_POINTS];
         let mut j = 0;
@@ -44,9 +48,9 @@ impl<const STAGES: usize> Table<STAGES> {
         (self.w.map(row), self.b)
     }
 
-    /// What the values at start, nodes and end of a step count for at its fraction `theta`, in the polynomial through all of them.
+    /// The weights of the values at start, nodes and end of a step in the polynomial through all of them, at the fraction `theta`.
     #[inline]
-    pub(super) fn weights<T: Real>(&self, theta: T) -> impl Iterator<Item = T> {
+    pub(crate) fn weights<T: Real>(&self, theta: T) -> impl Iterator<Item = T> {
         (0..STAGES + 2).map(move |j| {
             let others = (0..STAGES + 2).filter(|&k| k != j);
             others.fold(T::from_f64(self.over[j]), |product, k| {
@@ -65,17 +69,21 @@ const fn point<const STAGES: usize>(c: &[f64; STAGES], k: usize) -> f64 {
     }
 }
 
-/// The numbers of stages that there are methods of.
-pub trait Legendre<const STAGES: usize> {
-    /// The method.
-    const TABLE: Table<STAGES>;
+/// The tableaus of Gauss and Legendre.
+#[derive(Clone, Copy, Debug)]
+pub struct GaussLegendre;
+
+/// The numbers of stages for which there is a tableau.
+pub trait HasTableau<const STAGES: usize> {
+    /// The tableau.
+    const TABLEAU: GaussTableau<STAGES>;
 }
 
-impl Legendre<2> for Gauss<2> {
-    const TABLE: Table<2> = {
+impl HasTableau<2> for GaussLegendre {
+    const TABLEAU: GaussTableau<2> = {
         /// The root of 1/3.
         const W: f64 = 0.577_350_269_189_625_7;
-        Table::new(
+        GaussTableau::new(
             [0.5 - 0.5 * W, 0.5 + 0.5 * W],
             [0.5; 2],
             [[0.0, -W], [W, 0.0]],
@@ -91,13 +99,13 @@ impl Legendre<2> for Gauss<2> {
     };
 }
 
-impl Legendre<3> for Gauss<3> {
-    const TABLE: Table<3> = {
+impl HasTableau<3> for GaussLegendre {
+    const TABLEAU: GaussTableau<3> = {
         /// The root of 3/5.
         const ROOT: f64 = 0.774_596_669_241_483_4;
         const W: f64 = 0.75 * ROOT;
         const FAR: f64 = 0.6 * ROOT;
-        Table::new(
+        GaussTableau::new(
             [0.5 - 0.5 * ROOT, 0.5, 0.5 + 0.5 * ROOT],
             [5.0 / 18.0, 4.0 / 9.0, 5.0 / 18.0],
             [[0.0, -W, -FAR], [W, 0.0, -W], [FAR, W, 0.0]],
@@ -131,18 +139,15 @@ impl Legendre<3> for Gauss<3> {
 
 #[cfg(test)]
 mod tests {
-    use super::{Legendre, Table};
-    use crate::linear::Complex;
-    use crate::method::gauss::Gauss;
+    use super::{GaussLegendre, GaussTableau, HasTableau};
 
-    /// The coefficient `a_ij`.
-    fn a<const STAGES: usize>(table: &Table<STAGES>, i: usize, j: usize) -> f64 {
-        table.b[j] * (0.5 + table.w[i][j])
-    }
+    const TWO: GaussTableau<2> = GaussLegendre::TABLEAU;
+    const THREE: GaussTableau<3> = GaussLegendre::TABLEAU;
 
     /// The largest error of an identity that holds for the exact numbers.
-    fn worst<const STAGES: usize>(table: &Table<STAGES>) -> f64 {
+    fn worst<const STAGES: usize>(table: &GaussTableau<STAGES>) -> f64 {
         let all = 0..STAGES;
+        let (a, _) = table.coefficients();
         let mut errors = Vec::new();
         // collocation: sum_j a_ij c_j^(k-1) = c_i^k / k, and the weights integrate up to degree 2 s - 1
         for k in 1..=2 * STAGES as i32 {
@@ -153,45 +158,24 @@ mod tests {
             if k <= STAGES as i32 {
                 errors.extend(
                     all.clone()
-                        .map(|i| moment(&|j| a(table, i, j)) - table.c[i].powi(k) / f64::from(k)),
+                        .map(|i| moment(&|j| a[i][j]) - table.c[i].powi(k) / f64::from(k)),
                 );
             }
         }
-        // left and right eigenvectors
-        let pair = table.modes.pair;
-        let real = table.modes.real.map(|mode| {
-            let complex = |x: f64| Complex::new(x, 0.0);
-            (complex(mode.value), mode.left.map(complex), mode.right.map(complex))
-        });
-        for (value, left, right) in [Some((pair.value, pair.left, pair.right)), real].into_iter().flatten() {
-            let scaled = |x: Complex<f64>, factor: f64| Complex::new(factor * x.re, factor * x.im);
-            let product = all
-                .clone()
-                .fold(Complex::new(-1.0, 0.0), |sum, j| sum + left[j] * right[j]);
-            errors.extend([product.re, product.im]);
-            for i in all.clone() {
-                let of_left = all
-                    .clone()
-                    .fold(-(value * left[i]), |sum, j| sum + scaled(left[j], a(table, j, i)));
-                let of_right = all
-                    .clone()
-                    .fold(-(value * right[i]), |sum, j| sum + scaled(right[j], a(table, i, j)));
-                errors.extend([of_left.re, of_left.im, of_right.re, of_right.im]);
-            }
-        }
+        errors.push(table.modes.residual(&a));
         errors.into_iter().map(f64::abs).fold(0.0, f64::max)
     }
 
     #[test]
-    fn the_coefficients_collocate_at_the_nodes_and_come_apart_along_the_eigenvectors() {
+    fn the_coefficients_collocate_and_the_eigenvectors_are_theirs() {
         // a few roundings of numbers up to 14
-        assert!(worst(&Gauss::<2>::TABLE) < 4e-16);
-        assert!(worst(&Gauss::<3>::TABLE) < 4e-15);
+        assert!(worst(&TWO) < 4e-16);
+        assert!(worst(&THREE) < 4e-15);
     }
 
     #[test]
     fn the_weights_reproduce_a_polynomial() {
-        let table = Gauss::<3>::TABLE;
+        let table = THREE;
         let quartic = |x: f64| 1.0 + x * (2.0 - x * (3.0 - x * (0.5 + x)));
         let values = [0.0, table.c[0], table.c[1], table.c[2], 1.0].map(quartic);
         let sum: f64 = table
@@ -204,7 +188,7 @@ mod tests {
 
     #[test]
     fn rounded_coefficients_are_symplectic() {
-        let table = Gauss::<3>::TABLE;
+        let table = THREE;
         for i in 0..3 {
             for j in 0..3 {
                 assert_eq!(table.w[i][j], -table.w[j][i]);

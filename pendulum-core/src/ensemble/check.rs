@@ -1,0 +1,47 @@
+//! Whether what a step in lanes brings is finite.
+
+use nalgebra::SVector;
+
+use crate::method::NonFinite;
+use crate::real::Float;
+use crate::real::lanes::Lanes;
+
+/// Whether a state and its derivative, where there is one, are finite in all lanes, by a few operations for all. It may be false where
+/// they are, if their sum is beyond all numbers.
+#[inline(always)]
+pub(super) fn all_finite<V: Lanes, const N: usize>(x: &SVector<V, N>, slope: Option<&SVector<V, N>>) -> bool {
+    let sum = sum(x, slope);
+    let of_all = (1..V::LANES).fold(sum.lane(0), |all, lane| all + sum.lane(lane));
+    of_all.is_finite()
+}
+
+/// A number that is not finite in the lanes where the state or its derivative is not.
+#[inline(always)]
+pub(super) fn sum<V: Lanes, const N: usize>(x: &SVector<V, N>, slope: Option<&SVector<V, N>>) -> V {
+    let mut sum = V::default();
+    for &x in &x.data.0[0] {
+        sum += x;
+    }
+    if let Some(slope) = slope {
+        for &slope in &slope.data.0[0] {
+            sum += slope;
+        }
+    }
+    sum
+}
+
+/// The first component of the state in a lane, or else of its derivative, that is not finite.
+pub(super) fn first_not_finite<V: Lanes, const N: usize>(
+    x: &SVector<V, N>,
+    slope: Option<&SVector<V, N>>,
+    lane: usize,
+) -> Option<NonFinite> {
+    let mut vectors = [Some(x), slope].into_iter().flatten();
+    vectors.find_map(|vector| NonFinite::check(&in_lane(vector, lane)).err())
+}
+
+/// The vector of one lane.
+#[inline(always)]
+pub(super) fn in_lane<V: Lanes, const N: usize>(vector: &SVector<V, N>, lane: usize) -> SVector<V::Scalar, N> {
+    SVector::from_fn(|k, _| vector[k].lane(lane))
+}

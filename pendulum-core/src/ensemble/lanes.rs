@@ -1,0 +1,124 @@
+//! Which methods run in lanes, and on what.
+
+use nalgebra::SVector;
+
+use crate::control::Tolerance;
+use crate::error::Reason;
+use crate::layout::StateLayout;
+use crate::method::{Explicit, OneStep, PowerSeries, SHORT, Scheme};
+use crate::real::Real;
+use crate::real::lanes::{LaneElement, Lanes};
+use crate::system::{Cast, System};
+use crate::tableau::Tableau;
+use crate::taylor::{CastTaylor, TaylorSeries};
+
+/// A kind of method whose [`Scheme`] works on lanes as it does on a scalar.
+pub trait InLanes<M: Cast<N>, T: LaneElement, const N: usize>: OneStep<M::In<T>, T, N> {
+    /// Whether a step has so much to do, or to remember, that registers side by side gain nothing.
+    const NARROW: bool;
+
+    /// Models in lanes.
+    type System<V: Lanes<Scalar = T>>: System<V, N>;
+
+    /// What a step in lanes works with.
+    type Stages<V: Lanes<Scalar = T>>: Scheme<Self::System<V>, V, N>;
+
+    /// The model of each lane.
+    fn gather<'m, V: Lanes<Scalar = T>>(models: impl Fn(usize) -> &'m M) -> Self::System<V>
+    where
+        M: 'm;
+
+    /// [`OneStep::scheme`] in lanes.
+    ///
+    /// # Errors
+    /// Those of [`OneStep::scheme`].
+    fn stages<V: Lanes<Scalar = T>>(
+        &self,
+        system: &Self::System<V>,
+        tolerance: Option<Tolerance<T>>,
+    ) -> Result<Self::Stages<V>, Reason>;
+}
+
+impl<M, B, T, const STAGES: usize, const N: usize> InLanes<M, T, N> for Explicit<B, STAGES>
+where
+    M: Cast<N>,
+    B: Tableau<STAGES>,
+    T: LaneElement,
+{
+    const NARROW: bool = N > SHORT;
+    type System<V: Lanes<Scalar = T>> = M::In<V>;
+    type Stages<V: Lanes<Scalar = T>> = <Self as OneStep<M::In<V>, V, N>>::Scheme;
+
+    #[inline(always)]
+    fn gather<'m, V: Lanes<Scalar = T>>(models: impl Fn(usize) -> &'m M) -> M::In<V>
+    where
+        M: 'm,
+    {
+        M::gather(models)
+    }
+
+    #[inline(always)]
+    fn stages<V: Lanes<Scalar = T>>(
+        &self,
+        system: &M::In<V>,
+        tolerance: Option<Tolerance<T>>,
+    ) -> Result<Self::Stages<V>, Reason> {
+        OneStep::<M::In<V>, V, N>::scheme(self, system, tolerance)
+    }
+}
+
+impl<M, T, const N: usize> InLanes<M, T, N> for PowerSeries
+where
+    M: CastTaylor<N>,
+    M::In<T>: TaylorSeries<T, N>,
+    T: LaneElement,
+{
+    const NARROW: bool = true;
+    type System<V: Lanes<Scalar = T>> = Expanded<M, V, N>;
+    type Stages<V: Lanes<Scalar = T>> = <Self as OneStep<Expanded<M, V, N>, V, N>>::Scheme;
+
+    #[inline(always)]
+    fn gather<'m, V: Lanes<Scalar = T>>(models: impl Fn(usize) -> &'m M) -> Expanded<M, V, N>
+    where
+        M: 'm,
+    {
+        Expanded(M::gather(models))
+    }
+
+    #[inline(always)]
+    fn stages<V: Lanes<Scalar = T>>(
+        &self,
+        system: &Expanded<M, V, N>,
+        tolerance: Option<Tolerance<T>>,
+    ) -> Result<Self::Stages<V>, Reason> {
+        OneStep::<Expanded<M, V, N>, V, N>::scheme(self, system, tolerance)
+    }
+}
+
+/// A model in the number type `T`, with its [`TaylorSeries`]: that it has them in all types is known of `M` alone.
+pub struct Expanded<M: Cast<N>, T: Real, const N: usize>(M::In<T>);
+
+impl<M: Cast<N>, T: Real, const N: usize> System<T, N> for Expanded<M, T, N> {
+    #[inline(always)]
+    fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
+        self.0.rhs(t, x)
+    }
+
+    fn layout(&self) -> Option<&'static StateLayout> {
+        self.0.layout()
+    }
+}
+
+impl<M: CastTaylor<N>, T: Real, const N: usize> TaylorSeries<T, N> for Expanded<M, T, N> {
+    type Workspace = M::Workspace<T>;
+
+    #[inline(always)]
+    fn workspace(&self) -> Self::Workspace {
+        M::workspace()
+    }
+
+    #[inline(always)]
+    fn series(&self, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace) {
+        M::series(&self.0, t, x, work);
+    }
+}

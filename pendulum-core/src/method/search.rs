@@ -1,0 +1,232 @@
+//! The search for events within a step.
+
+use nalgebra::SVector;
+
+use crate::dense::Dense;
+use crate::error::Reason;
+use crate::event::{Event, Occurrence};
+use crate::method::side::{Change, Passage, Side};
+use crate::method::zero::{dip, root};
+use crate::real::Float;
+
+/// Where the event functions are looked at in each step, in fractions of it; the start is known from the step before. Those near the
+/// ends show which way a function goes there.
+const PLACES: [f64; 10] = [0.01, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 0.99, 1.0];
+/// After a reset, the first step is looked at from this fraction of it on, in decades: what rebounds may come back at once.
+const FIRST_PLACE: f64 = 1e-15;
+/// An event that acts twice within so many roots of an ulp of the time, and is then found on the far side, never ends: heights
+/// go with the square of the time between rebounds, and vanish among rounding errors.
+const HURRIED: f64 = 4.0;
+
+/// What is known of the events where the last step ended.
+pub(super) struct Search<'w, 'e, T, const N: usize> {
+    events: &'w [Event<'e, T, N>],
+    seen: Vec<Seen<T>>,
+    /// Whether the integration starts here, or anew.
+    starts: bool,
+}
+
+/// What is known of an event.
+#[derive(Clone, Copy)]
+struct Seen<T> {
+    side: Side<T>,
+    value: T,
+    /// Its largest size in the step before.
+    largest: T,
+    /// When it acted last.
+    acted: Option<T>,
+}
+
+/// Something found within a step.
+#[derive(Clone, Copy)]
+pub(super) struct Found<T> {
+    /// Which event.
+    pub(super) index: usize,
+    /// In fractions of the step.
+    pub(super) theta: T,
+    pub(super) what: What,
+}
+
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum What {
+    /// The function passes zero.
+    Passage(Passage),
+    /// It is not a number.
+    Undefined,
+    /// It passes zero again and again.
+    Accumulation,
+}
+
+impl<T: Float> Found<T> {
+    /// The event, or the error that it is.
+    pub(super) fn occurrence<const N: usize>(&self, dense: &Dense<'_, T, N>) -> Result<Occurrence<T, N>, Reason> {
+        let (index, t) = (self.index, dense.time(self.theta));
+        match self.what {
+            What::Passage(_) => Ok(Occurrence {
+                index,
+                t,
+                x: dense.at_fraction(self.theta),
+            }),
+            What::Undefined => Err(not_finite(index, t)),
+            What::Accumulation => Err(Reason::EventsAccumulate { event: index }),
+        }
+    }
+}
+
+fn not_finite<T: Float>(event: usize, t: T) -> Reason {
+    let t = t.to_f64();
+    Reason::EventNotFinite { event, t }
+}
+
+impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
+    pub(super) fn new(events: &'w [Event<'e, T, N>], t: T, x: &SVector<T, N>) -> Result<Self, Reason> {
+        let mut seen = Vec::with_capacity(events.len());
+        for index in 0..events.len() {
+            let value = value(events, index, t, x)?;
+            let side = if value == T::default() {
+                Side::AtStart
+            } else {
+                Side::of(value)
+            };
+            seen.push(Seen {
+                side,
+                value,
+                largest: value.abs(),
+                acted: None,
+            });
+        }
+        Ok(Self {
+            events,
+            seen,
+            starts: true,
+        })
+    }
+
+    /// Goes on from the state `x` at `t`; `fired` are the events that were noted there, with their values before; `scale` is that
+    /// of times.
+    pub(super) fn restart(
+        &mut self,
+        (t, scale): (T, T),
+        x: &SVector<T, N>,
+        fired: &[(Found<T>, T)],
+    ) -> Result<(), Reason> {
+        let hurried = T::from_f64(HURRIED) * T::EPSILON.sqrt() * scale;
+        for (index, seen) in self.seen.iter_mut().enumerate() {
+            seen.value = value(self.events, index, t, x)?;
+            seen.side = Side::of(seen.value);
+            if let Some((found, before)) = fired.iter().find(|(found, _)| found.index == index) {
+                // Rounding errors may have left it on either side, but a jump did not.
+                let noise = (before.abs() + before.abs()).min(T::EPSILON.sqrt() * seen.largest);
+                if seen.value.abs() <= noise {
+                    let is_hurried = seen.acted.is_some_and(|acted| (t - acted).abs() <= hurried);
+                    let far = match found.what {
+                        What::Passage(Passage::Rising) => Passage::Rising,
+                        _ => Passage::Falling,
+                    };
+                    seen.side = Side::Leaving {
+                        noise,
+                        far: is_hurried.then_some(far),
+                    };
+                }
+                seen.acted = Some(t);
+            }
+        }
+        self.starts = true;
+        Ok(())
+    }
+
+    /// An event that acts again and again within the resolution of time would never let it go on.
+    pub(super) fn check_progress(&self, index: usize, t: T, near: T) -> Result<(), Reason> {
+        match self.seen[index].acted {
+            Some(acted) if (t - acted).abs() <= near => Err(Reason::EventsAccumulate { event: index }),
+            _ => Ok(()),
+        }
+    }
+
+    /// All that is found in a step, in the order of time.
+    pub(super) fn look(&mut self, dense: &Dense<'_, T, N>) -> Vec<Found<T>> {
+        let mut found = Vec::new();
+        for index in 0..self.events.len() {
+            self.look_at(index, dense, |theta, what| found.push(Found { index, theta, what }));
+        }
+        self.starts = false;
+        // Finite, so there is an order; the sort keeps simultaneous events in theirs.
+        found.sort_by(|a, b| a.theta.to_f64().total_cmp(&b.theta.to_f64()));
+        found
+    }
+
+    /// Looks for one event, and passes what is found, and where in fractions of the step, to `report`.
+    fn look_at(&mut self, index: usize, dense: &Dense<'_, T, N>, mut report: impl FnMut(T, What)) {
+        let Event {
+            function, direction, ..
+        } = &self.events[index];
+        let seen = &mut self.seen[index];
+        let value = |theta: T| function(dense.time(theta), &dense.at_fraction(theta));
+        let mut note = |theta: T, passage: Passage| {
+            if passage.counts(*direction) {
+                report(theta, What::Passage(passage));
+            }
+        };
+        seen.largest = seen.value.abs();
+        // The two places before.
+        let mut earlier: Option<(T, T)> = None;
+        let mut last = (T::default(), seen.value);
+        for theta in places(self.starts) {
+            let here = (theta, value(theta));
+            if !here.1.is_finite() {
+                return report(theta, What::Undefined);
+            }
+            seen.largest = seen.largest.max(here.1.abs());
+            let (side, change) = seen.side.advance(here.1);
+            seen.side = side;
+            match change {
+                Change::None => {}
+                Change::Left(passage) => note(T::default(), passage),
+                Change::Passed(passage) => note(root(value, last, here), passage),
+                Change::SameSide => {
+                    if let Some(earlier) = earlier
+                        && let Some(bottom) = dip(value, [earlier, last, here])
+                    {
+                        note(root(value, earlier, bottom), side.left());
+                        if bottom.1 != T::default() {
+                            note(root(value, bottom, here), Side::of(bottom.1).left());
+                        }
+                    }
+                }
+                Change::Accumulated => return report(T::default(), What::Accumulation),
+            }
+            earlier = Some(last);
+            last = here;
+        }
+        if seen.side == Side::AtStart {
+            note(T::default(), Passage::Resting);
+            seen.side = Side::at_zero();
+        }
+        seen.value = last.1;
+    }
+}
+
+/// The places of a step; more where the integration starts.
+fn places<T: Float>(starts: bool) -> impl Iterator<Item = T> {
+    let mut decade = FIRST_PLACE;
+    let decades = std::iter::from_fn(move || {
+        let place = decade;
+        decade *= 10.0;
+        (starts && place < PLACES[0]).then_some(place)
+    });
+    decades.chain(PLACES).map(T::from_f64)
+}
+
+fn value<T: Float, const N: usize>(
+    events: &[Event<'_, T, N>],
+    index: usize,
+    t: T,
+    x: &SVector<T, N>,
+) -> Result<T, Reason> {
+    let value = (events[index].function)(t, x);
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(not_finite(index, t))
+    }
+}

@@ -1,0 +1,47 @@
+//! Sums over the stages of a step, spelled out for compilers.
+
+use nalgebra::SVector;
+
+use crate::real::Real;
+
+/// The right-hand side of a system with no more states than this, two bodies, takes few operations, and most of them wait for one
+/// another.
+pub(crate) const SHORT: usize = 4;
+
+/// `x + change`, the components spelled out; see [`weighted_sum`].
+#[inline(always)]
+pub(crate) fn shifted<T: Real, const N: usize>(x: &SVector<T, N>, change: &SVector<T, N>) -> SVector<T, N> {
+    let mut sum = *x;
+    for (sum, change) in sum.data.0[0].iter_mut().zip(&change.data.0[0]) {
+        *sum += *change;
+    }
+    sum
+}
+
+/// `sum_(i < count) (h weights_i) stages_i`, passing over zero weights.
+///
+/// The products `h weights_i` are formed first: once, where the components would each want one, and off the path from a stage to
+/// the next. The components are spelled out, since arithmetic of whole vectors is functions, which compilers need not inline: in lanes
+/// they must.
+#[inline(always)]
+pub(crate) fn weighted_sum<T: Real, const STAGES: usize, const N: usize>(
+    h: T,
+    weights: &[f64; STAGES],
+    count: usize,
+    stages: &[SVector<T, N>; STAGES],
+) -> SVector<T, N> {
+    let mut sums = [T::default(); N];
+    let mut is_first = true;
+    for i in 0..count {
+        if weights[i] == 0.0 {
+            continue;
+        }
+        let weight = h * T::from_f64(weights[i]);
+        for (component, sum) in sums.iter_mut().enumerate() {
+            let term = weight * stages[i].data.0[0][component];
+            *sum = if is_first { term } else { *sum + term };
+        }
+        is_first = false;
+    }
+    SVector::from(sums)
+}
