@@ -78,6 +78,7 @@ impl<T: Real, const N: usize> Default for Dual<T, N> {
 macro_rules! operator {
     ($trait:ident::$method:ident, $assign:ident::$assigned:ident, |$a:ident, $b:ident| $value:expr,
      |$c:ident, $d:ident, $e:ident| $slope:expr) => {
+        #[allow(clippy::suspicious_arithmetic_impl, reason = "the rule of a product has a sum")]
         impl<T: Real, const N: usize> $trait for Dual<T, N> {
             type Output = Self;
 
@@ -98,12 +99,10 @@ macro_rules! operator {
     };
 }
 
-operator!(Add::add, AddAssign::add_assign, |a, b| a + b, |_c, da, db| da + db);
-operator!(Sub::sub, SubAssign::sub_assign, |a, b| a - b, |_c, da, db| da - db);
-operator!(Mul::mul, MulAssign::mul_assign, |a, b| a * b, |_c, da, db| da * b
-    + a * db);
-operator!(Div::div, DivAssign::div_assign, |a, b| a / b, |c, da, db| (da - c * db)
-    / b);
+operator! { Add::add, AddAssign::add_assign, |a, b| a + b, |_c, da, db| da + db }
+operator! { Sub::sub, SubAssign::sub_assign, |a, b| a - b, |_c, da, db| da - db }
+operator! { Mul::mul, MulAssign::mul_assign, |a, b| a * b, |_c, da, db| da * b + a * db }
+operator! { Div::div, DivAssign::div_assign, |a, b| a / b, |c, da, db| (da - c * db) / b }
 
 impl<T: Real, const N: usize> Neg for Dual<T, N> {
     type Output = Self;
