@@ -3,6 +3,7 @@
 mod accuracy;
 mod bifurcations;
 mod canonical;
+mod compile_errors;
 mod double_pendulum;
 mod emitted_c;
 mod every_failure;
