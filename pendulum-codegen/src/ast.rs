@@ -8,7 +8,8 @@ use crate::error::Reported;
 use crate::expr::Rational;
 use crate::units::Unit;
 
-/// A part of the text, or why it cannot be read. The error is reported when lowering comes to it, in line with others of the body.
+/// A part of the text, or why it cannot be read. The error is reported when lowering comes to it, in line with others
+/// of the body.
 pub(crate) type Read<T> = syn::Result<T>;
 
 /// A whole declaration.
@@ -48,8 +49,6 @@ pub(crate) struct Items {
     pub bodies: Vec<Body>,
     /// What to generate.
     pub generate: Option<Vec<Ident>>,
-    /// Names of parameters and inputs that could not be read.
-    pub unread: Vec<Ident>,
 }
 
 /// `name: unit = default`
@@ -60,9 +59,9 @@ pub(crate) struct Param {
     /// Name.
     pub name: Ident,
     /// Unit.
-    pub unit: Unit,
+    pub unit: Read<Unit>,
     /// Value where none is given.
-    pub default: Option<Expr>,
+    pub default: Option<Read<Expr>>,
 }
 
 /// `let name = value,`
@@ -71,7 +70,7 @@ pub(crate) struct Let {
     /// Name.
     pub name: Ident,
     /// What it stands for.
-    pub value: Expr,
+    pub value: Read<Expr>,
 }
 
 /// `input name: unit,`
@@ -82,7 +81,7 @@ pub(crate) struct Input {
     /// Name.
     pub name: Ident,
     /// Unit.
-    pub unit: Unit,
+    pub unit: Read<Unit>,
 }
 
 /// `shape name { .. }`
@@ -191,7 +190,7 @@ pub(crate) struct Body {
     /// Name.
     pub name: Ident,
     /// The body that carries it, or `ground`.
-    pub parent: Ident,
+    pub parent: Read<Ident>,
     /// The shape it takes.
     pub shape: Option<Ident>,
     /// What stands in the braces.

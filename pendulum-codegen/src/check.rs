@@ -1,15 +1,17 @@
 //! Physical checks that need the whole scene.
 
+use std::collections::HashSet;
+
 use crate::dynamics::Dynamics;
 use crate::error::Errors;
-use crate::expr::SymbolKind;
+use crate::expr::{ExprId, SymbolKind};
 use crate::lower::Spans;
 use crate::model::{CoordinateId, Model};
 
 /// Pivots below this part of the diagonal entry that they are left of are rounding.
 const SINGULAR: f64 = 1e-13;
 
-/// Refuses a scene whose mass matrix is singular in every state.
+/// Refuses a scene whose mass matrix is singular in every state, or that has numbers which change nothing.
 pub(crate) fn check(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'_>) -> Result<(), Errors> {
     let mut errors = Errors::default();
     if let Some(k) = without_inertia(model, dynamics)
@@ -22,12 +24,34 @@ pub(crate) fn check(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'_>) -
             format!("give `{name}` mass or make the joint `fixed`")
         } else {
             format!(
-                "the joint of `{name}` moves no mass that other joints do not move in the same way: check where its mass and its axis are"
+                "the joint of `{name}` moves no mass that other joints do not move in the same way: \
+                 check where its mass and its axis are"
             )
         };
         errors.at(spans.bodies[n], fact, help);
     }
+    if errors.is_empty() {
+        report_without_effect(model, spans, dynamics, &mut errors);
+    }
     errors.finish(())
+}
+
+/// Reports parameters and inputs that neither the motion, nor the energy, nor a check of the parameters depends on.
+fn report_without_effect(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'_>, errors: &mut Errors) {
+    let checked = model.rules.iter().map(|rule| rule.value);
+    let roots: Vec<_> = dynamics.entries().into_iter().chain(checked).collect();
+    let read: HashSet<ExprId> = model.graph.reachable(&roots).into_iter().collect();
+    let parameters = model.parameters.iter().map(|p| ("parameter", &p.name, p.symbol));
+    let inputs = model.inputs.iter().map(|input| ("input", &input.name, input.symbol));
+    let spans = spans.parameters.iter().chain(&spans.inputs);
+    for ((kind, name, symbol), span) in parameters.chain(inputs).zip(spans) {
+        if !read.contains(&symbol.id()) {
+            let fact = format_args!("{kind} `{name}` changes nothing");
+            let help =
+                "it drops out of the equations of motion: remove it, or check the axes and points where it is used";
+            errors.at(*span, fact, help);
+        }
+    }
 }
 
 /// A coordinate whose pivot vanishes in several states and for several parameters that have nothing special.

@@ -1,7 +1,9 @@
 //! Errors in a declaration: collected, so that all are reported at once, each on the token at fault.
 
-use proc_macro2::{Span, TokenStream};
+use proc_macro2::{Ident, Span, TokenStream};
 use quote::ToTokens;
+
+use crate::words::{Advice, Synonyms, advice};
 
 /// The errors found so far.
 #[derive(Debug, Default)]
@@ -25,6 +27,18 @@ impl Errors {
     /// Notes an error on one place.
     pub fn at(&mut self, span: Span, fact: impl std::fmt::Display, help: impl std::fmt::Display) -> Reported {
         self.push(at(span, fact, help))
+    }
+
+    /// Notes an error on a word that is not among the `known` ones.
+    pub(crate) fn unknown<'a>(
+        &mut self,
+        word: &Ident,
+        fact: impl std::fmt::Display,
+        known: impl IntoIterator<Item = &'a str>,
+        synonyms: &'static Synonyms,
+    ) -> Reported {
+        let Advice { help, .. } = advice(&word.to_string(), known, synonyms);
+        self.at(word.span(), fact, help)
     }
 
     /// Notes an error.
@@ -90,21 +104,4 @@ pub(crate) fn at(span: Span, fact: impl std::fmt::Display, help: impl std::fmt::
 
 fn message(fact: impl std::fmt::Display, help: impl std::fmt::Display) -> String {
     format!("{fact}\nhelp: {help}")
-}
-
-/// A help line for an unknown name: the nearest known one, if any is near, and all of them.
-pub(crate) fn suggestion<'a>(name: &str, known: impl IntoIterator<Item = &'a str>) -> String {
-    let known: Vec<&str> = known.into_iter().collect();
-    let nearest = known
-        .iter()
-        .map(|candidate| (strsim::damerau_levenshtein(name, candidate), candidate))
-        .filter(|(distance, candidate)| *distance <= (candidate.len().min(name.len()) + 1) / 3)
-        .min();
-    let list = known.join(", ");
-    match nearest {
-        Some((_, candidate)) if known.len() == 1 => format!("did you mean `{candidate}`?"),
-        Some((_, candidate)) => format!("did you mean `{candidate}`? known here: {list}"),
-        None if known.is_empty() => "nothing is declared that could stand here".to_owned(),
-        None => format!("known here: {list}"),
-    }
 }

@@ -37,6 +37,7 @@ mod screw;
 #[cfg(test)]
 mod tests;
 mod units;
+mod words;
 
 pub use emit::c::{Sources, c};
 pub use error::Errors;

@@ -273,3 +273,36 @@ fn half_powers_of_parameters_are_constants() {
     let slope = model.parameter_jacobian(0.0, &SVector::from([0.5, 0.0]));
     assert_relative_eq!(slope[(0, 0)], 0.5 + 2.5 * 4.0_f64.powf(-3.5), epsilon = 1e-14);
 }
+
+mechanism! {
+    pub Quadrilateral {
+        params { x: m = 1, y: m = 1 }
+        gravity: [0, -9.81, 0],
+        body plate on ground {
+            solids: [plate(1, [[0, 0], [1, 0], [x, y], [0, 1]])],
+            joint: revolute(z),
+            coordinate: swing,
+        }
+    }
+}
+
+#[test]
+fn the_sides_of_a_plate_must_not_cross() {
+    let rule = |x, y| {
+        Quadrilateral::new(QuadrilateralParams { x, y })
+            .err()
+            .map(|error| error.rule)
+    };
+    // convex, and with a corner that points inwards
+    for (x, y) in [(1.0, 1.0), (0.4, 0.4), (3.0, -1.0)] {
+        assert_eq!(rule(x, y), None, "({x}, {y})");
+    }
+    // below the first side, or left of the last one
+    for (x, y) in [(0.4, -0.5), (-0.5, 0.4)] {
+        assert_eq!(
+            rule(x, y),
+            Some("the sides of a plate of `plate` must not cross"),
+            "({x}, {y})"
+        );
+    }
+}

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::Lower;
 use super::mass::{Mass, Turns};
+use super::order::Hung;
 use super::written::written;
 use crate::ast;
 use crate::error::Reported;
@@ -16,23 +17,21 @@ impl<'g> Lower<'g> {
     pub(super) fn bodies(
         &mut self,
         declared: &[ast::Body],
-        order: Vec<usize>,
+        order: Vec<Hung>,
         coordinates: &[Coordinate<'g>],
         shapes: &BTreeMap<String, Result<Mass<'g>, Reported>>,
     ) -> Vec<Body<'g>> {
         let mut bodies = Vec::new();
-        for body in order.into_iter().map(|n| &declared[n]) {
-            let name = body.name.to_string();
-            match self.body(body, &bodies, coordinates, shapes) {
-                Ok(lowered) => {
-                    self.placed.insert(name, Ok(BodyId::new(bodies.len())));
-                    self.spans.bodies.push(body.name.span());
-                    bodies.push(lowered);
-                }
-                Err(reported) => {
-                    self.placed.entry(name).or_insert(Err(reported));
-                }
-            }
+        let mut placed = vec![None; declared.len()];
+        for (n, parent) in order {
+            let body = &declared[n];
+            let parent = parent.and_then(|parent| parent.and_then(|parent| placed[parent]).transpose());
+            let lowered = self.body(body, parent, &bodies, coordinates, shapes);
+            placed[n] = Some(lowered.map(|lowered| {
+                self.spans.bodies.push(body.name.span());
+                bodies.push(lowered);
+                BodyId::new(bodies.len() - 1)
+            }));
         }
         bodies
     }
@@ -40,6 +39,7 @@ impl<'g> Lower<'g> {
     fn body(
         &mut self,
         body: &ast::Body,
+        parent: Result<Option<BodyId>, Reported>,
         bodies: &[Body<'g>],
         coordinates: &[Coordinate<'g>],
         shapes: &BTreeMap<String, Result<Mass<'g>, Reported>>,
@@ -53,7 +53,6 @@ impl<'g> Lower<'g> {
         // an error in one part is no reason to leave the others unread
         let mass = self.mass_of_body(body, shapes);
         let geometry = self.geometry(&body.name, body.fields.joint.as_ref());
-        let parent = self.parent(body);
         let heading = geometry.as_ref().map_err(|reported| *reported).and_then(|geometry| {
             self.require_coordinate(body, geometry.screw.is_some())?;
             self.heading(body, bodies, parent?, geometry, coordinate)
@@ -86,12 +85,6 @@ impl<'g> Lower<'g> {
             torque,
             potential: forces.potential,
         })
-    }
-
-    /// The body that carries this one; none for ground.
-    fn parent(&self, body: &ast::Body) -> Result<Option<BodyId>, Reported> {
-        let placed = self.placed.get(&body.parent.to_string());
-        placed.map_or(Ok(None), |placed| placed.map(Some))
     }
 
     /// A joint that moves must have a coordinate, and a fixed one must not.

@@ -4,72 +4,84 @@ use super::Lower;
 use super::expr::Place;
 use super::scope::Kind;
 use super::written::written;
-use crate::ast;
+use crate::ast::{self, Read};
+use crate::error::Reported;
 use crate::expr::{Definition, Expr, Level, SymbolKind};
 use crate::model::{Coordinate, Input, Parameter};
 
 impl<'g> Lower<'g> {
     pub(super) fn parameters(&mut self, params: &[ast::Param]) -> Vec<Parameter<'g>> {
+        for param in params {
+            self.names.declare(&mut self.errors, Kind::Parameter, &param.name, None);
+            self.spans.parameters.push(param.name.span());
+        }
         let mut parameters = Vec::new();
         for param in params {
-            let place = Place {
-                what: format!("the default of `{}`", param.name),
-                most: Level::Constant,
-                joint: None,
-            };
-            // defaults come before any name is known, so they are built from numbers alone
+            let name = param.name.to_string();
+            let unit = self.read(&param.unit).cloned().unwrap_or_default();
+            // no parameter has a value yet, so defaults are built from numbers alone
             let default = param
                 .default
                 .as_ref()
-                .and_then(|e| self.expr(e, &place).ok())
-                .and_then(Expr::constant);
-            let name = param.name.to_string();
+                .and_then(|default| self.default(&name, default).ok());
             let symbol = self.graph.symbol(&name, SymbolKind::Parameter(parameters.len()));
-            parameters.push((
-                param,
-                Parameter {
-                    name,
-                    docs: param.docs.clone(),
-                    unit: param.unit.clone(),
-                    default,
-                    symbol,
-                },
-            ));
+            parameters.push(Parameter {
+                name,
+                docs: param.docs.clone(),
+                unit,
+                default: default.and_then(Expr::constant),
+                symbol,
+            });
         }
-        for (param, parameter) in &parameters {
-            self.names
-                .declare(&mut self.errors, Kind::Parameter, &param.name, Some(parameter.symbol));
+        for parameter in &parameters {
+            self.names.set_value(&parameter.name, parameter.symbol);
         }
-        parameters.into_iter().map(|(_, parameter)| parameter).collect()
+        parameters
+    }
+
+    fn default(&mut self, name: &str, default: &Read<ast::Expr>) -> Result<Expr<'g>, Reported> {
+        let place = Place {
+            what: format!("the default of `{name}`"),
+            most: Level::Constant,
+            joint: None,
+        };
+        let default = self.read(default)?;
+        self.expr(default, &place)
     }
 
     pub(super) fn inputs(&mut self, declared: &[ast::Input]) -> Vec<Input<'g>> {
         let mut inputs = Vec::new();
         for input in declared {
             let name = input.name.to_string();
+            let unit = self.read(&input.unit).cloned().unwrap_or_default();
+            self.spans.inputs.push(input.name.span());
             let symbol = self.graph.symbol(&name, SymbolKind::Input(inputs.len()));
             self.names
                 .declare(&mut self.errors, Kind::Input, &input.name, Some(symbol));
             inputs.push(Input {
                 name,
                 docs: input.docs.clone(),
-                unit: input.unit.clone(),
+                unit,
                 symbol,
             });
         }
         inputs
     }
 
-    /// Declares names, and returns what they stand for as it was written. Their values come later, so that a use before the definition can be told from a misspelling.
+    /// Declares names, and returns what they stand for as it was written. Their values come
+    /// later, so that a use before the definition is not taken for a misspelling.
     pub(super) fn declare_lets(&mut self, lets: &[ast::Let]) -> Vec<Definition> {
         for item in lets {
             self.names.declare(&mut self.errors, Kind::Let, &item.name, None);
         }
-        let definition = |item: &ast::Let| Definition {
-            name: item.name.to_string().replace("r#", ""),
-            formula: written(&item.value, None),
+        let definition = |item: &ast::Let| {
+            let value = item.value.as_ref().ok()?;
+            Some(Definition {
+                name: item.name.to_string().replace("r#", ""),
+                formula: written(value, None),
+            })
         };
-        lets.iter().map(definition).collect()
+        lets.iter().filter_map(definition).collect()
     }
 
     /// Says what each name stands for, in the order of the text.
@@ -80,7 +92,8 @@ impl<'g> Lower<'g> {
                 most: Level::State,
                 joint: None,
             };
-            match self.expr(&item.value, &place) {
+            let value = self.read(&item.value);
+            match value.and_then(|value| self.expr(value, &place)) {
                 Ok(value) => self.names.set_value(&item.name.to_string(), value),
                 Err(reported) => _ = self.broken.insert(item.name.to_string(), reported),
             }

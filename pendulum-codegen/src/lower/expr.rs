@@ -1,12 +1,14 @@
 //! Expressions of the language to expressions of the graph.
 
+use std::fmt::Display;
+
+use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive, Zero};
-use syn::Ident;
 
 use super::Lower;
 use crate::ast::{self, ExprKind, Operator, Vector};
-use crate::error::{Reported, suggestion};
-use crate::expr::{Binary, Expr, Level, Unary};
+use crate::error::Reported;
+use crate::expr::{Expr, Level, Rational, Symbol, SymbolKind};
 use crate::screw::Vec3;
 
 /// Where an expression stands: what it may use, and how errors speak of it.
@@ -31,16 +33,6 @@ impl Place<'_> {
     }
 }
 
-const FUNCTIONS: [(&str, Unary); 7] = [
-    ("sin", Unary::Sin),
-    ("cos", Unary::Cos),
-    ("tan", Unary::Tan),
-    ("exp", Unary::Exp),
-    ("ln", Unary::Ln),
-    ("tanh", Unary::Tanh),
-    ("abs", Unary::Abs),
-];
-
 /// The largest numerator and denominator of a constant power.
 const MOST_POWER: i64 = 64;
 
@@ -49,6 +41,11 @@ impl<'g> Lower<'g> {
     pub(super) fn expr(&mut self, expr: &ast::Expr, place: &Place<'g>) -> Result<Expr<'g>, Reported> {
         let value = self.operation(expr, place)?;
         if value.level() > place.most {
+            let symbols = self.graph.reachable(&[value]).into_iter().map(|id| self.graph.expr(id));
+            let mut symbols = symbols.filter(|x| x.level() > place.most).filter_map(Expr::as_symbol);
+            let on = symbols
+                .next()
+                .map_or("the motion".to_owned(), |symbol| format!("`{}`", symbol.name));
             let help = if place.joint.is_some() {
                 "give the coefficient of viscous friction here, and any other law as `torque: ..`"
             } else {
@@ -56,7 +53,7 @@ impl<'g> Lower<'g> {
             };
             return Err(self
                 .errors
-                .on(expr, format_args!("{} may not depend on the motion", place.what), help));
+                .on(expr, format_args!("{} may not depend on {on}", place.what), help));
         }
         Ok(value)
     }
@@ -68,7 +65,7 @@ impl<'g> Lower<'g> {
     }
 
     /// An operation, whose value must be finite where it is constant.
-    fn operation(&mut self, expr: &ast::Expr, place: &Place<'g>) -> Result<Expr<'g>, Reported> {
+    pub(super) fn operation(&mut self, expr: &ast::Expr, place: &Place<'g>) -> Result<Expr<'g>, Reported> {
         let value = self.unchecked(expr, place)?;
         if value.as_number().is_none() && value.constant().is_some_and(|value| !value.is_finite()) {
             let help = "look for a division by zero or the root or logarithm of a negative number";
@@ -105,17 +102,7 @@ impl<'g> Lower<'g> {
             ExprKind::Power(base, exponent) => {
                 let (x, n) = (self.operation(base, place), self.operation(exponent, place));
                 let (x, n) = (x?, n?);
-                let small = |n: &num_bigint::BigInt| n.abs().to_i64().is_some_and(|n| n <= MOST_POWER);
-                let Some(n) = n.as_number().filter(|n| small(n.numer()) && small(n.denom())) else {
-                    let help = format!(
-                        "write an integer or a fraction such as `(1/2)`, with parts up to {MOST_POWER}; `exp(b*ln(a))` gives other powers"
-                    );
-                    return Err(self.errors.on(
-                        &**exponent,
-                        format_args!("the power in {} is not a constant small enough", place.what),
-                        help,
-                    ));
-                };
+                let n = self.exponent(exponent, n, place)?;
                 if x.is_zero() && !n.is_positive() && !n.is_zero() {
                     return Err(self.errors.on(
                         expr,
@@ -123,110 +110,47 @@ impl<'g> Lower<'g> {
                         "zero has no negative power",
                     ));
                 }
+                if !n.is_integer() {
+                    self.never_negative(base, x, "a power with a fraction", format_args!("abs(x)^({n})"))?;
+                }
                 Ok(x.power(n.clone()))
             }
         }
     }
 
-    fn name(&mut self, name: &Ident, place: &Place<'g>) -> Result<Expr<'g>, Reported> {
-        let text = name.to_string();
-        match (text.as_str(), place.joint) {
-            ("pi", _) => return Ok(self.graph.pi()),
-            ("t", _) => return Ok(self.time),
-            ("q", Some((position, _))) => return Ok(position),
-            ("qd", Some((_, rate))) => return Ok(rate),
-            _ => {}
-        }
-        if let Some(value) = self.names.value(&text) {
-            return Ok(value);
-        }
-        if let Some(reported) = self.broken.get(&text) {
-            return Err(*reported);
-        }
-        let help = if self.names.is_declared(&text) {
-            "a `let` may use only what stands before it".to_owned()
-        } else {
-            let more: &[&str] = match (place.most, place.joint) {
-                (Level::State, Some(_)) => &["t", "q", "qd", "pi"],
-                (Level::State, None) => &["t", "pi"],
-                _ => &["pi"],
-            };
-            let fits = |value: Expr<'g>| value.level() <= place.most;
-            suggestion(&text, self.names.known(fits, more))
+    /// The value of an exponent: a number, and small.
+    fn exponent(&mut self, given: &ast::Expr, value: Expr<'g>, place: &Place<'g>) -> Result<&'g Rational, Reported> {
+        let Some(n) = value.as_number() else {
+            let help = "write an integer or a fraction, such as `x^2` or `x^(1/2)`; `exp(b*ln(a))` is a to the power b";
+            let fact = format_args!("a power in {} is not a number", place.what);
+            return Err(self.errors.on(given, fact, help));
         };
-        let fact = format!("unknown symbol `{text}` in {}", place.what);
-        Err(self.errors.at(name.span(), fact, help))
+        let small = |n: &BigInt| n.abs().to_i64().is_some_and(|n| n <= MOST_POWER);
+        if small(n.numer()) && small(n.denom()) {
+            return Ok(n);
+        }
+        let fact = format_args!("a power in {} is {n}", place.what);
+        let help = format_args!("numerator and denominator go up to {MOST_POWER}; `exp(b*ln(a))` is a to the power b");
+        Err(self.errors.on(given, fact, help))
     }
 
-    fn call(
+    /// Refuses a coordinate or a rate where a negative number has no value.
+    pub(super) fn never_negative(
         &mut self,
-        expr: &ast::Expr,
-        name: &Ident,
-        arguments: &[ast::Expr],
-        place: &Place<'g>,
-    ) -> Result<Expr<'g>, Reported> {
-        let text = name.to_string();
-        if text == "dot" {
-            return self.dot(expr, arguments);
-        }
-        let count = if text == "atan2" { 2 } else { 1 };
-        let unary = FUNCTIONS.iter().find(|(known, _)| *known == text).map(|(_, op)| *op);
-        if unary.is_none() && !["sqrt", "atan2"].contains(&text.as_str()) {
-            let known = FUNCTIONS
-                .iter()
-                .map(|(known, _)| *known)
-                .chain(["sqrt", "atan2", "dot"]);
-            return Err(self.errors.at(
-                name.span(),
-                format_args!("unknown function `{text}` in {}", place.what),
-                suggestion(&text, known),
-            ));
-        }
-        if arguments.len() != count {
-            let help = if count == 2 {
-                "write `atan2(y, x)`".to_owned()
-            } else {
-                format!("write `{text}(x)`")
-            };
-            return Err(self.errors.on(
-                expr,
-                format_args!(
-                    "`{text}` takes {count} argument{}, not {}",
-                    if count == 1 { "" } else { "s" },
-                    arguments.len()
-                ),
-                help,
-            ));
-        }
-        let values: Vec<_> = arguments.iter().map(|a| self.operation(a, place)).collect();
-        let values: Vec<Expr<'g>> = values.into_iter().collect::<Result<_, _>>()?;
-        Ok(match unary {
-            Some(op) => values[0].apply(op),
-            None if text == "sqrt" => values[0].sqrt(),
-            None => values[0].combine(Binary::Atan2, values[1]),
-        })
-    }
-
-    fn dot(&mut self, expr: &ast::Expr, arguments: &[ast::Expr]) -> Result<Expr<'g>, Reported> {
-        let [
-            ast::Expr {
-                kind: ExprKind::Name(name),
-                ..
-            },
-        ] = arguments
+        given: &ast::Expr,
+        value: Expr<'g>,
+        what: &str,
+        instead: impl Display,
+    ) -> Result<(), Reported> {
+        let Some(Symbol {
+            name: x,
+            kind: SymbolKind::Coordinate(_) | SymbolKind::Rate(_),
+        }) = value.as_symbol()
         else {
-            return Err(self.errors.on(
-                expr,
-                "`dot` takes the name of a coordinate",
-                "write `dot(theta)` for the rate of `theta`",
-            ));
+            return Ok(());
         };
-        let text = name.to_string();
-        if let Some(rate) = self.names.rate(&text) {
-            return Ok(rate);
-        }
-        let fact = format!("`{text}` is not a coordinate, so it has no rate");
-        let help = self.names.suggest_rate(&text);
-        Err(self.errors.at(name.span(), fact, help))
+        let fact = format_args!("{what} has no value where `{x}` is negative");
+        let help = format!("write `{instead}`").replace("(x)", &format!("({x})"));
+        Err(self.errors.on(given, fact, help))
     }
 }

@@ -64,7 +64,15 @@ impl<'g> Lower<'g> {
         let Some((stiffness, rest)) = &body.fields.spring else {
             return Ok((self.graph.zero(), self.graph.zero()));
         };
-        let stiffness = self.expr(stiffness, &Place::fixed(format!("the stiffness of `{}`", body.name)));
+        let place = Place::fixed(format!("the stiffness of `{}`", body.name));
+        let stiffness = self.expr(stiffness, &place).and_then(|value| match value.constant() {
+            Some(number) if number < 0.0 => Err(self.errors.on(
+                stiffness,
+                format_args!("{} is {number}", place.what),
+                "a spring pulls back; write a force that pushes away as `torque: ..`",
+            )),
+            _ => Ok(value),
+        });
         let rest = self.expr(rest, &Place::fixed(format!("the rest position of `{}`", body.name)));
         let (stiffness, rest) = (stiffness?, rest?);
         let stretch = position - rest;

@@ -5,8 +5,8 @@ use std::collections::BTreeSet;
 use syn::Ident;
 
 use super::Lower;
-use crate::error::suggestion;
-use crate::program::words;
+use crate::program;
+use crate::words;
 
 impl Lower<'_> {
     /// What to generate.
@@ -19,14 +19,13 @@ impl Lower<'_> {
         let Some(list) = generate else {
             return ["rhs", "jacobian", "energy"].into();
         };
-        let words = words();
+        let words = program::words();
         let mut outputs = BTreeSet::new();
         for ident in list {
             let name = ident.to_string();
             let Some(&word) = words.iter().find(|word| **word == name) else {
-                let help = suggestion(&name, words.iter().copied());
-                self.errors
-                    .at(ident.span(), format_args!("`{name}` cannot be generated"), help);
+                let fact = format_args!("`{name}` cannot be generated");
+                self.errors.unknown(ident, fact, words.iter().copied(), words::ROUTINES);
                 continue;
             };
             if !outputs.insert(word) {

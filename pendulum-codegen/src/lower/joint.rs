@@ -1,5 +1,7 @@
 //! Joints: where they sit, and their screw axes.
 
+use std::f64::consts::TAU;
+
 use syn::Ident;
 
 use super::Lower;
@@ -36,6 +38,13 @@ impl<'g> Lower<'g> {
             .map_or(Ok(zero), |v| self.vector(v, &place("roll, pitch and yaw")));
         let screw = self.screw(body, &joint.kind);
         let (at, Vec3(rpy)) = (at?, rpy?);
+        for (angle, given) in rpy.iter().zip(joint.rpy.iter().flat_map(|rpy| &rpy.components)) {
+            if let Some(angle) = angle.constant().filter(|angle| angle.abs() > TAU) {
+                let fact = format_args!("an angle of the joint of `{body}` is larger than a turn");
+                let help = format_args!("angles are in rad: write `{angle}*pi/180` for {angle} degrees");
+                self.errors.on(given, fact, help);
+            }
+        }
         let [roll, pitch, yaw] = [0, 1, 2].map(|k| Mat3::rotation(Vec3::unit(self.graph, k), rpy[k]));
         let placement = Transform {
             rotation: yaw * (pitch * roll),

@@ -8,6 +8,7 @@ mod generate;
 mod heading;
 mod joint;
 mod mass;
+mod name;
 mod order;
 mod physical;
 mod plate;
@@ -23,7 +24,7 @@ use proc_macro2::Span;
 use crate::ast::{Items, Read, Scene, Vector};
 use crate::error::{Errors, Reported};
 use crate::expr::{Expr, Graph, SymbolKind};
-use crate::model::{BodyId, Coordinate, Model, Rule};
+use crate::model::{Coordinate, Model, Rule};
 use crate::screw::Vec3;
 use expr::Place;
 use scope::Names;
@@ -42,6 +43,10 @@ pub(crate) struct Lowered<'g> {
 pub(crate) struct Spans {
     /// The name of each body of the model.
     pub bodies: Vec<Span>,
+    /// The name of each parameter.
+    pub parameters: Vec<Span>,
+    /// The name of each input.
+    pub inputs: Vec<Span>,
 }
 
 /// The state of lowering one scene.
@@ -55,8 +60,6 @@ struct Lower<'g> {
     rules: Vec<Rule<'g>>,
     spans: Spans,
     time: Expr<'g>,
-    /// Bodies that have been lowered: their positions among the model's bodies.
-    placed: BTreeMap<String, Result<BodyId, Reported>>,
 }
 
 /// The meaning of a scene, with its expressions in a graph. Errors are added to those of the reading.
@@ -70,7 +73,6 @@ pub(crate) fn lower<'g>(graph: &'g Graph, scene: &Scene, errors: Errors) -> Resu
         rules: Vec::new(),
         spans: Spans::default(),
         time,
-        placed: BTreeMap::new(),
     };
     lower.scene(scene)
 }
@@ -89,6 +91,7 @@ impl<'g> Lower<'g> {
         let bodies = self.bodies(&items.bodies, order, &coordinates, &shapes);
         let outputs = self.outputs(items.generate.as_deref(), !parameters.is_empty(), !inputs.is_empty());
         self.require_motion(scene, &coordinates);
+        self.report_refused_defaults(&items.params, &parameters);
         self.report_unused(items);
         let model = Model {
             name: scene.head.name.to_string(),

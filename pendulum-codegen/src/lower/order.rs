@@ -4,74 +4,91 @@ use std::collections::BTreeMap;
 
 use super::Lower;
 use crate::ast;
-use crate::error::suggestion;
+use crate::error::Reported;
+
+/// A declared body by its number, and the one that carries it: none for ground.
+pub(super) type Hung = (usize, Result<Option<usize>, Reported>);
 
 impl Lower<'_> {
-    /// The bodies, each behind its parent. Bodies that hang on nothing, or on each other, are reported and left out.
-    pub(super) fn order(&mut self, bodies: &[ast::Body]) -> Vec<usize> {
-        let mut index = BTreeMap::new();
-        for (n, body) in bodies.iter().enumerate() {
-            let name = body.name.to_string();
-            if name == "ground" {
-                self.errors
-                    .at(body.name.span(), "`ground` is there already", "choose another name");
-            } else if index.insert(name, n).is_some() {
-                self.errors.at(
-                    body.name.span(),
-                    format_args!("body `{}` is declared twice", body.name),
-                    "rename one of the two",
-                );
-            }
-        }
-        let mut order: Vec<usize> = Vec::new();
+    /// The bodies, each after its parent. Bodies that hang on nothing, or on each other, are reported.
+    pub(super) fn order(&mut self, bodies: &[ast::Body]) -> Vec<Hung> {
+        let index = self.body_names(bodies);
+        let parents: Vec<_> = bodies.iter().map(|body| self.parent(body, bodies, &index)).collect();
+        let mut order: Vec<Hung> = Vec::new();
         let mut waiting: Vec<usize> = (0..bodies.len()).collect();
         loop {
-            let ready = |n: &usize| {
-                let parent = bodies[*n].parent.to_string();
-                parent == "ground" || index.get(&parent).is_some_and(|p| order.contains(p))
+            let ready = |n: &usize| match parents[*n] {
+                Ok(Some(parent)) => order.iter().any(|(known, _)| *known == parent),
+                Ok(None) | Err(_) => true,
             };
             let (now, later): (Vec<usize>, Vec<usize>) = waiting.iter().partition(|n| ready(n));
             if now.is_empty() {
                 break;
             }
-            order.extend(now);
+            order.extend(now.into_iter().map(|n| (n, parents[n])));
             waiting = later;
         }
-        for n in waiting {
-            let parent = &bodies[n].parent;
-            let text = parent.to_string();
-            if !index.contains_key(&text) {
-                let known = bodies
-                    .iter()
-                    .map(|b| b.name.to_string())
-                    .filter(|name| bodies[n].name != name)
-                    .chain(["ground".to_owned()])
-                    .collect::<Vec<_>>();
-                self.errors.at(
-                    parent.span(),
-                    format_args!("no body named `{parent}`"),
-                    suggestion(&text, known.iter().map(String::as_str)),
-                );
-            } else if self.hangs_on_itself(bodies, &index, n) {
-                self.errors.at(
-                    parent.span(),
-                    format_args!("`{}` hangs on itself", bodies[n].name),
-                    "follow the parents: each chain must end on `ground`",
-                );
+        let mut circle = None;
+        for &n in &waiting {
+            if let (true, Ok(parent)) = (hangs_on_itself(&parents, n), &bodies[n].parent) {
+                let fact = format_args!("`{}` hangs on itself", bodies[n].name);
+                let help = "follow the parents: each chain must end on `ground`";
+                circle = Some(self.errors.at(parent.span(), fact, help));
             }
         }
+        order.extend(
+            circle
+                .into_iter()
+                .flat_map(|reported| waiting.iter().map(move |&n| (n, Err(reported)))),
+        );
         order
     }
 
-    fn hangs_on_itself(&self, bodies: &[ast::Body], index: &BTreeMap<String, usize>, start: usize) -> bool {
-        let parent = |n: usize| index.get(&bodies[n].parent.to_string()).copied();
-        let mut at = parent(start);
-        for _ in 0..bodies.len() {
-            if at == Some(start) {
-                return true;
+    fn body_names(&mut self, bodies: &[ast::Body]) -> BTreeMap<String, usize> {
+        let mut index = BTreeMap::new();
+        for (n, body) in bodies.iter().enumerate() {
+            let (name, span) = (body.name.to_string(), body.name.span());
+            if name == "ground" {
+                self.errors.at(span, "`ground` is there already", "choose another name");
+            } else if index.insert(name, n).is_some() {
+                let fact = format_args!("body `{}` is declared twice", body.name);
+                self.errors.at(span, fact, "rename one of the two");
             }
-            at = at.and_then(parent);
         }
-        false
+        index
     }
+
+    fn parent(
+        &mut self,
+        body: &ast::Body,
+        bodies: &[ast::Body],
+        index: &BTreeMap<String, usize>,
+    ) -> Result<Option<usize>, Reported> {
+        let parent = self.read(&body.parent)?;
+        if parent == "ground" {
+            return Ok(None);
+        }
+        if let Some(&n) = index.get(&parent.to_string()) {
+            return Ok(Some(n));
+        }
+        let others = bodies
+            .iter()
+            .map(|b| b.name.to_string())
+            .filter(|name| body.name != name);
+        let known: Vec<String> = others.chain(["ground".to_owned()]).collect();
+        let fact = format_args!("no body named `{parent}`");
+        Err(self.errors.unknown(parent, fact, known.iter().map(String::as_str), &[]))
+    }
+}
+
+fn hangs_on_itself(parents: &[Result<Option<usize>, Reported>], start: usize) -> bool {
+    let parent = |n: usize| parents[n].ok().flatten();
+    let mut at = parent(start);
+    for _ in 0..parents.len() {
+        if at == Some(start) {
+            return true;
+        }
+        at = at.and_then(parent);
+    }
+    false
 }

@@ -1,4 +1,6 @@
-//! What numbers must obey: checked now where they are constant, left as rules for `new` where they depend on parameters.
+//! What numbers must obey: checked now where they are constant, rules for `new` where they depend on parameters.
+
+use std::collections::BTreeSet;
 
 use proc_macro2::TokenStream;
 use quote::ToTokens;
@@ -8,8 +10,8 @@ use super::Lower;
 use super::expr::Place;
 use crate::ast::{self, Inertia};
 use crate::error::Reported;
-use crate::expr::{Expr, Level, Printer};
-use crate::model::{Requirement, Rule};
+use crate::expr::{Expr, Level, Printer, Symbol, SymbolKind};
+use crate::model::{Parameter, Requirement, Rule};
 use crate::screw::Symmetric3;
 
 /// The three ways to write that the largest principal moment is at most the sum of the others, for each axis.
@@ -61,15 +63,23 @@ impl<'g> Lower<'g> {
                 let (fact, help) = match TRIANGLES.get(n) {
                     Some([p, q, r]) if diagonal => {
                         let text = |name: &str| {
-                            let at = ["ixx", "iyy", "izz"].iter().position(|known| *known == name).unwrap_or(0);
+                            let at = ["ixx", "iyy", "izz"]
+                                .iter()
+                                .position(|known| *known == name)
+                                .unwrap_or(0);
                             Printer::new(self.graph).print(about_com.0[at].id())
                         };
-                        let fact = format!("principal moments break the triangle inequality: {} + {} < {}", text(p), text(q), text(r));
+                        let [a, b, c] = [p, q, r].map(|name| text(name));
+                        let fact = format!("principal moments break the triangle inequality: {a} + {b} < {c}");
                         (fact, format!("a rigid body needs {p} + {q} >= {r}"))
                     }
                     _ => (
-                        format!("no rigid body has the inertia of `{owner}`: its principal moments about the centre of mass break the triangle inequality"),
-                        "check the signs, the order [ixx, iyy, izz, ixy, ixz, iyz], and the point that it is taken about".to_owned(),
+                        format!(
+                            "no rigid body has the inertia of `{owner}`: \
+                             its principal moments about the centre of mass break the triangle inequality"
+                        ),
+                        "check the signs, the order [ixx, iyy, izz, ixy, ixz, iyz], and the point that it is about"
+                            .to_owned(),
                     ),
                 };
                 self.errors.on(&inertia.tokens, fact, help);
@@ -123,12 +133,39 @@ impl<'g> Lower<'g> {
         }
     }
 
+    /// Reports defaults that `new` would refuse, one rule for each of them.
+    pub(super) fn report_refused_defaults(&mut self, params: &[ast::Param], parameters: &[Parameter<'g>]) {
+        let value_of = |symbol: &Symbol| match symbol.kind {
+            SymbolKind::Parameter(n) => parameters[n].default.unwrap_or(f64::NAN),
+            _ => f64::NAN,
+        };
+        let mut reported = BTreeSet::new();
+        for rule in &self.rules {
+            let symbols = self.graph.reachable(&[rule.value]);
+            let mut read = parameters
+                .iter()
+                .zip(params)
+                .filter(|(p, _)| symbols.contains(&p.symbol.id()));
+            let Some((parameter, param)) = read.next_back() else {
+                continue;
+            };
+            let values = [rule.value, rule.requirement.scale().unwrap_or(rule.value)];
+            let [value, scale] = self.graph.evaluate(&values, value_of)[..] else {
+                continue;
+            };
+            if value.is_nan() || rule.requirement.allows(value, scale.abs()) || !reported.insert(&parameter.name) {
+                continue;
+            }
+            if let Some(Ok(default)) = &param.default {
+                let fact = format!("the default of `{}` is refused: {}", parameter.name, rule.text);
+                self.errors.on(default, fact, "give another default, or none");
+            }
+        }
+    }
+
     /// The value of a constant that does not obey.
     fn broken_by(&self, value: Expr<'g>, requirement: Requirement<'g>) -> Option<f64> {
-        let scale = match requirement {
-            Requirement::NonNegativeWithin(scale) => scale.constant()?.abs(),
-            _ => 0.0,
-        };
+        let scale = requirement.scale().map_or(Some(0.0), Expr::constant)?.abs();
         value.constant().filter(|&number| !requirement.allows(number, scale))
     }
 

@@ -4,8 +4,12 @@ use syn::Ident;
 
 use super::Lower;
 use crate::error::Reported;
-use crate::expr::{Expr, ratio};
+use crate::expr::{Expr, Level, Normalizer, Unary, ratio};
+use crate::model::{Requirement, Rule};
 use crate::screw::{SpatialInertia, Symmetric3, Vec3};
+
+/// How far the small normal forms of corners may grow.
+const BUDGET: usize = 10_000;
 
 impl<'g> Lower<'g> {
     /// A uniform polygon in the xy plane, as a sum over the triangles between its sides and the origin (Green).
@@ -24,9 +28,7 @@ impl<'g> Lower<'g> {
             ));
         }
         let constants: Option<Vec<_>> = corners.iter().map(|&(x, y)| x.constant().zip(y.constant())).collect();
-        if let Some(corners) = &constants
-            && !is_simple(corners)
-        {
+        if constants.is_some_and(|corners| !is_simple(&corners)) {
             return Err(self.errors.on(
                 tokens,
                 format_args!("the sides of a plate of `{owner}` cross or touch"),
@@ -46,6 +48,14 @@ impl<'g> Lower<'g> {
             }
         }
         let [twice_area, x, y, xx, yy, xy] = sums;
+        if Normalizer::new(self.graph, BUDGET).is_zero(twice_area) == Ok(true) {
+            return Err(self.errors.on(
+                tokens,
+                format_args!("a plate of `{owner}` has no area"),
+                "list the corners in order around the plate, each once",
+            ));
+        }
+        self.require_simple(owner, corners, twice_area);
         let density = mass / twice_area;
         let part = |total: Expr<'g>, share: i64| ratio(1, share) * (density * total);
         // of twice the area: 2/6 for the first moments, 2/12 and 2/24 for the second ones
@@ -57,6 +67,43 @@ impl<'g> Lower<'g> {
             about_origin: Symmetric3([yy, xx, xx + yy, -xy, zero, zero]),
         })
     }
+}
+
+impl<'g> Lower<'g> {
+    /// No two sides may cross, whatever the parameters: a rule for each two that they might make cross.
+    fn require_simple(&mut self, owner: &Ident, corners: &[(Expr<'g>, Expr<'g>)], twice_area: Expr<'g>) {
+        let mut normalizer = Normalizer::new(self.graph, BUDGET);
+        let n = corners.len();
+        let pairs = (0..n).flat_map(|i| (i + 2..n).map(move |j| [i, i + 1, j, (j + 1) % n]));
+        for [a, b, c, d] in pairs.filter(|[a, .., d]| a != d) {
+            let [a, b, c, d] = [a, b, c, d].map(|k| corners[k]);
+            if [a, b, c, d]
+                .iter()
+                .all(|(x, y)| x.level().max(y.level()) == Level::Constant)
+            {
+                continue;
+            }
+            // they cross where the ends of each lie on both sides of the other: then the larger product is negative
+            let sides = [[turn(a, b, c), turn(a, b, d)], [turn(c, d, a), turn(c, d, b)]];
+            let same = |[p, q]: &[Expr<'g>; 2]| normalizer.is_zero(*p - *q) == Ok(true);
+            if sides.iter().any(same) {
+                continue;
+            }
+            let [u, v] = sides.map(|[p, q]| p * q);
+            let larger = ratio(1, 2) * (u + v + (u - v).apply(Unary::Abs));
+            self.rule(Rule {
+                value: larger,
+                requirement: Requirement::NonNegativeWithin(twice_area.powi(2)),
+                name: format!("plate of {owner}"),
+                text: format!("the sides of a plate of `{owner}` must not cross"),
+            });
+        }
+    }
+}
+
+/// Twice the area of a triangle, positive where its corners turn to the left.
+fn turn<'g>(a: (Expr<'g>, Expr<'g>), b: (Expr<'g>, Expr<'g>), c: (Expr<'g>, Expr<'g>)) -> Expr<'g> {
+    (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0)
 }
 
 /// Whether no two sides of a polygon share a point but their common corner.

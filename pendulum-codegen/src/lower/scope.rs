@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use proc_macro2::Span;
 use syn::Ident;
 
-use crate::error::{Errors, suggestion};
+use crate::error::Errors;
 use crate::expr::Expr;
 
 /// The names of a scene. Everything that can stand in an expression shares one space of names.
@@ -33,7 +33,7 @@ pub(super) enum Kind {
 
 impl Kind {
     /// With its article: `an input`.
-    fn one(self) -> String {
+    pub(super) fn one(self) -> String {
         let article = if self == Self::Input { "an" } else { "a" };
         format!("{article} {self}")
     }
@@ -50,37 +50,36 @@ impl std::fmt::Display for Kind {
     }
 }
 
-/// Words of the language that no declared name may take.
-const RESERVED: [&str; 6] = ["t", "pi", "q", "qd", "dot", "ground"];
+/// Words of the language that no declared name may take, and what they stand for.
+const RESERVED: [(&str, &str); 6] = [
+    ("t", "the time"),
+    ("pi", "the number"),
+    ("q", "a joint's own coordinate"),
+    ("qd", "a joint's own rate"),
+    ("dot", "the rate of a coordinate"),
+    ("ground", "the body that does not move"),
+];
 
 impl<'g> Names<'g> {
     /// Declares a name. A second declaration is an error.
     pub(super) fn declare(&mut self, errors: &mut Errors, kind: Kind, ident: &Ident, value: Option<Expr<'g>>) {
-        let (text, order) = (ident.to_string(), self.0.len());
-        if RESERVED.contains(&text.as_str()) {
-            errors.at(
-                ident.span(),
-                format_args!("`{text}` is a word of the language"),
-                "choose another name; `q` and `qd` are a joint's own coordinate and rate, `t` is time",
-            );
+        let (text, span, order) = (ident.to_string(), ident.span(), self.0.len());
+        if let Some((_, meaning)) = RESERVED.iter().find(|(word, _)| *word == text) {
+            let fact = format_args!("`{text}` is a word of the language: {meaning}");
+            errors.at(span, fact, "choose another name");
         } else if let Some(first) = self.0.get(&text) {
-            errors.at(
-                ident.span(),
-                format_args!("the name `{text}` is declared twice, first as {}", first.kind.one()),
-                "rename one of the two",
-            );
+            let fact = format_args!("the name `{text}` is declared twice, first as {}", first.kind.one());
+            errors.at(span, fact, "rename one of the two");
         } else {
-            self.0.insert(
-                text,
-                Name {
-                    kind,
-                    span: ident.span(),
-                    value,
-                    rate: None,
-                    used: false,
-                    order,
-                },
-            );
+            let name = Name {
+                kind,
+                span,
+                value,
+                rate: None,
+                used: false,
+                order,
+            };
+            self.0.insert(text, name);
         }
     }
 
@@ -105,9 +104,9 @@ impl<'g> Names<'g> {
         known.value
     }
 
-    /// Whether the name is declared, whatever it stands for.
-    pub(super) fn is_declared(&self, name: &str) -> bool {
-        self.0.contains_key(name)
+    /// What the name is the name of, if it is declared.
+    pub(super) fn kind(&self, name: &str) -> Option<Kind> {
+        self.0.get(name).map(|known| known.kind)
     }
 
     /// The rate of a name.
@@ -129,15 +128,26 @@ impl<'g> Names<'g> {
             .collect()
     }
 
-    /// A help line for a rate that is not there.
-    pub(super) fn suggest_rate(&self, name: &str) -> String {
-        suggestion(
-            name,
-            self.0
-                .iter()
-                .filter(|(_, name)| name.rate.is_some())
-                .map(|(text, _)| text.as_str()),
-        )
+    /// The names that have rates, in order.
+    pub(super) fn with_rates(&self) -> Vec<&str> {
+        let with_rates = self.0.iter().filter(|(_, name)| name.rate.is_some());
+        let mut names: Vec<_> = with_rates.map(|(text, name)| (name.order, text.as_str())).collect();
+        names.sort_unstable();
+        names.into_iter().map(|(_, text)| text).collect()
+    }
+
+    /// The coordinate whose rate a name such as `theta_dot` seems to mean.
+    pub(super) fn rate_meant(&self, text: &str) -> Option<&str> {
+        let forms = |name: &str| {
+            [
+                format!("{name}_dot"),
+                format!("{name}dot"),
+                format!("d{name}"),
+                format!("{name}_d"),
+            ]
+        };
+        let mut names = self.with_rates().into_iter();
+        names.find(|name| forms(name).iter().any(|form| form == text))
     }
 
     /// Reports every name that nothing uses.
@@ -150,7 +160,11 @@ impl<'g> Names<'g> {
         unused.sort_by_key(|(_, name)| name.order);
         for (text, name) in unused {
             let help = "remove it, or use it: every declared number must matter to the motion";
-            errors.at(name.span, format_args!("{} `{text}` is never used", name.kind), help);
+            let what = match name.kind {
+                Kind::Let => format!("`let {text}`"),
+                kind => format!("{kind} `{text}`"),
+            };
+            errors.at(name.span, format_args!("{what} is never used"), help);
         }
     }
 }

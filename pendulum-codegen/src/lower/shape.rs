@@ -7,7 +7,7 @@ use syn::Ident;
 use super::Lower;
 use super::mass::Mass;
 use crate::ast;
-use crate::error::{Reported, suggestion};
+use crate::error::Reported;
 
 impl<'g> Lower<'g> {
     pub(super) fn shapes(&mut self, declared: &[ast::Shape]) -> BTreeMap<String, Result<Mass<'g>, Reported>> {
@@ -50,10 +50,8 @@ impl<'g> Lower<'g> {
         match shapes.get(&shape.to_string()) {
             Some(mass) => mass.clone().map(Some),
             None => {
-                let help = suggestion(&shape.to_string(), shapes.keys().map(String::as_str));
-                Err(self
-                    .errors
-                    .at(shape.span(), format_args!("no shape named `{shape}`"), help))
+                let fact = format_args!("no shape named `{shape}`");
+                Err(self.errors.unknown(shape, fact, shapes.keys().map(String::as_str), &[]))
             }
         }
     }

@@ -34,7 +34,7 @@ pub(crate) struct Model<'g> {
     pub gravity: Vec3<'g>,
     /// Each `let`, as it was written.
     pub lets: Vec<Definition>,
-    /// Bodies, each behind the one that carries it.
+    /// Bodies, each after the one that carries it.
     pub bodies: Vec<Body<'g>>,
     /// What the parameters must obey.
     pub rules: Vec<Rule<'g>>,
@@ -112,7 +112,7 @@ pub(crate) struct Body<'g> {
     pub potential: Expr<'g>,
 }
 
-/// The orientation of a body in its station: the rotation by `turn` about `axis`, behind the constant rotation `rest`.
+/// The orientation of a body in its station: the rotation by `turn` about `axis`, after the constant rotation `rest`.
 ///
 /// A station is a frame in which a group of bodies turns about one axis only: the ground, or the body before the first
 /// joint of the group. Parallel joints so become one rotation by a sum of angles.
@@ -155,7 +155,15 @@ pub(crate) enum Requirement<'g> {
 /// How much of a difference is rounding.
 pub(crate) const ROUNDING: f64 = 1e-12;
 
-impl Requirement<'_> {
+impl<'g> Requirement<'g> {
+    /// The number by whose size the rounding is measured.
+    pub(crate) fn scale(self) -> Option<Expr<'g>> {
+        match self {
+            Self::NonNegativeWithin(scale) => Some(scale),
+            Self::Positive | Self::NonNegative => None,
+        }
+    }
+
     /// Whether a value obeys, where `scale` is the size that the rounding is measured by.
     pub(crate) fn allows(self, value: f64, scale: f64) -> bool {
         match self {
@@ -172,7 +180,7 @@ impl<'g> Model<'g> {
         self.coordinates.len()
     }
 
-    /// The bodies and their positions, each behind the one that carries it.
+    /// The bodies and their positions, each after the one that carries it.
     pub(crate) fn bodies(&self) -> impl DoubleEndedIterator<Item = (BodyId, &Body<'g>)> {
         BodyId::all(self.bodies.len()).zip(&self.bodies)
     }

@@ -3,11 +3,12 @@
 use proc_macro2::TokenStream;
 use quote::ToTokens;
 use syn::parse::{Parse, ParseStream};
-use syn::{Token, bracketed, token};
+use syn::{bracketed, token};
 
 use super::expr::recorded;
+use super::token::{brackets, list};
 use crate::ast::{Expr, Vector};
-use crate::error::{at, on};
+use crate::error::on;
 
 /// An argument of a solid or of a joint.
 pub(super) enum Argument {
@@ -37,13 +38,12 @@ impl Parse for Argument {
         let inner;
         bracketed!(inner in ahead);
         if !inner.peek(token::Bracket) {
-            let (entries, tokens) = list(input)?;
+            let (entries, tokens) = entries(input)?;
             return Ok(Self::List(entries, tokens));
         }
         let (points, tokens) = recorded(input, |input| {
-            let inner;
-            bracketed!(inner in input);
-            let points = inner.parse_terminated(list, Token![,])?;
+            let inner = brackets(input, "points", "[[x, y], [x, y]]")?;
+            let points = list(&inner, "[[x, y], [x, y]]", entries)?;
             Ok(points.into_iter().map(|(entries, _)| entries).collect())
         })?;
         Ok(Self::Points(points, tokens))
@@ -65,7 +65,7 @@ impl Argument {
 
 impl Parse for Vector {
     fn parse(input: ParseStream) -> syn::Result<Self> {
-        let (entries, tokens) = list(input)?;
+        let (entries, tokens) = entries(input)?;
         let count = entries.len();
         match <[Expr; 3]>::try_from(entries) {
             Ok(components) => Ok(Self { components, tokens }),
@@ -78,13 +78,9 @@ impl Parse for Vector {
 }
 
 /// `[e, e, ..]`
-fn list(input: ParseStream) -> syn::Result<(Vec<Expr>, TokenStream)> {
-    if !input.peek(token::Bracket) {
-        return Err(at(input.span(), "expected a list in brackets", "write `[x, y, z]`"));
-    }
+fn entries(input: ParseStream) -> syn::Result<(Vec<Expr>, TokenStream)> {
     recorded(input, |input| {
-        let inner;
-        bracketed!(inner in input);
-        Ok(inner.parse_terminated(Expr::parse, Token![,])?.into_iter().collect())
+        let inner = brackets(input, "a vector", "[x, y, z]")?;
+        list(&inner, "[x, y, z]", Expr::parse)
     })
 }

@@ -1,14 +1,18 @@
 //! Bodies and shapes, and their fields.
 
-use syn::parse::{Parse, ParseStream};
-use syn::{Ident, Token, braced, parenthesized, token};
+use syn::ext::IdentExt;
+use syn::parse::{Parse, ParseBuffer, ParseStream};
+use syn::token::Brace;
+use syn::{Ident, Token};
 
 use super::argument::Argument;
 use super::joint::joint;
 use super::solid::solids;
-use super::{End, docs, each, expr, once};
-use crate::ast::{Body, BodyFields, Inertia, Properties, Shape};
-use crate::error::{Errors, at, on, suggestion};
+use super::token::{braces, colon, identifier, list, parentheses, starts_item};
+use super::{End, docs, each, once, skip_to};
+use crate::ast::{Body, BodyFields, Expr, Inertia, Properties, Read, Shape};
+use crate::error::{Errors, at, on};
+use crate::words::{self, Advice, advice};
 
 /// A field that is being read into a `T`, after its name and the colon.
 struct Field<'a> {
@@ -44,40 +48,35 @@ const BODY_FIELDS: [Row<BodyFields>; 5] = [
     ("torque", |field, body| field.value(&mut body.torque)),
 ];
 
+/// Whether bodies have a field of this name.
+pub(super) fn is_field(name: &str) -> bool {
+    names(&PROPERTIES).chain(names(&BODY_FIELDS)).any(|known| known == name)
+}
+
+fn names<T>(rows: &'static [Row<T>]) -> impl Iterator<Item = &'static str> {
+    rows.iter().map(|(name, _)| *name)
+}
+
 /// `name on parent: shape { fields }`, after the word `body`
 pub(super) fn body(input: ParseStream, errors: &mut Errors) -> syn::Result<Body> {
-    let name: Ident = input.parse().map_err(|e| {
-        at(
-            e.span(),
-            "expected the name of a body",
-            "write `body name on parent { .. }`",
-        )
-    })?;
-    let on: Option<Ident> = input.parse()?;
-    let parent: Option<Ident> = match on {
-        Some(on) if on == "on" => input.parse()?,
-        _ => None,
-    };
-    let Some(parent) = parent else {
-        let help = format!("write `body {name} on ground {{ .. }}`, or name the body that carries it");
-        return Err(at(name.span(), format_args!("body `{name}` hangs on nothing"), help));
-    };
-    let shape = if input.parse::<Option<Token![:]>>()?.is_some() {
-        Some(input.parse()?)
-    } else {
-        None
-    };
-    if !input.peek(token::Brace) {
-        return Err(at(
-            input.span(),
-            format_args!("expected the fields of body `{name}`"),
-            "write them in braces: `{ joint: .., coordinate: .. }`",
-        ));
+    let name = identifier(input, "the name of a body", "body name on ground { .. }")?;
+    let parent = parent(input, &name);
+    let mut shape = None;
+    if input.parse::<Option<Token![:]>>()?.is_some() && !input.peek(Brace) {
+        let word = identifier(
+            input,
+            "the name of a shape",
+            &format!("body {name} on ground: shape {{ .. }}"),
+        )?;
+        // where no parent was read, the parent may be meant
+        shape = parent.is_ok().then_some(word);
     }
-    let inner;
-    braced!(inner in input);
+    let form = format!("body {name} on ground {{ joint: .., coordinate: .. }}");
+    let inner = fields_of(input, &format!("the fields of body `{name}`"), &form, errors)?;
     let mut fields = BodyFields::default();
-    let unread = each(&inner, errors, |input, _| body_field(input, &name, &mut fields));
+    let unread = each(&inner, errors, |input, errors| {
+        body_field(input, &name, &mut fields, errors)
+    });
     Ok(Body {
         name,
         parent,
@@ -87,13 +86,37 @@ pub(super) fn body(input: ParseStream, errors: &mut Errors) -> syn::Result<Body>
     })
 }
 
+/// `on parent`
+fn parent(input: ParseStream, name: &Ident) -> Read<Ident> {
+    let on: Option<Ident> = input.parse()?;
+    if on.as_ref().is_some_and(|on| on == "on") {
+        return identifier(
+            input,
+            "the body that carries it",
+            &format!("body {name} on ground {{ .. }}"),
+        );
+    }
+    skip_to(input, |input| input.peek(Brace) || input.peek(Token![:]));
+    if name == "on" {
+        return Err(at(
+            name.span(),
+            "the body has no name",
+            "write `body name on ground { .. }`",
+        ));
+    }
+    let help = format!("write `body {name} on ground {{ .. }}`, or name the body that carries it");
+    Err(at(name.span(), format_args!("body `{name}` hangs on nothing"), help))
+}
+
 /// `name { fields }`, after the word `shape`
 pub(super) fn shape(input: ParseStream, errors: &mut Errors) -> syn::Result<Shape> {
-    let name = input.parse()?;
-    let inner;
-    braced!(inner in input);
+    let name = identifier(input, "the name of a shape", "shape name { mass: .. }")?;
+    let form = format!("shape {name} {{ mass: .. }}");
+    let inner = fields_of(input, &format!("the fields of shape `{name}`"), &form, errors)?;
     let mut properties = Properties::default();
-    let unread = each(&inner, errors, |input, _| shape_field(input, &name, &mut properties));
+    let unread = each(&inner, errors, |input, errors| {
+        shape_field(input, &name, &mut properties, errors)
+    });
     Ok(Shape {
         name,
         properties,
@@ -101,29 +124,52 @@ pub(super) fn shape(input: ParseStream, errors: &mut Errors) -> syn::Result<Shap
     })
 }
 
-fn key(input: ParseStream, known: &[&str]) -> syn::Result<Ident> {
+/// The braces, even if something else stands before them.
+fn fields_of<'a>(input: &ParseBuffer<'a>, what: &str, form: &str, errors: &mut Errors) -> syn::Result<ParseBuffer<'a>> {
+    braces(input, what, form).or_else(|error| {
+        skip_to(input, |input| input.peek(Brace));
+        if input.peek(Brace) {
+            errors.push(error.clone());
+        }
+        braces(input, what, form).map_err(|_| error)
+    })
+}
+
+/// The word that a field begins with, and the colon after it. After a mistake with a clear meaning reading goes on.
+fn key(input: ParseStream, owner: &Ident, known: &[&'static str], errors: &mut Errors) -> syn::Result<Ident> {
     docs(input)?;
-    let key: Ident = input.parse().map_err(|e| {
-        at(
-            e.span(),
-            "expected a field",
-            format_args!("known here: {}", known.join(", ")),
-        )
+    let mut key = input.call(Ident::parse_any).map_err(|e| {
+        let help = format_args!("known here: {}", known.join(", "));
+        at(e.span(), "expected a field", help)
     })?;
     let text = key.to_string();
     if !known.contains(&text.as_str()) {
-        return Err(at(
-            key.span(),
-            format_args!("unknown field `{text}`"),
-            suggestion(&text, known.iter().copied()),
-        ));
+        if ["params", "gravity", "input", "body", "generate"].contains(&text.as_str()) {
+            let help = format!("write it outside of the braces of `{owner}`");
+            return Err(at(key.span(), format_args!("`{text}` is an item of the scene"), help));
+        }
+        if is_field(&text) {
+            let help = "a shape has mass properties only; write it in the braces of a body";
+            return Err(at(key.span(), format_args!("`{text}` is a field of a body"), help));
+        }
+        let Advice { meant, help } = advice(&text, known.iter().copied(), words::FIELDS);
+        let error = at(key.span(), format_args!("unknown field `{text}`"), help);
+        let meant = meant.ok_or_else(|| error.clone())?;
+        errors.push(error);
+        key = Ident::new(meant, key.span());
     }
-    input.parse::<Token![:]>()?;
+    colon(input, &key, errors)?;
     Ok(key)
 }
 
-fn shape_field(input: ParseStream, owner: &Ident, properties: &mut Properties) -> syn::Result<End> {
-    let key = key(input, &PROPERTIES.map(|(name, _)| name))?;
+fn shape_field(
+    input: ParseStream,
+    owner: &Ident,
+    properties: &mut Properties,
+    errors: &mut Errors,
+) -> syn::Result<End> {
+    let known: Vec<_> = names(&PROPERTIES).collect();
+    let key = key(input, owner, &known, errors)?;
     let field = Field {
         input,
         key: &key,
@@ -133,9 +179,9 @@ fn shape_field(input: ParseStream, owner: &Ident, properties: &mut Properties) -
     Ok(End::Comma)
 }
 
-fn body_field(input: ParseStream, owner: &Ident, body: &mut BodyFields) -> syn::Result<End> {
-    let (properties, others) = (PROPERTIES.map(|(name, _)| name), BODY_FIELDS.map(|(name, _)| name));
-    let key = key(input, &[&properties[..], &others].concat())?;
+fn body_field(input: ParseStream, owner: &Ident, body: &mut BodyFields, errors: &mut Errors) -> syn::Result<End> {
+    let known: Vec<_> = names(&PROPERTIES).chain(names(&BODY_FIELDS)).collect();
+    let key = key(input, owner, &known, errors)?;
     let field = Field {
         input,
         key: &key,
@@ -158,15 +204,14 @@ impl Field<'_> {
     }
 
     fn coordinate(&self, body: &mut BodyFields) -> syn::Result<()> {
-        self.value(&mut body.coordinate)?;
-        if self.input.peek(Ident) {
+        let coordinate = identifier(self.input, "the name of a coordinate", "coordinate: theta")?;
+        once(&mut body.coordinate, coordinate, self.key)?;
+        if self.input.peek(Ident) && !starts_item(self.input) {
             let word: Ident = self.input.parse()?;
             if word != "absolute" {
-                return Err(at(
-                    word.span(),
-                    format_args!("unexpected `{word}` behind the coordinate"),
-                    "the only word that may stand here is `absolute`",
-                ));
+                let fact = format_args!("unexpected `{word}` after the coordinate");
+                let help = "it is relative to the parent, or measured from ground with the word `absolute`";
+                return Err(at(word.span(), fact, help));
             }
             body.absolute = Some(word);
         }
@@ -174,19 +219,16 @@ impl Field<'_> {
     }
 
     fn spring(&self, body: &mut BodyFields) -> syn::Result<()> {
-        if !self.input.peek(token::Paren) {
-            return Err(at(
-                self.input.span(),
-                "a spring has a stiffness and a rest position",
-                "write `spring: (stiffness, rest)`",
-            ));
-        }
-        let inner;
-        parenthesized!(inner in self.input);
-        let stiffness = inner.parse()?;
-        inner.parse::<Token![,]>()?;
-        let rest = inner.parse()?;
-        expr::end_of(&inner)?;
+        let form = "spring: (stiffness, rest)";
+        let span = self.input.span();
+        let numbers = match parentheses(self.input)? {
+            Some(inner) => list(&inner, form, Expr::parse)?,
+            None => Vec::new(),
+        };
+        let [stiffness, rest] = <[Expr; 2]>::try_from(numbers).map_err(|_| {
+            let help = format_args!("write `{form}`");
+            at(span, "a spring has a stiffness and a rest position", help)
+        })?;
         once(&mut body.spring, (stiffness, rest), self.key)
     }
 }
@@ -204,13 +246,13 @@ impl Parse for Inertia {
         };
         let tokens = tokens.unwrap_or_else(|| entries[0].tokens.clone());
         let mut about_joint = false;
-        if input.peek(Ident) {
+        if input.peek(Ident) && !starts_item(input) {
             let about: Ident = input.parse()?;
             let joint: Option<Ident> = input.parse()?;
             if about != "about" || joint.is_none_or(|word| word != "joint") {
                 return Err(at(
                     about.span(),
-                    format_args!("unexpected `{about}` behind the inertia"),
+                    format_args!("unexpected `{about}` after the inertia"),
                     "write `about joint`, or nothing for the centre of mass",
                 ));
             }

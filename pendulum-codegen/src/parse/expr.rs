@@ -3,8 +3,10 @@
 use num_traits::{Pow, Zero};
 use proc_macro2::{TokenStream, TokenTree};
 use syn::parse::{Parse, ParseStream};
-use syn::{Ident, Lit, Token, parenthesized, token};
+use syn::{Ident, Lit, Token};
 
+use super::foreign;
+use super::token::{end_of, identifier, list, parentheses, starts_item, unexpected};
 use crate::ast::{Expr, ExprKind, Operator};
 use crate::error::at;
 use crate::expr::{Rational, ratio};
@@ -23,11 +25,16 @@ impl Parse for Expr {
             );
             return Err(at(input.span(), fact, help));
         }
-        sum(input)
+        let expr = sum(input)?;
+        let about = input.cursor().ident().is_some_and(|(word, _)| word == "about");
+        if input.is_empty() || input.peek(Token![,]) || input.peek(Token![;]) || about || starts_item(input) {
+            return Ok(expr);
+        }
+        Err(unexpected(input))
     }
 }
 
-/// The number of tokens before the next comma, and how deep they are nested; the count ends where there are far too many.
+/// The number of tokens before the next comma, and how deep they are nested; the count ends where there are too many.
 fn size_until_comma(tokens: TokenStream) -> (usize, usize) {
     let (mut count, mut deepest) = (0, 0);
     let mut levels = vec![tokens.into_iter()];
@@ -145,9 +152,7 @@ fn power(input: ParseStream) -> syn::Result<Expr> {
 
 fn atom(input: ParseStream) -> syn::Result<Expr> {
     let (kind, tokens) = recorded(input, |input| {
-        if input.peek(token::Paren) {
-            let inner;
-            parenthesized!(inner in input);
+        if let Some(inner) = parentheses(input)? {
             let inside = sum(&inner)?;
             end_of(&inner)?;
             return Ok(inside.kind);
@@ -156,34 +161,18 @@ fn atom(input: ParseStream) -> syn::Result<Expr> {
             return Ok(ExprKind::Number(number(&input.parse()?)?));
         }
         if !input.peek(Ident) {
-            return Err(at(
-                input.span(),
-                "expected an expression",
-                "write a number, a name, a function such as `sin(theta)`, or a formula of these",
-            ));
+            return Err(foreign::no_operand(input));
         }
-        let name: Ident = input.parse()?;
-        if !input.peek(token::Paren) {
+        let name = identifier(input, "a name", "theta")?;
+        foreign::no_path(input, &name)?;
+        let Some(inner) = parentheses(input)? else {
             return Ok(ExprKind::Name(name));
-        }
-        let inner;
-        parenthesized!(inner in input);
-        let arguments = inner.parse_terminated(sum, Token![,])?;
-        Ok(ExprKind::Call(name, arguments.into_iter().collect()))
+        };
+        let arguments = list(&inner, &format!("{name}(x)"), sum)?;
+        Ok(ExprKind::Call(name, arguments))
     })?;
+    foreign::nothing_after(input, &tokens)?;
     Ok(Expr { kind, tokens })
-}
-
-/// What is left inside brackets must be nothing.
-pub(super) fn end_of(input: ParseStream) -> syn::Result<()> {
-    if input.is_empty() {
-        return Ok(());
-    }
-    Err(at(
-        input.span(),
-        "expected an operator or the end of the expression",
-        "operators are + - * / ^; products need a `*`",
-    ))
 }
 
 fn number(literal: &Lit) -> syn::Result<Rational> {
@@ -199,11 +188,7 @@ fn number(literal: &Lit) -> syn::Result<Rational> {
         }
     };
     if !suffix.is_empty() {
-        return Err(at(
-            literal.span(),
-            format_args!("a number takes no suffix `{suffix}`"),
-            "leave it out: the generated code is generic over the number type",
-        ));
+        return Err(foreign::suffix(literal, digits, suffix));
     }
     decimal(digits).ok_or_else(|| {
         at(

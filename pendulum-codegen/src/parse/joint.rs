@@ -1,12 +1,14 @@
 //! Joints.
 
 use syn::parse::{Parse, ParseStream};
-use syn::{Ident, Token, parenthesized, token};
+use syn::{Ident, Token};
 
 use super::argument::Argument;
 use super::once;
+use super::token::{identifier, list, parentheses, starts_item};
 use crate::ast::{Axis, Expr, Joint, JointKind, Read, Vector};
-use crate::error::{at, on, suggestion};
+use crate::error::{at, on};
+use crate::words::{self, Advice, advice};
 
 /// The word of a joint, how it is written, and how its arguments are read: none if they do not fit.
 type Row = (&'static str, &'static str, fn(&mut Arguments) -> Option<JointKind>);
@@ -24,37 +26,28 @@ const JOINTS: [Row; 5] = [
 
 /// `kind(arguments) at point rpy angles`
 pub(super) fn joint(input: ParseStream, body: &Ident) -> syn::Result<Joint> {
-    let word: Ident = input.parse().map_err(|e| {
-        at(
-            e.span(),
-            "expected a joint",
-            "write one such as `revolute(z) at [0, 0, 0]`",
-        )
-    })?;
-    let mut arguments = Vec::new();
-    if input.peek(token::Paren) {
-        let inner;
-        parenthesized!(inner in input);
-        let list = inner.parse_terminated(JointArgument::parse, Token![,])?;
-        arguments.extend(list);
-    }
+    let word = identifier(input, "a joint", "joint: revolute(z) at [0, 0, 0]")?;
+    let form = JOINTS.into_iter().find(|(known, ..)| word == known);
+    let form = form.map_or("revolute(z)", |(_, form, _)| form);
+    let arguments = match parentheses(input)? {
+        Some(inner) => list(&inner, form, JointArgument::parse)?,
+        None => Vec::new(),
+    };
     let mut joint = Joint {
         kind: kind(body, &word, arguments),
         at: None,
         rpy: None,
     };
     // a word before a colon is the next field, after a comma that is missing
-    while input.peek(Ident) && !input.peek2(Token![:]) {
+    while input.peek(Ident) && !starts_item(input) {
         let word: Ident = input.parse()?;
         match word.to_string().as_str() {
             "at" => once(&mut joint.at, input.parse::<Vector>()?, &word)?,
             "rpy" => once(&mut joint.rpy, input.parse::<Vector>()?, &word)?,
             other => {
-                return Err(at(
-                    word.span(),
-                    format_args!("unexpected `{other}` behind the joint"),
-                    suggestion(other, ["at", "rpy"]),
-                ));
+                let fact = format!("unexpected `{other}` after the joint");
+                let Advice { help, .. } = advice(other, ["at", "rpy"], words::AFTER_JOINT);
+                return Err(at(word.span(), fact, help));
             }
         }
     }
@@ -63,7 +56,7 @@ pub(super) fn joint(input: ParseStream, body: &Ident) -> syn::Result<Joint> {
 
 fn kind(body: &Ident, word: &Ident, arguments: Vec<JointArgument>) -> Read<JointKind> {
     let Some((_, form, read)) = JOINTS.into_iter().find(|(known, ..)| word == known) else {
-        let help = suggestion(&word.to_string(), JOINTS.map(|(known, ..)| known));
+        let Advice { help, .. } = advice(&word.to_string(), JOINTS.map(|(known, ..)| known), words::JOINTS);
         return Err(at(word.span(), format_args!("unknown joint `{word}`"), help));
     };
     let mut arguments = Arguments {
@@ -72,11 +65,17 @@ fn kind(body: &Ident, word: &Ident, arguments: Vec<JointArgument>) -> Read<Joint
         rest: arguments.into_iter(),
     };
     let kind = read(&mut arguments).filter(|_| arguments.rest.len() == 0);
+    let has_axis = form.contains('(') && !form.contains('[');
+    let axis = if has_axis {
+        "; an axis is x, y, z, -x, .. or a vector"
+    } else {
+        ""
+    };
     kind.ok_or_else(|| {
         at(
             word.span(),
             format_args!("a {word} joint takes other arguments"),
-            format_args!("write `{form}`; an axis is x, y, z, -x, .. or a vector"),
+            format_args!("write `{form}`{axis}"),
         )
     })
 }

@@ -2,58 +2,105 @@
 
 mod argument;
 mod body;
+mod declare;
 mod expr;
+mod foreign;
 mod joint;
 mod solid;
+mod token;
 
-use proc_macro2::{TokenStream, TokenTree};
+pub(crate) use token::starts_item;
+
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
 use quote::ToTokens;
+use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream, Parser};
-use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, MetaNameValue, Token, Visibility, braced, bracketed, token};
+use syn::token::Brace;
+use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, MetaNameValue, Token, Visibility, braced};
 
-use crate::ast::{Head, Input, Items, Let, Param, Scene};
-use crate::error::{Errors, Reported, at, on, suggestion};
+use crate::ast::{Head, Items, Read, Scene};
+use crate::error::{Errors, Reported, at, on};
+use crate::words::{self, Advice, advice};
+use token::{brackets, colon, identifier, list, starts_known, unexpected};
+
+/// The items of a scene.
+const ITEMS: [&str; 7] = ["params", "gravity", "let", "input", "shape", "body", "generate"];
+
+/// Names that the generated code uses itself: not even a stand-in can be made under one of them.
+const USED: [&str; 10] = ["T", "V", "F", "N", "M", "D", "Fn", "bool", "f64", "usize"];
+
+/// Traits of the core's prelude: a model of this name would hide one of them, and its methods with it.
+const HIDDEN: [&str; 6] = ["Controlled", "Energy", "Ensemble", "Jacobian", "Method", "System"];
 
 /// Reads a declaration. The scene is there unless its head could not be read; errors may stand beside it.
 pub(crate) fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
     let mut errors = Errors::default();
-    let scene = (|input: ParseStream| {
-        let docs = docs(input)?;
-        let vis = input.parse::<Visibility>()?.into_token_stream();
-        let name: Ident = input.parse().map_err(|e| {
-            at(
-                e.span(),
-                "expected the name of the model",
-                "write `mechanism! { pub DoublePendulum { body .. } }`",
-            )
-        })?;
-        if ["T", "bool", "f64", "str", "usize"].iter().any(|taken| name == taken) {
-            // no stand-in can be made under such a name either
-            let fact = format!("`{name}` is a type that the generated code uses itself");
-            return Err(at(name.span(), fact, "choose another name, such as `DoublePendulum`"));
-        }
-        if !input.peek(token::Brace) {
-            let help = format!("write `{name} {{ body .. }}`");
-            return Err(at(name.span(), format_args!("`{name}` has no items in braces"), help));
+    let scene = (|whole: ParseStream| {
+        // syn reports what is left in brackets when a stream ends, but not when a copy of it does; here every mistake has
+        // an error of its own
+        let input = &whole.fork();
+        whole.parse::<TokenStream>()?;
+        let head = head(input)?;
+        let name = &head.name;
+        if !input.peek(Brace) {
+            let (fact, help) = match input.parse::<Ident>() {
+                Ok(word) => (
+                    "the name of a scene is one word".to_owned(),
+                    format!("write `pub {word} {{ body .. }}`"),
+                ),
+                Err(_) => (
+                    format!("`{name}` has no items in braces"),
+                    format!("write `{name} {{ body .. }}`"),
+                ),
+            };
+            return Err(at(name.span(), fact, help));
         }
         let inner;
         braced!(inner in input);
         let mut items = Items::default();
         each(&inner, &mut errors, |input, errors| item(input, &mut items, errors));
         if !input.is_empty() {
-            errors.at(
-                input.span(),
-                "one declaration holds one model",
-                "write another `mechanism!` for another model",
-            );
-            input.parse::<TokenStream>()?;
+            let help = "write another `mechanism!` for another scene";
+            errors.at(input.span(), "one declaration holds one scene", help);
         }
-        let head = Head { docs, vis, name };
         Ok(Scene { head, items })
     })
     .parse2(tokens);
     let scene = errors.keep(scene).ok();
     (scene, errors)
+}
+
+fn head(input: ParseStream) -> syn::Result<Head> {
+    let docs = docs(input)?;
+    let vis = input.parse::<Visibility>()?.into_token_stream();
+    let (span, ahead) = (input.span(), input.fork().call(Ident::parse_any));
+    if let Ok(word) = ahead {
+        if ITEMS.iter().any(|item| word == item) {
+            let help = "write `mechanism! { pub Name { .. } }`, with the items in the inner braces";
+            return Err(at(span, "the scene has no name", help));
+        }
+        if ["struct", "enum", "mod", "fn", "impl", "type"]
+            .iter()
+            .any(|keyword| word == keyword)
+        {
+            let help = format!("leave out `{word}`: write `pub Name {{ .. }}`");
+            return Err(at(span, "expected the name of the scene", help));
+        }
+    }
+    let name = identifier(
+        input,
+        "the name of the scene",
+        "mechanism! { pub DoublePendulum { body .. } }",
+    )?;
+    if USED.iter().any(|used| name == used) {
+        let fact = format!("`{name}` is a name that the generated code uses itself");
+        return Err(at(span, fact, "choose another name, such as `DoublePendulum`"));
+    }
+    if HIDDEN.iter().any(|hidden| name == hidden) {
+        let fact = format!("`{name}` would hide the trait of `pendulum_core::prelude`, and its methods with it");
+        return Err(at(span, fact, "choose another name, such as `DoublePendulum`"));
+    }
+    Ok(Head { docs, vis, name })
 }
 
 /// How an item ends.
@@ -73,18 +120,26 @@ fn each(
 ) -> Option<Reported> {
     let mut reported = None;
     while !input.is_empty() {
+        let start = input.cursor();
         match item(input, errors).and_then(|end| Ok((end, input.parse::<Option<Token![,]>>()?))) {
+            // where a comma alone is missing, the next item can be read
             Ok((End::Comma, None)) if !input.is_empty() => {
-                let help = "items end in a comma; products need a `*`";
-                reported = Some(errors.at(input.span(), "expected a comma", help));
-                // where the comma alone is missing, the next item can be read
-                if !(input.peek(Ident) && input.peek2(Token![:])) {
+                reported = Some(errors.push(unexpected(input)));
+                if !starts_item(input) {
                     skip(input);
                 }
+            }
+            Ok((End::Braces, None)) if input.peek(Token![;]) => {
+                reported = Some(errors.push(unexpected(input)));
+                skip(input);
             }
             Ok(_) => {}
             Err(error) => {
                 reported = Some(errors.push(error));
+                if input.cursor() == start {
+                    // at least one token, or the reading would not end
+                    let _ = input.parse::<TokenTree>();
+                }
                 skip(input);
             }
         }
@@ -92,11 +147,14 @@ fn each(
     reported
 }
 
+/// Skips to where the next item may begin.
 fn skip(input: ParseStream) {
-    while let Ok(token) = input.parse::<TokenTree>() {
+    while !starts_known(input)
+        && let Ok(token) = input.parse::<TokenTree>()
+    {
         match token {
-            TokenTree::Punct(comma) if comma.as_char() == ',' => return,
-            TokenTree::Group(group) if group.delimiter() == proc_macro2::Delimiter::Brace => {
+            TokenTree::Punct(end) if [',', ';'].contains(&end.as_char()) => return,
+            TokenTree::Group(group) if group.delimiter() == Delimiter::Brace && !input.peek(Token![else]) => {
                 // a parse of nothing cannot fail here: the comma is optional
                 let _ = input.parse::<Option<Token![,]>>();
                 return;
@@ -104,6 +162,17 @@ fn skip(input: ParseStream) {
             _ => {}
         }
     }
+}
+
+/// Reads a part of an item. After a mistake it skips to the end of the part, where `ends` holds, or of the item.
+fn read<T: Parse>(input: ParseStream, ends: impl Fn(ParseStream) -> bool) -> Read<T> {
+    input
+        .parse()
+        .inspect_err(|_| skip_to(input, |input| ends(input) || input.peek(Token![,])))
+}
+
+fn skip_to(input: ParseStream, ends: impl Fn(ParseStream) -> bool) {
+    while !ends(input) && !starts_item(input) && input.parse::<TokenTree>().is_ok() {}
 }
 
 /// The lines of documentation comments; no other attribute has a meaning here.
@@ -138,44 +207,23 @@ fn once<T>(place: &mut Option<T>, value: T, key: &Ident) -> syn::Result<()> {
     Ok(())
 }
 
-const ITEMS: [&str; 7] = ["params", "gravity", "let", "input", "shape", "body", "generate"];
-
 fn item(input: ParseStream, items: &mut Items, errors: &mut Errors) -> syn::Result<End> {
     let docs = docs(input)?;
-    if input.parse::<Option<Token![let]>>()?.is_some() {
-        let name = input.parse()?;
-        input.parse::<Token![=]>()?;
-        items.lets.push(Let {
-            name,
-            value: input.parse()?,
-        });
-        return Ok(End::Comma);
-    }
-    let key: Ident = input.parse().map_err(|e| {
-        at(
-            e.span(),
-            "expected an item of the scene",
-            format_args!("known here: {}", ITEMS.join(", ")),
-        )
-    })?;
+    let key = item_key(input, errors)?;
     match key.to_string().as_str() {
         "params" => {
-            let inner;
-            braced!(inner in input);
-            each(&inner, errors, |input, _| {
-                items.params.push(named(input, &mut items.unread)?);
+            let inner = declare::params(input, errors)?;
+            each(&inner, errors, |input, errors| {
+                items.params.push(declare::param(input, errors)?);
                 Ok(End::Comma)
             });
             return Ok(End::Braces);
         }
+        "let" => items.lets.push(declare::named_expression(input, errors)?),
+        "input" => items.inputs.push(declare::input(input, docs, errors)?),
         "gravity" => {
-            input.parse::<Token![:]>()?;
+            colon(input, &key, errors)?;
             once(&mut items.gravity, input.parse()?, &key)?;
-        }
-        "input" => {
-            let mut input = named::<Input>(input, &mut items.unread)?;
-            input.docs = docs;
-            items.inputs.push(input);
         }
         "shape" => {
             items.shapes.push(body::shape(input, errors)?);
@@ -185,78 +233,46 @@ fn item(input: ParseStream, items: &mut Items, errors: &mut Errors) -> syn::Resu
             items.bodies.push(body::body(input, errors)?);
             return Ok(End::Braces);
         }
-        "generate" => {
-            input.parse::<Token![:]>()?;
-            let inner;
-            bracketed!(inner in input);
-            let list = inner.parse_terminated(Ident::parse, Token![,])?;
-            once(&mut items.generate, list.into_iter().collect(), &key)?;
-        }
-        other => {
-            return Err(at(
-                key.span(),
-                format_args!("unknown item `{other}`"),
-                suggestion(other, ITEMS),
-            ));
+        _ => {
+            colon(input, &key, errors)?;
+            let form = "generate: [rhs, jacobian, energy]";
+            let inner = brackets(input, "what to generate", form)?;
+            let routines = list(&inner, form, |input| identifier(input, "a routine", form))?;
+            if routines.is_empty() {
+                return Err(at(
+                    key.span(),
+                    "nothing is generated",
+                    format_args!("write `{form}`, or leave it out"),
+                ));
+            }
+            once(&mut items.generate, routines, &key)?;
         }
     }
     Ok(End::Comma)
 }
 
-/// Reads something that begins with its name. The name is kept even if the rest is wrong, so that its uses are no errors too.
-fn named<T: Parse>(input: ParseStream, unread: &mut Vec<Ident>) -> syn::Result<T> {
-    let ahead = input.fork();
-    let read = input.parse();
-    if read.is_err()
-        && docs(&ahead).is_ok()
-        && let Ok(name) = ahead.parse()
-    {
-        unread.push(name);
+/// The word that an item begins with. After a mistake whose meaning is clear the reading goes on.
+fn item_key(input: ParseStream, errors: &mut Errors) -> syn::Result<Ident> {
+    let key = input.call(Ident::parse_any).map_err(|e| {
+        let help = format_args!("known here: {}", ITEMS.join(", "));
+        at(e.span(), "expected an item of the scene", help)
+    })?;
+    let text = key.to_string();
+    if ITEMS.contains(&text.as_str()) {
+        return Ok(key);
     }
-    read
-}
-
-impl Parse for Input {
-    fn parse(input: ParseStream) -> syn::Result<Self> {
-        let name = input.parse()?;
-        input.parse::<Token![:]>()?;
-        Ok(Self {
-            docs: Vec::new(),
-            name,
-            unit: input.parse()?,
-        })
+    if body::is_field(&text) {
+        let help = format!("write it in the braces of a body: `body name on ground {{ {text}: .. }}`");
+        return Err(at(key.span(), format_args!("`{text}` is a field of a body"), help));
     }
-}
-
-impl Parse for Param {
-    fn parse(input: ParseStream) -> syn::Result<Self> {
-        let docs = docs(input)?;
-        let name: Ident = input.parse().map_err(|e| {
-            at(
-                e.span(),
-                "expected the name of a parameter",
-                "write `name: unit = default`",
-            )
-        })?;
-        if !input.peek(Token![:]) {
-            return Err(at(
-                name.span(),
-                format_args!("parameter `{name}` has no unit"),
-                format_args!("write `{name}: kg`, or `{name}: 1` for a plain number"),
-            ));
-        }
-        input.parse::<Token![:]>()?;
-        let unit = input.parse()?;
-        let default = if input.parse::<Option<Token![=]>>()?.is_some() {
-            Some(input.parse()?)
-        } else {
-            None
-        };
-        Ok(Self {
-            docs,
-            name,
-            unit,
-            default,
-        })
+    let fact = format!("unknown item `{text}`");
+    if input.peek(Token![=]) {
+        let help = format!("write `let {text} = ..` to name an expression");
+        return Err(at(key.span(), fact, help));
     }
+    let Advice { meant, help } = advice(&text, ITEMS, words::ITEMS);
+    let error = at(key.span(), fact, help);
+    let meant = meant.ok_or_else(|| error.clone())?;
+    errors.push(error);
+    Ok(Ident::new_raw(meant, key.span()).unraw())
 }

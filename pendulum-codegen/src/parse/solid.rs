@@ -1,11 +1,14 @@
 //! Solids.
 
+use syn::Ident;
+use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream};
-use syn::{Ident, Token, bracketed, parenthesized, token};
 
 use super::argument::Argument;
+use super::token::{brackets, list, parentheses};
 use crate::ast::{Expr, Read, Solid, SolidKind, Vector};
-use crate::error::{at, on, suggestion};
+use crate::error::{at, on};
+use crate::words::{self, Advice, advice};
 
 /// The word of a solid, how it is written, and how its arguments after the mass are read: none if they do not fit.
 type Row = (&'static str, &'static str, fn(&mut Arguments) -> Option<SolidKind>);
@@ -39,32 +42,30 @@ const SOLIDS: [Row; 7] = [
 
 /// `[solid, solid, ..]` of a body or a shape
 pub(super) fn solids(input: ParseStream, owner: &Ident) -> syn::Result<Vec<Read<Solid>>> {
-    if !input.peek(token::Bracket) {
-        return Err(at(
-            input.span(),
-            "expected a list of solids",
-            "write `solids: [rod(m, [0, 0, 0], [0, -l, 0])]`",
-        ));
-    }
-    let inner;
-    bracketed!(inner in input);
-    let solids = inner.parse_terminated(call, Token![,])?.into_iter();
+    let form = "solids: [rod(m, [0, 0, 0], [0, -l, 0])]";
+    let inner = brackets(input, "a list of solids", form)?;
+    let solids = list(&inner, form, call)?.into_iter();
     Ok(solids.map(|(word, arguments)| solid(owner, word, arguments)).collect())
 }
 
 fn call(input: ParseStream) -> syn::Result<(Ident, Vec<Argument>)> {
-    let word: Ident = input
-        .parse()
-        .map_err(|e| at(e.span(), "expected a solid", "write one such as `point(m, [0, -l, 0])`"))?;
-    let inner;
-    parenthesized!(inner in input);
-    let arguments = inner.parse_terminated(Argument::parse, Token![,])?;
-    Ok((word, arguments.into_iter().collect()))
+    // also `box`, which is a keyword
+    let help = "write one such as `point(m, [0, -l, 0])`";
+    let word = input
+        .call(Ident::parse_any)
+        .map_err(|e| at(e.span(), "expected a solid", help))?;
+    let known = SOLIDS.into_iter().find(|(known, ..)| word == known);
+    let form = known.map_or("point(m, [0, -l, 0])", |(_, form, _)| form);
+    let arguments = match parentheses(input)? {
+        Some(inner) => list(&inner, form, Argument::parse)?,
+        None => Vec::new(),
+    };
+    Ok((word, arguments))
 }
 
 fn solid(owner: &Ident, word: Ident, arguments: Vec<Argument>) -> Read<Solid> {
     let Some((_, form, read)) = SOLIDS.into_iter().find(|(known, ..)| word == known) else {
-        let help = suggestion(&word.to_string(), SOLIDS.map(|(known, ..)| known));
+        let Advice { help, .. } = advice(&word.to_string(), SOLIDS.map(|(known, ..)| known), words::SOLIDS);
         return Err(at(word.span(), format_args!("unknown solid `{word}`"), help));
     };
     let mut arguments = Arguments {

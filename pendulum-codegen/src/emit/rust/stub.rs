@@ -14,15 +14,13 @@ use crate::program::{Argument, Length, ROUTINES, Shape};
 pub(crate) fn stub(scene: &Scene) -> TokenStream {
     let (vis, name, items) = (&scene.head.vis, &scene.head.name, &scene.items);
     let [parameters, inputs] = ["Params", "Inputs"].map(|suffix| format_ident!("{name}{suffix}"));
-    // what could not be read may have been a parameter or an input
-    let declared = items.params.iter().map(|param| &param.name).chain(&items.unread);
-    let fields = declared.collect::<BTreeSet<&Ident>>().into_iter();
-    let controls = items.inputs.iter().map(|input| &input.name).chain(&items.unread);
-    let controls = controls.collect::<BTreeSet<&Ident>>();
+    // a name that is declared twice is a field once
+    let fields: BTreeSet<&Ident> = items.params.iter().map(|param| &param.name).collect();
+    let controls: BTreeSet<&Ident> = items.inputs.iter().map(|input| &input.name).collect();
     let marker = controls
         .is_empty()
         .then(|| quote!(stub: ::core::marker::PhantomData<T>));
-    let controls = controls.into_iter();
+    let (fields, controls) = (fields.into_iter(), controls.into_iter());
     let freedom = items
         .bodies
         .iter()

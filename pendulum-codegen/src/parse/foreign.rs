@@ -1,0 +1,131 @@
+//! What other languages have in expressions, and what to write instead.
+
+use proc_macro2::{Ident, TokenStream, TokenTree};
+use quote::ToTokens;
+use syn::ext::IdentExt;
+use syn::parse::ParseStream;
+use syn::{Lit, Token, token};
+
+use super::token::{is_keyword, parentheses};
+use crate::error::{at, on};
+use crate::units;
+use crate::words::{SYMBOLS, synonym};
+
+/// Something other than an operand stands where one should.
+pub(super) fn no_operand(input: ParseStream) -> syn::Error {
+    let span = input.span();
+    if let Ok(keyword) = input.call(Ident::parse_any) {
+        if keyword != "if" && keyword != "match" {
+            return is_keyword(&keyword);
+        }
+        let help = "write a smooth law: `(1 + tanh(x/eps))/2` is a step at x = 0";
+        return at(span, format_args!("`{keyword}` has no place in an expression"), help);
+    }
+    let (fact, help) = if input.peek(Token![*]) {
+        (
+            "expected an expression, not a second operator",
+            "write a power as `x^2`, not `x**2`",
+        )
+    } else if input.peek(Token![+]) {
+        ("a plus stands between two terms", "leave it out")
+    } else if input.peek(Token![.]) {
+        ("a number begins with a digit", "write `0.5`")
+    } else if input.peek(Token![|]) {
+        ("bars have no meaning here", "write `abs(x)`")
+    } else if input.peek(token::Bracket) {
+        ("expected one number, not a list", "write a number, a name or a formula")
+    } else {
+        (
+            "expected an expression",
+            "write a number, a name, a function such as `sin(theta)`, or a formula of these",
+        )
+    };
+    at(span, fact, help)
+}
+
+/// Refuses `f64::sin` and `std::f64::consts::PI`, of which `first` was read.
+pub(super) fn no_path(input: ParseStream, first: &Ident) -> syn::Result<()> {
+    let (mut text, mut last) = (first.to_token_stream(), first.clone());
+    while input.peek(Token![::]) {
+        input.parse::<Token![::]>()?.to_tokens(&mut text);
+        last = input.call(Ident::parse_any)?;
+        last.to_tokens(&mut text);
+    }
+    if last == *first {
+        return Ok(());
+    }
+    let help = match synonym(&last.to_string(), SYMBOLS) {
+        Some(sentence) if sentence.contains(' ') => sentence.to_owned(),
+        meaning => format!("write `{}` alone", meaning.unwrap_or(&last.to_string())),
+    };
+    Err(on(text, "paths have no place in an expression", help))
+}
+
+/// Refuses what may follow an operand elsewhere: `theta.sin()`, `90 deg`.
+pub(super) fn nothing_after(input: ParseStream, operand: &TokenStream) -> syn::Result<()> {
+    if input.peek(Token![.]) {
+        return Err(method(input, operand));
+    }
+    let number = syn::parse2::<Lit>(operand.clone()).is_ok();
+    if number
+        && let Some((unit, _)) = input.cursor().ident()
+        && !super::token::starts_item(input)
+        && let Some(help) = units::of_number(operand, &unit.to_string())
+    {
+        let mut text = operand.clone();
+        unit.to_tokens(&mut text);
+        return Err(on(text, "a number takes no unit: all numbers are in SI units", help));
+    }
+    Ok(())
+}
+
+fn method(input: ParseStream, operand: &TokenStream) -> syn::Error {
+    let mut text = operand.clone();
+    let mut read = || -> syn::Result<(Ident, Option<TokenStream>)> {
+        input.parse::<Token![.]>()?.to_tokens(&mut text);
+        let name = input.call(Ident::parse_any)?;
+        name.to_tokens(&mut text);
+        let arguments = parentheses(input)?.map(|inner| inner.parse()).transpose()?;
+        Ok((name, arguments))
+    };
+    let mut trees = operand.clone().into_iter();
+    let operand = match (trees.next(), trees.next()) {
+        (Some(TokenTree::Group(group)), None) => group.stream().to_string(),
+        _ => operand.to_string(),
+    };
+    let (fact, help) = match read() {
+        Ok((name, Some(arguments))) => {
+            let name = name.to_string();
+            let help = match name.as_str() {
+                "powi" | "powf" | "pow" => format!("write `{operand}^{arguments}`"),
+                "atan2" => format!("write `atan2({operand}, {arguments})`"),
+                _ => format!("write `{name}({operand})`"),
+            };
+            ("expressions have no methods", help)
+        }
+        _ => (
+            "names have no fields",
+            "write one name; `dot(theta)` is the rate of `theta`".to_owned(),
+        ),
+    };
+    on(text, fact, help)
+}
+
+/// A number with letters after it.
+pub(super) fn suffix(literal: &Lit, digits: &str, suffix: &str) -> syn::Error {
+    match units::of_number(&digits, suffix) {
+        Some(help) => at(
+            literal.span(),
+            "a number takes no unit: all numbers are in SI units",
+            help,
+        ),
+        None => {
+            let help = "leave it out: the generated code is generic over the number type";
+            at(
+                literal.span(),
+                format_args!("a number takes no suffix `{suffix}`"),
+                help,
+            )
+        }
+    }
+}

@@ -1,0 +1,169 @@
+//! What a declaration is built of: names, colons, brackets and lists, with messages for what stands there instead.
+
+use proc_macro2::Ident;
+use syn::ext::IdentExt;
+use syn::parse::{ParseBuffer, ParseStream};
+use syn::{Token, braced, bracketed, parenthesized, token};
+
+use super::{ITEMS, body};
+use crate::error::{Errors, at};
+
+/// The name of `what`, which stands in the text as in `form`.
+///
+/// A name has one spelling: the mark of a raw identifier stays only on keywords.
+pub(super) fn identifier(input: ParseStream, what: &str, form: &str) -> syn::Result<Ident> {
+    if let Ok(ident) = input.parse::<Ident>() {
+        let plain = syn::parse_str::<Ident>(&ident.unraw().to_string());
+        return Ok(plain.map_or(ident.clone(), |plain| Ident::new(&plain.to_string(), ident.span())));
+    }
+    if let Ok(keyword) = input.call(Ident::parse_any) {
+        return Err(is_keyword(&keyword));
+    }
+    Err(at(
+        input.span(),
+        format_args!("expected {what}"),
+        format_args!("write `{form}`"),
+    ))
+}
+
+/// A keyword where a name should be.
+pub(super) fn is_keyword(word: &Ident) -> syn::Error {
+    let raw = !["self", "Self", "super", "crate", "_"]
+        .iter()
+        .any(|never| word == never);
+    let help = if raw {
+        format!("choose another name, or write `r#{word}`")
+    } else {
+        "choose another name".to_owned()
+    };
+    at(word.span(), format_args!("`{word}` is a keyword of Rust"), help)
+}
+
+/// The colon after a word. An equals sign in its place is an error after which the reading goes on.
+pub(super) fn colon(input: ParseStream, after: &Ident, errors: &mut Errors) -> syn::Result<()> {
+    if input.parse::<Option<Token![:]>>()?.is_some() {
+        return Ok(());
+    }
+    let error = at(
+        input.span(),
+        format_args!("expected a colon after `{after}`"),
+        format_args!("write `{after}: ..`"),
+    );
+    if input.parse::<Option<Token![=]>>()?.is_none() {
+        return Err(error);
+    }
+    errors.push(error);
+    Ok(())
+}
+
+/// What stands in braces.
+pub(super) fn braces<'a>(input: &ParseBuffer<'a>, what: &str, form: &str) -> syn::Result<ParseBuffer<'a>> {
+    if !input.peek(token::Brace) {
+        return Err(at(
+            input.span(),
+            format_args!("expected {what} in braces"),
+            format_args!("write `{form}`"),
+        ));
+    }
+    let inner;
+    braced!(inner in input);
+    Ok(inner)
+}
+
+/// What stands in square brackets.
+pub(super) fn brackets<'a>(input: &ParseBuffer<'a>, what: &str, form: &str) -> syn::Result<ParseBuffer<'a>> {
+    if !input.peek(token::Bracket) {
+        let fact = format_args!("expected {what} in square brackets");
+        return Err(at(input.span(), fact, format_args!("write `{form}`")));
+    }
+    let inner;
+    bracketed!(inner in input);
+    Ok(inner)
+}
+
+/// What stands in parentheses, if they are there.
+pub(super) fn parentheses<'a>(input: &ParseBuffer<'a>) -> syn::Result<Option<ParseBuffer<'a>>> {
+    if !input.peek(token::Paren) {
+        return Ok(None);
+    }
+    let inner;
+    parenthesized!(inner in input);
+    Ok(Some(inner))
+}
+
+/// `e, e, ..` up to the end, which stands in the text as in `form`.
+pub(super) fn list<T>(
+    input: ParseStream,
+    form: &str,
+    mut entry: impl FnMut(ParseStream) -> syn::Result<T>,
+) -> syn::Result<Vec<T>> {
+    let mut entries = Vec::new();
+    while !input.is_empty() {
+        if let Some(label) = label(input) {
+            let fact = format_args!("`{label}:` has no place here: the order tells the entries apart");
+            return Err(at(label.span(), fact, format_args!("write `{form}`")));
+        }
+        entries.push(entry(input)?);
+        if !input.is_empty() && input.parse::<Option<Token![,]>>()?.is_none() {
+            return Err(unexpected(input));
+        }
+    }
+    Ok(entries)
+}
+
+/// The word before a colon.
+pub(super) fn label(input: ParseStream) -> Option<Ident> {
+    let (word, rest) = input.cursor().ident()?;
+    let (colon, _) = rest.punct()?;
+    let is_path = input.peek2(Token![::]);
+    (colon.as_char() == ':' && !is_path).then_some(word)
+}
+
+/// Whether a known item or field begins here.
+pub(super) fn starts_known(input: ParseStream) -> bool {
+    let word = input.cursor().ident().map(|(word, _)| word);
+    let is_item = word.is_some_and(|word| ITEMS.iter().any(|item| word == item));
+    input.peek(Token![let]) || is_item || label(input).is_some_and(|word| body::is_field(&word.to_string()))
+}
+
+/// Whether something begins here that has a name of its own: an item, a field, a parameter.
+pub(crate) fn starts_item(input: ParseStream) -> bool {
+    starts_known(input) || label(input).is_some()
+}
+
+/// What is left inside brackets must be nothing.
+pub(super) fn end_of(input: ParseStream) -> syn::Result<()> {
+    if input.is_empty() {
+        Ok(())
+    } else {
+        Err(unexpected(input))
+    }
+}
+
+/// Something stands where a comma or an operator should.
+pub(super) fn unexpected(input: ParseStream) -> syn::Error {
+    let mark = input.cursor().punct().map(|(punct, _)| punct.as_char());
+    let (fact, help) = match mark {
+        _ if starts_item(input) => ("expected a comma", "items and entries end in a comma"),
+        _ if input.peek(Token![as]) => ("numbers have one type", "leave out `as`"),
+        Some(';') => ("expected a comma, not a semicolon", "items and entries end in a comma"),
+        Some(':') => (
+            "a colon has no place here",
+            "units stand in `params` and at inputs only",
+        ),
+        Some('=') if !input.peek(Token![==]) => (
+            "an equals sign has no place here",
+            "it gives a parameter its default and a `let` its value; the state is given where the scene is solved",
+        ),
+        Some('<' | '>' | '=' | '!') => (
+            "conditions have no place here",
+            "write a smooth law: `(1 + tanh(x/eps))/2` is a step at x = 0",
+        ),
+        Some('%' | '&' | '|' | '?' | '@' | '~' | '$') => ("this is not an operator", "operators are + - * / ^"),
+        _ => (
+            "expected a comma or an operator",
+            "items end in a comma; products need a `*`, functions parentheses",
+        ),
+    };
+    at(input.span(), fact, help)
+}

@@ -1,0 +1,331 @@
+//! Words that people write for words of the language: near misses, and those of other tools.
+
+/// Words for one thing, in lower case and without underscores, and the word of the language for it; where the language
+/// has none, what to do instead.
+pub(crate) type Synonyms = [(&'static [&'static str], &'static str)];
+
+/// What to do about an unknown word.
+#[derive(Debug)]
+pub(crate) struct Advice<'a> {
+    /// The known word that is meant, if that can be guessed.
+    pub meant: Option<&'a str>,
+    /// A help line.
+    pub help: String,
+}
+
+/// Advice about an unknown word, where the `known` ones may stand.
+pub(crate) fn advice<'a>(
+    word: &str,
+    known: impl IntoIterator<Item = &'a str>,
+    synonyms: &'static Synonyms,
+) -> Advice<'a> {
+    let known: Vec<&str> = known.into_iter().collect();
+    let synonym = synonym(word, synonyms);
+    let named = synonym.and_then(|meaning| known.iter().copied().find(|known| *known == meaning));
+    if let (Some(instead), None) = (synonym, named) {
+        let help = instead.to_owned();
+        return Advice { meant: None, help };
+    }
+    let meant = named.or_else(|| nearest(&plain(word), &known));
+    let list = known.join(", ");
+    let help = match meant {
+        Some(meant) if known.len() == 1 => format!("did you mean `{meant}`?"),
+        Some(meant) => format!("did you mean `{meant}`? known here: {list}"),
+        None if known.is_empty() => "nothing is declared that could stand here".to_owned(),
+        None => format!("known here: {list}"),
+    };
+    Advice { meant, help }
+}
+
+/// What a word means in a table: a word of the language, or a sentence.
+pub(crate) fn synonym(word: &str, synonyms: &'static Synonyms) -> Option<&'static str> {
+    let plain = plain(word);
+    let row = synonyms.iter().find(|(words, _)| words.contains(&plain.as_str()));
+    row.map(|(_, meaning)| *meaning)
+}
+
+fn nearest<'a>(word: &str, known: &[&'a str]) -> Option<&'a str> {
+    let distances = known.iter().map(|candidate| {
+        let candidate_plain = plain(candidate);
+        let close = (candidate_plain.len().min(word.len()) + 1) / 3;
+        (strsim::damerau_levenshtein(word, &candidate_plain), close, *candidate)
+    });
+    let near = distances.filter(|(distance, close, _)| distance <= close);
+    near.map(|(distance, _, candidate)| (distance, candidate))
+        .min()
+        .map(|(_, candidate)| candidate)
+}
+
+/// A word without the differences of style: `Center_Of_Mass` is `centerofmass`.
+fn plain(word: &str) -> String {
+    word.to_lowercase().replace('_', "")
+}
+
+/// Items of a scene.
+pub(crate) const ITEMS: &Synonyms = &[
+    (
+        &["param", "parameters", "parameter", "constants", "constant", "consts"],
+        "params",
+    ),
+    (&["link", "links", "rigidbody", "bodies", "part", "segment"], "body"),
+    (&["control", "controls", "actuator", "inputs"], "input"),
+    (&["mesh", "geometry", "solid", "shapes"], "shape"),
+    (
+        &["outputs", "output", "options", "emit", "functions"],
+        "what a scene needs is listed by `generate: [rhs, jacobian, energy],`",
+    ),
+    (&["g"], "gravity"),
+    (
+        &["def", "define", "var", "variable", "const", "set"],
+        "name an expression by `let name = expression,`",
+    ),
+    (&["initial", "initialstate", "state", "x0", "start"], START),
+    (
+        &["solver", "method", "integrator", "time", "tspan"],
+        "a scene holds the mechanism; the method and the span of time are given where it is solved",
+    ),
+];
+
+const START: &str = "a scene holds the mechanism; its state is given where it is solved: `solve(&model, t0, t1, x0)`";
+
+/// Fields of bodies and shapes.
+pub(crate) const FIELDS: &Synonyms = &[
+    (&["damping", "damper", "viscous", "viscosity", "drag"], "friction"),
+    (
+        &[
+            "force", "forces", "effort", "motor", "actuator", "moment", "drive", "control", "tau", "load",
+        ],
+        "torque",
+    ),
+    (&["stiffness", "elasticity", "k"], "write `spring: (stiffness, rest)`"),
+    (
+        &[
+            "angle",
+            "dof",
+            "variable",
+            "generalized",
+            "generalizedcoordinate",
+            "coord",
+            "q",
+            "state",
+            "coordinates",
+        ],
+        "coordinate",
+    ),
+    (
+        &[
+            "centerofmass",
+            "centreofmass",
+            "cog",
+            "cm",
+            "centre",
+            "center",
+            "centroid",
+            "barycenter",
+        ],
+        "com",
+    ),
+    (
+        &[
+            "moi",
+            "momentofinertia",
+            "moments",
+            "i",
+            "j",
+            "rotationalinertia",
+            "tensor",
+        ],
+        "inertia",
+    ),
+    (&["weight", "m"], "mass"),
+    (&["solid", "geometry", "parts", "volumes", "collision"], "solids"),
+    (&["hinge", "pivot", "connection"], "joint"),
+    (
+        &["axis", "direction"],
+        "the axis belongs to the joint: write `joint: revolute(z)`",
+    ),
+    (
+        &[
+            "at",
+            "position",
+            "origin",
+            "offset",
+            "location",
+            "anchor",
+            "translation",
+            "xyz",
+        ],
+        "the place belongs to the joint: write `joint: revolute(z) at [x, y, z]`",
+    ),
+    (
+        &["rpy", "orientation", "rotation"],
+        "the angles belong to the joint: write `joint: revolute(z) rpy [roll, pitch, yaw]`, in rad",
+    ),
+    (
+        &["parent", "on", "base"],
+        "the parent stands before the braces: write `body name on parent { .. }`",
+    ),
+    (
+        &["shape"],
+        "the shape stands before the braces: write `body name on parent: shape { .. }`",
+    ),
+    (
+        &["length", "size", "radius", "width", "height"],
+        "a body has mass, com and inertia, or solids: write `solids: [rod(m, [0, 0, 0], [0, -l, 0])]`",
+    ),
+    (
+        &["limits", "limit", "stop", "range", "min", "max"],
+        "limits are not part of the language: write a stiff smooth law as `torque: ..`",
+    ),
+    (&["initial", "initialangle", "x0", "theta0", "velocity"], START),
+    (&["density"], "give the mass of each solid; its density is uniform"),
+    (
+        &["name"],
+        "the name stands before the braces: write `body name on parent { .. }`",
+    ),
+    (
+        &["visual", "color", "mesh"],
+        "leave it out: a body is what it weighs and how it moves",
+    ),
+];
+
+/// Joints.
+pub(crate) const JOINTS: &Synonyms = &[
+    (
+        &[
+            "hinge",
+            "pin",
+            "rotary",
+            "rotational",
+            "rotation",
+            "rev",
+            "continuous",
+            "pivot",
+            "r",
+        ],
+        "revolute",
+    ),
+    (
+        &["slider", "slide", "sliding", "linear", "translational", "p"],
+        "prismatic",
+    ),
+    (&["weld", "welded", "rigid", "none", "static"], "fixed"),
+    (&["helix"], "helical"),
+    (
+        &["cylindrical", "universal", "planar", "gimbal"],
+        "write it as bodies without mass, one after the other, each with one joint",
+    ),
+    (
+        &["ball", "spherical", "free", "floating", "float"],
+        "every joint has one coordinate: write it as bodies without mass, one after the other, each with one joint",
+    ),
+];
+
+/// What follows a joint.
+pub(crate) const AFTER_JOINT: &Synonyms = &[
+    (&["on", "position", "origin", "offset", "xyz", "from"], "at"),
+    (&["rotation", "orientation", "angles", "turned", "rotated"], "rpy"),
+];
+
+/// Solids.
+pub(crate) const SOLIDS: &Synonyms = &[
+    (&["particle", "bob", "pointmass", "mass", "bead"], "point"),
+    (&["bar", "stick", "beam", "line", "segment", "link"], "rod"),
+    (&["disc", "wheel", "circle"], "disk"),
+    (&["box", "cube", "block", "brick", "rectangle"], "cuboid"),
+    (&["ball", "globe"], "sphere"),
+    (&["polygon", "triangle", "sheet"], "plate"),
+    (&["capsule", "tube", "pipe"], "cylinder"),
+    (&["ring", "hoop", "shell"], "give its `mass`, `com` and `inertia`"),
+];
+
+/// Names in expressions.
+pub(crate) const SYMBOLS: &Synonyms = &[
+    (&["time"], "t"),
+    (&["π", "pi"], "pi"),
+    (&["tau", "twopi"], "write `2*pi`"),
+    (&["fracpi2", "halfpi"], "write `pi/2`"),
+    (&["fracpi3"], "write `pi/3`"),
+    (&["fracpi4"], "write `pi/4`"),
+    (&["fracpi6"], "write `pi/6`"),
+    (&["euler"], "write `exp(1)`"),
+    (
+        &["q"],
+        "`q` is a joint's own coordinate in its `torque`; elsewhere write its name",
+    ),
+    (
+        &["qd"],
+        "`qd` is a joint's own rate in its `torque`; elsewhere write `dot(..)` of its coordinate",
+    ),
+    (&["dot"], "write `dot(theta)` for the rate of `theta`"),
+    (&["ground"], "`ground` is a body, not a number"),
+];
+
+/// Functions.
+pub(crate) const FUNCTIONS: &Synonyms = &[
+    (
+        &["sign", "signum", "sgn"],
+        "it jumps at 0: write `tanh(x/eps)`, which is smooth and has nearly the same values outside of a width eps",
+    ),
+    (
+        &["step", "heaviside", "theta"],
+        "it jumps at 0: write `(1 + tanh(x/eps))/2`, which is smooth",
+    ),
+    (&["sinh"], "write `(exp(x) - exp(-x))/2`"),
+    (&["cosh"], "write `(exp(x) + exp(-x))/2`"),
+    (&["asin", "arcsin"], "write `atan2(x, sqrt(1 - x^2))`"),
+    (&["acos", "arccos"], "write `atan2(sqrt(1 - x^2), x)`"),
+    (&["atan", "arctan"], "write `atan2(x, 1)`"),
+    (&["arctan2"], "atan2"),
+    (&["cot"], "write `1/tan(x)`"),
+    (&["sec"], "write `1/cos(x)`"),
+    (&["csc"], "write `1/sin(x)`"),
+    (&["log", "loge"], "write `ln(x)` for the natural logarithm"),
+    (&["log10"], "write `ln(x)/ln(10)`"),
+    (&["log2"], "write `ln(x)/ln(2)`"),
+    (&["pow", "powi", "powf", "power"], "write `x^n`"),
+    (&["sq", "sqr", "square"], "write `x^2`"),
+    (&["cbrt"], "write `x^(1/3)`"),
+    (&["recip"], "write `1/x`"),
+    (&["hypot", "norm", "length"], "write `sqrt(x^2 + y^2)`"),
+    (&["fabs"], "abs"),
+    (&["max"], "write `(a + b + abs(a - b))/2`"),
+    (&["min"], "write `(a + b - abs(a - b))/2`"),
+    (
+        &["clamp", "saturate", "sat"],
+        "it has corners: write `limit*tanh(x/limit)`, which is smooth",
+    ),
+    (
+        &["floor", "ceil", "round", "mod", "rem", "fract"],
+        "it jumps: the language has smooth functions and `abs`",
+    ),
+    (
+        &["rad", "radians", "toradians", "deg2rad", "deg", "degrees"],
+        "angles are in rad: write `x*pi/180` for x in degrees",
+    ),
+    (&["der", "diff", "ddt", "d", "derivative", "rate"], "dot"),
+    (
+        &["ddot"],
+        "accelerations cannot be used: they are what the equations give",
+    ),
+    (
+        &["if", "ifelse", "where", "piecewise", "select"],
+        "write a smooth law: `(1 + tanh(x/eps))/2` is a step at x = 0",
+    ),
+];
+
+/// Words of `generate`.
+pub(crate) const ROUTINES: &Synonyms = &[
+    (
+        &["dynamics", "forwarddynamics", "ode", "f", "derivative", "equations"],
+        "rhs",
+    ),
+    (&["kinetic", "potential"], "energy"),
+    (&["mass", "m", "inertia"], "mass_matrix"),
+    (&["coriolis", "gravity", "nonlinear"], "bias"),
+    (&["hamiltonian", "hamilton"], "canonical"),
+    (&["linear", "linearize", "linearization", "df"], "jacobian"),
+    (&["rnea", "inversedynamic", "computedtorque"], "inverse_dynamics"),
+    (&["sensitivity", "sensitivities", "gradient"], "parameter_jacobian"),
+    (&["series"], "taylor"),
+];

@@ -1,0 +1,86 @@
+//! Wrong declarations, one file for each mistake, and what the generator says of them.
+//!
+//! `UPDATE_EXPECT=1 cargo test -p pendulum-codegen --test ui` rewrites the expected messages. What only a compiler
+//! shows, such as uses of a wrong model, is in `tests/ui` of the workspace.
+
+use std::fmt::Write;
+use std::fs;
+use std::panic::catch_unwind;
+use std::path::{Path, PathBuf};
+
+use expect_test::expect_file;
+use proc_macro2::{Group, TokenStream, TokenTree};
+
+#[test]
+fn wrong_declarations_are_explained() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ui");
+    let files = fs::read_dir(&folder).expect("a folder of cases");
+    let mut files: Vec<PathBuf> = files.map(|file| file.expect("a file").path()).collect();
+    files.sort();
+    let (cases, expected): (Vec<_>, Vec<_>) = files
+        .iter()
+        .partition(|path| path.extension().is_some_and(|e| e == "rs"));
+    let left: Vec<_> = expected
+        .iter()
+        .filter(|path| !path.with_extension("rs").exists())
+        .collect();
+    assert!(left.is_empty(), "expected messages without a case: {left:?}");
+    // every difference is shown, not only the first
+    let differs = |case: &PathBuf| {
+        catch_unwind(|| expect_file![case.with_extension("stderr")].assert_eq(&messages(case))).is_err()
+    };
+    let wrong: Vec<_> = cases.into_iter().filter(|case| differs(case)).collect();
+    assert!(wrong.is_empty(), "{} cases differ: {wrong:#?}", wrong.len());
+}
+
+/// All errors of a file, as the compiler prints them.
+fn messages(case: &Path) -> String {
+    let source = fs::read_to_string(case).expect("a case");
+    let name = case.file_name().and_then(|name| name.to_str()).expect("a name");
+    let mut text = String::new();
+    for declaration in declarations(source.parse().expect("tokens")) {
+        let Err(errors) = pendulum_codegen::program(declaration.stream()) else {
+            panic!("{name} has a declaration without a mistake");
+        };
+        for error in errors.iter() {
+            let gap = if text.is_empty() { "" } else { "\n" };
+            write!(text, "{gap}{}", message(error, name, &source)).expect("memory");
+        }
+    }
+    text
+}
+
+/// The braces of each `mechanism!`.
+fn declarations(tokens: TokenStream) -> Vec<Group> {
+    let trees: Vec<TokenTree> = tokens.into_iter().collect();
+    let calls = trees.windows(3).filter_map(|window| match window {
+        [TokenTree::Ident(word), TokenTree::Punct(_), TokenTree::Group(braces)] if word == "mechanism" => {
+            Some(braces.clone())
+        }
+        _ => None,
+    });
+    calls.collect()
+}
+
+/// An error, the line it stands on, and marks under what is wrong.
+fn message(error: &syn::Error, file: &str, source: &str) -> String {
+    let (start, end) = (error.span().start(), error.span().end());
+    let line = source.lines().nth(start.line - 1).unwrap_or_default();
+    // of what goes on over more lines the first is shown
+    let last = if end.line == start.line {
+        end.column
+    } else {
+        line.chars().count()
+    };
+    let (margin, marks) = (
+        " ".repeat(start.line.to_string().len()),
+        "^".repeat((last - start.column).max(1)),
+    );
+    let error = error.to_string().replace('\n', "\n       ");
+    format!(
+        "error: {error}\n{margin}--> {file}:{row}:{column}\n{margin} |\n{row} | {line}\n{margin} | {indent}{marks}\n",
+        row = start.line,
+        column = start.column + 1,
+        indent = " ".repeat(start.column),
+    )
+}

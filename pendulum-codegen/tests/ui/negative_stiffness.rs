@@ -1,0 +1,7 @@
+mechanism! {
+    pub Arm {
+        body b0 on ground { mass: 1, joint: prismatic(x), coordinate: s0, spring: (-3, 0) }
+        body b1 on ground { mass: 1, joint: prismatic(x), coordinate: s1, spring: (2 - 3*1, 0) }
+        body b2 on ground { mass: 1, joint: prismatic(x), coordinate: s2, friction: -0.1 }
+    }
+}

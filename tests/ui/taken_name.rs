@@ -1,7 +1,0 @@
-pendulum_core::mechanism! {
-    pub f64 {
-        body a on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: x1 }
-    }
-}
-
-fn main() {}
