@@ -4,6 +4,7 @@ mod accuracy;
 mod bifurcations;
 mod canonical;
 mod closed_loops;
+mod compile_errors;
 mod double_pendulum;
 mod emitted_c;
 mod every_failure;

@@ -195,17 +195,16 @@ impl Graph {
 
     /// All nodes that the roots need, operands before operations.
     pub fn reachable(&self, roots: &[impl Into<ExprId> + Copy]) -> Vec<ExprId> {
-        let mut seen = vec![false; self.len()];
+        let (mut seen, mut found) = (vec![false; self.len()], Vec::new());
         let mut stack: Vec<ExprId> = roots.iter().map(|&root| root.into()).collect();
         while let Some(id) = stack.pop() {
             if !std::mem::replace(&mut seen[id.index()], true) {
+                found.push(id);
                 stack.extend(self.operands(id));
             }
         }
-        (0..self.len() as u32)
-            .map(ExprId)
-            .filter(|id| seen[id.index()])
-            .collect()
+        found.sort_unstable();
+        found
     }
 
     pub(super) fn intern(&self, node: Node) -> Expr<'_> {

@@ -1,0 +1,80 @@
+//! Wrong programs in a real compilation: the errors stand on the right tokens, and uses of a wrong model add none.
+//!
+//! `UPDATE_EXPECT=1 cargo test -p tests compile_errors` rewrites the expected messages.
+
+use std::ffi::OsStr;
+use std::fs::{self, DirEntry};
+use std::path::{Path, PathBuf};
+use std::process::Command;
+use std::{env, panic};
+
+use expect_test::expect_file;
+
+#[test]
+fn are_the_expected_ones() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let mut cases = files(&folder.join("ui"));
+    cases.retain(|path| path.extension() == Some(OsStr::new("rs")));
+    // every difference is shown, not only the first
+    let differs = |case: &PathBuf| {
+        let messages = messages(folder, case);
+        panic::catch_unwind(|| expect_file![case.with_extension("stderr")].assert_eq(&messages)).is_err()
+    };
+    let count = cases.len();
+    cases.retain(differs);
+    assert!(cases.is_empty(), "{} of {count} cases differ: {cases:#?}", cases.len());
+}
+
+/// What the compiler says of a program that depends on `pendulum-core`, without the summary.
+fn messages(folder: &Path, case: &Path) -> String {
+    let program = env::current_exe().expect("a program");
+    let built = program.parent().expect("the folder of what cargo built");
+    let output = Command::new("rustc")
+        .args([
+            "--edition=2024",
+            "--crate-type=bin",
+            "--emit=metadata",
+            "--diagnostic-width=140",
+        ])
+        .args(["--out-dir", env!("CARGO_TARGET_TMPDIR")])
+        .arg("-L")
+        .arg(format!("dependency={}", built.display()))
+        .arg("--extern")
+        .arg(format!(
+            "pendulum_core={}",
+            newest(built, "libpendulum_core-").display()
+        ))
+        .arg(case.strip_prefix(folder).expect("a case"))
+        .current_dir(folder)
+        .output();
+    let output = output.expect("a compiler");
+    assert!(!output.status.success(), "{} compiles", case.display());
+    let text = String::from_utf8(output.stderr).expect("text");
+    let is_summary = |part: &&str| {
+        ["error: aborting", "Some errors have", "For more information"]
+            .iter()
+            .any(|start| part.starts_with(start))
+    };
+    let parts: Vec<&str> = text.trim().split("\n\n").filter(|part| !is_summary(part)).collect();
+    parts.join("\n\n") + "\n"
+}
+
+/// The library of that name that was built last.
+fn newest(folder: &Path, name: &str) -> PathBuf {
+    let is_library = |path: &PathBuf| {
+        let file = path.file_name().and_then(OsStr::to_str).unwrap_or_default();
+        file.starts_with(name) && file.ends_with(".rlib")
+    };
+    let libraries = files(folder).into_iter().filter(is_library);
+    let built = |path: &PathBuf| fs::metadata(path).and_then(|data| data.modified()).expect("a time");
+    libraries.max_by_key(built).expect("a library that cargo built")
+}
+
+fn files(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).expect("a folder");
+    let mut paths: Vec<PathBuf> = entries
+        .map(|entry: Result<DirEntry, _>| entry.expect("a file").path())
+        .collect();
+    paths.sort();
+    paths
+}
