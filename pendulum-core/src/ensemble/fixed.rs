@@ -61,8 +61,8 @@ where
 
     #[inline(always)]
     fn run<V: Lanes<Scalar = T>>(self) -> Result<(), Reason> {
-        // Further lanes fill the gaps where operations wait for one another, but that of `f32` is two already where it computes
-        // sines. A longer system has enough that are independent, and needs the registers for itself.
+        // Further lanes fill the gaps where operations wait for one another, but that of `f32` is two already where it
+        // computes sines. A longer system has enough that are independent, and needs the registers for itself.
         if const { F::NARROW } {
             self.in_groups::<V>()
         } else if const { size_of::<T>() < size_of::<f64>() } {
