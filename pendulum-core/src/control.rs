@@ -18,8 +18,8 @@ pub struct Tolerance<T> {
 impl<T: Real> Tolerance<T> {
     /// The mean square of `error / (atol + rtol (|x0| + |x1|) / 2)`; the error is within the tolerance up to 1.
     ///
-    /// The norm of Hairer, Nørsett, Wanner I, II.4, with the mean of both states in place of the larger, which lanes can have as well, and before its
-    /// root is taken: the controller works on logarithms.
+    /// The norm of Hairer, Nørsett, Wanner I, II.4, with the mean of both states in place of the larger, which lanes
+    /// can have as well, and before its root is taken: the controller works on logarithms.
     #[inline(always)]
     pub(crate) fn mean_square<const N: usize>(
         &self,
@@ -37,8 +37,8 @@ impl<T: Real> Tolerance<T> {
         sum * T::from_f64(1.0 / N as f64)
     }
 
-    /// The means of `|v| / (atol + rtol |x|)`, of several `v`. Not of the squares: the coefficients of a fast motion grow with the order, and would leave
-    /// the range of `f32`.
+    /// The means of `|v| / (atol + rtol |x|)`, of several `v`. Not of the squares: the coefficients of a fast motion
+    /// grow with the order, and would leave the range of `f32`.
     #[inline(always)]
     pub(crate) fn mean_sizes<const M: usize, const N: usize>(
         &self,
@@ -66,10 +66,11 @@ impl<T: Float> Tolerance<T> {
         }
     }
 
-    /// A first step: so long that an explicit Euler step, judged by the change of the slope along it, is right to a hundredth.
+    /// A first step: so long that an explicit Euler step, judged by the change of the slope along it, is right to a
+    /// hundredth.
     ///
-    /// Hairer, Nørsett, Wanner I, II.4, "Starting step size". `order` is that of the error estimate, `h_max` bounds the result,
-    /// `direction` is 1 or -1. One evaluation of the right-hand side.
+    /// Hairer, Nørsett, Wanner I, II.4, "Starting step size". `order` is that of the error estimate, `h_max` bounds the
+    /// result, `direction` is 1 or -1. One evaluation of the right-hand side.
     pub(crate) fn first_step<S, const N: usize>(
         &self,
         system: &S,
@@ -103,16 +104,17 @@ impl<T: Float> Tolerance<T> {
 #[diagnostic::on_unimplemented(
     message = "`{Self}` does not estimate its error, so it cannot keep a tolerance",
     label = "has no error estimate",
-    note = "give it fixed steps, with `Fixed`, `Rk4`, `Gauss4` or `Gauss6`, or take a method that has an estimate: `Rk45`, `Tsit5`, `Vern7`, \
-            `Vern9`, `Taylor`, `Auto`, and for stiff systems `Rodas4`, `Rodas5P` or `Radau5`"
+    note = "give it fixed steps, as `Rk4`, `Gauss4` and `Gauss6` have them, or take a method with an estimate: \
+            `Rk45`, `Tsit5`, `Vern7`, `Vern9`, `Taylor`, `Auto`, and for stiff systems `Rodas4`, `Rodas5P` or `Radau5`"
 )]
 pub trait Estimates {}
 
-/// The PI controller of DOPRI5 (Hairer, Nørsett, Wanner I, 2nd ed., II.4 and IV.2), after K. Gustafsson, "Control theoretic
-/// techniques for stepsize selection in explicit Runge-Kutta methods", ACM Trans. Math. Softw. 17 (1991) 533-554.
+/// The PI controller of DOPRI5 (Hairer, Nørsett, Wanner I, 2nd ed., II.4 and IV.2), after K. Gustafsson, "Control
+/// theoretic techniques for stepsize selection in explicit Runge-Kutta methods", ACM Trans. Math. Softw. 17 (1991)
+/// 533-554.
 ///
-/// After a step with the error `e_n` (1 is the tolerance) the next one is longer by `0.9 e_n^-alpha e_(n-1)^beta`, within 0.2
-/// and 10; `beta = 0.04` damps the steps of mildly stiff systems, and `alpha = 1 / (order + 1) - 0.75 beta`.
+/// After a step with the error `e_n` (1 is the tolerance) the next one is longer by `0.9 e_n^-alpha e_(n-1)^beta`,
+/// within 0.2 and 10; `beta = 0.04` damps the steps of mildly stiff systems, and `alpha = 1 / (order + 1) - 0.75 beta`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PiController {
     alpha: f64,
@@ -173,8 +175,8 @@ impl PiController {
 
 /// The binary logarithm of a positive normal number, to 1.2e-4; far below 0 at 0.
 ///
-/// The length of a step needs no more, and every step waits for it: these take a third of the time of the platform's functions. The same
-/// steps on every machine are another gain. Both polynomials interpolate in Chebyshev's points.
+/// The length of a step needs no more, and every step waits for it: these take a third of the time of the platform's
+/// functions. The same steps on every machine are another gain. Both polynomials interpolate in Chebyshev's points.
 #[inline(always)]
 pub(crate) fn log2(x: f64) -> f64 {
     const MANTISSA: u64 = (1 << 52) - 1;

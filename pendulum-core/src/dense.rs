@@ -11,7 +11,7 @@ pub struct Step<T, const N: usize> {
     pub t0: T,
     /// The time at which it ends.
     pub t1: T,
-    /// Its length `t1 - t0`; negative when going backward in time.
+    /// Its length `t1 - t0`; negative backward in time.
     pub h: T,
     /// The state at its start.
     pub x0: SVector<T, N>,
@@ -40,7 +40,8 @@ pub struct Dense<'a, T, const N: usize> {
 }
 
 impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
-    /// `coefficients` are the vectors `c_1, c_2, ..` of `x0 + c_1 theta + c_2 theta^2 + ..`, `theta` the fraction of the step.
+    /// `coefficients` are the vectors `c_1, c_2, ..` of `x0 + c_1 theta + c_2 theta^2 + ..`, `theta` the fraction of
+    /// the step.
     pub(crate) fn new(step: Step<T, N>, coefficients: &'a [SVector<T, N>]) -> Self {
         Self { step, coefficients }
     }
@@ -51,7 +52,7 @@ impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
         &self.step
     }
 
-    /// The state at the time `t`; a `t` outside of the step extrapolates.
+    /// The state at the time `t`; outside of the step it is extrapolated.
     #[must_use]
     pub fn at(&self, t: T) -> SVector<T, N> {
         if t == self.step.t1 || self.coefficients.is_empty() {
@@ -82,7 +83,8 @@ impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
     }
 }
 
-/// `x0 + c_1 theta + c_2 theta^2 + ..`; the odd and the even powers by themselves, since each step of a sum waits for the one before.
+/// `x0 + c_1 theta + c_2 theta^2 + ..`; the odd and the even powers by themselves, since each step of a sum waits for
+/// the one before.
 #[inline(always)]
 pub(crate) fn polynomial<T: Real, const N: usize>(
     x0: &SVector<T, N>,

@@ -1,5 +1,5 @@
-//! Errors as types. Each message states the fact and what to do; `Debug` prints the same, so that a `main` which returns the error
-//! reads well.
+//! Errors as types. Each message states the fact and what to do; `Debug` prints the same, so that a `main` which
+//! returns the error reads well.
 
 use std::error::Error;
 use std::fmt;
@@ -86,7 +86,8 @@ pub enum Reason {
     NonFinite {
         /// The first such component of the state, or else of its derivative.
         component: usize,
-        /// The length of the step in which it appeared; `None` if it did where the integration starts, or goes on after a reset.
+        /// The length of the step in which it appeared; `None` if it did where the integration starts, or goes on after
+        /// a reset.
         h: Option<f64>,
     },
     /// The tolerance requires a step shorter than the minimum, or shorter than the resolution of the time.
@@ -108,7 +109,8 @@ pub enum Reason {
         /// The time at which it is.
         t: f64,
     },
-    /// An event resets the state repeatedly within the resolution of the time, like the rebounds of a ball that comes to rest.
+    /// An event resets the state repeatedly within the resolution of the time, like the rebounds of a ball that comes
+    /// to rest.
     EventsAccumulate {
         /// The index of the event among those given.
         event: usize,
@@ -126,37 +128,38 @@ impl fmt::Display for Reason {
             Self::InvalidInput { what, value, rule } => write!(f, "`{what}` is {value:?}: {rule}"),
             Self::NonFinite { component, h: None } => write!(
                 f,
-                "component {component} of the state or its derivative is not finite where the integration starts; check the parameters, \
-                 the initial state, and the state that a reset returns"
+                "component {component} of the state or its derivative is not finite where the integration starts; \
+                 check the parameters, the initial state, and the state that a reset returns"
             ),
             Self::NonFinite { component, h: Some(h) } => write!(
                 f,
-                "component {component} of the state or its derivative is not finite after a step of {h:.3e}; if the step is fixed, try a \
-                 shorter one; else the right-hand side is singular or undefined there"
+                "component {component} of the state or its derivative is not finite after a step of {h:.3e}; \
+                 if the step is fixed, try a shorter one; else the right-hand side is singular or undefined there"
             ),
             Self::StepUnderflow { h, least } => write!(
                 f,
-                "the tolerance requires a step of {h:.3e}, below the minimum of {least:.3e}; the solution may be singular or jump there: \
-                 loosen the tolerance or end the integration earlier"
+                "the tolerance requires a step of {h:.3e}, below the minimum of {least:.3e}; \
+                 the solution may be singular or jump there: loosen the tolerance or end the integration earlier"
             ),
             Self::NoConvergence { h } => write!(
                 f,
-                "the equations of an implicit step of {h:.3e} could not be solved; take shorter steps, or look for a jump of the \
-                 right-hand side there"
+                "the equations of an implicit step of {h:.3e} could not be solved; \
+                 take shorter steps, or look for a jump of the right-hand side there"
             ),
             Self::EventNotFinite { event, t } => write!(
                 f,
-                "the function of event {event} is not finite at t = {t}; extend its domain or end the integration earlier"
+                "the function of event {event} is not finite at t = {t}; \
+                 extend its domain or end the integration earlier"
             ),
             Self::EventsAccumulate { event } => write!(
                 f,
-                "event {event} repeats without time advancing, like a bouncing ball that comes to rest; make it terminal below some \
-                 speed, and continue with a model of the contact"
+                "event {event} repeats without time advancing, like a bouncing ball that comes to rest; \
+                 make it terminal below some speed, and continue with a model of the contact"
             ),
             Self::TooManySteps { max_steps } => write!(
                 f,
-                "{max_steps} steps did not reach the end; raise `max_steps` or loosen the tolerance, or, if the steps are much shorter than \
-                 the motion requires, use a method for stiff systems, such as `Auto`"
+                "{max_steps} steps did not reach the end; raise `max_steps` or loosen the tolerance, or, \
+                 if the steps are much shorter than the motion requires, use a method for stiff systems, such as `Auto`"
             ),
         }
     }

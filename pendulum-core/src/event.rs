@@ -4,15 +4,17 @@ use std::fmt;
 
 use nalgebra::SVector;
 
-/// Something that happens where a function `g(t, x)` passes zero along a trajectory; for [`Method::solve_with`](crate::Method::solve_with).
+/// Something that happens where a function `g(t, x)` passes zero along a trajectory; for
+/// [`Method::solve_with`](crate::Method::solve_with).
 ///
-/// An event occurs where `g` reaches zero or changes its sign: once, whether that is within a step, at the end of one, or at the start
-/// of the integration. It is found on the dense output of the method, to the accuracy of that and to the last bits of the time. Two
-/// zeros in one step are found even if the sign is the same at both ends: `g` is looked at in ten places of each step, and where it
-/// comes near zero between them its extremum is searched. What passes zero many times in a step is seen in part: bound the steps by `h_max`
-/// where an event is quicker than the motion.
+/// An event occurs where `g` reaches zero or changes its sign: once, whether that is within a step, at the end of one,
+/// or at the start of the integration. It is located on the dense output of the method, to its accuracy and to the last
+/// bits of the time. Two zeros in one step are found even if the sign is the same at both ends: `g` is evaluated at ten
+/// places of each step, and where it comes near zero between them its extremum is searched. Of many zeros in one step
+/// some are missed: bound the steps by `h_max` where an event is faster than the motion.
 ///
-/// A reset that does not lead away from zero, such as a rebound without speed, lets the function pass: make such an event terminal.
+/// A reset that does not lead away from zero, such as a rebound without speed, lets the function pass zero: make such
+/// an event terminal.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
@@ -37,13 +39,13 @@ pub struct Event<'e, T, const N: usize> {
     pub(crate) reset: Option<Reset<'e, T, N>>,
 }
 
-/// The value that passes zero.
+/// The function that passes zero.
 type Function<'e, T, const N: usize> = Box<dyn Fn(T, &SVector<T, N>) -> T + 'e>;
 
-/// The state behind an event, from that before it.
+/// The state after an event, from the state before it.
 type Reset<'e, T, const N: usize> = Box<dyn Fn(T, &SVector<T, N>) -> SVector<T, N> + 'e>;
 
-/// Which passages of zero count.
+/// Which zero crossings count.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
 pub enum Direction {
     /// Both ways.
@@ -56,7 +58,7 @@ pub enum Direction {
 }
 
 impl<'e, T, const N: usize> Event<'e, T, N> {
-    /// The event that `function` passes zero, in whatever direction; nothing happens but that it is noted.
+    /// Records each zero crossing of `function`, in either direction.
     #[must_use]
     pub fn new(function: impl Fn(T, &SVector<T, N>) -> T + 'e) -> Self {
         Self {
@@ -81,23 +83,23 @@ impl<'e, T, const N: usize> Event<'e, T, N> {
         self
     }
 
-    /// Ends the integration, behind the reset if there is one.
+    /// Ends the integration, after the reset if there is one.
     #[must_use]
     pub fn terminal(mut self) -> Self {
         self.terminal = true;
         self
     }
 
-    /// Goes on from the state `reset(t, x)`, `x` being the state before.
+    /// Continues from the state `reset(t, x)`, where `x` is the state before.
     ///
-    /// No event is noted for what a reset itself does to the functions.
+    /// Zeros that functions cross in the reset itself are not events.
     #[must_use]
     pub fn reset(mut self, reset: impl Fn(T, &SVector<T, N>) -> SVector<T, N> + 'e) -> Self {
         self.reset = Some(Box::new(reset));
         self
     }
 
-    /// Whether it does more than to be noted.
+    /// Whether it ends the integration or resets the state.
     pub(crate) fn acts(&self) -> bool {
         self.terminal || self.reset.is_some()
     }
@@ -124,10 +126,10 @@ impl<T, const N: usize> fmt::Debug for Event<'_, T, N> {
     ))
 )]
 pub struct Occurrence<T, const N: usize> {
-    /// Which: its place among the events that were given.
+    /// The index of the event among those given.
     pub index: usize,
-    /// When.
+    /// The time.
     pub t: T,
-    /// The state there, before a reset.
+    /// The state, before a reset.
     pub x: SVector<T, N>,
 }

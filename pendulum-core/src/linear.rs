@@ -107,8 +107,8 @@ impl<T: Float> Field for Complex<T> {
 
 /// A matrix in triangular factors, `P A = L U`.
 ///
-/// Gaussian elimination with partial pivoting (G. H. Golub, C. F. Van Loan, "Matrix Computations", 4th ed., 3.4), made for the few rows
-/// that the state of a mechanism has: all of it is in arrays whose length the compiler knows.
+/// Gaussian elimination with partial pivoting (G. H. Golub, C. F. Van Loan, "Matrix Computations", 4th ed., 3.4), made
+/// for the few rows that the state of a mechanism has: all of it is in arrays whose length the compiler knows.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Lu<F, const N: usize> {
     /// By columns: `L` below the diagonal, whose ones are left out, the reciprocals of the pivots on it, and `U` above.
@@ -132,8 +132,8 @@ impl<F: Field, const N: usize> Lu<F, N> {
         let mut rows = std::array::from_fn(|i| i);
         let mut is_regular = true;
         for k in 0..N {
-            // One row after the other moves up if it is larger. The indices are constants where the loops are short enough to be
-            // unrolled; the factors then stay in registers.
+            // One row after the other moves up if it is larger. The indices are constants where the loops are short
+            // enough to be unrolled; the factors then stay in registers.
             for i in k + 1..N {
                 if a[k][i].size() > a[k][k].size() {
                     a.iter_mut().for_each(|column| column.swap(k, i));

@@ -140,7 +140,7 @@ impl<T: Float, const N: usize> Solution<T, N> {
                 end: end.to_f64(),
             });
         }
-        // The last point that is not behind `t`: inside the span there is one.
+        // The last point that is not after `t`: inside the span there is one.
         let left = self
             .t
             .partition_point(|&point| if forward { point <= t } else { point >= t })

@@ -1,9 +1,10 @@
 //! Power series of motions, and the products of series that their recurrences take.
 //!
-//! Around a time `t` a motion is `x(tau) = sum_k x_k (tau - t)^k`. The coefficients follow one from the other: those of order `k`
-//! of everything that the right-hand side computes give the state's of order `k + 1` (Jorba and Zou, "A software package for the numerical
-//! integration of ODEs by means of high-order Taylor methods", Experimental Mathematics 2005; Griewank and Walther, "Evaluating Derivatives"
-//! 2008, ch. 13). [`mechanism!`](crate::mechanism) writes the recurrences of a scene whose `generate` has `taylor`.
+//! Around a time `t` a motion is `x(tau) = sum_k x_k (tau - t)^k`. The coefficients follow one from the other: those of
+//! order `k` of everything that the right-hand side computes give the state's of order `k + 1` (Jorba and Zou, "A
+//! software package for the numerical integration of ODEs by means of high-order Taylor methods", Experimental
+//! Mathematics 2005; Griewank and Walther, "Evaluating Derivatives" 2008, ch. 13). [`mechanism!`](crate::mechanism)
+//! writes the recurrences of a scene whose `generate` has `taylor`.
 
 use nalgebra::SVector;
 
@@ -13,29 +14,31 @@ use crate::system::{Cast, System};
 /// The highest order of a series.
 pub const MAX_ORDER: usize = 24;
 
-/// A [`System`] that knows the power series of its motions.
+/// A [`System`] with the power series of its motions.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no power series of its motions",
     note = "`mechanism!` generates it for scenes without inputs where `generate` has `taylor`"
 )]
 pub trait TaylorSeries<T: Real, const N: usize>: System<T, N> {
-    /// What the recurrences remember of the orders before: of some kilobytes, without heap.
+    /// The memory of the recurrences: some kilobytes, without a heap.
     type Workspace: Clone;
 
     /// A workspace, for any number of series one after the other.
     fn workspace(&self) -> Self::Workspace;
 
-    /// Computes `x[1..]` from `x[0]`, the state at `t`: the motion is `sum_k x[k] (tau - t)^k`, with `x[k]` in the units of the state over s^k.
+    /// Computes `x[1..]` from `x[0]`, the state at `t`: the motion is `sum_k x[k] (tau - t)^k`, with `x[k]` in the
+    /// units of the state over s^k.
     ///
-    /// The order is `x.len() - 1`. Where the motion has no series, as at the edge of a square root, coefficients are not finite; `abs` and
-    /// `signum` count as smooth, with the side that they are on at `t`, and as constant where their argument is zero.
+    /// The order is `x.len() - 1`. Where the motion has no series, as at the edge of a square root, coefficients are
+    /// not finite; `abs` and `signum` count as smooth, with the side that they are on at `t`, and as constant where
+    /// their argument is zero.
     ///
     /// # Panics
     /// If the order is above [`MAX_ORDER`].
     fn series(&self, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace);
 }
 
-/// A [`Cast`] whose series can be had in every number type, lanes included.
+/// A [`Cast`] with power series in every number type, lanes included.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no power series of its motions in other number types",
     note = "`mechanism!` generates it for scenes without inputs where `generate` has `taylor`"
@@ -70,7 +73,8 @@ const BLOCK: usize = 4;
 
 /// `M` products of two series each, coefficient by coefficient: the workspace of generated recurrences.
 ///
-/// The coefficients of one order lie side by side, so that the sums of all products are one loop over them, in vector registers.
+/// The coefficients of one order lie side by side, so that the sums of all products are one loop over them, in vector
+/// registers.
 #[derive(Clone, Debug)]
 pub struct Products<T, const M: usize> {
     /// Row `k - 1` holds the coefficients of order `k`; those of order 0, and of the highest, are in no interior sum.
@@ -79,7 +83,7 @@ pub struct Products<T, const M: usize> {
 }
 
 impl<T: Real, const M: usize> Products<T, M> {
-    /// Of nothing yet.
+    /// Without coefficients.
     #[must_use]
     #[inline]
     pub fn new() -> Self {
@@ -99,8 +103,8 @@ impl<T: Real, const M: usize> Products<T, M> {
         }
     }
 
-    /// Of the interior sums of order `k`, `sum_(j = 1 .. k - 1) left_j right_(k - j)` of each product, and of scalars all but the terms with coefficients
-    /// of order `k - 1`, which [`Newest::add`] adds.
+    /// Of the interior sums of order `k`, `sum_(j = 1 .. k - 1) left_j right_(k - j)` of each product, and of scalars
+    /// all but the terms with coefficients of order `k - 1`, which [`Newest::add`] adds.
     ///
     /// # Panics
     /// If `k` is not below [`MAX_ORDER`].
@@ -121,7 +125,8 @@ impl<T: Real, const M: usize> Products<T, M> {
             at += 1;
         }
         if const { T::LANES == 1 } {
-            // Through memory, once: else compilers pair the products as the code behind this pairs their sums, and load each number by itself.
+            // Through memory, once: else compilers pair the products as the code after this pairs their sums, and load
+            // each number by itself.
             std::hint::black_box(&mut sums);
         } else if k > 1 {
             let (newest_l, newest_r) = (&self.left[k - 2], &self.right[k - 2]);
@@ -161,18 +166,20 @@ fn block<T: Real, const M: usize, const B: usize>(left: &[[T; M]], right: &[[T; 
 
 /// The newest coefficients of [`Products`], by value.
 ///
-/// What was written to memory number by number takes its time until it can be read in vectors. So, for scalars, the terms with the newest coefficients are
-/// summed from here, and last, and the loop over all the others need not wait for them.
+/// What was written to memory number by number takes its time until it can be read in vectors. So, for scalars, the
+/// terms with the newest coefficients are summed from here, and last, and the loop over all the others need not wait
+/// for them.
 #[derive(Clone, Copy, Debug)]
 pub struct Newest<T, const M: usize> {
-    /// Left and right, of order 1. The right ones are told from order 3 on: in the sum of order 2 there is one term, not two.
+    /// Left and right, of order 1. The right ones are known from order 3 on: in the sum of order 2 there is one term,
+    /// not two.
     first: [[T; M]; 2],
     /// Left and right, of the order before.
     last: [[T; M]; 2],
 }
 
 impl<T: Real, const M: usize> Newest<T, M> {
-    /// None yet.
+    /// Without coefficients.
     #[inline(always)]
     pub fn new() -> Self {
         let zero = [[T::default(); M]; 2];

@@ -47,7 +47,8 @@ pub struct Measured {
     pub minimum: f64,
     /// The median of the times, in the same units.
     pub median: f64,
-    /// Evaluations and steps, without those for dense output; `None` for ensembles and other solvers, which do not report them.
+    /// Evaluations and steps, without those for dense output; `None` for ensembles and other solvers, which do not
+    /// report them.
     pub work: Option<Statistics>,
 }
 

@@ -232,7 +232,8 @@ where
     }
 }
 
-/// What a step brings in a lane where not all is finite. The derivative at its end does not matter if its error is too large.
+/// What a step brings in a lane where not all is finite. The derivative at its end does not matter if its error is too
+/// large.
 #[cold]
 fn outcome<V: Lanes, const N: usize>(
     (x, slope): (&SVector<V, N>, Option<&SVector<V, N>>),

@@ -6,8 +6,8 @@ use crate::method::NonFinite;
 use crate::real::Float;
 use crate::real::lanes::Lanes;
 
-/// Whether a state and its derivative, where there is one, are finite in all lanes, by a few operations for all. It may be false where
-/// they are, if their sum is beyond all numbers.
+/// Whether a state and its derivative, where there is one, are finite in all lanes, by a few operations for all. It may
+/// be false where they are, if their sum is beyond all numbers.
 #[inline(always)]
 pub(super) fn all_finite<V: Lanes, const N: usize>(x: &SVector<V, N>, slope: Option<&SVector<V, N>>) -> bool {
     let sum = sum(x, slope);

@@ -1,4 +1,4 @@
-//! Many trajectories of one method, in the lanes of the machine's vector registers.
+//! Many trajectories at a time, in the lanes of the vector registers.
 
 mod adaptive;
 mod check;
@@ -18,13 +18,13 @@ use crate::real::Float;
 use crate::real::lanes::{Isa, LaneElement};
 use crate::system::Cast;
 
-/// A method that takes many trajectories at a time.
+/// A method that integrates many trajectories at a time.
 pub trait Ensemble<M, T: LaneElement, const N: usize> {
     /// Integrates a model from each of many states at `t0` to `t1`, and returns the states there.
     ///
-    /// There is one model for each start, or a single one for all. Each trajectory is bit for bit what [`solve`](crate::Method::solve) gives
-    /// for it alone; there is no record of the way. Beside the result no heap is used. Without optimisation, and with debug assertions,
-    /// the code is not inlined as wide registers need it, and lanes are slower than scalars.
+    /// There is one model for each start, or a single one for all. Each final state is bit for bit that of
+    /// [`solve`](crate::Method::solve); the trajectories are not recorded. Apart from the result no heap is used.
+    /// Without optimisation, lanes are slower than scalars.
     ///
     /// ```
     /// use pendulum_core::prelude::*;
@@ -45,12 +45,12 @@ pub trait Ensemble<M, T: LaneElement, const N: usize> {
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     ///
-    /// Where the method chooses its steps, each trajectory has its own, and where one ends, the next takes its place.
+    /// Where the method adapts its steps, each trajectory has its own, and where one ends, the next takes its lane.
     ///
     /// # Errors
-    /// [`EnsembleError::InvalidInput`] if there are neither one nor as many models as starts, or if times or settings are not what
-    /// [`solve`](crate::Method::solve) takes. [`EnsembleError::Stopped`] names the trajectories that did not come to their end, a bad start
-    /// included, and has the final states of the others.
+    /// [`EnsembleError::InvalidInput`] if there is neither one model nor one for each start, or if times or settings
+    /// are invalid. [`EnsembleError::Stopped`] lists the trajectories that stopped early, or have an invalid start, and
+    /// holds the final states of the others.
     fn ensemble(
         &self,
         models: &[M],
@@ -61,7 +61,7 @@ pub trait Ensemble<M, T: LaneElement, const N: usize> {
         self.ensemble_on(Isa::widest(), models, t0, t1, starts)
     }
 
-    /// [`ensemble`](Self::ensemble) with a given instruction set, for comparisons: the results are the same bits.
+    /// [`ensemble`](Self::ensemble) on the instruction set `isa`, for comparisons: the results are the same bits.
     ///
     /// # Errors
     /// As for [`ensemble`](Self::ensemble).
@@ -75,15 +75,15 @@ pub trait Ensemble<M, T: LaneElement, const N: usize> {
     ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>;
 }
 
-/// A trajectory that ended before its time.
+/// A trajectory that stopped early.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub struct Stopped<T = f64> {
-    /// Its place among the starts.
+    /// Its index among the starts.
     pub index: usize,
     /// The last good time.
     pub t: T,
-    /// Why it ended.
+    /// Why it stopped.
     pub reason: Reason,
 }
 
@@ -93,9 +93,9 @@ debug_as_display! { [T: Float, const N: usize] EnsembleError<T, N>; }
 #[derive(Clone, PartialEq)]
 #[non_exhaustive]
 pub enum EnsembleError<T, const N: usize> {
-    /// A setting or an argument makes no sense; nothing was integrated.
+    /// A setting or an argument is invalid; nothing was integrated.
     InvalidInput(Reason),
-    /// Some trajectories ended before their time.
+    /// Some trajectories stopped early.
     Stopped {
         /// Which, in ascending order; at least one.
         stopped: Vec<Stopped<T>>,
@@ -180,5 +180,6 @@ fn model_of<M>(models: &[M], i: usize) -> &M {
     if let [model] = models { model } else { &models[i] }
 }
 
-/// The most lanes there are: registers of eight `f64` four times, or of sixteen `f32` twice; twice that is left for wider ones.
+/// The most lanes there are: registers of eight `f64` four times, or of sixteen `f32` twice; twice that is left for
+/// wider ones.
 const MOST_LANES: usize = 64;

@@ -1,4 +1,4 @@
-//! Steps as long as a tolerance allows.
+//! Steps whose length a tolerance determines.
 
 use crate::control::{Estimates, Tolerance};
 use crate::error::Reason;
@@ -10,11 +10,11 @@ use crate::method::{Method, Stepper};
 use crate::real::Float;
 use crate::system::{IntoState, System};
 
-/// A method that chooses the length of its steps; [`Rk45`](crate::Rk45) is one. `F` is what a step of it does.
+/// A method that adapts the length of its steps to a tolerance, such as [`Rk45`](crate::Rk45). `F` is the kind of step.
 ///
-/// A step is accepted if its estimated error `e` has `mean((e / (atol + rtol |x|))^2) <= 1`; the next one is chosen by a PI
-/// controller with the constants of Hairer's DOPRI5, or by the method itself. The tolerances bound the error of one step: that of a
-/// whole trajectory is some multiple, which grows with the time and, in chaotic motion, exponentially.
+/// A step is accepted if its estimated error `e` has `mean((e / (atol + rtol |x|))^2) <= 1`; the next one is chosen by
+/// a PI controller with the constants of Hairer's DOPRI5, or by the method itself. The tolerances bound the error of a
+/// single step; the error of a trajectory is larger and grows with time, exponentially if the motion is chaotic.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Adaptive<F> {
     rtol: Option<f64>,
@@ -73,22 +73,22 @@ impl<F> Adaptive<F> {
         self
     }
 
-    /// The least step: where the tolerance asks for a shorter one, the integration ends in [`Reason::StepUnderflow`].
-    /// Default: 0. It is never less than 4 ulps of the time, and only the last step may be shorter.
+    /// The minimum step: where the tolerance requires a shorter one, the integration stops with
+    /// [`Reason::StepUnderflow`]. Default: 0. It is at least 4 ulps of the time; only the last step may be shorter.
     #[must_use]
     pub const fn h_min(mut self, h_min: f64) -> Self {
         self.h_min = h_min;
         self
     }
 
-    /// The longest step. Default: infinite. The last step may be longer by 1 %.
+    /// The maximum step. Default: infinite. The last step may be 1 % longer.
     #[must_use]
     pub const fn h_max(mut self, h_max: f64) -> Self {
         self.h_max = h_max;
         self
     }
 
-    /// The number of steps, accepted or rejected, after which the integration ends in [`Reason::TooManySteps`].
+    /// The number of steps, accepted or rejected, after which the integration stops with [`Reason::TooManySteps`].
     /// Default: a million.
     #[must_use]
     pub const fn max_steps(mut self, max_steps: usize) -> Self {
@@ -126,7 +126,7 @@ impl<F> Adaptive<F> {
             rtol >= 10.0 * ulp,
             "rtol",
             rtol,
-            "below 10 ulps of the number type rounding errors decide; take a larger one",
+            "it must be at least 10 ulps of the number type, below which rounding errors dominate",
         )?;
         Ok(Tolerance {
             rtol: T::from_f64(rtol),
@@ -143,13 +143,13 @@ impl<F> Adaptive<F> {
             self.h_min.is_finite() && self.h_min >= 0.0,
             "h_min",
             self.h_min,
-            "the least step must be finite and not negative",
+            "the minimum step must be finite and not negative",
         )?;
         require(
             self.h_max > 0.0 && self.h_max >= least,
             "h_max",
             self.h_max,
-            "the longest step must be positive, no less than `h_min`, and no less than the times resolve",
+            "the maximum step must be positive, at least `h_min`, and at least the resolution of the times",
         )
     }
 }

@@ -1,4 +1,4 @@
-//! The method that looks for itself whether a system is stiff.
+//! The method that detects stiffness.
 
 use nalgebra::{SMatrix, SVector};
 
@@ -15,15 +15,17 @@ use crate::solution::Statistics;
 use crate::system::Jacobian;
 use crate::tableau::{self, Tsitouras5, Verner7, Verner9};
 
-/// An explicit method as long as the system allows, and [`Rodas5P`](crate::Rodas5P) where it is stiff; see [`Adaptive`] for its settings.
+/// An explicit method that switches to [`Rodas5P`](crate::Rodas5P) where the system is stiff; see [`Adaptive`] for its
+/// settings.
 ///
-/// The explicit method is that of Tsitouras for tolerances above 1e-4, Verner's of order 7 above 1e-8, and that of order 9 below. In each
-/// step it measures `|h lambda|`, the length of the step times the fastest rate of the system, as `h |f(x1) - f(x2)| / |x1 - x2|` of the two
-/// states that it knows at the end of the step (Hairer and Wanner II, IV.2). Where that is at the limit of its stability again and
-/// again, stability and not the tolerance keeps the steps short, and the implicit method takes over. That one measures the same by power
-/// iteration with its Jacobian, and hands back once explicit steps of the same length would be stable.
+/// The explicit method is that of Tsitouras for tolerances above 1e-4, Verner's of order 7 above 1e-8, and that of
+/// order 9 below. In each step it measures `|h lambda|`, the length of the step times the fastest rate of the system,
+/// as `h |f(x1) - f(x2)| / |x1 - x2|` of the two states that it has at the end of the step (Hairer and Wanner II,
+/// IV.2). Where that is repeatedly at the limit of stability, it is stability and not the tolerance that keeps the
+/// steps short, and the implicit method takes over. It measures the same by power iteration with its Jacobian, and
+/// hands back once explicit steps of the same length would be stable.
 ///
-/// [`Statistics`] tell how many steps were implicit, and how often the method changed.
+/// [`Statistics`] count the implicit steps and the switches.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
@@ -51,12 +53,12 @@ pub struct Switching;
 const LOOSE: f64 = 1e-4;
 /// One above this for Verner's method of order 7.
 const MIDDLE: f64 = 1e-8;
-/// An explicit step at so much of the limit of its stability is kept short by that: the error estimates grow before the errors do (Verner's of
-/// order 9 hovers about 0.6).
+/// An explicit step at this fraction of its stability limit is kept short by it: the error estimates grow before the
+/// errors do (Verner's of order 9 hovers about 0.6).
 const AT_THE_LIMIT: f64 = 0.55;
-/// So many such steps make a system stiff, if there are not `FREE` others in between.
+/// This many such steps make a system stiff, without `FREE` others in between.
 const STIFF: usize = 8;
-/// So many steps that are not at the limit forget those that were.
+/// This many steps in a row that are not at the limit reset the count.
 const FREE: usize = 4;
 /// An implicit step at no more than this part of the limit could as well be explicit; `FREE` in a row are.
 const WITHIN: f64 = 0.3;

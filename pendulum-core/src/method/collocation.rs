@@ -6,8 +6,9 @@ use crate::linear::{Complex, Field, Lu, Singular};
 use crate::real::Float;
 use crate::tableau::{Mode, Modes};
 
-/// The matrix of the iteration, `G d_i - h sum_j a_ij F d_j`, factored: the stages come apart along the eigenvectors of `a_ij`, and a real
-/// and a complex matrix of the size of the state remain (E. Hairer, G. Wanner, "Solving Ordinary Differential Equations II", IV.8).
+/// The matrix of the iteration, `G d_i - h sum_j a_ij F d_j`, factored: the stages come apart along the eigenvectors of
+/// `a_ij`, and a real and a complex matrix of the size of the state remain (E. Hairer, G. Wanner, "Solving Ordinary
+/// Differential Equations II", IV.8).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Pencil<T, const STAGES: usize, const N: usize> {
     real: Option<(Mode<f64, STAGES>, Lu<T, N>)>,
@@ -15,7 +16,8 @@ pub(super) struct Pencil<T, const STAGES: usize, const N: usize> {
 }
 
 impl<T: Float, const STAGES: usize, const N: usize> Pencil<T, STAGES, N> {
-    /// The matrix for a step of length `h`; `g` and `f` are the derivatives by the state of the variables and of their rates.
+    /// The matrix for a step of length `h`; `g` and `f` are the derivatives by the state of the variables and of their
+    /// rates.
     #[inline]
     pub(super) fn new(
         modes: &Modes<STAGES>,

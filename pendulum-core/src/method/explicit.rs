@@ -63,8 +63,8 @@ pub struct ExplicitStages<B, T, const STAGES: usize, const N: usize> {
 }
 
 impl<B, T: Lanes, const STAGES: usize, const N: usize> ExplicitStages<B, T, STAGES, N> {
-    /// The derivative where the next step starts. It stands beside the stages of the last step, whose first one dense output needs; lanes
-    /// have no dense output, and save the copy.
+    /// The derivative where the next step starts. It stands beside the stages of the last step, whose first one dense
+    /// output needs; lanes have no dense output, and save the copy.
     #[inline(always)]
     fn slope(&mut self) -> &mut SVector<T, N> {
         if const { T::LANES == 1 } {
@@ -85,8 +85,8 @@ where
         &self.stages
     }
 
-    /// `|h lambda|` of the step accepted last, of length `h`, `lambda` the fastest rate of the system: from the last two stages, which are the
-    /// derivatives at two states at the same time; 0 where they are the same.
+    /// `|h lambda|` of the step accepted last, of length `h`, with the fastest rate `lambda` of the system: from the
+    /// last two stages, which are derivatives at two states at the same time; 0 where these are equal.
     pub(super) fn stiffness(&self, h: T) -> T {
         let weights = const {
             assert!(
@@ -134,8 +134,9 @@ where
         if const { T::LANES == 1 } {
             self.stages[0] = self.slope;
         }
-        // The right-hand side of a reference may stay a function of its own, where that of a generated model is always inlined: many
-        // copies of a long one are slower than calls.
+        // Through a reference the right-hand side may stay a function, where that of a generated model is always
+        // inlined: many copies of a long one are slower than calls. In lanes a function would not use their
+        // instructions.
         *x_new = if const { N <= SHORT || T::LANES > 1 } {
             attempt::<B, S, _, _, _>(system, (t, x), t_new, &mut self.stages)
         } else {
@@ -145,7 +146,7 @@ where
         Ok(match &self.tolerance {
             None => T::default(),
             Some(tolerance) => {
-                if const { B::TABLEAU.error_wants_the_last_stage() } {
+                if const { B::TABLEAU.error_uses_last_stage() } {
                     work.evaluations += 1;
                     self.stages[STAGES - 1] = system.rhs(t_new, x_new);
                 }
@@ -158,7 +159,7 @@ where
 
     #[inline(always)]
     fn arrive(&mut self, system: &S, (t, x): (T, &SVector<T, N>), work: &mut Statistics) -> Option<&SVector<T, N>> {
-        if self.tolerance.is_none() || const { !B::TABLEAU.error_wants_the_last_stage() } {
+        if self.tolerance.is_none() || const { !B::TABLEAU.error_uses_last_stage() } {
             work.evaluations += 1;
             self.stages[STAGES - 1] = system.rhs(t, x);
         }
@@ -202,12 +203,13 @@ const MAX_EXTRA: usize = 10;
 /// The highest degree of a dense output.
 const MAX_DEGREE: usize = 9;
 
-/// Evaluates the stages of a step from `(t, x)` to `t_new`, but for the first and the last, and returns the state there.
+/// Evaluates the stages of a step from `(t, x)` to `t_new`, but for the first and the last, and returns the state
+/// there.
 ///
 /// `stages[0]` is the derivative at the start, given. The last one is the derivative at the end: `rhs(t_new, x_new)`.
 ///
-/// The stages are spelled out up to `MAX_STAGES`, since compilers do not unroll a loop over calls of the right-hand side:
-/// so each sees its row of the tableau as constants, and zero coefficients vanish.
+/// The stages are spelled out up to `MAX_STAGES`, since compilers do not unroll a loop over calls of the right-hand
+/// side: so each sees its row of the tableau as constants, and zero coefficients vanish.
 #[inline(always)]
 fn attempt<B, S, T, const STAGES: usize, const N: usize>(
     system: &S,

@@ -1,4 +1,4 @@
-//! Steps of a given length.
+//! Steps of fixed length.
 
 use crate::error::Reason;
 use crate::method::grid::Grid;
@@ -9,12 +9,12 @@ use crate::method::{Method, Stepper};
 use crate::real::Float;
 use crate::system::{IntoState, System};
 
-/// A method with steps of a given length; [`Rk4`](crate::Rk4) is one. `F` is what a step of it does.
+/// A method with steps of fixed length, such as [`Rk4`](crate::Rk4). `F` is the kind of step.
 ///
-/// The steps end at the multiples `t0 + i h`, formed without summing up, and the last one is shortened so that it ends at
-/// `t1` exactly. After a restart within a step the multiples stay where they were.
+/// The steps end at the times `t0 + i h`, computed without accumulating rounding errors; the last step is shortened to
+/// end at `t1` exactly. A restart within a step does not move these times.
 ///
-/// The only setting is `h`, which must be positive, whatever the direction of time, and resolved by the times.
+/// The only setting is `h`, which must be positive, even backward in time, and large enough for the times to resolve.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fixed<F> {
     pub(crate) h: f64,
@@ -22,7 +22,7 @@ pub struct Fixed<F> {
 }
 
 impl<F: Default> Fixed<F> {
-    /// The method with steps of length `h`, which is positive whatever the direction of time.
+    /// The method with steps of length `h`, which is positive even backward in time.
     #[must_use]
     pub fn new(h: f64) -> Self {
         Self {

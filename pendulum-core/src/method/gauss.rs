@@ -17,11 +17,11 @@ use crate::tableau::{GaussLegendre, GaussTableau, HasTableau};
 
 /// The Gauss-Legendre method of two or three stages, of order 4 or 6, in canonical variables.
 ///
-/// It is symplectic and symmetric (E. Hairer, C. Lubich, G. Wanner, "Geometric Numerical Integration", II.1.3 and VI.4): without
-/// friction the energy of a regular motion stays within a bound that falls with the power of the step which is the order of the method,
-/// momenta that are conserved stay so up to rounding, and a way back retraces the way forth.
+/// It is symplectic and symmetric (E. Hairer, C. Lubich, G. Wanner, "Geometric Numerical Integration", II.1.3 and
+/// VI.4): without friction, the energy error of a regular motion stays bounded and falls with the step to the power of
+/// the order, conserved momenta stay so up to rounding, and integrating backward retraces the motion.
 ///
-/// There is no estimate of the error, so it takes fixed steps only.
+/// There is no error estimate, so it takes fixed steps only.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gauss<const STAGES: usize>;
 
@@ -86,7 +86,8 @@ where
 {
     const TABLEAU: GaussTableau<STAGES> = GaussLegendre::TABLEAU;
 
-    /// Starting values: the polynomial through start, stages and end of the last step, carried on; before there is one, a straight line.
+    /// Starting values: the polynomial through start, stages and end of the last step, carried on; before there is one,
+    /// a straight line.
     fn predicted(&self, x: &SVector<T, N>, h: T) -> [SVector<T, N>; STAGES] {
         let table = const { &Self::TABLEAU };
         let Some((x0, stages, before)) = &self.before else {
@@ -104,8 +105,8 @@ where
         })
     }
 
-    /// Solves for the stages of a step from `x` at `t`: the stages, and the products `h b_i f_i` of their rates. Not finite where a rate is
-    /// not.
+    /// Solves for the stages of a step from `x` at `t`: the stages, and the products `h b_i f_i` of their rates. Not
+    /// finite where a rate is not.
     #[inline]
     fn solve<S: Canonical<T, N> + ?Sized>(
         &self,

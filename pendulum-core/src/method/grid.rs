@@ -34,7 +34,7 @@ impl<T: Float> Grid<T> {
             grid.h >= T::from_f64(LEAST_ULPS) * T::EPSILON * grid.largest(),
             "h",
             h,
-            "the step is too short for the times to resolve; count time from a nearer origin or lengthen it",
+            "the step is too short for the times to resolve; lengthen it, or count time from a nearer origin",
         )?;
         Ok(grid)
     }
@@ -54,10 +54,10 @@ impl<T: Float> Grid<T> {
         self.time(self.reached)
     }
 
-    /// Goes to the time `t` within the span: the next one is behind it.
+    /// Goes to the time `t` within the span: the next one is after it.
     pub(crate) fn go_to(&mut self, t: T) {
         self.reached = ((t - self.t0).abs() / self.h).to_f64() as usize;
-        // Rounding errors may put the quotient on either side, and a time that is nearly reached is no step away.
+        // Rounding errors may put the quotient on either side, and no step is taken to a time that is nearly reached.
         let next = self.time(self.reached + 1);
         let near = T::from_f64(LEAST_ULPS) * T::EPSILON * self.largest();
         if next != self.t1 && (next - t).abs() <= near {

@@ -1,4 +1,5 @@
-//! The states between the ends of a step, from the slopes there: for methods whose stages are of a lower order than their ends.
+//! The states between the ends of a step, from the slopes there: for methods whose stages are of a lower order than
+//! their ends.
 
 use nalgebra::SVector;
 
@@ -25,9 +26,9 @@ where
 
 /// Those of the quintic that has the slopes of the system at two points within as well: of order 5.
 ///
-/// It is the cubic plus `theta^2 (1 - theta)^2 (alpha + beta theta)`. The slopes are taken from states of the polynomial before, twice,
-/// and each time the order rises by one (W. H. Enright, K. R. Jackson, S. P. Norsett, P. G. Thomsen, "Interpolants for Runge-Kutta
-/// formulas", ACM TOMS 12 (1986) 193-218).
+/// It is the cubic plus `theta^2 (1 - theta)^2 (alpha + beta theta)`. The slopes are taken from states of the
+/// polynomial before, twice, and each time the order rises by one (W. H. Enright, K. R. Jackson, S. P. Norsett, P. G.
+/// Thomsen, "Interpolants for Runge-Kutta formulas", ACM TOMS 12 (1986) 193-218).
 pub(super) fn quintic<S, T, const N: usize>(system: &S, step: &Step<T, N>, work: &mut Statistics) -> [SVector<T, N>; 5]
 where
     S: System<T, N> + ?Sized,
@@ -52,8 +53,8 @@ where
             slope - (c1 + (c2 * two + c3 * (three * theta)) * theta)
         });
         work.evaluations += 2;
-        // with u = theta (1 - theta) the slopes ask for 2 u (5 u - 1) beta = left + right and 2 u (1 - 2 theta) (2 alpha + beta) =
-        // left - right
+        // with u = theta (1 - theta) the slopes ask for 2 u (5 u - 1) beta = left + right and 2 u (1 - 2 theta) (2
+        // alpha + beta) = left - right
         let beta = (left + right) * T::from_f64(-10.0);
         let alpha = ((left - right) * T::from_f64(2.5 / OFFSET) - beta) * T::from_f64(0.5);
         coefficients[1] = c2 + alpha;

@@ -1,4 +1,4 @@
-//! The checks that all methods make of what they are given.
+//! The checks of settings and arguments that all methods share.
 
 use nalgebra::SVector;
 
@@ -20,7 +20,7 @@ pub(crate) fn check_span<T: Float>(t0: T, t1: T) -> Result<(), Reason> {
     require(t0.is_finite(), "t0", t0.to_f64(), finite)?;
     require(t1.is_finite(), "t1", t1.to_f64(), finite)?;
     let span = t1 - t0;
-    let rule = "the span of time must be finite: integrate it in parts";
+    let rule = "the span of time must be finite; integrate it in several parts";
     require(span.is_finite(), "t1 - t0", span.to_f64(), rule)
 }
 

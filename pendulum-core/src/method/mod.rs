@@ -1,4 +1,4 @@
-//! The methods of integration: plain values with settings, each with `solve` and `stepper`.
+//! The integration methods: plain values with settings, each with `solve` and `stepper`.
 
 mod adaptive;
 mod auto;
@@ -49,17 +49,17 @@ pub use scheme::{Accepted, OneStep, Scheme, Stalled};
 pub use stepper::Stepper;
 pub use taylor::{PowerSeries, Taylor};
 
-/// A method of integration.
+/// An integration method.
 pub trait Method<S: ?Sized, T: Float, const N: usize> {
     /// What a step of it works with.
     type Scheme: Scheme<S, T, N>;
 
-    /// The integration of `system` from the state `x0` at `t0` to `t1`, which may lie before `t0`, step by step: without a record and
-    /// without a heap.
+    /// Integrates `system` from the state `x0` at `t0` towards `t1`, which may lie before `t0`, one step at a time.
+    /// Records nothing, and uses no heap.
     ///
     /// # Errors
-    /// [`Reason::InvalidInput`] if a setting is out of its range, or if times or state are not finite, and [`Reason::NonFinite`] if the
-    /// derivative at the initial point is not.
+    /// [`Reason::InvalidInput`] if a setting is out of range, or if a time or the state is not finite, and
+    /// [`Reason::NonFinite`] if the derivative at the initial point is not.
     fn stepper<'s>(
         &self,
         system: &'s S,
@@ -68,12 +68,13 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
         x0: impl IntoState<T, N>,
     ) -> Result<Stepper<'s, Self::Scheme, S, T, N>, Reason>;
 
-    /// The trajectory of `system` from the state `x0` at `t0` to `t1`, which may lie before `t0`.
+    /// Integrates `system` from the state `x0` at `t0` to `t1`, which may lie before `t0`, and returns the trajectory.
     ///
-    /// Where `t1 == t0` it is the initial point.
+    /// With `t1 == t0` it is the initial point alone.
     ///
     /// # Errors
-    /// Those of [`stepper`](Self::stepper) and of [`Stepper::step`]. The error holds the solution up to the last good state.
+    /// Those of [`stepper`](Self::stepper) and of [`Stepper::step`]. The error holds the solution up to the last good
+    /// state.
     fn solve(&self, system: &S, t0: T, t1: T, x0: impl IntoState<T, N>) -> Result<Solution<T, N>, SolveError<T, N>>
     where
         S: System<T, N>,
@@ -81,9 +82,10 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
         self.solve_with(system, t0, t1, x0, &[])
     }
 
-    /// [`solve`](Self::solve) with events: [`Solution::events`] tells which occurred, and when.
+    /// [`solve`](Self::solve) with events: [`Solution::events`] lists those that occurred.
     ///
-    /// A terminal event is the end of the solution. Where an event resets the state, the solution has two points at one time.
+    /// A terminal event ends the solution. Where an event resets the state, the solution has two points at the same
+    /// time.
     ///
     /// # Errors
     /// Those of [`solve`](Self::solve), [`Reason::EventNotFinite`], and [`Reason::EventsAccumulate`].
@@ -145,20 +147,24 @@ pub type Tsit5 = Adaptive<Explicit<Tsitouras5, 7>>;
 
 /// The Runge-Kutta pair 7(6) of Verner with step-size control; see [`Adaptive`] for its settings.
 ///
-/// Ten evaluations a step; the states between the steps are of order 7, and take five more where they are asked for.
+/// Ten evaluations a step; the states between the steps are of order 7, and take five more in steps where they are
+/// computed.
 pub type Vern7 = Adaptive<Explicit<Verner7, 11>>;
 
 /// The Runge-Kutta pair 9(8) of Verner with step-size control; see [`Adaptive`] for its settings.
 ///
-/// Sixteen evaluations a step; the states between the steps are of order 9, and take nine more where they are asked for.
+/// Sixteen evaluations a step; the states between the steps are of order 9, and take nine more in steps where they are
+/// computed.
 pub type Vern9 = Adaptive<Explicit<Verner9, 17>>;
 
-/// The Rosenbrock method Rodas of order 4 for stiff systems; see [`Adaptive`] for its settings, and [`tableau::HairerWanner4`].
+/// The Rosenbrock method Rodas of order 4 for stiff systems; see [`Adaptive`] for its settings, and
+/// [`tableau::HairerWanner4`].
 ///
 /// Six evaluations, one Jacobian and one factorisation a step; the states between the steps are of order 3.
 pub type Rodas4 = Adaptive<Rosenbrock<tableau::HairerWanner4, 6>>;
 
-/// The Rosenbrock method Rodas5P of order 5 for stiff systems; see [`Adaptive`] for its settings, and [`tableau::Steinebach5`].
+/// The Rosenbrock method Rodas5P of order 5 for stiff systems; see [`Adaptive`] for its settings, and
+/// [`tableau::Steinebach5`].
 ///
 /// Eight evaluations, one Jacobian and one factorisation a step; the states between the steps are of order 4.
 ///
@@ -166,7 +172,7 @@ pub type Rodas4 = Adaptive<Rosenbrock<tableau::HairerWanner4, 6>>;
 /// use pendulum_core::prelude::*;
 /// use pendulum_core::SolveError;
 ///
-/// /// Follows the cosine of time, from which it strays for a microsecond only.
+/// /// Returns to the cosine of time within microseconds.
 /// struct Follower;
 ///
 /// impl System<f64, 1> for Follower {
@@ -190,10 +196,12 @@ pub type Rodas5P = Adaptive<Rosenbrock<tableau::Steinebach5, 8>>;
 
 /// The method Radau IIA of order 5 for stiff systems; see [`Adaptive`] for its settings, and [`RadauIIA`].
 ///
-/// Three evaluations an iteration and one Jacobian a step; the states between the steps are of order 3. The error estimate is of order 3
-/// as well, so that steps are shorter than need be and errors far below a narrow tolerance.
+/// Three evaluations an iteration and one Jacobian a step; the states between the steps are of order 3. The error
+/// estimate is of order 3 too, so with tight tolerances steps are shorter than necessary, and errors far below the
+/// tolerance.
 ///
-/// It bears more than [`Rodas5P`], which is cheaper: Jacobians that are not exact, and right-hand sides with strong nonlinearities.
+/// More robust than [`Rodas5P`], which is cheaper: it works with inexact Jacobians and strongly nonlinear right-hand
+/// sides.
 pub type Radau5 = Adaptive<RadauIIA>;
 
 /// The Gauss-Legendre method of order 4 in canonical variables, with a fixed step; see [`Gauss`].

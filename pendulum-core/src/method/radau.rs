@@ -14,11 +14,12 @@ use crate::solution::Statistics;
 use crate::system::{Jacobian, System};
 use crate::tableau::radau_iia5::{A, C, MODES, MU, POWERS, STAGES};
 
-/// The method Radau IIA with three stages, for systems that know their Jacobian: of order 5, stiffly accurate and L-stable.
+/// The method Radau IIA with three stages, for systems with a Jacobian: of order 5, stiffly accurate and L-stable.
 ///
-/// A step fits a cubic polynomial to the differential equation at three of its times, the last of which is its end. Simplified Newton
-/// iterations solve for it, with the Jacobian of the start of the step. E. Hairer, G. Wanner, "Solving Ordinary Differential Equations II",
-/// 2nd ed. (1996), IV.5 and IV.8; "Stiff differential equations solved by Radau methods", J. Comput. Appl. Math. 111 (1999) 93-111.
+/// A step fits a cubic polynomial to the differential equation at three of its times, the last of which is its end.
+/// Simplified Newton iterations solve for it, with the Jacobian of the start of the step. E. Hairer, G. Wanner,
+/// "Solving Ordinary Differential Equations II", 2nd ed. (1996), IV.5 and IV.8; "Stiff differential equations solved by
+/// Radau methods", J. Comput. Appl. Math. 111 (1999) 93-111.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct RadauIIA;
 
@@ -27,9 +28,9 @@ const ORDER_HAT: usize = 3;
 
 /// The most iterations of a step within a tolerance: where more are needed, a shorter step takes less work.
 const MOST: usize = 7;
-/// Those of a step of a given length, which may not be shortened.
+/// Those of a step of fixed length, which cannot be shortened.
 const MOST_FIXED: usize = 50;
-/// The tolerance of steps of a given length, in ulps: their equations are solved to what rounding leaves.
+/// The tolerance of steps of fixed length, in ulps: their equations are solved to the level of rounding.
 const ULPS: f64 = 100.0;
 
 impl<S, T, const N: usize> OneStep<S, T, N> for RadauIIA
@@ -115,7 +116,8 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
             Some(tolerance) => (tolerance, MOST),
             None => (Tolerance { rtol: ulps, atol: ulps }, MOST_FIXED),
         };
-        // So far below the tolerance is the error of the iteration, but for what rounding leaves: Hairer and Wanner, IV.8.
+        // So far below the tolerance is the error of the iteration, but for what rounding leaves: Hairer and Wanner,
+        // IV.8.
         let rounding = T::from_f64(10.0) * T::EPSILON / tolerance.rtol;
         let kappa = tolerance.rtol.sqrt().min(T::from_f64(0.03)).max(rounding);
         let mut eta = self.eta.max(T::EPSILON).powf(T::from_f64(0.8));
@@ -139,7 +141,7 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
             }
             let norm = (sum / T::from_f64(STAGES as f64)).sqrt();
             if !norm.is_finite() {
-                // Let it be told from where the step arrives.
+                // The state at the end shows it.
                 return Ok(());
             }
             let mut rate = T::default();
@@ -165,8 +167,8 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
         Err(Stalled)
     }
 
-    /// The error of a step of length `h`: by how much the slope of its polynomial at the start differs from that of the system, which
-    /// `slope` is, filtered by the matrix of the iteration. Hairer and Wanner, IV.8, Eq. 8.19.
+    /// The error of a step of length `h`: by how much the slope of its polynomial at the start differs from that of the
+    /// system, which `slope` is, filtered by the matrix of the iteration. Hairer and Wanner, IV.8, Eq. 8.19.
     #[inline]
     fn error(&self, slope: &SVector<T, N>, h: T, pencil: &Pencil<T, STAGES, N>) -> SVector<T, N> {
         let difference = (slope * h - combined(&POWERS[0], &self.rises)) * T::from_f64(MU);
@@ -194,7 +196,8 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
         if mean_square <= T::from_f64(1.0) || !self.is_doubtful {
             return mean_square;
         }
-        // Of components that die out within the step the estimate is far too large, until it is filtered once more: Eq. 8.20.
+        // Of components that die out within the step the estimate is far too large, until it is filtered once more: Eq.
+        // 8.20.
         work.evaluations += 1;
         let error = self.error(&system.rhs(t, &(x + error)), h, pencil);
         tolerance.mean_square(&error, x, x_new)

@@ -15,10 +15,10 @@ use crate::solution::Statistics;
 use crate::system::{Jacobian, System};
 use crate::tableau::{RosenbrockMethod, RosenbrockTableau, difference};
 
-/// The Rosenbrock method of the tableau `B`, for systems that know their Jacobian.
+/// The Rosenbrock method of the tableau `B`, for systems with a Jacobian.
 ///
-/// A step evaluates the Jacobian once, factors one matrix, and solves one system of linear equations for each stage: there is no iteration
-/// that might not converge.
+/// A step evaluates the Jacobian once, factors one matrix, and solves one system of linear equations for each stage. No
+/// iteration is involved that could fail to converge.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Rosenbrock<B, const STAGES: usize>(PhantomData<B>);
 
@@ -231,8 +231,8 @@ fn identity_minus<T: Float, const N: usize>(h: T, jacobian: &SMatrix<T, N, N>) -
     columns
 }
 
-/// One row of a tableau, as the solver wants it: multiplied by `h gamma`, so that no entry of the matrix grows beyond all bounds where
-/// `h` is small.
+/// One row of a tableau in the form the solver uses: multiplied by `h gamma`, so that no entry of the matrix grows
+/// beyond all bounds where `h` is small.
 struct Row<const STAGES: usize> {
     a: [f64; STAGES],
     c: [f64; STAGES],

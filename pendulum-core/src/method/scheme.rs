@@ -10,7 +10,8 @@ use crate::real::Float;
 use crate::real::lanes::Lanes;
 use crate::solution::Statistics;
 
-/// A kind of one-step method, which [`Fixed`](crate::method::Fixed) and [`Adaptive`](crate::method::Adaptive) give the lengths of its steps.
+/// A kind of one-step method, which [`Fixed`](crate::method::Fixed) and [`Adaptive`](crate::method::Adaptive) give the
+/// lengths of its steps.
 ///
 /// `T` is a scalar, or several in lanes.
 pub trait OneStep<S: ?Sized, T: Lanes, const N: usize> {
@@ -26,8 +27,8 @@ pub trait OneStep<S: ?Sized, T: Lanes, const N: usize> {
 
 /// The work of single steps: tried, accepted, and interpolated.
 ///
-/// The engine holds time and state, chooses the length of steps, and checks that what comes back is finite. `T` is a scalar, or several
-/// in lanes, each of which has a time and a step of its own.
+/// The engine holds time and state, chooses the length of steps, and checks that what comes back is finite. `T` is a
+/// scalar, or several in lanes, each of which has a time and a step of its own.
 pub trait Scheme<S: ?Sized, T: Lanes, const N: usize> {
     /// Whether [`prepare`](Self::prepare) chooses the steps.
     const PROPOSES: bool = false;
@@ -55,15 +56,15 @@ pub trait Scheme<S: ?Sized, T: Lanes, const N: usize> {
         work: &mut Statistics,
     ) -> Result<T, Stalled>;
 
-    /// The derivative at the end `(t, x)` of the step that was tried last, from methods that need it for the next step; it must be
-    /// finite.
+    /// The derivative at the end `(t, x)` of the step that was tried last, from methods that need it for the next step;
+    /// it must be finite.
     fn arrive(&mut self, system: &S, end: (T, &SVector<T, N>), work: &mut Statistics) -> Option<&SVector<T, N>>;
 
-    /// Accepts the step after [`arrive`](Self::arrive). A step that no lane accepts is not passed here.
+    /// Accepts the step after [`arrive`](Self::arrive), in some lanes or in [all](Accepted::All); a scalar is all.
     fn accept(&mut self, system: &S, step: &Step<T, N>, lanes: Accepted<'_>, work: &mut Statistics);
 
-    /// The vectors `c_1, c_2, ..` of the dense output `x0 + c_1 theta + c_2 theta^2 + ..`, `theta` the fraction of the step, for
-    /// the step that was accepted last.
+    /// The vectors `c_1, c_2, ..` of the dense output `x0 + c_1 theta + c_2 theta^2 + ..`, `theta` the fraction of the
+    /// step, for the step that was accepted last.
     fn dense(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>];
 }
 

@@ -9,13 +9,14 @@ use crate::method::side::{Change, Passage, Side};
 use crate::method::zero::{dip, root};
 use crate::real::Float;
 
-/// Where the event functions are looked at in each step, in fractions of it; the start is known from the step before. Those near the
-/// ends show which way a function goes there.
+/// Where the event functions are looked at in each step, in fractions of it; the start is known from the step before.
+/// Those near the ends show which way a function goes there.
 const PLACES: [f64; 10] = [0.01, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 0.99, 1.0];
-/// After a reset, the first step is looked at from this fraction of it on, in decades: what rebounds may come back at once.
+/// After a reset, the first step is looked at from this fraction of it on, in decades: what rebounds may come back at
+/// once.
 const FIRST_PLACE: f64 = 1e-15;
-/// An event that acts twice within so many roots of an ulp of the time, and is then found on the far side, never ends: heights
-/// go with the square of the time between rebounds, and vanish among rounding errors.
+/// An event that acts twice within this many roots of an ulp of the time, and is then found on the far side, never ends:
+/// heights go with the square of the time between rebounds, and vanish among rounding errors.
 const HURRIED: f64 = 4.0;
 
 /// What is known of the events where the last step ended.
@@ -102,8 +103,8 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
         })
     }
 
-    /// Goes on from the state `x` at `t`; `fired` are the events that were noted there, with their values before; `scale` is that
-    /// of times.
+    /// Goes on from the state `x` at `t`; `fired` are the events that were noted there, with their values before;
+    /// `scale` is that of times.
     pub(super) fn restart(
         &mut self,
         (t, scale): (T, T),

@@ -4,8 +4,8 @@ use nalgebra::SVector;
 
 use crate::real::Real;
 
-/// The right-hand side of a system with no more states than this, two bodies, takes few operations, and most of them wait for one
-/// another.
+/// The right-hand side of a system with no more states than this, two bodies, takes few operations, and most of them
+/// wait for one another.
 pub(crate) const SHORT: usize = 4;
 
 /// `x + change`, the components spelled out; see [`weighted_sum`].
@@ -20,9 +20,9 @@ pub(crate) fn shifted<T: Real, const N: usize>(x: &SVector<T, N>, change: &SVect
 
 /// `sum_(i < count) (h weights_i) stages_i`, passing over zero weights.
 ///
-/// The products `h weights_i` are formed first: once, where the components would each want one, and off the path from a stage to
-/// the next. The components are spelled out, since arithmetic of whole vectors is functions, which compilers need not inline: in lanes
-/// they must.
+/// The products `h weights_i` are formed first: once, not for each component, and off the path from a
+/// stage to the next. The components are spelled out, since arithmetic of whole vectors is functions, which compilers
+/// need not inline: in lanes they must.
 #[inline(always)]
 pub(crate) fn weighted_sum<T: Real, const STAGES: usize, const N: usize>(
     h: T,

@@ -59,8 +59,8 @@ impl<T: Float> StepControl<T> {
             .max(T::MIN_POSITIVE)
     }
 
-    /// Finds a first step on the way to `t1`, unless it is given, from the initial point and the derivative there: whether that took an
-    /// evaluation of the right-hand side.
+    /// Finds a first step on the way to `t1`, unless it is given, from the initial point and the derivative there:
+    /// whether that took an evaluation of the right-hand side.
     pub(crate) fn find_first_step<S, const N: usize>(
         &self,
         pace: &mut Pace<T>,
@@ -81,10 +81,10 @@ impl<T: Float> StepControl<T> {
         true
     }
 
-    /// Plans the step from `t` on the way to `t1`, after so many `steps`: the time at its end.
+    /// Plans the step from `t` on the way to `t1`, after this many `steps`: the time at its end.
     ///
-    /// Its length is what the method proposes, if it does, else what followed from the last step. There is no tiny last step: this one
-    /// is stretched a little to the end, or what remains is shared between two.
+    /// Its length is what the method proposes, if it does, else what followed from the last step. There is no tiny last
+    /// step: this one is stretched a little to the end, or what remains is shared between two.
     #[inline(always)]
     pub(crate) fn plan(
         &self,
@@ -117,7 +117,8 @@ impl<T: Float> StepControl<T> {
         })
     }
 
-    /// Whether the step from `t` to `t_new` is accepted, from the mean square of its error; and how long the next attempt is.
+    /// Whether the step from `t` to `t_new` is accepted, from the mean square of its error; and how long the next
+    /// attempt is.
     ///
     /// Methods that propose their steps do not need the length after an accepted one.
     ///

@@ -14,9 +14,10 @@ use crate::real::Float;
 use crate::solution::Statistics;
 use crate::system::System;
 
-/// An integration under way, one accepted step at a time and without a heap.
+/// An integration in progress, one accepted step at a time, without a heap.
 ///
-/// Made by the [`stepper`](crate::Method::stepper) of a method, whose `C` is. After an error it stays at the last good point.
+/// Made by [`Method::stepper`](crate::Method::stepper); `C` is the scheme of the method. After an error it stays at the
+/// last good point.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
@@ -111,12 +112,12 @@ where
         self.last.x1
     }
 
-    /// What the method works with, for those who know more of it than the engine.
+    /// The scheme, for code that knows which one it is.
     pub(crate) fn scheme_mut(&mut self) -> &mut C {
         &mut self.scheme
     }
 
-    /// How much work it was so far.
+    /// The work so far.
     #[must_use]
     #[inline]
     pub fn statistics(&self) -> Statistics {
@@ -144,7 +145,7 @@ where
         Ok(Some(self.last))
     }
 
-    /// The states within the step that was taken last, by the dense output of the method. Some methods evaluate the right-hand side a
+    /// The states within the last step, by the dense output of the method. Some methods evaluate the right-hand side a
     /// few more times for it. Before the first step, and after a failed one, it is the point reached.
     pub fn dense(&mut self) -> Dense<'_, T, N> {
         let coefficients = if self.last.t0 == self.last.t1 {
@@ -155,7 +156,7 @@ where
         Dense::new(self.last, coefficients)
     }
 
-    /// Goes on to the end, without a record: the state there.
+    /// Integrates to the end, and returns the state there.
     ///
     /// # Errors
     /// As [`step`](Self::step).
@@ -165,14 +166,14 @@ where
         Ok(self.x())
     }
 
-    /// Jumps to the state `x` at the time `t`, and goes on from there to the end: a reset, or another try.
+    /// Continues from the state `x` at the time `t`: a reset, or another try.
     ///
     /// # Errors
-    /// [`Reason::InvalidInput`] if `t` does not lie between the start of the last step and the end of the span, or if the state is not
-    /// finite; [`Reason::NonFinite`] if its derivative is not. The stepper then stays where it was.
+    /// [`Reason::InvalidInput`] if `t` does not lie between the start of the last step and the end of the span, or if
+    /// the state is not finite; [`Reason::NonFinite`] if its derivative is not. The stepper then stays where it was.
     pub fn restart(&mut self, t: T, x: SVector<T, N>) -> Result<(), Reason> {
         let (from, to) = (self.last.t0.min(self.t1), self.last.t0.max(self.t1));
-        let rule = "the time to go on from must lie between the start of the last step and the end";
+        let rule = "the time must lie between the start of the last step and the end";
         require(from <= t && t <= to, "t", t.to_f64(), rule)?;
         check_state(&x)?;
         let (before, steps) = ((self.t(), self.x()), self.steps);
@@ -265,7 +266,8 @@ where
     }
 }
 
-/// [`Scheme::attempt`] as a function of its own, so that the compiler knows that what a step writes is not what the system reads.
+/// [`Scheme::attempt`] as a function of its own, so that the compiler knows that what a step writes is not what the
+/// system reads.
 #[inline(never)]
 fn attempt<C, S, T, const N: usize>(
     scheme: &mut C,

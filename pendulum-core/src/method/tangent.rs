@@ -16,8 +16,8 @@ use crate::tableau::Tableau;
 
 /// The explicit method of the tableau `B`, with `K` tangents `v' = J(t, x) v`.
 ///
-/// A step of them is the derivative of the step of the state: the same tableau, with the Jacobian at each of its stages. Their errors are kept
-/// within the tolerance too, relative to the length of each.
+/// A step of them is the derivative of the step of the state: the same tableau, with the Jacobian at each of its
+/// stages. Their errors are kept within the tolerance too, relative to the length of each.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Tangent<B, const STAGES: usize, const K: usize>(Explicit<B, STAGES>);
 
@@ -73,8 +73,8 @@ where
         let tableau = const { &B::TABLEAU };
         let weights = const { &B::TABLEAU.error_weights() };
         // The last stage has no weight but in the estimate.
-        let wants_the_last = self.tolerance.is_some() && const { B::TABLEAU.error_wants_the_last_stage() };
-        let count = if wants_the_last { STAGES } else { STAGES - 1 };
+        let uses_last = self.tolerance.is_some() && const { B::TABLEAU.error_uses_last_stage() };
+        let count = if uses_last { STAGES } else { STAGES - 1 };
         for (i, row) in tableau.a.iter().enumerate().take(count) {
             let x = shifted(x, &weighted_sum(h, row, i, self.state.stages()));
             let jacobian = system.jacobian(t + h * T::from_f64(tableau.c[i]), &x);
@@ -120,7 +120,7 @@ where
         let mean_square = self.state.attempt(system, (t, x), (t_new, x_new), work)?;
         let of_tangents = self.attempt_tangents(system, (t, x), t_new - t);
         work.jacobians += STAGES - 1;
-        // A tangent that is not finite is no step: the maximum passes over NaN.
+        // A tangent that is not finite fails the step: the maximum ignores NaN.
         let is_finite = self.tried.iter().all(|tangent| NonFinite::check(tangent).is_ok());
         if !is_finite {
             return Err(Stalled);

@@ -14,10 +14,11 @@ use crate::taylor::{MAX_ORDER, TaylorSeries};
 
 /// The Taylor method of an order that follows from the tolerance; see [`Adaptive`] for its settings.
 ///
-/// Each step evaluates the power series of the motion once, and is as long as its last terms stay below the tolerance: À. Jorba and
-/// M. Zou, "A software package for the numerical integration of ODEs by means of high-order Taylor methods", Experimental Mathematics 14
-/// (2005) 99-117. A step is rejected if the derivative where it arrives is not that of the series, as where it would pass a pole that its terms do
-/// not tell of. The series is the dense output. The order is `-ln(tolerance) / 2 + 5`, or what [`order`](Taylor::order) sets.
+/// Each step evaluates the power series of the motion once, and is as long as keeps the last terms below the tolerance:
+/// À. Jorba and M. Zou, "A software package for the numerical integration of ODEs by means of high-order Taylor
+/// methods", Experimental Mathematics 14 (2005) 99-117. A step is rejected if the derivative at its end differs from
+/// that of the series, as where the step would pass a pole that the terms do not reveal. The series is the dense
+/// output. The order is `-ln(tolerance) / 2 + 5`, or what [`order`](Taylor::order) sets.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
@@ -65,7 +66,7 @@ impl PowerSeries {
             (None, Some(tolerance)) => order_for(tolerance),
             (None, None) => DEFAULT_ORDER,
         };
-        let rule = "the order of a Taylor method must be from 4 to 24";
+        let rule = "the order of a Taylor method must be between 4 and 24";
         require((TERMS..=MAX_ORDER).contains(&order), "order", order as f64, rule)?;
         Ok(order)
     }
@@ -96,17 +97,20 @@ where
 
 impl Estimates for PowerSeries {}
 
-/// The order that reaches a tolerance with the least work. For operations that grow with the square of the order it would be
-/// `-ln(tolerance) / 2 + 1` (Jorba and Zou, 3.1); here part of the work is the same for each order, so that some more are better.
+/// The order that meets a tolerance with the least work. For operations that grow with the square of the order it would
+/// be `-ln(tolerance) / 2 + 1` (Jorba and Zou, 3.1); here part of the work is the same for each order, so that some
+/// more are better.
 fn order_for<T: Float>(tolerance: &Tolerance<T>) -> usize {
     let error = tolerance.rtol.max(tolerance.atol).to_f64().min(1.0);
     let order = (-0.5 * error.ln() + 5.0).ceil() as usize;
     order.clamp(TERMS, MAX_ORDER)
 }
 
-/// How many of the last terms determine the length of a step. Symmetric motions, such as those from rest, may have only every fourth.
+/// How many of the last terms determine the length of a step. Symmetric motions, such as those from rest, may have only
+/// every fourth.
 const TERMS: usize = 4;
-/// The last term of a series is this many powers of two below the tolerance: so is about the sum of all that are left out.
+/// The last term of a series is this many powers of two below the tolerance: so is about the sum of all that are left
+/// out.
 const SAFETY: f64 = 4.0;
 
 /// How many bits of the state the tolerance asks for.
@@ -114,10 +118,11 @@ fn bits<T: Float>(tolerance: &Tolerance<T>) -> f64 {
     -log2(tolerance.rtol.max(tolerance.atol).to_f64())
 }
 
-/// The length of a step whose last terms are well within the tolerance of so many bits, from the sizes of their coefficients in units of
-/// it: 0 where these are beyond all numbers, as close to a pole.
+/// The length of a step whose last terms are well within a tolerance of `bits`, from the sizes of their
+/// coefficients in units of it: 0 where these are beyond all numbers, as close to a pole.
 ///
-/// Each of them gives a radius of convergence, as if the terms were the powers of one number from the state on; the least counts.
+/// Each of them gives a radius of convergence, as if the terms were the powers of one number from the state on; the
+/// least counts.
 #[inline(always)]
 fn length<T: Float>(order: usize, bits: f64, sizes: [T; TERMS]) -> T {
     let sizes = sizes.map(T::to_f64);
@@ -137,8 +142,8 @@ fn last_terms<R, const N: usize>(x: &[SVector<R, N>]) -> [&SVector<R, N>; TERMS]
     std::array::from_fn(|n| &x[x.len() - 1 - n])
 }
 
-/// The error of a step of length `h` along the series `x`, from the derivative where it arrives: that of the series differs from it by
-/// the terms left out, which are integrals of this difference over a growing power of the time.
+/// The error of a step of length `h` along the series `x`, from the derivative where it arrives: that of the series
+/// differs from it by the terms left out, which are integrals of this difference over a growing power of the time.
 #[inline(always)]
 fn defect<R: Real, const N: usize>(x: &[SVector<R, N>], h: R, slope: &SVector<R, N>) -> SVector<R, N> {
     let square = h * h;
@@ -187,7 +192,8 @@ pub struct TaylorStages<W, T, const N: usize> {
     tolerance: Option<(Tolerance<T>, f64)>,
     order: usize,
     isa: Isa,
-    /// The series of the point reached, and beside it that of the point where the last step started, or where a step was tried to.
+    /// The series of the point reached, and beside it that of the point where the last step started, or where a step
+    /// was tried to.
     current: usize,
     x: [[SVector<T, N>; MAX_ORDER + 1]; 2],
     /// The dense output.

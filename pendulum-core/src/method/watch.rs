@@ -12,7 +12,7 @@ use crate::real::Float;
 use crate::solution::{Record, Solution};
 use crate::system::System;
 
-/// Events within so many ulps of the time are simultaneous, and one that acts twice within them never ends.
+/// Events within this many ulps of the time are simultaneous, and one that acts twice within them never ends.
 const SIMULTANEOUS_ULPS: f64 = 4.0;
 
 /// Goes on to the end, with events if there are any, and keeps the trajectory.

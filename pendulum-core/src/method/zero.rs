@@ -2,15 +2,15 @@
 
 use crate::real::Float;
 
-/// The place where `f` passes zero between `from`, where it is not zero, and `to`, where it is or has the other sign; each is a place and
-/// the value there. It is behind the zero, by two ulps at most.
+/// The place where `f` passes zero between `from`, where it is not zero, and `to`, where it is or has the other sign;
+/// each is a place and the value there. It is after the zero, by at most two ulps.
 ///
-/// T. R. Chandrupatla, "A new hybrid quadratic/bisection algorithm for finding the zero of a nonlinear function without using
-/// derivatives", Adv. Eng. Softw. 28 (1997) 145-149.
+/// T. R. Chandrupatla, "A new hybrid quadratic/bisection algorithm for finding the zero of a nonlinear function without
+/// using derivatives", Adv. Eng. Softw. 28 (1997) 145-149.
 pub(super) fn root<T: Float>(f: impl Fn(T) -> T, from: (T, T), to: (T, T)) -> T {
     let (zero, one, two) = (T::default(), T::from_f64(1.0), T::from_f64(2.0));
     let (mut a, mut b) = (to, from);
-    let is_behind = |value: T| (value > zero) != (from.1 > zero) || value == zero;
+    let is_past = |value: T| (value > zero) != (from.1 > zero) || value == zero;
     let mut fraction = T::from_f64(0.5);
     // Bisection alone would end in as many steps as a number has bits; the hybrid takes at most a few times as many.
     for _ in 0..200 {
@@ -20,7 +20,7 @@ pub(super) fn root<T: Float>(f: impl Fn(T) -> T, from: (T, T), to: (T, T)) -> T 
         }
         let new = (place, f(place));
         let c;
-        if is_behind(new.1) == is_behind(a.1) {
+        if is_past(new.1) == is_past(a.1) {
             c = a;
         } else {
             c = b;
@@ -45,11 +45,11 @@ pub(super) fn root<T: Float>(f: impl Fn(T) -> T, from: (T, T), to: (T, T)) -> T 
         };
         fraction = fraction.max(least).min(one - least);
     }
-    if is_behind(a.1) { a.0 } else { b.0 }
+    if is_past(a.1) { a.0 } else { b.0 }
 }
 
-/// Where a function that has the same sign in three places, nearest to zero in the middle one, touches or passes zero between them, if it
-/// does: a place and the value there.
+/// Where a function that has the same sign in three places, nearest to zero in the middle one, touches or passes zero
+/// between them, if it does: a place and the value there.
 pub(super) fn dip<T: Float>(f: impl Fn(T) -> T, places: [(T, T); 3]) -> Option<(T, T)> {
     let [first, middle, last] = places;
     let zero = T::default();
@@ -58,7 +58,7 @@ pub(super) fn dip<T: Float>(f: impl Fn(T) -> T, places: [(T, T); 3]) -> Option<(
     if !(height(middle) < height(first) && height(middle) <= height(last)) || height(first) <= zero {
         return None;
     }
-    // The parabola through the three tells how deep it may go: a search is for the few that come near.
+    // The parabola through the three shows how deep it may go: a search is for the few that come near.
     let (left, right) = (middle.0 - first.0, last.0 - middle.0);
     let (fall, rise) = (
         (height(first) - height(middle)) / left,

@@ -7,9 +7,9 @@ use crate::real::Real;
 
 /// The coefficients of a method.
 ///
-/// With `w` antisymmetric, the coefficients `a_ij = b_j (1/2 + w_ij)` satisfy `b_i a_ij + b_j a_ji = b_i b_j` however they are rounded,
-/// which makes the method symplectic (E. Hairer, R. I. McLachlan, A. Razakarivony, "Achieving Brouwer's law with implicit Runge-Kutta
-/// methods", BIT 48 (2008) 231-243).
+/// With `w` antisymmetric, the coefficients `a_ij = b_j (1/2 + w_ij)` satisfy `b_i a_ij + b_j a_ji = b_i b_j` however
+/// they are rounded, which makes the method symplectic (E. Hairer, R. I. McLachlan, A. Razakarivony, "Achieving
+/// Brouwer's law with implicit Runge-Kutta methods", BIT 48 (2008) 231-243).
 #[derive(Clone, Copy, Debug)]
 pub struct GaussTableau<const STAGES: usize> {
     /// The times of the stages in fractions of a step.
@@ -48,7 +48,8 @@ impl<const STAGES: usize> GaussTableau<STAGES> {
         (self.w.map(row), self.b)
     }
 
-    /// The weights of the values at start, nodes and end of a step in the polynomial through all of them, at the fraction `theta`.
+    /// The weights of the values at start, nodes and end of a step in the polynomial through all of them, at the
+    /// fraction `theta`.
     #[inline]
     pub(crate) fn weights<T: Real>(&self, theta: T) -> impl Iterator<Item = T> {
         (0..STAGES + 2).map(move |j| {

@@ -5,7 +5,8 @@ use super::{ButcherTableau, Tableau};
 
 /// The classical method of order 4, with cubic Hermite interpolation (order 3) between the steps.
 ///
-/// W. Kutta, "Beitrag zur näherungsweisen Integration totaler Differentialgleichungen", Z. Math. Phys. 46 (1901) 435-453.
+/// W. Kutta, "Beitrag zur näherungsweisen Integration totaler Differentialgleichungen", Z. Math. Phys. 46 (1901)
+/// 435-453.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Kutta4;
 

@@ -1,6 +1,6 @@
 //! Butcher tableaus as data, each citing its paper.
 //!
-//! To add an explicit Runge-Kutta method is to add a tableau here and to name it in [`method`](crate::method).
+//! A new explicit Runge-Kutta method is a tableau here and a name in [`method`](crate::method).
 //!
 //! | tableau | order | embedded | dense output | evaluations a step | more for dense output |
 //! |---|---|---|---|---|---|
@@ -10,8 +10,8 @@
 //! | [`Verner7`] | 7 | 6 | 7 | 10 | 5 |
 //! | [`Verner9`] | 9 | 8 | 9 | 16 | 9 |
 //!
-//! Rosenbrock methods, for stiff systems, have tableaus of their own: [`HairerWanner4`] of order 4(3) in 6 stages, with dense output of
-//! order 3, and [`Steinebach5`] of order 5(4) in 8, with dense output of order 4.
+//! Rosenbrock methods, for stiff systems, have tableaus of their own: [`HairerWanner4`] of order 4(3) in 6 stages, with
+//! dense output of order 3, and [`Steinebach5`] of order 5(4) in 8, with dense output of order 4.
 
 mod dormand_prince5;
 mod gauss_legendre;
@@ -40,12 +40,12 @@ pub(crate) use modes::{Mode, Modes};
 
 /// The coefficients of an explicit Runge-Kutta method with `S` stages.
 ///
-/// A step of length `h` from `(t, x)` evaluates `k_i = f(t + c_i h, x + h sum_j a_ij k_j)` for `i = 0..S` and arrives at
-/// `x + h sum_i b_i k_i`.
+/// A step of length `h` from `(t, x)` evaluates `k_i = f(t + c_i h, x + h sum_j a_ij k_j)` for `i = 0..S` and arrives
+/// at `x + h sum_i b_i k_i`.
 ///
-/// The last stage must be the derivative at the end of the step: `a[S - 1] == b`, `c[S - 1] == 1`, `b[S - 1] == 0`. It is the
-/// first stage of the next step ("first same as last"), so it costs nothing, and dense output wants it. A method that is not
-/// made that way is written with one more row, of weight 0.
+/// The last stage must be the derivative at the end of the step: `a[S - 1] == b`, `c[S - 1] == 1`, `b[S - 1] == 0`. It
+/// is the first stage of the next step ("first same as last"), so it costs nothing, and dense output uses it. A method
+/// without that property is written with one more row, of weight 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ButcherTableau<const S: usize> {
     /// The stage coefficients: strictly lower triangular.
@@ -60,11 +60,11 @@ pub struct ButcherTableau<const S: usize> {
     pub order: usize,
     /// The order of the embedded method; 0 where there is none.
     pub order_hat: usize,
-    /// Further stages that dense output alone wants: stage `S + i` is evaluated from the `S + i` before it.
+    /// Further stages for dense output alone: stage `S + i` is evaluated from the `S + i` before it.
     pub extra: &'static [ExtraStage],
     /// The weights of the dense output as polynomials: at the fraction `theta` of a step, the state is
-    /// `x + h sum_i b_i(theta) k_i` with `b_i(theta) = sum_j dense[j][i] theta^(j + 1)`. The rows are as long as there are stages,
-    /// the extra ones included.
+    /// `x + h sum_i b_i(theta) k_i` with `b_i(theta) = sum_j dense[j][i] theta^(j + 1)`. The rows are as long as there
+    /// are stages, the extra ones included.
     pub dense: &'static [&'static [f64]],
     /// The order of the dense output: within one step its error falls as `h^(dense_order + 1)`.
     pub dense_order: usize,
@@ -91,11 +91,11 @@ impl<const S: usize> ButcherTableau<S> {
 
     /// Whether the error estimate uses the last stage, the derivative at the end of the step.
     #[must_use]
-    pub const fn error_wants_the_last_stage(&self) -> bool {
+    pub const fn error_uses_last_stage(&self) -> bool {
         self.error_weights()[S - 1] != 0.0
     }
 
-    /// Whether the last stage is the derivative at the end of the step, as the documentation of the type demands.
+    /// Whether the last stage is the derivative at the end of the step, as the type requires.
     #[must_use]
     pub const fn ends_in_the_next_first_stage(&self) -> bool {
         let mut i = 0;
@@ -119,7 +119,8 @@ pub(crate) const fn difference<const S: usize>(mut a: [f64; S], b: [f64; S]) -> 
     a
 }
 
-/// A type that stands for a tableau, so that the stepping code is compiled for each one with its coefficients as constants.
+/// A type that stands for a tableau, so that the stepping code is compiled for each one with its coefficients as
+/// constants.
 pub trait Tableau<const S: usize> {
     /// The coefficients.
     const TABLEAU: ButcherTableau<S>;

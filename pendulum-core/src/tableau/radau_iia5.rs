@@ -47,8 +47,8 @@ pub(crate) const MODES: Modes<STAGES> = Modes {
         ],
     },
 };
-/// The coefficients of the polynomial without constant that has the value 1 at one of the times and 0 at the others: a row for each
-/// power, a column for each time.
+/// The coefficients of the polynomial without constant that has the value 1 at one of the times and 0 at the others: a
+/// row for each power, a column for each time.
 pub(crate) const POWERS: [[f64; STAGES]; STAGES] = [
     [10.048_809_399_827_416, -1.382_142_733_160_749, 1.0 / 3.0],
     [-25.629_591_447_076_64, 10.296_258_113_743_306, -8.0 / 3.0],

@@ -3,8 +3,9 @@
 /// The coefficients of a Rosenbrock method with `S` stages, for systems `x' = f(t, x)` with the Jacobian `J` of `f`.
 ///
 /// In its first form such a method solves, for `i = 0..S`,
-/// `k_i = h f(t + alpha_i h, x + sum_j alpha_ij k_j) + h J sum_j gamma_ij k_j + h^2 gamma_i f_t`, with `gamma_ii = gamma`,
-/// `alpha_i = sum_j alpha_ij`, `gamma_i = sum_j gamma_ij`, and `J` and the derivative `f_t` with respect to time both at `(t, x)`.
+/// `k_i = h f(t + alpha_i h, x + sum_j alpha_ij k_j) + h J sum_j gamma_ij k_j + h^2 gamma_i f_t`, with
+/// `gamma_ii = gamma`, `alpha_i = sum_j alpha_ij`, `gamma_i = sum_j gamma_ij`, and `J` and the derivative `f_t` with
+/// respect to time both at `(t, x)`.
 ///
 /// These are the coefficients of its second form, in `u = Gamma k`, which multiplies no vector by `J`:
 /// `(I / (h gamma) - J) u_i = f(t + alpha_i h, x + sum_j a_ij u_j) + sum_j (c_ij / h) u_j + h gamma_i f_t`,
@@ -38,14 +39,15 @@ pub struct RosenbrockTableau<const S: usize> {
     pub dense_order: usize,
 }
 
-/// A type that stands for a tableau, so that the stepping code is compiled for each one with its coefficients as constants.
+/// A type that stands for a tableau, so that the stepping code is compiled for each one with its coefficients as
+/// constants.
 pub trait RosenbrockMethod<const S: usize> {
     /// The coefficients.
     const TABLEAU: RosenbrockTableau<S>;
 }
 
-/// The polynomials, by ascending power from 1, of `theta b + theta (1 - theta) (h_0 + theta h_1 + ..)`, the form in which authors
-/// give dense output.
+/// The polynomials, by ascending power from 1, of `theta b + theta (1 - theta) (h_0 + theta h_1 + ..)`, the form in
+/// which authors give dense output.
 pub(super) const fn continuous<const S: usize, const H: usize, const D: usize>(
     b: [f64; S],
     h: [[f64; S]; H],

@@ -5,8 +5,8 @@ use super::rows;
 
 /// Steinebach5: orders 5 and 4, stiffly accurate and L-stable, with dense output of order 4, in 8 stages.
 ///
-/// G. Steinebach, "Construction of Rosenbrock-Wanner method Steinebach5 and numerical benchmarks within the Julia Differential
-/// Equations package", BIT Numer. Math. 63 (2023) 27.
+/// G. Steinebach, "Construction of Rosenbrock-Wanner method Steinebach5 and numerical benchmarks within the Julia
+/// Differential Equations package", BIT Numer. Math. 63 (2023) 27.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Steinebach5;
 

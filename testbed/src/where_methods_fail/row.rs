@@ -115,6 +115,15 @@ pub fn number(value: f64) -> String {
 
 /// The kind of a reason, without its numbers.
 pub fn kind(reason: Reason) -> String {
-    let reason = format!("{reason:?}");
-    reason.split(' ').next().unwrap_or_default().to_owned()
+    let kind = match reason {
+        Reason::InvalidInput { .. } => "InvalidInput",
+        Reason::NonFinite { .. } => "NonFinite",
+        Reason::StepUnderflow { .. } => "StepUnderflow",
+        Reason::NoConvergence { .. } => "NoConvergence",
+        Reason::EventNotFinite { .. } => "EventNotFinite",
+        Reason::EventsAccumulate { .. } => "EventsAccumulate",
+        Reason::TooManySteps { .. } => "TooManySteps",
+        _ => "another",
+    };
+    kind.to_owned()
 }
