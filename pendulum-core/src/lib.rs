@@ -99,8 +99,3 @@ pub mod prelude {
     pub use crate::{Canonical as _, Cast as _, Float as _, Real as _, TaylorSeries as _};
     pub use nalgebra::{SMatrix, SVector};
 }
-
-/// The README's program is compiled with the tests.
-#[cfg(doctest)]
-#[doc = include_str!("../../README.md")]
-mod readme {}

@@ -56,7 +56,16 @@ fn messages(folder: &Path, case: &Path) -> String {
             .any(|start| part.starts_with(start))
     };
     let parts: Vec<&str> = text.trim().split("\n\n").filter(|part| !is_summary(part)).collect();
-    parts.join("\n\n") + "\n"
+    parts.join("\n\n").lines().map(without_line_of_core).collect()
+}
+
+/// A line of a message; where it names a place in the core, without the line there, which other changes move.
+fn without_line_of_core(line: &str) -> String {
+    let file = line.contains(" pendulum-core/").then(|| line.split_once(".rs:")).flatten();
+    match file {
+        Some((file, _)) => format!("{file}.rs\n"),
+        None => format!("{line}\n"),
+    }
 }
 
 /// The library of that name that was built last.
