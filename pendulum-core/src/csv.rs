@@ -9,8 +9,8 @@ use crate::real::Float;
 use crate::solution::Solution;
 
 impl<T: Float, const N: usize> Solution<T, N> {
-    /// Writes the accepted points as CSV: a header with `t` and the names of the [components](StateLayout::components), then a line for each
-    /// point. Numbers are written in full, so that they read back as the same bits.
+    /// Writes the accepted points as CSV: a header with `t` and the names of the [components](StateLayout::components),
+    /// then a line for each point. Numbers are written in full, so that they read back as the same bits.
     ///
     /// A file should stand behind a [`BufWriter`](io::BufWriter).
     ///
@@ -41,7 +41,8 @@ impl<T: Float, const N: usize> Solution<T, N> {
     /// The same with the states at `times`, in any order, by the dense output of the method.
     ///
     /// # Errors
-    /// Those of [`write_csv`](Self::write_csv), and [`OutsideSpan`](crate::OutsideSpan) as [`io::ErrorKind::InvalidInput`].
+    /// Those of [`write_csv`](Self::write_csv), and [`OutsideSpan`](crate::OutsideSpan) as
+    /// [`io::ErrorKind::InvalidInput`].
     pub fn write_csv_at(
         &self,
         writer: impl io::Write,

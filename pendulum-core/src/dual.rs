@@ -6,8 +6,8 @@ use crate::real::Real;
 
 /// A value with its derivatives with respect to `N` variables, carried through every operation by the chain rule.
 ///
-/// Code that is generic over [`Real`] runs on it as it stands, and its values are the same bits as without derivatives. Where a
-/// function has no derivative, as [`Real::abs`] at 0, the slopes are those of the limits or zero.
+/// Code that is generic over [`Real`] runs on it as it stands, and its values are the same bits as without derivatives.
+/// Where a function has no derivative, as [`Real::abs`] at 0, the slopes are those of the limits or zero.
 ///
 /// ```
 /// use pendulum_core::dual::Dual;

@@ -1,7 +1,8 @@
 //! Models with inputs, and the laws that their inputs follow.
 //!
-//! A model with inputs becomes a [`System`] with a law for them. A closure is enough for explicit methods; what stiff methods and the analyses
-//! of [`stability`](crate::stability) require in addition, the derivative of the law, it gets in one of three ways:
+//! A model with inputs becomes a [`System`] with a law for them. A closure is enough for explicit methods; what stiff
+//! methods and the analyses of [`stability`](crate::stability) require in addition, the derivative of the law, it gets
+//! in one of three ways:
 //!
 //! | | the law | its derivative |
 //! |---|---|---|
@@ -10,17 +11,20 @@
 //! | `model.with_law(law)` | an [`InputLaw`], generic over [`Real`] | exact, by [dual numbers](crate::dual) |
 //! | [`model.with_inputs(law).by_differences()`](WithInputs::by_differences) | a closure | to about 10 digits |
 //!
-//! The Jacobian of the model itself is the generated one in each of them. With an [`InputLaw`] the closed loop also runs in other number types,
-//! and so in an [`ensemble`](crate::Ensemble).
+//! The Jacobian of the model itself is the generated one in each of them. With an [`InputLaw`] the closed loop also
+//! runs in other number types, and so in an [`ensemble`](crate::Ensemble).
+
+mod law;
 
 use std::fmt;
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::dual::Dual;
+pub use law::{Generic, InputLaw, Law, LawJacobian};
+
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
-use crate::system::{Cast, Differences, Energy, Jacobian, System, WithJacobian, by_number, by_state};
+use crate::system::{Cast, Differences, Energy, Jacobian, System, WithJacobian, by_number};
 
 /// A model with `M` inputs (controls), whose values are given at each evaluation.
 ///
@@ -45,8 +49,8 @@ pub trait Controlled<T: Real, const N: usize, const M: usize> {
         (self.rhs_with(t, x, u), self.jacobian_with(t, x, u))
     }
 
-    /// The derivative of [`rhs_with`](Controlled::rhs_with) with respect to the inputs: one column for each, in the order of
-    /// their declaration.
+    /// The derivative of [`rhs_with`](Controlled::rhs_with) with respect to the inputs: one column for each, in the
+    /// order of their declaration.
     fn input_jacobian(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, M>;
 
     /// The derivative of [`rhs_with`](Controlled::rhs_with) with respect to the time, state and inputs held fixed.
@@ -81,159 +85,10 @@ pub trait CastControlled<const N: usize, const M: usize> {
         Self: 'm;
 }
 
-/// A law for `M` inputs, from the time and a state of length `N`, in one number type. Closures are laws.
-#[diagnostic::on_unimplemented(
-    message = "`{Self}` is not a law for {M} inputs of a state of {N} components",
-    note = "a law is a closure `|t, x| NameInputs {{ .. }}` of the time and the state"
-)]
-pub trait Law<T: Real, const N: usize, const M: usize> {
-    /// The inputs, in the order of their declaration.
-    fn inputs(&self, t: T, x: &SVector<T, N>) -> [T; M];
-}
-
-/// A [`Law`] that knows its derivatives, so that the closed loop has a [`Jacobian`].
-#[diagnostic::on_unimplemented(
-    message = "the law of these inputs has no derivative, so the closed loop has no Jacobian",
-    note = "`model.with_inputs(law).with_derivative(|t, x| ..)` states it, `model.with_law(law)` finds it for a law that is generic over `Real`, \
-            and `model.with_inputs(law).by_differences()` approximates it"
-)]
-pub trait LawJacobian<T: Real, const N: usize, const M: usize>: Law<T, N, M> {
-    /// The inputs, and their derivative with respect to the state: a row for each input.
-    fn inputs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> ([T; M], SMatrix<T, M, N>);
-
-    /// The derivative of the inputs with respect to the time, the state held fixed.
-    ///
-    /// By default a central difference, for two evaluations of the law: see [`Jacobian::time_derivative`].
-    #[inline]
-    fn time_derivative(&self, t: T, x: &SVector<T, N>) -> SVector<T, M>
-    where
-        T: Float,
-    {
-        by_number(t, |t| self.inputs(t, x).into())
-    }
-}
-
-/// A law for `M` inputs, from the time and a state of length `N`, in any number type.
-///
-/// Its derivatives are found by [dual numbers](crate::dual), to rounding errors, and the closed loop runs wherever a model does: with stiff
-/// methods, in [`Auto`](crate::Auto), in [`stability`](crate::stability), and in the lanes of an [`ensemble`](crate::Ensemble). The models
-/// of an ensemble share one law; to sweep over gains, make them parameters of the scene and the feedback a `torque`.
-///
-/// ```
-/// use pendulum_core::prelude::*;
-/// use pendulum_core::stability::{Stability, equilibrium};
-/// use pendulum_core::{InputLaw, Real};
-///
-/// mechanism! {
-///     pub Arm {
-///         input motor: N m,
-///         gravity: [0, -9.81, 0],
-///         body rod on ground { solids: [rod(1, [0, 0, 0], [0, -1, 0])], joint: revolute(z), coordinate: angle, torque: motor }
-///     }
-/// }
-///
-/// /// Holds the arm upright.
-/// #[derive(Clone, PartialEq)]
-/// struct Hold {
-///     stiffness: f64,
-///     damping: f64,
-/// }
-///
-/// impl InputLaw<2, 1> for Hold {
-///     fn inputs<T: Real>(&self, _t: T, x: &SVector<T, 2>) -> [T; 1] {
-///         let [stiffness, damping, pi] = [self.stiffness, self.damping, std::f64::consts::PI].map(T::from_f64);
-///         let motor = stiffness * (pi - x[0]).sin_cos().0 - damping * x[1];
-///         ArmInputs { motor }.into()
-///     }
-/// }
-///
-/// let held = Arm::new(ArmParams {})?.with_law(Hold { stiffness: 20.0, damping: 2.0 });
-/// let upright = equilibrium(&held, [3.0, 0.0])?;
-/// assert_eq!(upright.stability(), Stability::AsymptoticallyStable);
-/// let x = Auto::new().solve(&held, 0.0, 20.0, [2.5, 0.0])?.end();
-/// assert!((x - upright.x).norm() < 1e-5);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub trait InputLaw<const N: usize, const M: usize>: Clone + PartialEq {
-    /// The inputs, in the order of their declaration: `NameInputs { .. }.into()` keeps their names.
-    fn inputs<T: Real>(&self, t: T, x: &SVector<T, N>) -> [T; M];
-}
-
-/// An [`InputLaw`] as a [`Law`] in each number type.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Generic<L>(L);
-
-impl<F, T, U, const N: usize, const M: usize> Law<T, N, M> for F
-where
-    T: Real,
-    F: Fn(T, &SVector<T, N>) -> U,
-    U: Into<[T; M]>,
-{
-    #[inline]
-    fn inputs(&self, t: T, x: &SVector<T, N>) -> [T; M] {
-        self(t, x).into()
-    }
-}
-
-impl<T: Real, F: Law<T, N, M>, K, const N: usize, const M: usize> Law<T, N, M> for WithJacobian<F, K> {
-    #[inline]
-    fn inputs(&self, t: T, x: &SVector<T, N>) -> [T; M] {
-        self.function.inputs(t, x)
-    }
-}
-
-impl<T, F, K, const N: usize, const M: usize> LawJacobian<T, N, M> for WithJacobian<F, K>
-where
-    T: Real,
-    F: Law<T, N, M>,
-    K: Fn(T, &SVector<T, N>) -> SMatrix<T, M, N>,
-{
-    #[inline]
-    fn inputs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> ([T; M], SMatrix<T, M, N>) {
-        (self.inputs(t, x), (self.jacobian)(t, x))
-    }
-}
-
-impl<T: Real, F: Law<T, N, M>, const N: usize, const M: usize> Law<T, N, M> for Differences<F> {
-    #[inline]
-    fn inputs(&self, t: T, x: &SVector<T, N>) -> [T; M] {
-        self.0.inputs(t, x)
-    }
-}
-
-impl<T: Float, F: Law<T, N, M>, const N: usize, const M: usize> LawJacobian<T, N, M> for Differences<F> {
-    #[inline]
-    fn inputs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> ([T; M], SMatrix<T, M, N>) {
-        (self.inputs(t, x), by_state(x, |x| self.inputs(t, x).into()))
-    }
-}
-
-impl<T: Real, L: InputLaw<N, M>, const N: usize, const M: usize> Law<T, N, M> for Generic<L> {
-    #[inline]
-    fn inputs(&self, t: T, x: &SVector<T, N>) -> [T; M] {
-        self.0.inputs(t, x)
-    }
-}
-
-impl<T: Real, L: InputLaw<N, M>, const N: usize, const M: usize> LawJacobian<T, N, M> for Generic<L> {
-    #[inline]
-    fn inputs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> ([T; M], SMatrix<T, M, N>) {
-        let variables = SVector::<Dual<T, N>, N>::from_fn(|n, _| Dual::variable(x[n], n));
-        let inputs = self.0.inputs(Dual::constant(t), &variables);
-        let jacobian = SMatrix::from_fn(|m, n| inputs[m].slopes[n]);
-        (inputs.map(|input| input.value), jacobian)
-    }
-
-    #[inline]
-    fn time_derivative(&self, t: T, x: &SVector<T, N>) -> SVector<T, M> {
-        let inputs = self.0.inputs(Dual::<T, 1>::variable(t, 0), &x.map(Dual::constant));
-        inputs.map(|input| input.slopes[0]).into()
-    }
-}
-
 /// A [`Controlled`] model whose `M` inputs follow the [`Law`] `L`: a [`System`] that can be integrated.
 ///
-/// Its Jacobian is `jacobian_with + input_jacobian * K`, with the derivative `K` of the law: see [`inputs`](crate::inputs) for the ways to have one.
+/// Its Jacobian is `jacobian_with + input_jacobian * K`, with the derivative `K` of the law: see
+/// [`inputs`](crate::inputs) for the ways to have one.
 #[derive(Clone, Copy)]
 pub struct WithInputs<S, L, const M: usize> {
     system: S,
@@ -252,10 +107,11 @@ impl<S, F, const M: usize> WithInputs<S, F, M> {
         Self { system, law: inputs }
     }
 
-    /// The same closed loop, whose law has the derivative `derivative(t, x)` with respect to the state: a row for each input.
+    /// The same closed loop, whose law has the derivative `derivative(t, x)` with respect to the state: a row for each
+    /// input.
     ///
-    /// Its derivative with respect to time is a central difference of the law, for two evaluations of that: right to about 10 digits where
-    /// the law varies over times of about 1 s, and zero where time does not occur.
+    /// Its derivative with respect to time is a central difference of the law, for two evaluations of that: right to
+    /// about 10 digits where the law varies over times of about 1 s, and zero where time does not occur.
     ///
     /// ```
     /// use pendulum_core::prelude::*;
@@ -288,9 +144,11 @@ impl<S, F, const M: usize> WithInputs<S, F, M> {
         }
     }
 
-    /// The same closed loop, with the derivatives of the law by central differences: see [`Differences`] for their error.
+    /// The same closed loop, with the derivatives of the law by central differences: see [`Differences`] for their
+    /// error.
     ///
-    /// A Jacobian takes two evaluations of the law for each component of the state, and none of the model beyond its own Jacobians.
+    /// A Jacobian takes two evaluations of the law for each component of the state, and none of the model beyond its
+    /// own Jacobians.
     #[inline]
     pub fn by_differences(self) -> WithInputs<S, Differences<F>, M> {
         WithInputs {

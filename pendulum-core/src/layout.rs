@@ -8,9 +8,9 @@ use nalgebra::{SVector, Scalar};
 
 /// What each part of a state is, and whether time occurs in the right-hand side.
 ///
-/// [`mechanism!`](crate::mechanism) generates it as the constant `LAYOUT` of a model, and [`System::layout`](crate::System::layout) returns
-/// it. The analyses of [`stability`](crate::stability) use it, so systems written by hand should have one where a full turn
-/// changes nothing:
+/// [`mechanism!`](crate::mechanism) generates it as the constant `LAYOUT` of a model, and
+/// [`System::layout`](crate::System::layout) returns it. The analyses of [`stability`](crate::stability) use it, so
+/// systems written by hand should have one where a full turn changes nothing:
 ///
 /// ```
 /// use pendulum_core::prelude::*;
@@ -65,7 +65,8 @@ impl StateLayout {
         self.slots.iter().map(|slot| slot.positions.len()).sum()
     }
 
-    /// The names of the components of the state: `theta` is a coordinate, `dot(theta)` its rate, and `o.w`, .. `o.z` are a quaternion.
+    /// The names of the components of the state: `theta` is a coordinate, `dot(theta)` its rate, and `o.w`, .. `o.z`
+    /// are a quaternion.
     #[must_use]
     pub fn components(&self) -> Vec<String> {
         let mut named: Vec<(usize, String)> = self.slots.iter().flat_map(Slot::components).collect();
@@ -116,11 +117,14 @@ pub struct Slot {
     pub positions: Range<usize>,
     /// The components of the state that hold its rate. There may be fewer of them than positions.
     pub rates: Range<usize>,
-    /// Whether a full turn, 2 pi, is known to leave everything as it was: each body is in its place again, and the right-hand side is the same.
+    /// Whether a full turn, 2 pi, is known to leave everything as it was: each body is in its place again, and the
+    /// right-hand side is the same.
     ///
-    /// A helical joint with a pitch moves its body on, and a torsion spring counts turns: neither has a periodic coordinate.
+    /// A helical joint with a pitch moves its body on, and a torsion spring counts turns: neither has a periodic
+    /// coordinate.
     pub periodic: bool,
-    /// Whether the right-hand side is known not to depend on the position at all, as on the place of a cart on a level track.
+    /// Whether the right-hand side is known not to depend on the position at all, as on the place of a cart on a level
+    /// track.
     pub cyclic: bool,
 }
 
@@ -138,7 +142,8 @@ impl Slot {
         }
     }
 
-    /// An angle at the component `position` of the state, with its rate at `rate`. Not every angle is [`periodic`](Self::periodic).
+    /// An angle at the component `position` of the state, with its rate at `rate`. Not every angle is
+    /// [`periodic`](Self::periodic).
     #[must_use]
     pub const fn angle(name: &'static str, position: usize, rate: usize) -> Self {
         Self::new(name, SlotKind::Angle, position..position + 1, rate..rate + 1)

@@ -22,8 +22,10 @@ use crate::real::{Float, Real};
 /// A system of first-order ordinary differential equations, `dx/dt = rhs(t, x)`.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a system of first-order equations",
-    note = "a model with inputs becomes a `System` with a law for them: `model.with_inputs(|t, x| ..)` or `model.with_law(law)`",
-    note = "a function of time and state becomes one as `FnSystem(|t, x| ..)`; `mechanism!` implements `System` where `generate` has `rhs`"
+    note = "a model with inputs becomes a `System` with a law for them: `model.with_inputs(|t, x| ..)` \
+            or `model.with_law(law)`",
+    note = "a function of time and state becomes one as `FnSystem(|t, x| ..)`; `mechanism!` implements \
+            `System` where `generate` has `rhs`"
 )]
 pub trait System<T: Real, const N: usize> {
     /// The time derivative of the state; `[qd; qdd]` for a mechanism.
@@ -38,12 +40,12 @@ pub trait System<T: Real, const N: usize> {
 
 /// A model that can be converted to any number type, vectors of lanes included; `N` is the length of its state.
 ///
-/// [`mechanism!`](crate::mechanism) implements it for models without inputs, in double precision. A model with inputs has it together with a
-/// law that is generic as well: see [`InputLaw`](crate::InputLaw).
+/// [`mechanism!`](crate::mechanism) implements it for models without inputs, in double precision. A model with inputs
+/// has it together with a law that is generic as well: see [`InputLaw`](crate::InputLaw).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` cannot be converted to other number types",
-    note = "`mechanism!` implements `Cast` for scenes without inputs where `generate` has `rhs`; a model with inputs has it as \
-            `model.with_law(law)`, with a law that is generic over `Real`"
+    note = "`mechanism!` implements `Cast` for scenes without inputs where `generate` has `rhs`; a model with inputs \
+            has it as `model.with_law(law)`, with a law that is generic over `Real`"
 )]
 pub trait Cast<const N: usize> {
     /// The model in another number type.
@@ -68,25 +70,29 @@ pub trait Cast<const N: usize> {
 /// A [`System`] that knows the derivative of its right-hand side.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no Jacobian",
-    note = "`mechanism!` generates it unless `generate` leaves it out; a system of your own gets it by `FnSystem::with_jacobian(f, j)` or \
-            `impl Jacobian`, or by differences as `Differences(system)`",
+    note = "`mechanism!` generates it unless `generate` leaves it out; a system of your own gets it by \
+            `FnSystem::with_jacobian(f, j)` or `impl Jacobian`, or by differences as `Differences(system)`",
     note = "explicit methods such as `Vern9` do not require it"
 )]
 pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
-    /// Entry `(i, j)` is the derivative of component `i` of the right-hand side with respect to component `j` of the state.
+    /// Entry `(i, j)` is the derivative of component `i` of the right-hand side with respect to component `j` of the
+    /// state.
     fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N>;
 
-    /// Both at once. Generated models compute their common parts once, and give the right-hand side of [`System::rhs`] up to rounding.
+    /// Both at once. Generated models compute their common parts once, and give the right-hand side of [`System::rhs`]
+    /// up to rounding.
     #[inline]
     fn rhs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
         (self.rhs(t, x), self.jacobian(t, x))
     }
 
-    /// The derivative of the right-hand side with respect to the time, the state held fixed; Rosenbrock methods require it.
+    /// The derivative of the right-hand side with respect to the time, the state held fixed; Rosenbrock methods require
+    /// it.
     ///
-    /// Generated models know it exactly. By default it is a central difference over `cbrt(EPSILON) max(|t|, 1)` to either side, for two
-    /// evaluations of the right-hand side: where that varies over times of about 1 s, it is right to about 10 digits, in `f32` to 4.
-    /// Zero, without evaluations, where the [layout](System::layout) says that time does not occur.
+    /// Generated models know it exactly. By default it is a central difference over `cbrt(EPSILON) max(|t|, 1)` to
+    /// either side, for two evaluations of the right-hand side: where that varies over times of about 1 s, it is right
+    /// to about 10 digits, in `f32` to 4. Zero, without evaluations, where the [layout](System::layout) says that time
+    /// does not occur.
     #[inline]
     fn time_derivative(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>
     where
@@ -101,9 +107,10 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
 
 /// A mechanism in canonical variables: its coordinates and their momenta, `y = [q; p]` with `p = A(q) qd`.
 ///
-/// Both `y` and its rate are functions of the state `x = [q; qd]`, so nothing is divided by: `dp/dt = dL/dq + Q`, with the Lagrangian `L`
-/// and the forces `Q` that have no potential. A momentum has the unit of energy times time over that of its coordinate. Structure-preserving
-/// methods such as [`Gauss4`](crate::Gauss4) step in these variables, in which the motion without friction is a canonical map.
+/// Both `y` and its rate are functions of the state `x = [q; qd]`, so nothing is divided by: `dp/dt = dL/dq + Q`, with
+/// the Lagrangian `L` and the forces `Q` that have no potential. A momentum has the unit of energy times time over that
+/// of its coordinate. Structure-preserving methods such as [`Gauss4`](crate::Gauss4) step in these variables, in which
+/// the motion without friction is a canonical map.
 ///
 /// [`mechanism!`](crate::mechanism) implements it for scenes without inputs where `generate` has `canonical`.
 #[diagnostic::on_unimplemented(

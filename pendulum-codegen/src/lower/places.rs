@@ -15,7 +15,8 @@ impl Lower<'_> {
             let clash = taken.iter().find(|(constant, _)| own.contains(constant));
             if let Some((constant, owner)) = clash.filter(|(_, owner)| *owner != format!("`{ident}`")) {
                 let fact = format!(
-                    "coordinate `{ident}` needs the constant `{constant}` for its place in the state, but {owner} has that name"
+                    "coordinate `{ident}` needs the constant `{constant}` for its place in the state, \
+                     but {owner} has that name"
                 );
                 self.errors.at(ident.span(), fact, "rename the coordinate");
             }

@@ -6,19 +6,23 @@ use super::{Energy, Jacobian, System};
 use crate::layout::StateLayout;
 use crate::real::{Float, Real};
 
-/// A [`System`], or a [law](crate::inputs::Law) for inputs, whose derivatives are central differences: the last resort where nobody knows them.
+/// A [`System`], or a [law](crate::inputs::Law) for inputs, whose derivatives are central differences: the last resort
+/// where nobody knows them.
 ///
-/// A Jacobian takes two evaluations for each of the `N` components of the state, and two more for the derivative with respect to time
-/// where that may occur. The component `x` is moved by `cbrt(EPSILON) max(|x|, 1)` to either side, so where the function varies over
-/// changes of about 1, some 10 of its 16 digits are right, in `f32` 4 of 7. That is enough for the iteration of [`Radau5`](crate::Radau5);
-/// [`Rodas5P`](crate::Rodas5P) keeps its order down to about the same digits. Equilibria and exponents are as exact as the Jacobian.
+/// A Jacobian takes two evaluations for each of the `N` components of the state, and two more for the derivative with
+/// respect to time where that may occur. The component `x` is moved by `cbrt(EPSILON) max(|x|, 1)` to either side, so
+/// where the function varies over changes of about 1, some 10 of its 16 digits are right, in `f32` 4 of 7. That is
+/// enough for the iteration of [`Radau5`](crate::Radau5); [`Rodas5P`](crate::Rodas5P) keeps its order down to about the
+/// same digits. Equilibria and exponents are as exact as the Jacobian.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
 /// use pendulum_core::SolveError;
 /// use pendulum_core::system::Differences;
 ///
-/// let van_der_pol = FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], 1e3 * (1.0 - x[0] * x[0]) * x[1] - x[0]]));
+/// let van_der_pol = FnSystem(|_t: f64, x: &SVector<f64, 2>| {
+///     SVector::from([x[1], 1e3 * (1.0 - x[0] * x[0]) * x[1] - x[0]])
+/// });
 /// let solution = Radau5::new().solve(&Differences(van_der_pol), 0.0, 100.0, [2.0, 0.0])?;
 /// assert!(solution.statistics().accepted < 100);
 /// # Ok::<(), SolveError<f64, 2>>(())

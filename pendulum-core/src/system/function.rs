@@ -22,7 +22,8 @@ use crate::real::Real;
 /// # Ok::<(), SolveError<f64, 1>>(())
 /// ```
 ///
-/// Stiff methods require a Jacobian: see [`with_jacobian`](Self::with_jacobian) and [`Differences`](super::Differences).
+/// Stiff methods require a Jacobian: see [`with_jacobian`](Self::with_jacobian) and
+/// [`Differences`](super::Differences).
 #[derive(Clone, Copy)]
 pub struct FnSystem<F>(pub F);
 
@@ -69,10 +70,11 @@ impl<F> fmt::Debug for FnSystem<F> {
     }
 }
 
-/// A [`System`], or a [law](crate::inputs::Law) for inputs, with its derivative with respect to the state as a function `jacobian(t, x)`.
+/// A [`System`], or a [law](crate::inputs::Law) for inputs, with its derivative with respect to the state as a function
+/// `jacobian(t, x)`.
 ///
-/// [`FnSystem::with_jacobian`] and [`WithInputs::with_derivative`](crate::WithInputs::with_derivative) make it. The derivative with
-/// respect to time is a central difference: see [`Jacobian::time_derivative`].
+/// [`FnSystem::with_jacobian`] and [`WithInputs::with_derivative`](crate::WithInputs::with_derivative) make it. The
+/// derivative with respect to time is a central difference: see [`Jacobian::time_derivative`].
 #[derive(Clone, Copy)]
 pub struct WithJacobian<F, J> {
     pub(crate) function: F,

@@ -6,8 +6,8 @@ use nalgebra::SVector;
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a state of {N} components",
     label = "{N} numbers of type `{T}` expected",
-    note = "the state of a mechanism is `[q; qd]`: the coordinates, then their rates; `LAYOUT` of the model lists them, \
-            as `DoublePendulum::LAYOUT`"
+    note = "the state of a mechanism is `[q; qd]`: the coordinates, then their rates; `LAYOUT` of the model lists \
+            them, as `DoublePendulum::LAYOUT`"
 )]
 pub trait IntoState<T, const N: usize> {
     /// The state.

@@ -1,7 +1,8 @@
 //! A program as Rust: the items that a declaration stands for.
 //!
-//! They stand in a module of their own, which keeps their fields private, and are exported from there with the visibility of the declaration.
-//! Every path is absolute, so that a scene may have the name of anything but a primitive type.
+//! They stand in a module of their own, which keeps their fields private, and are exported from there with the
+//! visibility of the declaration. Every path is absolute, so that a scene may have the name of anything but a primitive
+//! type.
 
 mod block;
 mod build;

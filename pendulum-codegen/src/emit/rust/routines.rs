@@ -159,7 +159,9 @@ impl Items<'_> {
             &functions,
         );
         let with_inputs = quote! {
-            /// The model with a law for its inputs: a `System`. Its Jacobian requires the derivative of the law: see `WithInputs`.
+            /// The model with a law for its inputs: a `System`.
+            ///
+            /// Its Jacobian requires the derivative of the law: see `WithInputs`.
             pub fn with_inputs<F>(&self, inputs: F) -> ::pendulum_core::WithInputs<Self, F, #inputs>
             where
                 F: ::core::ops::Fn(T, &#vector) -> #name<T>,
