@@ -75,7 +75,8 @@ mod tests {
     fn the_polynomials_are_one_at_their_time_and_zero_at_the_others() {
         for (i, c) in C.into_iter().enumerate() {
             for j in 0..3 {
-                let value: f64 = (0..3).map(|power| POWERS[power][j] * c.powi(power as i32 + 1)).sum();
+                let powers = [c, c * c, c * c * c];
+                let value: f64 = POWERS.iter().zip(powers).map(|(row, power)| row[j] * power).sum();
                 // a few roundings of numbers up to 26
                 assert!((value - f64::from(i == j)).abs() < 2e-14, "{value}");
             }
