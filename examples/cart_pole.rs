@@ -68,13 +68,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let time = || Axis::linear("time t (s)", 0.0..T_END);
     let figure = Figure {
         title: "A pole on a cart, released at 30° and balanced by LQR".to_owned(),
-        subtitle: "cart 1 kg, pole 0.2 kg and 0.6 m long".to_owned(),
+        subtitle: "Cart 1 kg, pole 0.2 kg and 0.6 m long".to_owned(),
         size: (1800, 620),
         legend: Vec::new(),
         columns: vec![
             Column::new("Pole", time(), Axis::linear("angle (°)", -15.0..35.0)),
-            Column::new("Cart", time(), Axis::linear("position (m)", -0.2..1.4)),
-            Column::new("Control", time(), Axis::linear("push (N)", -10.0..30.0)),
+            Column::new("Cart", time(), Axis::linear("position (m)", -1.4..0.2)),
+            Column::new("Control", time(), Axis::linear("push (N)", -40.0..10.0)),
         ],
         rows: vec![Row::new(vec![
             vec![curve(Line::solid(BLUE), &|x| x[CartPole::THETA].to_degrees())],

@@ -83,15 +83,13 @@ fn main() -> Result<(), Box<dyn Error>> {
     let degrees = |label: &str| Axis::linear(label, -180.0..180.0);
     let atlas = Atlas {
         title: "First flip of a double pendulum".to_owned(),
-        subtitle: format!(
-            "two equal rods of 1 m without friction, released at rest from {size} x {size} pairs of angles; white: none within {T_END} s"
-        ),
+        subtitle: format!("Equal rods of 1 m without friction, from rest; white: none within {T_END} s"),
         legend: Vec::new(),
         columns: 1,
         maps: vec![Map {
             x: degrees("upper rod (°)"),
             y: degrees("lower rod (°)"),
-            colors: Axis::decades("first flip (s)", 0.5_f64.log10()..T_END.log10()),
+            colors: Axis::decades("First flip (s)", 0.5_f64.log10()..T_END.log10()),
             steps: 9,
             cells: flips
                 .iter()

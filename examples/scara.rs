@@ -109,7 +109,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .collect();
     let figure = Figure {
         title: "A SCARA arm draws a star by computed torque".to_owned(),
-        subtitle: format!("it starts beside the path; both poles of each joint's error at -{POLE} 1/s"),
+        subtitle: format!("Started beside the path; both poles of each joint's error at \u{2212}{POLE} 1/s"),
         size: (1500, 800),
         legend: vec![
             (Line::solid(BLUE), "tool".to_owned()),
@@ -135,7 +135,8 @@ fn main() -> Result<(), Box<dyn Error>> {
             ],
             vec![Curve::new(Line::solid(VERMILION), errors)],
         ])],
-    };
+    }
+    .with_equal_scales();
     println!();
     for path in figure.save(Path::new("out/scara/star"))? {
         println!("{}", path.display());

@@ -6,7 +6,7 @@ use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use crate::page::{BLUE, GREY, GRID, INK, MARGIN, Picture, bold, px, text, width};
+use crate::page::{BLUE, GREY, GRID, INK, MARGIN, Picture, bold, px, text, width, write_line};
 use crate::scale::Scale;
 
 /// Panels of bars; all of a column share their axis. A logarithmic axis has no zero for bars to begin at: there they are dots.
@@ -137,8 +137,8 @@ impl Picture for Bars {
         B::ErrorType: 'static,
     {
         page.fill(&WHITE)?;
-        page.draw_text(&self.title, &bold(32.0), (px(MARGIN), px(MARGIN)))?;
-        page.draw_text(&self.subtitle, &text(22.0, GREY), (px(MARGIN), px(MARGIN + 46.0)))?;
+        write_line(page, &self.title, &bold(32.0), (px(MARGIN), px(MARGIN)))?;
+        write_line(page, &self.subtitle, &text(22.0, GREY), (px(MARGIN), px(MARGIN + 46.0)))?;
         for column in 0..self.columns.len() {
             self.column(column, page)?;
         }

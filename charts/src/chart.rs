@@ -3,13 +3,14 @@
 use std::error::Error;
 use std::ops::Range;
 
-use plotters::coord::{CoordTranslate, Shift};
-use plotters::element::DashedPathElement;
+use plotters::coord::Shift;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use crate::label::draw_labels;
-use crate::page::{GREY, GRID, INK, MARGIN, Picture, bold, px, text, width};
+use crate::line::draw_legend;
+pub use crate::line::{Line, Stroke};
+use crate::page::{GREY, GRID, INK, MARGIN, Picture, bold, px, text, width, write_line};
 use crate::scale::power_of_ten;
 
 /// Panels that share the axes in each column, so that they can be compared at sight.
@@ -59,27 +60,7 @@ pub enum Scale {
     Falling,
 }
 
-/// How a curve looks.
-#[derive(Clone, Copy)]
-pub struct Line {
-    pub color: RGBColor,
-    /// In pixels.
-    pub width: f64,
-    pub stroke: Stroke,
-}
-
-/// What is drawn of the points of a curve.
-#[derive(Clone, Copy)]
-pub enum Stroke {
-    Solid,
-    Dashed,
-    /// The points alone.
-    Dots,
-    /// The area that they surround.
-    Area,
-}
-
-/// Some points; those outside of the axes are left out.
+/// Some points; outside of the axes the curve is interrupted.
 #[derive(Clone)]
 pub struct Curve {
     pub line: Line,
@@ -136,7 +117,7 @@ impl Figure {
         for ((curves, column), panel) in row.panels.iter().zip(&self.columns).zip(panels) {
             let (head, body) = panel.split_vertically(px(CAPTION));
             let style = bold(25.0).pos(Pos::new(HPos::Left, VPos::Center));
-            head.draw_text(&row.title(column), &style, (px(LABELS), px(32.0)))?;
+            write_line(&head, &row.title(column), &style, (px(LABELS), px(32.0)))?;
             self.draw_panel(curves, column, &body)?;
         }
         Ok(())
@@ -173,13 +154,16 @@ impl Figure {
         let plot = chart.plotting_area();
         let mut curves = curves.to_vec();
         for Curve { line, points, label } in &mut curves {
-            points.retain(|point| x.shows(point.0) && y.shows(point.1));
-            if label.is_some() {
-                // One by one: where a curve turns back, its corner would be a long spike.
-                points.windows(2).try_for_each(|ends| line.draw(plot, ends.to_vec()))?;
-            } else {
-                line.draw(plot, points.clone())?;
+            let outside = |point: &(f64, f64)| !(x.shows(point.0) && y.shows(point.1));
+            for run in points.split(outside).filter(|run| !run.is_empty()) {
+                if label.is_some() {
+                    // One by one: where a curve turns back, its corner would be a long spike.
+                    run.windows(2).try_for_each(|ends| line.draw(plot, ends.to_vec()))?;
+                } else {
+                    line.draw(plot, run.to_vec())?;
+                }
             }
+            points.retain(|point| !outside(point));
             for &point in points.iter().filter(|_| label.is_some()) {
                 plot.draw(&Circle::new(point, px(1.4 * line.width), line.color.filled()))?;
             }
@@ -262,30 +246,9 @@ where
     B::ErrorType: 'static,
 {
     page.fill(&WHITE)?;
-    page.draw_text(title, &bold(32.0), (px(MARGIN), px(MARGIN)))?;
-    page.draw_text(subtitle, &text(23.0, GREY), (px(MARGIN), px(MARGIN + 46.0)))?;
+    write_line(page, title, &bold(32.0), (px(MARGIN), px(MARGIN)))?;
+    write_line(page, subtitle, &text(23.0, GREY), (px(MARGIN), px(MARGIN + 46.0)))?;
     draw_legend(page, legend, (px(MARGIN), px(MARGIN + 112.0)))
-}
-
-/// The keys of lines, beside each other from `(x, y)` on, in pixels of the drawing.
-pub(crate) fn draw_legend<B: DrawingBackend>(
-    page: &DrawingArea<B, Shift>,
-    legend: &[(Line, String)],
-    (mut x, y): (i32, i32),
-) -> Result<(), Box<dyn Error>>
-where
-    B::ErrorType: 'static,
-{
-    let style = text(24.0, INK).pos(Pos::new(HPos::Left, VPos::Center));
-    for (line, name) in legend {
-        let end = x + px(74.0);
-        line.draw_key(page, [x, end], y)?;
-        let start = end + px(14.0);
-        page.draw_text(name, &style, (start, y))?;
-        let (width, _) = page.estimate_text_size(name, &style)?;
-        x = start + i32::try_from(width)? + px(56.0);
-    }
-    Ok(())
 }
 
 impl Axis {
@@ -311,7 +274,7 @@ impl Axis {
         self.range.start <= value && value <= self.range.end
     }
 
-    /// What stands beside a tick: a number with a true minus sign, or a power of ten.
+    /// What stands beside a tick: a number with a true minus sign, or a power of ten; nothing between powers of ten.
     pub(crate) fn tick(&self, value: f64) -> String {
         // The sum rounds off what is left of steps like 0.1, and turns -0 into 0.
         let value = (value * 1e9).round() / 1e9 + 0.0;
@@ -320,7 +283,11 @@ impl Axis {
             Scale::Decades => value,
             Scale::Falling => 0.0 - value,
         };
-        power_of_ten(value.round() as i32)
+        if value.fract() == 0.0 {
+            power_of_ten(value as i32)
+        } else {
+            String::new()
+        }
     }
 }
 
@@ -332,78 +299,6 @@ impl Curve {
             points,
             label: None,
         }
-    }
-}
-
-impl Line {
-    pub const fn solid(color: RGBColor) -> Self {
-        Self {
-            color,
-            width: 3.2,
-            stroke: Stroke::Solid,
-        }
-    }
-
-    pub const fn dashed(color: RGBColor) -> Self {
-        Self {
-            stroke: Stroke::Dashed,
-            ..Self::solid(color)
-        }
-    }
-
-    pub const fn area(color: RGBColor) -> Self {
-        Self {
-            stroke: Stroke::Area,
-            ..Self::solid(color)
-        }
-    }
-
-    /// What a legend shows: of dots a large one, of an area a piece.
-    fn draw_key<B: DrawingBackend>(
-        self,
-        page: &DrawingArea<B, Shift>,
-        [left, right]: [i32; 2],
-        y: i32,
-    ) -> Result<(), Box<dyn Error>>
-    where
-        B::ErrorType: 'static,
-    {
-        let [up, down] = [y - px(9.0), y + px(9.0)];
-        match self.stroke {
-            Stroke::Solid | Stroke::Dashed => self.draw(page, vec![(left, y), (right, y)]),
-            Stroke::Dots => Self { width: 9.0, ..self }.draw(page, vec![(right - px(9.0), y)]),
-            Stroke::Area => self.draw(page, vec![(left, up), (right, up), (right, down), (left, down)]),
-        }
-    }
-
-    /// The same line, three fifths of the way to white.
-    pub fn lighter(self) -> Self {
-        let RGBColor(r, g, b) = self.color;
-        let [r, g, b] = [r, g, b].map(|part| part + (255 - part) / 5 * 3);
-        Self {
-            color: RGBColor(r, g, b),
-            ..self
-        }
-    }
-
-    pub(crate) fn draw<B, C>(self, area: &DrawingArea<B, C>, points: Vec<C::From>) -> Result<(), Box<dyn Error>>
-    where
-        B: DrawingBackend,
-        B::ErrorType: 'static,
-        C: CoordTranslate,
-        C::From: Clone + 'static,
-    {
-        let style = self.color.stroke_width(width(self.width));
-        match self.stroke {
-            Stroke::Solid => area.draw(&PathElement::new(points, style))?,
-            Stroke::Dashed => area.draw(&DashedPathElement::new(points, px(12.0), px(7.0), style))?,
-            Stroke::Dots => {
-                let dot = |point| area.draw(&Circle::new(point, px(0.5 * self.width), style.filled()));
-                points.into_iter().try_for_each(dot)?;
-            }
-            Stroke::Area => area.draw(&Polygon::new(points, style.filled()))?,
-        }
-        Ok(())
     }
 }
 

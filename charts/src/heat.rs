@@ -7,7 +7,7 @@ use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
 use crate::chart::{Axis, Curve, LABELS, Line, draw_head, head};
-use crate::page::{GREY, INK, MARGIN, Picture, bold, px, text, width};
+use crate::page::{GREY, INK, MARGIN, Picture, bold, px, text, width, write_line};
 use crate::palette::viridis;
 
 /// Maps in rows and columns, each with axes and a colour bar of its own.
@@ -67,7 +67,7 @@ impl Map {
     {
         let (head, body) = area.split_vertically(px(CAPTION));
         let style = bold(25.0).pos(Pos::new(HPos::Left, VPos::Center));
-        head.draw_text(&self.colors.label, &style, (px(LABELS), px(30.0)))?;
+        write_line(&head, &self.colors.label, &style, (px(LABELS), px(30.0)))?;
         let (body, bar) = body.split_horizontally(px(LABELS + SIDE));
         let mut chart = ChartBuilder::on(&body)
             .set_label_area_size(LabelAreaPosition::Left, px(LABELS))

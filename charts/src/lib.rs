@@ -6,6 +6,7 @@ pub mod bars;
 pub mod chart;
 pub mod heat;
 mod label;
+mod line;
 pub mod methods;
 pub mod page;
 mod palette;

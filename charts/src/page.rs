@@ -107,6 +107,24 @@ pub fn bold(em: f64) -> TextStyle<'static> {
     styled(em, INK, FontStyle::Bold)
 }
 
+/// Writes a line that begins at `(x, y)`, or says that it does not fit.
+pub(crate) fn write_line<B: DrawingBackend>(
+    area: &DrawingArea<B, Shift>,
+    line: &str,
+    style: &TextStyle<'_>,
+    (x, y): (i32, i32),
+) -> Result<(), Box<dyn Error>>
+where
+    B::ErrorType: 'static,
+{
+    let (length, _) = area.estimate_text_size(line, style)?;
+    if i64::from(x) + i64::from(length) > i64::from(area.dim_in_pixel().0) {
+        return Err(format!("this text is too long for its place: {line}").into());
+    }
+    area.draw_text(line, style, (x, y))?;
+    Ok(())
+}
+
 fn styled(em: f64, color: RGBColor, style: FontStyle) -> TextStyle<'static> {
     let size = em * LINE_PER_EM * f64::from(FINENESS);
     let mut text = TextStyle::from((FAMILY, size, style).into_font());

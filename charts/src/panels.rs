@@ -7,7 +7,7 @@ use plotters::element::DashedPathElement;
 use plotters::prelude::*;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 
-use crate::page::{GREY, GRID, INK, MARGIN, Picture, bold, px, text, width};
+use crate::page::{GREY, GRID, INK, MARGIN, Picture, bold, px, text, width, write_line};
 use crate::scale::{Scale, label};
 
 /// Panels of which all share the axis of x, and those of a column that of y.
@@ -189,8 +189,8 @@ impl Picture for Panels {
         B::ErrorType: 'static,
     {
         page.fill(&WHITE)?;
-        page.draw_text(&self.title, &bold(32.0), (px(MARGIN), px(MARGIN)))?;
-        page.draw_text(&self.subtitle, &text(22.0, GREY), (px(MARGIN), px(MARGIN + 46.0)))?;
+        write_line(page, &self.title, &bold(32.0), (px(MARGIN), px(MARGIN)))?;
+        write_line(page, &self.subtitle, &text(22.0, GREY), (px(MARGIN), px(MARGIN + 46.0)))?;
         self.draw_legend(page)?;
         for (row, (caption, panels)) in self.rows.iter().enumerate() {
             for (column, curves) in panels.iter().enumerate().filter(|(_, curves)| !curves.is_empty()) {

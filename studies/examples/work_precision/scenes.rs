@@ -45,14 +45,14 @@ pub(crate) fn scenes() -> Result<[Scene; 3], Box<dyn Error>> {
     let degree = 1.0_f64.to_radians();
     Ok([
         scene(
-            ["regular", "regular, a small swing with friction, 20 s"],
+            ["regular", "regular, small swing with friction, 20 s"],
             ("paper_gamma_0.1", 0.1),
             [0.0, 4.0 * degree],
             [0.0; 2],
             20.0,
         )?,
         scene(
-            ["chaotic", "chaotic, a large swing without friction, 10 s"],
+            ["chaotic", "chaotic, large swing, no friction, 10 s"],
             ("large_swing", 0.0),
             [2.0, 2.5],
             [0.0; 2],
