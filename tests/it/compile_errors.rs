@@ -61,7 +61,10 @@ fn messages(folder: &Path, case: &Path) -> String {
 
 /// A line of a message; where it names a place in the core, without the line there, which other changes move.
 fn without_line_of_core(line: &str) -> String {
-    let file = line.contains(" pendulum-core/").then(|| line.split_once(".rs:")).flatten();
+    let file = line
+        .contains(" pendulum-core/")
+        .then(|| line.split_once(".rs:"))
+        .flatten();
     match file {
         Some((file, _)) => format!("{file}.rs\n"),
         None => format!("{line}\n"),

@@ -16,7 +16,7 @@ pub trait Law<T: Real, const N: usize, const M: usize> {
     fn inputs(&self, t: T, x: &SVector<T, N>) -> [T; M];
 }
 
-/// A [`Law`] that knows its derivatives, so that the closed loop has a [`Jacobian`].
+/// A [`Law`] that knows its derivatives, so that the closed loop has a [`Jacobian`](crate::Jacobian).
 #[diagnostic::on_unimplemented(
     message = "the law of these inputs has no derivative, so the closed loop has no Jacobian",
     note = "`model.with_inputs(law).with_derivative(|t, x| ..)` states it, `model.with_law(law)` finds it for \
@@ -28,7 +28,7 @@ pub trait LawJacobian<T: Real, const N: usize, const M: usize>: Law<T, N, M> {
 
     /// The derivative of the inputs with respect to the time, the state held fixed.
     ///
-    /// By default a central difference, for two evaluations of the law: see [`Jacobian::time_derivative`].
+    /// By default a central difference, for two evaluations of the law: see [`Jacobian::time_derivative`](crate::Jacobian::time_derivative).
     #[inline]
     fn time_derivative(&self, t: T, x: &SVector<T, N>) -> SVector<T, M>
     where
