@@ -9,15 +9,16 @@ use plotters::prelude::*;
 
 use crate::page::{GRID, Picture, px, width, write};
 
-/// What one picture of an animation shows, in metres about the centre of the picture, `y` upward; later parts lie above earlier ones.
+/// What one picture of an animation shows, in metres about the centre of the picture, `y` upward; later parts lie above
+/// earlier ones.
 pub struct Scene {
     pub polygons: Vec<(RGBColor, Vec<[f64; 2]>)>,
     /// Centres and radii.
     pub disks: Vec<(RGBColor, [f64; 2], f64)>,
 }
 
-/// Writes `stem` with the ending gif, and says where: squares of `size` pixels that show `reach` metres to each side of the centre,
-/// `rate` in a second, again and again.
+/// Writes `stem` with the ending gif, and says where: squares of `size` pixels that show `reach` metres to each side of
+/// the centre, `rate` in a second, again and again.
 pub fn save_gif(stem: &Path, size: u16, reach: f64, rate: u32, scenes: &[Scene]) -> Result<PathBuf, Box<dyn Error>> {
     let mut file = Vec::new();
     let mut encoder = Encoder::new(&mut file, size, size, &[])?;

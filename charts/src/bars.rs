@@ -9,7 +9,8 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use crate::page::{BLUE, GREY, GRID, INK, MARGIN, Picture, bold, px, text, width, write_line};
 use crate::scale::Scale;
 
-/// Panels of bars; all of a column share their axis. A logarithmic axis has no zero for bars to begin at: there they are dots.
+/// Panels of bars; all of a column share their axis. A logarithmic axis has no zero for bars to begin at: there they
+/// are dots.
 pub struct Bars {
     pub title: String,
     pub subtitle: String,

@@ -25,11 +25,13 @@ pub struct Atlas {
 pub struct Map {
     pub x: Axis,
     pub y: Axis,
-    /// What the colours are; the label is the caption of the map. Numbers beyond the range have the colours of its ends.
+    /// What the colours are; the label is the caption of the map. Numbers beyond the range have the colours of its
+    /// ends.
     pub colors: Axis,
     /// How many colours there are.
     pub steps: usize,
-    /// The numbers of cells of one size, row by row from below, and from the left in each; those that are NaN stay white.
+    /// The numbers of cells of one size, row by row from below, and from the left in each; those that are NaN stay
+    /// white.
     pub cells: Vec<f64>,
     /// How many cells are beside each other.
     pub across: usize,
@@ -154,7 +156,8 @@ impl Map {
     }
 }
 
-/// The parts of a map in pixels of the picture: each side of the plane, and the space above, below, and to the right of it.
+/// The parts of a map in pixels of the picture: each side of the plane, and the space above, below, and to the right of
+/// it.
 const SIDE: f64 = 540.0;
 const CAPTION: f64 = 56.0;
 const BELOW: f64 = 84.0;

@@ -50,7 +50,8 @@ pub trait Picture {
         write(stem, "png", &self.png()?)
     }
 
-    /// plotters draws on whole pixels; in a drawing several times too large, scaled down by its view box, they do not show.
+    /// plotters draws on whole pixels; in a drawing several times too large, scaled down by its view box, they do not
+    /// show.
     fn svg(&self) -> Result<String, Box<dyn Error>> {
         let (width, height) = self.size();
         let fine = (width * FINENESS, height * FINENESS);

@@ -4,8 +4,9 @@ use plotters::style::RGBColor;
 
 /// The colour of a number from 0 (dark blue) to 1 (yellow); those outside have the colour of the nearer end.
 ///
-/// Lightness rises evenly, so that the order can be told at sight, with any colour vision, and in grey: sixteen colours of viridis at equal
-/// distances (N. Smith, S. van der Walt, "A Better Default Colormap for Matplotlib", SciPy 2015), and straight lines between them.
+/// Lightness rises evenly, so that the order can be told at sight, with any colour vision, and in grey: sixteen colours
+/// of viridis at equal distances (N. Smith, S. van der Walt, "A Better Default Colormap for Matplotlib", SciPy 2015),
+/// and straight lines between them.
 pub(crate) fn viridis(value: f64) -> RGBColor {
     let last = VIRIDIS.len() - 1;
     let place = value.clamp(0.0, 1.0) * last as f64;

@@ -20,7 +20,8 @@ const POINTS: u32 = 800;
 
 pub(crate) fn figure() -> Result<Figure, Box<dyn Error>> {
     println!(
-        "Energy without friction within {END} s, less that at the start (J); rest is the energy at the start above hanging"
+        "Energy without friction within {END} s, less that at the start (J); rest is the energy at the start above \
+        hanging"
     );
     let free = model(0.0, 0.0)?;
     let paper = Pendulum::paper(0.0, 0.0);

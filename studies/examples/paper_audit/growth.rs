@@ -92,7 +92,8 @@ fn chart(columns: Vec<[Vec<Curve>; 2]>) -> Figure {
     Figure {
         title: "Hanging at rest: the correct linearization decays at every friction".to_owned(),
         subtitle: format!(
-            "Williams (2023), Section 5: m = 1 kg, I = 1 kg m², c = d = 1 m, g = 9.8 m/s²; the other axle has {OTHER} N m s"
+            "Williams (2023), Section 5: m = 1 kg, I = 1 kg m², c = d = 1 m, g = 9.8 m/s²; the other axle has {OTHER} \
+            N m s"
         ),
         size: (1600, 1200),
         legend: legend.collect(),

@@ -36,7 +36,9 @@ pub(crate) fn figure() -> Result<Figure, Box<dyn Error>> {
     };
     Ok(Figure {
         title: "Fig. 2 of the paper is the sum of two damped modes".to_owned(),
-        subtitle: "Released from rest at θ₁ = 0°, θ₂ = 4°; amplitudes by least squares, frequencies and decay from the generated Jacobian".to_owned(),
+        subtitle: "Released from rest at θ₁ = 0°, θ₂ = 4°; amplitudes by least squares, frequencies and decay from \
+        the generated Jacobian"
+            .to_owned(),
         size: (1600, 1150),
         legend: vec![
             (MOTION, "θ₂".to_owned()),
@@ -63,7 +65,8 @@ fn row(gamma: f64) -> Result<Row, Box<dyn Error>> {
     for ((mode, amplitude), seen) in fitted.modes.iter().zip(&fitted.amplitudes).zip(seen) {
         let part = |angle: usize| (amplitude * mode.shape[angle]).norm().to_degrees();
         println!(
-            "    frequency {:.5}, decay {:.5}, damping ratio {:.5}; amplitudes {:.4} and {:.4} degrees; the motion itself has {:.5}, {:.5}",
+            "    frequency {:.5}, decay {:.5}, damping ratio {:.5}; amplitudes {:.4} and {:.4} degrees; the motion \
+            itself has {:.5}, {:.5}",
             mode.angular_frequency(),
             -mode.growth_rate(),
             mode.damping_ratio(),
@@ -76,7 +79,8 @@ fn row(gamma: f64) -> Result<Row, Box<dyn Error>> {
     let quarter = sample(&model, 0.25 * AMPLITUDE)?;
     let [four, one] = [&samples, &quarter].map(|samples| fit(&rest.spectrum, samples).residual(samples).to_degrees());
     println!(
-        "    two modes leave {four:.5} degrees, {:.3} % of {AMPLITUDE}; at {} degree {one:.2e}: power {:.3} of the amplitude",
+        "    two modes leave {four:.5} degrees, {:.3} % of {AMPLITUDE}; at {} degree {one:.2e}: power {:.3} of the \
+        amplitude",
         100.0 * four / AMPLITUDE,
         0.25 * AMPLITUDE,
         (four / one).log(4.0)

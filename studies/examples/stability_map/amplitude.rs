@@ -1,7 +1,7 @@
 //! Chaos over the amplitude, with and without friction.
 //!
-//! With friction every motion comes to rest, and the exponent of long times is that of the slowest mode there, which is negative: what is
-//! positive over a finite time is the chaos on the way.
+//! With friction every motion comes to rest, and the exponent of long times is that of the slowest mode there, which is
+//! negative: what is positive over a finite time is the chaos on the way.
 
 use std::error::Error;
 use std::fmt;

@@ -127,7 +127,8 @@ impl fmt::Display for Frictions {
         let count = self.pairs.len();
         writeln!(
             f,
-            "{count} pairs of frictions, 1e{LEAST} to 1e{MOST} N m s: the hanging state is asymptotically stable, the inverted ones are unstable, at all of them"
+            "{count} pairs of frictions, 1e{LEAST} to 1e{MOST} N m s: the hanging state is asymptotically stable, the \
+            inverted ones are unstable, at all of them"
         )?;
         let (least, most) = self.range(|pair| pair.decay);
         writeln!(f, "  decay rate of the slowest mode {least:.2e} to {most:.2e} /s")?;

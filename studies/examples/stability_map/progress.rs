@@ -3,7 +3,8 @@
 use indicatif::{ProgressBar, ProgressStyle};
 use rayon::prelude::*;
 
-/// What `work` makes of each item, in their order, or an error of one of them. The bar is drawn on standard error, if that is a terminal.
+/// What `work` makes of each item, in their order, or an error of one of them. The bar is drawn on standard error, if
+/// that is a terminal.
 pub(crate) fn on_all_cores<I: Sync, T: Send, E: Send>(
     name: &'static str,
     items: &[I],

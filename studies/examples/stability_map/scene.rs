@@ -37,8 +37,8 @@ impl DoublePendulum {
     }
 }
 
-/// Finite-time exponents over `duration` seconds above this, in 1/s, count as chaos: twice those of regular motion, in which neighbours part in
-/// proportion to time.
+/// Finite-time exponents over `duration` seconds above this, in 1/s, count as chaos: twice those of regular motion, in
+/// which neighbours part in proportion to time.
 pub(crate) fn chaos_above(duration: f64) -> f64 {
     2.0 * duration.ln() / duration
 }

@@ -1,4 +1,5 @@
-//! Poincare sections without friction: all motions of one energy, where the upper plate swings forth through its lowest place.
+//! Poincare sections without friction: all motions of one energy, where the upper plate swings forth through its lowest
+//! place.
 
 use std::error::Error;
 use std::f64::consts::PI;
@@ -15,7 +16,8 @@ use charts::page::{BLUE, RGBColor, VERMILION};
 
 /// Above hanging at rest, in J.
 const ENERGIES: [f64; 3] = [12.0, 21.0, 26.0];
-/// The starts along each of two lines: with this momentum of the lower plate, in kg m^2/s, which meets the large islands, and with it hanging.
+/// The starts along each of two lines: with this momentum of the lower plate, in kg m^2/s, which meets the large
+/// islands, and with it hanging.
 const STARTS: usize = 16;
 const MOMENTUM: f64 = -2.0;
 /// How long sections are recorded, and how long exponents are measured, in s.
@@ -130,7 +132,8 @@ impl Sections {
         Figure {
             title: "Poincaré sections: regular motions keep to curves, chaotic ones do not".to_owned(),
             subtitle: format!(
-                "Double pendulum, Eq. 22, without friction, {DURATION} s: the lower plate whenever the upper one swings forth through its lowest place"
+                "Double pendulum, Eq. 22, without friction, {DURATION} s: the lower plate whenever the upper one \
+                swings forth through its lowest place"
             ),
             size: (1900, 840),
             legend: vec![(REGULAR, "regular".to_owned()), (CHAOTIC, "chaotic".to_owned())],

@@ -15,8 +15,8 @@ use charts::page::VERMILION;
 
 /// How long each motion is followed, in s.
 const DURATION: f64 = 100.0;
-/// Of the motion, and of the motion with its tangent. Where exponents are near 1/s, errors of 1e-10 grow to the size of the motion within 23 s; from
-/// there on a map shows a motion that is as likely as the true one.
+/// Of the motion, and of the motion with its tangent. Where exponents are near 1/s, errors of 1e-10 grow to the size of
+/// the motion within 23 s; from there on a map shows a motion that is as likely as the true one.
 const TOLERANCE: f64 = 1e-10;
 const TANGENT_TOLERANCE: f64 = 1e-7;
 
@@ -86,7 +86,8 @@ fn flip(pendulum: &DoublePendulum, &[theta1, theta2]: &[f64; 2]) -> Result<Optio
 }
 
 impl Motion {
-    /// Whether the energy allows that an angle passes upright: that takes at least the state in which the lower plate stands and the upper one hangs.
+    /// Whether the energy allows that an angle passes upright: that takes at least the state in which the lower plate
+    /// stands and the upper one hangs.
     ///
     /// The potential energy is `-m g d (2 cos(theta1) + cos(theta2))`; there it is `-m g d (2 - 1)`.
     fn can_flip(&self) -> bool {
@@ -139,7 +140,8 @@ impl Starts {
         Atlas {
             title: "Which starts at rest flip, and which are chaotic?".to_owned(),
             subtitle: format!(
-                "Double pendulum, Eq. 22, without friction, followed for {DURATION} s; white: no angle passes ±π in that time"
+                "Double pendulum, Eq. 22, without friction, followed for {DURATION} s; white: no angle passes ±π in \
+                that time"
             ),
             legend: vec![(line, "just enough energy for a flip: 2 cos θ₁ + cos θ₂ = 1".to_owned())],
             columns: 2,
@@ -189,7 +191,8 @@ impl fmt::Display for Starts {
         let chaotic = |motion: &Motion| motion.exponent > chaos_above(DURATION);
         write!(
             f,
-            "  {:.2} % are chaotic (above {:.3} /s), {:.2} % with too little energy for a flip; {:.2} % flip and are not chaotic",
+            "  {:.2} % are chaotic (above {:.3} /s), {:.2} % with too little energy for a flip; {:.2} % flip and are \
+            not chaotic",
             self.share(|motion| chaotic(motion)),
             chaos_above(DURATION),
             self.share(|motion| chaotic(motion) && !motion.can_flip()),

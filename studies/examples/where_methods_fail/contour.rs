@@ -9,8 +9,8 @@ pub(crate) type Path = Vec<(f64, f64)>;
 /// An edge of the grid: its lower left end, and whether it goes up.
 type Edge = (usize, usize, bool);
 
-/// The lines in a rectangle on which `f` is zero, by marching squares on a grid of `cells` by `cells` (W. E. Lorensen, H. E. Cline, Computer
-/// Graphics 21 (1987) 163-169, in two dimensions).
+/// The lines in a rectangle on which `f` is zero, by marching squares on a grid of `cells` by `cells` (W. E. Lorensen,
+/// H. E. Cline, Computer Graphics 21 (1987) 163-169, in two dimensions).
 pub(crate) fn zeros(f: impl Fn(f64, f64) -> f64, x: &Range<f64>, y: &Range<f64>, cells: usize) -> Vec<Path> {
     let at = |range: &Range<f64>, n: usize| range.start + (range.end - range.start) * n as f64 / cells as f64;
     let values: Vec<Vec<f64>> = (0..=cells)

@@ -82,7 +82,8 @@ pub(crate) fn methods(reports: Reports<'_>) -> Figure {
 pub(crate) fn stiff(reports: Reports<'_>) -> Figure {
     figure(
         "A stiff motion",
-        "Friction of 10⁴ N m s stops the first swing within milliseconds, and then the pendulum creeps; the largest error includes the start",
+        "Friction of 10⁴ N m s stops the first swing within milliseconds, and then the pendulum creeps; the largest \
+        error includes the start",
         reports,
         &[
             Panels {

@@ -63,7 +63,8 @@ pub(crate) fn line(name: &str) -> Line {
     methods::line(name.trim_end_matches(LANES))
 }
 
-/// From 1e-3 to 3e-14, two for each power of ten: the reference between the points has 1e-14, and would be compared with itself.
+/// From 1e-3 to 3e-14, two for each power of ten: the reference between the points has 1e-14, and would be compared
+/// with itself.
 fn tolerances() -> impl Iterator<Item = f64> {
     (6..=27).map(|n| 10.0_f64.powf(-0.5 * f64::from(n)))
 }

@@ -37,7 +37,8 @@ pub(crate) struct Simpler {
 /// One start: both angles, at rest.
 struct Amplitude {
     degrees: f64,
-    /// The largest error in time of angles and rates (per second) over the amplitude, and the time for the last state, in seconds, in the order of [`NAMES`].
+    /// The largest error in time of angles and rates (per second) over the amplitude, and the time for the last state,
+    /// in seconds, in the order of [`NAMES`].
     models: [(f64, f64); 3],
     evaluations: usize,
 }
@@ -150,7 +151,8 @@ impl Simpler {
         Figure {
             title: "Up to which amplitude is a simpler model enough?".to_owned(),
             subtitle: format!(
-                "Released at rest with equal angles, γ = 0.1 N m s, {T1} s; full: the whole model by Taylor with a tolerance of 1e-6"
+                "Released at rest with equal angles, γ = 0.1 N m s, {T1} s; full: the whole model by Taylor with a \
+                tolerance of 1e-6"
             ),
             size: (1600, 960),
             legend: vec![(

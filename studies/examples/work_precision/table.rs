@@ -1,12 +1,12 @@
-//! The tables of the README.
+//! The tables of the book.
 
 use pendulum_core::accuracy::{Measured, Report};
 
 use crate::scenes::Scene;
 
-/// The errors to reach, and the one whose steps and evaluations are told.
+/// The errors to reach, and the one whose steps and evaluations are shown.
 const TARGETS: [f64; 3] = [1e-6, 1e-8, 1e-10];
-const TOLD: usize = 1;
+const SHOWN: usize = 1;
 
 /// The cheapest settings of all methods on one scene.
 struct Cheapest<'r> {
@@ -19,15 +19,18 @@ struct Cheapest<'r> {
 /// The times of methods on scenes that have the same ones, in units of the fastest one's that is not in lanes.
 pub(crate) fn markdown(reports: &[(&Scene, Report)]) -> String {
     let columns: Vec<_> = reports.iter().map(|(_, report)| Cheapest::of(report)).collect();
-    let told = format!("steps, evaluations at {:.0e}", TARGETS[TOLD]);
-    let head = format!("{} | {told}", TARGETS.map(|target| format!("{target:.0e}")).join(" | "));
+    let shown = format!("steps, evaluations at {:.0e}", TARGETS[SHOWN]);
+    let head = format!(
+        "{} | {shown}",
+        TARGETS.map(|target| format!("{target:.0e}")).join(" | ")
+    );
     let names = reports.iter().map(|(scene, _)| format!(" {}: {head} |", scene.name));
     let rule = "---:|".repeat((TARGETS.len() + 1) * reports.len());
     let mut lines = vec![format!("| |{}", names.collect::<String>()), format!("|---|{rule}")];
 
     let methods = &reports[0].1.methods;
     let mut order: Vec<usize> = (0..methods.len()).collect();
-    let place = |n: usize| columns[0].ratio(TOLD, n).unwrap_or(f64::INFINITY);
+    let place = |n: usize| columns[0].ratio(SHOWN, n).unwrap_or(f64::INFINITY);
     order.sort_by(|&a, &b| place(a).total_cmp(&place(b)));
     for n in order {
         let cells: String = columns.iter().map(|column| column.cells(n)).collect();
@@ -61,7 +64,7 @@ impl<'r> Cheapest<'r> {
     /// What the row of method `n` says.
     fn cells(&self, n: usize) -> String {
         let ratios = (0..TARGETS.len()).map(|target| self.ratio(target, n).map_or(String::new(), digits));
-        let work = self.found[TOLD][n].and_then(|measured| measured.work);
+        let work = self.found[SHOWN][n].and_then(|measured| measured.work);
         let work = work.map(|work| format!("{}, {}", work.accepted + work.rejected, work.evaluations));
         let cells = ratios.chain([work.unwrap_or_default()]);
         cells.map(|cell| format!(" {cell} |")).collect()
