@@ -1,6 +1,6 @@
 //! Physical checks that need the whole scene.
 
-use std::collections::HashSet;
+use rustc_hash::FxHashSet;
 
 use crate::dynamics::Dynamics;
 use crate::error::Errors;
@@ -40,7 +40,7 @@ pub(crate) fn check(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'_>) -
 fn report_without_effect(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'_>, errors: &mut Errors) {
     let checked = model.rules.iter().map(|rule| rule.value);
     let roots: Vec<_> = dynamics.entries().into_iter().chain(checked).collect();
-    let read: HashSet<ExprId> = model.graph.reachable(&roots).into_iter().collect();
+    let read: FxHashSet<ExprId> = model.graph.reachable(&roots).into_iter().collect();
     let parameters = model.parameters.iter().map(|p| ("parameter", &p.name, p.symbol));
     let inputs = model.inputs.iter().map(|input| ("input", &input.name, input.symbol));
     let spans = spans.parameters.iter().chain(&spans.inputs);

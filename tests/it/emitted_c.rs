@@ -60,6 +60,8 @@ mechanism! {
 /// The declarations of this file.
 const OWN: &str = include_str!("emitted_c.rs");
 
+/// How many states each scene is compared in.
+const STATES: usize = 3000;
 /// The order of the series, the highest.
 const ORDER: usize = 24;
 
@@ -208,7 +210,7 @@ fn same(source: &str, name: &str, tolerance: f64, rust: impl Fn(f64, &[f64], &[f
     let (length, dof) = (program.layout.len(), program.layout.dof());
     let mut random = Random::new(1);
     let mut states: Vec<Vec<f64>> = Vec::new();
-    for n in 0..10_000 {
+    for n in 0..STATES {
         // in every fourth state angles whose sums are as large as the sine of our own can take; zeros of either sign, and what is not finite
         let reach = if n % 4 == 0 && tolerance == 0.0 {
             1e5 / dof as f64

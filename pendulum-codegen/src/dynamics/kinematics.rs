@@ -1,6 +1,6 @@
 //! Where bodies are, in their stations, and which screws move them.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use crate::expr::{Expr, Graph};
 use crate::model::{Body, BodyId, Heading, Model};
@@ -19,7 +19,7 @@ pub(crate) struct Kinematics<'g> {
     stations: Vec<Option<BodyId>>,
     parents: Vec<Option<BodyId>>,
     gravity: Vec3<'g>,
-    seen: HashMap<(BodyId, BodyId), Twist<'g>>,
+    seen: FxHashMap<(BodyId, BodyId), Twist<'g>>,
 }
 
 impl<'g> Kinematics<'g> {
@@ -59,7 +59,7 @@ impl<'g> Kinematics<'g> {
             stations: model.bodies.iter().map(|body| body.heading.station).collect(),
             parents: model.bodies.iter().map(|body| body.parent).collect(),
             gravity: model.gravity,
-            seen: HashMap::new(),
+            seen: FxHashMap::default(),
         }
     }
 

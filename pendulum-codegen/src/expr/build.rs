@@ -2,7 +2,7 @@
 
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::{Binary, Expr, Graph, Node, Rational, Unary, ratio};
+use super::{Binary, Expr, Graph, Node, Rational, Unary, multiply, ratio};
 
 impl Graph {
     /// An exact number.
@@ -119,7 +119,7 @@ impl<'g> Expr<'g> {
     fn times(self, other: Self) -> Self {
         let graph = self.graph();
         if let (Some(x), Some(y)) = (self.as_number(), other.as_number()) {
-            return graph.number(x * y);
+            return graph.number(multiply(x, y));
         }
         for (x, y) in [(self, other), (other, self)] {
             if let Some(number) = x.as_number() {

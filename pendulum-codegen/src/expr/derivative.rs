@@ -1,6 +1,6 @@
 //! Derivatives within the graph.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use super::{Binary, Expr, Node, Unary};
 
@@ -8,7 +8,7 @@ use super::{Binary, Expr, Node, Unary};
 #[derive(Debug)]
 pub(crate) struct Derivative<'g> {
     by: Option<Expr<'g>>,
-    known: HashMap<Expr<'g>, Expr<'g>>,
+    known: FxHashMap<Expr<'g>, Expr<'g>>,
 }
 
 impl<'g> Derivative<'g> {
@@ -16,7 +16,7 @@ impl<'g> Derivative<'g> {
     pub(crate) fn by(by: Expr<'g>) -> Self {
         Self {
             by: Some(by),
-            known: HashMap::new(),
+            known: FxHashMap::default(),
         }
     }
 

@@ -24,7 +24,10 @@ impl Graph {
 
     /// The value of an expression that depends on nothing.
     pub fn constant(&self, id: ExprId) -> Option<f64> {
-        (self.level(id) == super::Level::Constant).then(|| self.evaluate(&[id], |_| f64::NAN)[0])
+        match self.node(id) {
+            Node::Number(n) => Some(nearest_f64(n)),
+            _ => (self.level(id) == super::Level::Constant).then(|| self.evaluate(&[id], |_| f64::NAN)[0]),
+        }
     }
 }
 

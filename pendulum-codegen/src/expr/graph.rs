@@ -1,11 +1,11 @@
 //! The hash-consed graph.
 
 use std::cell::RefCell;
-use std::collections::HashMap;
 use std::collections::hash_map::Entry;
 
 use elsa::FrozenVec;
 use num_traits::{One, Zero};
+use rustc_hash::FxHashMap;
 
 use super::{Binary, Expr, Rational, Unary};
 
@@ -91,7 +91,7 @@ pub enum Node<Operand = ExprId, Number = Rational> {
 #[derive(Default)]
 pub struct Graph {
     nodes: FrozenVec<Box<Stored>>,
-    ids: RefCell<HashMap<Node, ExprId>>,
+    ids: RefCell<FxHashMap<Node, ExprId>>,
     symbols: FrozenVec<Box<Symbol>>,
 }
 
@@ -232,7 +232,7 @@ impl Graph {
     }
 
     /// The roots with some expressions replaced by others, simplified on the way up.
-    pub fn substitute<'g>(&'g self, roots: &[Expr<'g>], mut new: HashMap<Expr<'g>, Expr<'g>>) -> Vec<Expr<'g>> {
+    pub fn substitute<'g>(&'g self, roots: &[Expr<'g>], mut new: FxHashMap<Expr<'g>, Expr<'g>>) -> Vec<Expr<'g>> {
         for id in self.reachable(roots) {
             let x = self.expr(id);
             if new.contains_key(&x) {

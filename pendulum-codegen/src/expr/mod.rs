@@ -21,6 +21,8 @@ mod precedence;
 mod print;
 mod text;
 
+use num_traits::{One, Signed, Zero};
+
 pub(crate) use derivative::Derivative;
 pub(crate) use expression::Expr;
 pub use formula::{Definition, Formula, Summand};
@@ -39,4 +41,17 @@ pub(crate) type Rational = num_rational::BigRational;
 /// The rational `numerator / denominator`; the denominator must not be zero.
 pub(crate) fn ratio(numerator: i64, denominator: i64) -> Rational {
     Rational::new(numerator.into(), denominator.into())
+}
+
+/// The product of two numbers. One of them is 0, 1 or -1 most of the time, where no common divisor need be searched.
+pub(crate) fn multiply(x: &Rational, y: &Rational) -> Rational {
+    for (unit, other) in [(x, y), (y, x)] {
+        if unit.is_zero() {
+            return Rational::zero();
+        }
+        if unit.is_integer() && unit.numer().magnitude().is_one() {
+            return if unit.is_positive() { other.clone() } else { -other };
+        }
+    }
+    x * y
 }

@@ -4,12 +4,13 @@
 //! what is left are independent atoms. Roots obey `root(x)^k = x`. The form is canonical for polynomials in symbols, sines,
 //! cosines and roots; a quotient by a sum, and functions that have no algebraic rule, stand as atoms.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use num_traits::{One, Signed, ToPrimitive, Zero};
+use rustc_hash::FxHashMap;
 
-use super::{Binary, Expr, ExprId, Graph, Monomial, Node, Poly, Rational, SymbolKind, Unary, ratio};
+use super::{Binary, Expr, ExprId, Graph, Monomial, Node, Poly, Rational, SymbolKind, Unary, multiply, ratio};
 
 /// The polynomial grew beyond the limit of its normaliser.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -19,13 +20,13 @@ pub(crate) struct TooLarge;
 const MOST_TURNS: i64 = 16;
 
 /// What each coordinate is, as a sum of base angles with integer factors.
-pub(crate) type BaseAngles<'g> = HashMap<Expr<'g>, Vec<(Expr<'g>, Rational)>>;
+pub(crate) type BaseAngles<'g> = FxHashMap<Expr<'g>, Vec<(Expr<'g>, Rational)>>;
 
 /// Turns expressions of one graph into normal form, and remembers each.
 #[derive(Debug)]
 pub(crate) struct Normalizer<'g> {
     graph: &'g Graph,
-    known: HashMap<ExprId, Rc<Poly>>,
+    known: FxHashMap<ExprId, Rc<Poly>>,
     angles: BaseAngles<'g>,
     /// How many more products of terms may be formed.
     budget: usize,
@@ -36,8 +37,8 @@ impl<'g> Normalizer<'g> {
     pub(crate) fn new(graph: &'g Graph, budget: usize) -> Self {
         Self {
             graph,
-            known: HashMap::new(),
-            angles: HashMap::new(),
+            known: FxHashMap::default(),
+            angles: FxHashMap::default(),
             budget,
         }
     }
@@ -169,7 +170,7 @@ impl<'g> Normalizer<'g> {
         let mut product = Poly::default();
         for (u, x) in a.terms() {
             for (v, y) in b.terms() {
-                self.add_reduced(&mut product, u.times(v), x * y)?;
+                self.add_reduced(&mut product, u.times(v), multiply(x, y))?;
             }
         }
         Ok(product)

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use num_traits::{One, Zero};
 
-use super::{ExprId, Rational};
+use super::{ExprId, Rational, multiply};
 
 /// A product of integer powers of atoms, sorted by atom; no power is zero.
 #[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -146,7 +146,7 @@ impl Poly {
     /// Adds `factor * other` in place.
     pub(crate) fn add_scaled(&mut self, other: &Self, factor: &Rational) {
         for (monomial, coefficient) in &other.0 {
-            self.add_term(monomial.clone(), coefficient * factor);
+            self.add_term(monomial.clone(), multiply(coefficient, factor));
         }
     }
 

@@ -1,8 +1,7 @@
 //! Expressions as formulas, as a person would write them: flat sums and products, numbers and parameters first.
 
-use std::collections::HashMap;
-
 use num_traits::{One, Signed, Zero};
+use rustc_hash::FxHashMap;
 
 use super::formula::Summand;
 use super::{Binary, ExprId, Formula, Graph, Node, Rational, SymbolKind, Unary, ratio};
@@ -11,7 +10,7 @@ use super::{Binary, ExprId, Formula, Graph, Node, Rational, SymbolKind, Unary, r
 #[derive(Debug)]
 pub(crate) struct Printer<'g> {
     graph: &'g Graph,
-    names: HashMap<ExprId, Formula>,
+    names: FxHashMap<ExprId, Formula>,
 }
 
 impl<'g> Printer<'g> {
@@ -19,7 +18,7 @@ impl<'g> Printer<'g> {
     pub(crate) fn new(graph: &'g Graph) -> Self {
         Self {
             graph,
-            names: HashMap::new(),
+            names: FxHashMap::default(),
         }
     }
 

@@ -7,12 +7,12 @@ mod routines;
 mod series;
 mod taylor;
 
+use rustc_hash::FxHashMap;
+
 pub(crate) use closed::Closed;
 pub(crate) use kind::{Basis, Derivatives, Form};
 pub(crate) use routines::*;
 pub(crate) use taylor::Taylor;
-
-use std::collections::HashMap;
 
 use crate::dynamics::{
     Dynamics, Factored, Solver, derived, momentum_partials, momentum_rates, partials, partials_by_recursion,
@@ -166,7 +166,7 @@ impl<'g> Forms<'g> {
                     let solved: Vec<Expr<'g>> = solved.collect();
                     for (form, accelerations) in &ways {
                         let symbols = model.coordinates.iter().map(|c| c.acceleration);
-                        let known: HashMap<_, _> = symbols.zip(accelerations.iter().copied()).collect();
+                        let known: FxHashMap<_, _> = symbols.zip(accelerations.iter().copied()).collect();
                         let mut roots = model.graph.substitute(&solved, known);
                         if with_accelerations {
                             roots.splice(0..0, accelerations.iter().copied());

@@ -1,6 +1,6 @@
 //! What each routine computes: one function for each row of the table of routines.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use super::{Chosen, Forms};
 use crate::dynamics::derived;
@@ -74,7 +74,7 @@ pub(crate) fn momentum<'g>(forms: &mut Forms<'g>, _: &Model<'g>) -> Chosen<'g> {
 pub(crate) fn inverse_dynamics<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     // what inputs do is asked of inverse dynamics, not given
     let zero = model.graph.zero();
-    let without_inputs: HashMap<_, _> = model.input_symbols().into_iter().map(|input| (input, zero)).collect();
+    let without_inputs: FxHashMap<_, _> = model.input_symbols().into_iter().map(|input| (input, zero)).collect();
     forms.part(|dynamics| model.graph.substitute(&dynamics.balance, without_inputs.clone()))
 }
 

@@ -6,9 +6,8 @@
 //! the interior `j = 1 .. k - 1` of all of them is a [`Slot`] each, all computed at once before anything else of order `k`, and the
 //! ends, with `u_0` and `v_0`, are written out. For example `z = u v` is `z_k = sum + u_0 v_k + v_0 u_k`.
 
-use std::collections::HashMap;
-
 use num_traits::Signed;
+use rustc_hash::FxHashMap;
 
 use crate::expr::{Binary, Expr, Graph, Level, Node, Rational, SymbolKind, Unary, ratio};
 use crate::model::Model;
@@ -79,10 +78,10 @@ pub(super) struct Recurrences<'g, 's> {
     symbols: &'s mut Symbols<'g>,
     /// The slots, in the order in which they were met.
     pub(super) slots: Vec<Slot<'g>>,
-    known: HashMap<Slot<'g>, usize>,
-    coefficients: HashMap<Expr<'g>, Expr<'g>>,
+    known: FxHashMap<Slot<'g>, usize>,
+    coefficients: FxHashMap<Expr<'g>, Expr<'g>>,
     /// Whether all coefficients but the first vanish.
-    still: HashMap<Expr<'g>, bool>,
+    still: FxHashMap<Expr<'g>, bool>,
 }
 
 impl<'g, 's> Recurrences<'g, 's> {
@@ -94,9 +93,9 @@ impl<'g, 's> Recurrences<'g, 's> {
             graph: model.graph,
             symbols,
             slots: Vec::new(),
-            known: HashMap::new(),
+            known: FxHashMap::default(),
             coefficients,
-            still: HashMap::new(),
+            still: FxHashMap::default(),
         }
     }
 

@@ -1,6 +1,6 @@
 //! The power series of the motion: which form of the dynamics gives its coefficients with the fewest products of series.
 
-use std::collections::{HashMap, HashSet};
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::series::{Recurrences, Symbols};
 use super::{Form, Forms, factorings};
@@ -132,9 +132,9 @@ fn code<'g>(
     order.extend(left.into_iter().chain(right));
     let changing = [symbols.order, symbols.over_order, symbols.time];
     let changing = changing.into_iter().chain(symbols.state.iter().copied());
-    let changing: HashSet<Expr<'g>> = changing.chain(symbols.sums[..slots].iter().copied()).collect();
+    let changing: FxHashSet<Expr<'g>> = changing.chain(symbols.sums[..slots].iter().copied()).collect();
     let kept = kept(g, &order, changing);
-    let mut names = HashMap::new();
+    let mut names = FxHashMap::default();
     for (n, &value) in kept.iter().enumerate() {
         names.insert(value, Symbols::of_list(g, &mut symbols.kept, "kept", n));
     }
@@ -156,9 +156,9 @@ fn code<'g>(
 }
 
 /// The largest expressions of the state within the roots that nothing of order `k` is part of.
-fn kept<'g>(g: &'g Graph, roots: &[Expr<'g>], mut changing: HashSet<Expr<'g>>) -> Vec<Expr<'g>> {
+fn kept<'g>(g: &'g Graph, roots: &[Expr<'g>], mut changing: FxHashSet<Expr<'g>>) -> Vec<Expr<'g>> {
     let reachable: Vec<Expr<'g>> = g.reachable(roots).into_iter().map(|id| g.expr(id)).collect();
-    let mut read: HashSet<Expr<'g>> = roots.iter().copied().collect();
+    let mut read: FxHashSet<Expr<'g>> = roots.iter().copied().collect();
     for &x in &reachable {
         if x.operands().any(|operand| changing.contains(&operand)) {
             changing.insert(x);

@@ -3,11 +3,13 @@
 mod combination;
 mod index;
 
+use std::collections::BTreeSet;
+
+use rustc_hash::FxHashMap;
+
 pub(crate) use combination::Combination;
 pub(crate) use index::index_types;
 pub(crate) use index::{BodyId, CoordinateId};
-
-use std::collections::{BTreeSet, HashMap};
 
 use crate::expr::{BaseAngles, Definition, Expr, Formula, Graph, ratio};
 use crate::screw::{Mat3, SpatialInertia, Transform, Twist, Vec3};
@@ -250,7 +252,7 @@ impl<'g> Model<'g> {
 
     /// What each turning coordinate is in base angles: the absolute angles of parallel joints within their station.
     pub(crate) fn base_angles(&self) -> BaseAngles<'g> {
-        let mut angles = HashMap::new();
+        let mut angles = FxHashMap::default();
         for body in &self.bodies {
             let Some(own) = body.coordinate else { continue };
             let turn = &body.heading.turn;

@@ -1,6 +1,6 @@
 //! Constants in normal form, so that those which cancel are zero exactly, and equal ones are one.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use crate::expr::{Expr, Graph, Level, Normalizer};
 
@@ -10,7 +10,7 @@ const BUDGET: usize = 100_000;
 /// The roots with every constant operand of something that varies replaced by its normal form.
 pub(crate) fn fold<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
     let mut normalizer = Normalizer::new(g, BUDGET);
-    let mut folded = HashMap::new();
+    let mut folded = FxHashMap::default();
     for x in g.reachable(roots).into_iter().map(|id| g.expr(id)) {
         if x.level() == Level::Constant {
             continue;

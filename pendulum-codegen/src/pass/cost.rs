@@ -1,8 +1,9 @@
 //! Counted operations.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 
 use num_traits::{Signed, ToPrimitive};
+use rustc_hash::FxHashMap;
 
 use crate::expr::{CostKind, Expr, ExprId, Graph, Level, Node, Unary};
 
@@ -90,7 +91,7 @@ impl Operations {
 
 /// The longest chain of operations from the state to a root, in additions that wait for each other.
 fn chain<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> usize {
-    let mut ends: HashMap<ExprId, usize> = HashMap::new();
+    let mut ends: FxHashMap<ExprId, usize> = FxHashMap::default();
     for id in g.reachable(roots) {
         let before = g
             .operands(id)

@@ -1,10 +1,11 @@
 //! Expressions as sums of terms, like terms together.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::BTreeMap;
 
 use num_traits::{One, ToPrimitive, Zero};
+use rustc_hash::FxHashMap;
 
-use crate::expr::{Binary, Expr, Graph, Level, Node, Normalizer, Rational, Unary};
+use crate::expr::{Binary, Expr, Graph, Level, Node, Normalizer, Rational, Unary, multiply};
 
 /// What constants may take to be brought into normal form.
 const BUDGET: usize = 100_000;
@@ -20,9 +21,9 @@ pub(super) struct Flat<'g> {
     pub(super) g: &'g Graph,
     normalizer: Normalizer<'g>,
     /// The terms of each expression of the original.
-    linear: HashMap<Expr<'g>, Linear<'g>>,
+    linear: FxHashMap<Expr<'g>, Linear<'g>>,
     /// The terms of each flat sum.
-    pub(super) sums: HashMap<Expr<'g>, Linear<'g>>,
+    pub(super) sums: FxHashMap<Expr<'g>, Linear<'g>>,
 }
 
 impl<'g> Flat<'g> {
@@ -31,8 +32,8 @@ impl<'g> Flat<'g> {
         let mut flat = Self {
             g,
             normalizer: Normalizer::new(g, BUDGET),
-            linear: HashMap::new(),
-            sums: HashMap::new(),
+            linear: FxHashMap::default(),
+            sums: FxHashMap::default(),
         };
         let mut count = 0;
         for id in g.reachable(roots).into_iter().map(|id| g.expr(id)) {
@@ -248,7 +249,7 @@ fn scaled<'g>(linear: &Linear<'g>, factor: &Rational) -> Linear<'g> {
 pub(super) fn add_scaled<'g>(sum: &mut Linear<'g>, other: &Linear<'g>, factor: &Rational) {
     for (&atom, own) in other {
         let entry = sum.entry(atom).or_insert_with(Rational::zero);
-        *entry += own * factor;
+        *entry += multiply(own, factor);
         if entry.is_zero() {
             sum.remove(&atom);
         }

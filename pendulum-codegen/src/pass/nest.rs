@@ -3,9 +3,10 @@
 //! Recursions over the links of a chain add a little to a sum from link to link. Where some of that cancels, or comes in another order,
 //! the chain of sums no longer shows. Here every sum becomes a list of its terms, and then the longest sum that it contains, and the rest.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
 
 use num_traits::{One, Signed};
+use rustc_hash::FxHashMap;
 
 use super::flat::{Flat, Linear, add_scaled};
 use crate::expr::{Binary, Expr, Graph, Level, Node, Rational};
@@ -23,7 +24,7 @@ pub(crate) fn nest<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
     let mut nested = Nested {
         flat,
         sums,
-        built: HashMap::new(),
+        built: FxHashMap::default(),
     };
     flat_roots.into_iter().map(|root| nested.build(root)).collect()
 }
@@ -33,7 +34,7 @@ struct Nested<'g> {
     flat: Flat<'g>,
     /// The sums, the longest first.
     sums: Vec<Linear<'g>>,
-    built: HashMap<Expr<'g>, Expr<'g>>,
+    built: FxHashMap<Expr<'g>, Expr<'g>>,
 }
 
 impl<'g> Nested<'g> {

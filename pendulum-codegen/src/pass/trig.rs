@@ -1,8 +1,9 @@
 //! Which sines and cosines are called, and which follow from others by the addition theorems.
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
 
 use num_traits::{One, Signed, ToPrimitive};
+use rustc_hash::FxHashMap;
 
 use crate::expr::{Expr, Graph, Level, Node, Normalizer, Rational, SymbolKind, Unary};
 
@@ -22,7 +23,7 @@ pub(crate) fn lower<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
         needed.into_iter().filter_map(|x| Some((combination(x)?, x))).collect();
     angles.sort_by_key(|(angle, x)| (angle.values().map(|n| n.abs()).sum::<i64>(), *x));
     let mut available: Vec<Available<'g>> = Vec::new();
-    let mut replaced = HashMap::new();
+    let mut replaced = FxHashMap::default();
     for (angle, x) in angles {
         let [sin, cos] = [x.sin(), x.cos()];
         let known = derived(&angle, &available).unwrap_or(Available { angle, sin, cos });

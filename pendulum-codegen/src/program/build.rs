@@ -1,8 +1,9 @@
 //! From expressions to statements: one for each value that is used more than once.
 
-use std::collections::{BTreeMap, HashMap, HashSet};
+use std::collections::BTreeMap;
 
 use num_traits::{Signed, ToPrimitive};
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::block::{Block, Let, Local, SinCos, Term, Variable};
 use super::schedule::{Step, schedule};
@@ -20,7 +21,11 @@ pub(crate) struct NotFinite(pub(crate) String);
 /// # Errors
 ///
 /// The first constant that has no finite value.
-pub(crate) fn block(graph: &Graph, roots: &[Expr<'_>], known: &HashMap<ExprId, Variable>) -> Result<Block, NotFinite> {
+pub(crate) fn block(
+    graph: &Graph,
+    roots: &[Expr<'_>],
+    known: &FxHashMap<ExprId, Variable>,
+) -> Result<Block, NotFinite> {
     let roots: &[ExprId] = &roots.iter().map(|root| root.id()).collect::<Vec<_>>();
     let mut builder = Builder::new(graph, roots, known);
     let results = builder.results(roots);
@@ -72,12 +77,12 @@ struct Statement {
 #[derive(Debug)]
 struct Builder<'g> {
     graph: &'g Graph,
-    uses: HashMap<ExprId, usize>,
+    uses: FxHashMap<ExprId, usize>,
     /// The angles whose sine, or cosine, is used.
     sines: BTreeMap<ExprId, [bool; 2]>,
     /// Those of them that need no other sine or cosine and are not computed yet.
     independent: Vec<ExprId>,
-    known: HashMap<ExprId, Term>,
+    known: FxHashMap<ExprId, Term>,
     statements: Vec<Statement>,
     /// For each local the angle of which it is the sine or cosine.
     locals: Vec<Option<ExprId>>,
@@ -85,9 +90,9 @@ struct Builder<'g> {
 }
 
 impl<'g> Builder<'g> {
-    fn new(graph: &'g Graph, roots: &[ExprId], known: &HashMap<ExprId, Variable>) -> Self {
-        let (mut uses, mut sines): (HashMap<ExprId, usize>, BTreeMap<_, [bool; 2]>) = Default::default();
-        let mut seen = HashSet::new();
+    fn new(graph: &'g Graph, roots: &[ExprId], known: &FxHashMap<ExprId, Variable>) -> Self {
+        let (mut uses, mut sines): (FxHashMap<ExprId, usize>, BTreeMap<_, [bool; 2]>) = Default::default();
+        let mut seen = FxHashSet::default();
         let mut stack = roots.to_vec();
         while let Some(id) = stack.pop() {
             *uses.entry(id).or_default() += 1;
@@ -135,8 +140,8 @@ impl<'g> Builder<'g> {
 
     /// What each statement needs of the others.
     fn steps(&self, roots: &[ExprId]) -> Vec<Step> {
-        let roots: HashSet<ExprId> = roots.iter().copied().collect();
-        let mut origins: HashMap<Local, usize> = HashMap::new();
+        let roots: FxHashSet<ExprId> = roots.iter().copied().collect();
+        let mut origins: FxHashMap<Local, usize> = FxHashMap::default();
         for (n, statement) in self.statements.iter().enumerate() {
             origins.extend(statement.code.defines().map(|local| (local, n)));
         }

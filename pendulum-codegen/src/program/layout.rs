@@ -1,9 +1,9 @@
 //! What each part of the state is, and the symmetries of the right-hand side.
 
-use std::collections::HashMap;
 use std::ops::Range;
 
 use num_traits::Zero;
+use rustc_hash::FxHashMap;
 
 use super::block::{Term, Variable};
 use crate::expr::{Binary, Expr, ExprId, Graph, Node, Normalizer, Rational, Unary, ratio};
@@ -152,7 +152,7 @@ const BUDGET: usize = 100_000;
 /// by whole turns and for what is computed from such sines. `None` is for growth that depends on the state or on parameters.
 fn repeats(g: &Graph, nodes: &[ExprId], roots: &[Expr<'_>], coordinate: Expr<'_>) -> bool {
     let zero = ratio(0, 1);
-    let mut growths: HashMap<ExprId, Option<Rational>> = HashMap::new();
+    let mut growths: FxHashMap<ExprId, Option<Rational>> = FxHashMap::default();
     for &id in nodes {
         let of = |x: &ExprId| growths[x].clone();
         let growth = match g.node(id) {

@@ -8,7 +8,9 @@ mod routine;
 mod schedule;
 mod series;
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
+
+use rustc_hash::FxHashMap;
 
 pub use block::{Block, Coefficient, Let, Local, SinCos, Term, Variable};
 pub(crate) use build::NotFinite;
@@ -198,7 +200,7 @@ where
 }
 
 /// What the routines can read.
-fn known<'g>(model: &Model<'g>, constants: &[Expr<'g>]) -> HashMap<ExprId, Variable> {
+fn known<'g>(model: &Model<'g>, constants: &[Expr<'g>]) -> FxHashMap<ExprId, Variable> {
     let state = model.state().into_iter().enumerate();
     let accelerations = model.coordinates.iter().map(|c| c.acceleration).enumerate();
     let inputs = model.input_symbols().into_iter().enumerate();
@@ -212,7 +214,7 @@ fn known<'g>(model: &Model<'g>, constants: &[Expr<'g>]) -> HashMap<ExprId, Varia
 }
 
 /// The parameters, which is all that is known when the model is built.
-fn parameters(model: &Model<'_>) -> HashMap<ExprId, Variable> {
+fn parameters(model: &Model<'_>) -> FxHashMap<ExprId, Variable> {
     let parameters = model.parameters.iter().enumerate();
     parameters
         .map(|(n, p)| (p.symbol.id(), Variable::Parameter(n)))

@@ -1,6 +1,6 @@
 //! Routines: what they compute, and the one table of all that can be generated.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use super::block::{Block, Variable};
 use super::build::{NotFinite, block};
@@ -91,7 +91,7 @@ impl Row {
         &self,
         model: &Model<'g>,
         chosen: Chosen<'g>,
-        known: &HashMap<ExprId, Variable>,
+        known: &FxHashMap<ExprId, Variable>,
     ) -> Result<Routine, NotFinite> {
         let arguments = self.arguments.iter().copied();
         let others = chosen

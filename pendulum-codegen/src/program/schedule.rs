@@ -1,6 +1,8 @@
 //! The order of statements.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
+
+use rustc_hash::FxHashMap;
 
 /// What a statement defines, and which values of others it needs.
 #[derive(Debug, Default)]
@@ -16,7 +18,7 @@ pub(super) struct Step {
 /// An order that keeps few values alive: of the steps whose needs are met the next is the one behind which the fewest values are
 /// waiting, the first of equals in the given order. A processor has 16 or 32 registers; every value beyond waits in memory.
 pub(super) fn schedule(steps: &[Step]) -> Vec<usize> {
-    let mut users: HashMap<usize, Vec<usize>> = HashMap::new();
+    let mut users: FxHashMap<usize, Vec<usize>> = FxHashMap::default();
     for (n, step) in steps.iter().enumerate() {
         for &need in &step.needs {
             users.entry(need).or_default().push(n);

@@ -1,6 +1,6 @@
 //! The power series of the motion.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use super::block::{Block, Coefficient, Variable};
 use super::build::{NotFinite, block};
@@ -29,7 +29,7 @@ impl Series {
     pub(super) fn new<'g>(
         model: &Model<'g>,
         taylor: Taylor<'g>,
-        known: &HashMap<ExprId, Variable>,
+        known: &FxHashMap<ExprId, Variable>,
     ) -> Result<Self, NotFinite> {
         let (g, symbols) = (model.graph, &taylor.symbols);
         let mut of_order = known.clone();

@@ -1,6 +1,6 @@
 //! The number of base parameters is the rank of the regressor: the matrix that takes all inertial parameters to the forces of a motion.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use nalgebra::DMatrix;
 
@@ -39,8 +39,8 @@ fn counts(gravity: &str, joints: &[Joint]) -> (usize, usize) {
     let names: Vec<String> = model.parameters.iter().map(|p| p.name.clone()).collect();
     let mut next = numbers(5);
     let mut rows: Vec<Vec<f64>> = Vec::new();
-    for _ in 0..20 * joints.len() {
-        let mut state = HashMap::new();
+    for _ in 0..4 * joints.len() {
+        let mut state = FxHashMap::default();
         let mut forces = |moved: Option<&str>| {
             model.graph.evaluate(&dynamics.balance, |symbol| {
                 if names.contains(&symbol.name) {

@@ -1,6 +1,6 @@
 //! The generated equations against hand-written ones, in symbols: the difference has normal form zero.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use super::{assert_formula, dynamics, formula, normal_text, symbol};
 use crate::expr::{Expr, Graph};
@@ -99,7 +99,7 @@ fn relative_and_absolute_coordinates_are_the_same_motion() {
     let (_, of_absolute) = dynamics(&graphs[0], &general("theta2 absolute"));
     let (relative, of_relative) = dynamics(&graphs[1], &general("theta2"));
     // the relative angle is theta2 - theta1, in the symbols of the absolute angles
-    let mut new: HashMap<Expr<'_>, Expr<'_>> = HashMap::new();
+    let mut new: FxHashMap<Expr<'_>, Expr<'_>> = FxHashMap::default();
     for (angle, before) in [("theta2", "theta1"), ("dot(theta2)", "dot(theta1)")] {
         let (angle, before) = (symbol(&relative, angle), symbol(&relative, before));
         new.insert(angle, angle - before);

@@ -1,6 +1,8 @@
 //! The printed equations are read back by the language's own parser and evaluated: what is printed is the equation.
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
+
+use rustc_hash::FxHashMap;
 
 use super::dynamics;
 use crate::ast::{Expr, ExprKind, Operator};
@@ -143,7 +145,7 @@ fn plain(line: &str) -> String {
 }
 
 /// The value of a formula, in which names stand for numbers or for other lines.
-fn value(expr: &Expr, symbols: &HashMap<String, f64>, lines: &BTreeMap<String, Expr>) -> f64 {
+fn value(expr: &Expr, symbols: &FxHashMap<String, f64>, lines: &BTreeMap<String, Expr>) -> f64 {
     let of = |expr: &Expr| value(expr, symbols, lines);
     match &expr.kind {
         ExprKind::Number(n) => num_traits::ToPrimitive::to_f64(n).expect("a number"),
@@ -195,7 +197,7 @@ fn checked(declaration: &str) -> String {
 fn assert_true(model: &Model<'_>, dynamics: &Dynamics<'_>, equations: &Equations) {
     let g = model.graph;
     let mut next = 0.0_f64;
-    let symbols: HashMap<String, f64> = g
+    let symbols: FxHashMap<String, f64> = g
         .symbols()
         .map(|symbol| {
             // numbers without a pattern: a Weyl sequence

@@ -78,7 +78,7 @@ fn passes_do_not_change_values() {
     }
     for seed in 0..20 {
         let mut next = numbers(31 * seed);
-        let values: std::collections::HashMap<String, f64> =
+        let values: rustc_hash::FxHashMap<String, f64> =
             g.symbols().map(|s| (s.name.clone(), next().abs() + 0.1)).collect();
         let all = [&originals[..], &rewritten, &shared, &plain].concat();
         let all = g.evaluate(&all, |symbol| values[&symbol.name]);

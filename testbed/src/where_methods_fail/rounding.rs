@@ -49,7 +49,7 @@ fn walks(early: u32, late: u32, starts: u32) -> [f64; 2] {
 /// root of the time. A bias would grow with the time.
 pub fn random_walk(size: Size) -> Row {
     let (early, late, starts) = match size {
-        Size::Small => (1000, 10_000, 4),
+        Size::Small => (500, 5000, 4),
         Size::Full => (8000, 128_000, 16),
     };
     let [before, after] = walks(early, late, starts);

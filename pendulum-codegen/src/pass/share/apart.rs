@@ -1,8 +1,7 @@
 //! Expressions taken apart into items.
 
-use std::collections::HashMap;
-
 use num_traits::{One, Signed, ToPrimitive};
+use rustc_hash::FxHashMap;
 
 use super::parts::{Item, Operand, Parts, Ref};
 use crate::expr::{Binary, Expr, Graph, Level, Node, Rational, Unary, ratio};
@@ -20,16 +19,16 @@ pub(super) fn take_apart<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> (Parts, Vec<Op
 /// The state of taking apart.
 struct Apart<'g> {
     parts: Parts,
-    taken: HashMap<Expr<'g>, Operand>,
+    taken: FxHashMap<Expr<'g>, Operand>,
     /// How often each expression is used.
-    uses: HashMap<Expr<'g>, usize>,
+    uses: FxHashMap<Expr<'g>, usize>,
     /// How many quotients have this divisor.
-    divisions: HashMap<Expr<'g>, usize>,
+    divisions: FxHashMap<Expr<'g>, usize>,
 }
 
 impl<'g> Apart<'g> {
     fn new(graph: &'g Graph, roots: &[Expr<'g>]) -> Self {
-        let (mut uses, mut divisions) = (HashMap::new(), HashMap::new());
+        let (mut uses, mut divisions) = (FxHashMap::default(), FxHashMap::default());
         for x in graph.reachable(roots).into_iter().map(|id| graph.expr(id)) {
             for operand in x.operands() {
                 *uses.entry(operand).or_default() += 1;
@@ -43,7 +42,7 @@ impl<'g> Apart<'g> {
         }
         Self {
             parts: Parts::default(),
-            taken: HashMap::new(),
+            taken: FxHashMap::default(),
             uses,
             divisions,
         }

@@ -1,7 +1,9 @@
 //! The pair of operands that most sums, or products, share: found and taken out, again and again.
 
 use std::cmp::Reverse;
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet};
+
+use rustc_hash::FxHashMap;
 
 use super::parts::{Item, Operand, Parts, Ref};
 
@@ -20,7 +22,7 @@ pub(super) fn share_pairs(parts: &mut Parts, of: Of) {
     let mut search = Search {
         parts,
         of,
-        places: HashMap::new(),
+        places: FxHashMap::default(),
         queue: BTreeSet::new(),
     };
     for item in 0..search.parts.items.len() {
@@ -36,7 +38,7 @@ struct Search<'p> {
     parts: &'p mut Parts,
     of: Of,
     /// In which items each pair stands, and how often.
-    places: HashMap<Pair, BTreeMap<Ref, usize>>,
+    places: FxHashMap<Pair, BTreeMap<Ref, usize>>,
     /// Pairs that stand in two places or more; the most frequent last.
     queue: BTreeSet<(usize, Reverse<Pair>)>,
 }

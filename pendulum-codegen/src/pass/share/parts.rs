@@ -1,6 +1,6 @@
 //! Values as sums and products of operands, numbered and without repetition.
 
-use std::collections::HashMap;
+use rustc_hash::FxHashMap;
 
 use crate::expr::{ExprId, Rational, Unary};
 
@@ -28,7 +28,7 @@ pub(super) struct Parts {
     pub(super) items: Vec<Item>,
     /// Items that do not depend on the state.
     pub(super) constant: Vec<bool>,
-    refs: HashMap<Item, Ref>,
+    refs: FxHashMap<Item, Ref>,
 }
 
 impl Parts {

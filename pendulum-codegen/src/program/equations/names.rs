@@ -1,6 +1,8 @@
 //! Names for the parts that repeat.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::BTreeSet;
+
+use rustc_hash::FxHashMap;
 
 use crate::expr::{
     Binary, Definition, Expr, ExprId, Formula, Graph, Level, Node, Precedence, Printer, SymbolKind, Unary,
@@ -25,7 +27,7 @@ pub(super) fn name_parts<'g>(
         combinations: combinations(g, &reachable),
         adds_up: false,
         taken: taken.clone(),
-        given: HashMap::new(),
+        given: FxHashMap::default(),
         temporaries: 0,
     };
     names.adds_up = reachable
@@ -58,8 +60,8 @@ pub(super) fn name_parts<'g>(
 }
 
 /// How often each expression is an operand, or an entry that is not the first of its value.
-fn uses(g: &Graph, reachable: &[ExprId], roots: &[ExprId]) -> HashMap<ExprId, usize> {
-    let mut uses: HashMap<ExprId, usize> = HashMap::new();
+fn uses(g: &Graph, reachable: &[ExprId], roots: &[ExprId]) -> FxHashMap<ExprId, usize> {
+    let mut uses: FxHashMap<ExprId, usize> = FxHashMap::default();
     for operand in reachable.iter().flat_map(|&id| g.operands(id)) {
         *uses.entry(operand).or_default() += 1;
     }
@@ -71,7 +73,7 @@ fn uses(g: &Graph, reachable: &[ExprId], roots: &[ExprId]) -> HashMap<ExprId, us
 }
 
 /// What stands for each coordinate in composed names: its number, if all of them have one, or else its name.
-fn suffixes(model: &Model<'_>) -> HashMap<ExprId, String> {
+fn suffixes(model: &Model<'_>) -> FxHashMap<ExprId, String> {
     let number = |name: &str| name.trim_start_matches(|c: char| !c.is_ascii_digit()).to_owned();
     let numbers: Vec<String> = model.coordinate_names().into_iter().map(number).collect();
     let distinct: BTreeSet<&String> = numbers.iter().collect();
@@ -95,12 +97,12 @@ fn suffixes(model: &Model<'_>) -> HashMap<ExprId, String> {
 struct Names<'g> {
     graph: &'g Graph,
     printer: Printer<'g>,
-    suffixes: HashMap<ExprId, String>,
-    combinations: HashMap<ExprId, Combination>,
+    suffixes: FxHashMap<ExprId, String>,
+    combinations: FxHashMap<ExprId, Combination>,
     /// Whether angles add up along a chain that is so long that they have names of their own.
     adds_up: bool,
     taken: BTreeSet<String>,
-    given: HashMap<ExprId, String>,
+    given: FxHashMap<ExprId, String>,
     temporaries: usize,
 }
 
@@ -233,8 +235,8 @@ struct Combination {
 }
 
 /// The expressions that are combinations of coordinates or of rates.
-fn combinations(g: &Graph, reachable: &[ExprId]) -> HashMap<ExprId, Combination> {
-    let mut known: HashMap<ExprId, Combination> = HashMap::new();
+fn combinations(g: &Graph, reachable: &[ExprId]) -> FxHashMap<ExprId, Combination> {
+    let mut known: FxHashMap<ExprId, Combination> = FxHashMap::default();
     for &id in reachable {
         let combination = match *g.node(id) {
             Node::Symbol(s) => match g.name_and_kind(s).kind {

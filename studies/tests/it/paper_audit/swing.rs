@@ -138,17 +138,17 @@ fn without_friction_only_the_largest_swings_are_chaotic() {
         (150.0, false),
         (168.0, true),
     ] {
-        let [early, late] = [500.0, 2000.0].map(|duration| {
+        let [early, late] = [150.0, 600.0].map(|duration| {
             let exponent = Lyapunov::new().tolerance(1e-9).duration(duration);
             exponent.largest(&model, start(degrees)).expect("regular")
         });
         let (value, uncertainty) = (late.values[0], late.uncertainty[0]);
-        let grown = 2000.0 * value - 500.0 * early.values[0];
+        let grown = 600.0 * value - 150.0 * early.values[0];
         println!(
-            "Section 4, no friction, {degrees} degrees: {value:.5} +- {uncertainty:.5} 1/s; from 500 to 2000 s grown by exp({grown:.2})"
+            "Section 4, no friction, {degrees} degrees: {value:.5} +- {uncertainty:.5} 1/s; from 150 to 600 s grown by exp({grown:.2})"
         );
         if chaotic {
-            assert!(value > 0.04 && value > 4.0 * uncertainty && grown > 50.0);
+            assert!(value > 0.04 && value > 4.0 * uncertainty && grown > 15.0);
         } else {
             assert!(value < 3.0 * uncertainty && grown < (4.0 * 3.2_f64).ln());
         }

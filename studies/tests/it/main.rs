@@ -1,0 +1,9 @@
+//! What the studies show: accuracy, failures, stability, and the slips of the paper.
+
+mod accuracy;
+mod bifurcations;
+mod every_failure;
+mod paper_audit;
+mod solve_accuracy;
+mod stability;
+mod where_methods_fail;
