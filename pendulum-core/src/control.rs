@@ -117,10 +117,11 @@ pub trait Estimates {}
 /// within 0.2 and 10; `beta = 0.04` damps the steps of mildly stiff systems, and `alpha = 1 / (order + 1) - 0.75 beta`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PiController {
-    alpha: f64,
+    pub(crate) alpha: f64,
     /// The binary logarithm of the last accepted error.
-    last: f64,
-    rejected: bool,
+    pub(crate) last: f64,
+    /// The most that the next factor may be.
+    pub(crate) most: f64,
 }
 
 impl PiController {
@@ -128,6 +129,8 @@ impl PiController {
     const SAFETY: f64 = 0.9;
     const SHRINK: f64 = 0.2;
     const GROW: f64 = 10.0;
+    /// After an attempt that arrived nowhere, and so has no error.
+    const FAILED: f64 = 0.25;
     /// The binary logarithm of 1e-4. A smaller error is not remembered as such: it says little about the next one.
     const SMALLEST_LOG: f64 = -13.287_712_379_549_449;
 
@@ -136,7 +139,7 @@ impl PiController {
         let mut controller = Self {
             alpha: 0.0,
             last: Self::SMALLEST_LOG,
-            rejected: false,
+            most: Self::GROW,
         };
         controller.set_order(order);
         controller
@@ -148,28 +151,21 @@ impl PiController {
         self.alpha = 1.0 / (order as f64 + 1.0) - 0.75 * Self::BETA;
     }
 
-    /// The factor for the next step, after an accepted one with this mean square error.
-    #[inline]
-    pub(crate) fn accept(&mut self, mean_square: f64) -> f64 {
+    /// The factor for the next attempt, after one with this mean square error, which was accepted up to 1. NaN is that of
+    /// an attempt that arrived nowhere.
+    ///
+    /// Without branches, so that lanes decide together. After a rejection a step does not grow.
+    #[inline(always)]
+    pub(crate) fn next(&mut self, mean_square: f64) -> f64 {
+        let is_accepted = mean_square <= 1.0;
         let error = 0.5 * log2(mean_square);
-        let factor = Self::SAFETY * exp2(Self::BETA * self.last - self.alpha * error);
-        let most = if self.rejected { 1.0 } else { Self::GROW };
-        self.last = error.max(Self::SMALLEST_LOG);
-        self.rejected = false;
-        factor.clamp(Self::SHRINK, most)
-    }
-
-    /// The factor for the next attempt, after a rejected one with this mean square error.
-    pub(crate) fn reject(&mut self, mean_square: f64) -> f64 {
-        self.rejected = true;
-        let error = 0.5 * log2(mean_square);
-        (Self::SAFETY * exp2(-self.alpha * error)).max(Self::SHRINK)
-    }
-
-    /// The factor for the next attempt, after one that arrived nowhere and so has no error.
-    pub(crate) fn reject_failed(&mut self) -> f64 {
-        self.rejected = true;
-        0.25
+        let memory = if is_accepted { Self::BETA * self.last } else { 0.0 };
+        let factor = Self::SAFETY * exp2(memory - self.alpha * error);
+        let factor = factor.min(self.most).max(Self::SHRINK);
+        let remembered = error.max(Self::SMALLEST_LOG);
+        self.last = if is_accepted { remembered } else { self.last };
+        self.most = if is_accepted { Self::GROW } else { 1.0 };
+        if mean_square.is_nan() { Self::FAILED } else { factor }
     }
 }
 
@@ -180,25 +176,27 @@ impl PiController {
 #[inline(always)]
 pub(crate) fn log2(x: f64) -> f64 {
     const MANTISSA: u64 = (1 << 52) - 1;
+    // With these bits on top, an integer below 2^52 is 2^52 more as a number: a conversion that all registers know.
+    const INTEGER: f64 = 4_503_599_627_370_496.0;
     let bits = x.to_bits();
     let m = f64::from_bits(bits & MANTISSA | 1.0_f64.to_bits());
-    let exponent = (bits >> 52) as i64 - 1023;
+    let exponent = f64::from_bits((bits >> 52) | INTEGER.to_bits()) - (INTEGER + 1023.0);
     let square = m * m;
     let low = -2.498_353_15 + 4.029_211_39 * m;
     let high = -2.078_335_17 + 0.626_032_18 * m - 0.078_440_68 * square;
-    exponent as f64 + (low + square * high)
+    exponent + (low + square * high)
 }
 
 /// 2 to the power of `x`, to 1e-4; `x` is kept within the exponents of numbers.
 #[inline(always)]
 pub(crate) fn exp2(x: f64) -> f64 {
     let x = x.clamp(-1022.0, 1023.0);
-    // Adding and subtracting 1.5 * 2^52 rounds to the nearest integer.
+    // Adding 1.5 * 2^52 rounds to the nearest integer, and puts it into the lowest bits.
     const ROUND: f64 = 6_755_399_441_055_744.0;
-    let whole = x + ROUND - ROUND;
-    let y = x - whole;
+    let rounded = x + ROUND;
+    let y = x - (rounded - ROUND);
     let power = (0.999_924_56 + 0.693_136_73 * y) + y * y * (0.242_639_48 + 0.055_838_28 * y);
-    power * f64::from_bits(((whole as i64 + 1023) as u64) << 52)
+    power * f64::from_bits(rounded.to_bits().wrapping_add(1023) << 52)
 }
 
 #[cfg(test)]
@@ -221,15 +219,17 @@ mod tests {
     fn an_error_of_one_shrinks_the_step_a_little() {
         let mut controller = PiController::new(4);
         controller.last = 0.0;
-        assert!((controller.accept(1.0) - 0.9).abs() < 1e-4);
+        assert!((controller.next(1.0) - 0.9).abs() < 1e-4);
     }
 
     #[test]
     fn the_factor_keeps_its_bounds() {
         let mut controller = PiController::new(4);
-        assert_eq!(controller.accept(0.0), PiController::GROW);
-        assert_eq!(controller.reject(1e300), PiController::SHRINK);
-        assert_eq!(controller.accept(0.0), 1.0, "no growth after a rejection");
-        assert_eq!(controller.accept(0.0), PiController::GROW);
+        assert_eq!(controller.next(0.0), PiController::GROW);
+        assert_eq!(controller.next(1e300), PiController::SHRINK);
+        assert_eq!(controller.next(0.0), 1.0, "no growth after a rejection");
+        assert_eq!(controller.next(0.0), PiController::GROW);
+        assert_eq!(controller.next(f64::NAN), PiController::FAILED);
+        assert_eq!(controller.next(0.0), 1.0, "no growth after a failure");
     }
 }

@@ -5,12 +5,12 @@ use std::ops::Range;
 use nalgebra::SVector;
 
 use super::check::{first_not_finite, in_lane, sum};
-use super::{Ensemble, EnsembleError, InLanes, MOST_LANES, Stopped, alone, check_models, conclude, model_of};
+use super::members::Members;
+use super::{Ensemble, EnsembleError, InLanes, Stopped, alone, check_models, conclude, model_of};
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::method::{
-    Accepted, Adaptive, Estimates, Failure, NonFinite, Pace, Scheme, StepControl, check_span, check_state,
-    is_within_tolerance,
+    Adaptive, Estimates, Failure, NonFinite, Scheme, StepControl, check_span, check_state, is_within_tolerance,
 };
 use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
 use crate::solution::Statistics;
@@ -78,19 +78,6 @@ where
     }
 }
 
-/// A lane, and the trajectory in it.
-#[derive(Clone, Copy)]
-struct Member<T> {
-    /// Which; none where the lane is free.
-    index: Option<usize>,
-    t: T,
-    t_new: T,
-    pace: Pace<T>,
-    steps: usize,
-    /// Whether the last attempt was rejected, so that the length of the next one is known.
-    retries: bool,
-}
-
 impl<F, M, T, const N: usize> March<'_, F, M, T, N>
 where
     F: InLanes<M, T, N>,
@@ -102,100 +89,100 @@ where
         if self.models.is_empty() {
             return Ok(());
         }
-        let (t0, t1) = self.span;
+        let (_, t1) = self.span;
         let tolerance = self.method.tolerance()?;
         let mut system = F::gather::<V>(|_| &self.models[0]);
         let mut scheme = self.method.family.stages::<V>(&system, Some(tolerance))?;
         let control = self.method.control(tolerance, scheme.error_order(), self.span)?;
-        let member = |index| Member {
-            index,
-            t: t0,
-            t_new: t0,
-            pace: control.start(),
-            steps: 0,
-            retries: false,
-        };
-        let mut members = [member(None); MOST_LANES];
-        let members = &mut members[..V::LANES];
+        let mut members = Members::none();
         let mut x = SVector::from_element(V::default());
         let mut x_new = x;
         let work = &mut Statistics::default();
         loop {
-            // Those that wait take the lanes that are free.
-            let mut someone_enters = false;
-            for (lane, free) in members.iter_mut().enumerate() {
-                if free.index.is_none()
-                    && let Some(index) = self.next()
-                {
-                    *free = member(Some(index));
-                    set_lane(&mut x, lane, &self.x[index]);
-                    someone_enters = true;
+            if members.some_are_free(V::LANES) {
+                let someone_enters = self.enter(&mut members, &mut x, &control);
+                if members.busy(V::LANES).next().is_none() {
+                    return Ok(());
                 }
-            }
-            if members.iter().all(|member| member.index.is_none()) {
-                return Ok(());
-            }
-            let t = V::from_fn(|lane| members[lane].t);
-            if someone_enters {
-                if self.models.len() > 1 {
-                    system = F::gather::<V>(|lane| model_of(self.models, members[lane].index.unwrap_or(0)));
-                }
-                let slope = scheme.begin(&system, t, &x, work);
-                for (lane, member) in members.iter_mut().enumerate() {
-                    if let (Some(index), 0) = (member.index, member.steps) {
-                        self.begin(&control, member, index, &in_lane(&slope, lane));
+                if someone_enters {
+                    if self.models.len() > 1 {
+                        system = F::gather::<V>(|lane| model_of(self.models, members.index(lane).unwrap_or(0)));
+                    }
+                    let t = V::from_fn(|lane| members.t[lane]);
+                    let slope = scheme.begin(&system, t, &x, work);
+                    for (lane, index) in members.busy(V::LANES) {
+                        if members.steps[lane] == 0 {
+                            self.begin(&control, &mut members, (lane, index), &in_lane(&slope, lane));
+                        }
                     }
                 }
             }
+            let t = V::from_fn(|lane| members.t[lane]);
             let proposed = scheme.prepare(&system, t, &x, work);
-            for (lane, member) in members.iter_mut().enumerate() {
-                if let Some(index) = member.index {
-                    let proposed = proposed.filter(|_| !member.retries).map(|h| h.lane(lane));
-                    match control.plan(&mut member.pace, (member.t, t1), member.steps, proposed) {
-                        Ok(t_new) => member.t_new = t_new,
-                        Err(reason) => self.stop(member, index, in_lane(&x, lane), reason),
+            if !members.plan(&control, t1, proposed) {
+                for (lane, index) in members.busy(V::LANES) {
+                    let (mut h, at) = (members.h[lane], members.t[lane]);
+                    let proposed = members.proposal(lane, &proposed);
+                    if let Err(reason) = control.plan(&mut h, (at, t1), members.steps[lane], proposed) {
+                        self.stop(&mut members, (lane, index), in_lane(&x, lane), reason);
                     }
                 }
             }
-            let t_new = V::from_fn(|lane| members[lane].t_new);
+            let t_new = V::from_fn(|lane| members.t_new[lane]);
             let attempt = scheme.attempt(&system, (t, &x), (t_new, &mut x_new), work);
             let slope = scheme.arrive(&system, (t_new, &x_new), work);
             let sum = sum(&x_new, slope);
-            let mut accepted = [true; MOST_LANES];
-            for (lane, member) in members.iter_mut().enumerate() {
-                let Some(index) = member.index else { continue };
-                let outcome = match attempt {
-                    Err(stalled) => Err(Failure::from(stalled)),
-                    Ok(mean_square) if sum.lane(lane).is_finite() => Ok(mean_square.lane(lane)),
-                    Ok(mean_square) => outcome((&x_new, slope), mean_square.lane(lane), lane),
-                };
-                let proposes = const { <F::Stages<V> as Scheme<F::System<V>, V, N>>::PROPOSES };
-                let verdict = control.judge(&mut member.pace, (member.t, member.t_new), outcome, proposes);
-                accepted[lane] = matches!(verdict, Ok(true));
-                member.steps += 1;
-                member.retries = !accepted[lane];
-                if accepted[lane] {
-                    member.t = member.t_new;
-                }
-                if let Err(reason) = verdict {
-                    self.stop(member, index, in_lane(&x, lane), reason);
+            let outcome = |lane| match attempt {
+                Err(stalled) => Err(Failure::from(stalled)),
+                Ok(mean_square) if sum.lane(lane).is_finite() => Ok(mean_square.lane(lane)),
+                Ok(mean_square) => outcome((&x_new, slope), mean_square.lane(lane), lane),
+            };
+            let mean_squares = match attempt {
+                Ok(mean_square) if sum.all_finite() => mean_square,
+                _ => V::from_fn(|lane| outcome(lane).unwrap_or(T::from_f64(f64::NAN))),
+            };
+            if !members.judge(&control, &mean_squares) {
+                for (lane, index) in members.busy(V::LANES) {
+                    let (h, step) = (members.h[lane], (members.t[lane], members.t_new[lane]));
+                    if !members.is_accepted(lane) && h < control.least(step.0) {
+                        let reason = control.hopeless(outcome(lane), step, h);
+                        self.stop(&mut members, (lane, index), in_lane(&x, lane), reason);
+                    }
                 }
             }
-            let lanes = if accepted[..V::LANES].contains(&false) {
-                Accepted::Lanes(&accepted)
-            } else {
-                Accepted::All
-            };
+            let lanes = members.accepted::<V>();
             scheme.accept(&system, &Step::new((t, x), (t_new, x_new)), lanes, work);
             x = lanes.select(&x_new, &x);
-            for (lane, member) in members.iter_mut().enumerate() {
-                if member.t == t1
-                    && let Some(index) = member.index.take()
-                {
-                    self.x[index] = in_lane(&x, lane);
+            if members.some_arrive(V::LANES, t1) {
+                for (lane, index) in members.busy(V::LANES) {
+                    if members.t[lane] == t1 {
+                        self.x[index] = in_lane(&x, lane);
+                        members.leave(lane);
+                    }
                 }
             }
         }
+    }
+
+    /// Those that wait take the lanes that are free: whether there were any.
+    #[inline(always)]
+    fn enter<V: Lanes<Scalar = T>>(
+        &mut self,
+        members: &mut Members<T>,
+        x: &mut SVector<V, N>,
+        control: &StepControl<T>,
+    ) -> bool {
+        let mut someone_enters = false;
+        for lane in 0..V::LANES {
+            if members.index(lane).is_none()
+                && let Some(index) = self.next()
+            {
+                members.enter(lane, index, self.span.0, control.start());
+                set_lane(x, lane, &self.x[index]);
+                someone_enters = true;
+            }
+        }
+        someone_enters
     }
 
     /// The next trajectory, if one waits that has a way to go.
@@ -212,23 +199,31 @@ where
     }
 
     /// Begins a trajectory with the derivative at its start: finds a first step, where the method does not propose it.
-    fn begin(&mut self, control: &StepControl<T>, member: &mut Member<T>, index: usize, slope: &SVector<T, N>) {
+    fn begin(
+        &mut self,
+        control: &StepControl<T>,
+        members: &mut Members<T>,
+        (lane, index): (usize, usize),
+        slope: &SVector<T, N>,
+    ) {
         let x = self.x[index];
         if let Err(component) = NonFinite::check(slope) {
-            self.stop(member, index, x, component.at_start());
+            self.stop(members, (lane, index), x, component.at_start());
         } else if const { !<F::Scheme as Scheme<M::In<T>, T, N>>::PROPOSES } {
             let model = model_of(self.models, index).cast::<T>();
-            control.find_first_step(&mut member.pace, &model, (member.t, &x, slope), self.span.1);
+            if let Some(h) = control.first_step(&model, (members.t[lane], &x, slope), self.span.1) {
+                members.h[lane] = h;
+            }
         }
     }
 
     /// Ends a trajectory before its time, in its last good state.
     #[cold]
-    fn stop(&mut self, member: &mut Member<T>, index: usize, x: SVector<T, N>, reason: Reason) {
-        let t = member.t;
+    fn stop(&mut self, members: &mut Members<T>, (lane, index): (usize, usize), x: SVector<T, N>, reason: Reason) {
+        let t = members.t[lane];
         self.stopped.push(Stopped { index, t, reason });
         self.x[index] = x;
-        (member.index, member.t_new) = (None, t);
+        members.leave(lane);
     }
 }
 

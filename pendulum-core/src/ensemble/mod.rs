@@ -4,6 +4,7 @@ mod adaptive;
 mod check;
 mod fixed;
 mod lanes;
+mod members;
 
 use std::error::Error;
 use std::fmt;

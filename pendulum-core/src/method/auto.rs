@@ -242,7 +242,7 @@ where
         }
     }
 
-    fn accept(&mut self, system: &S, step: &Step<T, N>, lanes: Accepted<'_>, work: &mut Statistics) {
+    fn accept(&mut self, system: &S, step: &Step<T, N>, lanes: Accepted<T>, work: &mut Statistics) {
         if self.is_stiff {
             self.implicit.accept(system, step, lanes, work);
             work.stiff += 1;

@@ -167,7 +167,7 @@ where
     }
 
     #[inline(always)]
-    fn accept(&mut self, _system: &S, _step: &Step<T, N>, lanes: Accepted<'_>, _work: &mut Statistics) {
+    fn accept(&mut self, _system: &S, _step: &Step<T, N>, lanes: Accepted<T>, _work: &mut Statistics) {
         let last = self.stages[STAGES - 1];
         *self.slope() = lanes.select(&last, self.slope());
     }

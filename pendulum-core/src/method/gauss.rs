@@ -235,7 +235,7 @@ where
     }
 
     #[inline]
-    fn accept(&mut self, _system: &S, step: &Step<T, N>, _lanes: Accepted<'_>, _work: &mut Statistics) {
+    fn accept(&mut self, _system: &S, step: &Step<T, N>, _lanes: Accepted<T>, _work: &mut Statistics) {
         let (end, stages) = self.tried;
         self.start = end;
         self.before = Some((step.x0, stages, step.h));

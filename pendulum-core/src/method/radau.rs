@@ -256,7 +256,7 @@ where
     }
 
     #[inline]
-    fn accept(&mut self, _system: &S, step: &Step<T, N>, _lanes: Accepted<'_>, _work: &mut Statistics) {
+    fn accept(&mut self, _system: &S, step: &Step<T, N>, _lanes: Accepted<T>, _work: &mut Statistics) {
         self.start = self.end;
         self.coefficients = std::array::from_fn(|power| combined(&POWERS[power], &self.rises));
         (self.h, self.is_doubtful) = (step.h, false);

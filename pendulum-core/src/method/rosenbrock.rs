@@ -197,7 +197,7 @@ where
     }
 
     #[inline]
-    fn accept(&mut self, _system: &S, _step: &Step<T, N>, _lanes: Accepted<'_>, _work: &mut Statistics) {
+    fn accept(&mut self, _system: &S, _step: &Step<T, N>, _lanes: Accepted<T>, _work: &mut Statistics) {
         self.swapped = !self.swapped;
     }
 

@@ -61,7 +61,7 @@ pub trait Scheme<S: ?Sized, T: Lanes, const N: usize> {
     fn arrive(&mut self, system: &S, end: (T, &SVector<T, N>), work: &mut Statistics) -> Option<&SVector<T, N>>;
 
     /// Accepts the step after [`arrive`](Self::arrive), in some lanes or in [all](Accepted::All); a scalar is all.
-    fn accept(&mut self, system: &S, step: &Step<T, N>, lanes: Accepted<'_>, work: &mut Statistics);
+    fn accept(&mut self, system: &S, step: &Step<T, N>, lanes: Accepted<T>, work: &mut Statistics);
 
     /// The vectors `c_1, c_2, ..` of the dense output `x0 + c_1 theta + c_2 theta^2 + ..`, `theta` the fraction of the
     /// step, for the step that was accepted last.
@@ -70,21 +70,25 @@ pub trait Scheme<S: ?Sized, T: Lanes, const N: usize> {
 
 /// Which lanes accept a step.
 #[derive(Clone, Copy, Debug)]
-pub enum Accepted<'a> {
+pub enum Accepted<T> {
     /// All of them; a scalar is one lane.
     All,
-    /// Those that are `true`.
-    Lanes(&'a [bool]),
+    /// Those in which the number is negative.
+    Negative(T),
 }
 
-impl Accepted<'_> {
+impl<T: Lanes> Accepted<T> {
     /// `new` in the lanes that accept, and `old` in the others.
     #[inline(always)]
-    pub fn select<T: Lanes, const N: usize>(self, new: &SVector<T, N>, old: &SVector<T, N>) -> SVector<T, N> {
+    pub fn select<const N: usize>(self, new: &SVector<T, N>, old: &SVector<T, N>) -> SVector<T, N> {
         match self {
             Self::All => *new,
-            Self::Lanes(accepted) => {
-                SVector::from_fn(|k, _| T::from_fn(|lane| if accepted[lane] { &new[k] } else { &old[k] }.lane(lane)))
+            Self::Negative(sign) => {
+                let mut selected = *old;
+                for (old, new) in selected.data.0[0].iter_mut().zip(&new.data.0[0]) {
+                    *old = sign.select(*new, *old);
+                }
+                selected
             }
         }
     }

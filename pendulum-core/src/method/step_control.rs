@@ -25,8 +25,8 @@ pub(crate) struct StepControl<T> {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Pace<T> {
     /// The length of the next step.
-    h: T,
-    controller: PiController,
+    pub(crate) h: T,
+    pub(crate) controller: PiController,
 }
 
 /// The least step in ulps of the time.
@@ -59,62 +59,65 @@ impl<T: Float> StepControl<T> {
             .max(T::MIN_POSITIVE)
     }
 
-    /// Finds a first step on the way to `t1`, unless it is given, from the initial point and the derivative there:
-    /// whether that took an evaluation of the right-hand side.
-    pub(crate) fn find_first_step<S, const N: usize>(
+    /// A first step on the way to `t1`, unless it is given, from the initial point and the derivative there, by one
+    /// evaluation of the right-hand side.
+    pub(crate) fn first_step<S, const N: usize>(
         &self,
-        pace: &mut Pace<T>,
         system: &S,
         start: (T, &SVector<T, N>, &SVector<T, N>),
         t1: T,
-    ) -> bool
+    ) -> Option<T>
     where
         S: System<T, N> + ?Sized,
     {
         if self.h0.is_some() {
-            return false;
+            return None;
         }
         let span = t1 - start.0;
         let direction = T::from_f64(if span < T::default() { -1.0 } else { 1.0 });
         let bounds = (self.error_order, self.h_max.min(span.abs()), direction);
-        pace.h = self.tolerance.first_step(system, start, bounds);
-        true
+        Some(self.tolerance.first_step(system, start, bounds))
     }
 
-    /// Plans the step from `t` on the way to `t1`, after this many `steps`: the time at its end.
+    /// Plans the step from `t` on the way to `t1`, after this many `steps`: the time at its end. `h` is the length that
+    /// followed from the last step, and becomes the one to go on with.
+    ///
+    /// # Errors
+    /// The reason not to take a step.
+    #[inline(always)]
+    pub(crate) fn plan(&self, h: &mut T, span: (T, T), steps: usize, proposed: Option<T>) -> Result<T, Reason> {
+        let planned = self.planned(*h, span, steps, proposed);
+        if planned.is_refused {
+            return Err(if steps >= self.max_steps {
+                Reason::TooManySteps {
+                    max_steps: self.max_steps,
+                }
+            } else {
+                underflow(planned.h, self.least(span.0))
+            });
+        }
+        *h = planned.h;
+        Ok(planned.end)
+    }
+
+    /// The step from `t` on the way to `t1`. Without branches, so that lanes decide together.
     ///
     /// Its length is what the method proposes, if it does, else what followed from the last step. There is no tiny last
     /// step: this one is stretched a little to the end, or what remains is shared between two.
     #[inline(always)]
-    pub(crate) fn plan(
-        &self,
-        pace: &mut Pace<T>,
-        (t, t1): (T, T),
-        steps: usize,
-        proposed: Option<T>,
-    ) -> Result<T, Reason> {
+    pub(crate) fn planned(&self, h: T, (t, t1): (T, T), steps: usize, proposed: Option<T>) -> Planned<T> {
         let (least, remaining) = (self.least(t), (t1 - t).abs());
-        if let Some(proposed) = proposed {
-            pace.h = proposed.min(self.h_max);
-            if pace.h < least && pace.h < remaining {
-                return Err(underflow(pace.h, least));
-            }
-        }
-        if steps >= self.max_steps {
-            return Err(Reason::TooManySteps {
-                max_steps: self.max_steps,
-            });
-        }
-        let h = pace.h.max(least);
-        pace.h = h;
+        let proposed = proposed.map(|proposed| proposed.min(self.h_max));
+        let is_too_short = proposed.is_some_and(|h| (h < least) & (h < remaining));
+        let is_refused = (steps >= self.max_steps) | is_too_short;
+        let length = proposed.unwrap_or(h);
+        let h = if is_refused { length } else { length.max(least) };
         let direction = T::from_f64(if t1 < t { -1.0 } else { 1.0 });
-        Ok(if remaining <= h * T::from_f64(STRETCH) {
-            t1
-        } else if remaining < h + h {
-            t + direction * (remaining * T::from_f64(0.5))
-        } else {
-            t + direction * h
-        })
+        let half = t + direction * (remaining * T::from_f64(0.5));
+        let whole = t + direction * h;
+        let end = if remaining < h + h { half } else { whole };
+        let end = if remaining <= h * T::from_f64(STRETCH) { t1 } else { end };
+        Planned { h, end, is_refused }
     }
 
     /// Whether the step from `t` to `t_new` is accepted, from the mean square of its error; and how long the next
@@ -132,34 +135,60 @@ impl<T: Float> StepControl<T> {
         outcome: Result<T, Failure>,
         method_proposes: bool,
     ) -> Result<bool, Reason> {
-        let h = (t_new - t).abs();
-        match outcome {
-            Ok(mean_square) if is_within_tolerance(mean_square) => {
-                if !method_proposes {
-                    let factor = T::from_f64(pace.controller.accept(mean_square.to_f64()));
-                    pace.h = (h * factor).min(self.h_max);
-                }
-                Ok(true)
-            }
-            _ => self.reject(pace, (t, t_new), outcome).map(|()| false),
+        let mean_square = outcome.unwrap_or(T::from_f64(f64::NAN));
+        if method_proposes && is_within_tolerance(mean_square) {
+            return Ok(true);
+        }
+        let judged = self.judged(&mut pace.controller, (t, t_new), mean_square);
+        pace.h = judged.h;
+        if judged.is_hopeless {
+            return Err(self.hopeless(outcome, (t, t_new), judged.h));
+        }
+        Ok(judged.is_accepted)
+    }
+
+    /// As [`judge`](Self::judge), from a mean square that is NaN where the attempt arrived nowhere. Without branches, so
+    /// that lanes decide together.
+    #[inline(always)]
+    pub(crate) fn judged(&self, controller: &mut PiController, (t, t_new): (T, T), mean_square: T) -> Judged<T> {
+        let is_accepted = is_within_tolerance(mean_square);
+        let h = (t_new - t).abs() * T::from_f64(controller.next(mean_square.to_f64()));
+        Judged {
+            is_accepted,
+            h: if is_accepted { h.min(self.h_max) } else { h },
+            is_hopeless: !is_accepted & (h < self.least(t)),
         }
     }
 
-    fn reject(&self, pace: &mut Pace<T>, (t, t_new): (T, T), outcome: Result<T, Failure>) -> Result<(), Reason> {
-        let factor = match outcome {
-            Ok(mean_square) => pace.controller.reject(mean_square.to_f64()),
-            Err(_) => pace.controller.reject_failed(),
-        };
-        let (h, least) = ((t_new - t).abs() * T::from_f64(factor), self.least(t));
-        pace.h = h;
-        if h < least {
-            return Err(match outcome {
-                Ok(_) => underflow(h, least),
-                Err(failure) => failure.reason((t_new - t).to_f64()),
-            });
+    /// The reason to give up after an attempt from `t` to `t_new`, since the next one would be as short as `h`.
+    #[cold]
+    pub(crate) fn hopeless(&self, outcome: Result<T, Failure>, (t, t_new): (T, T), h: T) -> Reason {
+        match outcome {
+            Ok(_) => underflow(h, self.least(t)),
+            Err(failure) => failure.reason((t_new - t).to_f64()),
         }
-        Ok(())
     }
+}
+
+/// A step to be tried.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Planned<T> {
+    /// Its length, but for the last ones.
+    pub(crate) h: T,
+    /// The time at its end.
+    pub(crate) end: T,
+    /// Whether there must be no further step.
+    pub(crate) is_refused: bool,
+}
+
+/// What is made of an attempt.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Judged<T> {
+    pub(crate) is_accepted: bool,
+    /// The length of the next attempt.
+    pub(crate) h: T,
+    /// Whether that is too short.
+    pub(crate) is_hopeless: bool,
 }
 
 /// Whether an error with this mean square in units of the tolerance is within it; NaN is not.

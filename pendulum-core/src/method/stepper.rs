@@ -90,8 +90,9 @@ where
             let slope = stepper.begin()?;
             if let Steps::Controlled { control, pace } = &mut stepper.steps
                 && !C::PROPOSES
-                && control.find_first_step(pace, system, (t0, &x0, &slope), t1)
+                && let Some(h) = control.first_step(system, (t0, &x0, &slope), t1)
             {
+                pace.h = h;
                 stepper.statistics.evaluations += 1;
             }
         }
@@ -223,7 +224,7 @@ where
         pace.set_order(self.scheme.error_order());
         loop {
             let steps = self.statistics.accepted + self.statistics.rejected;
-            let t_new = control.plan(&mut pace, (t, self.t1), steps, proposed.take())?;
+            let t_new = control.plan(&mut pace.h, (t, self.t1), steps, proposed.take())?;
             let outcome = self.attempt(t_new).and_then(|mean_square| {
                 if is_within_tolerance(mean_square) {
                     self.advance(t_new)?;

@@ -132,7 +132,7 @@ where
         self.state.arrive(system, end, work)
     }
 
-    fn accept(&mut self, system: &S, step: &Step<T, N>, lanes: Accepted<'_>, work: &mut Statistics) {
+    fn accept(&mut self, system: &S, step: &Step<T, N>, lanes: Accepted<T>, work: &mut Statistics) {
         self.state.accept(system, step, lanes, work);
         self.tangents = self.tried;
     }

@@ -284,9 +284,9 @@ where
     }
 
     #[inline(always)]
-    fn accept(&mut self, _system: &S, _step: &Step<T, N>, lanes: Accepted<'_>, _work: &mut Statistics) {
+    fn accept(&mut self, _system: &S, _step: &Step<T, N>, lanes: Accepted<T>, _work: &mut Statistics) {
         let (old, new) = (self.current, 1 - self.current);
-        if let Accepted::Lanes(_) = lanes {
+        if let Accepted::Negative(_) = lanes {
             for k in 0..=self.order {
                 self.x[new][k] = lanes.select(&self.x[new][k], &self.x[old][k]);
             }

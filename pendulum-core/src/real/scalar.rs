@@ -80,6 +80,20 @@ macro_rules! scalar {
                 assert!(i == 0, "lane {i} of one");
                 *self
             }
+
+            #[inline(always)]
+            fn all_finite(self) -> bool {
+                self.is_finite()
+            }
+
+            #[inline(always)]
+            fn select(self, negative: Self, otherwise: Self) -> Self {
+                if self.is_sign_negative() {
+                    negative
+                } else {
+                    otherwise
+                }
+            }
         }
 
         impl Float for $float {

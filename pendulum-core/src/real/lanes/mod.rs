@@ -73,4 +73,11 @@ pub trait Lanes: Real {
     /// # Panics
     /// If there is no such lane.
     fn lane(&self, i: usize) -> Self::Scalar;
+
+    /// Whether the numbers in all lanes are finite. It may be false where they are, if a sum of them is beyond all numbers.
+    fn all_finite(self) -> bool;
+
+    /// `negative` in the lanes where the sign bit of `self` is set, `otherwise` in the others.
+    #[must_use]
+    fn select(self, negative: Self, otherwise: Self) -> Self;
 }

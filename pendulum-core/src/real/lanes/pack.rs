@@ -53,6 +53,16 @@ impl<R: Register> Lanes for Pack<R> {
         assert!(i < R::LANES, "a lane below {}, not {i}", R::LANES);
         self.0.lane(i)
     }
+
+    #[inline(always)]
+    fn all_finite(self) -> bool {
+        self.0.all_finite()
+    }
+
+    #[inline(always)]
+    fn select(self, negative: Self, otherwise: Self) -> Self {
+        Self(self.0.select(negative.0, otherwise.0))
+    }
 }
 
 impl<R: Register> Real for Pack<R> {

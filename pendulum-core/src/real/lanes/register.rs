@@ -35,7 +35,11 @@ pub trait Register:
     fn sqrt(self) -> Self;
     /// Absolute value.
     fn abs(self) -> Self;
+    /// `negative` in the lanes where the sign bit of `self` is set, `otherwise` in the others.
+    fn select(self, negative: Self, otherwise: Self) -> Self;
 
+    /// Whether the numbers in all lanes are finite. It may be false where they are, if a sum of them is beyond all numbers.
+    fn all_finite(self) -> bool;
     /// Whether the absolute value of any lane exceeds the limit. That of NaN does not.
     fn any_beyond(self, limit: Self::Scalar) -> bool;
     /// `(sin(x + n pi/2), cos(x + n pi/2))` from `sin x` and `cos x`, where the lowest bits of `self` hold `n`.
@@ -71,6 +75,20 @@ macro_rules! one_lane {
             #[inline(always)]
             fn abs(self) -> Self {
                 Real::abs(self)
+            }
+
+            #[inline(always)]
+            fn select(self, negative: Self, otherwise: Self) -> Self {
+                if self.is_sign_negative() {
+                    negative
+                } else {
+                    otherwise
+                }
+            }
+
+            #[inline(always)]
+            fn all_finite(self) -> bool {
+                self.is_finite()
             }
 
             #[inline(always)]
@@ -159,6 +177,19 @@ impl<R: Register> Register for Pair<R> {
     #[inline(always)]
     fn abs(self) -> Self {
         Self(self.0.abs(), self.1.abs())
+    }
+
+    #[inline(always)]
+    fn select(self, negative: Self, otherwise: Self) -> Self {
+        Self(
+            self.0.select(negative.0, otherwise.0),
+            self.1.select(negative.1, otherwise.1),
+        )
+    }
+
+    #[inline(always)]
+    fn all_finite(self) -> bool {
+        (self.0 + self.1).all_finite()
     }
 
     #[inline(always)]

@@ -95,6 +95,17 @@ macro_rules! register {
             }
 
             #[inline(always)]
+            fn select(self, negative: Self, otherwise: Self) -> Self {
+                self.where_negative(negative, otherwise)
+            }
+
+            #[inline(always)]
+            fn all_finite(self) -> bool {
+                // 0 times what is not finite is not a number
+                !(self * Self::splat(0.0)).any_nan()
+            }
+
+            #[inline(always)]
             fn any_beyond(self, limit: $scalar) -> bool {
                 self.abs().any_above(Self::splat(limit))
             }
@@ -104,8 +115,8 @@ macro_rules! register {
                 // Each of the two lowest bits of the quotient as a sign.
                 let (odd, second) = (self.lowest_to_sign(), self.second_to_sign());
                 (
-                    odd.select(cos, sin).flip(second.sign()),
-                    odd.select(sin, cos).flip(second.flip(odd).sign()),
+                    odd.where_negative(cos, sin).flip(second.sign()),
+                    odd.where_negative(sin, cos).flip(second.flip(odd).sign()),
                 )
             }
         }
@@ -138,7 +149,8 @@ macro_rules! bits {
     ($(
         $name:ident: $cast:ident $back:ident $xor:ident $and:ident $andnot:ident $shift:ident from $bits:literal,
         |$sign:ident, $then:ident, $otherwise:ident| $select:expr,
-        |$left:ident, $right:ident| $any_above:expr;
+        |$left:ident, $right:ident| $any_above:expr,
+        |$value:ident| $any_nan:expr;
     )*) => { $(
         impl $name {
             /// Without the bits that are set in `bits`.
@@ -178,7 +190,7 @@ macro_rules! bits {
 
             /// `then` where the sign bit is set, `otherwise` elsewhere.
             #[inline(always)]
-            fn select(self, Self($then): Self, Self($otherwise): Self) -> Self {
+            fn where_negative(self, Self($then): Self, Self($otherwise): Self) -> Self {
                 let $sign = self.0;
                 // SAFETY: there is a value of the type, so the machine has the instructions.
                 unsafe { Self($select) }
@@ -190,6 +202,14 @@ macro_rules! bits {
                 let $left = self.0;
                 // SAFETY: there is a value of the type, so the machine has the instructions.
                 unsafe { $any_above }
+            }
+
+            /// Whether any lane is not a number.
+            #[inline(always)]
+            fn any_nan(self) -> bool {
+                let $value = self.0;
+                // SAFETY: there is a value of the type, so the machine has the instructions.
+                unsafe { $any_nan }
             }
         }
     )* };
@@ -203,34 +223,40 @@ bits! {
         let mask = _mm_castsi128_pd(_mm_shuffle_epi32::<0b11_11_01_01>(high));
         _mm_xor_pd(otherwise, _mm_and_pd(_mm_xor_pd(then, otherwise), mask))
     },
-    |left, right| _mm_movemask_pd(_mm_cmpgt_pd(left, right)) != 0;
+    |left, right| _mm_movemask_pd(_mm_cmpgt_pd(left, right)) != 0,
+    |value| _mm_movemask_pd(_mm_cmpunord_pd(value, value)) != 0;
     Xmm32: _mm_castps_si128 _mm_castsi128_ps _mm_xor_si128 _mm_and_si128 _mm_andnot_si128
     _mm_slli_epi32 from 32,
     |sign, then, otherwise| {
         let mask = _mm_castsi128_ps(_mm_srai_epi32::<31>(_mm_castps_si128(sign)));
         _mm_xor_ps(otherwise, _mm_and_ps(_mm_xor_ps(then, otherwise), mask))
     },
-    |left, right| _mm_movemask_ps(_mm_cmpgt_ps(left, right)) != 0;
+    |left, right| _mm_movemask_ps(_mm_cmpgt_ps(left, right)) != 0,
+    |value| _mm_movemask_ps(_mm_cmpunord_ps(value, value)) != 0;
     Ymm64: _mm256_castpd_si256 _mm256_castsi256_pd _mm256_xor_si256 _mm256_and_si256 _mm256_andnot_si256
     _mm256_slli_epi64 from 64,
     |sign, then, otherwise| _mm256_blendv_pd(otherwise, then, sign),
-    |left, right| _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_GT_OQ>(left, right)) != 0;
+    |left, right| _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_GT_OQ>(left, right)) != 0,
+    |value| _mm256_movemask_pd(_mm256_cmp_pd::<_CMP_UNORD_Q>(value, value)) != 0;
     Ymm32: _mm256_castps_si256 _mm256_castsi256_ps _mm256_xor_si256 _mm256_and_si256 _mm256_andnot_si256
     _mm256_slli_epi32 from 32,
     |sign, then, otherwise| _mm256_blendv_ps(otherwise, then, sign),
-    |left, right| _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_GT_OQ>(left, right)) != 0;
+    |left, right| _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_GT_OQ>(left, right)) != 0,
+    |value| _mm256_movemask_ps(_mm256_cmp_ps::<_CMP_UNORD_Q>(value, value)) != 0;
     Zmm64: _mm512_castpd_si512 _mm512_castsi512_pd _mm512_xor_si512 _mm512_and_si512 _mm512_andnot_si512
     _mm512_slli_epi64 from 64,
     |sign, then, otherwise| {
         let minus = _mm512_test_epi64_mask(_mm512_castpd_si512(sign), _mm512_set1_epi64(i64::MIN));
         _mm512_mask_blend_pd(minus, otherwise, then)
     },
-    |left, right| _mm512_cmp_pd_mask::<_CMP_GT_OQ>(left, right) != 0;
+    |left, right| _mm512_cmp_pd_mask::<_CMP_GT_OQ>(left, right) != 0,
+    |value| _mm512_cmp_pd_mask::<_CMP_UNORD_Q>(value, value) != 0;
     Zmm32: _mm512_castps_si512 _mm512_castsi512_ps _mm512_xor_si512 _mm512_and_si512 _mm512_andnot_si512
     _mm512_slli_epi32 from 32,
     |sign, then, otherwise| {
         let minus = _mm512_test_epi32_mask(_mm512_castps_si512(sign), _mm512_set1_epi32(i32::MIN));
         _mm512_mask_blend_ps(minus, otherwise, then)
     },
-    |left, right| _mm512_cmp_ps_mask::<_CMP_GT_OQ>(left, right) != 0;
+    |left, right| _mm512_cmp_ps_mask::<_CMP_GT_OQ>(left, right) != 0,
+    |value| _mm512_cmp_ps_mask::<_CMP_UNORD_Q>(value, value) != 0;
 }

@@ -1,0 +1,154 @@
+//! Those that are on their way together, side by side: what concerns all of them is decided in vector registers too.
+
+use super::MOST_LANES;
+use crate::control::PiController;
+use crate::method::{Accepted, Pace, StepControl};
+use crate::real::Float;
+use crate::real::lanes::Lanes;
+
+/// The trajectories in the lanes, each with a time and steps of its own.
+pub(super) struct Members<T> {
+    /// Which; [`FREE`] where a lane has none.
+    index: [usize; MOST_LANES],
+    pub(super) t: [T; MOST_LANES],
+    /// The end of the step that is tried.
+    pub(super) t_new: [T; MOST_LANES],
+    /// The lengths of the next steps.
+    pub(super) h: [T; MOST_LANES],
+    pub(super) steps: [usize; MOST_LANES],
+    /// -1 where the last attempt was accepted, else 1.
+    verdict: [T; MOST_LANES],
+    last: [f64; MOST_LANES],
+    most: [f64; MOST_LANES],
+    alpha: f64,
+}
+
+/// No trajectory.
+const FREE: usize = usize::MAX;
+
+impl<T: Float> Members<T> {
+    pub(super) fn none() -> Self {
+        Self {
+            index: [FREE; MOST_LANES],
+            t: [T::default(); MOST_LANES],
+            t_new: [T::default(); MOST_LANES],
+            h: [T::default(); MOST_LANES],
+            steps: [0; MOST_LANES],
+            verdict: [T::default(); MOST_LANES],
+            last: [0.0; MOST_LANES],
+            most: [0.0; MOST_LANES],
+            alpha: 0.0,
+        }
+    }
+
+    /// Puts a trajectory into a lane, at its start.
+    pub(super) fn enter(&mut self, lane: usize, index: usize, t: T, pace: Pace<T>) {
+        (self.index[lane], self.steps[lane], self.verdict[lane]) = (index, 0, T::from_f64(-1.0));
+        (self.t[lane], self.t_new[lane], self.h[lane]) = (t, t, pace.h);
+        let PiController { alpha, last, most } = pace.controller;
+        (self.alpha, self.last[lane], self.most[lane]) = (alpha, last, most);
+    }
+
+    /// Takes the trajectory out of a lane, which stands still from then on.
+    pub(super) fn leave(&mut self, lane: usize) {
+        (self.index[lane], self.t_new[lane]) = (FREE, self.t[lane]);
+    }
+
+    /// The trajectory in a lane.
+    #[inline(always)]
+    pub(super) fn index(&self, lane: usize) -> Option<usize> {
+        Some(self.index[lane]).filter(|&index| index != FREE)
+    }
+
+    /// The lanes that have trajectories now, and these.
+    pub(super) fn busy(&self, lanes: usize) -> impl Iterator<Item = (usize, usize)> + use<T> {
+        let index = self.index;
+        (0..lanes).filter_map(move |lane| Some((lane, index[lane])).filter(|&(_, index)| index != FREE))
+    }
+
+    /// Whether a lane has no trajectory.
+    #[inline(always)]
+    pub(super) fn some_are_free(&self, lanes: usize) -> bool {
+        self.index[..lanes]
+            .iter()
+            .fold(false, |some, &index| some | (index == FREE))
+    }
+
+    /// Whether a trajectory has arrived at `t1`.
+    #[inline(always)]
+    pub(super) fn some_arrive(&self, lanes: usize, t1: T) -> bool {
+        self.t[..lanes].iter().fold(false, |some, &t| some | (t == t1))
+    }
+
+    /// Plans the next steps: whether all may be taken.
+    #[inline(always)]
+    pub(super) fn plan<V: Lanes<Scalar = T>>(&mut self, control: &StepControl<T>, t1: T, proposed: Option<V>) -> bool {
+        let mut some_refused = false;
+        for lane in 0..V::LANES {
+            let is_busy = self.index[lane] != FREE;
+            let t = self.t[lane];
+            let planned = control.planned(self.h[lane], (t, t1), self.steps[lane], self.proposal(lane, &proposed));
+            self.h[lane] = planned.h;
+            self.t_new[lane] = if is_busy { planned.end } else { t };
+            some_refused |= is_busy & planned.is_refused;
+        }
+        !some_refused
+    }
+
+    /// What the method proposes for a lane. After a rejection the length is known.
+    #[inline(always)]
+    pub(super) fn proposal<V: Lanes<Scalar = T>>(&self, lane: usize, proposed: &Option<V>) -> Option<T> {
+        proposed.as_ref().map(|h| {
+            if self.is_accepted(lane) {
+                h.lane(lane)
+            } else {
+                self.h[lane]
+            }
+        })
+    }
+
+    /// Whether the last attempt in a lane was accepted.
+    #[inline(always)]
+    pub(super) fn is_accepted(&self, lane: usize) -> bool {
+        self.verdict[lane] < T::default()
+    }
+
+    /// Which lanes accept the last attempt.
+    #[inline(always)]
+    pub(super) fn accepted<V: Lanes<Scalar = T>>(&self) -> Accepted<V> {
+        if (0..V::LANES).fold(true, |all, lane| all & self.is_accepted(lane)) {
+            Accepted::All
+        } else {
+            Accepted::Negative(V::from_fn(|lane| self.verdict[lane]))
+        }
+    }
+
+    /// Judges the steps by the mean squares of their errors, and moves on where they are accepted: whether all have a
+    /// next step that is long enough.
+    #[inline(always)]
+    pub(super) fn judge<V: Lanes<Scalar = T>>(&mut self, control: &StepControl<T>, errors: &V) -> bool {
+        // An array, for the loop to become one over registers.
+        let mut mean_squares = [T::default(); MOST_LANES];
+        let mean_squares = &mut mean_squares[..V::LANES];
+        for (lane, mean_square) in mean_squares.iter_mut().enumerate() {
+            *mean_square = errors.lane(lane);
+        }
+        let mut some_hopeless = false;
+        for (lane, &mean_square) in mean_squares.iter().enumerate() {
+            let (t, t_new) = (self.t[lane], self.t_new[lane]);
+            let mut controller = PiController {
+                alpha: self.alpha,
+                last: self.last[lane],
+                most: self.most[lane],
+            };
+            let judged = control.judged(&mut controller, (t, t_new), mean_square);
+            (self.last[lane], self.most[lane]) = (controller.last, controller.most);
+            self.h[lane] = judged.h;
+            self.steps[lane] += 1;
+            self.t[lane] = if judged.is_accepted { t_new } else { t };
+            self.verdict[lane] = T::from_f64(if judged.is_accepted { -1.0 } else { 1.0 });
+            some_hopeless |= (self.index[lane] != FREE) & judged.is_hopeless;
+        }
+        !some_hopeless
+    }
+}
