@@ -40,6 +40,15 @@ impl<T: Float + Debug> Kernel<T> for Operations<'_, T> {
                 }
             } )* };
         }
+        for numbers in self.0.chunks_exact(V::LANES) {
+            let (a, b) = (V::from_fn(|i| numbers[i].0), V::from_fn(|i| numbers[i].1));
+            let (either, finite) = (a.select(a, b), a.all_finite());
+            for (i, &(a, b)) in numbers.iter().enumerate() {
+                assert!(same(either.lane(i), Lanes::select(a, a, b)), "{a:?}, {b:?}");
+                assert!(a.is_finite() || !finite, "{a:?} is among those that are finite");
+            }
+        }
+        assert!(V::from_fn(|i| V::Scalar::from_f64(i as f64)).all_finite());
         check! {
             |a, b| a + b;
             |a, b| a - b;
@@ -272,6 +281,38 @@ fn assert_burst<A: Ensemble<Burst, f64, 1> + Method<Burst, f64, 1>>(method: A) {
             x[i],
             method.solve(&models[i], 0.0, 2.0, starts[i]).expect("regular").end()
         );
+    }
+}
+
+#[test]
+fn steps_are_counted_for_each_trajectory() {
+    let model = DoublePendulum::new(DoublePendulumParams::default()).expect("physical");
+    let starts: Vec<_> = (0..40)
+        .map(|n| SVector::from([0.05 * f64::from(n), 0.0, 0.0, 0.0]))
+        .collect();
+    let method = Rk45::new().max_steps(30);
+    for isa in Isa::available() {
+        let error = method.ensemble_on(isa, std::slice::from_ref(&model), 0.0, 5.0, &starts);
+        let EnsembleError::Stopped { stopped, x } = error.expect_err("large swings take more steps") else {
+            panic!("valid input");
+        };
+        for (index, start) in starts.iter().enumerate() {
+            let stopped = stopped.iter().find(|stopped| stopped.index == index);
+            match method.solve(&model, 0.0, 5.0, *start) {
+                Ok(solution) => assert!(stopped.is_none() && x[index] == solution.end(), "{isa:?}: {index}"),
+                Err(error) => {
+                    assert_eq!(error.reason, Reason::TooManySteps { max_steps: 30 });
+                    let stopped = stopped.expect("too many steps in lanes as well");
+                    assert_eq!(
+                        (stopped.t, stopped.reason),
+                        (error.t(), error.reason),
+                        "{isa:?}: {index}"
+                    );
+                    assert_eq!(x[index], error.x());
+                }
+            }
+        }
+        assert!((1..40).contains(&stopped.len()), "{}", stopped.len());
     }
 }
 
