@@ -23,7 +23,6 @@ use std::path::Path;
 use results::{Results, SceneResults};
 
 use crate::machine;
-use testbed::eq22;
 
 pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));

@@ -43,7 +43,7 @@ pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let out = root.join("out");
     let rust = Rust::new(root, &out.join("build"), Processors::This)?;
-    let subjects = subjects::all(root, &rust)?;
+    let subjects = subjects::all(&rust)?;
     let mut samples = Vec::new();
     let mut runs = Vec::new();
     for (mode, symbol) in MODES {

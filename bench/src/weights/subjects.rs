@@ -1,8 +1,7 @@
 //! The generated functions whose times are taken.
 
 use std::error::Error;
-use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use pendulum_codegen::program::Operations;
 
@@ -63,7 +62,7 @@ impl Subject {
     }
 }
 
-pub(crate) fn all(root: &Path, rust: &Rust) -> Result<Vec<Subject>, Box<dyn Error>> {
+pub(crate) fn all(rust: &Rust) -> Result<Vec<Subject>, Box<dyn Error>> {
     let generate = "rhs, jacobian";
     let mut declarations = Vec::new();
     for (source, names) in [
