@@ -84,7 +84,7 @@ pub use pendulum_macros::mechanism;
 #[doc = include_str!("language.md")]
 pub mod language {}
 
-#[doc(hidden)]
+/// Vectors and matrices, in the version that is used here, without its feature `std`.
 pub use nalgebra;
 #[cfg(feature = "serde")]
 #[doc(hidden)]

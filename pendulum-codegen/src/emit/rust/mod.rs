@@ -13,7 +13,7 @@ mod series;
 mod stub;
 
 use proc_macro2::{Ident, Literal, TokenStream};
-use quote::{format_ident, quote};
+use quote::{format_ident, quote, quote_spanned};
 
 pub(crate) use stub::stub;
 
@@ -41,12 +41,14 @@ pub(crate) fn items(head: &Head, program: &Program) -> TokenStream {
 
 /// A private module of `items`, of which `names` are exported.
 fn in_own_module(head: &Head, names: &[Ident], items: &TokenStream) -> TokenStream {
-    let (vis, module) = (&head.vis, format_ident!("__{}", head.name));
+    let (vis, path) = (&head.vis, format_ident!("__{}", head.name));
+    // A second mechanism of the same name is an error at the name.
+    let module = quote_spanned!(head.name.span()=> mod #path { #items });
     quote! {
         #[allow(non_snake_case)]
-        mod #module { #items }
+        #module
         #[allow(unreachable_pub, unused_imports)]
-        #vis use #module::{#(#names),*};
+        #vis use #path::{#(#names),*};
     }
 }
 
