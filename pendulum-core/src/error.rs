@@ -204,7 +204,7 @@ impl<T: Float, const N: usize> fmt::Display for SolveError<T, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.reason {
             Reason::InvalidInput { .. } => self.reason.fmt(f),
-            _ => write!(f, "stopped at t = {}: {}", self.t().to_f64(), self.reason),
+            _ => write!(f, "stopped at t = {:?}: {}", self.t().to_f64(), self.reason),
         }
     }
 }

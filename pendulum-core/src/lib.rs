@@ -94,7 +94,7 @@ pub use serde;
 pub mod prelude {
     pub use crate::mechanism;
     pub use crate::{Auto, Gauss4, Gauss6, Radau5, Rk4, Rk45, Rodas4, Rodas5P, Taylor, Tsit5, Vern7, Vern9};
-    pub use crate::{Controlled, Energy, Ensemble, Event, FnSystem, Jacobian, Method, System};
+    pub use crate::{Controlled, Energy, Ensemble, Event, FnSystem, Jacobian, Method, Solution, System};
     // Their methods alone: the names stay free.
     pub use crate::{Canonical as _, Cast as _, Float as _, Real as _, TaylorSeries as _};
     pub use nalgebra::{SMatrix, SVector};

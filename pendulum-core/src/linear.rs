@@ -126,7 +126,7 @@ impl<F: Field, const N: usize> Lu<F, N> {
     ///
     /// # Errors
     /// If a pivot is zero, not finite, or so small or large that its reciprocal is beyond the range of the type.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn new(columns: [[F; N]; N]) -> Result<Self, Singular> {
         let mut a = columns;
         let mut rows = std::array::from_fn(|i| i);

@@ -313,7 +313,7 @@ fn refused(source: &str, name: &str, rules: usize, rust: impl Fn(&[f64]) -> Opti
     let expected = sets.iter().map(|set| match rust(set) {
         None => "no error".to_owned(),
         Some(error) => match program.constants_text.iter().position(|text| text == error.name) {
-            Some(n) if error.rule.starts_with("this combination") => format!("{} {n}", error.rule),
+            Some(n) if error.rule.starts_with("a constant of the equations") => format!("{} {n}", error.rule),
             _ => format!("`{}`: {}", error.name, error.rule),
         },
     });

@@ -102,8 +102,7 @@ pub enum Condition {
 /// What every parameter must be.
 pub(crate) const FINITE_PARAMETER: &str = "a parameter must be finite";
 /// What every constant must be.
-pub(crate) const FINITE_CONSTANT: &str =
-    "this combination of parameters must be finite: it overflows, a divisor is zero, or a coordinate has no inertia";
+pub(crate) const FINITE_CONSTANT: &str = "a constant of the equations is not finite: a coordinate has no inertia, a divisor is zero, or a number is too large";
 
 impl Program {
     /// The program of a scene, and what stands before its braces.

@@ -91,7 +91,7 @@ impl MethodRuns {
 
 impl fmt::Display for Failure {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "stopped at t = {}: {}", self.t, self.reason)
+        write!(f, "stopped at t = {:?}: {}", self.t, self.reason)
     }
 }
 

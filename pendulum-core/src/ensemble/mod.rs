@@ -118,7 +118,7 @@ impl<T: Float, const N: usize> fmt::Display for EnsembleError<T, N> {
             Self::Stopped { stopped, x } => {
                 write!(f, "{} of {} trajectories stopped", stopped.len(), x.len())?;
                 if let Some(Stopped { index, t, reason }) = stopped.first() {
-                    write!(f, "; trajectory {index} at t = {}: {reason}", t.to_f64())?;
+                    write!(f, "; trajectory {index} at t = {:?}: {reason}", t.to_f64())?;
                 }
                 Ok(())
             }

@@ -15,6 +15,7 @@ use crate::system::{IntoState, System};
 /// end at `t1` exactly. A restart within a step does not move these times.
 ///
 /// The only setting is `h`, which must be positive, even backward in time, and large enough for the times to resolve.
+/// [`solve`](Method::solve) keeps ten million points at most; [`stepper`](Method::stepper) has no such limit.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fixed<F> {
     pub(crate) h: f64,

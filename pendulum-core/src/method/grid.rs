@@ -19,6 +19,8 @@ pub(crate) struct Grid<T> {
 const LEAST_ULPS: f64 = 16.0;
 /// What remains of a span shorter than this many ulps of its times is added to the last step.
 const SLACK_ULPS: f64 = 8.0;
+/// The most points of a solution: a pendulum's take 800 MB.
+const MOST_KEPT: f64 = 1e7;
 
 impl<T: Float> Grid<T> {
     /// The grid over a span of finite times.
@@ -37,6 +39,17 @@ impl<T: Float> Grid<T> {
             "the step is too short for the times to resolve; lengthen it, or count time from a nearer origin",
         )?;
         Ok(grid)
+    }
+
+    /// Whether all times can be kept.
+    pub(crate) fn check_to_keep(&self) -> Result<(), Reason> {
+        let steps = ((self.t1 - self.t0).abs() / self.h).to_f64();
+        require(
+            steps <= MOST_KEPT,
+            "h",
+            self.h.to_f64(),
+            "more than ten million points to keep; lengthen the step, or take `stepper`, which keeps none",
+        )
     }
 
     pub(crate) fn t0(&self) -> T {

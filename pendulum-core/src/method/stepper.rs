@@ -99,6 +99,14 @@ where
         Ok(stepper)
     }
 
+    /// Whether all points can be kept. Methods that choose their steps have a limit of their own.
+    pub(super) fn check_to_keep(&self) -> Result<(), Reason> {
+        match &self.steps {
+            Steps::Equal(grid) => grid.check_to_keep(),
+            Steps::Controlled { .. } => Ok(()),
+        }
+    }
+
     /// The time reached.
     #[must_use]
     #[inline]

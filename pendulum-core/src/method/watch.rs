@@ -26,7 +26,9 @@ where
     T: Float,
 {
     let mut solution = Solution::start(stepper.t(), stepper.x());
-    let ended = follow(&mut stepper, events, &mut solution);
+    let ended = stepper
+        .check_to_keep()
+        .and_then(|()| follow(&mut stepper, events, &mut solution));
     solution.set_statistics(stepper.statistics());
     match ended {
         Ok(()) => Ok(solution),

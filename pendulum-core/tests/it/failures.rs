@@ -104,3 +104,16 @@ fn steps_that_time_cannot_resolve_are_refused() {
         "{error}"
     );
 }
+
+#[test]
+fn no_more_points_are_kept_than_fit() {
+    let still = FnSystem(|_t, _x: &SVector<f64, 1>| SVector::from([0.0]));
+    let error = Rk4::new(1e-8).solve(&still, 0.0, 1.0, [0.0]).expect_err("1e8 points");
+    assert!(
+        matches!(error.reason, Reason::InvalidInput { what: "h", .. }),
+        "{error}"
+    );
+    assert!(error.to_string().contains("`stepper`, which keeps none"), "{error}");
+    let mut stepper = Rk4::new(1e-8).stepper(&still, 0.0, 1.0, [0.0]).expect("no points");
+    assert!(stepper.step().expect("regular").is_some());
+}

@@ -215,12 +215,16 @@ k11 = -m*c*d/(inertia + m*c^2)
             ];
             for (name, value) in names.into_iter().zip(constants) {
                 if !value.is_finite() {
+                    let given: [_; 7] = ::core::array::from_fn(|n| (
+                        DoublePendulumParams::NAMES[n],
+                        given[n],
+                    ));
                     return Err(
                         ::pendulum_core::ParameterError::new(
                             name,
                             value,
-                            "this combination of parameters must be finite: it overflows, a divisor is zero, or a coordinate has no inertia",
-                            &[],
+                            "a constant of the equations is not finite: a coordinate has no inertia, a divisor is zero, or a number is too large",
+                            &given,
                         ),
                     );
                 }

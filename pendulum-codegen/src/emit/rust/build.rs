@@ -45,7 +45,8 @@ impl Items<'_> {
                     let names: [&'static str; #constants] = [#(#constants_text),*];
                     for (name, value) in names.into_iter().zip(constants) {
                         if !value.is_finite() {
-                            return Err(::pendulum_core::ParameterError::new(name, value, #FINITE_CONSTANT, &[]));
+                            let given: [_; #given] = ::core::array::from_fn(|n| (#parameters::NAMES[n], given[n]));
+                            return Err(::pendulum_core::ParameterError::new(name, value, #FINITE_CONSTANT, &given));
                         }
                     }
                     Ok(Self { params, constants })
