@@ -72,7 +72,7 @@ where
         } else if const { V::LANES > 1 } {
             self.in_lanes::<V>()
         } else {
-            alone(self.method, self.models, self.span, self.x, self.stopped);
+            alone(self.method, self.models, self.span, self.waiting, self.x, self.stopped);
             Ok(())
         }
     }

@@ -5,13 +5,6 @@ use nalgebra::SVector;
 use crate::method::NonFinite;
 use crate::real::lanes::Lanes;
 
-/// Whether a state and its derivative, where there is one, are finite in all lanes, by a few operations for all. It may
-/// be false where they are, if their sum is beyond all numbers.
-#[inline(always)]
-pub(super) fn all_finite<V: Lanes, const N: usize>(x: &SVector<V, N>, slope: Option<&SVector<V, N>>) -> bool {
-    sum(x, slope).all_finite()
-}
-
 /// A number that is not finite in the lanes where the state or its derivative is not.
 #[inline(always)]
 pub(super) fn sum<V: Lanes, const N: usize>(x: &SVector<V, N>, slope: Option<&SVector<V, N>>) -> V {

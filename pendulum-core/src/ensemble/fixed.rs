@@ -2,12 +2,11 @@
 
 use nalgebra::SVector;
 
-use super::check::{all_finite, first_not_finite, in_lane};
-use super::{Ensemble, EnsembleError, InLanes, MOST_LANES, Stopped, alone, check_models, conclude, model_of};
+use super::check::{first_not_finite, in_lane};
+use super::{Ensemble, EnsembleError, InLanes, Stopped, alone, check_models, conclude, model_of};
 use crate::dense::Step;
 use crate::error::Reason;
-use crate::method::{Accepted, Failure, Fixed, Grid, NonFinite, Scheme, check_span, check_state};
-use crate::real::Float;
+use crate::method::{Accepted, Fixed, Grid, Scheme, Stalled, check_span};
 use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
 use crate::solution::Statistics;
 use crate::system::Cast;
@@ -60,7 +59,7 @@ where
     type Output = Result<(), Reason>;
 
     #[inline(always)]
-    fn run<V: Lanes<Scalar = T>>(self) -> Result<(), Reason> {
+    fn run<V: Lanes<Scalar = T>>(mut self) -> Result<(), Reason> {
         // Further lanes fill the gaps where operations wait for one another. A longer system has enough that are independent, and
         // needs the registers for itself.
         if const { !F::NARROW } {
@@ -68,8 +67,7 @@ where
         } else if const { V::LANES > 1 } {
             self.in_groups::<V>()
         } else {
-            let span = (self.grid.t0(), self.grid.t1());
-            alone(self.method, self.models, span, self.x, self.stopped);
+            self.alone(0..self.x.len());
             Ok(())
         }
     }
@@ -82,99 +80,70 @@ where
     T: LaneElement,
 {
     /// As many trajectories at a time as there are lanes; where they run out, the last fills the group.
+    ///
+    /// What is not finite stays so to the end. Such a trajectory is integrated alone, which tells where it stopped and
+    /// why: to ask in every step would take a tenth of the time.
     #[inline(always)]
-    fn in_groups<V: Lanes<Scalar = T>>(self) -> Result<(), Reason> {
+    fn in_groups<V: Lanes<Scalar = T>>(mut self) -> Result<(), Reason> {
+        let mut failed = Vec::new();
         for (number, states) in self.x.chunks_mut(V::LANES).enumerate() {
             let first = number * V::LANES;
             let member = |lane: usize| lane.min(states.len() - 1);
             let system = F::gather::<V>(|lane| model_of(self.models, first + member(lane)));
             let scheme = self.method.family.stages::<V>(&system, None)?;
             let x = SVector::from_fn(|k, _| V::from_fn(|lane| states[member(lane)][k]));
-            let group = Group {
-                first,
-                states,
-                stopped: self.stopped,
-                is_stopped: [false; MOST_LANES],
-            };
-            group.march(&system, scheme, x, self.grid);
+            let ends = march(&system, scheme, x, self.grid);
+            for (lane, state) in states.iter_mut().enumerate() {
+                match &ends {
+                    Ok((x, slope)) if first_not_finite(x, slope.as_ref(), lane).is_none() => *state = in_lane(x, lane),
+                    _ => failed.push(first + lane),
+                }
+            }
         }
+        self.alone(failed);
         Ok(())
     }
+
+    /// Integrates some of the trajectories one after the other.
+    fn alone(&mut self, which: impl IntoIterator<Item = usize>) {
+        let span = (self.grid.t0(), self.grid.t1());
+        alone(self.method, self.models, span, which, self.x, self.stopped);
+    }
 }
 
-/// Trajectories that take their steps together.
-struct Group<'a, T, const N: usize> {
-    /// The place of the first among all.
-    first: usize,
-    /// Where each starts, and then where it ends.
-    states: &'a mut [SVector<T, N>],
-    stopped: &'a mut Vec<Stopped<T>>,
-    is_stopped: [bool; MOST_LANES],
-}
-
-impl<T: Float, const N: usize> Group<'_, T, N> {
-    /// Goes from the states `x` to the end of the grid.
-    #[inline(always)]
-    fn march<C, S, V>(mut self, system: &S, mut scheme: C, x: SVector<V, N>, mut grid: Grid<T>)
-    where
-        C: Scheme<S, V, N>,
-        V: Lanes<Scalar = T>,
-    {
-        let work = &mut Statistics::default();
-        let mut t = grid.t0();
-        let (mut states, mut others) = (x, x);
-        // They change places with each step, where copies would take their time.
-        let (mut x, mut x_new) = (&mut states, &mut others);
-        let mut all_go = self.stop_where(t, x, |lane| check_state(&in_lane(x, lane)).err());
-        if t != grid.t1() {
-            let slope = scheme.begin(system, V::splat(t), x, work);
-            if !all_finite(&slope, None) {
-                let check = |lane| NonFinite::check(&in_lane(&slope, lane));
-                all_go = self.stop_where(t, x, |lane| check(lane).err().map(NonFinite::at_start));
-            }
-        }
-        while t != grid.t1() {
-            let t_new = grid.next();
-            let (start, end) = (V::splat(t), V::splat(t_new));
-            let attempt = scheme.attempt(system, (start, x), (end, x_new), work);
-            let slope = scheme.arrive(system, (end, x_new), work);
-            if !(attempt.is_ok() && all_go && all_finite(x_new, slope)) {
-                let h = (t_new - t).to_f64();
-                all_go = self.stop_where(t, x, |lane| {
-                    let stalled = attempt.err().map(Failure::from);
-                    let failure = stalled.or_else(|| first_not_finite(x_new, slope, lane).map(Failure::from));
-                    failure.map(|failure| failure.reason(h))
-                });
-            }
-            scheme.accept(system, &Step::new((start, *x), (end, *x_new)), Accepted::All, work);
-            std::mem::swap(&mut x, &mut x_new);
-            t = t_new;
-        }
-        for (lane, state) in self.states.iter_mut().enumerate() {
-            if !self.is_stopped[lane] {
-                *state = in_lane(x, lane);
-            }
-        }
+/// Goes from the states `x` to the end of the grid: the states there, and their derivatives from methods that need them.
+#[inline(always)]
+#[allow(clippy::type_complexity, reason = "a state and a derivative")]
+fn march<C, S, V, const N: usize>(
+    system: &S,
+    mut scheme: C,
+    x: SVector<V, N>,
+    mut grid: Grid<V::Scalar>,
+) -> Result<(SVector<V, N>, Option<SVector<V, N>>), Stalled>
+where
+    C: Scheme<S, V, N>,
+    V: Lanes,
+{
+    let work = &mut Statistics::default();
+    let mut t = grid.t0();
+    let (mut states, mut others) = (x, x);
+    // They change places with each step, where copies would take their time.
+    let (mut x, mut x_new) = (&mut states, &mut others);
+    let mut slope = None;
+    if t != grid.t1() {
+        scheme.begin(system, V::splat(t), x, work);
     }
-
-    /// Stops the trajectories for which there is a reason, in their states `x`: whether all go on.
-    #[cold]
-    fn stop_where<V: Lanes<Scalar = T>>(
-        &mut self,
-        t: T,
-        x: &SVector<V, N>,
-        reason: impl Fn(usize) -> Option<Reason>,
-    ) -> bool {
-        for (lane, state) in self.states.iter_mut().enumerate() {
-            if !self.is_stopped[lane]
-                && let Some(reason) = reason(lane)
-            {
-                let index = self.first + lane;
-                self.stopped.push(Stopped { index, t, reason });
-                *state = in_lane(x, lane);
-                self.is_stopped[lane] = true;
-            }
+    while t != grid.t1() {
+        let t_new = grid.next();
+        let (start, end) = (V::splat(t), V::splat(t_new));
+        scheme.attempt(system, (start, x), (end, x_new), work)?;
+        let arrived = scheme.arrive(system, (end, x_new), work);
+        if t_new == grid.t1() {
+            slope = arrived.copied();
         }
-        !self.is_stopped.contains(&true)
+        scheme.accept(system, &Step::new((start, *x), (end, *x_new)), Accepted::All, work);
+        std::mem::swap(&mut x, &mut x_new);
+        t = t_new;
     }
+    Ok((*x, slope))
 }

@@ -149,12 +149,13 @@ fn conclude<T, const N: usize>(
     Err(EnsembleError::Stopped { stopped, x })
 }
 
-/// Integrates the trajectories from the states `x`, which are replaced, one after the other. A single lane is slower than a scalar, whose
-/// right-hand side is a function rather than a copy in each stage.
+/// Integrates some of the trajectories from the states `x`, which are replaced, one after the other. A single lane is
+/// slower than a scalar, whose right-hand side is a function rather than a copy in each stage.
 fn alone<A, M, T, const N: usize>(
     method: &A,
     models: &[M],
     (t0, t1): (T, T),
+    which: impl IntoIterator<Item = usize>,
     x: &mut [SVector<T, N>],
     stopped: &mut Vec<Stopped<T>>,
 ) where
@@ -162,7 +163,8 @@ fn alone<A, M, T, const N: usize>(
     M: Cast<N>,
     T: Float,
 {
-    for (index, x) in x.iter_mut().enumerate() {
+    for index in which {
+        let x = &mut x[index];
         let model = model_of(models, index).cast::<T>();
         let (t, reason) = match method.stepper(&model, t0, t1, *x) {
             Ok(mut stepper) => {
