@@ -73,6 +73,13 @@ impl<B, T: Lanes, const STAGES: usize, const N: usize> ExplicitStages<B, T, STAG
             &mut self.stages[0]
         }
     }
+
+    /// Whether what is tried is accepted, as without a tolerance, and the derivative at the end is the slope at once: in
+    /// lanes, where nothing else reads the last stage.
+    #[inline(always)]
+    fn goes_on_at_once(&self) -> bool {
+        T::LANES > 1 && self.tolerance.is_none()
+    }
 }
 
 impl<B, T, const STAGES: usize, const N: usize> ExplicitStages<B, T, STAGES, N>
@@ -159,6 +166,11 @@ where
 
     #[inline(always)]
     fn arrive(&mut self, system: &S, (t, x): (T, &SVector<T, N>), work: &mut Statistics) -> Option<&SVector<T, N>> {
+        if self.goes_on_at_once() {
+            work.evaluations += 1;
+            *self.slope() = system.rhs(t, x);
+            return Some(self.slope());
+        }
         if self.tolerance.is_none() || const { !B::TABLEAU.error_uses_last_stage() } {
             work.evaluations += 1;
             self.stages[STAGES - 1] = system.rhs(t, x);
@@ -168,8 +180,10 @@ where
 
     #[inline(always)]
     fn accept(&mut self, _system: &S, _step: &Step<T, N>, lanes: Accepted<T>, _work: &mut Statistics) {
-        let last = self.stages[STAGES - 1];
-        *self.slope() = lanes.select(&last, self.slope());
+        if !self.goes_on_at_once() {
+            let last = self.stages[STAGES - 1];
+            *self.slope() = lanes.select(&last, self.slope());
+        }
     }
 
     fn dense(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
