@@ -1,6 +1,6 @@
 //! `Real` and `Float` for the floating-point types of the language.
 
-use super::lanes::{Lanes, Pack, Pair, Two32, Two64};
+use super::lanes::{Lanes, Pack, Pair, Register, Two32, Two64};
 use super::{Float, Real, sincos};
 
 macro_rules! forward {
@@ -83,16 +83,12 @@ macro_rules! scalar {
 
             #[inline(always)]
             fn all_finite(self) -> bool {
-                self.is_finite()
+                Register::all_finite(self)
             }
 
             #[inline(always)]
             fn select(self, negative: Self, otherwise: Self) -> Self {
-                if self.is_sign_negative() {
-                    negative
-                } else {
-                    otherwise
-                }
+                Register::select(self, negative, otherwise)
             }
         }
 
