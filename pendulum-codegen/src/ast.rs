@@ -47,6 +47,14 @@ pub(crate) struct Items {
     pub shapes: Vec<Shape>,
     /// Bodies.
     pub bodies: Vec<Body>,
+    /// Points of bodies.
+    pub points: Vec<Point>,
+    /// What acts on the scene, beside what its joints do.
+    pub actions: Vec<Action>,
+    /// Quantities that the model evaluates.
+    pub outputs: Vec<Output>,
+    /// Functions whose zeros are events.
+    pub events: Vec<Event>,
     /// What to generate.
     pub generate: Option<Vec<Ident>>,
 }
@@ -82,6 +90,96 @@ pub(crate) struct Input {
     pub name: Ident,
     /// Unit.
     pub unit: Read<Unit>,
+}
+
+/// `point name on body at [x, y, z],`
+#[derive(Debug)]
+pub(crate) struct Point {
+    /// Name.
+    pub name: Ident,
+    /// The body that it is a point of, or `ground`.
+    pub body: Read<Ident>,
+    /// Where it sits in the frame of the body; at its origin if left out.
+    pub at: Option<Read<Vector>>,
+}
+
+/// Something that acts on the scene: an item of its own.
+#[derive(Debug)]
+pub(crate) struct Action {
+    /// The word that the item begins with.
+    pub word: Ident,
+    /// What it does.
+    pub kind: ActionKind,
+}
+
+/// What acts on a scene.
+#[derive(Debug)]
+pub(crate) enum ActionKind {
+    /// `force on point: [fx, fy, fz] in body,`
+    Push {
+        /// The point.
+        point: Ident,
+        /// The force.
+        force: Read<Vector>,
+        /// The body in whose frame it is given; ground if left out.
+        frame: Option<Ident>,
+    },
+    /// `force coordinate: e,`
+    Along {
+        /// The coordinate.
+        coordinate: Ident,
+        /// The force.
+        force: Read<Expr>,
+    },
+    /// `spring between a and b: (stiffness, length),`
+    Spring {
+        /// The two points.
+        ends: [Ident; 2],
+        /// Its stiffness, and its length at rest.
+        law: Read<(Expr, Expr)>,
+    },
+    /// `damper between a and b: e,`
+    Damper {
+        /// The two points.
+        ends: [Ident; 2],
+        /// The force for each unit of the rate of their distance.
+        coefficient: Read<Expr>,
+    },
+    /// `potential: e,`
+    Potential(Expr),
+    /// `dissipation: e,`
+    Dissipation(Expr),
+}
+
+/// `output name: value,`
+#[derive(Debug)]
+pub(crate) struct Output {
+    /// Documentation of its functions.
+    pub docs: Vec<String>,
+    /// Name.
+    pub name: Ident,
+    /// What it is.
+    pub value: Read<OutputValue>,
+}
+
+/// What an output is.
+#[derive(Debug)]
+pub(crate) enum OutputValue {
+    /// One expression, or the name of a point.
+    Scalar(Expr),
+    /// A list of expressions.
+    List(Vec<Expr>),
+}
+
+/// `event name: e,`
+#[derive(Debug)]
+pub(crate) struct Event {
+    /// Documentation of its functions.
+    pub docs: Vec<String>,
+    /// Name.
+    pub name: Ident,
+    /// What passes zero.
+    pub value: Read<Expr>,
 }
 
 /// `shape name { .. }`
@@ -210,6 +308,8 @@ pub(crate) struct BodyFields {
     pub coordinate: Option<Ident>,
     /// Whether the coordinate is measured from ground: the word `absolute`.
     pub absolute: Option<Ident>,
+    /// The coordinate as a function of time, of a joint that is driven.
+    pub motion: Option<Expr>,
     /// Viscous friction.
     pub friction: Option<Expr>,
     /// Stiffness and rest position.
@@ -293,6 +393,8 @@ pub(crate) enum ExprKind {
     Number(Rational),
     /// A name.
     Name(Ident),
+    /// `point.x`: a point, and the word behind the dot.
+    Component(Ident, Ident),
     /// `function(arguments)`.
     Call(Ident, Vec<Expr>),
     /// `-a`.

@@ -39,7 +39,12 @@ pub(crate) fn check(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'_>) -
 /// Reports parameters and inputs that neither the motion, nor the energy, nor a check of the parameters depends on.
 fn report_without_effect(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'_>, errors: &mut Errors) {
     let checked = model.rules.iter().map(|rule| rule.value);
-    let roots: Vec<_> = dynamics.entries().into_iter().chain(checked).collect();
+    let outputs = model.outputs.iter().flat_map(|output| output.values.iter().copied());
+    let observed = outputs
+        .chain(model.events.iter().map(|event| event.value))
+        .collect::<Vec<_>>();
+    let roots = dynamics.entries().into_iter().chain(checked);
+    let roots: Vec<_> = roots.chain(model.with_drives(&observed)).collect();
     let read: FxHashSet<ExprId> = model.graph.reachable(&roots).into_iter().collect();
     let parameters = model.parameters.iter().map(|p| ("parameter", &p.name, p.symbol));
     let inputs = model.inputs.iter().map(|input| ("input", &input.name, input.symbol));

@@ -71,8 +71,36 @@ pub(crate) const ITEMS: &Synonyms = &[
     (&["control", "controls", "actuator", "inputs"], "input"),
     (&["mesh", "geometry", "solid", "shapes"], "shape"),
     (
-        &["outputs", "output", "options", "emit", "functions"],
+        &["options", "emit", "functions", "routines"],
         "what a scene needs is listed by `generate: [rhs, jacobian, energy],`",
+    ),
+    (
+        &[
+            "outputs",
+            "observable",
+            "sensor",
+            "sensors",
+            "measure",
+            "measurement",
+            "observe",
+            "y",
+        ],
+        "output",
+    ),
+    (&["events", "zero", "crossing", "trigger", "guard"], "event"),
+    (&["points", "site", "marker", "frame", "anchor", "location"], "point"),
+    (&["forces", "push", "load", "thrust", "wrench"], "force"),
+    (&["springs", "elastic"], "spring"),
+    (&["dampers", "dashpot"], "damper"),
+    (&["potentials", "potentialenergy", "energy"], "potential"),
+    (&["rayleigh", "loss", "losses"], "dissipation"),
+    (
+        &["torque", "moment"],
+        "write `torque: e` in the braces of a body, or `force theta: e` for a force along a coordinate",
+    ),
+    (
+        &["drive", "driver", "prescribed", "motor"],
+        "a joint is driven by `motion: e(t)` in the braces of its body, in place of its coordinate",
     ),
     (&["g"], "gravity"),
     (
@@ -140,6 +168,7 @@ pub(crate) const FIELDS: &Synonyms = &[
     (&["weight", "m"], "mass"),
     (&["solid", "geometry", "parts", "volumes", "collision"], "solids"),
     (&["hinge", "pivot", "connection"], "joint"),
+    (&["prescribed", "driven", "trajectory", "law", "path"], "motion"),
     (
         &["axis", "direction"],
         "the axis belongs to the joint: write `joint: revolute(z)`",
@@ -304,6 +333,11 @@ pub(crate) const FUNCTIONS: &Synonyms = &[
         "angles are in rad: write `x*pi/180` for x in degrees",
     ),
     (&["der", "diff", "ddt", "d", "derivative", "rate"], "dot"),
+    (&["dist", "range", "separation"], "distance"),
+    (
+        &["rotation", "orientation", "attitude"],
+        "a rotation is a matrix: it stands alone, as in `output r: rotation(arm),`",
+    ),
     (
         &["ddot"],
         "accelerations cannot be used: they are what the equations give",

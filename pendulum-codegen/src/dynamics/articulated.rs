@@ -4,12 +4,13 @@
 
 use std::ops::{Add, Mul};
 
+use super::actions::{along_coordinates, is_wrench, wrenches};
 use super::frames::{Frame, frames};
 use super::joints::JointId;
 use super::links::{Link, links};
 use super::motion::{acceleration_field, inertial_moment};
 use crate::expr::Expr;
-use crate::model::Model;
+use crate::model::{Action, Model};
 use crate::screw::{MassMoments, Mat3, Symmetric3, Twist, Vec3, Wrench};
 
 /// The inertia of a link whose outer joints give way: `moment = rotation alpha + coupling a`, `force = coupling^T alpha + translation a`.
@@ -31,11 +32,16 @@ struct Joint<'g> {
     force: Expr<'g>,
 }
 
-/// The accelerations of the coordinates of a scene.
-pub(super) fn accelerations<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
+/// The accelerations of the coordinates of a scene; with what acts on it as wrenches on the links, where `pushed`.
+pub(super) fn accelerations<'g>(model: &Model<'g>, pushed: bool) -> Vec<Expr<'g>> {
     let g = model.graph;
     let links = links(model);
-    let frames = frames(model, &links);
+    let frames = frames(model, &links.links);
+    let (as_wrenches, others): (Vec<&Action<'g>>, Vec<_>) =
+        model.actions.iter().partition(|action| pushed && is_wrench(action));
+    let given = wrenches(model, &links, &frames, &as_wrenches);
+    let mut links = links.links;
+    along_links(&mut links, along_coordinates(model, &others));
     let spins = spins(&links, &frames);
     let mut inertias: Vec<Articulated<'g>> = Vec::new();
     let mut wrenches: Vec<Wrench<'g>> = Vec::new();
@@ -47,24 +53,38 @@ pub(super) fn accelerations<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
             force: field * frame.inertia.first,
         });
     }
+    for (wrench, given) in wrenches.iter_mut().zip(given) {
+        *wrench = *wrench - given;
+    }
     let drifts: Vec<Twist<'g>> = JointId::all(links.len())
         .map(|k| drift(&links[k], &frames[k], spins[k], &spins))
         .collect();
-    let mut joints: Vec<Joint<'g>> = Vec::new();
+    let is_driven = |link: &Link<'g>| model.is_driven(link.coordinate);
+    // along a driven joint, of which the coordinate is the drive alone
+    let second_rate = |link: &Link<'g>| model.driven_acceleration_of(&link.motion);
+    let mut joints: Vec<Option<Joint<'g>>> = Vec::new();
     for k in JointId::all(links.len()).rev() {
         let (link, frame) = (&links[k], &frames[k]);
-        let joint = inertias[k].give_way(link, &wrenches[k]);
+        let joint = (!is_driven(link)).then(|| inertias[k].give_way(link, &wrenches[k]));
         joints.push(joint);
         let Some(parent) = link.parent else { continue };
-        let carried = inertias[k].without(link, &joint);
-        let pushed = carried * drifts[k];
-        let left = joint.force * (joint.mobility * joint.momentum);
-        let wrench = wrenches[k] + pushed + left;
+        let (carried, wrench) = match joint {
+            Some(joint) => {
+                let carried = inertias[k].without(link, &joint);
+                let left = joint.force * (joint.mobility * joint.momentum);
+                (carried, wrenches[k] + carried * drifts[k] + left)
+            }
+            // a drive does not give way: what it carries is accelerated as it prescribes
+            None => (
+                inertias[k],
+                wrenches[k] + inertias[k] * (drifts[k] + second_rate(link) * link.screw),
+            ),
+        };
         wrenches[parent] = wrenches[parent] + frame.wrench_to_parent(&wrench);
         inertias[parent] = inertias[parent] + carried.to_parent(frame);
     }
     joints.reverse();
-    let mut accelerations = vec![g.zero(); model.dof()];
+    let mut accelerations = vec![g.zero(); model.dof() + model.drives.len()];
     let mut motions: Vec<Twist<'g>> = Vec::new();
     for (k, (link, joint)) in JointId::all(links.len()).zip(links.iter().zip(&joints)) {
         let frame = &frames[k];
@@ -83,6 +103,11 @@ pub(super) fn accelerations<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
             linear: frame.of_parent(below.linear),
         };
         let arriving = arriving + drifts[k];
+        let Some(joint) = joint else {
+            motions.push(arriving + second_rate(link) * link.screw);
+            accelerations[link.coordinate] = model.coordinate(link.coordinate).acceleration;
+            continue;
+        };
         let second_rate = (joint.force - joint.momentum.power(&arriving)) * joint.mobility;
         motions.push(arriving + second_rate * link.screw);
         // q_k = factor * own + others, where the others are coordinates of links below
@@ -92,7 +117,19 @@ pub(super) fn accelerations<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
             .fold(second_rate, |own, (other, factor)| own - factor * accelerations[other]);
         accelerations[link.coordinate] = link.motion.factor(link.coordinate) * own;
     }
+    accelerations.truncate(model.dof());
     accelerations
+}
+
+/// Adds forces along the coordinates to those along the joints: with `q = T theta`, `T^T tau = Q` is solved from the outermost link on.
+fn along_links<'g>(links: &mut [Link<'g>], mut forces: Vec<Expr<'g>>) {
+    for link in links.iter_mut().rev() {
+        let along = link.motion.factor(link.coordinate) * forces[link.coordinate];
+        for (k, factor) in link.motion.terms() {
+            forces[k] += -factor * along;
+        }
+        link.force += along;
+    }
 }
 
 /// The angular velocity of each link, in its frame.

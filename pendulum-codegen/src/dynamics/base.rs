@@ -12,7 +12,7 @@ use crate::screw::{MassMoments, Symmetric3, Vec3};
 /// moment. Their number is the least one where all joints turn; helical joints, and slides among parallel axes, may have
 /// combinations that are left standing.
 pub(crate) fn base_parameters<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
-    let links = links(model);
+    let links = links(model).links;
     let ground = Path {
         turning: Turning::Nothing,
         pushes: vec![model.gravity],

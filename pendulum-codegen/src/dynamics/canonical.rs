@@ -4,14 +4,14 @@
 //! by. The right-hand side is `dL/dq + Q` of Lagrange's equations: half of `(dA/dt) qd` cancels against the bias, which a normal form
 //! sees.
 
-use crate::expr::{Derivative, Expr};
-use crate::model::Coordinate;
+use crate::expr::Expr;
+use crate::model::{Coordinate, Model};
 
 use super::{Dynamics, derived};
 
 /// The rates of the momenta, in the state.
-pub(crate) fn momentum_rates<'g>(dynamics: &Dynamics<'g>, coordinates: &[Coordinate<'g>]) -> Vec<Expr<'g>> {
-    let mut along_motion = Derivative::along(coordinates.iter().map(|c| (c.position, c.rate)));
+pub(crate) fn momentum_rates<'g>(dynamics: &Dynamics<'g>, model: &Model<'g>) -> Vec<Expr<'g>> {
+    let mut along_motion = model.along_motion();
     let rows = dynamics.momentum.iter().zip(&dynamics.residual);
     rows.map(|(&momentum, &residual)| along_motion.of(momentum) - residual)
         .collect()

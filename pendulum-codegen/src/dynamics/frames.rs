@@ -117,6 +117,11 @@ impl<'g> Frame<'g> {
         }
     }
 
+    /// A vector of the link, in this frame.
+    pub(super) fn of_body(&self, v: Vec3<'g>) -> Vec3<'g> {
+        Inside::forward(self.inside, v)
+    }
+
     /// A vector of the frame of the parent, in this frame.
     pub(super) fn of_parent(&self, v: Vec3<'g>) -> Vec3<'g> {
         let Some(Turned { below, placement, own }) = self.turned else {

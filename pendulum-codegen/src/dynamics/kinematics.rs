@@ -3,8 +3,8 @@
 use rustc_hash::FxHashMap;
 
 use crate::expr::{Expr, Graph};
-use crate::model::{Body, BodyId, Heading, Model};
-use crate::screw::{Mat3, SpatialInertia, Transform, Twist, Vec3};
+use crate::model::{BodyId, Model, Poses};
+use crate::screw::{SpatialInertia, Transform, Twist, Vec3};
 
 /// Poses, screws and inertias of a model, each written in the station of its body.
 ///
@@ -25,18 +25,12 @@ pub(crate) struct Kinematics<'g> {
 impl<'g> Kinematics<'g> {
     /// The kinematics of a model.
     pub(crate) fn new(model: &Model<'g>) -> Self {
-        let mut poses: Vec<Transform<'g>> = Vec::new();
-        let mut screws = Vec::new();
-        for body in &model.bodies {
-            let base = match body.parent {
-                Some(parent) if body.heading.station != Some(parent) => poses[parent],
-                _ => Transform::identity(model.graph),
-            };
-            let rotation = orientation(&body.heading, model.position_of(&body.heading.turn));
-            let (translation, screw) = place(&base, body, rotation, model.position_of(&body.motion));
-            poses.push(Transform { rotation, translation });
-            screws.push(screw);
-        }
+        let Poses {
+            poses,
+            screws,
+            stations,
+            ..
+        } = Poses::new(model);
         let mut composites: Vec<SpatialInertia<'g>> = poses
             .iter()
             .zip(&model.bodies)
@@ -56,7 +50,7 @@ impl<'g> Kinematics<'g> {
             poses,
             screws,
             composites,
-            stations: model.bodies.iter().map(|body| body.heading.station).collect(),
+            stations,
             parents: model.bodies.iter().map(|body| body.parent).collect(),
             gravity: model.gravity,
             seen: FxHashMap::default(),
@@ -106,38 +100,4 @@ impl<'g> Kinematics<'g> {
         let moment = roots.fold(Vec3::zero(self.graph), |sum, (composite, _)| sum + composite.moment);
         -self.gravity.dot(moment)
     }
-}
-
-fn orientation<'g>(heading: &Heading<'g>, angle: Expr<'g>) -> Mat3<'g> {
-    match heading.axis {
-        None => heading.rest,
-        Some(axis) => Mat3::rotation(axis, angle) * heading.rest,
-    }
-}
-
-/// Where a body's origin is and what the screw of its joint is, in the frame in which its parent stands at `base`.
-fn place<'g>(
-    base: &Transform<'g>,
-    body: &Body<'g>,
-    turned: Mat3<'g>,
-    position: Expr<'g>,
-) -> (Vec3<'g>, Option<Twist<'g>>) {
-    let joint = *base * body.placement;
-    let Some(screw) = body.screw else {
-        return (joint.translation, None);
-    };
-    if !screw.turns() {
-        return (joint.point(position * screw.linear), Some(joint.twist(&screw)));
-    }
-    let Twist { angular: w, linear: v } = screw;
-    // a turn does not move its own axis, so the axis needs the constant rotation only
-    let angular = body.heading.rest * w;
-    let twist = Twist {
-        angular,
-        linear: joint.rotation * v + joint.translation.cross(angular),
-    };
-    // exp(s q) moves the origin by (1 - R) (w x v) + w (w . v) q
-    let (pitch, arm) = (w.dot(v), w.cross(v));
-    let along = (pitch * position) * angular;
-    (joint.point(arm) - turned * arm + along, Some(twist))
 }

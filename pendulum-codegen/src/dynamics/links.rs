@@ -39,12 +39,20 @@ impl<'g> Link<'g> {
     }
 }
 
-/// The links of a model, each behind its parent.
-pub(super) fn links<'g>(model: &Model<'g>) -> Vec<Link<'g>> {
+/// The links of a model.
+#[derive(Clone, Debug)]
+pub(super) struct Links<'g> {
+    /// The links, each behind its parent.
+    pub(super) links: Vec<Link<'g>>,
+    /// For each body the link it belongs to, or ground, and where its frame sits in that of the link.
+    pub(super) owners: Vec<(Option<JointId>, Transform<'g>)>,
+}
+
+/// The links of a model.
+pub(super) fn links<'g>(model: &Model<'g>) -> Links<'g> {
     let g = model.graph;
     let (zero, z) = (Vec3::zero(g), Vec3::z(g));
     let mut links: Vec<Link<'g>> = Vec::new();
-    // for each body the link it belongs to, and where its frame sits in that of the link
     let mut owners: Vec<(Option<JointId>, Transform<'g>)> = Vec::new();
     for body in &model.bodies {
         let (owner, base) = match body.parent {
@@ -104,7 +112,7 @@ pub(super) fn links<'g>(model: &Model<'g>) -> Vec<Link<'g>> {
         owners.push((Some(JointId::new(links.len() - 1)), back));
     }
     hand_down(&mut links);
-    links
+    Links { links, owners }
 }
 
 /// Each link keeps only what its joint can move against its parent; the rest is carried by the parent just as well.

@@ -1,5 +1,6 @@
 //! The dynamics of a model: from screws to the mass matrix, the bias, the forces and the energy in its coordinates.
 
+mod actions;
 mod articulated;
 #[cfg(test)]
 mod base;
@@ -24,7 +25,7 @@ pub(crate) use kinematics::Kinematics;
 pub(crate) use solve::{Factored, Solver};
 
 use crate::expr::Expr;
-use crate::model::{BodyId, Coordinate, Model};
+use crate::model::{Action, BodyId, Coordinate, Model};
 use joints::{AlongJoints, JointId};
 
 /// `mass_matrix * qdd + bias = force`, in the coordinates of the scene.
@@ -40,13 +41,15 @@ pub(crate) struct Dynamics<'g> {
     pub residual: Vec<Expr<'g>>,
     /// `A qdd + bias - force`, zero along the motion, with the accelerations as the symbols of the coordinates.
     pub balance: Vec<Expr<'g>>,
+    /// The forces that the drives supply along their joints, for these accelerations.
+    pub drive: Vec<Expr<'g>>,
     /// Derivatives of `A qdd + bias`, where they are known in a form of their own.
     pub tangent: Option<Tangent<'g>>,
     /// Momenta of the coordinates: `A qd`, the derivatives of the kinetic energy by the rates.
     pub momentum: Vec<Expr<'g>>,
     /// Kinetic energy.
     pub kinetic: Expr<'g>,
-    /// Potential energy of gravity and springs.
+    /// Potential energy.
     pub potential: Expr<'g>,
 }
 
@@ -74,8 +77,24 @@ impl<'g> Dynamics<'g> {
             let times = if j == k { 1 } else { 2 };
             bias[i] += entry * (times * (rates[j] * rates[k]));
         }
+        let mut momenta = vec![g.zero(); bodies.len()];
+        if !model.drives.is_empty() {
+            let driven: Vec<Expr<'g>> = bodies
+                .iter()
+                .map(|body| model.driven_acceleration_of(&body.motion))
+                .collect();
+            for (&(i, j), &entry) in &a {
+                bias[i] += entry * driven[j];
+                momenta[i] += entry * rates[j];
+                if i != j {
+                    bias[j] += entry * driven[i];
+                    momenta[j] += entry * rates[i];
+                }
+            }
+        }
         let of_gravity = kinematics.potential();
         let potential = of_gravity + g.sum(bodies.iter().map(|body| body.potential));
+        let potential = potential + g.sum(model.actions.iter().filter_map(Action::potential));
         let joint = |body: BodyId| JointId::new(body.into());
         let along = AlongJoints {
             motions: bodies.iter().map(|body| body.motion.clone()).collect(),
@@ -84,19 +103,47 @@ impl<'g> Dynamics<'g> {
                 .map(|((i, j), entry)| (joint(i), joint(j), entry))
                 .collect(),
             bias,
+            momenta,
             inertial: None,
+            pushed: None,
         };
         along.in_coordinates(model, potential)
     }
 
-    /// The same dynamics by recursion over links in base parameters; `potential` is the potential energy of gravity and springs.
-    pub(crate) fn recursive(model: &Model<'g>, potential: Expr<'g>) -> Self {
-        recursive::along_joints(model).in_coordinates(model, potential)
+    /// The same dynamics by recursion over links in base parameters; `potential` is the potential energy. Where `pushed`, forces at
+    /// points are wrenches on the links.
+    pub(crate) fn recursive(model: &Model<'g>, potential: Expr<'g>, pushed: bool) -> Self {
+        recursive::along_joints(model, pushed).in_coordinates(model, potential)
     }
 
-    /// The accelerations by articulated bodies: without a mass matrix.
-    pub(crate) fn articulated(model: &Model<'g>) -> Vec<Expr<'g>> {
-        articulated::accelerations(model)
+    /// The accelerations by articulated bodies: without a mass matrix. Where `pushed`, forces at points are wrenches on the links.
+    pub(crate) fn articulated(model: &Model<'g>, pushed: bool) -> Vec<Expr<'g>> {
+        model.with_drives(&articulated::accelerations(model, pushed))
+    }
+
+    /// The forces along the coordinates of what acts on a scene, but for those that were written along a coordinate.
+    pub(crate) fn scene_forces(model: &Model<'g>) -> Vec<Expr<'g>> {
+        let actions = model
+            .actions
+            .iter()
+            .filter(|action| !matches!(action, Action::Along(..)));
+        let mut forces = actions::along_coordinates(model, &actions.collect::<Vec<_>>());
+        forces.truncate(model.dof());
+        model.with_drives(&forces)
+    }
+
+    /// Whether forces act that are wrenches on links.
+    pub(crate) fn has_wrenches(model: &Model<'g>) -> bool {
+        model.actions.iter().any(actions::is_wrench)
+    }
+
+    /// What drives prescribe, in place of the symbols that stand for it.
+    fn with_drives(self, model: &Model<'g>) -> Self {
+        if model.drives.is_empty() {
+            return self;
+        }
+        let entries = model.with_drives(&self.entries());
+        self.with_entries(entries)
     }
 
     /// The upper triangle of the mass matrix, row by row.
@@ -126,6 +173,7 @@ impl<'g> Dynamics<'g> {
             &mut self.force,
             &mut self.residual,
             &mut self.balance,
+            &mut self.drive,
             &mut self.momentum,
         ];
         let tangent = self

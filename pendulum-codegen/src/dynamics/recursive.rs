@@ -2,52 +2,67 @@
 //!
 //! Luh, Walker and Paul (1980) and Walker and Orin (1982), on links in base parameters.
 
+use super::actions::{is_wrench, wrenches};
 use super::frames::{Frame, frames};
 use super::joints::{AlongJoints, Entry, Inertial, JointId};
 use super::links::{Link, links};
 use super::motion::{Motion, inertial_moment, motions};
 use super::tangent::Tangent;
 use crate::expr::Expr;
-use crate::model::Model;
+use crate::model::{Action, Model};
 use crate::screw::{MassMoments, Vec3, Wrench};
 
-/// The dynamics along the joints of the links.
-pub(super) fn along_joints<'g>(model: &Model<'g>) -> AlongJoints<'g> {
+/// The dynamics along the joints of the links; with what acts on the scene as wrenches on the links, where `pushed`.
+pub(super) fn along_joints<'g>(model: &Model<'g>, pushed: bool) -> AlongJoints<'g> {
     let (g, gravity) = (model.graph, model.gravity);
     let links = links(model);
-    let frames = frames(model, &links);
-    let still = vec![g.zero(); links.len()];
-    let (_, wrenches) = inverse_dynamics(&links, &frames, gravity, &still);
+    let frames = frames(model, &links.links);
+    let actions: Vec<&Action<'g>> = model.actions.iter().filter(|action| is_wrench(action)).collect();
+    let given = pushed.then(|| wrenches(model, &links, &frames, &actions));
+    let links = links.links;
+    let still: Vec<Expr<'g>> = links
+        .iter()
+        .map(|link| model.driven_acceleration_of(&link.motion))
+        .collect();
+    let (_, wrenches) = inverse_dynamics(&links, &frames, gravity, &still, None);
     let bias = forces(&links, &wrenches);
     let second_rates: Vec<Expr<'g>> = links.iter().map(|link| model.acceleration_of(&link.motion)).collect();
-    let (motions, wrenches) = inverse_dynamics(&links, &frames, gravity, &second_rates);
+    let (motions, wrenches) = inverse_dynamics(&links, &frames, gravity, &second_rates, None);
     let inertial = forces(&links, &wrenches);
+    let pushed = given.map(|given| {
+        [&still, &second_rates].map(|second_rates| {
+            let (_, left) = inverse_dynamics(&links, &frames, gravity, second_rates, Some(&given));
+            forces(&links, &left)
+        })
+    });
     let composites = composites(&links, &frames);
     let mass_matrix = mass_matrix(&links, &frames, &composites);
     let tangent = Tangent::new(&links, &frames, &composites, &motions, &wrenches);
     // from rest and without gravity, accelerations equal to the rates take forces equal to the momenta
     let resting: Vec<Frame<'g>> = frames.iter().map(Frame::at_rest).collect();
     let rates: Vec<Expr<'g>> = links.iter().map(|link| model.rate_of(&link.motion)).collect();
-    let (_, wrenches) = inverse_dynamics(&links, &resting, Vec3::zero(g), &rates);
+    let (_, wrenches) = inverse_dynamics(&links, &resting, Vec3::zero(g), &rates, None);
     let momenta = forces(&links, &wrenches);
     AlongJoints {
         motions: links.into_iter().map(|link| link.motion).collect(),
         mass_matrix,
         bias,
+        momenta,
         inertial: Some(Inertial {
             forces: inertial,
             tangent,
-            momenta,
         }),
+        pushed,
     }
 }
 
-/// How the links move, and the wrench that each takes with all that it carries, by Newton and Euler.
+/// How the links move, and the wrench that each takes with all that it carries, by Newton and Euler: beside those that are `given`.
 fn inverse_dynamics<'g>(
     links: &[Link<'g>],
     frames: &[Frame<'g>],
     gravity: Vec3<'g>,
     second_rates: &[Expr<'g>],
+    given: Option<&[Wrench<'g>]>,
 ) -> (Vec<Motion<'g>>, Vec<Wrench<'g>>) {
     let motions = motions(links, frames, gravity, second_rates);
     let own = |(motion, frame): (&Motion<'g>, &Frame<'g>)| {
@@ -62,6 +77,9 @@ fn inverse_dynamics<'g>(
         }
     };
     let mut wrenches: Vec<Wrench<'g>> = motions.iter().zip(frames).map(own).collect();
+    for (wrench, &given) in wrenches.iter_mut().zip(given.into_iter().flatten()) {
+        *wrench = *wrench - given;
+    }
     for n in JointId::all(links.len()).rev() {
         if let Some(parent) = links[n].parent {
             wrenches[parent] = wrenches[parent] + frames[n].wrench_to_parent(&wrenches[n]);

@@ -46,6 +46,10 @@ pub enum SymbolKind {
     Input(usize),
     /// Time.
     Time,
+    /// A component of the position of a point, until it is known in coordinates.
+    Point(usize),
+    /// The rate of such a component.
+    PointRate(usize),
     /// A quantity of one order of a power series in time.
     Coefficient(usize),
 }

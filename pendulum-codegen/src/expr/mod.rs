@@ -19,6 +19,7 @@ mod operators;
 mod poly;
 mod precedence;
 mod print;
+mod smooth;
 mod text;
 
 use num_traits::{One, Signed, Zero};

@@ -78,6 +78,7 @@ impl<'g> Closed<'g> {
             force,
             residual,
             balance,
+            drive: Vec::new(),
             tangent: None,
             momentum,
             kinetic,

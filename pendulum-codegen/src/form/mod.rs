@@ -3,6 +3,7 @@
 mod closed;
 mod exact;
 mod kind;
+mod output;
 mod routines;
 mod series;
 mod taylor;
@@ -11,6 +12,7 @@ use rustc_hash::FxHashMap;
 
 pub(crate) use closed::Closed;
 pub(crate) use kind::{Basis, Derivatives, Form};
+pub(crate) use output::{rates, values, values_and_jacobian};
 pub(crate) use routines::*;
 pub(crate) use taylor::Taylor;
 
@@ -64,8 +66,8 @@ pub(crate) struct Forms<'g> {
     forms: Vec<(Basis, Dynamics<'g>, Option<Expr<'g>>)>,
     /// The accelerations of two coordinates with all that cancels gone.
     exact: Vec<Candidate<'g>>,
-    /// The accelerations by articulated bodies.
-    articulated: Vec<Expr<'g>>,
+    /// The accelerations by articulated bodies, in one form or more.
+    articulated: Vec<Vec<Expr<'g>>>,
     normalizer: Normalizer<'g>,
 }
 
@@ -74,8 +76,12 @@ impl<'g> Forms<'g> {
     pub(crate) fn new(model: &Model<'g>, dynamics: &Dynamics<'g>) -> Self {
         let g = model.graph;
         let mut normalizer = Normalizer::with_angles(g, BUDGET, model.base_angles());
-        let recursive = Dynamics::recursive(model, dynamics.potential);
-        let articulated = Dynamics::articulated(model);
+        let potential = dynamics.potential;
+        let ways: &[bool] = if Dynamics::has_wrenches(model) {
+            &[false, true]
+        } else {
+            &[false]
+        };
         let lopsided = is_lopsided(&model.bodies);
         let (mut forms, mut exact) = (Vec::new(), Vec::new());
         if let Ok(closed) = Closed::new(&mut normalizer, dynamics) {
@@ -88,11 +94,17 @@ impl<'g> Forms<'g> {
             }
         }
         // constants that are zero, or equal, for a reason that shows in their normal form only
-        for (basis, dynamics) in [(Basis::Shared, dynamics.clone()), (Basis::Recursive, recursive)] {
+        let recursive = ways
+            .iter()
+            .map(|&pushed| (Basis::Recursive, Dynamics::recursive(model, potential, pushed)));
+        for (basis, dynamics) in [(Basis::Shared, dynamics.clone())].into_iter().chain(recursive) {
             let folded = constants::fold(g, &dynamics.entries());
             forms.push((basis, dynamics.with_entries(folded), None));
         }
-        let articulated = constants::fold(g, &articulated);
+        let articulated = ways.iter().map(|&pushed| Dynamics::articulated(model, pushed));
+        let articulated = articulated
+            .map(|accelerations| constants::fold(g, &accelerations))
+            .collect();
         Self {
             forms,
             exact,
@@ -124,6 +136,19 @@ impl<'g> Forms<'g> {
         self.choose(candidates.collect())
     }
 
+    /// The shortest code for something that is not known in closed form.
+    fn part_of_graphs(&self, part: impl Fn(&Dynamics<'g>) -> Vec<Expr<'g>>) -> Chosen<'g> {
+        let graphs = self
+            .forms
+            .iter()
+            .filter(|(basis, ..)| !matches!(basis, Basis::Closed(_)));
+        self.choose(
+            graphs
+                .map(|(basis, dynamics, _)| (Form::of(*basis), part(dynamics)))
+                .collect(),
+        )
+    }
+
     /// The shortest code for the accelerations.
     pub(crate) fn accelerations(&self) -> Chosen<'g> {
         let mut candidates = Vec::new();
@@ -134,7 +159,8 @@ impl<'g> Forms<'g> {
             }
         }
         candidates.extend(self.exact.iter().cloned());
-        candidates.push((Form::of(Basis::Articulated), self.articulated.clone()));
+        let articulated = self.articulated.iter().cloned();
+        candidates.extend(articulated.map(|accelerations| (Form::of(Basis::Articulated), accelerations)));
         self.choose(candidates)
     }
 
@@ -183,7 +209,7 @@ impl<'g> Forms<'g> {
     pub(crate) fn canonical(&mut self, model: &Model<'g>) -> Chosen<'g> {
         let mut candidates = Vec::new();
         for (basis, dynamics, _) in &self.forms {
-            let rates = vec![momentum_rates(dynamics, &model.coordinates)];
+            let rates = vec![momentum_rates(dynamics, model)];
             for (derivatives, rates) in ways(&mut self.normalizer, *basis, rates) {
                 let roots = dynamics.momentum.iter().copied().chain(rates.into_iter().flatten());
                 candidates.push((Form::of(*basis).derived_by(derivatives), roots.collect()));
@@ -197,7 +223,7 @@ impl<'g> Forms<'g> {
         let state = model.state();
         let mut candidates = Vec::new();
         for (basis, dynamics, _) in &self.forms {
-            let rates = vec![momentum_rates(dynamics, &model.coordinates)];
+            let rates = vec![momentum_rates(dynamics, model)];
             let momenta = momentum_partials(dynamics, &model.coordinates);
             for (_, rates) in ways(&mut self.normalizer, *basis, rates) {
                 let columns = momenta.iter().cloned().chain(derived(&rates[0], &state)).collect();

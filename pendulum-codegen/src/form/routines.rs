@@ -78,6 +78,13 @@ pub(crate) fn inverse_dynamics<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> 
     forms.part(|dynamics| model.graph.substitute(&dynamics.balance, without_inputs.clone()))
 }
 
+/// The forces that the drives supply.
+pub(crate) fn drive_forces<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
+    let symbols = model.coordinates.iter().map(|c| c.acceleration);
+    let solved: FxHashMap<_, _> = symbols.zip(forms.accelerations().roots).collect();
+    forms.part_of_graphs(|dynamics| model.graph.substitute(&dynamics.drive, solved.clone()))
+}
+
 /// The positions and the momenta, and after them the rates of both.
 pub(crate) fn canonical<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let chosen = forms.canonical(model);

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 
 use super::Lower;
 use super::mass::{Mass, Turns};
+use super::motion::Motion;
 use super::order::Hung;
 use super::written::written;
 use crate::ast;
@@ -23,15 +24,18 @@ impl<'g> Lower<'g> {
     ) -> Vec<Body<'g>> {
         let mut bodies = Vec::new();
         let mut placed = vec![None; declared.len()];
+        self.bodies = vec![None; declared.len()];
         for (n, parent) in order {
             let body = &declared[n];
             let parent = parent.and_then(|parent| parent.and_then(|parent| placed[parent]).transpose());
-            let lowered = self.body(body, parent, &bodies, coordinates, shapes);
+            let motion = self.motions[n].transpose();
+            let lowered = motion.and_then(|motion| self.body(body, motion, parent, &bodies, coordinates, shapes));
             placed[n] = Some(lowered.map(|lowered| {
                 self.spans.bodies.push(body.name.span());
                 bodies.push(lowered);
                 BodyId::new(bodies.len() - 1)
             }));
+            self.bodies[n] = placed[n].and_then(Result::ok);
         }
         bodies
     }
@@ -39,22 +43,28 @@ impl<'g> Lower<'g> {
     fn body(
         &mut self,
         body: &ast::Body,
+        motion: Option<Motion<'g>>,
         parent: Result<Option<BodyId>, Reported>,
         bodies: &[Body<'g>],
         coordinates: &[Coordinate<'g>],
         shapes: &BTreeMap<String, Result<Mass<'g>, Reported>>,
     ) -> Result<Body<'g>, Reported> {
-        let coordinate = body
-            .fields
-            .coordinate
-            .as_ref()
-            .and_then(|name| coordinates.iter().position(|c| name == &c.name))
-            .map(CoordinateId::new);
+        let named = body.fields.coordinate.as_ref();
+        let named = named.and_then(|name| coordinates.iter().position(|c| name == &c.name));
+        let coordinate = match motion {
+            Some(Motion::Driven(k)) => Some(k),
+            _ => named.map(CoordinateId::new),
+        };
         // an error in one part is no reason to leave the others unread
         let mass = self.mass_of_body(body, shapes);
         let geometry = self.geometry(&body.name, body.fields.joint.as_ref());
+        let moves = geometry.as_ref().is_ok_and(|geometry| geometry.screw.is_some());
+        let geometry = geometry.map(|geometry| match motion {
+            Some(Motion::Still(at)) => geometry.stopped(at),
+            _ => geometry,
+        });
         let heading = geometry.as_ref().map_err(|reported| *reported).and_then(|geometry| {
-            self.require_coordinate(body, geometry.screw.is_some())?;
+            self.require_coordinate(body, moves)?;
             self.heading(body, bodies, parent?, geometry, coordinate)
         });
         let motion = heading.as_ref().map(|(_, motion)| motion.clone()).unwrap_or_default();
@@ -92,14 +102,24 @@ impl<'g> Lower<'g> {
         let name = &body.name;
         if let Some(reported) = body.unread {
             // what is missing may be what could not be read
-            let fits = moves == body.fields.coordinate.is_some();
+            let fits = moves == (body.fields.coordinate.is_some() || body.fields.motion.is_some());
             return if fits { Ok(()) } else { Err(reported) };
+        }
+        if let (true, Some(_)) = (moves, &body.fields.motion) {
+            return Ok(());
+        }
+        if let (false, Some(motion)) = (moves, &body.fields.motion) {
+            return Err(self.errors.on(
+                motion,
+                format_args!("the joint of `{name}` is fixed, so it cannot follow a motion"),
+                "remove the motion, or give the joint an axis: `joint: prismatic(x)`",
+            ));
         }
         match (moves, &body.fields.coordinate) {
             (true, None) => Err(self.errors.at(
                 name.span(),
                 format_args!("the joint of `{name}` moves but has no coordinate"),
-                "add `coordinate: name`, or make the joint `fixed`",
+                "add `coordinate: name`, or `motion: e(t)` for a driven joint, or make the joint `fixed`",
             )),
             (false, Some(coordinate)) => Err(self.errors.at(
                 coordinate.span(),

@@ -41,9 +41,8 @@ impl<'g> Lower<'g> {
 
     fn default(&mut self, name: &str, default: &Read<ast::Expr>) -> Result<Expr<'g>, Reported> {
         let place = Place {
-            what: format!("the default of `{name}`"),
             most: Level::Constant,
-            joint: None,
+            ..Place::fixed(format!("the default of `{name}`"))
         };
         let default = self.read(default)?;
         self.expr(default, &place)
@@ -87,11 +86,7 @@ impl<'g> Lower<'g> {
     /// Says what each name stands for, in the order of the text.
     pub(super) fn lets(&mut self, lets: &[ast::Let]) {
         for item in lets {
-            let place = Place {
-                what: format!("`{}`", item.name),
-                most: Level::State,
-                joint: None,
-            };
+            let place = Place::moving(format!("`{}`", item.name));
             let value = self.read(&item.value);
             match value.and_then(|value| self.expr(value, &place)) {
                 Ok(value) => self.names.set_value(&item.name.to_string(), value),

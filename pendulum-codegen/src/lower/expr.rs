@@ -4,6 +4,7 @@ use std::fmt::Display;
 
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive, Zero};
+use proc_macro2::Span;
 
 use super::Lower;
 use crate::ast::{self, ExprKind, Operator, Vector};
@@ -18,8 +19,49 @@ pub(super) struct Place<'g> {
     pub(super) what: String,
     /// On what it may depend.
     pub(super) most: Level,
+    /// Which of the things that vary it may depend on.
+    pub(super) only: Only,
     /// The coordinate and the rate of the joint, where `q` and `qd` may stand.
     pub(super) joint: Option<(Expr<'g>, Expr<'g>)>,
+}
+
+/// Which of the things that vary may stand at a place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Only {
+    /// All of them.
+    All,
+    /// All but the inputs.
+    State,
+    /// Coordinates, points and the time.
+    Places,
+    /// The time.
+    Time,
+}
+
+impl Only {
+    fn allows(self, kind: SymbolKind) -> bool {
+        match kind {
+            SymbolKind::Input(_) => self == Self::All,
+            SymbolKind::Rate(_) | SymbolKind::PointRate(_) => matches!(self, Self::All | Self::State),
+            SymbolKind::Coordinate(_) | SymbolKind::Point(_) => self != Self::Time,
+            _ => true,
+        }
+    }
+
+    /// What to do about a symbol that is not allowed.
+    fn help(self) -> &'static str {
+        match self {
+            Self::All | Self::State => "an input is known only where the model is used: add its part there",
+            Self::Places => {
+                "build it from coordinates, points, the time and parameters; \
+                 write what depends on rates or inputs as `force coordinate: e`, and what is lost as `dissipation: e`"
+            }
+            Self::Time => {
+                "a driven joint follows the time: build it from `t` and parameters; \
+                 a joint that moves by itself has a `coordinate`"
+            }
+        }
+    }
 }
 
 impl Place<'_> {
@@ -28,7 +70,16 @@ impl Place<'_> {
         Self {
             what: what.into(),
             most: Level::Parameter,
+            only: Only::All,
             joint: None,
+        }
+    }
+
+    /// A place for anything.
+    pub(super) fn moving(what: impl Into<String>) -> Self {
+        Self {
+            most: Level::State,
+            ..Self::fixed(what)
         }
     }
 }
@@ -79,7 +130,11 @@ impl<'g> Lower<'g> {
     fn unchecked(&mut self, expr: &ast::Expr, place: &Place<'g>) -> Result<Expr<'g>, Reported> {
         match &expr.kind {
             ExprKind::Number(n) => Ok(self.graph.number(n.clone())),
-            ExprKind::Name(name) => self.name(name, place),
+            ExprKind::Name(name) => {
+                let value = self.name(name, place)?;
+                self.permit(value, name.span(), place)
+            }
+            ExprKind::Component(point, axis) => self.component(point, axis, place),
             ExprKind::Call(name, arguments) => self.call(expr, name, arguments, place),
             ExprKind::Neg(a) => Ok(-self.operation(a, place)?),
             ExprKind::Binary(operator, a, b) => {
@@ -118,6 +173,25 @@ impl<'g> Lower<'g> {
         }
     }
 
+    /// Refuses what varies and may not stand at a place.
+    pub(super) fn permit(&mut self, value: Expr<'g>, span: Span, place: &Place<'g>) -> Result<Expr<'g>, Reported> {
+        if place.only == Only::All || place.most < Level::State || value.level() < Level::State {
+            return Ok(value);
+        }
+        let mut symbols = self
+            .graph
+            .reachable(&[value])
+            .into_iter()
+            .filter_map(|id| self.graph.as_symbol(id));
+        match symbols.find(|symbol| !place.only.allows(symbol.kind)) {
+            None => Ok(value),
+            Some(symbol) => {
+                let fact = format_args!("{} may not depend on `{}`", place.what, symbol.name);
+                Err(self.errors.at(span, fact, place.only.help()))
+            }
+        }
+    }
+
     /// The value of an exponent: a number, and small.
     fn exponent(&mut self, given: &ast::Expr, value: Expr<'g>, place: &Place<'g>) -> Result<&'g Rational, Reported> {
         let Some(n) = value.as_number() else {
@@ -144,7 +218,7 @@ impl<'g> Lower<'g> {
     ) -> Result<(), Reported> {
         let Some(Symbol {
             name: x,
-            kind: SymbolKind::Coordinate(_) | SymbolKind::Rate(_),
+            kind: SymbolKind::Coordinate(_) | SymbolKind::Rate(_) | SymbolKind::Point(_) | SymbolKind::PointRate(_),
         }) = value.as_symbol()
         else {
             return Ok(());

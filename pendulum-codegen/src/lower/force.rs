@@ -4,7 +4,7 @@ use super::Lower;
 use super::expr::Place;
 use crate::ast;
 use crate::error::Reported;
-use crate::expr::{Expr, Level, ratio};
+use crate::expr::{Expr, ratio};
 use crate::model::Requirement;
 
 /// What acts along a joint.
@@ -29,9 +29,8 @@ impl<'g> Lower<'g> {
         let friction = self.friction(body, (position, rate));
         let spring = self.spring(body, position);
         let place = Place {
-            what: format!("the torque of `{}`", body.name),
-            most: Level::State,
             joint: Some((position, rate)),
+            ..Place::moving(format!("the torque of `{}`", body.name))
         };
         let torque = body
             .fields
@@ -64,19 +63,24 @@ impl<'g> Lower<'g> {
         let Some((stiffness, rest)) = &body.fields.spring else {
             return Ok((self.graph.zero(), self.graph.zero()));
         };
-        let place = Place::fixed(format!("the stiffness of `{}`", body.name));
-        let stiffness = self.expr(stiffness, &place).and_then(|value| match value.constant() {
+        let stiffness = self.stiffness(stiffness, &format!("`{}`", body.name));
+        let rest = self.expr(rest, &Place::fixed(format!("the rest position of `{}`", body.name)));
+        let (stiffness, rest) = (stiffness?, rest?);
+        let stretch = position - rest;
+        let pull = stiffness * stretch;
+        Ok((-pull, ratio(1, 2) * (pull * stretch)))
+    }
+
+    /// The stiffness of the spring of `what`.
+    pub(super) fn stiffness(&mut self, stiffness: &ast::Expr, what: &str) -> Result<Expr<'g>, Reported> {
+        let place = Place::fixed(format!("the stiffness of {what}"));
+        self.expr(stiffness, &place).and_then(|value| match value.constant() {
             Some(number) if number < 0.0 => Err(self.errors.on(
                 stiffness,
                 format_args!("{} is {number}", place.what),
                 "a spring pulls back; write a force that pushes away as `torque: ..`",
             )),
             _ => Ok(value),
-        });
-        let rest = self.expr(rest, &Place::fixed(format!("the rest position of `{}`", body.name)));
-        let (stiffness, rest) = (stiffness?, rest?);
-        let stretch = position - rest;
-        let pull = stiffness * stretch;
-        Ok((-pull, ratio(1, 2) * (pull * stretch)))
+        })
     }
 }

@@ -10,11 +10,12 @@ use crate::words;
 
 impl Lower<'_> {
     /// What to generate.
-    pub(super) fn outputs(
+    pub(super) fn generate(
         &mut self,
         generate: Option<&[Ident]>,
         has_parameters: bool,
         has_inputs: bool,
+        has_drives: bool,
     ) -> BTreeSet<&'static str> {
         let Some(list) = generate else {
             return ["rhs", "jacobian", "energy"].into();
@@ -39,6 +40,12 @@ impl Lower<'_> {
                     ident.span(),
                     "there are no parameters to derive by",
                     "declare the quantities of interest in `params { .. }`; numbers are constants",
+                );
+            } else if word == "drive_forces" && !has_drives {
+                self.errors.at(
+                    ident.span(),
+                    "no joint is driven",
+                    "drive one by `motion: e(t)` in place of its coordinate, or leave it out",
                 );
             } else if has_inputs && let Some(what) = motion_under_inputs(word) {
                 self.errors.at(

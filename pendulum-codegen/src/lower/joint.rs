@@ -20,6 +20,34 @@ pub(super) struct Geometry<'g> {
     pub(super) screw: Option<Twist<'g>>,
 }
 
+impl<'g> Geometry<'g> {
+    /// A fixed joint, where this one is at a value of its coordinate.
+    pub(super) fn stopped(self, at: Expr<'g>) -> Self {
+        let Some(Twist { angular: w, linear: v }) = self.screw else {
+            return self;
+        };
+        // exp(s q) of a normalised screw: a turn about the axis through w x v, and a slide along it
+        let rotation = if w.is_zero() {
+            Mat3::identity(at.graph())
+        } else {
+            Mat3::rotation(w, at)
+        };
+        let (arm, slide) = if w.is_zero() {
+            (w, at * v)
+        } else {
+            (w.cross(v), (at * w.dot(v)) * w)
+        };
+        let moved = Transform {
+            rotation,
+            translation: arm - rotation * arm + slide,
+        };
+        Self {
+            placement: self.placement * moved,
+            screw: None,
+        }
+    }
+}
+
 impl<'g> Lower<'g> {
     /// The geometry of a joint; a body without one is fixed where its parent is.
     pub(super) fn geometry(&mut self, body: &Ident, joint: Option<&ast::Joint>) -> Result<Geometry<'g>, Reported> {

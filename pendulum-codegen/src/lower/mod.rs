@@ -1,5 +1,6 @@
 //! Syntax to meaning: names resolved, joints and masses as screws, all in one graph.
 
+mod action;
 mod body;
 mod declare;
 mod expr;
@@ -8,11 +9,14 @@ mod generate;
 mod heading;
 mod joint;
 mod mass;
+mod motion;
 mod name;
 mod order;
+mod output;
 mod physical;
 mod places;
 mod plate;
+mod point;
 mod scope;
 mod shape;
 mod solid;
@@ -24,10 +28,12 @@ use proc_macro2::Span;
 
 use crate::ast::{Items, Read, Scene, Vector};
 use crate::error::{Errors, Reported};
-use crate::expr::{Expr, Graph, SymbolKind};
-use crate::model::{Coordinate, Model, Rule};
+use crate::expr::{Derivative, Expr, Graph, SymbolKind};
+use crate::model::{BodyId, Coordinate, Model, Poses, Rule};
 use crate::screw::Vec3;
 use expr::Place;
+use motion::Motion;
+use point::Declared;
 use scope::Names;
 
 /// What a scene means, and where it says so.
@@ -61,6 +67,14 @@ struct Lower<'g> {
     rules: Vec<Rule<'g>>,
     spans: Spans,
     time: Expr<'g>,
+    /// The points that are declared.
+    points: BTreeMap<String, Declared<'g>>,
+    /// For each body of the text what its joint does, where it has a motion.
+    motions: Vec<Option<Result<Motion<'g>, Reported>>>,
+    /// For each body of the text the body of the model, unless it has an error.
+    bodies: Vec<Option<BodyId>>,
+    /// The derivative along the motion of what depends on places and the time.
+    along_motion: Derivative<'g>,
 }
 
 /// The meaning of a scene, with its expressions in a graph. Errors are added to those of the reading.
@@ -74,6 +88,10 @@ pub(crate) fn lower<'g>(graph: &'g Graph, scene: &Scene, errors: Errors) -> Resu
         rules: Vec::new(),
         spans: Spans::default(),
         time,
+        points: BTreeMap::new(),
+        motions: Vec::new(),
+        bodies: Vec::new(),
+        along_motion: Derivative::along([]),
     };
     lower.scene(scene)
 }
@@ -87,37 +105,70 @@ impl<'g> Lower<'g> {
         let order = self.order(&items.bodies);
         let coordinates = self.coordinates(&items.bodies);
         self.check_places(&items.bodies);
+        self.declare_points(&items.points, &items.bodies);
+        self.along_motion = self.along_motion_of(&coordinates);
         self.lets(&items.lets);
         let gravity = self.gravity(items.gravity.as_ref());
+        let drives = self.drives(&items.bodies, coordinates.len());
         let shapes = self.shapes(&items.shapes);
-        let bodies = self.bodies(&items.bodies, order, &coordinates, &shapes);
-        let outputs = self.outputs(items.generate.as_deref(), !parameters.is_empty(), !inputs.is_empty());
-        self.require_motion(scene, &coordinates);
-        self.report_refused_defaults(&items.params, &parameters);
-        self.report_unused(items);
-        let model = Model {
+        let all: Vec<Coordinate<'g>> = coordinates
+            .iter()
+            .cloned()
+            .chain(drives.iter().map(|drive| drive.coordinate.clone()))
+            .collect();
+        let bodies = self.bodies(&items.bodies, order, &all, &shapes);
+        let has_drives = items.bodies.iter().any(|body| body.fields.motion.is_some());
+        let generate = items.generate.as_deref();
+        let generate = self.generate(generate, !parameters.is_empty(), !inputs.is_empty(), has_drives);
+        let points = self.points(&items.points);
+        let actions = self.actions(items, &points);
+        self.check_functions(items);
+        let mut model = Model {
             name: scene.head.name.to_string(),
             docs: scene.head.docs.clone(),
             graph: self.graph,
             parameters,
             inputs,
             coordinates,
+            drives,
             time: self.time,
             gravity,
             lets,
             bodies,
-            rules: self.rules,
-            outputs,
+            points,
+            actions,
+            outputs: Vec::new(),
+            events: Vec::new(),
+            rules: Vec::new(),
+            generate,
         };
-        self.errors.finish(Lowered {
+        model.outputs = self.outputs(items, &Poses::new(&model));
+        model.events = self.events(&items.events);
+        self.require_motion(scene, &model.coordinates);
+        self.report_refused_defaults(&items.params, &model.parameters);
+        self.report_unused(items);
+        model.rules = self.rules;
+        let lowered = self.errors.finish(Lowered {
             model,
             spans: self.spans,
+        });
+        lowered.map(|mut lowered| {
+            lowered.model.resolve_points();
+            lowered
         })
     }
 
     /// A part of the text, or the report of why it cannot be read.
     fn read<'a, T>(&mut self, part: &'a Read<T>) -> Result<&'a T, Reported> {
         part.as_ref().map_err(|error| self.errors.push(error.clone()))
+    }
+
+    /// The derivative along the motion, for coordinates and the points that are declared.
+    fn along_motion_of(&self, coordinates: &[Coordinate<'g>]) -> Derivative<'g> {
+        let of_coordinates = coordinates.iter().map(|c| (c.position, c.rate));
+        let of_points = self.points.values().map(Declared::symbols);
+        let of_points = of_points.flat_map(|[position, velocity]| position.0.into_iter().zip(velocity.0));
+        Derivative::along(of_coordinates.chain(of_points).chain([(self.time, self.graph.one())]))
     }
 
     fn gravity(&mut self, gravity: Option<&Vector>) -> Vec3<'g> {

@@ -7,7 +7,7 @@ use super::expr::Place;
 use super::scope::Kind;
 use crate::ast::{self, ExprKind};
 use crate::error::Reported;
-use crate::expr::{Binary, Expr, Level, Unary};
+use crate::expr::{Binary, Expr, Level, SymbolKind, Unary};
 use crate::words;
 
 const UNARY: [(&str, Unary); 7] = [
@@ -22,7 +22,10 @@ const UNARY: [(&str, Unary); 7] = [
 
 /// All functions.
 fn functions() -> impl Iterator<Item = &'static str> {
-    UNARY.iter().map(|(name, _)| *name).chain(["sqrt", "atan2", "dot"])
+    UNARY
+        .iter()
+        .map(|(name, _)| *name)
+        .chain(["sqrt", "atan2", "dot", "distance"])
 }
 
 impl<'g> Lower<'g> {
@@ -44,6 +47,11 @@ impl<'g> Lower<'g> {
         }
         match self.names.kind(&text) {
             None => {}
+            Some(Kind::Point) => {
+                let fact = format_args!("`{text}` is a point, not a number");
+                let help = format_args!("write `{text}.x`, `{text}.y` or `{text}.z`");
+                return Err(self.errors.at(name.span(), fact, help));
+            }
             Some(Kind::Parameter) => {
                 let fact = format_args!("{} may not depend on `{text}`", place.what);
                 let help = "write a number; a `let` names what depends on parameters";
@@ -82,8 +90,13 @@ impl<'g> Lower<'g> {
         place: &Place<'g>,
     ) -> Result<Expr<'g>, Reported> {
         let text = name.to_string();
-        if text == "dot" {
-            return self.dot(expr, arguments);
+        match text.as_str() {
+            "dot" => {
+                let rate = self.dot(expr, arguments, place)?;
+                return self.permit(rate, name.span(), place);
+            }
+            "distance" => return self.distance(expr, arguments, place),
+            _ => {}
         }
         let unary = UNARY.iter().find(|(known, _)| *known == text).map(|(_, op)| *op);
         if !functions().any(|known| known == text) {
@@ -118,31 +131,73 @@ impl<'g> Lower<'g> {
         })
     }
 
-    fn dot(&mut self, expr: &ast::Expr, arguments: &[ast::Expr]) -> Result<Expr<'g>, Reported> {
-        let [
-            ast::Expr {
-                kind: ExprKind::Name(name),
-                ..
-            },
-        ] = arguments
-        else {
+    /// The derivative along the motion.
+    fn dot(&mut self, expr: &ast::Expr, arguments: &[ast::Expr], place: &Place<'g>) -> Result<Expr<'g>, Reported> {
+        let [argument] = arguments else {
             return Err(self.errors.on(
                 expr,
-                "`dot` takes the name of a coordinate",
+                "`dot` takes one quantity",
                 "write `dot(theta)` for the rate of `theta`",
             ));
         };
-        let text = name.to_string();
-        if let Some(rate) = self.names.rate(&text) {
-            return Ok(rate);
+        match &argument.kind {
+            ExprKind::Name(name) => {
+                let text = name.to_string();
+                if let Some(rate) = self.names.rate(&text) {
+                    return Ok(rate);
+                }
+                if let Some(reported) = self.broken.get(&text) {
+                    return Err(*reported);
+                }
+                match self.names.kind(&text) {
+                    Some(Kind::Let) => {}
+                    Some(Kind::Point) => {
+                        let fact = format_args!("`{text}` is a point, not a number");
+                        let help = format_args!("write `dot({text}.x)`, `dot({text}.y)` or `dot({text}.z)`");
+                        return Err(self.errors.at(name.span(), fact, help));
+                    }
+                    _ => {
+                        let fact = format!("`{text}` is not a coordinate, so it has no rate");
+                        if text == "q" {
+                            return Err(self.errors.at(name.span(), fact, "write `qd` for a joint's own rate"));
+                        }
+                        return Err(self.errors.unknown(name, fact, self.names.with_rates(), &[]));
+                    }
+                }
+            }
+            ExprKind::Component(point, _) if !self.point_named(point)?.moves => {
+                let fact = format_args!("`{point}` does not move, so it has no rate");
+                let help = "leave it out, or name a point of a body that moves";
+                return Err(self.errors.at(point.span(), fact, help));
+            }
+            _ => {}
         }
-        if let Some(reported) = self.broken.get(&text) {
-            return Err(*reported);
+        // what may stand in the argument is what may stand here, and that it has no rates of its own
+        let value = self.operation(argument, place)?;
+        let mut symbols = self
+            .graph
+            .reachable(&[value])
+            .into_iter()
+            .filter_map(|id| self.graph.as_symbol(id));
+        let without_rate = symbols.find(|symbol| {
+            matches!(
+                symbol.kind,
+                SymbolKind::Rate(_) | SymbolKind::PointRate(_) | SymbolKind::Input(_)
+            )
+        });
+        if let Some(symbol) = without_rate {
+            let fact = format_args!("the rate of `{}` is not known here", symbol.name);
+            let help = "accelerations are what the equations give, and inputs come from outside; \
+                        the rate of an output is the function `.._rate` of the model";
+            return Err(self.errors.on(argument, fact, help));
         }
-        let fact = format!("`{text}` is not a coordinate, so it has no rate");
-        if text == "q" {
-            return Err(self.errors.at(name.span(), fact, "write `qd` for a joint's own rate"));
+        if value.level() < Level::State {
+            return Err(self.errors.on(
+                argument,
+                "it does not change, so it has no rate",
+                "leave it out: its rate is zero",
+            ));
         }
-        Err(self.errors.unknown(name, fact, self.names.with_rates(), &[]))
+        Ok(self.along_motion.of(value))
     }
 }

@@ -29,6 +29,7 @@ pub(super) enum Kind {
     Input,
     Let,
     Coordinate,
+    Point,
 }
 
 impl Kind {
@@ -46,17 +47,19 @@ impl std::fmt::Display for Kind {
             Self::Input => "input",
             Self::Let => "`let`",
             Self::Coordinate => "coordinate",
+            Self::Point => "point",
         })
     }
 }
 
 /// Words of the language that no declared name may take, and what they stand for.
-const RESERVED: [(&str, &str); 6] = [
+const RESERVED: [(&str, &str); 7] = [
     ("t", "the time"),
     ("pi", "the number"),
     ("q", "a joint's own coordinate"),
     ("qd", "a joint's own rate"),
     ("dot", "the rate of a coordinate"),
+    ("on", "what a point belongs to, and a force acts on"),
     ("ground", "the body that does not move"),
 ];
 
@@ -159,7 +162,10 @@ impl<'g> Names<'g> {
             .collect();
         unused.sort_by_key(|(_, name)| name.order);
         for (text, name) in unused {
-            let help = "remove it, or use it: every declared number must matter to the motion";
+            let help = match name.kind {
+                Kind::Point => "remove it, or use it in a force, an expression or an output",
+                _ => "remove it, or use it: every declared number must matter to the motion",
+            };
             let what = match name.kind {
                 Kind::Let => format!("`let {text}`"),
                 kind => format!("{kind} `{text}`"),

@@ -15,6 +15,7 @@ pub(super) fn written(expr: &Expr, joint: Option<&[Formula; 2]>) -> Formula {
             ("qd", Some([_, rate])) => rate.clone(),
             (name, _) => Formula::name(name),
         },
+        ExprKind::Component(point, axis) => Formula::name(&format!("{point}.{axis}")),
         ExprKind::Call(function, arguments) => {
             Formula::Call(function.to_string(), arguments.iter().map(part).collect())
         }

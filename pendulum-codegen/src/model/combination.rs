@@ -36,7 +36,13 @@ impl Combination {
     /// The sum without one of its coordinates.
     #[must_use]
     pub(crate) fn without(&self, coordinate: CoordinateId) -> Self {
-        Self(self.terms().filter(|(k, _)| *k != coordinate).collect())
+        self.filtered(|k| k != coordinate)
+    }
+
+    /// The sum of some of its coordinates.
+    #[must_use]
+    pub(crate) fn filtered(&self, keeps: impl Fn(CoordinateId) -> bool) -> Self {
+        Self(self.terms().filter(|(k, _)| keeps(*k)).collect())
     }
 
     /// `factor * self`

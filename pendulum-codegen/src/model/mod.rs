@@ -1,17 +1,23 @@
 //! The typed scene: what a declaration means, without its text.
 
+mod action;
 mod combination;
 mod index;
+mod output;
+mod pose;
 
 use std::collections::BTreeSet;
 
 use rustc_hash::FxHashMap;
 
+pub(crate) use action::{Action, Place, Push};
 pub(crate) use combination::Combination;
 pub(crate) use index::index_types;
 pub(crate) use index::{BodyId, CoordinateId};
+pub(crate) use output::{Event, Output, OutputShape};
+pub(crate) use pose::Poses;
 
-use crate::expr::{BaseAngles, Definition, Expr, Formula, Graph, ratio};
+use crate::expr::{BaseAngles, Definition, Derivative, Expr, Formula, Graph, ratio};
 use crate::screw::{Mat3, SpatialInertia, Transform, Twist, Vec3};
 use crate::units::Unit;
 
@@ -30,6 +36,8 @@ pub(crate) struct Model<'g> {
     pub inputs: Vec<Input<'g>>,
     /// Coordinates, in the order of their bodies in the text.
     pub coordinates: Vec<Coordinate<'g>>,
+    /// Joints that are driven: their coordinates are numbered behind those of the state.
+    pub drives: Vec<Drive<'g>>,
     /// The symbol of time.
     pub time: Expr<'g>,
     /// Acceleration of gravity in the ground frame.
@@ -38,10 +46,18 @@ pub(crate) struct Model<'g> {
     pub lets: Vec<Definition>,
     /// Bodies, each after the one that carries it.
     pub bodies: Vec<Body<'g>>,
+    /// Points of bodies.
+    pub points: Vec<Point<'g>>,
+    /// What acts on the scene beside its joints.
+    pub actions: Vec<Action<'g>>,
+    /// Quantities to evaluate.
+    pub outputs: Vec<Output<'g>>,
+    /// Functions whose zeros are events.
+    pub events: Vec<Event<'g>>,
     /// What the parameters must obey.
     pub rules: Vec<Rule<'g>>,
     /// What to generate, in the words of `generate`.
-    pub outputs: BTreeSet<&'static str>,
+    pub generate: BTreeSet<&'static str>,
 }
 
 /// A parameter: a number given when the model is built.
@@ -85,8 +101,30 @@ pub(crate) struct Coordinate<'g> {
     pub acceleration: Expr<'g>,
 }
 
+/// A joint that is driven: its coordinate is a function of time, and no part of the state.
+#[derive(Clone, Debug)]
+pub(crate) struct Drive<'g> {
+    /// What stands for the coordinate and its derivatives until their values are put in.
+    pub coordinate: Coordinate<'g>,
+    /// The coordinate and its first two derivatives as functions of time.
+    pub law: [Expr<'g>; 3],
+}
+
+/// A point of a body.
+#[derive(Clone, Debug)]
+pub(crate) struct Point<'g> {
+    /// Name.
+    pub name: String,
+    /// Where it is.
+    pub place: Place<'g>,
+    /// The symbols that stand for its position in the ground frame while a scene is read.
+    pub position: Vec3<'g>,
+    /// Those for its velocity.
+    pub velocity: Vec3<'g>,
+}
+
 /// The constants that a model has beside the places of its coordinates.
-pub(crate) const FACTS: [&str; 5] = ["DOF", "COORDINATES", "COST", "LAYOUT", "EQUATIONS"];
+pub(crate) const FACTS: [&str; 7] = ["DOF", "COORDINATES", "COST", "LAYOUT", "EQUATIONS", "OUTPUTS", "EVENTS"];
 
 /// The constants for the places of a coordinate and of its rate in the state: `THETA1` and `DOT_THETA1`.
 pub(crate) fn places(coordinate: &str) -> [String; 2] {
@@ -105,7 +143,7 @@ pub(crate) struct Body<'g> {
     pub placement: Transform<'g>,
     /// The joint's screw axis in the joint frame, normalised; none for a fixed joint.
     pub screw: Option<Twist<'g>>,
-    /// The coordinate that this joint brings into the scene.
+    /// The coordinate that this joint brings into the scene; a driven one has one too.
     pub coordinate: Option<CoordinateId>,
     /// The relative joint coordinate in terms of the scene's coordinates.
     pub motion: Combination,
@@ -217,19 +255,106 @@ impl<'g> Model<'g> {
         self.inputs.iter().map(|input| input.symbol).collect()
     }
 
+    /// A coordinate of the state, or that of a drive.
+    pub(crate) fn coordinate(&self, k: CoordinateId) -> &Coordinate<'g> {
+        match usize::from(k).checked_sub(self.dof()) {
+            Some(drive) => &self.drives[drive].coordinate,
+            None => &self.coordinates[k],
+        }
+    }
+
+    /// The coordinates of the state, then those of the drives.
+    pub(crate) fn all_coordinates(&self) -> impl Iterator<Item = &Coordinate<'g>> {
+        self.coordinates
+            .iter()
+            .chain(self.drives.iter().map(|drive| &drive.coordinate))
+    }
+
+    /// Whether a coordinate is that of a drive.
+    pub(crate) fn is_driven(&self, k: CoordinateId) -> bool {
+        usize::from(k) >= self.dof()
+    }
+
     /// The value of a combination of coordinates.
     pub(crate) fn position_of(&self, combination: &Combination) -> Expr<'g> {
-        combination.of(self.graph, |k| self.coordinates[k].position)
+        combination.of(self.graph, |k| self.coordinate(k).position)
     }
 
     /// The rate of a combination of coordinates.
     pub(crate) fn rate_of(&self, combination: &Combination) -> Expr<'g> {
-        combination.of(self.graph, |k| self.coordinates[k].rate)
+        combination.of(self.graph, |k| self.coordinate(k).rate)
     }
 
     /// The second rate of a combination of coordinates.
     pub(crate) fn acceleration_of(&self, combination: &Combination) -> Expr<'g> {
-        combination.of(self.graph, |k| self.coordinates[k].acceleration)
+        combination.of(self.graph, |k| self.coordinate(k).acceleration)
+    }
+
+    /// The second rate of a combination of coordinates where those of the state do not accelerate.
+    pub(crate) fn driven_acceleration_of(&self, combination: &Combination) -> Expr<'g> {
+        let zero = self.graph.zero();
+        let own = |k| {
+            if self.is_driven(k) {
+                self.coordinate(k).acceleration
+            } else {
+                zero
+            }
+        };
+        combination.of(self.graph, own)
+    }
+
+    /// What each drive prescribes, in place of the symbols that stand for it.
+    pub(crate) fn with_drives(&self, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
+        if self.drives.is_empty() {
+            return roots.to_vec();
+        }
+        let laws = self
+            .drives
+            .iter()
+            .flat_map(|Drive { coordinate: c, law }| [c.position, c.rate, c.acceleration].into_iter().zip(*law));
+        self.graph.substitute(roots, laws.collect())
+    }
+
+    /// The derivative along the motion of what depends on the coordinates and the time only.
+    pub(crate) fn along_motion(&self) -> Derivative<'g> {
+        let coordinates = self.all_coordinates().map(|c| (c.position, c.rate));
+        let points = self
+            .points
+            .iter()
+            .flat_map(|p| p.position.0.into_iter().zip(p.velocity.0));
+        let time = (self.time, self.graph.one());
+        Derivative::along(coordinates.chain(points).chain([time]))
+    }
+
+    /// Puts the positions and velocities of points in the place of their symbols.
+    pub(crate) fn resolve_points(&mut self) {
+        let poses = Poses::new(self);
+        let mut values = FxHashMap::default();
+        let mut along_motion = self.along_motion();
+        for Point {
+            place,
+            position,
+            velocity,
+            ..
+        } in &self.points
+        {
+            let value = poses.point(place.body, place.at);
+            let rate = value.0.map(|x| along_motion.of(x));
+            values.extend(position.0.into_iter().zip(value.0));
+            values.extend(velocity.0.into_iter().zip(rate));
+        }
+        let bodies = self.bodies.iter_mut();
+        let of_bodies = bodies.flat_map(|body| [&mut body.force, &mut body.passive, &mut body.potential]);
+        let of_actions = self.actions.iter_mut().flat_map(Action::places);
+        let of_outputs = self.outputs.iter_mut().flat_map(|output| &mut output.values);
+        let of_events = self.events.iter_mut().map(|event| &mut event.value);
+        let places: Vec<&mut Expr<'g>> = of_bodies.chain(of_actions).chain(of_outputs).chain(of_events).collect();
+        let unresolved: Vec<Expr<'g>> = places.iter().map(|place| **place).collect();
+        let resolved = self.graph.substitute(&unresolved, values);
+        places
+            .into_iter()
+            .zip(resolved)
+            .for_each(|(place, value)| *place = value);
     }
 
     /// Every name of the declaration that can stand in an expression, without the marks of raw identifiers.
@@ -239,6 +364,7 @@ impl<'g> Model<'g> {
         let coordinates = self.coordinates.iter().map(|c| &c.name);
         let names = parameters.chain(inputs).chain(coordinates);
         let names = names.chain(self.lets.iter().map(|l| &l.name));
+        let names = names.chain(self.points.iter().map(|p| &p.name));
         names.map(|name| name.trim_start_matches("r#").to_owned()).collect()
     }
 
@@ -255,7 +381,7 @@ impl<'g> Model<'g> {
         let mut angles = FxHashMap::default();
         for body in &self.bodies {
             let Some(own) = body.coordinate else { continue };
-            let turn = &body.heading.turn;
+            let turn = body.heading.turn.filtered(|k| !self.is_driven(k));
             let factor = turn.factor(own);
             if factor == 0 {
                 continue;

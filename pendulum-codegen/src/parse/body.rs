@@ -9,7 +9,7 @@ use super::argument::Argument;
 use super::joint::joint;
 use super::solid::solids;
 use super::token::{braces, colon, identifier, list, parentheses, starts_item};
-use super::{End, docs, each, once, skip_to};
+use super::{End, ITEMS, docs, each, once, skip_to};
 use crate::ast::{Body, BodyFields, Expr, Inertia, Properties, Read, Shape};
 use crate::error::{Errors, at, on};
 use crate::words::{self, Advice, advice};
@@ -37,12 +37,13 @@ const PROPERTIES: [Row<Properties>; 4] = [
 ];
 
 /// The other fields of bodies.
-const BODY_FIELDS: [Row<BodyFields>; 5] = [
+const BODY_FIELDS: [Row<BodyFields>; 6] = [
     ("joint", |field, body| {
         let joint = joint(field.input, field.owner)?;
         once(&mut body.joint, joint, field.key)
     }),
     ("coordinate", |field, body| field.coordinate(body)),
+    ("motion", |field, body| field.value(&mut body.motion)),
     ("friction", |field, body| field.value(&mut body.friction)),
     ("spring", |field, body| field.spring(body)),
     ("torque", |field, body| field.value(&mut body.torque)),
@@ -144,7 +145,9 @@ fn key(input: ParseStream, owner: &Ident, known: &[&'static str], errors: &mut E
     })?;
     let text = key.to_string();
     if !known.contains(&text.as_str()) {
-        if ["params", "gravity", "input", "body", "generate"].contains(&text.as_str()) {
+        // `force: e` in a body means the force of its joint
+        let means_field = input.peek(Token![:]) && words::synonym(&text, words::FIELDS).is_some();
+        if ITEMS.contains(&text.as_str()) && text != "let" && !means_field {
             let help = format!("write it outside of the braces of `{owner}`");
             return Err(at(key.span(), format_args!("`{text}` is an item of the scene"), help));
         }

@@ -3,11 +3,11 @@
 
 use syn::ext::IdentExt;
 use syn::parse::{ParseBuffer, ParseStream};
-use syn::{Ident, Token};
+use syn::{Ident, Token, token};
 
-use super::token::{braces, identifier, parentheses};
+use super::token::{braces, brackets, identifier, list, parentheses};
 use super::{docs, read, skip_to};
-use crate::ast::{Input, Let, Param, Read};
+use crate::ast::{Event, Expr, Input, Let, Output, OutputValue, Param, Read};
 use crate::error::{Errors, at};
 use crate::units::Unit;
 
@@ -95,6 +95,53 @@ pub(super) fn named_expression(input: ParseStream, errors: &mut Errors) -> syn::
         Err(error)
     };
     Ok(Let { name, value })
+}
+
+/// `name: value`, after the word `output`
+pub(super) fn output(input: ParseStream, docs: Vec<String>) -> syn::Result<Output> {
+    let form = "output height: tip.y";
+    let name = identifier(input, "the name of an output", form)?;
+    let value = valued(input, "output", &name, |input| {
+        if !input.peek(token::Bracket) {
+            return Ok(OutputValue::Scalar(input.parse()?));
+        }
+        let span = input.span();
+        let inner = brackets(input, "the components", "output v: [dot(tip.x), dot(tip.y)]")?;
+        let list = list(&inner, "[e, e]", |input| input.parse::<Expr>())?;
+        if list.is_empty() {
+            let fact = format_args!("output `{name}` has no components");
+            return Err(at(span, fact, "list one or more expressions"));
+        }
+        Ok(OutputValue::List(list))
+    });
+    Ok(Output { docs, name, value })
+}
+
+/// `name: value`, after the word `event`
+pub(super) fn event(input: ParseStream, docs: Vec<String>) -> syn::Result<Event> {
+    let name = identifier(input, "the name of an event", "event lands: tip.y")?;
+    let value = valued(input, "event", &name, |input| input.parse());
+    Ok(Event { docs, name, value })
+}
+
+/// `: value` after the name of an output or an event
+fn valued<T>(
+    input: ParseStream,
+    kind: &str,
+    name: &Ident,
+    parser: impl FnOnce(ParseStream) -> syn::Result<T>,
+) -> Read<T> {
+    let value = if input.parse::<Option<Token![:]>>()?.is_some() {
+        parser(input)
+    } else {
+        let help = format_args!("write `{kind} {name}: expression`");
+        Err(at(
+            input.span(),
+            format_args!("expected a colon after `{kind} {name}`"),
+            help,
+        ))
+    };
+    value.inspect_err(|_| skip_to(input, |input| input.peek(Token![,])))
 }
 
 /// `: unit` after the name of a parameter or an input, of which `such` is one

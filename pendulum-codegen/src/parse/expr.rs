@@ -3,7 +3,7 @@
 use num_traits::{Pow, Zero};
 use proc_macro2::{TokenStream, TokenTree};
 use syn::parse::{Parse, ParseStream};
-use syn::{Ident, Lit, Token};
+use syn::{Ident, Lit, Token, token};
 
 use super::foreign;
 use super::token::{end_of, identifier, list, parentheses, starts_item, unexpected};
@@ -166,13 +166,27 @@ fn atom(input: ParseStream) -> syn::Result<Expr> {
         let name = identifier(input, "a name", "theta")?;
         foreign::no_path(input, &name)?;
         let Some(inner) = parentheses(input)? else {
-            return Ok(ExprKind::Name(name));
+            return Ok(match component(input) {
+                Some(component) => ExprKind::Component(name, component?),
+                None => ExprKind::Name(name),
+            });
         };
         let arguments = list(&inner, &format!("{name}(x)"), sum)?;
         Ok(ExprKind::Call(name, arguments))
     })?;
     foreign::nothing_after(input, &tokens)?;
     Ok(Expr { kind, tokens })
+}
+
+/// `.x` after the name of a point; a call after the dot is another language's.
+fn component(input: ParseStream) -> Option<syn::Result<Ident>> {
+    let ahead = input.fork();
+    ahead.parse::<Token![.]>().ok()?;
+    ahead.parse::<Ident>().ok()?;
+    (!ahead.peek(token::Paren)).then(|| {
+        input.parse::<Token![.]>()?;
+        input.parse()
+    })
 }
 
 fn number(literal: &Lit) -> syn::Result<Rational> {

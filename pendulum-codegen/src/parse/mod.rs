@@ -1,11 +1,13 @@
 //! Tokens to syntax tree. A mistake costs only the item or field it stands in: reading goes on after it.
 
+mod action;
 mod argument;
 mod body;
 mod declare;
 mod expr;
 mod foreign;
 mod joint;
+mod point;
 mod solid;
 mod token;
 
@@ -24,7 +26,23 @@ use crate::words::{self, Advice, advice};
 use token::{brackets, colon, identifier, list, starts_known, unexpected};
 
 /// The items of a scene.
-const ITEMS: [&str; 7] = ["params", "gravity", "let", "input", "shape", "body", "generate"];
+const ITEMS: [&str; 15] = [
+    "params",
+    "gravity",
+    "let",
+    "input",
+    "shape",
+    "body",
+    "point",
+    "force",
+    "spring",
+    "damper",
+    "potential",
+    "dissipation",
+    "output",
+    "event",
+    "generate",
+];
 
 /// Names that the generated code uses itself: not even a stand-in can be made under one of them.
 const USED: [&str; 7] = ["T", "N", "M", "D", "bool", "f64", "usize"];
@@ -233,6 +251,12 @@ fn item(input: ParseStream, items: &mut Items, errors: &mut Errors) -> syn::Resu
             items.bodies.push(body::body(input, errors)?);
             return Ok(End::Braces);
         }
+        "point" => items.points.push(point::point(input)?),
+        "output" => items.outputs.push(declare::output(input, docs)?),
+        "event" => items.events.push(declare::event(input, docs)?),
+        "force" | "spring" | "damper" | "potential" | "dissipation" => {
+            items.actions.push(action::action(input, key, errors)?);
+        }
         _ => {
             colon(input, &key, errors)?;
             let form = "generate: [rhs, jacobian, energy]";
@@ -258,11 +282,16 @@ fn item_key(input: ParseStream, errors: &mut Errors) -> syn::Result<Ident> {
         at(e.span(), "expected an item of the scene", help)
     })?;
     let text = key.to_string();
-    if ITEMS.contains(&text.as_str()) {
+    let is_item = ITEMS.contains(&text.as_str());
+    if is_item && !(text == "spring" && input.peek(Token![:])) {
         return Ok(key);
     }
     if body::is_field(&text) {
-        let help = format!("write it in the braces of a body: `body name on ground {{ {text}: .. }}`");
+        let between = match is_item {
+            true => ", or `spring between a and b: (stiffness, length)` for one between two points",
+            false => "",
+        };
+        let help = format!("write it in the braces of a body: `body name on ground {{ {text}: .. }}`{between}");
         return Err(at(key.span(), format_args!("`{text}` is a field of a body"), help));
     }
     let fact = format!("unknown item `{text}`");

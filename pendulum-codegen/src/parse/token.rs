@@ -1,9 +1,8 @@
 //! What a declaration is built of: names, colons, brackets and lists, with messages for what stands there instead.
 
-use proc_macro2::Ident;
 use syn::ext::IdentExt;
 use syn::parse::{ParseBuffer, ParseStream};
-use syn::{Token, braced, bracketed, parenthesized, token};
+use syn::{Ident, Token, braced, bracketed, parenthesized, token};
 
 use super::{ITEMS, body};
 use crate::error::{Errors, at};
@@ -122,7 +121,8 @@ pub(super) fn label(input: ParseStream) -> Option<Ident> {
 /// Whether a known item or field begins here.
 pub(super) fn starts_known(input: ParseStream) -> bool {
     let word = input.cursor().ident().map(|(word, _)| word);
-    let is_item = word.is_some_and(|word| ITEMS.iter().any(|item| word == item));
+    let is_item = word.is_some_and(|word| ITEMS.iter().any(|item| word == item))
+        && (input.peek2(Ident) || input.peek2(Token![:]) || input.peek2(token::Brace));
     input.peek(Token![let]) || is_item || label(input).is_some_and(|word| body::is_field(&word.to_string()))
 }
 

@@ -4,6 +4,7 @@ mod block;
 mod build;
 pub(crate) mod equations;
 pub(crate) mod layout;
+mod output;
 mod routine;
 mod schedule;
 mod series;
@@ -16,6 +17,7 @@ pub use block::{Block, Coefficient, Let, Local, SinCos, Term, Variable};
 pub(crate) use build::NotFinite;
 pub use equations::{Equations, Listing, Row, RowKind};
 pub use layout::{Slot, SlotKind, StateLayout};
+pub(crate) use output::{functions_of_event, functions_of_output, is_function};
 pub use routine::{Argument, Cost, Routine, Shape};
 pub(crate) use routine::{Length, ROUTINES, words};
 pub use series::Series;
@@ -27,7 +29,7 @@ pub use crate::pass::Operations;
 use crate::dynamics::Dynamics;
 use crate::expr::{Expr, ExprId, Graph, Level, Printer};
 use crate::form::Forms;
-use crate::model::{self, Model, Requirement};
+use crate::model::{self, Model, Output, Requirement};
 use build::block;
 use routine::Request;
 
@@ -54,6 +56,10 @@ pub struct Program {
     pub constants_text: Vec<String>,
     /// What can be evaluated.
     pub routines: Vec<Routine>,
+    /// The names of the components of all outputs.
+    pub outputs: Vec<String>,
+    /// The names of the events.
+    pub events: Vec<String>,
     /// The power series of the motion, if the scene asks for it.
     pub series: Option<Series>,
     /// The equations of motion.
@@ -122,21 +128,22 @@ impl Program {
             if (row.wanted)(&request, row.word) {
                 let own = (row.form)(&mut forms, model);
                 request.time_occurs |= row.name == "rhs" && g.reachable(&own.roots).contains(&model.time.id());
-                chosen.push((row, own));
+                chosen.push((row.head(model), own));
             }
         }
-        let layout = match chosen.iter().find(|(row, _)| row.name == "rhs") {
+        chosen.extend(output::routines(&mut forms, model));
+        let layout = match chosen.iter().find(|(head, _)| head.name == "rhs") {
             Some((_, rhs)) => StateLayout::new(model, &rhs.roots),
             // what decides it
             None => StateLayout::new(model, &forms.closed().unwrap_or(dynamics).balance),
         };
-        let series = model.outputs.contains("taylor").then(|| forms.taylor(model));
+        let series = model.generate.contains("taylor").then(|| forms.taylor(model));
         let of_series = series.iter().flat_map(|series| [&series.start, &series.order]);
         let constants = constants(g, chosen.iter().map(|(_, chosen)| &chosen.roots).chain(of_series));
         let known = known(model, &constants);
         let routines = chosen
             .into_iter()
-            .map(|(row, chosen)| row.routine(model, chosen, &known));
+            .map(|(head, chosen)| Routine::new(model, head, chosen, &known));
         let printer = Printer::new(g);
         let (rules, checked) = rules(model);
         let of_parameters = parameters(model);
@@ -152,6 +159,8 @@ impl Program {
             constants: block(g, &constants, &of_parameters)?,
             constants_text: constants.iter().map(|constant| printer.print(constant.id())).collect(),
             routines: routines.collect::<Result<_, _>>()?,
+            outputs: model.outputs.iter().flat_map(Output::labels).collect(),
+            events: model.events.iter().map(|event| event.name.clone()).collect(),
             series: series.map(|series| Series::new(model, series, &known)).transpose()?,
             equations,
         })

@@ -13,9 +13,9 @@ use crate::pass::Operations;
 #[derive(Clone, Debug)]
 pub struct Routine {
     /// Its name, also in the list of costs.
-    pub name: &'static str,
+    pub name: String,
     /// What it computes.
-    pub doc: &'static str,
+    pub doc: String,
     /// What it takes beside the time and the state.
     pub arguments: Vec<Argument>,
     /// The shapes of its results, which stand one after the other in those of the block.
@@ -83,32 +83,52 @@ pub(crate) enum Length {
     Inputs,
     /// The parameters.
     Parameters,
+    /// The joints that are driven.
+    Drives,
+}
+
+/// What a routine is called, takes and gives.
+#[derive(Clone, Debug)]
+pub(super) struct Head {
+    pub(super) name: String,
+    pub(super) doc: String,
+    pub(super) arguments: Vec<Argument>,
+    pub(super) shapes: Vec<Shape<usize>>,
 }
 
 impl Row {
-    /// The routine of a scene, in the form that was chosen; `known` is what it can read.
-    pub(super) fn routine<'g>(
-        &self,
+    /// The head of the routine in a scene.
+    pub(super) fn head(&self, model: &Model<'_>) -> Head {
+        let arguments = self.arguments.iter().copied();
+        let shapes = self.shapes.iter();
+        Head {
+            name: self.name.to_owned(),
+            doc: self.doc.to_owned(),
+            arguments: arguments
+                .filter(|&argument| argument != Argument::Inputs || !model.inputs.is_empty())
+                .collect(),
+            shapes: shapes.map(|shape| shape.map(|length| length.of(model))).collect(),
+        }
+    }
+}
+
+impl Routine {
+    /// The routine in the form that was chosen; `known` is what it can read.
+    pub(super) fn new<'g>(
         model: &Model<'g>,
+        head: Head,
         chosen: Chosen<'g>,
         known: &FxHashMap<ExprId, Variable>,
-    ) -> Result<Routine, NotFinite> {
-        let arguments = self.arguments.iter().copied();
+    ) -> Result<Self, NotFinite> {
         let others = chosen
             .others
             .iter()
             .map(|&(form, operations)| Cost::new(form, operations));
-        Ok(Routine {
-            name: self.name,
-            doc: self.doc,
-            arguments: arguments
-                .filter(|&argument| argument != Argument::Inputs || !model.inputs.is_empty())
-                .collect(),
-            shapes: self
-                .shapes
-                .iter()
-                .map(|shape| shape.map(|length| length.of(model)))
-                .collect(),
+        Ok(Self {
+            name: head.name,
+            doc: head.doc,
+            arguments: head.arguments,
+            shapes: head.shapes,
             block: block(model.graph, &chosen.roots, known)?,
             cost: Cost {
                 others: others.collect(),
@@ -125,6 +145,7 @@ impl Length {
             Self::Freedom => model.dof(),
             Self::Inputs => model.inputs.len(),
             Self::Parameters => model.parameters.len(),
+            Self::Drives => model.drives.len(),
         }
     }
 }
@@ -177,7 +198,7 @@ pub(crate) struct Request<'a> {
 
 impl Request<'_> {
     fn asks(&self, word: &str) -> bool {
-        self.model.outputs.contains(word)
+        self.model.generate.contains(word)
     }
 
     fn is_controlled(&self) -> bool {
@@ -208,7 +229,7 @@ pub(crate) struct Row {
 const ASKED: fn(&Request<'_>, &str) -> bool = |scene, word| scene.asks(word);
 
 use Argument::{Accelerations, Inputs};
-use Length::{Freedom, Parameters, State};
+use Length::{Drives, Freedom, Parameters, State};
 use Shape::{Matrix, Scalar, Symmetric, Vector};
 
 /// Every routine that can be generated. What is read from here: the code, its documentation and costs, and the stand-in for a
@@ -322,6 +343,15 @@ pub(crate) const ROUTINES: &[Row] = &[
         shapes: &[Vector(Freedom)],
         wanted: ASKED,
         form: form::inverse_dynamics,
+    },
+    Row {
+        word: "drive_forces",
+        name: "drive_forces",
+        doc: "The forces that the drives supply along their joints, in the order of the declaration: N m where a joint turns, N where it slides.",
+        arguments: &[Inputs],
+        shapes: &[Vector(Drives)],
+        wanted: ASKED,
+        form: form::drive_forces,
     },
     Row {
         word: "parameter_jacobian",

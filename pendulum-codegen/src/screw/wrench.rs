@@ -1,6 +1,6 @@
 //! Wrenches.
 
-use std::ops::{Add, Mul};
+use std::ops::{Add, Mul, Sub};
 
 use super::{Twist, Vec3};
 use crate::expr::Expr;
@@ -27,6 +27,16 @@ impl Add for Wrench<'_> {
         Self {
             moment: self.moment + other.moment,
             force: self.force + other.force,
+        }
+    }
+}
+
+impl Sub for Wrench<'_> {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        Self {
+            moment: self.moment - other.moment,
+            force: self.force - other.force,
         }
     }
 }

@@ -109,7 +109,7 @@ fn crooked(mass: &str, length: &str, absolute: &str) -> String {
 /// The equations of a scene without its code, which takes far longer.
 fn written<'g>(graph: &'g Graph, declaration: &str) -> (Model<'g>, Dynamics<'g>, Equations) {
     let (model, dynamics) = dynamics(graph, declaration);
-    let recursive = Dynamics::recursive(&model, dynamics.potential);
+    let recursive = Dynamics::recursive(&model, dynamics.potential, false);
     let equations = equations(&model, &dynamics, &recursive, None);
     (model, dynamics, equations)
 }
@@ -180,6 +180,7 @@ fn value(expr: &Expr, symbols: &FxHashMap<String, f64>, lines: &BTreeMap<String,
         ExprKind::Binary(Operator::Mul, a, b) => of(a) * of(b),
         ExprKind::Binary(Operator::Div, a, b) => of(a) / of(b),
         ExprKind::Power(a, b) => of(a).powf(of(b)),
+        ExprKind::Component(..) => panic!("a point in the equations"),
     }
 }
 

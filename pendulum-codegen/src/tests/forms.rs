@@ -4,7 +4,7 @@ use super::{dynamics, numbers};
 use crate::dynamics::{Dynamics, partials, partials_by_recursion};
 use crate::expr::{Expr, Graph};
 
-const SCENES: [&str; 6] = [
+const SCENES: [&str; 9] = [
     // every kind of joint on skew axes
     "pub Arm {
         gravity: [1, -2, -9.81],
@@ -67,17 +67,71 @@ const SCENES: [&str; 6] = [
         body b on a { mass: 2, com: [0.1, 0.2, 0.3], inertia: [0.1, 0.1, 0.15], joint: helical(x, -0.1) at [0, 0.2, 0], coordinate: q2 }
         body c on b { mass: 2, com: [0.1, 0.2, 0.3], inertia: [0.1, 0.1, 0.15], joint: revolute(-x) at [1, 0.2, 0], coordinate: q3 }
     }",
+    // whatever acts between joints, on bodies behind skew joints, fixed ones and opposite axes
+    "pub Pushed {
+        gravity: [1, -2, -9.81],
+        point nail on ground at [1, 2, 3],
+        point elbow on a at [0.3, 0, 0.1], point hand on c at [0, 0.2, 0.4], point horn on b at [0.1, 0, 0],
+        force on hand: [elbow.y, t, dot(hand.x)],
+        force on horn: [1, dot(q2), horn.z] in b,
+        force on elbow: [0.3, 1, hand.x] in c,
+        force q2: -0.2*dot(q1)^3,
+        spring between hand and nail: (3, 0.7),
+        spring between elbow and nail: (2, 0),
+        damper between nail and horn: 0.4,
+        damper between hand and elbow: 0.3,
+        potential: 0.2*hand.z^4 + cos(q1)*t,
+        dissipation: 0.1*(dot(q2) + dot(hand.y))^2,
+        body a on ground { mass: 2, com: [0.1, 0.2, 0.3], inertia: [0.3, 0.4, 0.5, 0.01, 0.02, 0.03],
+            joint: revolute([1, 2, -1]) at [0.1, 0, 0.4], coordinate: q1 }
+        body b on a { mass: 1.5, com: [0, -0.3, 0.1], inertia: [0.2, 0.3, 0.25],
+            joint: helical([0, 1, 1], 0.2) at [0.3, 0.1, 0] rpy [0.4, -0.7, 1.1], coordinate: q2 }
+        body c on b { mass: 0.7, com: [0.2, 0, 0], inertia: [0.1, 0.1, 0.1], joint: fixed at [0, 0.2, 0.5] rpy [1, 0.2, 0] }
+        body d on a { mass: 0.5, com: [0.2, 0, 0], inertia: [0.1, 0.1, 0.1], joint: prismatic(-y) at [0, 0.2, 0.5], coordinate: q3 }
+    }",
+    // drives below, between and beyond what moves by itself, absolute angles on driven ones
+    "pub Driven {
+        params { w: rad/s, l: m }
+        gravity: [1, -9.81, 0],
+        point tip on e at [0, -l, 0],
+        force on tip: [dot(tip.x), 1, 0],
+        force q4: -dot(q4),
+        body rail on ground { mass: 0.3, joint: prismatic([1, 2, 0]), motion: l*sin(w*t) }
+        body crank on rail { mass: 0.4, com: [0.1, 0.2, 0], inertia: 0.2, joint: revolute(z) at [0, l, 0], motion: w*t + t^2 }
+        body a on crank { mass: 1, com: [0.1, -l, 0], inertia: 0.1, joint: revolute(z), coordinate: q1 absolute, friction: 0.2 }
+        body b on a { mass: 2, com: [0.1, -0.2, 0], inertia: 0.2, joint: prismatic([1, -2, 0]) at [0, -l, 0], motion: cos(t) }
+        body d on b { mass: 1, com: [0, -l, 0], inertia: 0.1, joint: revolute(-z) at [0.1, 0, 0], coordinate: q3, spring: (3, 1) }
+        body e on d { mass: 1, com: [0.2, -0.5, 0], inertia: 0.1, joint: revolute(z) at [0, -1, 0], coordinate: q4 absolute }
+        body f on e { mass: 1, com: [0.2, -0.5, 0], inertia: 0.1, joint: revolute(-z) at [0, -1, 0], motion: sin(t) }
+    }",
+    "pub Space {
+        gravity: [1, -2, -9.81],
+        body a on ground { mass: 2, com: [0.1, 0.2, 0.3], inertia: [0.3, 0.4, 0.5, 0.01, 0.02, 0.03],
+            joint: revolute([1, 2, -1]) at [0.1, 0, 0.4], coordinate: q1 }
+        body b on a { mass: 1.5, com: [0, -0.3, 0.1], inertia: [0.2, 0.3, 0.25, -0.02, 0.01, 0],
+            joint: helical([0, 1, 1], 0.2) at [0.3, 0.1, 0] rpy [0.4, -0.7, 1.1], motion: sin(t) + t^2 }
+        body c on b { mass: 0.7, com: [0.2, 0, 0], inertia: [0.1, 0.1, 0.1],
+            joint: screw([0.3, 0, 1, 0.2, -0.5, 0.1]) at [0, 0, 0.5], coordinate: q3 }
+        body d on c { mass: 0.5, com: [0, 0.1, 0.2], inertia: [0.05, 0.06, 0.07, 0.01, 0, 0.02],
+            joint: prismatic([1, 1, 0]) rpy [0, 0.3, 0], motion: cos(2*t) }
+        body e on d { mass: 0.5, com: [0, 0.1, 0.2], inertia: [0.05, 0.06, 0.07],
+            joint: revolute(y) at [0.1, 0.2, 0.3], coordinate: q5 }
+    }",
 ];
+
+/// With forces at points along the coordinates, and as wrenches on links.
+const WAYS: [bool; 2] = [false, true];
 
 #[test]
 fn the_recursion_is_a_b_and_c() {
     for scene in SCENES {
         let graph = Graph::new();
         let (model, dynamics) = dynamics(&graph, scene);
-        let recursive = Dynamics::recursive(&model, dynamics.potential);
-        let [ours, theirs] =
-            [&recursive, &dynamics].map(|d| [d.mass_matrix.concat(), d.bias.clone(), d.residual.clone()].concat());
-        agree(&graph, &ours, &theirs, scene);
+        for pushed in WAYS {
+            let recursive = Dynamics::recursive(&model, dynamics.potential, pushed);
+            let [ours, theirs] = [recursive, dynamics.clone()].map(|d| Dynamics { tangent: None, ..d }.entries());
+            agree(&graph, &ours, &theirs, scene);
+        }
     }
 }
 
@@ -86,15 +140,17 @@ fn articulated_bodies_move_by_a_b_and_c() {
     for scene in SCENES {
         let graph = Graph::new();
         let (model, dynamics) = dynamics(&graph, scene);
-        let accelerations = Dynamics::articulated(&model);
-        let symbols = model.coordinates.iter().map(|c| c.acceleration);
-        let known = symbols.zip(accelerations).collect();
-        let left = graph.substitute(&dynamics.balance, known);
-        let zero = vec![graph.zero(); left.len()];
-        // what is left of A qdd + bias - force, beside the bias
-        let zero: Vec<Expr<'_>> = zero.into_iter().chain(dynamics.bias.iter().copied()).collect();
-        let left: Vec<Expr<'_>> = left.into_iter().chain(dynamics.bias).collect();
-        agree(&graph, &left, &zero, scene);
+        for pushed in WAYS {
+            let accelerations = Dynamics::articulated(&model, pushed);
+            let symbols = model.coordinates.iter().map(|c| c.acceleration);
+            let known = symbols.zip(accelerations).collect();
+            let left = graph.substitute(&dynamics.balance, known);
+            let zero = vec![graph.zero(); left.len()];
+            // what is left of A qdd + bias - force, beside the bias
+            let zero: Vec<Expr<'_>> = zero.into_iter().chain(dynamics.bias.iter().copied()).collect();
+            let left: Vec<Expr<'_>> = left.into_iter().chain(dynamics.bias.iter().copied()).collect();
+            agree(&graph, &left, &zero, scene);
+        }
     }
 }
 
@@ -103,11 +159,13 @@ fn the_derivatives_of_the_recursion_are_those_of_its_expressions() {
     for scene in SCENES {
         let graph = Graph::new();
         let (model, dynamics) = dynamics(&graph, scene);
-        let recursive = Dynamics::recursive(&model, dynamics.potential);
         let state = model.state();
-        let known = partials_by_recursion(&recursive, &model.coordinates, &state).expect("a tangent");
         let derived = partials(&dynamics, &state);
-        agree(&graph, &known.concat(), &derived.concat(), scene);
+        for pushed in WAYS {
+            let recursive = Dynamics::recursive(&model, dynamics.potential, pushed);
+            let known = partials_by_recursion(&recursive, &model.coordinates, &state).expect("a tangent");
+            agree(&graph, &known.concat(), &derived.concat(), scene);
+        }
     }
 }
 

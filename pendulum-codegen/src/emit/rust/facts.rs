@@ -14,7 +14,10 @@ impl Items<'_> {
         let (name, program) = (&self.head.name, self.program);
         let (dof, equations) = (count(program.layout.dof()), program.equations.to_string());
         let coordinates = program.layout.slots.iter().map(|slot| &slot.name);
-        let routines = program.routines.iter().map(|routine| (routine.name, &routine.cost));
+        let routines = program
+            .routines
+            .iter()
+            .map(|routine| (routine.name.as_str(), &routine.cost));
         let series = program.series.iter().map(|series| ("taylor", &series.cost));
         let costs = routines.chain(series).map(|(name, of_routine)| {
             let of_routine = cost(of_routine);
@@ -22,6 +25,12 @@ impl Items<'_> {
         });
         let layout = layout(&program.layout);
         let places = program.layout.slots.iter().map(places);
+        let outputs = names_of(
+            "OUTPUTS",
+            "The names of the components of all outputs.",
+            &program.outputs,
+        );
+        let events = names_of("EVENTS", "The names of the events.", &program.events);
         quote! {
             impl #name {
                 #(#places)*
@@ -35,9 +44,22 @@ impl Items<'_> {
                 pub const LAYOUT: ::pendulum_core::StateLayout = #layout;
                 /// The equations of motion as text.
                 pub const EQUATIONS: &'static str = #equations;
+                #outputs
+                #events
             }
         }
     }
+}
+
+/// A constant that lists names, if there are any.
+fn names_of(constant: &str, doc: &str, names: &[String]) -> Option<TokenStream> {
+    let (constant, length) = (format_ident!("{constant}"), count(names.len()));
+    let plain = names.iter().map(|name| name.trim_start_matches("r#"));
+    let item = quote! {
+        #[doc = #doc]
+        pub const #constant: [&'static str; #length] = [#(#plain),*];
+    };
+    (!names.is_empty()).then_some(item)
 }
 
 /// The places of a coordinate and of its rate in the state.

@@ -186,13 +186,44 @@ impl Items<'_> {
 
     /// The methods that belong to no trait.
     fn inherent(&self) -> Option<TokenStream> {
-        let routines = self.program.routines.iter().filter(|routine| is_inherent(routine.name));
+        let routines = self
+            .program
+            .routines
+            .iter()
+            .filter(|routine| is_inherent(&routine.name));
         let methods = routines.map(|routine| {
-            let (doc, function) = (routine.doc, self.function(&format_ident!("{}", routine.name), routine));
+            let (doc, function) = (&routine.doc, self.function(&format_ident!("{}", routine.name), routine));
             quote!(#[doc = #doc] #[inline] pub #function)
         });
-        let methods: TokenStream = methods.collect();
+        let methods: TokenStream = methods.chain(self.events()).collect();
         (!methods.is_empty()).then(|| self.implement(None, &methods))
+    }
+
+    /// The events, each by its name, and all of them.
+    fn events(&self) -> Option<TokenStream> {
+        let (events, length, count) = (&self.program.events, self.length(), count(self.program.events.len()));
+        if events.is_empty() {
+            return None;
+        }
+        let plain = || events.iter().map(|event| event.trim_start_matches("r#"));
+        let names: Vec<Ident> = plain().map(|event| format_ident!("{event}_event")).collect();
+        let values = events.iter().map(|event| format_ident!("{event}"));
+        let docs = plain().map(|event| {
+            format!("Event `{event}`: each zero of the function [`{event}`](Self::{event}), in both directions.")
+        });
+        Some(quote! {
+            #(
+                #[doc = #docs]
+                pub fn #names(&self) -> ::pendulum_core::Event<'_, T, #length> {
+                    ::pendulum_core::Event::new(|t, x| self.#values(t, x))
+                }
+            )*
+
+            /// All events, in the order of `EVENTS`.
+            pub fn events(&self) -> [::pendulum_core::Event<'_, T, #length>; #count] {
+                [#(self.#names()),*]
+            }
+        })
     }
 
     /// A routine as a function.

@@ -1,7 +1,10 @@
 //! Torques as they were written.
 
-use crate::expr::{Definition, Expr, Formula, Summand, ratio};
-use crate::model::Model;
+use crate::dynamics::Dynamics;
+use crate::expr::{Definition, Expr, Formula, Normalizer, Printer, Summand, ratio};
+use crate::form::expanded;
+use crate::model::{Action, Model, Poses};
+use crate::pass::Preference;
 
 /// The forces along the coordinates: friction and springs as expressions, torques as formulas.
 #[derive(Debug)]
@@ -12,13 +15,14 @@ pub(super) struct Torques<'g> {
     pub(super) rows: Vec<Vec<Summand>>,
     /// Torques that act on several coordinates, and so have names.
     pub(super) named: Vec<Definition>,
+    /// What drives do, and where points are.
+    points: Vec<Definition>,
 }
 
 impl<'g> Torques<'g> {
     /// The forces of a scene. With `q = T theta` those along the joints become `T^T tau`.
     pub(super) fn new(model: &Model<'g>) -> Self {
-        let g = model.graph;
-        let mut passive = vec![g.zero(); model.dof()];
+        let mut passive = Dynamics::scene_forces(model);
         let mut rows: Vec<Vec<Summand>> = vec![Vec::new(); model.dof()];
         let mut named = Vec::new();
         for body in &model.bodies {
@@ -34,7 +38,7 @@ impl<'g> Torques<'g> {
                 });
                 Formula::Name(name)
             });
-            for (k, factor) in body.motion.terms() {
+            for (k, factor) in body.motion.terms().filter(|(k, _)| !model.is_driven(*k)) {
                 passive[k] += factor * body.passive;
                 let Some(torque) = torque.clone() else { continue };
                 let size = factor.abs();
@@ -46,7 +50,17 @@ impl<'g> Torques<'g> {
                 rows[k].extend(scaled.into_terms(factor < 0));
             }
         }
-        Self { passive, rows, named }
+        for action in &model.actions {
+            if let Action::Along(k, _, force) = action {
+                rows[*k].extend(force.clone().into_terms(false));
+            }
+        }
+        Self {
+            passive: model.with_drives(&passive),
+            rows,
+            named,
+            points: points(model),
+        }
     }
 
     /// What the names in formulas stand for: each `let` that is used, in the order of the declaration, and then the torques.
@@ -65,8 +79,40 @@ impl<'g> Torques<'g> {
             }
         }
         used.reverse();
-        used
+        let mentioned = |point: &&Definition| {
+            let name = point.name.split('.').next().unwrap_or_default();
+            using
+                .iter()
+                .any(|formula| formula.mentions(&point.name) || formula.mentions(name))
+        };
+        let points: Vec<Definition> = self.points.iter().filter(mentioned).cloned().collect();
+        [points, used].concat()
     }
+}
+
+/// What drives do, and the position of each point.
+fn points(model: &Model<'_>) -> Vec<Definition> {
+    /// How far the normal form of a position may grow.
+    const BUDGET: usize = 20_000;
+    let mut normalizer = Normalizer::with_angles(model.graph, BUDGET, model.base_angles());
+    let (printer, poses) = (Printer::new(model.graph), Poses::new(model));
+    let mut definitions = Vec::new();
+    for drive in &model.drives {
+        definitions.push(Definition {
+            name: drive.coordinate.name.trim_start_matches("r#").to_owned(),
+            formula: printer.definition(drive.law[0].id()),
+        });
+    }
+    for point in &model.points {
+        let position = model.with_drives(&poses.point(point.place.body, point.place.at).0);
+        let short = expanded(&mut normalizer, std::slice::from_ref(&position), Preference::Expanded);
+        let position = short.map_or(position, |columns| columns.concat());
+        definitions.extend(["x", "y", "z"].into_iter().zip(position).map(|(axis, x)| Definition {
+            name: format!("{}.{axis}", point.name.trim_start_matches("r#")),
+            formula: printer.definition(x.id()),
+        }));
+    }
+    definitions
 }
 
 /// A name that the declaration does not have.

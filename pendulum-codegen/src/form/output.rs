@@ -1,0 +1,54 @@
+//! The shortest code for expressions of the state that are no part of the dynamics.
+
+use rustc_hash::FxHashMap;
+
+use super::{Basis, Candidate, Chosen, Form, Forms, expanded};
+use crate::dynamics::derived;
+use crate::expr::{Derivative, Expr};
+use crate::model::Model;
+use crate::pass::Preference;
+
+/// The values of expressions.
+pub(crate) fn values<'g>(forms: &mut Forms<'g>, model: &Model<'g>, values: &[Expr<'g>]) -> Chosen<'g> {
+    let values = model.with_drives(values);
+    forms.shortest(&values)
+}
+
+/// The rates of expressions along the motion.
+pub(crate) fn rates<'g>(forms: &mut Forms<'g>, model: &Model<'g>, values: &[Expr<'g>]) -> Chosen<'g> {
+    let coordinates = model.all_coordinates();
+    let directions = coordinates.flat_map(|c| [(c.position, c.rate), (c.rate, c.acceleration)]);
+    let mut along = Derivative::along(directions.chain([(model.time, model.graph.one())]));
+    let rates: Vec<Expr<'g>> = values.iter().map(|&value| along.of(value)).collect();
+    let rates = model.with_drives(&rates);
+    let accelerations: Vec<Expr<'g>> = model.coordinates.iter().map(|c| c.acceleration).collect();
+    let read = model.graph.reachable(&rates);
+    if !accelerations
+        .iter()
+        .any(|symbol| read.binary_search(&symbol.id()).is_ok())
+    {
+        return forms.shortest(&rates);
+    }
+    let solved: FxHashMap<_, _> = accelerations.into_iter().zip(forms.accelerations().roots).collect();
+    let rates = model.graph.substitute(&rates, solved);
+    forms.choose(vec![(Form::default(), rates)])
+}
+
+/// The values of expressions, and their derivatives by the state, column by column.
+pub(crate) fn values_and_jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>, values: &[Expr<'g>]) -> Chosen<'g> {
+    let values = model.with_drives(values);
+    let columns = derived(&values, &model.state()).concat();
+    forms.shortest(&[values, columns].concat())
+}
+
+impl<'g> Forms<'g> {
+    /// The shortest code for expressions: as they are, or in closed form.
+    fn shortest(&mut self, roots: &[Expr<'g>]) -> Chosen<'g> {
+        let mut candidates: Vec<Candidate<'g>> = vec![(Form::default(), roots.to_vec())];
+        for preference in Preference::ALL {
+            let expanded = expanded(&mut self.normalizer, &[roots.to_vec()], preference);
+            candidates.extend(expanded.map(|columns| (Form::of(Basis::Closed(preference)), columns.concat())));
+        }
+        self.choose(candidates)
+    }
+}

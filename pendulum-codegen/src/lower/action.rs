@@ -1,0 +1,188 @@
+//! What acts on a scene beside its joints.
+
+use syn::Ident;
+
+use super::Lower;
+use super::expr::{Only, Place};
+use super::point::{Declared, square_of};
+use super::written::written;
+use crate::ast::{self, ActionKind, Read};
+use crate::error::Reported;
+use crate::expr::{Expr, SymbolKind, ratio};
+use crate::model::{self, Action, CoordinateId, Point, Push, Requirement};
+
+impl<'g> Lower<'g> {
+    /// What acts on a scene, with its points known. What has an error is left out.
+    pub(super) fn actions(&mut self, items: &ast::Items, points: &[Point<'g>]) -> Vec<Action<'g>> {
+        let mut actions = Vec::new();
+        for action in &items.actions {
+            actions.extend(self.action(action, items, points).ok().flatten());
+        }
+        actions
+    }
+
+    /// Nothing where it needs a body that has an error.
+    fn action(
+        &mut self,
+        action: &ast::Action,
+        items: &ast::Items,
+        points: &[Point<'g>],
+    ) -> Result<Option<Action<'g>>, Reported> {
+        let place_of = |name: &Ident| points.iter().find(|point| name == &point.name).map(|point| point.place);
+        match &action.kind {
+            ActionKind::Potential(e) => {
+                let place = Place {
+                    only: Only::Places,
+                    ..Place::moving("a potential energy")
+                };
+                let value = self.expr(e, &place)?;
+                self.smooth(e, value, 1, &place, "force")
+                    .map(|value| Some(Action::Potential(value)))
+            }
+            ActionKind::Dissipation(e) => {
+                let place = Place::moving("a dissipation");
+                let value = self.expr(e, &place)?;
+                let value = self.smooth(e, value, 1, &place, "force")?;
+                if !self.has_rates(value) {
+                    let help = "it is half of the power that is lost, such as `c/2*dot(theta)^2` for viscous friction";
+                    return Err(self
+                        .errors
+                        .on(e, "the dissipation depends on no rate, so nothing is lost", help));
+                }
+                Ok(Some(Action::Dissipation(value)))
+            }
+            ActionKind::Along { coordinate, force } => {
+                let place = Place::moving(format!("the force along `{coordinate}`"));
+                let formula = force.as_ref().ok().map(|force| written(force, None));
+                let (k, force) = (self.coordinate(coordinate, items), self.given(force, &place));
+                let formula = formula.unwrap_or_else(|| unreachable!("an expression that was read"));
+                Ok(Some(Action::Along(k?, force?, formula)))
+            }
+            ActionKind::Push { point, force, frame } => {
+                let declared = self.point_named(point)?;
+                let place = Place::moving(format!("the force on `{point}`"));
+                let force = match self.read(force) {
+                    Ok(force) => self.vector(force, &place),
+                    Err(reported) => Err(reported),
+                };
+                let frame = frame
+                    .as_ref()
+                    .map_or(Ok(None), |frame| self.body_named(frame, &items.bodies));
+                self.can_move(&[declared], point)?;
+                let (force, frame) = (force?, self.placed(frame?));
+                let push = |place, frame| Action::Push(Push { place, force, frame });
+                Ok(place_of(point).zip(frame).map(|(place, frame)| push(place, frame)))
+            }
+            ActionKind::Spring { ends: [a, b], law } => {
+                let ends = self.ends([a, b], action.word.span());
+                let (stiffness, length) = self.read(law)?;
+                let k = self.stiffness(stiffness, &format!("the spring between `{a}` and `{b}`"));
+                let length = self.expr(
+                    length,
+                    &Place::fixed(format!("the length of the spring between `{a}` and `{b}`")),
+                );
+                let ends = ends?;
+                self.can_move(&ends, a)?;
+                let (k, length) = (k?, length?);
+                let square = self.square_of_distance(&ends);
+                let distance = square.sqrt();
+                let (factor, potential) = if length.is_zero() {
+                    (k, ratio(1, 2) * (k * square))
+                } else {
+                    let stretch = distance - length;
+                    (k * (1 - length / distance), ratio(1, 2) * (k * stretch.powi(2)))
+                };
+                Ok(between([place_of(a), place_of(b)], factor, potential))
+            }
+            ActionKind::Damper {
+                ends: [a, b],
+                coefficient,
+            } => {
+                let ends = self.ends([a, b], action.word.span());
+                let place = Place::fixed(format!("the coefficient of the damper between `{a}` and `{b}`"));
+                let coefficient = match self.read(coefficient) {
+                    Ok(c) => self.positive(c, &place, Requirement::NonNegative),
+                    Err(reported) => Err(reported),
+                };
+                let ends = ends?;
+                self.can_move(&ends, a)?;
+                let square = self.square_of_distance(&ends);
+                let [[from, from_rate], [to, to_rate]] = ends.each_ref().map(Declared::symbols);
+                let approach = (to - from).dot(to_rate - from_rate);
+                let factor = coefficient? * approach / square;
+                Ok(between([place_of(a), place_of(b)], factor, self.graph.zero()))
+            }
+        }
+    }
+
+    /// A part of the text as an expression at a place.
+    fn given(&mut self, part: &Read<ast::Expr>, place: &Place<'g>) -> Result<Expr<'g>, Reported> {
+        let part = self.read(part)?;
+        self.expr(part, place)
+    }
+
+    fn coordinate(&mut self, name: &Ident, items: &ast::Items) -> Result<CoordinateId, Reported> {
+        let coordinates = items.bodies.iter().filter_map(|body| body.fields.coordinate.as_ref());
+        let coordinates: Vec<String> = coordinates.map(Ident::to_string).collect();
+        if let Some(k) = coordinates.iter().position(|known| name == known) {
+            return Ok(CoordinateId::new(k));
+        }
+        if self.points.contains_key(&name.to_string()) {
+            let fact = format_args!("`{name}` is a point, not a coordinate");
+            return Err(self
+                .errors
+                .at(name.span(), fact, format_args!("write `force on {name}: [fx, fy, fz]`")));
+        }
+        let driven = items
+            .bodies
+            .iter()
+            .any(|body| body.name == *name && body.fields.motion.is_some());
+        if driven {
+            let fact = format_args!("the joint of `{name}` is driven, so no force along it changes anything");
+            return Err(self.errors.at(name.span(), fact, "remove the force, or the motion"));
+        }
+        let fact = format_args!("no coordinate named `{name}`");
+        Err(self
+            .errors
+            .unknown(name, fact, coordinates.iter().map(String::as_str), &[]))
+    }
+
+    /// Refuses what acts on points that cannot move, or between points of one body.
+    fn can_move(&mut self, ends: &[Declared<'g>], at: &Ident) -> Result<(), Reported> {
+        let same = ends.windows(2).any(|pair| pair[0].body == pair[1].body);
+        if same && ends[0].moves {
+            let fact = "the two points belong to one body, so their distance never changes";
+            return Err(self.errors.at(at.span(), fact, "name points of two bodies"));
+        }
+        if ends.iter().any(|end| end.moves) {
+            return Ok(());
+        }
+        let fact = match ends {
+            [_] => format!("`{at}` does not move, so a force on it changes nothing"),
+            _ => "neither point moves, so a force between them changes nothing".to_owned(),
+        };
+        Err(self.errors.at(at.span(), fact, "name a point of a body that moves"))
+    }
+
+    fn square_of_distance(&self, [a, b]: &[Declared<'g>; 2]) -> Expr<'g> {
+        square_of(b.symbols()[0] - a.symbols()[0])
+    }
+
+    fn has_rates(&self, x: Expr<'g>) -> bool {
+        let mut symbols = self
+            .graph
+            .reachable(&[x])
+            .into_iter()
+            .filter_map(|id| self.graph.as_symbol(id));
+        symbols.any(|symbol| matches!(symbol.kind, SymbolKind::Rate(_) | SymbolKind::PointRate(_)))
+    }
+}
+
+fn between<'g>(ends: [Option<model::Place<'g>>; 2], factor: Expr<'g>, potential: Expr<'g>) -> Option<Action<'g>> {
+    let [a, b] = ends;
+    a.zip(b).map(|(a, b)| Action::Between {
+        ends: [a, b],
+        factor,
+        potential,
+    })
+}

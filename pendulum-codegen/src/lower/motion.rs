@@ -1,0 +1,113 @@
+//! Joints that are driven.
+
+use super::Lower;
+use super::expr::{Only, Place};
+use crate::ast;
+use crate::error::Reported;
+use crate::expr::{Derivative, Expr, Level, SymbolKind};
+use crate::model::{Coordinate, CoordinateId, Drive};
+
+/// What a joint with a motion does.
+#[derive(Clone, Copy, Debug)]
+pub(super) enum Motion<'g> {
+    /// It stays where it is.
+    Still(Expr<'g>),
+    /// It follows a drive.
+    Driven(CoordinateId),
+}
+
+impl<'g> Lower<'g> {
+    /// The drives of a scene with so many coordinates; and what the joint of each body does that has a motion.
+    pub(super) fn drives(&mut self, bodies: &[ast::Body], dof: usize) -> Vec<Drive<'g>> {
+        let mut drives: Vec<Drive<'g>> = Vec::new();
+        for body in bodies {
+            let motion = body.fields.motion.as_ref().map(|motion| {
+                let law = self.motion(body, motion)?;
+                if law.level() < Level::State {
+                    return Ok(Motion::Still(law));
+                }
+                let n = dof + drives.len();
+                drives.push(self.drive(body, n, law));
+                Ok(Motion::Driven(CoordinateId::new(n)))
+            });
+            self.motions.push(motion);
+        }
+        drives
+    }
+
+    fn drive(&self, body: &ast::Body, n: usize, law: Expr<'g>) -> Drive<'g> {
+        let name = body.name.to_string();
+        let symbol = |form: &str, kind: fn(usize) -> SymbolKind| self.graph.symbol(&form.replace('_', &name), kind(n));
+        let (position, rate, acceleration) = (
+            symbol("_", SymbolKind::Coordinate),
+            symbol("dot(_)", SymbolKind::Rate),
+            symbol("ddot(_)", SymbolKind::Acceleration),
+        );
+        let mut by_time = Derivative::by(self.time);
+        let first = by_time.of(law);
+        Drive {
+            coordinate: Coordinate {
+                name,
+                position,
+                rate,
+                acceleration,
+            },
+            law: [law, first, by_time.of(first)],
+        }
+    }
+
+    /// The law of a motion.
+    fn motion(&mut self, body: &ast::Body, motion: &ast::Expr) -> Result<Expr<'g>, Reported> {
+        let name = &body.name;
+        let place = Place {
+            only: Only::Time,
+            ..Place::moving(format!("the motion of `{name}`"))
+        };
+        let law = self.expr(motion, &place);
+        if let Some(coordinate) = &body.fields.coordinate {
+            let fact =
+                format_args!("the joint of `{name}` has a motion, so `{coordinate}` is no coordinate of the state");
+            let help = "give it either `coordinate: name`, to move by itself, or `motion: e`, to follow the time";
+            self.errors.at(coordinate.span(), fact, help);
+        }
+        let spring = body.fields.spring.as_ref().map(|(stiffness, _)| stiffness);
+        if let Some(force) = body.fields.friction.as_ref().or(spring).or(body.fields.torque.as_ref()) {
+            let fact = format_args!("the joint of `{name}` is driven, so no force along it changes anything");
+            self.errors.on(force, fact, "remove the force, or the motion");
+        }
+        self.smooth(motion, law?, 1, &place, "acceleration")
+    }
+
+    /// Refuses an expression that has fewer continuous derivatives than are needed, for one of which it is taken.
+    pub(super) fn smooth(
+        &mut self,
+        given: &ast::Expr,
+        value: Expr<'g>,
+        needed: i64,
+        place: &Place<'g>,
+        what: &str,
+    ) -> Result<Expr<'g>, Reported> {
+        if value.continuous_derivatives() >= needed {
+            return Ok(value);
+        }
+        let corner = corner(given).unwrap_or(given);
+        let fact = format_args!(
+            "{} has a corner where `abs` passes 0, so the {what} does not exist there",
+            place.what
+        );
+        let help = "`sqrt(x^2 + eps^2)` is a smooth `abs(x)`; `abs(x)*x` and `abs(x)^3` have no corner either";
+        Err(self.errors.on(corner, fact, help))
+    }
+}
+
+/// The first call of `abs` in an expression.
+fn corner(expr: &ast::Expr) -> Option<&ast::Expr> {
+    use ast::ExprKind::{Binary, Call, Component, Name, Neg, Number, Power};
+    match &expr.kind {
+        Call(name, _) if name == "abs" => Some(expr),
+        Call(_, arguments) => arguments.iter().find_map(corner),
+        Neg(a) => corner(a),
+        Binary(_, a, b) | Power(a, b) => corner(a).or_else(|| corner(b)),
+        Number(_) | Name(_) | Component(..) => None,
+    }
+}

@@ -1,0 +1,133 @@
+//! Outputs and events.
+
+use std::collections::BTreeMap;
+
+use syn::Ident;
+
+use super::Lower;
+use super::expr::{Only, Place};
+use super::scope::Kind;
+use crate::ast::{self, ExprKind, OutputValue};
+use crate::error::Reported;
+use crate::expr::Expr;
+use crate::model::{Event, Output, OutputShape, Poses};
+use crate::program;
+
+impl<'g> Lower<'g> {
+    /// The outputs of a scene whose bodies are in these poses.
+    pub(super) fn outputs(&mut self, items: &ast::Items, poses: &Poses<'g>) -> Vec<Output<'g>> {
+        let mut outputs = Vec::new();
+        for output in &items.outputs {
+            let place = place(format!("output `{}`", output.name));
+            let value = match self.read(&output.value) {
+                Ok(OutputValue::Scalar(e)) => self.output(e, &place, &items.bodies, poses),
+                Ok(OutputValue::List(list)) => {
+                    let values: Vec<_> = list.iter().map(|e| self.expr(e, &place)).collect();
+                    let values = values.into_iter().collect::<Result<Vec<_>, _>>();
+                    values.map(|values| (OutputShape::Vector(values.len()), values))
+                }
+                Err(reported) => Err(reported),
+            };
+            outputs.extend(value.map(|(shape, values)| Output {
+                name: output.name.to_string(),
+                docs: output.docs.clone(),
+                shape,
+                values,
+            }));
+        }
+        outputs
+    }
+
+    /// A number, the position of a point, or the rotation of a body.
+    fn output(
+        &mut self,
+        e: &ast::Expr,
+        place: &Place<'g>,
+        bodies: &[ast::Body],
+        poses: &Poses<'g>,
+    ) -> Result<(OutputShape, Vec<Expr<'g>>), Reported> {
+        match &e.kind {
+            ExprKind::Name(name) if self.names.kind(&name.to_string()) == Some(Kind::Point) => {
+                let [position, _] = self.point_named(name)?.symbols();
+                Ok((OutputShape::Place, position.0.into()))
+            }
+            ExprKind::Call(function, arguments) if function == "rotation" => {
+                let [
+                    ast::Expr {
+                        kind: ExprKind::Name(body),
+                        ..
+                    },
+                ] = &arguments[..]
+                else {
+                    let fact = "`rotation` takes the name of a body";
+                    return Err(self.errors.on(e, fact, "write `rotation(body)`"));
+                };
+                let Some(n) = self.body_named(body, bodies)? else {
+                    return Err(self
+                        .errors
+                        .at(body.span(), "`ground` does not turn", "name a body that moves"));
+                };
+                let rotation = poses.rotation(self.placed(Some(n)).flatten());
+                Ok((
+                    OutputShape::Rotation,
+                    (0..3).flat_map(|j| rotation.column(j).0).collect(),
+                ))
+            }
+            _ => Ok((OutputShape::Scalar, vec![self.expr(e, place)?])),
+        }
+    }
+
+    /// The events of a scene.
+    pub(super) fn events(&mut self, declared: &[ast::Event]) -> Vec<Event<'g>> {
+        let mut events = Vec::new();
+        for event in declared {
+            let place = place(format!("event `{}`", event.name));
+            let value = match self.read(&event.value) {
+                Ok(value) => self.expr(value, &place),
+                Err(reported) => Err(reported),
+            };
+            let Ok(value) = value else { continue };
+            events.push(Event {
+                name: event.name.to_string(),
+                docs: event.docs.clone(),
+                value,
+            });
+        }
+        events
+    }
+
+    /// No two functions of a model may have the same name.
+    pub(super) fn check_functions(&mut self, items: &ast::Items) {
+        let outputs = items
+            .outputs
+            .iter()
+            .map(|output| (&output.name, program::functions_of_output(&output.name)));
+        let events = items
+            .events
+            .iter()
+            .map(|event| (&event.name, program::functions_of_event(&event.name)));
+        let mut taken: BTreeMap<String, &Ident> = BTreeMap::new();
+        for (ident, functions) in outputs.chain(events) {
+            for function in functions {
+                let owner = match taken.get(&function) {
+                    Some(owner) => format!("`{owner}`"),
+                    None if program::is_function(&function) => "every model".to_owned(),
+                    None => {
+                        taken.insert(function, ident);
+                        continue;
+                    }
+                };
+                let fact = format_args!("`{ident}` needs the function `{function}`, which {owner} has already");
+                self.errors.at(ident.span(), fact, "choose another name");
+                break;
+            }
+        }
+    }
+}
+
+fn place<'g>(what: String) -> Place<'g> {
+    Place {
+        only: Only::State,
+        ..Place::moving(what)
+    }
+}

@@ -1,0 +1,214 @@
+//! Points of bodies.
+
+use proc_macro2::Span;
+use syn::Ident;
+
+use super::Lower;
+use super::expr::Place;
+use super::scope::Kind;
+use crate::ast;
+use crate::error::Reported;
+use crate::expr::{Expr, SymbolKind};
+use crate::model::{self, BodyId};
+use crate::screw::Vec3;
+
+/// A point that is declared, before the place of its body is known.
+#[derive(Clone, Debug)]
+pub(super) struct Declared<'g> {
+    /// The number of the body in the text; none for ground.
+    pub(super) body: Option<usize>,
+    /// Whether the body can move.
+    pub(super) moves: bool,
+    position: Vec3<'g>,
+    velocity: Vec3<'g>,
+}
+
+impl<'g> Declared<'g> {
+    /// The symbols of its position, and those of its velocity.
+    pub(super) fn symbols(&self) -> [Vec3<'g>; 2] {
+        [self.position, self.velocity]
+    }
+}
+
+impl<'g> Lower<'g> {
+    /// Declares the names of points, and the symbols that stand for their coordinates until all bodies are known.
+    pub(super) fn declare_points(&mut self, points: &[ast::Point], bodies: &[ast::Body]) {
+        let moves = moving(bodies);
+        for point in points {
+            let name = point.name.to_string();
+            self.names.declare(&mut self.errors, Kind::Point, &point.name, None);
+            let body = self
+                .read(&point.body)
+                .cloned()
+                .and_then(|body| self.body_named(&body, bodies));
+            let first = 3 * self.points.len();
+            let axes = ["x", "y", "z"].map(|axis| format!("{name}.{axis}"));
+            let symbols = |form: fn(&str) -> String, kind: fn(usize) -> SymbolKind| {
+                let symbol = |n: usize| self.graph.symbol(&form(&axes[n]), kind(first + n));
+                Vec3([symbol(0), symbol(1), symbol(2)])
+            };
+            let position = symbols(str::to_owned, SymbolKind::Point);
+            let velocity = symbols(|axis| format!("dot({axis})"), SymbolKind::PointRate);
+            match body {
+                Ok(body) => {
+                    let moves = body.is_some_and(|body| moves[body]);
+                    let declared = Declared {
+                        body,
+                        moves,
+                        position,
+                        velocity,
+                    };
+                    self.points.insert(name, declared);
+                }
+                Err(reported) => _ = self.broken.insert(name, reported),
+            }
+        }
+    }
+
+    /// The points on the bodies that they belong to. Those with an error are left out.
+    pub(super) fn points(&mut self, points: &[ast::Point]) -> Vec<model::Point<'g>> {
+        let mut placed = Vec::new();
+        for point in points {
+            let name = point.name.to_string();
+            let place = Place::fixed(format!("the place of `{}`", point.name));
+            let at = match &point.at {
+                Some(at) => self.read(at).and_then(|at| self.vector(at, &place)),
+                None => Ok(Vec3::zero(self.graph)),
+            };
+            let (Some(declared), Ok(at)) = (self.points.get(&name).cloned(), at) else {
+                continue;
+            };
+            let Some(body) = self.placed(declared.body) else {
+                continue;
+            };
+            placed.push(model::Point {
+                name,
+                place: model::Place { body, at },
+                position: declared.position,
+                velocity: declared.velocity,
+            });
+        }
+        placed
+    }
+
+    /// The body of a number in the text, and ground for none; nothing where the body has an error.
+    pub(super) fn placed(&self, body: Option<usize>) -> Option<Option<BodyId>> {
+        match body {
+            Some(body) => self.bodies.get(body).copied().flatten().map(Some),
+            None => Some(None),
+        }
+    }
+
+    /// The number of a body in the text; none for ground.
+    pub(super) fn body_named(&mut self, name: &Ident, bodies: &[ast::Body]) -> Result<Option<usize>, Reported> {
+        if name == "ground" {
+            return Ok(None);
+        }
+        if let Some(n) = bodies.iter().position(|body| body.name == *name) {
+            return Ok(Some(n));
+        }
+        let known: Vec<String> = bodies.iter().map(|body| body.name.to_string()).collect();
+        let known = known.iter().map(String::as_str).chain(["ground"]);
+        let fact = format_args!("no body named `{name}`");
+        Err(self.errors.unknown(name, fact, known, &[]))
+    }
+
+    /// A declared point.
+    pub(super) fn point_named(&mut self, name: &Ident) -> Result<Declared<'g>, Reported> {
+        let text = name.to_string();
+        // marks it as used
+        self.names.value(&text);
+        if let Some(point) = self.points.get(&text) {
+            return Ok(point.clone());
+        }
+        if let Some(reported) = self.broken.get(&text) {
+            return Err(*reported);
+        }
+        if let Some(kind) = self.names.kind(&text) {
+            let fact = format_args!("`{text}` is {}, not a point", kind.one());
+            let help = format_args!("declare a point: `point {text}_end on body at [x, y, z],`");
+            return Err(self.errors.at(name.span(), fact, help));
+        }
+        let fact = format_args!("no point named `{text}`");
+        let known: Vec<String> = self.points.keys().cloned().collect();
+        if known.is_empty() {
+            let help = format_args!("declare it: `point {text} on body at [x, y, z],`");
+            return Err(self.errors.at(name.span(), fact, help));
+        }
+        Err(self.errors.unknown(name, fact, known.iter().map(String::as_str), &[]))
+    }
+
+    /// `point.x`
+    pub(super) fn component(&mut self, point: &Ident, axis: &Ident, place: &Place<'g>) -> Result<Expr<'g>, Reported> {
+        if let Some(kind) = self.names.kind(&point.to_string()).filter(|kind| *kind != Kind::Point) {
+            let fact = format_args!("`{point}` is {}, and only points have components", kind.one());
+            let help = format_args!("`dot({point})` is the rate of `{point}`; a point `p` has `p.x`, `p.y` and `p.z`");
+            return Err(self.errors.at(point.span(), fact, help));
+        }
+        let declared = self.point_named(point)?;
+        let Some(n) = ["x", "y", "z"].iter().position(|known| axis == known) else {
+            let fact = format_args!("a point has no `{axis}`");
+            let help = format_args!("write `{point}.x`, `{point}.y` or `{point}.z`");
+            return Err(self.errors.at(axis.span(), fact, help));
+        };
+        self.permit(declared.position[n], point.span(), place)
+    }
+
+    /// `distance(a, b)`
+    pub(super) fn distance(
+        &mut self,
+        expr: &ast::Expr,
+        arguments: &[ast::Expr],
+        place: &Place<'g>,
+    ) -> Result<Expr<'g>, Reported> {
+        let name = |argument: &ast::Expr| match &argument.kind {
+            ast::ExprKind::Name(name) => Some(name.clone()),
+            _ => None,
+        };
+        let names: Option<Vec<Ident>> = arguments.iter().map(name).collect();
+        let Some([first, second]) = names.as_deref().and_then(|names| names.first_chunk()) else {
+            let fact = "`distance` takes the names of two points";
+            return Err(self.errors.on(expr, fact, "write `distance(a, b)`"));
+        };
+        let [a, b] = self.ends([first, second], expr_span(expr))?;
+        let square = self.permit(square_of(b.position - a.position), expr_span(expr), place)?;
+        Ok(square.sqrt())
+    }
+
+    /// Two points that are not one.
+    pub(super) fn ends(&mut self, [first, second]: [&Ident; 2], span: Span) -> Result<[Declared<'g>; 2], Reported> {
+        let (a, b) = (self.point_named(first), self.point_named(second));
+        let ends = [a?, b?];
+        if first == second {
+            let fact = format_args!("`{first}` stands at both ends");
+            return Err(self.errors.at(span, fact, "name two points"));
+        }
+        Ok(ends)
+    }
+}
+
+fn expr_span(expr: &ast::Expr) -> Span {
+    expr.span()
+}
+
+/// `v . v`
+pub(super) fn square_of(v: Vec3<'_>) -> Expr<'_> {
+    v.dot(v)
+}
+
+/// Which bodies have a joint that moves between them and ground.
+fn moving(bodies: &[ast::Body]) -> Vec<bool> {
+    let parent = |body: &ast::Body| {
+        let parent = body.parent.as_ref().ok()?;
+        bodies.iter().position(|other| other.name == *parent)
+    };
+    let own = |body: &ast::Body| body.fields.coordinate.is_some() || body.fields.motion.is_some();
+    let mut moves: Vec<bool> = bodies.iter().map(own).collect();
+    // as often as the longest chain has bodies
+    for _ in bodies {
+        for (n, body) in bodies.iter().enumerate() {
+            moves[n] |= parent(body).is_some_and(|parent| moves[parent]);
+        }
+    }
+    moves
+}

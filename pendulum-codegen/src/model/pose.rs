@@ -1,0 +1,101 @@
+//! Where bodies and their points are.
+
+use super::{Body, Heading, Model};
+use crate::expr::{Expr, Graph};
+use crate::model::BodyId;
+use crate::screw::{Mat3, Transform, Twist, Vec3};
+
+/// Poses and screws of the bodies of a model, each written in the station of its body.
+///
+/// In a station, parallel joints turn by sums of angles, and what lies below the station does not appear at all.
+#[derive(Debug)]
+pub(crate) struct Poses<'g> {
+    graph: &'g Graph,
+    /// Where each body is.
+    pub poses: Vec<Transform<'g>>,
+    /// The screw of each joint; none for a fixed one.
+    pub screws: Vec<Option<Twist<'g>>>,
+    /// The station of each body; none for ground.
+    pub stations: Vec<Option<BodyId>>,
+}
+
+impl<'g> Poses<'g> {
+    /// The poses of a model.
+    pub(crate) fn new(model: &Model<'g>) -> Self {
+        let mut poses: Vec<Transform<'g>> = Vec::new();
+        let mut screws = Vec::new();
+        for body in &model.bodies {
+            let base = match body.parent {
+                Some(parent) if body.heading.station != Some(parent) => poses[parent],
+                _ => Transform::identity(model.graph),
+            };
+            let rotation = orientation(&body.heading, model.position_of(&body.heading.turn));
+            let (translation, screw) = place(&base, body, rotation, model.position_of(&body.motion));
+            poses.push(Transform { rotation, translation });
+            screws.push(screw);
+        }
+        Self {
+            graph: model.graph,
+            poses,
+            screws,
+            stations: model.bodies.iter().map(|body| body.heading.station).collect(),
+        }
+    }
+
+    /// A point of a body, or of ground, in the ground frame.
+    pub(crate) fn point(&self, body: Option<BodyId>, at: Vec3<'g>) -> Vec3<'g> {
+        self.stations_below(body)
+            .fold(at, |at, body| self.poses[body].point(at))
+    }
+
+    /// A direction of a body, or of ground, in the ground frame.
+    pub(crate) fn direction(&self, body: Option<BodyId>, direction: Vec3<'g>) -> Vec3<'g> {
+        let turned = |v, body: BodyId| self.poses[body].rotation * v;
+        self.stations_below(body).fold(direction, turned)
+    }
+
+    /// The axes of a body in the ground frame, as columns.
+    pub(crate) fn rotation(&self, body: Option<BodyId>) -> Mat3<'g> {
+        let turned = |m, body: BodyId| self.poses[body].rotation * m;
+        self.stations_below(body).fold(Mat3::identity(self.graph), turned)
+    }
+
+    /// The body, its station, the station of that, and so on to ground.
+    fn stations_below(&self, body: Option<BodyId>) -> impl Iterator<Item = BodyId> {
+        std::iter::successors(body, |&body| self.stations[body])
+    }
+}
+
+fn orientation<'g>(heading: &Heading<'g>, angle: Expr<'g>) -> Mat3<'g> {
+    match heading.axis {
+        None => heading.rest,
+        Some(axis) => Mat3::rotation(axis, angle) * heading.rest,
+    }
+}
+
+/// Where a body's origin is and what the screw of its joint is, in the frame in which its parent stands at `base`.
+fn place<'g>(
+    base: &Transform<'g>,
+    body: &Body<'g>,
+    turned: Mat3<'g>,
+    position: Expr<'g>,
+) -> (Vec3<'g>, Option<Twist<'g>>) {
+    let joint = *base * body.placement;
+    let Some(screw) = body.screw else {
+        return (joint.translation, None);
+    };
+    if !screw.turns() {
+        return (joint.point(position * screw.linear), Some(joint.twist(&screw)));
+    }
+    let Twist { angular: w, linear: v } = screw;
+    // a turn does not move its own axis, so the axis needs the constant rotation only
+    let angular = body.heading.rest * w;
+    let twist = Twist {
+        angular,
+        linear: joint.rotation * v + joint.translation.cross(angular),
+    };
+    // exp(s q) moves the origin by (1 - R) (w x v) + w (w . v) q
+    let (pitch, arm) = (w.dot(v), w.cross(v));
+    let along = (pitch * position) * angular;
+    (joint.point(arm) - turned * arm + along, Some(twist))
+}

@@ -1,0 +1,98 @@
+//! What acts on a scene beside its joints: forces, springs and dampers between points, potentials.
+
+use syn::parse::ParseStream;
+use syn::{Ident, Token};
+
+use super::token::{colon, identifier, list, parentheses};
+use super::{read, skip_to};
+use crate::ast::{Action, ActionKind, Expr, Read};
+use crate::error::{Errors, at};
+
+/// What follows the word of the item.
+pub(super) fn action(input: ParseStream, word: Ident, errors: &mut Errors) -> syn::Result<Action> {
+    let kind = match word.to_string().as_str() {
+        "force" => force(input, errors)?,
+        "spring" => spring(input, &word, errors)?,
+        "damper" => damper(input, &word, errors)?,
+        "potential" => {
+            colon(input, &word, errors)?;
+            ActionKind::Potential(input.parse()?)
+        }
+        _ => {
+            colon(input, &word, errors)?;
+            ActionKind::Dissipation(input.parse()?)
+        }
+    };
+    Ok(Action { word, kind })
+}
+
+/// `on point: [fx, fy, fz] in body`, or `coordinate: e`
+fn force(input: ParseStream, errors: &mut Errors) -> syn::Result<ActionKind> {
+    let form = "force on tip: [fx, fy, fz]";
+    let name = identifier(input, "`on` and a point, or a coordinate", form)?;
+    if name != "on" {
+        colon(input, &name, errors)?;
+        return Ok(ActionKind::Along {
+            coordinate: name,
+            force: read(input, |_| false),
+        });
+    }
+    let point = identifier(input, "the point that it acts on", form)?;
+    colon(input, &point, errors)?;
+    let force = read(input, |input| input.peek(Token![in]));
+    let mut frame = None;
+    if input.parse::<Option<Token![in]>>()?.is_some() {
+        let form = "force on tip: [fx, fy, fz] in arm";
+        frame = Some(identifier(input, "the body in whose frame it is given", form)?);
+    }
+    Ok(ActionKind::Push { point, force, frame })
+}
+
+/// `between a and b: (stiffness, length)`
+fn spring(input: ParseStream, word: &Ident, errors: &mut Errors) -> syn::Result<ActionKind> {
+    let form = "spring between a and b: (stiffness, length)";
+    let ends = between(input, word, form, errors)?;
+    let span = input.span();
+    let law = (|| {
+        let numbers = match parentheses(input)? {
+            Some(inner) => list(&inner, form, |input| input.parse::<Expr>())?,
+            None => Vec::new(),
+        };
+        match <[Expr; 2]>::try_from(numbers) {
+            Ok([stiffness, length]) => Ok((stiffness, length)),
+            Err(_) => {
+                let fact = "a spring has a stiffness and a length at rest";
+                Err(at(span, fact, format_args!("write `{form}`")))
+            }
+        }
+    })();
+    let law: Read<(Expr, Expr)> = law.inspect_err(|_| skip_to(input, |input| input.peek(Token![,])));
+    Ok(ActionKind::Spring { ends, law })
+}
+
+/// `between a and b: coefficient`
+fn damper(input: ParseStream, word: &Ident, errors: &mut Errors) -> syn::Result<ActionKind> {
+    let ends = between(input, word, "damper between a and b: c", errors)?;
+    Ok(ActionKind::Damper {
+        ends,
+        coefficient: read(input, |_| false),
+    })
+}
+
+/// `between a and b:`
+fn between(input: ParseStream, word: &Ident, form: &str, errors: &mut Errors) -> syn::Result<[Ident; 2]> {
+    let expected = |input: ParseStream, what: &str| {
+        let found: Option<Ident> = input.parse()?;
+        let Some(_) = found.filter(|found| found == what) else {
+            let fact = format_args!("a {word} of the scene acts between two points");
+            return Err(at(word.span(), fact, format_args!("write `{form}`")));
+        };
+        Ok(())
+    };
+    expected(input, "between")?;
+    let first = identifier(input, "a point", form)?;
+    expected(input, "and")?;
+    let second = identifier(input, "a point", form)?;
+    colon(input, &second, errors)?;
+    Ok([first, second])
+}

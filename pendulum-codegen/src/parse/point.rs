@@ -1,0 +1,38 @@
+//! Points of bodies.
+
+use syn::parse::ParseStream;
+use syn::{Ident, Token};
+
+use super::token::identifier;
+use super::{read, skip_to};
+use crate::ast::{Point, Vector};
+use crate::error::at;
+
+/// `name on body at [x, y, z]`, after the word `point`
+pub(super) fn point(input: ParseStream) -> syn::Result<Point> {
+    let name = identifier(input, "the name of a point", "point tip on arm at [0, -l, 0]")?;
+    let form = format!("point {name} on arm at [0, -l, 0]");
+    let on: Option<Ident> = input.parse()?;
+    let body = if on.as_ref().is_some_and(|on| on == "on") {
+        identifier(input, "the body that it is a point of", &form)
+    } else {
+        skip_to(input, |input| input.peek(Token![,]));
+        Err(at(
+            name.span(),
+            format_args!("point `{name}` belongs to no body"),
+            format_args!("write `{form}`, with a body or `ground` behind `on`"),
+        ))
+    };
+    let mut place = None;
+    if let Some((word, _)) = input.cursor().ident()
+        && body.is_ok()
+    {
+        if word != "at" {
+            let fact = format_args!("unexpected `{word}` after the body of `{name}`");
+            return Err(at(word.span(), fact, format_args!("write `{form}`")));
+        }
+        input.parse::<Ident>()?;
+        place = Some(read::<Vector>(input, |_| false));
+    }
+    Ok(Point { name, body, at: place })
+}
