@@ -40,7 +40,9 @@ pub(crate) fn check(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'_>) -
 fn report_without_effect(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'_>, errors: &mut Errors) {
     let checked = model.rules.iter().map(|rule| rule.value);
     let outputs = model.outputs.iter().flat_map(|output| output.values.iter().copied());
+    let drawn = model.points.iter().filter(|_| model.generate.contains("shapes"));
     let observed = outputs
+        .chain(drawn.flat_map(|point| point.place.at.0))
         .chain(model.events.iter().map(|event| event.value))
         .collect::<Vec<_>>();
     let roots = dynamics.entries().into_iter().chain(checked);

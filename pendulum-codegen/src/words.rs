@@ -362,4 +362,8 @@ pub(crate) const ROUTINES: &Synonyms = &[
     (&["rnea", "inversedynamic", "computedtorque"], "inverse_dynamics"),
     (&["sensitivity", "sensitivities", "gradient"], "parameter_jacobian"),
     (&["series"], "taylor"),
+    (&["draw", "drawing", "picture", "shape", "geometry", "visual"], "shapes"),
+    (&["outputs", "output", "points"], "write `output name: e,`: what is declared is generated"),
+    (&["events", "event"], "write `event name: e,`: what is declared is generated"),
+    (&["motor", "drive", "drives", "driveforce"], "drive_forces"),
 ];

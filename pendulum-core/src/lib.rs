@@ -40,6 +40,7 @@
 //! | [`error`] | what can go wrong |
 //! | [`stability`] | equilibria, periodic orbits and their bifurcations, chaos, and the limits of methods |
 //! | [`accuracy`] | trusted solutions, norms of errors, and what accuracy takes |
+//! | [`shapes`] | how a mechanism looks |
 //! | [`cost`] | counted operations of generated functions |
 
 pub mod accuracy;
@@ -53,6 +54,7 @@ pub mod inputs;
 pub mod layout;
 pub mod method;
 pub mod real;
+pub mod shapes;
 pub mod solution;
 pub mod stability;
 pub mod system;
@@ -96,6 +98,6 @@ pub mod prelude {
     pub use crate::{Auto, Gauss4, Gauss6, Radau5, Rk4, Rk45, Rodas4, Rodas5P, Taylor, Tsit5, Vern7, Vern9};
     pub use crate::{Controlled, Energy, Ensemble, Event, FnSystem, Jacobian, Method, Solution, System};
     // Their methods alone: the names stay free.
-    pub use crate::{Canonical as _, Cast as _, Float as _, Real as _, TaylorSeries as _};
+    pub use crate::{Canonical as _, Cast as _, Float as _, Real as _, TaylorSeries as _, shapes::Shapes as _};
     pub use nalgebra::{SMatrix, SVector};
 }

@@ -30,6 +30,8 @@ pub(crate) enum Basis {
     Recursive,
     /// Articulated bodies, on the same links.
     Articulated,
+    /// No part of the dynamics: as it was declared.
+    Declared,
 }
 
 /// How inverse dynamics are derived by the state.
@@ -80,6 +82,7 @@ impl fmt::Display for Form {
             Basis::Shared => "A, B and C",
             Basis::Recursive => "recursion",
             Basis::Articulated => "articulated bodies",
+            Basis::Declared => "as declared",
         })?;
         f.write_str(match self.solver {
             Some(Solver::Adjugate) => ", adjugate",

@@ -31,7 +31,7 @@ pub(crate) fn rates<'g>(forms: &mut Forms<'g>, model: &Model<'g>, values: &[Expr
     }
     let solved: FxHashMap<_, _> = accelerations.into_iter().zip(forms.accelerations().roots).collect();
     let rates = model.graph.substitute(&rates, solved);
-    forms.choose(vec![(Form::default(), rates)])
+    forms.choose(vec![(Form::of(Basis::Declared), rates)])
 }
 
 /// The values of expressions, and their derivatives by the state, column by column.
@@ -44,7 +44,7 @@ pub(crate) fn values_and_jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>, 
 impl<'g> Forms<'g> {
     /// The shortest code for expressions: as they are, or in closed form.
     fn shortest(&mut self, roots: &[Expr<'g>]) -> Chosen<'g> {
-        let mut candidates: Vec<Candidate<'g>> = vec![(Form::default(), roots.to_vec())];
+        let mut candidates: Vec<Candidate<'g>> = vec![(Form::of(Basis::Declared), roots.to_vec())];
         for preference in Preference::ALL {
             let expanded = expanded(&mut self.normalizer, &[roots.to_vec()], preference);
             candidates.extend(expanded.map(|columns| (Form::of(Basis::Closed(preference)), columns.concat())));

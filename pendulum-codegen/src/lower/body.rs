@@ -74,7 +74,9 @@ impl<'g> Lower<'g> {
         let joint = [position, rate].map(|x| Printer::new(self.graph).formula(x.id()));
         let torque = body.fields.torque.as_ref().map(|torque| written(torque, Some(&joint)));
         let ((heading, motion), geometry, forces) = (heading?, geometry?, forces?);
-        let inertia = match mass? {
+        let mass = mass?;
+        let figures = mass.as_ref().map(|mass| mass.figures.clone()).unwrap_or_default();
+        let inertia = match mass {
             None => SpatialInertia::zero(self.graph),
             Some(mass) => {
                 let turns = turns(&heading);
@@ -90,6 +92,7 @@ impl<'g> Lower<'g> {
             motion,
             heading,
             inertia,
+            figures,
             force: forces.total,
             passive: forces.passive,
             torque,

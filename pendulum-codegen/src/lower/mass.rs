@@ -8,7 +8,7 @@ use super::expr::Place;
 use crate::ast::{Inertia, Properties};
 use crate::error::Reported;
 use crate::expr::Expr;
-use crate::model::Requirement;
+use crate::model::{Figure, FigureKind, Requirement};
 use crate::screw::{SpatialInertia, Symmetric3, Vec3};
 
 /// Mass properties before the axis is known that a single number for the inertia is about.
@@ -17,6 +17,8 @@ pub(super) struct Mass<'g> {
     /// All of it but that number.
     rigid: SpatialInertia<'g>,
     about_axis: Option<AboutAxis<'g>>,
+    /// How it looks.
+    pub(super) figures: Vec<Figure<'g>>,
 }
 
 /// An inertia about the axis that the body turns about.
@@ -98,6 +100,7 @@ impl<'g> Lower<'g> {
         Ok(Mass {
             rigid: self.solids(owner, solids)?,
             about_axis: None,
+            figures: std::mem::take(&mut self.figures),
         })
     }
 
@@ -122,14 +125,17 @@ impl<'g> Lower<'g> {
             .as_ref()
             .map_or(Ok(Vec3::zero(self.graph)), |v| self.vector(v, &of("centre of mass")));
         let Some(inertia) = inertia else {
-            let rigid = SpatialInertia::of_body(mass?, com?, Symmetric3::zero(self.graph));
+            let com = com?;
+            let rigid = SpatialInertia::of_body(mass?, com, Symmetric3::zero(self.graph));
             return Ok(Mass {
                 rigid,
                 about_axis: None,
+                figures: stick(com),
             });
         };
         let moments = self.moments(owner, inertia, &of("inertia"));
         let (mass, com, moments) = (mass?, com?, moments?);
+        let figures = stick(com);
         let shift = Symmetric3::of_point(mass, com);
         let none = Symmetric3::zero(self.graph);
         let mut rigid = SpatialInertia::of_body(mass, com, none);
@@ -153,6 +159,7 @@ impl<'g> Lower<'g> {
                 Ok(Mass {
                     rigid,
                     about_axis: Some(about_axis),
+                    figures,
                 })
             }
             Moments::All(moments) => {
@@ -162,6 +169,7 @@ impl<'g> Lower<'g> {
                 Ok(Mass {
                     rigid,
                     about_axis: None,
+                    figures,
                 })
             }
         }
@@ -185,6 +193,18 @@ impl<'g> Lower<'g> {
             }
         }
     }
+}
+
+/// How a body looks of which only the centre of mass is known: a rod to it, with a mass at its end.
+fn stick(com: Vec3<'_>) -> Vec<Figure<'_>> {
+    let figure = |kind, points| Figure {
+        kind,
+        points,
+        radius: None,
+    };
+    let origin = Vec3::zero(com[0].graph());
+    let rod = (!com.is_zero()).then(|| figure(FigureKind::Rod, vec![origin, com]));
+    rod.into_iter().chain([figure(FigureKind::Mass, vec![com])]).collect()
 }
 
 /// A rotational inertia as it is given.

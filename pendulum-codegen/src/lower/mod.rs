@@ -29,7 +29,7 @@ use proc_macro2::Span;
 use crate::ast::{Items, Read, Scene, Vector};
 use crate::error::{Errors, Reported};
 use crate::expr::{Derivative, Expr, Graph, SymbolKind};
-use crate::model::{BodyId, Coordinate, Model, Poses, Rule};
+use crate::model::{BodyId, Coordinate, Figure, Model, Poses, Rule};
 use crate::screw::Vec3;
 use expr::Place;
 use motion::Motion;
@@ -69,6 +69,8 @@ struct Lower<'g> {
     time: Expr<'g>,
     /// The points that are declared.
     points: BTreeMap<String, Declared<'g>>,
+    /// How the solids look that were read last.
+    figures: Vec<Figure<'g>>,
     /// For each body of the text what its joint does, where it has a motion.
     motions: Vec<Option<Result<Motion<'g>, Reported>>>,
     /// For each body of the text the body of the model, unless it has an error.
@@ -89,6 +91,7 @@ pub(crate) fn lower<'g>(graph: &'g Graph, scene: &Scene, errors: Errors) -> Resu
         spans: Spans::default(),
         time,
         points: BTreeMap::new(),
+        figures: Vec::new(),
         motions: Vec::new(),
         bodies: Vec::new(),
         along_motion: Derivative::along([]),
@@ -121,6 +124,10 @@ impl<'g> Lower<'g> {
         let generate = items.generate.as_deref();
         let generate = self.generate(generate, !parameters.is_empty(), !inputs.is_empty(), has_drives);
         let points = self.points(&items.points);
+        if generate.contains("shapes") {
+            // what is drawn is used
+            points.iter().for_each(|point| _ = self.names.value(&point.name));
+        }
         let actions = self.actions(items, &points);
         self.check_functions(items);
         let mut model = Model {

@@ -84,6 +84,7 @@ impl<'g> Lower<'g> {
             placed.push(model::Point {
                 name,
                 place: model::Place { body, at },
+                moves: declared.moves,
                 position: declared.position,
                 velocity: declared.velocity,
             });

@@ -8,7 +8,7 @@ use super::expr::Place;
 use crate::ast::{self, Read, Solid, SolidKind, Vector};
 use crate::error::Reported;
 use crate::expr::{Expr, ratio};
-use crate::model::Requirement;
+use crate::model::{Figure, FigureKind, Requirement};
 use crate::screw::{SpatialInertia, Symmetric3, Vec3};
 
 /// What all solids have: a name for errors, and a mass, whose error does not keep the rest from being read.
@@ -33,6 +33,7 @@ impl<'g> Lower<'g> {
                 help,
             ));
         }
+        self.figures.clear();
         let mut total = Ok(SpatialInertia::zero(self.graph));
         for solid in solids {
             let part = self.solid(owner, solid);
@@ -65,6 +66,7 @@ impl<'g> Lower<'g> {
 
     fn point(&mut self, solid: &Common<'g, '_>, at: &Read<Vector>) -> Result<SpatialInertia<'g>, Reported> {
         let at = self.vector_of(solid, at)?;
+        self.show(FigureKind::Mass, vec![at]);
         Ok(SpatialInertia::of_body(solid.mass?, at, Symmetric3::zero(self.graph)))
     }
 
@@ -75,7 +77,9 @@ impl<'g> Lower<'g> {
         to: &Read<Vector>,
     ) -> Result<SpatialInertia<'g>, Reported> {
         let (from, to) = (self.vector_of(solid, from), self.vector_of(solid, to));
-        Ok(uniform_rod(solid.mass?, from?, to?))
+        let (from, to) = (from?, to?);
+        self.show(FigureKind::Rod, vec![from, to]);
+        Ok(uniform_rod(solid.mass?, from, to))
     }
 
     fn disk(
@@ -86,6 +90,7 @@ impl<'g> Lower<'g> {
     ) -> Result<SpatialInertia<'g>, Reported> {
         let (radius, at) = (self.radius(solid, radius), self.vector_of(solid, at));
         let (mass, radius, at) = (solid.mass?, radius?, at?);
+        self.show(FigureKind::Disk, vec![at, at + radius * Vec3::unit(self.graph, 0)]);
         let quarter = times_square(mass, radius, 4);
         let moments = Symmetric3::diagonal([quarter, quarter, 2 * quarter]);
         Ok(SpatialInertia::of_body(mass, at, moments))
@@ -99,6 +104,7 @@ impl<'g> Lower<'g> {
     ) -> Result<SpatialInertia<'g>, Reported> {
         let (radius, at) = (self.radius(solid, radius), self.vector_of(solid, at));
         let (mass, radius, at) = (solid.mass?, radius?, at?);
+        self.show(FigureKind::Sphere, vec![at, at + radius * Vec3::unit(self.graph, 0)]);
         let moment = 2 * times_square(mass, radius, 5);
         Ok(SpatialInertia::of_body(mass, at, Symmetric3::diagonal([moment; 3])))
     }
@@ -115,6 +121,11 @@ impl<'g> Lower<'g> {
         for (side, length) in self.read(sides)?.components.iter().zip(lengths.0) {
             self.require(side, length, Requirement::NonNegative, &what);
         }
+        let corner = |n: usize| {
+            let half = |axis: usize| if n >> axis & 1 == 0 { ratio(1, 2) } else { ratio(-1, 2) };
+            at + Vec3([0, 1, 2].map(|axis| half(axis) * lengths[axis]))
+        };
+        self.show(FigureKind::Cuboid, (0..8).map(corner).collect());
         let [x, y, z] = lengths.0.map(|side| times_square(mass, side, 12));
         let moments = Symmetric3::diagonal([y + z, x + z, x + y]);
         Ok(SpatialInertia::of_body(mass, at, moments))
@@ -140,6 +151,11 @@ impl<'g> Lower<'g> {
                 "give two different ends, or write a disk",
             ));
         }
+        self.figures.push(Figure {
+            kind: FigureKind::Cylinder,
+            points: vec![from, to],
+            radius: Some(radius),
+        });
         // a rod, and a disk about the rod's direction u: m r^2/4 (1 + u u^T)
         let quarter = times_square(mass, radius, 4);
         let round = Symmetric3::diagonal([quarter; 3]);
@@ -164,7 +180,17 @@ impl<'g> Lower<'g> {
         // all of them are read before the first error ends it
         let corners: Vec<_> = corners.iter().map(corner).collect();
         let corners: Vec<_> = corners.into_iter().collect::<Result<_, _>>()?;
+        let zero = self.graph.zero();
+        self.show(FigureKind::Plate, corners.iter().map(|&(x, y)| Vec3([x, y, zero])).collect());
         self.uniform_plate(solid.owner, solid.mass?, &corners, tokens)
+    }
+
+    fn show(&mut self, kind: FigureKind, points: Vec<Vec3<'g>>) {
+        self.figures.push(Figure {
+            kind,
+            points,
+            radius: None,
+        });
     }
 
     fn radius(&mut self, solid: &Common<'g, '_>, radius: &ast::Expr) -> Result<Expr<'g>, Reported> {

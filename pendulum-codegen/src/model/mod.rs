@@ -2,6 +2,7 @@
 
 mod action;
 mod combination;
+mod figure;
 mod index;
 mod output;
 mod pose;
@@ -12,6 +13,8 @@ use rustc_hash::FxHashMap;
 
 pub(crate) use action::{Action, Place, Push};
 pub(crate) use combination::Combination;
+pub use figure::FigureKind;
+pub(crate) use figure::Figure;
 pub(crate) use index::index_types;
 pub(crate) use index::{BodyId, CoordinateId};
 pub(crate) use output::{Event, Output, OutputShape};
@@ -117,6 +120,8 @@ pub(crate) struct Point<'g> {
     pub name: String,
     /// Where it is.
     pub place: Place<'g>,
+    /// Whether its body can move.
+    pub moves: bool,
     /// The symbols that stand for its position in the ground frame while a scene is read.
     pub position: Vec3<'g>,
     /// Those for its velocity.
@@ -151,6 +156,8 @@ pub(crate) struct Body<'g> {
     pub heading: Heading<'g>,
     /// Inertia in the body frame.
     pub inertia: SpatialInertia<'g>,
+    /// How it looks.
+    pub figures: Vec<Figure<'g>>,
     /// Force of the joint along its relative coordinate: friction, spring and torque.
     pub force: Expr<'g>,
     /// The part of the force that is friction and spring.

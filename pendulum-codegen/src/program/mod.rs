@@ -2,6 +2,7 @@
 
 mod block;
 mod build;
+mod drawing;
 pub(crate) mod equations;
 pub(crate) mod layout;
 mod output;
@@ -15,6 +16,7 @@ use rustc_hash::FxHashMap;
 
 pub use block::{Block, Coefficient, Let, Local, SinCos, Term, Variable};
 pub(crate) use build::NotFinite;
+pub use drawing::{Drawing, Outline};
 pub use equations::{Equations, Listing, Row, RowKind};
 pub use layout::{Slot, SlotKind, StateLayout};
 pub(crate) use output::{functions_of_event, functions_of_output, is_function};
@@ -24,6 +26,7 @@ pub use series::Series;
 
 pub use crate::expr::{Binary, Definition, Formula, Summand, Unary};
 pub(crate) use crate::model::ROUNDING;
+pub use crate::model::FigureKind;
 pub use crate::pass::Operations;
 
 use crate::dynamics::Dynamics;
@@ -31,6 +34,7 @@ use crate::expr::{Expr, ExprId, Graph, Level, Printer};
 use crate::form::Forms;
 use crate::model::{self, Model, Output, Requirement};
 use build::block;
+use drawing::Sketch;
 use routine::Request;
 
 /// A scene, ready to be printed in a language.
@@ -60,6 +64,8 @@ pub struct Program {
     pub outputs: Vec<String>,
     /// The names of the events.
     pub events: Vec<String>,
+    /// How the scene looks, if it asks for that.
+    pub drawing: Option<Drawing>,
     /// The power series of the motion, if the scene asks for it.
     pub series: Option<Series>,
     /// The equations of motion.
@@ -138,8 +144,11 @@ impl Program {
             None => StateLayout::new(model, &forms.closed().unwrap_or(dynamics).balance),
         };
         let series = model.generate.contains("taylor").then(|| forms.taylor(model));
+        let sketch = model.generate.contains("shapes").then(|| Sketch::new(&mut forms, model));
         let of_series = series.iter().flat_map(|series| [&series.start, &series.order]);
-        let constants = constants(g, chosen.iter().map(|(_, chosen)| &chosen.roots).chain(of_series));
+        let of_sketch = sketch.iter().map(|sketch| &sketch.chosen.roots);
+        let lists = chosen.iter().map(|(_, chosen)| &chosen.roots);
+        let constants = constants(g, lists.chain(of_series).chain(of_sketch));
         let known = known(model, &constants);
         let routines = chosen
             .into_iter()
@@ -161,6 +170,7 @@ impl Program {
             routines: routines.collect::<Result<_, _>>()?,
             outputs: model.outputs.iter().flat_map(Output::labels).collect(),
             events: model.events.iter().map(|event| event.name.clone()).collect(),
+            drawing: sketch.map(|sketch| sketch.finish(model, &known)).transpose()?,
             series: series.map(|series| Series::new(model, series, &known)).transpose()?,
             equations,
         })

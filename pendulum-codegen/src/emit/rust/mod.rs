@@ -6,6 +6,7 @@
 
 mod block;
 mod build;
+mod drawing;
 mod facts;
 mod lanes;
 mod routines;
@@ -32,6 +33,7 @@ pub(crate) fn items(head: &Head, program: &Program) -> TokenStream {
         items.facts(),
         items.routines(),
         items.series().unwrap_or_default(),
+        items.drawing().unwrap_or_default(),
         items.over_numbers().unwrap_or_default(),
     ];
     let mut names = vec![head.name.clone(), items.parameters_name()];

@@ -202,6 +202,12 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             }
         }
         #allowed
+        impl<const N: usize> ::pendulum_core::shapes::Shapes<N> for #name {
+            fn shapes(&self, _: f64, _: &::pendulum_core::nalgebra::SVector<f64, N>) -> ::std::vec::Vec<::pendulum_core::shapes::Shape> {
+                ::core::default::Default::default()
+            }
+        }
+        #allowed
         impl<T: #real, const N: usize> ::pendulum_core::TaylorSeries<T, N> for #name<T> {
             type Workspace = ();
             fn workspace(&self) {}

@@ -1,0 +1,31 @@
+//! How a model looks.
+
+use proc_macro2::TokenStream;
+use quote::{format_ident, quote};
+
+use super::{Items, allowed, count};
+
+impl Items<'_> {
+    /// `impl Shapes`, if the scene asks for it.
+    pub(super) fn drawing(&self) -> Option<TokenStream> {
+        let drawing = self.program.drawing.as_ref()?;
+        let (name, allowed, length) = (&self.head.name, allowed(), self.length());
+        let core = quote!(::pendulum_core::shapes);
+        let outlines = drawing.outlines.iter().map(|outline| {
+            let (kind, points) = (format_ident!("{}", format!("{:?}", outline.kind)), count(outline.points));
+            let (name, radius) = (&outline.name, outline.radius);
+            quote!(#core::Outline { name: #name, kind: #core::ShapeKind::#kind, points: #points, radius: #radius })
+        });
+        let block = self.block(&drawing.block, |values| quote!([#(#values),*]));
+        Some(quote! {
+            #allowed
+            impl #core::Shapes<#length> for #name {
+                fn shapes(&self, t: f64, x: &::pendulum_core::nalgebra::SVector<f64, #length>) -> ::std::vec::Vec<#core::Shape> {
+                    use ::pendulum_core::real::Real as _;
+                    type T = f64;
+                    #core::placed(&[#(#outlines),*], &#block)
+                }
+            }
+        })
+    }
+}

@@ -1,0 +1,237 @@
+//! One picture of a mechanism.
+
+use std::error::Error;
+
+use charts::page::{
+    BLUE, GREEN, GREY, ORANGE, PURPLE, Picture, RGBColor, SKY, VERMILION, px, width,
+};
+use pendulum_core::shapes::ShapeKind;
+use plotters::coord::Shift;
+use plotters::prelude::*;
+
+use crate::is_solid;
+
+/// The colours of bodies, in the order of the declaration.
+const COLORS: [RGBColor; 6] = [BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY];
+
+/// The longer side of a picture, and the least of the shorter one, in pixels; the space around what is seen.
+const LONGEST: f64 = 480.0;
+const SHORTEST: f64 = 240.0;
+const MARGIN: f64 = 24.0;
+
+/// What is seen at a time.
+#[derive(Clone, Debug)]
+pub(crate) struct Frame {
+    pub(crate) t: f64,
+    pub(crate) parts: Vec<Part>,
+}
+
+/// A shape in the plane of the picture, in m.
+#[derive(Clone, Debug)]
+pub(crate) struct Part {
+    pub(crate) name: &'static str,
+    pub(crate) kind: ShapeKind,
+    pub(crate) points: Vec<[f64; 2]>,
+    pub(crate) radius: f64,
+}
+
+/// The least and the largest coordinates.
+pub(crate) type Bounds = [[f64; 2]; 2];
+
+/// Bodies on the trails of their points.
+#[derive(Clone, Debug)]
+pub(crate) struct Still {
+    trails: Vec<Frame>,
+    /// In the order of time; all but the last are shadows.
+    bodies: Vec<Frame>,
+    bounds: Bounds,
+}
+
+/// What all frames together take.
+pub(crate) fn bounds(frames: &[Frame]) -> Bounds {
+    let mut bounds = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
+    for part in frames.iter().flat_map(|frame| &frame.parts) {
+        for axis in 0..2 {
+            for point in &part.points {
+                bounds[0][axis] = bounds[0][axis].min(point[axis] - part.radius);
+                bounds[1][axis] = bounds[1][axis].max(point[axis] + part.radius);
+            }
+        }
+    }
+    bounds
+}
+
+impl Still {
+    pub(crate) fn new(trails: Vec<Frame>, bodies: Vec<Frame>, bounds: Bounds) -> Self {
+        Self { trails, bodies, bounds }
+    }
+
+    /// Pixels of the picture in a metre.
+    fn scale(&self) -> f64 {
+        let [low, high] = self.bounds;
+        let longest = (high[0] - low[0]).max(high[1] - low[1]);
+        (LONGEST - 2.0 * MARGIN) / longest.max(f64::MIN_POSITIVE)
+    }
+
+    /// The size in pixels of the picture.
+    fn extent(&self) -> [f64; 2] {
+        let [low, high] = self.bounds;
+        [0, 1].map(|axis| (self.scale() * (high[axis] - low[axis]) + 2.0 * MARGIN).max(SHORTEST).ceil())
+    }
+
+    /// A point in pixels of the drawing.
+    fn place(&self, point: [f64; 2]) -> (i32, i32) {
+        let ([low, high], extent) = (self.bounds, self.extent());
+        let from_middle = |axis: usize| self.scale() * (point[axis] - 0.5 * (low[axis] + high[axis]));
+        (px(0.5 * extent[0] + from_middle(0)), px(0.5 * extent[1] - from_middle(1)))
+    }
+
+    fn places(&self, points: &[[f64; 2]]) -> Vec<(i32, i32)> {
+        points.iter().map(|&point| self.place(point)).collect()
+    }
+
+    /// The colour of a body: by its place among those that are seen.
+    fn color(&self, name: &str) -> RGBColor {
+        let mut names: Vec<&str> = Vec::new();
+        for part in self.bodies.iter().take(1).flat_map(|frame| &frame.parts) {
+            if is_solid(part.kind) && !names.contains(&part.name) {
+                names.push(part.name);
+            }
+        }
+        let place = names.iter().position(|known| *known == name).unwrap_or(0);
+        COLORS[place % COLORS.len()]
+    }
+
+    fn draw_trails<B: DrawingBackend>(&self, page: &DrawingArea<B, Shift>) -> Result<(), Box<dyn Error>>
+    where
+        B::ErrorType: 'static,
+    {
+        let count = self.trails.first().map_or(0, |frame| frame.parts.len());
+        let mut colors = [VERMILION, BLUE, GREEN, PURPLE, ORANGE, SKY].into_iter().cycle();
+        for n in 0..count {
+            if self.trails[0].parts[n].kind != ShapeKind::Point {
+                continue;
+            }
+            let trail: Vec<_> = self.trails.iter().map(|frame| self.place(frame.parts[n].points[0])).collect();
+            let color = colors.next().unwrap_or(VERMILION);
+            page.draw(&PathElement::new(trail, color.mix(0.45).stroke_width(width(1.2))))?;
+        }
+        Ok(())
+    }
+
+    fn draw_part<B: DrawingBackend>(
+        &self,
+        page: &DrawingArea<B, Shift>,
+        part: &Part,
+        strength: f64,
+    ) -> Result<(), Box<dyn Error>>
+    where
+        B::ErrorType: 'static,
+    {
+        let color = self.color(part.name).mix(0.85 * strength);
+        let grey = GREY.mix(strength);
+        let places = self.places(&part.points);
+        let line = |places: Vec<(i32, i32)>, thick: f64, color: RGBAColor| {
+            PathElement::new(places, color.stroke_width(width(thick)))
+        };
+        match part.kind {
+            ShapeKind::Mass => page.draw(&Circle::new(places[0], px(6.0), color.filled()))?,
+            ShapeKind::Rod => page.draw(&line(places, 5.0, color))?,
+            ShapeKind::Plate => page.draw(&Polygon::new(places, color.filled()))?,
+            ShapeKind::Cuboid => page.draw(&Polygon::new(hull(places), color.filled()))?,
+            ShapeKind::Cylinder => {
+                let thick = (2.0 * self.scale() * part.radius).max(3.0);
+                page.draw(&line(places, thick, color))?;
+            }
+            ShapeKind::Disk | ShapeKind::Sphere => {
+                let radius = px((self.scale() * part.radius).max(3.0));
+                page.draw(&Circle::new(places[0], radius, color.filled()))?;
+                if part.kind == ShapeKind::Disk {
+                    page.draw(&line(places, 1.5, WHITE.mix(strength)))?;
+                }
+            }
+            ShapeKind::Pivot if strength == 1.0 => {
+                page.draw(&Circle::new(places[0], px(3.5), grey.filled()))?;
+                page.draw(&Circle::new(places[0], px(1.5), WHITE.filled()))?;
+            }
+            ShapeKind::Slide if strength == 1.0 => {
+                let ((x, y), half) = (places[0], px(4.0));
+                page.draw(&Rectangle::new([(x - half, y - half), (x + half, y + half)], grey.filled()))?;
+            }
+            ShapeKind::Spring => page.draw(&line(zigzag(places[0], places[1]), 1.5, grey))?,
+            ShapeKind::Damper => page.draw(&line(places, 3.0, grey.mix(0.6)))?,
+            ShapeKind::Anchor if strength == 1.0 => {
+                let ((x, y), half) = (places[0], px(4.0));
+                page.draw(&Polygon::new(vec![(x, y), (x - half, y + 2 * half), (x + half, y + 2 * half)], grey.filled()))?;
+            }
+            ShapeKind::Point if strength == 1.0 => page.draw(&Circle::new(places[0], px(2.0), grey.filled()))?,
+            ShapeKind::Pivot | ShapeKind::Slide | ShapeKind::Anchor | ShapeKind::Point => {}
+        }
+        Ok(())
+    }
+}
+
+impl Picture for Still {
+    fn size(&self) -> (u32, u32) {
+        let [width, height] = self.extent();
+        (width as u32, height as u32)
+    }
+
+    fn draw<B: DrawingBackend>(&self, page: &DrawingArea<B, Shift>) -> Result<(), Box<dyn Error>>
+    where
+        B::ErrorType: 'static,
+    {
+        page.fill(&WHITE)?;
+        self.draw_trails(page)?;
+        for (n, frame) in self.bodies.iter().enumerate() {
+            let strength = if n + 1 == self.bodies.len() { 1.0 } else { 0.18 };
+            for part in &frame.parts {
+                self.draw_part(page, part, strength)?;
+            }
+        }
+        page.present()?;
+        Ok(())
+    }
+}
+
+/// A line that is bent to and fro between two ends.
+fn zigzag(from: (i32, i32), to: (i32, i32)) -> Vec<(i32, i32)> {
+    const BENDS: i32 = 12;
+    let (dx, dy) = (f64::from(to.0 - from.0), f64::from(to.1 - from.1));
+    let length = dx.hypot(dy).max(1.0);
+    let across = (-dy / length, dx / length);
+    let place = |n: i32| {
+        let part = f64::from(n) / f64::from(BENDS);
+        let side = match n {
+            0 | BENDS => 0.0,
+            n => f64::from(px(4.0)) * f64::from(1 - 2 * (n % 2)),
+        };
+        let at = |start: i32, d: f64, across: f64| start + (part * d + side * across).round() as i32;
+        (at(from.0, dx, across.0), at(from.1, dy, across.1))
+    };
+    (0..=BENDS).map(place).collect()
+}
+
+/// The convex hull of points (Andrew 1979).
+fn hull(mut points: Vec<(i32, i32)>) -> Vec<(i32, i32)> {
+    points.sort_unstable();
+    points.dedup();
+    let half = |points: &mut dyn Iterator<Item = (i32, i32)>| {
+        let mut chain: Vec<(i32, i32)> = Vec::new();
+        for p in points {
+            while let [.., a, b] = chain[..] {
+                let turn = i64::from(b.0 - a.0) * i64::from(p.1 - a.1) - i64::from(b.1 - a.1) * i64::from(p.0 - a.0);
+                if turn > 0 {
+                    break;
+                }
+                chain.pop();
+            }
+            chain.push(p);
+        }
+        chain.pop();
+        chain
+    };
+    let lower = half(&mut points.iter().copied());
+    let upper = half(&mut points.iter().rev().copied());
+    [lower, upper].concat()
+}
