@@ -50,7 +50,7 @@ pub struct Shape {
 /// Kinds of [`Shape`], and their points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum ShapeKind {
-    /// A point mass: where it is.
+    /// A point mass: where it is, and the origin of its body.
     Mass,
     /// A thin rod: its ends.
     Rod,
@@ -64,10 +64,8 @@ pub enum ShapeKind {
     Cylinder,
     /// A sphere: its centre, and a point of its surface.
     Sphere,
-    /// A joint that turns: its place.
+    /// The joint of a body that turns: its place.
     Pivot,
-    /// A joint that slides: its place.
-    Slide,
     /// A spring between two points.
     Spring,
     /// A damper between two points.

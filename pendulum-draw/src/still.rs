@@ -135,7 +135,11 @@ impl Still {
             PathElement::new(places, color.stroke_width(width(thick)))
         };
         match part.kind {
-            ShapeKind::Mass => page.draw(&Circle::new(places[0], px(6.0), color.filled()))?,
+            ShapeKind::Mass => {
+                let mass = Circle::new(places[0], px(6.0), color.filled());
+                page.draw(&line(places, 2.0, color))?;
+                page.draw(&mass)?;
+            }
             ShapeKind::Rod => page.draw(&line(places, 5.0, color))?,
             ShapeKind::Plate => page.draw(&Polygon::new(places, color.filled()))?,
             ShapeKind::Cuboid => page.draw(&Polygon::new(hull(places), color.filled()))?,
@@ -154,10 +158,6 @@ impl Still {
                 page.draw(&Circle::new(places[0], px(3.5), grey.filled()))?;
                 page.draw(&Circle::new(places[0], px(1.5), WHITE.filled()))?;
             }
-            ShapeKind::Slide if strength == 1.0 => {
-                let ((x, y), half) = (places[0], px(4.0));
-                page.draw(&Rectangle::new([(x - half, y - half), (x + half, y + half)], grey.filled()))?;
-            }
             ShapeKind::Spring => page.draw(&line(zigzag(places[0], places[1]), 1.5, grey))?,
             ShapeKind::Damper => page.draw(&line(places, 3.0, grey.mix(0.6)))?,
             ShapeKind::Anchor if strength == 1.0 => {
@@ -165,7 +165,7 @@ impl Still {
                 page.draw(&Polygon::new(vec![(x, y), (x - half, y + 2 * half), (x + half, y + 2 * half)], grey.filled()))?;
             }
             ShapeKind::Point if strength == 1.0 => page.draw(&Circle::new(places[0], px(2.0), grey.filled()))?,
-            ShapeKind::Pivot | ShapeKind::Slide | ShapeKind::Anchor | ShapeKind::Point => {}
+            ShapeKind::Pivot | ShapeKind::Anchor | ShapeKind::Point => {}
         }
         Ok(())
     }

@@ -195,16 +195,13 @@ impl<'g> Lower<'g> {
     }
 }
 
-/// How a body looks of which only the centre of mass is known: a rod to it, with a mass at its end.
+/// How a body looks of which only the centre of mass is known.
 fn stick(com: Vec3<'_>) -> Vec<Figure<'_>> {
-    let figure = |kind, points| Figure {
-        kind,
-        points,
+    vec![Figure {
+        kind: FigureKind::Mass,
+        points: vec![com, Vec3::zero(com[0].graph())],
         radius: None,
-    };
-    let origin = Vec3::zero(com[0].graph());
-    let rod = (!com.is_zero()).then(|| figure(FigureKind::Rod, vec![origin, com]));
-    rod.into_iter().chain([figure(FigureKind::Mass, vec![com])]).collect()
+    }]
 }
 
 /// A rotational inertia as it is given.

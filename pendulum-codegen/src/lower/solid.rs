@@ -66,7 +66,7 @@ impl<'g> Lower<'g> {
 
     fn point(&mut self, solid: &Common<'g, '_>, at: &Read<Vector>) -> Result<SpatialInertia<'g>, Reported> {
         let at = self.vector_of(solid, at)?;
-        self.show(FigureKind::Mass, vec![at]);
+        self.show(FigureKind::Mass, vec![at, Vec3::zero(self.graph)]);
         Ok(SpatialInertia::of_body(solid.mass?, at, Symmetric3::zero(self.graph)))
     }
 

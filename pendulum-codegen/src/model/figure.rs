@@ -33,8 +33,6 @@ pub enum FigureKind {
     Sphere,
     /// A joint that turns.
     Pivot,
-    /// A joint that slides.
-    Slide,
     /// A spring between two points.
     Spring,
     /// A damper between two points.

@@ -6,8 +6,8 @@ use super::block::{Block, Variable};
 use super::build::{NotFinite, block};
 use crate::expr::{Expr, ExprId};
 use crate::form::{self, Chosen, Forms};
-use crate::model::{Action, BodyId, FigureKind, Model, Poses};
-use crate::screw::Vec3;
+use crate::model::{Action, Body, BodyId, FigureKind, Model, Poses};
+use crate::screw::{Twist, Vec3};
 
 /// What there is to see, and code for where it is.
 #[derive(Clone, Debug)]
@@ -57,13 +57,22 @@ impl<'g> Sketch<'g> {
                 show(&body.name, figure.kind, points, figure.radius);
             }
         }
+        // of a body without solids, where it reaches the joints that it carries
+        for body in &model.bodies {
+            let is_bare = |parent: &Body<'g>| parent.figures.iter().all(|figure| figure.kind == FigureKind::Mass);
+            let parent = body.parent.filter(|&parent| !model.bodies[parent].figures.is_empty());
+            let Some(parent) = parent.filter(|&parent| is_bare(&model.bodies[parent])) else { continue };
+            let at = body.placement.translation;
+            if body.screw.is_some() && !at.is_zero() {
+                let points = [Vec3::zero(model.graph), at].map(|point| poses.point(Some(parent), point));
+                show(&model.bodies[parent].name, FigureKind::Rod, points.into(), None);
+            }
+        }
         for (n, body) in model.bodies() {
-            let Some(screw) = body.screw else { continue };
-            let (kind, at) = match screw.turns() {
-                true => (FigureKind::Pivot, screw.angular.cross(screw.linear)),
-                false => (FigureKind::Slide, Vec3::zero(model.graph)),
-            };
-            show(&body.name, kind, vec![poses.point(Some(n), at)], None);
+            let turning = body.screw.filter(Twist::turns);
+            let Some(screw) = turning.filter(|_| !body.figures.is_empty()) else { continue };
+            let at = screw.angular.cross(screw.linear);
+            show(&body.name, FigureKind::Pivot, vec![poses.point(Some(n), at)], None);
         }
         for action in &model.actions {
             let Action::Between { ends, potential, .. } = action else { continue };
