@@ -34,7 +34,10 @@ mechanism! {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let model = DoublePendulum::new(DoublePendulumParams::default())?;
-    let solution = Vern9::new().rtol(1e-10).atol(1e-10).solve(&model, 0.0, 12.0, [2.2, 2.6, 0.0, 0.0])?;
+    let solution = Vern9::new()
+        .rtol(1e-10)
+        .atol(1e-10)
+        .solve(&model, 0.0, 12.0, [2.2, 2.6, 0.0, 0.0])?;
     let path = Drawing::new(&model, &solution).animation("out/animation/double_pendulum".as_ref())?;
     println!("{}", path.display());
     Ok(())

@@ -363,7 +363,13 @@ pub(crate) const ROUTINES: &Synonyms = &[
     (&["sensitivity", "sensitivities", "gradient"], "parameter_jacobian"),
     (&["series"], "taylor"),
     (&["draw", "drawing", "picture", "shape", "geometry", "visual"], "shapes"),
-    (&["outputs", "output", "points"], "write `output name: e,`: what is declared is generated"),
-    (&["events", "event"], "write `event name: e,`: what is declared is generated"),
+    (
+        &["outputs", "output", "points"],
+        "write `output name: e,`: what is declared is generated",
+    ),
+    (
+        &["events", "event"],
+        "write `event name: e,`: what is declared is generated",
+    ),
     (&["motor", "drive", "drives", "driveforce"], "drive_forces"),
 ];

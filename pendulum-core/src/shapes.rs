@@ -94,7 +94,9 @@ pub fn placed(outlines: &[Outline], values: &[f64]) -> Vec<Shape> {
     let mut rest = values.iter().copied();
     let mut next = || rest.next().unwrap_or(f64::NAN);
     let shape = |outline: &Outline| {
-        let points: Vec<Point3<f64>> = (0..outline.points).map(|_| Point3::new(next(), next(), next())).collect();
+        let points: Vec<Point3<f64>> = (0..outline.points)
+            .map(|_| Point3::new(next(), next(), next()))
+            .collect();
         let radius = match outline.kind {
             ShapeKind::Disk | ShapeKind::Sphere => nalgebra::distance(&points[0], &points[1]),
             _ if outline.radius => next(),

@@ -135,8 +135,16 @@ impl<'a, M: Shapes<N>, const N: usize> Drawing<'a, M, N> {
         let (start, end) = self.span();
         let trails = self.frames(TRAIL)?;
         let last = self.ghosts as f64;
-        let at = |n: usize| if self.ghosts == 0 { end } else { start + (end - start) * n as f64 / last };
-        let bodies = (0..=self.ghosts).map(|n| self.frame(at(n))).collect::<Result<Vec<_>, _>>()?;
+        let at = |n: usize| {
+            if self.ghosts == 0 {
+                end
+            } else {
+                start + (end - start) * n as f64 / last
+            }
+        };
+        let bodies = (0..=self.ghosts)
+            .map(|n| self.frame(at(n)))
+            .collect::<Result<Vec<_>, _>>()?;
         let bounds = still::bounds(&trails);
         Ok(Still::new(trails, bodies, bounds))
     }
@@ -148,7 +156,9 @@ impl<'a, M: Shapes<N>, const N: usize> Drawing<'a, M, N> {
 
     fn frames(&self, count: usize) -> Result<Vec<Frame>, Box<dyn Error>> {
         let (start, end) = self.span();
-        (0..=count).map(|n| self.frame(start + (end - start) * n as f64 / count as f64)).collect()
+        (0..=count)
+            .map(|n| self.frame(start + (end - start) * n as f64 / count as f64))
+            .collect()
     }
 
     /// What is seen at a time.

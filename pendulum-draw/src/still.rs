@@ -2,9 +2,7 @@
 
 use std::error::Error;
 
-use charts::page::{
-    BLUE, GREEN, GREY, ORANGE, PURPLE, Picture, RGBColor, SKY, VERMILION, px, width,
-};
+use charts::page::{BLUE, GREEN, GREY, ORANGE, PURPLE, Picture, RGBColor, SKY, VERMILION, px, width};
 use pendulum_core::shapes::ShapeKind;
 use plotters::coord::Shift;
 use plotters::prelude::*;
@@ -76,14 +74,21 @@ impl Still {
     /// The size in pixels of the picture.
     fn extent(&self) -> [f64; 2] {
         let [low, high] = self.bounds;
-        [0, 1].map(|axis| (self.scale() * (high[axis] - low[axis]) + 2.0 * MARGIN).max(SHORTEST).ceil())
+        [0, 1].map(|axis| {
+            (self.scale() * (high[axis] - low[axis]) + 2.0 * MARGIN)
+                .max(SHORTEST)
+                .ceil()
+        })
     }
 
     /// A point in pixels of the drawing.
     fn place(&self, point: [f64; 2]) -> (i32, i32) {
         let ([low, high], extent) = (self.bounds, self.extent());
         let from_middle = |axis: usize| self.scale() * (point[axis] - 0.5 * (low[axis] + high[axis]));
-        (px(0.5 * extent[0] + from_middle(0)), px(0.5 * extent[1] - from_middle(1)))
+        (
+            px(0.5 * extent[0] + from_middle(0)),
+            px(0.5 * extent[1] - from_middle(1)),
+        )
     }
 
     fn places(&self, points: &[[f64; 2]]) -> Vec<(i32, i32)> {
@@ -112,7 +117,11 @@ impl Still {
             if self.trails[0].parts[n].kind != ShapeKind::Point {
                 continue;
             }
-            let trail: Vec<_> = self.trails.iter().map(|frame| self.place(frame.parts[n].points[0])).collect();
+            let trail: Vec<_> = self
+                .trails
+                .iter()
+                .map(|frame| self.place(frame.parts[n].points[0]))
+                .collect();
             let color = colors.next().unwrap_or(VERMILION);
             page.draw(&PathElement::new(trail, color.mix(0.45).stroke_width(width(1.2))))?;
         }
@@ -162,7 +171,10 @@ impl Still {
             ShapeKind::Damper => page.draw(&line(places, 3.0, grey.mix(0.6)))?,
             ShapeKind::Anchor if strength == 1.0 => {
                 let ((x, y), half) = (places[0], px(4.0));
-                page.draw(&Polygon::new(vec![(x, y), (x - half, y + 2 * half), (x + half, y + 2 * half)], grey.filled()))?;
+                page.draw(&Polygon::new(
+                    vec![(x, y), (x - half, y + 2 * half), (x + half, y + 2 * half)],
+                    grey.filled(),
+                ))?;
             }
             ShapeKind::Point if strength == 1.0 => page.draw(&Circle::new(places[0], px(2.0), grey.filled()))?,
             ShapeKind::Pivot | ShapeKind::Anchor | ShapeKind::Point => {}

@@ -38,7 +38,11 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let x = SVector::from([0.456, -1.406, -0.991, -0.916, -0.815, -2.263_f64]);
     let ((s1, c1), (s2, c2), (s23, c23)) = (x[0].sin_cos(), x[1].sin_cos(), (x[1] + x[2]).sin_cos());
     let reach = 0.4 * c2 + 0.35 * c23;
-    let place = [c1 * reach - 0.1 * s1, s1 * reach + 0.1 * c1, 0.3 - 0.4 * s2 - 0.35 * s23];
+    let place = [
+        c1 * reach - 0.1 * s1,
+        s1 * reach + 0.1 * c1,
+        0.3 - 0.4 * s2 - 0.35 * s23,
+    ];
     let (hand, jacobian) = model.hand_and_jacobian(0.0, &x);
     let mut by_differences = [0.0; 9];
     for k in 0..3 {
@@ -58,14 +62,29 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let checks = vec![
         Check::same("position of the hand, in m", hand.as_slice(), &place, 1e-15),
         Check::same("Jacobian by differences", of_hand.as_slice(), &by_differences, 1e-11),
-        Check::same("velocity of the hand, in m/s", model.hand_rate(0.0, &x).as_slice(), (of_hand * rates).as_slice(), 1e-14),
-        Check::same("forces through the Jacobian, in N m", taken.as_slice(), force.as_slice(), 1e-12),
+        Check::same(
+            "velocity of the hand, in m/s",
+            model.hand_rate(0.0, &x).as_slice(),
+            (of_hand * rates).as_slice(),
+            1e-14,
+        ),
+        Check::same(
+            "forces through the Jacobian, in N m",
+            taken.as_slice(),
+            force.as_slice(),
+            1e-12,
+        ),
     ];
     let start = [0.0, -0.8, 0.5, 3.0, 0.0, 0.0];
     let solution = Vern9::new().rtol(1e-12).atol(1e-12).solve(&model, 0.0, 4.0, start)?;
     let powers = move |t: f64, x: &SVector<f64, 6>| {
-        let lost = [0.4, 0.4, 0.2].into_iter().zip(x.iter().skip(3)).map(|(c, rate)| -c * rate * rate);
+        let lost = [0.4, 0.4, 0.2]
+            .into_iter()
+            .zip(x.iter().skip(3))
+            .map(|(c, rate)| -c * rate * rate);
         lost.chain([3.0 * model.hand_rate(t, x).x]).collect()
     };
-    Run::new(checks, model, solution, powers, |drawing| drawing.seen_from([0.5, -1.0, 0.4], [0.0, 0.0, 1.0]))
+    Run::new(checks, model, solution, powers, |drawing| {
+        drawing.seen_from([0.5, -1.0, 0.4], [0.0, 0.0, 1.0])
+    })
 }

@@ -32,16 +32,43 @@ mechanism! {
 /// The modes about rest, with gravity and without, and the energy.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let params = AsymmetricParams::default();
-    let AsymmetricParams { m1, c1, i1, m2, c2, i2, d, k1, k2, g } = params;
-    let mass = [[i1 + m1 * c1 * c1 + m2 * d * d, m2 * d * c2], [m2 * d * c2, i2 + m2 * c2 * c2]];
+    let AsymmetricParams {
+        m1,
+        c1,
+        i1,
+        m2,
+        c2,
+        i2,
+        d,
+        k1,
+        k2,
+        g,
+    } = params;
+    let mass = [
+        [i1 + m1 * c1 * c1 + m2 * d * d, m2 * d * c2],
+        [m2 * d * c2, i2 + m2 * c2 * c2],
+    ];
     let stiffness = |g: f64| [[k1 + k2 + (m1 * c1 + m2 * d) * g, -k2], [-k2, k2 + m2 * c2 * g]];
     let model = Asymmetric::new(params)?;
     let torsion = Asymmetric::new(AsymmetricParams { g: 0.0, ..params })?;
     let (swinging, twisting) = (frequencies(&model, [0.0; 4])?, frequencies(&torsion, [0.0; 4])?);
     let checks = vec![
-        Check::same("modes in gravity, in rad/s", &swinging, &two_modes(mass, stiffness(g)), 1e-12),
-        Check::same("modes on the springs alone, in rad/s", &twisting, &two_modes(mass, stiffness(0.0)), 1e-12),
+        Check::same(
+            "modes in gravity, in rad/s",
+            &swinging,
+            &two_modes(mass, stiffness(g)),
+            1e-12,
+        ),
+        Check::same(
+            "modes on the springs alone, in rad/s",
+            &twisting,
+            &two_modes(mass, stiffness(0.0)),
+            1e-12,
+        ),
     ];
-    let solution = Vern9::new().rtol(1e-12).atol(1e-12).solve(&model, 0.0, 5.0, [1.5, -0.5, 0.0, 2.0])?;
+    let solution = Vern9::new()
+        .rtol(1e-12)
+        .atol(1e-12)
+        .solve(&model, 0.0, 5.0, [1.5, -0.5, 0.0, 2.0])?;
     Run::new(checks, model, solution, |_, _| vec![], |drawing| drawing)
 }

@@ -44,15 +44,41 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let of_bar = [-1.0, 1.0].map(|sign| ((3.0 + sign * 6.0 / 7.0_f64.sqrt()) * g / l).sqrt());
     // a square about its corner: m a^2 (1/6 + 1/2)
     let (about_corner, d) = (m * a * a * 2.0 / 3.0, a * 2.0_f64.sqrt());
-    let mass = [[about_corner + m * d * d, m * d * d / 2.0], [m * d * d / 2.0, about_corner]];
+    let mass = [
+        [about_corner + m * d * d, m * d * d / 2.0],
+        [m * d * d / 2.0, about_corner],
+    ];
     let weight = [[1.5 * m * d * g, 0.0], [0.0, 0.5 * m * d * g]];
     let of_squares = squares.mass_matrix(0.0, &still);
     let checks = vec![
-        Check::new("inertia of both bars, in kg m^2", of_bars[(0, 0)], 4.0 / 3.0 * m * l * l, 1e-15),
-        Check::same("modes of the bars, in rad/s", &frequencies(&bars, [0.0; 4])?, &of_bar, 1e-12),
-        Check::new("inertia of both squares, in kg m^2", of_squares[(0, 0)], mass[0][0], 1e-15),
-        Check::same("modes of the squares, in rad/s", &frequencies(&squares, [0.0; 4])?, &two_modes(mass, weight), 1e-12),
+        Check::new(
+            "inertia of both bars, in kg m^2",
+            of_bars[(0, 0)],
+            4.0 / 3.0 * m * l * l,
+            1e-15,
+        ),
+        Check::same(
+            "modes of the bars, in rad/s",
+            &frequencies(&bars, [0.0; 4])?,
+            &of_bar,
+            1e-12,
+        ),
+        Check::new(
+            "inertia of both squares, in kg m^2",
+            of_squares[(0, 0)],
+            mass[0][0],
+            1e-15,
+        ),
+        Check::same(
+            "modes of the squares, in rad/s",
+            &frequencies(&squares, [0.0; 4])?,
+            &two_modes(mass, weight),
+            1e-12,
+        ),
     ];
-    let solution = Vern9::new().rtol(1e-12).atol(1e-12).solve(&squares, 0.0, 4.0, [1.8, 0.9, 0.0, 0.0])?;
+    let solution = Vern9::new()
+        .rtol(1e-12)
+        .atol(1e-12)
+        .solve(&squares, 0.0, 4.0, [1.8, 0.9, 0.0, 0.0])?;
     Run::new(checks, squares, solution, |_, _| vec![], |drawing| drawing)
 }

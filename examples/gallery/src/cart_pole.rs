@@ -33,11 +33,24 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let tip = [x[0] + 1.2 * x[1].sin(), -1.2 * x[1].cos(), 0.0];
     let speed = [x[2] + 1.2 * x[1].cos() * x[3], 1.2 * x[1].sin() * x[3], 0.0];
     let checks = vec![
-        Check::same("accelerations against reference data", &rate.as_slice()[2..], &known, 1e-14),
+        Check::same(
+            "accelerations against reference data",
+            &rate.as_slice()[2..],
+            &known,
+            1e-14,
+        ),
         Check::same("position of the tip, in m", model.tip(0.0, &x).as_slice(), &tip, 1e-15),
-        Check::same("velocity of the tip, in m/s", model.tip_rate(0.0, &x).as_slice(), &speed, 1e-15),
+        Check::same(
+            "velocity of the tip, in m/s",
+            model.tip_rate(0.0, &x).as_slice(),
+            &speed,
+            1e-15,
+        ),
     ];
-    let solution = Vern9::new().rtol(1e-12).atol(1e-12).solve(&model, 0.0, 5.0, [0.0, 2.8, 0.0, 0.0])?;
+    let solution = Vern9::new()
+        .rtol(1e-12)
+        .atol(1e-12)
+        .solve(&model, 0.0, 5.0, [0.0, 2.8, 0.0, 0.0])?;
     let lost = |_: f64, x: &SVector<f64, 4>| vec![-0.2 * x[2].powi(2), -0.01 * x[3].powi(2)];
     Run::new(checks, model, solution, lost, |drawing| drawing)
 }

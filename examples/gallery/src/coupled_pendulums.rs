@@ -29,7 +29,11 @@ mechanism! {
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let params = CoupledParams::default();
     let CoupledParams { m, l, k, moment, w, .. } = params;
-    let free = Coupled::new(CoupledParams { gamma: 0.0, moment: 0.0, ..params })?;
+    let free = Coupled::new(CoupledParams {
+        gamma: 0.0,
+        moment: 0.0,
+        ..params
+    })?;
     // about rest: side by side as one rod; against each other with the spring at half of the length
     let (inertia, weight) = (m * l * l / 3.0, m * 9.81 * l / 2.0);
     let known = [weight / inertia, (weight + k * l * l / 2.0) / inertia].map(f64::sqrt);
@@ -38,7 +42,10 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
         Check::same("modes, in rad/s", &frequencies(&free, [0.0; 4])?, &known, 1e-12),
         jacobian_by_differences(&model, 0.7, [0.4, -0.3, 1.0, -2.0]),
     ];
-    let solution = Vern9::new().rtol(1e-12).atol(1e-12).solve(&model, 0.0, 8.0, [0.9, 0.0, 0.0, 0.0])?;
+    let solution = Vern9::new()
+        .rtol(1e-12)
+        .atol(1e-12)
+        .solve(&model, 0.0, 8.0, [0.9, 0.0, 0.0, 0.0])?;
     let powers = move |t: f64, x: &SVector<f64, 4>| {
         let field = -moment * w * (w * t).cos() * (x[0].sin() - x[1].sin());
         vec![-0.01 * x[2].powi(2), -0.01 * x[3].powi(2), field]

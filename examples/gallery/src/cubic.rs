@@ -37,8 +37,16 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let between = spring(stretch) + damper(speed);
     let known = [between - spring(x[0]) - damper(x[2]), -between / 0.6];
     let rate = model.rhs(0.0, &x.into());
-    let checks = vec![Check::same("accelerations against the equation, in m/s^2", &rate.as_slice()[2..], &known, 1e-14)];
-    let solution = Vern9::new().rtol(1e-12).atol(1e-12).solve(&model, 0.0, 5.0, [0.25, -0.15, 0.0, 0.0])?;
+    let checks = vec![Check::same(
+        "accelerations against the equation, in m/s^2",
+        &rate.as_slice()[2..],
+        &known,
+        1e-14,
+    )];
+    let solution = Vern9::new()
+        .rtol(1e-12)
+        .atol(1e-12)
+        .solve(&model, 0.0, 5.0, [0.25, -0.15, 0.0, 0.0])?;
     let lost = |_: f64, x: &SVector<f64, 4>| vec![-0.2 * x[2].powi(4), -0.2 * (x[3] - x[2]).powi(4)];
     Run::new(checks, model, solution, lost, |drawing| drawing)
 }

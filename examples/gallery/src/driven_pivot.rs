@@ -32,23 +32,36 @@ mechanism! {
 
 /// Lagrange's equations of the two rods, for a pivot with the acceleration `(ax, ay)`.
 fn lagrange(params: &DrivenPivotParams, [ax, ay]: [f64; 2], x: &[f64; 4]) -> [f64; 2] {
-    let DrivenPivotParams { m1, m2, l1, l2, gamma, .. } = *params;
+    let DrivenPivotParams {
+        m1, m2, l1, l2, gamma, ..
+    } = *params;
     let [a, b, da, db] = *x;
     let ((sine, cosine), g) = ((a - b).sin_cos(), 9.81);
-    let (m11, m12, m22) = ((m1 / 3.0 + m2) * l1 * l1, m2 * l1 * l2 / 2.0 * cosine, m2 * l2 * l2 / 3.0);
+    let (m11, m12, m22) = (
+        (m1 / 3.0 + m2) * l1 * l1,
+        m2 * l1 * l2 / 2.0 * cosine,
+        m2 * l2 * l2 / 3.0,
+    );
     let (s1, s2) = ((m1 / 2.0 + m2) * l1, m2 * l2 / 2.0);
     let twist = gamma * (db - da);
     let coupling = m2 * l1 * l2 / 2.0 * sine;
     let first = -coupling * db * db - s1 * ((g + ay) * a.sin() + ax * a.cos()) - gamma * da + twist;
     let second = coupling * da * da - s2 * ((g + ay) * b.sin() + ax * b.cos()) - twist;
     let determinant = m11 * m22 - m12 * m12;
-    [(m22 * first - m12 * second) / determinant, (m11 * second - m12 * first) / determinant]
+    [
+        (m22 * first - m12 * second) / determinant,
+        (m11 * second - m12 * first) / determinant,
+    ]
 }
 
 /// Lagrange's equations on both curves, and the power of friction and of the pivot.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let lissajous = DrivenPivotParams::default();
-    let ellipse = DrivenPivotParams { nx: 1.0, ny: 1.0, ..lissajous };
+    let ellipse = DrivenPivotParams {
+        nx: 1.0,
+        ny: 1.0,
+        ..lissajous
+    };
     let mut checks = Vec::new();
     for (curve, params) in [("the Lissajous curve", lissajous), ("the ellipse", ellipse)] {
         let model = DrivenPivot::new(params)?;
@@ -57,22 +70,40 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
             let t = 0.13 * f64::from(n);
             let x = [0.7, 1.9, 2.3, 0.4].map(|speed: f64| 2.0 * (speed * t + speed).sin());
             let (wx, wy) = (params.nx * params.w, params.ny * params.w);
-            let pivot = [-params.a * wx * wx * (wx * t).cos(), -params.b * wy * wy * (wy * t).sin()];
+            let pivot = [
+                -params.a * wx * wx * (wx * t).cos(),
+                -params.b * wy * wy * (wy * t).sin(),
+            ];
             let known = lagrange(&params, pivot, &x);
             let found = model.rhs(t, &x.into());
             for k in 0..2 {
                 worst[k] = f64::max(worst[k], (found[2 + k] - known[k]).abs());
             }
         }
-        checks.push(Check::same(format!("accelerations on {curve}, in rad/s^2"), &worst, &[0.0; 2], 1e-12));
+        checks.push(Check::same(
+            format!("accelerations on {curve}, in rad/s^2"),
+            &worst,
+            &[0.0; 2],
+            1e-12,
+        ));
     }
     let model = DrivenPivot::new(lissajous)?;
-    let solution = Vern9::new().rtol(1e-12).atol(1e-12).solve(&model, 0.0, 8.0, [1.0, -0.5, 0.0, 0.0])?;
+    let solution = Vern9::new()
+        .rtol(1e-12)
+        .atol(1e-12)
+        .solve(&model, 0.0, 8.0, [1.0, -0.5, 0.0, 0.0])?;
     let powers = move |t: f64, x: &SVector<f64, 4>| {
-        let DrivenPivotParams { a, b, w, nx, ny, gamma, .. } = lissajous;
+        let DrivenPivotParams {
+            a, b, w, nx, ny, gamma, ..
+        } = lissajous;
         let [along, up]: [f64; 2] = model.drive_forces(t, x).into();
         let lost = [-gamma * x[2].powi(2), -gamma * (x[3] - x[2]).powi(2)];
-        vec![lost[0], lost[1], -along * a * nx * w * (nx * w * t).sin(), up * b * ny * w * (ny * w * t).cos()]
+        vec![
+            lost[0],
+            lost[1],
+            -along * a * nx * w * (nx * w * t).sin(),
+            up * b * ny * w * (ny * w * t).cos(),
+        ]
     };
     Run::new(checks, model, solution, powers, |drawing| drawing)
 }

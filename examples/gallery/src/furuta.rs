@@ -34,10 +34,20 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let [across, up, along] = [0.25, -0.28 * ct, -0.28 * st];
     let tip = [cp * across + sp * along, up, cp * along - sp * across];
     let checks = vec![
-        Check::same("accelerations against reference data", &model.rhs(0.0, &x).as_slice()[2..], &known, 1e-13),
+        Check::same(
+            "accelerations against reference data",
+            &model.rhs(0.0, &x).as_slice()[2..],
+            &known,
+            1e-13,
+        ),
         Check::same("position of the tip, in m", model.tip(0.0, &x).as_slice(), &tip, 1e-15),
     ];
-    let solution = Vern9::new().rtol(1e-12).atol(1e-12).solve(&model, 0.0, 4.0, [0.0, 2.6, 2.0, 0.0])?;
+    let solution = Vern9::new()
+        .rtol(1e-12)
+        .atol(1e-12)
+        .solve(&model, 0.0, 4.0, [0.0, 2.6, 2.0, 0.0])?;
     let lost = |_: f64, x: &SVector<f64, 4>| vec![-0.003 * x[2].powi(2), -0.001 * x[3].powi(2)];
-    Run::new(checks, model, solution, lost, |drawing| drawing.seen_from([0.5, 0.45, 1.0], [0.0, 1.0, 0.0]))
+    Run::new(checks, model, solution, lost, |drawing| {
+        drawing.seen_from([0.5, 0.45, 1.0], [0.0, 1.0, 0.0])
+    })
 }

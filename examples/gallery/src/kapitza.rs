@@ -31,17 +31,33 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     // from 0.05 rad beside the top: the largest angle from it within 6 s
     let strays = |w: f64| -> Result<f64, Box<dyn std::error::Error>> {
         let model = Kapitza::new(KapitzaParams { w, ..params })?;
-        let solution = Vern7::new().rtol(1e-9).atol(1e-9).solve(&model, 0.0, 6.0, [upright - 0.05, 0.0])?;
+        let solution = Vern7::new()
+            .rtol(1e-9)
+            .atol(1e-9)
+            .solve(&model, 0.0, 6.0, [upright - 0.05, 0.0])?;
         let angles = solution.x().iter().map(|x| (x[Kapitza::THETA] - upright).abs());
         Ok(angles.fold(0.0, f64::max))
     };
     let (stands, falls) = (strays(1.1 * threshold)?, strays(0.9 * threshold)?);
     let checks = vec![
-        Check::new("furthest from the top at 1.1 of the threshold, in rad", stands, 0.05, 0.01),
-        Check::new("falls through the bottom at 0.9 of it (1: yes)", f64::from(u8::from(falls > upright)), 1.0, 0.0),
+        Check::new(
+            "furthest from the top at 1.1 of the threshold, in rad",
+            stands,
+            0.05,
+            0.01,
+        ),
+        Check::new(
+            "falls through the bottom at 0.9 of it (1: yes)",
+            f64::from(u8::from(falls > upright)),
+            1.0,
+            0.0,
+        ),
     ];
     let model = Kapitza::new(params)?;
-    let solution = Vern9::new().rtol(1e-11).atol(1e-11).solve(&model, 0.0, 1.5, [upright - 0.6, 0.0])?;
+    let solution = Vern9::new()
+        .rtol(1e-11)
+        .atol(1e-11)
+        .solve(&model, 0.0, 1.5, [upright - 0.6, 0.0])?;
     let powers = move |t: f64, x: &SVector<f64, 2>| {
         let forces = model.drive_forces(t, x);
         vec![-gamma * x[1] * x[1], -forces[0] * a * w * (w * t).sin()]

@@ -51,11 +51,31 @@ fn polygon(corners: &[[f64; 2]]) -> ([f64; 2], f64) {
 
 /// The plates by their triangles, the leg as held against the formula, and the power of friction and of the hip.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
-    let thigh = [[-0.08, 0.06], [-0.06, -0.3], [-0.03, -0.46], [0.05, -0.44], [0.1, -0.15], [0.07, 0.07]];
-    let shank = [[-0.05, 0.05], [-0.07, -0.12], [-0.03, -0.4], [0.14, -0.43], [0.04, -0.33], [0.05, 0.04]];
+    let thigh = [
+        [-0.08, 0.06],
+        [-0.06, -0.3],
+        [-0.03, -0.46],
+        [0.05, -0.44],
+        [0.1, -0.15],
+        [0.07, 0.07],
+    ];
+    let shank = [
+        [-0.05, 0.05],
+        [-0.07, -0.12],
+        [-0.03, -0.4],
+        [0.14, -0.43],
+        [0.04, -0.33],
+        [0.05, 0.04],
+    ];
     let ([x1, y1], i1) = polygon(&thigh);
     let ([x2, y2], i2) = polygon(&shank);
-    let params = LegParams { v: 0.0, rise: 0.0, gamma: 0.0, knee: 0.0, ..Default::default() };
+    let params = LegParams {
+        v: 0.0,
+        rise: 0.0,
+        gamma: 0.0,
+        knee: 0.0,
+        ..Default::default()
+    };
     let held = Leg::new(params)?;
     // angles of the lines from the axles to the centres of mass; those of the knee lie on the thigh's own line
     let (alpha1, alpha2) = (x1.atan2(-y1), x2.atan2(-y2));
@@ -67,10 +87,18 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let known = held_leg([3.0, c1, 3.0 * i1, alpha1], [2.0, c2, 2.0 * i2, alpha2], d, x);
     let checks = vec![
         Check::new("energy of the thigh that turns, in J", straight, inertia, 1e-14),
-        Check::same("accelerations held by the hip, in rad/s^2", &rate.as_slice()[2..], &known, 1e-11),
+        Check::same(
+            "accelerations held by the hip, in rad/s^2",
+            &rate.as_slice()[2..],
+            &known,
+            1e-11,
+        ),
     ];
     let model = Leg::new(LegParams::default())?;
-    let solution = Vern9::new().rtol(1e-12).atol(1e-12).solve(&model, 0.0, 3.0, [0.9, 0.2, 0.0, 0.0])?;
+    let solution = Vern9::new()
+        .rtol(1e-12)
+        .atol(1e-12)
+        .solve(&model, 0.0, 3.0, [0.9, 0.2, 0.0, 0.0])?;
     let powers = move |t: f64, x: &SVector<f64, 4>| {
         let [along, up]: [f64; 2] = model.drive_forces(t, x).into();
         let lost = [-0.08 * x[2].powi(2), -0.08 * (x[3] - x[2]).powi(2)];
@@ -93,5 +121,8 @@ fn held_leg([m1, c1, i1, alpha1]: [f64; 4], [m2, c2, i2, alpha2]: [f64; 4], d: f
     let first = -m2 * d * c2 * sine * db * db - g * (m1 * c1 * (a + alpha1).sin() + m2 * d * a.sin());
     let second = m2 * d * c2 * sine * da * da - m2 * c2 * g * (b + alpha2).sin();
     let determinant = m11 * m22 - m12 * m12;
-    [(m22 * first - m12 * second) / determinant, (m11 * second - m12 * first) / determinant]
+    [
+        (m22 * first - m12 * second) / determinant,
+        (m11 * second - m12 * first) / determinant,
+    ]
 }

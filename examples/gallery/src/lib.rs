@@ -155,10 +155,18 @@ impl fmt::Display for Check {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let verdict = if self.holds() { "ok" } else { "WRONG" };
         if self.known == 0.0 {
-            return write!(f, "{}: {:.1e} (at most {:e}) {verdict}", self.what, self.found, self.within);
+            return write!(
+                f,
+                "{}: {:.1e} (at most {:e}) {verdict}",
+                self.what, self.found, self.within
+            );
         }
         let (found, known) = (self.found, self.known);
-        write!(f, "{}: {found:.6}, known {known:.6} (to {:e}) {verdict}", self.what, self.within)
+        write!(
+            f,
+            "{}: {found:.6}, known {known:.6} (to {:.1e}) {verdict}",
+            self.what, self.within
+        )
     }
 }
 
@@ -183,7 +191,10 @@ where
         let rate = model.rhs(t, &x);
         let along = |value: f64, slope: f64| Dual { value, slopes: [slope] };
         let state = SVector::from_fn(|k, _| along(x[k], rate[k]));
-        let changes = [dual.kinetic(along(t, 1.0), &state), dual.potential(along(t, 1.0), &state)];
+        let changes = [
+            dual.kinetic(along(t, 1.0), &state),
+            dual.potential(along(t, 1.0), &state),
+        ];
         let changes = changes.map(|energy| energy.slopes[0]);
         let powers = powers(t, &x);
         let terms = changes.iter().chain(&powers);
@@ -214,7 +225,11 @@ fn jacobian_by_differences<M: Jacobian<f64, N>, const N: usize>(model: &M, t: f6
 /// Imaginary parts of eigenvalues: the angular frequencies of the modes about a state, from the lowest on.
 fn frequencies<M: Jacobian<f64, N>, const N: usize>(model: &M, x: [f64; N]) -> Result<Vec<f64>, Box<dyn Error>> {
     let spectrum = pendulum_core::stability::Spectrum::of(&model.jacobian(0.0, &SVector::from(x)))?;
-    let mut frequencies: Vec<f64> = spectrum.eigenvalues().map(|value| value.im).filter(|w| *w > 0.0).collect();
+    let mut frequencies: Vec<f64> = spectrum
+        .eigenvalues()
+        .map(|value| value.im)
+        .filter(|w| *w > 0.0)
+        .collect();
     frequencies.sort_by(f64::total_cmp);
     Ok(frequencies)
 }
@@ -222,7 +237,11 @@ fn frequencies<M: Jacobian<f64, N>, const N: usize>(model: &M, x: [f64; N]) -> R
 /// The frequencies of `M x'' + K x = 0` for two coordinates, from the lower on.
 fn two_modes([[m11, m12], [_, m22]]: [[f64; 2]; 2], [[k11, k12], [_, k22]]: [[f64; 2]; 2]) -> [f64; 2] {
     // det(K - w^2 M) = a w^4 - b w^2 + c
-    let (a, b, c) = (m11 * m22 - m12 * m12, m11 * k22 + m22 * k11 - 2.0 * m12 * k12, k11 * k22 - k12 * k12);
+    let (a, b, c) = (
+        m11 * m22 - m12 * m12,
+        m11 * k22 + m22 * k11 - 2.0 * m12 * k12,
+        k11 * k22 - k12 * k12,
+    );
     let root = (b * b - 4.0 * a * c).sqrt();
     [(b - root) / (2.0 * a), (b + root) / (2.0 * a)].map(f64::sqrt)
 }

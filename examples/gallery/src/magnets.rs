@@ -30,7 +30,10 @@ mechanism! {
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let model = Magnets::new(MagnetsParams::default())?;
     let checks = vec![jacobian_by_differences(&model, 0.0, [0.4, -0.3, 1.0, -2.0])];
-    let solution = Vern9::new().rtol(1e-12).atol(1e-12).solve(&model, 0.0, 6.0, [1.4, 0.3, 0.0, 0.0])?;
+    let solution = Vern9::new()
+        .rtol(1e-12)
+        .atol(1e-12)
+        .solve(&model, 0.0, 6.0, [1.4, 0.3, 0.0, 0.0])?;
     let lost = |_: f64, x: &SVector<f64, 4>| vec![-2e-4 * x[2].powi(2), -2e-4 * x[3].powi(2)];
     Run::new(checks, model, solution, lost, |drawing| drawing)
 }

@@ -12,13 +12,17 @@ use std::path::Path;
 use gallery::{SYSTEMS, System};
 
 fn main() -> Result<(), Box<dyn Error>> {
-    let (flags, names): (Vec<String>, Vec<String>) =
-        std::env::args().skip(1).partition(|argument| argument.starts_with("--"));
+    let (flags, names): (Vec<String>, Vec<String>) = std::env::args()
+        .skip(1)
+        .partition(|argument| argument.starts_with("--"));
     let known = || SYSTEMS.iter().map(|system| system.name).collect::<Vec<_>>().join(", ");
     if let Some(flag) = flags.iter().find(|flag| *flag != "--animate") {
         return Err(format!("unknown option `{flag}`: the only one is --animate").into());
     }
-    if let Some(name) = names.iter().find(|name| !SYSTEMS.iter().any(|system| system.name == *name)) {
+    if let Some(name) = names
+        .iter()
+        .find(|name| !SYSTEMS.iter().any(|system| system.name == *name))
+    {
         return Err(format!("no system `{name}`; there are {}", known()).into());
     }
     let wanted = |system: &&System| names.is_empty() || names.iter().any(|name| name == system.name);

@@ -38,7 +38,10 @@ impl System {
 
     /// Its declarations, as they stand in its file.
     pub fn declarations(&self) -> Vec<&'static str> {
-        let starts = self.source.match_indices("mechanism! {").map(|(start, _)| &self.source[start..]);
+        let starts = self
+            .source
+            .match_indices("mechanism! {")
+            .map(|(start, _)| &self.source[start..]);
         let whole = |text: &'static str| text.find("\n}").map_or(text, |end| &text[..end + 2]);
         starts.map(whole).collect()
     }

@@ -54,12 +54,19 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     };
     let linear = |w: f64| f / (k - m * w * w).hypot(c * w);
     let mut checks = Vec::new();
-    for (name, w) in [("below", 0.8 * resonance), ("in", resonance), ("above", 1.3 * resonance)] {
+    for (name, w) in [
+        ("below", 0.8 * resonance),
+        ("in", resonance),
+        ("above", 1.3 * resonance),
+    ] {
         let what = format!("amplitude {name} resonance, in m");
         checks.push(Check::new(what, amplitude(w)?, linear(w), 1e-8));
     }
     let model = SpringSuspended::new(params)?;
-    let solution = Vern9::new().rtol(1e-12).atol(1e-12).solve(&model, 0.0, 8.0, [0.5, -still, 0.4, 0.0, 0.0, 0.0])?;
+    let solution = Vern9::new()
+        .rtol(1e-12)
+        .atol(1e-12)
+        .solve(&model, 0.0, 8.0, [0.5, -still, 0.4, 0.0, 0.0, 0.0])?;
     let powers = move |t: f64, x: &SVector<f64, 6>| {
         let length = x[0].hypot(x[1]);
         let rate = (x[0] * x[3] + x[1] * x[4]) / length;

@@ -30,7 +30,10 @@ mechanism! {
 /// The state after 5 s of independent integration to 24 digits, and the power that friction takes.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let model = Triple::new(TripleParams {})?;
-    let solution = Vern9::new().rtol(1e-13).atol(1e-13).solve(&model, 0.0, 5.0, [0.9, 0.2, -0.6, 0.0, 0.5, 0.0])?;
+    let solution = Vern9::new()
+        .rtol(1e-13)
+        .atol(1e-13)
+        .solve(&model, 0.0, 5.0, [0.9, 0.2, -0.6, 0.0, 0.5, 0.0])?;
     let known = [
         0.172_505_338_091_726_8,
         0.837_506_396_938_219,
@@ -41,7 +44,11 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     ];
     let checks = vec![Check::same("state after 5 s", solution.end().as_slice(), &known, 1e-10)];
     let lost = |_: f64, x: &SVector<f64, 6>| {
-        vec![-0.01 * x[3].powi(2), -0.01 * (x[4] - x[3]).powi(2), -0.01 * (x[5] - x[4]).powi(2)]
+        vec![
+            -0.01 * x[3].powi(2),
+            -0.01 * (x[4] - x[3]).powi(2),
+            -0.01 * (x[5] - x[4]).powi(2),
+        ]
     };
     Run::new(checks, model, solution, lost, |drawing| drawing)
 }

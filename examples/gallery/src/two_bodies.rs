@@ -32,13 +32,26 @@ mechanism! {
 /// The general formula, and the power that friction takes.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let params = TwoBodiesParams::default();
-    let frictionless = TwoBodies::new(TwoBodiesParams { gamma1: 0.0, gamma2: 0.0, side: 0.0, ..params })?;
+    let frictionless = TwoBodies::new(TwoBodiesParams {
+        gamma1: 0.0,
+        gamma2: 0.0,
+        side: 0.0,
+        ..params
+    })?;
     let x = [1.2, -0.4, 0.3, -1.1];
     let rate = frictionless.rhs(0.0, &x.into());
     let known = double_pendulum([1.7, 0.43, 0.31], [0.8, 0.55, 0.12], 0.9, 9.81, x);
-    let checks = vec![Check::same("accelerations against the formula, in rad/s^2", &rate.as_slice()[2..], &known, 1e-13)];
+    let checks = vec![Check::same(
+        "accelerations against the formula, in rad/s^2",
+        &rate.as_slice()[2..],
+        &known,
+        1e-13,
+    )];
     let model = TwoBodies::new(params)?;
-    let solution = Vern9::new().rtol(1e-12).atol(1e-12).solve(&model, 0.0, 6.0, [2.2, 0.4, 0.0, 0.0])?;
+    let solution = Vern9::new()
+        .rtol(1e-12)
+        .atol(1e-12)
+        .solve(&model, 0.0, 6.0, [2.2, 0.4, 0.0, 0.0])?;
     let lost = |_: f64, x: &SVector<f64, 4>| vec![-0.05 * x[2].powi(2), -0.02 * (x[3] - x[2]).powi(2)];
     Run::new(checks, model, solution, lost, |drawing| drawing)
 }

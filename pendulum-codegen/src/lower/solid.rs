@@ -181,7 +181,10 @@ impl<'g> Lower<'g> {
         let corners: Vec<_> = corners.iter().map(corner).collect();
         let corners: Vec<_> = corners.into_iter().collect::<Result<_, _>>()?;
         let zero = self.graph.zero();
-        self.show(FigureKind::Plate, corners.iter().map(|&(x, y)| Vec3([x, y, zero])).collect());
+        self.show(
+            FigureKind::Plate,
+            corners.iter().map(|&(x, y)| Vec3([x, y, zero])).collect(),
+        );
         self.uniform_plate(solid.owner, solid.mass?, &corners, tokens)
     }
 

@@ -13,8 +13,8 @@ use rustc_hash::FxHashMap;
 
 pub(crate) use action::{Action, Place, Push};
 pub(crate) use combination::Combination;
-pub use figure::FigureKind;
 pub(crate) use figure::Figure;
+pub use figure::FigureKind;
 pub(crate) use index::index_types;
 pub(crate) use index::{BodyId, CoordinateId};
 pub(crate) use output::{Event, Output, OutputShape};

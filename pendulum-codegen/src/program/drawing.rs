@@ -61,7 +61,9 @@ impl<'g> Sketch<'g> {
         for body in &model.bodies {
             let is_bare = |parent: &Body<'g>| parent.figures.iter().all(|figure| figure.kind == FigureKind::Mass);
             let parent = body.parent.filter(|&parent| !model.bodies[parent].figures.is_empty());
-            let Some(parent) = parent.filter(|&parent| is_bare(&model.bodies[parent])) else { continue };
+            let Some(parent) = parent.filter(|&parent| is_bare(&model.bodies[parent])) else {
+                continue;
+            };
             let at = body.placement.translation;
             if body.screw.is_some() && !at.is_zero() {
                 let points = [Vec3::zero(model.graph), at].map(|point| poses.point(Some(parent), point));
@@ -70,30 +72,48 @@ impl<'g> Sketch<'g> {
         }
         for (n, body) in model.bodies() {
             let turning = body.screw.filter(Twist::turns);
-            let Some(screw) = turning.filter(|_| !body.figures.is_empty()) else { continue };
+            let Some(screw) = turning.filter(|_| !body.figures.is_empty()) else {
+                continue;
+            };
             let at = screw.angular.cross(screw.linear);
             show(&body.name, FigureKind::Pivot, vec![poses.point(Some(n), at)], None);
         }
         for action in &model.actions {
-            let Action::Between { ends, potential, .. } = action else { continue };
-            let kind = if potential.is_zero() { FigureKind::Damper } else { FigureKind::Spring };
+            let Action::Between { ends, potential, .. } = action else {
+                continue;
+            };
+            let kind = if potential.is_zero() {
+                FigureKind::Damper
+            } else {
+                FigureKind::Spring
+            };
             let name = name_of(model, ends[0].body);
-            show(name, kind, ends.iter().map(|end| poses.point(end.body, end.at)).collect(), None);
+            show(
+                name,
+                kind,
+                ends.iter().map(|end| poses.point(end.body, end.at)).collect(),
+                None,
+            );
         }
         for point in &model.points {
-            let kind = if point.moves { FigureKind::Point } else { FigureKind::Anchor };
-            show(&point.name, kind, vec![poses.point(point.place.body, point.place.at)], None);
+            let kind = if point.moves {
+                FigureKind::Point
+            } else {
+                FigureKind::Anchor
+            };
+            show(
+                &point.name,
+                kind,
+                vec![poses.point(point.place.body, point.place.at)],
+                None,
+            );
         }
         let chosen = form::values(forms, model, &values);
         Self { outlines, chosen }
     }
 
     /// The drawing; `known` is what its code can read.
-    pub(super) fn finish(
-        self,
-        model: &Model<'g>,
-        known: &FxHashMap<ExprId, Variable>,
-    ) -> Result<Drawing, NotFinite> {
+    pub(super) fn finish(self, model: &Model<'g>, known: &FxHashMap<ExprId, Variable>) -> Result<Drawing, NotFinite> {
         Ok(Drawing {
             outlines: self.outlines,
             block: block(model.graph, &self.chosen.roots, known)?,

@@ -25,8 +25,8 @@ pub(crate) use routine::{Length, ROUTINES, words};
 pub use series::Series;
 
 pub use crate::expr::{Binary, Definition, Formula, Summand, Unary};
-pub(crate) use crate::model::ROUNDING;
 pub use crate::model::FigureKind;
+pub(crate) use crate::model::ROUNDING;
 pub use crate::pass::Operations;
 
 use crate::dynamics::Dynamics;
@@ -144,7 +144,10 @@ impl Program {
             None => StateLayout::new(model, &forms.closed().unwrap_or(dynamics).balance),
         };
         let series = model.generate.contains("taylor").then(|| forms.taylor(model));
-        let sketch = model.generate.contains("shapes").then(|| Sketch::new(&mut forms, model));
+        let sketch = model
+            .generate
+            .contains("shapes")
+            .then(|| Sketch::new(&mut forms, model));
         let of_series = series.iter().flat_map(|series| [&series.start, &series.order]);
         let of_sketch = sketch.iter().map(|sketch| &sketch.chosen.roots);
         let lists = chosen.iter().map(|(_, chosen)| &chosen.roots);

@@ -5,6 +5,7 @@ mod coefficients;
 mod equations;
 mod equations_text;
 mod forms;
+mod gallery;
 mod normal_form;
 mod places;
 mod solids;
@@ -55,6 +56,7 @@ fn read<'g>(model: &Model<'g>, expr: &ast::Expr) -> Expr<'g> {
             };
             symbol(model, &format!("dot({name})"))
         }
+        ExprKind::Call(function, arguments) if function == "sqrt" => read(model, &arguments[0]).sqrt(),
         ExprKind::Call(function, arguments) => {
             let op = Unary::ALL.iter().find(|op| function == op.spelling());
             read(model, &arguments[0]).apply(*op.expect("a known function"))
@@ -83,7 +85,11 @@ fn symbol<'g>(model: &Model<'g>, name: &str) -> Expr<'g> {
         .coordinates
         .iter()
         .flat_map(|c| [(c.name.clone(), c.position), (format!("dot({})", c.name), c.rate)]);
-    let found = parameters.chain(coordinates).find(|(known, _)| known == name);
+    let time = ("t".to_owned(), model.time);
+    let found = parameters
+        .chain(coordinates)
+        .chain([time])
+        .find(|(known, _)| known == name);
     found.unwrap_or_else(|| panic!("no symbol {name}")).1
 }
 

@@ -12,7 +12,10 @@ impl Items<'_> {
         let (name, allowed, length) = (&self.head.name, allowed(), self.length());
         let core = quote!(::pendulum_core::shapes);
         let outlines = drawing.outlines.iter().map(|outline| {
-            let (kind, points) = (format_ident!("{}", format!("{:?}", outline.kind)), count(outline.points));
+            let (kind, points) = (
+                format_ident!("{}", format!("{:?}", outline.kind)),
+                count(outline.points),
+            );
             let (name, radius) = (&outline.name, outline.radius);
             quote!(#core::Outline { name: #name, kind: #core::ShapeKind::#kind, points: #points, radius: #radius })
         });
