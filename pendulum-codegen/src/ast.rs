@@ -55,8 +55,8 @@ pub(crate) struct Items {
     pub outputs: Vec<Output>,
     /// Functions whose zeros are events.
     pub events: Vec<Event>,
-    /// What to generate.
-    pub generate: Option<Vec<Ident>>,
+    /// The word `generate`, and what to generate.
+    pub generate: Option<(Ident, Vec<Ident>)>,
 }
 
 /// `name: unit = default`

@@ -121,7 +121,13 @@ impl<'g> Lower<'g> {
             .collect();
         let bodies = self.bodies(&items.bodies, order, &all, &shapes);
         let has_drives = items.bodies.iter().any(|body| body.fields.motion.is_some());
-        let generate = items.generate.as_deref();
+        let generate = items.generate.as_ref().map(|(word, list)| {
+            if list.is_empty() && items.outputs.is_empty() && items.events.is_empty() {
+                let help = "write `generate: [rhs, jacobian, energy]`, or leave it out";
+                self.errors.at(word.span(), "nothing is generated", help);
+            }
+            list.as_slice()
+        });
         let generate = self.generate(generate, !parameters.is_empty(), !inputs.is_empty(), has_drives);
         let points = self.points(&items.points);
         if generate.contains("shapes") {

@@ -262,14 +262,7 @@ fn item(input: ParseStream, items: &mut Items, errors: &mut Errors) -> syn::Resu
             let form = "generate: [rhs, jacobian, energy]";
             let inner = brackets(input, "what to generate", form)?;
             let routines = list(&inner, form, |input| identifier(input, "a routine", form))?;
-            if routines.is_empty() {
-                return Err(at(
-                    key.span(),
-                    "nothing is generated",
-                    format_args!("write `{form}`, or leave it out"),
-                ));
-            }
-            once(&mut items.generate, routines, &key)?;
+            once(&mut items.generate, (key.clone(), routines), &key)?;
         }
     }
     Ok(End::Comma)
