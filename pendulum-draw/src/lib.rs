@@ -116,7 +116,7 @@ impl<'a, M: Shapes<N>, const N: usize> Drawing<'a, M, N> {
     pub fn animation(&self, stem: &Path) -> Result<PathBuf, Box<dyn Error>> {
         let (start, end) = self.span();
         let step = self.speed / f64::from(RATE);
-        if !(step > 0.0) {
+        if step <= 0.0 || step.is_nan() {
             return Err(format!("the speed is {}: it must be positive", self.speed).into());
         }
         let count = ((end - start) / step).floor() as usize + 1;

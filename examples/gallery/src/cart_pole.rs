@@ -29,7 +29,7 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let model = CartPole::new(CartPoleParams {})?;
     let x = SVector::from([-1.678, -0.203, 0.297, 2.3_f64]);
     let rate = model.rhs(0.0, &x);
-    let known = [-0.407_842_499_518_734_44, 2.822_369_412_008_145_4];
+    let known = [-0.407_842_499_518_734_5, 2.822_369_412_008_145_4];
     let tip = [x[0] + 1.2 * x[1].sin(), -1.2 * x[1].cos(), 0.0];
     let speed = [x[2] + 1.2 * x[1].cos() * x[3], 1.2 * x[1].sin() * x[3], 0.0];
     let checks = vec![

@@ -39,7 +39,7 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
         0.837_506_396_938_219,
         1.622_884_967_162_310_2,
         -0.548_040_528_020_920_7,
-        2.022_151_408_275_247_7,
+        2.022_151_408_275_248,
         -0.440_763_318_266_770_9,
     ];
     let checks = vec![Check::same("state after 5 s", solution.end().as_slice(), &known, 1e-10)];
