@@ -57,6 +57,25 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// A driven joint, points, outputs and an event.
+    pub Crane {
+        params { l: m = 0.7, w: rad/s = 2 }
+        gravity: [0, -9.81, 0],
+        generate: [rhs, jacobian, energy, drive_forces],
+        point hook on rope at [0, -l, 0],
+        point wall on ground at [1, 0, 0],
+        spring between hook and wall: (3, 0.4),
+        force on hook: [-dot(hook.x), 0, 0],
+        output double: hook,
+        output turned: rotation(rope),
+        output speed: dot(hook.x),
+        event passes: hook.x - 1/10,
+        body trolley on ground { joint: prismatic(x), motion: sin(w*t)/2 }
+        body rope on trolley { mass: 1, com: [0, -l, 0], joint: revolute(z), coordinate: int }
+    }
+}
+
 /// The declarations of this file.
 const OWN: &str = include_str!("emitted_c.rs");
 
@@ -135,6 +154,43 @@ fn functions_of_the_platform_are_called() {
         ];
         [motion.concat(), by_parameters.as_slice().to_vec()].concat()
     });
+}
+
+#[test]
+fn drives_outputs_and_events_are_the_same() {
+    let model = Crane::new(CraneParams::default()).expect("physical");
+    same(OWN, "Crane", 0.0, |t, x, _| {
+        let x = SVector::<f64, 2>::from_column_slice(x);
+        let mut all = motion_in_time(&model, t, &x);
+        all.extend(&model.drive_forces(t, &x));
+        let (value, jacobian) = model.double_and_jacobian(t, &x);
+        all.extend(&model.double(t, &x));
+        all.extend(&model.double_rate(t, &x));
+        all.extend(&value);
+        all.extend(&jacobian);
+        let (value, jacobian) = model.turned_and_jacobian(t, &x);
+        all.extend(&model.turned(t, &x));
+        all.extend(&model.turned_rate(t, &x));
+        all.extend(&value);
+        all.extend(&jacobian);
+        let (value, jacobian) = model.speed_and_jacobian(t, &x);
+        all.extend([model.speed(t, &x), model.speed_rate(t, &x), value]);
+        all.extend(&jacobian);
+        let (values, jacobian) = model.outputs_and_jacobian(t, &x);
+        all.extend(&model.outputs(t, &x));
+        all.extend(&model.output_rates(t, &x));
+        all.extend(&values);
+        all.extend(&jacobian);
+        all.push(model.passes(t, &x));
+        all
+    });
+}
+
+/// As `motion`, with the derivative by the time before the energies.
+fn motion_in_time(model: &Crane, t: f64, x: &SVector<f64, 2>) -> Vec<f64> {
+    let motion = motion(model, t, x);
+    let (rates, energies) = motion.split_at(motion.len() - 2);
+    [rates, model.time_derivative(t, x).as_slice(), energies].concat()
 }
 
 fn motion<S: Jacobian<f64, N> + Energy<f64, N>, const N: usize>(model: &S, t: f64, x: &SVector<f64, N>) -> Vec<f64> {

@@ -6,7 +6,12 @@ mechanism! {
     pub Cart {
         params { m: kg = 1 }
         input push: N,
-        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, inverse_dynamics, parameter_jacobian],
+        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, inverse_dynamics, parameter_jacobian, shapes],
+        point tip on cart at [1, 0, 0],
+        output tip: tip,
+        output turned: rotation(cart),
+        output reach: tip.x,
+        event arrives: tip.x - 1,
         body cart ground { mass: m, joint: prismatic(x), coordinate: s, torque: push }
     }
 }
@@ -19,5 +24,9 @@ fn main() {
     let _ = (cart.mass_matrix(0.0, &x), cart.bias(0.0, &x), cart.energy(0.0, &x), cart.params().m);
     let _ = (cart.momentum(0.0, &x), cart.inverse_dynamics(0.0, &x, &[1.0].into()));
     let _ = cart.parameter_jacobian(0.0, &x, &CartInputs { push: 1.0 });
+    let _: (SVector<f64, 3>, f64) = (cart.tip(0.0, &x), cart.reach_rate(0.0, &x));
+    let _: (SMatrix<f64, 3, 3>, SMatrix<f64, 9, 2>) = cart.turned_and_jacobian(0.0, &x);
+    let _ = (cart.outputs(0.0, &x), cart.arrives(0.0, &x), cart.shapes(0.0, &x));
+    let _ = Rk45::new().solve_with(&pushed, 0.0, 1.0, [0.0, 0.0], &[cart.arrives_event().terminal()]);
     let _ = (Cart::DOF, Cart::COORDINATES, Cart::COST, Cart::LAYOUT, Cart::EQUATIONS, cart.cast::<f32>());
 }

@@ -73,21 +73,23 @@ fn documentation(routine: &Routine) -> String {
         let (rows, columns, kind) = match shape {
             Shape::Symmetric(n) => (n, n, "symmetric "),
             Shape::Matrix(n, m) => (n, m, ""),
-            shape => return format!("{out}: {} numbers.", shape.len()),
+            Shape::Scalar => return format!("{out}: a number."),
+            Shape::Vector(n) => return format!("{out}: {n} numbers."),
         };
         format!("{out}: a {kind}matrix, {rows} x {columns}; row i of column j is {out}[i + {rows} * j].")
     });
     lines([routine.doc.to_owned()].into_iter().chain(results))
 }
 
-/// The results that are stored, with their names.
+/// The results that are stored, with their names; a single number is returned.
 fn outs(routine: &Routine) -> impl Iterator<Item = (String, Shape<usize>)> {
     let shapes = routine.shapes.iter().copied().enumerate();
     let named = |(n, shape)| match routine.shapes.len() {
         1 => ("out".to_owned(), shape),
         _ => (format!("out{n}"), shape),
     };
-    shapes.map(named).filter(|(_, shape)| *shape != Shape::Scalar)
+    let returned = routine.shapes.as_slice() == [Shape::Scalar];
+    shapes.map(named).filter(move |_| !returned)
 }
 
 /// Statements that store the results of a routine, or return the only one.
