@@ -7,7 +7,7 @@ use rustc_hash::FxHashMap;
 
 use crate::expr::{Expr, Graph, Level, Node, Normalizer, Rational, SymbolKind, Unary};
 
-/// An angle as a combination of coordinates: pairs of symbol and factor.
+/// An angle as a combination of coordinates, and of what else it depends on: pairs of expression and factor.
 type Angle<'g> = BTreeMap<Expr<'g>, i64>;
 
 /// Replaces sines and cosines of sums of coordinates by products of others that are there anyway. A call costs as much as
@@ -76,25 +76,35 @@ fn scaled_sum<'g>(a: &Angle<'g>, first: i64, b: &Angle<'g>, second: i64) -> Angl
     sum
 }
 
-/// The angle as a combination of coordinates, if it is one with integer factors.
+/// The angle as a combination, if it is one with integer factors. What is not a coordinate, such as the angle of a drive, is one part of it.
 fn combination(x: Expr<'_>) -> Option<Angle<'_>> {
     const BUDGET: usize = 10_000;
     if x.level() != Level::State {
         return None;
     }
-    let poly = Normalizer::new(x.graph(), BUDGET).normal(x).ok()?;
+    let mut normalizer = Normalizer::new(x.graph(), BUDGET);
+    let poly = normalizer.normal(x).ok()?;
     let mut angle = Angle::new();
+    let mut rest = (*poly).clone();
     for (monomial, factor) in poly.terms() {
-        let &[(symbol, 1)] = monomial.powers() else { return None };
+        let &[(symbol, 1)] = monomial.powers() else { continue };
         let symbol = x.graph().expr(symbol);
         let is_coordinate = symbol
             .as_symbol()
             .is_some_and(|s| matches!(s.kind, SymbolKind::Coordinate(_)));
+        if !is_coordinate {
+            continue;
+        }
         let small: &Rational = factor;
-        if !is_coordinate || !small.denom().is_one() || small.abs() > Rational::from_integer(16.into()) {
+        if !small.denom().is_one() || small.abs() > Rational::from_integer(16.into()) {
             return None;
         }
         angle.insert(symbol, small.numer().to_i64()?);
+        rest.remove(monomial);
+    }
+    if let Some((_, leading)) = rest.terms().next() {
+        let sign = leading.signum();
+        angle.insert(normalizer.to_expr(&rest.scaled(&sign)), sign.to_integer().to_i64()?);
     }
     Some(angle)
 }
