@@ -21,8 +21,8 @@ pub(super) struct AlongJoints<'g> {
     pub(super) mass_matrix: Vec<Entry<'g>>,
     /// What is taken when only the drives accelerate.
     pub(super) bias: Vec<Expr<'g>>,
-    /// `A qd`
-    pub(super) momenta: Vec<Expr<'g>>,
+    /// `A qd`, where it is not that product itself. With drives it must be known.
+    pub(super) momenta: Option<Vec<Expr<'g>>>,
     /// What is known in a form that is shorter than `A` and `bias` written out.
     pub(super) inertial: Option<Inertial<'g>>,
     /// The bias, and `A qdd + bias`, less the wrenches that act on the links.
@@ -39,83 +39,42 @@ pub(super) struct Inertial<'g> {
 }
 
 impl<'g> AlongJoints<'g> {
-    /// The dynamics in the coordinates of the scene. With `q = T theta` the mass matrix becomes `T^T A T`, a force `T^T tau`.
+    /// The dynamics in the coordinates of the scene. With `q = T theta` the mass matrix becomes `T^T A T`, a force `T^T tau`. The
+    /// coordinates of drives stand behind the others until they are put apart.
     pub(super) fn in_coordinates(self, model: &Model<'g>, potential: Expr<'g>) -> Dynamics<'g> {
-        let Self {
-            motions,
-            mass_matrix,
-            bias,
-            momenta,
-            inertial,
-            pushed,
-        } = self;
         let n = model.dof();
-        let mass_matrix = {
-            let both = mass_matrix.into_iter().flat_map(|(i, j, entry)| {
-                let mirrored = (i != j).then_some((j, i, entry));
-                std::iter::once((i, j, entry)).chain(mirrored)
-            });
-            pull_back_matrix(model, &motions, both)
-        };
-        let along = |list: Vec<Expr<'g>>| pull_back(model, motions.iter().zip(list));
-        let (as_wrenches, others): (Vec<&Action<'g>>, Vec<_>) = model.actions.iter().partition(|a| is_wrench(a));
-        let sum = |a: &[Expr<'g>], b: &[Expr<'g>]| -> Vec<Expr<'g>> { a.iter().zip(b).map(|(&a, &b)| a + b).collect() };
-        let less =
-            |a: &[Expr<'g>], b: &[Expr<'g>]| -> Vec<Expr<'g>> { a.iter().zip(b).map(|(&a, &b)| a - b).collect() };
-        let of_joints = pull_back(model, model.bodies.iter().map(|body| (&body.motion, body.force)));
-        let apart = sum(&of_joints, &along_coordinates(model, &others));
-        let mut force = sum(&apart, &along_coordinates(model, &as_wrenches));
-        let of_drives: Vec<Vec<Expr<'g>>> = mass_matrix[n..].iter().map(|row| row[..n].to_vec()).collect();
-        let mass_matrix: Vec<Vec<Expr<'g>>> = mass_matrix[..n].iter().map(|row| row[..n].to_vec()).collect();
-        let mut bias = along(bias);
-        let (mut residual, mut balanced, tangent) = match inertial {
-            Some(Inertial { forces, tangent }) => {
-                let [residual, balance] = match pushed {
-                    Some(pushed) => pushed.map(|left| less(&along(left), &apart)),
-                    None => [less(&bias, &force), less(&along(forces), &force)],
-                };
-                let free = |matrix: Vec<Vec<Expr<'g>>>| matrix[..n].iter().map(|row| row[..n].to_vec()).collect();
-                let tangent = Tangent {
-                    by_position: free(pull_back_matrix(model, &motions, tangent.by_position)),
-                    by_rate: free(pull_back_matrix(model, &motions, tangent.by_rate)),
-                };
-                (residual, balance, Some(tangent))
-            }
-            None => {
+        let matrix = pull_back_matrix(
+            model,
+            &self.motions,
+            self.mass_matrix.iter().copied().flat_map(mirrored),
+        );
+        let [apart, force] = forces(model);
+        let bias = self.pulled(model, &self.bias);
+        let (residual, mut balance) = match (&self.pushed, &self.inertial) {
+            (Some(pushed), _) => pushed
+                .each_ref()
+                .map(|left| less(&self.pulled(model, left), &apart))
+                .into(),
+            (None, Some(inertial)) => (less(&bias, &force), less(&self.pulled(model, &inertial.forces), &force)),
+            (None, None) => {
                 let residual = less(&bias, &force);
-                let rows = [&mass_matrix[..], &of_drives[..]].concat();
-                let balanced = balance(&model.coordinates, &rows, &residual);
-                (residual, balanced, None)
+                let balance = balance(&model.coordinates, &matrix, &residual);
+                (residual, balance)
             }
         };
-        let drive = balanced.split_off(n);
-        let (momentum, kinetic) = if model.drives.is_empty() && tangent.is_none() {
-            let momentum = momentum(model, &mass_matrix);
-            let kinetic = kinetic(model, &momentum);
-            (momentum, kinetic)
-        } else if model.drives.is_empty() {
-            let momentum = along(momenta);
-            let kinetic = kinetic(model, &momentum);
-            (momentum, kinetic)
-        } else {
-            let products = motions
-                .iter()
-                .zip(&momenta)
-                .map(|(motion, &momentum)| model.rate_of(motion) * momentum);
-            let products: Vec<Expr<'g>> = products.collect();
-            let mut momentum = along(momenta);
-            momentum.truncate(n);
-            (momentum, ratio(1, 2) * model.graph.sum(products))
-        };
-        for list in [&mut bias, &mut force, &mut residual] {
-            list.truncate(n);
-        }
+        let drive = balance.split_off(n);
+        let (momentum, kinetic) = self.momentum_and_energy(model, &matrix);
+        let tangent = self.inertial.map(|Inertial { tangent, .. }| {
+            let [by_position, by_rate] = [tangent.by_position, tangent.by_rate]
+                .map(|entries| of_state(model, &pull_back_matrix(model, &self.motions, entries)));
+            Tangent { by_position, by_rate }
+        });
         let dynamics = Dynamics {
-            mass_matrix,
-            bias,
-            force,
-            residual,
-            balance: balanced,
+            mass_matrix: of_state(model, &matrix),
+            bias: bias[..n].to_vec(),
+            force: force[..n].to_vec(),
+            residual: residual[..n].to_vec(),
+            balance,
             drive,
             tangent,
             momentum,
@@ -124,6 +83,54 @@ impl<'g> AlongJoints<'g> {
         };
         dynamics.with_drives(model)
     }
+
+    fn pulled(&self, model: &Model<'g>, along: &[Expr<'g>]) -> Vec<Expr<'g>> {
+        pull_back(model, self.motions.iter().zip(along.iter().copied()))
+    }
+
+    /// The momenta of the coordinates, and the kinetic energy of all joints.
+    fn momentum_and_energy(&self, model: &Model<'g>, matrix: &[Vec<Expr<'g>>]) -> (Vec<Expr<'g>>, Expr<'g>) {
+        let n = model.dof();
+        let momentum = match &self.momenta {
+            Some(momenta) => self.pulled(model, momenta)[..n].to_vec(),
+            None => matrix[..n].iter().map(|row| times_rates(model, row)).collect(),
+        };
+        let twice = match &self.momenta {
+            Some(momenta) if !model.drives.is_empty() => {
+                let joints = self.motions.iter().zip(momenta);
+                let products = joints.map(|(motion, &momentum)| model.rate_of(motion) * momentum);
+                model.graph.sum(products.collect::<Vec<_>>())
+            }
+            _ => times_rates(model, &momentum),
+        };
+        (momentum, ratio(1, 2) * twice)
+    }
+}
+
+/// The forces along all coordinates: without those that are wrenches on links, and with them.
+fn forces<'g>(model: &Model<'g>) -> [Vec<Expr<'g>>; 2] {
+    let (as_wrenches, others): (Vec<&Action<'g>>, Vec<_>) = model.actions.iter().partition(|a| is_wrench(a));
+    let of_joints = pull_back(model, model.bodies.iter().map(|body| (&body.motion, body.force)));
+    let sum = |a: &[Expr<'g>], b: &[Expr<'g>]| -> Vec<Expr<'g>> { a.iter().zip(b).map(|(&a, &b)| a + b).collect() };
+    let apart = sum(&of_joints, &along_coordinates(model, &others));
+    let all = sum(&apart, &along_coordinates(model, &as_wrenches));
+    [apart, all]
+}
+
+fn less<'g>(a: &[Expr<'g>], b: &[Expr<'g>]) -> Vec<Expr<'g>> {
+    a.iter().zip(b).map(|(&a, &b)| a - b).collect()
+}
+
+/// An entry, and the one on the other side of the diagonal.
+fn mirrored<'g>((i, j, entry): Entry<'g>) -> impl Iterator<Item = Entry<'g>> {
+    let mirrored = (i != j).then_some((j, i, entry));
+    std::iter::once((i, j, entry)).chain(mirrored)
+}
+
+/// The rows and columns of a matrix over all coordinates that belong to those of the state.
+fn of_state<'g>(model: &Model<'g>, matrix: &[Vec<Expr<'g>>]) -> Vec<Vec<Expr<'g>>> {
+    let n = model.dof();
+    matrix[..n].iter().map(|row| row[..n].to_vec()).collect()
 }
 
 /// `T^T tau`
@@ -156,16 +163,6 @@ fn pull_back_matrix<'g>(
         }
     }
     pulled
-}
-
-/// `A qd`
-fn momentum<'g>(model: &Model<'g>, mass_matrix: &[Vec<Expr<'g>>]) -> Vec<Expr<'g>> {
-    mass_matrix.iter().map(|row| times_rates(model, row)).collect()
-}
-
-/// Half of `qd . momentum`.
-fn kinetic<'g>(model: &Model<'g>, momentum: &[Expr<'g>]) -> Expr<'g> {
-    ratio(1, 2) * times_rates(model, momentum)
 }
 
 /// The scalar product with the rates.

@@ -77,21 +77,21 @@ impl<'g> Dynamics<'g> {
             let times = if j == k { 1 } else { 2 };
             bias[i] += entry * (times * (rates[j] * rates[k]));
         }
-        let mut momenta = vec![g.zero(); bodies.len()];
-        if !model.drives.is_empty() {
+        let momenta = (!model.drives.is_empty()).then(|| {
             let driven: Vec<Expr<'g>> = bodies
                 .iter()
                 .map(|body| model.driven_acceleration_of(&body.motion))
                 .collect();
+            let mut momenta = vec![g.zero(); bodies.len()];
             for (&(i, j), &entry) in &a {
-                bias[i] += entry * driven[j];
-                momenta[i] += entry * rates[j];
-                if i != j {
-                    bias[j] += entry * driven[i];
-                    momenta[j] += entry * rates[i];
+                let off_diagonal = (i != j).then_some((j, i));
+                for (row, column) in off_diagonal.into_iter().chain([(i, j)]) {
+                    bias[row] += entry * driven[column];
+                    momenta[row] += entry * rates[column];
                 }
             }
-        }
+            momenta
+        });
         let of_gravity = kinematics.potential();
         let potential = of_gravity + g.sum(bodies.iter().map(|body| body.potential));
         let potential = potential + g.sum(model.actions.iter().filter_map(Action::potential));

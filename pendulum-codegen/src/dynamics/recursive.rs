@@ -47,7 +47,7 @@ pub(super) fn along_joints<'g>(model: &Model<'g>, pushed: bool) -> AlongJoints<'
         motions: links.into_iter().map(|link| link.motion).collect(),
         mass_matrix,
         bias,
-        momenta,
+        momenta: Some(momenta),
         inertial: Some(Inertial {
             forces: inertial,
             tangent,

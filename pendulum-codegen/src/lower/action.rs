@@ -1,5 +1,6 @@
 //! What acts on a scene beside its joints.
 
+use proc_macro2::Span;
 use syn::Ident;
 
 use super::Lower;
@@ -10,6 +11,7 @@ use crate::ast::{self, ActionKind, Read};
 use crate::error::Reported;
 use crate::expr::{Expr, SymbolKind, ratio};
 use crate::model::{self, Action, CoordinateId, Point, Push, Requirement};
+use crate::screw::Vec3;
 
 impl<'g> Lower<'g> {
     /// What acts on a scene, with its points known. What has an error is left out.
@@ -30,95 +32,120 @@ impl<'g> Lower<'g> {
     ) -> Result<Option<Action<'g>>, Reported> {
         let place_of = |name: &Ident| points.iter().find(|point| name == &point.name).map(|point| point.place);
         match &action.kind {
-            ActionKind::Potential(e) => {
-                let place = Place {
-                    only: Only::Places,
-                    ..Place::moving("a potential energy")
-                };
-                let value = self.expr(e, &place)?;
-                self.smooth(e, value, 1, &place, "force")
-                    .map(|value| Some(Action::Potential(value)))
-            }
-            ActionKind::Dissipation(e) => {
-                let place = Place::moving("a dissipation");
-                let value = self.expr(e, &place)?;
-                let value = self.smooth(e, value, 1, &place, "force")?;
-                if !self.has_rates(value) {
-                    let help = "it is half of the power that is lost, such as `c/2*dot(theta)^2` for viscous friction";
-                    return Err(self
-                        .errors
-                        .on(e, "the dissipation depends on no rate, so nothing is lost", help));
-                }
-                Ok(Some(Action::Dissipation(value)))
-            }
-            ActionKind::Along { coordinate, force } => {
-                let place = Place::moving(format!("the force along `{coordinate}`"));
-                let formula = force.as_ref().ok().map(|force| written(force, None));
-                let (k, force) = (self.coordinate(coordinate, items), self.given(force, &place));
-                let formula = formula.unwrap_or_else(|| unreachable!("an expression that was read"));
-                Ok(Some(Action::Along(k?, force?, formula)))
-            }
+            ActionKind::Potential(e) => self.potential(e).map(Some),
+            ActionKind::Dissipation(e) => self.dissipation(e).map(Some),
+            ActionKind::Along { coordinate, force } => self.along(coordinate, force, items).map(Some),
             ActionKind::Push { point, force, frame } => {
-                let declared = self.point_named(point)?;
-                let place = Place::moving(format!("the force on `{point}`"));
-                let force = match self.read(force) {
-                    Ok(force) => self.vector(force, &place),
-                    Err(reported) => Err(reported),
-                };
-                let frame = frame
-                    .as_ref()
-                    .map_or(Ok(None), |frame| self.body_named(frame, &items.bodies));
-                self.can_move(&[declared], point)?;
-                let (force, frame) = (force?, self.placed(frame?));
-                let push = |place, frame| Action::Push(Push { place, force, frame });
-                Ok(place_of(point).zip(frame).map(|(place, frame)| push(place, frame)))
+                let (force, frame) = self.push(point, force, frame.as_ref(), &items.bodies)?;
+                let whole = place_of(point).zip(self.placed(frame));
+                Ok(whole.map(|(place, frame)| Action::Push(Push { place, force, frame })))
             }
             ActionKind::Spring { ends: [a, b], law } => {
-                let ends = self.ends([a, b], action.word.span());
-                let (stiffness, length) = self.read(law)?;
-                let k = self.stiffness(stiffness, &format!("the spring between `{a}` and `{b}`"));
-                let length = self.expr(
-                    length,
-                    &Place::fixed(format!("the length of the spring between `{a}` and `{b}`")),
-                );
-                let ends = ends?;
-                self.can_move(&ends, a)?;
-                let (k, length) = (k?, length?);
-                let square = self.square_of_distance(&ends);
-                let distance = square.sqrt();
-                let (factor, potential) = if length.is_zero() {
-                    (k, ratio(1, 2) * (k * square))
-                } else {
-                    let stretch = distance - length;
-                    (k * (1 - length / distance), ratio(1, 2) * (k * stretch.powi(2)))
-                };
-                Ok(between([place_of(a), place_of(b)], factor, potential))
+                let (factor, potential) = self.spring_between([a, b], action.word.span(), law)?;
+                Ok(between([place_of(a), place_of(b)], factor, Some(potential)))
             }
             ActionKind::Damper {
                 ends: [a, b],
                 coefficient,
             } => {
-                let ends = self.ends([a, b], action.word.span());
-                let place = Place::fixed(format!("the coefficient of the damper between `{a}` and `{b}`"));
-                let coefficient = match self.read(coefficient) {
-                    Ok(c) => self.positive(c, &place, Requirement::NonNegative),
-                    Err(reported) => Err(reported),
-                };
-                let ends = ends?;
-                self.can_move(&ends, a)?;
-                let square = self.square_of_distance(&ends);
-                let [[from, from_rate], [to, to_rate]] = ends.each_ref().map(Declared::symbols);
-                let approach = (to - from).dot(to_rate - from_rate);
-                let factor = coefficient? * approach / square;
-                Ok(between([place_of(a), place_of(b)], factor, self.graph.zero()))
+                let factor = self.damper_between([a, b], action.word.span(), coefficient)?;
+                Ok(between([place_of(a), place_of(b)], factor, None))
             }
         }
     }
 
-    /// A part of the text as an expression at a place.
-    fn given(&mut self, part: &Read<ast::Expr>, place: &Place<'g>) -> Result<Expr<'g>, Reported> {
-        let part = self.read(part)?;
-        self.expr(part, place)
+    fn potential(&mut self, e: &ast::Expr) -> Result<Action<'g>, Reported> {
+        let place = Place {
+            only: Only::Places,
+            ..Place::moving("a potential energy")
+        };
+        let value = self.expr(e, &place)?;
+        self.smooth(e, value, 1, &place, "force").map(Action::Potential)
+    }
+
+    fn dissipation(&mut self, e: &ast::Expr) -> Result<Action<'g>, Reported> {
+        let place = Place::moving("a dissipation");
+        let value = self.expr(e, &place)?;
+        let value = self.smooth(e, value, 1, &place, "force")?;
+        if !value.is_zero() && !self.has_rates(value) {
+            let help = "it is half of the power that is lost, such as `c/2*dot(theta)^2` for viscous friction";
+            return Err(self
+                .errors
+                .on(e, "the dissipation depends on no rate, so nothing is lost", help));
+        }
+        Ok(Action::Dissipation(value))
+    }
+
+    fn along(
+        &mut self,
+        coordinate: &Ident,
+        force: &Read<ast::Expr>,
+        items: &ast::Items,
+    ) -> Result<Action<'g>, Reported> {
+        let place = Place::moving(format!("the force along `{coordinate}`"));
+        let k = self.coordinate(coordinate, items);
+        let force = self.read(force)?;
+        let value = self.expr(force, &place)?;
+        Ok(Action::Along(k?, value, written(force, None)))
+    }
+
+    /// The force on a point, and the number of the body in whose frame it is given.
+    fn push(
+        &mut self,
+        point: &Ident,
+        force: &Read<ast::Vector>,
+        frame: Option<&Ident>,
+        bodies: &[ast::Body],
+    ) -> Result<(Vec3<'g>, Option<usize>), Reported> {
+        let declared = self.point_named(point);
+        let place = Place::moving(format!("the force on `{point}`"));
+        let force = self.read(force).and_then(|force| self.vector(force, &place));
+        let frame = frame.map_or(Ok(None), |frame| self.body_named(frame, bodies));
+        self.can_move(&[declared?], point)?;
+        Ok((force?, frame?))
+    }
+
+    /// The force of a spring for each unit of distance, and its potential energy.
+    fn spring_between(
+        &mut self,
+        [a, b]: [&Ident; 2],
+        at: Span,
+        law: &Read<(ast::Expr, ast::Expr)>,
+    ) -> Result<(Expr<'g>, Expr<'g>), Reported> {
+        let ends = self.ends([a, b], at);
+        let what = format!("the spring between `{a}` and `{b}`");
+        let (stiffness, length) = self.read(law)?;
+        let k = self.stiffness(stiffness, &what);
+        let of_length = Place::fixed(format!("the length of {what}"));
+        let length = self.positive(length, &of_length, Requirement::NonNegative);
+        let ends = ends?;
+        self.can_move(&ends, a)?;
+        let (k, length) = (k?, length?);
+        let square = square_of_distance(&ends);
+        if length.is_zero() {
+            return Ok((k, ratio(1, 2) * (k * square)));
+        }
+        let distance = square.sqrt();
+        let stretch = distance - length;
+        Ok((k * (1 - length / distance), ratio(1, 2) * (k * stretch.powi(2))))
+    }
+
+    /// The force of a damper for each unit of distance.
+    fn damper_between(
+        &mut self,
+        [a, b]: [&Ident; 2],
+        at: Span,
+        coefficient: &Read<ast::Expr>,
+    ) -> Result<Expr<'g>, Reported> {
+        let ends = self.ends([a, b], at);
+        let place = Place::fixed(format!("the coefficient of the damper between `{a}` and `{b}`"));
+        let coefficient = self.read(coefficient);
+        let coefficient = coefficient.and_then(|c| self.positive(c, &place, Requirement::NonNegative));
+        let ends = ends?;
+        self.can_move(&ends, a)?;
+        let [[from, from_rate], [to, to_rate]] = ends.each_ref().map(Declared::symbols);
+        let approach = (to - from).dot(to_rate - from_rate);
+        Ok(coefficient? * approach / square_of_distance(&ends))
     }
 
     fn coordinate(&mut self, name: &Ident, items: &ast::Items) -> Result<CoordinateId, Reported> {
@@ -164,10 +191,6 @@ impl<'g> Lower<'g> {
         Err(self.errors.at(at.span(), fact, "name a point of a body that moves"))
     }
 
-    fn square_of_distance(&self, [a, b]: &[Declared<'g>; 2]) -> Expr<'g> {
-        square_of(b.symbols()[0] - a.symbols()[0])
-    }
-
     fn has_rates(&self, x: Expr<'g>) -> bool {
         let mut symbols = self
             .graph
@@ -178,7 +201,15 @@ impl<'g> Lower<'g> {
     }
 }
 
-fn between<'g>(ends: [Option<model::Place<'g>>; 2], factor: Expr<'g>, potential: Expr<'g>) -> Option<Action<'g>> {
+fn square_of_distance<'g>([a, b]: &[Declared<'g>; 2]) -> Expr<'g> {
+    square_of(b.symbols()[0] - a.symbols()[0])
+}
+
+fn between<'g>(
+    ends: [Option<model::Place<'g>>; 2],
+    factor: Expr<'g>,
+    potential: Option<Expr<'g>>,
+) -> Option<Action<'g>> {
     let [a, b] = ends;
     a.zip(b).map(|(a, b)| Action::Between {
         ends: [a, b],

@@ -29,7 +29,7 @@ use proc_macro2::Span;
 use crate::ast::{Items, Read, Scene, Vector};
 use crate::error::{Errors, Reported};
 use crate::expr::{Derivative, Expr, Graph, SymbolKind};
-use crate::model::{BodyId, Coordinate, Figure, Model, Poses, Rule};
+use crate::model::{BodyId, Coordinate, Figure, Model, Poses, Rule, along_motion};
 use crate::screw::Vec3;
 use expr::Place;
 use motion::Motion;
@@ -109,7 +109,8 @@ impl<'g> Lower<'g> {
         let coordinates = self.coordinates(&items.bodies);
         self.check_places(&items.bodies);
         self.declare_points(&items.points, &items.bodies);
-        self.along_motion = self.along_motion_of(&coordinates);
+        let points = self.points.values().map(Declared::symbols);
+        self.along_motion = along_motion(self.time, coordinates.iter(), points);
         self.lets(&items.lets);
         let gravity = self.gravity(items.gravity.as_ref());
         let drives = self.drives(&items.bodies, coordinates.len());
@@ -174,14 +175,6 @@ impl<'g> Lower<'g> {
     /// A part of the text, or the report of why it cannot be read.
     fn read<'a, T>(&mut self, part: &'a Read<T>) -> Result<&'a T, Reported> {
         part.as_ref().map_err(|error| self.errors.push(error.clone()))
-    }
-
-    /// The derivative along the motion, for coordinates and the points that are declared.
-    fn along_motion_of(&self, coordinates: &[Coordinate<'g>]) -> Derivative<'g> {
-        let of_coordinates = coordinates.iter().map(|c| (c.position, c.rate));
-        let of_points = self.points.values().map(Declared::symbols);
-        let of_points = of_points.flat_map(|[position, velocity]| position.0.into_iter().zip(velocity.0));
-        Derivative::along(of_coordinates.chain(of_points).chain([(self.time, self.graph.one())]))
     }
 
     fn gravity(&mut self, gravity: Option<&Vector>) -> Vec3<'g> {

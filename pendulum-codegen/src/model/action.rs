@@ -42,8 +42,8 @@ pub(crate) enum Action<'g> {
         ends: [Place<'g>; 2],
         /// The force for each unit of distance.
         factor: Expr<'g>,
-        /// Its potential energy; zero for a damper.
-        potential: Expr<'g>,
+        /// The potential energy of a spring.
+        potential: Option<Expr<'g>>,
     },
 }
 
@@ -51,7 +51,8 @@ impl<'g> Action<'g> {
     /// Its potential energy, if it has one.
     pub(crate) fn potential(&self) -> Option<Expr<'g>> {
         match *self {
-            Self::Potential(potential) | Self::Between { potential, .. } => Some(potential),
+            Self::Potential(potential) => Some(potential),
+            Self::Between { potential, .. } => potential,
             _ => None,
         }
     }
@@ -61,7 +62,7 @@ impl<'g> Action<'g> {
         match self {
             Self::Along(_, x, _) | Self::Potential(x) | Self::Dissipation(x) => vec![x],
             Self::Push(push) => push.force.0.iter_mut().collect(),
-            Self::Between { factor, potential, .. } => vec![factor, potential],
+            Self::Between { factor, potential, .. } => potential.iter_mut().chain([factor]).collect(),
         }
     }
 }

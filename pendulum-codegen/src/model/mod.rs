@@ -2,9 +2,11 @@
 
 mod action;
 mod combination;
+mod drive;
 mod figure;
 mod index;
 mod output;
+mod point;
 mod pose;
 
 use std::collections::BTreeSet;
@@ -13,14 +15,16 @@ use rustc_hash::FxHashMap;
 
 pub(crate) use action::{Action, Place, Push};
 pub(crate) use combination::Combination;
+pub(crate) use drive::Drive;
 pub(crate) use figure::Figure;
 pub use figure::FigureKind;
 pub(crate) use index::index_types;
 pub(crate) use index::{BodyId, CoordinateId};
 pub(crate) use output::{Event, Output, OutputShape};
+pub(crate) use point::{Point, along_motion};
 pub(crate) use pose::Poses;
 
-use crate::expr::{BaseAngles, Definition, Derivative, Expr, Formula, Graph, ratio};
+use crate::expr::{BaseAngles, Definition, Expr, Formula, Graph, ratio};
 use crate::screw::{Mat3, SpatialInertia, Transform, Twist, Vec3};
 use crate::units::Unit;
 
@@ -102,30 +106,6 @@ pub(crate) struct Coordinate<'g> {
     pub rate: Expr<'g>,
     /// Its second rate, where it is held fixed while other things vary.
     pub acceleration: Expr<'g>,
-}
-
-/// A joint that is driven: its coordinate is a function of time, and no part of the state.
-#[derive(Clone, Debug)]
-pub(crate) struct Drive<'g> {
-    /// What stands for the coordinate and its derivatives until their values are put in.
-    pub coordinate: Coordinate<'g>,
-    /// The coordinate and its first two derivatives as functions of time.
-    pub law: [Expr<'g>; 3],
-}
-
-/// A point of a body.
-#[derive(Clone, Debug)]
-pub(crate) struct Point<'g> {
-    /// Name.
-    pub name: String,
-    /// Where it is.
-    pub place: Place<'g>,
-    /// Whether its body can move.
-    pub moves: bool,
-    /// The symbols that stand for its position in the ground frame while a scene is read.
-    pub position: Vec3<'g>,
-    /// Those for its velocity.
-    pub velocity: Vec3<'g>,
 }
 
 /// The constants that a model has beside the places of its coordinates.
@@ -262,26 +242,6 @@ impl<'g> Model<'g> {
         self.inputs.iter().map(|input| input.symbol).collect()
     }
 
-    /// A coordinate of the state, or that of a drive.
-    pub(crate) fn coordinate(&self, k: CoordinateId) -> &Coordinate<'g> {
-        match usize::from(k).checked_sub(self.dof()) {
-            Some(drive) => &self.drives[drive].coordinate,
-            None => &self.coordinates[k],
-        }
-    }
-
-    /// The coordinates of the state, then those of the drives.
-    pub(crate) fn all_coordinates(&self) -> impl Iterator<Item = &Coordinate<'g>> {
-        self.coordinates
-            .iter()
-            .chain(self.drives.iter().map(|drive| &drive.coordinate))
-    }
-
-    /// Whether a coordinate is that of a drive.
-    pub(crate) fn is_driven(&self, k: CoordinateId) -> bool {
-        usize::from(k) >= self.dof()
-    }
-
     /// The value of a combination of coordinates.
     pub(crate) fn position_of(&self, combination: &Combination) -> Expr<'g> {
         combination.of(self.graph, |k| self.coordinate(k).position)
@@ -295,73 +255,6 @@ impl<'g> Model<'g> {
     /// The second rate of a combination of coordinates.
     pub(crate) fn acceleration_of(&self, combination: &Combination) -> Expr<'g> {
         combination.of(self.graph, |k| self.coordinate(k).acceleration)
-    }
-
-    /// The second rate of a combination of coordinates where those of the state do not accelerate.
-    pub(crate) fn driven_acceleration_of(&self, combination: &Combination) -> Expr<'g> {
-        let zero = self.graph.zero();
-        let own = |k| {
-            if self.is_driven(k) {
-                self.coordinate(k).acceleration
-            } else {
-                zero
-            }
-        };
-        combination.of(self.graph, own)
-    }
-
-    /// What each drive prescribes, in place of the symbols that stand for it.
-    pub(crate) fn with_drives(&self, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
-        if self.drives.is_empty() {
-            return roots.to_vec();
-        }
-        let laws = self
-            .drives
-            .iter()
-            .flat_map(|Drive { coordinate: c, law }| [c.position, c.rate, c.acceleration].into_iter().zip(*law));
-        self.graph.substitute(roots, laws.collect())
-    }
-
-    /// The derivative along the motion of what depends on the coordinates and the time only.
-    pub(crate) fn along_motion(&self) -> Derivative<'g> {
-        let coordinates = self.all_coordinates().map(|c| (c.position, c.rate));
-        let points = self
-            .points
-            .iter()
-            .flat_map(|p| p.position.0.into_iter().zip(p.velocity.0));
-        let time = (self.time, self.graph.one());
-        Derivative::along(coordinates.chain(points).chain([time]))
-    }
-
-    /// Puts the positions and velocities of points in the place of their symbols.
-    pub(crate) fn resolve_points(&mut self) {
-        let poses = Poses::new(self);
-        let mut values = FxHashMap::default();
-        let mut along_motion = self.along_motion();
-        for Point {
-            place,
-            position,
-            velocity,
-            ..
-        } in &self.points
-        {
-            let value = poses.point(place.body, place.at);
-            let rate = value.0.map(|x| along_motion.of(x));
-            values.extend(position.0.into_iter().zip(value.0));
-            values.extend(velocity.0.into_iter().zip(rate));
-        }
-        let bodies = self.bodies.iter_mut();
-        let of_bodies = bodies.flat_map(|body| [&mut body.force, &mut body.passive, &mut body.potential]);
-        let of_actions = self.actions.iter_mut().flat_map(Action::places);
-        let of_outputs = self.outputs.iter_mut().flat_map(|output| &mut output.values);
-        let of_events = self.events.iter_mut().map(|event| &mut event.value);
-        let places: Vec<&mut Expr<'g>> = of_bodies.chain(of_actions).chain(of_outputs).chain(of_events).collect();
-        let unresolved: Vec<Expr<'g>> = places.iter().map(|place| **place).collect();
-        let resolved = self.graph.substitute(&unresolved, values);
-        places
-            .into_iter()
-            .zip(resolved)
-            .for_each(|(place, value)| *place = value);
     }
 
     /// Every name of the declaration that can stand in an expression, without the marks of raw identifiers.

@@ -82,7 +82,7 @@ impl<'g> Sketch<'g> {
             let Action::Between { ends, potential, .. } = action else {
                 continue;
             };
-            let kind = if potential.is_zero() {
+            let kind = if potential.is_none() {
                 FigureKind::Damper
             } else {
                 FigureKind::Spring
