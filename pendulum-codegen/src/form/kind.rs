@@ -10,6 +10,8 @@ use crate::pass::Preference;
 pub(crate) struct Form {
     /// How the dynamics are written.
     pub basis: Basis,
+    /// Whether forces at points act as wrenches on links.
+    pub wrenches: bool,
     /// How the accelerations are solved from them, where they are.
     pub solver: Option<Solver>,
     /// Whether what cancels in the solution did so in symbols.
@@ -53,6 +55,10 @@ impl Form {
         }
     }
 
+    pub(super) fn with_wrenches(self, wrenches: bool) -> Self {
+        Self { wrenches, ..self }
+    }
+
     pub(super) fn solved_by(self, solver: Solver) -> Self {
         Self {
             solver: Some(solver),
@@ -84,6 +90,9 @@ impl fmt::Display for Form {
             Basis::Articulated => "articulated bodies",
             Basis::Declared => "as declared",
         })?;
+        if self.wrenches {
+            f.write_str(" with wrenches on links")?;
+        }
         f.write_str(match self.solver {
             Some(Solver::Adjugate) => ", adjugate",
             Some(Solver::Inverse) => ", inverse",

@@ -63,11 +63,11 @@ type Candidate<'g> = (Form, Vec<Expr<'g>>);
 #[derive(Debug)]
 pub(crate) struct Forms<'g> {
     /// Dynamics and, where it is known in a better form, the determinant of the mass matrix.
-    forms: Vec<(Basis, Dynamics<'g>, Option<Expr<'g>>)>,
+    forms: Vec<(Form, Dynamics<'g>, Option<Expr<'g>>)>,
     /// The accelerations of two coordinates with all that cancels gone.
     exact: Vec<Candidate<'g>>,
-    /// The accelerations by articulated bodies, in one form or more.
-    articulated: Vec<Vec<Expr<'g>>>,
+    /// The accelerations by articulated bodies.
+    articulated: Vec<Candidate<'g>>,
     normalizer: Normalizer<'g>,
 }
 
@@ -90,21 +90,28 @@ impl<'g> Forms<'g> {
                 let accelerations = lopsided.then(|| closed.exact(g, &factored, preference)).flatten();
                 exact.extend(accelerations.map(|x| (Form::of(Basis::Closed(preference)).exactly(), x)));
                 let determinant = closed.determinant(g, preference);
-                forms.push((Basis::Closed(preference), factored, determinant));
+                forms.push((Form::of(Basis::Closed(preference)), factored, determinant));
             }
         }
         // constants that are zero, or equal, for a reason that shows in their normal form only
-        let recursive = ways
-            .iter()
-            .map(|&pushed| (Basis::Recursive, Dynamics::recursive(model, potential, pushed)));
-        for (basis, dynamics) in [(Basis::Shared, dynamics.clone())].into_iter().chain(recursive) {
+        let recursive = ways.iter().map(|&pushed| {
+            (
+                Form::of(Basis::Recursive).with_wrenches(pushed),
+                Dynamics::recursive(model, potential, pushed),
+            )
+        });
+        for (form, dynamics) in [(Form::of(Basis::Shared), dynamics.clone())]
+            .into_iter()
+            .chain(recursive)
+        {
             let folded = constants::fold(g, &dynamics.entries());
-            forms.push((basis, dynamics.with_entries(folded), None));
+            forms.push((form, dynamics.with_entries(folded), None));
         }
-        let articulated = ways.iter().map(|&pushed| Dynamics::articulated(model, pushed));
-        let articulated = articulated
-            .map(|accelerations| constants::fold(g, &accelerations))
-            .collect();
+        let articulated = ways.iter().map(|&pushed| {
+            let form = Form::of(Basis::Articulated).with_wrenches(pushed);
+            (form, constants::fold(g, &Dynamics::articulated(model, pushed)))
+        });
+        let articulated = articulated.collect();
         Self {
             forms,
             exact,
@@ -125,14 +132,14 @@ impl<'g> Forms<'g> {
 
     fn on(&self, wanted: Basis) -> Option<&Dynamics<'g>> {
         let mut forms = self.forms.iter();
-        let found = forms.find(|(basis, ..)| *basis == wanted);
+        let found = forms.find(|(form, ..)| form.basis == wanted);
         found.map(|(_, dynamics, _)| dynamics)
     }
 
     /// The shortest code for something that every form of the dynamics has.
     pub(crate) fn part(&self, part: impl Fn(&Dynamics<'g>) -> Vec<Expr<'g>>) -> Chosen<'g> {
         let candidates = self.forms.iter();
-        let candidates = candidates.map(|(basis, dynamics, _)| (Form::of(*basis), part(dynamics)));
+        let candidates = candidates.map(|(form, dynamics, _)| (*form, part(dynamics)));
         self.choose(candidates.collect())
     }
 
@@ -141,26 +148,21 @@ impl<'g> Forms<'g> {
         let graphs = self
             .forms
             .iter()
-            .filter(|(basis, ..)| !matches!(basis, Basis::Closed(_)));
-        self.choose(
-            graphs
-                .map(|(basis, dynamics, _)| (Form::of(*basis), part(dynamics)))
-                .collect(),
-        )
+            .filter(|(form, ..)| !matches!(form.basis, Basis::Closed(_)));
+        self.choose(graphs.map(|(form, dynamics, _)| (*form, part(dynamics))).collect())
     }
 
     /// The shortest code for the accelerations.
     pub(crate) fn accelerations(&self) -> Chosen<'g> {
         let mut candidates = Vec::new();
-        for (basis, dynamics, determinant) in &self.forms {
+        for (own, dynamics, determinant) in &self.forms {
             for (factored, solver) in factorings(dynamics, *determinant) {
-                let form = Form::of(*basis).solved_by(solver);
+                let form = own.solved_by(solver);
                 candidates.push((form, factored.solve_negated(&dynamics.residual)));
             }
         }
         candidates.extend(self.exact.iter().cloned());
-        let articulated = self.articulated.iter().cloned();
-        candidates.extend(articulated.map(|accelerations| (Form::of(Basis::Articulated), accelerations)));
+        candidates.extend(self.articulated.iter().cloned());
         self.choose(candidates)
     }
 
@@ -173,14 +175,14 @@ impl<'g> Forms<'g> {
         with_accelerations: bool,
     ) -> Chosen<'g> {
         let mut candidates = Vec::new();
-        for (basis, dynamics, determinant) in &self.forms {
+        for (own, dynamics, determinant) in &self.forms {
             let derived = partials(dynamics, variables);
-            let mut columns = ways(&mut self.normalizer, *basis, derived);
+            let mut columns = ways(&mut self.normalizer, own.basis, derived);
             let by_recursion = partials_by_recursion(dynamics, &model.coordinates, variables);
             columns.extend(by_recursion.map(|columns| (Derivatives::Recursion, columns)));
-            let exact = self.exact.iter().filter(|(form, _)| form.basis == *basis);
+            let exact = self.exact.iter().filter(|(form, _)| form.basis == own.basis);
             for (factored, solver) in factorings(dynamics, *determinant) {
-                let form = Form::of(*basis).solved_by(solver);
+                let form = own.solved_by(solver);
                 let mut ways = vec![(form, factored.solve_negated(&dynamics.residual))];
                 ways.extend(
                     exact
@@ -208,11 +210,11 @@ impl<'g> Forms<'g> {
     /// The shortest code for the momenta and, behind them, their rates.
     pub(crate) fn canonical(&mut self, model: &Model<'g>) -> Chosen<'g> {
         let mut candidates = Vec::new();
-        for (basis, dynamics, _) in &self.forms {
+        for (form, dynamics, _) in &self.forms {
             let rates = vec![momentum_rates(dynamics, model)];
-            for (derivatives, rates) in ways(&mut self.normalizer, *basis, rates) {
+            for (derivatives, rates) in ways(&mut self.normalizer, form.basis, rates) {
                 let roots = dynamics.momentum.iter().copied().chain(rates.into_iter().flatten());
-                candidates.push((Form::of(*basis).derived_by(derivatives), roots.collect()));
+                candidates.push((form.derived_by(derivatives), roots.collect()));
             }
         }
         self.choose(candidates)
@@ -222,14 +224,14 @@ impl<'g> Forms<'g> {
     pub(crate) fn canonical_jacobian(&mut self, model: &Model<'g>) -> Chosen<'g> {
         let state = model.state();
         let mut candidates = Vec::new();
-        for (basis, dynamics, _) in &self.forms {
+        for (form, dynamics, _) in &self.forms {
             let rates = vec![momentum_rates(dynamics, model)];
             let momenta = momentum_partials(dynamics, &model.coordinates);
-            for (_, rates) in ways(&mut self.normalizer, *basis, rates) {
+            for (_, rates) in ways(&mut self.normalizer, form.basis, rates) {
                 let columns = momenta.iter().cloned().chain(derived(&rates[0], &state)).collect();
-                for (derivatives, columns) in ways(&mut self.normalizer, *basis, columns) {
+                for (derivatives, columns) in ways(&mut self.normalizer, form.basis, columns) {
                     let roots = columns.into_iter().flatten().collect();
-                    candidates.push((Form::of(*basis).derived_by(derivatives), roots));
+                    candidates.push((form.derived_by(derivatives), roots));
                 }
             }
         }

@@ -39,9 +39,9 @@ impl<'g> Forms<'g> {
     pub(crate) fn taylor(&self, model: &Model<'g>) -> Taylor<'g> {
         let mut symbols = Symbols::new(model);
         let mut candidates: Vec<(Form, Dynamics<'g>, Option<Expr<'g>>, usize)> = Vec::new();
-        for (basis, dynamics, determinant) in &self.forms {
+        for (form, dynamics, determinant) in &self.forms {
             let slots = slots(model, &mut symbols, dynamics);
-            candidates.push((Form::of(*basis), dynamics.clone(), *determinant, slots));
+            candidates.push((*form, dynamics.clone(), *determinant, slots));
         }
         let fewest = candidates.iter().map(|(.., slots)| *slots).min().unwrap_or(0);
         let mut counted: Vec<Taylor<'g>> = Vec::new();
