@@ -37,7 +37,7 @@ pub trait Shapes<const N: usize> {
 /// Something to see.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Shape {
-    /// The body that it belongs to, or the point that it is; for springs and dampers the first of their points.
+    /// The body that it belongs to, or the point that it is; for springs and dampers the body of their first end.
     pub name: &'static str,
     /// What it is.
     pub kind: ShapeKind,

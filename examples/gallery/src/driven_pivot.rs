@@ -5,7 +5,7 @@
 
 use pendulum_core::prelude::*;
 
-use crate::{Check, Run};
+use crate::{Check, Run, larger};
 
 mechanism! {
     /// Two rods below a pivot that moves as (a cos(nx w t), b sin(ny w t)).
@@ -77,7 +77,7 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
             let known = lagrange(&params, pivot, &x);
             let found = model.rhs(t, &x.into());
             for k in 0..2 {
-                worst[k] = f64::max(worst[k], (found[2 + k] - known[k]).abs());
+                worst[k] = larger(worst[k], (found[2 + k] - known[k]).abs());
             }
         }
         checks.push(Check::same(

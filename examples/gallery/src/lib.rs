@@ -140,7 +140,7 @@ impl Check {
     /// The largest difference of two lists.
     fn same(what: impl Into<String>, found: &[f64], known: &[f64], within: f64) -> Self {
         let pairs = found.iter().zip(known);
-        let largest = pairs.fold(0.0, |largest: f64, (found, known)| largest.max((found - known).abs()));
+        let largest = pairs.fold(0.0, |largest, (found, known)| larger(largest, (found - known).abs()));
         let complete = if found.len() == known.len() { largest } else { f64::NAN };
         Self::new(what, complete, 0.0, within)
     }
@@ -168,6 +168,11 @@ impl fmt::Display for Check {
             self.what, self.within
         )
     }
+}
+
+/// The larger of two numbers; NaN if one of them is.
+fn larger(a: f64, b: f64) -> f64 {
+    if b > a || b.is_nan() { b } else { a }
 }
 
 /// What is left of d(energy)/dt less the powers, at its largest along a motion, in the largest term of either.
@@ -198,8 +203,11 @@ where
         let changes = changes.map(|energy| energy.slopes[0]);
         let powers = powers(t, &x);
         let terms = changes.iter().chain(&powers);
-        largest = terms.fold(largest, |largest, term| largest.max(term.abs()));
-        residual = residual.max((changes.iter().sum::<f64>() - powers.iter().sum::<f64>()).abs());
+        largest = terms.fold(largest, |largest, term| larger(largest, term.abs()));
+        residual = larger(
+            residual,
+            (changes.iter().sum::<f64>() - powers.iter().sum::<f64>()).abs(),
+        );
     }
     Ok(residual / largest)
 }

@@ -1,31 +1,31 @@
 //! How smooth an expression is.
 
+use num_traits::ToPrimitive;
 use rustc_hash::FxHashMap;
 
-use super::{Binary, Expr, Node, Unary};
+use super::{Binary, Expr, Level, Node, Rational, Unary, ratio};
 
 /// How many derivatives of smooth functions are counted.
 const SMOOTH: i64 = 16;
 
-impl Expr<'_> {
+impl<'g> Expr<'g> {
     /// How many continuous derivatives an expression is known to have where the state and the time vary: 0 for a corner, as `abs` has
-    /// at zero, -1 for a jump, and many for what is smooth wherever it has a value.
+    /// at zero, -1 for a jump, and many for what is smooth wherever it has a value. Places where the argument of a root, a quotient or an
+    /// angle vanishes are not looked for.
     pub(crate) fn continuous_derivatives(self) -> i64 {
         let mut known: FxHashMap<Self, i64> = FxHashMap::default();
         for id in self.graph().reachable(&[self]) {
             let x = self.graph().expr(id);
-            let least = x.operands().map(|operand| known[&operand]).min().unwrap_or(SMOOTH);
-            let own = match x.node() {
-                _ if x.level() < super::Level::State => SMOOTH,
-                Node::Unary(Unary::Abs, _) => least.min(0),
-                Node::Unary(Unary::Sign, _) => -1,
-                // |u| |u| .. u: each factor that vanishes where `abs` has its corner takes the corner up by one
-                Node::Binary(Binary::Mul, a, b) if is_abs_of(a, b) || is_abs_of(b, a) => least + 1,
-                Node::Power(base, n) if matches!(base.node(), Node::Unary(Unary::Abs, _)) => {
-                    let n = n.ceil().to_integer();
-                    i64::try_from(n).map_or(SMOOTH, |n| (n - 1).min(SMOOTH))
+            let own = if x.level() < Level::State {
+                SMOOTH
+            } else {
+                match x.node() {
+                    Node::Unary(Unary::Sign, _) => -1,
+                    Node::Unary(Unary::Abs, _) | Node::Binary(Binary::Mul, ..) | Node::Power(..) => {
+                        of_product(x, &known)
+                    }
+                    _ => x.operands().map(|operand| known[&operand]).min().unwrap_or(SMOOTH),
                 }
-                _ => least,
             };
             known.insert(x, own);
         }
@@ -33,11 +33,50 @@ impl Expr<'_> {
     }
 }
 
-/// Whether `a` is a power of `|b|`.
-fn is_abs_of(a: Expr<'_>, b: Expr<'_>) -> bool {
-    match a.node() {
-        Node::Unary(Unary::Abs, inner) => inner == b,
-        Node::Power(base, _) => matches!(base.node(), Node::Unary(Unary::Abs, inner) if inner == b),
-        _ => false,
+/// Of a product: each `|u|^p u^n` in it has one continuous derivative less than `p + n`, rounded up, unless `p` is even.
+fn of_product<'g>(product: Expr<'g>, known: &FxHashMap<Expr<'g>, i64>) -> i64 {
+    let mut factors: Vec<(Expr<'g>, Rational, Rational)> = Vec::new();
+    collect(product, &ratio(1, 1), &mut factors);
+    let of_factor = |(base, size, power): &(Expr<'g>, Rational, Rational)| {
+        let even = (size / ratio(2, 1)).is_integer();
+        let own = if even {
+            SMOOTH
+        } else {
+            (size + power).ceil().to_integer().to_i64().map_or(SMOOTH, |n| n - 1)
+        };
+        own.min(known.get(base).copied().unwrap_or(SMOOTH))
+    };
+    factors.iter().map(of_factor).min().unwrap_or(SMOOTH).min(SMOOTH)
+}
+
+/// The factors of a product that vary: the base, the power of its absolute value, and its own power.
+fn collect<'g>(x: Expr<'g>, power: &Rational, factors: &mut Vec<(Expr<'g>, Rational, Rational)>) {
+    if x.level() < Level::State {
+        return;
+    }
+    let (base, is_size, power) = match x.node() {
+        Node::Unary(Unary::Neg, inner) => return collect(inner, power, factors),
+        Node::Binary(Binary::Mul, a, b) => {
+            collect(a, power, factors);
+            return collect(b, power, factors);
+        }
+        Node::Unary(Unary::Abs, inner) => (inner, true, power.clone()),
+        // a root of a square is an absolute value
+        Node::Power(inner, n) if !power.is_integer() && (n / ratio(2, 1)).is_integer() => (inner, true, power * n),
+        Node::Power(inner, n) => return collect(inner, &(power * n), factors),
+        _ => (x, false, power.clone()),
+    };
+    let place = match factors.iter().position(|(known, ..)| *known == base) {
+        Some(place) => place,
+        None => {
+            factors.push((base, ratio(0, 1), ratio(0, 1)));
+            factors.len() - 1
+        }
+    };
+    let (_, size, own) = &mut factors[place];
+    if is_size {
+        *size += power;
+    } else {
+        *own += power;
     }
 }

@@ -115,7 +115,8 @@ impl<'g> Lower<'g> {
         let ends = self.ends([a, b], at);
         let what = format!("the spring between `{a}` and `{b}`");
         let (stiffness, length) = self.read(law)?;
-        let k = self.stiffness(stiffness, &what);
+        let instead = "a spring pulls back; write a force that pushes away by its `potential: ..`";
+        let k = self.stiffness(stiffness, &what, instead);
         let of_length = Place::fixed(format!("the length of {what}"));
         let length = self.positive(length, &of_length, Requirement::NonNegative);
         let ends = ends?;
@@ -165,8 +166,10 @@ impl<'g> Lower<'g> {
             .iter()
             .any(|body| body.name == *name && body.fields.motion.is_some());
         if driven {
-            let fact = format_args!("the joint of `{name}` is driven, so no force along it changes anything");
-            return Err(self.errors.at(name.span(), fact, "remove the force, or the motion"));
+            let fact = format_args!("the joint of `{name}` is driven, so no force along it changes the motion");
+            return Err(self
+                .errors
+                .at(name.span(), fact, "remove the force, or drive the joint by a `torque`"));
         }
         let fact = format_args!("no coordinate named `{name}`");
         Err(self

@@ -63,7 +63,8 @@ impl<'g> Lower<'g> {
         let Some((stiffness, rest)) = &body.fields.spring else {
             return Ok((self.graph.zero(), self.graph.zero()));
         };
-        let stiffness = self.stiffness(stiffness, &format!("`{}`", body.name));
+        let instead = "a spring pulls back; write a force that pushes away as `torque: ..`";
+        let stiffness = self.stiffness(stiffness, &format!("`{}`", body.name), instead);
         let rest = self.expr(rest, &Place::fixed(format!("the rest position of `{}`", body.name)));
         let (stiffness, rest) = (stiffness?, rest?);
         let stretch = position - rest;
@@ -72,14 +73,14 @@ impl<'g> Lower<'g> {
     }
 
     /// The stiffness of the spring of `what`.
-    pub(super) fn stiffness(&mut self, stiffness: &ast::Expr, what: &str) -> Result<Expr<'g>, Reported> {
+    pub(super) fn stiffness(&mut self, stiffness: &ast::Expr, what: &str, instead: &str) -> Result<Expr<'g>, Reported> {
         let place = Place::fixed(format!("the stiffness of {what}"));
         self.expr(stiffness, &place).and_then(|value| match value.constant() {
-            Some(number) if number < 0.0 => Err(self.errors.on(
-                stiffness,
-                format_args!("{} is {number}", place.what),
-                "a spring pulls back; write a force that pushes away as `torque: ..`",
-            )),
+            Some(number) if number < 0.0 => {
+                Err(self
+                    .errors
+                    .on(stiffness, format_args!("{} is {number}", place.what), instead))
+            }
             _ => Ok(value),
         })
     }

@@ -71,6 +71,8 @@ struct Lower<'g> {
     points: BTreeMap<String, Declared<'g>>,
     /// How the solids look that were read last.
     figures: Vec<Figure<'g>>,
+    /// The names of the bodies.
+    body_names: Vec<String>,
     /// For each body of the text what its joint does, where it has a motion.
     motions: Vec<Option<Result<Motion<'g>, Reported>>>,
     /// For each body of the text the body of the model, unless it has an error.
@@ -91,6 +93,7 @@ pub(crate) fn lower<'g>(graph: &'g Graph, scene: &Scene, errors: Errors) -> Resu
         spans: Spans::default(),
         time,
         points: BTreeMap::new(),
+        body_names: scene.items.bodies.iter().map(|body| body.name.to_string()).collect(),
         figures: Vec::new(),
         motions: Vec::new(),
         bodies: Vec::new(),
@@ -121,7 +124,7 @@ impl<'g> Lower<'g> {
             .chain(drives.iter().map(|drive| drive.coordinate.clone()))
             .collect();
         let bodies = self.bodies(&items.bodies, order, &all, &shapes);
-        let has_drives = items.bodies.iter().any(|body| body.fields.motion.is_some());
+        let has_drives = !drives.is_empty();
         let generate = items.generate.as_ref().map(|(word, list)| {
             if list.is_empty() && items.outputs.is_empty() && items.events.is_empty() {
                 let help = "write `generate: [rhs, jacobian, energy]`, or leave it out";
@@ -188,7 +191,13 @@ impl<'g> Lower<'g> {
             return;
         }
         let name = &scene.head.name;
-        let (fact, help) = if scene.items.bodies.is_empty() {
+        let is_driven = scene.items.bodies.iter().any(|body| body.fields.motion.is_some());
+        let (fact, help) = if is_driven {
+            (
+                format!("only driven joints move in `{name}`, so it has no state"),
+                "give one joint a coordinate in place of its motion",
+            )
+        } else if scene.items.bodies.is_empty() {
             (
                 format!("`{name}` has no body"),
                 "add `body name on ground { mass: .., joint: .., coordinate: .. }`",

@@ -72,10 +72,11 @@ impl<'g> Lower<'g> {
         }
         let spring = body.fields.spring.as_ref().map(|(stiffness, _)| stiffness);
         if let Some(force) = body.fields.friction.as_ref().or(spring).or(body.fields.torque.as_ref()) {
-            let fact = format_args!("the joint of `{name}` is driven, so no force along it changes anything");
-            self.errors.on(force, fact, "remove the force, or the motion");
+            let fact = format_args!("the joint of `{name}` is driven, so no force along it changes the motion");
+            self.errors
+                .on(force, fact, "remove the force, or drive the joint by a `torque`");
         }
-        self.smooth(motion, law?, 1, &place, "acceleration")
+        self.smooth(motion, law?, 2, &place, "acceleration")
     }
 
     /// Refuses an expression that has fewer continuous derivatives than are needed, for one of which it is taken.
@@ -92,19 +93,19 @@ impl<'g> Lower<'g> {
         }
         let corner = corner(given).unwrap_or(given);
         let fact = format_args!(
-            "{} has a corner where `abs` passes 0, so the {what} does not exist there",
+            "{} is not smooth where `abs` passes 0: the {what} does not exist there",
             place.what
         );
-        let help = "`sqrt(x^2 + eps^2)` is a smooth `abs(x)`; `abs(x)*x` and `abs(x)^3` have no corner either";
+        let help = "`sqrt(x^2 + eps^2)` is a smooth `abs(x)`, and `abs(x)^3` is smooth enough";
         Err(self.errors.on(corner, fact, help))
     }
 }
 
-/// The first call of `abs` in an expression.
+/// The first call of `abs` in an expression, or of a root.
 fn corner(expr: &ast::Expr) -> Option<&ast::Expr> {
     use ast::ExprKind::{Binary, Call, Component, Name, Neg, Number, Power};
     match &expr.kind {
-        Call(name, _) if name == "abs" => Some(expr),
+        Call(name, _) if name == "abs" || name == "sqrt" => Some(expr),
         Call(_, arguments) => arguments.iter().find_map(corner),
         Neg(a) => corner(a),
         Binary(_, a, b) | Power(a, b) => corner(a).or_else(|| corner(b)),

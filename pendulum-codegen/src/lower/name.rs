@@ -150,7 +150,8 @@ impl<'g> Lower<'g> {
                     return Err(*reported);
                 }
                 match self.names.kind(&text) {
-                    Some(Kind::Let) => {}
+                    Some(Kind::Let | Kind::Input) => {}
+                    None if text == "t" => {}
                     Some(Kind::Point) => {
                         let fact = format_args!("`{text}` is a point, not a number");
                         let help = format_args!("write `dot({text}.x)`, `dot({text}.y)` or `dot({text}.z)`");

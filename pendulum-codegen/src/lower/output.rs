@@ -10,7 +10,7 @@ use super::scope::Kind;
 use crate::ast::{self, ExprKind, OutputValue};
 use crate::error::Reported;
 use crate::expr::Expr;
-use crate::model::{Event, Output, OutputShape, Poses};
+use crate::model::{Event, FACTS, Output, OutputShape, Poses, places};
 use crate::program;
 
 impl<'g> Lower<'g> {
@@ -107,17 +107,22 @@ impl<'g> Lower<'g> {
             .iter()
             .map(|event| (&event.name, program::functions_of_event(&event.name)));
         let mut taken: BTreeMap<String, &Ident> = BTreeMap::new();
+        for coordinate in items.bodies.iter().filter_map(|body| body.fields.coordinate.as_ref()) {
+            taken.extend(places(&coordinate.to_string()).map(|constant| (constant, coordinate)));
+        }
         for (ident, functions) in outputs.chain(events) {
             for function in functions {
                 let owner = match taken.get(&function) {
                     Some(owner) => format!("`{owner}`"),
-                    None if program::is_function(&function) => "every model".to_owned(),
+                    None if program::is_function(&function) || FACTS.contains(&function.as_str()) => {
+                        "every model".to_owned()
+                    }
                     None => {
                         taken.insert(function, ident);
                         continue;
                     }
                 };
-                let fact = format_args!("`{ident}` needs the function `{function}`, which {owner} has already");
+                let fact = format_args!("`{ident}` needs the name `{function}`, which {owner} has already");
                 self.errors.at(ident.span(), fact, "choose another name");
                 break;
             }

@@ -131,6 +131,10 @@ impl<'g> Lower<'g> {
             return Err(self.errors.at(name.span(), fact, help));
         }
         let fact = format_args!("no point named `{text}`");
+        if text == "ground" || self.body_names.contains(&text) {
+            let help = format_args!("a body is no point: declare one, `point {text}_end on {text} at [x, y, z],`");
+            return Err(self.errors.at(name.span(), fact, help));
+        }
         let known: Vec<String> = self.points.keys().cloned().collect();
         if known.is_empty() {
             let help = format_args!("declare it: `point {text} on body at [x, y, z],`");
@@ -167,12 +171,12 @@ impl<'g> Lower<'g> {
             _ => None,
         };
         let names: Option<Vec<Ident>> = arguments.iter().map(name).collect();
-        let Some([first, second]) = names.as_deref().and_then(|names| names.first_chunk()) else {
+        let Some([first, second]) = names.as_deref().and_then(|names| <&[Ident; 2]>::try_from(names).ok()) else {
             let fact = "`distance` takes the names of two points";
             return Err(self.errors.on(expr, fact, "write `distance(a, b)`"));
         };
-        let [a, b] = self.ends([first, second], expr_span(expr))?;
-        let square = self.permit(square_of(b.position - a.position), expr_span(expr), place)?;
+        let [a, b] = self.ends([first, second], expr.span())?;
+        let square = self.permit(square_of(b.position - a.position), expr.span(), place)?;
         Ok(square.sqrt())
     }
 
@@ -186,10 +190,6 @@ impl<'g> Lower<'g> {
         }
         Ok(ends)
     }
-}
-
-fn expr_span(expr: &ast::Expr) -> Span {
-    expr.span()
 }
 
 /// `v . v`

@@ -84,6 +84,8 @@ fn between(input: ParseStream, word: &Ident, form: &str, errors: &mut Errors) ->
     let expected = |input: ParseStream, what: &str| {
         let found: Option<Ident> = input.parse()?;
         let Some(_) = found.filter(|found| found == what) else {
+            // the rest of the item is read no more
+            skip_to(input, |input| input.peek(Token![:]));
             let fact = format_args!("a {word} of the scene acts between two points");
             return Err(at(word.span(), fact, format_args!("write `{form}`")));
         };

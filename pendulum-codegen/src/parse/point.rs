@@ -1,7 +1,7 @@
 //! Points of bodies.
 
 use syn::parse::ParseStream;
-use syn::{Ident, Token};
+use syn::{Ident, Token, token};
 
 use super::token::identifier;
 use super::{read, skip_to};
@@ -24,6 +24,10 @@ pub(super) fn point(input: ParseStream) -> syn::Result<Point> {
         ))
     };
     let mut place = None;
+    if input.peek(token::Bracket) {
+        let fact = format_args!("expected `at` before the place of `{name}`");
+        return Err(at(input.span(), fact, format_args!("write `{form}`")));
+    }
     if let Some((word, _)) = input.cursor().ident()
         && body.is_ok()
     {

@@ -21,7 +21,7 @@ pub struct Drawing {
 /// Something to see.
 #[derive(Clone, Debug)]
 pub struct Outline {
-    /// The body, or the point; for springs and dampers the first of their points.
+    /// The body, or the point; for springs and dampers the body of their first end.
     pub name: String,
     /// What it is.
     pub kind: FigureKind,

@@ -12,6 +12,9 @@ mechanism! {
         output skewed: rotation(arm) * 2,
         output nothing: [],
         output many,
+        output THETA: theta,
+        output DOF: theta,
+        event EVENTS: theta,
         event lands: push,
         event height: tip.y,
         body arm on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: theta }

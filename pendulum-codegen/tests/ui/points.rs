@@ -19,6 +19,10 @@ mechanism! {
         let j = dot(dot(tip.x)),
         let k = dot(2),
         let l = sqrt(tip.y),
+        let m = distance(tip, nail, nail),
+        let n = distance(tip, ground),
+        let o = distance(tip, arm),
+        point far on arm [1, 0, 0],
         body arm on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: theta }
     }
 }
