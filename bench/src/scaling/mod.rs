@@ -87,7 +87,7 @@ fn row(
     let program = declaration.program()?;
     let cost = &program.routine(function).ok_or("a routine is missing")?.cost;
     let (items, expansion) = declaration.expand(BUDGETS[0])?;
-    let wanted: Vec<&str> = program.routines.iter().map(|routine| routine.name).collect();
+    let wanted: Vec<&str> = program.routines.iter().map(|routine| routine.name.as_str()).collect();
     let source = declaration.source(&items, &wanted);
     let name = format!("{chain}_{n}_{}", function);
     let (library, compilation) = declaration.compile(rust, &name, &source, BUDGETS[1])?;
