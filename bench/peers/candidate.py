@@ -31,7 +31,8 @@ class Operations:
 
 @dataclass
 class Candidate:
-    """`function` is `rhs`, which gives qdd, or `jacobian`: qdd, then its derivatives by q and qd, column by column."""
+    """`function` is `rhs`, which gives qdd, `jacobian`: qdd, then its derivatives by q and qd, column by column, or
+    `point`: a position, then its derivatives by q."""
 
     model: str
     function: str

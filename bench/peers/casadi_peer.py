@@ -14,6 +14,8 @@ FREE = {cs.OP_CONST, cs.OP_INPUT, cs.OP_OUTPUT, cs.OP_PARAMETER}
 def write(folder, robots, pendulum):
     for robot in robots:
         add(folder, robot.name, robot_forms(robot))
+        if robot.point:
+            add(folder, robot.name, point_forms(robot), "point")
     add(folder, "eq22", pendulum_forms(pendulum))
 
 
@@ -28,6 +30,23 @@ def robot_forms(robot):
         return featherstone.inverse_dynamics(robot, links, x[count:], qdd)
 
     return forms(x, rows, torques, none, featherstone.articulated(robot, links, x[count:], none))
+
+
+def point_forms(robot):
+    """Name, state, position and its Jacobian: derivatives of two graphs, and the columns that textbooks have for them."""
+    count = len(robot.bodies)
+    x = cs.SX.sym("x", 2 * count)
+    q = x[:count]
+    links = featherstone.links(robot, q)
+    frames = featherstone.frames(links)
+    point = featherstone.vector(robot.point)
+    last, turn = frames[-1]
+    place = last + turn @ point
+    for name, position in [("frames", place), ("nested", featherstone.carried(links, point))]:
+        yield f"d({name})", x, position, cs.jacobian(position, q)
+        yield f"d({name}), backward", x, position, cs.jtimes(position, q, cs.SX.eye(3), True).T
+    columns = [cs.cross(turn @ link.axis, place - origin) for link, (origin, turn) in zip(links, frames)]
+    yield "z x (p - o)", x, place, cs.horzcat(*columns)
 
 
 def forms(x, rows, torques, applied, articulated):
@@ -101,14 +120,15 @@ def lagrange(p, x, expanded):
     return rows, torques, applied
 
 
-def add(folder, model, forms):
-    for form, x, qdd, jacobian in forms:
-        outputs = qdd if jacobian is None else cs.vertcat(qdd, cs.vec(cs.densify(jacobian)))
+def add(folder, model, forms, derived="jacobian"):
+    """`derived` is what a form with a Jacobian is called."""
+    for form, x, values, jacobian in forms:
+        outputs = values if jacobian is None else cs.vertcat(values, cs.vec(cs.densify(jacobian)))
         # The graph has been simplified while it was built; this time inverses are to stay.
         cs.GlobalOptions.setSimplificationOnTheFly(False)
         function = cs.Function("f", [x], [cs.densify(cs.cse(outputs))])
         cs.GlobalOptions.setSimplificationOnTheFly(True)
-        kind = "rhs" if jacobian is None else "jacobian"
+        kind = "rhs" if jacobian is None else derived
         folder.add(model, kind, "CasADi", form, code(function, x.shape[0]), count(function))
 
 

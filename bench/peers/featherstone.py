@@ -59,6 +59,27 @@ def links(robot, q):
     return [Link(body, q[n]) for n, body in enumerate(robot.bodies)]
 
 
+def frames(links):
+    """Origin and rotation of each body in the frame of the ground."""
+    found = []
+    for link in links:
+        if link.parent < 0:
+            found.append((link.at, link.turn))
+        else:
+            origin, turn = found[link.parent]
+            found.append((origin + turn @ link.at, turn @ link.turn))
+    return found
+
+
+def carried(links, point):
+    """A point of the last body in the frame of the ground, from body to body."""
+    n = len(links) - 1
+    while n >= 0:
+        point = links[n].at + links[n].turn @ point
+        n = links[n].parent
+    return point
+
+
 def inverse_dynamics(robot, links, qd, qdd):
     """Newton and Euler's recursion (RNEA): the torques of the joints."""
     motions = []

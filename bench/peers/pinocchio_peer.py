@@ -10,6 +10,7 @@ HEAD = """// The list of joint types is longer than Boost's prepared headers all
 
 #include <pinocchio/algorithm/aba.hpp>
 #include <pinocchio/algorithm/aba-derivatives.hpp>
+#include <pinocchio/algorithm/frames.hpp>
 """
 
 ROBOT = """
@@ -78,6 +79,19 @@ SPECIAL = """  held.relative << 1, 0, -1, 1;
   held.friction << {gamma1}, {gamma2};"""
 
 
+FRAME = """  const pinocchio::SE3 point(Eigen::Matrix3d::Identity(), Eigen::Vector3d({at}));
+  model.addFrame(pinocchio::Frame("point", {joint}, 0, point, pinocchio::OP_FRAME));"""
+POINT_SETUP = """  static Held held = make();
+  const auto frame = held.model.getFrameId("point");
+  Eigen::Matrix<double, 6, N> jacobian = Eigen::Matrix<double, 6, N>::Zero();
+  Vector q;
+"""
+# For a Jacobian with the axes of the ground at the point, `computeFrameJacobian` places the frame, too.
+POINT = """    q = Eigen::Map<const Vector>(x);
+    pinocchio::computeFrameJacobian(held.model, held.data, q, frame, pinocchio::LOCAL_WORLD_ALIGNED, jacobian);
+    Eigen::Map<Eigen::Vector3d>{out} = held.data.oMf[frame].translation();
+    Eigen::Map<Eigen::Matrix<double, 3, N>>{out + 3} = jacobian.topRows<3>();"""
+
 FILE = "pinocchio.cpp"
 
 
@@ -98,11 +112,17 @@ def add(folder, robot, special, read, rhs, jacobian):
         symbol = f"{robot.name}_{kind}"
         functions.append(loop(2 * len(robot.bodies), read + code, SETUP, symbol))
         folder.candidates.append(Candidate(robot.name, kind, "Pinocchio", form, FILE, symbol, None))
+    bodies = [body(n, link) for n, link in enumerate(robot.bodies)]
+    if robot.point:
+        bodies.append(FRAME.format(joint=len(robot.bodies), at=joined(robot.point)))
+        symbol = f"{robot.name}_point"
+        functions.append(loop(2 * len(robot.bodies), POINT, POINT_SETUP, symbol))
+        folder.candidates.append(Candidate(robot.name, "point", "Pinocchio", "computeFrameJacobian", FILE, symbol, None))
     return ROBOT.format(
         name=robot.name,
         count=len(robot.bodies),
         gravity=joined(robot.gravity),
-        bodies="\n".join(body(n, link) for n, link in enumerate(robot.bodies)),
+        bodies="\n".join(bodies),
         special=special,
         functions="".join(functions),
     )

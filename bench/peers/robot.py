@@ -24,6 +24,11 @@ class Robot:
     name: str
     gravity: list
     bodies: list
+    point: list | None = None  # in the frame of the last body
+
+
+# The points whose positions and Jacobians are asked for, as in `src/peers/flange.rs`.
+POINTS = {"ur5": [0, 0.0823, 0]}
 
 
 def read(path):
@@ -40,7 +45,7 @@ def robot(data):
         turn = matrix([half_turns(angle) for angle in joint["rpy"]])
         shape = body["mass"], body["com"], body["inertia"]
         bodies.append(Body(body["parent"], joint["axis"], joint["at"], turn, *shape))
-    return Robot(data["name"], data["gravity"], bodies)
+    return Robot(data["name"], data["gravity"], bodies, POINTS.get(data["name"]))
 
 
 def double_pendulum(p):

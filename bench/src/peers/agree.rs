@@ -12,32 +12,44 @@ const SAMPLES: usize = 64;
 pub(crate) fn check(candidates: &[Candidate]) -> Result<f64, String> {
     let mut worst = 0.0_f64;
     for (model, _) in MODELS {
-        let of_model = || candidates.iter().filter(move |candidate| candidate.model == model);
-        let reference = of_model()
-            .find(|candidate| candidate.peer == OURS && candidate.function == Function::Jacobian)
-            .ok_or_else(|| format!("{model} has no reference"))?;
-        let (length, all) = states(model, SAMPLES)?;
-        for x in all.chunks_exact(length) {
-            let expected = (reference.program.value)(x);
-            let (rhs, derivatives) = expected.split_at(length / 2);
-            for candidate in of_model() {
-                let expected = match candidate.function {
-                    Function::Rhs => [rhs, &[]],
-                    Function::Jacobian => [rhs, derivatives],
-                };
-                let found = (candidate.program.value)(x);
-                let error = difference(&found, &expected);
-                if error.is_nan() || error > TOLERANCE {
-                    let Candidate {
-                        peer, form, function, ..
-                    } = candidate;
-                    let what = function.title();
-                    return Err(format!(
-                        "{model}, {what}: {peer} ({form}) differs by {error:.1e} at {x:?}"
-                    ));
-                }
-                worst = worst.max(error);
+        for &function in Function::of(model) {
+            worst = worst.max(largest(candidates, model, function)?);
+        }
+    }
+    Ok(worst)
+}
+
+/// The same for one function of one model.
+fn largest(candidates: &[Candidate], model: &str, function: Function) -> Result<f64, String> {
+    let of = |function| {
+        candidates
+            .iter()
+            .filter(move |candidate| candidate.model == model && candidate.function == function)
+    };
+    // Accelerations alone must be those that come with the Jacobian.
+    let whole = match function {
+        Function::Rhs => Function::Jacobian,
+        Function::Jacobian | Function::Point => function,
+    };
+    let what = function.title();
+    let reference = of(whole)
+        .find(|candidate| candidate.peer == OURS)
+        .ok_or_else(|| format!("{model}, {what}: there is no reference"))?;
+    let (length, all) = states(model, SAMPLES)?;
+    let (values, by) = function.shape(length / 2);
+    let mut worst = 0.0_f64;
+    for x in all.chunks_exact(length) {
+        let expected = (reference.program.value)(x);
+        let (first, derivatives) = expected[..values * (1 + by)].split_at(values);
+        for candidate in of(function) {
+            let error = difference(&(candidate.program.value)(x), &[first, derivatives]);
+            if error.is_nan() || error > TOLERANCE {
+                let Candidate { peer, form, .. } = candidate;
+                return Err(format!(
+                    "{model}, {what}: {peer} ({form}) differs by {error:.1e} at {x:?}"
+                ));
             }
+            worst = worst.max(error);
         }
     }
     Ok(worst)

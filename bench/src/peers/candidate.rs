@@ -23,13 +23,33 @@ pub(crate) enum Function {
     Rhs,
     /// These, and their derivatives by coordinates and rates.
     Jacobian,
+    /// The position of a point of the last body, and its derivatives by the coordinates.
+    Point,
 }
 
 impl Function {
+    /// Those that compete for a model.
+    pub(crate) fn of(model: &str) -> &'static [Self] {
+        match model {
+            "ur5" => &[Self::Rhs, Self::Jacobian, Self::Point],
+            _ => &[Self::Rhs, Self::Jacobian],
+        }
+    }
+
     pub(crate) fn title(self) -> &'static str {
         match self {
             Self::Rhs => "right-hand side",
             Self::Jacobian => "right-hand side and Jacobian",
+            Self::Point => "position and Jacobian of a point",
+        }
+    }
+
+    /// The numbers that are derived, and by how many others, in a model of `dof` coordinates.
+    pub(crate) fn shape(self, dof: usize) -> (usize, usize) {
+        match self {
+            Self::Rhs => (dof, 0),
+            Self::Jacobian => (dof, 2 * dof),
+            Self::Point => (3, dof),
         }
     }
 }

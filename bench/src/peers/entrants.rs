@@ -127,12 +127,8 @@ pub(crate) fn sizes(model: &str, function: Function) -> Result<(usize, usize), S
         "panda" => 7,
         _ => return Err(format!("the peers have a model that is not known here: {model}")),
     };
-    let results = if function == Function::Rhs {
-        dof
-    } else {
-        dof + 2 * dof * dof
-    };
-    Ok((2 * dof, results))
+    let (values, by) = function.shape(dof);
+    Ok((2 * dof, values * (1 + by)))
 }
 
 /// The same function with hardly any sine and cosine. For C only: Pinocchio's headers have more in them by these names.

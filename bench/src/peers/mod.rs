@@ -1,4 +1,4 @@
-//! Right-hand sides and Jacobians of three mechanisms, beside those that other software makes.
+//! Right-hand sides and Jacobians of three mechanisms, and the flange of one, beside those that other software makes.
 //!
 //! First every form of every peer competes with the others of that peer; then the best of each meets the generated code.
 
@@ -6,6 +6,7 @@ mod agree;
 mod candidate;
 mod contest;
 mod entrants;
+mod flange;
 mod generate;
 mod ours;
 mod results;
@@ -38,7 +39,7 @@ pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
     ));
     let mut rows = Vec::new();
     for (model, _) in MODELS {
-        for function in [Function::Rhs, Function::Jacobian] {
+        for &function in Function::of(model) {
             println!("timing {model}, {}", function.title());
             rows.extend(contest::hold(&candidates, model, function)?);
         }

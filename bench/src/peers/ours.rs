@@ -10,6 +10,7 @@ use pendulum_core::{Cost, FunctionCost};
 use serde::Deserialize;
 
 use super::candidate::{Candidate, Function, OURS};
+use super::flange::{Ur5Flange, Ur5FlangeParams};
 use crate::cheap::Cheap;
 use crate::library::Program;
 use testbed::eq22::{Eq22, Plate};
@@ -75,6 +76,7 @@ pub(crate) fn candidates() -> Result<Vec<Candidate>, Box<dyn Error>> {
     add::<_, _, 4>(&mut all, "eq22", "by hand", hands.0, hands.1, None);
     let ur5 = Ur5::new(Ur5Params::default())?;
     add::<_, _, 12>(&mut all, "ur5", OURS, ur5, ur5.cast::<Cheap>(), Some(Ur5::COST));
+    all.push(flange()?);
     let panda = Panda::new(PandaParams::default())?;
     add::<_, _, 14>(&mut all, "panda", OURS, panda, panda.cast::<Cheap>(), Some(Panda::COST));
     Ok(all)
@@ -118,6 +120,35 @@ where
         ),
         program(move |x| cheap.rhs_and_jacobian(Cheap(0.0), x), |_| Vec::new()),
     );
+}
+
+/// The position of the flange, and its Jacobian.
+fn flange() -> Result<Candidate, Box<dyn Error>> {
+    let arm = Ur5Flange::new(Ur5FlangeParams::default())?;
+    let cheap = arm.cast::<Cheap>();
+    let name = "flange_and_jacobian";
+    let cost = Ur5Flange::COST[name];
+    Ok(Candidate {
+        model: "ur5".to_owned(),
+        function: Function::Point,
+        peer: OURS.to_owned(),
+        form: format!("{name}: {}", cost.form),
+        operations: Some(cost.operations),
+        program: program(
+            move |x| by_coordinates(arm.flange_and_jacobian(0.0, x)),
+            |(place, jacobian)| [place.as_slice(), jacobian.as_slice()].concat(),
+        ),
+        cheap: Some(program(
+            move |x| by_coordinates(cheap.flange_and_jacobian(Cheap(0.0), x)),
+            |_| Vec::new(),
+        )),
+        job: None,
+    })
+}
+
+/// The derivatives by the rates are zeros, which no peer writes.
+fn by_coordinates<T: Real>((place, jacobian): (SVector<T, 3>, SMatrix<T, 3, 12>)) -> (SVector<T, 3>, SMatrix<T, 3, 6>) {
+    (place, jacobian.fixed_columns::<6>(0).into_owned())
 }
 
 fn program<T, R, const N: usize>(

@@ -13,10 +13,20 @@ use charts::page::Picture;
 const BY_HAND: &str = "by hand";
 
 /// What is aimed at: the generated code's time over that of the best generator, and its additions and multiplications.
-const TARGETS: [(&str, f64, [usize; 2]); 3] = [
-    ("eq22", 0.8, [33, 95]),
-    ("ur5", 0.6, [520, 3500]),
-    ("panda", 0.65, [1200, 7000]),
+const TARGETS: [(&str, Function, f64, Option<usize>); 7] = [
+    ("eq22", Function::Rhs, 0.8, Some(33)),
+    ("eq22", Function::Jacobian, 0.8, Some(95)),
+    ("ur5", Function::Rhs, 0.6, Some(520)),
+    ("ur5", Function::Jacobian, 0.6, Some(3500)),
+    ("ur5", Function::Point, 0.5, None),
+    ("panda", Function::Rhs, 0.65, Some(1200)),
+    ("panda", Function::Jacobian, 0.65, Some(7000)),
+];
+
+/// The functions of each chart, side by side, and its name.
+const CHARTS: [(&[Function], &str); 2] = [
+    (&[Function::Rhs, Function::Jacobian], "peers"),
+    (&[Function::Point], "peers_point"),
 ];
 
 pub(crate) fn all(results: &Results, out: &Path) -> Result<Vec<PathBuf>, Box<dyn Error>> {
@@ -26,7 +36,9 @@ pub(crate) fn all(results: &Results, out: &Path) -> Result<Vec<PathBuf>, Box<dyn
         write(out.join("peers.md"), &text)?,
         write(out.join("peers.json"), &serde_json::to_string_pretty(results)?)?,
     ];
-    files.extend(chart(results).save(&out.join("peers"))?);
+    for (functions, name) in CHARTS {
+        files.extend(chart(results, functions).save(&out.join(name))?);
+    }
     Ok(files)
 }
 
@@ -54,10 +66,11 @@ fn of<'a>(results: &'a Results, model: &'a str, function: Function) -> impl Iter
 fn summary(results: &Results) -> String {
     let mut rows = Vec::new();
     for (model, title) in MODELS {
-        let Some((_, ratio, operations)) = TARGETS.iter().find(|(name, ..)| *name == model) else {
-            continue;
-        };
-        for (function, at) in [(Function::Rhs, 0), (Function::Jacobian, 1)] {
+        for &function in Function::of(model) {
+            let Some((.., ratio, operations)) = TARGETS.iter().find(|(name, of, ..)| *name == model && *of == function)
+            else {
+                continue;
+            };
             let Some(ours) = of(results, model, function).find(|row| row.peer == OURS) else {
                 continue;
             };
@@ -68,7 +81,7 @@ fn summary(results: &Results) -> String {
                 function.title().to_owned(),
                 best.map_or("none".to_owned(), |row| format!("{}, {}", row.peer, row.form)),
                 count(ours.flops),
-                operations[at].to_string(),
+                count(*operations),
                 count(best.and_then(|row| row.flops)),
                 number(Some(ours.least)),
                 number(best.map(|row| row.least)),
@@ -160,8 +173,7 @@ fn others(results: &Results) -> String {
     table(&head, 4, &rows)
 }
 
-fn chart(results: &Results) -> Bars {
-    let functions = [Function::Rhs, Function::Jacobian];
+fn chart(results: &Results, functions: &[Function]) -> Bars {
     let bar = |peer: &str, value: Option<f64>| Bar {
         label: if peer == OURS { "mechanism!" } else { peer }.to_owned(),
         value,
@@ -179,14 +191,13 @@ fn chart(results: &Results) -> Bars {
         subtitle: "Nanoseconds on logarithmic axes: the generated code and the best form of each peer, taken in turns"
             .to_owned(),
         logarithmic: true,
-        columns: functions.map(|function| capital(function.title())).to_vec(),
+        columns: functions.iter().map(|function| capital(function.title())).collect(),
         rows: MODELS
             .iter()
+            .filter(|(model, _)| functions.iter().all(|function| Function::of(model).contains(function)))
             .map(|&(model, title)| {
-                (
-                    title.to_owned(),
-                    functions.map(|function| panel(model, function)).into(),
-                )
+                let panels = functions.iter().map(|&function| panel(model, function));
+                (title.to_owned(), panels.collect())
             })
             .collect(),
     }
