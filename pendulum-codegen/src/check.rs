@@ -14,7 +14,8 @@ const SINGULAR: f64 = 1e-13;
 /// Refuses a scene whose mass matrix is singular in every state, or that has numbers which change nothing.
 pub(crate) fn check(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'_>) -> Result<(), Errors> {
     let mut errors = Errors::default();
-    if let Some(k) = without_inertia(model, dynamics)
+    if needs_inertia(model)
+        && let Some(k) = without_inertia(model, dynamics)
         && let Some(n) = model.bodies.iter().position(|body| body.coordinate == Some(k))
     {
         let (body, coordinate) = (&model.bodies[n], &model.coordinates[k].name);
@@ -34,6 +35,14 @@ pub(crate) fn check(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'_>) -
         report_without_effect(model, spans, dynamics, &mut errors);
     }
     errors.finish(())
+}
+
+/// Whether anything is generated that accelerations are needed for.
+fn needs_inertia(model: &Model<'_>) -> bool {
+    let outputs = model.outputs.iter().flat_map(|output| output.values.iter().copied());
+    let read = model.graph.reachable(&outputs.collect::<Vec<_>>());
+    let mut symbols = read.into_iter().filter_map(|id| model.graph.as_symbol(id));
+    model.generate.iter().any(|word| *word != "shapes") || symbols.any(|s| matches!(s.kind, SymbolKind::Rate(_)))
 }
 
 /// Reports parameters and inputs that neither the motion, nor the energy, nor a check of the parameters depends on.

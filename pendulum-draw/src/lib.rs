@@ -31,23 +31,24 @@ use std::path::{Path, PathBuf};
 
 use charts::animation::save_gif;
 use charts::page::Picture;
-use nalgebra::{Matrix2x3, Point3, Vector3};
+use nalgebra::{Matrix2x3, Vector3};
 use pendulum_core::Solution;
-use pendulum_core::shapes::{Shape, ShapeKind, Shapes};
+use pendulum_core::shapes::{Shape, Shapes};
 
-use still::{Frame, Still};
+use still::{Bounds, Frame, Part, Still};
 
 /// Pictures in a second of an animation.
 const RATE: u32 = 25;
 
-/// Parts of the motion between two places of a trail.
-const TRAIL: usize = 1500;
+/// Places of a trail in a second, and the fewest and the most of them.
+const TRAIL: (f64, f64, f64) = (100.0, 1500.0, 20_000.0);
 
 /// The motion of a model, to be drawn.
 #[derive(Clone, Debug)]
 pub struct Drawing<'a, M, const N: usize> {
     model: &'a M,
     solution: &'a Solution<f64, N>,
+    /// From places in space to those in the picture.
     view: Matrix2x3<f64>,
     ghosts: usize,
     speed: f64,
@@ -59,13 +60,14 @@ impl<'a, M: Shapes<N>, const N: usize> Drawing<'a, M, N> {
         Self {
             model,
             solution,
-            view: Matrix2x3::new(1.0, 0.0, 0.0, 0.0, 1.0, 0.0),
+            view: Matrix2x3::identity(),
             ghosts: 4,
             speed: 1.0,
         }
     }
 
-    /// Seen from a direction in which `up` points upward; both are any vectors of the ground frame that are not parallel.
+    /// Seen from far away in a direction of the ground frame, with the direction `up` upward in the picture: z and y by
+    /// default. The two have any length, and must not be parallel.
     #[must_use]
     pub fn seen_from(mut self, direction: [f64; 3], up: [f64; 3]) -> Self {
         let [direction, up] = [direction, up].map(|v| Vector3::from(v).normalize());
@@ -94,25 +96,25 @@ impl<'a, M: Shapes<N>, const N: usize> Drawing<'a, M, N> {
     ///
     /// # Errors
     ///
-    /// Where a file cannot be written.
+    /// Where a file cannot be written, or where the directions of the view are parallel.
     pub fn picture(&self, stem: &Path) -> Result<[PathBuf; 2], Box<dyn Error>> {
-        self.still()?.save(stem)
-    }
-
-    /// The same as an SVG alone.
-    ///
-    /// # Errors
-    ///
-    /// Where a file cannot be written.
-    pub fn svg(&self) -> Result<String, Box<dyn Error>> {
-        self.still()?.svg()
+        let (start, end) = self.span();
+        let trails = self.trails()?;
+        let bounds = Bounds::of(&trails)?;
+        let at = |n: usize| match self.ghosts {
+            0 => end,
+            ghosts => start + (end - start) * n as f64 / ghosts as f64,
+        };
+        let bodies = (0..=self.ghosts).map(|n| self.frame(at(n)));
+        let bodies = bodies.collect::<Result<Vec<_>, _>>()?;
+        Still::new(&trails, bodies, bounds).save(stem)
     }
 
     /// Writes an animation to `stem` with the ending gif, and says where: 25 pictures in a second, again and again.
     ///
     /// # Errors
     ///
-    /// Where the file cannot be written, or where `speed` is not positive.
+    /// Where the file cannot be written, where `speed` is not positive, or where the directions of the view are parallel.
     pub fn animation(&self, stem: &Path) -> Result<PathBuf, Box<dyn Error>> {
         let (start, end) = self.span();
         let step = self.speed / f64::from(RATE);
@@ -120,73 +122,44 @@ impl<'a, M: Shapes<N>, const N: usize> Drawing<'a, M, N> {
             return Err(format!("the speed is {}: it must be positive", self.speed).into());
         }
         let count = ((end - start) / step).floor() as usize + 1;
-        let trails = self.frames(TRAIL)?;
-        let bounds = still::bounds(&trails);
-        let stills = (0..count).map(|n| {
-            let t = start + step * n as f64;
-            let so_far = trails.iter().take_while(|frame| frame.t <= t).cloned().collect();
-            Ok(Still::new(so_far, vec![self.frame(t)?], bounds))
+        let frames = (0..count).map(|n| self.frame(start + step * n as f64));
+        let frames = frames.collect::<Result<Vec<_>, _>>()?;
+        let trails = self.trails()?;
+        let bounds = Bounds::of(&trails)?;
+        let stills = frames.into_iter().map(|frame| {
+            let so_far = trails.partition_point(|place| place.t <= frame.t);
+            Still::new(&trails[..so_far], vec![frame], bounds)
         });
-        let stills = stills.collect::<Result<Vec<_>, Box<dyn Error>>>()?;
         save_gif(stem, RATE, stills)
     }
 
-    fn still(&self) -> Result<Still, Box<dyn Error>> {
-        let (start, end) = self.span();
-        let trails = self.frames(TRAIL)?;
-        let last = self.ghosts as f64;
-        let at = |n: usize| {
-            if self.ghosts == 0 {
-                end
-            } else {
-                start + (end - start) * n as f64 / last
-            }
-        };
-        let bodies = (0..=self.ghosts)
-            .map(|n| self.frame(at(n)))
-            .collect::<Result<Vec<_>, _>>()?;
-        let bounds = still::bounds(&trails);
-        Ok(Still::new(trails, bodies, bounds))
-    }
-
     fn span(&self) -> (f64, f64) {
-        let (first, last) = (self.solution.t()[0], self.solution.last().0);
-        (first, last)
+        (self.solution.t()[0], self.solution.last().0)
     }
 
-    fn frames(&self, count: usize) -> Result<Vec<Frame>, Box<dyn Error>> {
-        let (start, end) = self.span();
-        (0..=count)
-            .map(|n| self.frame(start + (end - start) * n as f64 / count as f64))
-            .collect()
+    fn trails(&self) -> Result<Vec<Frame>, Box<dyn Error>> {
+        let ((start, end), (rate, fewest, most)) = (self.span(), TRAIL);
+        let count = ((end - start).abs() * rate).clamp(fewest, most);
+        let times = (0..=count as usize).map(|n| start + (end - start) * n as f64 / count.floor());
+        times.map(|t| self.frame(t)).collect()
     }
 
     /// What is seen at a time.
     fn frame(&self, t: f64) -> Result<Frame, Box<dyn Error>> {
         let x = self.solution.at(t)?;
-        let shapes = self.model.shapes(t, &x);
-        Ok(Frame {
-            t,
-            parts: shapes.iter().map(|shape| self.part(shape)).collect(),
-        })
-    }
-
-    fn part(&self, shape: &Shape) -> still::Part {
-        let flat = |point: &Point3<f64>| {
-            let place = self.view * point.coords;
-            [place.x, place.y]
-        };
-        still::Part {
+        let part = |shape: Shape| Part {
             name: shape.name,
             kind: shape.kind,
-            points: shape.points.iter().map(flat).collect(),
+            points: shape
+                .points
+                .iter()
+                .map(|point| (self.view * point.coords).into())
+                .collect(),
             radius: shape.radius,
-        }
+        };
+        Ok(Frame {
+            t,
+            parts: self.model.shapes(t, &x).into_iter().map(part).collect(),
+        })
     }
-}
-
-/// Whether a kind is the solid of a body.
-fn is_solid(kind: ShapeKind) -> bool {
-    use ShapeKind::{Cuboid, Cylinder, Disk, Mass, Plate, Rod, Sphere};
-    matches!(kind, Mass | Rod | Disk | Plate | Cuboid | Cylinder | Sphere)
 }

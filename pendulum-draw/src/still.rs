@@ -7,8 +7,6 @@ use pendulum_core::shapes::ShapeKind;
 use plotters::coord::Shift;
 use plotters::prelude::*;
 
-use crate::is_solid;
-
 /// The colours of bodies, in the order of the declaration.
 const COLORS: [RGBColor; 6] = [BLUE, VERMILION, GREEN, PURPLE, ORANGE, SKY];
 
@@ -34,46 +32,72 @@ pub(crate) struct Part {
 }
 
 /// The least and the largest coordinates.
-pub(crate) type Bounds = [[f64; 2]; 2];
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Bounds {
+    low: [f64; 2],
+    high: [f64; 2],
+}
+
+impl Bounds {
+    /// What all frames together take.
+    pub(crate) fn of(frames: &[Frame]) -> Result<Self, String> {
+        let (mut low, mut high) = ([f64::INFINITY; 2], [f64::NEG_INFINITY; 2]);
+        for part in frames.iter().flat_map(|frame| &frame.parts) {
+            for axis in 0..2 {
+                for point in &part.points {
+                    low[axis] = low[axis].min(point[axis] - part.radius);
+                    high[axis] = high[axis].max(point[axis] + part.radius);
+                }
+            }
+        }
+        if low.iter().chain(&high).any(|bound| !bound.is_finite()) {
+            return Err(
+                "nothing can be drawn: the scene has no bodies, or is seen from a direction parallel to `up`"
+                    .to_owned(),
+            );
+        }
+        Ok(Self { low, high })
+    }
+}
 
 /// Bodies on the trails of their points.
 #[derive(Clone, Debug)]
-pub(crate) struct Still {
-    trails: Vec<Frame>,
+pub(crate) struct Still<'a> {
+    trails: &'a [Frame],
     /// In the order of time; all but the last are shadows.
     bodies: Vec<Frame>,
+    /// The bodies that have colours of their own.
+    names: Vec<&'static str>,
     bounds: Bounds,
 }
 
-/// What all frames together take.
-pub(crate) fn bounds(frames: &[Frame]) -> Bounds {
-    let mut bounds = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
-    for part in frames.iter().flat_map(|frame| &frame.parts) {
-        for axis in 0..2 {
-            for point in &part.points {
-                bounds[0][axis] = bounds[0][axis].min(point[axis] - part.radius);
-                bounds[1][axis] = bounds[1][axis].max(point[axis] + part.radius);
+impl<'a> Still<'a> {
+    pub(crate) fn new(trails: &'a [Frame], bodies: Vec<Frame>, bounds: Bounds) -> Self {
+        let solids = bodies.iter().take(1).flat_map(|frame| &frame.parts);
+        let mut names: Vec<&'static str> = Vec::new();
+        for part in solids.filter(|part| is_solid(part.kind)) {
+            if !names.contains(&part.name) {
+                names.push(part.name);
             }
         }
-    }
-    bounds
-}
-
-impl Still {
-    pub(crate) fn new(trails: Vec<Frame>, bodies: Vec<Frame>, bounds: Bounds) -> Self {
-        Self { trails, bodies, bounds }
+        Self {
+            trails,
+            bodies,
+            names,
+            bounds,
+        }
     }
 
     /// Pixels of the picture in a metre.
     fn scale(&self) -> f64 {
-        let [low, high] = self.bounds;
+        let Bounds { low, high } = self.bounds;
         let longest = (high[0] - low[0]).max(high[1] - low[1]);
         (LONGEST - 2.0 * MARGIN) / longest.max(f64::MIN_POSITIVE)
     }
 
     /// The size in pixels of the picture.
     fn extent(&self) -> [f64; 2] {
-        let [low, high] = self.bounds;
+        let Bounds { low, high } = self.bounds;
         [0, 1].map(|axis| {
             (self.scale() * (high[axis] - low[axis]) + 2.0 * MARGIN)
                 .max(SHORTEST)
@@ -83,7 +107,7 @@ impl Still {
 
     /// A point in pixels of the drawing.
     fn place(&self, point: [f64; 2]) -> (i32, i32) {
-        let ([low, high], extent) = (self.bounds, self.extent());
+        let (Bounds { low, high }, extent) = (self.bounds, self.extent());
         let from_middle = |axis: usize| self.scale() * (point[axis] - 0.5 * (low[axis] + high[axis]));
         (
             px(0.5 * extent[0] + from_middle(0)),
@@ -97,13 +121,7 @@ impl Still {
 
     /// The colour of a body: by its place among those that are seen.
     fn color(&self, name: &str) -> RGBColor {
-        let mut names: Vec<&str> = Vec::new();
-        for part in self.bodies.iter().take(1).flat_map(|frame| &frame.parts) {
-            if is_solid(part.kind) && !names.contains(&part.name) {
-                names.push(part.name);
-            }
-        }
-        let place = names.iter().position(|known| *known == name).unwrap_or(0);
+        let place = self.names.iter().position(|known| *known == name).unwrap_or(0);
         COLORS[place % COLORS.len()]
     }
 
@@ -111,12 +129,13 @@ impl Still {
     where
         B::ErrorType: 'static,
     {
-        let count = self.trails.first().map_or(0, |frame| frame.parts.len());
+        let parts = self.trails.first().map_or(&[][..], |frame| &frame.parts);
+        let points = parts
+            .iter()
+            .enumerate()
+            .filter(|(_, part)| part.kind == ShapeKind::Point);
         let mut colors = [VERMILION, BLUE, GREEN, PURPLE, ORANGE, SKY].into_iter().cycle();
-        for n in 0..count {
-            if self.trails[0].parts[n].kind != ShapeKind::Point {
-                continue;
-            }
+        for (n, _) in points {
             let trail: Vec<_> = self
                 .trails
                 .iter()
@@ -183,7 +202,7 @@ impl Still {
     }
 }
 
-impl Picture for Still {
+impl Picture for Still<'_> {
     fn size(&self) -> (u32, u32) {
         let [width, height] = self.extent();
         (width as u32, height as u32)
@@ -204,6 +223,12 @@ impl Picture for Still {
         page.present()?;
         Ok(())
     }
+}
+
+/// Whether a kind is the solid of a body.
+fn is_solid(kind: ShapeKind) -> bool {
+    use ShapeKind::{Cuboid, Cylinder, Disk, Mass, Plate, Rod, Sphere};
+    matches!(kind, Mass | Rod | Disk | Plate | Cuboid | Cylinder | Sphere)
 }
 
 /// A line that is bent to and fro between two ends.

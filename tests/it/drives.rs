@@ -95,6 +95,7 @@ fn drives_move_as_prescribed_joints_do() {
         assert!(taken.amax() < 1e-12 * scale);
     }
     assert_eq!((Driven::DOF, Driven::COORDINATES), (2, ["q1", "q2"]));
+    assert_eq!(Driven::DRIVES, ["rail", "winch"]);
 }
 
 #[test]

@@ -6,12 +6,17 @@ mechanism! {
     pub Cart {
         params { m: kg = 1 }
         input push: N,
-        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, inverse_dynamics, parameter_jacobian, shapes],
+        generate: [rhs, jacobian, energy, mass_matrix, bias, momentum, inverse_dynamics, parameter_jacobian,
+            drive_forces, shapes],
         point tip on cart at [1, 0, 0],
         output tip: tip,
         output turned: rotation(cart),
         output reach: tip.x,
+        output speed: dot(tip.x),
         event arrives: tip.x - 1,
+        let swing = sin(t),
+        body still on ground { joint: prismatic(x), motion: 1 }
+        body shaken on still { joint: prismatic(x), motion: swing }
         body cart ground { mass: m, joint: prismatic(x), coordinate: s, torque: push }
     }
 }
@@ -26,6 +31,9 @@ fn main() {
     let _ = cart.parameter_jacobian(0.0, &x, &CartInputs { push: 1.0 });
     let _: (SVector<f64, 3>, f64) = (cart.tip(0.0, &x), cart.reach_rate(0.0, &x));
     let _: (SMatrix<f64, 3, 3>, SMatrix<f64, 9, 2>) = cart.turned_and_jacobian(0.0, &x);
+    let u = CartInputs { push: 1.0 };
+    let _ = (cart.speed_rate(0.0, &x, &u), cart.output_rates(0.0, &x, &u));
+    let _: SVector<f64, 1> = cart.drive_forces(0.0, &x, &u);
     let _ = (cart.outputs(0.0, &x), cart.arrives(0.0, &x), cart.shapes(0.0, &x));
     let _ = Rk45::new().solve_with(&pushed, 0.0, 1.0, [0.0, 0.0], &[cart.arrives_event().terminal()]);
     let _ = (Cart::DOF, Cart::COORDINATES, Cart::COST, Cart::LAYOUT, Cart::EQUATIONS, cart.cast::<f32>());

@@ -8,6 +8,8 @@ mod routines;
 mod series;
 mod taylor;
 
+use std::cell::OnceCell;
+
 use rustc_hash::FxHashMap;
 
 pub(crate) use closed::Closed;
@@ -68,6 +70,8 @@ pub(crate) struct Forms<'g> {
     exact: Vec<Candidate<'g>>,
     /// The accelerations by articulated bodies.
     articulated: Vec<Candidate<'g>>,
+    /// The accelerations in the shortest form, once they are known.
+    solved: OnceCell<Chosen<'g>>,
     normalizer: Normalizer<'g>,
 }
 
@@ -116,6 +120,7 @@ impl<'g> Forms<'g> {
             forms,
             exact,
             articulated,
+            solved: OnceCell::new(),
             normalizer,
         }
     }
@@ -154,6 +159,10 @@ impl<'g> Forms<'g> {
 
     /// The shortest code for the accelerations.
     pub(crate) fn accelerations(&self) -> Chosen<'g> {
+        self.solved.get_or_init(|| self.solve()).clone()
+    }
+
+    fn solve(&self) -> Chosen<'g> {
         let mut candidates = Vec::new();
         for (own, dynamics, determinant) in &self.forms {
             for (factored, solver) in factorings(dynamics, *determinant) {

@@ -2,11 +2,13 @@
 
 use rustc_hash::FxHashMap;
 
-use super::{Basis, Candidate, Chosen, Form, Forms, expanded};
+use super::closed::short_terms;
+use super::{Basis, Candidate, Chosen, Form, Forms};
 use crate::dynamics::derived;
 use crate::expr::{Derivative, Expr};
 use crate::model::Model;
 use crate::pass::Preference;
+use crate::pass::factor::factor;
 
 /// The values of expressions.
 pub(crate) fn values<'g>(forms: &mut Forms<'g>, model: &Model<'g>, values: &[Expr<'g>]) -> Chosen<'g> {
@@ -45,9 +47,13 @@ impl<'g> Forms<'g> {
     /// The shortest code for expressions: as they are, or in closed form.
     fn shortest(&mut self, roots: &[Expr<'g>]) -> Chosen<'g> {
         let mut candidates: Vec<Candidate<'g>> = vec![(Form::of(Basis::Declared), roots.to_vec())];
-        for preference in Preference::ALL {
-            let expanded = expanded(&mut self.normalizer, &[roots.to_vec()], preference);
-            candidates.extend(expanded.map(|columns| (Form::of(Basis::Closed(preference)), columns.concat())));
+        let terms = roots.iter().map(|&root| short_terms(&mut self.normalizer, root));
+        if let Ok(terms) = terms.collect::<Result<Vec<_>, _>>() {
+            let g = self.normalizer.graph();
+            for preference in Preference::ALL {
+                let factored = terms.iter().map(|terms| factor(g, terms, preference));
+                candidates.push((Form::of(Basis::Closed(preference)), factored.collect()));
+            }
         }
         self.choose(candidates)
     }

@@ -56,7 +56,7 @@ impl<'g> Lower<'g> {
 
     fn potential(&mut self, e: &ast::Expr) -> Result<Action<'g>, Reported> {
         let place = Place {
-            only: Only::Places,
+            only: Only::Positions,
             ..Place::moving("a potential energy")
         };
         let value = self.expr(e, &place)?;

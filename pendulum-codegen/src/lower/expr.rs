@@ -33,7 +33,7 @@ pub(super) enum Only {
     /// All but the inputs.
     State,
     /// Coordinates, points and the time.
-    Places,
+    Positions,
     /// The time.
     Time,
 }
@@ -52,7 +52,7 @@ impl Only {
     fn help(self) -> &'static str {
         match self {
             Self::All | Self::State => "an input is known only where the model is used: add its part there",
-            Self::Places => {
+            Self::Positions => {
                 "build it from coordinates, points, the time and parameters; \
                  write what depends on rates or inputs as `force coordinate: e`, and what is lost as `dissipation: e`"
             }

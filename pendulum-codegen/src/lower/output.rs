@@ -49,7 +49,7 @@ impl<'g> Lower<'g> {
         match &e.kind {
             ExprKind::Name(name) if self.names.kind(&name.to_string()) == Some(Kind::Point) => {
                 let [position, _] = self.point_named(name)?.symbols();
-                Ok((OutputShape::Place, position.0.into()))
+                Ok((OutputShape::Point, position.0.into()))
             }
             ExprKind::Call(function, arguments) if function == "rotation" => {
                 let [
@@ -101,11 +101,11 @@ impl<'g> Lower<'g> {
         let outputs = items
             .outputs
             .iter()
-            .map(|output| (&output.name, program::functions_of_output(&output.name)));
+            .map(|output| (&output.name, program::functions_of_output(&output.name).to_vec()));
         let events = items
             .events
             .iter()
-            .map(|event| (&event.name, program::functions_of_event(&event.name)));
+            .map(|event| (&event.name, program::functions_of_event(&event.name).to_vec()));
         let mut taken: BTreeMap<String, &Ident> = BTreeMap::new();
         for coordinate in items.bodies.iter().filter_map(|body| body.fields.coordinate.as_ref()) {
             taken.extend(places(&coordinate.to_string()).map(|constant| (constant, coordinate)));

@@ -58,7 +58,7 @@ impl<'g> Action<'g> {
     }
 
     /// The expressions that it is made of.
-    pub(super) fn places(&mut self) -> Vec<&mut Expr<'g>> {
+    pub(super) fn expressions(&mut self) -> Vec<&mut Expr<'g>> {
         match self {
             Self::Along(_, x, _) | Self::Potential(x) | Self::Dissipation(x) => vec![x],
             Self::Push(push) => push.force.0.iter_mut().collect(),

@@ -109,7 +109,16 @@ pub(crate) struct Coordinate<'g> {
 }
 
 /// The constants that a model has beside the places of its coordinates.
-pub(crate) const FACTS: [&str; 7] = ["DOF", "COORDINATES", "COST", "LAYOUT", "EQUATIONS", "OUTPUTS", "EVENTS"];
+pub(crate) const FACTS: [&str; 8] = [
+    "DOF",
+    "COORDINATES",
+    "COST",
+    "LAYOUT",
+    "EQUATIONS",
+    "OUTPUTS",
+    "EVENTS",
+    "DRIVES",
+];
 
 /// The constants for the places of a coordinate and of its rate in the state: `THETA1` and `DOT_THETA1`.
 pub(crate) fn places(coordinate: &str) -> [String; 2] {

@@ -23,7 +23,7 @@ pub(crate) enum OutputShape {
     /// A list of this many.
     Vector(usize),
     /// The position of a point.
-    Place,
+    Point,
     /// A rotation.
     Rotation,
 }
@@ -45,7 +45,7 @@ impl Output<'_> {
         let name = self.name.trim_start_matches("r#");
         match self.shape {
             OutputShape::Scalar => vec![name.to_owned()],
-            OutputShape::Place => ["x", "y", "z"].map(|axis| format!("{name}.{axis}")).into(),
+            OutputShape::Point => ["x", "y", "z"].map(|axis| format!("{name}.{axis}")).into(),
             OutputShape::Vector(n) => (0..n).map(|k| format!("{name}[{k}]")).collect(),
             OutputShape::Rotation => (0..9).map(|k| format!("{name}[{}, {}]", k % 3, k / 3)).collect(),
         }

@@ -54,7 +54,7 @@ impl<'g> Model<'g> {
         }
         let bodies = self.bodies.iter_mut();
         let of_bodies = bodies.flat_map(|body| [&mut body.force, &mut body.passive, &mut body.potential]);
-        let of_actions = self.actions.iter_mut().flat_map(Action::places);
+        let of_actions = self.actions.iter_mut().flat_map(Action::expressions);
         let of_outputs = self.outputs.iter_mut().flat_map(|output| &mut output.values);
         let of_events = self.events.iter_mut().map(|event| &mut event.value);
         let places = of_bodies.chain(of_actions).chain(of_outputs).chain(of_events);

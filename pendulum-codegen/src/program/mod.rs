@@ -64,6 +64,8 @@ pub struct Program {
     pub outputs: Vec<String>,
     /// The names of the events.
     pub events: Vec<String>,
+    /// The bodies whose joints are driven.
+    pub drives: Vec<String>,
     /// How the scene looks, if it asks for that.
     pub drawing: Option<Drawing>,
     /// The power series of the motion, if the scene asks for it.
@@ -173,6 +175,7 @@ impl Program {
             routines: routines.collect::<Result<_, _>>()?,
             outputs: model.outputs.iter().flat_map(Output::labels).collect(),
             events: model.events.iter().map(|event| event.name.clone()).collect(),
+            drives: model.drives.iter().map(|drive| drive.coordinate.name.clone()).collect(),
             drawing: sketch.map(|sketch| sketch.finish(model, &known)).transpose()?,
             series: series.map(|series| Series::new(model, series, &known)).transpose()?,
             equations,

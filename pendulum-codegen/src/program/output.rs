@@ -1,7 +1,7 @@
 //! Outputs and events as routines.
 
 use super::routine::{Argument, Head, ROUTINES, Shape};
-use crate::expr::SymbolKind;
+use crate::expr::{Expr, SymbolKind};
 use crate::form::{self, Chosen, Forms};
 use crate::model::{Model, Output, OutputShape};
 
@@ -32,114 +32,121 @@ pub(crate) fn is_function(name: &str) -> bool {
 }
 
 /// The functions of an output: its value, its rate, and both its value and its derivatives.
-pub(crate) fn functions_of_output(name: &impl ToString) -> Vec<String> {
+pub(crate) fn functions_of_output(name: &impl ToString) -> [String; 3] {
     let name = name.to_string();
     let plain = name.trim_start_matches("r#").to_owned();
-    vec![name, format!("{plain}_rate"), format!("{plain}_and_jacobian")]
+    [name, format!("{plain}_rate"), format!("{plain}_and_jacobian")]
 }
 
 /// The functions of an event: its value, and what finds its zeros.
-pub(crate) fn functions_of_event(name: &impl ToString) -> Vec<String> {
+pub(crate) fn functions_of_event(name: &impl ToString) -> [String; 2] {
     let name = name.to_string();
     let plain = name.trim_start_matches("r#").to_owned();
-    vec![name, format!("{plain}_event")]
+    [name, format!("{plain}_event")]
+}
+
+/// Values of one kind: of an output, or of all of them.
+struct Observed<'g> {
+    /// The names of its three functions.
+    names: [String; 3],
+    docs: String,
+    /// In a sentence: `` `height` ``.
+    of_which: String,
+    shape: Shape<usize>,
+    values: Vec<Expr<'g>>,
 }
 
 /// The routines of the outputs and events of a model.
 pub(super) fn routines<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Vec<(Head, Chosen<'g>)> {
     let mut routines = Vec::new();
-    for output in &model.outputs {
-        let names = functions_of_output(&output.name);
-        let of_one = format!("`{}`", output.name.trim_start_matches("r#"));
-        let docs = [vec![format!("Output {of_one}.")], output.docs.clone()]
-            .concat()
-            .join("\n");
-        let outputs = std::slice::from_ref(output);
-        routines.extend(family(forms, model, outputs, names, [docs, of_one]));
-    }
-    if !model.outputs.is_empty() {
-        let names = ["outputs", "output_rates", "outputs_and_jacobian"]
-            .map(str::to_owned)
-            .into();
-        let docs = "All outputs, in the order of `OUTPUTS`.".to_owned();
-        routines.extend(family(
-            forms,
-            model,
-            &model.outputs,
-            names,
-            [docs, "all outputs".to_owned()],
-        ));
+    for observed in model.outputs.iter().map(Observed::one).chain(Observed::all(model)) {
+        routines.extend(observed.routines(forms, model));
     }
     for event in &model.events {
-        let plain = event.name.trim_start_matches("r#");
-        let docs = [
-            vec![format!("What passes zero at event `{plain}`.")],
-            event.docs.clone(),
-        ]
-        .concat();
-        let head = Head {
-            name: event.name.clone(),
-            doc: docs.join("\n"),
-            arguments: Vec::new(),
-            shapes: vec![Shape::Scalar],
-        };
+        let first = format!("What passes zero at event `{}`.", event.name.trim_start_matches("r#"));
+        let docs = [&[first][..], &event.docs].concat().join("\n");
+        let head = head(event.name.clone(), docs, Vec::new(), vec![Shape::Scalar]);
         routines.push((head, form::values(forms, model, &[event.value])));
     }
     routines
 }
 
-/// Values, rates, and values with their derivatives by the state.
-fn family<'g>(
-    forms: &mut Forms<'g>,
-    model: &Model<'g>,
-    outputs: &[Output<'g>],
-    names: Vec<String>,
-    [docs, of_which]: [String; 2],
-) -> Vec<(Head, Chosen<'g>)> {
-    let values: Vec<_> = outputs
-        .iter()
-        .flat_map(|output| output.values.iter().copied())
-        .collect();
-    let shape = match outputs {
-        [one] if names[0] == one.name => match one.shape {
-            OutputShape::Scalar => Shape::Scalar,
-            OutputShape::Vector(n) => Shape::Vector(n),
-            OutputShape::Place => Shape::Vector(3),
-            OutputShape::Rotation => Shape::Matrix(3, 3),
-        },
-        _ => Shape::Vector(values.len()),
-    };
-    let rate = form::rates(forms, model, &values);
-    let of_inputs = model.graph.reachable(&rate.roots).into_iter().any(|id| {
-        model
-            .graph
-            .as_symbol(id)
-            .is_some_and(|symbol| matches!(symbol.kind, SymbolKind::Input(_)))
-    });
-    let docs = [
-        docs,
-        format!("The rate of {of_which} along the motion."),
-        format!(
-            "The value of {of_which}, and its derivatives by the state: a row for each component, in the order of columns for a matrix."
-        ),
-    ];
-    let chosen = [
-        form::values(forms, model, &values),
-        rate,
-        form::values_and_jacobian(forms, model, &values),
-    ];
-    let arguments = [vec![], if of_inputs { vec![Argument::Inputs] } else { vec![] }, vec![]];
-    let shapes = [
-        vec![shape],
-        vec![shape],
-        vec![shape, Shape::Matrix(values.len(), model.state().len())],
-    ];
-    let heads = names.into_iter().zip(docs).zip(arguments.into_iter().zip(shapes));
-    let heads = heads.map(|((name, doc), (arguments, shapes))| Head {
+impl<'g> Observed<'g> {
+    fn one(output: &Output<'g>) -> Self {
+        let of_which = format!("`{}`", output.name.trim_start_matches("r#"));
+        let first = format!("Output {of_which}.");
+        Self {
+            names: functions_of_output(&output.name),
+            docs: [&[first][..], &output.docs].concat().join("\n"),
+            of_which,
+            shape: match output.shape {
+                OutputShape::Scalar => Shape::Scalar,
+                OutputShape::Vector(n) => Shape::Vector(n),
+                OutputShape::Point => Shape::Vector(3),
+                OutputShape::Rotation => Shape::Matrix(3, 3),
+            },
+            values: output.values.clone(),
+        }
+    }
+
+    /// All outputs together, if there are any.
+    fn all(model: &Model<'g>) -> Option<Self> {
+        let values: Vec<Expr<'g>> = model.outputs.iter().flat_map(|output| output.values.clone()).collect();
+        (!values.is_empty()).then(|| Self {
+            names: ["outputs", "output_rates", "outputs_and_jacobian"].map(str::to_owned),
+            docs: "All outputs, in the order of `OUTPUTS`.".to_owned(),
+            of_which: "all outputs".to_owned(),
+            shape: Shape::Vector(values.len()),
+            values,
+        })
+    }
+
+    /// Values, rates, and values with their derivatives by the state.
+    fn routines(self, forms: &mut Forms<'g>, model: &Model<'g>) -> [(Head, Chosen<'g>); 3] {
+        let Self {
+            names: [own, rate, both],
+            docs,
+            of_which,
+            shape,
+            values,
+        } = self;
+        let of_rate = format!("The rate of {of_which} along the motion.");
+        let of_both = format!(
+            "The value of {of_which}, and its derivatives by the state: a row for each component, column by column for a matrix."
+        );
+        // accelerations are in the rate of a rate, and what inputs do is in them
+        let inputs = !model.inputs.is_empty() && has_rates(model, &values);
+        let inputs = inputs.then_some(Argument::Inputs).into_iter().collect();
+        let jacobian = Shape::Matrix(values.len(), model.state().len());
+        [
+            (
+                head(own, docs, Vec::new(), vec![shape]),
+                form::values(forms, model, &values),
+            ),
+            (
+                head(rate, of_rate, inputs, vec![shape]),
+                form::rates(forms, model, &values),
+            ),
+            (
+                head(both, of_both, Vec::new(), vec![shape, jacobian]),
+                form::values_and_jacobian(forms, model, &values),
+            ),
+        ]
+    }
+}
+
+fn head(name: String, doc: String, arguments: Vec<Argument>, shapes: Vec<Shape<usize>>) -> Head {
+    Head {
         name,
         doc,
         arguments,
         shapes,
-    });
-    heads.zip(chosen).collect()
+    }
+}
+
+/// Whether expressions depend on the rates of the state.
+fn has_rates<'g>(model: &Model<'g>, values: &[Expr<'g>]) -> bool {
+    let read = model.graph.reachable(&model.with_drives(values));
+    let mut symbols = read.into_iter().filter_map(|id| model.graph.as_symbol(id));
+    symbols.any(|symbol| matches!(symbol.kind, SymbolKind::Rate(_)))
 }

@@ -301,7 +301,7 @@ pub(crate) const ROUTINES: &[Row] = &[
     Row {
         word: "bias",
         name: "bias",
-        doc: "The bias: velocity terms and gravity, as generalised forces.",
+        doc: "The bias: velocity terms, gravity and what drives accelerate, as generalised forces.",
         arguments: &[],
         shapes: &[Vector(Freedom)],
         wanted: ASKED,
@@ -337,7 +337,7 @@ pub(crate) const ROUTINES: &[Row] = &[
     Row {
         word: "inverse_dynamics",
         name: "inverse_dynamics",
-        doc: "The generalised forces `A qdd + b - Q` that must act beside gravity and the forces of the joints for the accelerations `qdd`: \
+        doc: "The generalised forces `A qdd + b - Q` that must act beside gravity and all forces of the declaration for the accelerations `qdd`: \
               zero along a free motion. Inputs count as zero: where each coordinate has one, these are their values.",
         arguments: &[Accelerations],
         shapes: &[Vector(Freedom)],

@@ -4,7 +4,7 @@ use super::{dynamics, numbers};
 use crate::dynamics::{Dynamics, partials, partials_by_recursion};
 use crate::expr::{Expr, Graph};
 
-const SCENES: [&str; 9] = [
+const SCENES: [&str; 10] = [
     // every kind of joint on skew axes
     "pub Arm {
         gravity: [1, -2, -9.81],
@@ -116,6 +116,24 @@ const SCENES: [&str; 9] = [
             joint: prismatic([1, 1, 0]) rpy [0, 0.3, 0], motion: cos(2*t) }
         body e on d { mass: 0.5, com: [0, 0.1, 0.2], inertia: [0.05, 0.06, 0.07],
             joint: revolute(y) at [0.1, 0.2, 0.3], coordinate: q5 }
+    }",
+    // branches with drives at their ends and below them, one of which stands still
+    "pub Branches {
+        gravity: [0, 3, -9.81],
+        point hand on wheel at [0.1, 0, 0.2],
+        force on hand: [1, dot(hand.y), 0] in left,
+        body trunk on ground { mass: 4, com: [0, 0.05, -0.3], inertia: [0.3, 0.2, 0.1], joint: revolute(x), motion: t + sin(t) }
+        body left on trunk { mass: 1, com: [0.1, 0, -0.2], inertia: [0.02, 0.03, 0.02],
+            joint: revolute(-x) at [0.2, 0, -0.5] rpy [0.5, 0, 0], coordinate: q2 }
+        body bracket on trunk { mass: 0.2, com: [0, 0.1, 0], joint: revolute(y) at [0, 0.2, 0] rpy [pi/2, 0, pi/3], motion: 0.4 }
+        body right on bracket { mass: 0.7, com: [0, 0.1, -0.1], inertia: [0.02, 0.03, 0.02, 0.001, 0.002, 0.003],
+            joint: revolute(y) at [-0.2, 0, 0.1], coordinate: q3 }
+        body hand on left { mass: 0.5, com: [0, 0.02, -0.1], inertia: [0.01, 0.02, 0.02, 0, 0.001, 0],
+            joint: helical(x, 0.2) at [0.1, 0.3, -0.4], motion: cos(3*t) }
+        body slider on right { mass: 0.4, com: [0.1, 0.02, -0.1], inertia: [0.01, 0.02, 0.02],
+            joint: prismatic([0, 1, 1]) at [0.1, 0.3, -0.4], motion: t^2 }
+        body wheel on hand { mass: 0.4, com: [0.1, 0.02, -0.1], inertia: [0.01, 0.02, 0.02],
+            joint: revolute([0, 1, 2]) at [0.1, 0.3, -0.4], coordinate: q6 }
     }",
 ];
 

@@ -31,6 +31,7 @@ impl Items<'_> {
             &program.outputs,
         );
         let events = names_of("EVENTS", "The names of the events.", &program.events);
+        let drives = names_of("DRIVES", "The bodies whose joints are driven.", &program.drives);
         quote! {
             impl #name {
                 #(#places)*
@@ -46,6 +47,7 @@ impl Items<'_> {
                 pub const EQUATIONS: &'static str = #equations;
                 #outputs
                 #events
+                #drives
             }
         }
     }

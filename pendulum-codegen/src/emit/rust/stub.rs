@@ -1,5 +1,7 @@
 //! What stands in for a model whose declaration has errors, so that its uses are no errors of their own.
 
+mod outputs;
+
 use std::collections::BTreeSet;
 
 use proc_macro2::{Ident, TokenStream};
@@ -7,9 +9,9 @@ use quote::{ToTokens, format_ident, quote};
 
 use super::routines::is_inherent;
 use super::{allowed, count, in_own_module};
-use crate::ast::{ExprKind, Items, OutputValue, Scene};
+use crate::ast::Scene;
 use crate::model::{FACTS, places};
-use crate::program::{Argument, Length, ROUTINES, Shape, functions_of_event, functions_of_output, is_function};
+use crate::program::{Argument, Length, ROUTINES, Shape};
 
 /// Types that have everything a declaration could ask for, for states of any length, and that are never run.
 pub(crate) fn stub(scene: &Scene) -> TokenStream {
@@ -64,9 +66,7 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             Length::Freedom => quote!(#dof),
             Length::Inputs => count(items.inputs.len()).into_token_stream(),
             Length::Parameters => count(items.params.len()).into_token_stream(),
-            Length::Drives => {
-                count(items.bodies.iter().filter(|body| body.fields.motion.is_some()).count()).into_token_stream()
-            }
+            Length::Drives => count(outputs::drives(items)).into_token_stream(),
         };
         let results = row.shapes.iter().map(|shape| match shape.map(length) {
             Shape::Scalar => (quote!(T), quote!(T::from_f64(0.0))),
@@ -85,7 +85,7 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             }
         }
     });
-    let own = own.chain(observed(items));
+    let own = own.chain([outputs::functions(items, &inputs)]);
     let items = quote! {
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
         #allowed
@@ -128,6 +128,7 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             pub const EQUATIONS: &'static str = "";
             pub const OUTPUTS: [&'static str; 0] = [];
             pub const EVENTS: [&'static str; 0] = [];
+            pub const DRIVES: [&'static str; 0] = [];
             pub fn new(params: #parameters) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
                 Ok(Self(::core::marker::PhantomData, params))
             }
@@ -258,88 +259,4 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
         }
     };
     in_own_module(&scene.head, &[name.clone(), parameters, inputs], &items)
-}
-
-/// The functions of outputs and events.
-fn observed(items: &Items) -> Vec<TokenStream> {
-    let (vector, real) = (
-        quote!(&::pendulum_core::nalgebra::SVector<T, N>),
-        quote!(T::from_f64(0.0)),
-    );
-    let matrix = quote!(::pendulum_core::nalgebra::SMatrix);
-    let is_point = |name: &Ident| items.points.iter().any(|point| point.name == *name);
-    let mut functions = Vec::new();
-    // a name that is declared twice is a function once
-    let mut known: BTreeSet<String> = BTreeSet::new();
-    let mut fresh = |name: &str| !is_function(name) && known.insert(name.to_owned());
-    let mut all = 0;
-    for output in &items.outputs {
-        let (rows, columns) = match &output.value {
-            Ok(OutputValue::List(list)) => (list.len(), 1),
-            Ok(OutputValue::Scalar(e)) => match &e.kind {
-                ExprKind::Name(name) if is_point(name) => (3, 1),
-                ExprKind::Call(function, _) if function == "rotation" => (3, 3),
-                _ => (1, 0),
-            },
-            Err(_) => (1, 0),
-        };
-        let length = (rows * columns).max(1);
-        all += length;
-        let length = count(length);
-        let (value, zero) = if columns == 0 {
-            (quote!(T), real.clone())
-        } else {
-            let (rows, columns) = (count(rows), count(columns));
-            (
-                quote!(#matrix<T, #rows, #columns>),
-                quote!(#matrix::from_element(#real)),
-            )
-        };
-        let names = functions_of_output(&output.name);
-        let own = names
-            .iter()
-            .enumerate()
-            .filter(|(_, name)| fresh(name))
-            .map(|(n, name)| {
-                let name = format_ident!("{name}");
-                if n < 2 {
-                    return quote!(pub fn #name<const N: usize>(&self, _: T, _: #vector) -> #value { #zero });
-                }
-                quote! {
-                    pub fn #name<const N: usize>(&self, _: T, _: #vector) -> (#value, #matrix<T, #length, N>) {
-                        (#zero, #matrix::from_element(#real))
-                    }
-                }
-            });
-        functions.extend(own.collect::<Vec<_>>());
-    }
-    for event in &items.events {
-        let names = functions_of_event(&event.name);
-        if !names.iter().all(|name| fresh(name)) {
-            continue;
-        }
-        let [value, event] = [&names[0], &names[1]].map(|name| format_ident!("{name}"));
-        functions.push(quote! {
-            pub fn #value<const N: usize>(&self, _: T, _: #vector) -> T { #real }
-            pub fn #event<const N: usize>(&self) -> ::pendulum_core::Event<'_, T, N> {
-                ::pendulum_core::Event::new(|_, _| #real)
-            }
-        });
-    }
-    let (all, events) = (count(all), count(items.events.len()));
-    functions.push(quote! {
-        pub fn outputs<const N: usize>(&self, _: T, _: #vector) -> #matrix<T, #all, 1> {
-            #matrix::from_element(#real)
-        }
-        pub fn output_rates<const N: usize>(&self, _: T, _: #vector) -> #matrix<T, #all, 1> {
-            #matrix::from_element(#real)
-        }
-        pub fn outputs_and_jacobian<const N: usize>(&self, _: T, _: #vector) -> (#matrix<T, #all, 1>, #matrix<T, #all, N>) {
-            (#matrix::from_element(#real), #matrix::from_element(#real))
-        }
-        pub fn events<const N: usize>(&self) -> [::pendulum_core::Event<'_, T, N>; #events] {
-            ::core::array::from_fn(|_| ::pendulum_core::Event::new(|_, _| #real))
-        }
-    });
-    functions
 }

@@ -45,6 +45,8 @@ pub(crate) fn equations<'g>(
     }
     Equations {
         coordinates: model.coordinate_names().into_iter().map(str::to_owned).collect(),
+        driven: !model.drives.is_empty(),
+        acted: !model.actions.is_empty(),
         short: composer.short(),
         full: composer.full(&dynamics.force),
     }

@@ -18,6 +18,10 @@ use crate::expr::{Definition, Formula, latex_definitions};
 pub struct Equations {
     /// The names of the coordinates.
     pub coordinates: Vec<String>,
+    /// Whether joints are driven.
+    pub driven: bool,
+    /// Whether something acts on the scene beside its joints.
+    pub acted: bool,
     /// The short form, in which names stand for what repeats.
     pub short: Listing,
     /// The same equations, in which torques are multiplied out.
@@ -90,20 +94,33 @@ impl Display for Listing {
 
 impl Display for Equations {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
-        f.write_str(
-            "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\n",
-        )?;
+        let [b, q] = self.sides();
+        writeln!(f, "A qdd + b = Q, where A is symmetric, b holds {b}, Q {q}\n")?;
         let listing = if f.alternate() { &self.full } else { &self.short };
         Display::fmt(listing, f)
     }
 }
 
 impl Equations {
+    /// What stands on the two sides.
+    fn sides(&self) -> [&'static str; 2] {
+        [
+            match self.driven {
+                false => "velocity terms and gravity",
+                true => "velocity terms, gravity and what the drives accelerate",
+            },
+            match self.acted {
+                false => "the forces of the joints",
+                true => "all other forces",
+            },
+        ]
+    }
+
     /// The short form in LaTeX, a displayed formula for each row: for documents that load `amsmath`.
     pub fn latex(&self) -> String {
-        let mut text = String::from(
-            "\\[ A\\,\\ddot{q} + b = Q, \\]\nwhere $A$ is symmetric, $b$ holds velocity terms and gravity, and $Q$ the forces of the joints:\n",
-        );
+        let [b, q] = self.sides();
+        let mut text =
+            format!("\\[ A\\,\\ddot{{q}} + b = Q, \\]\nwhere $A$ is symmetric, $b$ holds {b}, and $Q$ {q}:\n");
         for row in &self.short.rows {
             text.push_str(&row.formula.latex_equation(&row.entry()));
         }
