@@ -47,6 +47,21 @@ mechanism! {
 }
 
 mechanism! {
+    /// The joints of UR5, and where its flange is.
+    pub Ur5Flange {
+        generate: [],
+        body b1 on ground { joint: revolute(z) at [0.0, 0.0, 0.089159], coordinate: q1 }
+        body b2 on b1 { joint: revolute(y) at [0.0, 0.13585, 0.0] rpy [0, pi/2, 0], coordinate: q2 }
+        body b3 on b2 { joint: revolute(y) at [0.0, -0.1197, 0.425], coordinate: q3 }
+        body b4 on b3 { joint: revolute(y) at [0.0, 0.0, 0.39225] rpy [0, pi/2, 0], coordinate: q4 }
+        body b5 on b4 { joint: revolute(z) at [0.0, 0.093, 0.0], coordinate: q5 }
+        body b6 on b5 { joint: revolute(y) at [0.0, 0.0, 0.09465], coordinate: q6 }
+        point flange on b6 at [0, 0.0823, 0],
+        output flange: flange,
+    }
+}
+
+mechanism! {
     /// Franka Emika Panda: seven revolute joints.
     pub Panda {
         gravity: [0, 0, -9.81],

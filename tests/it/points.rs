@@ -7,6 +7,7 @@ use pendulum_core::prelude::*;
 use testbed::dual::Dual;
 use testbed::power_series;
 use testbed::random::Random;
+use testbed::robots::{Ur5Flange, Ur5FlangeParams};
 
 /// The bodies of an arm in space, with and without what acts on it.
 macro_rules! arm {
@@ -56,6 +57,42 @@ arm!(Arm {
 });
 
 const STATES: usize = 5;
+
+#[test]
+fn the_flange_of_a_robot_is_where_its_joints_take_it() {
+    let robot = Ur5Flange::new(Ur5FlangeParams {}).expect("no parameters");
+    let turned = |axis: Vector3<f64>, angle| UnitQuaternion::from_axis_angle(&Unit::new_normalize(axis), angle);
+    let (y, z, quarter) = (Vector3::y(), Vector3::z(), std::f64::consts::FRAC_PI_2);
+    let joints = [
+        ([0.0, 0.0, 0.089159], 0.0, z),
+        ([0.0, 0.13585, 0.0], quarter, y),
+        ([0.0, -0.1197, 0.425], 0.0, y),
+        ([0.0, 0.0, 0.39225], quarter, y),
+        ([0.0, 0.093, 0.0], 0.0, z),
+        ([0.0, 0.0, 0.09465], 0.0, y),
+    ];
+    for (t, x) in states::<12>() {
+        let mut pose = Isometry3::identity();
+        let mut axes = Vec::new();
+        for (k, &(at, pitch, axis)) in joints.iter().enumerate() {
+            pose *= Isometry3::from_parts(Translation3::from(Vector3::from(at)), turned(y, pitch));
+            axes.push((pose.translation.vector, pose.rotation * axis));
+            pose *= turned(axis, x[k]);
+        }
+        let flange = pose.transform_point(&[0.0, 0.0823, 0.0].into()).coords;
+        let (place, jacobian) = robot.flange_and_jacobian(t, &x);
+        assert_relative_eq!(place, flange, epsilon = 1e-15);
+        for (k, (origin, axis)) in axes.into_iter().enumerate() {
+            let column = axis.cross(&(flange - origin));
+            assert_relative_eq!(jacobian.column(k).into_owned(), column, epsilon = 1e-15);
+        }
+    }
+    let operations = Ur5Flange::COST["flange_and_jacobian"].operations;
+    assert_eq!(
+        (operations.additions + operations.multiplications, operations.sincos),
+        (51, 5)
+    );
+}
 
 fn arm() -> Arm {
     Arm::new(ArmParams::default()).expect("physical")

@@ -6,7 +6,6 @@ mod agree;
 mod candidate;
 mod contest;
 mod entrants;
-mod flange;
 mod generate;
 mod ours;
 mod results;

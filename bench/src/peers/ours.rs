@@ -10,11 +10,10 @@ use pendulum_core::{Cost, FunctionCost};
 use serde::Deserialize;
 
 use super::candidate::{Candidate, Function, OURS};
-use super::flange::{Ur5Flange, Ur5FlangeParams};
 use crate::cheap::Cheap;
 use crate::library::Program;
 use testbed::eq22::{Eq22, Plate};
-use testbed::robots::{Panda, PandaParams, Ur5, Ur5Params};
+use testbed::robots::{Panda, PandaParams, Ur5, Ur5Flange, Ur5FlangeParams, Ur5Params};
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 
 /// The numbers of the double pendulum. They are not the round ones of the paper, since products with 1 would vanish from the
