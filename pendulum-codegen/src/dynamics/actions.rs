@@ -3,7 +3,7 @@
 use super::frames::Frame;
 use super::joints::JointId;
 use super::links::Links;
-use crate::expr::{Derivative, Expr, ratio};
+use crate::expr::{Derivative, Expr};
 use crate::model::{Action, BodyId, Model, Place, Poses};
 use crate::screw::{Vec3, Wrench};
 
@@ -30,8 +30,8 @@ pub(super) fn along_coordinates<'g>(model: &Model<'g>, actions: &[&Action<'g>]) 
                 }
                 Action::Between { ends, factor, .. } => {
                     let [a, b] = ends.each_ref().map(place);
-                    let square = (b - a).dot(b - a);
-                    ratio(-1, 2) * (*factor * by_position.of(square))
+                    let apart = b - a;
+                    -(*factor * apart.dot(Vec3(apart.0.map(|x| by_position.of(x)))))
                 }
             };
         }

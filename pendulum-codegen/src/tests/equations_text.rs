@@ -51,6 +51,23 @@ const ABSOLUTE: &str = "pub Absolute {
     }
 }";
 
+/// Drives, points by their names in a torque and a force, and what acts between points.
+const ACTED: &str = "pub Acted {
+    params { l: m, k: N/m, c: N s/m, w: rad/s }
+    gravity: [0, -9.81, 0],
+    point tip on lower at [0, -l, 0],
+    point wall on ground at [2, 1, 0],
+    let push = k*tip.x - c*tip.y^2,
+    force q1: push*sin(t),
+    force on tip: [c*dot(tip.x), 1, 0],
+    spring between tip and wall: (k, l),
+    damper between wall and tip: c,
+    potential: k*tip.y^4,
+    body pivot on ground { joint: prismatic(x), motion: l*cos(w*t) }
+    body upper on pivot { mass: 2, com: [0, -1, 0], joint: revolute(z), coordinate: q1, torque: -k*tip.y }
+    body lower on upper { mass: 1, com: [0, -1, 0], joint: revolute(z) at [0, -1, 0], coordinate: q2 absolute, friction: c }
+}";
+
 /// Links of one shape on parallel joints; `absolute` is put after the names of coordinates, and a letter for a number is a parameter.
 fn chain(n: usize, link: &str, mass: &str, length: &str, absolute: &str) -> String {
     let body = |k: usize| {
@@ -180,7 +197,7 @@ fn value(expr: &Expr, symbols: &FxHashMap<String, f64>, lines: &BTreeMap<String,
         ExprKind::Binary(Operator::Mul, a, b) => of(a) * of(b),
         ExprKind::Binary(Operator::Div, a, b) => of(a) / of(b),
         ExprKind::Power(a, b) => of(a).powf(of(b)),
-        ExprKind::Component(..) => panic!("a point in the equations"),
+        ExprKind::Component(point, axis) => of(&lines[&format!("{point}.{axis}")]),
     }
 }
 
@@ -304,7 +321,7 @@ fn assert_well_formed(latex: &str) {
 
 #[test]
 fn what_is_printed_is_the_equation() {
-    for declaration in [MAGNET, CUBIC, ABSOLUTE, &spatial(3), &spatial(4)] {
+    for declaration in [MAGNET, CUBIC, ABSOLUTE, ACTED, &spatial(3), &spatial(4)] {
         checked(declaration);
     }
 }

@@ -65,7 +65,7 @@ struct Composer<'m, 'g> {
 impl<'g> Composer<'_, 'g> {
     /// The shortest form, or one nearly as short that shows more.
     fn short(&mut self) -> Listing {
-        let force = self.forces(&self.torques.passive.clone());
+        let force = self.shorter(&self.torques.passive.clone());
         let mut candidates = Vec::new();
         if let Some(closed) = self.closed.clone() {
             let flat = Candidate::new(self.listing(&[&closed[..], &force].concat(), false, true), EXPANDED);
@@ -97,6 +97,21 @@ impl<'g> Composer<'_, 'g> {
     fn forces(&mut self, force: &[Expr<'g>]) -> Vec<Expr<'g>> {
         self.expanded(force, Preference::Expanded)
             .unwrap_or_else(|| force.to_vec())
+    }
+
+    /// Forces written out where that is shorter than they are: a quotient by a sum would stand in every term.
+    fn shorter(&mut self, force: &[Expr<'g>]) -> Vec<Expr<'g>> {
+        let printer = Printer::new(self.model.graph);
+        let length = |row: Expr<'g>| printer.definition(row.id()).to_string().len();
+        let pairs = self.forces(force).into_iter().zip(force.iter().copied());
+        let shorter = |(written_out, own)| {
+            if length(written_out) <= length(own) {
+                written_out
+            } else {
+                own
+            }
+        };
+        pairs.map(shorter).collect()
     }
 
     /// Entries with names for what repeats, as they are and with their sums in order.
