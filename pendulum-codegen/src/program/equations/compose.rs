@@ -86,7 +86,7 @@ impl<'g> Composer<'_, 'g> {
 
     /// The form in which torques are multiplied out.
     fn full(&mut self, force: &[Expr<'g>]) -> Listing {
-        let force = self.forces(force);
+        let force = self.shorter(force);
         match &self.closed {
             Some(closed) => self.listing(&[closed, &force[..]].concat(), false, false),
             None => best(self.named(&self.recursion, &force, false, RECURSIVE)),
@@ -99,10 +99,14 @@ impl<'g> Composer<'_, 'g> {
             .unwrap_or_else(|| force.to_vec())
     }
 
-    /// Forces written out where that is shorter than they are: a quotient by a sum would stand in every term.
+    /// Forces written out; where something acts beside the joints only if that is shorter, as a quotient by a sum would stand in every
+    /// term.
     fn shorter(&mut self, force: &[Expr<'g>]) -> Vec<Expr<'g>> {
         let printer = Printer::new(self.model.graph);
         let length = |row: Expr<'g>| printer.definition(row.id()).to_string().len();
+        if self.model.actions.is_empty() {
+            return self.forces(force);
+        }
         let pairs = self.forces(force).into_iter().zip(force.iter().copied());
         let shorter = |(written_out, own)| {
             if length(written_out) <= length(own) {
