@@ -40,8 +40,8 @@ pub(crate) fn check(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'_>) -
 /// Whether anything is generated that accelerations are needed for.
 fn needs_inertia(model: &Model<'_>) -> bool {
     let outputs = model.outputs.iter().flat_map(|output| output.values.iter().copied());
-    let read = model.graph.reachable(&outputs.collect::<Vec<_>>());
-    let mut symbols = read.into_iter().filter_map(|id| model.graph.as_symbol(id));
+    let outputs: Vec<_> = outputs.collect();
+    let mut symbols = model.graph.symbols_of(&outputs);
     model.generate.iter().any(|word| *word != "shapes") || symbols.any(|s| matches!(s.kind, SymbolKind::Rate(_)))
 }
 

@@ -170,6 +170,11 @@ impl Graph {
         }
     }
 
+    /// The symbols that the roots depend on, in the order in which they were built.
+    pub fn symbols_of<'g>(&'g self, roots: &[Expr<'g>]) -> impl Iterator<Item = &'g Symbol> + use<'g> {
+        self.reachable(roots).into_iter().filter_map(|id| self.as_symbol(id))
+    }
+
     /// The value of a leaf, if it is a number.
     pub fn as_number(&self, id: ExprId) -> Option<&Rational> {
         match self.node(id) {

@@ -195,11 +195,7 @@ impl<'g> Lower<'g> {
     }
 
     fn has_rates(&self, x: Expr<'g>) -> bool {
-        let mut symbols = self
-            .graph
-            .reachable(&[x])
-            .into_iter()
-            .filter_map(|id| self.graph.as_symbol(id));
+        let mut symbols = self.graph.symbols_of(&[x]);
         symbols.any(|symbol| matches!(symbol.kind, SymbolKind::Rate(_) | SymbolKind::PointRate(_)))
     }
 }

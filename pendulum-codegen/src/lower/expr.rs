@@ -178,11 +178,7 @@ impl<'g> Lower<'g> {
         if place.only == Only::All || place.most < Level::State || value.level() < Level::State {
             return Ok(value);
         }
-        let mut symbols = self
-            .graph
-            .reachable(&[value])
-            .into_iter()
-            .filter_map(|id| self.graph.as_symbol(id));
+        let mut symbols = self.graph.symbols_of(&[value]);
         match symbols.find(|symbol| !place.only.allows(symbol.kind)) {
             None => Ok(value),
             Some(symbol) => {

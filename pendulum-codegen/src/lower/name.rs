@@ -175,11 +175,7 @@ impl<'g> Lower<'g> {
         }
         // what may stand in the argument is what may stand here, and that it has no rates of its own
         let value = self.operation(argument, place)?;
-        let mut symbols = self
-            .graph
-            .reachable(&[value])
-            .into_iter()
-            .filter_map(|id| self.graph.as_symbol(id));
+        let mut symbols = self.graph.symbols_of(&[value]);
         let without_rate = symbols.find(|symbol| {
             matches!(
                 symbol.kind,

@@ -146,7 +146,7 @@ fn head(name: String, doc: String, arguments: Vec<Argument>, shapes: Vec<Shape<u
 
 /// Whether expressions depend on the rates of the state.
 fn has_rates<'g>(model: &Model<'g>, values: &[Expr<'g>]) -> bool {
-    let read = model.graph.reachable(&model.with_drives(values));
-    let mut symbols = read.into_iter().filter_map(|id| model.graph.as_symbol(id));
+    let values = model.with_drives(values);
+    let mut symbols = model.graph.symbols_of(&values);
     symbols.any(|symbol| matches!(symbol.kind, SymbolKind::Rate(_)))
 }
