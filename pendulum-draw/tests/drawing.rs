@@ -1,0 +1,97 @@
+//! Pictures and animations are written, or refused with a reason.
+
+use std::error::Error;
+use std::fs;
+use std::path::PathBuf;
+
+use pendulum_core::prelude::*;
+use pendulum_core::shapes::{ShapeKind, Shapes};
+use pendulum_draw::Drawing;
+
+mechanism! {
+    /// One of each thing to see.
+    Zoo {
+        params { r: m = 0.1 }
+        gravity: [0, -9.81, 0],
+        point nail on ground at [1, 0, 0],
+        point tip on arm at [0, -1, 0],
+        spring between nail and tip: (3, 0.5),
+        damper between tip and nail: 0.1,
+        body arm on ground {
+            solids: [
+                rod(0.1, [0, 0, 0], [0, -1, 0]), point(0.1, [0, -1, 0]), disk(0.2, r, [0.3, 0, 0]), sphere(0.1, r, [0, -0.5, 0]),
+                plate(0.1, [[0, 0], [0.1, 0], [0, 0.1]]), cuboid(0.1, [0.2, 0.1, 0.3], [-0.3, 0, 0]),
+                cylinder(0.1, r, [0, 0, 0], [0, 0.3, 0]),
+            ],
+            joint: revolute(z), coordinate: theta,
+        }
+        generate: [rhs, shapes],
+    }
+}
+
+fn zoo() -> Result<(Zoo, Solution<f64, 2>), Box<dyn Error>> {
+    let zoo = Zoo::new(ZooParams::default())?;
+    let solution = Rk45::new().solve(&zoo, 0.0, 0.2, [0.5, 0.0])?;
+    Ok((zoo, solution))
+}
+
+fn stem(name: &str) -> PathBuf {
+    PathBuf::from(env!("CARGO_TARGET_TMPDIR")).join(name)
+}
+
+#[test]
+fn shapes_are_where_the_declaration_puts_them() -> Result<(), Box<dyn Error>> {
+    let (zoo, _) = zoo()?;
+    let shapes = zoo.shapes(0.0, &SVector::from([std::f64::consts::FRAC_PI_2, 0.0]));
+    let of = |kind| {
+        shapes
+            .iter()
+            .find(|shape| shape.kind == kind)
+            .ok_or("a shape is missing")
+    };
+    // a quarter of a turn takes (x, y) to (-y, x)
+    let near = |shape: &pendulum_core::shapes::Shape, n: usize, place: [f64; 3]| {
+        let apart = shape.points[n].coords - SVector::from(place);
+        assert!(apart.norm() < 1e-15, "{shape:?}");
+    };
+    near(of(ShapeKind::Rod)?, 1, [1.0, 0.0, 0.0]);
+    near(of(ShapeKind::Mass)?, 0, [1.0, 0.0, 0.0]);
+    near(of(ShapeKind::Disk)?, 0, [0.0, 0.3, 0.0]);
+    near(of(ShapeKind::Plate)?, 1, [0.0, 0.1, 0.0]);
+    near(of(ShapeKind::Cuboid)?, 0, [-0.05, -0.2, 0.15]);
+    near(of(ShapeKind::Cylinder)?, 1, [-0.3, 0.0, 0.0]);
+    near(of(ShapeKind::Spring)?, 0, [1.0, 0.0, 0.0]);
+    near(of(ShapeKind::Damper)?, 1, [1.0, 0.0, 0.0]);
+    near(of(ShapeKind::Anchor)?, 0, [1.0, 0.0, 0.0]);
+    near(of(ShapeKind::Point)?, 0, [1.0, 0.0, 0.0]);
+    near(of(ShapeKind::Pivot)?, 0, [0.0; 3]);
+    for kind in [ShapeKind::Disk, ShapeKind::Sphere, ShapeKind::Cylinder] {
+        assert!((of(kind)?.radius - 0.1).abs() < 1e-15);
+    }
+    let names: Vec<&str> = shapes.iter().map(|shape| shape.name).collect();
+    assert_eq!(names[7..], ["arm", "ground", "arm", "nail", "tip"]);
+    Ok(())
+}
+
+#[test]
+fn a_motion_becomes_a_picture_and_an_animation() -> Result<(), Box<dyn Error>> {
+    let (zoo, solution) = zoo()?;
+    let drawing = Drawing::new(&zoo, &solution).ghosts(1);
+    let [svg, png] = drawing.picture(&stem("zoo"))?;
+    assert!(fs::read_to_string(svg)?.contains("<polygon"));
+    assert!(fs::read(png)?.starts_with(b"\x89PNG"));
+    let gif = fs::read(drawing.speed(2.0).animation(&stem("zoo"))?)?;
+    assert!(gif.starts_with(b"GIF89a") && gif.len() > 1000);
+    Ok(())
+}
+
+#[test]
+fn what_cannot_be_drawn_is_an_error() -> Result<(), Box<dyn Error>> {
+    let (zoo, solution) = zoo()?;
+    let along = Drawing::new(&zoo, &solution).seen_from([0.0, 1.0, 0.0], [0.0, 2.0, 0.0]);
+    let error = along.picture(&stem("along")).expect_err("no view");
+    assert!(error.to_string().contains("parallel"), "{error}");
+    let still = Drawing::new(&zoo, &solution).speed(0.0).animation(&stem("still"));
+    assert!(still.expect_err("no speed").to_string().contains("positive"));
+    Ok(())
+}
