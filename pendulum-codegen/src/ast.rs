@@ -418,6 +418,42 @@ pub(crate) enum Operator {
     Div,
 }
 
+impl Items {
+    /// Whether the joint of a body has a motion in which the time stands.
+    pub(crate) fn is_driven(&self, body: &Body) -> bool {
+        let is_time = |kind: &ExprKind| matches!(kind, ExprKind::Name(name) if name == "t");
+        let motion = body.fields.motion.as_ref();
+        motion.is_some_and(|motion| self.uses(motion, &is_time))
+    }
+
+    /// Whether an operation stands in an expression, or in what its names stand for.
+    pub(crate) fn uses(&self, e: &Expr, operation: &impl Fn(&ExprKind) -> bool) -> bool {
+        // a `let` may use those before it
+        let mut using: Vec<&Ident> = Vec::new();
+        for item in &self.lets {
+            if item.value.as_ref().is_ok_and(|value| value.uses(&using, operation)) {
+                using.push(&item.name);
+            }
+        }
+        e.uses(&using, operation)
+    }
+}
+
+impl Expr {
+    /// Whether an operation, or one of some names, stands in the expression.
+    fn uses(&self, names: &[&Ident], operation: &impl Fn(&ExprKind) -> bool) -> bool {
+        let of = |e: &Self| e.uses(names, operation);
+        let in_parts = match &self.kind {
+            ExprKind::Name(name) => names.contains(&name),
+            ExprKind::Call(_, arguments) => arguments.iter().any(of),
+            ExprKind::Neg(a) => of(a),
+            ExprKind::Binary(_, a, b) | ExprKind::Power(a, b) => of(a) || of(b),
+            ExprKind::Number(_) | ExprKind::Component(..) => false,
+        };
+        in_parts || operation(&self.kind)
+    }
+}
+
 impl ToTokens for Expr {
     fn to_tokens(&self, tokens: &mut TokenStream) {
         self.tokens.to_tokens(tokens);

@@ -111,7 +111,7 @@ impl<'g> Lower<'g> {
         let order = self.order(&items.bodies);
         let coordinates = self.coordinates(&items.bodies);
         self.check_places(&items.bodies);
-        self.declare_points(&items.points, &items.bodies);
+        self.declare_points(items);
         let points = self.points.values().map(Declared::symbols);
         self.along_motion = along_motion(self.time, coordinates.iter(), points);
         self.lets(&items.lets);

@@ -32,8 +32,8 @@ impl<'g> Declared<'g> {
 
 impl<'g> Lower<'g> {
     /// Declares the names of points, and the symbols that stand for their coordinates until all bodies are known.
-    pub(super) fn declare_points(&mut self, points: &[ast::Point], bodies: &[ast::Body]) {
-        let moves = moving(bodies);
+    pub(super) fn declare_points(&mut self, items: &ast::Items) {
+        let (points, bodies, moves) = (&items.points, &items.bodies, moving(items));
         for point in points {
             let name = point.name.to_string();
             self.names.declare(&mut self.errors, Kind::Point, &point.name, None);
@@ -198,12 +198,13 @@ pub(super) fn square_of(v: Vec3<'_>) -> Expr<'_> {
 }
 
 /// Which bodies have a joint that moves between them and ground.
-fn moving(bodies: &[ast::Body]) -> Vec<bool> {
+fn moving(items: &ast::Items) -> Vec<bool> {
+    let bodies = &items.bodies;
     let parent = |body: &ast::Body| {
         let parent = body.parent.as_ref().ok()?;
         bodies.iter().position(|other| other.name == *parent)
     };
-    let own = |body: &ast::Body| body.fields.coordinate.is_some() || body.fields.motion.is_some();
+    let own = |body: &ast::Body| body.fields.coordinate.is_some() || items.is_driven(body);
     let mut moves: Vec<bool> = bodies.iter().map(own).collect();
     // as often as the longest chain has bodies
     for _ in bodies {

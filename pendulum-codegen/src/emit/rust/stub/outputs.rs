@@ -6,7 +6,7 @@ use proc_macro2::{Ident, TokenStream};
 use quote::{format_ident, quote};
 
 use super::count;
-use crate::ast::{Expr, ExprKind, Items, Output, OutputValue};
+use crate::ast::{ExprKind, Items, Output, OutputValue};
 use crate::program::{functions_of_event, functions_of_output, is_function};
 
 /// The functions of outputs and events, in a scene with these inputs.
@@ -89,37 +89,15 @@ fn shape(items: &Items, output: &Output) -> Option<(usize, usize)> {
 
 /// How many joints seem to be driven.
 pub(super) fn drives(items: &Items) -> usize {
-    let is_time = |kind: &ExprKind| matches!(kind, ExprKind::Name(name) if name == "t");
-    let motions = items.bodies.iter().filter_map(|body| body.fields.motion.as_ref());
-    motions
-        .filter(|motion| uses(items, items.lets.len(), motion, &is_time))
-        .count()
+    items.bodies.iter().filter(|body| items.is_driven(body)).count()
 }
 
 /// Whether an output seems to depend on rates.
 fn has_rates(items: &Items, output: &Output) -> bool {
     let is_rate = |kind: &ExprKind| matches!(kind, ExprKind::Call(function, _) if function == "dot");
-    let has_rates = |e: &Expr| uses(items, items.lets.len(), e, &is_rate);
     match &output.value {
-        Ok(OutputValue::Scalar(e)) => has_rates(e),
-        Ok(OutputValue::List(list)) => list.iter().any(has_rates),
+        Ok(OutputValue::Scalar(e)) => items.uses(e, &is_rate),
+        Ok(OutputValue::List(list)) => list.iter().any(|e| items.uses(e, &is_rate)),
         Err(_) => false,
     }
-}
-
-/// Whether an operation stands in an expression, or in what its names stand for: the first so many `let`.
-fn uses(items: &Items, lets: usize, e: &Expr, operation: &impl Fn(&ExprKind) -> bool) -> bool {
-    let of = |e: &Expr| uses(items, lets, e, operation);
-    let of_parts = match &e.kind {
-        ExprKind::Name(name) => {
-            let before = items.lets[..lets].iter().position(|item| item.name == *name);
-            let value = before.and_then(|n| Some((n, items.lets[n].value.as_ref().ok()?)));
-            value.is_some_and(|(n, value)| uses(items, n, value, operation))
-        }
-        ExprKind::Call(_, arguments) => arguments.iter().any(of),
-        ExprKind::Neg(a) => of(a),
-        ExprKind::Binary(_, a, b) | ExprKind::Power(a, b) => of(a) || of(b),
-        ExprKind::Number(_) | ExprKind::Component(..) => false,
-    };
-    of_parts || operation(&e.kind)
 }
