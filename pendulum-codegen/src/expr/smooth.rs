@@ -8,6 +8,9 @@ use super::{Binary, Expr, Level, Node, Rational, Unary, ratio};
 /// How many derivatives of smooth functions are counted.
 const SMOOTH: i64 = 16;
 
+/// Products of more factors are not looked through to the end: shared ones may have very many.
+const MOST: usize = 1000;
+
 impl<'g> Expr<'g> {
     /// How many continuous derivatives an expression is known to have where the state and the time vary: 0 for a corner, as `abs` has
     /// at zero, -1 for a jump, and many for what is smooth wherever it has a value. Places where the argument of a root, a quotient or an
@@ -36,7 +39,7 @@ impl<'g> Expr<'g> {
 /// Of a product: each `|u|^p u^n` in it has one continuous derivative less than `p + n`, rounded up, unless `p` is even.
 fn of_product<'g>(product: Expr<'g>, known: &FxHashMap<Expr<'g>, i64>) -> i64 {
     let mut factors: Vec<(Expr<'g>, Rational, Rational)> = Vec::new();
-    collect(product, &ratio(1, 1), &mut factors);
+    collect(product, &ratio(1, 1), &mut factors, &mut { MOST });
     let of_factor = |(base, size, power): &(Expr<'g>, Rational, Rational)| {
         let even = (size / ratio(2, 1)).is_integer();
         let own = if even {
@@ -50,20 +53,21 @@ fn of_product<'g>(product: Expr<'g>, known: &FxHashMap<Expr<'g>, i64>) -> i64 {
 }
 
 /// The factors of a product that vary: the base, the power of its absolute value, and its own power.
-fn collect<'g>(x: Expr<'g>, power: &Rational, factors: &mut Vec<(Expr<'g>, Rational, Rational)>) {
-    if x.level() < Level::State {
+fn collect<'g>(x: Expr<'g>, power: &Rational, factors: &mut Vec<(Expr<'g>, Rational, Rational)>, budget: &mut usize) {
+    if x.level() < Level::State || *budget == 0 {
         return;
     }
+    *budget -= 1;
     let (base, is_size, power) = match x.node() {
-        Node::Unary(Unary::Neg, inner) => return collect(inner, power, factors),
+        Node::Unary(Unary::Neg, inner) => return collect(inner, power, factors, budget),
         Node::Binary(Binary::Mul, a, b) => {
-            collect(a, power, factors);
-            return collect(b, power, factors);
+            collect(a, power, factors, budget);
+            return collect(b, power, factors, budget);
         }
         Node::Unary(Unary::Abs, inner) => (inner, true, power.clone()),
         // a root of a square is an absolute value
         Node::Power(inner, n) if !power.is_integer() && (n / ratio(2, 1)).is_integer() => (inner, true, power * n),
-        Node::Power(inner, n) => return collect(inner, &(power * n), factors),
+        Node::Power(inner, n) => return collect(inner, &(power * n), factors, budget),
         _ => (x, false, power.clone()),
     };
     let place = match factors.iter().position(|(known, ..)| *known == base) {
