@@ -80,12 +80,22 @@ impl<'g> Forms<'g> {
     pub(crate) fn new(model: &Model<'g>, dynamics: &Dynamics<'g>) -> Self {
         let g = model.graph;
         let mut normalizer = Normalizer::with_angles(g, BUDGET, model.base_angles());
-        let potential = dynamics.potential;
         let ways: &[bool] = if Dynamics::has_wrenches(model) {
             &[false, true]
         } else {
             &[false]
         };
+        let form = |basis, pushed| Form::of(basis).with_wrenches(pushed);
+        let recursive = ways.iter().map(|&pushed| {
+            let dynamics = Dynamics::recursive(model, dynamics.potential, pushed);
+            (form(Basis::Recursive, pushed), dynamics)
+        });
+        let recursive: Vec<_> = recursive.collect();
+        let articulated = ways.iter().map(|&pushed| {
+            let accelerations = Dynamics::articulated(model, pushed);
+            (form(Basis::Articulated, pushed), accelerations)
+        });
+        let articulated: Vec<Candidate<'g>> = articulated.collect();
         let lopsided = is_lopsided(&model.bodies);
         let (mut forms, mut exact) = (Vec::new(), Vec::new());
         if let Ok(closed) = Closed::new(&mut normalizer, dynamics) {
@@ -98,12 +108,6 @@ impl<'g> Forms<'g> {
             }
         }
         // constants that are zero, or equal, for a reason that shows in their normal form only
-        let recursive = ways.iter().map(|&pushed| {
-            (
-                Form::of(Basis::Recursive).with_wrenches(pushed),
-                Dynamics::recursive(model, potential, pushed),
-            )
-        });
         for (form, dynamics) in [(Form::of(Basis::Shared), dynamics.clone())]
             .into_iter()
             .chain(recursive)
@@ -111,10 +115,8 @@ impl<'g> Forms<'g> {
             let folded = constants::fold(g, &dynamics.entries());
             forms.push((form, dynamics.with_entries(folded), None));
         }
-        let articulated = ways.iter().map(|&pushed| {
-            let form = Form::of(Basis::Articulated).with_wrenches(pushed);
-            (form, constants::fold(g, &Dynamics::articulated(model, pushed)))
-        });
+        let articulated = articulated.into_iter();
+        let articulated = articulated.map(|(form, accelerations)| (form, constants::fold(g, &accelerations)));
         let articulated = articulated.collect();
         Self {
             forms,
