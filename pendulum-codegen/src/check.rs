@@ -54,6 +54,10 @@ fn report_without_effect(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'
         .chain(drawn.flat_map(|point| point.place.at.0))
         .chain(model.events.iter().map(|event| event.value))
         .collect::<Vec<_>>();
+    let mut dynamics = dynamics.clone();
+    if !model.generate.contains("drive_forces") {
+        dynamics.drive.clear();
+    }
     let roots = dynamics.entries().into_iter().chain(checked);
     let roots: Vec<_> = roots.chain(model.with_drives(&observed)).collect();
     let read: FxHashSet<ExprId> = model.graph.reachable(&roots).into_iter().collect();

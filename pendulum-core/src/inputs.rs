@@ -24,6 +24,7 @@ pub use law::{Generic, InputLaw, Law, LawJacobian};
 
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
+use crate::shapes::{Shape, Shapes};
 use crate::system::{Cast, Differences, Energy, Jacobian, System, WithJacobian, by_number};
 
 /// A model with `M` inputs (controls), whose values are given at each evaluation.
@@ -93,6 +94,12 @@ pub trait CastControlled<const N: usize, const M: usize> {
 pub struct WithInputs<S, L, const M: usize> {
     system: S,
     law: L,
+}
+
+impl<S: Shapes<N>, L, const N: usize, const M: usize> Shapes<N> for WithInputs<S, L, M> {
+    fn shapes(&self, t: f64, x: &SVector<f64, N>) -> Vec<Shape> {
+        self.system.shapes(t, x)
+    }
 }
 
 impl<S, F, const M: usize> WithInputs<S, F, M> {

@@ -1,7 +1,7 @@
 //! # Asymmetric double pendulum, and two bodies on torsion springs
 //!
-//! Bodies of any mass, centre and inertia on two axles, with springs in both (reference 5). Without gravity, as where the axles
-//! stand upright, the springs alone bring it back.
+//! Bodies of any mass, centre and inertia on two axles, with springs in both (reference 5). Without gravity, as when the axles
+//! are vertical, the springs alone bring it back.
 
 use pendulum_core::prelude::*;
 

@@ -1,6 +1,6 @@
 //! # Coupled pendulums in a field that varies
 //!
-//! Two pendulums with magnetic moments, tied by an elastic band, in a field that swings to and fro (reference 19).
+//! Two pendulums with magnetic moments, tied by an elastic band, in an oscillating field (reference 19).
 
 use pendulum_core::prelude::*;
 

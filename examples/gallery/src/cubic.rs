@@ -1,7 +1,7 @@
 //! # Cubic spring and cubic damping
 //!
-//! Two sliders that are tied by springs whose force grows with the cube of their stretch, and by dampers whose force grows with the
-//! cube of its rate (reference 10).
+//! Two sliders that are tied by springs whose force has a linear and a cubic part, and by dampers whose force grows with the cube of
+//! the rate (reference 10).
 
 use pendulum_core::prelude::*;
 

@@ -1,7 +1,7 @@
 //! # Pivot on a curve
 //!
-//! A double rigid pendulum whose pivot runs along a Lissajous curve (references 11 and 17), or along an ellipse at steady speed of the
-//! drive (Section 6), where `nx = ny = 1`. The pivot takes no part of the state.
+//! A double rigid pendulum whose pivot runs along a Lissajous curve (references 11 and 17), or, with `nx = ny = 1`, along an ellipse
+//! at a constant frequency of the drive (Section 6). The pivot takes no part of the state.
 
 use pendulum_core::prelude::*;
 

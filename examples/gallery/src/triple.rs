@@ -1,6 +1,6 @@
 //! # Triple pendulum
 //!
-//! A double rigid body that carries a rod (reference 14), with friction in all axles.
+//! A compound double pendulum that carries a rod (reference 14), with friction in all axles.
 
 use pendulum_core::prelude::*;
 

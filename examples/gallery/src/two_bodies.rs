@@ -1,4 +1,4 @@
-//! # Two bodies of their own
+//! # Two different bodies
 //!
 //! The compound double pendulum of the paper with two different bodies, friction in both axles, and centres of mass beside the
 //! lines of the axles (Section 6).

@@ -1,9 +1,9 @@
 //! How smooth an expression is.
 
 use num_traits::ToPrimitive;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
-use super::{Binary, Expr, Level, Node, Rational, Unary, ratio};
+use super::{Binary, Expr, Level, Node, Rational, SymbolKind, Unary, ratio};
 
 /// How many derivatives of smooth functions are counted.
 const SMOOTH: i64 = 16;
@@ -12,16 +12,20 @@ const SMOOTH: i64 = 16;
 const MOST: usize = 1000;
 
 impl<'g> Expr<'g> {
-    /// How many continuous derivatives an expression is known to have where the state and the time vary: 0 for a corner, as `abs` has
+    /// How many continuous derivatives an expression is known to have by the symbols of some kinds: 0 for a corner, as `abs` has
     /// at zero, -1 for a jump, and many for what is smooth wherever it has a value. Places where the argument of a root, a quotient or an
     /// angle vanishes are not looked for.
-    pub(crate) fn continuous_derivatives(self) -> i64 {
+    pub(crate) fn continuous_derivatives(self, by: impl Fn(SymbolKind) -> bool) -> i64 {
         let mut known: FxHashMap<Self, i64> = FxHashMap::default();
+        let mut varying: FxHashSet<Self> = FxHashSet::default();
         for id in self.graph().reachable(&[self]) {
             let x = self.graph().expr(id);
-            let own = if x.level() < Level::State {
+            let by_symbol = x.as_symbol().is_some_and(|symbol| by(symbol.kind));
+            let varies = by_symbol || x.operands().any(|operand| varying.contains(&operand));
+            let own = if !varies {
                 SMOOTH
             } else {
+                varying.insert(x);
                 match x.node() {
                     Node::Unary(Unary::Sign, _) => -1,
                     Node::Unary(Unary::Abs, _) | Node::Binary(Binary::Mul, ..) | Node::Power(..) => {

@@ -68,7 +68,7 @@ impl<'g> Lower<'g> {
         let value = self.expr(e, &place)?;
         let value = self.smooth(e, value, 1, &place, "force")?;
         if !value.is_zero() && !self.has_rates(value) {
-            let help = "it is half of the power that is lost, such as `c/2*dot(theta)^2` for viscous friction";
+            let help = "the force is minus its derivative by the rate: write `c/2*dot(theta)^2` for viscous friction";
             return Err(self
                 .errors
                 .on(e, "the dissipation depends on no rate, so nothing is lost", help));

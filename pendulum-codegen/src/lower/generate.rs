@@ -44,8 +44,8 @@ impl Lower<'_> {
             } else if word == "drive_forces" && !has_drives {
                 self.errors.at(
                     ident.span(),
-                    "no joint is driven",
-                    "drive one by `motion: e(t)` in place of its coordinate, or leave it out",
+                    "no joint is driven by the time",
+                    "write a motion with `t`, such as `motion: a*sin(w*t)`, or leave it out",
                 );
             } else if has_inputs && let Some(what) = motion_under_inputs(word) {
                 self.errors.at(

@@ -88,12 +88,14 @@ impl<'g> Lower<'g> {
         place: &Place<'g>,
         what: &str,
     ) -> Result<Expr<'g>, Reported> {
-        if value.continuous_derivatives() >= needed {
+        // what depends on the time alone may jump in a potential: its force is a derivative by coordinates
+        let by_time = place.only == Only::Time;
+        if value.continuous_derivatives(|kind| by_time || kind != SymbolKind::Time) >= needed {
             return Ok(value);
         }
         let corner = corner(given).unwrap_or(given);
         let fact = format_args!(
-            "{} is not smooth where `abs` passes 0: the {what} does not exist there",
+            "{} is not smooth where `abs`, or the root of a square, passes 0: the {what} jumps there",
             place.what
         );
         let help = "`sqrt(x^2 + eps^2)` is a smooth `abs(x)`, and `abs(x)^3` is smooth enough";

@@ -2,14 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use syn::Ident;
-
 use super::Lower;
 use super::expr::{Only, Place};
 use super::scope::Kind;
 use crate::ast::{self, ExprKind, OutputValue};
 use crate::error::Reported;
-use crate::expr::Expr;
+use crate::expr::{Expr, Level};
 use crate::model::{Event, FACTS, Output, OutputShape, Poses, places};
 use crate::program;
 
@@ -87,6 +85,14 @@ impl<'g> Lower<'g> {
                 Err(reported) => Err(reported),
             };
             let Ok(value) = value else { continue };
+            if value.level() < Level::State {
+                let fact = format_args!("event `{}` never occurs: its function is constant", event.name);
+                self.errors.at(
+                    event.name.span(),
+                    fact,
+                    "build it from coordinates, points, rates or the time",
+                );
+            }
             events.push(Event {
                 name: event.name.to_string(),
                 docs: event.docs.clone(),
@@ -98,31 +104,29 @@ impl<'g> Lower<'g> {
 
     /// No two functions of a model may have the same name.
     pub(super) fn check_functions(&mut self, items: &ast::Items) {
-        let outputs = items
-            .outputs
-            .iter()
-            .map(|output| (&output.name, program::functions_of_output(&output.name).to_vec()));
-        let events = items
-            .events
-            .iter()
-            .map(|event| (&event.name, program::functions_of_event(&event.name).to_vec()));
-        let mut taken: BTreeMap<String, &Ident> = BTreeMap::new();
+        let outputs = items.outputs.iter().map(|output| (&output.name, "output"));
+        let events = items.events.iter().map(|event| (&event.name, "event"));
+        let mut taken: BTreeMap<String, String> = BTreeMap::new();
         for coordinate in items.bodies.iter().filter_map(|body| body.fields.coordinate.as_ref()) {
-            taken.extend(places(&coordinate.to_string()).map(|constant| (constant, coordinate)));
+            let constants = places(&coordinate.to_string());
+            taken.extend(constants.map(|constant| (constant, format!("coordinate `{coordinate}`"))));
         }
-        for (ident, functions) in outputs.chain(events) {
+        for (ident, kind) in outputs.chain(events) {
+            let functions = match kind {
+                "output" => program::functions_of_output(ident).to_vec(),
+                _ => program::functions_of_event(ident).to_vec(),
+            };
             for function in functions {
+                let is_given = program::is_function(&function) || FACTS.contains(&function.as_str());
                 let owner = match taken.get(&function) {
-                    Some(owner) => format!("`{owner}`"),
-                    None if program::is_function(&function) || FACTS.contains(&function.as_str()) => {
-                        "every model".to_owned()
-                    }
+                    Some(owner) => owner.as_str(),
+                    None if is_given => "every model",
                     None => {
-                        taken.insert(function, ident);
+                        taken.insert(function, format!("{kind} `{ident}`"));
                         continue;
                     }
                 };
-                let fact = format_args!("`{ident}` needs the name `{function}`, which {owner} has already");
+                let fact = format_args!("{kind} `{ident}` needs the name `{function}`, which {owner} has already");
                 self.errors.at(ident.span(), fact, "choose another name");
                 break;
             }

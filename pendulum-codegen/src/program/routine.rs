@@ -301,7 +301,7 @@ pub(crate) const ROUTINES: &[Row] = &[
     Row {
         word: "bias",
         name: "bias",
-        doc: "The bias: velocity terms, gravity and what drives accelerate, as generalised forces.",
+        doc: "The bias: velocity terms, gravity and the inertia forces of the drives, as generalised forces.",
         arguments: &[],
         shapes: &[Vector(Freedom)],
         wanted: ASKED,

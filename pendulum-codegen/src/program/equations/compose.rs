@@ -102,14 +102,12 @@ impl<'g> Composer<'_, 'g> {
     /// Forces written out; where something acts beside the joints only if that is shorter, as a quotient by a sum would stand in every
     /// term.
     fn shorter(&mut self, force: &[Expr<'g>]) -> Vec<Expr<'g>> {
-        let printer = Printer::new(self.model.graph);
-        let length = |row: Expr<'g>| printer.definition(row.id()).to_string().len();
         if self.model.actions.is_empty() {
             return self.forces(force);
         }
         let pairs = self.forces(force).into_iter().zip(force.iter().copied());
-        let shorter = |(written_out, own)| {
-            if length(written_out) <= length(own) {
+        let shorter = |(written_out, own): (Expr<'g>, Expr<'g>)| {
+            if written_out.length() <= own.length() {
                 written_out
             } else {
                 own

@@ -107,7 +107,7 @@ impl Equations {
         [
             match self.driven {
                 false => "velocity terms and gravity",
-                true => "velocity terms, gravity and what the drives accelerate",
+                true => "velocity terms, gravity and the inertia forces of the drives",
             },
             match self.acted {
                 false => "the forces of the joints",
