@@ -338,6 +338,22 @@ fn chains_are_printed_on_a_page() {
     }
 }
 
+/// Written out, each name would double the length.
+#[test]
+fn a_chain_of_names_keeps_names() {
+    let lets: String = (1..=30)
+        .map(|n| format!("let a{n} = a{0}*a{0} + sin(a{0}), ", n - 1))
+        .collect();
+    for law in ["potential: a30", "force th: a30"] {
+        let scene = format!(
+            "pub Chain {{ let a0 = th, {lets} {law}, generate: [rhs],
+                body b on ground {{ mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: th }} }}"
+        );
+        let text = written(&Graph::new(), &scene).2.to_string();
+        assert!(text.len() < 4_000, "{} characters", text.len());
+    }
+}
+
 #[test]
 fn a_law_of_six_lines_stays_six_lines() {
     let text = written(&Graph::new(), MAGNET).2.to_string();

@@ -68,11 +68,13 @@ impl<'g> Composer<'_, 'g> {
         let force = self.shorter(&self.torques.passive.clone());
         let mut candidates = Vec::new();
         if let Some(closed) = self.closed.clone() {
-            let flat = Candidate::new(self.listing(&[&closed[..], &force].concat(), false, true), EXPANDED);
-            if flat.length <= SHORT {
-                return flat.listing;
+            if !is_endless(&force) {
+                let flat = Candidate::new(self.listing(&[&closed[..], &force].concat(), false, true), EXPANDED);
+                if flat.length <= SHORT {
+                    return flat.listing;
+                }
+                candidates.push(flat);
             }
-            candidates.push(flat);
             candidates.extend(self.named(&closed, &force, true, EXPANDED));
             for preference in [Preference::State, Preference::Parameter] {
                 if let Some(factored) = self.expanded(&self.recursion.clone(), preference) {
@@ -88,8 +90,8 @@ impl<'g> Composer<'_, 'g> {
     fn full(&mut self, force: &[Expr<'g>]) -> Listing {
         let force = self.shorter(force);
         match &self.closed {
-            Some(closed) => self.listing(&[closed, &force[..]].concat(), false, false),
-            None => best(self.named(&self.recursion, &force, false, RECURSIVE)),
+            Some(closed) if !is_endless(&force) => self.listing(&[closed, &force[..]].concat(), false, false),
+            _ => best(self.named(&self.recursion, &force, false, RECURSIVE)),
         }
     }
 
@@ -200,6 +202,13 @@ impl Candidate {
             weight,
         }
     }
+}
+
+/// Whether some expression is too long to be written without names for what repeats in it.
+fn is_endless(entries: &[Expr<'_>]) -> bool {
+    /// The most operations that are written out.
+    const MOST: u64 = 10_000;
+    entries.iter().any(|x| x.length() > MOST)
 }
 
 /// The candidate of the least weight, of those that fit on a page if there are any.
