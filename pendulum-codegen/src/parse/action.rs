@@ -38,7 +38,15 @@ fn force(input: ParseStream, errors: &mut Errors) -> syn::Result<ActionKind> {
         });
     }
     let point = identifier(input, "the point that it acts on", form)?;
-    colon(input, &point, errors)?;
+    if !input.peek(Token![:]) {
+        let fact = format_args!("expected a colon after `{point}`");
+        return Err(at(
+            input.span(),
+            fact,
+            format_args!("write `force on {point}: [fx, fy, fz]`"),
+        ));
+    }
+    input.parse::<Token![:]>()?;
     let force = read(input, |input| input.peek(Token![in]));
     let mut frame = None;
     if input.parse::<Option<Token![in]>>()?.is_some() {
