@@ -5,7 +5,7 @@
 
 use pendulum_core::prelude::*;
 
-use crate::{Check, Run, larger};
+use crate::{Check, Run, larger, solve_two};
 
 mechanism! {
     /// Two rods below a pivot that moves as (a cos(nx w t), b sin(ny w t)).
@@ -37,21 +37,17 @@ fn lagrange(params: &DrivenPivotParams, [ax, ay]: [f64; 2], x: &[f64; 4]) -> [f6
     } = *params;
     let [a, b, da, db] = *x;
     let ((sine, cosine), g) = ((a - b).sin_cos(), 9.81);
-    let (m11, m12, m22) = (
+    let mass = [
         (m1 / 3.0 + m2) * l1 * l1,
         m2 * l1 * l2 / 2.0 * cosine,
         m2 * l2 * l2 / 3.0,
-    );
+    ];
     let (s1, s2) = ((m1 / 2.0 + m2) * l1, m2 * l2 / 2.0);
     let twist = gamma * (db - da);
     let coupling = m2 * l1 * l2 / 2.0 * sine;
     let first = -coupling * db * db - s1 * ((g + ay) * a.sin() + ax * a.cos()) - gamma * da + twist;
     let second = coupling * da * da - s2 * ((g + ay) * b.sin() + ax * b.cos()) - twist;
-    let determinant = m11 * m22 - m12 * m12;
-    [
-        (m22 * first - m12 * second) / determinant,
-        (m11 * second - m12 * first) / determinant,
-    ]
+    solve_two(mass, [first, second])
 }
 
 /// Lagrange's equations on both curves, and the power of friction and of the pivot.

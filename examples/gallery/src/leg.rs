@@ -5,7 +5,7 @@
 
 use pendulum_core::prelude::*;
 
-use crate::{Check, Run};
+use crate::{Check, Run, double_pendulum};
 
 mechanism! {
     /// Thigh and shank, two plates of one density, with friction in hip and knee. The hip moves at the speed `v`, and up and down.
@@ -77,14 +77,14 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
         ..Default::default()
     };
     let held = Leg::new(params)?;
-    // angles of the lines from the axles to the centres of mass; those of the knee lie on the thigh's own line
+    // angles of the lines from the axles to the centres of mass; the knee lies on the thigh's own line
     let (alpha1, alpha2) = (x1.atan2(-y1), x2.atan2(-y2));
     let (c1, c2, d) = (x1.hypot(y1), x2.hypot(y2), 0.42);
     let straight = Leg::new(params)?.kinetic(0.0, &[-alpha1, -alpha2, 1.0, 0.0].into());
     let inertia = (3.0 * (i1 + c1 * c1) + 2.0 * d * d) / 2.0;
     let x = [0.4, -0.7, 1.5, -2.0];
     let rate = held.rhs(0.0, &x.into());
-    let known = held_leg([3.0, c1, 3.0 * i1, alpha1], [2.0, c2, 2.0 * i2, alpha2], d, x);
+    let known = double_pendulum([3.0, c1, 3.0 * i1, alpha1], [2.0, c2, 2.0 * i2, alpha2], d, 9.81, x);
     let checks = vec![
         Check::new("energy of the thigh that turns, in J", straight, inertia, 1e-14),
         Check::same(
@@ -105,21 +105,4 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
         vec![lost[0], lost[1], 0.6 * along, up * 0.02 * 6.0 * (6.0 * t).cos()]
     };
     Run::new(checks, model, solution, powers, |drawing| drawing)
-}
-
-/// Accelerations of the leg whose hip stands still: each body is turned so that its centre of mass lies below its axle; the knee then
-/// lies at an angle `-alpha1` from the line of the first body.
-fn held_leg([m1, c1, i1, alpha1]: [f64; 4], [m2, c2, i2, alpha2]: [f64; 4], d: f64, x: [f64; 4]) -> [f64; 2] {
-    let [a, b, da, db] = x;
-    let g = 9.81;
-    // centre 1 at angle a + alpha1, knee at angle a, centre 2 at angle b + alpha2 from the knee
-    let (sine, cosine) = (a - b - alpha2).sin_cos();
-    let (m11, m12, m22) = (i1 + m1 * c1 * c1 + m2 * d * d, m2 * d * c2 * cosine, i2 + m2 * c2 * c2);
-    let first = -m2 * d * c2 * sine * db * db - g * (m1 * c1 * (a + alpha1).sin() + m2 * d * a.sin());
-    let second = m2 * d * c2 * sine * da * da - m2 * c2 * g * (b + alpha2).sin();
-    let determinant = m11 * m22 - m12 * m12;
-    [
-        (m22 * first - m12 * second) / determinant,
-        (m11 * second - m12 * first) / determinant,
-    ]
 }

@@ -254,14 +254,25 @@ fn two_modes([[m11, m12], [_, m22]]: [[f64; 2]; 2], [[k11, k12], [_, k22]]: [[f6
     [(b - root) / (2.0 * a), (b + root) / (2.0 * a)].map(f64::sqrt)
 }
 
-/// Accelerations of a compound double pendulum in absolute angles: body 1 of inertia `i1` about its centre of mass, which lies `c1`
-/// below its axle, and so body 2, whose axle lies `d` below the first; without friction.
-fn double_pendulum([m1, c1, i1]: [f64; 3], [m2, c2, i2]: [f64; 3], d: f64, g: f64, x: [f64; 4]) -> [f64; 2] {
-    let [a, b, da, db] = x;
-    let (sine, cosine) = (a - b).sin_cos();
-    let (m11, m12, m22) = (i1 + m1 * c1 * c1 + m2 * d * d, m2 * d * c2 * cosine, i2 + m2 * c2 * c2);
-    let first = -m2 * d * c2 * sine * db * db - (m1 * c1 + m2 * d) * g * a.sin();
-    let second = m2 * d * c2 * sine * da * da - m2 * c2 * g * b.sin();
+/// Accelerations of a compound double pendulum without friction, in absolute angles: body 1 of inertia `i1` about its centre of mass,
+/// which lies `c1` from its axle and `alpha1` ahead of its angle, and so body 2, whose axle lies `d` below the first along body 1.
+fn double_pendulum(
+    [m1, c1, i1, alpha1]: [f64; 4],
+    [m2, c2, i2, alpha2]: [f64; 4],
+    d: f64,
+    g: f64,
+    [a, b, da, db]: [f64; 4],
+) -> [f64; 2] {
+    let (sine, cosine) = (a - b - alpha2).sin_cos();
+    let coupling = m2 * d * c2;
+    let mass = [i1 + m1 * c1 * c1 + m2 * d * d, coupling * cosine, i2 + m2 * c2 * c2];
+    let first = -coupling * sine * db * db - g * (m1 * c1 * (a + alpha1).sin() + m2 * d * a.sin());
+    let second = coupling * sine * da * da - m2 * c2 * g * (b + alpha2).sin();
+    solve_two(mass, [first, second])
+}
+
+/// The accelerations of two coordinates, from the entries `m11, m12, m22` of their mass matrix and the forces on them.
+fn solve_two([m11, m12, m22]: [f64; 3], [first, second]: [f64; 2]) -> [f64; 2] {
     let determinant = m11 * m22 - m12 * m12;
     [
         (m22 * first - m12 * second) / determinant,

@@ -34,7 +34,7 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let uneven = PointMasses::new(params)?;
     let x = [0.8, -0.5, 1.2, 2.1];
     let rate = uneven.rhs(0.0, &x.into());
-    let known = double_pendulum([1.0, 1.0, 0.0], [0.7, 1.3, 0.0], 1.0, 9.81, x);
+    let known = double_pendulum([1.0, 1.0, 0.0, 0.0], [0.7, 1.3, 0.0, 0.0], 1.0, 9.81, x);
     let model = PointMasses::new(PointMassesParams::default())?;
     let start = [2.0, 2.5, 0.0, 0.0];
     let exponent = Lyapunov::new()

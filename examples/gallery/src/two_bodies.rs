@@ -40,7 +40,7 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     })?;
     let x = [1.2, -0.4, 0.3, -1.1];
     let rate = frictionless.rhs(0.0, &x.into());
-    let known = double_pendulum([1.7, 0.43, 0.31], [0.8, 0.55, 0.12], 0.9, 9.81, x);
+    let known = double_pendulum([1.7, 0.43, 0.31, 0.0], [0.8, 0.55, 0.12, 0.0], 0.9, 9.81, x);
     let checks = vec![Check::same(
         "accelerations against the formula, in rad/s^2",
         &rate.as_slice()[2..],

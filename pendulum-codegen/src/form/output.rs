@@ -5,7 +5,7 @@ use rustc_hash::FxHashMap;
 use super::closed::short_terms;
 use super::{Basis, Candidate, Chosen, Form, Forms};
 use crate::dynamics::derived;
-use crate::expr::{Derivative, Expr};
+use crate::expr::{Derivative, Expr, SymbolKind};
 use crate::model::Model;
 use crate::pass::Preference;
 use crate::pass::factor::factor;
@@ -23,15 +23,12 @@ pub(crate) fn rates<'g>(forms: &mut Forms<'g>, model: &Model<'g>, values: &[Expr
     let mut along = Derivative::along(directions.chain([(model.time, model.graph.one())]));
     let rates: Vec<Expr<'g>> = values.iter().map(|&value| along.of(value)).collect();
     let rates = model.with_drives(&rates);
-    let accelerations: Vec<Expr<'g>> = model.coordinates.iter().map(|c| c.acceleration).collect();
-    let read = model.graph.reachable(&rates);
-    if !accelerations
-        .iter()
-        .any(|symbol| read.binary_search(&symbol.id()).is_ok())
-    {
+    let mut symbols = model.graph.symbols_of(&rates);
+    if !symbols.any(|symbol| matches!(symbol.kind, SymbolKind::Acceleration(_))) {
         return forms.shortest(&rates);
     }
-    let solved: FxHashMap<_, _> = accelerations.into_iter().zip(forms.accelerations().roots).collect();
+    let accelerations = model.coordinates.iter().map(|c| c.acceleration);
+    let solved: FxHashMap<_, _> = accelerations.zip(forms.accelerations().roots).collect();
     let rates = model.graph.substitute(&rates, solved);
     forms.choose(vec![(Form::of(Basis::Declared), rates)])
 }

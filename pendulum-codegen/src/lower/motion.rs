@@ -17,7 +17,7 @@ pub(super) enum Motion<'g> {
 }
 
 impl<'g> Lower<'g> {
-    /// The drives of a scene with so many coordinates; and what the joint of each body does that has a motion.
+    /// The drives of a scene with `dof` coordinates, numbered behind them. Also records what each joint with a motion does.
     pub(super) fn drives(&mut self, bodies: &[ast::Body], dof: usize) -> Vec<Drive<'g>> {
         let mut drives: Vec<Drive<'g>> = Vec::new();
         for body in bodies {
