@@ -35,6 +35,8 @@ pub(crate) struct Head {
 /// The items of a scene, by kind, each in the order of the text.
 #[derive(Debug, Default)]
 pub(crate) struct Items {
+    /// `units: none`: units are not checked.
+    pub without_units: Option<()>,
     /// Parameters.
     pub params: Vec<Param>,
     /// Acceleration of gravity.
@@ -391,6 +393,8 @@ pub(crate) struct Expr {
 pub(crate) enum ExprKind {
     /// A number, exactly.
     Number(Rational),
+    /// `90 deg`: a number as it is written, and its unit.
+    Measured(Rational, Box<Unit>),
     /// A name.
     Name(Ident),
     /// `point.x`: a point, and the word behind the dot.
@@ -448,7 +452,7 @@ impl Expr {
             ExprKind::Call(_, arguments) => arguments.iter().any(of),
             ExprKind::Neg(a) => of(a),
             ExprKind::Binary(_, a, b) | ExprKind::Power(a, b) => of(a) || of(b),
-            ExprKind::Number(_) | ExprKind::Component(..) => false,
+            ExprKind::Number(_) | ExprKind::Measured(..) | ExprKind::Component(..) => false,
         };
         in_parts || operation(&self.kind)
     }

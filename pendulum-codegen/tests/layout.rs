@@ -6,7 +6,7 @@ use pendulum_codegen::program::SlotKind::{self, Angle, Length};
 struct Coordinate(SlotKind, bool, bool);
 
 fn check(scene: &str, autonomous: bool, expected: &[Coordinate]) {
-    let source = format!("pub Scene {{ {scene} }}");
+    let source = format!("pub Scene {{ units: none, {scene} }}");
     let program = pendulum_codegen::program(source.parse().expect("tokens")).expect("a scene");
     let dof = expected.len();
     assert_eq!(program.layout.autonomous, autonomous, "{scene}");

@@ -5,6 +5,7 @@ use pendulum_core::mechanism;
 mechanism! {
     /// Eq. 22 of Williams (2023): two plates on axles with friction.
     pub Pendulums {
+        units: none,
         params {
             m: kg = 1, inertia: kg m^2 = 1, c: m = 1, d: m = 1, g: m/s^2 = 9.8, gamma1: N m s = 0.1, gamma2: N m s = 0.1,
         }
@@ -19,6 +20,7 @@ mechanism! {
 mechanism! {
     /// Three revolute joints along different axes.
     pub Elbow {
+        units: none,
         gravity: [0, 0, -9.81],
         generate: [rhs, taylor],
         body shoulder on ground {
@@ -39,6 +41,7 @@ mechanism! {
 mechanism! {
     /// A cart, a nut on a thread and a slider on the nut.
     pub Slides {
+        units: none,
         params { k: N/m = 20, pitch: m = 0.1 }
         gravity: [0, -9.81, 0],
         generate: [taylor, jacobian],
@@ -62,6 +65,7 @@ mechanism! {
 mechanism! {
     /// The tangent.
     pub Tangent {
+        units: none,
         gravity: [0, -9.81, 0],
         generate: [taylor],
         body bob on ground {
@@ -75,6 +79,7 @@ mechanism! {
 mechanism! {
     /// The exponential, of a rate and of a product.
     pub Exponential {
+        units: none,
         gravity: [0, -9.81, 0],
         generate: [taylor],
         body bob on ground {
@@ -88,6 +93,7 @@ mechanism! {
 mechanism! {
     /// The logarithm.
     pub Logarithm {
+        units: none,
         gravity: [0, -9.81, 0],
         generate: [taylor],
         body bob on ground {
@@ -101,6 +107,7 @@ mechanism! {
 mechanism! {
     /// The square root.
     pub Root {
+        units: none,
         gravity: [0, -9.81, 0],
         generate: [taylor],
         body bob on ground {
@@ -114,6 +121,7 @@ mechanism! {
 mechanism! {
     /// Powers, whole and broken, positive and negative.
     pub Powers {
+        units: none,
         gravity: [0, -9.81, 0],
         generate: [taylor],
         body bob on ground {
@@ -127,6 +135,7 @@ mechanism! {
 mechanism! {
     /// Quotients of and by what moves.
     pub Quotient {
+        units: none,
         gravity: [0, -9.81, 0],
         generate: [taylor],
         body bob on ground {
@@ -140,6 +149,7 @@ mechanism! {
 mechanism! {
     /// Smoothed dry friction.
     pub Saturated {
+        units: none,
         gravity: [0, -9.81, 0],
         generate: [taylor],
         body bob on ground {
@@ -153,6 +163,7 @@ mechanism! {
 mechanism! {
     /// The angle of a moving point.
     pub Angle {
+        units: none,
         gravity: [0, -9.81, 0],
         generate: [taylor],
         body bob on ground {
@@ -166,6 +177,7 @@ mechanism! {
 mechanism! {
     /// Drag, and a spring that pulls one way.
     pub Drag {
+        units: none,
         gravity: [0, -9.81, 0],
         generate: [taylor],
         body bob on ground {
@@ -179,6 +191,7 @@ mechanism! {
 mechanism! {
     /// A law of time.
     pub Driven {
+        units: none,
         gravity: [0, -9.81, 0],
         generate: [taylor],
         body bob on ground {

@@ -16,7 +16,7 @@ mechanism! {
         input push: N,
         input twist: N m,
         gravity: [0, -9.81, 0],
-        let gust = wind * sin(2*t),
+        let gust = wind * sin(2 rad/s*t),
         body cart on ground { mass: 1, joint: prismatic(x), coordinate: s, torque: push + gust }
         body rod on cart { solids: [rod(m, [0, 0, 0], [0, l, 0])], joint: revolute(z), coordinate: angle, torque: twist }
     }
@@ -316,7 +316,7 @@ mod any_name {
                 pub $scene {
                     params { m: kg = 1 }
                     input u: N,
-                    body bead on ground { mass: m, joint: prismatic(x), coordinate: x, torque: u + sin(t) }
+                    body bead on ground { mass: m, joint: prismatic(x), coordinate: x, torque: u + 1 N*sin(1 rad/s*t) }
                 }
             })*
         };

@@ -12,6 +12,7 @@ macro_rules! crane {
     ($name:ident { $($items:tt)* } $first:ident: $law1:tt, $second:ident: $law2:tt) => {
         mechanism! {
             pub $name {
+                units: none,
                 params { l: m = 0.4, w: rad/s = 2 }
                 gravity: [1, -2, -9.81],
                 $($items)*

@@ -21,6 +21,7 @@ mechanism! {
     ///
     /// A path: C:\
     pub Driven {
+        units: none,
         params { double: kg = 0.4, x: m = 0.7, härte: N/m = 3, hu00e4rte: m = 0.2, r#in: N m = 0.3 }
         input unsigned: N,
         input r#loop: N m,
@@ -66,7 +67,7 @@ mechanism! {
         point hook on rope at [0, -l, 0],
         point wall on ground at [1, 0, 0],
         spring between hook and wall: (3, 0.4),
-        force on hook: [-dot(hook.x), 0, 0],
+        force on hook: [-1 N s/m * dot(hook.x), 0, 0],
         output double: hook,
         output turned: rotation(rope),
         output speed: dot(hook.x),

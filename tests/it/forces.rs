@@ -9,6 +9,7 @@ use testbed::dual::Dual;
 mechanism! {
     /// A driven pendulum on a cart with a spring: every kind of force, and two inputs.
     pub Driven {
+        units: none,
         params {
             m: kg = 0.4,
             l: m = 0.7,

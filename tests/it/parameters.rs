@@ -260,6 +260,7 @@ fn accelerations_are_derived_by_every_parameter() {
 mechanism! {
     /// Powers that are no whole numbers, of a parameter alone.
     pub Powers {
+        units: none,
         params { w: 1 = 4.0 }
         generate: [rhs, parameter_jacobian],
         body a on ground { mass: w^(3/2), joint: prismatic(x), coordinate: s, torque: w^(5/2)*s - sqrt(w)*w^(-3/2) }

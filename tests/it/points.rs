@@ -14,6 +14,7 @@ macro_rules! arm {
     ($name:ident { $($items:tt)* }) => {
         mechanism! {
             pub $name {
+                units: none,
                 params { l: m = 0.4, k: N/m = 3, c: N s/m = 0.4, w: rad/s = 2 }
                 $($items)*
                 gravity: [1, -2, -9.81],

@@ -10,6 +10,8 @@ use super::Rational;
 pub enum Formula {
     /// A number, exactly.
     Number(Rational),
+    /// A number and its unit, as they are written.
+    Measured(String, String),
     /// A name.
     Name(String),
     /// An entry of a matrix or a vector, such as `A[theta1, theta2]`: its name and the names of its indices.
@@ -114,7 +116,7 @@ impl Formula {
     /// The formulas that this one is made of.
     pub fn parts(&self) -> Vec<&Formula> {
         match self {
-            Self::Number(_) | Self::Name(_) | Self::Entry(..) => Vec::new(),
+            Self::Number(_) | Self::Measured(..) | Self::Name(_) | Self::Entry(..) => Vec::new(),
             Self::Call(_, parts) | Self::Product(parts) => parts.iter().collect(),
             Self::Neg(a) => vec![a],
             Self::Sum(terms) => terms.iter().map(|term| &term.formula).collect(),

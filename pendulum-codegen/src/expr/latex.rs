@@ -28,6 +28,7 @@ impl Formula {
             }
             Self::Number(n) if n.is_negative() => format!("-{}", Self::Number(-n).latex()),
             Self::Number(n) => number(n),
+            Self::Measured(number, unit) => format!("{number}\\,\\mathrm{{{}}}", unit.replace(' ', "\\,")),
             Self::Name(name) => latex_name(name),
             Self::Entry(name, indices) => {
                 let indices: Vec<String> = indices.iter().map(|index| latex_name(index)).collect();

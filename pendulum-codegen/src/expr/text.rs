@@ -10,6 +10,7 @@ impl Display for Formula {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         match self {
             Self::Number(n) => f.write_str(&number(n)),
+            Self::Measured(number, unit) => write!(f, "{number} {unit}"),
             Self::Name(name) => f.write_str(name),
             Self::Entry(name, indices) => write!(f, "{name}[{}]", indices.join(", ")),
             Self::Call(function, arguments) => {
@@ -59,6 +60,8 @@ impl Formula {
     /// The outermost operation of the text.
     pub fn precedence(&self) -> Precedence {
         match self {
+            // in brackets a unit cannot be taken for what follows it
+            Self::Measured(..) => Precedence::Sum,
             Self::Number(n) if n.is_negative() => Precedence::Sum,
             Self::Number(n) if !n.denom().is_one() && decimal(n).is_none() => Precedence::Product,
             Self::Number(_) | Self::Name(_) | Self::Entry(..) | Self::Call(..) => Precedence::Atom,

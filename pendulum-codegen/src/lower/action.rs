@@ -5,6 +5,7 @@ use syn::Ident;
 
 use super::Lower;
 use super::expr::{Only, Place};
+use super::joint_units::JointUnits;
 use super::point::{Declared, square_of};
 use super::written::written;
 use crate::ast::{self, ActionKind, Read};
@@ -57,14 +58,14 @@ impl<'g> Lower<'g> {
     fn potential(&mut self, e: &ast::Expr) -> Result<Action<'g>, Reported> {
         let place = Place {
             only: Only::Positions,
-            ..Place::moving("a potential energy")
+            ..Place::moving("a potential energy").in_unit("J")
         };
         let value = self.expr(e, &place)?;
         self.smooth(e, value, 1, &place, "force").map(Action::Potential)
     }
 
     fn dissipation(&mut self, e: &ast::Expr) -> Result<Action<'g>, Reported> {
-        let place = Place::moving("a dissipation");
+        let place = Place::moving("a dissipation").in_unit("W");
         let value = self.expr(e, &place)?;
         let value = self.smooth(e, value, 1, &place, "force")?;
         if !value.is_zero() && !self.has_rates(value) {
@@ -83,6 +84,14 @@ impl<'g> Lower<'g> {
         items: &ast::Items,
     ) -> Result<Action<'g>, Reported> {
         let place = Place::moving(format!("the force along `{coordinate}`"));
+        let own = |body: &&ast::Body| body.fields.coordinate.as_ref() == Some(coordinate);
+        let place = place.in_unit(
+            items
+                .bodies
+                .iter()
+                .find(own)
+                .and_then(|body| JointUnits::of(body).force()),
+        );
         let k = self.coordinate(coordinate, items);
         let force = self.read(force)?;
         let value = self.expr(force, &place)?;
@@ -98,7 +107,7 @@ impl<'g> Lower<'g> {
         bodies: &[ast::Body],
     ) -> Result<(Vec3<'g>, Option<usize>), Reported> {
         let declared = self.point_named(point);
-        let place = Place::moving(format!("the force on `{point}`"));
+        let place = Place::moving(format!("the force on `{point}`")).in_unit("N");
         let force = self.read(force).and_then(|force| self.vector(force, &place));
         let frame = frame.map_or(Ok(None), |frame| self.body_named(frame, bodies));
         self.can_move(&[declared?], point)?;
@@ -116,8 +125,9 @@ impl<'g> Lower<'g> {
         let what = format!("the spring between `{a}` and `{b}`");
         let (stiffness, length) = self.read(law)?;
         let instead = "a spring pulls back; write a force that pushes away by its `potential: ..`";
-        let k = self.stiffness(stiffness, &what, instead);
-        let of_length = Place::fixed(format!("the length of {what}"));
+        let of_stiffness = Place::fixed(format!("the stiffness of {what}")).in_unit("N/m");
+        let k = self.stiffness(stiffness, &of_stiffness, instead);
+        let of_length = Place::fixed(format!("the length of {what}")).in_unit("m");
         let length = self.positive(length, &of_length, Requirement::NonNegative);
         let ends = ends?;
         self.can_move(&ends, a)?;
@@ -139,7 +149,7 @@ impl<'g> Lower<'g> {
         coefficient: &Read<ast::Expr>,
     ) -> Result<Expr<'g>, Reported> {
         let ends = self.ends([a, b], at);
-        let place = Place::fixed(format!("the coefficient of the damper between `{a}` and `{b}`"));
+        let place = Place::fixed(format!("the coefficient of the damper between `{a}` and `{b}`")).in_unit("N s/m");
         let coefficient = self.read(coefficient);
         let coefficient = coefficient.and_then(|c| self.positive(c, &place, Requirement::NonNegative));
         let ends = ends?;

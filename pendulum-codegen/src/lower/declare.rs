@@ -2,17 +2,25 @@
 
 use super::Lower;
 use super::expr::Place;
+use super::joint_units::JointUnits;
+use super::measure::Measure;
 use super::scope::Kind;
 use super::written::written;
 use crate::ast::{self, Read};
 use crate::error::Reported;
 use crate::expr::{Definition, Expr, Level, SymbolKind};
 use crate::model::{Coordinate, Input, Parameter};
+use crate::units::Unit;
 
 impl<'g> Lower<'g> {
     pub(super) fn parameters(&mut self, params: &[ast::Param]) -> Vec<Parameter<'g>> {
         for param in params {
-            self.names.declare(&mut self.errors, Kind::Parameter, &param.name, None);
+            self.names.declare(
+                &mut self.errors,
+                Kind::Parameter,
+                &param.name,
+                (measure(&param.unit), None),
+            );
             self.spans.parameters.push(param.name.span());
         }
         let mut parameters = Vec::new();
@@ -23,7 +31,7 @@ impl<'g> Lower<'g> {
             let default = param
                 .default
                 .as_ref()
-                .and_then(|default| self.default(&name, default).ok());
+                .and_then(|default| self.default(&name, &param.unit, default).ok());
             let symbol = self.graph.symbol(&name, SymbolKind::Parameter(parameters.len()));
             parameters.push(Parameter {
                 name,
@@ -39,9 +47,10 @@ impl<'g> Lower<'g> {
         parameters
     }
 
-    fn default(&mut self, name: &str, default: &Read<ast::Expr>) -> Result<Expr<'g>, Reported> {
+    fn default(&mut self, name: &str, unit: &Read<Unit>, default: &Read<ast::Expr>) -> Result<Expr<'g>, Reported> {
         let place = Place {
             most: Level::Constant,
+            unit: unit.as_ref().ok().map(|unit| unit.text.clone().into()),
             ..Place::fixed(format!("the default of `{name}`"))
         };
         let default = self.read(default)?;
@@ -55,8 +64,12 @@ impl<'g> Lower<'g> {
             let unit = self.read(&input.unit).cloned().unwrap_or_default();
             self.spans.inputs.push(input.name.span());
             let symbol = self.graph.symbol(&name, SymbolKind::Input(inputs.len()));
-            self.names
-                .declare(&mut self.errors, Kind::Input, &input.name, Some(symbol));
+            self.names.declare(
+                &mut self.errors,
+                Kind::Input,
+                &input.name,
+                (measure(&input.unit), Some(symbol)),
+            );
             inputs.push(Input {
                 name,
                 docs: input.docs.clone(),
@@ -71,7 +84,8 @@ impl<'g> Lower<'g> {
     /// later, so that a use before the definition is not taken for a misspelling.
     pub(super) fn declare_lets(&mut self, lets: &[ast::Let]) -> Vec<Definition> {
         for item in lets {
-            self.names.declare(&mut self.errors, Kind::Let, &item.name, None);
+            self.names
+                .declare(&mut self.errors, Kind::Let, &item.name, (Measure::Unknown, None));
         }
         let definition = |item: &ast::Let| {
             let value = item.value.as_ref().ok()?;
@@ -88,20 +102,26 @@ impl<'g> Lower<'g> {
         for item in lets {
             let place = Place::moving(format!("`{}`", item.name));
             let value = self.read(&item.value);
-            match value.and_then(|value| self.expr(value, &place)) {
-                Ok(value) => self.names.set_value(&item.name.to_string(), value),
-                Err(reported) => _ = self.broken.insert(item.name.to_string(), reported),
+            let name = item.name.to_string();
+            match value.and_then(|value| self.quantity(value, &place)) {
+                Ok(quantity) => {
+                    self.names.set_value(&name, quantity.value);
+                    self.names.set_measure(&name, quantity.measure);
+                }
+                Err(reported) => _ = self.broken.insert(name, reported),
             }
         }
     }
 
     pub(super) fn coordinates(&mut self, bodies: &[ast::Body]) -> Vec<Coordinate<'g>> {
         let mut coordinates = Vec::new();
-        for ident in bodies.iter().filter_map(|body| body.fields.coordinate.as_ref()) {
+        for body in bodies {
+            let Some(ident) = &body.fields.coordinate else { continue };
             let (name, k) = (ident.to_string(), coordinates.len());
             let position = self.graph.symbol(&name, SymbolKind::Coordinate(k));
+            let measure = JointUnits::of(body).measure();
             self.names
-                .declare(&mut self.errors, Kind::Coordinate, ident, Some(position));
+                .declare(&mut self.errors, Kind::Coordinate, ident, (measure, Some(position)));
             coordinates.push((name, position));
         }
         let rate = |k: usize, name: &String| self.graph.symbol(&format!("dot({name})"), SymbolKind::Rate(k));
@@ -126,4 +146,10 @@ impl<'g> Lower<'g> {
             })
             .collect()
     }
+}
+
+/// What a declared quantity is measured in.
+fn measure(unit: &Read<Unit>) -> Measure {
+    unit.as_ref()
+        .map_or(Measure::Unknown, |unit| Measure::Of(unit.dimension))
 }

@@ -1,16 +1,19 @@
 //! Expressions of the language to expressions of the graph.
 
+use std::borrow::Cow;
 use std::fmt::Display;
 
 use num_bigint::BigInt;
-use num_traits::{Signed, ToPrimitive, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 use proc_macro2::Span;
 
 use super::Lower;
+use super::measure::{Measure, Quantity};
 use crate::ast::{self, ExprKind, Operator, Vector};
 use crate::error::Reported;
 use crate::expr::{Expr, Level, Rational, Symbol, SymbolKind};
 use crate::screw::Vec3;
+use crate::units::Power;
 
 /// Where an expression stands: what it may use, and how errors speak of it.
 #[derive(Clone, Debug)]
@@ -22,7 +25,9 @@ pub(super) struct Place<'g> {
     /// Which of the things that vary it may depend on.
     pub(super) only: Only,
     /// The coordinate and the rate of the joint, where `q` and `qd` may stand.
-    pub(super) joint: Option<(Expr<'g>, Expr<'g>)>,
+    pub(super) joint: Option<[Quantity<'g>; 2]>,
+    /// The unit that is needed, if there is one.
+    pub(super) unit: Option<Cow<'static, str>>,
 }
 
 /// Which of the things that vary may stand at a place.
@@ -72,6 +77,7 @@ impl Place<'_> {
             most: Level::Parameter,
             only: Only::All,
             joint: None,
+            unit: None,
         }
     }
 
@@ -82,6 +88,14 @@ impl Place<'_> {
             ..Self::fixed(what)
         }
     }
+
+    /// The place for values in a unit; in any, if there is none.
+    pub(super) fn in_unit(self, unit: impl Into<Option<&'static str>>) -> Self {
+        Self {
+            unit: unit.into().map(Cow::Borrowed),
+            ..self
+        }
+    }
 }
 
 /// The largest numerator and denominator of a constant power.
@@ -90,7 +104,13 @@ const MOST_POWER: i64 = 64;
 impl<'g> Lower<'g> {
     /// The expression at a place.
     pub(super) fn expr(&mut self, expr: &ast::Expr, place: &Place<'g>) -> Result<Expr<'g>, Reported> {
-        let value = self.operation(expr, place)?;
+        self.quantity(expr, place).map(|quantity| quantity.value)
+    }
+
+    /// The expression at a place, and what it is measured in.
+    pub(super) fn quantity(&mut self, expr: &ast::Expr, place: &Place<'g>) -> Result<Quantity<'g>, Reported> {
+        let quantity = self.operation(expr, place)?;
+        let value = quantity.value;
         if value.level() > place.most {
             let symbols = self.graph.reachable(&[value]).into_iter().map(|id| self.graph.expr(id));
             let mut symbols = symbols.filter(|x| x.level() > place.most).filter_map(Expr::as_symbol);
@@ -106,7 +126,8 @@ impl<'g> Lower<'g> {
                 .errors
                 .on(expr, format_args!("{} may not depend on {on}", place.what), help));
         }
-        Ok(value)
+        self.fits(expr, quantity, place);
+        Ok(quantity)
     }
 
     /// Three expressions at a place.
@@ -116,48 +137,70 @@ impl<'g> Lower<'g> {
     }
 
     /// An operation, whose value must be finite where it is constant.
-    pub(super) fn operation(&mut self, expr: &ast::Expr, place: &Place<'g>) -> Result<Expr<'g>, Reported> {
-        let value = self.unchecked(expr, place)?;
+    pub(super) fn operation(&mut self, expr: &ast::Expr, place: &Place<'g>) -> Result<Quantity<'g>, Reported> {
+        let quantity = self.unchecked(expr, place)?;
+        let value = quantity.value;
         if value.as_number().is_none() && value.constant().is_some_and(|value| !value.is_finite()) {
             let help = "look for a division by zero or the root or logarithm of a negative number";
             return Err(self
                 .errors
                 .on(expr, format_args!("a part of {} has no finite value", place.what), help));
         }
-        Ok(value)
+        Ok(quantity)
     }
 
-    fn unchecked(&mut self, expr: &ast::Expr, place: &Place<'g>) -> Result<Expr<'g>, Reported> {
+    fn unchecked(&mut self, expr: &ast::Expr, place: &Place<'g>) -> Result<Quantity<'g>, Reported> {
         match &expr.kind {
-            ExprKind::Number(n) => Ok(self.graph.number(n.clone())),
+            ExprKind::Number(n) => Ok(Quantity {
+                value: self.graph.number(n.clone()),
+                measure: Measure::Number,
+            }),
+            ExprKind::Measured(n, unit) => self.measured(expr, n, unit, place),
             ExprKind::Name(name) => {
-                let value = self.name(name, place)?;
-                self.permit(value, name.span(), place)
+                let quantity = self.name(name, place)?;
+                self.permit(quantity.value, name.span(), place)?;
+                Ok(quantity)
             }
-            ExprKind::Component(point, axis) => self.component(point, axis, place),
+            ExprKind::Component(point, axis) => Ok(Quantity {
+                value: self.component(point, axis, place)?,
+                measure: Measure::of("m"),
+            }),
             ExprKind::Call(name, arguments) => self.call(expr, name, arguments, place),
-            ExprKind::Neg(a) => Ok(-self.operation(a, place)?),
+            ExprKind::Neg(a) => {
+                let Quantity { value, measure } = self.operation(a, place)?;
+                Ok(Quantity { value: -value, measure })
+            }
             ExprKind::Binary(operator, a, b) => {
                 let (left, right) = (self.operation(a, place), self.operation(b, place));
                 let (left, right) = (left?, right?);
-                if *operator == Operator::Div && right.is_zero() {
+                if *operator == Operator::Div && right.value.is_zero() {
                     return Err(self.errors.on(
                         &**b,
                         format_args!("division by zero in {}", place.what),
                         "the divisor must not be the number 0",
                     ));
                 }
-                Ok(match operator {
+                let measures = [left.measure, right.measure];
+                let measure = match operator {
+                    Operator::Add => self.alike([a, b], measures, "added"),
+                    Operator::Sub => self.alike([a, b], measures, "subtracted"),
+                    Operator::Mul => left.measure.times(right.measure, Power::one()),
+                    Operator::Div => left.measure.times(right.measure, -Power::one()),
+                };
+                let (left, right) = (left.value, right.value);
+                let value = match operator {
                     Operator::Add => left + right,
                     Operator::Sub => left - right,
                     Operator::Mul => left * right,
                     Operator::Div => left / right,
-                })
+                };
+                Ok(Quantity { value, measure })
             }
             ExprKind::Power(base, exponent) => {
                 let (x, n) = (self.operation(base, place), self.operation(exponent, place));
-                let (x, n) = (x?, n?);
-                let n = self.exponent(exponent, n, place)?;
+                let (Quantity { value: x, measure }, given) = (x?, n?);
+                let n = self.exponent(exponent, given.value, place)?;
+                self.plain(exponent, given, "a power");
                 if x.is_zero() && !n.is_positive() && !n.is_zero() {
                     return Err(self.errors.on(
                         expr,
@@ -168,7 +211,14 @@ impl<'g> Lower<'g> {
                 if !n.is_integer() {
                     self.never_negative(base, x, "a power with a fraction", format_args!("abs(x)^({n})"))?;
                 }
-                Ok(x.power(n.clone()))
+                let power = n.numer().to_i32().zip(n.denom().to_i32());
+                let power = power.map_or(Power::one(), |(numerator, denominator)| {
+                    Power::new(numerator, denominator)
+                });
+                Ok(Quantity {
+                    value: x.power(n.clone()),
+                    measure: measure.power(power),
+                })
             }
         }
     }

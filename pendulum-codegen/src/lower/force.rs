@@ -2,10 +2,12 @@
 
 use super::Lower;
 use super::expr::Place;
+use super::joint_units::JointUnits;
+use super::measure::Quantity;
 use crate::ast;
 use crate::error::Reported;
-use crate::expr::{Expr, ratio};
-use crate::model::Requirement;
+use crate::expr::{Expr, Level, ratio};
+use crate::model::{Requirement, Rule};
 
 /// What acts along a joint.
 #[derive(Debug)]
@@ -26,11 +28,14 @@ impl<'g> Lower<'g> {
         position: Expr<'g>,
         rate: Expr<'g>,
     ) -> Result<Forces<'g>, Reported> {
-        let friction = self.friction(body, (position, rate));
-        let spring = self.spring(body, position);
+        let units = JointUnits::of(body);
+        let measure = units.measure();
+        let joint = [(position, measure), (rate, measure.rate())].map(|(value, measure)| Quantity { value, measure });
+        let friction = self.friction(body, units, joint);
+        let spring = self.spring(body, units, position);
         let place = Place {
-            joint: Some((position, rate)),
-            ..Place::moving(format!("the torque of `{}`", body.name))
+            joint: Some(joint),
+            ..Place::moving(format!("the torque of `{}`", body.name)).in_unit(units.force())
         };
         let torque = body
             .fields
@@ -46,42 +51,68 @@ impl<'g> Lower<'g> {
         })
     }
 
-    fn friction(&mut self, body: &ast::Body, joint: (Expr<'g>, Expr<'g>)) -> Result<Expr<'g>, Reported> {
+    fn friction(
+        &mut self,
+        body: &ast::Body,
+        units: JointUnits,
+        joint: [Quantity<'g>; 2],
+    ) -> Result<Expr<'g>, Reported> {
         let Some(friction) = &body.fields.friction else {
             return Ok(self.graph.zero());
         };
         // the rate is known here so that a law of friction gets the error that says where it belongs
         let place = Place {
             joint: Some(joint),
-            ..Place::fixed(format!("the friction of `{}`", body.name))
+            ..Place::fixed(format!("the friction of `{}`", body.name)).in_unit(units.friction())
         };
         let coefficient = self.positive(friction, &place, Requirement::NonNegative)?;
-        Ok(-(coefficient * joint.1))
+        Ok(-(coefficient * joint[1].value))
     }
 
-    fn spring(&mut self, body: &ast::Body, position: Expr<'g>) -> Result<(Expr<'g>, Expr<'g>), Reported> {
+    fn spring(
+        &mut self,
+        body: &ast::Body,
+        units: JointUnits,
+        position: Expr<'g>,
+    ) -> Result<(Expr<'g>, Expr<'g>), Reported> {
         let Some((stiffness, rest)) = &body.fields.spring else {
             return Ok((self.graph.zero(), self.graph.zero()));
         };
         let instead = "a spring pulls back; write a force that pushes away as `torque: ..`";
-        let stiffness = self.stiffness(stiffness, &format!("`{}`", body.name), instead);
-        let rest = self.expr(rest, &Place::fixed(format!("the rest position of `{}`", body.name)));
+        let of_stiffness = Place::fixed(format!("the stiffness of `{}`", body.name)).in_unit(units.stiffness());
+        let of_rest = Place::fixed(format!("the rest position of `{}`", body.name)).in_unit(units.coordinate());
+        let stiffness = self.stiffness(stiffness, &of_stiffness, instead);
+        let rest = self.expr(rest, &of_rest);
         let (stiffness, rest) = (stiffness?, rest?);
         let stretch = position - rest;
         let pull = stiffness * stretch;
         Ok((-pull, ratio(1, 2) * (pull * stretch)))
     }
 
-    /// The stiffness of the spring of `what`.
-    pub(super) fn stiffness(&mut self, stiffness: &ast::Expr, what: &str, instead: &str) -> Result<Expr<'g>, Reported> {
-        let place = Place::fixed(format!("the stiffness of {what}"));
-        self.expr(stiffness, &place).and_then(|value| match value.constant() {
+    /// The stiffness of a spring.
+    pub(super) fn stiffness(
+        &mut self,
+        stiffness: &ast::Expr,
+        place: &Place<'g>,
+        instead: &str,
+    ) -> Result<Expr<'g>, Reported> {
+        self.expr(stiffness, place).and_then(|value| match value.constant() {
             Some(number) if number < 0.0 => {
                 Err(self
                     .errors
                     .on(stiffness, format_args!("{} is {number}", place.what), instead))
             }
-            _ => Ok(value),
+            _ => {
+                if value.level() == Level::Parameter {
+                    self.for_defaults.push(Rule {
+                        value,
+                        requirement: Requirement::NonNegative,
+                        name: String::new(),
+                        text: format!("{} must not be negative", place.what),
+                    });
+                }
+                Ok(value)
+            }
         })
     }
 }

@@ -1,16 +1,16 @@
 //! Joints: where they sit, and their screw axes.
 
-use std::f64::consts::TAU;
-
 use syn::Ident;
 
 use super::Lower;
 use super::expr::Place;
+use super::measure::Measure;
 use crate::ast::{self, Axis, JointKind, Read};
 use crate::error::Reported;
 use crate::expr::{Expr, Level, Printer, ratio};
 use crate::model::{Requirement, Rule};
 use crate::screw::{Mat3, Transform, Twist, Vec3};
+use crate::units::Power;
 
 /// The geometry of a joint.
 #[derive(Debug)]
@@ -57,22 +57,19 @@ impl<'g> Lower<'g> {
                 screw: None,
             });
         };
-        let place = |what: &str| Place::fixed(format!("the {what} of the joint of `{body}`"));
+        let place =
+            |what: &str, unit: &'static str| Place::fixed(format!("the {what} of the joint of `{body}`")).in_unit(unit);
         let zero = Vec3::zero(self.graph);
-        let at = joint.at.as_ref().map_or(Ok(zero), |v| self.vector(v, &place("place")));
+        let at = joint
+            .at
+            .as_ref()
+            .map_or(Ok(zero), |v| self.vector(v, &place("place", "m")));
         let rpy = joint
             .rpy
             .as_ref()
-            .map_or(Ok(zero), |v| self.vector(v, &place("roll, pitch and yaw")));
+            .map_or(Ok(zero), |v| self.vector(v, &place("angle", "rad")));
         let screw = self.screw(body, &joint.kind);
         let (at, Vec3(rpy)) = (at?, rpy?);
-        for (angle, given) in rpy.iter().zip(joint.rpy.iter().flat_map(|rpy| &rpy.components)) {
-            if let Some(angle) = angle.constant().filter(|angle| angle.abs() > TAU) {
-                let fact = format_args!("an angle of the joint of `{body}` is larger than a turn");
-                let help = format_args!("angles are in rad: write `{angle}*pi/180` for {angle} degrees");
-                self.errors.on(given, fact, help);
-            }
-        }
         let [roll, pitch, yaw] = [0, 1, 2].map(|k| Mat3::rotation(Vec3::unit(self.graph, k), rpy[k]));
         let placement = Transform {
             rotation: yaw * (pitch * roll),
@@ -87,20 +84,25 @@ impl<'g> Lower<'g> {
     /// The normalised screw axis in the joint frame; none for a fixed joint.
     fn screw(&mut self, body: &Ident, kind: &Read<JointKind>) -> Result<Option<Twist<'g>>, Reported> {
         let zero = Vec3::zero(self.graph);
+        let place = |what: &str| Place::fixed(format!("the {what} of the joint of `{body}`"));
         let (angular, linear) = match self.read(kind)? {
             JointKind::Fixed => return Ok(None),
             JointKind::Revolute(axis) => (self.axis(body, axis)?, zero),
             JointKind::Prismatic(axis) => (zero, self.axis(body, axis)?),
             JointKind::Helical { axis, pitch } => {
-                let pitch = self.expr(pitch, &Place::fixed(format!("the pitch of the joint of `{body}`")));
+                let pitch = self.expr(pitch, &place("pitch").in_unit("m/rad"));
                 let angular = self.axis(body, axis)?;
                 (angular, pitch? * angular)
             }
             JointKind::Screw { components, tokens } => {
-                let place = Place::fixed(format!("the screw of the joint of `{body}`"));
-                let components = components.each_ref().map(|e| self.expr(e, &place));
-                let [wx, wy, wz, vx, vy, vz] = components;
-                let (angular, linear) = (Vec3([wx?, wy?, wz?]), Vec3([vx?, vy?, vz?]));
+                let [wx, wy, wz, vx, vy, vz] = &**components;
+                let angular = self.direction([wx, wy, wz], &place("screw"));
+                let linear = self.direction([vx, vy, vz], &place("screw"));
+                let ((angular, of_angular), (linear, of_linear)) = (angular?, linear?);
+                if !angular.is_zero() {
+                    let needed = of_angular.times(Measure::of("m"), Power::from(1));
+                    self.alike([wx, vx], [needed, of_linear], "parts of one screw");
+                }
                 let direction = if angular.is_zero() { linear } else { angular };
                 let Some(length) = self.inverse_length(body, direction) else {
                     return Err(self.errors.on(
@@ -123,7 +125,7 @@ impl<'g> Lower<'g> {
             }
             Axis::Vector(given) => {
                 let place = Place::fixed(format!("the axis of the joint of `{body}`"));
-                let vector = self.vector(given, &place)?;
+                let (vector, _) = self.direction(given.components.each_ref(), &place)?;
                 let Some(length) = self.inverse_length(body, vector) else {
                     return Err(self.errors.on(
                         &**given,
@@ -134,6 +136,17 @@ impl<'g> Lower<'g> {
                 Ok(length * vector)
             }
         }
+    }
+
+    /// Three components in one unit, whichever it is.
+    fn direction(&mut self, given: [&ast::Expr; 3], place: &Place<'g>) -> Result<(Vec3<'g>, Measure), Reported> {
+        let [x, y, z] = given.map(|e| self.quantity(e, place));
+        let [x, y, z] = [x?, y?, z?];
+        let mut measure = x.measure;
+        for (e, other) in given.into_iter().zip([x, y, z]).skip(1) {
+            measure = self.alike([given[0], e], [measure, other.measure], "components of one direction");
+        }
+        Ok((Vec3([x.value, y.value, z.value]), measure))
     }
 
     /// `1 / |v|`; none for the zero vector. A vector of parameters must not vanish either.

@@ -112,7 +112,7 @@ impl<'g> Lower<'g> {
         unread: Option<Reported>,
     ) -> Result<Mass<'g>, Reported> {
         let Properties { mass, com, inertia, .. } = properties;
-        let of = |what: &str| Place::fixed(format!("the {what} of `{owner}`"));
+        let of = |what: &str, unit: &'static str| Place::fixed(format!("the {what} of `{owner}`")).in_unit(unit);
         let zero = self.graph.zero();
         if let (None, Some(com), None) = (mass, com, unread) {
             let fact = format!("`{owner}` has a centre of mass but no mass");
@@ -120,10 +120,10 @@ impl<'g> Lower<'g> {
         }
         let mass = mass
             .as_ref()
-            .map_or(Ok(zero), |e| self.positive(e, &of("mass"), Requirement::Positive));
-        let com = com
-            .as_ref()
-            .map_or(Ok(Vec3::zero(self.graph)), |v| self.vector(v, &of("centre of mass")));
+            .map_or(Ok(zero), |e| self.positive(e, &of("mass", "kg"), Requirement::Positive));
+        let com = com.as_ref().map_or(Ok(Vec3::zero(self.graph)), |v| {
+            self.vector(v, &of("centre of mass", "m"))
+        });
         let Some(inertia) = inertia else {
             let com = com?;
             let rigid = SpatialInertia::of_body(mass?, com, Symmetric3::zero(self.graph));
@@ -133,7 +133,7 @@ impl<'g> Lower<'g> {
                 figures: stick(com),
             });
         };
-        let moments = self.moments(owner, inertia, &of("inertia"));
+        let moments = self.moments(owner, inertia, &of("inertia", "kg m^2"));
         let (mass, com, moments) = (mass?, com?, moments?);
         let figures = stick(com);
         let shift = Symmetric3::of_point(mass, com);
@@ -148,7 +148,7 @@ impl<'g> Lower<'g> {
                     &inertia.entries[0],
                     moment,
                     Requirement::NonNegative,
-                    &of("inertia").what,
+                    &of("inertia", "kg m^2").what,
                 );
                 let included = inertia.about_joint.then_some(shift);
                 let about_axis = AboutAxis {

@@ -8,7 +8,9 @@ mod force;
 mod generate;
 mod heading;
 mod joint;
+mod joint_units;
 mod mass;
+mod measure;
 mod motion;
 mod name;
 mod order;
@@ -65,8 +67,12 @@ struct Lower<'g> {
     /// Names whose declaration had an error: their uses are not reported again.
     broken: BTreeMap<String, Reported>,
     rules: Vec<Rule<'g>>,
+    /// Rules that `new` does not check, for other numbers may be meant: defaults obey them.
+    for_defaults: Vec<Rule<'g>>,
     spans: Spans,
     time: Expr<'g>,
+    /// Whether units must fit.
+    has_units: bool,
     /// The points that are declared.
     points: BTreeMap<String, Declared<'g>>,
     /// How the solids look that were read last.
@@ -90,8 +96,10 @@ pub(crate) fn lower<'g>(graph: &'g Graph, scene: &Scene, errors: Errors) -> Resu
         errors,
         broken: BTreeMap::new(),
         rules: Vec::new(),
+        for_defaults: Vec::new(),
         spans: Spans::default(),
         time,
+        has_units: scene.items.without_units.is_none(),
         points: BTreeMap::new(),
         body_names: scene.items.bodies.iter().map(|body| body.name.to_string()).collect(),
         figures: Vec::new(),
@@ -136,7 +144,7 @@ impl<'g> Lower<'g> {
         let points = self.points(&items.points);
         if generate.contains("shapes") {
             // what is drawn is used
-            points.iter().for_each(|point| _ = self.names.value(&point.name));
+            points.iter().for_each(|point| self.names.mark_used(&point.name));
         }
         let actions = self.actions(items, &points);
         self.check_functions(items);
@@ -181,7 +189,7 @@ impl<'g> Lower<'g> {
     }
 
     fn gravity(&mut self, gravity: Option<&Vector>) -> Vec3<'g> {
-        let given = gravity.and_then(|g| self.vector(g, &Place::fixed("gravity")).ok());
+        let given = gravity.and_then(|g| self.vector(g, &Place::fixed("gravity").in_unit("m/s^2")).ok());
         given.unwrap_or(Vec3::zero(self.graph))
     }
 

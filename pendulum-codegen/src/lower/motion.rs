@@ -2,6 +2,7 @@
 
 use super::Lower;
 use super::expr::{Only, Place};
+use super::joint_units::JointUnits;
 use crate::ast;
 use crate::error::Reported;
 use crate::expr::{Derivative, Expr, Level, SymbolKind};
@@ -61,7 +62,7 @@ impl<'g> Lower<'g> {
         let name = &body.name;
         let place = Place {
             only: Only::Time,
-            ..Place::moving(format!("the motion of `{name}`"))
+            ..Place::moving(format!("the motion of `{name}`")).in_unit(JointUnits::of(body).coordinate())
         };
         let law = self.expr(motion, &place);
         if let Some(coordinate) = &body.fields.coordinate {
@@ -105,12 +106,12 @@ impl<'g> Lower<'g> {
 
 /// The first call of `abs` in an expression, or of a root.
 fn corner(expr: &ast::Expr) -> Option<&ast::Expr> {
-    use ast::ExprKind::{Binary, Call, Component, Name, Neg, Number, Power};
+    use ast::ExprKind::{Binary, Call, Component, Measured, Name, Neg, Number, Power};
     match &expr.kind {
         Call(name, _) if name == "abs" || name == "sqrt" => Some(expr),
         Call(_, arguments) => arguments.iter().find_map(corner),
         Neg(a) => corner(a),
         Binary(_, a, b) | Power(a, b) => corner(a).or_else(|| corner(b)),
-        Number(_) | Name(_) | Component(..) => None,
+        Number(_) | Measured(..) | Name(_) | Component(..) => None,
     }
 }

@@ -4,10 +4,12 @@ use syn::Ident;
 
 use super::Lower;
 use super::expr::Place;
+use super::measure::{Measure, Quantity};
 use super::scope::Kind;
 use crate::ast::{self, ExprKind};
 use crate::error::Reported;
 use crate::expr::{Binary, Expr, Level, SymbolKind, Unary};
+use crate::units::{Dimension, Power};
 use crate::words;
 
 const UNARY: [(&str, Unary); 7] = [
@@ -30,15 +32,21 @@ fn functions() -> impl Iterator<Item = &'static str> {
 
 impl<'g> Lower<'g> {
     /// What a name stands for at a place.
-    pub(super) fn name(&mut self, name: &Ident, place: &Place<'g>) -> Result<Expr<'g>, Reported> {
+    pub(super) fn name(&mut self, name: &Ident, place: &Place<'g>) -> Result<Quantity<'g>, Reported> {
         let text = name.to_string();
-        match (text.as_str(), place.joint) {
-            ("pi", _) => return Ok(self.graph.pi()),
-            ("t", _) => return Ok(self.time),
-            ("q", Some((position, _))) => return Ok(position),
-            ("qd", Some((_, rate))) => return Ok(rate),
-            _ => {}
-        }
+        let (value, measure) = match (text.as_str(), place.joint) {
+            ("pi", _) => (self.graph.pi(), Measure::Number),
+            ("t", _) => (self.time, Measure::Of(Dimension::TIME)),
+            ("q", Some([position, _])) => return Ok(position),
+            ("qd", Some([_, rate])) => return Ok(rate),
+            _ => return self.declared(name, place),
+        };
+        Ok(Quantity { value, measure })
+    }
+
+    /// What a declared name stands for at a place.
+    fn declared(&mut self, name: &Ident, place: &Place<'g>) -> Result<Quantity<'g>, Reported> {
+        let text = name.to_string();
         if let Some(value) = self.names.value(&text) {
             return Ok(value);
         }
@@ -88,14 +96,20 @@ impl<'g> Lower<'g> {
         name: &Ident,
         arguments: &[ast::Expr],
         place: &Place<'g>,
-    ) -> Result<Expr<'g>, Reported> {
+    ) -> Result<Quantity<'g>, Reported> {
         let text = name.to_string();
         match text.as_str() {
             "dot" => {
                 let rate = self.dot(expr, arguments, place)?;
-                return self.permit(rate, name.span(), place);
+                self.permit(rate.value, name.span(), place)?;
+                return Ok(rate);
             }
-            "distance" => return self.distance(expr, arguments, place),
+            "distance" => {
+                return Ok(Quantity {
+                    value: self.distance(expr, arguments, place)?,
+                    measure: Measure::of("m"),
+                });
+            }
             _ => {}
         }
         let unary = UNARY.iter().find(|(known, _)| *known == text).map(|(_, op)| *op);
@@ -117,22 +131,48 @@ impl<'g> Lower<'g> {
             let fact = format_args!("`{text}` takes {count} argument{plural}, not {}", arguments.len());
             return Err(self.errors.on(expr, fact, format_args!("write `{form}`")));
         }
-        let values: Vec<_> = arguments.iter().map(|a| self.operation(a, place)).collect();
-        let values: Vec<Expr<'g>> = values.into_iter().collect::<Result<_, _>>()?;
+        let given: Vec<_> = arguments.iter().map(|a| self.operation(a, place)).collect();
+        let given: Vec<Quantity<'g>> = given.into_iter().collect::<Result<_, _>>()?;
+        let values: Vec<Expr<'g>> = given.iter().map(|given| given.value).collect();
         if text == "sqrt" {
             self.never_negative(&arguments[0], values[0], "a square root", "sqrt(abs(x))")?;
         } else if text == "ln" {
             self.never_negative(&arguments[0], values[0], "a logarithm", "ln(abs(x))")?;
         }
-        Ok(match unary {
+        let measure = self.measure_of(&text, arguments, &given);
+        let value = match unary {
             Some(op) => values[0].apply(op),
             None if text == "sqrt" => values[0].sqrt(),
             None => values[0].combine(Binary::Atan2, values[1]),
-        })
+        };
+        Ok(Quantity { value, measure })
+    }
+
+    /// What a function of given arguments is measured in.
+    fn measure_of(&mut self, function: &str, arguments: &[ast::Expr], given: &[Quantity<'g>]) -> Measure {
+        let result = match (function, arguments, given) {
+            ("abs", _, [x]) => return x.measure,
+            ("sqrt", _, [x]) => return x.measure.power(Power::new(1, 2)),
+            ("atan2", [a, b], [y, x]) => {
+                self.alike([a, b], [y.measure, x.measure], "the sides of one angle");
+                Measure::ONE
+            }
+            (_, [argument], [x]) => {
+                let what = format!("the argument of `{function}`");
+                self.plain(argument, *x, &what);
+                if matches!(function, "sin" | "cos" | "tan") {
+                    self.not_degrees(argument, *x, &what);
+                }
+                Measure::ONE
+            }
+            _ => Measure::Unknown,
+        };
+        let numbers = given.iter().all(|x| x.measure == Measure::Number);
+        if numbers { Measure::Number } else { result }
     }
 
     /// The derivative along the motion.
-    fn dot(&mut self, expr: &ast::Expr, arguments: &[ast::Expr], place: &Place<'g>) -> Result<Expr<'g>, Reported> {
+    fn dot(&mut self, expr: &ast::Expr, arguments: &[ast::Expr], place: &Place<'g>) -> Result<Quantity<'g>, Reported> {
         let [argument] = arguments else {
             return Err(self.errors.on(
                 expr,
@@ -174,7 +214,7 @@ impl<'g> Lower<'g> {
             _ => {}
         }
         // what may stand in the argument is what may stand here, and that it has no rates of its own
-        let value = self.operation(argument, place)?;
+        let Quantity { value, measure } = self.operation(argument, place)?;
         let mut symbols = self.graph.symbols_of(&[value]);
         let without_rate = symbols.find(|symbol| {
             matches!(
@@ -195,6 +235,9 @@ impl<'g> Lower<'g> {
                 "leave it out: its rate is zero",
             ));
         }
-        Ok(self.along_motion.of(value))
+        Ok(Quantity {
+            value: self.along_motion.of(value),
+            measure: measure.rate(),
+        })
     }
 }

@@ -140,7 +140,7 @@ impl<'g> Lower<'g> {
             _ => f64::NAN,
         };
         let mut reported = BTreeSet::new();
-        for rule in &self.rules {
+        for rule in self.rules.iter().chain(&self.for_defaults) {
             let symbols = self.graph.reachable(&[rule.value]);
             let mut read = parameters
                 .iter()

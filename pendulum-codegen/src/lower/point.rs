@@ -5,6 +5,7 @@ use syn::Ident;
 
 use super::Lower;
 use super::expr::Place;
+use super::measure::Measure;
 use super::scope::Kind;
 use crate::ast;
 use crate::error::Reported;
@@ -36,7 +37,8 @@ impl<'g> Lower<'g> {
         let (points, bodies, moves) = (&items.points, &items.bodies, moving(items));
         for point in points {
             let name = point.name.to_string();
-            self.names.declare(&mut self.errors, Kind::Point, &point.name, None);
+            self.names
+                .declare(&mut self.errors, Kind::Point, &point.name, (Measure::Unknown, None));
             let body = self
                 .read(&point.body)
                 .cloned()
@@ -70,7 +72,7 @@ impl<'g> Lower<'g> {
         let mut placed = Vec::new();
         for point in points {
             let name = point.name.to_string();
-            let place = Place::fixed(format!("the place of `{}`", point.name));
+            let place = Place::fixed(format!("the place of `{}`", point.name)).in_unit("m");
             let at = match &point.at {
                 Some(at) => self.read(at).and_then(|at| self.vector(at, &place)),
                 None => Ok(Vec3::zero(self.graph)),
@@ -117,8 +119,7 @@ impl<'g> Lower<'g> {
     /// A declared point.
     pub(super) fn point_named(&mut self, name: &Ident) -> Result<Declared<'g>, Reported> {
         let text = name.to_string();
-        // marks it as used
-        self.names.value(&text);
+        self.names.mark_used(&text);
         if let Some(point) = self.points.get(&text) {
             return Ok(point.clone());
         }

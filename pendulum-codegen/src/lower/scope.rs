@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use proc_macro2::Span;
 use syn::Ident;
 
+use super::measure::{Measure, Quantity};
 use crate::error::Errors;
 use crate::expr::Expr;
 
@@ -16,6 +17,7 @@ pub(super) struct Names<'g>(BTreeMap<String, Name<'g>>);
 struct Name<'g> {
     kind: Kind,
     span: Span,
+    measure: Measure,
     value: Option<Expr<'g>>,
     rate: Option<Expr<'g>>,
     used: bool,
@@ -65,7 +67,13 @@ const RESERVED: [(&str, &str); 7] = [
 
 impl<'g> Names<'g> {
     /// Declares a name. A second declaration is an error.
-    pub(super) fn declare(&mut self, errors: &mut Errors, kind: Kind, ident: &Ident, value: Option<Expr<'g>>) {
+    pub(super) fn declare(
+        &mut self,
+        errors: &mut Errors,
+        kind: Kind,
+        ident: &Ident,
+        (measure, value): (Measure, Option<Expr<'g>>),
+    ) {
         let (text, span, order) = (ident.to_string(), ident.span(), self.0.len());
         if let Some((_, meaning)) = RESERVED.iter().find(|(word, _)| *word == text) {
             let fact = format_args!("`{text}` is a word of the language: {meaning}");
@@ -77,6 +85,7 @@ impl<'g> Names<'g> {
             let name = Name {
                 kind,
                 span,
+                measure,
                 value,
                 rate: None,
                 used: false,
@@ -100,11 +109,31 @@ impl<'g> Names<'g> {
         }
     }
 
+    /// Says what a declared name is measured in.
+    pub(super) fn set_measure(&mut self, name: &str, measure: Measure) {
+        if let Some(known) = self.0.get_mut(name) {
+            known.measure = measure;
+        }
+    }
+
     /// What a name stands for.
-    pub(super) fn value(&mut self, name: &str) -> Option<Expr<'g>> {
+    pub(super) fn value(&mut self, name: &str) -> Option<Quantity<'g>> {
         let known = self.0.get_mut(name)?;
         known.used = true;
-        known.value
+        let measure = known.measure;
+        known.value.map(|value| Quantity { value, measure })
+    }
+
+    /// Marks a name as used.
+    pub(super) fn mark_used(&mut self, name: &str) {
+        if let Some(known) = self.0.get_mut(name) {
+            known.used = true;
+        }
+    }
+
+    /// What a declared name is measured in.
+    pub(super) fn measure(&self, name: &str) -> Option<Measure> {
+        self.0.get(name).map(|known| known.measure)
     }
 
     /// What the name is the name of, if it is declared.
@@ -113,10 +142,11 @@ impl<'g> Names<'g> {
     }
 
     /// The rate of a name.
-    pub(super) fn rate(&mut self, name: &str) -> Option<Expr<'g>> {
+    pub(super) fn rate(&mut self, name: &str) -> Option<Quantity<'g>> {
         let known = self.0.get_mut(name)?;
         known.used = true;
-        known.rate
+        let measure = known.measure.rate();
+        known.rate.map(|value| Quantity { value, measure })
     }
 
     /// The declared names whose values fit, in order, and some of the language.

@@ -17,7 +17,7 @@ struct Common<'g, 'a> {
     owner: &'a Ident,
     word: &'a Ident,
     /// ``a rod of `arm` ``
-    place: Place<'g>,
+    what: String,
     mass: Result<Expr<'g>, Reported>,
 }
 
@@ -44,13 +44,13 @@ impl<'g> Lower<'g> {
 
     fn solid(&mut self, owner: &Ident, solid: &Read<Solid>) -> Result<SpatialInertia<'g>, Reported> {
         let Solid { word, mass, kind } = self.read(solid)?;
-        let place = Place::fixed(format!("a {word} of `{owner}`"));
-        let of_mass = Place::fixed(format!("the mass of {}", place.what));
+        let what = format!("a {word} of `{owner}`");
+        let of_mass = Place::fixed(format!("the mass of {what}")).in_unit("kg");
         let mass = self.positive(mass, &of_mass, Requirement::Positive);
         let common = Common {
             owner,
             word,
-            place,
+            what,
             mass,
         };
         match self.read(kind)? {
@@ -115,9 +115,11 @@ impl<'g> Lower<'g> {
         sides: &Read<Vector>,
         at: &Read<Vector>,
     ) -> Result<SpatialInertia<'g>, Reported> {
-        let (lengths, at) = (self.vector_of(solid, sides), self.vector_of(solid, at));
+        let what = format!("a side of {}", solid.what);
+        let of_sides = Place::fixed(what.as_str()).in_unit("m");
+        let lengths = self.read(sides).and_then(|sides| self.vector(sides, &of_sides));
+        let at = self.vector_of(solid, at);
         let (mass, lengths, at) = (solid.mass?, lengths?, at?);
-        let what = format!("a side of {}", solid.place.what);
         for (side, length) in self.read(sides)?.components.iter().zip(lengths.0) {
             self.require(side, length, Requirement::NonNegative, &what);
         }
@@ -147,7 +149,7 @@ impl<'g> Lower<'g> {
         if length2.is_zero() {
             return Err(self.errors.at(
                 solid.word.span(),
-                format_args!("{} has no length", solid.place.what),
+                format_args!("{} has no length", solid.what),
                 "give two different ends, or write a disk",
             ));
         }
@@ -172,9 +174,10 @@ impl<'g> Lower<'g> {
         corners: &[Read<[ast::Expr; 2]>],
         tokens: &TokenStream,
     ) -> Result<SpatialInertia<'g>, Reported> {
+        let place = Place::fixed(format!("a corner of {}", solid.what)).in_unit("m");
         let corner = |corner: &Read<[ast::Expr; 2]>| {
             let [x, y] = self.read(corner)?;
-            let (x, y) = (self.expr(x, &solid.place), self.expr(y, &solid.place));
+            let (x, y) = (self.expr(x, &place), self.expr(y, &place));
             Ok((x?, y?))
         };
         // all of them are read before the first error ends it
@@ -197,13 +200,14 @@ impl<'g> Lower<'g> {
     }
 
     fn radius(&mut self, solid: &Common<'g, '_>, radius: &ast::Expr) -> Result<Expr<'g>, Reported> {
-        let place = Place::fixed(format!("the radius of {}", solid.place.what));
+        let place = Place::fixed(format!("the radius of {}", solid.what)).in_unit("m");
         self.positive(radius, &place, Requirement::NonNegative)
     }
 
     fn vector_of(&mut self, solid: &Common<'g, '_>, vector: &Read<Vector>) -> Result<Vec3<'g>, Reported> {
         let vector = self.read(vector)?;
-        self.vector(vector, &solid.place)
+        let place = Place::fixed(format!("a point of {}", solid.what)).in_unit("m");
+        self.vector(vector, &place)
     }
 }
 

@@ -10,6 +10,7 @@ use super::token::{end_of, identifier, list, parentheses, starts_item, unexpecte
 use crate::ast::{Expr, ExprKind, Operator};
 use crate::error::at;
 use crate::expr::{Rational, ratio};
+use crate::units::Unit;
 
 /// The longest expression, in tokens, and how deep its brackets may be nested: later stages work by recursion.
 const MOST_TOKENS: usize = 2000;
@@ -158,7 +159,7 @@ fn atom(input: ParseStream) -> syn::Result<Expr> {
             return Ok(inside.kind);
         }
         if input.peek(Lit) {
-            return Ok(ExprKind::Number(number(&input.parse()?)?));
+            return number(input);
         }
         if !input.peek(Ident) {
             return Err(foreign::no_operand(input));
@@ -189,8 +190,10 @@ fn component(input: ParseStream) -> Option<syn::Result<Ident>> {
     })
 }
 
-fn number(literal: &Lit) -> syn::Result<Rational> {
-    let (digits, suffix) = match literal {
+/// A number, perhaps with a unit.
+fn number(input: ParseStream) -> syn::Result<ExprKind> {
+    let literal: Lit = input.parse()?;
+    let (digits, suffix) = match &literal {
         Lit::Int(n) => (n.base10_digits(), n.suffix()),
         Lit::Float(n) => (n.base10_digits(), n.suffix()),
         _ => {
@@ -201,15 +204,18 @@ fn number(literal: &Lit) -> syn::Result<Rational> {
             ));
         }
     };
-    if !suffix.is_empty() {
-        return Err(foreign::suffix(literal, digits, suffix));
-    }
-    decimal(digits).ok_or_else(|| {
+    let number = decimal(digits).ok_or_else(|| {
         at(
             literal.span(),
             "the number is out of range",
             "write a number between 1e-300 and 1e300, or 0",
         )
+    })?;
+    foreign::no_suffix(&literal, digits, suffix)?;
+    let unit = Unit::after_number(input, (!suffix.is_empty()).then_some((suffix, literal.span())))?;
+    Ok(match unit {
+        Some(unit) => ExprKind::Measured(number, Box::new(unit)),
+        None => ExprKind::Number(number),
     })
 }
 

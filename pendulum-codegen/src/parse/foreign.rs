@@ -8,7 +8,7 @@ use syn::{Lit, Token, token};
 
 use super::token::{is_keyword, parentheses};
 use crate::error::{at, on};
-use crate::units;
+use crate::units::{self, Unit};
 use crate::words::{SYMBOLS, synonym};
 
 /// Something other than an operand stands where one should.
@@ -61,7 +61,7 @@ pub(super) fn no_path(input: ParseStream, first: &Ident) -> syn::Result<()> {
     Err(on(text, "paths have no place in an expression", help))
 }
 
-/// Refuses what may follow an operand elsewhere: `theta.sin()`, `90 deg`.
+/// Refuses what may follow an operand elsewhere: `theta.sin()`, `3 Nm`.
 pub(super) fn nothing_after(input: ParseStream, operand: &TokenStream) -> syn::Result<()> {
     if input.peek(Token![.]) {
         return Err(method(input, operand));
@@ -70,11 +70,11 @@ pub(super) fn nothing_after(input: ParseStream, operand: &TokenStream) -> syn::R
     if number
         && let Some((unit, _)) = input.cursor().ident()
         && !super::token::starts_item(input)
-        && let Some(help) = units::of_number(operand, &unit.to_string())
+        && unit != "about"
     {
-        let mut text = operand.clone();
-        unit.to_tokens(&mut text);
-        return Err(on(text, "a number takes no unit: all numbers are in SI units", help));
+        let help = units::together_after_number(operand, &unit.to_string());
+        let help = help.unwrap_or_else(|| format!("write a product as `{operand}*{unit}`, and units as in `90 deg`"));
+        return Err(at(unit.span(), format_args!("`{unit}` is no unit"), help));
     }
     Ok(())
 }
@@ -111,21 +111,15 @@ fn method(input: ParseStream, operand: &TokenStream) -> syn::Error {
     on(text, fact, help)
 }
 
-/// A number with letters after it.
-pub(super) fn suffix(literal: &Lit, digits: &str, suffix: &str) -> syn::Error {
-    match units::of_number(&digits, suffix) {
-        Some(help) => at(
-            literal.span(),
-            "a number takes no unit: all numbers are in SI units",
-            help,
-        ),
-        None => {
-            let help = "leave it out: the generated code is generic over the number type";
-            at(
-                literal.span(),
-                format_args!("a number takes no suffix `{suffix}`"),
-                help,
-            )
-        }
+/// Refuses letters after a number that are no unit.
+pub(super) fn no_suffix(literal: &Lit, digits: &str, suffix: &str) -> syn::Result<()> {
+    if suffix.is_empty() || Unit::is_name(suffix) {
+        return Ok(());
     }
+    if let Some(help) = units::together_after_number(&digits, suffix) {
+        return Err(at(literal.span(), format_args!("`{suffix}` is no unit"), help));
+    }
+    let fact = format_args!("a number takes no suffix `{suffix}`");
+    let help = "leave it out: the generated code is generic over the number type";
+    Err(at(literal.span(), fact, help))
 }

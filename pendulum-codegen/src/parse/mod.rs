@@ -26,7 +26,8 @@ use crate::words::{self, Advice, advice};
 use token::{brackets, colon, identifier, list, starts_known, unexpected};
 
 /// The items of a scene.
-const ITEMS: [&str; 15] = [
+const ITEMS: [&str; 16] = [
+    "units",
     "params",
     "gravity",
     "let",
@@ -236,6 +237,15 @@ fn item(input: ParseStream, items: &mut Items, errors: &mut Errors) -> syn::Resu
                 Ok(End::Comma)
             });
             return Ok(End::Braces);
+        }
+        "units" => {
+            colon(input, &key, errors)?;
+            let word = identifier(input, "`none`", "units: none")?;
+            if word != "none" {
+                let help = "leave it out: units are SI; `units: none` is for equations without dimensions";
+                return Err(at(word.span(), format_args!("unknown units `{word}`"), help));
+            }
+            once(&mut items.without_units, (), &key)?;
         }
         "let" => items.lets.push(declare::named_expression(input, errors)?),
         "input" => items.inputs.push(declare::input(input, docs, errors)?),

@@ -166,6 +166,7 @@ fn value(expr: &Expr, symbols: &FxHashMap<String, f64>, lines: &BTreeMap<String,
     let of = |expr: &Expr| value(expr, symbols, lines);
     match &expr.kind {
         ExprKind::Number(n) => num_traits::ToPrimitive::to_f64(n).expect("a number"),
+        ExprKind::Measured(..) => panic!("no unit is written in these"),
         ExprKind::Name(name) if name == "pi" => std::f64::consts::PI,
         ExprKind::Name(name) => match (symbols.get(&name.to_string()), lines.get(&name.to_string())) {
             (Some(value), _) => *value,

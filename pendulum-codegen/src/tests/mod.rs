@@ -9,6 +9,7 @@ mod gallery;
 mod normal_form;
 mod places;
 mod solids;
+mod units;
 
 use crate::ast::{self, ExprKind, Operator};
 use crate::dynamics::Dynamics;
@@ -21,8 +22,9 @@ use crate::parse::parse;
 /// More than any test needs.
 const BUDGET: usize = 10_000_000;
 
-/// The model of a declaration.
+/// The model of a declaration, whose units do not matter to its algebra.
 fn model<'g>(graph: &'g Graph, declaration: &str) -> Model<'g> {
+    let declaration = declaration.replacen('{', "{ units: none,", 1);
     let tokens = declaration.parse().expect("the declaration is made of tokens");
     let (scene, errors) = parse(tokens);
     let lowered = scene
@@ -47,6 +49,7 @@ fn formula<'g>(model: &Model<'g>, text: &str) -> Expr<'g> {
 fn read<'g>(model: &Model<'g>, expr: &ast::Expr) -> Expr<'g> {
     match &expr.kind {
         ExprKind::Number(value) => model.graph.number(value.clone()),
+        ExprKind::Measured(..) => panic!("formulas have plain numbers"),
         ExprKind::Name(name) if name == "pi" => model.graph.pi(),
         ExprKind::Name(name) => symbol(model, &name.to_string()),
         ExprKind::Component(point, axis) => symbol(model, &format!("{point}.{axis}")),

@@ -1,6 +1,6 @@
 mechanism! {
     pub Arm {
-        params { k: N/m = 1 }
+        params { k: N/m = 1, c: N m = 1 }
         input push: N,
         point tip on arm at [0, -1, 0],
         point end on arm at [0, -2, 0],
@@ -25,16 +25,16 @@ mechanism! {
         force theta: 1 + ,
         spring between tip, nail: (k, 1),
         spring between tip and nail: (k, -1),
-        potential: k * abs(abs(theta) - 1)^3,
-        potential: k * abs(theta) * theta + abs(tip.x)^3,
+        potential: c * abs(abs(theta) - 1)^3,
+        potential: c * abs(theta) * theta + k / 1 m * abs(tip.x)^3,
         damper between tip and nail: -1,
         damper between tip and nail: dot(theta),
-        potential: tip.x^2 * dot(theta),
+        potential: k * tip.x^2 * dot(theta) * 1 s,
         potential: push * tip.x,
-        potential: k * abs(tip.x),
-        dissipation: theta^2,
-        dissipation: abs(dot(theta)),
-        body cart on ground { joint: prismatic(x), motion: sin(t) }
+        potential: k * 1 m * abs(tip.x),
+        dissipation: 1*theta^2,
+        dissipation: 1 N m*abs(dot(theta)),
+        body cart on ground { joint: prismatic(x), motion: 1*sin(1 rad/s*t) }
         body arm on cart { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: theta }
     }
 }

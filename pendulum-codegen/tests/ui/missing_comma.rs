@@ -1,6 +1,6 @@
 mechanism! {
     pub Arm {
-        params { m: kg = 1 l: m = 1; k: N m = 2, }
+        params { m: kg = 1 l: m = 1; k: N m/kg = 2, }
         gravity: [0, -9.81, 0]
         let x = 2*m;
         let y = x

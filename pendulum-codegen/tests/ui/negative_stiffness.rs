@@ -5,3 +5,9 @@ mechanism! {
         body b2 on ground { mass: 1, joint: prismatic(x), coordinate: s2, friction: -0.1 }
     }
 }
+mechanism! {
+    pub Pushed {
+        params { k: N/m = -3 }
+        body cart on ground { mass: 1, joint: prismatic(x), coordinate: x, spring: (2*k, 0) }
+    }
+}

@@ -53,7 +53,7 @@ mechanism! {
         gravity: [0, -9.81, 0],
         body bead on ground {
             mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle, friction: 0.2,
-            torque: omega^2 * sin(q) * cos(q),
+            torque: 1 kg m^2 * omega^2 * sin(q) * cos(q),
         }
     }
 }
@@ -88,7 +88,7 @@ mechanism! {
         params { push: N, damping: N m s }
         body lower on ground {
             mass: 2, com: [0, 1, 0], joint: revolute(z), coordinate: bend, spring: (1, 0), friction: damping,
-            torque: -push * sin(knee),
+            torque: -push * 1 m * sin(knee),
         }
         body upper on lower {
             mass: 1, com: [0, 1, 0], joint: revolute(z) at [0, 1, 0], coordinate: knee, spring: (1, 0), friction: damping,
@@ -135,7 +135,7 @@ mechanism! {
         gravity: [0, -(3 * pi)^2, 0],
         body bob on ground {
             mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle, friction: 3 * pi / 2,
-            torque: drive * (3 * pi)^2 * cos(2 * pi * t),
+            torque: drive * (3 * pi)^2 * cos(2 rad/s * pi * t),
         }
     }
 }

@@ -13,6 +13,7 @@ use testbed::scenes::DoublePendulum;
 mechanism! {
     /// A force of `sqrt(1 - t)`, which is no number once `t > 1`.
     pub Ending {
+        units: none,
         generate: [rhs, jacobian, energy, taylor, canonical],
         body cart on ground { mass: 1, joint: prismatic(x), coordinate: x, torque: sqrt(1 - t) }
     }
@@ -21,6 +22,7 @@ mechanism! {
 mechanism! {
     /// A force that is defined up to `x = 1`, where the cart goes at full speed.
     pub Cliff {
+        units: none,
         params { push: N = 1.0 }
         generate: [rhs, jacobian, energy, taylor, canonical],
         body cart on ground { mass: 1, joint: prismatic(x), coordinate: x, torque: push * sqrt(1 - x) }

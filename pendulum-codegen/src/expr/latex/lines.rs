@@ -40,6 +40,7 @@ impl Formula {
         match self {
             Self::Number(n) if self.precedence() == Precedence::Atom => number(n).len(),
             Self::Number(n) => n.numer().to_string().len().max(n.denom().to_string().len()) + 1,
+            Self::Measured(number, unit) => number.len() + unit.len(),
             Self::Name(name) => {
                 let (stem, rest) = parts_of_name(name);
                 let stem = if GREEK.contains(&stem) { 1 } else { stem.chars().count() };

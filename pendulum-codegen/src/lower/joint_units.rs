@@ -1,0 +1,82 @@
+//! The units of what belongs to a joint, by how it moves.
+
+use num_traits::Zero;
+
+use super::measure::Measure;
+use crate::ast::{self, Expr, ExprKind, JointKind};
+
+/// How a joint moves, as far as its units go.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum JointUnits {
+    /// Its coordinate is an angle.
+    Turns,
+    /// Its coordinate is a length.
+    Slides,
+    /// It cannot be told from the text.
+    Unknown,
+}
+
+impl JointUnits {
+    /// Those of the joint of a body.
+    pub(super) fn of(body: &ast::Body) -> Self {
+        let kind = body.fields.joint.as_ref().map(|joint| joint.kind.as_ref());
+        match kind {
+            Some(Ok(JointKind::Revolute(_) | JointKind::Helical { .. })) => Self::Turns,
+            Some(Ok(JointKind::Prismatic(_))) => Self::Slides,
+            Some(Ok(JointKind::Screw { components, .. })) => {
+                let [wx, wy, wz, ..] = &**components;
+                let angular = [wx, wy, wz].map(number_is_zero);
+                if angular.contains(&Some(false)) {
+                    Self::Turns
+                } else if angular == [Some(true); 3] {
+                    Self::Slides
+                } else {
+                    Self::Unknown
+                }
+            }
+            _ => Self::Unknown,
+        }
+    }
+
+    /// That of the coordinate.
+    pub(super) fn coordinate(self) -> Option<&'static str> {
+        self.choose("rad", "m")
+    }
+
+    /// That of a force along it.
+    pub(super) fn force(self) -> Option<&'static str> {
+        self.choose("N m", "N")
+    }
+
+    /// That of a force for each unit of the coordinate.
+    pub(super) fn stiffness(self) -> Option<&'static str> {
+        self.choose("N m/rad", "N/m")
+    }
+
+    /// That of a force for each unit of the rate.
+    pub(super) fn friction(self) -> Option<&'static str> {
+        self.choose("N m s/rad", "N s/m")
+    }
+
+    /// What the coordinate is measured in.
+    pub(super) fn measure(self) -> Measure {
+        self.coordinate().map_or(Measure::Unknown, Measure::of)
+    }
+
+    fn choose(self, turning: &'static str, sliding: &'static str) -> Option<&'static str> {
+        match self {
+            Self::Turns => Some(turning),
+            Self::Slides => Some(sliding),
+            Self::Unknown => None,
+        }
+    }
+}
+
+/// Whether a number is zero; none for what is not a number.
+fn number_is_zero(e: &Expr) -> Option<bool> {
+    match &e.kind {
+        ExprKind::Number(n) | ExprKind::Measured(n, _) => Some(n.is_zero()),
+        ExprKind::Neg(a) => number_is_zero(a),
+        _ => None,
+    }
+}

@@ -1,0 +1,84 @@
+//! Units of measure: what they are called, what they measure, and how they are read.
+
+mod dimension;
+mod names;
+mod parse;
+
+use num_traits::{One, Pow};
+
+pub(crate) use dimension::{Dimension, Power};
+pub(crate) use parse::together_after_number;
+
+use crate::expr::{Rational, ratio};
+
+/// A unit as it is written, and what it means.
+#[derive(Clone, Debug)]
+pub(crate) struct Unit {
+    /// The text, as it goes into the documentation of the field.
+    pub text: String,
+    /// Its dimension.
+    pub dimension: Dimension,
+    /// How many of the SI unit of that dimension it is.
+    pub scale: Scale,
+}
+
+/// `number * pi^power`
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Scale {
+    /// The number.
+    pub number: Rational,
+    /// The power of pi.
+    pub pi: i32,
+}
+
+impl Unit {
+    /// The unit that a text stands for.
+    pub(crate) fn of(text: &str) -> Option<Self> {
+        syn::parse_str(text).ok()
+    }
+
+    /// The unit that a word stands for after a number.
+    pub(crate) fn any(name: &str) -> Option<Self> {
+        let (dimension, scale) = names::meaning(name)?;
+        Some(Self {
+            text: name.to_owned(),
+            dimension,
+            scale,
+        })
+    }
+
+    /// Whether a word is the name of a unit that a number may have.
+    pub(crate) fn is_name(word: &str) -> bool {
+        names::dimension(word).is_some() || names::other(word).is_some()
+    }
+}
+
+impl Default for Unit {
+    /// Plain numbers.
+    fn default() -> Self {
+        Self {
+            text: "1".to_owned(),
+            dimension: Dimension::ONE,
+            scale: Scale::new([1, 1, 0]),
+        }
+    }
+}
+
+impl Scale {
+    fn new([numerator, denominator, pi]: [i64; 3]) -> Self {
+        Self {
+            number: ratio(numerator, denominator),
+            pi: i32::try_from(pi).unwrap_or_default(),
+        }
+    }
+
+    /// Whether it is that of an SI unit.
+    pub(crate) fn is_one(&self) -> bool {
+        self.number.is_one() && self.pi == 0
+    }
+
+    fn times(&mut self, other: &Self, power: i32) {
+        self.number *= Pow::pow(&other.number, power);
+        self.pi += power * other.pi;
+    }
+}

@@ -1,0 +1,147 @@
+//! The names of units: those of the language, and other ones that numbers may have.
+
+use super::{Dimension, Scale, Unit};
+use crate::words::advice;
+
+/// The names of the language, each with its powers of m, kg, s, A and K.
+const NAMES: [(&str, [i32; 5]); 11] = [
+    ("m", [1, 0, 0, 0, 0]),
+    ("kg", [0, 1, 0, 0, 0]),
+    ("s", [0, 0, 1, 0, 0]),
+    ("A", [0, 0, 0, 1, 0]),
+    ("K", [0, 0, 0, 0, 1]),
+    ("rad", [0; 5]),
+    ("N", [1, 1, -2, 0, 0]),
+    ("J", [2, 1, -2, 0, 0]),
+    ("W", [2, 1, -3, 0, 0]),
+    ("Pa", [-1, 1, -2, 0, 0]),
+    ("Hz", [0, 0, -1, 0, 0]),
+];
+
+/// Other units: the words for one, the unit in its place, and how many of that it is: a numerator, a denominator and a
+/// power of pi.
+const OTHERS: &[(&[&str], &str, [i64; 3])] = &[
+    (&["deg", "degree", "degrees"], "rad", [1, 180, 1]),
+    (&["turn", "turns", "rev", "revolution", "revolutions"], "rad", [2, 1, 1]),
+    (&["mrad"], "rad", [1, 1000, 0]),
+    (&["rpm"], "rad/s", [1, 30, 1]),
+    (&["mm"], "m", [1, 1000, 0]),
+    (&["cm"], "m", [1, 100, 0]),
+    (&["dm"], "m", [1, 10, 0]),
+    (&["km"], "m", [1000, 1, 0]),
+    (&["inch", "inches"], "m", [254, 10_000, 0]),
+    (&["ft", "foot", "feet"], "m", [3048, 10_000, 0]),
+    (&["g", "gram", "grams"], "kg", [1, 1000, 0]),
+    (&["mg"], "kg", [1, 1_000_000, 0]),
+    (&["ton", "tonne"], "kg", [1000, 1, 0]),
+    (&["lb", "lbs"], "kg", [45_359_237, 100_000_000, 0]),
+    (&["ms"], "s", [1, 1000, 0]),
+    (&["us"], "s", [1, 1_000_000, 0]),
+    (&["min", "minute", "minutes"], "s", [60, 1, 0]),
+    (&["h", "hour", "hours"], "s", [3600, 1, 0]),
+    (&["mN"], "N", [1, 1000, 0]),
+    (&["kN"], "N", [1000, 1, 0]),
+    (&["kgf"], "N", [980_665, 100_000, 0]),
+    (&["lbf"], "N", [44_482_216_152_605, 10_000_000_000_000, 0]),
+    (&["kPa"], "Pa", [1000, 1, 0]),
+    (&["MPa"], "Pa", [1_000_000, 1, 0]),
+    (&["bar"], "Pa", [100_000, 1, 0]),
+    (&["mJ"], "J", [1, 1000, 0]),
+    (&["kJ"], "J", [1000, 1, 0]),
+    (&["mW"], "W", [1, 1000, 0]),
+    (&["kW"], "W", [1000, 1, 0]),
+    (&["kHz"], "Hz", [1000, 1, 0]),
+    (&["mA"], "A", [1, 1000, 0]),
+    (&["V", "volt", "volts"], "W/A", [1, 1, 0]),
+    (&["ohm", "ohms"], "W/A^2", [1, 1, 0]),
+    (&["meter", "meters", "metre", "metres"], "m", [1, 1, 0]),
+    (&["kilogram", "kilograms", "kilo", "kgs"], "kg", [1, 1, 0]),
+    (&["sec", "secs", "second", "seconds"], "s", [1, 1, 0]),
+    (&["radian", "radians", "rads"], "rad", [1, 1, 0]),
+    (&["newton", "newtons"], "N", [1, 1, 0]),
+    (&["joule", "joules"], "J", [1, 1, 0]),
+    (&["watt", "watts"], "W", [1, 1, 0]),
+    (&["pascal", "pascals"], "Pa", [1, 1, 0]),
+    (&["hertz"], "Hz", [1, 1, 0]),
+    (&["ampere", "amperes", "amp", "amps"], "A", [1, 1, 0]),
+    (&["kelvin"], "K", [1, 1, 0]),
+];
+
+/// What people write for a plain number.
+const PLAIN: [&str; 9] = [
+    "f64",
+    "f32",
+    "float",
+    "number",
+    "real",
+    "scalar",
+    "none",
+    "unitless",
+    "dimensionless",
+];
+
+/// The dimension of a name of the language.
+pub(super) fn dimension(name: &str) -> Option<Dimension> {
+    let row = NAMES.iter().find(|(known, _)| *known == name);
+    row.map(|(_, powers)| Dimension::new(*powers))
+}
+
+/// Another unit: the unit in its place, and how many of that it is.
+pub(super) fn other(word: &str) -> Option<(&'static str, Scale)> {
+    let row = OTHERS.iter().find(|(words, ..)| words.contains(&word));
+    row.map(|(_, unit, scale)| (*unit, Scale::new(*scale)))
+}
+
+/// What a name of the language means, or that of another unit.
+pub(super) fn meaning(name: &str) -> Option<(Dimension, Scale)> {
+    if let Some(dimension) = dimension(name) {
+        return Some((dimension, Scale::new([1, 1, 0])));
+    }
+    let (unit, scale) = other(name)?;
+    Some((Unit::of(unit)?.dimension, scale))
+}
+
+/// What to do about an unknown unit of a declared quantity.
+pub(super) fn help(word: &str) -> String {
+    let any_case = |known: &str| word.len() > 2 && known.eq_ignore_ascii_case(word);
+    if PLAIN.into_iter().any(|plain| plain == word || any_case(plain)) {
+        return "write `1` for a plain number".to_owned();
+    }
+    let similar = || {
+        OTHERS
+            .iter()
+            .flat_map(|(words, ..)| *words)
+            .find(|known| any_case(known))
+    };
+    if let Some((unit, scale)) = other(word).or_else(|| other(similar()?)) {
+        return if scale.is_one() {
+            format!("write `{unit}`")
+        } else {
+            format!("write `{unit}`; its numbers may be in {word}, such as `{unit} = 3 {word}`")
+        };
+    }
+    match written_together(word) {
+        Some(apart) => format!("write `{apart}`, with the names apart"),
+        None => advice(word, NAMES.map(|(known, _)| known), &[]).help,
+    }
+}
+
+/// Names of units written as one word, such as `Nms` or `kgm2`, apart.
+pub(super) fn written_together(word: &str) -> Option<String> {
+    if word.is_empty() {
+        return Some(String::new());
+    }
+    // a shorter name where a longer one leaves a rest that is none: `kgm` is `kg m`
+    let mut names = NAMES.map(|(name, _)| name);
+    names.sort_by_key(|name| std::cmp::Reverse(name.len()));
+    names.into_iter().find_map(|name| {
+        let rest = word.strip_prefix(name)?;
+        let (power, rest) = match rest.chars().next().filter(char::is_ascii_digit) {
+            Some(digit) => (format!("^{digit}"), &rest[1..]),
+            None => (String::new(), rest),
+        };
+        let rest = written_together(rest)?;
+        let gap = if rest.is_empty() { "" } else { " " };
+        Some(format!("{name}{power}{gap}{rest}"))
+    })
+}

@@ -1,0 +1,150 @@
+//! Units in the text of a declaration.
+
+use proc_macro2::Span;
+use quote::ToTokens;
+use syn::parse::{Parse, ParseStream};
+use syn::{Ident, Lit, LitFloat, LitInt, Token, token};
+
+use super::dimension::Power;
+use super::{Dimension, Unit, names};
+use crate::error::at;
+use crate::parse::starts_item;
+
+impl Parse for Unit {
+    /// `kg m^2`, `N*m*s`, `m/s^2`, `1`: names with integer powers, side by side or multiplied; a `/` takes the next
+    /// name only.
+    fn parse(input: ParseStream) -> syn::Result<Self> {
+        let mut unit = Self::empty();
+        loop {
+            let sign = unit.joint(input)?;
+            unit.factor(input, sign)?;
+            // what begins something else stands after a comma that is missing
+            let name = input.peek(Ident) && !starts_item(input);
+            let more = input.peek(Token![/]) || input.peek(Token![*]) || name || input.peek(LitInt);
+            if !more {
+                return Ok(unit);
+            }
+        }
+    }
+}
+
+impl Unit {
+    /// The unit after a number, if one stands there: `90 deg`, `0.2 N m/rad`. Its first name may be the suffix of the
+    /// number, as in `90deg`. A `*` ends it: what follows is a factor.
+    pub(crate) fn after_number(input: ParseStream, suffix: Option<(&str, Span)>) -> syn::Result<Option<Self>> {
+        let mut unit = Self::empty();
+        match suffix {
+            Some((name, span)) => unit.named(input, name, span, 1)?,
+            None if begins(input) => {
+                let name: Ident = input.parse()?;
+                unit.named(input, &name.to_string(), name.span(), 1)?;
+            }
+            None => return Ok(None),
+        }
+        loop {
+            let ahead = input.fork();
+            let sign = if ahead.parse::<Option<Token![/]>>()?.is_some() {
+                -1
+            } else {
+                1
+            };
+            if !begins(&ahead) {
+                return Ok(Some(unit));
+            }
+            unit.joint(input)?;
+            let name: Ident = input.parse()?;
+            unit.named(input, &name.to_string(), name.span(), sign)?;
+        }
+    }
+
+    fn empty() -> Self {
+        Self {
+            text: String::new(),
+            ..Self::default()
+        }
+    }
+
+    /// What stands before the next name: its sign in the power.
+    fn joint(&mut self, input: ParseStream) -> syn::Result<i32> {
+        if input.parse::<Option<Token![/]>>()?.is_some() {
+            self.text.push('/');
+            return Ok(-1);
+        }
+        if input.parse::<Option<Token![*]>>()?.is_some() || !self.text.is_empty() {
+            self.text.push(' ');
+        }
+        Ok(1)
+    }
+
+    /// A name of the language, or 1.
+    fn factor(&mut self, input: ParseStream, sign: i32) -> syn::Result<()> {
+        if input.peek(LitInt) || input.peek(LitFloat) {
+            let one: Lit = input.parse()?;
+            if one.to_token_stream().to_string() != "1" {
+                let fact = "expected a unit, not a value";
+                let value = one.to_token_stream().to_string().replace(' ', "");
+                let help = format!("write the unit first, such as `kg = {value}`, or `1 = {value}` for a plain number");
+                return Err(at(one.span(), fact, help));
+            }
+            self.text.push('1');
+            return Ok(());
+        }
+        if input.peek(token::Paren) {
+            let help = "a `/` takes the next name only: `N/(m s)` is `N/m/s`";
+            return Err(at(input.span(), "a unit has no parentheses", help));
+        }
+        let Ok(name) = input.parse::<Ident>() else {
+            let help = "write an SI unit such as `kg m^2`, `N m s`, `m/s^2`, or `1` for a plain number";
+            return Err(at(input.span(), "expected a unit", help));
+        };
+        let text = name.to_string();
+        if names::dimension(&text).is_none() {
+            return Err(at(
+                name.span(),
+                format_args!("unknown unit `{text}`"),
+                names::help(&text),
+            ));
+        }
+        self.named(input, &text, name.span(), sign)
+    }
+
+    /// A name that was read, and the power after it.
+    fn named(&mut self, input: ParseStream, name: &str, span: Span, sign: i32) -> syn::Result<()> {
+        let Some((dimension, scale)) = names::meaning(name) else {
+            return Err(at(span, format_args!("unknown unit `{name}`"), names::help(name)));
+        };
+        self.text.push_str(name);
+        let power = sign * self.power(input)?;
+        let product = self.dimension.times(dimension, Power::from(power));
+        self.dimension = product.unwrap_or(Dimension::ONE);
+        self.scale.times(&scale, power);
+        Ok(())
+    }
+
+    fn power(&mut self, input: ParseStream) -> syn::Result<i32> {
+        if input.parse::<Option<Token![^]>>()?.is_none() {
+            return Ok(1);
+        }
+        let negative = input.parse::<Option<Token![-]>>()?.is_some();
+        let span = input.span();
+        let exponent = input.parse::<LitInt>().ok().and_then(|n| n.base10_parse::<i32>().ok());
+        let power = exponent.filter(|n| (1..=9).contains(n)).ok_or_else(|| {
+            let fact = "the power of a unit is not a whole number from 1 to 9";
+            at(span, fact, "write such as `m^2` or `s^-1`")
+        })?;
+        let power = if negative { -power } else { power };
+        self.text.push_str(&format!("^{power}"));
+        Ok(power)
+    }
+}
+
+/// Whether the name of a unit stands next.
+fn begins(input: ParseStream) -> bool {
+    let name = input.cursor().ident();
+    name.is_some_and(|(name, _)| Unit::is_name(&name.to_string())) && !starts_item(input)
+}
+
+/// What to do about a word after a number that is the names of several units in one.
+pub(crate) fn together_after_number(number: &impl std::fmt::Display, word: &str) -> Option<String> {
+    names::written_together(word).map(|apart| format!("write `{number} {apart}`, with the names apart"))
+}
