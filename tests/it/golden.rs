@@ -30,6 +30,7 @@ fn the_same_declaration_gives_the_same_code_every_time() {
 #[test]
 fn sines_of_rates_have_names() {
     let scene = "pub Wobble {
+        units: none,
         body b on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: th, torque: sin(dot(th)) + cos(dot(th)) }
     }";
     let items = pendulum_codegen::expand(scene.parse().expect("tokens"));

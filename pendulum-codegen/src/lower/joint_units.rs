@@ -63,6 +63,18 @@ impl JointUnits {
         self.coordinate().map_or(Measure::Unknown, Measure::of)
     }
 
+    /// The unit in the place of one that a joint has, if it moved the other way, and how that is.
+    pub(super) fn other(unit: &str) -> Option<(&'static str, &'static str)> {
+        let pairs = [Self::stiffness, Self::friction].map(|of| [of(Self::Turns), of(Self::Slides)]);
+        pairs.into_iter().find_map(|[turning, sliding]| {
+            if turning == Some(unit) {
+                Some((sliding?, "slide"))
+            } else {
+                (sliding == Some(unit)).then_some((turning?, "turn"))
+            }
+        })
+    }
+
     fn choose(self, turning: &'static str, sliding: &'static str) -> Option<&'static str> {
         match self {
             Self::Turns => Some(turning),

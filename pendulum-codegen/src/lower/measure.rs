@@ -7,6 +7,7 @@ use num_traits::ToPrimitive;
 
 use super::Lower;
 use super::expr::Place;
+use super::joint_units::JointUnits;
 use super::scope::Kind;
 use super::written::{digits, written};
 use crate::ast::{self, ExprKind, Operator};
@@ -178,7 +179,11 @@ impl<'g> Lower<'g> {
             return;
         }
         let fact = format_args!("{} is in {unit}, but {} {}", place.what, short(e), given.measure);
-        let help = self.help(e, given.measure, needed);
+        let other = JointUnits::other(unit).filter(|(other, _)| given.measure == Measure::of(other));
+        let help = match other {
+            Some((other, way)) => format!("{other} belongs to joints that {way}"),
+            None => self.help(e, given.measure, needed),
+        };
         self.misfit(e, fact, help);
     }
 

@@ -22,7 +22,7 @@ mechanism! {
         body arm on cart {
             solids: [rod(l, [0, 0, 0], [0, -m, 0]), sphere(m, m, [0, 0, 0]), plate(m, [[0, 0], [m, 0], [0, l]])],
             joint: revolute([l, m, 0]) at [m, 0, 0] rpy [l, 0, 0], coordinate: theta,
-            friction: gamma, spring: (k, l), torque: push - k*q,
+            friction: c, spring: (k, l), torque: push - k*q,
         }
         body nut on arm { mass: m, joint: helical(z, w), coordinate: turn, torque: -c*qd }
         body bolt on nut { mass: m, joint: screw([0, 0, 1, 0, m, l]), coordinate: thread }

@@ -37,7 +37,7 @@ use crate::system::{IntoState, Jacobian};
 ///         gravity: [0, -9.81, 0],
 ///         body bob on ground {
 ///             mass: 1, com: [0, 1, 0], joint: revolute(z), coordinate: tilt,
-///             torque: -a * omega^2 * cos(omega * t) * sin(q),
+///             torque: -1 kg m * a * omega^2 * cos(omega * t) * sin(q),
 ///         }
 ///     }
 /// }

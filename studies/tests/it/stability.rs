@@ -67,7 +67,7 @@ mechanism! {
     /// A pendulum that a motor shakes.
     pub Shaken {
         gravity: [0, -9.81, 0],
-        body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle, torque: 1*cos(1 rad/s*t), friction: 0.1 }
+        body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle, torque: 1 N m*cos(1 rad/s*t), friction: 0.1 }
     }
 }
 
