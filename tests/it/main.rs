@@ -1,4 +1,5 @@
 //! The generator and the numbers together: generated models against reference data, other derivations, and each other.
+#![forbid(unsafe_code)]
 
 mod canonical;
 mod closed_loops;

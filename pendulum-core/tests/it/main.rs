@@ -1,4 +1,5 @@
 //! Methods and stability on systems written by hand.
+#![forbid(unsafe_code)]
 
 mod auto;
 mod continuation;
