@@ -1,6 +1,6 @@
 //! Explicit Runge-Kutta methods, whatever their tableau.
 
-use std::marker::PhantomData;
+use core::marker::PhantomData;
 
 use nalgebra::SVector;
 
@@ -12,7 +12,7 @@ use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::stages::{SHORT, shifted, weighted_sum};
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
-use crate::solution::Statistics;
+use crate::statistics::Statistics;
 use crate::system::System;
 use crate::tableau::{Tableau, difference};
 
