@@ -46,6 +46,19 @@ impl Operations {
         }
     }
 
+    /// These, and then `others`: both chains one after the other.
+    #[must_use]
+    pub const fn and(self, others: Self) -> Self {
+        Self {
+            additions: self.additions + others.additions,
+            multiplications: self.multiplications + others.multiplications,
+            divisions: self.divisions + others.divisions,
+            sincos: self.sincos + others.sincos,
+            functions: self.functions + others.functions,
+            chain: self.chain + others.chain,
+        }
+    }
+
     /// Additions and multiplications together: the figure by which forward dynamics are usually compared.
     #[must_use]
     pub const fn flops(&self) -> usize {

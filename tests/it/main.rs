@@ -19,6 +19,7 @@ mod parameters;
 mod points;
 mod robots;
 mod sincos;
+mod step_operations;
 mod stiff;
 mod taylor;
 mod taylor_traps;
