@@ -12,6 +12,7 @@ macro_rules! pages {
 pages! {
     readme: "../README.md",
     accuracy_and_speed: "src/accuracy-and-speed.md",
+    embedded: "src/embedded.md",
     getting_started: "src/getting-started.md",
     stability: "src/stability.md",
     driven_pivot: "src/recipes/driven-pivot.md",

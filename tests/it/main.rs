@@ -19,7 +19,7 @@ mod parameters;
 mod points;
 mod robots;
 mod sincos;
-mod step_operations;
+mod step_limits;
 mod stiff;
 mod taylor;
 mod taylor_traps;

@@ -1,4 +1,4 @@
-//! Counted operations of steps against those that the methods promise at most.
+//! What steps take at most: counted operations against those that the methods promise, and stack.
 
 use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
@@ -159,6 +159,25 @@ fn assert_most(counted: Operations, most: Operations, what: &str) {
     for (counted, most) in std::iter::zip(row(counted), row(most)) {
         assert!(counted <= most && most <= counted + 40, "{what}: {counted} of {most}");
     }
+}
+
+#[test]
+fn a_small_stack_is_enough() {
+    fn run<M: Method<DoublePendulum, f64, 4>>(method: &M) {
+        let model = DoublePendulum::new(DoublePendulumParams::default()).expect("physical");
+        let mut stepper = method.stepper(&model, 0.0, 0.1, [0.3; 4]).expect("valid");
+        stepper.run().expect("regular");
+        std::hint::black_box(stepper.dense().at(0.09));
+    }
+    macro_rules! each {
+        ($kib:literal: $($method:expr),*) => { $(
+            // An overflow ends the whole program.
+            let thread = std::thread::Builder::new().stack_size($kib << 10).spawn(|| run(&$method));
+            thread.expect("a thread").join().expect(stringify!($method));
+        )* };
+    }
+    each!(64: Rk4::new(0.01), Rk45::new(), Vern9::new(), Rodas5P::new(), Auto::new(), Gauss4::new(0.01));
+    each!(256: Taylor::new());
 }
 
 #[test]
