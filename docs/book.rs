@@ -1,4 +1,5 @@
 //! The programs of the README and of the book, which `cargo test` compiles and runs.
+#![forbid(unsafe_code)]
 #![cfg(doctest)]
 
 macro_rules! pages {
@@ -11,6 +12,7 @@ macro_rules! pages {
 pages! {
     readme: "../README.md",
     accuracy_and_speed: "src/accuracy-and-speed.md",
+    embedded: "src/embedded.md",
     getting_started: "src/getting-started.md",
     stability: "src/stability.md",
     driven_pivot: "src/recipes/driven-pivot.md",

@@ -1,4 +1,5 @@
 //! Charts in one style, written as SVG and as PNG.
+#![forbid(unsafe_code)]
 #![allow(missing_docs, reason = "fields and functions whose names say what they are")]
 
 pub mod animation;

@@ -94,7 +94,7 @@ impl<T: Float> Tolerance<T> {
         } else if steepest <= 1e-15 {
             (trial * 1e-3).max(1e-6)
         } else {
-            (0.01 / steepest).powf(1.0 / (order as f64 + 1.0))
+            libm::pow(0.01 / steepest, 1.0 / (order as f64 + 1.0))
         };
         T::from_f64(h.min(100.0 * trial)).min(h_max)
     }

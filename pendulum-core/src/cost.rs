@@ -1,7 +1,7 @@
 //! Counted operations: what a generated function costs, known when it is generated.
 
-use std::fmt;
-use std::ops::Index;
+use core::fmt;
+use core::ops::Index;
 
 /// The operations of one evaluation of a generated function.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
@@ -43,6 +43,19 @@ impl Operations {
             sincos,
             functions,
             chain,
+        }
+    }
+
+    /// These, and then `others`: both chains one after the other.
+    #[must_use]
+    pub const fn and(self, others: Self) -> Self {
+        Self {
+            additions: self.additions + others.additions,
+            multiplications: self.multiplications + others.multiplications,
+            divisions: self.divisions + others.divisions,
+            sincos: self.sincos + others.sincos,
+            functions: self.functions + others.functions,
+            chain: self.chain + others.chain,
         }
     }
 
@@ -144,7 +157,7 @@ impl fmt::Display for FunctionCost {
             return self.write_counts(f);
         }
         let mut separator = "";
-        for form in std::iter::once(self).chain(self.others) {
+        for form in core::iter::once(self).chain(self.others) {
             write!(f, "{separator}{}: ", form.form)?;
             form.write_counts(f)?;
             write!(f, ", longest chain {}", form.operations.chain)?;
@@ -205,8 +218,12 @@ impl Index<&str> for Cost {
     #[track_caller]
     fn index(&self, name: &str) -> &FunctionCost {
         self.get(name).unwrap_or_else(|| {
-            let known: Vec<&str> = self.iter().map(|(known, _)| known).collect();
-            panic!("`{name}` was not generated; there are costs of: {}", known.join(", "))
+            let known = fmt::from_fn(|f| {
+                let mut known = self.iter().map(|(known, _)| known);
+                f.write_str(known.next().unwrap_or("nothing"))?;
+                known.try_for_each(|known| write!(f, ", {known}"))
+            });
+            panic!("`{name}` was not generated; there are costs of: {known}")
         })
     }
 }

@@ -1,6 +1,6 @@
 //! Dual numbers: a value with exact derivatives.
 
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 use crate::real::Real;
 
@@ -63,7 +63,7 @@ impl<T: Real, const N: usize> Dual<T, N> {
     fn join(self, other: Self, value: T, slope: impl Fn(T, T) -> T) -> Self {
         Self {
             value,
-            slopes: std::array::from_fn(|n| slope(self.slopes[n], other.slopes[n])),
+            slopes: core::array::from_fn(|n| slope(self.slopes[n], other.slopes[n])),
         }
     }
 }

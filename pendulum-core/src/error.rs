@@ -1,20 +1,21 @@
 //! Errors as types. Each message states the fact and what to do; `Debug` prints the same, so that a `main` which
 //! returns the error reads well.
 
-use std::error::Error;
-use std::fmt;
+#[cfg(feature = "std")]
+mod solve;
 
-use nalgebra::SVector;
+use core::error::Error;
+use core::fmt;
 
-use crate::real::Float;
-use crate::solution::Solution;
+#[cfg(feature = "std")]
+pub use solve::SolveError;
 
 /// Implements `Debug` as `Display`.
 macro_rules! debug_as_display {
     ($([$($generics:tt)*] $error:ty;)*) => { $(
-        impl<$($generics)*> std::fmt::Debug for $error {
-            fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-                std::fmt::Display::fmt(self, f)
+        impl<$($generics)*> core::fmt::Debug for $error {
+            fn fmt(&self, f: &mut core::fmt::Formatter<'_>) -> core::fmt::Result {
+                core::fmt::Display::fmt(self, f)
             }
         }
     )* };
@@ -25,7 +26,6 @@ pub(crate) use debug_as_display;
 debug_as_display! {
     [] ParameterError;
     [] Reason;
-    [T: Float, const N: usize] SolveError<T, N>;
 }
 
 /// A parameter, or several together, that no mechanism can have.
@@ -38,7 +38,9 @@ pub struct ParameterError {
     pub value: f64,
     /// The rule that it breaks: "the mass of `upper` must be positive".
     pub rule: &'static str,
-    /// The parameters of a combination with their values; empty where a single parameter breaks the rule.
+    /// The parameters of a combination with their values; empty where a single parameter breaks the rule. It requires
+    /// the feature `std`.
+    #[cfg(feature = "std")]
     pub given: Vec<(&'static str, f64)>,
 }
 
@@ -46,24 +48,28 @@ impl ParameterError {
     /// `name` has the `value`, which breaks the `rule`; a combination of parameters has it from those that are `given`.
     #[must_use]
     pub fn new(name: &'static str, value: f64, rule: &'static str, given: &[(&'static str, f64)]) -> Self {
-        let given = given.to_vec();
+        #[cfg(not(feature = "std"))]
+        let _ = given;
         Self {
             name,
             value,
             rule,
-            given,
+            #[cfg(feature = "std")]
+            given: given.to_vec(),
         }
     }
 }
 
 impl fmt::Display for ParameterError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let [(first, value), rest @ ..] = &self.given[..] else {
-            return write!(f, "parameter `{}` is {}: {}", self.name, self.value, self.rule);
-        };
-        write!(f, "{}; the parameters are {first} = {value}", self.rule)?;
-        rest.iter()
-            .try_for_each(|(name, value)| write!(f, ", {name} = {value}"))
+        #[cfg(feature = "std")]
+        if let [(first, value), rest @ ..] = &self.given[..] {
+            write!(f, "{}; the parameters are {first} = {value}", self.rule)?;
+            return rest
+                .iter()
+                .try_for_each(|(name, value)| write!(f, ", {name} = {value}"));
+        }
+        write!(f, "parameter `{}` is {}: {}", self.name, self.value, self.rule)
     }
 }
 
@@ -167,53 +173,9 @@ impl fmt::Display for Reason {
 
 impl Error for Reason {}
 
-/// An integration that stopped early, with the solution up to there.
-#[derive(Clone, PartialEq)]
-pub struct SolveError<T, const N: usize> {
-    /// Why it stopped.
-    pub reason: Reason,
-    /// The solution up to the last good state; the initial point alone if no step succeeded.
-    ///
-    /// For [`Reason::InvalidInput`] it is the initial point as given, valid or not.
-    pub solution: Box<Solution<T, N>>,
-}
-
-impl<T: Float, const N: usize> SolveError<T, N> {
-    /// An integration that stopped before its first step.
-    pub(crate) fn at_start(reason: Reason, t0: T, x0: SVector<T, N>) -> Self {
-        Self {
-            reason,
-            solution: Box::new(Solution::start(t0, x0)),
-        }
-    }
-
-    /// The last good time.
-    #[must_use]
-    pub fn t(&self) -> T {
-        self.solution.last().0
-    }
-
-    /// The last good state.
-    #[must_use]
-    pub fn x(&self) -> SVector<T, N> {
-        self.solution.end()
-    }
-}
-
-impl<T: Float, const N: usize> fmt::Display for SolveError<T, N> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match self.reason {
-            Reason::InvalidInput { .. } => self.reason.fmt(f),
-            _ => write!(f, "stopped at t = {:?}: {}", self.t().to_f64(), self.reason),
-        }
-    }
-}
-
-impl<T: Float, const N: usize> Error for SolveError<T, N> {}
-
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use super::{ParameterError, Reason};
 
     #[test]
     fn a_parameter_error_names_value_and_rule() {
@@ -240,7 +202,5 @@ mod tests {
                 .to_string()
                 .contains("after a step of 3.000e-1; if the step is fixed, try a shorter one")
         );
-        let error = SolveError::at_start(reason, 0.5, SVector::from([1.0]));
-        assert_eq!(format!("{error:?}"), format!("stopped at t = 0.5: {reason}"));
     }
 }

@@ -1,6 +1,6 @@
 //! Events: where a function of time and state passes zero, and what happens there.
 
-use std::fmt;
+use core::fmt;
 
 use nalgebra::SVector;
 

@@ -16,7 +16,7 @@
 
 mod law;
 
-use std::fmt;
+use core::fmt;
 
 use nalgebra::{SMatrix, SVector};
 
@@ -24,6 +24,7 @@ pub use law::{Generic, InputLaw, Law, LawJacobian};
 
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
+#[cfg(feature = "std")]
 use crate::shapes::{Shape, Shapes};
 use crate::system::{Cast, Differences, Energy, Jacobian, System, WithJacobian, by_number};
 
@@ -96,6 +97,7 @@ pub struct WithInputs<S, L, const M: usize> {
     law: L,
 }
 
+#[cfg(feature = "std")]
 impl<S: Shapes<N>, L, const N: usize, const M: usize> Shapes<N> for WithInputs<S, L, M> {
     fn shapes(&self, t: f64, x: &SVector<f64, N>) -> Vec<Shape> {
         self.system.shapes(t, x)

@@ -1,10 +1,12 @@
 //! What each part of a state is: angle or length, its place in the state, and the symmetries of the system.
 
-use std::error::Error;
-use std::fmt;
-use std::ops::Range;
+#[cfg(feature = "std")]
+mod names;
 
-use nalgebra::{SVector, Scalar};
+use core::ops::Range;
+
+#[cfg(feature = "std")]
+pub use names::WrongLength;
 
 /// What each part of a state is, and whether time occurs in the right-hand side.
 ///
@@ -63,37 +65,6 @@ impl StateLayout {
     #[must_use]
     pub fn positions(&self) -> usize {
         self.slots.iter().map(|slot| slot.positions.len()).sum()
-    }
-
-    /// The names of the components of the state: `theta` is a coordinate, `dot(theta)` its rate, and `o.w`, .. `o.z`
-    /// are a quaternion.
-    #[must_use]
-    pub fn components(&self) -> Vec<String> {
-        let mut named: Vec<(usize, String)> = self.slots.iter().flat_map(Slot::components).collect();
-        named.sort();
-        named.into_iter().map(|(_, name)| name).collect()
-    }
-
-    /// The state with these components, from numbers that are known at run time only.
-    ///
-    /// ```
-    /// # use pendulum_core::{Slot, StateLayout};
-    /// # use pendulum_core::prelude::*;
-    /// const LAYOUT: StateLayout = StateLayout::new(&[Slot::angle("theta", 0, 1)]);
-    /// let x: SVector<f64, 2> = LAYOUT.state(&[0.1, 0.0])?;
-    /// let error = LAYOUT.state::<f64, 2>(&[0.1]).expect_err("too short");
-    /// assert_eq!(error.to_string(), "the state has 2 components, theta and dot(theta), not 1");
-    /// # Ok::<(), pendulum_core::WrongLength>(())
-    /// ```
-    ///
-    /// # Errors
-    /// If the number of components is not that of the layout, or `N` is not.
-    pub fn state<T: Scalar, const N: usize>(&self, components: &[T]) -> Result<SVector<T, N>, WrongLength> {
-        let names = self.components();
-        match [components.len(), N].into_iter().find(|&length| length != names.len()) {
-            Some(given) => Err(WrongLength { given, names }),
-            None => Ok(SVector::from_column_slice(components)),
-        }
     }
 
     /// The components of the state that are angles with the period 2 pi, as [`Slot::periodic`] defines it.
@@ -169,21 +140,6 @@ impl Slot {
         self
     }
 
-    /// The names of its components with their places in the state.
-    fn components(&self) -> impl Iterator<Item = (usize, String)> {
-        let name = |stem: String, range: &Range<usize>| {
-            let parts: &[&str] = match range.len() {
-                3 => &[".x", ".y", ".z"],
-                4 => &[".w", ".x", ".y", ".z"],
-                _ => &[],
-            };
-            let named = range.clone().enumerate();
-            named.map(move |(n, place)| (place, format!("{stem}{}", parts.get(n).unwrap_or(&""))))
-        };
-        let rate = format!("dot({})", self.name);
-        name(self.name.to_owned(), &self.positions).chain(name(rate, &self.rates))
-    }
-
     /// The unit of its position.
     #[must_use]
     pub const fn unit(&self) -> &'static str {
@@ -215,29 +171,6 @@ pub enum SlotKind {
     /// An orientation: four components of a unit quaternion, scalar first, and three of the angular velocity.
     Quaternion,
 }
-
-/// Numbers that are too few or too many for a state.
-#[derive(Clone, Debug, PartialEq, Eq)]
-#[non_exhaustive]
-pub struct WrongLength {
-    /// How many were given.
-    pub given: usize,
-    /// The names of the components that the state has.
-    pub names: Vec<String>,
-}
-
-impl fmt::Display for WrongLength {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let Self { given, names } = self;
-        write!(f, "the state has {} components, ", names.len())?;
-        if let [first @ .., last] = &names[..] {
-            write!(f, "{} and {last}, ", first.join(", "))?;
-        }
-        write!(f, "not {given}")
-    }
-}
-
-impl Error for WrongLength {}
 
 #[cfg(test)]
 mod tests {

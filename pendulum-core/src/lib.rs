@@ -42,41 +42,78 @@
 //! | [`accuracy`] | trusted solutions, norms of errors, and what accuracy takes |
 //! | [`shapes`] | how a mechanism looks |
 //! | [`cost`] | counted operations of generated functions |
+//!
+//! # Without `std`
+//!
+//! With `default-features = false` the crate is `no_std` and uses no heap: generated models, all methods by their
+//! [`Stepper`], and everything else but what keeps trajectories or makes lists. The feature `std`, a default, adds
+//! [`Method::solve`], [`solution`], [`event`], [`ensemble`], [`stability`], [`accuracy`], [`shapes`], and the detection of
+//! instruction sets at run time.
 
+#![cfg_attr(not(feature = "std"), no_std)]
+#![cfg_attr(
+    not(feature = "std"),
+    allow(
+        dead_code,
+        unused_imports,
+        reason = "some of what methods share serves `solve` alone"
+    )
+)]
+#![cfg_attr(
+    test,
+    allow(clippy::disallowed_methods, reason = "references may be those of the platform")
+)]
+
+#[cfg(feature = "std")]
 pub mod accuracy;
 pub mod cost;
 pub mod dense;
 pub mod dual;
+#[cfg(feature = "std")]
 pub mod ensemble;
 pub mod error;
+#[cfg(feature = "std")]
 pub mod event;
 pub mod inputs;
 pub mod layout;
 pub mod method;
 pub mod real;
+#[cfg(feature = "std")]
 pub mod shapes;
+#[cfg(feature = "std")]
 pub mod solution;
+#[cfg(feature = "std")]
 pub mod stability;
 pub mod system;
 pub mod tableau;
 pub mod taylor;
 
 mod control;
+#[cfg(feature = "std")]
 mod csv;
 mod linear;
+mod statistics;
 
 pub use cost::{Cost, FunctionCost, Operations};
 pub use dense::{Dense, Step};
+#[cfg(feature = "std")]
 pub use ensemble::{Ensemble, EnsembleError};
-pub use error::{ParameterError, Reason, SolveError};
+#[cfg(feature = "std")]
+pub use error::SolveError;
+pub use error::{ParameterError, Reason};
+#[cfg(feature = "std")]
 pub use event::{Direction, Event, Occurrence};
 pub use inputs::{CastControlled, Controlled, InputLaw, WithInputs};
-pub use layout::{Slot, SlotKind, StateLayout, WrongLength};
+#[cfg(feature = "std")]
+pub use layout::WrongLength;
+pub use layout::{Slot, SlotKind, StateLayout};
 pub use method::{
     Auto, Gauss4, Gauss6, Method, Radau5, Rk4, Rk45, Rodas4, Rodas5P, Stepper, Taylor, Tsit5, Vern7, Vern9,
 };
 pub use real::{Float, Real};
-pub use solution::{OutsideSpan, Solution, Statistics};
+#[cfg(feature = "std")]
+pub use solution::{OutsideSpan, Solution};
+pub use statistics::Statistics;
 pub use system::{Canonical, Cast, Energy, FnSystem, IntoState, Jacobian, System};
 pub use taylor::{CastTaylor, TaylorSeries};
 
@@ -92,12 +129,29 @@ pub use nalgebra;
 #[doc(hidden)]
 pub use serde;
 
+/// Generated items that require `std`: nothing without it. The core decides, not the macro, which cargo may build once
+/// for several cores.
+#[cfg(feature = "std")]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! with_std {
+    ($($items:tt)*) => { $($items)* };
+}
+#[cfg(not(feature = "std"))]
+#[doc(hidden)]
+#[macro_export]
+macro_rules! with_std {
+    ($($items:tt)*) => {};
+}
+
 /// What most programs with mechanisms need: `use pendulum_core::prelude::*;`.
 pub mod prelude {
     pub use crate::mechanism;
     pub use crate::{Auto, Gauss4, Gauss6, Radau5, Rk4, Rk45, Rodas4, Rodas5P, Taylor, Tsit5, Vern7, Vern9};
-    pub use crate::{Controlled, Energy, Ensemble, Event, FnSystem, Jacobian, Method, Solution, System};
+    pub use crate::{Controlled, Energy, FnSystem, Jacobian, Method, System};
+    #[cfg(feature = "std")]
+    pub use crate::{Ensemble, Event, Solution, shapes::Shapes as _};
     // Their methods alone: the names stay free.
-    pub use crate::{Canonical as _, Cast as _, Float as _, Real as _, TaylorSeries as _, shapes::Shapes as _};
+    pub use crate::{Canonical as _, Cast as _, Float as _, Real as _, TaylorSeries as _};
     pub use nalgebra::{SMatrix, SVector};
 }

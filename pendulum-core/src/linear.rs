@@ -1,6 +1,6 @@
 //! Small systems of linear equations, real and complex, solved on the stack.
 
-use std::ops::{Add, Mul, Neg, Sub};
+use core::ops::{Add, Mul, Neg, Sub};
 
 use nalgebra::{SMatrix, SVector};
 
@@ -129,7 +129,7 @@ impl<F: Field, const N: usize> Lu<F, N> {
     #[inline(always)]
     pub(crate) fn new(columns: [[F; N]; N]) -> Result<Self, Singular> {
         let mut a = columns;
-        let mut rows = std::array::from_fn(|i| i);
+        let mut rows = core::array::from_fn(|i| i);
         let mut is_regular = true;
         for k in 0..N {
             // One row after the other moves up if it is larger. The indices are constants where the loops are short
@@ -214,20 +214,20 @@ mod tests {
 
     fn product<F: Field, const N: usize>(columns: &[[F; N]; N], x: &[F; N]) -> [F; N] {
         let term = |i: usize, j: usize| columns[j][i] * x[j];
-        std::array::from_fn(|i| (0..N).fold(F::default(), |sum, j| sum + term(i, j)))
+        core::array::from_fn(|i| (0..N).fold(F::default(), |sum, j| sum + term(i, j)))
     }
 
     /// The largest error of `solve(A x)` in ulps, over a number of random matrices.
     fn error<F: Field, const N: usize>(mut entry: impl FnMut() -> F) -> f64 {
         let mut worst = 0.0_f64;
         for _ in 0..200 {
-            let columns: [[F; N]; N] = std::array::from_fn(|_| std::array::from_fn(|_| entry()));
-            let x = std::array::from_fn(|_| entry());
+            let columns: [[F; N]; N] = core::array::from_fn(|_| core::array::from_fn(|_| entry()));
+            let x = core::array::from_fn(|_| entry());
             let lu = Lu::new(columns).expect("regular");
             // A residual, since an error of x grows with the condition of the matrix and this one does not.
             let residual = product(&columns, &lu.solve(&product(&columns, &x)));
             let error = |(a, b): (F, F)| (a - b).size().to_f64() / F::Size::EPSILON.to_f64();
-            worst = std::iter::zip(residual, product(&columns, &x))
+            worst = core::iter::zip(residual, product(&columns, &x))
                 .map(error)
                 .fold(worst, f64::max);
         }

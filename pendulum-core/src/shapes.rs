@@ -76,6 +76,10 @@ pub enum ShapeKind {
     Anchor,
 }
 
+// For generated code, which may be without `std` where this crate is not.
+#[doc(hidden)]
+pub use std::vec::Vec;
+
 /// A shape before it is placed: a row of what the generated code knows.
 #[doc(hidden)]
 #[derive(Clone, Copy, Debug)]

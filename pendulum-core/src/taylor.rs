@@ -127,7 +127,7 @@ impl<T: Real, const M: usize> Products<T, M> {
         if const { T::LANES == 1 } {
             // Through memory, once: else compilers pair the products as the code after this pairs their sums, and load
             // each number by itself.
-            std::hint::black_box(&mut sums);
+            core::hint::black_box(&mut sums);
         } else if k > 1 {
             let (newest_l, newest_r) = (&self.left[k - 2], &self.right[k - 2]);
             for m in 0..M {

@@ -23,6 +23,7 @@
 //! ```
 //!
 //! Plane mechanisms are seen as they are, along the z axis; others from a place of their own ([`Drawing::seen_from`]).
+#![forbid(unsafe_code)]
 
 mod still;
 

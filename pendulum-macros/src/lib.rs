@@ -1,4 +1,5 @@
 //! The `mechanism!` macro. All of its work is done by `pendulum-codegen`, where it can be tested as a library.
+#![forbid(unsafe_code)]
 
 use proc_macro::TokenStream;
 

@@ -1,19 +1,103 @@
-//! The emitted code of the first scene, to the byte, and that it is the same every time.
+//! The emitted code of the first scene and of all examples, to the byte, and that it is the same every time.
 //!
-//! `UPDATE_EXPECT=1 cargo test --test it golden` rewrites the expected code.
+//! `UPDATE_EXPECT=1 cargo test -p tests --test it golden` rewrites the expected code.
+
+use std::fs;
+use std::mem::take;
+use std::path::{Path, PathBuf};
 
 use expect_test::expect_file;
+use syn::parse::{Parse, ParseStream};
+use syn::{File, ImplItem, ImplItemMacro, Item, ItemMacro, Macro};
 use testbed::source::{SCENES, declaration};
 
 fn emitted() -> String {
-    let scene = declaration(SCENES, "DoublePendulum").parse().expect("tokens");
-    let items = syn::parse2(pendulum_codegen::expand(scene)).expect("items");
-    prettyplease::unparse(&items)
+    code(declaration(SCENES, "DoublePendulum"))
+}
+
+/// The code of a declaration, with what stands in `with_std!` in its place: only as items it is printed as code.
+fn code(declaration: &str) -> String {
+    let items = pendulum_codegen::expand(declaration.parse().expect("tokens"));
+    let mut file: File = syn::parse2(items).expect("items");
+    for item in &mut file.items {
+        if let Item::Mod(module) = item
+            && let Some((_, items)) = &mut module.content
+        {
+            *items = unwrapped(take(items), |item| match item {
+                Item::Macro(ItemMacro { mac, .. }) => Ok(mac),
+                item => Err(item),
+            });
+            for item in items {
+                if let Item::Impl(of) = item {
+                    of.items = unwrapped(take(&mut of.items), |item| match item {
+                        ImplItem::Macro(ImplItemMacro { mac, .. }) => Ok(mac),
+                        item => Err(item),
+                    });
+                }
+            }
+        }
+    }
+    let code = prettyplease::unparse(&file);
+    for word in ["unsafe", "compile_error", "with_std"] {
+        assert!(!code.contains(word), "{word} in {code}");
+    }
+    code
+}
+
+/// Items with those of the macros among them in their place.
+fn unwrapped<I: Parse>(items: Vec<I>, as_macro: fn(I) -> Result<Macro, I>) -> Vec<I> {
+    let inside = |mac: Macro| {
+        let all = |input: ParseStream<'_>| {
+            let mut items = Vec::new();
+            while !input.is_empty() {
+                items.push(input.parse()?);
+            }
+            Ok(items)
+        };
+        mac.parse_body_with(all).expect("items")
+    };
+    let items = items
+        .into_iter()
+        .map(|item| as_macro(item).map_or_else(|item| vec![item], inside));
+    items.flatten().collect()
 }
 
 #[test]
 fn the_emitted_code_is_the_expected_one() {
     expect_file!["golden/double_pendulum.rs"].assert_eq(&emitted());
+}
+
+/// A file for each example that declares mechanisms, with the code of all of them.
+#[test]
+fn the_emitted_code_of_the_examples_is_the_expected_one() {
+    let own = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let (examples, golden) = (own.join("../examples"), own.join("it/golden/examples"));
+    let mut expected = Vec::new();
+    for path in sources(&examples) {
+        let source = fs::read_to_string(&path).expect("text");
+        let inside = source.split("\nmechanism! {\n").skip(1);
+        let declarations = inside.map(|text| text.split("\n}\n").next().expect("its end"));
+        let code: Vec<String> = declarations.map(code).collect();
+        if !code.is_empty() {
+            let place = golden.join(path.strip_prefix(&examples).expect("an example"));
+            expect_file![&place].assert_eq(&code.join("\n"));
+            expected.push(place);
+        }
+    }
+    assert!(expected.len() > 15, "{expected:#?}");
+    assert_eq!(sources(&golden), expected, "code of an example that is gone");
+}
+
+/// The Rust files below a folder, in order.
+fn sources(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder)
+        .expect("a folder")
+        .map(|entry| entry.expect("a file").path());
+    let (folders, mut files): (Vec<_>, Vec<_>) = entries.partition(|path| path.is_dir());
+    files.retain(|path| path.extension().is_some_and(|extension| extension == "rs"));
+    files.extend(folders.iter().flat_map(|folder| sources(folder)));
+    files.sort();
+    files
 }
 
 #[test]

@@ -1,4 +1,5 @@
 //! The generator and the numbers together: generated models against reference data, other derivations, and each other.
+#![forbid(unsafe_code)]
 
 mod canonical;
 mod closed_loops;
@@ -18,6 +19,7 @@ mod parameters;
 mod points;
 mod robots;
 mod sincos;
+mod step_limits;
 mod stiff;
 mod taylor;
 mod taylor_traps;

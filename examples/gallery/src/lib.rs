@@ -1,5 +1,6 @@
 //! Mechanisms of the paper (H. Williams, Forces in Mechanics 2023), of its references, and beyond: each declared in a few
 //! lines, checked against something independent, and drawn.
+#![forbid(unsafe_code)]
 
 use std::error::Error;
 use std::fmt;

@@ -5,7 +5,7 @@ use std::fmt;
 
 use crate::accuracy::Errors;
 use crate::error::{Reason, debug_as_display};
-use crate::solution::Statistics;
+use crate::statistics::Statistics;
 
 /// The measurements of all methods.
 #[derive(Clone, Debug)]

@@ -10,7 +10,7 @@ use crate::accuracy::timing::{Work, in_turns};
 use crate::accuracy::{Errors, Failure, Measured, MethodRuns, Problem, Report, Run};
 use crate::ensemble::{Ensemble, EnsembleError};
 use crate::method::Method;
-use crate::solution::Statistics;
+use crate::statistics::Statistics;
 use crate::system::System;
 
 /// A measurement of errors against time and evaluations: methods with lists of settings, on one [`Problem`].

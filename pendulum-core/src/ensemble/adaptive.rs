@@ -13,7 +13,7 @@ use crate::method::{
     Adaptive, Estimates, Failure, NonFinite, Scheme, StepControl, check_span, check_state, is_within_tolerance,
 };
 use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
-use crate::solution::Statistics;
+use crate::statistics::Statistics;
 use crate::system::Cast;
 
 impl<M, F, T, const N: usize> Ensemble<M, T, N> for Adaptive<F>

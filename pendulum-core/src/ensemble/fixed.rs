@@ -8,7 +8,7 @@ use crate::dense::Step;
 use crate::error::Reason;
 use crate::method::{Accepted, Fixed, Grid, Scheme, Stalled, check_span};
 use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
-use crate::solution::Statistics;
+use crate::statistics::Statistics;
 use crate::system::Cast;
 
 impl<M, F, T, const N: usize> Ensemble<M, T, N> for Fixed<F>

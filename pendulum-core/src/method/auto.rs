@@ -11,7 +11,7 @@ use crate::method::rosenbrock::RosenbrockStages;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::{Adaptive, Explicit, Rosenbrock};
 use crate::real::Float;
-use crate::solution::Statistics;
+use crate::statistics::Statistics;
 use crate::system::Jacobian;
 use crate::tableau::{self, Tsitouras5, Verner7, Verner9};
 

@@ -66,7 +66,7 @@ impl<T: Float, const STAGES: usize, const N: usize> Pencil<T, STAGES, N> {
         let right = mode
             .right
             .map(|r| Complex::new(T::from_f64(2.0 * r.re), T::from_f64(2.0 * r.im)));
-        let along = std::array::from_fn(|k| {
+        let along = core::array::from_fn(|k| {
             residuals.iter().zip(left).fold(Complex::default(), |sum, (r, l)| {
                 sum + Complex::new(l.re * r[k], l.im * r[k])
             })
@@ -75,7 +75,7 @@ impl<T: Float, const STAGES: usize, const N: usize> Pencil<T, STAGES, N> {
         let mut changes = right.map(|r| SVector::from_fn(|k, _| r.re * along[k].re - r.im * along[k].im));
         if let Some((mode, lu)) = &self.real {
             let left = mode.left.map(T::from_f64);
-            let along = std::array::from_fn(|k| {
+            let along = core::array::from_fn(|k| {
                 residuals
                     .iter()
                     .zip(left)
@@ -93,5 +93,5 @@ impl<T: Float, const STAGES: usize, const N: usize> Pencil<T, STAGES, N> {
 /// A matrix by its columns: `entry(j, i)` is that of column `j` and row `i`.
 #[inline]
 fn columns<F: Field, const N: usize>(entry: impl Fn(usize, usize) -> F) -> [[F; N]; N] {
-    std::array::from_fn(|j| std::array::from_fn(|i| entry(j, i)))
+    core::array::from_fn(|j| core::array::from_fn(|i| entry(j, i)))
 }

@@ -1,18 +1,20 @@
 //! Explicit Runge-Kutta methods, whatever their tableau.
 
-use std::marker::PhantomData;
+use core::marker::PhantomData;
 
 use nalgebra::SVector;
 
 use crate::control::{Estimates, Tolerance};
+use crate::cost::Operations;
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::linear::square;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::stages::{SHORT, shifted, weighted_sum};
+use crate::method::{Adaptive, Fixed};
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
-use crate::solution::Statistics;
+use crate::statistics::Statistics;
 use crate::system::System;
 use crate::tableau::{Tableau, difference};
 
@@ -26,6 +28,76 @@ impl<B, const STAGES: usize> Explicit<B, STAGES> {
     pub const fn new() -> Self {
         Self(PhantomData)
     }
+}
+
+impl<B: Tableau<STAGES>, const STAGES: usize> Fixed<Explicit<B, STAGES>> {
+    /// The operations that one step takes at most, in a system of `n` state components whose right-hand side takes `rhs`.
+    ///
+    /// Comparisons and moves of numbers come on top. The choice of the time of a step is included, dense output is not.
+    ///
+    /// ```
+    /// use pendulum_core::prelude::*;
+    ///
+    /// # mechanism! {
+    /// #     pub Swing {
+    /// #         gravity: [0, -9.81, 0],
+    /// #         body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle }
+    /// #     }
+    /// # }
+    /// let step = Rk4::operations(Swing::COST["rhs"].operations, 2 * Swing::DOF);
+    /// assert_eq!((step.sincos, step.flops()), (4, 56));
+    /// ```
+    #[must_use]
+    pub const fn operations(rhs: Operations, n: usize) -> Operations {
+        // That of `Grid::next` is all there is beside the stages.
+        stages::<B, STAGES>(rhs, n).and(Operations::new(2, 5, 0, 0, 2, 8))
+    }
+}
+
+impl<B: Tableau<STAGES>, const STAGES: usize> Adaptive<Explicit<B, STAGES>> {
+    /// The operations that one try of a step takes at most, in a system of `n` state components whose right-hand side
+    /// takes `rhs`. An error above the tolerance takes another try.
+    ///
+    /// Comparisons and moves of numbers come on top. The error and the choice of the next step are included, dense
+    /// output and the choice of the first step, which takes two evaluations, are not.
+    #[must_use]
+    pub const fn operations(rhs: Operations, n: usize) -> Operations {
+        let weights = nonzero(&B::TABLEAU.error_weights(), STAGES);
+        // `Tolerance::mean_square`, then `StepControl` and `PiController`
+        let error = Operations::new(3 * n + 1, 2 * n + 2, n, 0, 2 * n + 1, 4 * n + 16);
+        let control = Operations::new(20, 24, 1, 0, 4, 60);
+        stages::<B, STAGES>(rhs, n).and(sum(weights, n)).and(error).and(control)
+    }
+}
+
+/// The operations of the stages of a step, the last one included.
+const fn stages<B: Tableau<STAGES>, const STAGES: usize>(rhs: Operations, n: usize) -> Operations {
+    // The length of the step, and that of the step taken.
+    let mut operations = Operations::new(2, 0, 0, 0, 0, 2);
+    let mut stage = 1;
+    while stage < STAGES {
+        let shift = Operations::new(n, 0, 0, 0, 0, 1);
+        let time = Operations::new(1, 1, 0, 0, 0, 0);
+        let weights = nonzero(&B::TABLEAU.a[stage], stage);
+        operations = operations.and(sum(weights, n)).and(shift).and(time).and(rhs);
+        stage += 1;
+    }
+    operations
+}
+
+/// The operations of [`weighted_sum`].
+const fn sum(weights: usize, n: usize) -> Operations {
+    Operations::new(weights.saturating_sub(1) * n, weights * (n + 1), 0, 0, 0, weights + 2)
+}
+
+/// How many of the first `count` weights are not zero.
+const fn nonzero(weights: &[f64], count: usize) -> usize {
+    let (mut i, mut nonzero) = (0, 0);
+    while i < count {
+        nonzero += (weights[i] != 0.0) as usize;
+        i += 1;
+    }
+    nonzero
 }
 
 impl<B, S, T, const STAGES: usize, const N: usize> OneStep<S, T, N> for Explicit<B, STAGES>

@@ -11,7 +11,7 @@ use crate::method::collocation::Pencil;
 use crate::method::hermite;
 use crate::method::scheme::{Accepted, NonFinite, OneStep, Scheme, Stalled};
 use crate::real::Float;
-use crate::solution::Statistics;
+use crate::statistics::Statistics;
 use crate::system::Canonical;
 use crate::tableau::{GaussLegendre, GaussTableau, HasTableau};
 

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 
 use crate::dense::{Step, polynomial};
 use crate::real::Float;
-use crate::solution::Statistics;
+use crate::statistics::Statistics;
 use crate::system::System;
 
 /// The coefficients from the first power on of the cubic with the states and slopes of both ends: of order 3.

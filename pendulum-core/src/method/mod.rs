@@ -12,21 +12,31 @@ mod input;
 mod radau;
 mod rosenbrock;
 mod scheme;
+#[cfg(feature = "std")]
 mod search;
+#[cfg(feature = "std")]
 mod side;
 mod stages;
 mod step_control;
 mod stepper;
 mod tangent;
 mod taylor;
+#[cfg(feature = "std")]
 mod watch;
+#[cfg(feature = "std")]
 mod zero;
 
-use crate::error::{Reason, SolveError};
+use crate::error::Reason;
+#[cfg(feature = "std")]
+use crate::error::SolveError;
+#[cfg(feature = "std")]
 use crate::event::Event;
 use crate::real::Float;
+#[cfg(feature = "std")]
 use crate::solution::Solution;
-use crate::system::{IntoState, System};
+use crate::system::IntoState;
+#[cfg(feature = "std")]
+use crate::system::System;
 use crate::tableau::{self, DormandPrince5, Kutta4, Tsitouras5, Verner7, Verner9};
 
 pub(crate) use grid::Grid;
@@ -35,6 +45,7 @@ pub(crate) use scheme::{Failure, NonFinite};
 pub(crate) use stages::SHORT;
 pub(crate) use step_control::{Pace, StepControl, is_within_tolerance};
 pub(crate) use tangent::Tangent;
+#[cfg(feature = "std")]
 pub(crate) use watch::follow;
 
 pub use crate::control::{Estimates, Tolerance};
@@ -75,6 +86,7 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
     /// # Errors
     /// Those of [`stepper`](Self::stepper) and of [`Stepper::step`]. The error holds the solution up to the last good
     /// state.
+    #[cfg(feature = "std")]
     fn solve(&self, system: &S, t0: T, t1: T, x0: impl IntoState<T, N>) -> Result<Solution<T, N>, SolveError<T, N>>
     where
         S: System<T, N>,
@@ -89,6 +101,7 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
     ///
     /// # Errors
     /// Those of [`solve`](Self::solve), [`Reason::EventNotFinite`], and [`Reason::EventsAccumulate`].
+    #[cfg(feature = "std")]
     fn solve_with(
         &self,
         system: &S,

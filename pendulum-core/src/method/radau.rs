@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::control::{Estimates, Tolerance};
+use crate::control::{Estimates, Tolerance, exp2, log2};
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::linear::Singular;
@@ -10,7 +10,7 @@ use crate::method::collocation::Pencil;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::stages::SHORT;
 use crate::real::Float;
-use crate::solution::Statistics;
+use crate::statistics::Statistics;
 use crate::system::{Jacobian, System};
 use crate::tableau::radau_iia5::{A, C, MODES, MU, POWERS, STAGES};
 
@@ -120,16 +120,16 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
         // IV.8.
         let rounding = T::from_f64(10.0) * T::EPSILON / tolerance.rtol;
         let kappa = tolerance.rtol.sqrt().min(T::from_f64(0.03)).max(rounding);
-        let mut eta = self.eta.max(T::EPSILON).powf(T::from_f64(0.8));
+        let mut eta = T::from_f64(exp2(0.8 * log2(self.eta.max(T::EPSILON).to_f64())));
         let mut last = T::default();
         for iteration in 1..=most {
             work.iterations += 1;
             work.evaluations += STAGES;
-            let slopes: [SVector<T, N>; STAGES] = std::array::from_fn(|i| {
+            let slopes: [SVector<T, N>; STAGES] = core::array::from_fn(|i| {
                 let time = if C[i] == 1.0 { t_new } else { t + h * T::from_f64(C[i]) };
                 system.rhs(time, &(x + self.rises[i]))
             });
-            let residuals = std::array::from_fn(|i| {
+            let residuals = core::array::from_fn(|i| {
                 let row = A[i].map(|a| h * T::from_f64(a));
                 self.rises[i] - (slopes[0] * row[0] + slopes[1] * row[1] + slopes[2] * row[2])
             });
@@ -258,7 +258,7 @@ where
     #[inline]
     fn accept(&mut self, _system: &S, step: &Step<T, N>, _lanes: Accepted<T>, _work: &mut Statistics) {
         self.start = self.end;
-        self.coefficients = std::array::from_fn(|power| combined(&POWERS[power], &self.rises));
+        self.coefficients = core::array::from_fn(|power| combined(&POWERS[power], &self.rises));
         (self.h, self.is_doubtful) = (step.h, false);
     }
 

@@ -1,6 +1,6 @@
 //! Rosenbrock methods: implicit ones that solve linear equations only, whatever their tableau.
 
-use std::marker::PhantomData;
+use core::marker::PhantomData;
 
 use nalgebra::{SMatrix, SVector};
 
@@ -11,7 +11,7 @@ use crate::linear::{Lu, Singular};
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::stages::{SHORT, shifted, weighted_sum};
 use crate::real::Float;
-use crate::solution::Statistics;
+use crate::statistics::Statistics;
 use crate::system::{Jacobian, System};
 use crate::tableau::{RosenbrockMethod, RosenbrockTableau, difference};
 

@@ -8,7 +8,7 @@ use crate::dense::Step;
 use crate::error::Reason;
 use crate::real::Float;
 use crate::real::lanes::Lanes;
-use crate::solution::Statistics;
+use crate::statistics::Statistics;
 
 /// A kind of one-step method, which [`Fixed`](crate::method::Fixed) and [`Adaptive`](crate::method::Adaptive) give the
 /// lengths of its steps.

@@ -210,7 +210,7 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
 /// The places of a step; more where the integration starts.
 fn places<T: Float>(starts: bool) -> impl Iterator<Item = T> {
     let mut decade = FIRST_PLACE;
-    let decades = std::iter::from_fn(move || {
+    let decades = core::iter::from_fn(move || {
         let place = decade;
         decade *= 10.0;
         (starts && place < PLACES[0]).then_some(place)

@@ -1,6 +1,6 @@
 //! The engine of all methods: stepping without a record, and without a heap.
 
-use std::fmt;
+use core::fmt;
 
 use nalgebra::SVector;
 
@@ -11,7 +11,7 @@ use crate::method::input::{check_state, require};
 use crate::method::scheme::{Accepted, Failure, NonFinite, Scheme, Stalled};
 use crate::method::step_control::{Pace, StepControl, is_within_tolerance};
 use crate::real::Float;
-use crate::solution::Statistics;
+use crate::statistics::Statistics;
 use crate::system::System;
 
 /// An integration in progress, one accepted step at a time, without a heap.

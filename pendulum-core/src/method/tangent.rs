@@ -10,7 +10,7 @@ use crate::method::explicit::{Explicit, ExplicitStages};
 use crate::method::scheme::{Accepted, NonFinite, OneStep, Scheme, Stalled};
 use crate::method::stages::{shifted, weighted_sum};
 use crate::real::Float;
-use crate::solution::Statistics;
+use crate::statistics::Statistics;
 use crate::system::Jacobian;
 use crate::tableau::Tableau;
 

@@ -9,7 +9,7 @@ use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::{Adaptive, require};
 use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
 use crate::real::{Float, Real};
-use crate::solution::Statistics;
+use crate::statistics::Statistics;
 use crate::taylor::{MAX_ORDER, TaylorSeries};
 
 /// The Taylor method of an order that follows from the tolerance; see [`Adaptive`] for its settings.
@@ -102,7 +102,7 @@ impl Estimates for PowerSeries {}
 /// more are better.
 fn order_for<T: Float>(tolerance: &Tolerance<T>) -> usize {
     let error = tolerance.rtol.max(tolerance.atol).to_f64().min(1.0);
-    let order = (-0.5 * error.ln() + 5.0).ceil() as usize;
+    let order = libm::ceil(-0.5 * libm::log(error) + 5.0) as usize;
     order.clamp(TERMS, MAX_ORDER)
 }
 
@@ -139,7 +139,7 @@ fn length<T: Float>(order: usize, bits: f64, sizes: [T; TERMS]) -> T {
 /// The last terms of a series, the last one first.
 #[inline(always)]
 fn last_terms<R, const N: usize>(x: &[SVector<R, N>]) -> [&SVector<R, N>; TERMS] {
-    std::array::from_fn(|n| &x[x.len() - 1 - n])
+    core::array::from_fn(|n| &x[x.len() - 1 - n])
 }
 
 /// The error of a step of length `h` along the series `x`, from the derivative where it arrives: that of the series

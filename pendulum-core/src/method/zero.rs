@@ -100,7 +100,7 @@ mod tests {
 
     #[test]
     fn a_root_is_found_to_the_last_bit_and_from_behind() {
-        let count = std::cell::Cell::new(0);
+        let count = core::cell::Cell::new(0);
         let f = |x: f64| {
             count.set(count.get() + 1);
             x.cos() - x

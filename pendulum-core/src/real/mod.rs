@@ -9,15 +9,19 @@ pub mod lanes;
 mod scalar;
 mod sincos;
 
-use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
+use core::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
 /// The number type of generated code: `f64`, `f32` or [lanes](lanes::Lanes) of these.
 ///
 /// It has no comparisons, since a vector of lanes has no single answer to `a < b`. `Default` is zero.
 ///
 /// The methods are named after the inherent ones of `f64`, which take precedence where both apply. Results agree except
-/// for [`signum`](Real::signum), which is 0 at 0, and for the last bit of [`sin_cos`](Real::sin_cos), which is the same
-/// on every machine.
+/// for [`signum`](Real::signum), which is 0 at 0, and for the last bits of the other functions but `sqrt` and `abs`.
+///
+/// For `f64` and `f32`, and lanes of these, all results have the same bits on every machine, in every build:
+/// [`sin_cos`](Real::sin_cos) is our own, `tan`, `exp`, `ln`, `tanh`, `atan2` and `powf` are those of the crate
+/// [libm](https://docs.rs/libm) in place of the platform's, and IEEE 754 defines the rest. The inherent methods of `f64`
+/// promise no such thing.
 pub trait Real:
     nalgebra::Scalar
     + Copy

@@ -3,19 +3,21 @@
 use super::lanes::{Lanes, Pack, Pair, Register, Two32, Two64};
 use super::{Float, Real, sincos};
 
+/// A method, by a function.
 macro_rules! forward {
-    ($float:ident, $($method:ident($($argument:ident: $kind:ty),*) -> $output:ty;)*) => {
-        $(
-            #[inline]
-            fn $method(self, $($argument: $kind),*) -> $output {
-                $float::$method(self, $($argument),*)
-            }
-        )*
+    ($function:path, $method:ident($($argument:ident: $kind:ty),*) -> $output:ty) => {
+        #[inline]
+        fn $method(self, $($argument: $kind),*) -> $output {
+            $function(self, $($argument),*)
+        }
     };
 }
 
 macro_rules! scalar {
-    ($float:ident, two in $two:ty) => {
+    (
+        $float:ident, two in $two:ty,
+        by libm $tan:ident $exp:ident $ln:ident $tanh:ident $atan2:ident $powf:ident $sqrt:ident
+    ) => {
         impl Real for $float {
             #[inline]
             #[allow(
@@ -48,16 +50,21 @@ macro_rules! scalar {
                 }
             }
 
-            forward! { $float,
-                tan() -> Self;
-                exp() -> Self;
-                ln() -> Self;
-                sqrt() -> Self;
-                tanh() -> Self;
-                abs() -> Self;
-                atan2(x: Self) -> Self;
-                powf(exponent: Self) -> Self;
-            }
+            // An instruction, where there is one; the bits are the same, since roots are rounded correctly.
+            #[cfg(feature = "std")]
+            forward!($float::sqrt, sqrt() -> Self);
+            #[cfg(not(feature = "std"))]
+            forward!(libm::$sqrt, sqrt() -> Self);
+
+            // Not the functions of the platform, whose last bits differ from one to the other.
+            forward!(libm::$tan, tan() -> Self);
+            forward!(libm::$exp, exp() -> Self);
+            forward!(libm::$ln, ln() -> Self);
+            forward!(libm::$tanh, tanh() -> Self);
+            forward!(libm::$atan2, atan2(x: Self) -> Self);
+            forward!(libm::$powf, powf(exponent: Self) -> Self);
+
+            forward!($float::abs, abs() -> Self);
         }
 
         /// One lane.
@@ -101,17 +108,15 @@ macro_rules! scalar {
                 f64::from(self)
             }
 
-            forward! { $float,
-                is_finite() -> bool;
-                max(other: Self) -> Self;
-                min(other: Self) -> Self;
-            }
+            forward!($float::is_finite, is_finite() -> bool);
+            forward!($float::max, max(other: Self) -> Self);
+            forward!($float::min, min(other: Self) -> Self);
         }
     };
 }
 
-scalar!(f64, two in Two64);
-scalar!(f32, two in Two32);
+scalar!(f64, two in Two64, by libm tan exp log tanh atan2 pow sqrt);
+scalar!(f32, two in Two32, by libm tanf expf logf tanhf atan2f powf sqrtf);
 
 #[cfg(test)]
 mod tests {

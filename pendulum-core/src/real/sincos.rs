@@ -103,7 +103,7 @@ pub(crate) fn sin_cos_pair<R: Register>(angles: [R::Scalar; 2]) -> [(R::Scalar, 
 #[inline(always)]
 fn near<R: Register>(x: R) -> (R, R) {
     let shift = R::splat(R::Scalar::SHIFT);
-    let shifted = x * constant::<R>(std::f64::consts::FRAC_2_PI) + shift;
+    let shifted = x * constant::<R>(core::f64::consts::FRAC_2_PI) + shift;
     let n = shifted - shift;
     let (first, [low, last]) = R::Scalar::HALF_PI;
     let mut near = x;

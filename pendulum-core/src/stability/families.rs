@@ -64,7 +64,7 @@ where
         let (rhs, jacobian) = (self.family.member)(parameter)?.rhs_and_jacobian(0.0, &x);
         let slope = self
             .family
-            .slope(parameter, f64::EPSILON.cbrt(), |_, system| Ok(system.rhs(0.0, &x)))?;
+            .slope(parameter, libm::cbrt(f64::EPSILON), |_, system| Ok(system.rhs(0.0, &x)))?;
         Ok(Linear {
             residual: DVector::from_column_slice(rhs.as_slice()),
             derivative: DMatrix::from_fn(N, N + 1, |i, j| if j < N { jacobian[(i, j)] } else { slope[i] }),
@@ -148,7 +148,7 @@ where
         let lap = Lap::run(&system, (x, period), self.tolerance, &self.angles)?;
         let slope = self
             .family
-            .slope(parameter, self.tolerance.cbrt(), |parameter, system| {
+            .slope(parameter, libm::cbrt(self.tolerance), |parameter, system| {
                 let period = self.period(u, parameter);
                 check_period(period)?;
                 Ok(after(system, (x, period), self.tolerance)?)

@@ -60,7 +60,7 @@ impl<const K: usize, const N: usize> Exponents<K, N> {
     #[must_use]
     pub fn horizon(&self, from: f64, to: f64) -> f64 {
         if self.values[0] > 0.0 {
-            (to / from).ln() / self.values[0]
+            libm::log(to / from) / self.values[0]
         } else {
             f64::INFINITY
         }
@@ -148,7 +148,7 @@ impl Lyapunov {
             let part = part.min(PARTS - 1);
             seconds[part] += step.h;
             for (sum, growth) in parts[part].iter_mut().zip(growth) {
-                *sum += growth.ln();
+                *sum += libm::log(growth);
             }
         }
         let [mut values, mut uncertainty] = [[0.0; K]; 2];
@@ -157,7 +157,10 @@ impl Lyapunov {
             values[k] = parts.iter().map(|part| part[k]).sum::<f64>() / total;
             // Parts that a single step passed over have no share in it.
             let rates = parts.iter().zip(seconds).filter(|&(_, seconds)| seconds > 0.0);
-            let apart = rates.map(|(part, seconds)| (part[k] / seconds - values[k]).powi(2) * seconds / total);
+            let apart = rates.map(|(part, seconds)| {
+                let apart = part[k] / seconds - values[k];
+                apart * apart * seconds / total
+            });
             uncertainty[k] = (apart.sum::<f64>() / (PARTS - 1) as f64).sqrt();
         }
         Ok(Exponents {
@@ -190,7 +193,7 @@ impl Lyapunov {
 /// that grow.
 fn oblique<const K: usize, const N: usize>() -> [SVector<f64, N>; K] {
     let mut vectors =
-        std::array::from_fn(|k| SVector::from_fn(|i, _| (1.0 + ((i + 1) * (i + 2 * k + 3)) as f64).sin()));
+        std::array::from_fn(|k| SVector::from_fn(|i, _| libm::sin(1.0 + ((i + 1) * (i + 2 * k + 3)) as f64)));
     orthonormalize(&mut vectors);
     vectors
 }

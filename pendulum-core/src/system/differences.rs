@@ -81,7 +81,7 @@ pub(crate) fn by_state<T: Float, const N: usize, const M: usize>(
 
 /// The derivative of `f` at the number `at`.
 pub(crate) fn by_number<T: Float, const M: usize>(at: T, f: impl Fn(T) -> SVector<T, M>) -> SVector<T, M> {
-    let reach = T::from_f64(T::EPSILON.to_f64().cbrt()) * at.abs().max(T::from_f64(1.0));
+    let reach = T::from_f64(libm::cbrt(T::EPSILON.to_f64())) * at.abs().max(T::from_f64(1.0));
     let (before, after) = (at - reach, at + reach);
     (f(after) - f(before)) / (after - before)
 }

@@ -1,6 +1,6 @@
 //! Functions as systems.
 
-use std::fmt;
+use core::fmt;
 
 use nalgebra::{SMatrix, SVector};
 

@@ -1,4 +1,6 @@
 //! Methods and stability on systems written by hand.
+#![forbid(unsafe_code)]
+#![allow(clippy::disallowed_methods, reason = "references may be those of the platform")]
 
 mod auto;
 mod continuation;

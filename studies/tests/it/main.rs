@@ -1,4 +1,5 @@
 //! What the studies show: accuracy, failures, stability, and the slips of the paper.
+#![forbid(unsafe_code)]
 
 mod accuracy;
 mod bifurcations;

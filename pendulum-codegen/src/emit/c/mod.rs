@@ -23,7 +23,8 @@ pub struct Sources {
 
 /// Prints a program as C99.
 ///
-/// The results are those of the Rust code, bit for bit, where no function of the platform is called.
+/// The results are those of the Rust code, bit for bit, where no function of the platform is called but `sqrt` and
+/// `fabs`. The last bits of the others differ from platform to platform; those of the Rust code do not.
 pub fn c(program: &Program) -> Sources {
     let scene = Scene {
         program,

@@ -21,12 +21,14 @@ impl Items<'_> {
         });
         let block = self.block(&drawing.block, |values| quote!([#(#values),*]));
         Some(quote! {
-            #allowed
-            impl #core::Shapes<#length> for #name {
-                fn shapes(&self, t: f64, x: &::pendulum_core::nalgebra::SVector<f64, #length>) -> ::std::vec::Vec<#core::Shape> {
-                    use ::pendulum_core::real::Real as _;
-                    type T = f64;
-                    #core::placed(&[#(#outlines),*], &#block)
+            ::pendulum_core::with_std! {
+                #allowed
+                impl #core::Shapes<#length> for #name {
+                    fn shapes(&self, t: f64, x: &::pendulum_core::nalgebra::SVector<f64, #length>) -> #core::Vec<#core::Shape> {
+                        use ::pendulum_core::real::Real as _;
+                        type T = f64;
+                        #core::placed(&[#(#outlines),*], &#block)
+                    }
                 }
             }
         })

@@ -212,16 +212,18 @@ impl Items<'_> {
             format!("Event `{event}`: each zero of the function [`{event}`](Self::{event}), in both directions.")
         });
         Some(quote! {
-            #(
-                #[doc = #docs]
-                pub fn #names(&self) -> ::pendulum_core::Event<'_, T, #length> {
-                    ::pendulum_core::Event::new(|t, x| self.#values(t, x))
-                }
-            )*
+            ::pendulum_core::with_std! {
+                #(
+                    #[doc = #docs]
+                    pub fn #names(&self) -> ::pendulum_core::Event<'_, T, #length> {
+                        ::pendulum_core::Event::new(|t, x| self.#values(t, x))
+                    }
+                )*
 
-            /// All events, in the order of `EVENTS`.
-            pub fn events(&self) -> [::pendulum_core::Event<'_, T, #length>; #count] {
-                [#(self.#names()),*]
+                /// All events, in the order of `EVENTS`.
+                pub fn events(&self) -> [::pendulum_core::Event<'_, T, #length>; #count] {
+                    [#(self.#names()),*]
+                }
             }
         })
     }

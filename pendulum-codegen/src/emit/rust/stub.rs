@@ -202,10 +202,16 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
                 models(0).cast()
             }
         }
-        #allowed
-        impl<const N: usize> ::pendulum_core::shapes::Shapes<N> for #name {
-            fn shapes(&self, _: f64, _: &::pendulum_core::nalgebra::SVector<f64, N>) -> ::std::vec::Vec<::pendulum_core::shapes::Shape> {
-                ::core::default::Default::default()
+        ::pendulum_core::with_std! {
+            #allowed
+            impl<const N: usize> ::pendulum_core::shapes::Shapes<N> for #name {
+                fn shapes(
+                    &self,
+                    _: f64,
+                    _: &::pendulum_core::nalgebra::SVector<f64, N>,
+                ) -> ::pendulum_core::shapes::Vec<::pendulum_core::shapes::Shape> {
+                    ::core::default::Default::default()
+                }
             }
         }
         #allowed

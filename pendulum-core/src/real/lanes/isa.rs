@@ -1,9 +1,24 @@
 //! Instruction sets: which ones the machine has, and how to run code on their registers.
 
-use std::fmt;
+use core::fmt;
 
 use super::{Lanes, Pack};
 use crate::real::Float;
+
+/// Whether the machine has a feature. Without `std` the compiler knows, not the machine.
+#[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+macro_rules! has {
+    ($feature:tt) => {{
+        #[cfg(feature = "std")]
+        let has = is_x86_feature_detected!($feature);
+        #[cfg(not(feature = "std"))]
+        let has = cfg!(target_feature = $feature);
+        has
+    }};
+}
+
+#[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+pub(super) use has;
 
 /// Code that runs on any number of lanes of `T`.
 pub trait Kernel<T> {
@@ -22,21 +37,21 @@ pub struct Isa(Set);
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Set {
     Portable,
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
     Avx2,
-    #[cfg(target_arch = "x86_64")]
+    #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
     Avx512,
 }
 
 impl Isa {
     /// The instruction sets of this machine, the widest registers first. The last one has a single lane and exists on
-    /// every machine.
+    /// every machine. Without the feature `std`, those that the program is compiled for.
     pub fn available() -> impl Iterator<Item = Self> {
         [
-            #[cfg(target_arch = "x86_64")]
-            is_x86_feature_detected!("avx512f").then_some(Self(Set::Avx512)),
-            #[cfg(target_arch = "x86_64")]
-            is_x86_feature_detected!("avx2").then_some(Self(Set::Avx2)),
+            #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+            has!("avx512f").then_some(Self(Set::Avx512)),
+            #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+            has!("avx2").then_some(Self(Set::Avx2)),
             Some(Self(Set::Portable)),
         ]
         .into_iter()
@@ -52,8 +67,8 @@ impl Isa {
     /// An instruction set for scalar code with loops that compilers vectorise: they are short, so the widest registers
     /// gain nothing.
     pub(crate) fn for_scalars() -> Self {
-        #[cfg(target_arch = "x86_64")]
-        if is_x86_feature_detected!("avx2") {
+        #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
+        if has!("avx2") {
             return Self(Set::Avx2);
         }
         Self(Set::Portable)
@@ -86,9 +101,9 @@ macro_rules! lane {
             fn run<K: Kernel<Self>>(isa: Isa, kernel: K) -> K::Output {
                 match isa.0 {
                     Set::Portable => kernel.run::<Pack<Self>>(),
-                    #[cfg(target_arch = "x86_64")]
+                    #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
                     Set::Avx2 => super::x86::avx2::<K, Pack<super::x86::$avx2>>(kernel),
-                    #[cfg(target_arch = "x86_64")]
+                    #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
                     Set::Avx512 => super::x86::avx512::<K, Pack<super::x86::$avx512>>(kernel),
                 }
             }

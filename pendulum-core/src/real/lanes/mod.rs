@@ -35,19 +35,19 @@
 mod isa;
 mod pack;
 mod register;
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 mod x86;
 
 pub use isa::{Isa, Kernel, LaneElement};
 pub(super) use register::{Pair, Register};
-#[cfg(target_arch = "x86_64")]
+#[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
 pub(super) use x86::{Xmm32 as Two32, Xmm64 as Two64};
 
 /// Two numbers or more in the vector register that every machine has.
-#[cfg(not(target_arch = "x86_64"))]
+#[cfg(not(all(target_arch = "x86_64", target_feature = "sse2")))]
 pub(super) type Two32 = Pair<f32>;
 /// Two numbers or more in the vector register that every machine has.
-#[cfg(not(target_arch = "x86_64"))]
+#[cfg(not(all(target_arch = "x86_64", target_feature = "sse2")))]
 pub(super) type Two64 = Pair<f64>;
 
 pub use pack::{F32x8, F32x16, F64x4, F64x8, Pack};

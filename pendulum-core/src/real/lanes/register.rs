@@ -1,6 +1,6 @@
 //! Registers: what lanes are stored in. Scalars, vector registers of the machine, and pairs of these.
 
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use crate::real::Real;
 use crate::real::sincos::Precision;

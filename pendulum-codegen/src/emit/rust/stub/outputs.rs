@@ -55,8 +55,10 @@ pub(super) fn functions(items: &Items, inputs: &Ident) -> TokenStream {
         let [value, event] = names.map(|name| format_ident!("{name}"));
         functions.extend(quote! {
             pub fn #value<const N: usize>(#state) -> T { #zero }
-            pub fn #event<const N: usize>(&self) -> ::pendulum_core::Event<'_, T, N> {
-                ::pendulum_core::Event::new(|_, _| #zero)
+            ::pendulum_core::with_std! {
+                pub fn #event<const N: usize>(&self) -> ::pendulum_core::Event<'_, T, N> {
+                    ::pendulum_core::Event::new(|_, _| #zero)
+                }
             }
         });
     }
@@ -68,8 +70,10 @@ pub(super) fn functions(items: &Items, inputs: &Ident) -> TokenStream {
         pub fn outputs_and_jacobian<const N: usize>(#state) -> (#matrix<T, #all, 1>, #matrix<T, #all, N>) {
             (#matrix::from_element(#zero), #matrix::from_element(#zero))
         }
-        pub fn events<const N: usize>(&self) -> [::pendulum_core::Event<'_, T, N>; #events] {
-            ::core::array::from_fn(|_| ::pendulum_core::Event::new(|_, _| #zero))
+        ::pendulum_core::with_std! {
+            pub fn events<const N: usize>(&self) -> [::pendulum_core::Event<'_, T, N>; #events] {
+                ::core::array::from_fn(|_| ::pendulum_core::Event::new(|_, _| #zero))
+            }
         }
     });
     functions

@@ -1,5 +1,6 @@
 //! Entry points to code that is compiled for an instruction set.
 
+use super::super::isa::has;
 use super::super::{Kernel, Lanes};
 
 macro_rules! enter {
@@ -10,7 +11,7 @@ macro_rules! enter {
             fn inside<K: Kernel<V::Scalar>, V: Lanes>(kernel: K) -> K::Output {
                 kernel.run::<V>()
             }
-            assert!(is_x86_feature_detected!($feature));
+            assert!(has!($feature));
             // SAFETY: the line above checks that the machine has the feature.
             unsafe { inside::<K, V>(kernel) }
         }

@@ -1,11 +1,10 @@
 //! The vector registers as types, one table row each.
 //!
-//! Values of `ymm` and `zmm` types are only created inside kernels, which [`enter`](super::enter) runs after checking
-//! that the machine has the instructions; code outside cannot name the types. Every x86-64 machine has `xmm` registers.
+//! Why their unsafe blocks are sound is said in [`x86`](super).
 
-use std::arch::x86_64::*;
-use std::mem::transmute;
-use std::ops::{Add, Div, Mul, Neg, Sub};
+use core::arch::x86_64::*;
+use core::mem::transmute;
+use core::ops::{Add, Div, Mul, Neg, Sub};
 
 use super::super::register::Register;
 
@@ -64,7 +63,7 @@ macro_rules! register {
 
             #[inline(always)]
             fn splat(v: $scalar) -> Self {
-                // SAFETY: only kernels create values of the type, and they only run on machines with the instruction.
+                // SAFETY: code that can name the type runs on machines with the instruction only.
                 unsafe { Self($splat(v)) }
             }
 

@@ -1,0 +1,24 @@
+//! Counted work.
+
+/// How much work an integration was.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize), serde(default))]
+#[non_exhaustive]
+pub struct Statistics {
+    /// Evaluations of the right-hand side, those for the first step size included.
+    pub evaluations: usize,
+    /// Steps that were accepted.
+    pub accepted: usize,
+    /// Steps that were tried and rejected.
+    pub rejected: usize,
+    /// Evaluations of the Jacobian, by implicit methods.
+    pub jacobians: usize,
+    /// Matrices that implicit methods factored, real and complex.
+    pub factorizations: usize,
+    /// Iterations in which implicit methods solved for their stages.
+    pub iterations: usize,
+    /// Accepted steps that [`Auto`](crate::Auto) left to its implicit method.
+    pub stiff: usize,
+    /// How often [`Auto`](crate::Auto) changed between its methods.
+    pub switches: usize,
+}

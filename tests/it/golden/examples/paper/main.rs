@@ -1,0 +1,597 @@
+#[allow(non_snake_case)]
+mod __DoublePendulum {
+    ///Parameters of [`DoublePendulum`].
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct DoublePendulumParams {
+        /// Mass of each plate.
+        ///In kg.
+        pub m: f64,
+        /// Rotational inertia of each plate about its centre of mass.
+        ///In kg m^2.
+        pub inertia: f64,
+        /// Distance from a plate's axle to its centre of mass.
+        ///In m.
+        pub c: f64,
+        /// Distance between the two axles.
+        ///In m.
+        pub d: f64,
+        /// Acceleration of gravity.
+        ///In m/s^2.
+        pub g: f64,
+        /// Friction of the upper axle.
+        ///In N m s.
+        pub gamma1: f64,
+        /// Friction of the lower axle.
+        ///In N m s.
+        pub gamma2: f64,
+    }
+    impl ::core::default::Default for DoublePendulumParams {
+        #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+        fn default() -> Self {
+            Self {
+                m: 1f64,
+                inertia: 1f64,
+                c: 1f64,
+                d: 1f64,
+                g: 9.8f64,
+                gamma1: 0.1f64,
+                gamma2: 0.1f64,
+            }
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl DoublePendulumParams {
+        /// The names of the parameters, in the order of their declaration.
+        pub const NAMES: [&'static str; 7] = [
+            "m",
+            "inertia",
+            "c",
+            "d",
+            "g",
+            "gamma1",
+            "gamma2",
+        ];
+        /// The values of the parameters, in the order of [`NAMES`](Self::NAMES).
+        pub const fn to_array(self) -> [f64; 7] {
+            [self.m, self.inertia, self.c, self.d, self.g, self.gamma1, self.gamma2]
+        }
+        /// The parameters with these values, in the order of [`NAMES`](Self::NAMES).
+        pub const fn from_array(values: [f64; 7]) -> Self {
+            let [v0, v1, v2, v3, v4, v5, v6] = values;
+            Self {
+                m: v0,
+                inertia: v1,
+                c: v2,
+                d: v3,
+                g: v4,
+                gamma1: v5,
+                gamma2: v6,
+            }
+        }
+    }
+    /// Two identical plates on axles with friction: Williams (2023), Eq. 22.
+    ///
+    /**# Equations of motion
+
+```text
+A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints
+
+A[theta1, theta1] = inertia + m*c^2 + m*d^2
+A[theta1, theta2] = m*c*d*cos(theta1 - theta2)
+A[theta2, theta2] = inertia + m*c^2
+b[theta1] = m*c*d*dot(theta2)^2*sin(theta1 - theta2) + (m*c*g + m*d*g)*sin(theta1)
+b[theta2] = m*c*g*sin(theta2) - m*c*d*dot(theta1)^2*sin(theta1 - theta2)
+Q[theta1] = gamma2*dot(theta2) - (gamma1 + gamma2)*dot(theta1)
+Q[theta2] = gamma2*dot(theta1) - gamma2*dot(theta2)
+```
+
+# Constants, computed by `new`
+
+```text
+k0 = gamma2
+k1 = inertia + m*c^2
+k2 = inertia + m*c^2 + m*d^2
+k3 = m*c*d
+k4 = m*c*g
+k5 = m*c*g + m*d*g
+k6 = gamma1 + gamma2
+k7 = 2*m*inertia*c^2 + m*inertia*d^2 + m^2*c^4 + inertia^2
+k8 = 0.5*(inertia + m*c^2 + m*d^2)
+k9 = 0.5*(inertia + m*c^2)
+k10 = -1/(inertia + m*c^2)
+k11 = -m*c*d/(inertia + m*c^2)
+```
+*/
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct DoublePendulum<T = f64> {
+        params: DoublePendulumParams,
+        constants: [T; 12],
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl DoublePendulum {
+        /// Builds the model: checks the parameters, and computes once whatever depends on them alone.
+        ///
+        /// # Errors
+        ///
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        pub fn new(
+            params: DoublePendulumParams,
+        ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
+            #[inline]
+            fn rules<T: ::pendulum_core::real::Real>(given: [T; 7]) -> [T; 4] {
+                let [p_m, p_inertia, p_c, p_d, p_g, p_gamma1, p_gamma2] = given;
+                [p_m, p_inertia, p_gamma1, p_gamma2]
+            }
+            #[inline]
+            fn constants<T: ::pendulum_core::real::Real>(given: [T; 7]) -> [T; 12] {
+                let [p_m, p_inertia, p_c, p_d, p_g, p_gamma1, p_gamma2] = given;
+                let t0 = p_gamma1 + p_gamma2;
+                let t1 = p_c * p_c;
+                let t2 = p_m * t1;
+                let t3 = p_inertia + t2;
+                let t4 = T::from_f64(0.5) * t3;
+                let t5 = T::from_f64(-1.0) / t3;
+                let t6 = p_d * p_d;
+                let t7 = p_inertia + (t2 + p_m * t6);
+                let t8 = t1 * (p_inertia * (T::from_f64(2.0) * p_m))
+                    + t6 * (p_m * p_inertia) + p_m * p_m * (p_c * p_c * p_c * p_c);
+                let t9 = t8 + p_inertia * p_inertia;
+                let t10 = T::from_f64(0.5) * t7;
+                let t11 = p_m * p_c;
+                let t12 = p_d * t11;
+                let t13 = t12 * t5;
+                let t14 = p_g * t11;
+                let t15 = t14 + p_g * (p_m * p_d);
+                [p_gamma2, t3, t7, t12, t14, t15, t0, t9, t10, t4, t5, t13]
+            }
+            let given = params.to_array();
+            for (name, value) in DoublePendulumParams::NAMES.into_iter().zip(given) {
+                if !value.is_finite() {
+                    return Err(
+                        ::pendulum_core::ParameterError::new(
+                            name,
+                            value,
+                            "a parameter must be finite",
+                            &[],
+                        ),
+                    );
+                }
+            }
+            let [r0, r1, r2, r3] = rules(given);
+            if !(r0 > 0.0) {
+                return Err(
+                    ::pendulum_core::ParameterError::new(
+                        "m",
+                        r0,
+                        "the mass of `plate` must be positive",
+                        &[],
+                    ),
+                );
+            }
+            if !(r1 >= 0.0) {
+                return Err(
+                    ::pendulum_core::ParameterError::new(
+                        "inertia",
+                        r1,
+                        "the inertia of `plate` must not be negative",
+                        &[],
+                    ),
+                );
+            }
+            if !(r2 >= 0.0) {
+                return Err(
+                    ::pendulum_core::ParameterError::new(
+                        "gamma1",
+                        r2,
+                        "the friction of `upper` must not be negative",
+                        &[],
+                    ),
+                );
+            }
+            if !(r3 >= 0.0) {
+                return Err(
+                    ::pendulum_core::ParameterError::new(
+                        "gamma2",
+                        r3,
+                        "the friction of `lower` must not be negative",
+                        &[],
+                    ),
+                );
+            }
+            let constants = constants(given);
+            let names: [&'static str; 12] = [
+                "gamma2",
+                "inertia + m*c^2",
+                "inertia + m*c^2 + m*d^2",
+                "m*c*d",
+                "m*c*g",
+                "m*c*g + m*d*g",
+                "gamma1 + gamma2",
+                "2*m*inertia*c^2 + m*inertia*d^2 + m^2*c^4 + inertia^2",
+                "0.5*(inertia + m*c^2 + m*d^2)",
+                "0.5*(inertia + m*c^2)",
+                "-1/(inertia + m*c^2)",
+                "-m*c*d/(inertia + m*c^2)",
+            ];
+            for (name, value) in names.into_iter().zip(constants) {
+                if !value.is_finite() {
+                    let given: [_; 7] = ::core::array::from_fn(|n| (
+                        DoublePendulumParams::NAMES[n],
+                        given[n],
+                    ));
+                    return Err(
+                        ::pendulum_core::ParameterError::new(
+                            name,
+                            value,
+                            "a constant of the equations is not finite: a coordinate has no inertia, a divisor is zero, or a number is too large",
+                            &given,
+                        ),
+                    );
+                }
+            }
+            Ok(Self { params, constants })
+        }
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
+        /// then rounded.
+        pub fn cast<T: ::pendulum_core::real::Real>(&self) -> DoublePendulum<T> {
+            DoublePendulum {
+                params: self.params,
+                constants: self.constants.map(T::from_f64),
+            }
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> DoublePendulum<T> {
+        /// The parameters that the model was built from.
+        pub fn params(&self) -> &DoublePendulumParams {
+            &self.params
+        }
+        /// The model with other parameters, in the same number type. Its constants are computed anew.
+        ///
+        /// # Errors
+        ///
+        /// Those of `new`.
+        pub fn with_params(
+            &self,
+            params: DoublePendulumParams,
+        ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
+            Ok(<DoublePendulum>::new(params)?.cast())
+        }
+    }
+    impl DoublePendulum {
+        ///The place of `theta1` in the state, where it stands in rad.
+        pub const THETA1: usize = 0;
+        ///The place of `dot(theta1)` in the state, where it stands in rad/s.
+        pub const DOT_THETA1: usize = 2;
+        ///The place of `theta2` in the state, where it stands in rad.
+        pub const THETA2: usize = 1;
+        ///The place of `dot(theta2)` in the state, where it stands in rad/s.
+        pub const DOT_THETA2: usize = 3;
+        /// The number of degrees of freedom; the state has twice as many components.
+        pub const DOF: usize = 2;
+        /// The names of the coordinates, in the order in which they, and then their rates, stand in the state.
+        pub const COORDINATES: [&'static str; 2] = ["theta1", "theta2"];
+        /// Counted operations of each generated function, in the form that it has and in others.
+        pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::new(
+            &[
+                (
+                    "rhs",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of the state first, L^T D L",
+                            ::pendulum_core::Operations::new(12, 19, 1, 2, 0, 32),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first, L^T D L",
+                                    ::pendulum_core::Operations::new(12, 19, 1, 2, 0, 32),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded, L^T D L",
+                                    ::pendulum_core::Operations::new(12, 19, 1, 2, 0, 33),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "recursion, adjugate",
+                                    ::pendulum_core::Operations::new(24, 30, 1, 2, 0, 37),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C, adjugate",
+                                    ::pendulum_core::Operations::new(32, 40, 1, 2, 0, 38),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "articulated bodies",
+                                    ::pendulum_core::Operations::new(30, 46, 2, 2, 0, 48),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "jacobian",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of the state first, inverse, derived in the graph",
+                            ::pendulum_core::Operations::new(28, 50, 1, 2, 0, 38),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first, inverse, derived and expanded",
+                                    ::pendulum_core::Operations::new(28, 50, 1, 2, 0, 39),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded, inverse, derived and expanded",
+                                    ::pendulum_core::Operations::new(28, 50, 1, 2, 0, 38),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "recursion, inverse, derived in the graph",
+                                    ::pendulum_core::Operations::new(50, 65, 1, 2, 0, 49),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C, inverse, derived in the graph",
+                                    ::pendulum_core::Operations::new(98, 99, 1, 2, 0, 44),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "kinetic",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of the state first",
+                            ::pendulum_core::Operations::new(3, 6, 0, 1, 0, 25),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(3, 6, 0, 1, 0, 26),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(3, 7, 0, 1, 0, 25),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "recursion",
+                                    ::pendulum_core::Operations::new(15, 23, 0, 2, 0, 32),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C",
+                                    ::pendulum_core::Operations::new(22, 23, 0, 2, 0, 35),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "potential",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of the state first",
+                            ::pendulum_core::Operations::new(2, 2, 0, 2, 0, 22),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(2, 2, 0, 2, 0, 22),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(2, 2, 0, 2, 0, 22),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C",
+                                    ::pendulum_core::Operations::new(3, 2, 0, 2, 0, 23),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "recursion",
+                                    ::pendulum_core::Operations::new(3, 2, 0, 2, 0, 23),
+                                ),
+                            ],
+                        ),
+                ),
+            ],
+        );
+        /// What each part of the state is.
+        pub const LAYOUT: ::pendulum_core::StateLayout = ::pendulum_core::StateLayout::new(
+                &[
+                    ::pendulum_core::Slot::new(
+                            "theta1",
+                            ::pendulum_core::SlotKind::Angle,
+                            0..1,
+                            2..3,
+                        )
+                        .periodic(),
+                    ::pendulum_core::Slot::new(
+                            "theta2",
+                            ::pendulum_core::SlotKind::Angle,
+                            1..2,
+                            3..4,
+                        )
+                        .periodic(),
+                ],
+            )
+            .autonomous();
+        /// The equations of motion as text.
+        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[theta1, theta1] = inertia + m*c^2 + m*d^2\nA[theta1, theta2] = m*c*d*cos(theta1 - theta2)\nA[theta2, theta2] = inertia + m*c^2\nb[theta1] = m*c*d*dot(theta2)^2*sin(theta1 - theta2) + (m*c*g + m*d*g)*sin(theta1)\nb[theta2] = m*c*g*sin(theta2) - m*c*d*dot(theta1)^2*sin(theta1 - theta2)\nQ[theta1] = gamma2*dot(theta2) - (gamma1 + gamma2)*dot(theta1)\nQ[theta2] = gamma2*dot(theta1) - gamma2*dot(theta2)\n";
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::System<T, 4>
+    for DoublePendulum<T> {
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn rhs(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 4>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 4> {
+            let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k1 = self.constants[1];
+            let k3 = self.constants[3];
+            let k4 = self.constants[4];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let k7 = self.constants[7];
+            let k10 = self.constants[10];
+            let k11 = self.constants[11];
+            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
+                .sin_cos_pair(q_theta2);
+            let t0 = k3 * (sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2);
+            let t1 = k4 * sin_theta2 + k0 * qd_theta2
+                - qd_theta1 * (k0 + qd_theta1 * t0);
+            let t2 = k11 * (cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2);
+            let t3 = k5 * sin_theta1 + k6 * qd_theta1 + qd_theta2 * (qd_theta2 * t0 - k0)
+                + t1 * t2;
+            let t4 = k1 / (k7 + t0 * t0) * t3;
+            ::pendulum_core::nalgebra::SVector::from([
+                qd_theta1,
+                qd_theta2,
+                -t4,
+                k10 * t1 - t2 * t4,
+            ])
+        }
+        #[inline]
+        fn layout(
+            &self,
+        ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
+            Some(&<DoublePendulum>::LAYOUT)
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Jacobian<T, 4>
+    for DoublePendulum<T> {
+        #[inline]
+        fn jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 4>,
+        ) -> ::pendulum_core::nalgebra::SMatrix<T, 4, 4> {
+            self.rhs_and_jacobian(t, x).1
+        }
+        #[inline]
+        fn rhs_and_jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 4>,
+        ) -> (
+            ::pendulum_core::nalgebra::SVector<T, 4>,
+            ::pendulum_core::nalgebra::SMatrix<T, 4, 4>,
+        ) {
+            let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k1 = self.constants[1];
+            let k2 = self.constants[2];
+            let k3 = self.constants[3];
+            let k4 = self.constants[4];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let k7 = self.constants[7];
+            let t0 = k3 * qd_theta2;
+            let t1 = k3 * qd_theta1;
+            let [(sin_theta1, cos_theta1), (sin_theta2, cos_theta2)] = q_theta1
+                .sin_cos_pair(q_theta2);
+            let t2 = sin_theta1 * cos_theta2 - cos_theta1 * sin_theta2;
+            let t3 = t0 * t2 - k0;
+            let t4 = k5 * sin_theta1 + k6 * qd_theta1 + qd_theta2 * t3;
+            let t5 = k3 * t2;
+            let t6 = k0 + t2 * t1;
+            let t7 = t3 + qd_theta2 * t5;
+            let t8 = T::from_f64(-1.0) / (k7 + t5 * t5);
+            let t9 = k1 * t8;
+            let t10 = k4 * sin_theta2 + k0 * qd_theta2 - qd_theta1 * t6;
+            let t11 = t6 + qd_theta1 * t5;
+            let t12 = cos_theta2 * cos_theta1 + sin_theta1 * sin_theta2;
+            let t13 = k3 * t8 * t12;
+            let t14 = k2 * t8;
+            let t15 = k6 * t9 + t13 * t11;
+            let t16 = -(k6 * t13 + t14 * t11);
+            let t17 = t9 * t7 - k0 * t13;
+            let t18 = k0 * t14 - t13 * t7;
+            let t19 = t4 * t9 - t10 * t13;
+            let t20 = t10 * t14 - t4 * t13;
+            let t21 = qd_theta2 * t0 * t12 - t20 * t5;
+            let t22 = qd_theta1 * t1 * t12 + t19 * t5;
+            let t23 = k5 * cos_theta1 + t21;
+            let t24 = t22 + k4 * cos_theta2;
+            let t25 = t9 * t23 + t13 * t22;
+            let t26 = -(t13 * t23 + t14 * t22);
+            let t27 = -(t9 * t21 + t13 * t24);
+            let t28 = t14 * t24 + t13 * t21;
+            (
+                ::pendulum_core::nalgebra::SVector::from([
+                    qd_theta1,
+                    qd_theta2,
+                    t19,
+                    t20,
+                ]),
+                ::pendulum_core::nalgebra::SMatrix::from([
+                    [T::from_f64(0.0), T::from_f64(0.0), t25, t26],
+                    [T::from_f64(0.0), T::from_f64(0.0), t27, t28],
+                    [T::from_f64(1.0), T::from_f64(0.0), t15, t16],
+                    [T::from_f64(0.0), T::from_f64(1.0), t17, t18],
+                ]),
+            )
+        }
+        #[inline]
+        fn time_derivative(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 4>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 4>
+        where
+            T: ::pendulum_core::Float,
+        {
+            ::pendulum_core::nalgebra::SVector::from([
+                T::from_f64(0.0),
+                T::from_f64(0.0),
+                T::from_f64(0.0),
+                T::from_f64(0.0),
+            ])
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Energy<T, 4>
+    for DoublePendulum<T> {
+        #[inline]
+        fn kinetic(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 4>) -> T {
+            let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
+            let k3 = self.constants[3];
+            let k8 = self.constants[8];
+            let k9 = self.constants[9];
+            let (_, cos0) = (q_theta1 - q_theta2).sin_cos();
+            qd_theta2 * (qd_theta2 * k9)
+                + qd_theta1 * (cos0 * (qd_theta2 * k3) + qd_theta1 * k8)
+        }
+        #[inline]
+        fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 4>) -> T {
+            let [q_theta1, q_theta2, _, _] = x.data.0[0];
+            let k4 = self.constants[4];
+            let k5 = self.constants[5];
+            let [(_, cos_theta1), (_, cos_theta2)] = q_theta1.sin_cos_pair(q_theta2);
+            -(cos_theta1 * k5 + cos_theta2 * k4)
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::Cast<4> for DoublePendulum {
+        type In<T: ::pendulum_core::real::Real> = DoublePendulum<T>;
+        fn cast<T: ::pendulum_core::real::Real>(&self) -> DoublePendulum<T> {
+            DoublePendulum::cast(self)
+        }
+        #[inline]
+        fn gather<'m, T: ::pendulum_core::real::lanes::Lanes>(
+            models: impl ::core::ops::Fn(usize) -> &'m Self,
+        ) -> DoublePendulum<T>
+        where
+            Self: 'm,
+        {
+            let scalar = <<T as ::pendulum_core::real::lanes::Lanes>::Scalar as ::pendulum_core::real::Real>::from_f64;
+            DoublePendulum {
+                params: models(0).params,
+                constants: ::core::array::from_fn(|k| {
+                    <T as ::pendulum_core::real::lanes::Lanes>::from_fn(|lane| scalar(
+                        models(lane).constants[k],
+                    ))
+                }),
+            }
+        }
+    }
+}
+#[allow(unreachable_pub, unused_imports)]
+use __DoublePendulum::{DoublePendulum, DoublePendulumParams};

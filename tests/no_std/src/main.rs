@@ -1,0 +1,128 @@
+//! A double pendulum without `std` and without a heap: a model, and each kind of method step by step.
+//!
+//! It exits with 0 if all methods agree, and with a number that says which does not. `check` runs it, and looks for what must not be in it.
+#![no_std]
+#![no_main]
+
+use core::panic::PanicInfo;
+
+use pendulum_core::Reason;
+use pendulum_core::prelude::*;
+
+mechanism! {
+    /// Two plates on axles with friction. Events and shapes are for `std`, and leave no trace here.
+    pub DoublePendulum {
+        params { m: kg = 1, inertia: kg m^2 = 1, l: m = 1, gamma: N m s = 0.1 }
+        gravity: [0, -9.8, 0],
+        generate: [rhs, jacobian, energy, taylor, canonical, shapes],
+        shape plate { mass: m, com: [0, -l, 0], inertia: inertia }
+        body upper on ground: plate { joint: revolute(z), coordinate: theta1, torque: -gamma * tanh(qd) }
+        body lower on upper: plate { joint: revolute(z) at [0, -l, 0], coordinate: theta2 absolute, friction: gamma }
+        event bottom: theta1,
+        output height: cos(theta1),
+    }
+}
+
+mechanism! {
+    /// A cart under a force that the program decides.
+    pub Cart {
+        input push: N,
+        body cart on ground { mass: 2, joint: prismatic(x), coordinate: s, torque: push }
+    }
+}
+
+const START: [f64; 4] = [2.0, 2.5, 0.0, 0.0];
+const END: f64 = 2.0;
+
+/// The end of the motion by a method.
+fn end<M: Method<DoublePendulum, f64, 4>>(method: &M, model: &DoublePendulum) -> Result<SVector<f64, 4>, Reason> {
+    method.stepper(model, 0.0, END, START)?.run()
+}
+
+/// The place that differs, or 0.
+fn run() -> Result<u8, Reason> {
+    let Ok(model) = DoublePendulum::new(DoublePendulumParams::default()) else {
+        return Ok(1);
+    };
+    let wrong = DoublePendulumParams {
+        m: -1.0,
+        ..DoublePendulumParams::default()
+    };
+    if DoublePendulum::new(wrong).is_ok() {
+        return Ok(2);
+    }
+    let expected = end(&Vern9::new().rtol(1e-12).atol(1e-12), &model)?;
+    let ends = [
+        end(&Rk4::new(1e-3), &model)?,
+        end(&Rk45::new().rtol(1e-10).atol(1e-10), &model)?,
+        end(&Taylor::new().rtol(1e-10).atol(1e-10), &model)?,
+        end(&Rodas5P::new().rtol(1e-10).atol(1e-10), &model)?,
+        end(&Radau5::new().rtol(1e-10).atol(1e-10), &model)?,
+        end(&Auto::new().rtol(1e-10).atol(1e-10), &model)?,
+        end(&Gauss6::new(1e-2), &model)?,
+    ];
+    for (place, end) in (3..).zip(ends) {
+        if !((end - expected).amax() < 1e-7) {
+            return Ok(place);
+        }
+    }
+    // The first time at the bottom, step by step: its function is there, and the states within a step.
+    let mut stepper = Tsit5::new().stepper(&model, 0.0, END, START)?;
+    while let Some(step) = stepper.step()? {
+        if model.bottom(step.t1, &step.x1) > 0.0 {
+            continue;
+        }
+        let (dense, mut from, mut to) = (stepper.dense(), step.t0, step.t1);
+        for _ in 0..50 {
+            let t = 0.5 * (from + to);
+            *(if model.bottom(t, &dense.at(t)) > 0.0 {
+                &mut from
+            } else {
+                &mut to
+            }) = t;
+        }
+        return Ok(if dense.at(to)[DoublePendulum::THETA1].abs() < 1e-9 {
+            controlled()?
+        } else {
+            20
+        });
+    }
+    Ok(21)
+}
+
+/// A loop of fixed steps in single precision, as a controller would run it.
+fn controlled() -> Result<u8, Reason> {
+    let Ok(cart) = Cart::new(CartParams {}) else {
+        return Ok(30);
+    };
+    let braked = cart.cast::<f32>().with_inputs(|_t, x| CartInputs {
+        push: -4.0 * x[Cart::DOT_S],
+    });
+    let mut stepper = Rk4::new(0.01).stepper(&braked, 0.0, 1.0, [0.0_f32, 1.0])?;
+    let end = stepper.run()?;
+    Ok(if (end[Cart::DOT_S] - 0.135_335).abs() < 1e-5 {
+        0
+    } else {
+        31
+    })
+}
+
+#[unsafe(no_mangle)]
+extern "C" fn main() -> i32 {
+    run().map_or(99, i32::from)
+}
+
+// The start of a program, `memcpy` and the like, which a controller has from its own runtime.
+#[link(name = "c")]
+unsafe extern "C" {
+    safe fn abort() -> !;
+}
+
+/// The installed `core` was built to unwind, and names it. Nothing unwinds here.
+#[unsafe(no_mangle)]
+extern "C" fn rust_eh_personality() {}
+
+#[panic_handler]
+fn panic(_: &PanicInfo<'_>) -> ! {
+    abort()
+}
