@@ -39,6 +39,24 @@ pub(crate) use print::Printer;
 /// An exact number.
 pub(crate) type Rational = num_rational::BigRational;
 
+/// The largest power that is written, and that products are gathered to: what is emitted for one is as long as a product of as many
+/// factors.
+pub(crate) const MOST_POWER: i64 = 64;
+
+/// The most binary digits, of numerator and denominator together, of numbers that are computed exactly. Operations on longer ones stay
+/// operations, which have a value in double precision, as the sine of a number has.
+pub(crate) const MOST_BITS: u64 = 4096;
+
+/// Whether a number is short enough to be computed with exactly.
+pub(crate) fn is_short(x: &Rational) -> bool {
+    x.numer().bits() + x.denom().bits() <= MOST_BITS
+}
+
+/// Whether a power of a value is written as one power.
+fn is_low(exponent: &Rational) -> bool {
+    exponent.abs() <= ratio(MOST_POWER, 1) && exponent.denom().bits() <= 12
+}
+
 /// The rational `numerator / denominator`; the denominator must not be zero.
 pub(crate) fn ratio(numerator: i64, denominator: i64) -> Rational {
     Rational::new(numerator.into(), denominator.into())

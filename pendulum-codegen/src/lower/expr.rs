@@ -9,7 +9,7 @@ use proc_macro2::Span;
 use super::Lower;
 use crate::ast::{self, ExprKind, Operator, Vector};
 use crate::error::Reported;
-use crate::expr::{Expr, Level, Rational, Symbol, SymbolKind};
+use crate::expr::{Expr, Level, MOST_POWER, Rational, Symbol, SymbolKind};
 use crate::screw::Vec3;
 
 /// Where an expression stands: what it may use, and how errors speak of it.
@@ -83,9 +83,6 @@ impl Place<'_> {
         }
     }
 }
-
-/// The largest numerator and denominator of a constant power.
-const MOST_POWER: i64 = 64;
 
 impl<'g> Lower<'g> {
     /// The expression at a place.
