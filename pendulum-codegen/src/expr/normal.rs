@@ -35,6 +35,8 @@ pub(crate) struct Normalizer<'g> {
     angles: BaseAngles<'g>,
     /// What was found to be too large.
     too_large: FxHashSet<ExprId>,
+    /// The most terms of a normal form.
+    longest: usize,
     /// How many more products of terms may be formed.
     budget: usize,
     /// How many more factors of terms may be copied on the way.
@@ -49,8 +51,17 @@ impl<'g> Normalizer<'g> {
             known: FxHashMap::default(),
             angles: FxHashMap::default(),
             too_large: FxHashSet::default(),
+            longest: usize::MAX,
             budget,
             copies: COPIES * budget,
+        }
+    }
+
+    /// A normaliser of forms of up to `longest` terms.
+    pub(crate) fn of_short(graph: &'g Graph, budget: usize, longest: usize) -> Self {
+        Self {
+            longest,
+            ..Self::new(graph, budget)
         }
     }
 
@@ -85,6 +96,7 @@ impl<'g> Normalizer<'g> {
                 true => Err(TooLarge),
                 false => self.node(self.graph.expr(id)),
             };
+            let poly = poly.and_then(|poly| if poly.len() > self.longest { Err(TooLarge) } else { Ok(poly) });
             let poly = poly.inspect_err(|_| _ = self.too_large.extend([id, x.id()]))?;
             self.known.insert(id, Rc::new(poly));
         }

@@ -38,12 +38,17 @@ impl<'g> Printer<'g> {
 
     /// The text of `x`, with dots in place of what would make it endless.
     pub(crate) fn print(&self, x: ExprId) -> String {
+        self.short(x).to_string()
+    }
+
+    /// The formula of `x`, with dots in place of what would make it endless.
+    pub(crate) fn short(&self, x: ExprId) -> Formula {
         let short = Self {
             graph: self.graph,
             names: self.names.clone(),
             most: LONGEST_TEXT,
         };
-        short.definition(x).to_string()
+        short.definition(x)
     }
 
     /// The formula of `x`: its name, if it has one.

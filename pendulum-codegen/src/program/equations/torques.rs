@@ -100,7 +100,7 @@ fn points(model: &Model<'_>) -> Vec<Definition> {
     for drive in &model.drives {
         definitions.push(Definition {
             name: drive.coordinate.name.trim_start_matches("r#").to_owned(),
-            formula: printer.definition(drive.law[0].id()),
+            formula: printer.short(drive.law[0].id()),
         });
     }
     for point in &model.points {
@@ -109,7 +109,7 @@ fn points(model: &Model<'_>) -> Vec<Definition> {
         let position = short.map_or(position, |columns| columns.concat());
         definitions.extend(["x", "y", "z"].into_iter().zip(position).map(|(axis, x)| Definition {
             name: format!("{}.{axis}", point.name.trim_start_matches("r#")),
-            formula: printer.definition(x.id()),
+            formula: printer.short(x.id()),
         }));
     }
     definitions
