@@ -11,7 +11,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::{
-    Binary, Expr, ExprId, Graph, MOST_POWER, Monomial, Node, Poly, Rational, SymbolKind, Unary, is_short, multiply, ratio,
+    Binary, Expr, ExprId, Graph, Level, MOST_POWER, Monomial, Node, Poly, Rational, SymbolKind, Unary, is_short, multiply, ratio,
 };
 
 /// The polynomial grew beyond the limit of its normaliser.
@@ -24,6 +24,13 @@ const MOST_TURNS: i64 = 16;
 /// How many factors are copied for each product of terms, at most: long monomials and long sums take time as well.
 const COPIES: usize = 64;
 
+/// Constants of more terms are atoms. They are numbers in the end, and so are those of bodies that are fixed to others in a row, which
+/// would grow without end.
+const LONGEST_CONSTANT: usize = 64;
+
+/// The most terms of a constant of which a power is written out.
+const LONGEST_BASE: usize = 8;
+
 /// What each coordinate is, as a sum of base angles with integer factors.
 pub(crate) type BaseAngles<'g> = FxHashMap<Expr<'g>, Vec<(Expr<'g>, Rational)>>;
 
@@ -35,8 +42,6 @@ pub(crate) struct Normalizer<'g> {
     angles: BaseAngles<'g>,
     /// What was found to be too large.
     too_large: FxHashSet<ExprId>,
-    /// The most terms of a normal form.
-    longest: usize,
     /// How many more products of terms may be formed.
     budget: usize,
     /// How many more factors of terms may be copied on the way.
@@ -51,17 +56,8 @@ impl<'g> Normalizer<'g> {
             known: FxHashMap::default(),
             angles: FxHashMap::default(),
             too_large: FxHashSet::default(),
-            longest: usize::MAX,
             budget,
             copies: COPIES * budget,
-        }
-    }
-
-    /// A normaliser of forms of up to `longest` terms.
-    pub(crate) fn of_short(graph: &'g Graph, budget: usize, longest: usize) -> Self {
-        Self {
-            longest,
-            ..Self::new(graph, budget)
         }
     }
 
@@ -94,9 +90,9 @@ impl<'g> Normalizer<'g> {
             // what was too large once has not become smaller, nor has what is built of it
             let poly = match self.too_large.contains(&id) {
                 true => Err(TooLarge),
+                false if self.is_long_constant(id) => Ok(Poly::atom(id)),
                 false => self.node(self.graph.expr(id)),
             };
-            let poly = poly.and_then(|poly| if poly.len() > self.longest { Err(TooLarge) } else { Ok(poly) });
             let poly = poly.inspect_err(|_| _ = self.too_large.extend([id, x.id()]))?;
             self.known.insert(id, Rc::new(poly));
         }
@@ -106,6 +102,18 @@ impl<'g> Normalizer<'g> {
     /// Whether `x` is zero in value.
     pub(crate) fn is_zero(&mut self, x: Expr<'g>) -> Result<bool, TooLarge> {
         Ok(self.normal(x)?.is_empty())
+    }
+
+    /// Whether a constant is a sum or a product of so many terms that nothing is gained by writing it out.
+    fn is_long_constant(&self, id: ExprId) -> bool {
+        let terms = |x: ExprId| self.known[&x].len();
+        self.graph.level(id) == Level::Constant
+            && match *self.graph.node(id) {
+                Node::Binary(Binary::Add | Binary::Sub, a, b) => terms(a) + terms(b) > LONGEST_CONSTANT,
+                Node::Binary(Binary::Mul | Binary::Div, a, b) => terms(a) * terms(b) > LONGEST_CONSTANT,
+                Node::Power(a, _) => terms(a) > LONGEST_BASE,
+                _ => false,
+            }
     }
 
     fn node(&mut self, x: Expr<'g>) -> Result<Poly, TooLarge> {

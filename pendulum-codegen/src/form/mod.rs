@@ -32,6 +32,9 @@ const BUDGET: usize = 20_000;
 /// parts: none has been seen to win.
 const HOPELESS: [usize; 2] = [9, 4];
 
+/// Nor is one derived whose graph is so much larger than that of another, where that takes more operations on nodes than this.
+const MOST_DERIVED: usize = 500_000;
+
 /// How much longer than the shortest the code may be that loses no digits to cancellation: by one part in this many.
 const WORTH_OF_DIGITS: usize = 8;
 
@@ -186,7 +189,14 @@ impl<'g> Forms<'g> {
         with_accelerations: bool,
     ) -> Chosen<'g> {
         let mut candidates = Vec::new();
-        for (own, dynamics, determinant) in &self.forms {
+        let sizes = self.forms.iter();
+        let sizes = sizes.map(|(_, dynamics, _)| variables.len() * model.graph.reachable(&dynamics.entries()).len());
+        let sizes: Vec<usize> = sizes.collect();
+        let least = sizes.iter().copied().min().unwrap_or(0);
+        for ((own, dynamics, determinant), size) in self.forms.iter().zip(sizes) {
+            if size > MOST_DERIVED && HOPELESS[1] * size > HOPELESS[0] * least {
+                continue;
+            }
             let derived = partials(dynamics, variables);
             let mut columns = ways(&mut self.normalizer, own.basis, derived);
             let by_recursion = partials_by_recursion(dynamics, &model.coordinates, variables);

@@ -7,12 +7,9 @@ use crate::expr::{Expr, Graph, Level, Normalizer};
 /// What the constants of one scene may take.
 const BUDGET: usize = 100_000;
 
-/// The most terms of a constant in normal form. Longer ones are numbers all the same, and do not vanish by accident.
-pub(super) const LONGEST: usize = 100;
-
 /// The roots with every constant operand of something that varies replaced by its normal form.
 pub(crate) fn fold<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
-    let mut normalizer = Normalizer::of_short(g, BUDGET, LONGEST);
+    let mut normalizer = Normalizer::new(g, BUDGET);
     let mut folded = FxHashMap::default();
     for x in g.reachable(roots).into_iter().map(|id| g.expr(id)) {
         if x.level() == Level::Constant {

@@ -5,7 +5,6 @@ use std::collections::BTreeMap;
 use num_traits::{One, ToPrimitive, Zero};
 use rustc_hash::FxHashMap;
 
-use super::constants::LONGEST;
 use crate::expr::{Binary, Expr, Graph, Level, MOST_BITS, Node, Normalizer, Rational, Unary, is_short, multiply};
 
 /// What constants may take to be brought into normal form.
@@ -32,7 +31,7 @@ impl<'g> Flat<'g> {
     pub(super) fn new(g: &'g Graph, roots: &[Expr<'g>]) -> Option<(Self, Vec<Expr<'g>>)> {
         let mut flat = Self {
             g,
-            normalizer: Normalizer::of_short(g, BUDGET, LONGEST),
+            normalizer: Normalizer::new(g, BUDGET),
             linear: FxHashMap::default(),
             sums: FxHashMap::default(),
         };

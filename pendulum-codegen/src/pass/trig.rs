@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use num_traits::{One, Signed, ToPrimitive};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::expr::{Expr, Graph, Level, Node, Normalizer, Rational, SymbolKind, Unary};
 
@@ -46,16 +46,22 @@ struct Available<'g> {
     angles: Vec<(Angle<'g>, [Expr<'g>; 2])>,
     /// The places of each angle, in order.
     places: FxHashMap<Angle<'g>, Vec<usize>>,
+    /// What they are combinations of.
+    parts: FxHashSet<Expr<'g>>,
 }
 
 impl<'g> Available<'g> {
     fn push(&mut self, angle: Angle<'g>, sine_and_cosine: [Expr<'g>; 2]) {
         self.places.entry(angle.clone()).or_default().push(self.angles.len());
+        self.parts.extend(angle.keys());
         self.angles.push((angle, sine_and_cosine));
     }
 
     /// Sine and cosine of `angle` as a sum or difference of two available angles.
     fn derived(&self, angle: &Angle<'g>) -> Option<[Expr<'g>; 2]> {
+        if !angle.keys().all(|part| self.parts.contains(part)) {
+            return None;
+        }
         for (n, (first, [sin_a, cos_a])) in self.angles.iter().enumerate() {
             // a + b, a - b, -a + b
             let others = [
