@@ -34,7 +34,7 @@ pub(crate) use op::CostKind;
 pub use op::{Binary, Unary};
 pub(crate) use poly::{Monomial, Poly};
 pub(crate) use precedence::Precedence;
-pub(crate) use print::Printer;
+pub(crate) use print::{LONGEST_CONSTANT, Printer};
 
 /// An exact number.
 pub(crate) type Rational = num_rational::BigRational;

@@ -26,10 +26,10 @@ const COPIES: usize = 64;
 
 /// Constants of more terms are atoms. They are numbers in the end, and so are those of bodies that are fixed to others in a row, which
 /// would grow without end.
-const LONGEST_CONSTANT: usize = 64;
+const LONGEST_CONSTANT: usize = 12;
 
 /// The most terms of a constant of which a power is written out.
-const LONGEST_BASE: usize = 8;
+const LONGEST_BASE: usize = 3;
 
 /// What each coordinate is, as a sum of base angles with integer factors.
 pub(crate) type BaseAngles<'g> = FxHashMap<Expr<'g>, Vec<(Expr<'g>, Rational)>>;

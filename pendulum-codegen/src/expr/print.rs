@@ -16,7 +16,7 @@ pub(crate) struct Printer<'g> {
 }
 
 /// Constants of more operations are written as numbers.
-const LONGEST_CONSTANT: u64 = 100;
+pub(crate) const LONGEST_CONSTANT: u64 = 100;
 
 /// The most operations of a text that stands alone.
 const LONGEST_TEXT: u64 = 1_000;

@@ -33,7 +33,7 @@ const BUDGET: usize = 20_000;
 const HOPELESS: [usize; 2] = [9, 4];
 
 /// Nor is one derived whose graph is so much larger than that of another, where that takes more operations on nodes than this.
-const MOST_DERIVED: usize = 500_000;
+static MOST_DERIVED: std::sync::LazyLock<usize> = std::sync::LazyLock::new(|| std::env::var("MD").map_or(500_000, |s| s.parse().unwrap()));
 
 /// How much longer than the shortest the code may be that loses no digits to cancellation: by one part in this many.
 const WORTH_OF_DIGITS: usize = 8;
@@ -194,7 +194,7 @@ impl<'g> Forms<'g> {
         let sizes: Vec<usize> = sizes.collect();
         let least = sizes.iter().copied().min().unwrap_or(0);
         for ((own, dynamics, determinant), size) in self.forms.iter().zip(sizes) {
-            if size > MOST_DERIVED && HOPELESS[1] * size > HOPELESS[0] * least {
+            if size > *MOST_DERIVED && HOPELESS[1] * size > HOPELESS[0] * least {
                 continue;
             }
             let derived = partials(dynamics, variables);

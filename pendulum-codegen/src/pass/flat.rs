@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use num_traits::{One, ToPrimitive, Zero};
 use rustc_hash::FxHashMap;
 
-use crate::expr::{Binary, Expr, Graph, Level, MOST_BITS, Node, Normalizer, Rational, Unary, is_short, multiply};
+use crate::expr::{Binary, Expr, Graph, LONGEST_CONSTANT, Level, MOST_BITS, Node, Normalizer, Rational, Unary, is_short, multiply};
 
 /// What constants may take to be brought into normal form.
 const BUDGET: usize = 100_000;
@@ -103,7 +103,9 @@ impl<'g> Flat<'g> {
 
     /// The terms of a constant: those of its normal form.
     fn constant(&mut self, id: Expr<'g>) -> Linear<'g> {
-        let Ok(normal) = self.normalizer.normal(id) else {
+        // a long constant is printed as the number that it is
+        let is_long = id.level() == Level::Constant && id.length() > LONGEST_CONSTANT;
+        let Some(normal) = (!is_long).then(|| self.normalizer.normal(id).ok()).flatten() else {
             return self.term(id, Rational::one());
         };
         let mut linear = Linear::new();
