@@ -32,8 +32,9 @@ const BUDGET: usize = 20_000;
 /// parts: none has been seen to win.
 const HOPELESS: [usize; 2] = [9, 4];
 
-/// Nor is one derived whose graph is so much larger than that of another, where that takes more operations on nodes than this.
-static MOST_DERIVED: std::sync::LazyLock<usize> = std::sync::LazyLock::new(|| std::env::var("MD").map_or(500_000, |s| s.parse().unwrap()));
+/// Where derivatives take more operations on nodes, graphs that are longer than another by that ratio are not derived, and none is
+/// whose derivatives are known by recursion.
+const MOST_DERIVED: usize = 50_000;
 
 /// How much longer than the shortest the code may be that loses no digits to cancellation: by one part in this many.
 const WORTH_OF_DIGITS: usize = 8;
@@ -194,12 +195,15 @@ impl<'g> Forms<'g> {
         let sizes: Vec<usize> = sizes.collect();
         let least = sizes.iter().copied().min().unwrap_or(0);
         for ((own, dynamics, determinant), size) in self.forms.iter().zip(sizes) {
-            if size > *MOST_DERIVED && HOPELESS[1] * size > HOPELESS[0] * least {
+            let is_large = size > MOST_DERIVED;
+            if is_large && HOPELESS[1] * size > HOPELESS[0] * least {
                 continue;
             }
-            let derived = partials(dynamics, variables);
-            let mut columns = ways(&mut self.normalizer, own.basis, derived);
             let by_recursion = partials_by_recursion(dynamics, &model.coordinates, variables);
+            let mut columns = Vec::new();
+            if !is_large || by_recursion.is_none() {
+                columns = ways(&mut self.normalizer, own.basis, partials(dynamics, variables));
+            }
             columns.extend(by_recursion.map(|columns| (Derivatives::Recursion, columns)));
             let exact = self.exact.iter().filter(|(form, _)| form.basis == own.basis);
             for (factored, solver) in factorings(dynamics, *determinant) {

@@ -84,10 +84,17 @@ impl Place<'_> {
     }
 }
 
+/// How many operations may stand in one another, those of each `let` included: later stages work by recursion.
+const MOST_DEPTH: usize = 1000;
+
 impl<'g> Lower<'g> {
     /// The expression at a place.
     pub(super) fn expr(&mut self, expr: &ast::Expr, place: &Place<'g>) -> Result<Expr<'g>, Reported> {
         let value = self.operation(expr, place)?;
+        if value.depth() > MOST_DEPTH {
+            let fact = format_args!("{} has more than {MOST_DEPTH} operations in one another", place.what);
+            return Err(self.errors.on(expr, fact, "write it with fewer `let`s that use each other"));
+        }
         if value.level() > place.most {
             let symbols = self.graph.reachable(&[value]).into_iter().map(|id| self.graph.expr(id));
             let mut symbols = symbols.filter(|x| x.level() > place.most).filter_map(Expr::as_symbol);
