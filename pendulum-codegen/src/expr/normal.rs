@@ -11,7 +11,8 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::{
-    Binary, Expr, ExprId, Graph, Level, MOST_POWER, Monomial, Node, Poly, Rational, SymbolKind, Unary, is_short, multiply, ratio,
+    Binary, Expr, ExprId, Graph, Level, MOST_POWER, Monomial, Node, Poly, Rational, SymbolKind, Unary, is_short,
+    multiply, ratio,
 };
 
 /// The polynomial grew beyond the limit of its normaliser.

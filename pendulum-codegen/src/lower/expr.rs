@@ -93,7 +93,9 @@ impl<'g> Lower<'g> {
         let value = self.operation(expr, place)?;
         if value.depth() > MOST_DEPTH {
             let fact = format_args!("{} has more than {MOST_DEPTH} operations in one another", place.what);
-            return Err(self.errors.on(expr, fact, "write it with fewer `let`s that use each other"));
+            return Err(self
+                .errors
+                .on(expr, fact, "write it with fewer `let`s that use each other"));
         }
         if value.level() > place.most {
             let symbols = self.graph.reachable(&[value]).into_iter().map(|id| self.graph.expr(id));

@@ -38,7 +38,10 @@ pub(crate) fn collect_squares_first(normalizer: &mut Normalizer<'_>, poly: &Poly
 }
 
 fn is_large(graph: &Graph, poly: &Poly) -> bool {
-    poly.len() > MOST_TERMS || poly.terms().any(|(monomial, _)| angles_of(graph, monomial).len() > MOST_ANGLES)
+    poly.len() > MOST_TERMS
+        || poly
+            .terms()
+            .any(|(monomial, _)| angles_of(graph, monomial).len() > MOST_ANGLES)
 }
 
 /// Sine and cosine of one angle.

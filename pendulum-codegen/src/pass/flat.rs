@@ -5,7 +5,9 @@ use std::collections::BTreeMap;
 use num_traits::{One, ToPrimitive, Zero};
 use rustc_hash::FxHashMap;
 
-use crate::expr::{Binary, Expr, Graph, LONGEST_CONSTANT, Level, MOST_BITS, Node, Normalizer, Rational, Unary, is_short, multiply};
+use crate::expr::{
+    Binary, Expr, Graph, LONGEST_CONSTANT, Level, MOST_BITS, Node, Normalizer, Rational, Unary, is_short, multiply,
+};
 
 /// What constants may take to be brought into normal form.
 const BUDGET: usize = 100_000;

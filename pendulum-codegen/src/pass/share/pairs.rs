@@ -78,7 +78,11 @@ impl Search<'_> {
         }
         let distinct: Vec<(Operand, usize)> = multiplicity.into_iter().collect();
         let mut pairs: BTreeMap<Pair, usize> = BTreeMap::new();
-        let near = if distinct.len() > MOST_OPERANDS { NEAR } else { MOST_OPERANDS };
+        let near = if distinct.len() > MOST_OPERANDS {
+            NEAR
+        } else {
+            MOST_OPERANDS
+        };
         for (n, &((a, minus_a), count_a)) in distinct.iter().enumerate() {
             let a_matters = of_interest(a);
             if a_matters && self.of == Of::Products && count_a > 1 && !self.parts.constant[a] {
