@@ -4,18 +4,15 @@ use rustc_hash::FxHashSet;
 
 use crate::dynamics::Dynamics;
 use crate::error::Errors;
-use crate::expr::{ExprId, SymbolKind};
+use crate::expr::{ExprId, SymbolKind, vanishing_pivot};
 use crate::lower::Spans;
 use crate::model::{CoordinateId, Model};
 
-/// Pivots below this part of the diagonal entry that they are left of are rounding.
-const SINGULAR: f64 = 1e-13;
-
-/// Refuses a scene whose mass matrix is singular in every state, or that has numbers which change nothing.
+/// Refuses a scene whose mass matrix is singular in every state, for all parameters, or that has numbers which change nothing.
 pub(crate) fn check(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'_>) -> Result<(), Errors> {
     let mut errors = Errors::default();
     if needs_inertia(model)
-        && let Some(k) = without_inertia(model, dynamics)
+        && let Some(k) = vanishing_pivot(&dynamics.mass_matrix).map(CoordinateId::new)
         && let Some(n) = model.bodies.iter().position(|body| body.coordinate == Some(k))
     {
         let (body, coordinate) = (&model.bodies[n], &model.coordinates[k].name);
@@ -72,41 +69,4 @@ fn report_without_effect(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'
             errors.at(*span, fact, help);
         }
     }
-}
-
-/// A coordinate whose pivot vanishes in several states and for several parameters that have nothing special.
-fn without_inertia(model: &Model<'_>, dynamics: &Dynamics<'_>) -> Option<CoordinateId> {
-    let n = model.dof();
-    let entries: Vec<_> = dynamics.mass_matrix.iter().flatten().copied().collect();
-    let mut singular = None;
-    for sample in 0..3 {
-        // a Weyl sequence: numbers between 0.5 and 1.5 without a pattern
-        let mut position = f64::from(sample);
-        let values = model.graph.evaluate(&entries, |symbol| {
-            position += 1.0;
-            let number = (position * 0.618_033_988_749_895).fract() + 0.5;
-            if matches!(symbol.kind, SymbolKind::Parameter(_)) {
-                number
-            } else {
-                2.0 * number
-            }
-        });
-        let mut a: Vec<Vec<f64>> = values.chunks(n.max(1)).map(<[f64]>::to_vec).collect();
-        let own: Vec<f64> = (0..n).map(|k| a[k][k].abs()).collect();
-        let found = (0..n).rev().find(|&k| {
-            let pivot = a[k][k];
-            if pivot.abs() <= SINGULAR * own[k] {
-                return true;
-            }
-            for i in 0..k {
-                for j in 0..k {
-                    let change = a[k][i] * a[k][j] / pivot;
-                    a[i][j] -= change;
-                }
-            }
-            false
-        });
-        singular = Some(CoordinateId::new(found?));
-    }
-    singular
 }

@@ -2,7 +2,7 @@
 
 use num_traits::{One, Signed, ToPrimitive, Zero};
 
-use super::{Binary, Expr, Graph, Node, Rational, Unary, multiply, ratio};
+use super::{Binary, Expr, Graph, MOST_BITS, Node, Rational, Unary, is_low, is_short, multiply, ratio};
 
 impl Graph {
     /// An exact number.
@@ -84,7 +84,7 @@ impl<'g> Expr<'g> {
 
     fn plus(self, other: Self) -> Self {
         match (self.as_number(), other.as_number()) {
-            (Some(x), Some(y)) => return self.graph().number(x + y),
+            (Some(x), Some(y)) if let Some(sum) = short(x + y) => return self.graph().number(sum),
             (Some(x), _) if x.is_zero() => return other,
             (_, Some(y)) if y.is_zero() => return self,
             _ => {}
@@ -103,7 +103,7 @@ impl<'g> Expr<'g> {
             return self.graph().zero();
         }
         match (self.as_number(), other.as_number()) {
-            (Some(x), Some(y)) => return self.graph().number(x - y),
+            (Some(x), Some(y)) if let Some(difference) = short(x - y) => return self.graph().number(difference),
             (Some(x), _) if x.is_zero() => return -other,
             (_, Some(y)) if y.is_zero() => return self,
             _ => {}
@@ -118,8 +118,10 @@ impl<'g> Expr<'g> {
 
     fn times(self, other: Self) -> Self {
         let graph = self.graph();
-        if let (Some(x), Some(y)) = (self.as_number(), other.as_number()) {
-            return graph.number(multiply(x, y));
+        if let (Some(x), Some(y)) = (self.as_number(), other.as_number())
+            && let Some(product) = short(multiply(x, y))
+        {
+            return graph.number(product);
         }
         for (x, y) in [(self, other), (other, self)] {
             if let Some(number) = x.as_number() {
@@ -135,8 +137,9 @@ impl<'g> Expr<'g> {
                 // a number times a number times an expression
                 if let Node::Binary(Binary::Mul, u, v) = y.node()
                     && let Some(inner) = u.as_number()
+                    && let Some(product) = short(number * inner)
                 {
-                    return number * inner * v;
+                    return product * v;
                 }
             }
             if let Some(positive) = x.as_negated() {
@@ -144,7 +147,7 @@ impl<'g> Expr<'g> {
             }
         }
         let ((u, m), (v, n)) = (self.base_and_exponent(), other.base_and_exponent());
-        if u == v {
+        if u == v && is_low(&(&m + &n)) {
             return u.power(m + n);
         }
         // numbers first, whatever their ids
@@ -196,7 +199,7 @@ impl<'g> Expr<'g> {
         }
         if let (Some(base), true) = (self.as_number(), exponent.is_integer()) {
             if let Some(n) = exponent.to_i32()
-                && n.unsigned_abs() < 1000
+                && u64::from(n.unsigned_abs()) * (base.numer().bits() + base.denom().bits()) <= MOST_BITS
                 && !base.is_zero()
             {
                 return graph.number(num_traits::Pow::pow(base, n));
@@ -217,7 +220,9 @@ impl<'g> Expr<'g> {
             let power = positive.power(exponent);
             return if odd { -power } else { power };
         }
-        if let (Node::Power(base, inner), true) = (self.node(), exponent.is_integer()) {
+        if let (Node::Power(base, inner), true) = (self.node(), exponent.is_integer())
+            && is_low(&(inner * &exponent))
+        {
             return base.power(inner * exponent);
         }
         graph.intern(Node::Power(self.id(), exponent))
@@ -281,6 +286,11 @@ impl Graph {
         let value = self.number(ratio(four_times_square, 4)).sqrt();
         Some(if negative { -value } else { value })
     }
+}
+
+/// A number, unless it is too long to be computed with exactly.
+fn short(x: Rational) -> Option<Rational> {
+    is_short(&x).then_some(x)
 }
 
 fn exact_sqrt(x: &Rational) -> Option<Rational> {

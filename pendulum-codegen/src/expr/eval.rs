@@ -9,24 +9,25 @@ impl Graph {
     pub fn evaluate(&self, roots: &[impl Into<ExprId> + Copy], mut value: impl FnMut(&Symbol) -> f64) -> Vec<f64> {
         let mut values = vec![f64::NAN; self.len()];
         for id in self.reachable(roots) {
-            let of = |x: ExprId| values[x.index()];
-            values[id.index()] = match self.node(id) {
-                Node::Number(n) => nearest_f64(n),
-                Node::Pi => std::f64::consts::PI,
-                Node::Symbol(s) => value(self.name_and_kind(*s)),
-                Node::Unary(op, a) => op.value(of(*a)),
-                Node::Binary(op, a, b) => op.value(of(*a), of(*b)),
-                Node::Power(a, n) => power(of(*a), n),
-            };
+            values[id.index()] = self.value_of(self.node(id), |x| values[x.index()], &mut value);
         }
         roots.iter().map(|&root| values[root.into().index()]).collect()
     }
 
-    /// The value of an expression that depends on nothing.
-    pub fn constant(&self, id: ExprId) -> Option<f64> {
-        match self.node(id) {
-            Node::Number(n) => Some(nearest_f64(n)),
-            _ => (self.level(id) == super::Level::Constant).then(|| self.evaluate(&[id], |_| f64::NAN)[0]),
+    /// The value of a node from those of its operands.
+    pub(super) fn value_of(
+        &self,
+        node: &Node,
+        of: impl Fn(ExprId) -> f64,
+        mut symbol: impl FnMut(&Symbol) -> f64,
+    ) -> f64 {
+        match node {
+            Node::Number(n) => nearest_f64(n),
+            Node::Pi => std::f64::consts::PI,
+            Node::Symbol(s) => symbol(self.name_and_kind(*s)),
+            Node::Unary(op, a) => op.value(of(*a)),
+            Node::Binary(op, a, b) => op.value(of(*a), of(*b)),
+            Node::Power(a, n) => power(of(*a), n),
         }
     }
 }

@@ -3,8 +3,6 @@
 use std::fmt;
 use std::hash::{Hash, Hasher};
 
-use rustc_hash::FxHashMap;
-
 use super::{ExprId, Graph, Level, Node, Rational, Symbol, Unary, ratio};
 
 /// An expression of a graph. Its operators and functions build other expressions of the same graph, simplified where that is
@@ -114,15 +112,12 @@ impl<'g> Expr<'g> {
 
     /// The number of its operations if it is written out, with nothing shared; the most that can be counted where it is longer.
     pub fn length(self) -> u64 {
-        let mut lengths: FxHashMap<Self, u64> = FxHashMap::default();
-        for id in self.graph.reachable(&[self]) {
-            let x = self.graph.expr(id);
-            let length = x
-                .operands()
-                .fold(1_u64, |sum, operand| sum.saturating_add(lengths[&operand]));
-            lengths.insert(x, length);
-        }
-        lengths[&self]
+        self.graph.length(self.id)
+    }
+
+    /// How many operations stand in one another.
+    pub fn depth(self) -> usize {
+        self.graph.depth(self.id)
     }
 
     /// One over it, as a quotient.

@@ -124,8 +124,17 @@ impl Formula {
         }
     }
 
-    /// Whether a name stands anywhere in the formula.
-    pub fn mentions(&self, name: &str) -> bool {
-        matches!(self, Self::Name(own) if own == name) || self.parts().into_iter().any(|part| part.mentions(name))
+    /// The names that stand anywhere in the formula.
+    pub fn names(&self) -> impl Iterator<Item = &str> {
+        let mut left = vec![self];
+        std::iter::from_fn(move || {
+            while let Some(formula) = left.pop() {
+                if let Self::Name(name) = formula {
+                    return Some(name.as_str());
+                }
+                left.extend(formula.parts());
+            }
+            None
+        })
     }
 }

@@ -99,11 +99,17 @@ pub struct Graph {
     symbols: FrozenVec<Box<Symbol>>,
 }
 
-/// A node, and what is asked of it most often.
+/// A node, and what is asked of it most often: known from that of its operands, so that nobody walks the graph for it.
 #[derive(Debug)]
 struct Stored {
     node: Node,
     level: Level,
+    /// Its value in double precision, where it depends on nothing.
+    value: f64,
+    /// The number of its operations if it is written out.
+    length: u64,
+    /// How many operations stand in one another.
+    depth: usize,
 }
 
 impl Graph {
@@ -130,6 +136,22 @@ impl Graph {
     /// On what the expression depends, at most.
     pub fn level(&self, id: ExprId) -> Level {
         self.nodes[id.index()].level
+    }
+
+    /// The value in double precision of an expression that depends on nothing.
+    pub fn constant(&self, id: ExprId) -> Option<f64> {
+        let stored = &self.nodes[id.index()];
+        (stored.level == Level::Constant).then_some(stored.value)
+    }
+
+    /// The number of its operations if it is written out, with nothing shared; the most that can be counted where it is longer.
+    pub fn length(&self, id: ExprId) -> u64 {
+        self.nodes[id.index()].length
+    }
+
+    /// How many operations stand in one another.
+    pub fn depth(&self, id: ExprId) -> usize {
+        self.nodes[id.index()].depth
     }
 
     /// The number of nodes.
@@ -194,12 +216,7 @@ impl Graph {
 
     /// The operands of a node, in order.
     pub fn operands(&self, id: ExprId) -> impl Iterator<Item = ExprId> + use<> {
-        let (a, b) = match *self.node(id) {
-            Node::Number(_) | Node::Pi | Node::Symbol(_) => (None, None),
-            Node::Unary(_, a) | Node::Power(a, _) => (Some(a), None),
-            Node::Binary(_, a, b) => (Some(a), Some(b)),
-        };
-        a.into_iter().chain(b)
+        operands(self.node(id))
     }
 
     /// All nodes that the roots need, operands before operations.
@@ -223,9 +240,28 @@ impl Graph {
             Entry::Vacant(free) => free,
         };
         let (node, id) = (free.key().clone(), ExprId(self.nodes.len() as u32));
-        let level = self.level_of(&node);
-        self.nodes.push(Box::new(Stored { node, level }));
+        self.nodes.push(Box::new(self.stored(node)));
         self.expr(*free.insert(id))
+    }
+
+    fn stored(&self, node: Node) -> Stored {
+        let level = self.level_of(&node);
+        let value = match level {
+            Level::Constant => self.value_of(&node, |x| self.nodes[x.index()].value, |_| f64::NAN),
+            _ => f64::NAN,
+        };
+        let (mut length, mut depth) = (1_u64, 0);
+        for operand in operands(&node) {
+            length = length.saturating_add(self.length(operand));
+            depth = depth.max(self.depth(operand) + 1);
+        }
+        Stored {
+            node,
+            level,
+            value,
+            length,
+            depth,
+        }
     }
 
     fn level_of(&self, node: &Node) -> Level {
@@ -257,6 +293,15 @@ impl Graph {
         }
         roots.iter().map(|root| new[root]).collect()
     }
+}
+
+fn operands(node: &Node) -> impl Iterator<Item = ExprId> + use<> {
+    let (a, b) = match *node {
+        Node::Number(_) | Node::Pi | Node::Symbol(_) => (None, None),
+        Node::Unary(_, a) | Node::Power(a, _) => (Some(a), None),
+        Node::Binary(_, a, b) => (Some(a), Some(b)),
+    };
+    a.into_iter().chain(b)
 }
 
 impl std::fmt::Debug for Graph {

@@ -13,6 +13,7 @@ mod expression;
 mod formula;
 mod graph;
 mod latex;
+mod modular;
 mod normal;
 mod op;
 mod operators;
@@ -29,15 +30,34 @@ pub(crate) use expression::Expr;
 pub use formula::{Definition, Formula, Summand};
 pub(crate) use graph::{ExprId, Graph, Level, Node, Symbol, SymbolKind};
 pub(crate) use latex::latex_definitions;
+pub(crate) use modular::vanishing_pivot;
 pub(crate) use normal::{BaseAngles, Normalizer, TooLarge};
 pub(crate) use op::CostKind;
 pub use op::{Binary, Unary};
 pub(crate) use poly::{Monomial, Poly};
 pub(crate) use precedence::Precedence;
-pub(crate) use print::Printer;
+pub(crate) use print::{LONGEST_CONSTANT, Printer};
 
 /// An exact number.
 pub(crate) type Rational = num_rational::BigRational;
+
+/// The largest power that is written, and that products are gathered to: what is emitted for one is as long as a product of as many
+/// factors.
+pub(crate) const MOST_POWER: i64 = 64;
+
+/// The most binary digits, of numerator and denominator together, of numbers that are computed exactly. Operations on longer ones stay
+/// operations, which have a value in double precision, as the sine of a number has.
+pub(crate) const MOST_BITS: u64 = 4096;
+
+/// Whether a number is short enough to be computed with exactly.
+pub(crate) fn is_short(x: &Rational) -> bool {
+    x.numer().bits() + x.denom().bits() <= MOST_BITS
+}
+
+/// Whether a power of a value is written as one power.
+fn is_low(exponent: &Rational) -> bool {
+    exponent.abs() <= ratio(MOST_POWER, 1) && exponent.denom().bits() <= 12
+}
 
 /// The rational `numerator / denominator`; the denominator must not be zero.
 pub(crate) fn ratio(numerator: i64, denominator: i64) -> Rational {

@@ -8,9 +8,12 @@ use std::collections::BTreeMap;
 use std::rc::Rc;
 
 use num_traits::{One, Signed, ToPrimitive, Zero};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
-use super::{Binary, Expr, ExprId, Graph, Monomial, Node, Poly, Rational, SymbolKind, Unary, multiply, ratio};
+use super::{
+    Binary, Expr, ExprId, Graph, Level, MOST_POWER, Monomial, Node, Poly, Rational, SymbolKind, Unary, is_short,
+    multiply, ratio,
+};
 
 /// The polynomial grew beyond the limit of its normaliser.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -18,6 +21,16 @@ pub(crate) struct TooLarge;
 
 /// How many turns of a base angle are still split into powers of its sine and cosine.
 const MOST_TURNS: i64 = 16;
+
+/// How many factors are copied for each product of terms, at most: long monomials and long sums take time as well.
+const COPIES: usize = 64;
+
+/// Constants of more terms are atoms. They are numbers in the end, and so are those of bodies that are fixed to others in a row, which
+/// would grow without end.
+const LONGEST_CONSTANT: usize = 12;
+
+/// The most terms of a constant of which a power is written out.
+const LONGEST_BASE: usize = 3;
 
 /// What each coordinate is, as a sum of base angles with integer factors.
 pub(crate) type BaseAngles<'g> = FxHashMap<Expr<'g>, Vec<(Expr<'g>, Rational)>>;
@@ -28,8 +41,12 @@ pub(crate) struct Normalizer<'g> {
     graph: &'g Graph,
     known: FxHashMap<ExprId, Rc<Poly>>,
     angles: BaseAngles<'g>,
+    /// What was found to be too large.
+    too_large: FxHashSet<ExprId>,
     /// How many more products of terms may be formed.
     budget: usize,
+    /// How many more factors of terms may be copied on the way.
+    copies: usize,
 }
 
 impl<'g> Normalizer<'g> {
@@ -39,7 +56,9 @@ impl<'g> Normalizer<'g> {
             graph,
             known: FxHashMap::default(),
             angles: FxHashMap::default(),
+            too_large: FxHashSet::default(),
             budget,
+            copies: COPIES * budget,
         }
     }
 
@@ -62,11 +81,21 @@ impl<'g> Normalizer<'g> {
         if let Some(known) = self.known.get(&x.id()) {
             return Ok(known.clone());
         }
+        if self.too_large.contains(&x.id()) {
+            return Err(TooLarge);
+        }
         for id in self.graph.reachable(&[x]) {
-            if !self.known.contains_key(&id) {
-                let poly = self.node(self.graph.expr(id))?;
-                self.known.insert(id, Rc::new(poly));
+            if self.known.contains_key(&id) {
+                continue;
             }
+            // what was too large once has not become smaller, nor has what is built of it
+            let poly = match self.too_large.contains(&id) {
+                true => Err(TooLarge),
+                false if self.is_long_constant(id) => Ok(Poly::atom(id)),
+                false => self.node(self.graph.expr(id)),
+            };
+            let poly = poly.inspect_err(|_| _ = self.too_large.extend([id, x.id()]))?;
+            self.known.insert(id, Rc::new(poly));
         }
         Ok(self.known[&x.id()].clone())
     }
@@ -74,6 +103,18 @@ impl<'g> Normalizer<'g> {
     /// Whether `x` is zero in value.
     pub(crate) fn is_zero(&mut self, x: Expr<'g>) -> Result<bool, TooLarge> {
         Ok(self.normal(x)?.is_empty())
+    }
+
+    /// Whether a constant is a sum or a product of so many terms that nothing is gained by writing it out.
+    fn is_long_constant(&self, id: ExprId) -> bool {
+        let terms = |x: ExprId| self.known[&x].len();
+        self.graph.level(id) == Level::Constant
+            && match *self.graph.node(id) {
+                Node::Binary(Binary::Add | Binary::Sub, a, b) => terms(a) + terms(b) > LONGEST_CONSTANT,
+                Node::Binary(Binary::Mul | Binary::Div, a, b) => terms(a) * terms(b) > LONGEST_CONSTANT,
+                Node::Power(a, _) => terms(a) > LONGEST_BASE,
+                _ => false,
+            }
     }
 
     fn node(&mut self, x: Expr<'g>) -> Result<Poly, TooLarge> {
@@ -90,15 +131,12 @@ impl<'g> Normalizer<'g> {
                 let argument = self.to_expr(&known(self, a));
                 self.leaf(argument.apply(op))?
             }
-            Node::Binary(Binary::Add, a, b) => {
-                let mut sum = (*known(self, a)).clone();
-                sum.add_scaled(&known(self, b), &ratio(1, 1));
+            Node::Binary(op @ (Binary::Add | Binary::Sub), a, b) => {
+                let (a, b) = (known(self, a), known(self, b));
+                self.copy(a.size() + b.size())?;
+                let mut sum = (*a).clone();
+                sum.add_scaled(&b, &ratio(if op == Binary::Add { 1 } else { -1 }, 1));
                 sum
-            }
-            Node::Binary(Binary::Sub, a, b) => {
-                let mut difference = (*known(self, a)).clone();
-                difference.add_scaled(&known(self, b), &ratio(-1, 1));
-                difference
             }
             Node::Binary(Binary::Mul, a, b) => self.product(&known(self, a), &known(self, b))?,
             Node::Binary(Binary::Div, a, b) => {
@@ -132,7 +170,7 @@ impl<'g> Normalizer<'g> {
     fn power(&mut self, base: &Poly, exponent: &Rational) -> Result<Poly, TooLarge> {
         let (n, k) = (exponent.numer().to_i64(), exponent.denom().to_i64());
         match (n, k) {
-            (Some(n), Some(1)) if n.abs() <= 64 => {
+            (Some(n), Some(1)) if n.abs() <= MOST_POWER => {
                 let base = if n < 0 { self.reciprocal(base)? } else { base.clone() };
                 let mut power = Poly::constant(Rational::one());
                 for _ in 0..n.abs() {
@@ -140,7 +178,7 @@ impl<'g> Normalizer<'g> {
                 }
                 Ok(power)
             }
-            (Some(n), Some(k)) if n.abs() <= 64 => {
+            (Some(n), Some(k)) if n.abs() <= MOST_POWER => {
                 let root = self.to_expr(base).power(ratio(1, k));
                 let root = self.leaf(root)?;
                 self.power(&root, &ratio(n, 1))
@@ -164,9 +202,15 @@ impl<'g> Normalizer<'g> {
         Ok(Poly::term(Monomial::atom(sum).recip(), leading))
     }
 
+    fn copy(&mut self, factors: usize) -> Result<(), TooLarge> {
+        self.copies = self.copies.checked_sub(factors).ok_or(TooLarge)?;
+        Ok(())
+    }
+
     /// The product of two normal forms.
     pub(crate) fn product(&mut self, a: &Poly, b: &Poly) -> Result<Poly, TooLarge> {
         self.budget = self.budget.checked_sub(a.len() * b.len()).ok_or(TooLarge)?;
+        self.copy(a.size() * b.len() + a.len() * b.size())?;
         let mut product = Poly::default();
         for (u, x) in a.terms() {
             for (v, y) in b.terms() {
@@ -178,7 +222,13 @@ impl<'g> Normalizer<'g> {
 
     /// Adds a term, after the rules `cos^2 = 1 - sin^2` and `root(x)^k = x`.
     fn add_reduced(&mut self, sum: &mut Poly, monomial: Monomial, coefficient: Rational) -> Result<(), TooLarge> {
+        if !is_short(&coefficient) {
+            return Err(TooLarge);
+        }
         for &(atom, power) in monomial.powers() {
+            if i64::from(power.abs()) > MOST_POWER {
+                return Err(TooLarge);
+            }
             let (excess, replacement) = match self.graph.expr(atom).node() {
                 Node::Unary(Unary::Cos, angle) if power >= 2 => {
                     let mut square = Poly::constant(Rational::one());

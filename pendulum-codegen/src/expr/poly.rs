@@ -104,6 +104,11 @@ impl Poly {
         self.0.len()
     }
 
+    /// The number of terms and of their factors.
+    pub(crate) fn size(&self) -> usize {
+        self.0.keys().map(|monomial| 1 + monomial.0.len()).sum()
+    }
+
     /// Whether there are no terms: the value is zero.
     pub(crate) fn is_empty(&self) -> bool {
         self.0.is_empty()

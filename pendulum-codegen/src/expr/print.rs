@@ -11,7 +11,15 @@ use super::{Binary, ExprId, Formula, Graph, Node, Rational, SymbolKind, Unary, r
 pub(crate) struct Printer<'g> {
     graph: &'g Graph,
     names: FxHashMap<ExprId, Formula>,
+    /// The most operations that are written out; of what is longer, the parts that are have dots in their place.
+    most: u64,
 }
+
+/// Constants of more operations are written as numbers.
+pub(crate) const LONGEST_CONSTANT: u64 = 100;
+
+/// The most operations of a text that stands alone.
+const LONGEST_TEXT: u64 = 1_000;
 
 impl<'g> Printer<'g> {
     /// A printer in which no expression but the symbols has a name.
@@ -19,6 +27,7 @@ impl<'g> Printer<'g> {
         Self {
             graph,
             names: FxHashMap::default(),
+            most: u64::MAX,
         }
     }
 
@@ -27,14 +36,36 @@ impl<'g> Printer<'g> {
         self.names.insert(x, name);
     }
 
-    /// The text of `x`.
+    /// The text of `x`, with dots in place of what would make it endless.
     pub(crate) fn print(&self, x: ExprId) -> String {
-        self.formula(x).to_string()
+        self.short(x).to_string()
+    }
+
+    /// The formula of `x`, with dots in place of what would make it endless.
+    pub(crate) fn short(&self, x: ExprId) -> Formula {
+        let short = Self {
+            graph: self.graph,
+            names: self.names.clone(),
+            most: LONGEST_TEXT,
+        };
+        short.definition(x)
     }
 
     /// The formula of `x`: its name, if it has one.
     pub(crate) fn formula(&self, x: ExprId) -> Formula {
-        self.names.get(&x).cloned().unwrap_or_else(|| self.definition(x))
+        self.stand_in(x).unwrap_or_else(|| self.definition(x))
+    }
+
+    /// What is written in place of an expression: its name, the value of a long constant, or dots.
+    fn stand_in(&self, x: ExprId) -> Option<Formula> {
+        if let Some(name) = self.names.get(&x) {
+            return Some(name.clone());
+        }
+        let length = self.graph.length(x);
+        match self.graph.constant(x) {
+            Some(value) if length > LONGEST_CONSTANT => Some(Formula::Name(format!("{value:?}"))),
+            _ => (length > self.most).then(|| Formula::name("..")),
+        }
     }
 
     /// What the name of `x` stands for.
@@ -73,7 +104,7 @@ impl<'g> Printer<'g> {
     }
 
     fn gather_terms(&self, x: ExprId, top: bool, negative: bool, terms: &mut Vec<Summand>) {
-        let named = !top && self.names.contains_key(&x);
+        let named = !top && self.stand_in(x).is_some();
         match *self.graph.node(x) {
             Node::Binary(op @ (Binary::Add | Binary::Sub), a, b) if !named => {
                 self.gather_terms(a, false, negative, terms);
@@ -128,7 +159,7 @@ impl<'g> Printer<'g> {
     }
 
     fn gather_factors(&self, x: ExprId, top: bool, power: Rational, factors: &mut Vec<(ExprId, Rational)>) -> bool {
-        if !top && self.names.contains_key(&x) {
+        if !top && self.stand_in(x).is_some() {
             factors.push((x, power));
             return false;
         }

@@ -32,6 +32,10 @@ const BUDGET: usize = 20_000;
 /// parts: none has been seen to win.
 const HOPELESS: [usize; 2] = [9, 4];
 
+/// Where derivatives take more operations on nodes, graphs that are longer than another by that ratio are not derived, and none is
+/// whose derivatives are known by recursion.
+const MOST_DERIVED: usize = 50_000;
+
 /// How much longer than the shortest the code may be that loses no digits to cancellation: by one part in this many.
 const WORTH_OF_DIGITS: usize = 8;
 
@@ -186,10 +190,20 @@ impl<'g> Forms<'g> {
         with_accelerations: bool,
     ) -> Chosen<'g> {
         let mut candidates = Vec::new();
-        for (own, dynamics, determinant) in &self.forms {
-            let derived = partials(dynamics, variables);
-            let mut columns = ways(&mut self.normalizer, own.basis, derived);
+        let sizes = self.forms.iter();
+        let sizes = sizes.map(|(_, dynamics, _)| variables.len() * model.graph.reachable(&dynamics.entries()).len());
+        let sizes: Vec<usize> = sizes.collect();
+        let least = sizes.iter().copied().min().unwrap_or(0);
+        for ((own, dynamics, determinant), size) in self.forms.iter().zip(sizes) {
+            let is_large = size > MOST_DERIVED;
+            if is_large && HOPELESS[1] * size > HOPELESS[0] * least {
+                continue;
+            }
             let by_recursion = partials_by_recursion(dynamics, &model.coordinates, variables);
+            let mut columns = Vec::new();
+            if !is_large || by_recursion.is_none() {
+                columns = ways(&mut self.normalizer, own.basis, partials(dynamics, variables));
+            }
             columns.extend(by_recursion.map(|columns| (Derivatives::Recursion, columns)));
             let exact = self.exact.iter().filter(|(form, _)| form.basis == own.basis);
             for (factored, solver) in factorings(dynamics, *determinant) {

@@ -11,7 +11,7 @@ use super::Lower;
 use super::measure::{Measure, Quantity};
 use crate::ast::{self, ExprKind, Operator, Vector};
 use crate::error::Reported;
-use crate::expr::{Expr, Level, Rational, Symbol, SymbolKind};
+use crate::expr::{Expr, Level, MOST_POWER, Rational, Symbol, SymbolKind};
 use crate::screw::Vec3;
 use crate::units::Power;
 
@@ -98,8 +98,8 @@ impl Place<'_> {
     }
 }
 
-/// The largest numerator and denominator of a constant power.
-const MOST_POWER: i64 = 64;
+/// How many operations may stand in one another, those of each `let` included: later stages work by recursion.
+const MOST_DEPTH: usize = 1000;
 
 impl<'g> Lower<'g> {
     /// The expression at a place.
@@ -111,6 +111,12 @@ impl<'g> Lower<'g> {
     pub(super) fn quantity(&mut self, expr: &ast::Expr, place: &Place<'g>) -> Result<Quantity<'g>, Reported> {
         let quantity = self.operation(expr, place)?;
         let value = quantity.value;
+        if value.depth() > MOST_DEPTH {
+            let fact = format_args!("{} has more than {MOST_DEPTH} operations in one another", place.what);
+            return Err(self
+                .errors
+                .on(expr, fact, "write it with fewer `let`s that use each other"));
+        }
         if value.level() > place.most {
             let symbols = self.graph.reachable(&[value]).into_iter().map(|id| self.graph.expr(id));
             let mut symbols = symbols.filter(|x| x.level() > place.most).filter_map(Expr::as_symbol);

@@ -2,6 +2,7 @@
 
 use num_traits::{Pow, Zero};
 use proc_macro2::{TokenStream, TokenTree};
+use syn::buffer::Cursor;
 use syn::parse::{Parse, ParseStream};
 use syn::{Ident, Lit, Token, token};
 
@@ -16,9 +17,12 @@ use crate::units::Unit;
 const MOST_TOKENS: usize = 2000;
 const MOST_NESTING: usize = 100;
 
+/// The most digits of a number.
+const MOST_DIGITS: usize = 500;
+
 impl Parse for Expr {
     fn parse(input: ParseStream) -> syn::Result<Self> {
-        let (tokens, nesting) = size_until_comma(input.cursor().token_stream());
+        let (tokens, nesting) = size_until_comma(input.cursor());
         if tokens > MOST_TOKENS || nesting > MOST_NESTING {
             let fact = "the expression is too long, or its brackets are nested too deep";
             let help = format!(
@@ -36,24 +40,33 @@ impl Parse for Expr {
 }
 
 /// The number of tokens before the next comma, and how deep they are nested; the count ends where there are too many.
-fn size_until_comma(tokens: TokenStream) -> (usize, usize) {
+fn size_until_comma(mut rest: Cursor<'_>) -> (usize, usize) {
     let (mut count, mut deepest) = (0, 0);
-    let mut levels = vec![tokens.into_iter()];
-    while let Some(level) = levels.last_mut() {
-        match level.next() {
-            Some(TokenTree::Punct(comma)) if comma.as_char() == ',' && levels.len() == 1 => break,
-            Some(TokenTree::Group(group)) => levels.push(group.stream().into_iter()),
-            Some(_) => {}
-            None => {
-                levels.pop();
-                continue;
+    while let Some((token, next)) = rest.token_tree()
+        && count <= MOST_TOKENS
+    {
+        let mut levels = match token {
+            TokenTree::Punct(comma) if comma.as_char() == ',' => break,
+            TokenTree::Group(group) => vec![group.stream().into_iter()],
+            _ => Vec::new(),
+        };
+        count += 1;
+        deepest = deepest.max(levels.len());
+        while let Some(level) = levels.last_mut()
+            && count <= MOST_TOKENS
+        {
+            match level.next() {
+                None => _ = levels.pop(),
+                Some(token) => {
+                    count += 1;
+                    if let TokenTree::Group(group) = token {
+                        levels.push(group.stream().into_iter());
+                        deepest = deepest.max(levels.len());
+                    }
+                }
             }
         }
-        count += 1;
-        deepest = deepest.max(levels.len() - 1);
-        if count > MOST_TOKENS {
-            break;
-        }
+        rest = next;
     }
     (count, deepest)
 }
@@ -204,6 +217,11 @@ fn number(input: ParseStream) -> syn::Result<ExprKind> {
             ));
         }
     };
+    let count = digits.bytes().take_while(|digit| !b"eE".contains(digit));
+    if count.filter(u8::is_ascii_digit).count() > MOST_DIGITS {
+        let help = format!("up to {MOST_DIGITS} may stand here; a double holds 17");
+        return Err(at(literal.span(), "a number has too many digits", help));
+    }
     let number = decimal(digits).ok_or_else(|| {
         at(
             literal.span(),
@@ -226,13 +244,15 @@ fn decimal(digits: &str) -> Option<Rational> {
         None => (digits, 0),
     };
     let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, ""));
-    let exponent = exponent.checked_sub(i32::try_from(fraction.len()).ok()?)?;
     let integer: num_bigint::BigInt = format!("{whole}{fraction}").parse().ok()?;
     if integer.is_zero() {
         return Some(Rational::zero());
     }
-    let size = exponent + i32::try_from(integer.to_string().len()).ok()?;
-    (-300..=300)
-        .contains(&size)
-        .then(|| Rational::from(integer) * ratio(10, 1).pow(exponent))
+    // far from any overflow by the digits
+    let range = -2000..=2000;
+    let exponent = exponent.clamp(*range.start(), *range.end()) - i32::try_from(fraction.len()).ok()?;
+    let value = Rational::from(integer) * ratio(10, 1).pow(exponent);
+    (ratio(10, 1).pow(-300)..=ratio(10, 1).pow(300))
+        .contains(&value)
+        .then_some(value)
 }

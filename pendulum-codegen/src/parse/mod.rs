@@ -13,7 +13,7 @@ mod token;
 
 pub(crate) use token::starts_item;
 
-use proc_macro2::{Delimiter, TokenStream, TokenTree};
+use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
 use quote::ToTokens;
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseStream, Parser};
@@ -45,6 +45,9 @@ const ITEMS: [&str; 16] = [
     "generate",
 ];
 
+/// How deep brackets may be nested anywhere: deeper than those of an expression, which has a message of its own.
+const MOST_LEVELS: usize = 256;
+
 /// Names that the generated code uses itself: not even a stand-in can be made under one of them.
 const USED: [&str; 7] = ["T", "N", "M", "D", "bool", "f64", "usize"];
 
@@ -54,6 +57,11 @@ const HIDDEN: [&str; 6] = ["Controlled", "Energy", "Ensemble", "Jacobian", "Meth
 /// Reads a declaration. The scene is there unless its head could not be read; errors may stand beside it.
 pub(crate) fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
     let mut errors = Errors::default();
+    if let Some(bracket) = too_deep(tokens.clone()) {
+        let help = format!("up to {MOST_LEVELS} levels may stand here; name parts of expressions with `let`");
+        errors.at(bracket, "brackets are nested too deep", help);
+        return (None, errors);
+    }
     let scene = (|whole: ParseStream| {
         // syn reports what is left in brackets when a stream ends, but not when a copy of it does; here every mistake has
         // an error of its own
@@ -87,6 +95,20 @@ pub(crate) fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
     .parse2(tokens);
     let scene = errors.keep(scene).ok();
     (scene, errors)
+}
+
+/// A bracket that stands in too many others: `syn` reads them by recursion.
+fn too_deep(tokens: TokenStream) -> Option<Span> {
+    let mut levels = vec![tokens.into_iter()];
+    while let Some(level) = levels.last_mut() {
+        match level.next() {
+            None => _ = levels.pop(),
+            Some(TokenTree::Group(group)) if levels.len() > MOST_LEVELS => return Some(group.span_open()),
+            Some(TokenTree::Group(group)) => levels.push(group.stream().into_iter()),
+            Some(_) => {}
+        }
+    }
+    None
 }
 
 fn head(input: ParseStream) -> syn::Result<Head> {

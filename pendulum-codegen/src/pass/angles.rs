@@ -9,10 +9,13 @@ use crate::expr::{Expr, Graph, Level, Monomial, Node, Normalizer, Poly, Rational
 /// A polynomial with more terms is no closed form that anybody would want: recursive forms are far shorter then.
 const MOST_TERMS: usize = 200;
 
+/// Nor is one with a product of the sines and cosines of more angles.
+const MOST_ANGLES: usize = 16;
+
 /// Rewrites a normal form with sums and differences of its angles wherever that leaves fewer terms. The result is equal in
 /// value, and shorter, but no longer canonical.
 pub(crate) fn collect(normalizer: &mut Normalizer<'_>, poly: &Poly) -> Result<Poly, TooLarge> {
-    if poly.len() > MOST_TERMS {
+    if is_large(normalizer.graph(), poly) {
         return Err(TooLarge);
     }
     let mut poly = poly.clone();
@@ -24,7 +27,7 @@ pub(crate) fn collect(normalizer: &mut Normalizer<'_>, poly: &Poly) -> Result<Po
 
 /// The same, beginning with squares: `sin a - cos(a - b) sin b` hides that it is `cos b sin(a - b)`, which this finds.
 pub(crate) fn collect_squares_first(normalizer: &mut Normalizer<'_>, poly: &Poly) -> Result<Poly, TooLarge> {
-    if poly.len() > MOST_TERMS {
+    if is_large(normalizer.graph(), poly) {
         return Err(TooLarge);
     }
     let mut poly = poly.clone();
@@ -32,6 +35,13 @@ pub(crate) fn collect_squares_first(normalizer: &mut Normalizer<'_>, poly: &Poly
         poly = shorter;
     }
     collect(normalizer, &poly)
+}
+
+fn is_large(graph: &Graph, poly: &Poly) -> bool {
+    poly.len() > MOST_TERMS
+        || poly
+            .terms()
+            .any(|(monomial, _)| angles_of(graph, monomial).len() > MOST_ANGLES)
 }
 
 /// Sine and cosine of one angle.

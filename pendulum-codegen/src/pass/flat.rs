@@ -5,7 +5,9 @@ use std::collections::BTreeMap;
 use num_traits::{One, ToPrimitive, Zero};
 use rustc_hash::FxHashMap;
 
-use crate::expr::{Binary, Expr, Graph, Level, Node, Normalizer, Rational, Unary, multiply};
+use crate::expr::{
+    Binary, Expr, Graph, LONGEST_CONSTANT, Level, MOST_BITS, Node, Normalizer, Rational, Unary, is_short, multiply,
+};
 
 /// What constants may take to be brought into normal form.
 const BUDGET: usize = 100_000;
@@ -86,13 +88,13 @@ impl<'g> Flat<'g> {
                 self.term(a.apply(op), Rational::one())
             }
             Node::Power(a, n) => match whole_number(n) {
-                Some(n) => {
+                Some(n) if is_short_power(&self.one_term(a).0, n) => {
                     let (factor, x) = self.one_term(a);
                     let raised = factors(x).into_iter().map(|(atom, power)| (atom, power * i64::from(n)));
                     let product = self.times(g.one(), &raised.collect());
                     self.term(product, num_traits::Pow::pow(factor, n))
                 }
-                None => {
+                _ => {
                     let a = self.sum_of(a);
                     self.term(a.power(n.clone()), Rational::one())
                 }
@@ -103,7 +105,9 @@ impl<'g> Flat<'g> {
 
     /// The terms of a constant: those of its normal form.
     fn constant(&mut self, id: Expr<'g>) -> Linear<'g> {
-        let Ok(normal) = self.normalizer.normal(id) else {
+        // a long constant is printed as the number that it is
+        let is_long = id.level() == Level::Constant && id.length() > LONGEST_CONSTANT;
+        let Some(normal) = (!is_long).then(|| self.normalizer.normal(id).ok()).flatten() else {
             return self.term(id, Rational::one());
         };
         let mut linear = Linear::new();
@@ -129,11 +133,16 @@ impl<'g> Flat<'g> {
             }
         }
         let ((p, x), (q, y)) = (self.one_term(a), self.one_term(b));
+        let factor = p * q;
+        if !is_short(&factor) {
+            let [a, b] = [a, b].map(|x| self.sum_of(x));
+            return self.term(a * b, Rational::one());
+        }
         let mut merged = factors(x);
         for (atom, power) in factors(y) {
             *merged.entry(atom).or_default() += power;
         }
-        self.term(self.times(self.g.one(), &merged), p * q)
+        self.term(self.times(self.g.one(), &merged), factor)
     }
 
     /// An expression as a number times another.
@@ -238,6 +247,12 @@ fn common_factor<'g>(linear: &Linear<'g>) -> Factors<'g> {
 /// The power, if it is whole and of a size that declarations have.
 fn whole_number(power: &Rational) -> Option<i32> {
     power.is_integer().then(|| power.to_i32()).flatten()
+}
+
+/// Whether a power of a number is short enough to be computed.
+fn is_short_power(x: &Rational, n: i32) -> bool {
+    let bits = |n: &num_bigint::BigInt| n.bits().saturating_sub(1);
+    x.is_one() || (bits(x.numer()) + bits(x.denom())).saturating_mul(n.unsigned_abs().into()) <= MOST_BITS
 }
 
 /// Terms times a number.

@@ -3,12 +3,15 @@
 use std::collections::{BTreeMap, BTreeSet};
 
 use num_traits::{One, Signed, ToPrimitive};
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::expr::{Expr, Graph, Level, Node, Normalizer, Rational, SymbolKind, Unary};
 
 /// An angle as a combination of coordinates, and of what else it depends on: pairs of expression and factor.
 type Angle<'g> = BTreeMap<Expr<'g>, i64>;
+
+/// What the normal forms of all angles together may take.
+const BUDGET: usize = 100_000;
 
 /// Replaces sines and cosines of sums of coordinates by products of others that are there anyway. A call costs as much as
 /// dozens of multiplications, the addition theorem three operations.
@@ -19,52 +22,68 @@ pub(crate) fn lower<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
             needed.insert(g.expr(angle));
         }
     }
-    let mut angles: Vec<(Angle<'g>, Expr<'g>)> =
-        needed.into_iter().filter_map(|x| Some((combination(x)?, x))).collect();
+    let mut normalizer = Normalizer::new(g, BUDGET);
+    let angles = needed.into_iter();
+    let mut angles: Vec<(Angle<'g>, Expr<'g>)> = angles
+        .filter_map(|x| Some((combination(&mut normalizer, x)?, x)))
+        .collect();
     angles.sort_by_key(|(angle, x)| (angle.values().map(|n| n.abs()).sum::<i64>(), *x));
-    let mut available: Vec<Available<'g>> = Vec::new();
+    let mut available = Available::default();
     let mut replaced = FxHashMap::default();
     for (angle, x) in angles {
         let [sin, cos] = [x.sin(), x.cos()];
-        let known = derived(&angle, &available).unwrap_or(Available { angle, sin, cos });
-        replaced.insert(sin, known.sin);
-        replaced.insert(cos, known.cos);
-        available.push(known);
+        let known = available.derived(&angle).unwrap_or([sin, cos]);
+        replaced.insert(sin, known[0]);
+        replaced.insert(cos, known[1]);
+        available.push(angle, known);
     }
     g.substitute(roots, replaced)
 }
 
-/// An angle with expressions of its sine and cosine.
+/// Angles with expressions of their sines and cosines.
+#[derive(Default)]
 struct Available<'g> {
-    angle: Angle<'g>,
-    sin: Expr<'g>,
-    cos: Expr<'g>,
+    angles: Vec<(Angle<'g>, [Expr<'g>; 2])>,
+    /// The places of each angle, in order.
+    places: FxHashMap<Angle<'g>, Vec<usize>>,
+    /// What they are combinations of.
+    parts: FxHashSet<Expr<'g>>,
 }
 
-/// Sine and cosine of `angle` as a sum or difference of two available angles.
-fn derived<'g>(angle: &Angle<'g>, available: &[Available<'g>]) -> Option<Available<'g>> {
-    for (n, a) in available.iter().enumerate() {
-        for b in &available[n..] {
-            for (first, second) in [(1, 1), (1, -1), (-1, 1)] {
-                let angle_of_both = scaled_sum(&a.angle, first, &b.angle, second);
-                if angle_of_both != *angle {
-                    continue;
-                }
-                // sin(+-a +- b), cos(+-a +- b)
-                let (sc, cs) = (a.sin * b.cos, a.cos * b.sin);
-                let (cc, ss) = (a.cos * b.cos, a.sin * b.sin);
-                let sin = match (first, second) {
-                    (1, 1) => sc + cs,
-                    (1, _) => sc - cs,
-                    _ => cs - sc,
-                };
-                let cos = if first == second { cc - ss } else { cc + ss };
-                let angle = angle_of_both;
-                return Some(Available { angle, sin, cos });
-            }
-        }
+impl<'g> Available<'g> {
+    fn push(&mut self, angle: Angle<'g>, sine_and_cosine: [Expr<'g>; 2]) {
+        self.places.entry(angle.clone()).or_default().push(self.angles.len());
+        self.parts.extend(angle.keys());
+        self.angles.push((angle, sine_and_cosine));
     }
-    None
+
+    /// Sine and cosine of `angle` as a sum or difference of two available angles.
+    fn derived(&self, angle: &Angle<'g>) -> Option<[Expr<'g>; 2]> {
+        if !angle.keys().all(|part| self.parts.contains(part)) {
+            return None;
+        }
+        for (n, (first, [sin_a, cos_a])) in self.angles.iter().enumerate() {
+            // a + b, a - b, -a + b
+            let others = [
+                scaled_sum(angle, 1, first, -1),
+                scaled_sum(first, 1, angle, -1),
+                scaled_sum(angle, 1, first, 1),
+            ];
+            let place = |other: &Angle<'g>| self.places.get(other)?.iter().copied().find(|&place| place >= n);
+            let places = others.iter().enumerate();
+            let first = places.filter_map(|(way, other)| Some((place(other)?, way))).min();
+            let Some((place, way)) = first else { continue };
+            let [sin_b, cos_b] = self.angles[place].1;
+            let (sc, cs) = (*sin_a * cos_b, *cos_a * sin_b);
+            let (cc, ss) = (*cos_a * cos_b, *sin_a * sin_b);
+            return Some(match way {
+                0 => [sc + cs, cc - ss],
+                1 => [sc - cs, cc + ss],
+                _ => [cs - sc, cc + ss],
+            });
+        }
+        None
+    }
 }
 
 fn scaled_sum<'g>(a: &Angle<'g>, first: i64, b: &Angle<'g>, second: i64) -> Angle<'g> {
@@ -77,12 +96,10 @@ fn scaled_sum<'g>(a: &Angle<'g>, first: i64, b: &Angle<'g>, second: i64) -> Angl
 }
 
 /// The angle as a combination, if it is one with integer factors. What is not a coordinate, such as the angle of a drive, is one part of it.
-fn combination(x: Expr<'_>) -> Option<Angle<'_>> {
-    const BUDGET: usize = 10_000;
+fn combination<'g>(normalizer: &mut Normalizer<'g>, x: Expr<'g>) -> Option<Angle<'g>> {
     if x.level() != Level::State {
         return None;
     }
-    let mut normalizer = Normalizer::new(x.graph(), BUDGET);
     let poly = normalizer.normal(x).ok()?;
     let mut angle = Angle::new();
     let mut rest = (*poly).clone();

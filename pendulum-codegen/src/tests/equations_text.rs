@@ -257,10 +257,12 @@ fn assert_ordered(equations: &Equations) {
             .chain(definitions.iter().map(|definition| &definition.formula))
             .collect();
         for (n, Definition { name, formula }) in definitions.iter().enumerate() {
-            let later = definitions[n..].iter().find(|later| formula.mentions(&later.name));
+            let later = definitions[n..]
+                .iter()
+                .find(|later| formula.names().any(|name| name == later.name));
             assert!(later.is_none(), "{name} uses {later:?} in\n{equations}");
             assert!(
-                formulas.iter().any(|formula| formula.mentions(name)),
+                formulas.iter().any(|formula| formula.names().any(|own| own == *name)),
                 "{name} is unused"
             );
         }

@@ -6,6 +6,7 @@ mod equations;
 mod equations_text;
 mod forms;
 mod gallery;
+mod limits;
 mod normal_form;
 mod places;
 mod solids;

@@ -10,6 +10,13 @@ use super::parts::{Item, Operand, Parts, Ref};
 /// Two operands of one sum or product, and whether their signs differ.
 type Pair = (Ref, Ref, bool);
 
+/// Up to this many operands of one sum or product all pairs are looked at. Of more, each operand makes pairs with those that are
+/// near it.
+const MOST_OPERANDS: usize = 64;
+
+/// How many operands are near.
+const NEAR: usize = 16;
+
 /// Where pairs are looked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Of {
@@ -26,7 +33,7 @@ pub(super) fn share_pairs(parts: &mut Parts, of: Of) {
         queue: BTreeSet::new(),
     };
     for item in 0..search.parts.items.len() {
-        search.count(item, true);
+        search.count(item, true, |_| true);
     }
     while let Some((_, Reverse(pair))) = search.queue.pop_last() {
         search.extract(pair);
@@ -60,8 +67,8 @@ impl Search<'_> {
         }
     }
 
-    /// The pairs of one item, each with the number of times it can be taken out.
-    fn pairs(&self, item: Ref) -> Vec<(Pair, usize)> {
+    /// The pairs of one item of which at least one operand is of interest, each with the number of times it can be taken out.
+    fn pairs(&self, item: Ref, of_interest: impl Fn(Ref) -> bool) -> Vec<(Pair, usize)> {
         let Some(operands) = self.operands(item) else {
             return Vec::new();
         };
@@ -71,12 +78,18 @@ impl Search<'_> {
         }
         let distinct: Vec<(Operand, usize)> = multiplicity.into_iter().collect();
         let mut pairs: BTreeMap<Pair, usize> = BTreeMap::new();
+        let near = if distinct.len() > MOST_OPERANDS {
+            NEAR
+        } else {
+            MOST_OPERANDS
+        };
         for (n, &((a, minus_a), count_a)) in distinct.iter().enumerate() {
-            if self.of == Of::Products && count_a > 1 && !self.parts.constant[a] {
+            let a_matters = of_interest(a);
+            if a_matters && self.of == Of::Products && count_a > 1 && !self.parts.constant[a] {
                 pairs.insert((a, a, false), count_a / 2);
             }
-            for &((b, minus_b), count_b) in &distinct[n + 1..] {
-                if a != b && !(self.parts.constant[a] && self.parts.constant[b]) {
+            for &((b, minus_b), count_b) in distinct[n + 1..].iter().take(near) {
+                if a != b && (a_matters || of_interest(b)) && !(self.parts.constant[a] && self.parts.constant[b]) {
                     *pairs.entry((a, b, minus_a != minus_b)).or_default() += count_a.min(count_b);
                 }
             }
@@ -84,9 +97,9 @@ impl Search<'_> {
         pairs.into_iter().collect()
     }
 
-    /// Adds the pairs of an item to the count, or takes them off.
-    fn count(&mut self, item: Ref, add: bool) {
-        for (pair, times) in self.pairs(item) {
+    /// Adds pairs of an item to the count, or takes them off.
+    fn count(&mut self, item: Ref, add: bool, of_interest: impl Fn(Ref) -> bool) {
+        for (pair, times) in self.pairs(item, of_interest) {
             let places = self.places.entry(pair).or_default();
             let before: usize = places.values().sum();
             if add {
@@ -116,10 +129,13 @@ impl Search<'_> {
             if item == whole {
                 continue;
             }
-            self.count(item, false);
             let Some(mut operands) = self.operands(item).cloned() else {
                 continue;
             };
+            // other pairs stay as they are, unless only near operands make pairs, and others come near
+            let is_long = operands.len() > MOST_OPERANDS;
+            let changes = |operand: Ref| is_long || [a, b, whole].contains(&operand);
+            self.count(item, false, changes);
             for minus in [false, true] {
                 let (first, second) = ((a, minus), (b, minus != opposite));
                 while let Some((i, j)) = positions(&operands, first, second) {
@@ -130,7 +146,7 @@ impl Search<'_> {
             }
             operands.sort_unstable();
             self.parts.items[item] = self.of.item(operands);
-            self.count(item, true);
+            self.count(item, true, changes);
         }
     }
 }

@@ -68,8 +68,9 @@ impl<'g> Composer<'_, 'g> {
         let force = self.shorter(&self.torques.passive.clone());
         let mut candidates = Vec::new();
         if let Some(closed) = self.closed.clone() {
-            if !is_endless(&force) {
-                let flat = Candidate::new(self.listing(&[&closed[..], &force].concat(), false, true), EXPANDED);
+            let entries = [&closed[..], &force].concat();
+            if !is_endless(&entries) {
+                let flat = Candidate::new(self.listing(&entries, false, true), EXPANDED);
                 if flat.length <= SHORT {
                     return flat.listing;
                 }
@@ -89,8 +90,9 @@ impl<'g> Composer<'_, 'g> {
     /// The form in which torques are multiplied out.
     fn full(&mut self, force: &[Expr<'g>]) -> Listing {
         let force = self.shorter(force);
-        match &self.closed {
-            Some(closed) if !is_endless(&force) => self.listing(&[closed, &force[..]].concat(), false, false),
+        let entries = self.closed.as_ref().map(|closed| [closed, &force[..]].concat());
+        match entries {
+            Some(entries) if !is_endless(&entries) => self.listing(&entries, false, false),
             _ => best(self.named(&self.recursion, &force, false, RECURSIVE)),
         }
     }

@@ -9,6 +9,9 @@ use crate::expr::{
 };
 use crate::model::Model;
 
+/// The most operations of an expression that is plain without a name.
+const LONGEST_PLAIN: u64 = 100;
+
 /// A printer in which what repeats among the entries has a name, and what the names stand for. Two equal entries are written once:
 /// the second refers to the first, as does an entry that contains another.
 pub(super) fn name_parts<'g>(
@@ -120,7 +123,7 @@ impl Names<'_> {
         let formula = self.printer.definition(id);
         let name = match meaning {
             Some(name) if self.is_customary(id, count) => name,
-            _ if self.is_plain(id, &formula) => return false,
+            _ if self.graph.length(id) <= LONGEST_PLAIN && self.is_plain(id, &formula) => return false,
             meaning => {
                 let name = meaning.unwrap_or_else(|| self.temporary());
                 let brackets = if formula.precedence() == Precedence::Sum { 2 } else { 0 };

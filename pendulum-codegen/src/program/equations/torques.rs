@@ -1,5 +1,7 @@
 //! Torques as they were written.
 
+use rustc_hash::FxHashSet;
+
 use crate::dynamics::Dynamics;
 use crate::expr::{Definition, Expr, Formula, Normalizer, Printer, Summand, ratio};
 use crate::form::expanded;
@@ -69,21 +71,19 @@ impl<'g> Torques<'g> {
         model: &Model<'_>,
         formulas: impl IntoIterator<Item = &'f Formula>,
     ) -> Vec<Definition> {
-        let mut using: Vec<&Formula> = formulas.into_iter().collect();
+        let mut mentioned: FxHashSet<&str> = formulas.into_iter().flat_map(Formula::names).collect();
         let mut used = Vec::new();
         // a definition uses only names before it
         for definition in model.lets.iter().chain(&self.named).rev() {
-            if using.iter().any(|formula| formula.mentions(&definition.name)) {
-                using.push(&definition.formula);
+            if mentioned.contains(definition.name.as_str()) {
+                mentioned.extend(definition.formula.names());
                 used.push(definition.clone());
             }
         }
         used.reverse();
         let mentioned = |point: &&Definition| {
             let name = point.name.split('.').next().unwrap_or_default();
-            using
-                .iter()
-                .any(|formula| formula.mentions(&point.name) || formula.mentions(name))
+            mentioned.contains(point.name.as_str()) || mentioned.contains(name)
         };
         let points: Vec<Definition> = self.points.iter().filter(mentioned).cloned().collect();
         [points, used].concat()
@@ -100,7 +100,7 @@ fn points(model: &Model<'_>) -> Vec<Definition> {
     for drive in &model.drives {
         definitions.push(Definition {
             name: drive.coordinate.name.trim_start_matches("r#").to_owned(),
-            formula: printer.definition(drive.law[0].id()),
+            formula: printer.short(drive.law[0].id()),
         });
     }
     for point in &model.points {
@@ -109,7 +109,7 @@ fn points(model: &Model<'_>) -> Vec<Definition> {
         let position = short.map_or(position, |columns| columns.concat());
         definitions.extend(["x", "y", "z"].into_iter().zip(position).map(|(axis, x)| Definition {
             name: format!("{}.{axis}", point.name.trim_start_matches("r#")),
-            formula: printer.definition(x.id()),
+            formula: printer.short(x.id()),
         }));
     }
     definitions
