@@ -1,4 +1,4 @@
-//! Wrong declarations, one file for each mistake, and what the generator says of them.
+//! Wrong declarations, one file for each mistake in folders by kind, and what the generator says of them.
 //!
 //! `UPDATE_EXPECT=1 cargo test -p pendulum-codegen --test ui` rewrites the expected messages. What only a compiler
 //! shows, such as uses of a wrong model, is in `tests/ui` of the workspace.
@@ -14,9 +14,9 @@ use proc_macro2::{Group, TokenStream, TokenTree};
 #[test]
 fn wrong_declarations_are_explained() {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/ui");
-    let files = fs::read_dir(&folder).expect("a folder of cases");
-    let mut files: Vec<PathBuf> = files.map(|file| file.expect("a file").path()).collect();
-    files.sort();
+    let kinds = paths(&folder);
+    assert!(kinds.iter().all(|kind| kind.is_dir()), "cases stand in folders by kind");
+    let files: Vec<PathBuf> = kinds.iter().flat_map(|kind| paths(kind)).collect();
     let (cases, expected): (Vec<_>, Vec<_>) = files
         .iter()
         .partition(|path| path.extension().is_some_and(|e| e == "rs"));
@@ -31,6 +31,14 @@ fn wrong_declarations_are_explained() {
     };
     let wrong: Vec<_> = cases.into_iter().filter(|case| differs(case)).collect();
     assert!(wrong.is_empty(), "{} cases differ: {wrong:#?}", wrong.len());
+}
+
+/// What stands in a folder, in order.
+fn paths(folder: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(folder).expect("a folder");
+    let mut paths: Vec<PathBuf> = entries.map(|entry| entry.expect("an entry").path()).collect();
+    paths.sort();
+    paths
 }
 
 /// All errors of a file, as the compiler prints them.
