@@ -22,6 +22,7 @@ use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 mechanism! {
     /// Every function there is.
     pub Functions {
+        units: none,
         gravity: [0, -9.81, 0],
         generate: [rhs, jacobian, energy, taylor],
         body cart on ground {
