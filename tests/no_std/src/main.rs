@@ -16,7 +16,7 @@ mechanism! {
         gravity: [0, -9.8, 0],
         generate: [rhs, jacobian, energy, taylor, canonical, shapes],
         shape plate { mass: m, com: [0, -l, 0], inertia: inertia }
-        body upper on ground: plate { joint: revolute(z), coordinate: theta1, torque: -gamma * tanh(qd) }
+        body upper on ground: plate { joint: revolute(z), coordinate: theta1, torque: -gamma * 1 rad/s * tanh(qd * 1 s) }
         body lower on upper: plate { joint: revolute(z) at [0, -l, 0], coordinate: theta2 absolute, friction: gamma }
         event bottom: theta1,
         output height: cos(theta1),
