@@ -24,14 +24,14 @@ fn code(declaration: &str) -> String {
             && let Some((_, items)) = &mut module.content
         {
             *items = unwrapped(take(items), |item| match item {
-                Item::Macro(ItemMacro { mac, .. }) => Ok(mac),
-                item => Err(item),
+                Item::Macro(ItemMacro { mac, .. }) => Some(mac),
+                _ => None,
             });
             for item in items {
                 if let Item::Impl(of) = item {
                     of.items = unwrapped(take(&mut of.items), |item| match item {
-                        ImplItem::Macro(ImplItemMacro { mac, .. }) => Ok(mac),
-                        item => Err(item),
+                        ImplItem::Macro(ImplItemMacro { mac, .. }) => Some(mac),
+                        _ => None,
                     });
                 }
             }
@@ -45,8 +45,8 @@ fn code(declaration: &str) -> String {
 }
 
 /// Items with those of the macros among them in their place.
-fn unwrapped<I: Parse>(items: Vec<I>, as_macro: fn(I) -> Result<Macro, I>) -> Vec<I> {
-    let inside = |mac: Macro| {
+fn unwrapped<I: Parse>(items: Vec<I>, as_macro: fn(&I) -> Option<&Macro>) -> Vec<I> {
+    let inside = |mac: &Macro| {
         let all = |input: ParseStream<'_>| {
             let mut items = Vec::new();
             while !input.is_empty() {
@@ -56,9 +56,10 @@ fn unwrapped<I: Parse>(items: Vec<I>, as_macro: fn(I) -> Result<Macro, I>) -> Ve
         };
         mac.parse_body_with(all).expect("items")
     };
-    let items = items
-        .into_iter()
-        .map(|item| as_macro(item).map_or_else(|item| vec![item], inside));
+    let items = items.into_iter().map(|item| match as_macro(&item) {
+        Some(mac) => inside(mac),
+        None => vec![item],
+    });
     items.flatten().collect()
 }
 
