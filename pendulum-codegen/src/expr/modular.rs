@@ -112,10 +112,11 @@ fn zero_pivot(mut a: Vec<Vec<u64>>) -> Option<usize> {
         let Some(over_pivot) = inverse(a[k][k]) else {
             return Some(k);
         };
-        for i in 0..k {
-            let factor = times(a[i][k], over_pivot);
-            for j in 0..k {
-                a[i][j] = minus(a[i][j], times(factor, a[k][j]));
+        let last = std::mem::take(&mut a[k]);
+        for row in &mut a[..k] {
+            let factor = times(row[k], over_pivot);
+            for (entry, own) in row.iter_mut().zip(&last[..k]) {
+                *entry = minus(*entry, times(factor, *own));
             }
         }
     }
