@@ -25,8 +25,8 @@ const MOST_TURNS: i64 = 16;
 /// How many factors are copied for each product of terms, at most: long monomials and long sums take time as well.
 const COPIES: usize = 64;
 
-/// Constants of more terms are atoms. They are numbers in the end, and so are those of bodies that are fixed to others in a row, which
-/// would grow without end.
+/// Constants of more terms are atoms. They are numbers in the end, and so are those of bodies that are fixed to others
+/// in a row, which would grow without end.
 const LONGEST_CONSTANT: usize = 12;
 
 /// The most terms of a constant of which a power is written out.

@@ -37,7 +37,8 @@ pub(super) fn share_pairs(parts: &mut Parts, of: Of) {
     }
 }
 
-/// Makes sums of sums, or products of products, of those that have too many operands. Equal ones begin with equal parts.
+/// Makes sums of sums, or products of products, of those that have too many operands. Equal ones begin with equal
+/// parts.
 fn split(parts: &mut Parts, of: Of) {
     let mut item = 0;
     while item < parts.items.len() {
@@ -88,7 +89,8 @@ impl Search<'_> {
         self.of.operands(&self.parts.items[item])
     }
 
-    /// The pairs of one item of which at least one operand is of interest, each with the number of times it can be taken out.
+    /// The pairs of one item of which at least one operand is of interest, each with the number of times it can be
+    /// taken out.
     fn pairs(&self, item: Ref, of_interest: impl Fn(Ref) -> bool) -> Vec<(Pair, usize)> {
         let Some(operands) = self.operands(item) else {
             return Vec::new();
