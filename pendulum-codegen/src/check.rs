@@ -8,7 +8,8 @@ use crate::expr::{ExprId, SymbolKind, vanishing_pivot};
 use crate::lower::Spans;
 use crate::model::{CoordinateId, Model};
 
-/// Refuses a scene whose mass matrix is singular in every state, for all parameters, or that has numbers which change nothing.
+/// Refuses a scene whose mass matrix is singular in every state, for all parameters, or that has numbers which change
+/// nothing.
 pub(crate) fn check(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'_>) -> Result<(), Errors> {
     let mut errors = Errors::default();
     if needs_inertia(model)

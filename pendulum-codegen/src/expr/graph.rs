@@ -144,7 +144,8 @@ impl Graph {
         (stored.level == Level::Constant).then_some(stored.value)
     }
 
-    /// The number of its operations if it is written out, with nothing shared; the most that can be counted where it is longer.
+    /// The number of its operations if it is written out, with nothing shared; the most that can be counted where it is
+    /// longer.
     pub fn length(&self, id: ExprId) -> u64 {
         self.nodes[id.index()].length
     }

@@ -41,12 +41,12 @@ pub(crate) use print::{LONGEST_CONSTANT, Printer};
 /// An exact number.
 pub(crate) type Rational = num_rational::BigRational;
 
-/// The largest power that is written, and that products are gathered to: what is emitted for one is as long as a product of as many
-/// factors.
+/// The largest power that is written, and that products are gathered to: what is emitted for one is as long as a
+/// product of as many factors.
 pub(crate) const MOST_POWER: i64 = 64;
 
-/// The most binary digits, of numerator and denominator together, of numbers that are computed exactly. Operations on longer ones stay
-/// operations, which have a value in double precision, as the sine of a number has.
+/// The most binary digits, of numerator and denominator together, of numbers that are computed exactly. Operations on
+/// longer ones stay operations, which have a value in double precision, as the sine of a number has.
 pub(crate) const MOST_BITS: u64 = 4096;
 
 /// Whether a number is short enough to be computed with exactly.

@@ -1,24 +1,25 @@
 //! Values modulo a prime, at points that have nothing special: whether an expression vanishes identically.
 //!
-//! A polynomial that is not zero vanishes at a random point with a probability of its degree over the prime (Schwartz and Zippel),
-//! whatever the size of its numbers. Sine and cosine of an angle are a random point of the circle, so that their squares add up to 1
-//! and the addition theorems hold; a root is one of two; other functions are random numbers, the same for the same argument. So what
-//! vanishes here by these rules vanishes everywhere, and nothing is rounded.
+//! A polynomial that is not zero vanishes at a random point with a probability of its degree over the prime (Schwartz
+//! and Zippel), whatever the size of its numbers. Sine and cosine of an angle are a random point of the circle, so that
+//! their squares add up to 1 and the addition theorems hold; a root is one of two; other functions are random numbers,
+//! the same for the same argument. So what vanishes here by these rules vanishes everywhere, and nothing is rounded.
 
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive};
 
 use super::{Binary, Expr, ExprId, Graph, MOST_POWER, Node, Rational, Unary};
 
-/// A Mersenne prime. It is 3 modulo 4, so -1 is no square, and `x^((P + 1) / 4)` is a root of `x` wherever there is one.
+/// A Mersenne prime. It is 3 modulo 4, so -1 is no square, and `x^((P + 1) / 4)` is a root of `x` wherever there is
+/// one.
 const P: u64 = (1 << 61) - 1;
 
 /// The cosine and the sine of an angle.
 type Turn = [u64; 2];
 
 impl Graph {
-    /// The values of some expressions modulo a prime, at a point that `seed` chooses; none where one of them has no value there: a
-    /// root of what is no square, or a quotient by zero.
+    /// The values of some expressions modulo a prime, at a point that `seed` chooses; none where one of them has no
+    /// value there: a root of what is no square, or a quotient by zero.
     pub(crate) fn evaluate_modulo(&self, roots: &[Expr<'_>], seed: u64) -> Option<Vec<u64>> {
         let reachable = self.reachable(roots);
         let is_angle = self.angles(&reachable);
@@ -89,8 +90,8 @@ impl Graph {
     }
 }
 
-/// Whether a symmetric matrix is singular for all values of its symbols: the place of a pivot that vanishes when it is eliminated from
-/// the last row on. None where it is not, or where that is not known.
+/// Whether a symmetric matrix is singular for all values of its symbols: the place of a pivot that vanishes when it is
+/// eliminated from the last row on. None where it is not, or where that is not known.
 pub(crate) fn vanishing_pivot(matrix: &[Vec<Expr<'_>>]) -> Option<usize> {
     /// In how many points a pivot must vanish: a root is one of two, which may fit by chance.
     const ENOUGH: usize = 8;
@@ -112,10 +113,11 @@ fn zero_pivot(mut a: Vec<Vec<u64>>) -> Option<usize> {
         let Some(over_pivot) = inverse(a[k][k]) else {
             return Some(k);
         };
-        for i in 0..k {
-            let factor = times(a[i][k], over_pivot);
-            for j in 0..k {
-                a[i][j] = minus(a[i][j], times(factor, a[k][j]));
+        let last = std::mem::take(&mut a[k]);
+        for row in &mut a[..k] {
+            let factor = times(row[k], over_pivot);
+            for (entry, own) in row.iter_mut().zip(&last[..k]) {
+                *entry = minus(*entry, times(factor, *own));
             }
         }
     }

@@ -25,8 +25,8 @@ const MOST_TURNS: i64 = 16;
 /// How many factors are copied for each product of terms, at most: long monomials and long sums take time as well.
 const COPIES: usize = 64;
 
-/// Constants of more terms are atoms. They are numbers in the end, and so are those of bodies that are fixed to others in a row, which
-/// would grow without end.
+/// Constants of more terms are atoms. They are numbers in the end, and so are those of bodies that are fixed to others
+/// in a row, which would grow without end.
 const LONGEST_CONSTANT: usize = 12;
 
 /// The most terms of a constant of which a power is written out.
@@ -94,7 +94,7 @@ impl<'g> Normalizer<'g> {
                 false if self.is_long_constant(id) => Ok(Poly::atom(id)),
                 false => self.node(self.graph.expr(id)),
             };
-            let poly = poly.inspect_err(|_| _ = self.too_large.extend([id, x.id()]))?;
+            let poly = poly.inspect_err(|_| self.too_large.extend([id, x.id()]))?;
             self.known.insert(id, Rc::new(poly));
         }
         Ok(self.known[&x.id()].clone())
@@ -128,7 +128,7 @@ impl<'g> Normalizer<'g> {
                 if op == Unary::Sin { sine } else { cosine }
             }
             Node::Unary(op, a) => {
-                let argument = self.to_expr(&known(self, a));
+                let argument = self.written(&known(self, a))?;
                 self.leaf(argument.apply(op))?
             }
             Node::Binary(op @ (Binary::Add | Binary::Sub), a, b) => {
@@ -144,7 +144,7 @@ impl<'g> Normalizer<'g> {
                 self.product(&known(self, a), &reciprocal)?
             }
             Node::Binary(op @ Binary::Atan2, a, b) => {
-                let (a, b) = (self.to_expr(&known(self, a)), self.to_expr(&known(self, b)));
+                let (a, b) = (self.written(&known(self, a))?, self.written(&known(self, b))?);
                 Poly::atom(a.combine(op, b))
             }
             Node::Power(a, exponent) => self.power(&known(self, a), exponent)?,
@@ -179,11 +179,11 @@ impl<'g> Normalizer<'g> {
                 Ok(power)
             }
             (Some(n), Some(k)) if n.abs() <= MOST_POWER => {
-                let root = self.to_expr(base).power(ratio(1, k));
+                let root = self.written(base)?.power(ratio(1, k));
                 let root = self.leaf(root)?;
                 self.power(&root, &ratio(n, 1))
             }
-            _ => Ok(Poly::atom(self.to_expr(base).power(exponent.clone()))),
+            _ => Ok(Poly::atom(self.written(base)?.power(exponent.clone()))),
         }
     }
 
@@ -198,7 +198,7 @@ impl<'g> Normalizer<'g> {
             return Ok(Poly::term(Monomial::atom(self.graph.zero()).recip(), Rational::one()));
         };
         let leading = leading.recip();
-        let sum = self.to_expr(&x.scaled(&leading));
+        let sum = self.written(&x.scaled(&leading))?;
         Ok(Poly::term(Monomial::atom(sum).recip(), leading))
     }
 
@@ -284,7 +284,7 @@ impl<'g> Normalizer<'g> {
             (turns, rest) = (Vec::new(), angle.clone());
         }
         if !rest.is_empty() {
-            turns.push((self.to_expr(&rest), Rational::one()));
+            turns.push((self.written(&rest)?, Rational::one()));
         }
         turns.retain(|(_, n)| !n.is_zero());
         turns.sort();
@@ -302,6 +302,14 @@ impl<'g> Normalizer<'g> {
             }
         }
         Ok((sine, cosine))
+    }
+
+    /// The expression of a polynomial within another.
+    fn written(&mut self, poly: &Poly) -> Result<Expr<'g>, TooLarge> {
+        /// How many factors are copied in the time in which a node is found in the graph.
+        const NODE: usize = 16;
+        self.copy(NODE * poly.size())?;
+        Ok(self.to_expr(poly))
     }
 
     /// The expression of a polynomial: the same one for equal polynomials.

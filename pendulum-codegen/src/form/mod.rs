@@ -32,8 +32,8 @@ const BUDGET: usize = 20_000;
 /// parts: none has been seen to win.
 const HOPELESS: [usize; 2] = [9, 4];
 
-/// Where derivatives take more operations on nodes, graphs that are longer than another by that ratio are not derived, and none is
-/// whose derivatives are known by recursion.
+/// Where derivatives take more operations on nodes, graphs that are longer than another by that ratio are not derived,
+/// and none is whose derivatives are known by recursion.
 const MOST_DERIVED: usize = 50_000;
 
 /// How much longer than the shortest the code may be that loses no digits to cancellation: by one part in this many.

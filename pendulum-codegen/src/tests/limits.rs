@@ -192,6 +192,9 @@ fn inertia_is_found_whatever_the_parameters_and_the_scales() {
     assert!(has_inertia(&shared("[0, 0.001, 0.7]")));
 }
 
+/// What a family of declarations is of, and its declaration of a size.
+type Family = (&'static str, Box<dyn Fn(usize) -> String>);
+
 #[test]
 fn work_grows_with_the_square_of_a_declaration_at_most() {
     let acting = |step: &'static str| move |n| pendulum(&(chain(n, "theta", step) + &format!("force theta: a{n},")));
@@ -202,7 +205,7 @@ fn work_grows_with_the_square_of_a_declaration_at_most() {
             body b on ground {{ mass: a{n}, com: [0, -1, 0], joint: revolute(z), coordinate: theta }} }}"
         )
     };
-    let families: Vec<(&str, Box<dyn Fn(usize) -> String>)> = vec![
+    let families: Vec<Family> = vec![
         ("products of functions", Box::new(acting("sin(@)*cos(@)"))),
         ("squares", Box::new(acting("@*@"))),
         ("sums of squares", Box::new(acting("@*@ + @"))),

@@ -10,12 +10,8 @@ use super::parts::{Item, Operand, Parts, Ref};
 /// Two operands of one sum or product, and whether their signs differ.
 type Pair = (Ref, Ref, bool);
 
-/// Up to this many operands of one sum or product all pairs are looked at. Of more, each operand makes pairs with those that are
-/// near it.
+/// Sums and products of more operands are split: the number of pairs grows with the square.
 const MOST_OPERANDS: usize = 64;
-
-/// How many operands are near.
-const NEAR: usize = 16;
 
 /// Where pairs are looked for.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -26,6 +22,7 @@ pub(super) enum Of {
 
 /// Takes out pairs of all sums, or of all products, until none stands in two places.
 pub(super) fn share_pairs(parts: &mut Parts, of: Of) {
+    split(parts, of);
     let mut search = Search {
         parts,
         of,
@@ -40,17 +37,45 @@ pub(super) fn share_pairs(parts: &mut Parts, of: Of) {
     }
 }
 
+/// Makes sums of sums, or products of products, of those that have too many operands. Equal ones begin with equal
+/// parts.
+fn split(parts: &mut Parts, of: Of) {
+    let mut item = 0;
+    while item < parts.items.len() {
+        while let Some(operands) = of.operands(&parts.items[item])
+            && operands.len() > MOST_OPERANDS
+        {
+            let operands = operands.clone();
+            let chunks = operands.chunks(MOST_OPERANDS / 2).map(|chunk| match of {
+                Of::Sums => parts.sum(chunk.to_vec()),
+                Of::Products => (parts.product(chunk.iter().map(|(factor, _)| *factor).collect()), false),
+            });
+            let mut chunks: Vec<Operand> = chunks.collect();
+            chunks.sort_unstable();
+            parts.items[item] = of.item(chunks);
+        }
+        item += 1;
+    }
+}
+
 /// The state of a search.
 struct Search<'p> {
     parts: &'p mut Parts,
     of: Of,
-    /// In which items each pair stands, and how often.
-    places: FxHashMap<Pair, BTreeMap<Ref, usize>>,
+    /// In which items each pair stands and how often, and how often in all of them.
+    places: FxHashMap<Pair, (BTreeMap<Ref, usize>, usize)>,
     /// Pairs that stand in two places or more; the most frequent last.
     queue: BTreeSet<(usize, Reverse<Pair>)>,
 }
 
 impl Of {
+    fn operands(self, item: &Item) -> Option<&Vec<Operand>> {
+        match (item, self) {
+            (Item::Sum(operands), Self::Sums) | (Item::Product(operands), Self::Products) => Some(operands),
+            _ => None,
+        }
+    }
+
     fn item(self, operands: Vec<Operand>) -> Item {
         match self {
             Self::Sums => Item::Sum(operands),
@@ -61,13 +86,11 @@ impl Of {
 
 impl Search<'_> {
     fn operands(&self, item: Ref) -> Option<&Vec<Operand>> {
-        match (&self.parts.items[item], self.of) {
-            (Item::Sum(operands), Of::Sums) | (Item::Product(operands), Of::Products) => Some(operands),
-            _ => None,
-        }
+        self.of.operands(&self.parts.items[item])
     }
 
-    /// The pairs of one item of which at least one operand is of interest, each with the number of times it can be taken out.
+    /// The pairs of one item of which at least one operand is of interest, each with the number of times it can be
+    /// taken out.
     fn pairs(&self, item: Ref, of_interest: impl Fn(Ref) -> bool) -> Vec<(Pair, usize)> {
         let Some(operands) = self.operands(item) else {
             return Vec::new();
@@ -78,17 +101,12 @@ impl Search<'_> {
         }
         let distinct: Vec<(Operand, usize)> = multiplicity.into_iter().collect();
         let mut pairs: BTreeMap<Pair, usize> = BTreeMap::new();
-        let near = if distinct.len() > MOST_OPERANDS {
-            NEAR
-        } else {
-            MOST_OPERANDS
-        };
         for (n, &((a, minus_a), count_a)) in distinct.iter().enumerate() {
             let a_matters = of_interest(a);
             if a_matters && self.of == Of::Products && count_a > 1 && !self.parts.constant[a] {
                 pairs.insert((a, a, false), count_a / 2);
             }
-            for &((b, minus_b), count_b) in distinct[n + 1..].iter().take(near) {
+            for &((b, minus_b), count_b) in &distinct[n + 1..] {
                 if a != b && (a_matters || of_interest(b)) && !(self.parts.constant[a] && self.parts.constant[b]) {
                     *pairs.entry((a, b, minus_a != minus_b)).or_default() += count_a.min(count_b);
                 }
@@ -100,14 +118,15 @@ impl Search<'_> {
     /// Adds pairs of an item to the count, or takes them off.
     fn count(&mut self, item: Ref, add: bool, of_interest: impl Fn(Ref) -> bool) {
         for (pair, times) in self.pairs(item, of_interest) {
-            let places = self.places.entry(pair).or_default();
-            let before: usize = places.values().sum();
-            if add {
-                places.insert(item, times);
+            let (places, count) = self.places.entry(pair).or_default();
+            let before = *count;
+            let replaced = if add {
+                places.insert(item, times)
             } else {
-                places.remove(&item);
-            }
-            let after: usize = places.values().sum();
+                places.remove(&item)
+            };
+            *count = *count + if add { times } else { 0 } - replaced.unwrap_or(0);
+            let after = *count;
             self.queue.remove(&(before, Reverse(pair)));
             if after >= 2 {
                 self.queue.insert((after, Reverse(pair)));
@@ -121,7 +140,7 @@ impl Search<'_> {
             .places
             .get(&pair)
             .into_iter()
-            .flat_map(|places| places.keys().copied())
+            .flat_map(|(places, _)| places.keys().copied())
             .collect();
         let whole = self.of.item(vec![(a, false), (b, opposite)]);
         let whole = self.parts.item(whole, false);
@@ -132,9 +151,8 @@ impl Search<'_> {
             let Some(mut operands) = self.operands(item).cloned() else {
                 continue;
             };
-            // other pairs stay as they are, unless only near operands make pairs, and others come near
-            let is_long = operands.len() > MOST_OPERANDS;
-            let changes = |operand: Ref| is_long || [a, b, whole].contains(&operand);
+            // other pairs stay as they are
+            let changes = |operand: Ref| [a, b, whole].contains(&operand);
             self.count(item, false, changes);
             for minus in [false, true] {
                 let (first, second) = ((a, minus), (b, minus != opposite));
