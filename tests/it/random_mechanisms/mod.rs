@@ -23,7 +23,7 @@ const WORST_CONDITION: f64 = 1e6;
 const SINGULAR: f64 = 1e12;
 
 /// How many mechanisms of a kind are tried where no other number is given.
-const DEFAULT: u64 = 40;
+const DEFAULT: u64 = 20;
 
 /// The stack of the compiler's thread, in which the generator runs.
 const STACK: usize = 8 << 20;
