@@ -5,33 +5,33 @@ use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssi
 
 use pendulum_core::real::Real;
 
-/// `value + slope e` with `e^2 = 0`.
+/// `value + slope e` with `e^2 = 0`. Over dual numbers it has a second derivative.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Dual {
-    pub value: f64,
-    pub slope: f64,
+pub struct Dual<T = f64> {
+    pub value: T,
+    pub slope: T,
 }
 
-impl Dual {
-    pub fn new(value: f64, slope: f64) -> Self {
+impl<T: Real> Dual<T> {
+    pub fn new(value: T, slope: T) -> Self {
         Self { value, slope }
     }
 
-    fn chain(self, value: f64, derivative: f64) -> Self {
+    fn chain(self, value: T, derivative: T) -> Self {
         Self::new(value, derivative * self.slope)
     }
 }
 
 macro_rules! operator {
     ($trait:ident, $method:ident, $assign:ident, $assigned:ident, |$a:ident, $b:ident| $value:expr, $slope:expr) => {
-        impl $trait for Dual {
+        impl<T: Real> $trait for Dual<T> {
             type Output = Self;
             fn $method(self, other: Self) -> Self {
                 let ($a, $b) = (self, other);
                 Self::new($value, $slope)
             }
         }
-        impl $assign for Dual {
+        impl<T: Real> $assign for Dual<T> {
             fn $assigned(&mut self, other: Self) {
                 *self = $trait::$method(*self, other);
             }
@@ -72,16 +72,16 @@ operator!(
     (a.slope - a.value / b.value * b.slope) / b.value
 );
 
-impl Neg for Dual {
+impl<T: Real> Neg for Dual<T> {
     type Output = Self;
     fn neg(self) -> Self {
         Self::new(-self.value, -self.slope)
     }
 }
 
-impl Real for Dual {
+impl<T: Real> Real for Dual<T> {
     fn from_f64(v: f64) -> Self {
-        Self::new(v, 0.0)
+        Self::new(T::from_f64(v), T::default())
     }
     fn sin_cos(self) -> (Self, Self) {
         let (s, c) = self.value.sin_cos();
@@ -89,28 +89,28 @@ impl Real for Dual {
     }
     fn tan(self) -> Self {
         let t = self.value.tan();
-        self.chain(t, 1.0 + t * t)
+        self.chain(t, T::from_f64(1.0) + t * t)
     }
     fn exp(self) -> Self {
         let e = self.value.exp();
         self.chain(e, e)
     }
     fn ln(self) -> Self {
-        self.chain(self.value.ln(), 1.0 / self.value)
+        self.chain(self.value.ln(), T::from_f64(1.0) / self.value)
     }
     fn sqrt(self) -> Self {
         let root = self.value.sqrt();
-        self.chain(root, 0.5 / root)
+        self.chain(root, T::from_f64(0.5) / root)
     }
     fn tanh(self) -> Self {
         let t = self.value.tanh();
-        self.chain(t, 1.0 - t * t)
+        self.chain(t, T::from_f64(1.0) - t * t)
     }
     fn abs(self) -> Self {
-        self.chain(self.value.abs(), Real::signum(self.value))
+        self.chain(self.value.abs(), self.value.signum())
     }
     fn signum(self) -> Self {
-        self.chain(Real::signum(self.value), 0.0)
+        self.chain(self.value.signum(), T::default())
     }
     fn atan2(self, x: Self) -> Self {
         let norm2 = self.value * self.value + x.value * x.value;
@@ -120,8 +120,8 @@ impl Real for Dual {
         )
     }
     fn powf(self, exponent: Self) -> Self {
-        assert_eq!(exponent.slope, 0.0, "generated code has constant exponents");
+        assert_eq!(exponent.slope, T::default(), "generated code has constant exponents");
         let n = exponent.value;
-        self.chain(self.value.powf(n), n * self.value.powf(n - 1.0))
+        self.chain(self.value.powf(n), n * self.value.powf(n - T::from_f64(1.0)))
     }
 }

@@ -20,4 +20,5 @@ pub mod scenes;
 pub mod series;
 pub mod source;
 pub mod trajectories;
+pub mod trees;
 pub mod where_methods_fail;

@@ -9,14 +9,14 @@ use nalgebra::SVector;
 use pendulum_core::Real;
 use pendulum_core::prelude::*;
 
-/// Coefficients kept.
+/// Coefficients kept where no other number of them is given.
 pub const LENGTH: usize = 22;
 
 /// `sum_k self.0[k] h^k`
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Series(pub(crate) [f64; LENGTH]);
+pub struct Series<const LENGTH: usize = { self::LENGTH }>(pub [f64; LENGTH]);
 
-impl Series {
+impl<const LENGTH: usize> Series<LENGTH> {
     fn from_fn(coefficient: impl FnMut(usize) -> f64) -> Self {
         Self(std::array::from_fn(coefficient))
     }
@@ -49,13 +49,13 @@ pub fn motion<S: System<Series, N>, const N: usize>(system: &S, t: f64, x: SVect
     (0..LENGTH).map(|k| state.map(|x| x.0[k])).collect()
 }
 
-impl Default for Series {
+impl<const LENGTH: usize> Default for Series<LENGTH> {
     fn default() -> Self {
         Self([0.0; LENGTH])
     }
 }
 
-impl Add for Series {
+impl<const LENGTH: usize> Add for Series<LENGTH> {
     type Output = Self;
 
     fn add(self, other: Self) -> Self {
@@ -63,7 +63,7 @@ impl Add for Series {
     }
 }
 
-impl Sub for Series {
+impl<const LENGTH: usize> Sub for Series<LENGTH> {
     type Output = Self;
 
     fn sub(self, other: Self) -> Self {
@@ -71,7 +71,7 @@ impl Sub for Series {
     }
 }
 
-impl Mul for Series {
+impl<const LENGTH: usize> Mul for Series<LENGTH> {
     type Output = Self;
 
     fn mul(self, other: Self) -> Self {
@@ -79,7 +79,7 @@ impl Mul for Series {
     }
 }
 
-impl Div for Series {
+impl<const LENGTH: usize> Div for Series<LENGTH> {
     type Output = Self;
 
     fn div(self, other: Self) -> Self {
@@ -92,7 +92,7 @@ impl Div for Series {
     }
 }
 
-impl Neg for Series {
+impl<const LENGTH: usize> Neg for Series<LENGTH> {
     type Output = Self;
 
     fn neg(self) -> Self {
@@ -102,7 +102,7 @@ impl Neg for Series {
 
 macro_rules! assign {
     ($($trait:ident $method:ident $operator:tt;)*) => { $(
-        impl $trait for Series {
+        impl<const LENGTH: usize> $trait for Series<LENGTH> {
             fn $method(&mut self, other: Self) {
                 *self = *self $operator other;
             }
@@ -117,7 +117,7 @@ assign! {
     DivAssign div_assign /;
 }
 
-impl Real for Series {
+impl<const LENGTH: usize> Real for Series<LENGTH> {
     fn from_f64(v: f64) -> Self {
         Self::from_fn(|k| if k == 0 { v } else { 0.0 })
     }

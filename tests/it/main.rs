@@ -17,6 +17,7 @@ mod mechanisms;
 mod methods;
 mod parameters;
 mod points;
+mod random_mechanisms;
 mod robots;
 mod sincos;
 mod step_limits;

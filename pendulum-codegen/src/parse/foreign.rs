@@ -45,14 +45,16 @@ pub(super) fn no_operand(input: ParseStream) -> syn::Error {
 
 /// Refuses `f64::sin` and `std::f64::consts::PI`, of which `first` was read.
 pub(super) fn no_path(input: ParseStream, first: &Ident) -> syn::Result<()> {
+    if !input.peek(Token![::]) {
+        return Ok(());
+    }
     let (mut text, mut last) = (first.to_token_stream(), first.clone());
     while input.peek(Token![::]) {
         input.parse::<Token![::]>()?.to_tokens(&mut text);
-        last = input.call(Ident::parse_any)?;
-        last.to_tokens(&mut text);
-    }
-    if last == *first {
-        return Ok(());
+        if let Ok(word) = input.call(Ident::parse_any) {
+            word.to_tokens(&mut text);
+            last = word;
+        }
     }
     let help = match synonym(&last.to_string(), SYMBOLS) {
         Some(sentence) if sentence.contains(' ') => sentence.to_owned(),

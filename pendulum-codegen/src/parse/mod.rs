@@ -218,6 +218,8 @@ fn skip_to(input: ParseStream, ends: impl Fn(ParseStream) -> bool) {
 
 /// The lines of documentation comments; no other attribute has a meaning here.
 fn docs(input: ParseStream) -> syn::Result<Vec<String>> {
+    const FACT: &str = "only documentation comments may stand here";
+    const HELP: &str = "remove the attribute";
     let line = |attribute: Attribute| match &attribute.meta {
         Meta::NameValue(MetaNameValue {
             path,
@@ -226,13 +228,11 @@ fn docs(input: ParseStream) -> syn::Result<Vec<String>> {
             }),
             ..
         }) if path.is_ident("doc") => Ok(text.value()),
-        _ => Err(on(
-            attribute,
-            "only documentation comments may stand here",
-            "remove the attribute",
-        )),
+        _ => Err(on(attribute, FACT, HELP)),
     };
-    input.call(Attribute::parse_outer)?.into_iter().map(line).collect()
+    let attributes = input.call(Attribute::parse_outer);
+    let attributes = attributes.map_err(|error| at(error.span(), FACT, HELP))?;
+    attributes.into_iter().map(line).collect()
 }
 
 /// Puts a value where none was, or refuses the second one.

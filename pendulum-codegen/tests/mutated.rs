@@ -1,0 +1,470 @@
+//! Declarations with mistakes that nobody thought of: all declarations of the repository, changed at random.
+//!
+//! Whatever is written, the generator neither panics nor runs out of stack or time. It gives items that parse, the same
+//! ones each time, or errors, each of which says on its place what to do.
+//!
+//! `PENDULUM_MUTATED=200000 cargo test --release -p pendulum-codegen --test mutated -- --nocapture` tries more of them,
+//! and `PENDULUM_SEED=17 PENDULUM_MUTATED=1` one. Of a failure the seed is printed; of an overflow of the stack, which
+//! ends the process, it stands in the files `mutated-*.seed` in `target/tmp`.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::io::Write;
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::path::{Path, PathBuf};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+use std::time::{Duration, Instant};
+
+use pendulum_codegen::{expand, program};
+use proc_macro2::{Delimiter, TokenStream, TokenTree};
+
+/// Where there are declarations, from the root of the repository.
+const FOLDERS: [&str; 8] = [
+    "pendulum-codegen/tests/ui",
+    "testbed/src",
+    "tests/it",
+    "tests/ui",
+    "examples",
+    "examples/gallery/src",
+    "pendulum-draw/tests",
+    "studies/tests/it",
+];
+
+/// The longest declaration that is changed, in characters: longer ones take too long where they are still right.
+const LONGEST: usize = 700;
+
+/// What the program of an input may take, without optimisation.
+const TIME: Duration = Duration::from_secs(2);
+
+/// When an input is given up, and the test with it.
+const HANGS: Duration = Duration::from_secs(120);
+
+/// The stack of the compiler's thread.
+const STACK: usize = 8 << 20;
+
+/// How many inputs are tried where no other number is given.
+const INPUTS: u64 = 1_500;
+
+/// Inputs that are known to fail; none is generated while its line stands here.
+///
+/// - chains of `let` that double: `let a1 = sin(a0)*cos(a0)`, 30 times
+/// - thousands of `let`, each of which uses the one before it
+/// - numbers with exponents of many digits, and powers of powers
+/// - an axis with a component of 1e-300: 29 s for `revolute([1, 1e-300, 3])`
+/// - brackets nested 20 000 deep, outside of expressions
+const KNOWN: bool = true;
+
+#[test]
+fn whatever_is_written_is_answered() {
+    let number = |name: &str, default: u64| std::env::var(name).map_or(default, |text| text.parse().expect("a number"));
+    let (first, count) = (number("PENDULUM_SEED", 1), number("PENDULUM_MUTATED", INPUTS));
+    let corpus = Corpus::read();
+    let next = AtomicU64::new(first);
+    let answers = Mutex::new(Answers::default());
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    let working: Vec<Mutex<Option<(u64, Instant)>>> = (0..threads).map(|_| Mutex::new(None)).collect();
+    std::thread::scope(|scope| {
+        for (n, working) in working.iter().enumerate() {
+            let note = Path::new(env!("CARGO_TARGET_TMPDIR")).join(format!("mutated-{n}.seed"));
+            let (corpus, next, answers) = (&corpus, &next, &answers);
+            let work = move || {
+                loop {
+                    let seed = next.fetch_add(1, Ordering::Relaxed);
+                    if seed >= first + count {
+                        break;
+                    }
+                    fs::write(&note, seed.to_string()).expect("a file");
+                    *working.lock().expect("a place") = Some((seed, Instant::now()));
+                    let answer = Answer::to(seed, &corpus.mutated(seed));
+                    *working.lock().expect("a place") = None;
+                    answers.lock().expect("answers").add(answer);
+                }
+            };
+            let thread = std::thread::Builder::new().stack_size(STACK);
+            thread.spawn_scoped(scope, work).expect("a thread");
+        }
+        watch(&working, || next.load(Ordering::Relaxed) >= first + count);
+    });
+    let answers = answers.into_inner().expect("answers");
+    println!("{answers}");
+    assert!(answers.failures.is_empty(), "{}", answers.failures.join("\n\n"));
+    let share = |part: u64| part * 40 >= answers.tokens();
+    assert!(
+        count < 1000 || (share(answers.accepted) && share(answers.refused)),
+        "the changes are too gentle, or too rough: {answers}"
+    );
+}
+
+/// Ends the process where an input hangs, since its thread cannot be ended.
+fn watch(working: &[Mutex<Option<(u64, Instant)>>], all_are_given: impl Fn() -> bool) {
+    loop {
+        std::thread::sleep(Duration::from_millis(50));
+        let now: Vec<_> = working
+            .iter()
+            .filter_map(|place| *place.lock().expect("a place"))
+            .collect();
+        if now.is_empty() && all_are_given() {
+            return;
+        }
+        if let Some((seed, _)) = now.iter().find(|(_, start)| start.elapsed() > HANGS) {
+            let _ = writeln!(std::io::stderr(), "seed {seed} hangs");
+            std::process::exit(1);
+        }
+    }
+}
+
+/// What came of an input.
+struct Answer {
+    seed: u64,
+    kind: Kind,
+    time: Duration,
+}
+
+enum Kind {
+    /// It is not made of tokens, so no macro ever sees it.
+    NoTokens,
+    Accepted,
+    Refused,
+    Failure(String),
+}
+
+impl Answer {
+    fn to(seed: u64, input: &str) -> Self {
+        let start = processor_time();
+        let Ok(kind) = catch_unwind(AssertUnwindSafe(|| kind(seed, input))) else {
+            let kind = Kind::Failure("a panic".to_owned());
+            let time = processor_time() - start;
+            return Self { seed, kind, time }.with(input);
+        };
+        let time = processor_time() - start;
+        Self { seed, kind, time }.with(input)
+    }
+
+    /// A failure with the input that it is of.
+    fn with(mut self, input: &str) -> Self {
+        if let Kind::Failure(text) = &mut self.kind {
+            let shown: String = input.chars().take(3000).collect();
+            *text = format!("seed {}: {text}\n{shown}", self.seed);
+        }
+        self
+    }
+}
+
+fn kind(seed: u64, input: &str) -> Kind {
+    let Ok(tokens) = input.parse::<TokenStream>() else {
+        return Kind::NoTokens;
+    };
+    let start = processor_time();
+    let made = program(tokens.clone());
+    let time = processor_time() - start;
+    if time > TIME {
+        return Kind::Failure(format!("it takes {time:?}"));
+    }
+    if let Err(errors) = &made {
+        let mut errors = errors.iter().peekable();
+        if errors.peek().is_none() {
+            return Kind::Failure("refused without an error".to_owned());
+        }
+        if let Some(error) = errors.find(|error| !error.to_string().contains("\nhelp: ")) {
+            return Kind::Failure(format!("no help: {error}"));
+        }
+    }
+    let items = expand(tokens.clone());
+    let errors = items.clone().into_iter().take(7).collect::<TokenStream>().to_string();
+    if errors.starts_with(":: core :: compile_error") != made.is_err() {
+        return Kind::Failure("errors in the items, but a program, or the other way around".to_owned());
+    }
+    if let Err(error) = syn::parse2::<syn::File>(items.clone()) {
+        return Kind::Failure(format!("the items do not parse: {error}"));
+    }
+    // in some cases only, for its time
+    if seed.is_multiple_of(4) {
+        let text = items.to_string();
+        if let Err(error) = syn::parse_file(&text) {
+            return Kind::Failure(format!("the items do not parse as text: {error}"));
+        }
+        if expand(tokens).to_string() != text {
+            return Kind::Failure("the items differ from one time to the next".to_owned());
+        }
+    }
+    if made.is_err() { Kind::Refused } else { Kind::Accepted }
+}
+
+/// The time that this thread has run; where the system does not tell, what has passed.
+fn processor_time() -> Duration {
+    static START: std::sync::LazyLock<Instant> = std::sync::LazyLock::new(Instant::now);
+    let start = *START;
+    let text = fs::read_to_string("/proc/thread-self/schedstat").ok();
+    let nanoseconds = text.and_then(|text| text.split(' ').next()?.parse().ok());
+    nanoseconds.map_or_else(|| start.elapsed(), Duration::from_nanos)
+}
+
+#[derive(Default)]
+struct Answers {
+    no_tokens: u64,
+    accepted: u64,
+    refused: u64,
+    failures: Vec<String>,
+    slowest: (Duration, u64),
+}
+
+impl Answers {
+    fn add(&mut self, answer: Answer) {
+        self.slowest = self.slowest.max((answer.time, answer.seed));
+        match answer.kind {
+            Kind::NoTokens => self.no_tokens += 1,
+            Kind::Accepted => self.accepted += 1,
+            Kind::Refused => self.refused += 1,
+            Kind::Failure(text) => self.failures.push(text),
+        }
+    }
+
+    /// How many inputs the generator saw.
+    fn tokens(&self) -> u64 {
+        self.accepted + self.refused + self.failures.len() as u64
+    }
+}
+
+impl std::fmt::Display for Answers {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let (time, seed) = self.slowest;
+        write!(
+            f,
+            "{} accepted, {} refused, {} no tokens, {} failures; the slowest, of seed {seed}, took {time:?}",
+            self.accepted,
+            self.refused,
+            self.no_tokens,
+            self.failures.len()
+        )
+    }
+}
+
+/// All declarations, as their tokens: brackets are tokens of their own.
+struct Corpus {
+    declarations: Vec<Vec<String>>,
+    /// Every token that occurs.
+    words: Vec<String>,
+}
+
+impl Corpus {
+    fn read() -> Self {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let mut declarations = Vec::new();
+        for folder in FOLDERS {
+            let files = fs::read_dir(root.join(folder)).expect("a folder");
+            let mut files: Vec<PathBuf> = files.map(|file| file.expect("a file").path()).collect();
+            files.sort();
+            for file in files.iter().filter(|file| file.extension().is_some_and(|e| e == "rs")) {
+                let text = fs::read_to_string(file).expect("a file");
+                collect(text.parse().expect("tokens"), &mut declarations);
+            }
+        }
+        declarations.retain(|tokens| tokens.iter().map(|token| token.len() + 1).sum::<usize>() <= LONGEST);
+        declarations.retain(|tokens| !tokens.is_empty());
+        assert!(declarations.len() > 100, "{} declarations", declarations.len());
+        let mut counts: BTreeMap<&String, usize> = BTreeMap::new();
+        declarations
+            .iter()
+            .flatten()
+            .for_each(|token| *counts.entry(token).or_default() += 1);
+        let words = counts.into_keys().cloned().collect();
+        Self { declarations, words }
+    }
+
+    /// One of the declarations, with some changes.
+    fn mutated(&self, seed: u64) -> String {
+        let mut random = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15));
+        let mut tokens = random.of(&self.declarations).clone();
+        for _ in 0..[1, 1, 1, 1, 2, 2, 3, 5][random.below(8)] {
+            self.change(&mut tokens, &mut random);
+        }
+        let mut text = String::new();
+        for token in tokens {
+            text += &token;
+            // a tick begins a lifetime, and a sign joins the next one
+            if !token.ends_with('\'') {
+                text.push(' ');
+            }
+        }
+        if random.below(10) == 0 {
+            text = spoiled(&text, &mut random);
+        }
+        text
+    }
+
+    fn change(&self, tokens: &mut Vec<String>, random: &mut Random) {
+        if tokens.len() < 2 {
+            tokens.push(random.of(&self.words).clone());
+            return;
+        }
+        // most changes of brackets leave no tokens
+        let place = |random: &mut Random| {
+            let at = random.below(tokens.len());
+            let is_bracket = "()[]{}".contains(&tokens[at]);
+            if is_bracket { random.below(tokens.len()) } else { at }
+        };
+        let (at, other) = (place(random), place(random));
+        match random.below(20) {
+            0 | 1 => _ = tokens.remove(at),
+            2 => tokens.insert(at, tokens[at].clone()),
+            3 => tokens.swap(at, other),
+            4 | 5 => tokens[at].clone_from(random.of(&self.words)),
+            6 => tokens.insert(at, random.of(&self.words).clone()),
+            7 => tokens[at] = tokens[other].clone(),
+            8..=10 => self.change_number(tokens, random),
+            11 => {
+                let end = (at + 1 + random.below(12)).min(tokens.len());
+                tokens.drain(at..end);
+            }
+            12 => {
+                let end = (at + 1 + random.below(12)).min(tokens.len());
+                let copy = tokens[at..end].to_vec();
+                tokens.splice(other..other, copy);
+            }
+            13 => {
+                // a part of another declaration
+                let from = random.of(&self.declarations);
+                let start = random.below(from.len());
+                let end = (start + 1 + random.below(25)).min(from.len());
+                tokens.splice(at..at, from[start..end].iter().cloned());
+            }
+            14 => {
+                let (open, close) = [("(", ")"), ("[", "]"), ("{", "}")][random.below(3)];
+                let depth = [1, 2, 30, 99, 101, 500][random.below(6)];
+                tokens.insert(at + 1, close.repeat(depth));
+                tokens.insert(at, open.repeat(depth));
+            }
+            15 => {
+                // the same many times over
+                let count = [10, 100, 700][random.below(3)];
+                let end = (at + 1 + random.below(3)).min(tokens.len());
+                let copy: Vec<String> = tokens[at..end]
+                    .iter()
+                    .cycle()
+                    .take(count * (end - at))
+                    .cloned()
+                    .collect();
+                tokens.splice(at..at, copy);
+            }
+            16 => {
+                let length = [5, 100, 1000][random.below(3)];
+                let term = ["+ 1", "- x", "* 2", "/ 3", "^ 2", ", 0", "- -"][random.below(7)];
+                let term = if KNOWN && term == "^ 2" { "+ 2" } else { term };
+                tokens.insert(at, format!(" {term}").repeat(length));
+            }
+            17 => {
+                let name = [
+                    "r#in", "r#T", "r#self", "é", "ß", "变", "_", "self", "Self", "crate", "__", "x1e9", "T",
+                ];
+                tokens[at] = (*random.of(&name)).to_owned();
+            }
+            18 => tokens[at] = "long_".repeat(1 + random.below(400)),
+            _ => {
+                let odd = [
+                    "'a", "'x'", "\"text\"", "b\"b\"", "#", "$", "1u8", "0x1F", "1_000", "1e", "=>", "!", "::",
+                ];
+                tokens.insert(at, (*random.of(&odd)).to_owned());
+            }
+        }
+    }
+
+    fn change_number(&self, tokens: &mut [String], random: &mut Random) {
+        let is_number = |token: &String| token.starts_with(|first: char| first.is_ascii_digit());
+        let places: Vec<usize> = (0..tokens.len()).filter(|&n| is_number(&tokens[n])).collect();
+        if places.is_empty() {
+            return;
+        }
+        let digits = |count: usize| "123456789".chars().cycle().take(count).collect::<String>();
+        let at = *random.of(&places);
+        tokens[at] = match random.below(14) {
+            0 | 1 => "0".to_owned(),
+            2 => "-1".to_owned(),
+            3 => "1e300".to_owned(),
+            4 => "1e-300".to_owned(),
+            5 => format!("0.{}", digits(60)),
+            6 => digits(400),
+            7 => "0.0000000000000000001".to_owned(),
+            8 => "1e17".to_owned(),
+            9 => "-0.0".to_owned(),
+            10 => "3/7".to_owned(),
+            11 => "(1/0)".to_owned(),
+            12 if !KNOWN => "1e2147483647".to_owned(),
+            _ => "2.5".to_owned(),
+        };
+    }
+}
+
+/// Text with characters that are gone, doubled, or others.
+fn spoiled(text: &str, random: &mut Random) -> String {
+    let mut characters: Vec<char> = text.chars().collect();
+    for _ in 0..=random.below(3) {
+        if characters.is_empty() {
+            break;
+        }
+        let at = random.below(characters.len());
+        let other = *random.of(&[
+            ' ', ',', ':', '{', '}', '[', ']', '(', ')', '-', '.', '0', 'e', '^', '#', '\'', '"', '/', '\\', 'λ',
+            '\u{0}', '\u{202e}', '_',
+        ]);
+        match random.below(4) {
+            0 => _ = characters.remove(at),
+            1 => characters.insert(at, characters[at]),
+            2 => characters[at] = other,
+            _ => characters.insert(at, other),
+        }
+    }
+    characters.into_iter().collect()
+}
+
+/// The declarations of a file, wherever they stand.
+fn collect(tokens: TokenStream, declarations: &mut Vec<Vec<String>>) {
+    let trees: Vec<TokenTree> = tokens.into_iter().collect();
+    for (n, tree) in trees.iter().enumerate() {
+        let TokenTree::Group(group) = tree else { continue };
+        let is_call = n >= 2 && trees[n - 2].to_string() == "mechanism" && trees[n - 1].to_string() == "!";
+        if is_call {
+            let mut flat = Vec::new();
+            flatten(group.stream(), &mut flat);
+            declarations.push(flat);
+        } else {
+            collect(group.stream(), declarations);
+        }
+    }
+}
+
+fn flatten(tokens: TokenStream, flat: &mut Vec<String>) {
+    for tree in tokens {
+        match tree {
+            TokenTree::Group(group) => {
+                let (open, close) = match group.delimiter() {
+                    Delimiter::Parenthesis => ("(", ")"),
+                    Delimiter::Brace => ("{", "}"),
+                    Delimiter::Bracket => ("[", "]"),
+                    Delimiter::None => ("", ""),
+                };
+                flat.push(open.to_owned());
+                flatten(group.stream(), flat);
+                flat.push(close.to_owned());
+            }
+            other => flat.push(other.to_string()),
+        }
+    }
+}
+
+/// Random numbers that are the same in every run (SplitMix64).
+struct Random(u64);
+
+impl Random {
+    fn below(&mut self, count: usize) -> usize {
+        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
+        let mut z = self.0;
+        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
+        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
+        ((z ^ (z >> 31)) % count as u64) as usize
+    }
+
+    fn of<'a, T>(&mut self, list: &'a [T]) -> &'a T {
+        &list[self.below(list.len())]
+    }
+}

@@ -1,0 +1,361 @@
+//! Trees at random.
+
+use super::{Action, Body, Joint, Law, Moves, Number, Point, Torque, Tree, Triple};
+use crate::random::Random;
+
+/// What is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// Every moving body has mass, and the masses are within a factor of 64.
+    Even,
+    /// Some bodies have none, and masses differ by factors up to a million.
+    Uneven,
+}
+
+impl Tree {
+    /// A tree of up to this many joints with coordinates. Its mass matrix may be singular.
+    pub fn draw(seed: u64, kind: Kind, most: usize) -> Self {
+        Draw {
+            random: Random::new(seed),
+            kind,
+            parameters: Vec::new(),
+        }
+        .tree(most)
+    }
+}
+
+struct Draw {
+    random: Random,
+    kind: Kind,
+    parameters: Vec<f64>,
+}
+
+impl Draw {
+    fn below(&mut self, count: usize) -> usize {
+        (self.random.between(0.0, count as f64) as usize).min(count - 1)
+    }
+
+    /// Whether something happens that happens in this part of all cases.
+    fn chance(&mut self, part: f64) -> bool {
+        self.random.between(0.0, 1.0) < part
+    }
+
+    /// A multiple of 1/16.
+    fn value(&mut self, low: f64, high: f64) -> f64 {
+        (self.random.between(low, high) * 16.0).round() / 16.0
+    }
+
+    fn plain(value: f64) -> Number {
+        Number {
+            value: value + 0.0,
+            parameter: None,
+        }
+    }
+
+    /// A number that may be a parameter.
+    fn number(&mut self, value: f64) -> Number {
+        let parameter = self.chance(0.08).then(|| {
+            self.parameters.push(value + 0.0);
+            self.parameters.len() - 1
+        });
+        Number {
+            parameter,
+            ..Self::plain(value)
+        }
+    }
+
+    fn positive(&mut self, high: f64) -> Number {
+        let value = self.value(0.0, high) + 0.0625;
+        self.number(value)
+    }
+
+    /// A vector, often with components that are zero.
+    fn vector(&mut self, reach: f64) -> Triple {
+        let sparse = self.chance(0.5);
+        std::array::from_fn(|_| {
+            if sparse && self.chance(0.6) {
+                return Self::plain(0.0);
+            }
+            let value = self.value(-reach, reach);
+            self.number(value)
+        })
+    }
+
+    /// An axis of the frame, or any direction.
+    fn axis(&mut self) -> Triple {
+        let letter = self.chance(0.5);
+        let mut axis = [0.0; 3];
+        if letter {
+            axis[self.below(3)] = if self.chance(0.7) { 1.0 } else { -1.0 };
+        } else {
+            axis = std::array::from_fn(|_| f64::from(self.below(7) as u8) - 3.0);
+            if axis == [0.0; 3] {
+                axis = [1.0, -2.0, 2.0];
+            }
+        }
+        axis.map(Self::plain)
+    }
+
+    fn tree(mut self, most: usize) -> Tree {
+        let dof = 1 + self.below(most);
+        // in a third of the trees all that turns turns about one direction, as absolute angles need it
+        let common = self.chance(0.33).then(|| self.axis());
+        let gravity = match self.below(4) {
+            0 => [0.0, 0.0, 0.0].map(Self::plain),
+            1 => [0.0, -9.8125, 0.0].map(Self::plain),
+            2 => [0.0, 0.0, -9.8125].map(Self::plain),
+            _ => self.vector(10.0),
+        };
+        let mut bodies: Vec<Body> = Vec::new();
+        let mut coordinates = 0;
+        while coordinates < dof {
+            let moving = self.chance(0.8);
+            let driven = moving && self.chance(0.1);
+            let body = self.body(&bodies, common.as_ref(), moving, driven, coordinates);
+            coordinates += usize::from(moving && !driven);
+            bodies.push(body);
+        }
+        // what is last on a branch must have mass
+        let bare: Vec<usize> = (0..bodies.len())
+            .filter(|&n| bodies[n].mass.is_none() && bodies.iter().all(|body| body.parent != Some(n)))
+            .collect();
+        for n in bare {
+            let mass = self.mass();
+            self.fill(&mut bodies[n], mass);
+        }
+        let moving = moving(&bodies);
+        let count = if self.chance(0.3) { 2 + self.below(3) } else { 0 };
+        let points: Vec<Point> = (0..count)
+            .map(|n| Point {
+                body: (n > 0).then(|| moving[self.below(moving.len())]),
+                at: self.vector(1.0),
+            })
+            .collect();
+        let actions = self.actions(&points, &bodies, dof);
+        let mut tree = Tree {
+            gravity,
+            bodies,
+            points,
+            actions,
+            parameters: self.parameters,
+        };
+        tree.drop_unused_points();
+        tree
+    }
+
+    fn mass(&mut self) -> f64 {
+        match self.kind {
+            Kind::Even => 0.125 * f64::from(1u32 << self.below(7)),
+            Kind::Uneven => f64::from(1u32 << self.below(21)) / 1024.0,
+        }
+    }
+
+    fn body(&mut self, bodies: &[Body], common: Option<&Triple>, moving: bool, driven: bool, k: usize) -> Body {
+        // mostly chains
+        let parent = match bodies.len() {
+            0 => None,
+            n if self.chance(0.7) => Some(n - 1),
+            n => Some(self.below(n + 1)).filter(|&parent| parent < n),
+        };
+        let at = self.chance(0.7).then(|| self.vector(1.0));
+        let rpy = if common.is_none() && self.chance(0.3) {
+            Some(self.rpy())
+        } else {
+            None
+        };
+        let (joint, sense) = match (moving, common) {
+            (false, _) => (Joint::Fixed, 0.0),
+            (true, None) => (self.joint(), 0.0),
+            (true, Some(common)) => self.joint_about(common),
+        };
+        let moves = match (moving, driven) {
+            (false, _) => Moves::Never,
+            (true, true) => Moves::ByLaw([Law::Still, Law::Swings, Law::Drifts][self.below(3)]),
+            (true, false) if sense != 0.0 && self.chance(0.4) => Moves::Absolutely(k),
+            (true, false) => Moves::Freely(k),
+        };
+        let mut body = Body {
+            parent,
+            at,
+            rpy,
+            joint,
+            moves,
+            sense,
+            mass: None,
+            com: None,
+            inertia: None,
+            friction: None,
+            spring: None,
+            torque: None,
+        };
+        let light = match self.kind {
+            Kind::Even => !moving || driven,
+            Kind::Uneven => true,
+        };
+        if !(light && self.chance(0.3)) {
+            let mass = self.mass();
+            self.fill(&mut body, mass);
+        }
+        if moving && !driven {
+            body.friction = self.chance(0.3).then(|| self.positive(1.0));
+            body.spring = self.chance(0.2).then(|| {
+                let rest = self.value(-1.0, 1.0);
+                [self.positive(8.0), self.number(rest)]
+            });
+            body.torque = self.chance(0.2).then(|| {
+                let c = self.positive(2.0);
+                match self.below(4) {
+                    0 => Torque::Constant(c),
+                    1 => Torque::Sine(c),
+                    2 => Torque::Cubic(c),
+                    _ => Torque::Pumped(c),
+                }
+            });
+        }
+        body
+    }
+
+    fn rpy(&mut self) -> Triple {
+        let sparse = self.chance(0.5);
+        std::array::from_fn(|_| {
+            let zero = sparse && self.chance(0.6);
+            Self::plain(if zero { 0.0 } else { self.value(-3.0, 3.0) })
+        })
+    }
+
+    fn joint(&mut self) -> Joint {
+        let axis = self.axis();
+        match self.below(10) {
+            0..5 => Joint::Revolute(axis),
+            5..7 => Joint::Prismatic(axis),
+            7..9 => {
+                let pitch = self.value(-0.5, 0.5);
+                Joint::Helical(axis, self.number(pitch))
+            }
+            _ => {
+                let slides = self.chance(0.2);
+                let linear = self.axis();
+                Joint::Screw(if slides { [Self::plain(0.0); 3] } else { axis }, linear)
+            }
+        }
+    }
+
+    /// A joint that slides, or that turns about this direction or against it.
+    fn joint_about(&mut self, common: &Triple) -> (Joint, f64) {
+        if self.chance(0.25) {
+            return (Joint::Prismatic(self.axis()), 0.0);
+        }
+        let sense = if self.chance(0.75) { 1.0 } else { -1.0 };
+        let axis = common.map(|number| Self::plain(sense * number.value));
+        if self.chance(0.15) {
+            let pitch = self.value(-0.5, 0.5);
+            return (Joint::Helical(axis, self.number(pitch)), sense);
+        }
+        (Joint::Revolute(axis), sense)
+    }
+
+    /// Gives a body mass, and for the most part an inertia: that of six points, at the ends of three skew rods.
+    fn fill(&mut self, body: &mut Body, mass: f64) {
+        body.mass = Some(self.number(mass));
+        body.com = self.chance(0.85).then(|| self.vector(0.75));
+        if self.chance(0.2) {
+            return;
+        }
+        let along_axes = self.chance(0.4);
+        let mut sum = [0.0; 6];
+        for n in 0..3 {
+            let [x, y, z]: [f64; 3] = std::array::from_fn(|m| {
+                let value = self.value(-0.5, 0.5);
+                if along_axes && m != n { 0.0 } else { value }
+            });
+            let terms = [y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z];
+            sum.iter_mut().zip(terms).for_each(|(sum, term)| *sum += mass * term);
+        }
+        body.inertia = Some(sum.map(Self::plain));
+    }
+
+    fn actions(&mut self, points: &[Point], bodies: &[Body], dof: usize) -> Vec<Action> {
+        let mut actions = Vec::new();
+        for n in 1..points.len() {
+            if self.chance(0.4) {
+                actions.push(Action::Force {
+                    point: n,
+                    force: self.vector(2.0),
+                    within: self.chance(0.4).then(|| self.below(bodies.len())),
+                });
+            }
+            let other = self.below(n);
+            // between points of one body nothing changes
+            if points[n].body == points[other].body {
+                continue;
+            }
+            let between = [other, n];
+            if self.chance(0.5) {
+                let length = self.value(0.0, 1.0);
+                actions.push(Action::Spring {
+                    between,
+                    stiffness: self.positive(5.0),
+                    length: Self::plain(length),
+                });
+            }
+            if self.chance(0.3) {
+                actions.push(Action::Damper {
+                    between,
+                    coefficient: self.positive(1.0),
+                });
+            }
+        }
+        if self.chance(0.2) {
+            let (a, b, c) = (self.below(dof), self.below(dof), self.positive(1.0));
+            actions.push(match self.below(3) {
+                0 => Action::Along { a, b, c },
+                1 => Action::Potential { a, b, c },
+                _ => Action::Dissipation { a, b, c },
+            });
+        }
+        actions
+    }
+}
+
+/// The bodies that a joint moves: a force on any other changes nothing, which is an error.
+fn moving(bodies: &[Body]) -> Vec<usize> {
+    let mut moving: Vec<usize> = Vec::new();
+    for (n, body) in bodies.iter().enumerate() {
+        let own = !matches!(body.moves, Moves::Never | Moves::ByLaw(Law::Still));
+        if own || body.parent.is_some_and(|parent| moving.contains(&parent)) {
+            moving.push(n);
+        }
+    }
+    moving
+}
+
+impl Tree {
+    /// A declaration must use all of its points.
+    fn drop_unused_points(&mut self) {
+        for n in (0..self.points.len()).rev() {
+            let uses = |action: &Action| match action {
+                Action::Force { point, .. } => *point == n,
+                Action::Spring { between, .. } | Action::Damper { between, .. } => between.contains(&n),
+                _ => false,
+            };
+            if self.actions.iter().any(uses) {
+                continue;
+            }
+            let own = self.points[n].at.into_iter().filter_map(|number| number.parameter);
+            for gone in own.collect::<std::collections::BTreeSet<_>>().into_iter().rev() {
+                *self = self.without_parameter(gone);
+            }
+            self.points.remove(n);
+            for action in &mut self.actions {
+                let shift = |point: &mut usize| *point -= usize::from(*point > n);
+                match action {
+                    Action::Force { point, .. } => shift(point),
+                    Action::Spring { between, .. } | Action::Damper { between, .. } => {
+                        between.iter_mut().for_each(shift);
+                    }
+                    _ => {}
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,119 @@
+//! A program as numbers: every block statement by statement, as a printer would write it.
+
+use pendulum_codegen::program::{Block, Coefficient, Let, Program, Shape, Term, Unary, Variable};
+use pendulum_core::Real;
+
+/// A program with numbers for its parameters.
+pub(super) struct Evaluator<'p> {
+    program: &'p Program,
+    constants: Vec<f64>,
+}
+
+/// Where it is evaluated.
+#[derive(Clone, Debug)]
+pub(super) struct Place {
+    pub(super) t: f64,
+    /// Coordinates, then their rates.
+    pub(super) state: Vec<f64>,
+    pub(super) accelerations: Vec<f64>,
+}
+
+impl<'p> Evaluator<'p> {
+    pub(super) fn new(program: &'p Program, parameters: &[f64]) -> Self {
+        let constants = values(&program.constants, |variable| match variable {
+            Variable::Parameter(n) => parameters[n],
+            other => panic!("a constant reads {other:?}"),
+        });
+        Self { program, constants }
+    }
+
+    /// The results of a routine, one list for each shape; of symmetric matrices all entries.
+    pub(super) fn routine(&self, name: &str, place: &Place) -> Option<Vec<Vec<f64>>> {
+        let routine = self.program.routine(name)?;
+        let all = values(&routine.block, |variable| self.read(variable, place));
+        let mut rest = &all[..];
+        let results = routine.shapes.iter().map(|shape| {
+            let (own, others) = rest.split_at(shape.len());
+            rest = others;
+            match *shape {
+                Shape::Symmetric(n) => {
+                    let at = |i: usize, j: usize| i * n - i * (i + 1) / 2 + j;
+                    let entry = |k: usize| own[at((k / n).min(k % n), (k / n).max(k % n))];
+                    (0..n * n).map(entry).collect()
+                }
+                _ => own.to_vec(),
+            }
+        });
+        Some(results.collect())
+    }
+
+    /// The coefficients of the motion in powers of the time, from the state on.
+    pub(super) fn series(&self, place: &Place, order: usize) -> Option<Vec<Vec<f64>>> {
+        let series = self.program.series.as_ref()?;
+        let (length, products) = (self.program.layout.len(), series.products);
+        let start = values(&series.start, |variable| self.read(variable, place));
+        let (first, kept) = start.split_at(length);
+        let mut x = vec![place.state.clone(), first.to_vec()];
+        let (mut left, mut right): (Vec<Vec<f64>>, Vec<Vec<f64>>) = (vec![Vec::new()], vec![Vec::new()]);
+        for k in 1..order {
+            let sum = |m: usize| -> f64 { (1..k).map(|j| left[j][m] * right[k - j][m]).sum() };
+            let sums: Vec<f64> = (0..products).map(sum).collect();
+            let results = values(&series.order, |variable| match variable {
+                Variable::Series(Coefficient::Order) => k as f64,
+                Variable::Series(Coefficient::OverOrder) => 1.0 / k as f64,
+                Variable::Series(Coefficient::Time) => f64::from(u8::from(k == 1)),
+                Variable::Series(Coefficient::State(n)) => x[k][n],
+                Variable::Series(Coefficient::Sum(n)) => sums[n],
+                Variable::Series(Coefficient::Kept(n)) => kept[n],
+                other => self.read(other, place),
+            });
+            let (rates, sides) = results.split_at(length);
+            x.push(rates.iter().map(|rate| rate / (k + 1) as f64).collect());
+            left.push(sides[..products].to_vec());
+            right.push(sides[products..].to_vec());
+        }
+        Some(x)
+    }
+
+    fn read(&self, variable: Variable, place: &Place) -> f64 {
+        match variable {
+            Variable::State(n) => place.state[n],
+            Variable::Acceleration(n) => place.accelerations[n],
+            Variable::Time => place.t,
+            Variable::Constant(n) => self.constants[n],
+            other => panic!("a routine reads {other:?}"),
+        }
+    }
+}
+
+/// The results of a block.
+fn values(block: &Block, read: impl Fn(Variable) -> f64) -> Vec<f64> {
+    let mut locals = vec![f64::NAN; block.names.len()];
+    for code in &block.lets {
+        match code {
+            Let::Value(local, term) => locals[local.index()] = value(term, &locals, &read),
+            Let::SinCos(pairs) => {
+                for pair in pairs {
+                    let (sine, cosine) = Real::sin_cos(value(&pair.angle, &locals, &read));
+                    pair.sine.iter().for_each(|local| locals[local.index()] = sine);
+                    pair.cosine.iter().for_each(|local| locals[local.index()] = cosine);
+                }
+            }
+        }
+    }
+    block.results.iter().map(|term| value(term, &locals, &read)).collect()
+}
+
+fn value(term: &Term, locals: &[f64], read: &impl Fn(Variable) -> f64) -> f64 {
+    let of = |term: &Term| value(term, locals, read);
+    match term {
+        Term::Number(number) => *number,
+        Term::Local(local) => locals[local.index()],
+        Term::Read(variable) => read(*variable),
+        Term::Unary(Unary::Sign, a) => Real::signum(of(a)),
+        Term::Unary(op, a) => op.value(of(a)),
+        Term::Binary(op, a, b) => op.value(of(a), of(b)),
+        Term::Sqrt(a) => of(a).sqrt(),
+        Term::Power(a, exponent) => of(a).powf(*exponent),
+    }
+}

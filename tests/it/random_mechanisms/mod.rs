@@ -1,0 +1,200 @@
+//! Random mechanisms: what is generated for them against equations of motion that share nothing with the generator.
+//!
+//! `PENDULUM_MECHANISMS=5000 cargo test --release -p tests --test it random_mechanisms -- --nocapture` tries more of
+//! them, and shows the worst errors; `PENDULUM_SEED` is the first seed. What fails is printed with its seed.
+
+mod compare;
+mod declared;
+mod evaluate;
+
+use std::panic::{AssertUnwindSafe, catch_unwind};
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+
+use compare::{Worst, condition, places};
+use pendulum_codegen::program;
+use testbed::random::Random;
+use testbed::trees::{Kind, Tree};
+
+/// The condition of a mass matrix, its coordinates scaled alike, beyond which a scene is left out: digits are lost
+/// whoever computes.
+const WORST_CONDITION: f64 = 1e6;
+/// Beyond this it counts as singular.
+const SINGULAR: f64 = 1e12;
+
+/// How many mechanisms of a kind are tried where no other number is given.
+const DEFAULT: u64 = 20;
+
+/// The stack of the compiler's thread, in which the generator runs.
+const STACK: usize = 8 << 20;
+
+/// What came of one draw.
+enum Tried {
+    /// It agrees.
+    Agrees(Worst),
+    /// Its mass matrix is singular, and it was refused for that.
+    Refused,
+    /// Its mass matrix is singular, but for rounding, which hides that from the check: a point mass on the axis of a
+    /// joint that sits beside the origin.
+    Missed,
+    /// Its mass matrix is close to singular.
+    LeftOut,
+}
+
+#[test]
+fn even_masses_move_as_newton_and_euler_say() {
+    agree(Kind::Even, 1e-12);
+}
+
+#[test]
+fn uneven_masses_move_as_newton_and_euler_say() {
+    agree(Kind::Uneven, 1e-10);
+}
+
+/// What came of many draws.
+#[derive(Default)]
+struct Tally {
+    agree: u64,
+    refused: u64,
+    missed: u64,
+    left_out: u64,
+    worst: Worst,
+    failures: Vec<String>,
+}
+
+fn agree(kind: Kind, tolerance: f64) {
+    let number = |name: &str, default: u64| std::env::var(name).map_or(default, |text| text.parse().expect("a number"));
+    let (first, count) = (number("PENDULUM_SEED", 1), number("PENDULUM_MECHANISMS", DEFAULT));
+    let (next, tally) = (AtomicU64::new(first), Mutex::new(Tally::default()));
+    let threads = std::thread::available_parallelism().map_or(1, usize::from);
+    std::thread::scope(|scope| {
+        for _ in 0..threads {
+            let work = || {
+                loop {
+                    let seed = next.fetch_add(1, Ordering::Relaxed);
+                    if seed >= first + count {
+                        break;
+                    }
+                    let tried = tried(seed, kind, tolerance);
+                    tally.lock().expect("a tally").add(seed, tried);
+                }
+            };
+            let thread = std::thread::Builder::new().stack_size(STACK);
+            thread.spawn_scoped(scope, work).expect("a thread");
+        }
+    });
+    let tally = tally.into_inner().expect("a tally");
+    println!(
+        "{kind:?}: {} agree, {} are refused as singular, {} are singular and accepted, {} are left out; worst {}",
+        tally.agree,
+        tally.refused,
+        tally.missed,
+        tally.left_out,
+        shown(&tally.worst)
+    );
+    assert!(tally.failures.is_empty(), "{}", tally.failures.join("\n"));
+    assert!(tally.agree * 10 >= count * 9, "too few are compared");
+}
+
+impl Tally {
+    fn add(&mut self, seed: u64, tried: Result<Tried, String>) {
+        match tried {
+            Ok(Tried::Agrees(errors)) => {
+                self.agree += 1;
+                for (what, error) in errors {
+                    let worst = self.worst.entry(what).or_default();
+                    *worst = worst.max(error);
+                }
+            }
+            Ok(Tried::Refused) => self.refused += 1,
+            Ok(Tried::Missed) => self.missed += 1,
+            Ok(Tried::LeftOut) => self.left_out += 1,
+            Err(failure) => self.failures.push(format!("seed {seed}: {failure}")),
+        }
+    }
+}
+
+fn tried(seed: u64, kind: Kind, tolerance: f64) -> Result<Tried, String> {
+    let mut random = Random::new(seed ^ 0xABCD);
+    // small ones are as likely to show a mistake, and quick
+    let most = match random.between(0.0, 1.0) {
+        0.0..0.75 => 2,
+        0.75..0.97 => 3,
+        _ => 6,
+    };
+    let mut tree = Tree::draw(seed, kind, most);
+    let places = places(&tree, &mut random);
+    let conditions = places.iter().map(|place| condition(&tree, place));
+    let conditions: Vec<f64> = conditions.collect();
+    let [best, worst] = [f64::min, f64::max].map(|pick| conditions.iter().copied().reduce(pick).expect("a place"));
+    if worst > WORST_CONDITION && best < SINGULAR {
+        return Ok(Tried::LeftOut);
+    }
+    let singular = best >= SINGULAR;
+    let words = words(&tree, &mut random);
+    loop {
+        let words: Vec<&str> = words
+            .iter()
+            .copied()
+            .filter(|word| *word != "parameter_jacobian" || !tree.parameters.is_empty())
+            .collect();
+        let declaration = tree.declaration("Random", &words);
+        let failed = |what: &dyn std::fmt::Display| Err(format!("{what}\n{declaration}"));
+        let made = catch_unwind(AssertUnwindSafe(|| program(declaration.parse().expect("tokens"))));
+        let Ok(made) = made else {
+            return failed(&"the generator panics");
+        };
+        let program = match made {
+            Ok(program) => program,
+            Err(errors) => {
+                let text = errors.to_string();
+                if let Some(gone) = useless(&text) {
+                    tree = tree.without_parameter(gone);
+                    continue;
+                }
+                // rounding may hide from the check that an entry is zero, but not from the one of the constants
+                let explained = ["has no inertia", "has no finite value"]
+                    .iter()
+                    .any(|fact| text.contains(fact));
+                if singular && explained {
+                    return Ok(Tried::Refused);
+                }
+                return failed(&text);
+            }
+        };
+        if singular {
+            return Ok(Tried::Missed);
+        }
+        let compared = catch_unwind(AssertUnwindSafe(|| compare::errors(&tree, &program, &places)));
+        let Ok(errors) = compared else {
+            return failed(&"the evaluation panics");
+        };
+        if errors.values().any(|error| error.is_nan() || *error > tolerance) {
+            return failed(&format!("errors {}, condition {worst:.1e}", shown(&errors)));
+        }
+        return Ok(Tried::Agrees(errors));
+    }
+}
+
+fn shown(errors: &Worst) -> String {
+    let errors = errors.iter().map(|(what, error)| format!("{what} {error:.1e}"));
+    errors.collect::<Vec<_>>().join(", ")
+}
+
+/// The parameter that an error calls useless, as some are: those of a mass on the axis that it turns about.
+fn useless(errors: &str) -> Option<usize> {
+    let (before, _) = errors.split_once("` changes nothing")?;
+    before.rsplit_once("parameter `p")?.1.parse().ok()
+}
+
+/// What is generated: all of it for small trees, something of it for others.
+fn words(tree: &Tree, random: &mut Random) -> Vec<&'static str> {
+    let mut words = vec!["rhs", "mass_matrix", "bias", "momentum", "inverse_dynamics", "energy"];
+    let part = if tree.dof() < 3 { 0.7 } else { 0.25 };
+    let further = ["jacobian", "parameter_jacobian", "canonical", "taylor"];
+    words.extend(further.into_iter().filter(|_| random.between(0.0, 1.0) < part));
+    if tree.drives() > 0 {
+        words.push("drive_forces");
+    }
+    words
+}
