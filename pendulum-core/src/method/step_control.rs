@@ -33,6 +33,9 @@ pub(crate) struct Pace<T> {
 const LEAST_ULPS: f64 = 4.0;
 /// The last step may be longer than planned by this factor.
 const STRETCH: f64 = 1.01;
+/// The most by which a proposed step may be longer than the last one. No longer than the way since a jump of the
+/// right-hand side, it does not pass two, and where it ends the derivative shows that it passed one.
+const GROW_PROPOSED: f64 = 2.0;
 
 impl<T> Pace<T> {
     /// Goes on with an error estimate of another order.
@@ -102,15 +105,14 @@ impl<T: Float> StepControl<T> {
 
     /// The step from `t` on the way to `t1`. Without branches, so that lanes decide together.
     ///
-    /// Its length is what the method proposes, if it does, else what followed from the last step. There is no tiny last
-    /// step: this one is stretched a little to the end, or what remains is shared between two.
+    /// Its length is what followed from the last step, or what the method proposes if that is less. There is no tiny
+    /// last step: this one is stretched a little to the end, or what remains is shared between two.
     #[inline(always)]
     pub(crate) fn planned(&self, h: T, (t, t1): (T, T), steps: usize, proposed: Option<T>) -> Planned<T> {
         let (least, remaining) = (self.least(t), (t1 - t).abs());
-        let proposed = proposed.map(|proposed| proposed.min(self.h_max));
         let is_too_short = proposed.is_some_and(|h| (h < least) & (h < remaining));
         let is_refused = (steps >= self.max_steps) | is_too_short;
-        let length = proposed.unwrap_or(h);
+        let length = proposed.map_or(h, |proposed| proposed.min(h));
         let h = if is_refused { length } else { length.max(least) };
         let direction = T::from_f64(if t1 < t { -1.0 } else { 1.0 });
         let half = t + direction * (remaining * T::from_f64(0.5));
@@ -123,8 +125,6 @@ impl<T: Float> StepControl<T> {
     /// Whether the step from `t` to `t_new` is accepted, from the mean square of its error; and how long the next
     /// attempt is.
     ///
-    /// Methods that propose their steps do not need the length after an accepted one.
-    ///
     /// # Errors
     /// If the next attempt would be shorter than the least step: the reason to give up.
     #[inline(always)]
@@ -136,10 +136,7 @@ impl<T: Float> StepControl<T> {
         method_proposes: bool,
     ) -> Result<bool, Reason> {
         let mean_square = outcome.unwrap_or(T::from_f64(f64::NAN));
-        if method_proposes && is_within_tolerance(mean_square) {
-            return Ok(true);
-        }
-        let judged = self.judged(&mut pace.controller, (t, t_new), mean_square);
+        let judged = self.judged(&mut pace.controller, (t, t_new), mean_square, method_proposes);
         pace.h = judged.h;
         if judged.is_hopeless {
             return Err(self.hopeless(outcome, (t, t_new), judged.h));
@@ -150,9 +147,21 @@ impl<T: Float> StepControl<T> {
     /// As [`judge`](Self::judge), from a mean square that is NaN where the attempt arrived nowhere. Without branches, so
     /// that lanes decide together.
     #[inline(always)]
-    pub(crate) fn judged(&self, controller: &mut PiController, (t, t_new): (T, T), mean_square: T) -> Judged<T> {
+    pub(crate) fn judged(
+        &self,
+        controller: &mut PiController,
+        (t, t_new): (T, T),
+        mean_square: T,
+        method_proposes: bool,
+    ) -> Judged<T> {
         let is_accepted = is_within_tolerance(mean_square);
-        let h = (t_new - t).abs() * T::from_f64(controller.next(mean_square.to_f64()));
+        let factor = controller.next(mean_square.to_f64());
+        let factor = if method_proposes & is_accepted {
+            GROW_PROPOSED
+        } else {
+            factor
+        };
+        let h = (t_new - t).abs() * T::from_f64(factor);
         Judged {
             is_accepted,
             h: if is_accepted { h.min(self.h_max) } else { h },

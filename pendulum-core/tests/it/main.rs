@@ -6,6 +6,8 @@ mod events;
 mod failures;
 mod implicit;
 mod inputs;
+mod jumps;
+mod methods;
 mod orbits;
 mod rosenbrock;
 #[cfg(feature = "serde")]
