@@ -3,8 +3,11 @@
 use std::f64::consts::PI;
 
 use approx::assert_abs_diff_eq;
+use pendulum_core::method::{Adaptive, Estimates, Fixed, OneStep};
 use pendulum_core::prelude::*;
-use pendulum_core::{Occurrence, Reason};
+use pendulum_core::{Occurrence, Reason, SolveError};
+
+use crate::methods::{Driven, each_adaptive, each_fixed};
 
 /// A state that is the time, up to rounding.
 fn clock() -> impl System<f64, 1> {
@@ -263,4 +266,69 @@ fn rebounds_may_accumulate_at_the_time_zero() {
         error.expect_err("it comes to rest").reason,
         Reason::EventsAccumulate { event: 0 }
     );
+}
+
+/// A clock that an event sets back by so much again and again.
+fn set_back<M: Method<Driven<Constant, 1>, f64, 1>>(
+    method: &M,
+    (t0, t1): (f64, f64),
+    back: f64,
+) -> Result<Solution<f64, 1>, SolveError<f64, 1>> {
+    let clock: Driven<Constant, 1> = Driven::new(SMatrix::zeros(), |_t, _x| SVector::from([1.0]));
+    let event = Event::new(|_t, x: &SVector<f64, 1>| x[0] - 0.7)
+        .rising()
+        .reset(move |_t, x| x - SVector::from([back]));
+    method.solve_with(&clock, t0, t1, [0.7 - 1e-7], &[event])
+}
+
+type Constant = fn(f64, &SVector<f64, 1>) -> SVector<f64, 1>;
+
+/// As much as rounding errors, hardly more, and much more, but nothing against the way to go.
+const BACK: [f64; 6] = [1e-15, 4e-15, 1e-14, 1e-13, 1e-12, 1e-9];
+
+fn check_that_it_accumulates(name: &str, ended: impl Fn(f64) -> Result<Solution<f64, 1>, SolveError<f64, 1>>) {
+    for back in BACK {
+        let error = ended(back).expect_err("it never ends");
+        assert_eq!(error.reason, Reason::EventsAccumulate { event: 0 }, "{name} {back:e}");
+        let count = error.solution.events().len();
+        assert!(count <= 1002, "{name} {back:e}: {count}");
+        assert!(
+            (error.x()[0] - 0.7).abs() <= 2.0 * back,
+            "{name} {back:e}: {}",
+            error.x()[0]
+        );
+    }
+}
+
+#[test]
+fn a_reset_that_leads_nowhere_is_an_error_with_every_method() {
+    fn adaptive<F>(name: &str)
+    where
+        F: OneStep<Driven<Constant, 1>, f64, 1> + Estimates + Default,
+    {
+        check_that_it_accumulates(name, |back| set_back(&Adaptive::<F>::new(), (1.0, 3.0), back));
+    }
+    fn fixed<F>(name: &str)
+    where
+        F: OneStep<Driven<Constant, 1>, f64, 1> + Default,
+    {
+        check_that_it_accumulates(name, |back| set_back(&Fixed::<F>::new(0.1), (1.0, 3.0), back));
+    }
+    each_adaptive!(adaptive());
+    each_fixed!(fixed());
+}
+
+#[test]
+fn a_thousand_resets_in_a_moment_that_get_somewhere_are_none() {
+    // A saw of 5 GHz, over a microsecond: the times are apart by a millionth of what resolves them.
+    fn adaptive<F>(name: &str)
+    where
+        F: OneStep<Driven<Constant, 1>, f64, 1> + Estimates + Default,
+    {
+        let solution = set_back(&Adaptive::<F>::new(), (1.0, 1.0 + 1.1e-6), 2e-10);
+        let solution = solution.expect("it ends");
+        let count = solution.events().len();
+        assert!((4999..=5001).contains(&count), "{name}: {count}");
+    }
+    each_adaptive!(adaptive());
 }

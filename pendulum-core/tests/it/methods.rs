@@ -69,4 +69,14 @@ macro_rules! each_adaptive {
     }};
 }
 
-pub(crate) use each_adaptive;
+/// The same for those that do not.
+macro_rules! each_fixed {
+    ($check:ident($($argument:expr),*)) => {{
+        use pendulum_core::method::{Explicit, Gauss};
+        $check::<Explicit<pendulum_core::tableau::Kutta4, 5>>("Rk4", $($argument),*);
+        $check::<Gauss<2>>("Gauss4", $($argument),*);
+        $check::<Gauss<3>>("Gauss6", $($argument),*);
+    }};
+}
+
+pub(crate) use {each_adaptive, each_fixed};
