@@ -59,7 +59,8 @@ impl<F> Adaptive<F> {
         }
     }
 
-    /// The relative tolerance, at least 10 ulps of the number type. Default: 1e-6, in `f32` 1.2e-5 (100 ulps).
+    /// The relative tolerance, at least 10 ulps of the number type and below 1. Default: 1e-6, in `f32` 1.2e-5 (100
+    /// ulps).
     #[must_use]
     pub const fn rtol(mut self, rtol: f64) -> Self {
         self.rtol = Some(rtol);
@@ -136,6 +137,8 @@ impl<F> Adaptive<F> {
             rtol,
             "it must be at least 10 ulps of the number type, below which rounding errors dominate",
         )?;
+        let rule = "it must be below 1: an error as large as the state would be within the tolerance";
+        require(rtol < 1.0, "rtol", rtol, rule)?;
         Ok(Tolerance {
             rtol: T::from_f64(rtol),
             atol: T::from_f64(atol),

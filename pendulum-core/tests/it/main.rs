@@ -4,6 +4,7 @@ mod auto;
 mod continuation;
 mod events;
 mod failures;
+mod hostile;
 mod implicit;
 mod inputs;
 mod jumps;
