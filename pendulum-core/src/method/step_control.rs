@@ -212,3 +212,154 @@ fn underflow<T: Float>(h: T, least: T) -> Reason {
         least: least.to_f64(),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::SVector;
+
+    use super::{StepControl, is_within_tolerance};
+    use crate::control::Tolerance;
+    use crate::error::Reason;
+    use crate::method::scheme::Stalled;
+    use crate::system::FnSystem;
+
+    const CONTROL: StepControl<f64> = StepControl {
+        h0: None,
+        h_min: 0.0,
+        h_max: 100.0,
+        max_steps: 1000,
+        error_order: 4,
+        tolerance: Tolerance { rtol: 0.0, atol: 1.0 },
+    };
+
+    #[test]
+    fn the_least_step_is_the_longest_of_three() {
+        let least = |h_min, t| StepControl { h_min, ..CONTROL }.least(t);
+        assert_eq!(least(0.5, -100.0), 0.5);
+        assert_eq!(least(0.0, -100.0), 400.0 * f64::EPSILON);
+        assert_eq!(least(0.0, 0.0), f64::MIN_POSITIVE);
+    }
+
+    #[test]
+    fn the_first_step_is_no_longer_than_the_span() {
+        let system = FnSystem(|t: f64, x: &SVector<f64, 1>| SVector::from([if t < 3.0 { 1e3 } else { 0.0 } - x[0]]));
+        let first = |control: StepControl<f64>, t1: f64| {
+            control.first_step(&system, (3.0, &SVector::from([1.0]), &SVector::from([-1.0])), 3.0 + t1)
+        };
+        let given = StepControl {
+            h0: Some(0.1),
+            ..CONTROL
+        };
+        assert_eq!(
+            (first(given, 2.0), given.start().h, CONTROL.start().h),
+            (None, 0.1, 100.0)
+        );
+        // By Hairer's formula: d1 = 1 and forward d2 = 1, backward |999 + 1.01| / 0.01.
+        let near = |found: Option<f64>, expected: f64| found.is_some_and(|h| (h / expected - 1.0).abs() < 1e-12);
+        assert!(near(first(CONTROL, 2.0), 0.01_f64.powf(0.2)));
+        assert!(
+            near(first(CONTROL, -2.0), (0.01_f64 / (999.99 / 0.01)).powf(0.2)),
+            "{:?}",
+            first(CONTROL, -2.0)
+        );
+        assert_eq!(first(CONTROL, 0.25), Some(0.25));
+        assert_eq!(
+            first(
+                StepControl {
+                    h_max: 0.125,
+                    ..CONTROL
+                },
+                0.25
+            ),
+            Some(0.125)
+        );
+    }
+
+    #[test]
+    fn the_last_steps_are_shared_or_stretched() {
+        for direction in [1.0, -1.0] {
+            let end = |h: f64, remaining: f64| {
+                let mut h = h;
+                let span = (3.0, 3.0 + direction * remaining);
+                (CONTROL.plan(&mut h, span, 0, None).expect("a step") - 3.0) * direction
+            };
+            assert_eq!((end(1.0, 8.0), end(1.0, 2.125)), (1.0, 1.0));
+            assert_eq!((end(1.0, 1.5), end(1.0, 1.03125)), (0.75, 0.515_625));
+            assert_eq!(
+                (end(1.0, 1.0078125), end(1.0, 1.0), end(1.0, 0.25)),
+                (1.0078125, 1.0, 0.25)
+            );
+        }
+        // 1.01 is included
+        assert_eq!(CONTROL.planned(1.0, (0.0, 1.01), 0, None).end, 1.01);
+    }
+
+    #[test]
+    fn what_a_method_proposes_is_no_more_than_twice_the_last_step() {
+        let mut pace = CONTROL.start();
+        assert_eq!(CONTROL.planned(pace.h, (0.0, 1e3), 0, Some(5.0)).h, 5.0);
+        assert_eq!(CONTROL.planned(pace.h, (0.0, 1e3), 0, Some(500.0)).h, 100.0);
+        assert_eq!(CONTROL.judge(&mut pace, (0.0, 5.0), Ok(0.0), true), Ok(true));
+        assert_eq!(CONTROL.planned(pace.h, (0.0, 1e3), 0, Some(500.0)).h, 10.0);
+        assert_eq!(CONTROL.judge(&mut pace, (5.0, 15.0), Ok(1e9), true), Ok(false));
+        assert_eq!(pace.h, 2.0, "a rejected one is shortened like any other");
+        assert_eq!(CONTROL.judge(&mut pace, (5.0, 7.0), Ok(1e-9), false), Ok(true));
+        assert_eq!(pace.h, 2.0, "without proposals there is no growth after a rejection");
+    }
+
+    #[test]
+    fn the_order_of_the_estimate_is_that_of_the_exponent() {
+        for order in [4, 9] {
+            let mut pace = CONTROL.start();
+            pace.set_order(order);
+            assert_eq!(CONTROL.judge(&mut pace, (0.0, 1.0), Ok(4.0), false), Ok(false));
+            // 0.9 e^-alpha for an error of 2
+            let expected = 0.9 * 2.0_f64.powf(0.03 - 1.0 / (order as f64 + 1.0));
+            assert!((pace.h / expected - 1.0).abs() < 2e-4, "{} {expected}", pace.h);
+        }
+    }
+
+    #[test]
+    fn no_step_is_shorter_than_the_least_but_the_last() {
+        let control = StepControl { h_min: 0.5, ..CONTROL };
+        let plan = |proposed, remaining: f64| {
+            let mut h = 1.0;
+            control
+                .plan(&mut h, (3.0, 3.0 + remaining), 999, proposed)
+                .map(|end| (h, end))
+        };
+        assert_eq!(plan(Some(0.5), 8.0), Ok((0.5, 3.5)));
+        assert_eq!(
+            plan(Some(0.25), 8.0),
+            Err(Reason::StepUnderflow { h: 0.25, least: 0.5 })
+        );
+        assert_eq!(plan(Some(0.25), 0.25), Ok((0.5, 3.25)));
+        let mut h = 0.25;
+        assert_eq!(control.plan(&mut h, (3.0, 8.0), 0, None), Ok(3.5));
+        // neither after the most steps
+        let mut h = 1.0;
+        let too_many = Err(Reason::TooManySteps { max_steps: 1000 });
+        assert_eq!(control.plan(&mut h, (3.0, 8.0), 1000, None), too_many);
+        assert_eq!(control.plan(&mut h, (3.0, 8.0), 1001, Some(0.25)), too_many);
+    }
+
+    #[test]
+    fn an_attempt_is_hopeless_if_the_next_would_be_too_short() {
+        let control = StepControl { h_min: 0.5, ..CONTROL };
+        let judge = |t_new: f64, outcome| control.judge(&mut control.start(), (3.0, t_new), outcome, false);
+        // a fifth of the length after a large error, a quarter after none
+        assert_eq!(judge(5.5, Ok(1e9)), Ok(false));
+        assert_eq!(judge(0.5, Ok(1e9)), Ok(false));
+        assert_eq!(judge(5.25, Ok(1e9)), Err(Reason::StepUnderflow { h: 0.45, least: 0.5 }));
+        assert_eq!(judge(5.0, Err(Stalled.into())), Ok(false));
+        assert_eq!(judge(4.0, Err(Stalled.into())), Err(Reason::NoConvergence { h: 1.0 }));
+        // An accepted one may be short, and the next is no longer than the longest.
+        assert_eq!(judge(3.125, Ok(1.0)), Ok(true));
+        let mut pace = control.start();
+        assert_eq!(
+            (control.judge(&mut pace, (3.0, 83.0), Ok(0.0), false), pace.h),
+            (Ok(true), 100.0)
+        );
+        assert!(is_within_tolerance(1.0) && !is_within_tolerance(1.0_f64.next_up()) && !is_within_tolerance(f64::NAN));
+    }
+}

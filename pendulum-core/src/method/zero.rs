@@ -96,32 +96,126 @@ pub(super) fn dip<T: Float>(f: impl Fn(T) -> T, places: [(T, T); 3]) -> Option<(
 
 #[cfg(test)]
 mod tests {
+    use std::cell::RefCell;
+
     use super::{dip, root};
+
+    /// The root of `f` between 0 and 1, or between 1 and 0 in reverse, and the places that were looked at.
+    fn search(f: impl Fn(f64) -> f64, (from, to): (f64, f64)) -> (f64, Vec<f64>) {
+        let places = RefCell::new(Vec::new());
+        let watched = |x: f64| {
+            places.borrow_mut().push(x);
+            f(x)
+        };
+        let x = root(watched, (from, f(from)), (to, f(to)));
+        (x, places.into_inner())
+    }
 
     #[test]
     fn a_root_is_found_to_the_last_bit_and_from_behind() {
-        let count = std::cell::Cell::new(0);
-        let f = |x: f64| {
-            count.set(count.get() + 1);
-            x.cos() - x
-        };
-        let x = root(f, (0.0, 1.0), (1.0, 1.0_f64.cos() - 1.0));
+        let f = |x: f64| x.cos() - x;
+        let (x, places) = search(f, (0.0, 1.0));
         assert!(f(x) <= 0.0 && f(x.next_down().next_down()) >= 0.0, "{x:e}");
-        assert!(count.get() < 14, "{}", count.get());
+        assert!(places.len() < 14, "{}", places.len());
+        // backward it is before the zero
+        let (x, places) = search(f, (1.0, 0.0));
+        assert!(f(x) >= 0.0 && f(x.next_up().next_up()) <= 0.0, "{x:e}");
+        assert!(places.len() < 14, "{}", places.len());
         // steep, flat, and with a jump
-        let x = root(|x: f64| x.powi(9) - 1e-9, (0.0, -1e-9), (1.0, 1.0));
+        let (x, _) = search(|x| x.powi(9) - 1e-9, (0.0, 1.0));
         assert!((x - 0.1).abs() < 1e-15);
-        let x = root(|x: f64| if x < 0.3 { -1.0 } else { 1.0 }, (0.0, -1.0), (1.0, 1.0));
+        let (x, places) = search(|x| if x < 0.3 { -1.0 } else { 1.0 }, (0.0, 1.0));
         assert!((0.3..0.3_f64.next_up().next_up()).contains(&x));
+        assert!(places.len() < 60, "{}", places.len());
+    }
+
+    #[test]
+    fn where_the_inverse_is_a_parabola_the_third_place_is_the_root() {
+        // x = (y + c)^2 - 1: halving first, then interpolation of the inverse, which is exact.
+        for c in [1.15_f64, 1.2, 1.3, 1.35] {
+            for (from, to) in [(0.0, 1.0), (1.0, 0.0)] {
+                let (x, places) = search(|x| (1.0 + x).sqrt() - c, (from, to));
+                let expected = c * c - 1.0;
+                assert_eq!(places[0], 0.5);
+                assert!((places[1] - expected).abs() < 1e-15, "{c}: {places:?}");
+                assert!((x - expected).abs() < 1e-15 && places.len() <= 5, "{c}: {places:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn where_interpolation_would_mislead_it_halves() {
+        // By Chandrupatla's criterion: from (0, -1), (1/2, f) and (1, 1), with xi = 1/2, interpolation is for
+        // phi = (f - 1) / (-1 - 1) between 1 - sqrt(1/2) and sqrt(1/2), which is for f between -0.414 and 0.414.
+        let second = |middle: f64| {
+            let f = move |x: f64| match x {
+                0.0 => -1.0,
+                1.0 => 1.0,
+                0.5 => middle,
+                _ => x - 0.5 + middle,
+            };
+            search(f, (0.0, 1.0)).1[1]
+        };
+        for middle in [0.42, 0.9, -0.42, -0.9] {
+            assert_eq!(second(middle), if middle > 0.0 { 0.25 } else { 0.75 }, "{middle}");
+        }
+        // The parabola x(y) through (-1, 0), (middle, 1/2), (1, 1) at y = 0, by Lagrange: of the last two terms.
+        for middle in [0.41, 0.2, -0.2, -0.41_f64] {
+            let expected = -0.5 / (middle * middle - 1.0) + middle / (2.0 * (middle - 1.0));
+            assert!(
+                (second(middle) - expected).abs() < 1e-15,
+                "{middle}: {} {expected}",
+                second(middle)
+            );
+        }
+    }
+
+    #[test]
+    fn an_end_that_is_zero_is_the_root() {
+        let (x, places) = search(|x| x - 1.0, (0.0, 1.0));
+        assert_eq!((x, places.len() < 56), (1.0, true), "{places:?}");
+        let (x, places) = search(|x| x - 0.5, (0.0, 1.0));
+        assert_eq!((x, &places[..]), (0.5, &[0.5][..]));
+        // zero from some place on
+        let (x, places) = search(|x| (x - 0.3).min(0.0), (0.0, 1.0));
+        assert_eq!((x, &places[..]), (0.5, &[0.5][..]));
+    }
+
+    #[test]
+    fn a_root_at_zero_is_found_in_bounded_time() {
+        let (x, places) = search(|x| if x > 0.0 { 1.0 } else { -1.0 }, (-1e-3, 1.0));
+        assert!(x > 0.0 && x < 1e-15, "{x:e} after {}", places.len());
+        assert!(places.len() <= 200);
+    }
+
+    fn places(f: impl Fn(f64) -> f64, at: [f64; 3]) -> [(f64, f64); 3] {
+        at.map(|x| (x, f(x)))
     }
 
     #[test]
     fn a_dip_is_found_where_it_passes_zero_only() {
-        let places = |f: fn(f64) -> f64| [0.1, 0.5, 1.0].map(|x| (x, f(x)));
-        let shallow = |x: f64| (x - 0.55) * (x - 0.55) + 1e-12;
-        assert!(dip(shallow, places(shallow)).is_none());
-        let deep = |x: f64| (x - 0.55) * (x - 0.55) - 1e-12;
-        let (x, value) = dip(deep, places(deep)).expect("a dip");
-        assert!((x - 0.55).abs() < 1e-6 && value < 0.0);
+        for sign in [1.0, -1.0] {
+            for at in [
+                [0.1, 0.5, 1.0],
+                [0.1, 0.6, 1.0],
+                [0.1, 0.55, 0.7],
+                [0.4, 0.54, 1.0],
+                [0.1, 0.1001, 2.0],
+            ] {
+                for bottom in [0.57, 0.53, 0.61] {
+                    let f = |height: f64| move |x: f64| sign * ((x - bottom) * (x - bottom) + height);
+                    let lowest_in_the_middle =
+                        (at[1] - bottom).abs() < (at[0] - bottom).abs().min((at[2] - bottom).abs());
+                    assert!(dip(f(1e-12), places(f(1e-12), at)).is_none());
+                    let found = dip(f(-1e-12), places(f(-1e-12), at));
+                    if !lowest_in_the_middle {
+                        assert!(found.is_none(), "{at:?} {bottom}");
+                        continue;
+                    }
+                    let (x, value) = found.expect("a dip");
+                    assert!((x - bottom).abs() < 1e-6 && sign * value <= 0.0, "{at:?} {bottom}: {x}");
+                }
+            }
+        }
     }
 }
