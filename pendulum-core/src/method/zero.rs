@@ -216,6 +216,12 @@ mod tests {
                 }
             }
         }
+        // A straight line needs the middle, its zero, and the other side of that, whatever the length.
+        for (from, to) in [(0.5, 0.5 + 1e-6), (1000.0, 1e6), (0.3, 0.4)] {
+            let zero = from + 0.3 * (to - from);
+            let (_, places) = search(|x| x - zero, (from, to));
+            assert!(places.len() <= 6, "{from} {to}: {places:?}");
+        }
         // A straight line, to a zero that is far nearer to 0 than the ends are.
         let (x, places) = search(|x| x - 1e-30, (-0.5, 1.0));
         assert!(
