@@ -219,7 +219,7 @@ fn hostile_settings_end_well_or_say_why_not() {
                 let refused = matches!(ended, Err(Reason::InvalidInput { what: named, .. }) if named == what);
                 let is_sensible = match what {
                     "rtol" => (10.0 * f64::EPSILON..1.0).contains(&number),
-                    "h_min" => number >= 0.0 && number < INFINITY,
+                    "h_min" => (0.0..INFINITY).contains(&number),
                     "h_max" => number > f64::EPSILON,
                     _ => number > 0.0 && number < INFINITY,
                 };
