@@ -326,12 +326,15 @@ mod tests {
                     continue;
                 }
                 for (quarters, searches) in [(2.9, true), (3.1, false), (100.0, false)] {
-                    let (found, places) = look(|x| (x - bottom).powi(2) + quarters * apart.powi(2), at);
+                    let (found, places) = look(|x| 3.0 * ((x - bottom).powi(2) + quarters * apart.powi(2)), at);
                     assert!(found.is_none());
                     assert_eq!(!places.is_empty(), searches, "{at:?} {apart} {quarters}");
                 }
             }
         }
+        // From 0.9 to 3e-5, which is what tells places near 1000 apart by their squares.
+        let (found, places) = look(|x| (x - 1000.57).powi(2) + 1e-9, [1000.1, 1000.5, 1001.0]);
+        assert!(found.is_none() && (20..=24).contains(&places.len()), "{}", places.len());
         // level, or with the lowest place at an end
         assert!(look(|_| 1.0, [0.0, 0.5, 1.0]).1.is_empty());
         assert!(look(|x| x.max(0.5), [0.0, 0.5, 1.0]).1.is_empty());
