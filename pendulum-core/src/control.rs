@@ -114,7 +114,12 @@ pub trait Estimates {}
 /// 533-554.
 ///
 /// After a step with the error `e_n` (1 is the tolerance) the next one is longer by `0.9 e_n^-alpha e_(n-1)^beta`,
-/// within 0.2 and 10; `beta = 0.04` damps the steps of mildly stiff systems, and `alpha = 1 / (order + 1) - 0.75 beta`.
+/// within 0.2 and 3; `beta = 0.04` damps the steps of mildly stiff systems, and `alpha = 1 / (order + 1) - 0.75 beta`.
+///
+/// DOPRI5 lets steps grow by 10. But between two jumps of a right-hand side errors may vanish, and all growth is blind:
+/// a step that is ten times as long as the one before, and so nine times as long as the way since the jump, can pass
+/// several more with stages that happen to agree. One that is three times as long as the one before is twice as long as
+/// that way, and has stages in between.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct PiController {
     pub(crate) alpha: f64,
@@ -128,7 +133,7 @@ impl PiController {
     const BETA: f64 = 0.04;
     const SAFETY: f64 = 0.9;
     const SHRINK: f64 = 0.2;
-    const GROW: f64 = 10.0;
+    const GROW: f64 = 3.0;
     /// After an attempt that arrived nowhere, and so has no error.
     const FAILED: f64 = 0.25;
     /// The binary logarithm of 1e-4. A smaller error is not remembered as such: it says little about the next one.
@@ -201,7 +206,87 @@ pub(crate) fn exp2(x: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{PiController, exp2, log2};
+    use nalgebra::SVector;
+
+    use super::{PiController, Tolerance, exp2, log2};
+    use crate::system::FnSystem;
+
+    #[test]
+    fn errors_are_measured_against_the_mean_of_both_states() {
+        let tolerance = Tolerance { rtol: 0.1, atol: 0.01 };
+        let (x0, x1) = (SVector::from([1.0, -2.0]), SVector::from([-3.0, 4.0]));
+        // 0.01 + 0.1 * 2 and 0.01 + 0.1 * 3
+        let expected = ((0.3_f64 / 0.21).powi(2) + (0.4_f64 / 0.31).powi(2)) / 2.0;
+        let found = tolerance.mean_square(&SVector::from([0.3, -0.4]), &x0, &x1);
+        assert!((found / expected - 1.0).abs() < 1e-15, "{found} {expected}");
+    }
+
+    #[test]
+    fn sizes_are_measured_against_the_state() {
+        let tolerance = Tolerance { rtol: 0.5, atol: 0.25 };
+        let [a, b] = [SVector::from([1.0, -2.0]), SVector::from([-5.0, 0.0])];
+        let found = tolerance.mean_sizes([&a, &b], &SVector::from([-3.0, 4.0]));
+        // 0.25 + 0.5 * 3 and 0.25 + 0.5 * 4
+        let expected = [(1.0 / 1.75 + 2.0 / 2.25) / 2.0, 5.0 / 1.75 / 2.0];
+        for (found, expected) in found.into_iter().zip(expected) {
+            assert!((found / expected - 1.0_f64).abs() < 1e-15, "{found} {expected}");
+        }
+    }
+
+    /// The first step of `x' = f(t, x)` from `x0` at 1.
+    fn first_step(f: fn(f64, f64) -> f64, x0: f64, (rtol, atol): (f64, f64), order: usize, h_max: f64) -> f64 {
+        let system = FnSystem(|t: f64, x: &SVector<f64, 1>| SVector::from([f(t, x[0])]));
+        let (x0, f0) = (SVector::from([x0]), SVector::from([f(1.0, x0)]));
+        let (direction, h_max) = (h_max.signum(), h_max.abs());
+        Tolerance { rtol, atol }.first_step(&system, (1.0, &x0, &f0), (order, h_max, direction))
+    }
+
+    fn assert_is(found: f64, expected: f64) {
+        assert!((found / expected - 1.0).abs() < 1e-12, "{found:e} {expected:e}");
+    }
+
+    #[test]
+    fn the_first_step_is_that_of_hairer() {
+        // x' = 5 t - x^2 from 3: -4; atol + rtol |x| is 0.013. The trial step is 0.01 |x| / |x'| = 0.0075, to
+        // 5 * 1.0075 - 2.97^2 = -3.7834 forward, and to 5 * 0.9925 - 3.03^2 = -4.2184 backward.
+        let f = |t: f64, x: f64| 5.0 * t - x * x;
+        let tolerance = (1e-3, 0.01);
+        for (h_max, apart) in [(10.0, 4.0 - 3.7834), (-10.0, 4.2184 - 4.0)] {
+            let slope: f64 = 4.0 / 0.013;
+            let curvature: f64 = apart / 0.013 / 0.0075;
+            assert!(curvature > slope);
+            for order in [4, 8] {
+                let expected = (0.01 / curvature).powf(1.0 / (order as f64 + 1.0));
+                assert_is(first_step(f, 3.0, tolerance, order, h_max), expected);
+            }
+        }
+        // no longer than the longest
+        assert_is(first_step(f, 3.0, tolerance, 4, 0.001), 0.001);
+        // Where the slope hardly changes it counts itself.
+        assert_is(
+            first_step(|_, _| -7.0, 3.0, tolerance, 4, 10.0),
+            (0.01_f64 * 0.013 / 7.0).powf(0.2),
+        );
+    }
+
+    #[test]
+    fn the_first_step_where_a_size_says_nothing() {
+        let absolute = (0.0, 1.0);
+        // From zero, or with next to no slope, the trial step is 1e-6, and the first at most a hundred times as long.
+        assert_is(first_step(|_, _| 3.0, 0.0, absolute, 4, 10.0), 1e-4);
+        assert_is(first_step(|_, _| 0.9e-5, 1.0, absolute, 4, 10.0), 1e-4);
+        // At 1e-5 sizes begin to count: the trial step is 0.01 d0 / d1, the first (0.01 / d1)^(1/5) or 100 of them.
+        assert_is(first_step(|_, _| 1.0, 1e-5, absolute, 4, 10.0), 1e-5);
+        assert_is(first_step(|_, _| 1e-5, 1.0, absolute, 4, 10.0), 1e3_f64.powf(0.2));
+        // at rest, or so good as
+        assert_is(first_step(|_, _| 0.0, 1.0, absolute, 4, 10.0), 1e-6);
+        assert_is(first_step(|_, _| 1e-15, 1.0, absolute, 4, 10.0), 1e-6);
+        // where the trial step leaves the domain: a thousandth of it, which is 0.01
+        assert_is(
+            first_step(|t, _| if t > 1.0 { f64::NAN } else { 1.0 }, 1.0, absolute, 4, 10.0),
+            1e-5,
+        );
+    }
 
     #[test]
     fn logarithm_and_power_are_good_enough() {
@@ -213,23 +298,72 @@ mod tests {
         }
         assert!(log2(0.0) < -1000.0 && log2(f64::INFINITY) > 1000.0);
         assert!(exp2(f64::NAN).is_nan());
+        // kept within the exponents
+        assert!((exp2(-1e9) / f64::MIN_POSITIVE - 1.0).abs() < 1.01e-4);
+        assert!((exp2(1e9) / 1023.0_f64.exp2() - 1.0).abs() < 1.01e-4);
+    }
+
+    /// What follows a step with the error `e`, whose mean square it is given.
+    fn next(controller: &mut PiController, e: f64) -> f64 {
+        controller.next(e * e)
+    }
+
+    fn assert_near(found: f64, expected: f64) {
+        // What logarithm and power are good for.
+        assert!((found / expected - 1.0).abs() < 2e-4, "{found} {expected}");
     }
 
     #[test]
-    fn an_error_of_one_shrinks_the_step_a_little() {
+    fn the_factor_is_that_of_gustafsson_with_the_constants_of_dopri5() {
+        // 0.9 e^-alpha before^beta, with beta = 0.04 and alpha = 1/5 - 0.03
+        let mut controller = PiController::new(4);
+        assert_near(
+            next(&mut controller, 0.5),
+            0.9 * 0.5_f64.powf(-0.17) * 1e-4_f64.powf(0.04),
+        );
+        assert_near(
+            next(&mut controller, 0.3),
+            0.9 * 0.3_f64.powf(-0.17) * 0.5_f64.powf(0.04),
+        );
+        // A rejected step is not remembered, nor does it remember.
+        assert_near(next(&mut controller, 4.0), 0.9 * 4.0_f64.powf(-0.17));
+        assert_near(
+            next(&mut controller, 0.9),
+            0.9 * 0.9_f64.powf(-0.17) * 0.3_f64.powf(0.04),
+        );
+        // An error below 1e-4 counts as 1e-4 afterwards.
+        assert_near(
+            next(&mut controller, 1e-3),
+            0.9 * 1e-3_f64.powf(-0.17) * 0.9_f64.powf(0.04),
+        );
+        assert_near(next(&mut controller, 1e-6), 3.0);
+        assert_near(
+            next(&mut controller, 0.8),
+            0.9 * 0.8_f64.powf(-0.17) * 1e-4_f64.powf(0.04),
+        );
+        controller.set_order(9);
+        assert_near(
+            next(&mut controller, 0.8),
+            0.9 * 0.8_f64.powf(-0.07) * 0.8_f64.powf(0.04),
+        );
+    }
+
+    #[test]
+    fn an_error_of_one_is_accepted_and_shrinks_the_step_a_little() {
         let mut controller = PiController::new(4);
         controller.last = 0.0;
-        assert!((controller.next(1.0) - 0.9).abs() < 1e-4);
+        assert_near(next(&mut controller, 1.0), 0.9);
+        assert_eq!(controller.next(0.0), 3.0, "growth after a step that was accepted");
     }
 
     #[test]
     fn the_factor_keeps_its_bounds() {
         let mut controller = PiController::new(4);
-        assert_eq!(controller.next(0.0), PiController::GROW);
-        assert_eq!(controller.next(1e300), PiController::SHRINK);
+        assert_eq!(controller.next(0.0), 3.0);
+        assert_eq!(controller.next(1e300), 0.2);
         assert_eq!(controller.next(0.0), 1.0, "no growth after a rejection");
-        assert_eq!(controller.next(0.0), PiController::GROW);
-        assert_eq!(controller.next(f64::NAN), PiController::FAILED);
+        assert_eq!(controller.next(0.0), 3.0);
+        assert_eq!(controller.next(f64::NAN), 0.25);
         assert_eq!(controller.next(0.0), 1.0, "no growth after a failure");
     }
 }

@@ -116,7 +116,7 @@ pub enum Reason {
         t: f64,
     },
     /// An event resets the state repeatedly within the resolution of the time, like the rebounds of a ball that comes
-    /// to rest.
+    /// to rest, or a thousand times in a row in so short times that it would never end.
     EventsAccumulate {
         /// The index of the event among those given.
         event: usize,
@@ -160,7 +160,8 @@ impl fmt::Display for Reason {
             Self::EventsAccumulate { event } => write!(
                 f,
                 "event {event} repeats without time advancing, like a bouncing ball that comes to rest; \
-                 make it terminal below some speed, and continue with a model of the contact"
+                 make it terminal below some speed, and continue with a model of the contact, \
+                 or let its reset lead further away"
             ),
             Self::TooManySteps { max_steps } => write!(
                 f,

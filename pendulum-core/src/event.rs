@@ -14,7 +14,8 @@ use nalgebra::SVector;
 /// some are missed: bound the steps by `h_max` where an event is faster than the motion.
 ///
 /// A reset that does not lead away from zero, such as a rebound without speed, lets the function pass zero: make such
-/// an event terminal.
+/// an event terminal. One that leads away so little that the event repeats without end is
+/// [`EventsAccumulate`](crate::Reason::EventsAccumulate).
 ///
 /// ```
 /// use pendulum_core::prelude::*;

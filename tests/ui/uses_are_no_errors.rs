@@ -14,7 +14,7 @@ mechanism! {
         output reach: tip.x,
         output speed: dot(tip.x),
         event arrives: tip.x - 1,
-        let swing = sin(t),
+        let swing = 1*sin(1 rad/s*t),
         body still on ground { joint: prismatic(x), motion: 1 }
         body shaken on still { joint: prismatic(x), motion: swing }
         body cart ground { mass: m, joint: prismatic(x), coordinate: s, torque: push }

@@ -141,7 +141,7 @@ where
                 Ok(mean_square) if sum.all_finite() => mean_square,
                 _ => V::from_fn(|lane| outcome(lane).unwrap_or(T::from_f64(f64::NAN))),
             };
-            if !members.judge(&control, &mean_squares) {
+            if !members.judge(&control, &mean_squares, F::Stages::<V>::PROPOSES) {
                 for (lane, index) in members.busy(V::LANES) {
                     let (h, step) = (members.h[lane], (members.t[lane], members.t_new[lane]));
                     if !members.is_accepted(lane) && h < control.least(step.0) {

@@ -126,7 +126,12 @@ impl<T: Float> Members<T> {
     /// Judges the steps by the mean squares of their errors, and moves on where they are accepted: whether all have a
     /// next step that is long enough.
     #[inline(always)]
-    pub(super) fn judge<V: Lanes<Scalar = T>>(&mut self, control: &StepControl<T>, errors: &V) -> bool {
+    pub(super) fn judge<V: Lanes<Scalar = T>>(
+        &mut self,
+        control: &StepControl<T>,
+        errors: &V,
+        method_proposes: bool,
+    ) -> bool {
         // An array, for the loop to become one over registers.
         let mut mean_squares = [T::default(); MOST_LANES];
         let mean_squares = &mut mean_squares[..V::LANES];
@@ -141,7 +146,7 @@ impl<T: Float> Members<T> {
                 last: self.last[lane],
                 most: self.most[lane],
             };
-            let judged = control.judged(&mut controller, (t, t_new), mean_square);
+            let judged = control.judged(&mut controller, (t, t_new), mean_square, method_proposes);
             (self.last[lane], self.most[lane]) = (controller.last, controller.most);
             self.h[lane] = judged.h;
             self.steps[lane] += 1;

@@ -18,6 +18,10 @@ const FIRST_PLACE: f64 = 1e-15;
 /// An event that acts twice within this many roots of an ulp of the time, and is then found on the far side, never ends:
 /// heights go with the square of the time between rebounds, and vanish among rounding errors.
 const HURRIED: f64 = 4.0;
+/// Nor does one that acts so often in a row, each time within that time of the last, if the end is this many such times
+/// away: where a reset leads back a little more than rounding errors do, the time advances, but arrives nowhere.
+const MOST_HURRIED: usize = 1000;
+const TOO_MANY: f64 = 1e7;
 
 /// What is known of the events where the last step ended.
 pub(super) struct Search<'w, 'e, T, const N: usize> {
@@ -34,8 +38,9 @@ struct Seen<T> {
     value: T,
     /// Its largest size in the step before.
     largest: T,
-    /// When it acted last.
+    /// When it acted last, and how often in a row soon after the time before.
     acted: Option<T>,
+    hurried: usize,
 }
 
 /// Something found within a step.
@@ -94,6 +99,7 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
                 value,
                 largest: value.abs(),
                 acted: None,
+                hurried: 0,
             });
         }
         Ok(Self {
@@ -103,11 +109,11 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
         })
     }
 
-    /// Goes on from the state `x` at `t`; `fired` are the events that were noted there, with their values before;
-    /// `scale` is that of times.
+    /// Goes on from the state `x` at `t` towards `t1`; `fired` are the events that were noted there, with their values
+    /// before; `scale` is that of times.
     pub(super) fn restart(
         &mut self,
-        (t, scale): (T, T),
+        (t, t1, scale): (T, T, T),
         x: &SVector<T, N>,
         fired: &[(Found<T>, T)],
     ) -> Result<(), Reason> {
@@ -116,17 +122,23 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
             seen.value = value(self.events, index, t, x)?;
             seen.side = Side::of(seen.value);
             if let Some((found, before)) = fired.iter().find(|(found, _)| found.index == index) {
+                let since = seen.acted.map(|acted| (t - acted).abs());
+                let soon = since.filter(|&since| since <= hurried);
+                seen.hurried = soon.map_or(0, |_| seen.hurried + 1);
+                let arrives_nowhere = |since: T| (t1 - t).abs() > since * T::from_f64(TOO_MANY);
+                if self.events[index].acts() && seen.hurried >= MOST_HURRIED && soon.is_some_and(arrives_nowhere) {
+                    return Err(Reason::EventsAccumulate { event: index });
+                }
                 // Rounding errors may have left it on either side, but a jump did not.
                 let noise = (before.abs() + before.abs()).min(T::EPSILON.sqrt() * seen.largest);
                 if seen.value.abs() <= noise {
-                    let is_hurried = seen.acted.is_some_and(|acted| (t - acted).abs() <= hurried);
                     let far = match found.what {
                         What::Passage(Passage::Rising) => Passage::Rising,
                         _ => Passage::Falling,
                     };
                     seen.side = Side::Leaving {
                         noise,
-                        far: is_hurried.then_some(far),
+                        far: soon.is_some().then_some(far),
                     };
                 }
                 seen.acted = Some(t);

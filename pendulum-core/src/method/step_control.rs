@@ -33,6 +33,9 @@ pub(crate) struct Pace<T> {
 const LEAST_ULPS: f64 = 4.0;
 /// The last step may be longer than planned by this factor.
 const STRETCH: f64 = 1.01;
+/// The most by which a proposed step may be longer than the last one. No longer than the way since a jump of the
+/// right-hand side, it does not pass two, and where it ends the derivative shows that it passed one.
+const GROW_PROPOSED: f64 = 2.0;
 
 impl<T> Pace<T> {
     /// Goes on with an error estimate of another order.
@@ -102,15 +105,14 @@ impl<T: Float> StepControl<T> {
 
     /// The step from `t` on the way to `t1`. Without branches, so that lanes decide together.
     ///
-    /// Its length is what the method proposes, if it does, else what followed from the last step. There is no tiny last
-    /// step: this one is stretched a little to the end, or what remains is shared between two.
+    /// Its length is what followed from the last step, or what the method proposes if that is less. There is no tiny
+    /// last step: this one is stretched a little to the end, or what remains is shared between two.
     #[inline(always)]
     pub(crate) fn planned(&self, h: T, (t, t1): (T, T), steps: usize, proposed: Option<T>) -> Planned<T> {
         let (least, remaining) = (self.least(t), (t1 - t).abs());
-        let proposed = proposed.map(|proposed| proposed.min(self.h_max));
         let is_too_short = proposed.is_some_and(|h| (h < least) & (h < remaining));
         let is_refused = (steps >= self.max_steps) | is_too_short;
-        let length = proposed.unwrap_or(h);
+        let length = proposed.map_or(h, |proposed| proposed.min(h));
         let h = if is_refused { length } else { length.max(least) };
         let direction = T::from_f64(if t1 < t { -1.0 } else { 1.0 });
         let half = t + direction * (remaining * T::from_f64(0.5));
@@ -123,8 +125,6 @@ impl<T: Float> StepControl<T> {
     /// Whether the step from `t` to `t_new` is accepted, from the mean square of its error; and how long the next
     /// attempt is.
     ///
-    /// Methods that propose their steps do not need the length after an accepted one.
-    ///
     /// # Errors
     /// If the next attempt would be shorter than the least step: the reason to give up.
     #[inline(always)]
@@ -136,10 +136,7 @@ impl<T: Float> StepControl<T> {
         method_proposes: bool,
     ) -> Result<bool, Reason> {
         let mean_square = outcome.unwrap_or(T::from_f64(f64::NAN));
-        if method_proposes && is_within_tolerance(mean_square) {
-            return Ok(true);
-        }
-        let judged = self.judged(&mut pace.controller, (t, t_new), mean_square);
+        let judged = self.judged(&mut pace.controller, (t, t_new), mean_square, method_proposes);
         pace.h = judged.h;
         if judged.is_hopeless {
             return Err(self.hopeless(outcome, (t, t_new), judged.h));
@@ -150,9 +147,21 @@ impl<T: Float> StepControl<T> {
     /// As [`judge`](Self::judge), from a mean square that is NaN where the attempt arrived nowhere. Without branches, so
     /// that lanes decide together.
     #[inline(always)]
-    pub(crate) fn judged(&self, controller: &mut PiController, (t, t_new): (T, T), mean_square: T) -> Judged<T> {
+    pub(crate) fn judged(
+        &self,
+        controller: &mut PiController,
+        (t, t_new): (T, T),
+        mean_square: T,
+        method_proposes: bool,
+    ) -> Judged<T> {
         let is_accepted = is_within_tolerance(mean_square);
-        let h = (t_new - t).abs() * T::from_f64(controller.next(mean_square.to_f64()));
+        let factor = controller.next(mean_square.to_f64());
+        let factor = if method_proposes & is_accepted {
+            GROW_PROPOSED
+        } else {
+            factor
+        };
+        let h = (t_new - t).abs() * T::from_f64(factor);
         Judged {
             is_accepted,
             h: if is_accepted { h.min(self.h_max) } else { h },
@@ -201,5 +210,156 @@ fn underflow<T: Float>(h: T, least: T) -> Reason {
     Reason::StepUnderflow {
         h: h.to_f64(),
         least: least.to_f64(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::SVector;
+
+    use super::{StepControl, is_within_tolerance};
+    use crate::control::Tolerance;
+    use crate::error::Reason;
+    use crate::method::scheme::Stalled;
+    use crate::system::FnSystem;
+
+    const CONTROL: StepControl<f64> = StepControl {
+        h0: None,
+        h_min: 0.0,
+        h_max: 100.0,
+        max_steps: 1000,
+        error_order: 4,
+        tolerance: Tolerance { rtol: 0.0, atol: 1.0 },
+    };
+
+    #[test]
+    fn the_least_step_is_the_longest_of_three() {
+        let least = |h_min, t| StepControl { h_min, ..CONTROL }.least(t);
+        assert_eq!(least(0.5, -100.0), 0.5);
+        assert_eq!(least(0.0, -100.0), 400.0 * f64::EPSILON);
+        assert_eq!(least(0.0, 0.0), f64::MIN_POSITIVE);
+    }
+
+    #[test]
+    fn the_first_step_is_no_longer_than_the_span() {
+        let system = FnSystem(|t: f64, x: &SVector<f64, 1>| SVector::from([if t < 3.0 { 1e3 } else { 0.0 } - x[0]]));
+        let first = |control: StepControl<f64>, t1: f64| {
+            control.first_step(&system, (3.0, &SVector::from([1.0]), &SVector::from([-1.0])), 3.0 + t1)
+        };
+        let given = StepControl {
+            h0: Some(0.1),
+            ..CONTROL
+        };
+        assert_eq!(
+            (first(given, 2.0), given.start().h, CONTROL.start().h),
+            (None, 0.1, 100.0)
+        );
+        // By Hairer's formula: d1 = 1 and forward d2 = 1, backward |999 + 1.01| / 0.01.
+        let near = |found: Option<f64>, expected: f64| found.is_some_and(|h| (h / expected - 1.0).abs() < 1e-12);
+        assert!(near(first(CONTROL, 2.0), 0.01_f64.powf(0.2)));
+        assert!(
+            near(first(CONTROL, -2.0), (0.01_f64 / (999.99 / 0.01)).powf(0.2)),
+            "{:?}",
+            first(CONTROL, -2.0)
+        );
+        assert_eq!(first(CONTROL, 0.25), Some(0.25));
+        assert_eq!(
+            first(
+                StepControl {
+                    h_max: 0.125,
+                    ..CONTROL
+                },
+                0.25
+            ),
+            Some(0.125)
+        );
+    }
+
+    #[test]
+    fn the_last_steps_are_shared_or_stretched() {
+        for direction in [1.0, -1.0] {
+            let end = |h: f64, remaining: f64| {
+                let mut h = h;
+                let span = (3.0, 3.0 + direction * remaining);
+                (CONTROL.plan(&mut h, span, 0, None).expect("a step") - 3.0) * direction
+            };
+            assert_eq!((end(1.0, 8.0), end(1.0, 2.125)), (1.0, 1.0));
+            assert_eq!((end(1.0, 1.5), end(1.0, 1.03125)), (0.75, 0.515_625));
+            assert_eq!(
+                (end(1.0, 1.0078125), end(1.0, 1.0), end(1.0, 0.25)),
+                (1.0078125, 1.0, 0.25)
+            );
+        }
+        // 1.01 is included
+        assert_eq!(CONTROL.planned(1.0, (0.0, 1.01), 0, None).end, 1.01);
+    }
+
+    #[test]
+    fn what_a_method_proposes_is_no_more_than_twice_the_last_step() {
+        let mut pace = CONTROL.start();
+        assert_eq!(CONTROL.planned(pace.h, (0.0, 1e3), 0, Some(5.0)).h, 5.0);
+        assert_eq!(CONTROL.planned(pace.h, (0.0, 1e3), 0, Some(500.0)).h, 100.0);
+        assert_eq!(CONTROL.judge(&mut pace, (0.0, 5.0), Ok(0.0), true), Ok(true));
+        assert_eq!(CONTROL.planned(pace.h, (0.0, 1e3), 0, Some(500.0)).h, 10.0);
+        assert_eq!(CONTROL.judge(&mut pace, (5.0, 15.0), Ok(1e9), true), Ok(false));
+        assert_eq!(pace.h, 2.0, "a rejected one is shortened like any other");
+        assert_eq!(CONTROL.judge(&mut pace, (5.0, 7.0), Ok(1e-9), false), Ok(true));
+        assert_eq!(pace.h, 2.0, "without proposals there is no growth after a rejection");
+    }
+
+    #[test]
+    fn the_order_of_the_estimate_is_that_of_the_exponent() {
+        for order in [4, 9] {
+            let mut pace = CONTROL.start();
+            pace.set_order(order);
+            assert_eq!(CONTROL.judge(&mut pace, (0.0, 1.0), Ok(4.0), false), Ok(false));
+            // 0.9 e^-alpha for an error of 2
+            let expected = 0.9 * 2.0_f64.powf(0.03 - 1.0 / (order as f64 + 1.0));
+            assert!((pace.h / expected - 1.0).abs() < 2e-4, "{} {expected}", pace.h);
+        }
+    }
+
+    #[test]
+    fn no_step_is_shorter_than_the_least_but_the_last() {
+        let control = StepControl { h_min: 0.5, ..CONTROL };
+        let plan = |proposed, remaining: f64| {
+            let mut h = 1.0;
+            control
+                .plan(&mut h, (3.0, 3.0 + remaining), 999, proposed)
+                .map(|end| (h, end))
+        };
+        assert_eq!(plan(Some(0.5), 8.0), Ok((0.5, 3.5)));
+        assert_eq!(
+            plan(Some(0.25), 8.0),
+            Err(Reason::StepUnderflow { h: 0.25, least: 0.5 })
+        );
+        assert_eq!(plan(Some(0.25), 0.25), Ok((0.5, 3.25)));
+        let mut h = 0.25;
+        assert_eq!(control.plan(&mut h, (3.0, 8.0), 0, None), Ok(3.5));
+        // neither after the most steps
+        let mut h = 1.0;
+        let too_many = Err(Reason::TooManySteps { max_steps: 1000 });
+        assert_eq!(control.plan(&mut h, (3.0, 8.0), 1000, None), too_many);
+        assert_eq!(control.plan(&mut h, (3.0, 8.0), 1001, Some(0.25)), too_many);
+    }
+
+    #[test]
+    fn an_attempt_is_hopeless_if_the_next_would_be_too_short() {
+        let control = StepControl { h_min: 0.5, ..CONTROL };
+        let judge = |t_new: f64, outcome| control.judge(&mut control.start(), (3.0, t_new), outcome, false);
+        // a fifth of the length after a large error, a quarter after none
+        assert_eq!(judge(5.5, Ok(1e9)), Ok(false));
+        assert_eq!(judge(0.5, Ok(1e9)), Ok(false));
+        assert_eq!(judge(5.25, Ok(1e9)), Err(Reason::StepUnderflow { h: 0.45, least: 0.5 }));
+        assert_eq!(judge(5.0, Err(Stalled.into())), Ok(false));
+        assert_eq!(judge(4.0, Err(Stalled.into())), Err(Reason::NoConvergence { h: 1.0 }));
+        // An accepted one may be short, and the next is no longer than the longest.
+        assert_eq!(judge(3.125, Ok(1.0)), Ok(true));
+        let mut pace = control.start();
+        assert_eq!(
+            (control.judge(&mut pace, (3.0, 83.0), Ok(0.0), false), pace.h),
+            (Ok(true), 100.0)
+        );
+        assert!(is_within_tolerance(1.0) && !is_within_tolerance(1.0_f64.next_up()) && !is_within_tolerance(f64::NAN));
     }
 }

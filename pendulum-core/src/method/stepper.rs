@@ -121,6 +121,11 @@ where
         self.last.x1
     }
 
+    /// Where it ends.
+    pub(super) fn t1(&self) -> T {
+        self.t1
+    }
+
     /// The scheme, for code that knows which one it is.
     pub(crate) fn scheme_mut(&mut self) -> &mut C {
         &mut self.scheme

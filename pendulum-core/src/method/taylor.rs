@@ -20,6 +20,10 @@ use crate::taylor::{MAX_ORDER, TaylorSeries};
 /// that of the series, as where the step would pass a pole that the terms do not reveal. The series is the dense
 /// output. The order is `-ln(tolerance) / 2 + 5`, or what [`order`](Taylor::order) sets.
 ///
+/// A series knows nothing of the jumps of `signum` or of a law in time, and only the derivative at the end of a step
+/// shows one: where there are any, set [`h0`](Adaptive::h0) no longer than the time to the first, and
+/// [`h_max`](Adaptive::h_max) no longer than the shortest time between two.
+///
 /// ```
 /// use pendulum_core::prelude::*;
 ///

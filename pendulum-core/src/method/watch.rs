@@ -76,7 +76,7 @@ where
             return Ok(());
         }
         stepper.restart(stop.t, stop.x)?;
-        search.restart((stop.t, stop.scale), &stop.x, &stop.fired)?;
+        search.restart((stop.t, stepper.t1(), stop.scale), &stop.x, &stop.fired)?;
     }
     Ok(())
 }

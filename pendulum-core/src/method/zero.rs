@@ -14,10 +14,11 @@ pub(super) fn root<T: Float>(f: impl Fn(T) -> T, from: (T, T), to: (T, T)) -> T 
     let mut fraction = T::from_f64(0.5);
     // Bisection alone would end in as many steps as a number has bits; the hybrid takes at most a few times as many.
     for _ in 0..200 {
-        let place = a.0 + fraction * (b.0 - a.0);
-        if place == a.0 || place == b.0 {
+        let at = |fraction: T| Some(a.0 + fraction * (b.0 - a.0)).filter(|&place| place != a.0 && place != b.0);
+        // Interpolation may be rounded to an end that is not the zero: then halves lead on.
+        let Some(place) = at(fraction).or_else(|| at(one / two)) else {
             break;
-        }
+        };
         let new = (place, f(place));
         let c;
         if is_past(new.1) == is_past(a.1) {
@@ -55,7 +56,7 @@ pub(super) fn dip<T: Float>(f: impl Fn(T) -> T, places: [(T, T); 3]) -> Option<(
     let zero = T::default();
     let sign = T::from_f64(if middle.1 > zero { 1.0 } else { -1.0 });
     let height = |point: (T, T)| sign * point.1;
-    if !(height(middle) < height(first) && height(middle) <= height(last)) || height(first) <= zero {
+    if !(height(middle) < height(first) && height(middle) <= height(last)) {
         return None;
     }
     // The parabola through the three shows how deep it may go: a search is for the few that come near.
@@ -96,32 +97,273 @@ pub(super) fn dip<T: Float>(f: impl Fn(T) -> T, places: [(T, T); 3]) -> Option<(
 
 #[cfg(test)]
 mod tests {
+    use std::cell::RefCell;
+
     use super::{dip, root};
 
-    #[test]
-    fn a_root_is_found_to_the_last_bit_and_from_behind() {
-        let count = core::cell::Cell::new(0);
-        let f = |x: f64| {
-            count.set(count.get() + 1);
-            x.cos() - x
+    /// The root of `f` between 0 and 1, or between 1 and 0 in reverse, and the places that were looked at.
+    fn search(f: impl Fn(f64) -> f64, (from, to): (f64, f64)) -> (f64, Vec<f64>) {
+        let places = RefCell::new(Vec::new());
+        let watched = |x: f64| {
+            places.borrow_mut().push(x);
+            f(x)
         };
-        let x = root(f, (0.0, 1.0), (1.0, 1.0_f64.cos() - 1.0));
-        assert!(f(x) <= 0.0 && f(x.next_down().next_down()) >= 0.0, "{x:e}");
-        assert!(count.get() < 14, "{}", count.get());
-        // steep, flat, and with a jump
-        let x = root(|x: f64| x.powi(9) - 1e-9, (0.0, -1e-9), (1.0, 1.0));
-        assert!((x - 0.1).abs() < 1e-15);
-        let x = root(|x: f64| if x < 0.3 { -1.0 } else { 1.0 }, (0.0, -1.0), (1.0, 1.0));
-        assert!((0.3..0.3_f64.next_up().next_up()).contains(&x));
+        let x = root(watched, (from, f(from)), (to, f(to)));
+        (x, places.into_inner())
     }
 
     #[test]
+    fn a_root_is_found_to_the_last_bit_and_from_behind() {
+        let f = |x: f64| x.cos() - x;
+        let (x, places) = search(f, (0.0, 1.0));
+        assert!(f(x) <= 0.0 && f(x.next_down().next_down()) >= 0.0, "{x:e}");
+        assert!(places.len() < 14, "{}", places.len());
+        // backward it is before the zero
+        let (x, places) = search(f, (1.0, 0.0));
+        assert!(f(x) >= 0.0 && f(x.next_up().next_up()) <= 0.0, "{x:e}");
+        assert!(places.len() < 14, "{}", places.len());
+        // steep, flat, and with a jump
+        let (x, _) = search(|x| x.powi(9) - 1e-9, (0.0, 1.0));
+        assert!((x - 0.1).abs() < 1e-15);
+        let (x, places) = search(|x| if x < 0.3 { -1.0 } else { 1.0 }, (0.0, 1.0));
+        assert!((0.3..0.3_f64.next_up().next_up()).contains(&x));
+        assert!(places.len() < 60, "{}", places.len());
+    }
+
+    #[test]
+    fn where_the_inverse_is_a_parabola_the_third_place_is_the_root() {
+        // x = (y + c)^2 - 1: halving first, then interpolation of the inverse, which is exact.
+        for c in [1.15_f64, 1.2, 1.3, 1.35] {
+            for (from, to) in [(0.0, 1.0), (1.0, 0.0)] {
+                let (x, places) = search(|x| (1.0 + x).sqrt() - c, (from, to));
+                let expected = c * c - 1.0;
+                assert_eq!(places[0], 0.5);
+                assert!((places[1] - expected).abs() < 1e-15, "{c}: {places:?}");
+                assert!((x - expected).abs() < 1e-15 && places.len() <= 5, "{c}: {places:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn where_interpolation_would_mislead_it_halves() {
+        // By Chandrupatla's criterion, from the ends, the middle and xi = 1/2: interpolation is for phi, the rise from
+        // the end beyond the zero to the middle over that to the other end, between 1 - sqrt(1/2) and sqrt(1/2).
+        let second = |[first, middle, last]: [f64; 3]| {
+            let f = move |x: f64| match x {
+                0.0 => first,
+                1.0 => last,
+                _ => x - 0.5 + middle,
+            };
+            let places = search(f, (0.0, 1.0)).1;
+            assert_eq!(places[0], 0.5);
+            places[1]
+        };
+        for (phi, middle) in [(0.715, 0.43), (0.95, 0.9), (0.7, 0.4), (0.6, 0.2)] {
+            let halves = phi > 0.5_f64.sqrt();
+            // from -1 to 1 by way of a middle on either side of zero
+            assert_eq!(second([-1.0, middle, 1.0]) == 0.25, halves, "{middle}");
+            assert_eq!(second([-1.0, -middle, 1.0]) == 0.75, halves, "{middle}");
+        }
+        for (phi, middle) in [(0.28, 0.208), (0.14, 0.054), (0.3, 0.23), (0.4, 0.34)] {
+            let halves = phi < 1.0 - 0.5_f64.sqrt();
+            // from -0.1 to 1, and the other way round
+            assert_eq!(second([-0.1, middle, 1.0]) == 0.25, halves, "{middle}");
+            assert_eq!(second([-1.0, -middle, 0.1]) == 0.75, halves, "{middle}");
+        }
+        // The parabola x(y) through (-1, 0), (middle, 1/2), (1, 1) at y = 0, by Lagrange: of the last two terms.
+        for middle in [0.41, 0.2, -0.2, -0.41_f64] {
+            let expected = -0.5 / (middle * middle - 1.0) + middle / (2.0 * (middle - 1.0));
+            let found = second([-1.0, middle, 1.0]);
+            assert!((found - expected).abs() < 1e-15, "{middle}: {found} {expected}");
+        }
+    }
+
+    #[test]
+    fn roots_are_bracketed_to_two_ulps_whatever_the_function() {
+        let functions: [fn(f64, f64) -> f64; 11] = [
+            |x, zero| x - zero,
+            |x, zero| (x - zero) * 1e-300,
+            |x, zero| x.exp() - zero.exp(),
+            |x, zero| x * x * x - zero * zero * zero,
+            |x, zero| (x - zero).cbrt(),
+            |x, zero| (x - zero).powi(3),
+            |x, zero| (1e3 * (x - zero)).tanh(),
+            |x, zero| if x < zero { -1.0 } else { 1e-9 },
+            |x, zero| if x < zero { 1e-9 * (x - zero) } else { x - zero },
+            |x, zero| if x < zero { x - zero } else { 1e-9 * (x - zero) },
+            |x, zero| (x - zero) * (1.0 + 1e6 * (x - zero).powi(2)),
+        ];
+        for (index, f) in functions.into_iter().enumerate() {
+            for zero in [0.3, 0.5, 0.123_456_789, 0.999, 1e-3, 1e-9] {
+                for sign in [1.0, -1.0] {
+                    for (from, to) in [(0.0, 1.0), (1.0, 0.0), (-0.5, 1.0)] {
+                        let g = |x: f64| sign * f(x, zero);
+                        let (x, places) = search(g, (from, to));
+                        let what = format!("{index} {zero} {sign} {from} {to}: {x:e} {places:?}");
+                        let two_before = if from < to {
+                            x.next_down().next_down()
+                        } else {
+                            x.next_up().next_up()
+                        };
+                        let is_past = |x: f64| (g(x) > 0.0) != (g(from) > 0.0) || g(x) == 0.0;
+                        assert!(is_past(x), "{what}");
+                        assert!(!is_past(two_before) || g(two_before) == 0.0 || g(x) == 0.0, "{what}");
+                        // Halving alone takes some 52 from 1 on, and 30 more from 1e-9 on; at most every other one is.
+                        assert!(places.len() <= 170, "{what}");
+                        let inside = places.iter().all(|x| (from.min(to)..=from.max(to)).contains(x));
+                        assert!(inside, "{what}");
+                    }
+                }
+            }
+        }
+        // A straight line needs the middle, its zero, and the other side of that, whatever the length.
+        for (from, to) in [(0.5, 0.5 + 1e-6), (1000.0, 1e6), (0.3, 0.4)] {
+            let zero = from + 0.3 * (to - from);
+            let (_, places) = search(|x| x - zero, (from, to));
+            assert!(places.len() <= 6, "{from} {to}: {places:?}");
+        }
+        // A straight line, to a zero that is far nearer to 0 than the ends are.
+        let (x, places) = search(|x| x - 1e-30, (-0.5, 1.0));
+        assert!(
+            (x / 1e-30 - 1.0).abs() < 1e-15 && places.len() <= 10,
+            "{x:e} {places:?}"
+        );
+    }
+
+    #[test]
+    fn between_neighbours_there_is_nothing_to_look_at() {
+        let (from, to) = (1.0, 1.0_f64.next_up());
+        for (from, to) in [(from, to), (to, from)] {
+            let (x, places) = search(
+                |x| x - f64::midpoint(1.0, 1.0_f64.next_up()) + if x > 1.0 { 1e-20 } else { -1e-20 },
+                (from, to),
+            );
+            assert_eq!((x, places.len()), (to, 0));
+        }
+    }
+
+    #[test]
+    fn an_end_that_is_zero_is_the_root() {
+        let (x, places) = search(|x| x - 1.0, (0.0, 1.0));
+        assert_eq!((x, places.len() < 56), (1.0, true), "{places:?}");
+        let (x, places) = search(|x| x - 0.5, (0.0, 1.0));
+        assert_eq!((x, &places[..]), (0.5, &[0.5][..]));
+        // zero from some place on
+        let (x, places) = search(|x| (x - 0.3).min(0.0), (0.0, 1.0));
+        assert_eq!((x, &places[..]), (0.5, &[0.5][..]));
+    }
+
+    #[test]
+    fn a_root_at_zero_is_found_in_bounded_time() {
+        let (x, places) = search(|x| if x > 0.0 { 1.0 } else { -1.0 }, (-1e-3, 1.0));
+        assert!(x > 0.0 && x < 1e-15, "{x:e} after {}", places.len());
+        assert!(places.len() <= 200);
+    }
+
+    /// What is found of a dip, and the places that were looked at.
+    fn look(f: impl Fn(f64) -> f64, at: [f64; 3]) -> (Option<(f64, f64)>, Vec<f64>) {
+        let places = RefCell::new(Vec::new());
+        let watched = |x: f64| {
+            places.borrow_mut().push(x);
+            f(x)
+        };
+        let found = dip(watched, at.map(|x| (x, f(x))));
+        (found, places.into_inner())
+    }
+
+    /// Places of which the middle one is the nearest to 0.57, 0.53 and 0.61, or not.
+    const AT: [[f64; 3]; 7] = [
+        [0.1, 0.5, 1.0],
+        [0.1, 0.6, 1.0],
+        [0.1, 0.55, 0.7],
+        [0.4, 0.54, 1.0],
+        [0.1, 0.1001, 2.0],
+        [0.58, 0.7, 1.0],
+        [-0.3, 0.1, 0.5],
+    ];
+
+    #[test]
     fn a_dip_is_found_where_it_passes_zero_only() {
-        let places = |f: fn(f64) -> f64| [0.1, 0.5, 1.0].map(|x| (x, f(x)));
-        let shallow = |x: f64| (x - 0.55) * (x - 0.55) + 1e-12;
-        assert!(dip(shallow, places(shallow)).is_none());
-        let deep = |x: f64| (x - 0.55) * (x - 0.55) - 1e-12;
-        let (x, value) = dip(deep, places(deep)).expect("a dip");
-        assert!((x - 0.55).abs() < 1e-6 && value < 0.0);
+        for (sign, at, bottom) in [1.0, -1.0]
+            .into_iter()
+            .flat_map(|sign| AT.map(|at| (sign, at)))
+            .flat_map(|(sign, at)| [0.57, 0.53, 0.61].map(|bottom| (sign, at, bottom)))
+        {
+            let f = |height: f64| move |x: f64| sign * ((x - bottom) * (x - bottom) + height);
+            let [first, middle, last] = at.map(|x: f64| (x - bottom).abs());
+            let is_lowest = middle < first && middle <= last;
+            for height in [1e-12, -1e-12] {
+                let (found, places) = look(f(height), at);
+                assert_eq!(places.is_empty(), !is_lowest, "{at:?} {bottom}: {places:?}");
+                assert!(
+                    places.iter().all(|&x| at[0] < x && x < at[2]),
+                    "{at:?} {bottom}: {places:?}"
+                );
+                // The golden section: from 2 to 1e-8 in 40 steps.
+                assert!(places.len() <= 42, "{at:?} {bottom}: {places:?}");
+                if is_lowest && height < 0.0 {
+                    let (x, value) = found.expect("a dip");
+                    assert!(
+                        (x - bottom).abs() <= 1.001e-6 && sign * value <= 0.0,
+                        "{at:?} {bottom}: {x}"
+                    );
+                    assert_eq!((places.last(), value), (Some(&x), f(height)(x)));
+                } else {
+                    assert!(found.is_none(), "{at:?} {bottom}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn a_dip_is_searched_where_a_parabola_goes_down_by_a_quarter_of_the_height() {
+        // Below the middle place, which is `apart` from its bottom, it goes down by apart^2.
+        for at in AT {
+            for apart in [0.01, -0.01, 0.1, -0.1_f64] {
+                let bottom = at[1] + apart;
+                let [first, middle, last] = at.map(|x: f64| (x - bottom).abs());
+                if middle >= first || middle > last {
+                    continue;
+                }
+                for (quarters, searches) in [(2.9, true), (3.1, false), (100.0, false)] {
+                    let (found, places) = look(|x| 3.0 * ((x - bottom).powi(2) + quarters * apart.powi(2)), at);
+                    assert!(found.is_none());
+                    assert_eq!(!places.is_empty(), searches, "{at:?} {apart} {quarters}");
+                }
+            }
+        }
+        // From 0.9 to 3e-5, which is what tells places near 1000 apart by their squares.
+        let (found, places) = look(|x| (x - 1000.57).powi(2) + 1e-9, [1000.1, 1000.5, 1001.0]);
+        assert!(found.is_none() && (20..=24).contains(&places.len()), "{}", places.len());
+        // level, or with the lowest place at an end
+        assert!(look(|_| 1.0, [0.0, 0.5, 1.0]).1.is_empty());
+        assert!(look(|x| x.max(0.5), [0.0, 0.5, 1.0]).1.is_empty());
+        assert!(look(|x| 2.0 - x, [0.0, 0.5, 1.0]).1.is_empty());
+    }
+
+    #[test]
+    fn the_longer_part_is_divided_by_the_golden_section() {
+        let golden = (3.0 - 5.0_f64.sqrt()) / 2.0;
+        let valley = |bottom: f64| move |x: f64| (x - bottom).powi(2) + 1e-3;
+        for (at, bottom, expected) in [
+            // to the right of the middle, which stays the lowest, then to its left
+            ([0.0, 0.4, 1.0], 0.43, [0.4 + golden * 0.6, 0.4 - golden * 0.4]),
+            // to the left, where it is lower, then left of that, in the part that is longer
+            (
+                [0.0, 0.6, 1.0],
+                0.38,
+                [0.6 - golden * 0.6, 0.6 - golden * 0.6 - golden * (0.6 - golden * 0.6)],
+            ),
+        ] {
+            let (_, places) = look(valley(bottom), at);
+            for (place, expected) in places.iter().zip(expected) {
+                assert!(
+                    (place - expected).abs() < 1e-14,
+                    "{at:?} {bottom}: {places:?} {expected}"
+                );
+            }
+            let last = places.last().expect("a search");
+            assert!((last - bottom).abs() < 1e-7, "{last}");
+        }
     }
 }

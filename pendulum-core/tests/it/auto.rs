@@ -95,3 +95,52 @@ fn it_changes_with_the_motion() {
     let expected = implicit.solve(&system, 0.0, 3000.0, [2.0, 0.0]).expect("regular").end();
     assert_abs_diff_eq!(solution.end(), expected, epsilon = 1e-4);
 }
+
+/// `x = cos t`, to which the state returns at a rate that falls from 1e4 to 1.
+struct Loosening;
+
+impl Loosening {
+    fn rate(t: f64) -> f64 {
+        1e4 * (-4.0 * t).exp() + 1.0
+    }
+}
+
+impl System<f64, 1> for Loosening {
+    fn rhs(&self, t: f64, x: &SVector<f64, 1>) -> SVector<f64, 1> {
+        SVector::from([-Self::rate(t) * (x[0] - t.cos()) - t.sin()])
+    }
+}
+
+impl Jacobian<f64, 1> for Loosening {
+    fn jacobian(&self, t: f64, _x: &SVector<f64, 1>) -> SMatrix<f64, 1, 1> {
+        SMatrix::from([[-Self::rate(t)]])
+    }
+}
+
+#[test]
+fn it_returns_after_four_steps_in_a_row_that_explicit_ones_could_have_taken() {
+    // The limits of stability are 3.5 with Tsitouras' method and 4.6 with Verner's of order 7; three tenths are safe.
+    for (tolerance, limit) in [(1e-3, 3.5), (1e-6, 4.6)] {
+        let method = Auto::new().rtol(tolerance).atol(tolerance);
+        let mut stepper = method.stepper(&Loosening, 0.0, 20.0, [1.5]).expect("valid");
+        let (mut before, mut free, mut returned) = (Statistics::default(), 0, false);
+        while let Some(step) = stepper.step().expect("regular") {
+            let now = stepper.statistics();
+            if now.switches > before.switches && now.stiff == before.stiff {
+                // The step before was the last implicit one.
+                assert_eq!(free, 4, "{tolerance}: at {}", step.t0);
+                returned = true;
+            }
+            if now.stiff > before.stiff {
+                assert!(free < 4, "{tolerance}: at {}", step.t0);
+                // With one state, power iteration gives the rate itself.
+                let is_free = step.h * Loosening::rate(step.t1) <= 0.3 * limit;
+                free = if is_free { free + 1 } else { 0 };
+            } else {
+                free = 0;
+            }
+            before = now;
+        }
+        assert!(returned, "{tolerance}");
+    }
+}

@@ -3,8 +3,11 @@
 use std::f64::consts::PI;
 
 use approx::assert_abs_diff_eq;
+use pendulum_core::method::{Adaptive, Estimates, Fixed, OneStep};
 use pendulum_core::prelude::*;
-use pendulum_core::{Occurrence, Reason};
+use pendulum_core::{Occurrence, Reason, SolveError};
+
+use crate::methods::{Driven, each_adaptive, each_fixed};
 
 /// A state that is the time, up to rounding.
 fn clock() -> impl System<f64, 1> {
@@ -263,4 +266,141 @@ fn rebounds_may_accumulate_at_the_time_zero() {
         error.expect_err("it comes to rest").reason,
         Reason::EventsAccumulate { event: 0 }
     );
+}
+
+/// A clock that an event sets back by so much again and again.
+fn set_back<M: Method<Driven<Constant, 1>, f64, 1>>(
+    method: &M,
+    (t0, t1): (f64, f64),
+    back: f64,
+) -> Result<Solution<f64, 1>, SolveError<f64, 1>> {
+    let clock: Driven<Constant, 1> = Driven::new(SMatrix::zeros(), |_t, _x| SVector::from([1.0]));
+    let event = Event::new(|_t, x: &SVector<f64, 1>| x[0] - 0.7)
+        .rising()
+        .reset(move |_t, x| x - SVector::from([back]));
+    method.solve_with(&clock, t0, t1, [0.7 - 1e-7], &[event])
+}
+
+type Constant = fn(f64, &SVector<f64, 1>) -> SVector<f64, 1>;
+
+/// As much as rounding errors, hardly more, and much more, but nothing against the way to go.
+const BACK: [f64; 3] = [1e-15, 1e-14, 1e-9];
+
+fn check_that_it_accumulates(name: &str, ended: impl Fn(f64) -> Result<Solution<f64, 1>, SolveError<f64, 1>>) {
+    for back in BACK {
+        let error = ended(back).expect_err("it never ends");
+        assert_eq!(error.reason, Reason::EventsAccumulate { event: 0 }, "{name} {back:e}");
+        let count = error.solution.events().len();
+        assert!(count <= 1002, "{name} {back:e}: {count}");
+        assert!(
+            (error.x()[0] - 0.7).abs() <= 2.0 * back,
+            "{name} {back:e}: {}",
+            error.x()[0]
+        );
+    }
+}
+
+#[test]
+fn a_reset_that_leads_nowhere_is_an_error_with_every_method() {
+    fn adaptive<F>(name: &str)
+    where
+        F: OneStep<Driven<Constant, 1>, f64, 1> + Estimates + Default,
+    {
+        check_that_it_accumulates(name, |back| set_back(&Adaptive::<F>::new(), (1.0, 3.0), back));
+    }
+    fn fixed<F>(name: &str)
+    where
+        F: OneStep<Driven<Constant, 1>, f64, 1> + Default,
+    {
+        check_that_it_accumulates(name, |back| set_back(&Fixed::<F>::new(0.1), (1.0, 3.0), back));
+    }
+    each_adaptive!(adaptive());
+    each_fixed!(fixed());
+}
+
+#[test]
+fn a_thousand_resets_in_a_moment_that_get_somewhere_are_none() {
+    // A saw of 5 GHz, over a microsecond: the times are apart by a millionth of what resolves them.
+    fn adaptive<F>(name: &str)
+    where
+        F: OneStep<Driven<Constant, 1>, f64, 1> + Estimates + Default,
+    {
+        let solution = set_back(&Adaptive::<F>::new(), (1.0, 1.0 + 1.1e-6), 2e-10);
+        let solution = solution.expect("it ends");
+        let count = solution.events().len();
+        assert!((4999..=5001).contains(&count), "{name}: {count}");
+    }
+    each_adaptive!(adaptive());
+}
+
+/// Where a clock from 0 is after one step of length `h` with events at the times, the first of which is terminal or
+/// adds 100 to the state.
+fn clock_with_events(h: f64, times: &[f64], first_ends: bool) -> Solution<f64, 1> {
+    let event = |(index, &time): (usize, &f64)| {
+        let event = Event::new(move |t, _x: &SVector<f64, 1>| t - time);
+        match (index, first_ends) {
+            (0, true) => event.terminal(),
+            (0, false) => event.reset(|_t, x| x + SVector::from([100.0])),
+            _ => event,
+        }
+    };
+    let events: Vec<_> = times.iter().enumerate().map(event).collect();
+    Rk4::new(h)
+        .solve_with(&clock(), 0.0, h, [0.0], &events)
+        .expect("regular")
+}
+
+#[test]
+fn what_is_later_than_the_end_does_not_occur() {
+    // Simultaneous is what lies within 4 ulps of the time or of the step, if that is longer: 8.9e-16 s for each second.
+    for (h, end) in [(1.0, 0.3), (16.0, 0.3), (0.125, 0.03)] {
+        let apart = 4.0 * f64::EPSILON * h;
+        let occurred = |later: f64| {
+            let solution = clock_with_events(h, &[end, end + later], true);
+            assert_abs_diff_eq!(solution.last().0, end, epsilon = 0.5 * apart);
+            let events: Vec<_> = solution.events().iter().map(|event| event.index).collect();
+            events
+        };
+        assert_eq!(occurred(0.0), [0, 1]);
+        assert_eq!(occurred(0.3 * apart), [0, 1], "{h}");
+        assert_eq!(occurred(2.0 * apart), [0], "{h}");
+        assert_eq!(occurred(0.01 * h), [0], "{h}");
+        // what comes before does
+        assert_eq!(occurred(-0.3 * apart), [1, 0], "{h}");
+        assert_eq!(occurred(-0.01 * h), [1, 0], "{h}");
+    }
+}
+
+#[test]
+fn what_is_noted_sees_what_was_done_before_and_not_after() {
+    let states = |others: [f64; 2]| {
+        let solution = clock_with_events(1.0, &[0.5, others[0], others[1]], false);
+        let mut states = [0.0; 3];
+        for event in solution.events() {
+            states[event.index] = event.x[0];
+        }
+        assert_eq!(solution.events().len(), 3);
+        assert_abs_diff_eq!(solution.end()[0], 101.0, epsilon = 1e-13);
+        states
+    };
+    assert_abs_diff_eq!(states([0.5, 0.25])[..], [0.5, 100.5, 0.25][..], epsilon = 1e-13);
+    // An earlier one, even if it is simultaneous, and a later one, which is.
+    assert_abs_diff_eq!(
+        states([0.5 - 4e-16, 0.5 + 4e-16])[..],
+        [0.5, 0.5, 100.5][..],
+        epsilon = 1e-13
+    );
+    assert_abs_diff_eq!(states([0.75, 0.875])[..], [0.5, 100.75, 100.875][..], epsilon = 1e-13);
+}
+
+#[test]
+fn events_that_only_record_leave_the_steps_as_they_are() {
+    let swing = FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], -x[0].sin()]));
+    let zero = Event::new(|_t, x: &SVector<f64, 2>| x[0]);
+    let without = Rk45::new().solve(&swing, 0.0, 20.0, [1.0, 0.0]).expect("regular");
+    let with = Rk45::new()
+        .solve_with(&swing, 0.0, 20.0, [1.0, 0.0], &[zero])
+        .expect("regular");
+    assert_eq!((with.t(), with.x()), (without.t(), without.x()));
+    assert_eq!((with.events().len(), with.statistics()), (6, without.statistics()));
 }

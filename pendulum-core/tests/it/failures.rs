@@ -117,3 +117,37 @@ fn no_more_points_are_kept_than_fit() {
     let mut stepper = Rk4::new(1e-8).stepper(&still, 0.0, 1.0, [0.0]).expect("no points");
     assert!(stepper.step().expect("regular").is_some());
 }
+
+#[test]
+fn a_stepper_restarts_between_the_start_of_its_last_step_and_the_end() {
+    let decay = FnSystem(|_t: f64, x: &SVector<f64, 1>| -x);
+    for t1 in [2.0, -2.0] {
+        let (x, direction) = (SVector::from([3.0]), t1.signum());
+        let mut stepper = Rk4::new(0.25).stepper(&decay, 0.0, t1, [1.0]).expect("valid");
+        for _ in 0..2 {
+            stepper.step().expect("regular");
+        }
+        let (from, reached) = (0.25 * direction, 0.5 * direction);
+        for t in [from - 1e-15 * direction, 2.0 * t1, t1 + 1e-15 * direction, f64::NAN] {
+            let refused = stepper.restart(t, x);
+            assert!(
+                matches!(refused, Err(Reason::InvalidInput { what: "t", .. })),
+                "{t}: {refused:?}"
+            );
+            assert_eq!(stepper.t(), reached);
+        }
+        stepper.restart(from, x).expect("where the step began");
+        assert_eq!((stepper.t(), stepper.x()), (from, x));
+        // The times of the steps stay, and a step of no length is not taken.
+        assert_eq!(
+            stepper.step().expect("regular").map(|step| (step.t0, step.t1)),
+            Some((from, reached))
+        );
+        stepper.restart(t1, x).expect("the end");
+        assert_eq!((stepper.t(), stepper.x()), (t1, x));
+        assert_eq!(stepper.step(), Ok(None));
+        // From there on there is no other place.
+        stepper.restart(t1, x).expect("where it is");
+        assert!(stepper.restart(reached, x).is_err());
+    }
+}

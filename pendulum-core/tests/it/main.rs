@@ -6,8 +6,11 @@ mod auto;
 mod continuation;
 mod events;
 mod failures;
+mod hostile;
 mod implicit;
 mod inputs;
+mod jumps;
+mod methods;
 mod orbits;
 mod rosenbrock;
 #[cfg(feature = "serde")]

@@ -88,6 +88,32 @@ fn equal_eigenvalues_have_as_many_vectors_as_there_are() {
 }
 
 #[test]
+fn near_and_distant_eigenvalues_have_vectors_of_their_own() {
+    // The eigenvectors (1, 0) and (1, d) of 1 and 1 + d: at an angle of atan(d), whose sine is one over the condition.
+    for d in [1.0, 1e-3, 1e-6] {
+        let spectrum = spectrum(&SMatrix::<f64, 2, 2>::new(1.0, 1.0, 0.0, 1.0 + d));
+        let [upper, lower] = spectrum.modes() else {
+            panic!("two modes")
+        };
+        let slope = |mode: &pendulum_core::stability::Mode<2>| mode.shape[1] / mode.shape[0];
+        assert!(
+            (slope(upper) - d).norm() < 1e-12 && slope(lower).norm() < 1e-12,
+            "{spectrum:?}"
+        );
+        for mode in [upper, lower] {
+            assert!((mode.condition * d.atan().sin() - 1.0).abs() < 1e-6, "{d} {mode:?}");
+        }
+    }
+    // Three times the same: the vectors span all space.
+    let triple = SMatrix::<f64, 3, 3>::new(2.0, 0.0, 0.0, 0.0, 2.0, 0.0, 0.0, 0.0, 2.0);
+    let spectrum = spectrum(&triple);
+    let shapes: Vec<_> = spectrum.modes().iter().map(|mode| mode.shape).collect();
+    let determinant = SMatrix::<Complex<f64>, 3, 3>::from_columns(&shapes).determinant();
+    assert!(determinant.norm() > 0.1, "{shapes:?}");
+    assert!(spectrum.modes().iter().all(|mode| (mode.condition - 1.0).abs() < 1e-12));
+}
+
+#[test]
 fn the_uncertainty_is_what_rounding_errors_do() {
     // A double eigenvalue with one vector goes apart by the root of a change, a simple one of a matrix far from normal by a multiple.
     for (matrix, least, most) in [
@@ -200,6 +226,28 @@ fn exponents_of_a_linear_system_are_its_growth_rates() {
     assert!((found.horizon(1e-16, 1e-6) - 40.0 * 10.0_f64.ln()).abs() < 1e-5);
     assert!(found.uncertainty.iter().all(|&uncertainty| uncertainty < 1e-8));
     assert_eq!(found.t, 100.0);
+}
+
+/// Tangents `v' = t v` about a state at rest: over a time T from t0 on they grow by t0 + T / 2 on average, and in the
+/// k-th of ten parts by (k - 4.5) T / 10 more, whose standard error is sqrt(82.5 / 10 / 9) T / 10.
+#[test]
+fn uncertainty_is_the_scatter_of_ten_parts() {
+    let system = FnSystem::with_jacobian(
+        |_t, _x: &SVector<f64, 1>| SVector::zeros(),
+        |t, _x| SMatrix::from([[t]]),
+    );
+    for (transient, duration) in [(0.0, 20.0), (10.0, 20.0), (3.0, 1.0)] {
+        let measure = Lyapunov::new().tolerance(1e-13).transient(transient).duration(duration);
+        let found = measure.largest(&system, [0.0]).expect("regular");
+        // The first step may lie across the end of the transient.
+        let (value, uncertainty) = (transient + duration / 2.0, (8.25_f64 / 9.0).sqrt() * duration / 10.0);
+        let slack = if transient == 0.0 { 1e-9 } else { 0.05 * duration };
+        assert!((found.values[0] - value).abs() < slack, "{found:?} {value}");
+        assert!(
+            (found.uncertainty[0] / uncertainty - 1.0).abs() < 0.05,
+            "{found:?} {uncertainty}"
+        );
+    }
 }
 
 /// J. C. Sprott, "Chaos and Time-Series Analysis" (2003): 0.9056, 0 and -14.5723.
