@@ -560,11 +560,11 @@ fn dot<T: Real>(a: Vector3<T>, b: Vector3<T>) -> T {
 fn solve<T: Real>(mut a: Vec<Vec<T>>, mut b: Vec<T>) -> Vec<T> {
     let n = b.len();
     for k in 0..n {
+        let pivot = a[k].clone();
         for i in k + 1..n {
-            let factor = a[i][k] / a[k][k];
-            for j in k..n {
-                let change = factor * a[k][j];
-                a[i][j] -= change;
+            let factor = a[i][k] / pivot[k];
+            for (entry, &above) in a[i].iter_mut().zip(&pivot) {
+                *entry -= factor * above;
             }
             let change = factor * b[k];
             b[i] -= change;
@@ -575,7 +575,7 @@ fn solve<T: Real>(mut a: Vec<Vec<T>>, mut b: Vec<T>) -> Vec<T> {
             let change = a[k][j] * b[j];
             b[k] -= change;
         }
-        b[k] = b[k] / a[k][k];
+        b[k] /= a[k][k];
     }
     b
 }
