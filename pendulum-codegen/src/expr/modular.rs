@@ -1,4 +1,4 @@
-//! Values modulo a prime, at points that have nothing special: whether an expression vanishes identically.
+//! Values modulo primes, at points that have nothing special: whether an expression vanishes identically.
 //!
 //! A polynomial that is not zero vanishes at a random point with a probability of its degree over the prime (Schwartz
 //! and Zippel), whatever the size of its numbers. Sine and cosine of an angle are a random point of the circle, so that
@@ -10,17 +10,23 @@ use num_traits::{Signed, ToPrimitive};
 
 use super::{Binary, Expr, ExprId, Graph, MOST_POWER, Node, Rational, Unary};
 
-/// A Mersenne prime. It is 3 modulo 4, so -1 is no square, and `x^((P + 1) / 4)` is a root of `x` wherever there is
-/// one.
-const P: u64 = (1 << 61) - 1;
+/// The numbers modulo a prime, and a point at which symbols have values there.
+///
+/// The prime is 3 modulo 4, so -1 is no square, and `x^((p + 1) / 4)` is a root of `x` wherever there is one. A number
+/// that has no root modulo one prime has one modulo another.
+#[derive(Clone, Copy, Debug)]
+struct Field {
+    p: u64,
+    seed: u64,
+}
 
 /// The cosine and the sine of an angle.
 type Turn = [u64; 2];
 
 impl Graph {
-    /// The values of some expressions modulo a prime, at a point that `seed` chooses; none where one of them has no
+    /// The values of some expressions at a point of a field; none where one of them has no
     /// value there: a root of what is no square, or a quotient by zero.
-    pub(crate) fn evaluate_modulo(&self, roots: &[Expr<'_>], seed: u64) -> Option<Vec<u64>> {
+    fn evaluate_modulo(&self, roots: &[Expr<'_>], field: Field) -> Option<Vec<u64>> {
         let reachable = self.reachable(roots);
         let is_angle = self.angles(&reachable);
         let mut values = vec![0; self.len()];
@@ -28,30 +34,32 @@ impl Graph {
         for id in reachable {
             let of = |x: ExprId| values[x.index()];
             let own = match self.node(id) {
-                Node::Number(n) => of_number(n)?,
-                Node::Pi => random(seed, 0, 0),
-                Node::Symbol(s) => random(seed, 1, s.index() as u64),
-                Node::Unary(Unary::Neg, a) => minus(0, of(*a)),
+                Node::Number(n) => field.of_number(n)?,
+                Node::Pi => field.random(0, 0),
+                Node::Symbol(s) => field.random(1, s.index() as u64),
+                Node::Unary(Unary::Neg, a) => field.minus(0, of(*a)),
                 Node::Unary(Unary::Cos, a) => turns[a.index()][0],
                 Node::Unary(Unary::Sin, a) => turns[a.index()][1],
-                Node::Unary(Unary::Abs, a) => root(times(of(*a), of(*a)))?,
-                Node::Unary(op, a) => random(seed, 2 + *op as u64, of(*a)),
-                Node::Binary(Binary::Add, a, b) => plus(of(*a), of(*b)),
-                Node::Binary(Binary::Sub, a, b) => minus(of(*a), of(*b)),
-                Node::Binary(Binary::Mul, a, b) => times(of(*a), of(*b)),
-                Node::Binary(Binary::Div, a, b) => times(of(*a), inverse(of(*b))?),
-                Node::Binary(Binary::Atan2, a, b) => random(seed, of(*a), of(*b)),
+                Node::Unary(Unary::Abs, a) => field.root(field.times(of(*a), of(*a)))?,
+                Node::Unary(op, a) => field.random(2 + *op as u64, of(*a)),
+                Node::Binary(Binary::Add, a, b) => field.plus(of(*a), of(*b)),
+                Node::Binary(Binary::Sub, a, b) => field.minus(of(*a), of(*b)),
+                Node::Binary(Binary::Mul, a, b) => field.times(of(*a), of(*b)),
+                Node::Binary(Binary::Div, a, b) => field.times(of(*a), field.inverse(of(*b))?),
+                Node::Binary(Binary::Atan2, a, b) => field.random(of(*a), of(*b)),
                 Node::Power(a, n) => match (n.numer().to_i64(), n.denom().to_u64()) {
-                    (Some(n), Some(1)) => power_of(of(*a), n)?,
-                    (Some(n), Some(2)) => power_of(root(of(*a))?, n)?,
-                    _ => random(seed, of_number(n)?, of(*a)),
+                    (Some(n), Some(1)) => field.power_of(of(*a), n)?,
+                    (Some(n), Some(2)) => field.power_of(field.root(of(*a))?, n)?,
+                    _ => field.random(field.of_number(n)?, of(*a)),
                 },
             };
             values[id.index()] = own;
             if is_angle[id.index()] {
                 turns[id.index()] = match self.summands(id) {
-                    Some([(a, m), (b, n)]) => joined(multiple(turns[a.index()], m), multiple(turns[b.index()], n)),
-                    None => turn(seed, own),
+                    Some([(a, m), (b, n)]) => {
+                        field.joined(field.multiple(turns[a.index()], m), field.multiple(turns[b.index()], n))
+                    }
+                    None => field.turn(own),
                 };
             }
         }
@@ -100,106 +108,144 @@ pub(crate) fn vanishing_pivot(matrix: &[Vec<Expr<'_>>]) -> Option<usize> {
     let n = matrix.len();
     let entries: Vec<Expr<'_>> = matrix.iter().flatten().copied().collect();
     let graph = entries.first()?.graph();
-    let points = (0..MOST).filter_map(|seed| graph.evaluate_modulo(&entries, seed));
-    let pivots: Vec<usize> = points
-        .map(|values| zero_pivot(values.chunks(n).map(<[u64]>::to_vec).collect()))
-        .take(ENOUGH)
-        .collect::<Option<_>>()?;
+    let zero_pivot = |seed| {
+        let field = Field::new(seed);
+        let values = graph.evaluate_modulo(&entries, field)?;
+        Some(field.zero_pivot(values.chunks(n).map(<[u64]>::to_vec).collect()))
+    };
+    let pivots = (0..MOST).filter_map(zero_pivot).take(ENOUGH);
+    let pivots: Vec<usize> = pivots.collect::<Option<_>>()?;
     pivots.last().copied().filter(|_| pivots.len() == ENOUGH)
 }
 
-fn zero_pivot(mut a: Vec<Vec<u64>>) -> Option<usize> {
-    for k in (0..a.len()).rev() {
-        let Some(over_pivot) = inverse(a[k][k]) else {
-            return Some(k);
-        };
-        let last = std::mem::take(&mut a[k]);
-        for row in &mut a[..k] {
-            let factor = times(row[k], over_pivot);
-            for (entry, own) in row.iter_mut().zip(&last[..k]) {
-                *entry = minus(*entry, times(factor, *own));
+impl Field {
+    /// The field and the point that `seed` chooses.
+    fn new(seed: u64) -> Self {
+        let mut p = (1 << 61) - 1 - (seed << 20);
+        while !is_prime(p) {
+            p -= 4;
+        }
+        Self { p, seed }
+    }
+
+    /// The place of the first pivot that is zero, if there is one.
+    fn zero_pivot(self, mut a: Vec<Vec<u64>>) -> Option<usize> {
+        for k in (0..a.len()).rev() {
+            let Some(over_pivot) = self.inverse(a[k][k]) else {
+                return Some(k);
+            };
+            let last = std::mem::take(&mut a[k]);
+            for row in &mut a[..k] {
+                let factor = self.times(row[k], over_pivot);
+                for (entry, own) in row.iter_mut().zip(&last[..k]) {
+                    *entry = self.minus(*entry, self.times(factor, *own));
+                }
             }
         }
+        None
     }
-    None
+
+    fn plus(self, x: u64, y: u64) -> u64 {
+        (x + y) % self.p
+    }
+
+    fn minus(self, x: u64, y: u64) -> u64 {
+        (x + self.p - y) % self.p
+    }
+
+    fn times(self, x: u64, y: u64) -> u64 {
+        times(x, y, self.p)
+    }
+
+    fn inverse(self, x: u64) -> Option<u64> {
+        (x != 0).then(|| power(x, self.p - 2, self.p))
+    }
+
+    fn power_of(self, x: u64, n: i64) -> Option<u64> {
+        let base = if n < 0 { self.inverse(x)? } else { x };
+        Some(power(base, n.unsigned_abs(), self.p))
+    }
+
+    fn root(self, x: u64) -> Option<u64> {
+        let root = power(x, self.p.div_ceil(4), self.p);
+        (self.times(root, root) == x).then_some(root)
+    }
+
+    fn of_number(self, n: &Rational) -> Option<u64> {
+        let modulo = |n: &BigInt| {
+            let size = (n.magnitude() % self.p).to_u64().unwrap_or(0);
+            if n.is_negative() { self.minus(0, size) } else { size }
+        };
+        Some(self.times(modulo(n.numer()), self.inverse(modulo(n.denom()))?))
+    }
+
+    /// A number without a pattern, the same for the same arguments (splitmix64, Steele et al. 2014).
+    fn random(self, kind: u64, value: u64) -> u64 {
+        [kind, value].into_iter().fold(self.seed, |state, part| {
+            let z = state.wrapping_add(part).wrapping_add(0x9e37_79b9_7f4a_7c15);
+            let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+            let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+            z ^ (z >> 31)
+        }) % self.p
+    }
+
+    /// The point of the circle for an angle that is no sum.
+    fn turn(self, angle: u64) -> Turn {
+        if angle == 0 {
+            return [1, 0];
+        }
+        let t = self.random(self.p, angle);
+        let square = self.times(t, t);
+        // -1 is no square
+        let over = power(self.plus(1, square), self.p - 2, self.p);
+        [
+            self.times(self.minus(1, square), over),
+            self.times(self.plus(t, t), over),
+        ]
+    }
+
+    fn joined(self, [c, s]: Turn, [other_c, other_s]: Turn) -> Turn {
+        [
+            self.minus(self.times(c, other_c), self.times(s, other_s)),
+            self.plus(self.times(s, other_c), self.times(c, other_s)),
+        ]
+    }
+
+    fn multiple(self, [c, s]: Turn, n: i64) -> Turn {
+        let once = if n < 0 { [c, self.minus(0, s)] } else { [c, s] };
+        (0..n.abs()).fold([1, 0], |sum, _| self.joined(sum, once))
+    }
 }
 
-fn plus(x: u64, y: u64) -> u64 {
-    (x + y) % P
+/// By Miller and Rabin, with bases that decide it for all 64-bit numbers (J. Sorenson, J. Webster 2017).
+fn is_prime(n: u64) -> bool {
+    const BASES: [u64; 12] = [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37];
+    let twos = (n - 1).trailing_zeros();
+    let is_witness = |&base: &u64| {
+        let mut x = power(base, (n - 1) >> twos, n);
+        let passes = x == 1
+            || (0..twos).any(|_| {
+                let is_last = x == n - 1;
+                x = times(x, x, n);
+                is_last
+            });
+        !passes
+    };
+    !BASES.iter().any(is_witness)
 }
 
-fn minus(x: u64, y: u64) -> u64 {
-    (x + P - y) % P
+fn times(x: u64, y: u64, p: u64) -> u64 {
+    (u128::from(x) * u128::from(y) % u128::from(p)) as u64
 }
 
-fn times(x: u64, y: u64) -> u64 {
-    (u128::from(x) * u128::from(y) % u128::from(P)) as u64
-}
-
-fn power(mut x: u64, mut n: u64) -> u64 {
+fn power(mut x: u64, mut n: u64, p: u64) -> u64 {
     let mut power = 1;
     while n > 0 {
         if n % 2 == 1 {
-            power = times(power, x);
+            power = times(power, x, p);
         }
-        x = times(x, x);
+        x = times(x, x, p);
         n /= 2;
     }
     power
-}
-
-fn inverse(x: u64) -> Option<u64> {
-    (x != 0).then(|| power(x, P - 2))
-}
-
-fn power_of(x: u64, n: i64) -> Option<u64> {
-    let base = if n < 0 { inverse(x)? } else { x };
-    Some(power(base, n.unsigned_abs()))
-}
-
-fn root(x: u64) -> Option<u64> {
-    let root = power(x, P.div_ceil(4));
-    (times(root, root) == x).then_some(root)
-}
-
-fn of_number(n: &Rational) -> Option<u64> {
-    let modulo = |n: &BigInt| {
-        let size = (n.magnitude() % P).to_u64().unwrap_or(0);
-        if n.is_negative() { minus(0, size) } else { size }
-    };
-    Some(times(modulo(n.numer()), inverse(modulo(n.denom()))?))
-}
-
-/// A number without a pattern, the same for the same arguments (splitmix64, Steele et al. 2014).
-fn random(seed: u64, kind: u64, value: u64) -> u64 {
-    [kind, value].into_iter().fold(seed, |state, part| {
-        let z = state.wrapping_add(part).wrapping_add(0x9e37_79b9_7f4a_7c15);
-        let z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
-        let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
-        z ^ (z >> 31)
-    }) % P
-}
-
-/// The point of the circle for an angle that is no sum.
-fn turn(seed: u64, angle: u64) -> Turn {
-    if angle == 0 {
-        return [1, 0];
-    }
-    let t = random(seed, P, angle);
-    let square = times(t, t);
-    // -1 is no square
-    let over = power(plus(1, square), P - 2);
-    [times(minus(1, square), over), times(plus(t, t), over)]
-}
-
-fn joined([c, s]: Turn, [other_c, other_s]: Turn) -> Turn {
-    [
-        minus(times(c, other_c), times(s, other_s)),
-        plus(times(s, other_c), times(c, other_s)),
-    ]
-}
-
-fn multiple([c, s]: Turn, n: i64) -> Turn {
-    let once = if n < 0 { [c, minus(0, s)] } else { [c, s] };
-    (0..n.abs()).fold([1, 0], |sum, _| joined(sum, once))
 }

@@ -181,6 +181,24 @@ fn inertia_is_found_whatever_the_parameters_and_the_scales() {
     assert!(has_inertia(&arm("sqrt(l^2) + l")));
     assert!(has_inertia(&arm("abs(l) + l")));
     assert!(has_inertia(&arm("tan(l) + exp(l) - tanh(l)")));
+    // a mass on the axis that it turns about, below joints whose axes have roots of one number or another
+    for axis in ["[-1, -3, -2]", "[1, 1, 0]", "[1, 1, 1]", "[0, 1, 2]", "[1, 2, 4]"] {
+        let on_axis = |com: &str| {
+            format!(
+                "body a on ground {{ mass: 1024, joint: prismatic({axis}), coordinate: x1 }}
+                body b on a {{ mass: 128, com: [0, {com}, 0.1875], joint: revolute(z) at [0, -0.25, 0.8125], coordinate: x2 }}"
+            )
+        };
+        assert!(!has_inertia(&on_axis("0")), "{axis}");
+        assert!(has_inertia(&on_axis("1e-9")), "{axis}");
+        let body = |com: &str| {
+            format!(
+                "body a on ground {{ mass: 8, com: {com}, joint: revolute({axis}) at [0.375, 0, -0.8125], coordinate: x1 }}"
+            )
+        };
+        assert!(!has_inertia(&body("[0, 0, 0]")), "{axis}");
+        assert!(has_inertia(&body("[0.1, 0, 0]")), "{axis}");
+    }
     // two joints on one axis move one mass: only elimination shows it
     let shared = |at: &str| {
         format!(

@@ -7,7 +7,7 @@ use super::{Action, Body, Joint, Law, Moves, Number, Torque, Tree, Triple};
 impl Tree {
     /// What `mechanism! { .. }` holds.
     pub fn declaration(&self, name: &str, generate: &[&str]) -> String {
-        let mut text = format!("pub {name} {{\n");
+        let mut text = format!("pub {name} {{\n    units: none,\n");
         if !self.parameters.is_empty() {
             let list = self.parameters.iter().enumerate();
             let list: Vec<String> = list.map(|(n, value)| format!("p{n}: 1 = {value}")).collect();

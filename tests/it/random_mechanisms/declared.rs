@@ -16,6 +16,7 @@ use super::evaluate::Place;
 mechanism! {
     /// Of the kind `Uneven`.
     pub Tree5 {
+        units: none,
         params { p0: 1 = 0.5625, p1: 1 = -0.3125, p2: 1 = 1.625 }
         gravity: [0, 0, 0],
         generate: [rhs, jacobian, energy],
@@ -35,6 +36,7 @@ mechanism! {
 mechanism! {
     /// Of the kind `Even`.
     pub Tree12 {
+        units: none,
         params { p0: 1 = 0.5, p1: 1 = 0.125, p2: 1 = 0.125 }
         gravity: [0, 0, 0],
         generate: [rhs, jacobian, energy],
@@ -54,6 +56,7 @@ mechanism! {
 mechanism! {
     /// Of the kind `Uneven`.
     pub Tree17 {
+        units: none,
         params { p0: 1 = 0.375 }
         gravity: [0, -9.8125, 0],
         generate: [rhs, jacobian, energy],
@@ -67,6 +70,7 @@ mechanism! {
 mechanism! {
     /// Of the kind `Even`.
     pub Tree24 {
+        units: none,
         gravity: [0, 0, 0],
         generate: [rhs, jacobian, energy],
         body b0 on ground { mass: 1, com: [0, 0.0625, 0], inertia: [0.77734375, 0.7578125, 0.67578125, -0.0625, -0.0859375, 0.34765625], joint: revolute([1, -3, -3]) at [0.5625, 0.875, -0.6875], coordinate: q0, torque: 0.75*q*cos(2*t) }
@@ -78,6 +82,7 @@ mechanism! {
 mechanism! {
     /// Of the kind `Uneven`.
     pub Tree27 {
+        units: none,
         params { p0: 1 = 0.015625 }
         gravity: [0, 0, 0],
         generate: [rhs, jacobian, energy],
@@ -95,6 +100,7 @@ mechanism! {
 mechanism! {
     /// Of the kind `Even`.
     pub Tree36 {
+        units: none,
         gravity: [0, -9.8125, 0],
         generate: [rhs, jacobian, energy],
         body b0 on ground { mass: 0.5, com: [0.125, -0.6875, 0.5625], inertia: [0.087890625, 0.087890625, 0.140625], joint: helical(z, -0.5) at [0.3125, -0.125, -0.6875] rpy [-0.6875, -2.25, -0.4375], coordinate: q0, friction: 0.0625 }
@@ -106,6 +112,7 @@ mechanism! {
 mechanism! {
     /// Of the kind `Even`.
     pub Tree38 {
+        units: none,
         params { p0: 1 = -0.875, p1: 1 = 0.125 }
         gravity: [p0, 0, 1.625],
         generate: [rhs, jacobian, energy],
@@ -118,6 +125,7 @@ mechanism! {
 mechanism! {
     /// Of the kind `Uneven`.
     pub Tree63 {
+        units: none,
         gravity: [0, -9.8125, 0],
         generate: [rhs, jacobian, energy],
         body b0 on ground { mass: 0.0078125, com: [0.3125, -0.3125, 0.25], inertia: [0.001953125, 0.00244140625, 0.00323486328125, 0.001312255859375, 0.000457763671875, -0.000762939453125], joint: prismatic([-2, 1, 3]) at [0, 0, 0], motion: sin(3*t/2)/2 }
