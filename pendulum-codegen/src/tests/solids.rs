@@ -250,6 +250,34 @@ fn plates_with_parameters_have_rules_for_sides_that_cross() {
     }
 }
 
+/// Corner `n` lies on the low side of axis `k` where bit `k` of `n` is set.
+#[test]
+fn a_cuboid_is_drawn_by_its_corners() {
+    let graph = Graph::new();
+    let scene = "pub C { body b on ground {
+        solids: [cuboid(1, [2, 4, 6], [10, 20, 30])], joint: revolute(z), coordinate: a
+    } }";
+    let [figure] = &model(&graph, scene).bodies[0].figures[..] else {
+        panic!("one figure")
+    };
+    let corners: Vec<[f64; 3]> = figure
+        .points
+        .iter()
+        .map(|point| point.0.map(|x| x.constant().expect("a number")))
+        .collect();
+    let expected = [
+        [11.0, 22.0, 33.0],
+        [9.0, 22.0, 33.0],
+        [11.0, 18.0, 33.0],
+        [9.0, 18.0, 33.0],
+        [11.0, 22.0, 27.0],
+        [9.0, 22.0, 27.0],
+        [11.0, 18.0, 27.0],
+        [9.0, 18.0, 27.0],
+    ];
+    assert_eq!(corners, expected);
+}
+
 #[test]
 fn inertia_about_the_joint_is_moved_to_the_centre_of_mass() {
     let direct = "mass: 2, com: [0.1, -0.4, 0.2], inertia: [0.3, 0.2, 0.25, 0.01, -0.02, 0.03]";
