@@ -225,28 +225,42 @@ fn plates_of_numbers_have_a_simple_outline() {
     }
 }
 
-/// Coordinates `w*x`, with a parameter of 1, hide the outline from what looks at numbers: it is the rules that refuse.
+/// Coordinates `w*x`, with a parameter `w`, hide the outline from what looks at numbers: it is the rules that refuse.
 #[test]
 fn plates_with_parameters_have_rules_for_sides_that_cross() {
-    let of = |outline: &str| errors_of_plate("w: 1 = 1", &outline.replace('[', "[w*"));
-    let simple: [&[[i32; 2]]; 3] = [
+    let of = |width: &str, outline: &str| errors_of_plate(&format!("w: 1 = {width}"), &outline.replace('[', "[w*"));
+    let simple: [&[[i32; 2]]; 4] = [
         &[[0, 0], [1, 0], [0, 1]],
         &[[0, 0], [4, 0], [1, 1], [0, 4]],
         &[[0, 0], [3, 0], [4, 2], [2, 3], [2, 1], [1, 1], [1, 2], [0, 2]],
+        // the line of the first side goes through the third one, closely beyond its own end
+        &[[0, 0], [10, 0], [11, -1], [11, 1]],
     ];
-    for outline in simple.iter().flat_map(|corners| outlines(corners)) {
-        assert_eq!(of(&outline), "", "{outline}");
-    }
-    let crossed: [&[[i32; 2]]; 2] = [
+    let crossed: [&[[i32; 2]]; 3] = [
         &[[0, 0], [2, 2], [2, 0], [0, 1]],
         &[[0, 0], [4, 0], [4, 4], [1, -1], [0, 4]],
+        // one side ends equally far on both sides of another
+        &[[0, 0], [4, 0], [5, 3], [3, 1], [1, -1]],
     ];
-    for outline in crossed.iter().flat_map(|corners| outlines(corners)) {
-        let errors = of(&outline);
-        assert!(
-            errors.contains("the sides of a plate of `b` must not cross"),
-            "{outline}: {errors}"
-        );
+    // a small plate is judged like a large one
+    for width in ["1", "0.001"] {
+        for outline in simple.iter().flat_map(|corners| outlines(corners)) {
+            assert_eq!(of(width, &outline), "", "{outline}");
+        }
+        for outline in crossed.iter().flat_map(|corners| outlines(corners)) {
+            let errors = of(width, &outline);
+            assert!(
+                errors.contains("the sides of a plate of `b` must not cross"),
+                "{outline}: {errors}"
+            );
+        }
+    }
+    // a corner that goes through a side by no more than rounding
+    for outline in [
+        "[0, 0], [4, 0], [4, 2], [2, -1e-14], [0, 2]",
+        "[0, 2], [2, -1e-14], [4, 2], [4, 0], [0, 0]",
+    ] {
+        assert_eq!(of("1", outline), "", "{outline}");
     }
 }
 
