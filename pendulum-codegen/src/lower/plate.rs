@@ -27,8 +27,8 @@ impl<'g> Lower<'g> {
                 "a plate needs three corners or more",
             ));
         }
-        let constants: Option<Vec<_>> = corners.iter().map(|&(x, y)| x.constant().zip(y.constant())).collect();
-        if constants.is_some_and(|corners| !is_simple(&corners)) {
+        let numbers: Vec<_> = corners.iter().map(|&(x, y)| x.constant().zip(y.constant())).collect();
+        if !may_be_simple(&numbers) {
             return Err(self.errors.on(
                 tokens,
                 format_args!("the sides of a plate of `{owner}` cross or touch"),
@@ -73,15 +73,13 @@ impl<'g> Lower<'g> {
     /// No two sides may cross, whatever the parameters: a rule for each two that they might make cross.
     fn require_simple(&mut self, owner: &Ident, corners: &[(Expr<'g>, Expr<'g>)], twice_area: Expr<'g>) {
         let mut normalizer = Normalizer::new(self.graph, BUDGET);
-        let n = corners.len();
-        let pairs = (0..n).flat_map(|i| (i + 2..n).map(move |j| [i, i + 1, j, (j + 1) % n]));
-        for [a, b, c, d] in pairs.filter(|[a, .., d]| a != d) {
-            let [a, b, c, d] = [a, b, c, d].map(|k| corners[k]);
+        for ends in sides_apart(corners.len()) {
+            let [a, b, c, d] = ends.map(|k| corners[k]);
             if [a, b, c, d]
                 .iter()
                 .all(|(x, y)| x.level().max(y.level()) == Level::Constant)
             {
-                continue;
+                continue; // these are known not to meet
             }
             // they cross where the ends of each lie on both sides of the other: then the larger product is negative
             let sides = [[turn(a, b, c), turn(a, b, d)], [turn(c, d, a), turn(c, d, b)]];
@@ -106,15 +104,22 @@ fn turn<'g>(a: (Expr<'g>, Expr<'g>), b: (Expr<'g>, Expr<'g>), c: (Expr<'g>, Expr
     (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0)
 }
 
-/// Whether no two sides of a polygon share a point but their common corner.
-fn is_simple(corners: &[(f64, f64)]) -> bool {
-    let n = corners.len();
-    let side = |k: usize| (corners[k % n], corners[(k + 1) % n]);
+/// The ends of each two sides of a polygon that have no common corner.
+fn sides_apart(n: usize) -> impl Iterator<Item = [usize; 4]> {
+    let pairs = (0..n).flat_map(move |i| (i + 2..n).map(move |j| [i, i + 1, j, (j + 1) % n]));
+    pairs.filter(|[a, .., d]| a != d)
+}
+
+/// Whether no two sides of a polygon share a point but their common corner, as far as its corners are numbers.
+fn may_be_simple(corners: &[Option<(f64, f64)>]) -> bool {
     let turn = |a: (f64, f64), b: (f64, f64), c: (f64, f64)| (b.0 - a.0) * (c.1 - a.1) - (b.1 - a.1) * (c.0 - a.0);
     let between = |a: (f64, f64), b: (f64, f64), p: (f64, f64)| {
         p.0 >= a.0.min(b.0) && p.0 <= a.0.max(b.0) && p.1 >= a.1.min(b.1) && p.1 <= a.1.max(b.1)
     };
-    let meet = |(a, b), (c, d)| {
+    let meet = |ends: [usize; 4]| {
+        let [Some(a), Some(b), Some(c), Some(d)] = ends.map(|k| corners[k]) else {
+            return false;
+        };
         let [p, q, r, s] = [turn(a, b, c), turn(a, b, d), turn(c, d, a), turn(c, d, b)];
         (p * q < 0.0 && r * s < 0.0)
             || (p == 0.0 && between(a, b, c))
@@ -122,7 +127,15 @@ fn is_simple(corners: &[(f64, f64)]) -> bool {
             || (r == 0.0 && between(c, d, a))
             || (s == 0.0 && between(c, d, b))
     };
-    let area: f64 = (0..n).map(|k| turn((0.0, 0.0), side(k).0, side(k).1)).sum();
-    let crossing = (0..n).any(|i| (i + 2..n).filter(|j| (j + 1) % n != i).any(|j| meet(side(i), side(j))));
-    area.is_normal() && !crossing && (0..n).all(|k| corners[k] != corners[(k + 1) % n])
+    let all: Option<Vec<_>> = corners.iter().copied().collect();
+    let has_area = all.is_none_or(|corners| {
+        let fan = corners.windows(2).map(|side| turn(corners[0], side[0], side[1]));
+        fan.sum::<f64>().is_normal()
+    });
+    let next = corners.iter().cycle().skip(1);
+    let repeated = corners
+        .iter()
+        .zip(next)
+        .any(|(corner, next)| corner.is_some() && corner == next);
+    has_area && !repeated && !sides_apart(corners.len()).any(meet)
 }

@@ -1,7 +1,9 @@
-//! Mass, centre of mass and inertia of solids: against sums over many small masses, and against each other.
+//! Mass, centre of mass and inertia of solids: against sums over many small masses, and against each other. Which plates
+//! are refused, and what is drawn.
 
-use super::{dynamics, model};
+use super::{dynamics, model, parse};
 use crate::expr::Graph;
+use crate::lower::lower;
 
 /// Mass, first moment, and inertia about the origin `[xx, yy, zz, xy, xz, yz]`.
 type Moments = [f64; 10];
@@ -121,6 +123,173 @@ fn limits_of_solids_are_other_solids() {
     // a disk is a flat cylinder: its height vanishes
     let flat = moments("solids: [cylinder(2, 0.3, [1, 2, -1e-9], [1, 2, 1e-9])]");
     assert_moments("disk", moments("solids: [disk(2, 0.3, [1, 2, 0])]"), flat, 1e-14);
+}
+
+/// The integral of a quadratic over a triangle takes its values at the corners and in the middle (Hammer and Stroud).
+#[test]
+fn a_triangle_weighs_what_its_corners_and_its_middle_weigh() {
+    let plate = moments("solids: [plate(12, [[2, 1], [7, -3], [-3, 8]])]");
+    let points = "solids: [point(1, [2, 1, 0]), point(1, [7, -3, 0]), point(1, [-3, 8, 0]), point(9, [2, 2, 0])]";
+    assert_moments("triangle", plate, moments(points), 1e-12);
+}
+
+/// A plate with these corners on one body.
+fn scene_of_plate(parameters: &str, corners: &str) -> String {
+    format!(
+        "pub Plate {{ units: none, params {{ {parameters} }}
+         body b on ground {{ solids: [plate(1, [{corners}])], joint: revolute(z), coordinate: a }} }}"
+    )
+}
+
+/// What is wrong with a plate; nothing if it is right.
+fn errors_of_plate(parameters: &str, corners: &str) -> String {
+    let (scene, errors) = parse(scene_of_plate(parameters, corners).parse().expect("tokens"));
+    let graph = Graph::new();
+    let lowered = scene
+        .ok_or(errors)
+        .and_then(|scene| lower(&graph, &scene, Default::default()));
+    lowered.err().map(|errors| errors.to_string()).unwrap_or_default()
+}
+
+/// The same outline from each corner on, both ways around, and moved, turned and sheared.
+fn outlines(corners: &[[i32; 2]]) -> Vec<String> {
+    let mut outlines = Vec::new();
+    let maps: [fn([i32; 2]) -> [i32; 2]; 3] = [
+        |corner| corner,
+        |[x, y]| [5 - y, x - 3],
+        |[x, y]| [2 * x + y - 7, x + 3 * y + 2],
+    ];
+    for map in maps {
+        let mut corners: Vec<_> = corners.iter().copied().map(map).collect();
+        for _ in 0..2 {
+            for _ in 0..corners.len() {
+                corners.rotate_left(1);
+                let corners: Vec<_> = corners.iter().map(|[x, y]| format!("[{x}, {y}]")).collect();
+                outlines.push(corners.join(", "));
+            }
+            corners.reverse();
+        }
+    }
+    outlines
+}
+
+#[test]
+fn plates_of_numbers_have_a_simple_outline() {
+    let simple: [&[[i32; 2]]; 5] = [
+        &[[0, 0], [1, 0], [0, 1]],
+        // a corner that points inwards, and one where the side goes straight on
+        &[[0, 0], [4, 0], [1, 1], [0, 4]],
+        &[[0, 0], [1, 0], [2, 0], [0, 1]],
+        // sides of one line that lie apart, and corners on the lines of other sides
+        &[[0, 0], [3, 0], [3, 2], [2, 2], [2, 1], [1, 1], [1, 2], [0, 2]],
+        &[[0, 0], [6, 0], [6, 1], [4, 1], [4, 4], [3, 4], [3, 1], [0, 1]],
+    ];
+    for outline in simple.iter().flat_map(|corners| outlines(corners)) {
+        assert_eq!(errors_of_plate("", &outline), "", "{outline}");
+    }
+    let refused: [&[[i32; 2]]; 10] = [
+        // sides that cross, with and without an area
+        &[[0, 0], [2, 2], [2, 0], [0, 1]],
+        &[[0, 0], [1, 1], [1, 0], [0, 1]],
+        &[[0, 0], [4, 0], [4, 4], [1, -1], [0, 4]],
+        // a corner on a side, on another corner, and next to its like
+        &[[0, 0], [4, 0], [4, 2], [2, 0], [0, 2]],
+        &[[0, 0], [2, 0], [1, 1], [2, 2], [0, 2], [1, 1]],
+        &[[0, 0], [1, 0], [1, 0], [0, 1]],
+        // sides that lie on each other, and go back
+        &[[0, 0], [3, 0], [3, 1], [2, 0], [1, 0], [0, 1]],
+        &[[0, 0], [2, 0], [1, 0], [1, 1]],
+        &[[0, 0], [2, 0], [-1, 0], [-1, 1]],
+        // all on one line
+        &[[0, 0], [1, 1], [3, 3]],
+    ];
+    for outline in refused.iter().flat_map(|corners| outlines(corners)) {
+        let errors = errors_of_plate("", &outline);
+        assert!(
+            errors.contains("the sides of a plate of `b` cross or touch"),
+            "{outline}: {errors}"
+        );
+    }
+    let of_numbers = errors_of_plate("", "[0, 0], [1, 0]");
+    assert!(of_numbers.contains("a plate of `b` has 2 corners"), "{of_numbers}");
+    // sides of numbers that cross whatever another corner is, and a corner twice
+    for outline in [
+        "[0, 0], [2, 2], [2, 0], [0, 1], [w, 9]",
+        "[w, 9], [0, 0], [0, 0], [1, 0]",
+    ] {
+        let errors = errors_of_plate("w: m = -5", outline);
+        assert!(
+            errors.contains("the sides of a plate of `b` cross or touch"),
+            "{outline}: {errors}"
+        );
+    }
+}
+
+/// Coordinates `w*x`, with a parameter `w`, hide the outline from what looks at numbers: it is the rules that refuse.
+#[test]
+fn plates_with_parameters_have_rules_for_sides_that_cross() {
+    let of = |width: &str, outline: &str| errors_of_plate(&format!("w: 1 = {width}"), &outline.replace('[', "[w*"));
+    let simple: [&[[i32; 2]]; 4] = [
+        &[[0, 0], [1, 0], [0, 1]],
+        &[[0, 0], [4, 0], [1, 1], [0, 4]],
+        &[[0, 0], [3, 0], [4, 2], [2, 3], [2, 1], [1, 1], [1, 2], [0, 2]],
+        // the line of the first side goes through the third one, closely beyond its own end
+        &[[0, 0], [10, 0], [11, -1], [11, 1]],
+    ];
+    let crossed: [&[[i32; 2]]; 3] = [
+        &[[0, 0], [2, 2], [2, 0], [0, 1]],
+        &[[0, 0], [4, 0], [4, 4], [1, -1], [0, 4]],
+        // one side ends equally far on both sides of another
+        &[[0, 0], [4, 0], [5, 3], [3, 1], [1, -1]],
+    ];
+    // a small plate is judged like a large one
+    for width in ["1", "0.001"] {
+        for outline in simple.iter().flat_map(|corners| outlines(corners)) {
+            assert_eq!(of(width, &outline), "", "{outline}");
+        }
+        for outline in crossed.iter().flat_map(|corners| outlines(corners)) {
+            let errors = of(width, &outline);
+            assert!(
+                errors.contains("the sides of a plate of `b` must not cross"),
+                "{outline}: {errors}"
+            );
+        }
+    }
+    // a corner that goes through a side by no more than rounding
+    for outline in [
+        "[0, 0], [4, 0], [4, 2], [2, -1e-14], [0, 2]",
+        "[0, 2], [2, -1e-14], [4, 2], [4, 0], [0, 0]",
+    ] {
+        assert_eq!(of("1", outline), "", "{outline}");
+    }
+}
+
+/// Corner `n` lies on the low side of axis `k` where bit `k` of `n` is set.
+#[test]
+fn a_cuboid_is_drawn_by_its_corners() {
+    let graph = Graph::new();
+    let scene = "pub C { body b on ground {
+        solids: [cuboid(1, [2, 4, 6], [10, 20, 30])], joint: revolute(z), coordinate: a
+    } }";
+    let [figure] = &model(&graph, scene).bodies[0].figures[..] else {
+        panic!("one figure")
+    };
+    let corners: Vec<[f64; 3]> = figure
+        .points
+        .iter()
+        .map(|point| point.0.map(|x| x.constant().expect("a number")))
+        .collect();
+    let expected = [
+        [11.0, 22.0, 33.0],
+        [9.0, 22.0, 33.0],
+        [11.0, 18.0, 33.0],
+        [9.0, 18.0, 33.0],
+        [11.0, 22.0, 27.0],
+        [9.0, 22.0, 27.0],
+        [11.0, 18.0, 27.0],
+        [9.0, 18.0, 27.0],
+    ];
+    assert_eq!(corners, expected);
 }
 
 #[test]
