@@ -243,6 +243,16 @@ mod tests {
     }
 
     #[test]
+    fn between_places_two_ulps_apart_there_is_one_to_look_at() {
+        // The middle of the first four is the last place before the zero.
+        let from = 1.0 - 2.0 * f64::EPSILON;
+        let to = 1.0 + 2.0 * f64::EPSILON;
+        let middle = 1.0 + f64::EPSILON;
+        let (x, places) = search(|x| if x > 1.0 { 1.0 } else { -1.0 }, (from, to));
+        assert_eq!((x, &places[..]), (middle, &[1.0, middle][..]));
+    }
+
+    #[test]
     fn an_end_that_is_zero_is_the_root() {
         let (x, places) = search(|x| x - 1.0, (0.0, 1.0));
         assert_eq!((x, places.len() < 56), (1.0, true), "{places:?}");
