@@ -186,6 +186,48 @@ fn pendulums_that_differ() {
     }
 }
 
+/// `x'' = -sign(x) - x' / 10 + push sign(sin(7 t))`: forces that jump, in each lane at times of its own.
+#[derive(Clone, Copy, Debug)]
+struct Jolted<T = f64>(T);
+
+impl<T: Real> System<T, 2> for Jolted<T> {
+    #[inline(always)]
+    fn rhs(&self, t: T, x: &SVector<T, 2>) -> SVector<T, 2> {
+        let push = self.0 * (t * T::from_f64(7.0)).sin_cos().0.signum();
+        SVector::from([x[1], push - x[0].signum() - x[1] * T::from_f64(0.1)])
+    }
+}
+
+impl Cast<2> for Jolted {
+    type In<T: Real> = Jolted<T>;
+
+    fn cast<T: Real>(&self) -> Jolted<T> {
+        Jolted(T::from_f64(self.0))
+    }
+
+    fn gather<'m, V: Lanes>(models: impl Fn(usize) -> &'m Self) -> Jolted<V> {
+        Jolted(V::from_fn(|i| V::Scalar::from_f64(models(i).0)))
+    }
+}
+
+#[test]
+fn forces_that_jump() {
+    let mut random = Random::new(4);
+    let models: Vec<_> = (0..45).map(|_| Jolted(random.between(0.1, 0.9))).collect();
+    let starts: Vec<_> = (0..45)
+        .map(|_| SVector::from_fn(|_, _| random.between(-1.0, 1.0)))
+        .collect();
+    for span in [(0.0, 3.0), (1.0, -2.0)] {
+        assert_ensemble(Rk45::new(), &models, span, &starts);
+        assert_ensemble(Tsit5::new().rtol(1e-9).atol(1e-9), &models, span, &starts);
+        assert_ensemble(Vern7::new(), &models, span, &starts);
+        assert_ensemble(Vern9::new(), &models, span, &starts);
+    }
+    // A jump is met by steps that are rejected.
+    let alone = Rk45::new().solve(&models[0], 0.0, 3.0, starts[0]).expect("regular");
+    assert!(alone.statistics().rejected > 10);
+}
+
 #[test]
 fn one_model_for_all() {
     let (models, starts) = pendulums(20);

@@ -261,3 +261,38 @@ where
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use nalgebra::{SMatrix, SVector};
+
+    use super::fastest_rate;
+
+    #[test]
+    fn the_fastest_rate_is_that_of_the_largest_eigenvalue() {
+        let symmetric = SMatrix::<f64, 2, 2>::new(-3.0, 1.0, 1.0, -3.0);
+        // from the vector of -2, but for a little
+        let mut v = SVector::from([1.0, 0.999]);
+        for _ in 0..20 {
+            fastest_rate(&symmetric, &mut v);
+        }
+        assert!((fastest_rate(&symmetric, &mut v) - 4.0).abs() < 1e-9);
+        assert!((v.norm() - 1.0).abs() < 1e-12 && (v[0] + v[1]).abs() < 1e-9, "{v}");
+        // A pair +-5 i: over two iterations the vector grows by 25 and turns half around.
+        let turning = SMatrix::<f64, 2, 2>::new(0.0, 50.0, -0.5, 0.0);
+        assert!((fastest_rate(&turning, &mut v) - 5.0).abs() < 1e-9);
+    }
+
+    #[test]
+    fn what_shows_no_rate_is_left_for_another_direction() {
+        let second = SMatrix::<f64, 2, 2>::new(0.0, 0.0, 0.0, -7.0);
+        for mut v in [[1.0, 0.0], [0.0, 0.0], [f64::NAN, 1.0]].map(SVector::from) {
+            assert_eq!(fastest_rate(&second, &mut v), 0.0);
+            assert_eq!(
+                fastest_rate(&second, &mut v).powi(4).round(),
+                (7.0_f64.powi(4) / 2.0_f64.sqrt()).round()
+            );
+            assert!((fastest_rate(&second, &mut v) - 7.0).abs() < 1e-12);
+        }
+    }
+}

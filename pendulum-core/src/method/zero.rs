@@ -31,9 +31,9 @@ pub(super) fn root<T: Float>(f: impl Fn(T) -> T, from: (T, T), to: (T, T)) -> T 
         if a.1 == zero {
             break;
         }
-        let smallest = if a.1.abs() < b.1.abs() { a } else { b };
-        let resolution = (T::EPSILON * smallest.0.abs()).max(T::MIN_POSITIVE);
-        let least = resolution / (b.0 - a.0).abs();
+        // What numbers resolve about each end.
+        let resolution = |end: T| (T::EPSILON * end.abs()).max(T::MIN_POSITIVE) / (b.0 - a.0).abs();
+        let (least, most) = (resolution(a.0), one - resolution(b.0));
         if least > T::from_f64(0.5) {
             break;
         }
@@ -44,7 +44,7 @@ pub(super) fn root<T: Float>(f: impl Fn(T) -> T, from: (T, T), to: (T, T)) -> T 
         } else {
             one / two
         };
-        fraction = fraction.max(least).min(one - least);
+        fraction = fraction.max(least).min(most);
     }
     if is_past(a.1) { a.0 } else { b.0 }
 }
@@ -75,7 +75,8 @@ pub(super) fn dip<T: Float>(f: impl Fn(T) -> T, places: [(T, T); 3]) -> Option<(
     let golden = T::from_f64(0.381_966_011_250_105_1);
     let (mut low, mut best, mut high) = (first.0, middle, last.0);
     while (high - low).abs() > T::EPSILON.sqrt() * (low.abs() + high.abs()) {
-        let place = if high - best.0 > best.0 - low {
+        let is_right = high - best.0 > best.0 - low;
+        let place = if is_right {
             best.0 + golden * (high - best.0)
         } else {
             best.0 - golden * (best.0 - low)
@@ -84,7 +85,6 @@ pub(super) fn dip<T: Float>(f: impl Fn(T) -> T, places: [(T, T); 3]) -> Option<(
         if height(new) <= zero {
             return Some(new);
         }
-        let is_right = place > best.0;
         if height(new) < height(best) {
             *(if is_right { &mut low } else { &mut high }) = best.0;
             best = new;
@@ -243,6 +243,16 @@ mod tests {
     }
 
     #[test]
+    fn between_places_two_ulps_apart_there_is_one_to_look_at() {
+        // The middle of the first four is the last place before the zero.
+        let from = 1.0 - 2.0 * f64::EPSILON;
+        let to = 1.0 + 2.0 * f64::EPSILON;
+        let middle = 1.0 + f64::EPSILON;
+        let (x, places) = search(|x| if x > 1.0 { 1.0 } else { -1.0 }, (from, to));
+        assert_eq!((x, &places[..]), (middle, &[1.0, middle][..]));
+    }
+
+    #[test]
     fn an_end_that_is_zero_is_the_root() {
         let (x, places) = search(|x| x - 1.0, (0.0, 1.0));
         assert_eq!((x, places.len() < 56), (1.0, true), "{places:?}");
@@ -258,6 +268,26 @@ mod tests {
         let (x, places) = search(|x| if x > 0.0 { 1.0 } else { -1.0 }, (-1e-3, 1.0));
         assert!(x > 0.0 && x < 1e-15, "{x:e} after {}", places.len());
         assert!(places.len() <= 200);
+    }
+
+    /// Exact arithmetic or roundings that all machines share: one interpolation more or less shows in the sum, and so does
+    /// one that comes too close to an end to be told apart from it.
+    #[test]
+    fn where_a_slope_changes_the_evaluations_are_counted() {
+        let mut sum = 0;
+        for zero in [0.3, 0.123_456_789, 0.77, 0.999, 1e-3, 1e-9, 0.999_999_9] {
+            let bent = |x: f64| if x < zero { x - zero } else { 2.0 * (x - zero) };
+            for (from, to) in [
+                (0.0, 1.0),
+                (1.0, 0.0),
+                (-0.5, 1.0),
+                (zero - 1e-6, zero + 3e-6),
+                (zero - 3e-6, zero + 1e-7),
+            ] {
+                sum += search(bent, (from, to)).1.len();
+            }
+        }
+        assert_eq!(sum, 495);
     }
 
     /// What is found of a dip, and the places that were looked at.
@@ -339,6 +369,27 @@ mod tests {
         assert!(look(|_| 1.0, [0.0, 0.5, 1.0]).1.is_empty());
         assert!(look(|x| x.max(0.5), [0.0, 0.5, 1.0]).1.is_empty());
         assert!(look(|x| 2.0 - x, [0.0, 0.5, 1.0]).1.is_empty());
+    }
+
+    /// Values of a function at three places, and 1/2 at all others, with the places that were looked at.
+    fn look_beside(places: [f64; 3], values: [f64; 3]) -> Vec<f64> {
+        let at = |x| places.iter().position(|&place| place == x);
+        look(|x| at(x).map_or(0.5, |index| values[index]), places).1
+    }
+
+    #[test]
+    fn ties_are_settled() {
+        // The parabola through 3/2, 1/2 and 7/2 goes down by 1/8, which is a quarter of 1/2. Of equal parts the left one is
+        // divided, and of equal values the old one is the best: the right part is longer then.
+        let golden = 0.381_966_011_250_105_1;
+        let values = [1.5, 0.5, 3.5];
+        let places = look_beside([0.0, 0.5, 1.0], values);
+        assert_eq!(places[..2], [0.5 - golden * 0.5, 0.5 + golden * 0.5]);
+        // The length over the sum of the sizes of the ends is 2^-26 in the first, the root of the precision.
+        let short = f64::EPSILON.sqrt();
+        assert!(look_beside([1.0 - short, 1.0, 1.0 + short], values).is_empty());
+        let longer = 2.0 * short;
+        assert!(!look_beside([1.0 - longer, 1.0, 1.0 + longer], values).is_empty());
     }
 
     #[test]

@@ -135,34 +135,12 @@ impl Lyapunov {
         let end = self.transient + self.duration;
         let mut stepper = flow::<K>(self.tolerance).stepper(system, 0.0, end, x0)?;
         stepper.scheme_mut().tangents = oblique();
-        let mut parts = [[0.0; K]; PARTS];
-        let mut seconds = [0.0; PARTS];
-        let mut counted_from = f64::INFINITY;
+        let mut growth = Growth::new(self.transient, end);
         while let Some(step) = stepper.step()? {
-            let growth = orthonormalize(&mut stepper.scheme_mut().tangents);
-            if step.t0 < self.transient {
-                continue;
-            }
-            counted_from = counted_from.min(step.t0);
-            let part = (PARTS as f64 * (step.t0 - counted_from) / (end - counted_from)) as usize;
-            let part = part.min(PARTS - 1);
-            seconds[part] += step.h;
-            for (sum, growth) in parts[part].iter_mut().zip(growth) {
-                *sum += libm::log(growth);
-            }
+            let lengths = orthonormalize(&mut stepper.scheme_mut().tangents);
+            growth.count((step.t0, step.h), lengths);
         }
-        let [mut values, mut uncertainty] = [[0.0; K]; 2];
-        let total: f64 = seconds.iter().sum();
-        for k in 0..K {
-            values[k] = parts.iter().map(|part| part[k]).sum::<f64>() / total;
-            // Parts that a single step passed over have no share in it.
-            let rates = parts.iter().zip(seconds).filter(|&(_, seconds)| seconds > 0.0);
-            let apart = rates.map(|(part, seconds)| {
-                let apart = part[k] / seconds - values[k];
-                apart * apart * seconds / total
-            });
-            uncertainty[k] = (apart.sum::<f64>() / (PARTS - 1) as f64).sqrt();
-        }
+        let (values, uncertainty) = growth.rates();
         Ok(Exponents {
             values,
             uncertainty,
@@ -189,6 +167,66 @@ impl Lyapunov {
     }
 }
 
+/// How much tangents grew in each part of the time.
+struct Growth<const K: usize> {
+    /// Steps from here on are counted; of those that were, where the first began.
+    from: f64,
+    end: f64,
+    is_counting: bool,
+    /// The logarithms of lengths, summed up.
+    parts: [[f64; K]; PARTS],
+    seconds: [f64; PARTS],
+}
+
+impl<const K: usize> Growth<K> {
+    fn new(from: f64, end: f64) -> Self {
+        Self {
+            from,
+            end,
+            is_counting: false,
+            parts: [[0.0; K]; PARTS],
+            seconds: [0.0; PARTS],
+        }
+    }
+
+    /// Counts a step from `t` over `h`, if it begins late enough, in the part in which it does.
+    fn count(&mut self, (t, h): (f64, f64), lengths: [f64; K]) {
+        if t < self.from {
+            return;
+        }
+        if !self.is_counting {
+            (self.from, self.is_counting) = (t, true);
+        }
+        let part = (PARTS as f64 * (t - self.from) / (self.end - self.from)) as usize;
+        let part = part.min(PARTS - 1);
+        self.seconds[part] += h;
+        for (sum, length) in self.parts[part].iter_mut().zip(lengths) {
+            *sum += libm::log(length);
+        }
+    }
+
+    /// The rates of growth, and the standard error of each.
+    fn rates(&self) -> ([f64; K], [f64; K]) {
+        let [mut values, mut uncertainty] = [[0.0; K]; 2];
+        let total: f64 = self.seconds.iter().sum();
+        for k in 0..K {
+            values[k] = self.parts.iter().map(|part| part[k]).sum::<f64>() / total;
+            // Parts that a single step passed over have no share in it.
+            let rates = self
+                .parts
+                .iter()
+                .zip(self.seconds)
+                .filter(|&(_, seconds)| seconds > 0.0);
+            let apart = rates.map(|(part, seconds)| {
+                let apart = part[k] / seconds - values[k];
+                apart * apart * seconds / total
+            });
+            uncertainty[k] = (apart.sum::<f64>() / (PARTS - 1) as f64).sqrt();
+        }
+        (values, uncertainty)
+    }
+}
+
 /// Directions that lie along no axis: one that a system keeps, such as the rate of a coordinate that nothing depends on, would never turn to those
 /// that grow.
 fn oblique<const K: usize, const N: usize>() -> [SVector<f64, N>; K] {
@@ -211,4 +249,67 @@ fn orthonormalize<const K: usize, const N: usize>(vectors: &mut [SVector<f64, N>
         rest[0] /= *length;
     }
     lengths
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Exponents, Growth, PARTS};
+
+    /// Steps of a length, at rates of growth that depend on where they begin.
+    fn counted(from: f64, end: f64, steps: impl Iterator<Item = (f64, f64)>, rate: impl Fn(f64) -> f64) -> Growth<1> {
+        let mut growth = Growth::new(from, end);
+        for (t, h) in steps {
+            growth.count((t, h), [(rate(t) * h).exp()]);
+        }
+        growth
+    }
+
+    #[test]
+    fn steps_are_counted_in_the_part_in_which_they_begin() {
+        // of 1/2 from 1/4 on: the first that is counted begins at 3.25, and the parts of 4.375 are of 9 and 8 steps
+        let steps = (0..200)
+            .map(|n| (0.25 + 0.5 * f64::from(n), 0.5))
+            .take_while(|&(t, _)| t < 47.0);
+        let growth = counted(3.0, 47.0, steps, |_| -0.25);
+        assert_eq!((growth.from, growth.seconds.iter().sum::<f64>()), (3.25, 44.0));
+        assert_eq!(growth.seconds, [4.5, 4.5, 4.5, 4.0, 4.5, 4.5, 4.5, 4.0, 4.5, 4.5]);
+        let ([value], [uncertainty]) = growth.rates();
+        assert!((value + 0.25).abs() < 1e-14 && uncertainty < 1e-14);
+        // one that begins where counting does is counted
+        assert_eq!(counted(3.25, 47.0, [(3.25, 1.0)].into_iter(), |_| 0.0).seconds[0], 1.0);
+    }
+
+    #[test]
+    fn the_uncertainty_is_that_of_a_weighted_mean() {
+        // Parts of 1 s with the rates 0 to 9, of which some steps take several: 2 to 4, and 8 to the end.
+        let steps = [
+            (0.0, 1.0),
+            (1.0, 1.0),
+            (2.0, 3.0),
+            (5.0, 1.0),
+            (6.0, 1.0),
+            (7.0, 1.0),
+            (8.0, 2.0),
+        ];
+        let ([value], [uncertainty]) = counted(0.0, PARTS as f64, steps.into_iter(), |t| t).rates();
+        let mean = steps.iter().map(|(t, h)| t * h).sum::<f64>() / 10.0;
+        let variance = steps.iter().map(|(t, h)| (t - mean).powi(2) * h / 10.0).sum::<f64>();
+        assert!((value - mean).abs() < 1e-14, "{value}");
+        assert!((uncertainty - (variance / 9.0).sqrt()).abs() < 1e-14, "{uncertainty}");
+    }
+
+    #[test]
+    fn what_does_not_grow_is_foreseen_for_ever() {
+        let exponents = |value: f64| Exponents {
+            values: [value],
+            uncertainty: [0.0],
+            t: 0.0,
+            x: nalgebra::SVector::<f64, 1>::zeros(),
+        };
+        assert_eq!(exponents(2.0).horizon(1.0, 1.0_f64.exp()), 0.5);
+        for value in [-1.0, 0.0] {
+            assert_eq!(exponents(value).horizon(1e-6, 1.0), f64::INFINITY);
+            assert_eq!(exponents(value).horizon(1.0, 1e-6), f64::INFINITY);
+        }
+    }
 }

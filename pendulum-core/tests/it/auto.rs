@@ -2,7 +2,9 @@
 
 use approx::assert_abs_diff_eq;
 use pendulum_core::Statistics;
+use pendulum_core::method::{Explicit, Fixed, Rosenbrock};
 use pendulum_core::prelude::*;
+use pendulum_core::tableau::{Steinebach5, Verner7};
 
 /// `x'' = -lambda (x - cos t)` as friction would do it, to first order: it is as stiff as `lambda` is large.
 struct Prothero {
@@ -119,8 +121,9 @@ impl Jacobian<f64, 1> for Loosening {
 
 #[test]
 fn it_returns_after_four_steps_in_a_row_that_explicit_ones_could_have_taken() {
-    // The limits of stability are 3.5 with Tsitouras' method and 4.6 with Verner's of order 7; three tenths are safe.
-    for (tolerance, limit) in [(1e-3, 3.5), (1e-6, 4.6)] {
+    // The limits of stability are 3.5 with Tsitouras' method, 4.6 with Verner's of order 7, and 4.4 with that of order 9; three
+    // tenths are safe.
+    for (tolerance, limit) in [(1e-3, 3.5), (1e-6, 4.6), (1e-9, 4.4)] {
         let method = Auto::new().rtol(tolerance).atol(tolerance);
         let mut stepper = method.stepper(&Loosening, 0.0, 20.0, [1.5]).expect("valid");
         let (mut before, mut free, mut returned) = (Statistics::default(), 0, false);
@@ -143,4 +146,88 @@ fn it_returns_after_four_steps_in_a_row_that_explicit_ones_could_have_taken() {
         }
         assert!(returned, "{tolerance}");
     }
+}
+
+#[test]
+fn the_tolerance_says_which_explicit_method_it_is() {
+    fn end(method: impl Method<Prothero, f64, 1>) -> u64 {
+        let solution = method.solve(&Prothero { lambda: 0.5 }, 0.0, 20.0, [1.5]);
+        solution.expect("regular").end()[0].to_bits()
+    }
+    let auto = |rtol: f64, atol: f64| end(Auto::new().rtol(rtol).atol(atol));
+    // The wider of the two decides.
+    for (rtol, atol) in [(1.01e-4, 1e-9), (1e-9, 1.01e-4)] {
+        assert_eq!(auto(rtol, atol), end(Tsit5::new().rtol(rtol).atol(atol)));
+    }
+    for (rtol, atol) in [(1e-4, 1e-9), (1e-9, 1e-4), (1.01e-8, 1e-9), (1e-9, 1.01e-8)] {
+        assert_eq!(auto(rtol, atol), end(Vern7::new().rtol(rtol).atol(atol)));
+    }
+    assert_eq!(auto(1e-8, 1e-8), end(Vern9::new().rtol(1e-8).atol(1e-8)));
+}
+
+#[test]
+fn each_step_is_one_of_the_method_at_work() {
+    let method = Auto::new().rtol(1e-6).atol(1e-6);
+    let mut stepper = method.stepper(&Loosening, 0.0, 20.0, [1.5]).expect("valid");
+    let mut before = Statistics::default();
+    while let Some(step) = stepper.step().expect("regular") {
+        let now = stepper.statistics();
+        let end = if now.stiff > before.stiff {
+            let method = Fixed::<Rosenbrock<Steinebach5, 8>>::new(step.h);
+            method
+                .stepper(&Loosening, step.t0, step.t1, step.x0)
+                .expect("valid")
+                .run()
+        } else {
+            let method = Fixed::<Explicit<Verner7, 11>>::new(step.h);
+            method
+                .stepper(&Loosening, step.t0, step.t1, step.x0)
+                .expect("valid")
+                .run()
+        };
+        assert_eq!(end, Ok(step.x1), "at {}", step.t0);
+        before = now;
+    }
+    assert_eq!(before.switches, 2);
+}
+
+/// [`Loosening`] with the time turned around.
+struct Mirrored;
+
+impl System<f64, 1> for Mirrored {
+    fn rhs(&self, t: f64, x: &SVector<f64, 1>) -> SVector<f64, 1> {
+        -Loosening.rhs(-t, x)
+    }
+}
+
+impl Jacobian<f64, 1> for Mirrored {
+    fn jacobian(&self, t: f64, x: &SVector<f64, 1>) -> SMatrix<f64, 1, 1> {
+        -Loosening.jacobian(-t, x)
+    }
+}
+
+#[test]
+fn backward_in_time_it_does_the_same() {
+    let forward = Auto::new().solve(&Loosening, 0.0, 20.0, [1.5]).expect("regular");
+    let backward = Auto::new().solve(&Mirrored, 0.0, -20.0, [1.5]).expect("regular");
+    assert_eq!(forward.statistics(), backward.statistics());
+    assert_eq!(forward.end(), backward.end());
+}
+
+#[test]
+fn a_restart_begins_the_count_anew() {
+    let system = Prothero { lambda: 1e4 };
+    let switches = |every: usize| {
+        let method = Auto::new().rtol(1e-6).atol(1e-6);
+        let mut stepper = method.stepper(&system, 0.0, 20.0, [1.5]).expect("valid");
+        for _ in 0..20 {
+            for _ in 0..every {
+                stepper.step().expect("regular");
+            }
+            stepper.restart(stepper.t(), stepper.x()).expect("where it is");
+        }
+        stepper.statistics().switches
+    };
+    // Eight steps at the limit are what it takes, and the ninth is implicit.
+    assert_eq!((switches(8), switches(9)), (0, 1));
 }

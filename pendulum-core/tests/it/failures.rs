@@ -151,3 +151,99 @@ fn a_stepper_restarts_between_the_start_of_its_last_step_and_the_end() {
         assert!(stepper.restart(reached, x).is_err());
     }
 }
+
+#[test]
+fn a_restart_that_fails_changes_nothing() {
+    fn check(method: &impl Method<FnSystem<fn(f64, &SVector<f64, 2>) -> SVector<f64, 2>>, f64, 2>) {
+        let system = FnSystem(ends_at_one as fn(f64, &SVector<f64, 2>) -> SVector<f64, 2>);
+        let mut stepper = method.stepper(&system, 0.0, 2.0, [1.0, 1.0]).expect("valid");
+        let mut twin = method.stepper(&system, 0.0, 2.0, [1.0, 1.0]).expect("valid");
+        for _ in 0..2 {
+            stepper.step().expect("regular");
+            twin.step().expect("regular");
+        }
+        let no_slope = Err(Reason::NonFinite { component: 1, h: None });
+        assert_eq!(stepper.restart(1.5, [0.1, 0.1].into()), no_slope);
+        assert_eq!((stepper.t(), stepper.x()), (twin.t(), twin.x()));
+        // What remains is the state reached: the last step, which the scheme has left, is none.
+        assert_eq!(stepper.dense().at(0.5 * twin.t()), twin.x());
+        let no_number = stepper.restart(twin.t(), [0.1, f64::NAN].into());
+        assert!(matches!(no_number, Err(Reason::InvalidInput { what: "x0", .. })));
+        assert_eq!((stepper.t(), stepper.x()), (twin.t(), twin.x()));
+        assert_eq!(stepper.step(), twin.step());
+    }
+    check(&Rk4::new(0.125));
+    check(&Rk45::new().h0(0.125));
+}
+
+#[test]
+fn where_there_is_no_way_to_go_nothing_is_evaluated() {
+    let never = FnSystem(|_t: f64, _x: &SVector<f64, 1>| SVector::from([f64::NAN]));
+    let mut stepper = Rk45::new().stepper(&never, 1.0, 1.0, [2.0]).expect("no way");
+    assert_eq!((stepper.run(), stepper.statistics().evaluations), (Ok([2.0].into()), 0));
+    // Nor after a restart at the end, where this one has no number.
+    let ending = FnSystem(|t: f64, x: &SVector<f64, 1>| x * if t < 1.0 { -1.0 } else { f64::NAN });
+    let mut stepper = Rk4::new(0.125).stepper(&ending, 0.0, 1.0, [2.0]).expect("valid");
+    stepper.step().expect("regular");
+    let before = stepper.statistics();
+    stepper.restart(1.0, [3.0].into()).expect("the end");
+    assert_eq!((stepper.run(), stepper.statistics()), (Ok([3.0].into()), before));
+}
+
+#[test]
+fn a_step_to_where_there_is_no_slope_is_none() {
+    // From 1 the stages of Kutta's method are at 1, 1.25, 1.3125 and 1.65625, and its step ends at 1.6484375.
+    let gap = FnSystem(|_t: f64, x: &SVector<f64, 1>| x * if x[0] == 1.648_437_5 { f64::NAN } else { 1.0 });
+    let mut stepper = Rk4::new(0.5).stepper(&gap, 0.0, 1.0, [1.0]).expect("valid");
+    let no_slope = Err(Reason::NonFinite {
+        component: 0,
+        h: Some(0.5),
+    });
+    assert_eq!((stepper.step(), stepper.x()[0]), (no_slope, 1.0));
+    assert_eq!((stepper.statistics().accepted, stepper.statistics().rejected), (0, 1));
+}
+
+#[test]
+fn before_the_first_step_and_after_a_failed_one_all_is_the_point_reached() {
+    let system = FnSystem(ends_at_one);
+    let mut stepper = Vern9::new().stepper(&system, 0.0, 2.0, [1.0, 2.0]).expect("valid");
+    let before = stepper.statistics();
+    assert_eq!(stepper.dense().at(0.5), SVector::from([1.0, 2.0]));
+    assert_eq!(stepper.statistics(), before);
+    let mut stepper = Rk4::new(0.75).stepper(&system, 0.0, 2.0, [1.0, 2.0]).expect("valid");
+    stepper.step().expect("regular");
+    stepper.step().expect_err("beyond 1");
+    let reached = stepper.x();
+    assert_eq!(stepper.dense().at(0.5), reached);
+}
+
+#[test]
+fn all_evaluations_are_counted() {
+    let calls = std::cell::Cell::new(0);
+    let system = FnSystem(|t: f64, x: &SVector<f64, 1>| {
+        calls.set(calls.get() + 1);
+        SVector::from([(20.0 * t).sin() - x[0]])
+    });
+    let mut count = |count: usize| assert_eq!(calls.replace(0), count);
+    count(
+        Rk4::new(0.1)
+            .solve(&system, 0.0, 1.0, [1.0])
+            .expect("regular")
+            .statistics()
+            .evaluations,
+    );
+    count(
+        Rk45::new()
+            .solve(&system, 0.0, 1.0, [1.0])
+            .expect("regular")
+            .statistics()
+            .evaluations,
+    );
+    count(
+        Vern9::new()
+            .solve(&system, 0.0, 1.0, [1.0])
+            .expect("regular")
+            .statistics()
+            .evaluations,
+    );
+}

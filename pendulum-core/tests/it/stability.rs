@@ -113,6 +113,58 @@ fn near_and_distant_eigenvalues_have_vectors_of_their_own() {
     assert!(spectrum.modes().iter().all(|mode| (mode.condition - 1.0).abs() < 1e-12));
 }
 
+/// `q d q^-1`, whose eigenvalues differ by rounding errors where those of `d` are equal, and whose vectors lie along no axis.
+fn mixed<const N: usize>(d: &SMatrix<f64, N, N>, seed: usize) -> SMatrix<f64, N, N> {
+    let entry = |i: usize, j: usize| ((seed + 7 * i + 3 * j + i * j) as f64).sin();
+    let q = SMatrix::<f64, N, N>::from_fn(|i, j| entry(i, j) + if i == j { 2.0 } else { 0.0 });
+    q * d * q.try_inverse().expect("regular")
+}
+
+#[test]
+fn eigenvalues_that_are_equal_but_for_rounding_have_vectors_of_their_own() {
+    let mut twice = SMatrix::<f64, 6, 6>::zeros();
+    for k in [0, 2] {
+        twice
+            .fixed_view_mut::<2, 2>(k, k)
+            .copy_from(&SMatrix::<f64, 2, 2>::new(-0.5, -2.0, 2.0, -0.5));
+    }
+    (twice[(4, 4)], twice[(5, 5)]) = (3.0, 3.0);
+    let thrice = SMatrix::<f64, 5, 5>::from_diagonal(&SVector::from([2.0, 2.0, 2.0, -1.0, -1.0]));
+    /// Whether they are, unless rounding makes a complex pair of two real eigenvalues: that has the vectors of a pair.
+    fn are_apart<const N: usize>(matrix: &SMatrix<f64, N, N>) -> bool {
+        let spectrum = spectrum(matrix);
+        if spectrum
+            .eigenvalues()
+            .any(|eigenvalue| (1e-300..1e-9).contains(&eigenvalue.im))
+        {
+            return false;
+        }
+        let unit: Vec<_> = spectrum.modes().iter().map(|mode| mode.shape.normalize()).collect();
+        for (k, mode) in spectrum.modes().iter().enumerate() {
+            // Of the same eigenvalue they are orthogonal.
+            for (other, vector) in spectrum.modes().iter().zip(&unit).take(k) {
+                if (other.eigenvalue - mode.eigenvalue).norm() < 1e-9 {
+                    assert!(vector.dotc(&unit[k]).norm() < 1e-9, "{spectrum:?}");
+                }
+            }
+            // The largest component is 1, and errors are magnified by no more than in the mixture.
+            assert!(
+                mode.shape.iter().any(|component| (component - 1.0).norm() < 1e-15),
+                "{mode:?}"
+            );
+            assert!((1.0 - 1e-12..100.0).contains(&mode.condition), "{mode:?}");
+        }
+        true
+    }
+    // With some of these the QR algorithm goes on for ever about its last ulp.
+    let mut checked = [0; 2];
+    for seed in 0..200 {
+        checked[0] += usize::from(are_apart(&mixed(&twice, seed)));
+        checked[1] += usize::from(are_apart(&mixed(&thrice, seed)));
+    }
+    assert!(checked.iter().all(|&count| count > 50), "{checked:?}");
+}
+
 #[test]
 fn the_uncertainty_is_what_rounding_errors_do() {
     // A double eigenvalue with one vector goes apart by the root of a change, a simple one of a matrix far from normal by a multiple.
