@@ -289,14 +289,15 @@ fn work_grows_with_the_square_of_a_declaration_at_most() {
             "exact numbers",
             Box::new(|n| pendulum(&(chain(n, "0.5", "(@*@ + 0.2)/1.3") + &format!("output y: a{n}*theta,")))),
         ),
-        ("fixed bodies", Box::new(fixed)),
+        ("fixed bodies", Box::new(|n| fixed(n / 2))),
     ];
     for (name, family) in families {
         let work = |n: usize| {
             let (program, nodes) = expand(&family(n)).unwrap_or_else(|errors| panic!("{name}: {errors}"));
             nodes + format!("{:#}{}", program.equations, program.equations).len()
         };
-        let [first, second] = [6, 12].map(work);
+        // shorter chains are multiplied out, where that helps, and may be longer than these
+        let [first, second] = [12, 24].map(work);
         assert!(second <= 4 * first, "{name}: {first}, then {second}");
     }
 }
