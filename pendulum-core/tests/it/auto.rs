@@ -98,24 +98,28 @@ fn it_changes_with_the_motion() {
     assert_abs_diff_eq!(solution.end(), expected, epsilon = 1e-4);
 }
 
-/// `x = cos t`, to which the state returns at a rate that falls from 1e4 to 1.
-struct Loosening;
+/// `x = cos t`, to which the state returns at a rate that falls from 1e4 to 1, with a ripple or without.
+struct Loosening {
+    ripple: f64,
+}
+
+const SMOOTHLY: Loosening = Loosening { ripple: 0.0 };
 
 impl Loosening {
-    fn rate(t: f64) -> f64 {
-        1e4 * (-4.0 * t).exp() + 1.0
+    fn rate(&self, t: f64) -> f64 {
+        1e4 * (-4.0 * t).exp() * (1.0 + self.ripple * (40.0 * t).sin()) + 1.0
     }
 }
 
 impl System<f64, 1> for Loosening {
     fn rhs(&self, t: f64, x: &SVector<f64, 1>) -> SVector<f64, 1> {
-        SVector::from([-Self::rate(t) * (x[0] - t.cos()) - t.sin()])
+        SVector::from([-self.rate(t) * (x[0] - t.cos()) - t.sin()])
     }
 }
 
 impl Jacobian<f64, 1> for Loosening {
     fn jacobian(&self, t: f64, _x: &SVector<f64, 1>) -> SMatrix<f64, 1, 1> {
-        SMatrix::from([[-Self::rate(t)]])
+        SMatrix::from([[-self.rate(t)]])
     }
 }
 
@@ -123,9 +127,14 @@ impl Jacobian<f64, 1> for Loosening {
 fn it_returns_after_four_steps_in_a_row_that_explicit_ones_could_have_taken() {
     // The limits of stability are 3.5 with Tsitouras' method, 4.6 with Verner's of order 7, and 4.4 with that of order 9; three
     // tenths are safe.
-    for (tolerance, limit) in [(1e-3, 3.5), (1e-6, 4.6), (1e-9, 4.4)] {
+    let limits = [(1e-3, 3.5), (1e-6, 4.6), (1e-9, 4.4)];
+    for (ripple, (tolerance, limit)) in [0.0, 0.9]
+        .into_iter()
+        .flat_map(|ripple| limits.map(|limit| (ripple, limit)))
+    {
+        let system = Loosening { ripple };
         let method = Auto::new().rtol(tolerance).atol(tolerance);
-        let mut stepper = method.stepper(&Loosening, 0.0, 20.0, [1.5]).expect("valid");
+        let mut stepper = method.stepper(&system, 0.0, 20.0, [1.5]).expect("valid");
         let (mut before, mut free, mut returned) = (Statistics::default(), 0, false);
         while let Some(step) = stepper.step().expect("regular") {
             let now = stepper.statistics();
@@ -137,7 +146,7 @@ fn it_returns_after_four_steps_in_a_row_that_explicit_ones_could_have_taken() {
             if now.stiff > before.stiff {
                 assert!(free < 4, "{tolerance}: at {}", step.t0);
                 // With one state, power iteration gives the rate itself.
-                let is_free = step.h * Loosening::rate(step.t1) <= 0.3 * limit;
+                let is_free = step.h * system.rate(step.t1) <= 0.3 * limit;
                 free = if is_free { free + 1 } else { 0 };
             } else {
                 free = 0;
@@ -168,20 +177,20 @@ fn the_tolerance_says_which_explicit_method_it_is() {
 #[test]
 fn each_step_is_one_of_the_method_at_work() {
     let method = Auto::new().rtol(1e-6).atol(1e-6);
-    let mut stepper = method.stepper(&Loosening, 0.0, 20.0, [1.5]).expect("valid");
+    let mut stepper = method.stepper(&SMOOTHLY, 0.0, 20.0, [1.5]).expect("valid");
     let mut before = Statistics::default();
     while let Some(step) = stepper.step().expect("regular") {
         let now = stepper.statistics();
         let end = if now.stiff > before.stiff {
             let method = Fixed::<Rosenbrock<Steinebach5, 8>>::new(step.h);
             method
-                .stepper(&Loosening, step.t0, step.t1, step.x0)
+                .stepper(&SMOOTHLY, step.t0, step.t1, step.x0)
                 .expect("valid")
                 .run()
         } else {
             let method = Fixed::<Explicit<Verner7, 11>>::new(step.h);
             method
-                .stepper(&Loosening, step.t0, step.t1, step.x0)
+                .stepper(&SMOOTHLY, step.t0, step.t1, step.x0)
                 .expect("valid")
                 .run()
         };
@@ -191,24 +200,24 @@ fn each_step_is_one_of_the_method_at_work() {
     assert_eq!(before.switches, 2);
 }
 
-/// [`Loosening`] with the time turned around.
+/// [`SMOOTHLY`] with the time turned around.
 struct Mirrored;
 
 impl System<f64, 1> for Mirrored {
     fn rhs(&self, t: f64, x: &SVector<f64, 1>) -> SVector<f64, 1> {
-        -Loosening.rhs(-t, x)
+        -SMOOTHLY.rhs(-t, x)
     }
 }
 
 impl Jacobian<f64, 1> for Mirrored {
     fn jacobian(&self, t: f64, x: &SVector<f64, 1>) -> SMatrix<f64, 1, 1> {
-        -Loosening.jacobian(-t, x)
+        -SMOOTHLY.jacobian(-t, x)
     }
 }
 
 #[test]
 fn backward_in_time_it_does_the_same() {
-    let forward = Auto::new().solve(&Loosening, 0.0, 20.0, [1.5]).expect("regular");
+    let forward = Auto::new().solve(&SMOOTHLY, 0.0, 20.0, [1.5]).expect("regular");
     let backward = Auto::new().solve(&Mirrored, 0.0, -20.0, [1.5]).expect("regular");
     assert_eq!(forward.statistics(), backward.statistics());
     assert_eq!(forward.end(), backward.end());
@@ -230,4 +239,63 @@ fn a_restart_begins_the_count_anew() {
     };
     // Eight steps at the limit are what it takes, and the ninth is implicit.
     assert_eq!((switches(8), switches(9)), (0, 1));
+    // And four that could be explicit on the way back, of which the fifth is.
+    let switches = |every: usize| {
+        let method = Auto::new().rtol(1e-6).atol(1e-6);
+        let mut stepper = method.stepper(&SMOOTHLY, 0.0, 20.0, [1.5]).expect("valid");
+        while stepper.statistics().stiff == 0 {
+            stepper.step().expect("regular");
+        }
+        while stepper.t() < 20.0 {
+            for _ in 0..every {
+                stepper.step().expect("regular");
+            }
+            stepper.restart(stepper.t(), stepper.x()).expect("where it is");
+        }
+        stepper.statistics().switches
+    };
+    assert_eq!((switches(4), switches(5)), (1, 2));
+}
+
+/// `x = cos t`, to which the state returns at a rate of 1 and, in pulses once a second, of 1500.
+struct Pulsed;
+
+impl Pulsed {
+    fn rate(t: f64) -> f64 {
+        1.0 + 1500.0 * (-((t.fract() - 0.5) / 0.002).powi(2)).exp()
+    }
+}
+
+impl System<f64, 1> for Pulsed {
+    fn rhs(&self, t: f64, x: &SVector<f64, 1>) -> SVector<f64, 1> {
+        SVector::from([-Self::rate(t) * (x[0] - t.cos()) - t.sin()])
+    }
+}
+
+impl Jacobian<f64, 1> for Pulsed {
+    fn jacobian(&self, t: f64, _x: &SVector<f64, 1>) -> SMatrix<f64, 1, 1> {
+        SMatrix::from([[-Self::rate(t)]])
+    }
+}
+
+#[test]
+fn a_few_steps_at_the_limit_now_and_then_are_not_stiffness() {
+    let method = Auto::new().rtol(1e-3).atol(1e-3).h_max(0.002);
+    let statistics = method.solve(&Pulsed, 0.0, 20.0, [1.0]).expect("regular").statistics();
+    assert_eq!(statistics.switches, 0, "{statistics:?}");
+}
+
+#[test]
+fn where_it_is_stiff_it_takes_the_steps_of_the_implicit_method() {
+    for tolerance in [1e-3, 1e-6, 1e-9] {
+        let system = Prothero { lambda: 1e4 };
+        let auto = Auto::new().rtol(tolerance).atol(tolerance);
+        let auto = auto.solve(&system, 0.0, 200.0, [1.0]).expect("regular").statistics();
+        let implicit = Rodas5P::new().rtol(tolerance).atol(tolerance);
+        let implicit = implicit
+            .solve(&system, 0.0, 200.0, [1.0])
+            .expect("regular")
+            .statistics();
+        assert!(20 * auto.stiff <= 21 * implicit.accepted, "{auto:?} {implicit:?}");
+    }
 }

@@ -224,7 +224,7 @@ fn all_evaluations_are_counted() {
         calls.set(calls.get() + 1);
         SVector::from([(20.0 * t).sin() - x[0]])
     });
-    let mut count = |count: usize| assert_eq!(calls.replace(0), count);
+    let count = |count: usize| assert_eq!(calls.replace(0), count);
     count(
         Rk4::new(0.1)
             .solve(&system, 0.0, 1.0, [1.0])

@@ -105,7 +105,7 @@ pub fn sign(_: Size) -> Row {
             50.0 * TOLERANCES[1],
             longest,
         ),
-        Claim::at_most("Radau5: mean steps at the narrow one (s)", 50.0 * TOLERANCES[1], radau),
+        Claim::at_most("Radau5: mean steps at the narrow one (s)", 2.0 * TOLERANCES[1], radau),
         Claim::same("Rk45: how it ends", "TooManySteps", kind(error.reason)),
     ];
     Row {

@@ -10,6 +10,8 @@ use crate::scenes::DoublePendulum;
 
 pub const REGULAR: [f64; 4] = [0.3, 0.4, 0.0, 0.0];
 pub const CHAOTIC: [f64; 4] = [2.0, 2.5, 0.0, 0.0];
+/// A tenth of that, whose linear motion is the same.
+const SMALL: [f64; 4] = [0.03, 0.04, 0.0, 0.0];
 
 /// Lengths of steps and motions, in s.
 pub const H: f64 = 0.02;
@@ -79,6 +81,7 @@ pub fn runge_kutta(_: Size) -> Row {
     let (model, method) = (double_pendulum(0.0), Rk4::new(H));
     let regular = errors(&method, &model, REGULAR);
     let [half, whole] = [regular.len() / 2, regular.len()].map(|n| -regular[n - 1].1);
+    let small = errors(&method, &model, SMALL);
     let points = Points::new(PointsParams::default()).expect("physical");
     let chaotic = errors(&method, &points, CHAOTIC);
     Row {
@@ -91,6 +94,12 @@ pub fn runge_kutta(_: Size) -> Row {
                 0.1,
             ),
             Claim::close("of which in the first half", 0.5 * whole, half, 0.01),
+            Claim::close(
+                "a tenth of that swing: part that is lost",
+                -of_modes(&method, &model, REGULAR),
+                -small[small.len() - 1].1,
+                0.02,
+            ),
             Claim::alike(
                 "two points, chaotic: part that is lost",
                 -along(&points, CHAOTIC),

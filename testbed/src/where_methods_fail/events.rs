@@ -46,7 +46,7 @@ pub fn rebounds(_: Size) -> Row {
         case: "Rebounds that accumulate (Zeno)",
         claims: vec![
             Claim::same("it ends in", "EventsAccumulate", kind(error.reason)),
-            Claim::close("at the time (s)", rest, error.t(), 2e-8),
+            Claim::close("at the time (s)", rest, error.t(), 1e-12),
         ],
         survives: "a terminal event, and a model of the contact",
     }

@@ -86,7 +86,7 @@ pub fn imaginary_axis(_: Size) -> Row {
 /// One step that is a billion times as long as the motion.
 pub fn infinity(_: Size) -> Row {
     const FAR: f64 = 1e9;
-    fn claim<F: OneStep<Cart, f64, 2> + Default>(name: &str) -> Claim
+    fn claim<F: OneStep<Cart, f64, 2> + Default>(name: &str, leaves_nothing: bool) -> Claim
     where
         Fixed<F>: StabilityFunction,
     {
@@ -94,7 +94,7 @@ pub fn infinity(_: Size) -> Row {
         let predicted = method.stability_function(Complex::new(-FAR, 0.0)).re;
         let after = left::<F>(&cart(0.0, FAR), 1.0, 1, [0.0, 1.0])[1];
         let what = format!("{name}: what one step leaves of 1");
-        if method.stability_at_infinity() < 0.5 {
+        if leaves_nothing {
             Claim::at_most(what, 1e-6, after.abs())
         } else {
             Claim::close(what, predicted, after, 1e-6)
@@ -103,12 +103,12 @@ pub fn infinity(_: Size) -> Row {
     Row {
         case: "Steps far too long, h λ = −1e9",
         claims: vec![
-            claim::<Gauss<3>>("Gauss6"),
-            claim::<Gauss<2>>("Gauss4"),
-            claim::<RadauIIA>("Radau5"),
-            claim::<Rosenbrock<tableau::HairerWanner4, 6>>("Rodas4"),
-            claim::<Rosenbrock<tableau::Steinebach5, 8>>("Rodas5P"),
-            claim::<Explicit<Kutta4, 5>>("Rk4"),
+            claim::<Gauss<3>>("Gauss6", false),
+            claim::<Gauss<2>>("Gauss4", false),
+            claim::<RadauIIA>("Radau5", true),
+            claim::<Rosenbrock<tableau::HairerWanner4, 6>>("Rodas4", true),
+            claim::<Rosenbrock<tableau::Steinebach5, 8>>("Rodas5P", true),
+            claim::<Explicit<Kutta4, 5>>("Rk4", false),
         ],
         survives: "Rodas, Radau; what should be gone stays with Gauss4 and rings with Gauss6",
     }

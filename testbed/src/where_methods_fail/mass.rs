@@ -92,7 +92,7 @@ pub fn light(_: Size) -> Row {
                 "steps of Vern9 in 1 s of a small swing, tolerance 1e-3",
                 least,
                 steps as f64,
-                0.1,
+                0.03,
             ),
             Claim::at_most("relative error of the generated accelerations", 1e-14, error(generated)),
             Claim::at_least("by Cholesky's factors of the mass matrix", 1e-12, error(textbook)),
