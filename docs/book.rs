@@ -26,4 +26,5 @@ pages! {
     points: "src/recipes/points.md",
     stiff_friction: "src/recipes/stiff-friction.md",
     sweep: "src/recipes/sweep.md",
+    units: "src/recipes/units.md",
 }

@@ -393,8 +393,8 @@ pub(crate) struct Expr {
 pub(crate) enum ExprKind {
     /// A number, exactly.
     Number(Rational),
-    /// `90 deg`: a number as it is written, and its unit.
-    Measured(Rational, Box<Unit>),
+    /// `90 deg`.
+    Measured(Box<Measured>),
     /// A name.
     Name(Ident),
     /// `point.x`: a point, and the word behind the dot.
@@ -407,6 +407,17 @@ pub(crate) enum ExprKind {
     Binary(Operator, Box<Expr>, Box<Expr>),
     /// `a^b`.
     Power(Box<Expr>, Box<Expr>),
+}
+
+/// A number with a unit.
+#[derive(Debug)]
+pub(crate) struct Measured {
+    /// The number as it is written.
+    pub digits: String,
+    /// The number, exactly, in that unit.
+    pub number: Rational,
+    /// The unit.
+    pub unit: Unit,
 }
 
 /// An operator between two operands.

@@ -3,7 +3,8 @@
 //! A polynomial that is not zero vanishes at a random point with a probability of its degree over the prime (Schwartz
 //! and Zippel), whatever the size of its numbers. Sine and cosine of an angle are a random point of the circle, so that
 //! their squares add up to 1 and the addition theorems hold; a root is one of two; other functions are random numbers,
-//! the same for the same argument. So what vanishes here by these rules vanishes everywhere, and nothing is rounded.
+//! the same for the same argument. So what vanishes here by these rules vanishes everywhere, but for a
+//! chance of about 1e-16 in each point, and nothing is rounded.
 
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive};
@@ -19,6 +20,10 @@ struct Field {
     p: u64,
     seed: u64,
 }
+
+/// Kinds of random numbers beside those of functions.
+const ATAN2: u64 = 100;
+const POWER: u64 = 101;
 
 /// The cosine and the sine of an angle.
 type Turn = [u64; 2];
@@ -46,11 +51,11 @@ impl Graph {
                 Node::Binary(Binary::Sub, a, b) => field.minus(of(*a), of(*b)),
                 Node::Binary(Binary::Mul, a, b) => field.times(of(*a), of(*b)),
                 Node::Binary(Binary::Div, a, b) => field.times(of(*a), field.inverse(of(*b))?),
-                Node::Binary(Binary::Atan2, a, b) => field.random(of(*a), of(*b)),
+                Node::Binary(Binary::Atan2, a, b) => field.random(field.random(ATAN2, of(*a)), of(*b)),
                 Node::Power(a, n) => match (n.numer().to_i64(), n.denom().to_u64()) {
                     (Some(n), Some(1)) => field.power_of(of(*a), n)?,
                     (Some(n), Some(2)) => field.power_of(field.root(of(*a))?, n)?,
-                    _ => field.random(field.of_number(n)?, of(*a)),
+                    _ => field.random(field.random(POWER, field.of_number(n)?), of(*a)),
                 },
             };
             values[id.index()] = own;

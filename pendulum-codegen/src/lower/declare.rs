@@ -6,7 +6,7 @@ use super::joint_units::JointUnits;
 use super::measure::Measure;
 use super::scope::Kind;
 use super::written::written;
-use crate::ast::{self, Read};
+use crate::ast::{self, ExprKind, Read};
 use crate::error::Reported;
 use crate::expr::{Definition, Expr, Level, SymbolKind};
 use crate::model::{Coordinate, Input, Parameter};
@@ -54,6 +54,23 @@ impl<'g> Lower<'g> {
             ..Place::fixed(format!("the default of `{name}`"))
         };
         let default = self.read(default)?;
+        if let (Ok(unit), ExprKind::Measured(measured)) = (unit, &default.kind) {
+            // a radian is 1, so the check of units takes one for the other
+            let counts = |unit: &Unit| unit.text.split(['/', ' ']).any(|name| ["Hz", "kHz"].contains(&name));
+            let turns = |unit: &Unit| {
+                let names = ["rad", "mrad", "deg", "turn", "rpm"];
+                unit.text.split(['/', ' ']).any(|name| names.contains(&name))
+            };
+            let given = &measured.unit;
+            if counts(given) && turns(unit) || counts(unit) && turns(given) {
+                let fact = format_args!(
+                    "cycles and angles differ by a factor of 2 pi: `{name}` is in {}",
+                    unit.text
+                );
+                let help = "write an angular rate as `30 turn/s` or `30 rpm`, and a frequency as `30 Hz`";
+                return Err(self.errors.on(default, fact, help));
+            }
+        }
         self.expr(default, &place)
     }
 
@@ -151,5 +168,5 @@ impl<'g> Lower<'g> {
 /// What a declared quantity is measured in.
 fn measure(unit: &Read<Unit>) -> Measure {
     unit.as_ref()
-        .map_or(Measure::Unknown, |unit| Measure::Of(unit.dimension))
+        .map_or(Measure::Unknown, |unit| Measure::in_dimension(unit.dimension))
 }

@@ -132,6 +132,13 @@ impl<'g> Lower<'g> {
                 .errors
                 .on(expr, format_args!("{} may not depend on {on}", place.what), help));
         }
+        let double = value.constant();
+        let vanishes = double == Some(0.0) && value.as_number().is_some() && !value.is_zero();
+        if vanishes || double.is_some_and(|value| !value.is_finite()) {
+            let fact = format_args!("{} has no value in double precision", place.what);
+            let help = "its size must lie between 1e-300 and 1e300";
+            return Err(self.errors.on(expr, fact, help));
+        }
         self.fits(expr, quantity, place);
         Ok(quantity)
     }
@@ -161,7 +168,7 @@ impl<'g> Lower<'g> {
                 value: self.graph.number(n.clone()),
                 measure: Measure::Number,
             }),
-            ExprKind::Measured(n, unit) => self.measured(expr, n, unit, place),
+            ExprKind::Measured(measured) => self.measured(expr, measured, place),
             ExprKind::Name(name) => {
                 let quantity = self.name(name, place)?;
                 self.permit(quantity.value, name.span(), place)?;

@@ -5,7 +5,7 @@ use syn::Ident;
 use super::Lower;
 use super::expr::Place;
 use super::measure::Measure;
-use crate::ast::{self, Axis, JointKind, Read};
+use crate::ast::{self, Axis, ExprKind, JointKind, Measured, Read};
 use crate::error::Reported;
 use crate::expr::{Expr, Level, Printer, ratio};
 use crate::model::{Requirement, Rule};
@@ -90,6 +90,18 @@ impl<'g> Lower<'g> {
             JointKind::Revolute(axis) => (self.axis(body, axis)?, zero),
             JointKind::Prismatic(axis) => (zero, self.axis(body, axis)?),
             JointKind::Helical { axis, pitch } => {
+                if let ExprKind::Measured(measured) = &pitch.kind
+                    && measured
+                        .unit
+                        .text
+                        .split(['/', ' '])
+                        .all(|name| !["rad", "mrad", "deg", "turn"].contains(&name))
+                {
+                    let Measured { digits, unit, .. } = &**measured;
+                    let fact = format_args!("the pitch of the joint of `{body}` does not say for which angle it is");
+                    let help = format_args!("write `{digits} {0}/turn` or `{digits} {0}/rad`", unit.text);
+                    self.errors.on(pitch, fact, help);
+                }
                 let pitch = self.expr(pitch, &place("pitch").in_unit("m/rad"));
                 let angular = self.axis(body, axis)?;
                 (angular, pitch? * angular)

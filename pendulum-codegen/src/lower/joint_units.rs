@@ -12,7 +12,7 @@ pub(super) enum JointUnits {
     Turns,
     /// Its coordinate is a length.
     Slides,
-    /// It cannot be told from the text.
+    /// It has no joint that moves, or one that could not be read.
     Unknown,
 }
 
@@ -25,13 +25,10 @@ impl JointUnits {
             Some(Ok(JointKind::Prismatic(_))) => Self::Slides,
             Some(Ok(JointKind::Screw { components, .. })) => {
                 let [wx, wy, wz, ..] = &**components;
-                let angular = [wx, wy, wz].map(number_is_zero);
-                if angular.contains(&Some(false)) {
-                    Self::Turns
-                } else if angular == [Some(true); 3] {
+                if [wx, wy, wz].into_iter().all(is_zero) {
                     Self::Slides
                 } else {
-                    Self::Unknown
+                    Self::Turns
                 }
             }
             _ => Self::Unknown,
@@ -84,11 +81,12 @@ impl JointUnits {
     }
 }
 
-/// Whether a number is zero; none for what is not a number.
-fn number_is_zero(e: &Expr) -> Option<bool> {
+/// Whether an expression is the number zero.
+fn is_zero(e: &Expr) -> bool {
     match &e.kind {
-        ExprKind::Number(n) | ExprKind::Measured(n, _) => Some(n.is_zero()),
-        ExprKind::Neg(a) => number_is_zero(a),
-        _ => None,
+        ExprKind::Number(n) => n.is_zero(),
+        ExprKind::Measured(measured) => measured.number.is_zero(),
+        ExprKind::Neg(a) => is_zero(a),
+        _ => false,
     }
 }

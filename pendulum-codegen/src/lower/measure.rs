@@ -9,10 +9,10 @@ use super::Lower;
 use super::expr::Place;
 use super::joint_units::JointUnits;
 use super::scope::Kind;
-use super::written::{digits, written};
-use crate::ast::{self, ExprKind, Operator};
+use super::written::written;
+use crate::ast::{self, ExprKind, Measured, Operator};
 use crate::error::Reported;
-use crate::expr::{Expr, Level, Rational, ratio};
+use crate::expr::{Expr, Level, ratio};
 use crate::units::{Dimension, Power, Scale, Unit};
 
 /// A value, and what it is measured in.
@@ -27,21 +27,27 @@ pub(super) struct Quantity<'g> {
 pub(super) enum Measure {
     /// Numbers alone: they stand for any quantity, in SI units.
     Number,
-    /// A number times what has no unit, such as `0.3*sin(theta)`: the number may stand for any quantity.
-    Scaled,
-    /// A dimension.
-    Of(Dimension),
+    /// A dimension, and whether a bare number is among the factors. If there is one and no unit is left, as in
+    /// `0.3*sin(theta)`, the number may stand for any quantity.
+    Of(Dimension, bool),
     /// It is not known, after an error.
     Unknown,
 }
 
 impl Measure {
     /// Plain numbers and angles.
-    pub(super) const ONE: Self = Self::Of(Dimension::ONE);
+    pub(super) const ONE: Self = Self::Of(Dimension::ONE, false);
+    /// A bare number times what has no unit.
+    const SCALED: Self = Self::Of(Dimension::ONE, true);
 
     /// What a unit measures, by its name in the language.
     pub(super) fn of(unit: &str) -> Self {
-        Unit::of(unit).map_or(Self::Unknown, |unit| Self::Of(unit.dimension))
+        Unit::of(unit).map_or(Self::Unknown, |unit| Self::in_dimension(unit.dimension))
+    }
+
+    /// A dimension without a bare number.
+    pub(super) fn in_dimension(dimension: Dimension) -> Self {
+        Self::Of(dimension, false)
     }
 
     /// That of `self * other^n`.
@@ -49,28 +55,28 @@ impl Measure {
         match (self, other) {
             (Self::Unknown, _) | (_, Self::Unknown) => Self::Unknown,
             (Self::Number, Self::Number) => Self::Number,
-            (a, b) => match a.dimension().times(b.dimension(), n) {
-                None => Self::Unknown,
-                // a number makes a plain value one that may be anything, and another dimension leaves it a number
-                Some(product) if product.is_one() && (a.is_open() || b.is_open()) => Self::Scaled,
-                Some(product) => Self::Of(product),
-            },
+            (a, b) => {
+                let product = a.dimension().times(b.dimension(), n);
+                product.map_or(Self::Unknown, |product| {
+                    Self::Of(product, a.has_number() || b.has_number())
+                })
+            }
         }
     }
 
     /// That of the rate.
     pub(super) fn rate(self) -> Self {
         match self {
-            Self::Number | Self::Scaled => Self::Scaled,
-            known => known.times(Self::Of(Dimension::TIME), Power::from(-1)),
+            open if open.is_open() => Self::SCALED,
+            known => known.times(Self::in_dimension(Dimension::TIME), Power::from(-1)),
         }
     }
 
     /// That of a power.
     pub(super) fn power(self, n: Power) -> Self {
         match self {
-            Self::Of(_) => Self::ONE.times(self, n),
-            open => open,
+            Self::Of(..) => Self::ONE.times(self, n),
+            other => other,
         }
     }
 
@@ -79,20 +85,26 @@ impl Measure {
         match (self, other) {
             (Self::Unknown, _) | (_, Self::Unknown) => Some(Self::Unknown),
             (Self::Number, known) | (known, Self::Number) => Some(known),
-            (Self::Scaled, Self::Of(one)) | (Self::Of(one), Self::Scaled) if one.is_one() => Some(Self::Of(one)),
-            (a, b) => (a == b).then_some(a),
+            (Self::Of(a, x), Self::Of(b, y)) if a == b => Some(Self::Of(a, x && y)),
+            (scaled, known) | (known, scaled) if scaled == Self::SCALED => Some(known),
+            _ => None,
         }
     }
 
     /// Whether it takes the unit that is needed.
     fn is_open(self) -> bool {
-        matches!(self, Self::Number | Self::Scaled)
+        self == Self::Number || self == Self::SCALED
+    }
+
+    /// Whether a bare number is among its factors.
+    fn has_number(self) -> bool {
+        matches!(self, Self::Number | Self::Of(_, true))
     }
 
     /// Its dimension, where numbers count as plain.
     fn dimension(self) -> Dimension {
         match self {
-            Self::Of(dimension) => dimension,
+            Self::Of(dimension, _) => dimension,
             _ => Dimension::ONE,
         }
     }
@@ -114,16 +126,21 @@ impl<'g> Lower<'g> {
     pub(super) fn measured(
         &mut self,
         e: &ast::Expr,
-        number: &Rational,
-        unit: &Unit,
+        Measured { number, unit, .. }: &Measured,
         place: &Place<'g>,
     ) -> Result<Quantity<'g>, Reported> {
+        if !self.has_units && !unit.dimension.is_one() {
+            let help = "leave out the unit; angles may be in `deg` or `turn`";
+            return Err(self
+                .errors
+                .on(e, "there are no units in a scene with `units: none`", help));
+        }
         for name in unit.text.split(|c: char| !c.is_ascii_alphabetic()) {
-            // names of another dimension are told apart where the value is used
-            let own = Unit::any(name).map(|unit| Measure::Of(unit.dimension));
-            if place.most > Level::Constant && own.is_some() && self.names.measure(name) == own {
+            // a name of another dimension cannot be meant where the unit fits
+            let is_other = |measure| matches!(measure, Measure::Of(own, _) if Unit::any(name).is_some_and(|unit| own != unit.dimension));
+            if place.most > Level::Constant && self.names.measure(name).is_some_and(|measure| !is_other(measure)) {
                 let kind = self.names.kind(name).map_or_else(String::new, Kind::one);
-                let fact = format_args!("`{name}` after a number is a unit, but it is also {kind} of that unit");
+                let fact = format_args!("`{name}` after a number is a unit, but here it is also {kind}");
                 let help = format_args!("write a product as `2*{name}`, or rename `{name}` to use the unit");
                 return Err(self.errors.on(e, fact, help));
             }
@@ -132,7 +149,7 @@ impl<'g> Lower<'g> {
         let number = self.graph.number(number * scale);
         Ok(Quantity {
             value: number * self.graph.pi().power(ratio((*pi).into(), 1)),
-            measure: Measure::Of(unit.dimension),
+            measure: Measure::in_dimension(unit.dimension),
         })
     }
 
@@ -143,12 +160,12 @@ impl<'g> Lower<'g> {
         }
         let fact = format_args!("{} {x}, but {} {y}: they cannot be {joined}", short(a), short(b));
         let help = self.cause(&[a, b]).unwrap_or_else(|| {
-            let scaled = if y == Measure::Scaled { (b, x) } else { (a, y) };
-            let number = bare_factor(scaled.0).filter(|_| [x, y].contains(&Measure::Scaled));
-            match number {
-                Some(number) => format!("give the number its unit: `{number} {}`", scaled.1.dimension()),
-                None => format!("they differ by a factor in {}", factor(x, y)),
-            }
+            let (number, missing) = match (bare_factor(b), bare_factor(a)) {
+                (None, Some(number)) => (Some(number), factor(y, x)),
+                (number, _) => (number, factor(x, y)),
+            };
+            let hint = number.map_or_else(String::new, |number| number.with_unit(missing));
+            format!("they differ by a factor in {missing}{hint}")
         });
         self.misfit(b, fact, help);
         Measure::Unknown
@@ -214,36 +231,54 @@ impl<'g> Lower<'g> {
             return "mass and length may be swapped".to_owned();
         }
         let missing = factor(needed, given);
-        if Measure::Of(factor(given, needed)) == Measure::ONE.rate() {
+        if let Some(number) = bare_factor(e) {
+            return format!("a factor in {missing} is missing{}", number.with_unit(missing));
+        }
+        if Measure::in_dimension(factor(given, needed)) == Measure::ONE.rate() {
             return "a factor in s is missing, or a `dot` is too many".to_owned();
         }
-        match bare_factor(e) {
-            Some(number) => format!(
-                "if the number stands for a quantity, give it its unit: `{number} {}`; \
-                 else a factor in {missing} is missing",
-                after_number(missing)
-            ),
-            None => format!("a factor in {missing} is missing"),
-        }
+        format!("a factor in {missing} is missing")
     }
 
-    /// The likely cause: a name after a number that was read as a unit.
+    /// The likely cause: a name after a number that was read as a unit, or a unit after the divisor of a fraction.
     fn cause(&self, given: &[&ast::Expr]) -> Option<String> {
         given.iter().find_map(|e| {
-            let (number, unit) = measured(e, &|unit: &Unit| self.names.kind(&unit.text).is_some())?;
+            if let Some(ExprKind::Measured(measured)) = divisor(e).map(|divisor| &divisor.kind) {
+                let Measured { digits, unit, .. } = &**measured;
+                let unit = &unit.text;
+                return Some(format!(
+                    "`{digits} {unit}` is the divisor: write the fraction as `0.5 {unit}`"
+                ));
+            }
+            let Measured { digits, unit, .. } = measured(e, &|unit: &Unit| self.names.kind(&unit.text).is_some())?;
             let name = &unit.text;
             let kind = self.names.kind(name)?;
             Some(format!(
-                "`{number} {name}` has the unit {name}; its product with the {kind} `{name}` is `{number}*{name}`"
+                "`{digits} {name}` has the unit {name}; its product with the {kind} `{name}` is `{digits}*{name}`"
             ))
         })
     }
 }
 
+/// The divisor of a fraction `1/2 kg`: a number with a unit below one without.
+fn divisor(e: &ast::Expr) -> Option<&ast::Expr> {
+    match &e.kind {
+        ExprKind::Binary(Operator::Div, a, b) => {
+            let is_fraction = matches!(a.kind, ExprKind::Number(_)) && matches!(b.kind, ExprKind::Measured(..));
+            if is_fraction { Some(b) } else { divisor(a) }
+        }
+        ExprKind::Neg(a) | ExprKind::Binary(Operator::Mul, a, _) => divisor(a),
+        _ => None,
+    }
+}
+
 /// What one value must be multiplied by to become like another.
 fn factor(needed: Measure, given: Measure) -> Dimension {
-    let factor = needed.dimension().times(given.dimension(), Power::from(-1));
-    factor.unwrap_or(Dimension::ONE)
+    factor_of(needed.dimension(), given.dimension())
+}
+
+fn factor_of(needed: Dimension, given: Dimension) -> Dimension {
+    needed.times(given, Power::from(-1)).unwrap_or(Dimension::ONE)
 }
 
 /// A dimension as the unit of a number, which begins with a name: `rad/s` for `1/s`.
@@ -263,21 +298,57 @@ fn short(e: &ast::Expr) -> String {
     }
 }
 
-/// The first bare number among the factors of a product, as it is written.
-fn bare_factor(e: &ast::Expr) -> Option<String> {
+/// A bare number among the factors of a product.
+struct Bare {
+    /// As it is written.
+    text: String,
+    /// Whether it stands in a divisor.
+    below: bool,
+}
+
+impl Bare {
+    /// What to do if the product lacks a factor of some dimension.
+    fn with_unit(&self, missing: Dimension) -> String {
+        let of_number = if self.below {
+            factor_of(Dimension::ONE, missing)
+        } else {
+            missing
+        };
+        let (text, unit) = (&self.text, after_number(of_number));
+        format!("; if the number stands for a quantity, give it its unit: `{text} {unit}`")
+    }
+}
+
+/// The bare number among the factors of a product that most likely stands for a quantity: the last one that is not whole,
+/// else the last. Small whole numbers are coefficients.
+fn bare_factor(e: &ast::Expr) -> Option<Bare> {
+    let mut numbers = Vec::new();
+    gather(e, false, &mut numbers);
+    let decimal = numbers.iter().rposition(|bare| bare.text.contains(['.', 'e']));
+    let place = decimal.or(numbers.len().checked_sub(1))?;
+    Some(numbers.swap_remove(place))
+}
+
+fn gather(e: &ast::Expr, below: bool, numbers: &mut Vec<Bare>) {
     match &e.kind {
-        ExprKind::Number(_) => Some(e.tokens.to_string()),
-        ExprKind::Neg(a) => bare_factor(a),
-        ExprKind::Binary(Operator::Mul, a, b) => bare_factor(a).or_else(|| bare_factor(b)),
-        ExprKind::Binary(Operator::Div, a, _) => bare_factor(a),
-        _ => None,
+        ExprKind::Number(n) if n.is_integer() && *n <= ratio(4, 1) => {}
+        ExprKind::Number(_) => numbers.push(Bare {
+            text: e.tokens.to_string(),
+            below,
+        }),
+        ExprKind::Neg(a) => gather(a, below, numbers),
+        ExprKind::Binary(operator @ (Operator::Mul | Operator::Div), a, b) => {
+            gather(a, below, numbers);
+            gather(b, below ^ (*operator == Operator::Div), numbers);
+        }
+        _ => {}
     }
 }
 
 /// The first number with a unit that fits, as text, and the unit.
-fn measured<'a>(e: &'a ast::Expr, fits: &impl Fn(&Unit) -> bool) -> Option<(String, &'a Unit)> {
+fn measured<'a>(e: &'a ast::Expr, fits: &impl Fn(&Unit) -> bool) -> Option<&'a Measured> {
     match &e.kind {
-        ExprKind::Measured(_, unit) if fits(unit) => Some((digits(e), unit)),
+        ExprKind::Measured(measured) if fits(&measured.unit) => Some(measured),
         ExprKind::Neg(a) => measured(a, fits),
         ExprKind::Binary(_, a, b) | ExprKind::Power(a, b) => measured(a, fits).or_else(|| measured(b, fits)),
         ExprKind::Call(_, arguments) => arguments.iter().find_map(|a| measured(a, fits)),

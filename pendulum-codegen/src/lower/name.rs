@@ -36,7 +36,7 @@ impl<'g> Lower<'g> {
         let text = name.to_string();
         let (value, measure) = match (text.as_str(), place.joint) {
             ("pi", _) => (self.graph.pi(), Measure::Number),
-            ("t", _) => (self.time, Measure::Of(Dimension::TIME)),
+            ("t", _) => (self.time, Measure::in_dimension(Dimension::TIME)),
             ("q", Some([position, _])) => return Ok(position),
             ("qd", Some([_, rate])) => return Ok(rate),
             _ => return self.declared(name, place),

@@ -10,7 +10,7 @@ pub(super) fn written(expr: &Expr, joint: Option<&[Formula; 2]>) -> Formula {
     let boxed = |expr: &Expr| Box::new(part(expr));
     match &expr.kind {
         ExprKind::Number(n) => Formula::Number(n.clone()),
-        ExprKind::Measured(_, unit) => Formula::Measured(digits(expr), unit.text.clone()),
+        ExprKind::Measured(measured) => Formula::Measured(measured.digits.clone(), measured.unit.text.clone()),
         ExprKind::Name(name) => match (name.to_string().as_str(), joint) {
             ("q", Some([position, _])) => position.clone(),
             ("qd", Some([_, rate])) => rate.clone(),
@@ -41,16 +41,4 @@ pub(super) fn written(expr: &Expr, joint: Option<&[Formula; 2]>) -> Formula {
         ExprKind::Binary(Operator::Div, a, b) => Formula::Quotient(boxed(a), boxed(b)),
         ExprKind::Power(base, exponent) => Formula::Power(boxed(base), boxed(exponent)),
     }
-}
-
-/// The number of a number with a unit, as it is written.
-pub(super) fn digits(measured: &Expr) -> String {
-    let literal = measured
-        .tokens
-        .clone()
-        .into_iter()
-        .next()
-        .map(|token| token.to_string());
-    let literal = literal.unwrap_or_default();
-    literal.trim_end_matches(|c: char| c.is_ascii_alphabetic()).to_owned()
 }

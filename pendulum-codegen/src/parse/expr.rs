@@ -8,7 +8,7 @@ use syn::{Ident, Lit, Token, token};
 
 use super::foreign;
 use super::token::{end_of, identifier, list, parentheses, starts_item, unexpected};
-use crate::ast::{Expr, ExprKind, Operator};
+use crate::ast::{Expr, ExprKind, Measured, Operator};
 use crate::error::at;
 use crate::expr::{Rational, ratio};
 use crate::units::Unit;
@@ -118,9 +118,17 @@ fn sum(input: ParseStream) -> syn::Result<Expr> {
 
 fn term(input: ParseStream) -> syn::Result<Expr> {
     whole(input, |input| {
-        if input.parse::<Option<Token![-]>>()?.is_some() {
+        if input.peek(Token![-]) {
+            // in a loop: signs have no limit of their own, and the stack has one
+            let mut negative = false;
+            while input.parse::<Option<Token![-]>>()?.is_some() {
+                negative = !negative;
+            }
             let operand = term(input)?;
-            return Ok(joined(operand.tokens.clone(), ExprKind::Neg(Box::new(operand))));
+            return Ok(match negative {
+                true => joined(operand.tokens.clone(), ExprKind::Neg(Box::new(operand))),
+                false => operand,
+            });
         }
         let mut left = power(input)?;
         loop {
@@ -232,7 +240,11 @@ fn number(input: ParseStream) -> syn::Result<ExprKind> {
     foreign::no_suffix(&literal, digits, suffix)?;
     let unit = Unit::after_number(input, (!suffix.is_empty()).then_some((suffix, literal.span())))?;
     Ok(match unit {
-        Some(unit) => ExprKind::Measured(number, Box::new(unit)),
+        Some(unit) => ExprKind::Measured(Box::new(Measured {
+            digits: digits.to_owned(),
+            number,
+            unit,
+        })),
         None => ExprKind::Number(number),
     })
 }

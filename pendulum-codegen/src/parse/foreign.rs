@@ -76,7 +76,7 @@ pub(super) fn nothing_after(input: ParseStream, operand: &TokenStream) -> syn::R
     {
         let help = units::together_after_number(operand, &unit.to_string());
         let help = help.unwrap_or_else(|| format!("write a product as `{operand}*{unit}`, and units as in `90 deg`"));
-        return Err(at(unit.span(), format_args!("`{unit}` is no unit"), help));
+        return Err(at(unit.span(), format_args!("`{unit}` is not a unit"), help));
     }
     Ok(())
 }
@@ -119,7 +119,7 @@ pub(super) fn no_suffix(literal: &Lit, digits: &str, suffix: &str) -> syn::Resul
         return Ok(());
     }
     if let Some(help) = units::together_after_number(&digits, suffix) {
-        return Err(at(literal.span(), format_args!("`{suffix}` is no unit"), help));
+        return Err(at(literal.span(), format_args!("`{suffix}` is not a unit"), help));
     }
     let fact = format_args!("a number takes no suffix `{suffix}`");
     let help = "leave it out: the generated code is generic over the number type";

@@ -89,6 +89,14 @@ fn expressions_have_2000_tokens_and_100_levels() {
         )
     };
     assert_limit(&sum(1999), &sum(2001), "too long");
+    let signs = |count: usize| format!("output y: {}theta,", "-".repeat(count));
+    assert_limit(&signs(1998), &signs(2001), "too long");
+    let signs = "(----------------".repeat(95) + "theta" + &")".repeat(95);
+    assert_limit(
+        &format!("output y: {signs},"),
+        "output y: 1 + ,",
+        "expected an expression",
+    );
     let nested = |levels: usize| format!("output y: {}theta{},", "(".repeat(levels), ")".repeat(levels));
     assert_limit(&nested(100), &nested(101), "nested too deep");
 }
@@ -212,6 +220,9 @@ fn inertia_is_found_whatever_the_parameters_and_the_scales() {
         assert!(!has_inertia(&body("[0, 0, 0]")), "{axis}");
         assert!(has_inertia(&body("[0.1, 0, 0]")), "{axis}");
     }
+    // different functions of one argument do not cancel
+    assert!(has_inertia(&arm("exp(l) - atan2(6, l)")));
+    assert!(has_inertia(&arm("exp(l) - atan2(l, 6)")));
     // two joints on one axis move one mass: only elimination shows it
     let shared = |at: &str| {
         format!(

@@ -25,7 +25,11 @@ const BUDGET: usize = 10_000_000;
 
 /// The model of a declaration, whose units do not matter to its algebra.
 fn model<'g>(graph: &'g Graph, declaration: &str) -> Model<'g> {
-    let declaration = declaration.replacen('{', "{ units: none,", 1);
+    with_units(graph, &declaration.replacen('{', "{ units: none,", 1))
+}
+
+/// The model of a declaration.
+fn with_units<'g>(graph: &'g Graph, declaration: &str) -> Model<'g> {
     let tokens = declaration.parse().expect("the declaration is made of tokens");
     let (scene, errors) = parse(tokens);
     let lowered = scene

@@ -7,12 +7,11 @@ fn dimension(unit: &str) -> Dimension {
     Unit::of(unit).unwrap_or_else(|| panic!("{unit}")).dimension
 }
 
-/// What the model reads as the mass of its body.
+/// What the model reads as a number.
 fn value(graph: &Graph, number: &str) -> f64 {
-    let declaration =
-        format!("pub Cart {{ body cart on ground {{ mass: {number}, joint: prismatic(x), coordinate: x }} }}");
-    let model = model(graph, &declaration);
-    model.bodies[0].inertia.mass.constant().expect("a number")
+    let body = "body cart on ground { mass: 1, joint: prismatic(x), coordinate: x }";
+    let model = with_units(graph, &format!("pub Cart {{ output y: {number}, {body} }}"));
+    model.outputs[0].values[0].constant().expect("a number")
 }
 
 #[test]
@@ -81,9 +80,9 @@ fn numbers_with_units_are_exact() {
     let written = "pub Arm { body b on ground { mass: 1, joint: revolute(z) rpy [0, 90 deg, 0], coordinate: th,
         com: [25 cm, 0, 0], spring: (3 N m/deg, 30deg), torque: -0.2 N m s*qd } }";
     let in_si = "pub Arm { body b on ground { mass: 1, joint: revolute(z) rpy [0, pi/2, 0], coordinate: th,
-        com: [0.25, 0, 0], spring: (540*pi^(-1), pi/6), torque: -0.2*qd } }";
+        com: [0.25, 0, 0], spring: (540*pi^(-1), pi/6), torque: -0.2 N m s*qd } }";
     let [written, in_si] = [written, in_si].map(|text| {
-        let model = model(&graph, text);
+        let model = with_units(&graph, text);
         let body = &model.bodies[0];
         format!(
             "{:?} {:?} {}",

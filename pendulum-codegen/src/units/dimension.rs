@@ -8,6 +8,9 @@ use num_traits::{CheckedAdd, CheckedMul, One, Signed, Zero};
 /// A power of a base unit. Roots make fractions of them.
 pub(crate) type Power = Ratio<i32>;
 
+/// The largest numerator and denominator of a power.
+const MOST_POWER: u32 = 1000;
+
 /// A product of powers of the SI base units that mechanics needs. The radian is 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Dimension {
@@ -45,6 +48,9 @@ impl Dimension {
         let mut powers = self.powers;
         for (power, more) in powers.iter_mut().zip(other.powers) {
             *power = power.checked_add(&more.checked_mul(&n)?)?;
+            if power.numer().unsigned_abs() > MOST_POWER || power.denom().unsigned_abs() > MOST_POWER {
+                return None;
+            }
         }
         Some(Self { powers })
     }

@@ -20,6 +20,8 @@ pub(crate) struct Unit {
     pub dimension: Dimension,
     /// How many of the SI unit of that dimension it is.
     pub scale: Scale,
+    /// How many names it has.
+    names: usize,
 }
 
 /// `number * pi^power`
@@ -44,6 +46,7 @@ impl Unit {
             text: name.to_owned(),
             dimension,
             scale,
+            names: 1,
         })
     }
 
@@ -60,6 +63,7 @@ impl Default for Unit {
             text: "1".to_owned(),
             dimension: Dimension::ONE,
             scale: Scale::new([1, 1, 0]),
+            names: 0,
         }
     }
 }

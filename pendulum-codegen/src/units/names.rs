@@ -4,7 +4,7 @@ use super::{Dimension, Scale, Unit};
 use crate::words::advice;
 
 /// The names of the language, each with its powers of m, kg, s, A and K.
-const NAMES: [(&str, [i32; 5]); 11] = [
+const NAMES: [(&str, [i32; 5]); 13] = [
     ("m", [1, 0, 0, 0, 0]),
     ("kg", [0, 1, 0, 0, 0]),
     ("s", [0, 0, 1, 0, 0]),
@@ -16,6 +16,8 @@ const NAMES: [(&str, [i32; 5]); 11] = [
     ("W", [2, 1, -3, 0, 0]),
     ("Pa", [-1, 1, -2, 0, 0]),
     ("Hz", [0, 0, -1, 0, 0]),
+    ("V", [2, 1, -3, -1, 0]),
+    ("ohm", [2, 1, -3, -2, 0]),
 ];
 
 /// Other units: the words for one, the unit in its place, and how many of that it is: a numerator, a denominator and a
@@ -52,8 +54,8 @@ const OTHERS: &[(&[&str], &str, [i64; 3])] = &[
     (&["kW"], "W", [1000, 1, 0]),
     (&["kHz"], "Hz", [1000, 1, 0]),
     (&["mA"], "A", [1, 1000, 0]),
-    (&["V", "volt", "volts"], "W/A", [1, 1, 0]),
-    (&["ohm", "ohms"], "W/A^2", [1, 1, 0]),
+    (&["volt", "volts"], "V", [1, 1, 0]),
+    (&["ohms"], "ohm", [1, 1, 0]),
     (&["meter", "meters", "metre", "metres"], "m", [1, 1, 0]),
     (&["kilogram", "kilograms", "kilo", "kgs"], "kg", [1, 1, 0]),
     (&["sec", "secs", "second", "seconds"], "s", [1, 1, 0]),
@@ -120,19 +122,19 @@ pub(super) fn help(word: &str) -> String {
             format!("write `{unit}`; its numbers may be in {word}, such as `{unit} = 3 {word}`")
         };
     }
-    match written_together(word) {
+    match written_together(word, &NAMES.map(|(name, _)| name)) {
         Some(apart) => format!("write `{apart}`, with the names apart"),
         None => advice(word, NAMES.map(|(known, _)| known), &[]).help,
     }
 }
 
 /// Names of units written as one word, such as `Nms` or `kgm2`, apart.
-pub(super) fn written_together(word: &str) -> Option<String> {
+fn written_together(word: &str, known: &[&str]) -> Option<String> {
     if word.is_empty() {
         return Some(String::new());
     }
     // a shorter name where a longer one leaves a rest that is none: `kgm` is `kg m`
-    let mut names = NAMES.map(|(name, _)| name);
+    let mut names = known.to_vec();
     names.sort_by_key(|name| std::cmp::Reverse(name.len()));
     names.into_iter().find_map(|name| {
         let rest = word.strip_prefix(name)?;
@@ -140,8 +142,15 @@ pub(super) fn written_together(word: &str) -> Option<String> {
             Some(digit) => (format!("^{digit}"), &rest[1..]),
             None => (String::new(), rest),
         };
-        let rest = written_together(rest)?;
+        let rest = written_together(rest, known)?;
         let gap = if rest.is_empty() { "" } else { " " };
         Some(format!("{name}{power}{gap}{rest}"))
     })
+}
+
+/// As [`written_together`], of the units that a number may have.
+pub(super) fn together_after_number(word: &str) -> Option<String> {
+    let others = OTHERS.iter().flat_map(|(words, ..)| *words).copied();
+    let known: Vec<&str> = NAMES.iter().map(|(name, _)| *name).chain(others).collect();
+    written_together(word, &known)
 }

@@ -10,6 +10,9 @@ use super::{Dimension, Unit, names};
 use crate::error::at;
 use crate::parse::starts_item;
 
+/// The most names of a unit.
+const MOST_NAMES: usize = 8;
+
 impl Parse for Unit {
     /// `kg m^2`, `N*m*s`, `m/s^2`, `1`: names with integer powers, side by side or multiplied; a `/` takes the next
     /// name only.
@@ -113,6 +116,11 @@ impl Unit {
         let Some((dimension, scale)) = names::meaning(name) else {
             return Err(at(span, format_args!("unknown unit `{name}`"), names::help(name)));
         };
+        self.names += 1;
+        if self.names > MOST_NAMES {
+            let fact = format_args!("a unit has more than {MOST_NAMES} names");
+            return Err(at(span, fact, "write powers, such as `m^2`"));
+        }
         self.text.push_str(name);
         let power = sign * self.power(input)?;
         let product = self.dimension.times(dimension, Power::from(power));
@@ -146,5 +154,5 @@ fn begins(input: ParseStream) -> bool {
 
 /// What to do about a word after a number that is the names of several units in one.
 pub(crate) fn together_after_number(number: &impl std::fmt::Display, word: &str) -> Option<String> {
-    names::written_together(word).map(|apart| format!("write `{number} {apart}`, with the names apart"))
+    names::together_after_number(word).map(|apart| format!("write `{number} {apart}`, with the names apart"))
 }
