@@ -1,4 +1,4 @@
-//! Declarations with mistakes that nobody thought of: all declarations of the repository, changed at random.
+//! Declarations with mistakes that nobody thought of: declarations of the repository, changed at random.
 //!
 //! Whatever is written, the generator neither panics nor runs out of stack or time. It gives items that parse, the same
 //! ones each time, or errors, each of which says on its place what to do.
@@ -182,7 +182,7 @@ fn kind(seed: u64, input: &str) -> Kind {
     if is_refused { Kind::Refused } else { Kind::Accepted }
 }
 
-/// The time that this thread has run; where the system does not tell, what has passed.
+/// The time that this thread has run; where the system does not say, what has passed.
 fn processor_time() -> Duration {
     static START: std::sync::LazyLock<Instant> = std::sync::LazyLock::new(Instant::now);
     let start = *START;
@@ -349,7 +349,7 @@ impl Corpus {
             18 => tokens[at] = "long_".repeat(1 + random.below(400)),
             _ => {
                 let odd = [
-                    "'a", "'x'", "\"text\"", "b\"b\"", "#", "$", "1u8", "0x1F", "1_000", "1e", "=>", "!", "::",
+                    "90 deg", "1 mg^9 kg/", "3 N m*", "1e300 km", "-----", "'a", "'x'", "\"text\"", "b\"b\"", "#", "$", "1u8", "0x1F", "1_000", "1e", "=>", "!", "::",
                 ];
                 tokens.insert(at, (*random.of(&odd)).to_owned());
             }
