@@ -349,7 +349,24 @@ impl Corpus {
             18 => tokens[at] = "long_".repeat(1 + random.below(400)),
             _ => {
                 let odd = [
-                    "90 deg", "1 mg^9 kg/", "3 N m*", "1e300 km", "-----", "'a", "'x'", "\"text\"", "b\"b\"", "#", "$", "1u8", "0x1F", "1_000", "1e", "=>", "!", "::",
+                    "90 deg",
+                    "1 mg^9 kg/",
+                    "3 N m*",
+                    "1e300 km",
+                    "-----",
+                    "'a",
+                    "'x'",
+                    "\"text\"",
+                    "b\"b\"",
+                    "#",
+                    "$",
+                    "1u8",
+                    "0x1F",
+                    "1_000",
+                    "1e",
+                    "=>",
+                    "!",
+                    "::",
                 ];
                 tokens.insert(at, (*random.of(&odd)).to_owned());
             }

@@ -195,8 +195,8 @@ impl<'g> Lower<'g> {
                 }
                 let measures = [left.measure, right.measure];
                 let measure = match operator {
-                    Operator::Add => self.alike([a, b], measures, "added"),
-                    Operator::Sub => self.alike([a, b], measures, "subtracted"),
+                    Operator::Add => self.require_alike([a, b], measures, "added"),
+                    Operator::Sub => self.require_alike([a, b], measures, "subtracted"),
                     Operator::Mul => left.measure.times(right.measure, Power::one()),
                     Operator::Div => left.measure.times(right.measure, -Power::one()),
                 };
@@ -213,7 +213,7 @@ impl<'g> Lower<'g> {
                 let (x, n) = (self.operation(base, place), self.operation(exponent, place));
                 let (Quantity { value: x, measure }, given) = (x?, n?);
                 let n = self.exponent(exponent, given.value, place)?;
-                self.plain(exponent, given, "a power");
+                self.require_plain(exponent, given, "a power");
                 if x.is_zero() && !n.is_positive() && !n.is_zero() {
                     return Err(self.errors.on(
                         expr,

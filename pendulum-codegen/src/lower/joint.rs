@@ -113,7 +113,7 @@ impl<'g> Lower<'g> {
                 let ((angular, of_angular), (linear, of_linear)) = (angular?, linear?);
                 if !angular.is_zero() {
                     let needed = of_angular.times(Measure::of("m"), Power::from(1));
-                    self.alike([wx, vx], [needed, of_linear], "parts of one screw");
+                    self.require_alike([wx, vx], [needed, of_linear], "parts of one screw");
                 }
                 let direction = if angular.is_zero() { linear } else { angular };
                 let Some(length) = self.inverse_length(body, direction) else {
@@ -156,7 +156,7 @@ impl<'g> Lower<'g> {
         let [x, y, z] = [x?, y?, z?];
         let mut measure = x.measure;
         for (e, other) in given.into_iter().zip([x, y, z]).skip(1) {
-            measure = self.alike([given[0], e], [measure, other.measure], "components of one direction");
+            measure = self.require_alike([given[0], e], [measure, other.measure], "components of one direction");
         }
         Ok((Vec3([x.value, y.value, z.value]), measure))
     }

@@ -154,7 +154,7 @@ impl<'g> Lower<'g> {
     }
 
     /// Requires that two values are alike, which are `joined`, as in "they cannot be added".
-    pub(super) fn alike(&mut self, [a, b]: [&ast::Expr; 2], [x, y]: [Measure; 2], joined: &str) -> Measure {
+    pub(super) fn require_alike(&mut self, [a, b]: [&ast::Expr; 2], [x, y]: [Measure; 2], joined: &str) -> Measure {
         if let Some(measure) = x.alike(y) {
             return measure;
         }
@@ -172,7 +172,7 @@ impl<'g> Lower<'g> {
     }
 
     /// Requires that a value has no unit, because of what it is: "the argument of `sin`".
-    pub(super) fn plain(&mut self, e: &ast::Expr, given: Quantity<'g>, what: &str) {
+    pub(super) fn require_plain(&mut self, e: &ast::Expr, given: Quantity<'g>, what: &str) {
         if given.measure.alike(Measure::ONE).is_some() {
             return;
         }

@@ -150,25 +150,24 @@ impl<'g> Lower<'g> {
 
     /// What a function of given arguments is measured in.
     fn measure_of(&mut self, function: &str, arguments: &[ast::Expr], given: &[Quantity<'g>]) -> Measure {
-        let result = match (function, arguments, given) {
+        match (function, arguments, given) {
             ("abs", _, [x]) => return x.measure,
             ("sqrt", _, [x]) => return x.measure.power(Power::new(1, 2)),
             ("atan2", [a, b], [y, x]) => {
-                self.alike([a, b], [y.measure, x.measure], "the sides of one angle");
-                Measure::ONE
+                _ = self.require_alike([a, b], [y.measure, x.measure], "the sides of one angle")
             }
             (_, [argument], [x]) => {
                 let what = format!("the argument of `{function}`");
-                self.plain(argument, *x, &what);
+                self.require_plain(argument, *x, &what);
                 if matches!(function, "sin" | "cos" | "tan") {
                     self.not_degrees(argument, *x, &what);
                 }
-                Measure::ONE
             }
-            _ => Measure::Unknown,
-        };
-        let numbers = given.iter().all(|x| x.measure == Measure::Number);
-        if numbers { Measure::Number } else { result }
+            _ => {}
+        }
+        // a function of numbers is a number
+        let is_number = given.iter().all(|x| x.measure == Measure::Number);
+        if is_number { Measure::Number } else { Measure::ONE }
     }
 
     /// The derivative along the motion.

@@ -14,7 +14,7 @@ const MOST_POWER: u32 = 1000;
 /// A product of powers of the SI base units that mechanics needs. The radian is 1.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Dimension {
-    /// The powers of m, kg, s, A and K.
+    /// The powers of the base units.
     powers: [Power; 5],
 }
 
@@ -22,8 +22,8 @@ const fn whole(n: i32) -> Power {
     Power::new_raw(n, 1)
 }
 
-/// The names of the base units, in the order of the text, each with the place of its power.
-const BASE: [(usize, &str); 5] = [(1, "kg"), (0, "m"), (2, "s"), (3, "A"), (4, "K")];
+/// The names of the base units, in the order in which they are written.
+const BASE: [&str; 5] = ["kg", "m", "s", "A", "K"];
 
 impl Dimension {
     /// That of plain numbers and angles.
@@ -34,7 +34,7 @@ impl Dimension {
     /// The dimension with these powers of m, kg, s, A and K.
     pub(super) const fn new([m, kg, s, a, k]: [i32; 5]) -> Self {
         Self {
-            powers: [whole(m), whole(kg), whole(s), whole(a), whole(k)],
+            powers: [whole(kg), whole(m), whole(s), whole(a), whole(k)],
         }
     }
 
@@ -57,23 +57,21 @@ impl Dimension {
 
     /// Names of units with powers, the positive powers first.
     fn names(self) -> Vec<(&'static str, Power)> {
-        let [m, kg, s, ..] = self.powers;
         let one = Power::one();
-        // forces are what people think in: kg m/s^2 is N, but kg/s and kg m^2 may stand as they are
-        let forces = kg.is_one() && s <= -one;
         if self == Self::new([2, 1, -3, 0, 0]) {
             return vec![("W", one)];
         }
         let mut powers = self.powers;
         let mut names = Vec::new();
-        if forces {
-            powers[0] = m - one;
-            powers[1] = Power::zero();
-            powers[2] = s + one + one;
+        if let [kg, m, s, ..] = &mut powers
+            && kg.is_one()
+            && *s <= -one
+        {
+            // people think in forces: kg m^2/s^2 is N m, and kg/s is N s/m
+            (*kg, *m, *s) = (Power::zero(), *m - one, *s + one + one);
             names.push(("N", one));
         }
-        let with_powers = BASE.map(|(place, name)| (name, powers[place]));
-        names.extend(with_powers.into_iter().filter(|(_, power)| !power.is_zero()));
+        names.extend(BASE.into_iter().zip(powers).filter(|(_, power)| !power.is_zero()));
         names.sort_by_key(|(_, power)| power.is_negative());
         names
     }
