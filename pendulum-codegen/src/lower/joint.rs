@@ -154,9 +154,13 @@ impl<'g> Lower<'g> {
     fn direction(&mut self, given: [&ast::Expr; 3], place: &Place<'g>) -> Result<(Vec3<'g>, Measure), Reported> {
         let [x, y, z] = given.map(|e| self.quantity(e, place));
         let [x, y, z] = [x?, y?, z?];
-        let mut measure = x.measure;
+        let (mut first, mut measure) = (given[0], x.measure);
         for (e, other) in given.into_iter().zip([x, y, z]).skip(1) {
-            measure = self.require_alike([given[0], e], [measure, other.measure], "components of one direction");
+            if measure == Measure::Number {
+                // zeros have any unit
+                (first, measure) = (e, other.measure);
+            }
+            measure = self.require_alike([first, e], [measure, other.measure], "components of one direction");
         }
         Ok((Vec3([x.value, y.value, z.value]), measure))
     }
