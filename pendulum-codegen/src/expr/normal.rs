@@ -29,6 +29,9 @@ const COPIES: usize = 64;
 /// in a row, which would grow without end.
 const LONGEST_CONSTANT: usize = 12;
 
+/// Values of parameters with more operations in one another are atoms: numbers in them grow with each.
+const DEEPEST_CONSTANT: usize = 50;
+
 /// The most terms of a constant of which a power is written out.
 const LONGEST_BASE: usize = 3;
 
@@ -105,16 +108,20 @@ impl<'g> Normalizer<'g> {
         Ok(self.normal(x)?.is_empty())
     }
 
-    /// Whether a constant is a sum or a product of so many terms that nothing is gained by writing it out.
+    /// Whether a constant is a sum or a product of so many terms, or a value of parameters so deep, that nothing is gained
+    /// by writing it out.
     fn is_long_constant(&self, id: ExprId) -> bool {
         let terms = |x: ExprId| self.known[&x].len();
-        self.graph.level(id) == Level::Constant
-            && match *self.graph.node(id) {
+        match self.graph.level(id) {
+            Level::State => false,
+            Level::Parameter => self.graph.depth(id) > DEEPEST_CONSTANT,
+            Level::Constant => match *self.graph.node(id) {
                 Node::Binary(Binary::Add | Binary::Sub, a, b) => terms(a) + terms(b) > LONGEST_CONSTANT,
                 Node::Binary(Binary::Mul | Binary::Div, a, b) => terms(a) * terms(b) > LONGEST_CONSTANT,
                 Node::Power(a, _) => terms(a) > LONGEST_BASE,
                 _ => false,
-            }
+            },
+        }
     }
 
     fn node(&mut self, x: Expr<'g>) -> Result<Poly, TooLarge> {
