@@ -13,8 +13,8 @@ use super::{Binary, Expr, ExprId, Graph, MOST_POWER, Node, Rational, Unary};
 
 /// The numbers modulo a prime, and a point at which symbols have values there.
 ///
-/// The prime is 3 modulo 4, so -1 is no square, and `x^((p + 1) / 4)` is a root of `x` wherever there is one. A number
-/// that has no root modulo one prime has one modulo another.
+/// The prime is 3 modulo 4, so -1 is not a square, and `x^((p + 1) / 4)` is a root of `x` wherever there is one. A
+/// number that has no root modulo one prime has one modulo another.
 #[derive(Clone, Copy, Debug)]
 struct Field {
     p: u64,
@@ -30,7 +30,7 @@ type Turn = [u64; 2];
 
 impl Graph {
     /// The values of some expressions at a point of a field; none where one of them has no
-    /// value there: a root of what is no square, or a quotient by zero.
+    /// value there: a root of what is not a square, or a quotient by zero.
     fn evaluate_modulo(&self, roots: &[Expr<'_>], field: Field) -> Option<Vec<u64>> {
         let reachable = self.reachable(roots);
         let is_angle = self.angles(&reachable);
@@ -194,14 +194,14 @@ impl Field {
         }) % self.p
     }
 
-    /// The point of the circle for an angle that is no sum.
+    /// The point of the circle for an angle that is not a sum.
     fn turn(self, angle: u64) -> Turn {
         if angle == 0 {
             return [1, 0];
         }
         let t = self.random(self.p, angle);
         let square = self.times(t, t);
-        // -1 is no square
+        // -1 is not a square
         let over = power(self.plus(1, square), self.p - 2, self.p);
         [
             self.times(self.minus(1, square), over),

@@ -56,11 +56,9 @@ impl<'g> Lower<'g> {
         let default = self.read(default)?;
         if let (Ok(unit), ExprKind::Measured(measured)) = (unit, &default.kind) {
             // a radian is 1, so the check of units takes one for the other
-            let counts = |unit: &Unit| unit.text.split(['/', ' ']).any(|name| ["Hz", "kHz"].contains(&name));
-            let turns = |unit: &Unit| {
-                let names = ["rad", "mrad", "deg", "turn", "rpm"];
-                unit.text.split(['/', ' ']).any(|name| names.contains(&name))
-            };
+            let has = |unit: &Unit, known: &[&str]| unit.names().any(|name| known.contains(&name));
+            let counts = |unit: &Unit| has(unit, &["Hz", "kHz"]);
+            let turns = |unit: &Unit| has(unit, &["rad", "mrad", "deg", "turn", "rpm"]);
             let given = &measured.unit;
             if counts(given) && turns(unit) || counts(unit) && turns(given) {
                 let fact = format_args!(

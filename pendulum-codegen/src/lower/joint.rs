@@ -91,11 +91,10 @@ impl<'g> Lower<'g> {
             JointKind::Prismatic(axis) => (zero, self.axis(body, axis)?),
             JointKind::Helical { axis, pitch } => {
                 if let ExprKind::Measured(measured) = &pitch.kind
-                    && measured
+                    && !measured
                         .unit
-                        .text
-                        .split(['/', ' '])
-                        .all(|name| !["rad", "mrad", "deg", "turn"].contains(&name))
+                        .names()
+                        .any(|name| ["rad", "mrad", "deg", "turn"].contains(&name))
                 {
                     let Measured { digits, unit, .. } = &**measured;
                     let fact = format_args!("the pitch of the joint of `{body}` does not say for which angle it is");

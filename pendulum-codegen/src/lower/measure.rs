@@ -135,9 +135,10 @@ impl<'g> Lower<'g> {
                 .errors
                 .on(e, "there are no units in a scene with `units: none`", help));
         }
-        for name in unit.text.split(|c: char| !c.is_ascii_alphabetic()) {
+        for name in unit.names() {
             // a name of another dimension cannot be meant where the unit fits
-            let is_other = |measure| matches!(measure, Measure::Of(own, _) if Unit::any(name).is_some_and(|unit| own != unit.dimension));
+            let of_unit = Unit::dimension_of(name);
+            let is_other = |measure| matches!(measure, Measure::Of(own, _) if of_unit.is_some_and(|unit| own != unit));
             if place.most > Level::Constant && self.names.measure(name).is_some_and(|measure| !is_other(measure)) {
                 let kind = self.names.kind(name).map_or_else(String::new, Kind::one);
                 let fact = format_args!("`{name}` after a number is a unit, but here it is also {kind}");
@@ -319,8 +320,8 @@ impl Bare {
     }
 }
 
-/// The bare number among the factors of a product that most likely stands for a quantity: the last one that is not whole,
-/// else the last. Small whole numbers are coefficients.
+/// The bare number among the factors of a product that most likely stands for a quantity: the last one that is not
+/// whole, else the last. Small whole numbers are coefficients.
 fn bare_factor(e: &ast::Expr) -> Option<Bare> {
     let mut numbers = Vec::new();
     gather(e, false, &mut numbers);
@@ -345,7 +346,7 @@ fn gather(e: &ast::Expr, below: bool, numbers: &mut Vec<Bare>) {
     }
 }
 
-/// The first number with a unit that fits, as text, and the unit.
+/// The first number with a unit that fits.
 fn measured<'a>(e: &'a ast::Expr, fits: &impl Fn(&Unit) -> bool) -> Option<&'a Measured> {
     match &e.kind {
         ExprKind::Measured(measured) if fits(&measured.unit) => Some(measured),

@@ -20,8 +20,6 @@ pub(crate) struct Unit {
     pub dimension: Dimension,
     /// How many of the SI unit of that dimension it is.
     pub scale: Scale,
-    /// How many names it has.
-    names: usize,
 }
 
 /// `number * pi^power`
@@ -39,15 +37,15 @@ impl Unit {
         syn::parse_str(text).ok()
     }
 
-    /// The unit that a word stands for after a number.
-    pub(crate) fn any(name: &str) -> Option<Self> {
-        let (dimension, scale) = names::meaning(name)?;
-        Some(Self {
-            text: name.to_owned(),
-            dimension,
-            scale,
-            names: 1,
-        })
+    /// The names in the unit, without their powers.
+    pub(crate) fn names(&self) -> impl Iterator<Item = &str> {
+        let words = self.text.split(|c: char| !c.is_ascii_alphabetic());
+        words.filter(|word| !word.is_empty())
+    }
+
+    /// The dimension of a name that may stand after a number.
+    pub(crate) fn dimension_of(name: &str) -> Option<Dimension> {
+        names::meaning(name).map(|(dimension, _)| dimension)
     }
 
     /// Whether a word is the name of a unit that a number may have.
@@ -63,7 +61,6 @@ impl Default for Unit {
             text: "1".to_owned(),
             dimension: Dimension::ONE,
             scale: Scale::new([1, 1, 0]),
-            names: 0,
         }
     }
 }

@@ -116,8 +116,7 @@ impl Unit {
         let Some((dimension, scale)) = names::meaning(name) else {
             return Err(at(span, format_args!("unknown unit `{name}`"), names::help(name)));
         };
-        self.names += 1;
-        if self.names > MOST_NAMES {
+        if self.names().count() == MOST_NAMES {
             let fact = format_args!("a unit has more than {MOST_NAMES} names");
             return Err(at(span, fact, "write powers, such as `m^2`"));
         }

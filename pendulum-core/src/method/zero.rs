@@ -271,7 +271,7 @@ mod tests {
     }
 
     /// Exact arithmetic or roundings that all machines share: one interpolation more or less shows in the sum, and so does
-    /// one that comes too close to an end to be told apart from it.
+    /// one that comes too close to an end to be distinguished from it.
     #[test]
     fn where_a_slope_changes_the_evaluations_are_counted() {
         let mut sum = 0;

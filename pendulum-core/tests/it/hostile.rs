@@ -1,4 +1,4 @@
-//! Settings, spans, starts, right-hand sides and events that no integration can want, or hardly any: with every method
+//! Settings, spans, starts, right-hand sides and events that make no sense, or hardly any: with every method
 //! each of them ends, after bounded work, in finite states or in an error that says what to do.
 
 use std::cell::Cell;
