@@ -59,6 +59,40 @@ impl Operations {
         }
     }
 
+    /// These `count` times, one after the other.
+    #[must_use]
+    pub const fn times(self, count: usize) -> Self {
+        Self {
+            additions: self.additions * count,
+            multiplications: self.multiplications * count,
+            divisions: self.divisions * count,
+            sincos: self.sincos * count,
+            functions: self.functions * count,
+            chain: self.chain * count,
+        }
+    }
+
+    /// The same, of which so long a chain must wait for one another.
+    pub(crate) const fn with_chain(self, chain: usize) -> Self {
+        Self { chain, ..self }
+    }
+
+    /// The larger of both counts of each kind: enough for these or `others`.
+    #[must_use]
+    pub const fn or(self, others: Self) -> Self {
+        const fn larger(a: usize, b: usize) -> usize {
+            if a > b { a } else { b }
+        }
+        Self {
+            additions: larger(self.additions, others.additions),
+            multiplications: larger(self.multiplications, others.multiplications),
+            divisions: larger(self.divisions, others.divisions),
+            sincos: larger(self.sincos, others.sincos),
+            functions: larger(self.functions, others.functions),
+            chain: larger(self.chain, others.chain),
+        }
+    }
+
     /// Additions and multiplications together: the figure by which forward dynamics are usually compared.
     #[must_use]
     pub const fn flops(&self) -> usize {
@@ -138,6 +172,38 @@ impl FunctionCost {
     #[must_use]
     pub const fn flops(&self) -> usize {
         self.operations.flops()
+    }
+
+    /// The operations of a power series of this order, of a state of `n` components, if these are those of one order.
+    /// Those of its start are not included: about as many as those of the right-hand side, which they give in another
+    /// form.
+    ///
+    /// ```
+    /// use pendulum_core::{FunctionCost, Operations};
+    ///
+    /// let each_order = FunctionCost::new("closed form", Operations::new(28, 37, 0, 0, 0, 12)).with_products(12);
+    /// // orders 2 and 3, with two terms of each product, and each component over its order
+    /// assert_eq!(each_order.series(3, 4).multiplications, 2 * (37 + 2 * 12 + 4));
+    /// ```
+    #[must_use]
+    pub const fn series(&self, order: usize, n: usize) -> Operations {
+        let products = match self.products {
+            Some(products) => products,
+            None => 0,
+        };
+        let mut operations = Operations::ZERO;
+        let mut k = 1;
+        while k < order {
+            // `Products::sums`, then `Newest::add`
+            let terms = k.saturating_sub(3);
+            let sums = Operations::new(terms + 3, terms + 2, 0, 0, 0, terms + 4);
+            let sums = sums.times(products).with_chain(sums.chain);
+            // over the order
+            let next = Operations::new(0, n, 1, 0, 0, 5);
+            operations = operations.and(sums).and(self.operations).and(next);
+            k += 1;
+        }
+        operations
     }
 
     fn write_counts(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {

@@ -4,6 +4,7 @@ use core::ops::{Add, Mul, Neg, Sub};
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::cost::Operations;
 use crate::real::Float;
 
 /// The numbers of a linear system: a [`Float`], or a [`Complex`] over it.
@@ -12,6 +13,18 @@ pub(crate) trait Field:
 {
     /// The type of sizes.
     type Size: Float;
+
+    /// The operations of a sum or difference.
+    const SUM: Operations;
+
+    /// Those of a product.
+    const PRODUCT: Operations;
+
+    /// Those of [`size`](Self::size).
+    const SIZE: Operations;
+
+    /// Those of [`reciprocal`](Self::reciprocal).
+    const RECIPROCAL: Operations;
 
     /// How large the number is, for the choice of a pivot: `|re| + |im|`, which takes no root.
     fn size(self) -> Self::Size;
@@ -22,6 +35,10 @@ pub(crate) trait Field:
 
 impl<T: Float> Field for T {
     type Size = T;
+    const SUM: Operations = Operations::new(1, 0, 0, 0, 0, 1);
+    const PRODUCT: Operations = Operations::new(0, 1, 0, 0, 0, 1);
+    const SIZE: Operations = Operations::new(0, 0, 0, 0, 1, 10);
+    const RECIPROCAL: Operations = Operations::new(0, 0, 1, 0, 0, 4);
 
     #[inline]
     fn size(self) -> T {
@@ -92,6 +109,10 @@ impl<T: Float> Neg for Complex<T> {
 
 impl<T: Float> Field for Complex<T> {
     type Size = T;
+    const SUM: Operations = Operations::new(2, 0, 0, 0, 0, 1);
+    const PRODUCT: Operations = Operations::new(2, 4, 0, 0, 0, 2);
+    const SIZE: Operations = Operations::new(1, 0, 0, 0, 2, 11);
+    const RECIPROCAL: Operations = Operations::new(2, 4, 1, 0, 0, 7);
 
     #[inline]
     fn size(self) -> T {
@@ -179,6 +200,28 @@ impl<F: Field, const N: usize> Lu<F, N> {
         }
         x
     }
+}
+
+/// The operations of [`Lu::new`] for `n` rows.
+pub(crate) const fn factoring<F: Field>(n: usize) -> Operations {
+    let mut operations = Operations::ZERO;
+    let mut below = n;
+    while below > 0 {
+        below -= 1;
+        let pivot = F::SIZE.times(2 * below + 1).and(F::RECIPROCAL);
+        let multipliers = F::PRODUCT.times(below).with_chain(F::PRODUCT.chain);
+        let term = F::PRODUCT.and(F::SUM);
+        let rest = term.times(below * below).with_chain(term.chain);
+        operations = operations.and(pivot).and(multipliers).and(rest);
+    }
+    operations
+}
+
+/// The operations of [`Lu::solve`] for `n` rows.
+pub(crate) const fn solving<F: Field>(n: usize) -> Operations {
+    let term = F::PRODUCT.and(F::SUM);
+    let operations = term.times(n * n.saturating_sub(1)).and(F::PRODUCT.times(n));
+    operations.with_chain((2 * term.chain + F::PRODUCT.chain) * n)
 }
 
 /// The product of a matrix and a vector; nalgebra's requires more of its numbers than a [`Float`] has.

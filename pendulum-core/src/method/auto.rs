@@ -3,11 +3,13 @@
 use nalgebra::{SMatrix, SVector};
 
 use crate::control::{Estimates, Tolerance};
+use crate::cost::Operations;
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::linear::{image, square};
-use crate::method::explicit::ExplicitStages;
-use crate::method::rosenbrock::RosenbrockStages;
+use crate::method::explicit::{self, ExplicitStages};
+use crate::method::operations as count;
+use crate::method::rosenbrock::{self, RosenbrockStages};
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::{Adaptive, Explicit, Rosenbrock};
 use crate::real::Float;
@@ -62,6 +64,37 @@ const STIFF: usize = 8;
 const FREE: usize = 4;
 /// An implicit step at no more than this part of the limit could as well be explicit; `FREE` in a row are.
 const WITHIN: f64 = 0.3;
+
+impl Auto {
+    /// The operations that one try of a step takes at most, whatever the tolerance and whichever method is at work, in a
+    /// system of `n` state components. `rhs` are those of the right-hand side, `jacobian` those of the right-hand side
+    /// with the Jacobian and, where time occurs, the derivative by the time. An error above the tolerance takes another
+    /// try.
+    ///
+    /// Comparisons and moves of numbers come on top. The error, what is measured of stiffness, a switch and the choice
+    /// of the next step are included, dense output and the choice of the first step are not.
+    #[must_use]
+    pub const fn operations(rhs: Operations, jacobian: Operations, n: usize) -> Operations {
+        let tsit5 = explicit::attempt_within::<Tsitouras5, 7>(rhs, n).and(explicit::stiffness::<Tsitouras5, 7>(n));
+        let vern7 = explicit::attempt_within::<Verner7, 11>(rhs, n).and(explicit::stiffness::<Verner7, 11>(n));
+        let vern9 = explicit::attempt_within::<Verner9, 17>(rhs, n).and(explicit::stiffness::<Verner9, 17>(n));
+        let explicit = tsit5.or(vern7).or(vern9).and(rhs);
+        let implicit = rosenbrock::attempt_within::<tableau::Steinebach5, 8>(rhs, jacobian, n);
+        let implicit = implicit.and(of_fastest_rate(n)).and(jacobian);
+        explicit.or(implicit).and(count::CONTROLLED)
+    }
+}
+
+/// The operations of [`fastest_rate`], and of its product with the length of a step.
+const fn of_fastest_rate(n: usize) -> Operations {
+    let image = Operations::new(n * n, n * n, 0, 0, 0, n + 1);
+    let lengths = count::square(n).times(2).and(Operations::new(0, 0, 0, 0, 2, 20));
+    let iteration = image
+        .and(lengths)
+        .and(count::multiplied(n))
+        .and(Operations::new(0, 1, 2, 0, 0, 9));
+    iteration.times(ITERATIONS).and(Operations::new(0, 1, 0, 0, 3, 21))
+}
 
 impl<S, T, const N: usize> OneStep<S, T, N> for Switching
 where
@@ -169,11 +202,13 @@ impl<T: Float, const N: usize> Switch<T, N> {
     }
 }
 
+/// Those of [`fastest_rate`], whose product is four lengths.
+const ITERATIONS: usize = 4;
+
 /// The size of the largest eigenvalue of a matrix by a few power iterations from `v`, which turns to its direction.
 ///
 /// A pair of complex ones makes `v` turn on and on: the mean over some iterations smooths that.
 fn fastest_rate<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, v: &mut SVector<T, N>) -> T {
-    const ITERATIONS: i32 = 4;
     let mut product = T::from_f64(1.0);
     for _ in 0..ITERATIONS {
         let before = square(v).sqrt();

@@ -2,7 +2,9 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::linear::{Complex, Field, Lu, Singular};
+use crate::cost::Operations;
+use crate::linear::{Complex, Field, Lu, Singular, factoring, solving};
+use crate::method::operations as count;
 use crate::real::Float;
 use crate::tableau::{Mode, Modes};
 
@@ -88,6 +90,32 @@ impl<T: Float, const STAGES: usize, const N: usize> Pencil<T, STAGES, N> {
         }
         changes
     }
+}
+
+/// The operations of [`Pencil::new`] for `n` state components.
+pub(super) const fn pencil<const STAGES: usize>(modes: &Modes<STAGES>, n: usize) -> Operations {
+    let of_pair = Operations::new(2 * n * n, 2 * n * n + 2, 0, 0, 0, 3);
+    let of_pair = of_pair.and(factoring::<Complex<f64>>(n));
+    if modes.real.is_none() {
+        return of_pair;
+    }
+    let of_real = Operations::new(n * n, n * n + 1, 0, 0, 0, 3);
+    of_pair.and(of_real).and(factoring::<f64>(n))
+}
+
+/// Those of [`Pencil::solve`].
+pub(super) const fn changes<const STAGES: usize>(modes: &Modes<STAGES>, n: usize) -> Operations {
+    let terms = STAGES * n;
+    // along the eigenvector, and back to the stages
+    let there = Operations::new(2 * terms, 2 * terms, 0, 0, 0, STAGES + 1);
+    let back = Operations::new(terms, 2 * terms, 0, 0, 0, 2);
+    let of_pair = there.and(solving::<Complex<f64>>(n)).and(back);
+    if modes.real.is_none() {
+        return of_pair;
+    }
+    let there = Operations::new(terms, terms, 0, 0, 0, STAGES + 1);
+    let back = count::multiplied(terms).and(count::added(terms));
+    of_pair.and(there).and(solving::<f64>(n)).and(back)
 }
 
 /// A matrix by its columns: `entry(j, i)` is that of column `j` and row `i`.

@@ -9,6 +9,7 @@ use crate::cost::Operations;
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::linear::square;
+use crate::method::operations as count;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::stages::{SHORT, shifted, weighted_sum};
 use crate::method::{Adaptive, Fixed};
@@ -49,8 +50,7 @@ impl<B: Tableau<STAGES>, const STAGES: usize> Fixed<Explicit<B, STAGES>> {
     /// ```
     #[must_use]
     pub const fn operations(rhs: Operations, n: usize) -> Operations {
-        // That of `Grid::next` is all there is beside the stages.
-        stages::<B, STAGES>(rhs, n).and(Operations::new(2, 5, 0, 0, 2, 8))
+        stages::<B, STAGES>(rhs, n).and(count::ON_GRID)
     }
 }
 
@@ -62,42 +62,37 @@ impl<B: Tableau<STAGES>, const STAGES: usize> Adaptive<Explicit<B, STAGES>> {
     /// output and the choice of the first step, which takes two evaluations, are not.
     #[must_use]
     pub const fn operations(rhs: Operations, n: usize) -> Operations {
-        let weights = nonzero(&B::TABLEAU.error_weights(), STAGES);
-        // `Tolerance::mean_square`, then `StepControl` and `PiController`
-        let error = Operations::new(3 * n + 1, 2 * n + 2, n, 0, 2 * n + 1, 4 * n + 16);
-        let control = Operations::new(20, 24, 1, 0, 4, 60);
-        stages::<B, STAGES>(rhs, n).and(sum(weights, n)).and(error).and(control)
+        attempt_within::<B, STAGES>(rhs, n).and(count::CONTROLLED)
     }
 }
 
 /// The operations of the stages of a step, the last one included.
 const fn stages<B: Tableau<STAGES>, const STAGES: usize>(rhs: Operations, n: usize) -> Operations {
-    // The length of the step, and that of the step taken.
-    let mut operations = Operations::new(2, 0, 0, 0, 0, 2);
+    let mut operations = Operations::ZERO;
     let mut stage = 1;
     while stage < STAGES {
-        let shift = Operations::new(n, 0, 0, 0, 0, 1);
-        let time = Operations::new(1, 1, 0, 0, 0, 0);
-        let weights = nonzero(&B::TABLEAU.a[stage], stage);
-        operations = operations.and(sum(weights, n)).and(shift).and(time).and(rhs);
+        operations = operations
+            .and(count::shifted(&B::TABLEAU.a[stage], n))
+            .and(count::TIME)
+            .and(rhs);
         stage += 1;
     }
     operations
 }
 
-/// The operations of [`weighted_sum`].
-const fn sum(weights: usize, n: usize) -> Operations {
-    Operations::new(weights.saturating_sub(1) * n, weights * (n + 1), 0, 0, 0, weights + 2)
+/// Those of a step with its error.
+pub(super) const fn attempt_within<B: Tableau<STAGES>, const STAGES: usize>(rhs: Operations, n: usize) -> Operations {
+    // the length without its sign
+    let length = Operations::new(1, 0, 0, 0, 1, 0);
+    let error = count::weighted_sum(&B::TABLEAU.error_weights(), n).and(count::mean_square(n));
+    stages::<B, STAGES>(rhs, n).and(length).and(error)
 }
 
-/// How many of the first `count` weights are not zero.
-const fn nonzero(weights: &[f64], count: usize) -> usize {
-    let (mut i, mut nonzero) = (0, 0);
-    while i < count {
-        nonzero += (weights[i] != 0.0) as usize;
-        i += 1;
-    }
-    nonzero
+/// Those of [`ExplicitStages::stiffness`].
+pub(super) const fn stiffness<B: Tableau<STAGES>, const STAGES: usize>(n: usize) -> Operations {
+    let apart = count::weighted_sum(&difference(B::TABLEAU.b, B::TABLEAU.a[STAGES - 2]), n).and(count::square(n));
+    let change = count::added(n).and(count::square(n));
+    apart.and(change).and(Operations::new(0, 1, 1, 0, 3, 25))
 }
 
 impl<B, S, T, const STAGES: usize, const N: usize> OneStep<S, T, N> for Explicit<B, STAGES>

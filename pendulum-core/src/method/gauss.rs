@@ -3,13 +3,15 @@
 use nalgebra::SVector;
 
 use crate::control::Tolerance;
+use crate::cost::Operations;
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::layout::StateLayout;
-use crate::linear::Lu;
-use crate::method::collocation::Pencil;
-use crate::method::hermite;
+use crate::linear::{Lu, factoring, solving};
+use crate::method::collocation::{self, Pencil};
+use crate::method::operations as count;
 use crate::method::scheme::{Accepted, NonFinite, OneStep, Scheme, Stalled};
+use crate::method::{Fixed, hermite};
 use crate::real::Float;
 use crate::statistics::Statistics;
 use crate::system::Canonical;
@@ -24,6 +26,51 @@ use crate::tableau::{GaussLegendre, GaussTableau, HasTableau};
 /// There is no error estimate, so it takes fixed steps only.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Gauss<const STAGES: usize>;
+
+impl<const STAGES: usize> Fixed<Gauss<STAGES>>
+where
+    GaussLegendre: HasTableau<STAGES>,
+{
+    /// The operations that one step takes at most, in a system of `n` state components. `canonical` are those of the
+    /// canonical equations, `jacobian` those of their Jacobian: the costs `canonical` and `canonical_jacobian` of a
+    /// generated model.
+    ///
+    /// It is for 100 iterations, which are the most. Comparisons and moves of numbers come on top. The choice of the time
+    /// of a step is included, dense output is not.
+    #[must_use]
+    pub const fn operations(canonical: Operations, jacobian: Operations, n: usize) -> Operations {
+        let modes = &GaussLegendre::TABLEAU.modes;
+        let points = STAGES + 2;
+        let weight = Operations::new(STAGES + 1, STAGES + 1, 0, 0, 0, STAGES + 2);
+        let term = count::multiplied(n).and(count::added(n));
+        let stage = weight.and(term).times(points).and(count::TIME);
+        let prediction = stage.times(STAGES).and(Operations::new(0, 0, 1, 0, 0, 4));
+        let middle = count::added(n).times(STAGES).and(count::multiplied(n)).and(count::TIME);
+        let parts = canonical.and(count::TIME).and(count::multiplied(n + 1));
+        let parts = parts.and(term).and(count::added(2 * n)).times(STAGES);
+        let swept = term.times(STAGES).and(count::added(n)).times(STAGES);
+        // of the changes and of the stages
+        let largest = Operations::new(STAGES * n, 0, 0, 0, STAGES * n, STAGES * n).times(2);
+        let iteration = parts.and(swept).and(collocation::changes(modes, n)).and(largest);
+        // What the last iteration changes is rounding.
+        let updates = count::added(STAGES * n).times(MAX_ITERATIONS - 1);
+        // A change that is larger than the one before is compared with what can be rounding.
+        let rises = Operations::new(0, 1, 0, 0, 1, 11).times(MAX_RISES + 1);
+        let increment = count::added(n).times(STAGES).and(count::added(n).times(6));
+        let rates = jacobian.and(canonical).and(factoring::<f64>(n)).and(solving::<f64>(n));
+        let rates = rates.and(count::added(n).times(2));
+        prediction
+            .and(middle)
+            .and(jacobian)
+            .and(collocation::pencil(modes, n))
+            .and(iteration.times(MAX_ITERATIONS))
+            .and(updates)
+            .and(rises)
+            .and(increment)
+            .and(rates)
+            .and(count::ON_GRID)
+    }
+}
 
 impl<S, T, const STAGES: usize, const N: usize> OneStep<S, T, N> for Gauss<STAGES>
 where

@@ -9,6 +9,7 @@ mod gauss;
 mod grid;
 mod hermite;
 mod input;
+mod operations;
 mod radau;
 mod rosenbrock;
 mod scheme;

@@ -3,10 +3,13 @@
 use nalgebra::{SMatrix, SVector};
 
 use crate::control::{Estimates, Tolerance, exp2, log2};
+use crate::cost::Operations;
 use crate::dense::Step;
 use crate::error::Reason;
-use crate::linear::Singular;
-use crate::method::collocation::Pencil;
+use crate::linear::{Singular, solving};
+use crate::method::Adaptive;
+use crate::method::collocation::{self, Pencil};
+use crate::method::operations as count;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::stages::SHORT;
 use crate::real::Float;
@@ -32,6 +35,54 @@ const MOST: usize = 7;
 const MOST_FIXED: usize = 50;
 /// The tolerance of steps of fixed length, in ulps: their equations are solved to the level of rounding.
 const ULPS: f64 = 100.0;
+
+impl Adaptive<RadauIIA> {
+    /// The operations that one try of a step takes at most, in a system of `n` state components. `rhs` are those of the
+    /// right-hand side, `jacobian` those of the right-hand side with the Jacobian. An error above the tolerance, or an
+    /// iteration that does not converge, takes another try.
+    ///
+    /// It is for seven iterations, which are the most, and for an error that is estimated twice. Comparisons and moves
+    /// of numbers come on top. The choice of the next step is included, dense output and the choice of the first step
+    /// are not.
+    #[must_use]
+    pub const fn operations(rhs: Operations, jacobian: Operations, n: usize) -> Operations {
+        let prediction = Operations::new(2 * n + 4, 3 * n + 2, 0, 0, 0, 4).times(STAGES);
+        let prediction = prediction.and(Operations::new(0, 0, 1, 0, 0, 4)).with_chain(10);
+        let slopes = count::added(n).and(rhs).and(count::TIME).times(STAGES);
+        let residuals = combination(n).and(count::added(n)).times(STAGES).with_chain(5);
+        let residuals = residuals.and(Operations::new(0, STAGES * STAGES, 0, 0, 0, 1));
+        let changes = collocation::changes(&MODES, n);
+        let norm = count::added(n)
+            .and(count::mean_square(n))
+            .and(count::added(1))
+            .times(STAGES);
+        let norm = norm.and(Operations::new(0, 0, 1, 0, 1, 14));
+        let decision = Operations::new(1, 2, 2, 0, 0, 12);
+        let iteration = slopes.and(residuals).and(changes).and(norm).and(decision);
+        // what an error would be after the iterations that are left
+        let forecasts = count::multiplied(1).times(MOST * (MOST - 1) / 2);
+        let error = count::multiplied(2 * n).and(combination(n)).and(count::added(n));
+        let error = error.and(solving::<f64>(n)).and(count::mean_square(n));
+        let again = count::added(n).and(rhs).and(error);
+        let polynomial = combination(n).times(STAGES).with_chain(3);
+        collocation::pencil(&MODES, n)
+            .and(prediction)
+            .and(Operations::new(2, 2, 1, 0, 1, 20))
+            .and(iteration.times(MOST))
+            .and(forecasts)
+            .and(count::added(n))
+            .and(error)
+            .and(again)
+            .and(polynomial)
+            .and(jacobian)
+            .and(count::CONTROLLED)
+    }
+}
+
+/// The operations of [`combined`].
+const fn combination(n: usize) -> Operations {
+    Operations::new((STAGES - 1) * n, STAGES * n, 0, 0, 0, STAGES)
+}
 
 impl<S, T, const N: usize> OneStep<S, T, N> for RadauIIA
 where

@@ -5,9 +5,12 @@ use core::marker::PhantomData;
 use nalgebra::{SMatrix, SVector};
 
 use crate::control::{Estimates, Tolerance};
+use crate::cost::Operations;
 use crate::dense::Step;
 use crate::error::Reason;
-use crate::linear::{Lu, Singular};
+use crate::linear::{Lu, Singular, factoring, solving};
+use crate::method::Adaptive;
+use crate::method::operations as count;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::stages::{SHORT, shifted, weighted_sum};
 use crate::real::Float;
@@ -21,6 +24,64 @@ use crate::tableau::{RosenbrockMethod, RosenbrockTableau, difference};
 /// iteration is involved that could fail to converge.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Rosenbrock<B, const STAGES: usize>(PhantomData<B>);
+
+impl<B: RosenbrockMethod<STAGES>, const STAGES: usize> Adaptive<Rosenbrock<B, STAGES>> {
+    /// The operations that one try of a step takes at most, in a system of `n` state components. `rhs` are those of the
+    /// right-hand side, `jacobian` those of the right-hand side with the Jacobian and, where time occurs, the derivative
+    /// by the time. An error above the tolerance takes another try.
+    ///
+    /// Comparisons and moves of numbers come on top. The error and the choice of the next step are included, dense
+    /// output and the choice of the first step are not.
+    ///
+    /// ```
+    /// use pendulum_core::prelude::*;
+    ///
+    /// # mechanism! {
+    /// #     pub Swing {
+    /// #         gravity: [0, -9.81, 0],
+    /// #         body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle }
+    /// #     }
+    /// # }
+    /// let [rhs, jacobian] = ["rhs", "jacobian"].map(|name| Swing::COST[name].operations);
+    /// let step = Rodas5P::operations(rhs, jacobian, 2 * Swing::DOF);
+    /// assert_eq!(step.sincos, 8);
+    /// ```
+    #[must_use]
+    pub const fn operations(rhs: Operations, jacobian: Operations, n: usize) -> Operations {
+        attempt_within::<B, STAGES>(rhs, jacobian, n).and(count::CONTROLLED)
+    }
+}
+
+/// The operations of a step with its error and the Jacobian at its end.
+pub(super) const fn attempt_within<B: RosenbrockMethod<STAGES>, const STAGES: usize>(
+    rhs: Operations,
+    jacobian: Operations,
+    n: usize,
+) -> Operations {
+    // `identity_minus`
+    let matrix = Operations::new(n * n + n, n * n + 1, 0, 0, 0, 4);
+    let mut operations = matrix.and(factoring::<f64>(n));
+    let mut stage = 0;
+    while stage < STAGES {
+        let row = Row::<STAGES>::of::<B>(stage);
+        if stage > 0 {
+            operations = operations.and(count::shifted(&row.a, n)).and(count::TIME).and(rhs);
+        }
+        let slope = count::multiplied(n).and(count::added(n));
+        if row.gamma != 0.0 {
+            operations = operations.and(slope);
+        }
+        let right = count::weighted_sum(&row.c, n).and(slope).and(count::multiplied(1));
+        operations = operations.and(right).and(solving::<f64>(n));
+        stage += 1;
+    }
+    let error = count::weighted_sum(&difference(B::TABLEAU.b, B::TABLEAU.b_hat), n);
+    let error = error.and(count::mean_square(n));
+    operations
+        .and(count::shifted(&B::TABLEAU.b, n))
+        .and(error)
+        .and(jacobian)
+}
 
 impl<B, S, T, const STAGES: usize, const N: usize> OneStep<S, T, N> for Rosenbrock<B, STAGES>
 where

@@ -3,8 +3,10 @@
 use nalgebra::SVector;
 
 use crate::control::{Estimates, Tolerance, exp2, log2};
+use crate::cost::Operations;
 use crate::dense::{Step, polynomial};
 use crate::error::Reason;
+use crate::method::operations as count;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::{Adaptive, require};
 use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
@@ -59,6 +61,29 @@ impl Taylor {
     pub fn order(mut self, order: usize) -> Self {
         self.family.order = Some(order);
         self
+    }
+
+    /// The operations that one try of a step takes at most, in a system of `n` state components whose power series of
+    /// this `order` takes `series`, from the state on. A derivative that differs from that of the series takes another
+    /// try.
+    ///
+    /// Of a generated model most of `series` is [`FunctionCost::series`](crate::FunctionCost::series). Comparisons and
+    /// moves of numbers come on top. The error and the choice of the step are included, dense output is not.
+    #[must_use]
+    pub const fn operations(series: Operations, order: usize, n: usize) -> Operations {
+        let sizes = Operations::new(n * (1 + TERMS), n * (1 + TERMS) + TERMS, n, 0, n * (1 + TERMS), n + 26);
+        // `length`, of which logarithm and power are `log2` and `exp2`
+        let length = Operations::new(12 * TERMS + 10, 5 * TERMS + 5, TERMS + 1, 0, 0, 60);
+        let terms = order * n;
+        let polynomial = Operations::new(terms + 2 * n, terms + 2 * n + 1, 0, 0, 0, order + 5);
+        let defect = Operations::new(terms + 2 * n, 2 * terms + 2 * n + 2, 0, 0, 0, order + 5);
+        sizes
+            .and(length)
+            .and(polynomial)
+            .and(series)
+            .and(defect)
+            .and(count::mean_square(n))
+            .and(count::CONTROLLED)
     }
 }
 
