@@ -66,10 +66,10 @@ const FREE: usize = 4;
 const WITHIN: f64 = 0.3;
 
 impl Auto {
-    /// The operations that one try of a step takes at most, whatever the tolerance and whichever method is at work, in a
-    /// system of `n` state components. `rhs` are those of the right-hand side, `jacobian` those of the right-hand side
-    /// with the Jacobian and, where time occurs, the derivative by the time. An error above the tolerance takes another
-    /// try.
+    /// The operations that one try of a step takes at most, whatever the tolerance and whichever method is at work, in
+    /// a system of `n` state components. `rhs` are those of the right-hand side, `jacobian` those of the right-hand
+    /// side with the Jacobian and, where time occurs, the derivative by the time. An error above the tolerance takes
+    /// another try.
     ///
     /// Comparisons and moves of numbers come on top. The error, what is measured of stiffness, a switch and the choice
     /// of the next step are included, dense output and the choice of the first step are not.

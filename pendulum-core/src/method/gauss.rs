@@ -35,8 +35,8 @@ where
     /// canonical equations, `jacobian` those of their Jacobian: the costs `canonical` and `canonical_jacobian` of a
     /// generated model.
     ///
-    /// It is for 100 iterations, which are the most. Comparisons and moves of numbers come on top. The choice of the time
-    /// of a step is included, dense output is not.
+    /// It is for 100 iterations, which are the most. Comparisons and moves of numbers come on top. The choice of the
+    /// time of a step is included, dense output is not.
     #[must_use]
     pub const fn operations(canonical: Operations, jacobian: Operations, n: usize) -> Operations {
         let modes = &GaussLegendre::TABLEAU.modes;

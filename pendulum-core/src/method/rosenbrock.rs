@@ -27,8 +27,8 @@ pub struct Rosenbrock<B, const STAGES: usize>(PhantomData<B>);
 
 impl<B: RosenbrockMethod<STAGES>, const STAGES: usize> Adaptive<Rosenbrock<B, STAGES>> {
     /// The operations that one try of a step takes at most, in a system of `n` state components. `rhs` are those of the
-    /// right-hand side, `jacobian` those of the right-hand side with the Jacobian and, where time occurs, the derivative
-    /// by the time. An error above the tolerance takes another try.
+    /// right-hand side, `jacobian` those of the right-hand side with the Jacobian and, where time occurs, the
+    /// derivative by the time. An error above the tolerance takes another try.
     ///
     /// Comparisons and moves of numbers come on top. The error and the choice of the next step are included, dense
     /// output and the choice of the first step are not.

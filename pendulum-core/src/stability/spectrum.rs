@@ -27,7 +27,7 @@ pub struct Mode<const N: usize> {
 
 impl<const N: usize> Spectrum<N> {
     /// The eigenvalues of `matrix`, by the QR algorithm on the balanced matrix, and the eigenvectors, each as the null vector of
-    /// `matrix - eigenvalue I`. Equal eigenvalues have different vectors if they have as many.
+    /// `matrix - eigenvalue I`. Equal eigenvalues have orthogonal vectors if they have as many.
     ///
     /// G. H. Golub, C. F. Van Loan, "Matrix Computations", 4th ed. (2013), 7.2 and 7.5.
     ///
@@ -43,7 +43,7 @@ impl<const N: usize> Spectrum<N> {
         upper.sort_by(|a, b| b.re.total_cmp(&a.re).then(b.im.total_cmp(&a.im)));
         let mut modes: Vec<Mode<N>> = Vec::with_capacity(N);
         for &eigenvalue in &upper {
-            let mode = mode(matrix, eigenvalue, &modes)?;
+            let mode = mode(matrix, eigenvalue, &modes);
             modes.push(mode);
             if eigenvalue.im > 0.0 {
                 modes.push(mode.conjugate());
@@ -111,61 +111,91 @@ fn eigenvalues<const N: usize>(matrix: &SMatrix<f64, N, N>) -> Result<Vec<Comple
 }
 
 /// The mode of an eigenvalue, beside those that are known.
-fn mode<const N: usize>(
-    matrix: &SMatrix<f64, N, N>,
-    eigenvalue: Complex<f64>,
-    known: &[Mode<N>],
-) -> Result<Mode<N>, StabilityError> {
+fn mode<const N: usize>(matrix: &SMatrix<f64, N, N>, eigenvalue: Complex<f64>, known: &[Mode<N>]) -> Mode<N> {
     // More than the rounding errors of all steps of the algorithm.
     let noise = 8.0 * f64::EPSILON * matrix.norm();
+    // Eigenvalues no further apart are equal.
+    let same = 1e2 * noise;
     let entry = |i: usize, j: usize| {
         let shift = if i == j { eigenvalue } else { Complex::ZERO };
         Complex::from(matrix[(i, j)]) - shift
     };
-    let iterations = 100 * N;
-    let Some(svd) = DMatrix::from_fn(N, N, entry).try_svd(true, true, f64::EPSILON, iterations) else {
-        return Err(StabilityError::NoConvergence {
-            iterations,
-            residual: f64::NAN,
-        });
-    };
-    let (Some(left), Some(right)) = (svd.u, svd.v_t) else {
-        unreachable!("both were asked for")
-    };
-    // The null space, in which any vector is an eigenvector: the first that those of the same eigenvalue leave something of.
-    let least = (1e2 * noise).max(svd.singular_values[N - 1]);
-    let null: Vec<usize> = (0..N).filter(|&place| svd.singular_values[place] <= least).collect();
+    let shifted = DMatrix::from_fn(N, N, entry);
+    let left: Vec<SVector<_, N>> = kernel(shifted.clone(), same);
+    let right = kernel(shifted.adjoint(), same);
+    // Any vector of the null space is an eigenvector.
     let met: Vec<SVector<Complex<f64>, N>> = known
         .iter()
-        .filter(|mode| (mode.eigenvalue - eigenvalue).norm() <= 1e2 * noise)
+        .filter(|mode| (mode.eigenvalue - eigenvalue).norm() <= same)
         .map(|mode| mode.shape.normalize())
         .collect();
-    let candidate = |&place: &usize| -> SVector<Complex<f64>, N> {
-        let vector = SVector::from_fn(|i, _| right[(place, i)].conj());
-        met.iter().fold(vector, |rest, known| rest - known * known.dotc(&rest))
+    let vector = beside(&met, &right).unwrap_or(right[0]);
+    // Rounding makes pairs of equal real eigenvalues, too: of their vectors each pair of orthogonal real ones gives a
+    // vector and its conjugate that are independent. Those of a slow oscillation are such a pair.
+    let first = real(&vector);
+    let second = beside(&[&met[..], &[first]].concat(), &right).filter(|_| (1e-300..=same).contains(&eigenvalue.im));
+    let vector = match second.map(|second| real(&second) * Complex::I) {
+        Some(second) => [first + second, first - second]
+            .map(|vector| vector.normalize())
+            .into_iter()
+            .max_by(|a, b| a.dotc(&vector).norm().total_cmp(&b.dotc(&vector).norm()))
+            .unwrap_or(vector),
+        None => vector,
     };
-    let vector = null
-        .iter()
-        .rev()
-        .map(candidate)
-        .find(|remainder| remainder.norm() > 0.1);
-    let vector = vector.map_or_else(
-        || SVector::from_fn(|i, _| right[(N - 1, i)].conj()),
-        |remainder| remainder.normalize(),
-    );
     let largest = vector[vector.map(Complex::norm).imax()];
     // One over the part of the vector that lies in the left null space is the condition number of the eigenvalue.
-    let share = |&place: &usize| {
-        (0..N)
-            .map(|i| left[(i, place)].conj() * vector[i])
-            .sum::<Complex<f64>>()
-    };
-    let product = null.iter().map(|place| share(place).norm_sqr()).sum::<f64>().sqrt();
-    Ok(Mode {
+    let product = left
+        .iter()
+        .map(|left| left.dotc(&vector).norm_sqr())
+        .sum::<f64>()
+        .sqrt();
+    Mode {
         eigenvalue,
         shape: vector.map(|component| component / largest),
         condition: 1.0 / product,
         // A double eigenvalue moves by the root of the errors.
         uncertainty: (noise / product).min((noise * matrix.norm()).sqrt()),
-    })
+    }
+}
+
+/// The first direction in the null space of which the vectors that are known leave something, orthogonal to them.
+fn beside<const N: usize>(
+    known: &[SVector<Complex<f64>, N>],
+    null: &[SVector<Complex<f64>, N>],
+) -> Option<SVector<Complex<f64>, N>> {
+    let remainder = |vector| {
+        known
+            .iter()
+            .fold(vector, |rest, known| rest - known * known.dotc(&rest))
+    };
+    let mut remainders = null.iter().copied().map(remainder);
+    let remainder = remainders.find(|remainder| remainder.norm() > 0.1)?;
+    Some(remainder.normalize())
+}
+
+/// The real part of a vector or its imaginary part, whichever is longer, at length 1.
+fn real<const N: usize>(vector: &SVector<Complex<f64>, N>) -> SVector<Complex<f64>, N> {
+    let parts = [
+        vector.map(|component| component.re),
+        vector.map(|component| component.im),
+    ];
+    let longer = if parts[0].norm() < parts[1].norm() {
+        parts[1]
+    } else {
+        parts[0]
+    };
+    longer.normalize().map(Complex::from)
+}
+
+/// An orthonormal basis of the vectors whose adjoints a matrix takes from the left to zero, or to no more than `least`; at
+/// least the one that it takes nearest to it.
+///
+/// By a factorisation `Q R` with pivots (Golub and Van Loan, 5.4.2): the rows of `R` that are zero leave these columns of
+/// `Q`. The left singular vectors of nalgebra are good to some per cent only where singular values are equal.
+fn kernel<const N: usize>(matrix: DMatrix<Complex<f64>>, least: f64) -> Vec<SVector<Complex<f64>, N>> {
+    let factors = matrix.col_piv_qr();
+    let (q, r) = (factors.q(), factors.r());
+    let least = least.max(r[(N - 1, N - 1)].norm());
+    let null = (0..N).rev().take_while(|&k| r[(k, k)].norm() <= least);
+    null.map(|k| SVector::from_fn(|i, _| q[(i, k)])).collect()
 }
