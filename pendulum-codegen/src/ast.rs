@@ -420,6 +420,13 @@ pub(crate) struct Measured {
     pub unit: Unit,
 }
 
+/// As it is written.
+impl std::fmt::Display for Measured {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        write!(f, "{} {}", self.digits, self.unit.text)
+    }
+}
+
 /// An operator between two operands.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Operator {

@@ -184,7 +184,11 @@ impl<'g> Lower<'g> {
                 Ok(Quantity { value: -value, measure })
             }
             ExprKind::Binary(operator, a, b) => {
-                let (left, right) = (self.operation(a, place), self.operation(b, place));
+                let left = self.operation(a, place);
+                let right = match self.rest_of_unit(*operator, a, b, place) {
+                    Some(reported) => Err(reported),
+                    None => self.operation(b, place),
+                };
                 let (left, right) = (left?, right?);
                 if *operator == Operator::Div && right.value.is_zero() {
                     return Err(self.errors.on(

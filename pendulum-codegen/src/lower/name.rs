@@ -6,10 +6,10 @@ use super::Lower;
 use super::expr::Place;
 use super::measure::{Measure, Quantity};
 use super::scope::Kind;
-use crate::ast::{self, ExprKind};
+use crate::ast::{self, ExprKind, Measured, Operator};
 use crate::error::Reported;
 use crate::expr::{Binary, Expr, Level, SymbolKind, Unary};
-use crate::units::{Dimension, Power};
+use crate::units::{self, Dimension, Power};
 use crate::words;
 
 const UNARY: [(&str, Unary); 7] = [
@@ -28,6 +28,15 @@ fn functions() -> impl Iterator<Item = &'static str> {
         .iter()
         .map(|(name, _)| *name)
         .chain(["sqrt", "atan2", "dot", "distance"])
+}
+
+/// The number with a unit that a product ends in.
+fn last_measured(e: &ast::Expr) -> Option<&Measured> {
+    match &e.kind {
+        ExprKind::Measured(measured) => Some(measured),
+        ExprKind::Neg(a) | ExprKind::Binary(Operator::Mul, _, a) => last_measured(a),
+        _ => None,
+    }
 }
 
 impl<'g> Lower<'g> {
@@ -87,6 +96,30 @@ impl<'g> Lower<'g> {
         };
         let known = self.names.known(|value| value.level() <= place.most, more);
         Err(self.errors.unknown(name, fact, known, words::SYMBOLS))
+    }
+
+    /// Notes an unknown name that is meant to be of the unit of a number before it, as in `2 N*m` and `9.81 m/s2`.
+    pub(super) fn rest_of_unit(
+        &mut self,
+        operator: Operator,
+        before: &ast::Expr,
+        name: &ast::Expr,
+        place: &Place<'g>,
+    ) -> Option<Reported> {
+        let ExprKind::Name(name) = &name.kind else { return None };
+        let text = name.to_string();
+        let is_known = ["pi", "t", "q", "qd"].contains(&text.as_str())
+            || self.names.kind(&text).is_some()
+            || self.broken.contains_key(&text);
+        let is_divisor = match operator {
+            Operator::Mul => false,
+            Operator::Div => true,
+            Operator::Add | Operator::Sub => return None,
+        };
+        let number = last_measured(before).filter(|_| !is_known)?;
+        let help = units::help_in_product(number, is_divisor, &text)?;
+        let fact = format_args!("unknown symbol `{text}` in {}", place.what);
+        Some(self.errors.at(name.span(), fact, help))
     }
 
     /// A function of its arguments.

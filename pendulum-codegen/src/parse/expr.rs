@@ -196,7 +196,7 @@ fn atom(input: ParseStream) -> syn::Result<Expr> {
         let arguments = list(&inner, &format!("{name}(x)"), sum)?;
         Ok(ExprKind::Call(name, arguments))
     })?;
-    foreign::nothing_after(input, &tokens)?;
+    foreign::nothing_after(input, &kind, &tokens)?;
     Ok(Expr { kind, tokens })
 }
 

@@ -7,6 +7,7 @@ use syn::parse::ParseStream;
 use syn::{Lit, Token, token};
 
 use super::token::{is_keyword, parentheses};
+use crate::ast::ExprKind;
 use crate::error::{at, on};
 use crate::units::{self, Unit};
 use crate::words::{SYMBOLS, synonym};
@@ -64,18 +65,21 @@ pub(super) fn no_path(input: ParseStream, first: &Ident) -> syn::Result<()> {
 }
 
 /// Refuses what may follow an operand elsewhere: `theta.sin()`, `3 Nm`.
-pub(super) fn nothing_after(input: ParseStream, operand: &TokenStream) -> syn::Result<()> {
+pub(super) fn nothing_after(input: ParseStream, kind: &ExprKind, operand: &TokenStream) -> syn::Result<()> {
     if input.peek(Token![.]) {
         return Err(method(input, operand));
     }
-    let number = syn::parse2::<Lit>(operand.clone()).is_ok();
-    if number
-        && let Some((unit, _)) = input.cursor().ident()
+    let number = match kind {
+        ExprKind::Number(_) => operand.to_string(),
+        ExprKind::Measured(measured) => measured.to_string(),
+        _ => return Ok(()),
+    };
+    if let Some((unit, _)) = input.cursor().ident()
         && !super::token::starts_item(input)
         && unit != "about"
     {
-        let help = units::together_after_number(operand, &unit.to_string());
-        let help = help.unwrap_or_else(|| format!("write a product as `{operand}*{unit}`, and units as in `90 deg`"));
+        let help = units::help_after_number(&number, &unit.to_string());
+        let help = help.unwrap_or_else(|| format!("write a product as `{number}*{unit}`, and units as in `90 deg`"));
         return Err(at(unit.span(), format_args!("`{unit}` is not a unit"), help));
     }
     Ok(())
@@ -118,7 +122,7 @@ pub(super) fn no_suffix(literal: &Lit, digits: &str, suffix: &str) -> syn::Resul
     if suffix.is_empty() || Unit::is_name(suffix) {
         return Ok(());
     }
-    if let Some(help) = units::together_after_number(&digits, suffix) {
+    if let Some(help) = units::help_after_number(&digits, suffix) {
         return Err(at(literal.span(), format_args!("`{suffix}` is not a unit"), help));
     }
     let fact = format_args!("a number takes no suffix `{suffix}`");

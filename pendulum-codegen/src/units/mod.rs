@@ -7,7 +7,7 @@ mod parse;
 use num_traits::{One, Pow};
 
 pub(crate) use dimension::{Dimension, Power};
-pub(crate) use parse::together_after_number;
+pub(crate) use parse::{help_after_number, help_in_product};
 
 use crate::expr::{Rational, ratio};
 

@@ -148,9 +148,16 @@ fn written_together(word: &str, known: &[&str]) -> Option<String> {
     })
 }
 
-/// As [`written_together`], of the units that a number may have.
-pub(super) fn together_after_number(word: &str) -> Option<String> {
+/// The unit of a number that a word is meant to be: in other letters, or with its names and powers apart.
+pub(super) fn meant(word: &str) -> Option<String> {
+    let names = NAMES.iter().map(|(name, _)| *name);
     let others = OTHERS.iter().flat_map(|(words, ..)| *words).copied();
-    let known: Vec<&str> = NAMES.iter().map(|(name, _)| *name).chain(others).collect();
-    written_together(word, &known)
+    let known: Vec<&str> = names.clone().chain(others.clone()).collect();
+    if known.contains(&word) {
+        return Some(word.to_owned());
+    }
+    // Of two letters `MW` and `mW` are both units.
+    let mut in_any_case = names.chain(others.filter(|word| word.len() > 2));
+    let in_case = in_any_case.find(|known| known.eq_ignore_ascii_case(word));
+    in_case.map(str::to_owned).or_else(|| written_together(word, &known))
 }

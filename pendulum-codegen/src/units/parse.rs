@@ -18,16 +18,13 @@ impl Parse for Unit {
     /// name only.
     fn parse(input: ParseStream) -> syn::Result<Self> {
         let mut unit = Self::empty();
-        loop {
-            let sign = unit.joint(input)?;
-            unit.factor(input, sign)?;
-            // what begins something else stands after a comma that is missing
-            let name = input.peek(Ident) && !starts_item(input);
-            let more = input.peek(Token![/]) || input.peek(Token![*]) || name || input.peek(LitInt);
-            if !more {
-                return Ok(unit);
-            }
-        }
+        let sign = unit.joint(input)?;
+        unit.factor(input, sign)?;
+        // what begins something else stands after a comma that is missing
+        let name = |input: ParseStream| input.peek(Ident) && !starts_item(input);
+        let more =
+            |input: ParseStream| input.peek(Token![/]) || input.peek(Token![*]) || input.peek(LitInt) || name(input);
+        unit.rest(input, more, Self::factor)
     }
 }
 
@@ -38,26 +35,28 @@ impl Unit {
         let mut unit = Self::empty();
         match suffix {
             Some((name, span)) => unit.named(input, name, span, 1)?,
-            None if begins(input) => {
-                let name: Ident = input.parse()?;
-                unit.named(input, &name.to_string(), name.span(), 1)?;
-            }
+            None if begins(input) => unit.name(input, 1)?,
             None => return Ok(None),
         }
-        loop {
+        let more = |input: ParseStream| {
             let ahead = input.fork();
-            let sign = if ahead.parse::<Option<Token![/]>>()?.is_some() {
-                -1
-            } else {
-                1
-            };
-            if !begins(&ahead) {
-                return Ok(Some(unit));
-            }
-            unit.joint(input)?;
-            let name: Ident = input.parse()?;
-            unit.named(input, &name.to_string(), name.span(), sign)?;
+            matches!(ahead.parse::<Option<Token![/]>>(), Ok(_) if begins(&ahead))
+        };
+        unit.rest(input, more, Self::name).map(Some)
+    }
+
+    /// The names after the first one, each with what stands before it, as long as there are `more`.
+    fn rest(
+        mut self,
+        input: ParseStream,
+        more: impl Fn(ParseStream) -> bool,
+        read: fn(&mut Self, ParseStream, i32) -> syn::Result<()>,
+    ) -> syn::Result<Self> {
+        while more(input) {
+            let sign = self.joint(input)?;
+            read(&mut self, input, sign)?;
         }
+        Ok(self)
     }
 
     fn empty() -> Self {
@@ -111,6 +110,12 @@ impl Unit {
         self.named(input, &text, name.span(), sign)
     }
 
+    /// A name that a number may have, and the power after it.
+    fn name(&mut self, input: ParseStream, sign: i32) -> syn::Result<()> {
+        let name: Ident = input.parse()?;
+        self.named(input, &name.to_string(), name.span(), sign)
+    }
+
     /// A name that was read, and the power after it.
     fn named(&mut self, input: ParseStream, name: &str, span: Span, sign: i32) -> syn::Result<()> {
         let Some((dimension, scale)) = names::meaning(name) else {
@@ -151,7 +156,24 @@ fn begins(input: ParseStream) -> bool {
     name.is_some_and(|(name, _)| Unit::is_name(&name.to_string())) && !starts_item(input)
 }
 
-/// What to do about a word after a number that is the names of several units in one.
-pub(crate) fn together_after_number(number: &impl std::fmt::Display, word: &str) -> Option<String> {
-    names::together_after_number(word).map(|apart| format!("write `{number} {apart}`, with the names apart"))
+/// What to do about a word that is not a unit, but follows a number: `Kg` and `kgm2` in place of `kg` and `kg m^2`.
+pub(crate) fn help_after_number(number: &impl std::fmt::Display, word: &str) -> Option<String> {
+    let meant = names::meant(word)?;
+    let apart = if meant.contains(' ') {
+        ", with the names apart"
+    } else {
+        ""
+    };
+    Some(format!("write `{number} {meant}`{apart}"))
+}
+
+/// What to do about a word that a measured number is multiplied or divided by, if it is meant to be of its unit: `s` in
+/// `2 N m*s`, `s2` in `9.81 m/s2`.
+pub(crate) fn help_in_product(number: &impl std::fmt::Display, is_divisor: bool, word: &str) -> Option<String> {
+    let meant = names::meant(word)?;
+    match is_divisor {
+        false => Some(format!("write `{number} {meant}` for a unit")),
+        true if !meant.contains(' ') => Some(format!("write `{number}/{meant}` for a unit")),
+        true => None,
+    }
 }
