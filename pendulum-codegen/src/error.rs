@@ -5,7 +5,7 @@ use quote::ToTokens;
 
 use crate::words::{Advice, Synonyms, advice};
 
-/// The errors found so far.
+/// The errors found so far, in the order of their places in the source.
 #[derive(Debug, Default)]
 pub struct Errors(Vec<syn::Error>);
 
@@ -43,7 +43,13 @@ impl Errors {
 
     /// Notes an error.
     pub fn push(&mut self, error: syn::Error) -> Reported {
-        self.0.push(error);
+        let place = |error: &syn::Error| {
+            let start = error.span().start();
+            (start.line, start.column)
+        };
+        // after those that were found on the same place
+        let at = self.0.partition_point(|other| place(other) <= place(&error));
+        self.0.insert(at, error);
         Reported(())
     }
 
@@ -57,7 +63,7 @@ impl Errors {
         self.0.is_empty()
     }
 
-    /// The errors, in the order in which they were found.
+    /// The errors, in the order of their places in the source.
     pub fn iter(&self) -> impl Iterator<Item = &syn::Error> {
         self.0.iter()
     }
