@@ -13,7 +13,12 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use pendulum_codegen::{Sources, c, expand, program};
-use proc_macro2::{TokenStream, TokenTree};
+use proc_macro2::TokenStream;
+
+use declarations::declarations;
+
+#[path = "../tests/common/declarations.rs"]
+mod declarations;
 
 /// What is printed where no file is named.
 const DEFAULT: &str = "testbed/src/scenes.rs";
@@ -75,8 +80,7 @@ fn run() -> Result<(), Box<dyn Error>> {
     let Arguments { output, path, folder } = Arguments::read(std::env::args().skip(1))?;
     let source = std::fs::read_to_string(&path).map_err(|error| format!("cannot read {path}: {error}"))?;
     let tokens: TokenStream = source.parse().map_err(|error| format!("{path}: {error}"))?;
-    let mut declarations = Vec::new();
-    collect(tokens, &mut declarations);
+    let declarations = declarations(tokens);
     if declarations.is_empty() {
         return Err(format!("{path} holds no `mechanism! {{ .. }}`").into());
     }
@@ -119,19 +123,4 @@ fn write_c(sources: &Sources, folder: &Path) -> Result<(), Box<dyn Error>> {
         println!("{}", path.display());
     }
     Ok(())
-}
-
-/// The contents of every `mechanism! { .. }`, wherever it stands.
-fn collect(tokens: TokenStream, declarations: &mut Vec<TokenStream>) {
-    let tokens: Vec<TokenTree> = tokens.into_iter().collect();
-    for (n, token) in tokens.iter().enumerate() {
-        let TokenTree::Group(group) = token else { continue };
-        let called = matches!(&tokens[..n], [.., TokenTree::Ident(name), TokenTree::Punct(bang)]
-            if name == "mechanism" && bang.as_char() == '!');
-        if called {
-            declarations.push(group.stream());
-        } else {
-            collect(group.stream(), declarations);
-        }
-    }
 }

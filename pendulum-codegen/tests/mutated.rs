@@ -19,6 +19,15 @@ use std::time::{Duration, Instant};
 use pendulum_codegen::{expand, program};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
+use declarations::declarations;
+use random::Random;
+
+#[path = "common/declarations.rs"]
+mod declarations;
+#[path = "../../testbed/src/random.rs"]
+#[expect(dead_code, unreachable_pub, reason = "it is public elsewhere, and only whole numbers are drawn here")]
+mod random;
+
 /// Where there are declarations, from the root of the repository.
 const FOLDERS: [&str; 8] = [
     "pendulum-codegen/tests/ui",
@@ -245,7 +254,11 @@ impl Corpus {
         for folder in FOLDERS {
             for file in sources(&root.join(folder)) {
                 let text = fs::read_to_string(file).expect("a file");
-                collect(text.parse().expect("tokens"), &mut declarations);
+                for declaration in self::declarations(text.parse().expect("tokens")) {
+                    let mut flat = Vec::new();
+                    flatten(declaration, &mut flat);
+                    declarations.push(flat);
+                }
             }
         }
         declarations.retain(|tokens| tokens.iter().map(|token| token.len() + 1).sum::<usize>() <= LONGEST);
@@ -262,7 +275,7 @@ impl Corpus {
 
     /// One of the declarations, with some changes.
     fn mutated(&self, seed: u64) -> String {
-        let mut random = Random(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15));
+        let mut random = Random::new(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15));
         let mut tokens = random.of(&self.declarations).clone();
         for _ in 0..[1, 1, 1, 1, 2, 2, 3, 5][random.below(8)] {
             self.change(&mut tokens, &mut random);
@@ -433,22 +446,6 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
         .collect()
 }
 
-/// The declarations of a file, wherever they stand.
-fn collect(tokens: TokenStream, declarations: &mut Vec<Vec<String>>) {
-    let trees: Vec<TokenTree> = tokens.into_iter().collect();
-    for (n, tree) in trees.iter().enumerate() {
-        let TokenTree::Group(group) = tree else { continue };
-        let is_call = n >= 2 && trees[n - 2].to_string() == "mechanism" && trees[n - 1].to_string() == "!";
-        if is_call {
-            let mut flat = Vec::new();
-            flatten(group.stream(), &mut flat);
-            declarations.push(flat);
-        } else {
-            collect(group.stream(), declarations);
-        }
-    }
-}
-
 fn flatten(tokens: TokenStream, flat: &mut Vec<String>) {
     for tree in tokens {
         match tree {
@@ -465,22 +462,5 @@ fn flatten(tokens: TokenStream, flat: &mut Vec<String>) {
             }
             other => flat.push(other.to_string()),
         }
-    }
-}
-
-/// Random numbers that are the same in every run (SplitMix64).
-struct Random(u64);
-
-impl Random {
-    fn below(&mut self, count: usize) -> usize {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) % count as u64) as usize
-    }
-
-    fn of<'a, T>(&mut self, list: &'a [T]) -> &'a T {
-        &list[self.below(list.len())]
     }
 }

@@ -9,7 +9,11 @@ use std::panic::catch_unwind;
 use std::path::{Path, PathBuf};
 
 use expect_test::expect_file;
-use proc_macro2::{Group, TokenStream, TokenTree};
+
+use declarations::declarations;
+
+#[path = "common/declarations.rs"]
+mod declarations;
 
 #[test]
 fn wrong_declarations_are_explained() {
@@ -47,7 +51,7 @@ fn messages(case: &Path) -> String {
     let name = case.file_name().and_then(|name| name.to_str()).expect("a name");
     let mut text = String::new();
     for declaration in declarations(source.parse().expect("tokens")) {
-        let Err(errors) = pendulum_codegen::program(declaration.stream()) else {
+        let Err(errors) = pendulum_codegen::program(declaration) else {
             panic!("{name} has a declaration without a mistake");
         };
         for error in errors.iter() {
@@ -56,18 +60,6 @@ fn messages(case: &Path) -> String {
         }
     }
     text
-}
-
-/// The braces of each `mechanism!`.
-fn declarations(tokens: TokenStream) -> Vec<Group> {
-    let trees: Vec<TokenTree> = tokens.into_iter().collect();
-    let calls = trees.windows(3).filter_map(|window| match window {
-        [TokenTree::Ident(word), TokenTree::Punct(_), TokenTree::Group(braces)] if word == "mechanism" => {
-            Some(braces.clone())
-        }
-        _ => None,
-    });
-    calls.collect()
 }
 
 /// An error, the line it stands on, and marks under what is wrong.
