@@ -25,7 +25,11 @@ use random::Random;
 #[path = "common/declarations.rs"]
 mod declarations;
 #[path = "../../testbed/src/random.rs"]
-#[expect(dead_code, unreachable_pub, reason = "it is public elsewhere, and only whole numbers are drawn here")]
+#[expect(
+    dead_code,
+    unreachable_pub,
+    reason = "it is public elsewhere, and only whole numbers are drawn here"
+)]
 mod random;
 
 /// Where there are declarations, from the root of the repository.

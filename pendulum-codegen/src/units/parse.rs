@@ -40,7 +40,7 @@ impl Unit {
         }
         let more = |input: ParseStream| {
             let ahead = input.fork();
-            matches!(ahead.parse::<Option<Token![/]>>(), Ok(_) if begins(&ahead))
+            ahead.parse::<Option<Token![/]>>().is_ok() && begins(&ahead)
         };
         unit.rest(input, more, Self::name).map(Some)
     }
