@@ -60,7 +60,10 @@ impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
         }
         polynomial(&self.step.x0, self.coefficients, (t - self.step.t0) / self.step.h)
     }
+}
 
+#[cfg(feature = "std")]
+impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
     /// The state at a fraction of the step.
     pub(crate) fn at_fraction(&self, theta: T) -> SVector<T, N> {
         if theta == T::from_f64(1.0) {

@@ -21,6 +21,7 @@ macro_rules! debug_as_display {
     )* };
 }
 
+#[cfg(feature = "std")]
 pub(crate) use debug_as_display;
 
 debug_as_display! {

@@ -52,14 +52,6 @@
 
 #![cfg_attr(not(feature = "std"), no_std)]
 #![cfg_attr(
-    not(feature = "std"),
-    allow(
-        dead_code,
-        unused_imports,
-        reason = "some of what methods share serves `solve` alone"
-    )
-)]
-#![cfg_attr(
     test,
     allow(clippy::disallowed_methods, reason = "references may be those of the platform")
 )]

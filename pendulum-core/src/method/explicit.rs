@@ -155,6 +155,7 @@ where
     T: Float,
 {
     /// The derivatives at the stages of the step that was tried last.
+    #[cfg(feature = "std")]
     pub(super) fn stages(&self) -> &[SVector<T, N>; STAGES] {
         &self.stages
     }

@@ -20,6 +20,7 @@ const LEAST_ULPS: f64 = 16.0;
 /// What remains of a span shorter than this many ulps of its times is added to the last step.
 const SLACK_ULPS: f64 = 8.0;
 /// The most points of a solution: a pendulum's take 800 MB.
+#[cfg(feature = "std")]
 const MOST_KEPT: f64 = 1e7;
 
 impl<T: Float> Grid<T> {
@@ -39,25 +40,6 @@ impl<T: Float> Grid<T> {
             "the step is too short for the times to resolve; lengthen it, or count time from a nearer origin",
         )?;
         Ok(grid)
-    }
-
-    /// Whether all times can be kept.
-    pub(crate) fn check_to_keep(&self) -> Result<(), Reason> {
-        let steps = ((self.t1 - self.t0).abs() / self.h).to_f64();
-        require(
-            steps <= MOST_KEPT,
-            "h",
-            self.h.to_f64(),
-            "more than ten million points to keep; lengthen the step, or take `stepper`, which keeps none",
-        )
-    }
-
-    pub(crate) fn t0(&self) -> T {
-        self.t0
-    }
-
-    pub(crate) fn t1(&self) -> T {
-        self.t1
     }
 
     /// Goes on by one: the time there.
@@ -95,5 +77,28 @@ impl<T: Float> Grid<T> {
 
     fn largest(&self) -> T {
         self.t0.abs().max(self.t1.abs())
+    }
+}
+
+/// For those who keep the times.
+#[cfg(feature = "std")]
+impl<T: Float> Grid<T> {
+    /// Whether all times can be kept.
+    pub(crate) fn check_to_keep(&self) -> Result<(), Reason> {
+        let steps = ((self.t1 - self.t0).abs() / self.h).to_f64();
+        require(
+            steps <= MOST_KEPT,
+            "h",
+            self.h.to_f64(),
+            "more than ten million points to keep; lengthen the step, or take `stepper`, which keeps none",
+        )
+    }
+
+    pub(crate) fn t0(&self) -> T {
+        self.t0
+    }
+
+    pub(crate) fn t1(&self) -> T {
+        self.t1
     }
 }

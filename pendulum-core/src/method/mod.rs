@@ -20,6 +20,7 @@ mod side;
 mod stages;
 mod step_control;
 mod stepper;
+#[cfg(feature = "std")]
 mod tangent;
 mod taylor;
 #[cfg(feature = "std")]
@@ -40,14 +41,17 @@ use crate::system::IntoState;
 use crate::system::System;
 use crate::tableau::{self, DormandPrince5, Kutta4, Tsitouras5, Verner7, Verner9};
 
-pub(crate) use grid::Grid;
-pub(crate) use input::{check_span, check_state, require};
-pub(crate) use scheme::{Failure, NonFinite};
-pub(crate) use stages::SHORT;
-pub(crate) use step_control::{Pace, StepControl, is_within_tolerance};
-pub(crate) use tangent::Tangent;
+pub(crate) use input::require;
 #[cfg(feature = "std")]
-pub(crate) use watch::follow;
+pub(crate) use {
+    grid::Grid,
+    input::{check_span, check_state},
+    scheme::{Failure, NonFinite},
+    stages::SHORT,
+    step_control::{Pace, StepControl, is_within_tolerance},
+    tangent::Tangent,
+    watch::follow,
+};
 
 pub use crate::control::{Estimates, Tolerance};
 pub use adaptive::Adaptive;

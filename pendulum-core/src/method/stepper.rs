@@ -99,14 +99,6 @@ where
         Ok(stepper)
     }
 
-    /// Whether all points can be kept. Methods that choose their steps have a limit of their own.
-    pub(super) fn check_to_keep(&self) -> Result<(), Reason> {
-        match &self.steps {
-            Steps::Equal(grid) => grid.check_to_keep(),
-            Steps::Controlled { .. } => Ok(()),
-        }
-    }
-
     /// The time reached.
     #[must_use]
     #[inline]
@@ -119,16 +111,6 @@ where
     #[inline]
     pub fn x(&self) -> SVector<T, N> {
         self.last.x1
-    }
-
-    /// Where it ends.
-    pub(super) fn t1(&self) -> T {
-        self.t1
-    }
-
-    /// The scheme, for code that knows which one it is.
-    pub(crate) fn scheme_mut(&mut self) -> &mut C {
-        &mut self.scheme
     }
 
     /// The work so far.
@@ -277,6 +259,32 @@ where
             .accept(self.system, &step, Accepted::All, &mut self.statistics);
         self.last = step;
         Ok(())
+    }
+}
+
+/// For those who record the steps.
+#[cfg(feature = "std")]
+impl<C, S, T, const N: usize> Stepper<'_, C, S, T, N>
+where
+    S: ?Sized,
+    T: Float,
+{
+    /// Whether all points can be kept. Methods that choose their steps have a limit of their own.
+    pub(super) fn check_to_keep(&self) -> Result<(), Reason> {
+        match &self.steps {
+            Steps::Equal(grid) => grid.check_to_keep(),
+            Steps::Controlled { .. } => Ok(()),
+        }
+    }
+
+    /// Where it ends.
+    pub(super) fn t1(&self) -> T {
+        self.t1
+    }
+
+    /// The scheme, for code that knows which one it is.
+    pub(crate) fn scheme_mut(&mut self) -> &mut C {
+        &mut self.scheme
     }
 }
 

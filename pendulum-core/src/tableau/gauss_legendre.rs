@@ -43,6 +43,7 @@ impl<const STAGES: usize> GaussTableau<STAGES> {
     }
 
     /// The coefficients `a_ij` and the weights `b_j`.
+    #[cfg(feature = "std")]
     pub(crate) fn coefficients(&self) -> ([[f64; STAGES]; STAGES], [f64; STAGES]) {
         let row = |w: [f64; STAGES]| core::array::from_fn(|j| self.b[j] * (0.5 + w[j]));
         (self.w.map(row), self.b)
