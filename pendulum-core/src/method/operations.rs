@@ -1,7 +1,7 @@
 //! The operations of what methods have in common, each beside the name of the code that it counts.
 //!
-//! `n` is the number of state components. Comparisons and moves are not counted; what is computed in `f64`, whatever the
-//! type of the state, is.
+//! `n` is the number of state components. Comparisons and moves are not counted; what is computed in `f64`, whatever
+//! the type of the state, is.
 
 use crate::cost::Operations;
 

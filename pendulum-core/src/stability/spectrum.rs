@@ -187,11 +187,11 @@ fn real<const N: usize>(vector: &SVector<Complex<f64>, N>) -> SVector<Complex<f6
     longer.normalize().map(Complex::from)
 }
 
-/// An orthonormal basis of the vectors whose adjoints a matrix takes from the left to zero, or to no more than `least`; at
-/// least the one that it takes nearest to it.
+/// An orthonormal basis of the vectors whose adjoints a matrix takes from the left to zero, or to no more than `least`;
+/// at least the one that it takes nearest to it.
 ///
-/// By a factorisation `Q R` with pivots (Golub and Van Loan, 5.4.2): the rows of `R` that are zero leave these columns of
-/// `Q`. The left singular vectors of nalgebra are good to some per cent only where singular values are equal.
+/// By a factorisation `Q R` with pivots (Golub and Van Loan, 5.4.2): the rows of `R` that are zero leave these columns
+/// of `Q`. The left singular vectors of nalgebra are good to some per cent only where singular values are equal.
 fn kernel<const N: usize>(matrix: DMatrix<Complex<f64>>, least: f64) -> Vec<SVector<Complex<f64>, N>> {
     let factors = matrix.col_piv_qr();
     let (q, r) = (factors.q(), factors.r());
