@@ -1,12 +1,8 @@
 //! The C code of scenes against their Rust code, bit for bit.
 
-use std::fs::{self, File};
-use std::path::{Path, PathBuf};
-use std::process::Command;
-
 use nalgebra::{SMatrix, SVector};
 use pendulum_codegen::Sources;
-use pendulum_codegen::program::{Argument, Program, Shape};
+use pendulum_codegen::program::Program;
 use pendulum_core::ParameterError;
 use pendulum_core::prelude::*;
 use pendulum_core::{Canonical, Controlled, TaylorSeries};
@@ -15,6 +11,8 @@ use testbed::random::Random;
 use testbed::robots::{Ur5, Ur5Params};
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 use testbed::source::{MECHANISMS, ROBOTS, SCENES, declaration};
+
+use crate::c_code::{ORDER, compiled, folder, output, results};
 
 mechanism! {
     /// Names that C cannot take, two inputs, and every function of the platform.
@@ -82,8 +80,6 @@ const OWN: &str = include_str!("emitted_c.rs");
 
 /// How many states each scene is compared in.
 const STATES: usize = 3000;
-/// The order of the series, the highest.
-const ORDER: usize = 24;
 
 #[test]
 fn the_double_pendulum_is_the_same() {
@@ -134,11 +130,12 @@ fn a_robot_is_the_same() {
 fn functions_of_the_platform_are_called() {
     let model = Driven::new(DrivenParams::default()).expect("physical");
     // two libraries may differ in the last bit
-    same(OWN, "Driven", 1e-15, |t, x, u| {
+    same(OWN, "Driven", 1e-15, |t, x, more| {
         let x = SVector::<f64, 4>::from_column_slice(x);
+        // after the accelerations
         let u = DrivenInputs {
-            unsigned: u[0],
-            r#loop: u[1],
+            unsigned: more[2],
+            r#loop: more[3],
         };
         let (rhs, (rates, jacobian)) = (model.rhs_with(t, &x, &u), model.rhs_and_jacobian_with(t, &x, &u));
         let by_time = model.time_derivative_with(t, &x, &u);
@@ -249,7 +246,7 @@ fn the_example_integrates_figure_2() {
     let Some(folder) = folder("fig2") else { return };
     let (_, sources) = printed(SCENES, "DoublePendulum");
     let main = include_str!("../../examples/emitted_c/fig2.c");
-    let output = output(&compiled(&folder, &sources, main), &folder.join("double_pendulum.h"));
+    let output = output(&compiled(&folder, &sources, main), &[]);
     let text = String::from_utf8(output).expect("text");
     let last = text.lines().last().expect("a table").split(',');
     let last: Vec<f64> = last.map(|number| number.parse().expect("a number")).collect();
@@ -263,8 +260,7 @@ fn the_example_integrates_figure_2() {
 fn same(source: &str, name: &str, tolerance: f64, rust: impl Fn(f64, &[f64], &[f64]) -> Vec<f64>) {
     let Some(folder) = folder(name) else { return };
     let (program, sources) = printed(source, name);
-    let program_of_c = compiled(&folder, &sources, &evaluation(&program, &sources.name));
-    let (length, dof) = (program.layout.len(), program.layout.dof());
+    let (length, dof, inputs) = (program.layout.len(), program.layout.dof(), program.inputs.len());
     let mut random = Random::new(1);
     let mut states: Vec<Vec<f64>> = Vec::new();
     for n in 0..STATES {
@@ -274,7 +270,9 @@ fn same(source: &str, name: &str, tolerance: f64, rust: impl Fn(f64, &[f64], &[f
         } else {
             4.0
         };
-        let mut state: Vec<f64> = (0..1 + length + dof).map(|_| random.between(-4.0, 4.0)).collect();
+        let mut state: Vec<f64> = (0..1 + length + dof + inputs)
+            .map(|_| random.between(-4.0, 4.0))
+            .collect();
         state[1..=dof].iter_mut().for_each(|angle| *angle *= reach / 4.0);
         let special = [0.0, -0.0, 0.0, -0.0, f64::NAN, f64::INFINITY];
         for (at, value) in special.into_iter().take(if n % 100 == 0 { 6 } else { 4 }).enumerate() {
@@ -285,24 +283,7 @@ fn same(source: &str, name: &str, tolerance: f64, rust: impl Fn(f64, &[f64], &[f
         }
         states.push(state);
     }
-    let given = folder.join("states");
-    fs::write(
-        &given,
-        states
-            .concat()
-            .iter()
-            .flat_map(|value| value.to_le_bytes())
-            .collect::<Vec<u8>>(),
-    )
-    .expect("states");
-    let bytes = output(&program_of_c, &given);
-    let values: Vec<f64> = bytes
-        .as_chunks()
-        .0
-        .iter()
-        .map(|bytes| f64::from_le_bytes(*bytes))
-        .collect();
-    let mut results = values.chunks(values.len() / states.len());
+    let mut results = results(&folder, &program, &sources, &states).into_iter();
     for state in &states {
         let (ours, theirs) = (
             rust(state[0], &state[1..=length], &state[1 + length..]),
@@ -310,7 +291,7 @@ fn same(source: &str, name: &str, tolerance: f64, rust: impl Fn(f64, &[f64], &[f
         );
         assert_eq!(ours.len(), theirs.len(), "{name}: every routine");
         let allowed = tolerance * ours.iter().fold(0.0, |largest: f64, value| largest.max(value.abs()));
-        for (n, (ours, theirs)) in ours.iter().zip(theirs).enumerate() {
+        for (n, (ours, theirs)) in ours.iter().zip(&theirs).enumerate() {
             let agree = ours.to_bits() == theirs.to_bits() || (ours.is_nan() && theirs.is_nan());
             assert!(
                 agree || (ours - theirs).abs() <= allowed,
@@ -357,16 +338,7 @@ fn refused(source: &str, name: &str, rules: usize, rust: impl Fn(&[f64]) -> Opti
         }
         sets.push(set);
     }
-    let given = folder.join("sets");
-    fs::write(
-        &given,
-        sets.concat()
-            .iter()
-            .flat_map(|value| value.to_le_bytes())
-            .collect::<Vec<u8>>(),
-    )
-    .expect("sets");
-    let text = String::from_utf8(output(&program_of_c, &given)).expect("text");
+    let text = String::from_utf8(output(&program_of_c, &sets)).expect("text");
     let expected = sets.iter().map(|set| match rust(set) {
         None => "no error".to_owned(),
         Some(error) => match program.constants_text.iter().position(|text| text == error.name) {
@@ -382,115 +354,10 @@ fn refused(source: &str, name: &str, rules: usize, rust: impl Fn(&[f64]) -> Opti
     assert!(kinds.len() > rules, "{kinds:?}");
 }
 
-/// A program that evaluates everything for each state, and the arguments after it, that it reads.
-fn evaluation(program: &Program, name: &str) -> String {
-    let (length, dof) = (program.layout.len(), program.layout.dof());
-    let (mut calls, mut at) = (String::new(), 0);
-    for routine in &program.routines {
-        let mut arguments = String::from("&model, in[0], in + 1");
-        for argument in &routine.arguments {
-            arguments += match argument {
-                Argument::Inputs => ", &u",
-                Argument::Accelerations => ", more",
-            };
-        }
-        if routine.shapes == [Shape::Scalar] {
-            calls += &format!("out[{at}] = {name}_{}({arguments});\n", routine.name);
-            at += 1;
-            continue;
-        }
-        for shape in &routine.shapes {
-            arguments += &format!(", out + {at}");
-            at += match *shape {
-                Shape::Symmetric(n) => n * n,
-                shape => shape.len(),
-            };
-        }
-        calls += &format!("{name}_{}({arguments});\n", routine.name);
-    }
-    if program.inputs.is_empty() {
-        // results may overwrite the state; the right-hand side comes first
-        calls += &format!("double x[{length}];\nfor (int n = 0; n < {length}; n++) x[n] = in[1 + n];\n");
-        calls += &format!("{name}_rhs(&model, in[0], x, x);\nif (memcmp(x, out, sizeof x) != 0) return 4;\n");
-    }
-    if program.series.is_some() {
-        calls += &format!("for (int n = 0; n < {length}; n++) series[0][n] = in[1 + n];\n");
-        calls += &format!("if ({name}_series(&model, in[0], series, {ORDER} + 1, &work) != 1) return 2;\n");
-        calls += &format!("if ({name}_series(&model, in[0], series, {ORDER}, &work) != 0) return 3;\n");
-        calls += &format!(
-            "for (int n = 0; n < {ORDER} * {length}; n++) out[{at} + n] = series[1 + n / {length}][n % {length}];\n"
-        );
-        at += ORDER * length;
-    }
-    let declared = match &program.series {
-        Some(_) => format!("static double series[{ORDER} + 1][{length}];\nstatic {name}_work work;\n"),
-        None => String::new(),
-    };
-    let inputs = match program.inputs.len() {
-        0 => String::new(),
-        n => format!(
-            "const {name}_inputs u = {{{}}};\n",
-            ["more[0]", "more[1]"][..n].join(", ")
-        ),
-    };
-    include_str!("emitted_c/evaluate.c")
-        .replace("DECLARED", &declared)
-        .replace("CALLS", &(inputs + &calls))
-        .replace("IN", &(1 + length + dof).to_string())
-        .replace("MORE", &(1 + length).to_string())
-        .replace("OUT", &at.to_string())
-        .replace("name", name)
-}
-
-/// A folder for a test, or none, and the reason, where there is no compiler.
-fn folder(name: &str) -> Option<PathBuf> {
-    if Command::new("cc").arg("--version").output().is_err() {
-        eprintln!("skipped: there is no `cc` that could compile C");
-        return None;
-    }
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("emitted_c").join(name);
-    fs::create_dir_all(&folder).expect("a folder");
-    Some(folder)
-}
-
 /// A declaration, in C.
 fn printed(source: &str, name: &str) -> (Program, Sources) {
     let tokens = declaration(source, name).parse().expect("tokens");
     let program = pendulum_codegen::program(tokens).expect("no errors");
     let sources = pendulum_codegen::c(&program);
     (program, sources)
-}
-
-/// A program of a scene and a `main`.
-fn compiled(folder: &Path, sources: &Sources, main: &str) -> PathBuf {
-    let own = |extension| folder.join(&sources.name).with_extension(extension);
-    for (path, text) in [
-        (own("h"), &*sources.header),
-        (own("c"), &*sources.source),
-        (folder.join("main.c"), main),
-    ] {
-        fs::write(path, text).expect("a file");
-    }
-    let mut command = Command::new("cc");
-    command.args(["-std=c99", "-Wall", "-Wextra", "-Werror", "-ffp-contract=off", "-O2"]);
-    // with instructions that could fuse, where the machine has them
-    command.args(cfg!(target_arch = "x86_64").then_some("-march=native"));
-    command.arg("main.c").arg(own("c")).args(["-lm", "-o", "main"]);
-    let status = command.current_dir(folder).status();
-    assert!(
-        status.expect("a compiler").success(),
-        "{} does not compile",
-        sources.name
-    );
-    folder.join("main")
-}
-
-/// What a program writes when it reads a file.
-fn output(program: &Path, given: &Path) -> Vec<u8> {
-    let output = Command::new(program)
-        .stdin(File::open(given).expect("a file"))
-        .output()
-        .expect("it runs");
-    assert!(output.status.success(), "{}: {:?}", program.display(), output.status);
-    output.stdout
 }

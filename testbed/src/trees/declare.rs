@@ -2,7 +2,10 @@
 
 use std::fmt::{self, Display, Formatter};
 
-use super::{Action, Body, Joint, Law, Moves, Number, Torque, Tree, Triple};
+use super::{Action, Body, Event, Form, Joint, Law, Matter, Moves, Name, Number, Output, Solid, Torque, Tree, Triple};
+
+/// The letters of the axes.
+const AXES: [&str; 3] = ["x", "y", "z"];
 
 impl Tree {
     /// What `mechanism! { .. }` holds.
@@ -12,6 +15,9 @@ impl Tree {
             let list = self.parameters.iter().enumerate();
             let list: Vec<String> = list.map(|(n, value)| format!("p{n}: 1 = {value}")).collect();
             text += &format!("    params {{ {} }}\n", list.join(", "));
+        }
+        for n in 0..self.inputs.len() {
+            text += &format!("    input u{n}: 1,\n");
         }
         text += &format!("    gravity: {},\n", vector(&self.gravity));
         text += &format!("    generate: [{}],\n", generate.join(", "));
@@ -24,6 +30,12 @@ impl Tree {
         }
         for action in &self.actions {
             text += &format!("    {action},\n");
+        }
+        for (n, output) in self.outputs.iter().enumerate() {
+            text += &format!("    output o{n}: {output},\n");
+        }
+        for (n, event) in self.events.iter().enumerate() {
+            text += &format!("    event e{n}: {event},\n");
         }
         for (n, body) in self.bodies.iter().enumerate() {
             text += &format!("    body b{n} on {} {{ {body} }}\n", body_name(body.parent));
@@ -43,8 +55,9 @@ fn vector(components: &[Number]) -> String {
 
 impl Display for Number {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        match self.parameter {
-            Some(n) => write!(f, "p{n}"),
+        match self.name {
+            Some(Name::Parameter(n)) => write!(f, "p{n}"),
+            Some(Name::Input(n)) => write!(f, "u{n}"),
             None => write!(f, "{}", self.value),
         }
     }
@@ -52,15 +65,8 @@ impl Display for Number {
 
 impl Display for Body {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        if let Some(mass) = self.mass {
-            write!(f, "mass: {mass}, ")?;
-        }
-        if let Some(com) = &self.com {
-            write!(f, "com: {}, ", vector(com))?;
-        }
-        if let Some(inertia) = &self.inertia {
-            let diagonal = inertia[3..].iter().all(|product| product.value == 0.0);
-            write!(f, "inertia: {}, ", vector(&inertia[..if diagonal { 3 } else { 6 }]))?;
+        if let Some(matter) = &self.matter {
+            write!(f, "{matter}, ")?;
         }
         write!(f, "joint: {}", self.joint)?;
         if let Some(at) = &self.at {
@@ -87,6 +93,49 @@ impl Display for Body {
             Some(Torque::Sine(c)) => write!(f, ", torque: -{c}*sin(q)"),
             Some(Torque::Cubic(c)) => write!(f, ", torque: -{c}*qd^3"),
             Some(Torque::Pumped(c)) => write!(f, ", torque: {c}*q*cos(2*t)"),
+            Some(Torque::Cosine(c)) => write!(f, ", torque: {c}*cos(q)"),
+        }
+    }
+}
+
+impl Display for Matter {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Lump { mass, com, inertia } => {
+                write!(f, "mass: {mass}")?;
+                if let Some(com) = com {
+                    write!(f, ", com: {}", vector(com))?;
+                }
+                if let Some(inertia) = inertia {
+                    let diagonal = inertia[3..].iter().all(|product| product.value == 0.0);
+                    write!(f, ", inertia: {}", vector(&inertia[..if diagonal { 3 } else { 6 }]))?;
+                }
+                Ok(())
+            }
+            Self::Solids(solids) => {
+                let solids: Vec<String> = solids.iter().map(Solid::to_string).collect();
+                write!(f, "solids: [{}]", solids.join(", "))
+            }
+        }
+    }
+}
+
+impl Display for Solid {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let mass = self.mass;
+        match &self.form {
+            Form::Point(at) => write!(f, "point({mass}, {})", vector(at)),
+            Form::Rod([from, to]) => write!(f, "rod({mass}, {}, {})", vector(from), vector(to)),
+            Form::Disk(radius, at) => write!(f, "disk({mass}, {radius}, {})", vector(at)),
+            Form::Plate(corners) => {
+                let corners: Vec<String> = corners.iter().map(|corner| vector(corner)).collect();
+                write!(f, "plate({mass}, [{}])", corners.join(", "))
+            }
+            Form::Cuboid(sides, at) => write!(f, "cuboid({mass}, {}, {})", vector(sides), vector(at)),
+            Form::Cylinder(radius, [from, to]) => {
+                write!(f, "cylinder({mass}, {radius}, {}, {})", vector(from), vector(to))
+            }
+            Form::Sphere(radius, at) => write!(f, "sphere({mass}, {radius}, {})", vector(at)),
         }
     }
 }
@@ -105,7 +154,7 @@ impl Display for Joint {
 
 /// An axis of the frame by its letter.
 fn axis(a: &Triple) -> String {
-    let letter = ["x", "y", "z"].into_iter().enumerate().find_map(|(n, letter)| {
+    let letter = AXES.into_iter().enumerate().find_map(|(n, letter)| {
         let others = (0..3).all(|m| m == n || a[m].value == 0.0);
         let sign = match a[n].value {
             1.0 => "",
@@ -147,5 +196,25 @@ impl Display for Action {
             Self::Potential { a, b, c } => write!(f, "potential: {c}*cos(q{a})*q{b}"),
             Self::Dissipation { a, b, c } => write!(f, "dissipation: {c}/2*(dot(q{a}) + dot(q{b}))^2"),
         }
+    }
+}
+
+impl Display for Output {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        match *self {
+            Self::Position(point) => write!(f, "a{point}"),
+            Self::Rotation(body) => write!(f, "rotation(b{body})"),
+            Self::Velocity(point) => write!(f, "[dot(a{point}.x), dot(a{point}.y), dot(a{point}.z)]"),
+            Self::Mixed { point, axes, c } => {
+                let [k, l, m] = axes.map(|axis| AXES[axis]);
+                write!(f, "{c}*a{point}.{k} + a{point}.{l}*dot(a{point}.{m})")
+            }
+        }
+    }
+}
+
+impl Display for Event {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        write!(f, "a{}.{} - {}", self.point, AXES[self.axis], self.level)
     }
 }

@@ -1,6 +1,8 @@
 //! Trees at random.
 
-use super::{Action, Body, Joint, Law, Moves, Number, Point, Torque, Tree, Triple};
+mod additions;
+
+use super::{Action, Body, Joint, Law, Matter, Moves, Name, Number, Point, Sense, Torque, Tree, Triple};
 use crate::random::Random;
 
 /// What is drawn.
@@ -48,18 +50,18 @@ impl Draw {
     fn plain(value: f64) -> Number {
         Number {
             value: value + 0.0,
-            parameter: None,
+            name: None,
         }
     }
 
     /// A number that may be a parameter.
     fn number(&mut self, value: f64) -> Number {
-        let parameter = self.chance(0.08).then(|| {
+        let name = self.chance(0.08).then(|| {
             self.parameters.push(value + 0.0);
-            self.parameters.len() - 1
+            Name::Parameter(self.parameters.len() - 1)
         });
         Number {
-            parameter,
+            name,
             ..Self::plain(value)
         }
     }
@@ -117,7 +119,7 @@ impl Draw {
         }
         // what is last on a branch must have mass
         let bare: Vec<usize> = (0..bodies.len())
-            .filter(|&n| bodies[n].mass.is_none() && bodies.iter().all(|body| body.parent != Some(n)))
+            .filter(|&n| bodies[n].matter.is_none() && bodies.iter().all(|body| body.parent != Some(n)))
             .collect();
         for n in bare {
             let mass = self.mass();
@@ -137,9 +139,17 @@ impl Draw {
             bodies,
             points,
             actions,
-            parameters: self.parameters,
+            outputs: Vec::new(),
+            events: Vec::new(),
+            parameters: Vec::new(),
+            inputs: Vec::new(),
         };
-        tree.drop_unused_points();
+        // last, so that what is drawn before stays what it is
+        self.add_solids(&mut tree);
+        self.add_inputs(&mut tree);
+        self.add_observed(&mut tree);
+        tree.parameters = self.parameters;
+        tree.drop_unused();
         tree
     }
 
@@ -163,15 +173,15 @@ impl Draw {
         } else {
             None
         };
-        let (joint, sense) = match (moving, common) {
-            (false, _) => (Joint::Fixed, 0.0),
-            (true, None) => (self.joint(), 0.0),
+        let (joint, turns) = match (moving, common) {
+            (false, _) => (Joint::Fixed, None),
+            (true, None) => (self.joint(), None),
             (true, Some(common)) => self.joint_about(common),
         };
         let moves = match (moving, driven) {
             (false, _) => Moves::Never,
             (true, true) => Moves::ByLaw([Law::Still, Law::Swings, Law::Drifts][self.below(3)]),
-            (true, false) if sense != 0.0 && self.chance(0.4) => Moves::Absolutely(k),
+            (true, false) if turns.is_some() && self.chance(0.4) => Moves::Absolutely(k),
             (true, false) => Moves::Freely(k),
         };
         let mut body = Body {
@@ -180,10 +190,8 @@ impl Draw {
             rpy,
             joint,
             moves,
-            sense,
-            mass: None,
-            com: None,
-            inertia: None,
+            turns,
+            matter: None,
             friction: None,
             spring: None,
             torque: None,
@@ -241,26 +249,33 @@ impl Draw {
     }
 
     /// A joint that slides, or that turns about this direction or against it.
-    fn joint_about(&mut self, common: &Triple) -> (Joint, f64) {
+    fn joint_about(&mut self, common: &Triple) -> (Joint, Option<Sense>) {
         if self.chance(0.25) {
-            return (Joint::Prismatic(self.axis()), 0.0);
+            return (Joint::Prismatic(self.axis()), None);
         }
-        let sense = if self.chance(0.75) { 1.0 } else { -1.0 };
-        let axis = common.map(|number| Self::plain(sense * number.value));
+        let (sense, sign) = match self.chance(0.75) {
+            true => (Sense::About, 1.0),
+            false => (Sense::Against, -1.0),
+        };
+        let axis = common.map(|number| Self::plain(sign * number.value));
         if self.chance(0.15) {
             let pitch = self.value(-0.5, 0.5);
-            return (Joint::Helical(axis, self.number(pitch)), sense);
+            return (Joint::Helical(axis, self.number(pitch)), Some(sense));
         }
-        (Joint::Revolute(axis), sense)
+        (Joint::Revolute(axis), Some(sense))
     }
 
-    /// Gives a body mass, and for the most part an inertia: that of six points, at the ends of three skew rods.
+    /// Gives a body mass, and for the most part an inertia.
     fn fill(&mut self, body: &mut Body, mass: f64) {
-        body.mass = Some(self.number(mass));
-        body.com = self.chance(0.85).then(|| self.vector(0.75));
-        if self.chance(0.2) {
-            return;
-        }
+        body.matter = Some(Matter::Lump {
+            mass: self.number(mass),
+            com: self.chance(0.85).then(|| self.vector(0.75)),
+            inertia: (!self.chance(0.2)).then(|| self.inertia(mass)),
+        });
+    }
+
+    /// The inertia of six points, at the ends of three skew rods.
+    fn inertia(&mut self, mass: f64) -> [Number; 6] {
         let along_axes = self.chance(0.4);
         let mut sum = [0.0; 6];
         for n in 0..3 {
@@ -271,7 +286,7 @@ impl Draw {
             let terms = [y * y + z * z, x * x + z * z, x * x + y * y, -x * y, -x * z, -y * z];
             sum.iter_mut().zip(terms).for_each(|(sum, term)| *sum += mass * term);
         }
-        body.inertia = Some(sum.map(Self::plain));
+        sum.map(Self::plain)
     }
 
     fn actions(&mut self, points: &[Point], bodies: &[Body], dof: usize) -> Vec<Action> {
@@ -327,35 +342,4 @@ fn moving(bodies: &[Body]) -> Vec<usize> {
         }
     }
     moving
-}
-
-impl Tree {
-    /// A declaration must use all of its points.
-    fn drop_unused_points(&mut self) {
-        for n in (0..self.points.len()).rev() {
-            let uses = |action: &Action| match action {
-                Action::Force { point, .. } => *point == n,
-                Action::Spring { between, .. } | Action::Damper { between, .. } => between.contains(&n),
-                _ => false,
-            };
-            if self.actions.iter().any(uses) {
-                continue;
-            }
-            let own = self.points[n].at.into_iter().filter_map(|number| number.parameter);
-            for gone in own.collect::<std::collections::BTreeSet<_>>().into_iter().rev() {
-                *self = self.without_parameter(gone);
-            }
-            self.points.remove(n);
-            for action in &mut self.actions {
-                let shift = |point: &mut usize| *point -= usize::from(*point > n);
-                match action {
-                    Action::Force { point, .. } => shift(point),
-                    Action::Spring { between, .. } | Action::Damper { between, .. } => {
-                        between.iter_mut().for_each(shift);
-                    }
-                    _ => {}
-                }
-            }
-        }
-    }
 }

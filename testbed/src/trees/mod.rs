@@ -5,17 +5,26 @@
 
 mod declare;
 mod draw;
+mod numbers;
 mod oracle;
 
 pub use draw::Kind;
 pub use oracle::{Motion, Oracle};
 
-/// A number of a declaration: as it stands, or as the default of a parameter.
+/// A number of a declaration: as it stands, or under a name.
 #[derive(Clone, Copy, Debug)]
 pub struct Number {
     /// A multiple of a power of 1/2, so that a declaration has it exactly.
     pub value: f64,
-    pub parameter: Option<usize>,
+    pub name: Option<Name>,
+}
+
+/// What stands in a declaration for a number that is given later.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Name {
+    /// Its default is the number.
+    Parameter(usize),
+    Input(usize),
 }
 
 pub type Triple = [Number; 3];
@@ -27,8 +36,12 @@ pub struct Tree {
     pub bodies: Vec<Body>,
     pub points: Vec<Point>,
     pub actions: Vec<Action>,
+    pub outputs: Vec<Output>,
+    pub events: Vec<Event>,
     /// The values of the parameters.
     pub parameters: Vec<f64>,
+    /// A value for each input.
+    pub inputs: Vec<f64>,
 }
 
 #[derive(Clone, Debug)]
@@ -39,16 +52,52 @@ pub struct Body {
     pub rpy: Option<Triple>,
     pub joint: Joint,
     pub moves: Moves,
-    /// In a scene of parallel axes the sense of this one; 0 where the joint does not turn.
-    pub sense: f64,
-    pub mass: Option<Number>,
-    pub com: Option<Triple>,
-    /// About the centre of mass, in the order of declarations: xx, yy, zz, xy, xz, yz.
-    pub inertia: Option<[Number; 6]>,
+    /// In a scene of parallel axes how the joint turns; none where it does not.
+    pub turns: Option<Sense>,
+    /// None is a body without mass.
+    pub matter: Option<Matter>,
     pub friction: Option<Number>,
     /// Stiffness and position at rest.
     pub spring: Option<[Number; 2]>,
     pub torque: Option<Torque>,
+}
+
+/// Whether a joint turns about a direction or against it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sense {
+    About,
+    Against,
+}
+
+/// How the mass of a body is declared.
+#[derive(Clone, Debug)]
+pub enum Matter {
+    Lump {
+        mass: Number,
+        com: Option<Triple>,
+        /// About the centre of mass, in the order of declarations: xx, yy, zz, xy, xz, yz.
+        inertia: Option<[Number; 6]>,
+    },
+    Solids(Vec<Solid>),
+}
+
+/// A solid of uniform density.
+#[derive(Clone, Debug)]
+pub struct Solid {
+    pub mass: Number,
+    pub form: Form,
+}
+
+/// Lines from end to end; corners one after the other; all else about a centre, which comes last.
+#[derive(Clone, Debug)]
+pub enum Form {
+    Point(Triple),
+    Rod([Triple; 2]),
+    Disk(Number, Triple),
+    Plate(Vec<[Number; 2]>),
+    Cuboid(Triple, Triple),
+    Cylinder(Number, [Triple; 2]),
+    Sphere(Number, Triple),
 }
 
 #[derive(Clone, Copy, Debug)]
@@ -95,6 +144,8 @@ pub enum Torque {
     Cubic(Number),
     /// `c*q*cos(2*t)`
     Pumped(Number),
+    /// `c*cos(q)`
+    Cosine(Number),
 }
 
 #[derive(Clone, Debug)]
@@ -142,6 +193,29 @@ pub enum Action {
     },
 }
 
+/// What is observed; points and bodies by their numbers.
+#[derive(Clone, Copy, Debug)]
+pub enum Output {
+    Position(usize),
+    Rotation(usize),
+    /// `[dot(point.x), dot(point.y), dot(point.z)]`
+    Velocity(usize),
+    /// `c*point.k + point.l*dot(point.m)` for the axes k, l, m
+    Mixed {
+        point: usize,
+        axes: [usize; 3],
+        c: Number,
+    },
+}
+
+/// `point.k - level` for the axis k
+#[derive(Clone, Copy, Debug)]
+pub struct Event {
+    pub point: usize,
+    pub axis: usize,
+    pub level: Number,
+}
+
 impl Tree {
     /// The number of coordinates.
     pub fn dof(&self) -> usize {
@@ -156,20 +230,12 @@ impl Tree {
 
     /// The mass of all bodies.
     pub fn mass(&self) -> f64 {
-        self.bodies
-            .iter()
-            .filter_map(|body| body.mass)
-            .map(|mass| mass.value)
-            .sum()
+        self.bodies.iter().map(Body::mass).sum()
     }
 
     /// For each coordinate the mass of all bodies that its joint carries.
     pub fn masses_behind(&self) -> Vec<f64> {
-        let mut carried: Vec<f64> = self
-            .bodies
-            .iter()
-            .map(|body| body.mass.map_or(0.0, |mass| mass.value))
-            .collect();
+        let mut carried: Vec<f64> = self.bodies.iter().map(Body::mass).collect();
         let mut behind = vec![0.0; self.dof()];
         for (n, body) in self.bodies.iter().enumerate().rev() {
             if let Moves::Freely(k) | Moves::Absolutely(k) = body.moves {
@@ -187,59 +253,28 @@ impl Tree {
         let mut parents = std::iter::successors(self.bodies[body].parent, |&parent| self.bodies[parent].parent);
         parents.any(|parent| parent == below)
     }
-
-    /// The same tree with the value of a parameter in its place.
-    #[must_use]
-    pub fn without_parameter(&self, gone: usize) -> Self {
-        let mut tree = self.clone();
-        tree.parameters.remove(gone);
-        tree.each_number(|number| match &mut number.parameter {
-            Some(n) if *n == gone => number.parameter = None,
-            Some(n) if *n > gone => *n -= 1,
-            _ => {}
-        });
-        tree
-    }
-
-    fn each_number(&mut self, mut see: impl FnMut(&mut Number)) {
-        self.gravity.iter_mut().for_each(&mut see);
-        for body in &mut self.bodies {
-            let triples = [&mut body.at, &mut body.rpy, &mut body.com];
-            triples.into_iter().flatten().flatten().for_each(&mut see);
-            match &mut body.joint {
-                Joint::Fixed => {}
-                Joint::Revolute(axis) | Joint::Prismatic(axis) => axis.iter_mut().for_each(&mut see),
-                Joint::Helical(axis, pitch) => axis.iter_mut().chain([pitch]).for_each(&mut see),
-                Joint::Screw(angular, linear) => angular.iter_mut().chain(linear).for_each(&mut see),
-            }
-            body.mass.iter_mut().chain(&mut body.friction).for_each(&mut see);
-            body.inertia.iter_mut().flatten().for_each(&mut see);
-            body.spring.iter_mut().flatten().for_each(&mut see);
-            if let Some(Torque::Constant(c) | Torque::Sine(c) | Torque::Cubic(c) | Torque::Pumped(c)) = &mut body.torque
-            {
-                see(c);
-            }
-        }
-        self.points
-            .iter_mut()
-            .flat_map(|point| &mut point.at)
-            .for_each(&mut see);
-        for action in &mut self.actions {
-            match action {
-                Action::Force { force, .. } => force.iter_mut().for_each(&mut see),
-                Action::Spring { stiffness, length, .. } => [stiffness, length].into_iter().for_each(&mut see),
-                Action::Damper { coefficient: c, .. }
-                | Action::Along { c, .. }
-                | Action::Potential { c, .. }
-                | Action::Dissipation { c, .. } => see(c),
-            }
-        }
-    }
 }
 
 impl Body {
     /// Whether its joint follows the time.
     pub fn is_driven(&self) -> bool {
         matches!(self.moves, Moves::ByLaw(Law::Swings | Law::Drifts))
+    }
+
+    pub fn mass(&self) -> f64 {
+        match &self.matter {
+            None => 0.0,
+            Some(Matter::Lump { mass, .. }) => mass.value,
+            Some(Matter::Solids(solids)) => solids.iter().map(|solid| solid.mass.value).sum(),
+        }
+    }
+
+    /// By how much a turn of the joint turns the body about the direction of a scene of parallel axes.
+    fn turning(&self) -> f64 {
+        match self.turns {
+            None => 0.0,
+            Some(Sense::About) => 1.0,
+            Some(Sense::Against) => -1.0,
+        }
     }
 }

@@ -1,10 +1,13 @@
 //! Newton's and Euler's equations, body by body (Featherstone, "Rigid Body Dynamics Algorithms" 2008, ch. 5), in the
 //! ground frame; the mass matrix column by column from unit accelerations (Walker and Orin 1982).
 
+mod matter;
+
+use matter::MassProperties;
 use nalgebra::Vector3;
 use pendulum_core::Real;
 
-use super::{Action, Joint, Law, Moves, Number, Torque, Tree, Triple};
+use super::{Action, Joint, Law, Moves, Name, Number, Output, Torque, Tree, Triple};
 use crate::dual::Dual;
 
 /// The motion of a [`Tree`] in any number type: with dual numbers its derivatives, with series their coefficients.
@@ -12,6 +15,9 @@ use crate::dual::Dual;
 pub struct Oracle<'a, T> {
     tree: &'a Tree,
     parameters: Vec<T>,
+    inputs: Vec<T>,
+    /// Of each body, in its own frame.
+    matter: Vec<MassProperties<T>>,
 }
 
 /// A value and its two derivatives by the time.
@@ -65,19 +71,30 @@ enum Drives {
 pub type Motion<'a, T> = [&'a [T]; 3];
 
 impl<'a, T: Real> Oracle<'a, T> {
-    pub fn new(tree: &'a Tree, parameters: Vec<T>) -> Self {
-        Self { tree, parameters }
+    pub fn new(tree: &'a Tree, parameters: Vec<T>, inputs: Vec<T>) -> Self {
+        let mut oracle = Self {
+            tree,
+            parameters,
+            inputs,
+            matter: Vec::new(),
+        };
+        let matter = tree.bodies.iter().map(|body| oracle.mass_properties(body));
+        oracle.matter = matter.collect();
+        oracle
     }
 
     /// With the defaults of the parameters.
-    pub fn with_defaults(tree: &'a Tree) -> Self {
-        Self::new(tree, tree.parameters.iter().map(|&value| T::from_f64(value)).collect())
+    pub fn with_defaults(tree: &'a Tree, inputs: &[f64]) -> Self {
+        let numbers = |values: &[f64]| values.iter().map(|&value| T::from_f64(value)).collect();
+        Self::new(tree, numbers(&tree.parameters), numbers(inputs))
     }
 
     fn number(&self, number: Number) -> T {
-        number
-            .parameter
-            .map_or(T::from_f64(number.value), |n| self.parameters[n])
+        match number.name {
+            None => T::from_f64(number.value),
+            Some(Name::Parameter(n)) => self.parameters[n],
+            Some(Name::Input(n)) => self.inputs[n],
+        }
     }
 
     fn vector(&self, triple: &Triple) -> Vector3<T> {
@@ -178,7 +195,8 @@ impl<'a, T: Real> Oracle<'a, T> {
             x.iter().zip(rates).map(|(&x, &rate)| Dual::new(x, rate)).collect()
         };
         let constant = |&value: &T| Dual::new(value, T::default());
-        let oracle = Oracle::new(self.tree, self.parameters.iter().map(constant).collect());
+        let constants = |values: &[T]| values.iter().map(constant).collect();
+        let oracle = Oracle::new(self.tree, constants(&self.parameters), constants(&self.inputs));
         let time = Dual::new(t, T::from_f64(1.0));
         let momentum = oracle.momentum(time, &moving(q, qd), &moving(qd, &qdd));
         momentum.into_iter().map(|momentum| momentum.slope).collect()
@@ -190,7 +208,7 @@ impl<'a, T: Real> Oracle<'a, T> {
         let (half, gravity) = (T::from_f64(0.5), self.vector(&self.tree.gravity));
         let [mut kinetic, mut potential] = [T::default(); 2];
         for (n, body) in self.tree.bodies.iter().enumerate() {
-            let (frame, mass, arm) = (&pose.frames[n], self.mass(n), self.arm(n, &pose));
+            let (frame, mass, arm) = (&pose.frames[n], self.matter[n].mass, self.arm(n, &pose));
             let velocity = frame.velocity + frame.spin.cross(&arm);
             kinetic += half * (mass * dot(velocity, velocity) + dot(frame.spin, self.inertia(n, &pose, frame.spin)));
             potential -= mass * dot(gravity, frame.at + arm);
@@ -232,12 +250,40 @@ impl<'a, T: Real> Oracle<'a, T> {
                 if let Moves::Absolutely(k) = body.moves
                     && self.tree.carries(n, m)
                 {
-                    force -= given[k] * T::from_f64(drive.sense * body.sense);
+                    force -= given[k] * T::from_f64(drive.turning() * body.turning());
                 }
             }
             force
         });
         supplied.collect()
+    }
+
+    /// The components of each output; of a rotation column by column.
+    pub fn outputs(&self, t: T, q: &[T], qd: &[T]) -> Vec<Vec<T>> {
+        let pose = self.pose(t, [q, qd, &self.zeros()], Drives::Move);
+        let value = |output: &Output| match *output {
+            Output::Position(point) => self.point(point, &pose)[0].as_slice().to_vec(),
+            Output::Rotation(body) => pose.frames[body].turn.0.iter().flatten().copied().collect(),
+            Output::Velocity(point) => self.point(point, &pose)[1].as_slice().to_vec(),
+            Output::Mixed {
+                point,
+                axes: [k, l, m],
+                c,
+            } => {
+                let [at, velocity] = self.point(point, &pose);
+                vec![self.number(c) * at[k] + at[l] * velocity[m]]
+            }
+        };
+        self.tree.outputs.iter().map(value).collect()
+    }
+
+    /// The value of each event.
+    pub fn events(&self, t: T, q: &[T], qd: &[T]) -> Vec<T> {
+        let pose = self.pose(t, [q, qd, &self.zeros()], Drives::Move);
+        let events = self.tree.events.iter();
+        events
+            .map(|event| self.point(event.point, &pose)[0][event.axis] - self.number(event.level))
+            .collect()
     }
 
     /// The coordinates of all joints.
@@ -246,7 +292,7 @@ impl<'a, T: Real> Oracle<'a, T> {
         let (mut joints, mut turns): (Vec<Jet<T>>, Vec<Jet<T>>) = (Vec::new(), Vec::new());
         for body in &self.tree.bodies {
             let below = body.parent.map_or([zero; 3], |parent| turns[parent]);
-            let sense = T::from_f64(body.sense);
+            let sense = T::from_f64(body.turning());
             let joint = match body.moves {
                 Moves::Never => [zero; 3],
                 Moves::Freely(k) => motion.map(|part| part[k]),
@@ -348,7 +394,6 @@ impl<'a, T: Real> Oracle<'a, T> {
     /// The screw of a joint, normalised.
     fn screw(&self, joint: &Joint) -> (Vector3<T>, Vector3<T>) {
         let none = Vector3::from([T::default(); 3]);
-        let unit = |v: Vector3<T>| v * (T::from_f64(1.0) / dot(v, v).sqrt());
         match joint {
             Joint::Fixed => (none, none),
             Joint::Revolute(axis) => (unit(self.vector(axis)), none),
@@ -367,32 +412,16 @@ impl<'a, T: Real> Oracle<'a, T> {
         }
     }
 
-    fn mass(&self, body: usize) -> T {
-        self.tree.bodies[body]
-            .mass
-            .map_or(T::default(), |mass| self.number(mass))
-    }
-
     /// From the origin of a body to its centre of mass.
     fn arm(&self, body: usize, pose: &Pose<T>) -> Vector3<T> {
-        let com = self.tree.bodies[body].com.as_ref();
-        let com = com.map_or(Vector3::from([T::default(); 3]), |com| self.vector(com));
-        pose.frames[body].turn.of(com)
+        pose.frames[body].turn.of(self.matter[body].com)
     }
 
     /// The inertia of a body about its centre of mass, times a vector.
     fn inertia(&self, body: usize, pose: &Pose<T>, by: Vector3<T>) -> Vector3<T> {
-        let Some(inertia) = &self.tree.bodies[body].inertia else {
-            return Vector3::from([T::default(); 3]);
-        };
-        let [xx, yy, zz, xy, xz, yz] = inertia.map(|entry| self.number(entry));
         let turn = &pose.frames[body].turn;
         let own = turn.back(by);
-        turn.of(Vector3::from([
-            dot(Vector3::from([xx, xy, xz]), own),
-            dot(Vector3::from([xy, yy, yz]), own),
-            dot(Vector3::from([xz, yz, zz]), own),
-        ]))
+        turn.of(Vector3::from(self.matter[body].inertia.map(|row| dot(row, own))))
     }
 
     /// The forces along the joints that the accelerations of all bodies take against gravity.
@@ -402,7 +431,7 @@ impl<'a, T: Real> Oracle<'a, T> {
                 let (frame, arm) = (&pose.frames[n], self.arm(n, pose));
                 let acceleration =
                     frame.acceleration + frame.spin_rate.cross(&arm) + frame.spin.cross(&frame.spin.cross(&arm));
-                let force = (acceleration - gravity) * self.mass(n);
+                let force = (acceleration - gravity) * self.matter[n].mass;
                 let moment = self.inertia(n, pose, frame.spin_rate)
                     + frame.spin.cross(&self.inertia(n, pose, frame.spin))
                     + arm.cross(&force);
@@ -445,6 +474,7 @@ impl<'a, T: Real> Oracle<'a, T> {
             Some(Torque::Sine(c)) => -(self.number(c) * place.sin_cos().0),
             Some(Torque::Cubic(c)) => -(self.number(c) * rate * rate * rate),
             Some(Torque::Pumped(c)) => self.number(c) * place * (T::from_f64(2.0) * t).sin_cos().1,
+            Some(Torque::Cosine(c)) => self.number(c) * place.sin_cos().1,
         };
         force
     }
@@ -554,6 +584,10 @@ impl<T: Real> Turn<T> {
 
 fn dot<T: Real>(a: Vector3<T>, b: Vector3<T>) -> T {
     a.x * b.x + a.y * b.y + a.z * b.z
+}
+
+fn unit<T: Real>(v: Vector3<T>) -> Vector3<T> {
+    v * (T::from_f64(1.0) / dot(v, v).sqrt())
 }
 
 /// Solves a symmetric positive definite system by elimination.

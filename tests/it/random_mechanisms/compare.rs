@@ -30,6 +30,7 @@ pub(super) fn places(tree: &Tree, random: &mut Random) -> Vec<Place> {
             t: list(1)[0],
             state: list(2 * n),
             accelerations: list(n),
+            inputs: list(tree.inputs.len()),
         })
         .collect()
 }
@@ -37,7 +38,7 @@ pub(super) fn places(tree: &Tree, random: &mut Random) -> Vec<Place> {
 /// The condition of the mass matrix whose diagonal is scaled to one.
 pub(super) fn condition(tree: &Tree, place: &Place) -> f64 {
     let n = tree.dof();
-    let a = Oracle::with_defaults(tree).mass_matrix(place.t, &place.state[..n]);
+    let a = Oracle::with_defaults(tree, &place.inputs).mass_matrix(place.t, &place.state[..n]);
     if (0..n).any(|k| a[k][k] <= 0.0) {
         return f64::INFINITY;
     }
@@ -62,17 +63,27 @@ pub(super) fn errors(tree: &Tree, program: &Program, places: &[Place]) -> Worst 
 /// What is right in a place.
 pub(super) struct Comparison<'a> {
     tree: &'a Tree,
-    oracle: Oracle<'a, f64>,
-    place: &'a Place,
-    n: usize,
-    mass_matrix: Vec<Vec<f64>>,
+    pub(super) oracle: Oracle<'a, f64>,
+    pub(super) place: &'a Place,
+    pub(super) n: usize,
+    pub(super) mass_matrix: Vec<Vec<f64>>,
     /// The size of the forces along each coordinate.
-    size: Vec<f64>,
+    pub(super) size: Vec<f64>,
+}
+
+/// What is derived by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum By {
+    Time,
+    /// A component of the state.
+    State(usize),
+    Parameter(usize),
+    Input(usize),
 }
 
 impl<'a> Comparison<'a> {
     pub(super) fn new(tree: &'a Tree, place: &'a Place) -> Self {
-        let (n, oracle) = (tree.dof(), Oracle::with_defaults(tree));
+        let (n, oracle) = (tree.dof(), Oracle::with_defaults(tree, &place.inputs));
         let mass_matrix = oracle.mass_matrix(place.t, &place.state[..n]);
         let mut comparison = Self {
             tree,
@@ -86,11 +97,11 @@ impl<'a> Comparison<'a> {
         comparison
     }
 
-    fn q(&self) -> &[f64] {
+    pub(super) fn q(&self) -> &[f64] {
         &self.place.state[..self.n]
     }
 
-    fn qd(&self) -> &[f64] {
+    pub(super) fn qd(&self) -> &[f64] {
         &self.place.state[self.n..]
     }
 
@@ -148,7 +159,11 @@ impl<'a> Comparison<'a> {
         vector(
             "inverse_dynamics",
             program.routine("inverse_dynamics", place),
-            &|| self.oracle.inverse_dynamics(t, [q, qd, qdd]),
+            &|| {
+                // inputs count as zero
+                let without = Oracle::with_defaults(self.tree, &vec![0.0; place.inputs.len()]);
+                without.inverse_dynamics(t, [q, qd, qdd])
+            },
             &inertial,
         );
         for (name, error) in ["kinetic", "potential"].into_iter().zip(self.energies(program)) {
@@ -156,6 +171,7 @@ impl<'a> Comparison<'a> {
         }
         self.accelerations(program, &mut note);
         self.canonical(program, &mut note);
+        self.observed(program, &mut note);
         if let Some(ours) = program.routine("drive_forces", place) {
             let theirs = self.oracle.drive_forces(t, q, qd);
             let size = self
@@ -175,7 +191,7 @@ impl<'a> Comparison<'a> {
     }
 
     /// `|A| |x|`
-    fn spread(&self, x: &[f64]) -> Vec<f64> {
+    pub(super) fn spread(&self, x: &[f64]) -> Vec<f64> {
         let row = |row: &Vec<f64>| row.iter().zip(x).map(|(a, x)| (a * x).abs()).sum();
         self.mass_matrix.iter().map(row).collect()
     }
@@ -205,7 +221,7 @@ impl<'a> Comparison<'a> {
         let n = self.n;
         let columns = jacobian.chunks(2 * n).enumerate().map(|(j, column)| {
             let is_identity = (0..n).all(|i| column[i] == f64::from(u8::from(j == n + i)));
-            let slope = self.slope(&rates[n..], Some(j), None);
+            let slope = self.slope(&rates[n..], By::State(j));
             let error = self.residual(&rates[n..], &column[n..], &slope);
             if is_identity { error } else { f64::NAN }
         });
@@ -224,27 +240,42 @@ impl<'a> Comparison<'a> {
             note("jacobian", self.of_jacobian(rates, &results[1]));
             let by_time = program.routine("time_derivative", self.place);
             let by_time = by_time.map_or(vec![0.0; 2 * n], |results| results[0].clone());
-            let slope = self.slope(&rates[n..], None, None);
+            let slope = self.slope(&rates[n..], By::Time);
             note("time_derivative", self.residual(&rates[n..], &by_time[n..], &slope));
+        }
+        if let Some(results) = program.routine("input_jacobian", self.place) {
+            for (m, column) in results[0].chunks(2 * n).enumerate() {
+                let slope = self.slope(&rhs[0][n..], By::Input(m));
+                let of_rates = largest(column[..n].iter().map(|entry| entry.abs()));
+                note(
+                    "input_jacobian",
+                    of_rates + self.residual(&rhs[0][n..], &column[n..], &slope),
+                );
+            }
         }
         if let Some(results) = program.routine("parameter_jacobian", self.place) {
             for (p, column) in results[0].chunks(n).enumerate() {
-                let slope = self.slope(&rhs[0][n..], None, Some(p));
+                let slope = self.slope(&rhs[0][n..], By::Parameter(p));
                 note("parameter_jacobian", self.residual(&rhs[0][n..], column, &slope));
             }
         }
     }
 
-    /// The derivative of `A qdd + b - Q`: by a component of the state, by a parameter, or by the time.
-    fn slope(&self, qdd: &[f64], of_state: Option<usize>, parameter: Option<usize>) -> Vec<f64> {
-        let dual = |x: &[f64], one: Option<usize>| -> Vec<Dual> {
-            let one = |n: usize| f64::from(u8::from(one == Some(n)));
-            x.iter().enumerate().map(|(n, &x)| Dual::new(x, one(n))).collect()
+    /// The oracle, the time and the state, with a derivative.
+    pub(super) fn seeded(&self, by: By) -> (Oracle<'a, Dual>, Dual, Vec<Dual>) {
+        let dual = |x: f64, own: By| Dual::new(x, f64::from(u8::from(own == by)));
+        let list = |list: &[f64], own: fn(usize) -> By| -> Vec<Dual> {
+            list.iter().enumerate().map(|(n, &x)| dual(x, own(n))).collect()
         };
-        let by_time = of_state.is_none() && parameter.is_none();
-        let time = Dual::new(self.place.t, f64::from(u8::from(by_time)));
-        let oracle = Oracle::new(self.tree, dual(&self.tree.parameters, parameter));
-        let (state, qdd) = (dual(&self.place.state, of_state), dual(qdd, None));
+        let parameters = list(&self.tree.parameters, By::Parameter);
+        let oracle = Oracle::new(self.tree, parameters, list(&self.place.inputs, By::Input));
+        (oracle, dual(self.place.t, By::Time), list(&self.place.state, By::State))
+    }
+
+    /// The derivative of `A qdd + b - Q`.
+    fn slope(&self, qdd: &[f64], by: By) -> Vec<f64> {
+        let (oracle, time, state) = self.seeded(by);
+        let qdd: Vec<Dual> = qdd.iter().map(|&x| Dual::from_f64(x)).collect();
         let left = oracle.inverse_dynamics(time, [&state[..self.n], &state[self.n..], &qdd]);
         left.into_iter().map(|left| left.slope).collect()
     }
@@ -279,11 +310,8 @@ impl<'a> Comparison<'a> {
             return;
         };
         for j in 0..2 * n {
-            let seed = |m: usize| Dual::new(self.place.state[m], f64::from(u8::from(m == j)));
-            let state: Vec<Dual> = (0..2 * n).map(seed).collect();
-            let parameters = self.tree.parameters.iter().map(|&value| Dual::new(value, 0.0));
-            let oracle = Oracle::new(self.tree, parameters.collect());
-            let (time, q, qd) = (Dual::new(t, 0.0), &state[..n], &state[n..]);
+            let (oracle, time, state) = self.seeded(By::State(j));
+            let (q, qd) = state.split_at(n);
             let [p, pd] = [oracle.momentum(time, q, qd), oracle.momentum_rates(time, q, qd)];
             let rows = (0..n).map(|k| {
                 let error = |ours: &[f64], theirs: &[Dual]| {
@@ -304,8 +332,7 @@ impl<'a> Comparison<'a> {
         let time = Series::<LENGTH>(std::array::from_fn(|k| {
             [self.place.t, 1.0].get(k).copied().unwrap_or(0.0)
         }));
-        let parameters = self.tree.parameters.iter().map(|&value| Series::from_f64(value));
-        let oracle = Oracle::new(self.tree, parameters.collect());
+        let oracle = Oracle::with_defaults(self.tree, &[]);
         let mut state: Vec<Series<LENGTH>> = self.place.state.iter().map(|&x| Series::from_f64(x)).collect();
         for k in 1..LENGTH {
             let qdd = oracle.accelerations(time, &state[..n], &state[n..]);
@@ -319,7 +346,7 @@ impl<'a> Comparison<'a> {
 }
 
 /// The largest of some numbers; NaN if one of them is.
-fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
+pub(super) fn largest(numbers: impl IntoIterator<Item = f64>) -> f64 {
     let larger = |a: f64, b: f64| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) };
     numbers.into_iter().fold(0.0, larger)
 }

@@ -16,6 +16,14 @@ pub(super) struct Place {
     /// Coordinates, then their rates.
     pub(super) state: Vec<f64>,
     pub(super) accelerations: Vec<f64>,
+    pub(super) inputs: Vec<f64>,
+}
+
+impl Place {
+    /// All of it, one after the other.
+    pub(super) fn numbers(&self) -> Vec<f64> {
+        [&[self.t], &self.state[..], &self.accelerations, &self.inputs].concat()
+    }
 }
 
 impl<'p> Evaluator<'p> {
@@ -47,6 +55,13 @@ impl<'p> Evaluator<'p> {
         Some(results.collect())
     }
 
+    /// The results of all routines, one after the other.
+    pub(super) fn all(&self, place: &Place) -> Vec<f64> {
+        let routines = self.program.routines.iter();
+        let results = routines.flat_map(|routine| self.routine(&routine.name, place));
+        results.flatten().flatten().collect()
+    }
+
     /// The coefficients of the motion in powers of the time, from the state on.
     pub(super) fn series(&self, place: &Place, order: usize) -> Option<Vec<Vec<f64>>> {
         let series = self.program.series.as_ref()?;
@@ -56,8 +71,8 @@ impl<'p> Evaluator<'p> {
         let mut x = vec![place.state.clone(), first.to_vec()];
         let (mut left, mut right): (Vec<Vec<f64>>, Vec<Vec<f64>>) = (vec![Vec::new()], vec![Vec::new()]);
         for k in 1..order {
-            let sum = |m: usize| -> f64 { (1..k).map(|j| left[j][m] * right[k - j][m]).sum() };
-            let sums: Vec<f64> = (0..products).map(sum).collect();
+            let product = |m: usize, j: usize| left[j][m] * right[k - j][m];
+            let sums: Vec<f64> = (0..products).map(|m| interior_sum(k, |j| product(m, j))).collect();
             let results = values(&series.order, |variable| match variable {
                 Variable::Series(Coefficient::Order) => k as f64,
                 Variable::Series(Coefficient::OverOrder) => 1.0 / k as f64,
@@ -68,7 +83,8 @@ impl<'p> Evaluator<'p> {
                 other => self.read(other, place),
             });
             let (rates, sides) = results.split_at(length);
-            x.push(rates.iter().map(|rate| rate / (k + 1) as f64).collect());
+            let over_next = 1.0 / (k + 1) as f64;
+            x.push(rates.iter().map(|rate| rate * over_next).collect());
             left.push(sides[..products].to_vec());
             right.push(sides[products..].to_vec());
         }
@@ -79,10 +95,27 @@ impl<'p> Evaluator<'p> {
         match variable {
             Variable::State(n) => place.state[n],
             Variable::Acceleration(n) => place.accelerations[n],
+            Variable::Input(n) => place.inputs[n],
             Variable::Time => place.t,
             Variable::Constant(n) => self.constants[n],
             other => panic!("a routine reads {other:?}"),
         }
+    }
+}
+
+/// The sum of the products of order `k`, in the order in which generated code adds them: those in the middle with even and
+/// with odd numbers, then the first and the last.
+fn interior_sum(k: usize, product: impl Fn(usize) -> f64) -> f64 {
+    let every_other = |first: usize| {
+        (first..k.saturating_sub(1))
+            .step_by(2)
+            .fold(0.0, |sum, j| sum + product(j))
+    };
+    let middle = every_other(2) + every_other(3);
+    match k {
+        1 => middle,
+        2 => middle + product(1),
+        _ => middle + (product(1) + product(k - 1)),
     }
 }
 

@@ -1,11 +1,14 @@
 //! Random mechanisms: what is generated for them against equations of motion that share nothing with the generator.
 //!
 //! `PENDULUM_MECHANISMS=5000 cargo test --release -p tests --test it random_mechanisms -- --nocapture` tries more of
-//! them, and shows the worst errors; `PENDULUM_SEED` is the first seed. What fails is printed with its seed.
+//! them, and shows the worst errors; `PENDULUM_SEED` is the first seed. What fails is printed with its seed. Every eighth
+//! is also printed as C, compiled and run; `PENDULUM_C=1` does so with each.
 
 mod compare;
 mod declared;
 mod evaluate;
+mod in_c;
+mod observe;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Mutex;
@@ -14,7 +17,7 @@ use std::sync::atomic::{AtomicU64, Ordering};
 use compare::{Worst, condition, places};
 use pendulum_codegen::program;
 use testbed::random::Random;
-use testbed::trees::{Kind, Tree};
+use testbed::trees::{Kind, Name, Tree};
 
 /// The condition of a mass matrix, its coordinates scaled alike, beyond which a scene is left out: digits are lost
 /// whoever computes.
@@ -25,13 +28,16 @@ const SINGULAR: f64 = 1e12;
 /// How many mechanisms of a kind are tried where no other number is given.
 const DEFAULT: u64 = 20;
 
+/// Of how many one is also compared in C, where no other number is given.
+const ONE_IN_C: u64 = 8;
+
 /// The stack of the compiler's thread, in which the generator runs.
 const STACK: usize = 8 << 20;
 
 /// What came of one draw.
 enum Tried {
-    /// It agrees.
-    Agrees(Worst),
+    /// It agrees, maybe in C too.
+    Agrees { errors: Worst, in_c: bool },
     /// Its mass matrix is singular, and it was refused for that.
     Refused,
     /// Its mass matrix is close to singular.
@@ -52,14 +58,19 @@ fn uneven_masses_move_as_newton_and_euler_say() {
 #[derive(Default)]
 struct Tally {
     agree: u64,
+    in_c: u64,
     refused: u64,
     left_out: u64,
     worst: Worst,
     failures: Vec<String>,
 }
 
+/// A number that is given from outside.
+fn number(name: &str, default: u64) -> u64 {
+    std::env::var(name).map_or(default, |text| text.parse().expect("a number"))
+}
+
 fn agree(kind: Kind, tolerance: f64) {
-    let number = |name: &str, default: u64| std::env::var(name).map_or(default, |text| text.parse().expect("a number"));
     let (first, count) = (number("PENDULUM_SEED", 1), number("PENDULUM_MECHANISMS", DEFAULT));
     let (next, tally) = (AtomicU64::new(first), Mutex::new(Tally::default()));
     let threads = std::thread::available_parallelism().map_or(1, usize::from);
@@ -81,8 +92,9 @@ fn agree(kind: Kind, tolerance: f64) {
     });
     let tally = tally.into_inner().expect("a tally");
     println!(
-        "{kind:?}: {} agree, {} are refused as singular, {} are left out; worst {}",
+        "{kind:?}: {} agree, {} of them in C, {} are refused as singular, {} are left out; worst {}",
         tally.agree,
+        tally.in_c,
         tally.refused,
         tally.left_out,
         shown(&tally.worst)
@@ -94,8 +106,9 @@ fn agree(kind: Kind, tolerance: f64) {
 impl Tally {
     fn add(&mut self, seed: u64, tried: Result<Tried, String>) {
         match tried {
-            Ok(Tried::Agrees(errors)) => {
+            Ok(Tried::Agrees { errors, in_c }) => {
                 self.agree += 1;
+                self.in_c += u64::from(in_c);
                 for (what, error) in errors {
                     let worst = self.worst.entry(what).or_default();
                     *worst = worst.max(error);
@@ -130,7 +143,12 @@ fn tried(seed: u64, kind: Kind, tolerance: f64) -> Result<Tried, String> {
         let words: Vec<&str> = words
             .iter()
             .copied()
-            .filter(|word| *word != "parameter_jacobian" || !tree.parameters.is_empty())
+            .filter(|word| match *word {
+                "parameter_jacobian" => !tree.parameters.is_empty(),
+                // of motions whose forces are known
+                "canonical" | "taylor" => tree.inputs.is_empty(),
+                _ => true,
+            })
             .collect();
         let declaration = tree.declaration("Random", &words);
         let failed = |what: &dyn std::fmt::Display| Err(format!("{what}\n{declaration}"));
@@ -142,8 +160,8 @@ fn tried(seed: u64, kind: Kind, tolerance: f64) -> Result<Tried, String> {
             Ok(program) => program,
             Err(errors) => {
                 let text = errors.to_string();
-                if let Some(gone) = useless(&text) {
-                    tree = tree.without_parameter(gone);
+                if let Some(less) = without_useless(&tree, &text) {
+                    tree = less;
                     continue;
                 }
                 if singular && text.contains("has no inertia") {
@@ -162,7 +180,19 @@ fn tried(seed: u64, kind: Kind, tolerance: f64) -> Result<Tried, String> {
         if errors.values().any(|error| error.is_nan() || *error > tolerance) {
             return failed(&format!("errors {}, condition {worst:.1e}", shown(&errors)));
         }
-        return Ok(Tried::Agrees(errors));
+        let mut in_c = false;
+        if seed.is_multiple_of(number("PENDULUM_C", ONE_IN_C)) {
+            let name = format!("{kind:?}{seed}");
+            let same = catch_unwind(AssertUnwindSafe(|| {
+                in_c::same(&name, &program, &tree.parameters, &places)
+            }));
+            match same {
+                Err(_) => return failed(&"the C code fails"),
+                Ok(Some(Err(difference))) => return failed(&difference),
+                Ok(same) => in_c = same.is_some(),
+            }
+        }
+        return Ok(Tried::Agrees { errors, in_c });
     }
 }
 
@@ -171,10 +201,21 @@ fn shown(errors: &Worst) -> String {
     errors.collect::<Vec<_>>().join(", ")
 }
 
-/// The parameter that an error calls useless, as some are: those of a mass on the axis that it turns about.
-fn useless(errors: &str) -> Option<usize> {
-    let (before, _) = errors.split_once("` changes nothing")?;
-    before.rsplit_once("parameter `p")?.1.parse().ok()
+/// The tree without what an error calls useless, as some numbers are: those of a mass on the axis that it turns about, an
+/// input that pushes where nothing can move, an event where nothing does.
+fn without_useless(tree: &Tree, errors: &str) -> Option<Tree> {
+    let quoted = |end: &str| errors.split_once(end)?.0.rsplit('`').next();
+    if let Some(name) = quoted("` changes nothing") {
+        let (kind, n) = name.split_at_checked(1)?;
+        let n = n.parse().ok()?;
+        return match kind {
+            "p" => Some(tree.without(Name::Parameter(n))),
+            "u" => Some(tree.without(Name::Input(n))),
+            _ => None,
+        };
+    }
+    let event = quoted("` never occurs")?.strip_prefix('e')?;
+    Some(tree.without_event(event.parse().ok()?))
 }
 
 /// What is generated: all of it for small trees, something of it for others.
