@@ -39,7 +39,9 @@ pub(super) fn places(tree: &Tree, random: &mut Random) -> Vec<Place> {
 pub(super) fn condition(tree: &Tree, place: &Place) -> f64 {
     let n = tree.dof();
     let a = Oracle::with_defaults(tree, &place.inputs).mass_matrix(place.t, &place.state[..n]);
-    if (0..n).any(|k| a[k][k] <= 0.0) {
+    // of arms that are zero but for rounding
+    let rounding = tree.masses_behind().into_iter().map(|mass| mass * 1e-24);
+    if rounding.enumerate().any(|(k, rounding)| a[k][k] <= rounding) {
         return f64::INFINITY;
     }
     let scaled = DMatrix::from_fn(n, n, |i, j| a[i][j] / (a[i][i] * a[j][j]).sqrt());
