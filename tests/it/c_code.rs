@@ -21,8 +21,8 @@ pub(crate) fn folder(name: &str) -> Option<PathBuf> {
     Some(folder)
 }
 
-/// All results of C code, routine by routine and then those of the series, with the defaults of the parameters: for each
-/// list of the time, the state, accelerations and inputs.
+/// All results of C code, routine by routine and then those of the series, with the defaults of the parameters: for
+/// each list of the time, the state, accelerations and inputs.
 pub(crate) fn results(folder: &Path, program: &Program, sources: &Sources, given: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let bytes = output(&compiled(folder, sources, &evaluation(program, &sources.name)), given);
     let numbers = bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes));

@@ -103,8 +103,8 @@ impl<'p> Evaluator<'p> {
     }
 }
 
-/// The sum of the products of order `k`, in the order in which generated code adds them: those in the middle with even and
-/// with odd numbers, then the first and the last.
+/// The sum of the products of order `k`, in the order in which generated code adds them: those in the middle with even
+/// and with odd numbers, then the first and the last.
 fn interior_sum(k: usize, product: impl Fn(usize) -> f64) -> f64 {
     let every_other = |first: usize| {
         (first..k.saturating_sub(1))

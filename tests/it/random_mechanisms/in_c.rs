@@ -7,11 +7,14 @@ use pendulum_codegen::program::Program;
 use super::evaluate::{Evaluator, Place};
 use crate::c_code::{ORDER, folder, results};
 
-/// Whether C code computes the same in these places; none where no compiler is.
-pub(super) fn same(name: &str, program: &Program, parameters: &[f64], places: &[Place]) -> Option<Result<(), String>> {
-    let folder = folder(name)?;
-    let evaluator = Evaluator::new(program, parameters);
-    // also where everything is zero, of either sign
+/// Compares the results in these places and at rest; false where there is no compiler.
+///
+/// # Errors
+/// The first result that differs.
+pub(super) fn same(name: &str, program: &Program, parameters: &[f64], places: &[Place]) -> Result<bool, String> {
+    let Some(folder) = folder(name) else {
+        return Ok(false);
+    };
     let resting = [0.0, -0.0].map(|zero| Place {
         t: zero,
         state: vec![zero; program.layout.len()],
@@ -20,23 +23,18 @@ pub(super) fn same(name: &str, program: &Program, parameters: &[f64], places: &[
     });
     let places = [places, &resting].concat();
     let given: Vec<Vec<f64>> = places.iter().map(Place::numbers).collect();
-    let theirs = results(&folder, program, &pendulum_codegen::c(program), &given);
-    for (place, theirs) in places.iter().zip(theirs) {
+    let evaluator = Evaluator::new(program, parameters);
+    let of_c = results(&folder, program, &pendulum_codegen::c(program), &given);
+    for (place, of_c) in places.iter().zip(of_c) {
         let series = evaluator.series(place, ORDER).map(|series| series[1..].concat());
-        let ours = [evaluator.all(place), series.unwrap_or_default()].concat();
-        assert_eq!(ours.len(), theirs.len(), "every routine");
-        let same = |ours: f64, theirs: f64| ours.to_bits() == theirs.to_bits() || ours.is_nan() && theirs.is_nan();
-        if let Some(n) = ours
-            .iter()
-            .zip(&theirs)
-            .position(|(ours, theirs)| !same(*ours, *theirs))
-        {
-            let (ours, theirs) = (ours[n], theirs[n]);
-            return Some(Err(format!(
-                "result {n} is {theirs:e} in C, not {ours:e}, at {place:?}"
-            )));
+        let own = [evaluator.all(place), series.unwrap_or_default()].concat();
+        assert_eq!(own.len(), of_c.len(), "every routine");
+        for (n, (own, of_c)) in own.into_iter().zip(of_c).enumerate() {
+            if own.to_bits() != of_c.to_bits() && !(own.is_nan() && of_c.is_nan()) {
+                return Err(format!("result {n} is {of_c:e} in C, not {own:e}, at {place:?}"));
+            }
         }
     }
     fs::remove_dir_all(folder).expect("a folder");
-    Some(Ok(()))
+    Ok(true)
 }

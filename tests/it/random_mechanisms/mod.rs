@@ -1,8 +1,8 @@
 //! Random mechanisms: what is generated for them against equations of motion that share nothing with the generator.
 //!
 //! `PENDULUM_MECHANISMS=5000 cargo test --release -p tests --test it random_mechanisms -- --nocapture` tries more of
-//! them, and shows the worst errors; `PENDULUM_SEED` is the first seed. What fails is printed with its seed. Every fourth
-//! is also printed as C, compiled and run; with `PENDULUM_C=1` every one is.
+//! them, and shows the worst errors; `PENDULUM_SEED` is the first seed. What fails is printed with its seed. Every
+//! fourth is also printed as C, compiled and run; with `PENDULUM_C=1` every one is.
 
 mod compare;
 mod declared;
@@ -15,7 +15,9 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
 
 use compare::{Worst, condition, places};
+use evaluate::Place;
 use pendulum_codegen::program;
+use pendulum_codegen::program::Program;
 use testbed::random::Random;
 use testbed::trees::{Kind, Name, Tree};
 
@@ -139,6 +141,7 @@ fn tried(seed: u64, kind: Kind, tolerance: f64) -> Result<Tried, String> {
     }
     let singular = best >= SINGULAR;
     let words = words(&tree, &mut random);
+    let in_c = seed.is_multiple_of(number("PENDULUM_C", ONE_IN_C));
     loop {
         let words: Vec<&str> = words
             .iter()
@@ -176,27 +179,31 @@ fn tried(seed: u64, kind: Kind, tolerance: f64) -> Result<Tried, String> {
         if singular {
             return failed(&"the mass matrix is singular");
         }
-        let compared = catch_unwind(AssertUnwindSafe(|| compare::errors(&tree, &program, &places)));
-        let Ok(errors) = compared else {
-            return failed(&"the evaluation panics");
-        };
-        if errors.values().any(|error| error.is_nan() || *error > tolerance) {
-            return failed(&format!("errors {}, condition {worst:.1e}", shown(&errors)));
-        }
-        let mut in_c = false;
-        if seed.is_multiple_of(number("PENDULUM_C", ONE_IN_C)) {
-            let name = format!("{kind:?}{seed}");
-            let same = catch_unwind(AssertUnwindSafe(|| {
-                in_c::same(&name, &program, &tree.parameters, &places)
-            }));
-            match same {
-                Err(_) => return failed(&"the C code fails"),
-                Ok(Some(Err(difference))) => return failed(&difference),
-                Ok(same) => in_c = same.is_some(),
-            }
-        }
-        return Ok(Tried::Agrees { errors, in_c });
+        let agrees = compared(&format!("{kind:?}{seed}"), &tree, &program, &places, tolerance, in_c);
+        return agrees.or_else(|what| failed(&format!("{what}, condition {worst:.1e}")));
     }
+}
+
+/// What came of a program; what is wrong with it, if anything is.
+fn compared(
+    name: &str,
+    tree: &Tree,
+    program: &Program,
+    places: &[Place],
+    tolerance: f64,
+    in_c: bool,
+) -> Result<Tried, String> {
+    let errors = catch_unwind(AssertUnwindSafe(|| compare::errors(tree, program, places)));
+    let errors = errors.map_err(|_| "the evaluation panics")?;
+    if errors.values().any(|error| error.is_nan() || *error > tolerance) {
+        return Err(format!("errors {}", shown(&errors)));
+    }
+    let mut same = Ok(false);
+    if in_c {
+        let run = || in_c::same(name, program, &tree.parameters, places);
+        same = catch_unwind(AssertUnwindSafe(run)).map_err(|_| "the C code fails")?;
+    }
+    same.map(|in_c| Tried::Agrees { errors, in_c })
 }
 
 fn shown(errors: &Worst) -> String {
@@ -204,8 +211,8 @@ fn shown(errors: &Worst) -> String {
     errors.collect::<Vec<_>>().join(", ")
 }
 
-/// The tree without what an error calls useless, as some numbers are: those of a mass on the axis that it turns about, an
-/// input that pushes where nothing can move, an event where nothing does.
+/// The tree without what an error calls useless: a number of a mass on the axis that it turns about, an input that
+/// pushes where nothing can move, an event where nothing does.
 fn without_useless(tree: &Tree, errors: &str) -> Option<Tree> {
     let quoted = |end: &str| errors.split_once(end)?.0.rsplit('`').next();
     if let Some(name) = quoted("` changes nothing") {
