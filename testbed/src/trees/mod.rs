@@ -71,6 +71,7 @@ pub enum Sense {
 
 /// How the mass of a body is declared.
 #[derive(Clone, Debug)]
+#[expect(clippy::large_enum_variant, reason = "most bodies are lumps")]
 pub enum Matter {
     Lump {
         mass: Number,
