@@ -103,14 +103,19 @@ impl Graph {
     }
 }
 
-/// Whether a symmetric matrix is singular for all values of its symbols: the place of a pivot that vanishes when it is
-/// eliminated from the last row on. None where it is not, or where that is not known.
+/// Whether a symmetric matrix without negative eigenvalues is singular for all values of its symbols: the place of a zero
+/// on its diagonal, or of a pivot that vanishes when it is eliminated from the last row on. None where it is not, or
+/// where that is not known.
 pub(crate) fn vanishing_pivot(matrix: &[Vec<Expr<'_>>]) -> Option<usize> {
     /// In how many points a pivot must vanish: a root is one of two, which may fit by chance.
     const ENOUGH: usize = 8;
     /// In how many it is looked for: half of them have no root of some number.
     const MOST: u64 = 64;
     let n = matrix.len();
+    // needs no point, of which many roots leave too few
+    if let Some(plain) = (0..n).rev().find(|&k| matrix[k][k].is_zero()) {
+        return Some(plain);
+    }
     let entries: Vec<Expr<'_>> = matrix.iter().flatten().copied().collect();
     let graph = entries.first()?.graph();
     let zero_pivot = |seed| {

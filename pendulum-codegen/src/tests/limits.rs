@@ -249,6 +249,22 @@ fn inertia_is_asked_for_where_accelerations_are() {
     assert!(!on_axis("generate: [], output y: dot(x1),"));
 }
 
+/// Many roots hardly ever all exist modulo a prime, but a zero of the diagonal needs none.
+#[test]
+fn inertia_that_is_plainly_zero_is_noticed_beside_many_roots() {
+    let axes = ["[1, 1, 0]", "[1, 1, 1]", "[1, 2, 0]", "[1, 2, 3]", "[1, 3, 1]"];
+    let mut bodies = String::from("body b0 on ground { mass: 1, joint: fixed } ");
+    for (n, axis) in axes.into_iter().enumerate() {
+        bodies += &format!(
+            "body b{} on b{n} {{ mass: 1, com: [1, 2, -1], inertia: [1, 1, 1], joint: revolute({axis}) at [1, 0, 2], coordinate: x{n} }} ",
+            n + 1
+        );
+    }
+    assert!(has_inertia(&format!("generate: [mass_matrix], {bodies}")));
+    let last = "body last on b5 { mass: 1, joint: revolute([1, 0, 5]) at [0, 1, 0], coordinate: y }";
+    assert!(!has_inertia(&format!("generate: [mass_matrix], {bodies} {last}")));
+}
+
 /// A parameter of the drives alone changes nothing but their forces.
 #[test]
 fn parameters_of_drives_matter_where_their_forces_are_generated() {

@@ -140,7 +140,8 @@ fn values(block: &Block, read: impl Fn(Variable) -> f64) -> Vec<f64> {
 fn value(term: &Term, locals: &[f64], read: &impl Fn(Variable) -> f64) -> f64 {
     let of = |term: &Term| value(term, locals, read);
     match term {
-        Term::Number(number) => *number,
+        // printers write zeros without a sign
+        Term::Number(number) => number + 0.0,
         Term::Local(local) => locals[local.index()],
         Term::Read(variable) => read(*variable),
         Term::Unary(Unary::Sign, a) => Real::signum(of(a)),
