@@ -103,29 +103,42 @@ impl Graph {
     }
 }
 
-/// Whether a symmetric matrix without negative eigenvalues is singular for all values of its symbols: the place of a zero
-/// on its diagonal, or of a pivot that vanishes when it is eliminated from the last row on. None where it is not, or
-/// where that is not known.
+/// Whether a symmetric matrix is singular for all values of its symbols: the place of a pivot that vanishes when it is
+/// eliminated from the last row on. None where it is not, or where that is not known.
 pub(crate) fn vanishing_pivot(matrix: &[Vec<Expr<'_>>]) -> Option<usize> {
+    // what is known of the whole comes first; blocks at its end may have fewer roots
+    known_pivot(matrix, 0).unwrap_or_else(|| {
+        let blocks = (1..matrix.len()).rev();
+        blocks.filter_map(|first| known_pivot(matrix, first)).flatten().next()
+    })
+}
+
+/// The pivot that vanishes in the block of a matrix from this row on, if one does; none where that is not known.
+fn known_pivot(matrix: &[Vec<Expr<'_>>], first: usize) -> Option<Option<usize>> {
     /// In how many points a pivot must vanish: a root is one of two, which may fit by chance.
     const ENOUGH: usize = 8;
     /// In how many it is looked for: half of them have no root of some number.
     const MOST: u64 = 64;
-    let n = matrix.len();
-    // needs no point, of which many roots leave too few
-    if let Some(plain) = (0..n).rev().find(|&k| matrix[k][k].is_zero()) {
-        return Some(plain);
-    }
-    let entries: Vec<Expr<'_>> = matrix.iter().flatten().copied().collect();
-    let graph = entries.first()?.graph();
+    let rows = matrix[first..].iter();
+    let entries: Vec<Expr<'_>> = rows.flat_map(|row| &row[first..]).copied().collect();
+    let Some(graph) = entries.first().map(|entry| entry.graph()) else {
+        return Some(None);
+    };
     let zero_pivot = |seed| {
         let field = Field::new(seed);
         let values = graph.evaluate_modulo(&entries, field)?;
-        Some(field.zero_pivot(values.chunks(n).map(<[u64]>::to_vec).collect()))
+        let rows = values.chunks(matrix.len() - first).map(<[u64]>::to_vec);
+        Some(field.zero_pivot(rows.collect()))
     };
-    let pivots = (0..MOST).filter_map(zero_pivot).take(ENOUGH);
-    let pivots: Vec<usize> = pivots.collect::<Option<_>>()?;
-    pivots.last().copied().filter(|_| pivots.len() == ENOUGH)
+    let mut pivots = (0..MOST).filter_map(zero_pivot);
+    let mut vanishing = None;
+    for _ in 0..ENOUGH {
+        vanishing = pivots.next()?;
+        if vanishing.is_none() {
+            break;
+        }
+    }
+    Some(vanishing.map(|k| first + k))
 }
 
 impl Field {
