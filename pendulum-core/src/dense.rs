@@ -37,13 +37,28 @@ impl<T: Real, const N: usize> Step<T, N> {
 pub struct Dense<'a, T, const N: usize> {
     step: Step<T, N>,
     coefficients: &'a [SVector<T, N>],
+    /// The fraction at which the step was cut off.
+    cut: T,
 }
 
 impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
     /// `coefficients` are the vectors `c_1, c_2, ..` of `x0 + c_1 theta + c_2 theta^2 + ..`, `theta` the fraction of
     /// the step.
     pub(crate) fn new(step: Step<T, N>, coefficients: &'a [SVector<T, N>]) -> Self {
-        Self { step, coefficients }
+        Self {
+            step,
+            coefficients,
+            cut: T::from_f64(1.0),
+        }
+    }
+
+    /// Of a step that was cut off at the fraction `cut` of the one that the coefficients are for.
+    pub(crate) fn cut_off(step: Step<T, N>, coefficients: &'a [SVector<T, N>], cut: T) -> Self {
+        Self {
+            step,
+            coefficients,
+            cut,
+        }
     }
 
     /// The step.
@@ -58,7 +73,11 @@ impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
         if t == self.step.t1 || self.coefficients.is_empty() {
             return self.step.x1;
         }
-        polynomial(&self.step.x0, self.coefficients, (t - self.step.t0) / self.step.h)
+        polynomial(
+            &self.step.x0,
+            self.coefficients,
+            (t - self.step.t0) / self.step.h * self.cut,
+        )
     }
 }
 
@@ -69,7 +88,7 @@ impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
         if theta == T::from_f64(1.0) {
             return self.step.x1;
         }
-        polynomial(&self.step.x0, self.coefficients, theta)
+        polynomial(&self.step.x0, self.coefficients, theta * self.cut)
     }
 
     /// The time at a fraction of the step.
@@ -80,8 +99,21 @@ impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
         self.step.t0 + theta * self.step.h
     }
 
-    /// The coefficients of the polynomial in the fraction of the step, from the first power on.
-    pub(crate) fn coefficients(&self) -> &'a [SVector<T, N>] {
+    /// The coefficients of the polynomial in the fraction of the part of the step up to `theta`, from the first power on.
+    pub(crate) fn coefficients_to(&self, theta: T) -> impl Iterator<Item = SVector<T, N>> {
+        let (cut, one) = (theta * self.cut, T::from_f64(1.0));
+        let mut power = one;
+        self.coefficients.iter().map(move |coefficient| {
+            if cut == one {
+                return *coefficient;
+            }
+            power *= cut;
+            coefficient * power
+        })
+    }
+
+    /// The largest that each term of the polynomial can be.
+    pub(crate) fn terms(&self) -> &'a [SVector<T, N>] {
         self.coefficients
     }
 }

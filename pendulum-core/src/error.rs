@@ -122,6 +122,27 @@ pub enum Reason {
         /// The index of the event among those given.
         event: usize,
     },
+    /// A constraint of a [hybrid](crate::hybrid) system starts beyond its limit.
+    BeyondLimit {
+        /// The name of the constraint.
+        constraint: &'static str,
+        /// Its value.
+        value: f64,
+        /// The limit.
+        limit: f64,
+    },
+    /// The value, the rate or the force of a constraint is infinite or NaN.
+    ConstraintNotFinite {
+        /// The name of the constraint.
+        constraint: &'static str,
+        /// The time at which it is.
+        t: f64,
+    },
+    /// The modes of a hybrid system change without time advancing.
+    ModesAccumulate {
+        /// The name of a constraint that changes.
+        constraint: &'static str,
+    },
     /// The end was not reached within the number of steps allowed, rejected ones included.
     TooManySteps {
         /// The number of steps allowed.
@@ -163,6 +184,24 @@ impl fmt::Display for Reason {
                 "event {event} repeats without time advancing, like a bouncing ball that comes to rest; \
                  make it terminal below some speed, and continue with a model of the contact, \
                  or let its reset lead further away"
+            ),
+            Self::BeyondLimit {
+                constraint,
+                value,
+                limit,
+            } => write!(
+                f,
+                "`{constraint}` starts at {value}, beyond its limit of {limit}; start within the limits"
+            ),
+            Self::ConstraintNotFinite { constraint, t } => write!(
+                f,
+                "the value, the rate or the force of `{constraint}` is not finite at t = {t}; \
+                 check its gap, and that nothing is held whose mass is zero"
+            ),
+            Self::ModesAccumulate { constraint } => write!(
+                f,
+                "`{constraint}` changes between modes without time advancing; \
+                 check that its friction force is not as small as rounding errors"
             ),
             Self::TooManySteps { max_steps } => write!(
                 f,

@@ -28,6 +28,7 @@
 //! |---|---|
 //! | [`language`] | what [`mechanism!`] understands, and what it makes of it |
 //! | [`system`] | what a model offers: right-hand side, Jacobian, energy |
+//! | [`hybrid`] | dry friction that sticks, stops and walls |
 //! | [`inputs`] | models with inputs, and laws for these |
 //! | [`layout`] | what each part of a state is |
 //! | [`real`], [`dual`] | the number types: scalars, lanes and dual numbers |
@@ -66,6 +67,7 @@ pub mod ensemble;
 pub mod error;
 #[cfg(feature = "std")]
 pub mod event;
+pub mod hybrid;
 pub mod inputs;
 pub mod layout;
 pub mod method;

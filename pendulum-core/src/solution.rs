@@ -8,6 +8,7 @@ use nalgebra::SVector;
 use crate::dense::{Dense, polynomial};
 use crate::error::debug_as_display;
 use crate::event::Occurrence;
+use crate::hybrid::Mode;
 use crate::real::Float;
 
 pub use crate::statistics::Statistics;
@@ -37,6 +38,7 @@ pub struct Solution<T, const N: usize> {
     /// Where those of each step end.
     ends: Vec<usize>,
     events: Vec<Occurrence<T, N>>,
+    modes: Vec<(T, Mode)>,
     statistics: Statistics,
 }
 
@@ -49,6 +51,7 @@ impl<T: Float, const N: usize> Solution<T, N> {
             coefficients: Vec::new(),
             ends: Vec::new(),
             events: Vec::new(),
+            modes: Vec::new(),
             statistics: Statistics::default(),
         }
     }
@@ -91,6 +94,16 @@ impl<T: Float, const N: usize> Solution<T, N> {
     #[must_use]
     pub fn events(&self) -> &[Occurrence<T, N>] {
         &self.events
+    }
+
+    /// The modes of a [hybrid](crate::hybrid) system, each with the time from which on it holds; none for other
+    /// systems.
+    ///
+    /// Where rebounds end that were too low to be followed, the time is that of the last one; the states before it are
+    /// those of the contact.
+    #[must_use]
+    pub fn modes(&self) -> &[(T, Mode)] {
+        &self.modes
     }
 
     /// How much work the integration was.
@@ -156,6 +169,9 @@ pub(crate) trait Record<T, const N: usize> {
 
     /// An event.
     fn note(&mut self, event: Occurrence<T, N>);
+
+    /// Another mode of a hybrid system.
+    fn mode(&mut self, _from: T, _mode: Mode) {}
 }
 
 /// All of it.
@@ -164,7 +180,7 @@ impl<T: Float, const N: usize> Record<T, N> for Solution<T, N> {
         let step = dense.step();
         self.t.push(step.t1);
         self.x.push(step.x1);
-        self.coefficients.extend(dense.coefficients());
+        self.coefficients.extend(dense.coefficients_to(T::from_f64(1.0)));
         self.ends.push(self.coefficients.len());
     }
 
@@ -175,11 +191,7 @@ impl<T: Float, const N: usize> Record<T, N> for Solution<T, N> {
         }
         self.t.push(t);
         self.x.push(dense.at_fraction(theta));
-        let mut power = T::from_f64(1.0);
-        for coefficient in dense.coefficients() {
-            power *= theta;
-            self.coefficients.push(coefficient * power);
-        }
+        self.coefficients.extend(dense.coefficients_to(theta));
         self.ends.push(self.coefficients.len());
     }
 
@@ -191,6 +203,10 @@ impl<T: Float, const N: usize> Record<T, N> for Solution<T, N> {
 
     fn note(&mut self, event: Occurrence<T, N>) {
         self.events.push(event);
+    }
+
+    fn mode(&mut self, from: T, mode: Mode) {
+        self.modes.push((from, mode));
     }
 }
 
@@ -230,6 +246,8 @@ struct Unchecked<T, const N: usize> {
     coefficients: Vec<SVector<T, N>>,
     ends: Vec<usize>,
     events: Vec<Occurrence<T, N>>,
+    #[serde(default)]
+    modes: Vec<(T, Mode)>,
     statistics: Statistics,
 }
 
@@ -258,6 +276,7 @@ impl<T: Float, const N: usize> TryFrom<Unchecked<T, N>> for Solution<T, N> {
             coefficients: record.coefficients,
             ends: record.ends,
             events: record.events,
+            modes: record.modes,
             statistics: record.statistics,
         })
     }

@@ -14,6 +14,7 @@ pub use state::IntoState;
 
 use nalgebra::{SMatrix, SVector};
 
+use crate::hybrid::{Hold, Hybrid};
 use crate::inputs::Controlled;
 use crate::layout::StateLayout;
 use crate::real::lanes::Lanes;
@@ -35,6 +36,20 @@ pub trait System<T: Real, const N: usize> {
     #[inline]
     fn layout(&self) -> Option<&'static StateLayout> {
         None
+    }
+
+    /// What switches between the modes of a [hybrid](crate::hybrid) system; `None`, as by default, where the equations
+    /// are always the same.
+    #[inline(always)]
+    fn hybrid(&self) -> Option<&dyn Hybrid<T, N>> {
+        None
+    }
+
+    /// The right-hand side in a mode of a hybrid system: [`hybrid::rhs`](crate::hybrid::rhs) for these, `rhs` for
+    /// others.
+    #[inline(always)]
+    fn rhs_in(&self, _hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N> {
+        self.rhs(t, x)
     }
 }
 
@@ -103,6 +118,28 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
         }
         by_number(t, |t| self.rhs(t, x))
     }
+
+    /// The Jacobian in a mode of a hybrid system: [`hybrid::jacobian`](crate::hybrid::jacobian) for these.
+    #[inline(always)]
+    fn jacobian_in(&self, _hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
+        self.jacobian(t, x)
+    }
+
+    /// Both at once in a mode: [`hybrid::rhs_and_jacobian`](crate::hybrid::rhs_and_jacobian) for hybrid systems.
+    #[inline(always)]
+    fn rhs_and_jacobian_in(&self, _hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
+        self.rhs_and_jacobian(t, x)
+    }
+
+    /// The derivative by the time in a mode: [`hybrid::time_derivative`](crate::hybrid::time_derivative) for hybrid
+    /// systems.
+    #[inline(always)]
+    fn time_derivative_in(&self, _hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N>
+    where
+        T: Float,
+    {
+        self.time_derivative(t, x)
+    }
 }
 
 /// A mechanism in canonical variables: its coordinates and their momenta, `y = [q; p]` with `p = A(q) qd`.
@@ -162,6 +199,8 @@ impl<T: Real, S: System<T, N> + ?Sized, const N: usize> System<T, N> for &S {
     forward! {
         rhs(t: T, x: &SVector<T, N>) -> SVector<T, N>;
         layout() -> Option<&'static StateLayout>;
+        hybrid() -> Option<&dyn Hybrid<T, N>>;
+        rhs_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N>;
     }
 }
 
@@ -170,6 +209,9 @@ impl<T: Real, S: Jacobian<T, N> + ?Sized, const N: usize> Jacobian<T, N> for &S 
         jacobian(t: T, x: &SVector<T, N>) -> SMatrix<T, N, N>;
         rhs_and_jacobian(t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>);
         time_derivative(t: T, x: &SVector<T, N>) -> SVector<T, N> where T: Float;
+        jacobian_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N>;
+        rhs_and_jacobian_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>);
+        time_derivative_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N> where T: Float;
     }
 }
 

@@ -6,9 +6,10 @@ use nalgebra::SVector;
 
 use super::check::{first_not_finite, in_lane, sum};
 use super::members::Members;
-use super::{Ensemble, EnsembleError, InLanes, Stopped, alone, check_models, conclude, model_of};
+use super::{Ensemble, EnsembleError, InLanes, Stopped, alone, check_models, conclude, is_hybrid, model_of};
 use crate::dense::Step;
 use crate::error::Reason;
+use crate::hybrid::{Hold, InMode};
 use crate::method::{
     Adaptive, Estimates, Failure, NonFinite, Scheme, StepControl, check_span, check_state, is_within_tolerance,
 };
@@ -67,7 +68,10 @@ where
 
     #[inline(always)]
     fn run<V: Lanes<Scalar = T>>(self) -> Result<(), Reason> {
-        if const { !F::NARROW } {
+        if is_hybrid::<M, T, N>(self.models) {
+            alone(self.method, self.models, self.span, self.waiting, self.x, self.stopped);
+            Ok(())
+        } else if const { !F::NARROW } {
             self.in_lanes::<V::Double>()
         } else if const { V::LANES > 1 } {
             self.in_lanes::<V>()
@@ -94,6 +98,7 @@ where
         let mut system = F::gather::<V>(|_| &self.models[0]);
         let mut scheme = self.method.family.stages::<V>(&system, Some(tolerance))?;
         let control = self.method.control(tolerance, scheme.error_order(), self.span)?;
+        let hold = Hold::default();
         let mut members = Members::none();
         let mut x = SVector::from_element(V::default());
         let mut x_new = x;
@@ -109,7 +114,7 @@ where
                         system = F::gather::<V>(|lane| model_of(self.models, members.index(lane).unwrap_or(0)));
                     }
                     let t = V::from_fn(|lane| members.t[lane]);
-                    let slope = scheme.begin(&system, t, &x, work);
+                    let slope = scheme.begin(&InMode::new(&system, &hold), t, &x, work);
                     for (lane, index) in members.busy(V::LANES) {
                         if members.steps[lane] == 0 {
                             self.begin(&control, &mut members, (lane, index), &in_lane(&slope, lane));
@@ -118,7 +123,7 @@ where
                 }
             }
             let t = V::from_fn(|lane| members.t[lane]);
-            let proposed = scheme.prepare(&system, t, &x, work);
+            let proposed = scheme.prepare(&InMode::new(&system, &hold), t, &x, work);
             if !members.plan(&control, t1, proposed) {
                 for (lane, index) in members.busy(V::LANES) {
                     let (mut h, at) = (members.h[lane], members.t[lane]);
@@ -129,8 +134,8 @@ where
                 }
             }
             let t_new = V::from_fn(|lane| members.t_new[lane]);
-            let attempt = scheme.attempt(&system, (t, &x), (t_new, &mut x_new), work);
-            let slope = scheme.arrive(&system, (t_new, &x_new), work);
+            let attempt = scheme.attempt(&InMode::new(&system, &hold), (t, &x), (t_new, &mut x_new), work);
+            let slope = scheme.arrive(&InMode::new(&system, &hold), (t_new, &x_new), work);
             let sum = sum(&x_new, slope);
             let outcome = |lane| match attempt {
                 Err(stalled) => Err(Failure::from(stalled)),
@@ -151,7 +156,12 @@ where
                 }
             }
             let lanes = members.accepted::<V>();
-            scheme.accept(&system, &Step::new((t, x), (t_new, x_new)), lanes, work);
+            scheme.accept(
+                &InMode::new(&system, &hold),
+                &Step::new((t, x), (t_new, x_new)),
+                lanes,
+                work,
+            );
             x = lanes.select(&x_new, &x);
             if members.some_arrive(V::LANES, t1) {
                 for (lane, index) in members.busy(V::LANES) {

@@ -3,9 +3,10 @@
 use nalgebra::SVector;
 
 use super::check::{first_not_finite, in_lane};
-use super::{Ensemble, EnsembleError, InLanes, Stopped, alone, check_models, conclude, model_of};
+use super::{Ensemble, EnsembleError, InLanes, Stopped, alone, check_models, conclude, is_hybrid, model_of};
 use crate::dense::Step;
 use crate::error::Reason;
+use crate::hybrid::{Hold, InMode};
 use crate::method::{Accepted, Fixed, Grid, Scheme, Stalled, check_span};
 use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
 use crate::statistics::Statistics;
@@ -62,7 +63,10 @@ where
     fn run<V: Lanes<Scalar = T>>(mut self) -> Result<(), Reason> {
         // Further lanes fill the gaps where operations wait for one another. A longer system has enough that are independent, and
         // needs the registers for itself.
-        if const { !F::NARROW } {
+        if is_hybrid::<M, T, N>(self.models) {
+            self.alone(0..self.x.len());
+            Ok(())
+        } else if const { !F::NARROW } {
             self.in_groups::<<V::Double as Lanes>::Double>()
         } else if const { V::LANES > 1 } {
             self.in_groups::<V>()
@@ -124,6 +128,8 @@ where
     C: Scheme<S, V, N>,
     V: Lanes,
 {
+    let hold = Hold::default();
+    let system = &InMode::new(system, &hold);
     let work = &mut Statistics::default();
     let mut t = grid.t0();
     let (mut states, mut others) = (x, x);

@@ -6,6 +6,7 @@ use crate::control::{Estimates, Tolerance};
 use crate::cost::Operations;
 use crate::dense::Step;
 use crate::error::Reason;
+use crate::hybrid::InMode;
 use crate::linear::{image, square};
 use crate::method::explicit::{self, ExplicitStages};
 use crate::method::operations as count;
@@ -237,7 +238,7 @@ where
         }
     }
 
-    fn begin(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
+    fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
         (self.changes, self.at_limit, self.free) = (false, 0, 0);
         if self.is_stiff {
             self.implicit.begin(system, t, x, work)
@@ -246,7 +247,7 @@ where
         }
     }
 
-    fn prepare(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> Option<T> {
+    fn prepare(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> Option<T> {
         if self.changes {
             self.is_stiff = !self.is_stiff;
             work.switches += 1;
@@ -257,7 +258,7 @@ where
 
     fn attempt(
         &mut self,
-        system: &S,
+        system: &InMode<'_, S, T>,
         start: (T, &SVector<T, N>),
         end: (T, &mut SVector<T, N>),
         work: &mut Statistics,
@@ -269,7 +270,12 @@ where
         }
     }
 
-    fn arrive(&mut self, system: &S, end: (T, &SVector<T, N>), work: &mut Statistics) -> Option<&SVector<T, N>> {
+    fn arrive(
+        &mut self,
+        system: &InMode<'_, S, T>,
+        end: (T, &SVector<T, N>),
+        work: &mut Statistics,
+    ) -> Option<&SVector<T, N>> {
         if self.is_stiff {
             self.implicit.arrive(system, end, work)
         } else {
@@ -277,7 +283,7 @@ where
         }
     }
 
-    fn accept(&mut self, system: &S, step: &Step<T, N>, lanes: Accepted<T>, work: &mut Statistics) {
+    fn accept(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, lanes: Accepted<T>, work: &mut Statistics) {
         if self.is_stiff {
             self.implicit.accept(system, step, lanes, work);
             work.stiff += 1;
@@ -288,11 +294,19 @@ where
         }
     }
 
-    fn dense(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
+    fn dense(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
         if self.is_stiff {
             self.implicit.dense(system, step, work)
         } else {
             explicit!(&mut self.explicit, stages => stages.dense(system, step, work))
+        }
+    }
+
+    fn coefficients(&self) -> &[SVector<T, N>] {
+        if self.is_stiff {
+            Scheme::<S, T, N>::coefficients(&self.implicit)
+        } else {
+            explicit!(&self.explicit, stages => Scheme::<S, T, N>::coefficients(stages))
         }
     }
 }

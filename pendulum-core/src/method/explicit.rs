@@ -8,6 +8,7 @@ use crate::control::{Estimates, Tolerance};
 use crate::cost::Operations;
 use crate::dense::Step;
 use crate::error::Reason;
+use crate::hybrid::InMode;
 use crate::linear::square;
 use crate::method::operations as count;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
@@ -192,7 +193,7 @@ where
     }
 
     #[inline(always)]
-    fn begin(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
+    fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
         work.evaluations += 1;
         *self.slope() = system.rhs(t, x);
         *self.slope()
@@ -201,7 +202,7 @@ where
     #[inline(always)]
     fn attempt(
         &mut self,
-        system: &S,
+        system: &InMode<'_, S, T>,
         (t, x): (T, &SVector<T, N>),
         (t_new, x_new): (T, &mut SVector<T, N>),
         work: &mut Statistics,
@@ -213,9 +214,9 @@ where
         // inlined: many copies of a long one are slower than calls. In lanes a function would not use their
         // instructions.
         *x_new = if const { N <= SHORT || T::LANES > 1 } {
-            attempt::<B, S, _, _, _>(system, (t, x), t_new, &mut self.stages)
+            attempt::<B, InMode<'_, S, T>, _, _, _>(system, (t, x), t_new, &mut self.stages)
         } else {
-            attempt::<B, &S, _, _, _>(&system, (t, x), t_new, &mut self.stages)
+            attempt::<B, &InMode<'_, S, T>, _, _, _>(&system, (t, x), t_new, &mut self.stages)
         };
         work.evaluations += STAGES - 2;
         Ok(match &self.tolerance {
@@ -233,7 +234,12 @@ where
     }
 
     #[inline(always)]
-    fn arrive(&mut self, system: &S, (t, x): (T, &SVector<T, N>), work: &mut Statistics) -> Option<&SVector<T, N>> {
+    fn arrive(
+        &mut self,
+        system: &InMode<'_, S, T>,
+        (t, x): (T, &SVector<T, N>),
+        work: &mut Statistics,
+    ) -> Option<&SVector<T, N>> {
         if self.goes_on_at_once() {
             work.evaluations += 1;
             *self.slope() = system.rhs(t, x);
@@ -247,14 +253,14 @@ where
     }
 
     #[inline(always)]
-    fn accept(&mut self, _system: &S, _step: &Step<T, N>, lanes: Accepted<T>, _work: &mut Statistics) {
+    fn accept(&mut self, _system: &InMode<'_, S, T>, _step: &Step<T, N>, lanes: Accepted<T>, _work: &mut Statistics) {
         if !self.goes_on_at_once() {
             let last = self.stages[STAGES - 1];
             *self.slope() = lanes.select(&last, self.slope());
         }
     }
 
-    fn dense(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
+    fn dense(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
         let tableau = const { &B::TABLEAU };
         let mut extra = [SVector::from_element(T::default()); MAX_EXTRA];
         let sum = |weights: &[f64], extra: &[SVector<T, N>]| {
@@ -275,6 +281,10 @@ where
             *coefficient = sum(row, &extra[..tableau.extra.len()]);
         }
         &self.coefficients[..tableau.dense.len()]
+    }
+
+    fn coefficients(&self) -> &[SVector<T, N>] {
+        &self.coefficients[..const { B::TABLEAU.dense.len() }]
     }
 }
 

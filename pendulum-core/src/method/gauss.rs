@@ -6,6 +6,7 @@ use crate::control::Tolerance;
 use crate::cost::Operations;
 use crate::dense::Step;
 use crate::error::Reason;
+use crate::hybrid::InMode;
 use crate::layout::StateLayout;
 use crate::linear::{Lu, factoring, solving};
 use crate::method::collocation::{self, Pencil};
@@ -14,7 +15,7 @@ use crate::method::scheme::{Accepted, NonFinite, OneStep, Scheme, Stalled};
 use crate::method::{Fixed, hermite};
 use crate::real::Float;
 use crate::statistics::Statistics;
-use crate::system::Canonical;
+use crate::system::{Canonical, System};
 use crate::tableau::{GaussLegendre, GaussTableau, HasTableau};
 
 /// The Gauss-Legendre method of two or three stages, of order 4 or 6, in canonical variables.
@@ -229,7 +230,7 @@ where
         2 * STAGES
     }
 
-    fn begin(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
+    fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
         work.evaluations += 2;
         self.slope = system.rhs(t, x);
         self.before = None;
@@ -243,7 +244,7 @@ where
     #[inline]
     fn attempt(
         &mut self,
-        system: &S,
+        system: &InMode<'_, S, T>,
         (t, x): (T, &SVector<T, N>),
         (t_new, x_new): (T, &mut SVector<T, N>),
         work: &mut Statistics,
@@ -277,25 +278,33 @@ where
     }
 
     #[inline]
-    fn arrive(&mut self, _system: &S, _end: (T, &SVector<T, N>), _work: &mut Statistics) -> Option<&SVector<T, N>> {
+    fn arrive(
+        &mut self,
+        _system: &InMode<'_, S, T>,
+        _end: (T, &SVector<T, N>),
+        _work: &mut Statistics,
+    ) -> Option<&SVector<T, N>> {
         None
     }
 
     #[inline]
-    fn accept(&mut self, _system: &S, step: &Step<T, N>, _lanes: Accepted<T>, _work: &mut Statistics) {
+    fn accept(&mut self, _system: &InMode<'_, S, T>, step: &Step<T, N>, _lanes: Accepted<T>, _work: &mut Statistics) {
         let (end, stages) = self.tried;
         self.start = end;
         self.before = Some((step.x0, stages, step.h));
     }
 
-    fn dense(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
-        let count = 2 * STAGES - 1;
+    fn dense(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
         if STAGES == 2 {
             self.coefficients[..3].copy_from_slice(&hermite::cubic(system, step, work));
         } else {
             self.coefficients = hermite::quintic(system, step, work);
         }
-        &self.coefficients[..count]
+        Scheme::<S, T, N>::coefficients(self)
+    }
+
+    fn coefficients(&self) -> &[SVector<T, N>] {
+        &self.coefficients[..2 * STAGES - 1]
     }
 }
 

@@ -25,7 +25,6 @@ mod tangent;
 mod taylor;
 #[cfg(feature = "std")]
 mod watch;
-#[cfg(feature = "std")]
 mod zero;
 
 use crate::error::Reason;
@@ -52,6 +51,7 @@ pub(crate) use {
     tangent::Tangent,
     watch::follow,
 };
+pub(crate) use zero::{dip, places, root};
 
 pub use crate::control::{Estimates, Tolerance};
 pub use adaptive::Adaptive;

@@ -6,6 +6,7 @@ use crate::control::{Estimates, Tolerance, exp2, log2};
 use crate::cost::Operations;
 use crate::dense::Step;
 use crate::error::Reason;
+use crate::hybrid::InMode;
 use crate::linear::{Singular, solving};
 use crate::method::Adaptive;
 use crate::method::collocation::{self, Pencil};
@@ -266,7 +267,7 @@ where
     }
 
     #[inline]
-    fn begin(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
+    fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
         work.evaluations += 1;
         work.jacobians += 1;
         self.start = system.rhs_and_jacobian(t, x);
@@ -277,7 +278,7 @@ where
     #[inline]
     fn attempt(
         &mut self,
-        system: &S,
+        system: &InMode<'_, S, T>,
         (t, x): (T, &SVector<T, N>),
         (t_new, x_new): (T, &mut SVector<T, N>),
         work: &mut Statistics,
@@ -288,9 +289,9 @@ where
         work.factorizations += pencil.factorizations();
         self.predict(h);
         let solved = if const { N <= SHORT } {
-            self.iterate::<S>(system, (t, x), t_new, &pencil, work)
+            self.iterate(system, (t, x), t_new, &pencil, work)
         } else {
-            self.iterate::<&S>(&system, (t, x), t_new, &pencil, work)
+            self.iterate(&system, (t, x), t_new, &pencil, work)
         };
         *x_new = x + self.rises[STAGES - 1];
         let mean_square = solved.map(|()| self.estimate(system, (t, x), (h, x_new), &pencil, work));
@@ -299,7 +300,12 @@ where
     }
 
     #[inline]
-    fn arrive(&mut self, system: &S, (t, x): (T, &SVector<T, N>), work: &mut Statistics) -> Option<&SVector<T, N>> {
+    fn arrive(
+        &mut self,
+        system: &InMode<'_, S, T>,
+        (t, x): (T, &SVector<T, N>),
+        work: &mut Statistics,
+    ) -> Option<&SVector<T, N>> {
         work.evaluations += 1;
         work.jacobians += 1;
         self.end = system.rhs_and_jacobian(t, x);
@@ -307,13 +313,17 @@ where
     }
 
     #[inline]
-    fn accept(&mut self, _system: &S, step: &Step<T, N>, _lanes: Accepted<T>, _work: &mut Statistics) {
+    fn accept(&mut self, _system: &InMode<'_, S, T>, step: &Step<T, N>, _lanes: Accepted<T>, _work: &mut Statistics) {
         self.start = self.end;
         self.coefficients = core::array::from_fn(|power| combined(&POWERS[power], &self.rises));
         (self.h, self.is_doubtful) = (step.h, false);
     }
 
-    fn dense(&mut self, _system: &S, _step: &Step<T, N>, _work: &mut Statistics) -> &[SVector<T, N>] {
+    fn dense(&mut self, _system: &InMode<'_, S, T>, _step: &Step<T, N>, _work: &mut Statistics) -> &[SVector<T, N>] {
+        &self.coefficients
+    }
+
+    fn coefficients(&self) -> &[SVector<T, N>] {
         &self.coefficients
     }
 }

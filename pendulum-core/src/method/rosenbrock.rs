@@ -8,6 +8,7 @@ use crate::control::{Estimates, Tolerance};
 use crate::cost::Operations;
 use crate::dense::Step;
 use crate::error::Reason;
+use crate::hybrid::InMode;
 use crate::linear::{Lu, Singular, factoring, solving};
 use crate::method::Adaptive;
 use crate::method::operations as count;
@@ -219,7 +220,7 @@ where
     }
 
     #[inline]
-    fn begin(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
+    fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
         self.points[usize::from(self.swapped)] = Linearisation::new(system, t, x, work);
         self.start().slope
     }
@@ -227,7 +228,7 @@ where
     #[inline]
     fn attempt(
         &mut self,
-        system: &S,
+        system: &InMode<'_, S, T>,
         (t, x): (T, &SVector<T, N>),
         (t_new, x_new): (T, &mut SVector<T, N>),
         work: &mut Statistics,
@@ -235,9 +236,9 @@ where
         work.factorizations += 1;
         work.evaluations += STAGES - 1;
         let solved = if const { N <= SHORT } {
-            self.solve_stages::<S>(system, (t, x), t_new)
+            self.solve_stages(system, (t, x), t_new)
         } else {
-            self.solve_stages::<&S>(&system, (t, x), t_new)
+            self.solve_stages(&system, (t, x), t_new)
         };
         *x_new = solved.map_err(|Singular| Stalled)?;
         Ok(match &self.tolerance {
@@ -251,18 +252,23 @@ where
     }
 
     #[inline]
-    fn arrive(&mut self, system: &S, (t, x): (T, &SVector<T, N>), work: &mut Statistics) -> Option<&SVector<T, N>> {
+    fn arrive(
+        &mut self,
+        system: &InMode<'_, S, T>,
+        (t, x): (T, &SVector<T, N>),
+        work: &mut Statistics,
+    ) -> Option<&SVector<T, N>> {
         let end = &mut self.points[usize::from(!self.swapped)];
         *end = Linearisation::new(system, t, x, work);
         Some(&end.slope)
     }
 
     #[inline]
-    fn accept(&mut self, _system: &S, _step: &Step<T, N>, _lanes: Accepted<T>, _work: &mut Statistics) {
+    fn accept(&mut self, _system: &InMode<'_, S, T>, _step: &Step<T, N>, _lanes: Accepted<T>, _work: &mut Statistics) {
         self.swapped = !self.swapped;
     }
 
-    fn dense(&mut self, _system: &S, _step: &Step<T, N>, _work: &mut Statistics) -> &[SVector<T, N>] {
+    fn dense(&mut self, _system: &InMode<'_, S, T>, _step: &Step<T, N>, _work: &mut Statistics) -> &[SVector<T, N>] {
         let rows = const { B::TABLEAU.dense };
         for (coefficient, row) in self.coefficients.iter_mut().zip(rows) {
             *coefficient = SVector::from_element(T::default());
@@ -271,6 +277,10 @@ where
             }
         }
         &self.coefficients[..rows.len()]
+    }
+
+    fn coefficients(&self) -> &[SVector<T, N>] {
+        &self.coefficients[..const { B::TABLEAU.dense.len() }]
     }
 }
 

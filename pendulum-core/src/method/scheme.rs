@@ -6,6 +6,7 @@ use nalgebra::SVector;
 use crate::control::Tolerance;
 use crate::dense::Step;
 use crate::error::Reason;
+use crate::hybrid::InMode;
 use crate::real::Float;
 use crate::real::lanes::Lanes;
 use crate::statistics::Statistics;
@@ -37,11 +38,11 @@ pub trait Scheme<S: ?Sized, T: Lanes, const N: usize> {
     fn error_order(&self) -> usize;
 
     /// Goes to an initial point, or to one after a jump: the derivative there.
-    fn begin(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N>;
+    fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N>;
 
     /// Prepares a step from `(t, x)`: its length, from methods that know it before they try; else `None`.
     #[inline(always)]
-    fn prepare(&mut self, _system: &S, _t: T, _x: &SVector<T, N>, _work: &mut Statistics) -> Option<T> {
+    fn prepare(&mut self, _system: &InMode<'_, S, T>, _t: T, _x: &SVector<T, N>, _work: &mut Statistics) -> Option<T> {
         None
     }
 
@@ -50,7 +51,7 @@ pub trait Scheme<S: ?Sized, T: Lanes, const N: usize> {
     /// Returns the mean square of the estimated error in units of the tolerance; 0 where there is no estimate.
     fn attempt(
         &mut self,
-        system: &S,
+        system: &InMode<'_, S, T>,
         start: (T, &SVector<T, N>),
         end: (T, &mut SVector<T, N>),
         work: &mut Statistics,
@@ -58,14 +59,22 @@ pub trait Scheme<S: ?Sized, T: Lanes, const N: usize> {
 
     /// The derivative at the end `(t, x)` of the step that was tried last, from methods that need it for the next step;
     /// it must be finite.
-    fn arrive(&mut self, system: &S, end: (T, &SVector<T, N>), work: &mut Statistics) -> Option<&SVector<T, N>>;
+    fn arrive(
+        &mut self,
+        system: &InMode<'_, S, T>,
+        end: (T, &SVector<T, N>),
+        work: &mut Statistics,
+    ) -> Option<&SVector<T, N>>;
 
     /// Accepts the step after [`arrive`](Self::arrive), in some lanes or in [all](Accepted::All); a scalar is all.
-    fn accept(&mut self, system: &S, step: &Step<T, N>, lanes: Accepted<T>, work: &mut Statistics);
+    fn accept(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, lanes: Accepted<T>, work: &mut Statistics);
 
     /// The vectors `c_1, c_2, ..` of the dense output `x0 + c_1 theta + c_2 theta^2 + ..`, `theta` the fraction of the
     /// step, for the step that was accepted last.
-    fn dense(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>];
+    fn dense(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>];
+
+    /// What [`dense`](Self::dense) found for the last step.
+    fn coefficients(&self) -> &[SVector<T, N>];
 }
 
 /// Which lanes accept a step.

@@ -6,15 +6,9 @@ use crate::dense::Dense;
 use crate::error::Reason;
 use crate::event::{Event, Occurrence};
 use crate::method::side::{Change, Passage, Side};
-use crate::method::zero::{dip, root};
+use crate::method::zero::{dip, places, root};
 use crate::real::Float;
 
-/// Where the event functions are looked at in each step, in fractions of it; the start is known from the step before.
-/// Those near the ends show which way a function goes there.
-const PLACES: [f64; 10] = [0.01, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 0.99, 1.0];
-/// After a reset, the first step is looked at from this fraction of it on, in decades: what rebounds may come back at
-/// once.
-const FIRST_PLACE: f64 = 1e-15;
 /// An event that acts twice within this many roots of an ulp of the time, and is then found on the far side, never ends:
 /// heights go with the square of the time between rebounds, and vanish among rounding errors.
 const HURRIED: f64 = 4.0;
@@ -217,17 +211,6 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
         }
         seen.value = last.1;
     }
-}
-
-/// The places of a step; more where the integration starts.
-fn places<T: Float>(starts: bool) -> impl Iterator<Item = T> {
-    let mut decade = FIRST_PLACE;
-    let decades = core::iter::from_fn(move || {
-        let place = decade;
-        decade *= 10.0;
-        (starts && place < PLACES[0]).then_some(place)
-    });
-    decades.chain(PLACES).map(T::from_f64)
 }
 
 fn value<T: Float, const N: usize>(

@@ -6,6 +6,7 @@ use nalgebra::SVector;
 
 use crate::dense::{Dense, Step};
 use crate::error::Reason;
+use crate::hybrid::{self, Fired, Hold, InMode, Mode, Settled, Watch};
 use crate::method::grid::Grid;
 use crate::method::input::{check_state, require};
 use crate::method::scheme::{Accepted, Failure, NonFinite, Scheme, Stalled};
@@ -44,8 +45,32 @@ pub struct Stepper<'s, C, S: ?Sized, T, const N: usize> {
     last: Step<T, N>,
     /// Where the last attempt arrived.
     tried: SVector<T, N>,
+    modes: Modes<T>,
     statistics: Statistics,
 }
+
+/// The mode of a hybrid system; of no meaning for others.
+#[derive(Clone, Copy, Debug)]
+struct Modes<T> {
+    mode: Mode,
+    hold: Hold<T>,
+    /// From when on it holds.
+    from: T,
+    watch: Watch<T>,
+    /// What ended it, where the last step ended.
+    fired: Fired,
+    /// Of the last step, the fraction of what was integrated: less than one where a mode ended.
+    cut: T,
+    /// Whether the dense output of the last step is known.
+    is_dense: bool,
+    /// How often modes have changed within the resolution of the time.
+    hurried: usize,
+}
+
+/// Modes that change so often in a row without the time advancing would do so without end.
+const MOST_HURRIED: usize = 100;
+/// The time has advanced where it is this many ulps later.
+const HURRIED_ULPS: f64 = 4.0;
 
 /// How long the steps are.
 #[derive(Clone, Copy, Debug)]
@@ -84,13 +109,30 @@ where
             t1,
             last: Step::at_rest(t0, x0),
             tried: x0,
+            modes: Modes {
+                mode: Mode::default(),
+                hold: Hold::default(),
+                from: t0,
+                watch: Watch::new(),
+                fired: Fired::default(),
+                cut: T::from_f64(1.0),
+                is_dense: false,
+                hurried: 0,
+            },
             statistics: Statistics::default(),
         };
+        if let Some(hybrid) = system.hybrid() {
+            let rule = "a hybrid system runs forward: what has come to rest does not tell from where";
+            require(t0 <= t1, "t1", t1.to_f64(), rule)?;
+            let settled = hybrid::start(hybrid, t0, &x0)?;
+            stepper.enter(t0, settled);
+        }
         if t0 != t1 {
             let slope = stepper.begin()?;
+            let system = InMode::new(system, &stepper.modes.hold);
             if let Steps::Controlled { control, pace } = &mut stepper.steps
                 && !C::PROPOSES
-                && let Some(h) = control.first_step(system, (t0, &x0, &slope), t1)
+                && let Some(h) = control.first_step(&system, (t0, &stepper.last.x1, &slope), t1)
             {
                 pace.h = h;
                 stepper.statistics.evaluations += 1;
@@ -113,6 +155,15 @@ where
         self.last.x1
     }
 
+    /// The mode of a [hybrid](crate::hybrid) system, and the time from which on it holds; `None` for other systems.
+    ///
+    /// Where a mode ends, the last step does; the next one starts in another mode, and after an impact in another
+    /// state.
+    #[must_use]
+    pub fn mode(&self) -> Option<(T, Mode)> {
+        self.system.hybrid().map(|_| (self.modes.from, self.modes.mode))
+    }
+
     /// The work so far.
     #[must_use]
     #[inline]
@@ -132,13 +183,77 @@ where
         if self.t() == self.t1 {
             return Ok(None);
         }
+        if !self.modes.fired.is_empty() {
+            self.change_mode()?;
+        }
         match self.steps {
             Steps::Equal(grid) => self.step_on_grid(grid),
             Steps::Controlled { control, pace } => self.step_within_tolerance(&control, pace),
         }
         .inspect_err(|_| self.last = Step::at_rest(self.t(), self.x()))?;
         self.statistics.accepted += 1;
+        self.look_for_the_end_of_the_mode()
+            .inspect_err(|_| self.last = Step::at_rest(self.last.t0, self.last.x0))?;
         Ok(Some(self.last))
+    }
+
+    /// Cuts the last step of a hybrid system off where its mode ends.
+    #[inline(always)]
+    fn look_for_the_end_of_the_mode(&mut self) -> Result<(), Reason> {
+        (self.modes.cut, self.modes.is_dense) = (T::from_f64(1.0), false);
+        let Some(hybrid) = self.system.hybrid() else {
+            return Ok(());
+        };
+        let Modes { mode, hold, watch, .. } = &mut self.modes;
+        let system = InMode::new(self.system, hold);
+        let coefficients = self.scheme.dense(&system, &self.last, &mut self.statistics);
+        let dense = Dense::new(self.last, coefficients);
+        let found = watch.look((hybrid, mode, hold), &dense, &mut self.statistics)?;
+        if let Some((cut, fired)) = found {
+            (self.modes.cut, self.modes.fired) = (cut, fired);
+            let end = (dense.time(cut), dense.at_fraction(cut));
+            self.last = Step::new((self.last.t0, self.last.x0), end);
+        }
+        self.modes.is_dense = true;
+        Ok(())
+    }
+
+    /// Goes to the mode after the one that has ended.
+    fn change_mode(&mut self) -> Result<(), Reason> {
+        let Some(hybrid) = self.system.hybrid() else {
+            return Ok(());
+        };
+        let Modes {
+            mode,
+            fired,
+            watch,
+            from,
+            hurried,
+            ..
+        } = self.modes;
+        let (t, x) = (self.t(), self.x());
+        let settled = hybrid::switch(hybrid, (t, &x), &mode, fired, &watch);
+        self.statistics.evaluations += 1;
+        let soon = T::from_f64(HURRIED_ULPS) * T::EPSILON * t.abs().max(self.last.h.abs());
+        self.modes.hurried = if t - from <= soon { hurried + 1 } else { 0 };
+        if self.modes.hurried > MOST_HURRIED {
+            let constraint = hybrid.constraints()[fired.first()].name;
+            return Err(Reason::ModesAccumulate { constraint });
+        }
+        if let Steps::Equal(grid) = &mut self.steps {
+            grid.go_to(t);
+        }
+        self.enter(t, settled);
+        self.begin().map(drop)
+    }
+
+    /// Stands at a point in a mode.
+    fn enter(&mut self, t: T, settled: Settled<T, N>) {
+        let Settled { x, mode, hold, delay } = settled;
+        (self.modes.mode, self.modes.hold, self.modes.from) = (mode, hold, t + delay);
+        self.modes.fired = Fired::default();
+        self.modes.watch.restart(&mode);
+        self.last = Step::at_rest(t, x);
     }
 
     /// The states within the last step, by the dense output of the method. Some methods evaluate the right-hand side a
@@ -146,10 +261,13 @@ where
     pub fn dense(&mut self) -> Dense<'_, T, N> {
         let coefficients = if self.last.t0 == self.last.t1 {
             &[]
+        } else if self.modes.is_dense {
+            self.scheme.coefficients()
         } else {
-            self.scheme.dense(self.system, &self.last, &mut self.statistics)
+            let system = InMode::new(self.system, &self.modes.hold);
+            self.scheme.dense(&system, &self.last, &mut self.statistics)
         };
-        Dense::new(self.last, coefficients)
+        Dense::cut_off(self.last, coefficients, self.modes.cut)
     }
 
     /// Integrates to the end, and returns the state there.
@@ -172,8 +290,16 @@ where
         let rule = "the time must lie between the start of the last step and the end";
         require(from <= t && t <= to, "t", t.to_f64(), rule)?;
         check_state(&x)?;
-        let (before, steps) = ((self.t(), self.x()), self.steps);
-        self.last = Step::at_rest(t, x);
+        let settled = self
+            .system
+            .hybrid()
+            .map(|hybrid| hybrid::start(hybrid, t, &x))
+            .transpose()?;
+        let (before, steps, modes) = ((self.t(), self.x()), self.steps, self.modes);
+        match settled {
+            Some(settled) => self.enter(t, settled),
+            None => self.last = Step::at_rest(t, x),
+        }
         if let Steps::Equal(grid) = &mut self.steps {
             grid.go_to(t);
         }
@@ -183,16 +309,17 @@ where
         self.begin().map(drop).inspect_err(|_| {
             // The scheme went to the new point, and its last step is lost.
             self.last = Step::at_rest(before.0, before.1);
-            self.steps = steps;
-            self.scheme
-                .begin(self.system, before.0, &before.1, &mut self.statistics);
+            (self.steps, self.modes) = (steps, modes);
+            let system = InMode::new(self.system, &self.modes.hold);
+            self.scheme.begin(&system, before.0, &before.1, &mut self.statistics);
         })
     }
 
     /// Evaluates the point reached: the derivative there.
     fn begin(&mut self) -> Result<SVector<T, N>, Reason> {
         let (t, x) = (self.t(), self.x());
-        let slope = self.scheme.begin(self.system, t, &x, &mut self.statistics);
+        let system = InMode::new(self.system, &self.modes.hold);
+        let slope = self.scheme.begin(&system, t, &x, &mut self.statistics);
         NonFinite::check(&slope).map_err(NonFinite::at_start)?;
         Ok(slope)
     }
@@ -215,7 +342,8 @@ where
     #[inline]
     fn step_within_tolerance(&mut self, control: &StepControl<T>, mut pace: Pace<T>) -> Result<(), Reason> {
         let t = self.t();
-        let mut proposed = self.scheme.prepare(self.system, t, &self.last.x1, &mut self.statistics);
+        let system = InMode::new(self.system, &self.modes.hold);
+        let mut proposed = self.scheme.prepare(&system, t, &self.last.x1, &mut self.statistics);
         pace.set_order(self.scheme.error_order());
         loop {
             let steps = self.statistics.accepted + self.statistics.rejected;
@@ -242,8 +370,14 @@ where
     #[inline]
     fn attempt(&mut self, t_new: T) -> Result<T, Failure> {
         let (start, end) = ((self.last.t1, &self.last.x1), (t_new, &mut self.tried));
-        let mean_square = attempt(&mut self.scheme, self.system, start, end, &mut self.statistics)?;
+        let system = InMode::new(self.system, &self.modes.hold);
+        let mean_square = attempt(&mut self.scheme, &system, start, end, &mut self.statistics)?;
         NonFinite::check(&self.tried)?;
+        if let Some(hybrid) = self.system.hybrid()
+            && self.modes.hold.held != 0
+        {
+            hybrid::project(hybrid, &self.modes.hold, &self.modes.mode, t_new, &mut self.tried);
+        }
         Ok(mean_square)
     }
 
@@ -251,12 +385,12 @@ where
     #[inline]
     fn advance(&mut self, t_new: T) -> Result<(), Failure> {
         let end = (t_new, &self.tried);
-        if let Some(slope) = self.scheme.arrive(self.system, end, &mut self.statistics) {
+        let system = InMode::new(self.system, &self.modes.hold);
+        if let Some(slope) = self.scheme.arrive(&system, end, &mut self.statistics) {
             NonFinite::check(slope)?;
         }
         let step = Step::new((self.last.t1, self.last.x1), (t_new, self.tried));
-        self.scheme
-            .accept(self.system, &step, Accepted::All, &mut self.statistics);
+        self.scheme.accept(&system, &step, Accepted::All, &mut self.statistics);
         self.last = step;
         Ok(())
     }
@@ -293,7 +427,7 @@ where
 #[inline(never)]
 fn attempt<C, S, T, const N: usize>(
     scheme: &mut C,
-    system: &S,
+    system: &InMode<'_, S, T>,
     start: (T, &SVector<T, N>),
     end: (T, &mut SVector<T, N>),
     work: &mut Statistics,

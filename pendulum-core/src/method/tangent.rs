@@ -5,6 +5,7 @@ use nalgebra::SVector;
 use crate::control::{Estimates, Tolerance};
 use crate::dense::Step;
 use crate::error::Reason;
+use crate::hybrid::InMode;
 use crate::linear::{image, square};
 use crate::method::explicit::{Explicit, ExplicitStages};
 use crate::method::scheme::{Accepted, NonFinite, OneStep, Scheme, Stalled};
@@ -106,13 +107,13 @@ where
         Scheme::<S, T, N>::error_order(&self.state)
     }
 
-    fn begin(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
+    fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
         self.state.begin(system, t, x, work)
     }
 
     fn attempt(
         &mut self,
-        system: &S,
+        system: &InMode<'_, S, T>,
         (t, x): (T, &SVector<T, N>),
         (t_new, x_new): (T, &mut SVector<T, N>),
         work: &mut Statistics,
@@ -128,16 +129,25 @@ where
         Ok(mean_square.max(of_tangents))
     }
 
-    fn arrive(&mut self, system: &S, end: (T, &SVector<T, N>), work: &mut Statistics) -> Option<&SVector<T, N>> {
+    fn arrive(
+        &mut self,
+        system: &InMode<'_, S, T>,
+        end: (T, &SVector<T, N>),
+        work: &mut Statistics,
+    ) -> Option<&SVector<T, N>> {
         self.state.arrive(system, end, work)
     }
 
-    fn accept(&mut self, system: &S, step: &Step<T, N>, lanes: Accepted<T>, work: &mut Statistics) {
+    fn accept(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, lanes: Accepted<T>, work: &mut Statistics) {
         self.state.accept(system, step, lanes, work);
         self.tangents = self.tried;
     }
 
-    fn dense(&mut self, system: &S, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
+    fn dense(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
         self.state.dense(system, step, work)
+    }
+
+    fn coefficients(&self) -> &[SVector<T, N>] {
+        Scheme::<S, T, N>::coefficients(&self.state)
     }
 }

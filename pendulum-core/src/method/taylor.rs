@@ -6,6 +6,7 @@ use crate::control::{Estimates, Tolerance, exp2, log2};
 use crate::cost::Operations;
 use crate::dense::{Step, polynomial};
 use crate::error::Reason;
+use crate::hybrid::InMode;
 use crate::method::operations as count;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::{Adaptive, require};
@@ -273,13 +274,13 @@ where
     }
 
     #[inline(always)]
-    fn begin(&mut self, system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
+    fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
         self.find(self.current, system, (t, x), work);
         self.x[self.current][1]
     }
 
     #[inline(always)]
-    fn prepare(&mut self, _system: &S, _t: T, x: &SVector<T, N>, _work: &mut Statistics) -> Option<T> {
+    fn prepare(&mut self, _system: &InMode<'_, S, T>, _t: T, x: &SVector<T, N>, _work: &mut Statistics) -> Option<T> {
         let (tolerance, bits) = self.tolerance.as_ref()?;
         let sizes = tolerance.mean_sizes(last_terms(self.series(self.current)), x);
         Some(T::from_fn(|lane| {
@@ -290,7 +291,7 @@ where
     #[inline(always)]
     fn attempt(
         &mut self,
-        system: &S,
+        system: &InMode<'_, S, T>,
         (t, x): (T, &SVector<T, N>),
         (t_new, x_new): (T, &mut SVector<T, N>),
         work: &mut Statistics,
@@ -308,12 +309,17 @@ where
     }
 
     #[inline(always)]
-    fn arrive(&mut self, _system: &S, _end: (T, &SVector<T, N>), _work: &mut Statistics) -> Option<&SVector<T, N>> {
+    fn arrive(
+        &mut self,
+        _system: &InMode<'_, S, T>,
+        _end: (T, &SVector<T, N>),
+        _work: &mut Statistics,
+    ) -> Option<&SVector<T, N>> {
         Some(&self.x[1 - self.current][1])
     }
 
     #[inline(always)]
-    fn accept(&mut self, _system: &S, _step: &Step<T, N>, lanes: Accepted<T>, _work: &mut Statistics) {
+    fn accept(&mut self, _system: &InMode<'_, S, T>, _step: &Step<T, N>, lanes: Accepted<T>, _work: &mut Statistics) {
         let (old, new) = (self.current, 1 - self.current);
         if let Accepted::Negative(_) = lanes {
             for k in 0..=self.order {
@@ -323,13 +329,17 @@ where
         self.current = new;
     }
 
-    fn dense(&mut self, _system: &S, step: &Step<T, N>, _work: &mut Statistics) -> &[SVector<T, N>] {
+    fn dense(&mut self, _system: &InMode<'_, S, T>, step: &Step<T, N>, _work: &mut Statistics) -> &[SVector<T, N>] {
         let mut power = T::from_f64(1.0);
         let series = &self.x[1 - self.current][1..=self.order];
         for (coefficient, x) in self.coefficients.iter_mut().zip(series) {
             power *= step.h;
             *coefficient = x * power;
         }
+        &self.coefficients[..self.order]
+    }
+
+    fn coefficients(&self) -> &[SVector<T, N>] {
         &self.coefficients[..self.order]
     }
 }

@@ -2,9 +2,10 @@
 
 use nalgebra::SVector;
 
-use crate::dense::Dense;
+use crate::dense::{Dense, Step};
 use crate::error::{Reason, SolveError};
 use crate::event::{Event, Occurrence};
+use crate::hybrid::Mode;
 use crate::method::Stepper;
 use crate::method::scheme::{NonFinite, Scheme};
 use crate::method::search::{Found, Search, What};
@@ -51,7 +52,11 @@ where
     T: Float,
 {
     let mut search = Search::new(events, stepper.t(), &stepper.x())?;
-    while stepper.step()?.is_some() {
+    let mut reached = Reached::start(stepper, record);
+    while let Some(step) = stepper.step()? {
+        if reached.changes(stepper, &step, record) {
+            search.restart((step.t0, stepper.t1(), step.t0.abs().max(step.h.abs())), &step.x0, &[])?;
+        }
         let dense = stepper.dense();
         let found = search.look(&dense);
         let acts = |found: &&Found<T>| matches!(found.what, What::Passage(_)) && events[found.index].acts();
@@ -76,9 +81,57 @@ where
             return Ok(());
         }
         stepper.restart(stop.t, stop.x)?;
+        reached = Reached::start(stepper, record);
         search.restart((stop.t, stepper.t1(), stop.scale), &stop.x, &stop.fired)?;
     }
     Ok(())
+}
+
+/// Where the record has arrived.
+struct Reached<T, const N: usize> {
+    x: SVector<T, N>,
+    mode: Option<(T, Mode)>,
+}
+
+impl<T: Float, const N: usize> Reached<T, N> {
+    /// At the point of a stepper, whose mode is recorded.
+    fn start<C, S>(stepper: &Stepper<'_, C, S, T, N>, record: &mut impl Record<T, N>) -> Self
+    where
+        C: Scheme<S, T, N>,
+        S: System<T, N> + ?Sized,
+    {
+        let mode = stepper.mode();
+        if let Some((from, mode)) = mode {
+            record.mode(from, mode);
+        }
+        Self { x: stepper.x(), mode }
+    }
+
+    /// Goes on to the end of a step; records another mode in which it started, and another state, and tells whether
+    /// there was one.
+    fn changes<C, S>(
+        &mut self,
+        stepper: &Stepper<'_, C, S, T, N>,
+        step: &Step<T, N>,
+        record: &mut impl Record<T, N>,
+    ) -> bool
+    where
+        C: Scheme<S, T, N>,
+        S: System<T, N> + ?Sized,
+    {
+        let (before, mode) = (self.mode, stepper.mode());
+        let jumps = mode.is_some() && step.x0 != self.x;
+        if jumps {
+            record.jump(step.t0, step.x0);
+        }
+        if let Some((from, changed)) = mode
+            && mode != before
+        {
+            record.mode(from, changed);
+        }
+        (self.x, self.mode) = (step.x1, mode);
+        jumps || mode != before
+    }
 }
 
 /// A point within a step at which events act, one after the other.

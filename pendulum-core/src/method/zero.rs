@@ -1,13 +1,31 @@
-//! Zeros and extrema of functions of one variable.
+//! Zeros and extrema of functions of one variable, and where they are looked for.
 
 use crate::real::Float;
+
+/// Where functions are looked at in each step, in fractions of it; the start is known from the step before.
+/// Those near the ends show which way a function goes there.
+const PLACES: [f64; 10] = [0.01, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 0.99, 1.0];
+/// After a reset, the first step is looked at from this fraction of it on, in decades: what rebounds may come back at
+/// once.
+const FIRST_PLACE: f64 = 1e-15;
+
+/// The places of a step; more where the integration starts.
+pub(crate) fn places<T: Float>(starts: bool) -> impl Iterator<Item = T> {
+    let mut decade = FIRST_PLACE;
+    let decades = core::iter::from_fn(move || {
+        let place = decade;
+        decade *= 10.0;
+        (starts && place < PLACES[0]).then_some(place)
+    });
+    decades.chain(PLACES).map(T::from_f64)
+}
 
 /// The place where `f` passes zero between `from`, where it is not zero, and `to`, where it is or has the other sign;
 /// each is a place and the value there. It is after the zero, by at most two ulps.
 ///
 /// T. R. Chandrupatla, "A new hybrid quadratic/bisection algorithm for finding the zero of a nonlinear function without
 /// using derivatives", Adv. Eng. Softw. 28 (1997) 145-149.
-pub(super) fn root<T: Float>(f: impl Fn(T) -> T, from: (T, T), to: (T, T)) -> T {
+pub(crate) fn root<T: Float>(f: impl Fn(T) -> T, from: (T, T), to: (T, T)) -> T {
     let (zero, one, two) = (T::default(), T::from_f64(1.0), T::from_f64(2.0));
     let (mut a, mut b) = (to, from);
     let is_past = |value: T| (value > zero) != (from.1 > zero) || value == zero;
@@ -51,7 +69,7 @@ pub(super) fn root<T: Float>(f: impl Fn(T) -> T, from: (T, T), to: (T, T)) -> T 
 
 /// Where a function that has the same sign in three places, nearest to zero in the middle one, touches or passes zero
 /// between them, if it does: a place and the value there.
-pub(super) fn dip<T: Float>(f: impl Fn(T) -> T, places: [(T, T); 3]) -> Option<(T, T)> {
+pub(crate) fn dip<T: Float>(f: impl Fn(T) -> T, places: [(T, T); 3]) -> Option<(T, T)> {
     let [first, middle, last] = places;
     let zero = T::default();
     let sign = T::from_f64(if middle.1 > zero { 1.0 } else { -1.0 });

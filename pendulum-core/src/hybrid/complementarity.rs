@@ -1,0 +1,131 @@
+//! Small symmetric systems, of which some rows and columns are chosen.
+
+use super::MOST;
+use super::mode::bits;
+use crate::real::{Float, Real};
+
+/// Rows that depend on those before them, to this part of their size, have no force of their own.
+const INDEPENDENT: f64 = 1e-10;
+
+/// A factored symmetric matrix, `L D L^T`, of chosen rows and columns.
+pub(super) struct Factored<T> {
+    rows: [usize; MOST],
+    count: usize,
+    /// `L` below the diagonal, `1/D` on it.
+    entries: [[T; MOST]; MOST],
+}
+
+impl<T: Real> Factored<T> {
+    /// The factors of the chosen rows and columns, which are independent.
+    #[inline(always)]
+    pub(super) fn of(matrix: &[[T; MOST]; MOST], chosen: u8) -> Self {
+        let mut factored = Self::none();
+        for row in bits(chosen) {
+            factored.push(matrix, row);
+        }
+        factored
+    }
+
+    #[inline(always)]
+    fn none() -> Self {
+        Self {
+            rows: [0; MOST],
+            count: 0,
+            entries: [[T::default(); MOST]; MOST],
+        }
+    }
+
+    /// Adds a row and column; returns its pivot.
+    #[inline(always)]
+    fn push(&mut self, matrix: &[[T; MOST]; MOST], row: usize) -> T {
+        let n = self.count;
+        let mut pivot = matrix[row][row];
+        // u = D l, for each row before
+        for j in 0..n {
+            let mut u = matrix[row][self.rows[j]];
+            for k in 0..j {
+                u -= self.entries[j][k] * self.entries[n][k];
+            }
+            self.entries[n][j] = u;
+        }
+        for j in 0..n {
+            let u = self.entries[n][j];
+            let l = u * self.entries[j][j];
+            pivot -= l * u;
+            self.entries[n][j] = l;
+        }
+        self.entries[n][n] = T::from_f64(1.0) / pivot;
+        self.rows[n] = row;
+        self.count += 1;
+        pivot
+    }
+
+    /// `-A^-1 b` for the chosen rows, 0 for the others.
+    #[inline(always)]
+    pub(super) fn solve_negated(&self, b: &[T; MOST]) -> [T; MOST] {
+        let n = self.count;
+        let mut y = [T::default(); MOST];
+        for i in 0..n {
+            let mut sum = -b[self.rows[i]];
+            for k in 0..i {
+                sum -= self.entries[i][k] * y[k];
+            }
+            y[i] = sum;
+        }
+        let mut x = [T::default(); MOST];
+        for i in (0..n).rev() {
+            let mut sum = y[i] * self.entries[i][i];
+            for k in i + 1..n {
+                sum -= self.entries[k][i] * x[self.rows[k]];
+            }
+            x[self.rows[i]] = sum;
+        }
+        x
+    }
+}
+
+/// Those of the chosen rows that are independent of the ones before them.
+pub(super) fn independent<T: Float>(matrix: &[[T; MOST]; MOST], chosen: u8) -> u8 {
+    let (mut factored, mut solved) = (Factored::none(), 0);
+    for row in bits(chosen) {
+        let pivot = factored.push(matrix, row);
+        if pivot > T::from_f64(INDEPENDENT) * matrix[row][row] {
+            solved |= 1 << row;
+        } else {
+            factored.count -= 1;
+        }
+    }
+    solved
+}
+
+/// The impulses `p >= 0` by which rates `w` become `w + A p >= -e w`, each with one of the two equal: those of Newton's
+/// law with one restitution `e`. Rows are those chosen; `A` is symmetric and not negative.
+pub(super) fn impulses<T: Float>(matrix: &[[T; MOST]; MOST], chosen: u8, w: &[T; MOST], e: T) -> [T; MOST] {
+    let (zero, one) = (T::default(), T::from_f64(1.0));
+    let target: [T; MOST] = core::array::from_fn(|n| (one + e) * w[n]);
+    let size = bits(chosen).fold(zero, |size: T, n| size.max(w[n].abs()));
+    let mut best = ([zero; MOST], T::from_f64(f64::INFINITY));
+    // all pushing first: mostly it is one
+    for set in subsets(chosen) {
+        let p = Factored::of(matrix, independent(matrix, set)).solve_negated(&target);
+        let mut violation = zero;
+        for n in bits(chosen) {
+            let rate = bits(chosen).fold(target[n], |sum, k| sum + matrix[n][k] * p[k]);
+            violation = violation.max(-rate / size).max(-p[n] * matrix[n][n] / size);
+        }
+        if violation < best.1 {
+            best = (p, violation);
+        }
+        if violation <= T::from_f64(8.0) * T::EPSILON {
+            break;
+        }
+    }
+    best.0
+}
+
+/// All parts of a set, those of more elements first.
+pub(super) fn subsets(set: u8) -> impl Iterator<Item = u8> {
+    (0..=set.count_ones())
+        .rev()
+        .flat_map(move |count| (0..=u8::MAX).filter(move |part| part & !set == 0 && part.count_ones() == count))
+}

@@ -1,0 +1,141 @@
+//! Equations of motion with some rates held at zero.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::complementarity::Factored;
+use super::mode::{Hold, bits};
+use super::{Hybrid, HybridJacobian, MOST, Response};
+use crate::real::Real;
+
+/// The right-hand side of a hybrid system in a mode: what [`System::rhs_in`](crate::System::rhs_in) is for it.
+#[inline(always)]
+pub fn rhs<S, T, const N: usize>(system: &S, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N>
+where
+    S: Hybrid<T, N> + ?Sized,
+    T: Real,
+{
+    if hold.held == 0 {
+        return system.rhs_under(t, x, &hold.forces);
+    }
+    held(system, hold, &system.response(t, x, &hold.forces)).0
+}
+
+/// The derivative of [`rhs`] with respect to the state.
+#[inline(always)]
+pub fn jacobian<S, T, const N: usize>(system: &S, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N>
+where
+    S: HybridJacobian<T, N> + ?Sized,
+    T: Real,
+{
+    rhs_and_jacobian(system, hold, t, x).1
+}
+
+/// [`rhs`] and [`jacobian`] at once.
+#[inline(always)]
+pub fn rhs_and_jacobian<S, T, const N: usize>(
+    system: &S,
+    hold: &Hold<T>,
+    t: T,
+    x: &SVector<T, N>,
+) -> (SVector<T, N>, SMatrix<T, N, N>)
+where
+    S: HybridJacobian<T, N> + ?Sized,
+    T: Real,
+{
+    if hold.held == 0 {
+        return system.rhs_and_jacobian_under(t, x, &hold.forces);
+    }
+    let (rates, forces) = held(system, hold, &system.response(t, x, &hold.forces));
+    // the forces are as fixed as those of friction; how they change comes on top
+    let derivative = system.response_derivative(t, x, &forces);
+    let factored = Factored::of(&derivative.response.matrix, hold.solved);
+    let mut jacobian = derivative.rates;
+    for component in 0..N {
+        let slopes = derivative.accelerations.map(|gradient| gradient[component]);
+        let changes = factored.solve_negated(&slopes);
+        let mut column = SVector::from(core::array::from_fn(|row| jacobian[(row, component)]));
+        add(&mut column, &derivative.response, hold.solved, &changes);
+        pin(system, hold.held, &mut column);
+        for row in 0..N {
+            jacobian[(row, component)] = column[row];
+        }
+    }
+    (rates, jacobian)
+}
+
+/// The derivative of [`rhs`] with respect to the time.
+#[inline(always)]
+pub fn time_derivative<S, T, const N: usize>(system: &S, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N>
+where
+    S: HybridJacobian<T, N> + ?Sized,
+    T: Real,
+{
+    let mut forces = hold.forces;
+    if hold.held != 0 {
+        forces = held(system, hold, &system.response(t, x, &hold.forces)).1;
+    }
+    let derivative = system.response_derivative(t, x, &forces);
+    let factored = Factored::of(&derivative.response.matrix, hold.solved);
+    let changes = factored.solve_negated(&derivative.accelerations_by_time);
+    let mut column = derivative.rates_by_time;
+    add(&mut column, &derivative.response, hold.solved, &changes);
+    pin(system, hold.held, &mut column);
+    column
+}
+
+/// The right-hand side with what is held, and all forces along the constraints.
+#[inline(always)]
+pub(super) fn held<S, T, const N: usize>(
+    system: &S,
+    hold: &Hold<T>,
+    response: &Response<T, N>,
+) -> (SVector<T, N>, [T; MOST])
+where
+    S: Hybrid<T, N> + ?Sized,
+    T: Real,
+{
+    let forces = Factored::of(&response.matrix, hold.solved).solve_negated(&response.accelerations);
+    let mut rates = response.rates;
+    add(&mut rates, response, hold.solved, &forces);
+    pin(system, hold.held, &mut rates);
+    let mut all = hold.forces;
+    for n in bits(hold.solved) {
+        all[n] = forces[n];
+    }
+    (rates, all)
+}
+
+/// Adds what forces along some constraints do.
+#[inline(always)]
+pub(super) fn add<T: Real, const N: usize>(
+    rates: &mut SVector<T, N>,
+    response: &Response<T, N>,
+    along: u8,
+    forces: &[T; MOST],
+) {
+    for n in bits(along) {
+        for component in 0..N {
+            rates[component] += response.columns[n][component] * forces[n];
+        }
+    }
+}
+
+/// Makes the rates of what is held zero, exactly: in a state, or in its derivative.
+#[inline(always)]
+pub(super) fn pin<S, T, const N: usize>(system: &S, held: u8, x: &mut SVector<T, N>)
+where
+    S: Hybrid<T, N> + ?Sized,
+    T: Real,
+{
+    let constraints = system.constraints();
+    for n in bits(held) {
+        let Some((&(last, sign), others)) = constraints[n].rate.split_last() else {
+            continue;
+        };
+        let mut sum = T::default();
+        for &(other, its) in others {
+            sum += T::from_f64(-f64::from(its * sign)) * x[other];
+        }
+        x[last] = sum;
+    }
+}

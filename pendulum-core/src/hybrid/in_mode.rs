@@ -1,0 +1,83 @@
+//! A system in one of its modes.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::mode::Hold;
+use crate::layout::StateLayout;
+use crate::real::{Float, Real};
+use crate::system::{Canonical, Jacobian, System};
+use crate::taylor::TaylorSeries;
+
+/// A system in one of its modes, as a system itself: what a [`Scheme`](crate::method::Scheme) integrates. Systems that
+/// are not [hybrid](crate::hybrid) have only one.
+#[derive(Debug)]
+pub struct InMode<'a, S: ?Sized, T> {
+    system: &'a S,
+    hold: &'a Hold<T>,
+}
+
+impl<'a, S: ?Sized, T> InMode<'a, S, T> {
+    /// `system` with what is held.
+    #[inline(always)]
+    pub fn new(system: &'a S, hold: &'a Hold<T>) -> Self {
+        Self { system, hold }
+    }
+}
+
+impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for InMode<'_, S, T> {
+    #[inline(always)]
+    fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
+        self.system.rhs_in(self.hold, t, x)
+    }
+
+    #[inline(always)]
+    fn layout(&self) -> Option<&'static StateLayout> {
+        self.system.layout()
+    }
+}
+
+impl<S: Jacobian<T, N> + ?Sized, T: Real, const N: usize> Jacobian<T, N> for InMode<'_, S, T> {
+    #[inline(always)]
+    fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
+        self.system.jacobian_in(self.hold, t, x)
+    }
+
+    #[inline(always)]
+    fn rhs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
+        self.system.rhs_and_jacobian_in(self.hold, t, x)
+    }
+
+    #[inline(always)]
+    fn time_derivative(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>
+    where
+        T: Float,
+    {
+        self.system.time_derivative_in(self.hold, t, x)
+    }
+}
+
+impl<S: Canonical<T, N> + ?Sized, T: Real, const N: usize> Canonical<T, N> for InMode<'_, S, T> {
+    #[inline(always)]
+    fn canonical(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>) {
+        self.system.canonical(t, x)
+    }
+
+    #[inline(always)]
+    fn canonical_jacobian(&self, t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>) {
+        self.system.canonical_jacobian(t, x)
+    }
+}
+
+impl<S: TaylorSeries<T, N> + ?Sized, T: Real, const N: usize> TaylorSeries<T, N> for InMode<'_, S, T> {
+    type Workspace = S::Workspace;
+
+    #[inline(always)]
+    fn workspace(&self) -> Self::Workspace {
+        self.system.workspace()
+    }
+
+    #[inline(always)]
+    fn series(&self, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace) {
+        self.system.series(t, x, work);
+    }
+}

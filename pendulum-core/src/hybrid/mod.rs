@@ -1,0 +1,197 @@
+//! Hybrid systems: dry friction that sticks, stops, and walls.
+//!
+//! What hinders a motion is a [`Constraint`]: a number that the state determines, such as the coordinate of a joint or
+//! the gap to a wall, whose rate may be braked by friction, and which may have limits. In each [`Mode`] (what slips, what
+//! sticks, what touches) the equations are smooth, and methods integrate them as they do others. A mode ends where a
+//! friction force reaches its limit, a rate or a gap passes zero, or a contact would have to pull: that is found on the
+//! dense output, the step ends there, and the next one starts in another mode.
+//!
+//! - A rate that reaches zero stays there, exactly, as long as friction can hold it. Which constraints hold and which
+//!   slip is decided for all of them together: forces, accelerations and limits are consistent (a complementarity
+//!   problem, solved by trying all combinations, fewest slipping first).
+//! - At a limit there is an impact: by Newton's law, constraints that approach with the rate `v` leave with `-e v`; with
+//!   several at once, all have the least of their restitutions, so energy never grows. Friction forces are finite, so they
+//!   take no part in impacts.
+//! - Rebounds that become too small to see end at once, at the limit of the geometric series of their times.
+//!
+//! Generated models have all this from `dry_friction`, `stop` and `wall` in their declaration. A model by hand implements
+//! [`Hybrid`]:
+//!
+//! ```
+//! use pendulum_core::hybrid::{self, Constraint, Hold, Hybrid, Law, MOST, Response};
+//! use pendulum_core::prelude::*;
+//!
+//! /// A ball of 1 kg above a floor; the state is the height and its rate.
+//! struct Ball;
+//!
+//! impl System<f64, 2> for Ball {
+//!     fn rhs(&self, t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
+//!         self.rhs_under(t, x, &[0.0; MOST])
+//!     }
+//!
+//!     fn rhs_in(&self, hold: &Hold<f64>, t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
+//!         hybrid::rhs(self, hold, t, x)
+//!     }
+//!
+//!     fn hybrid(&self) -> Option<&dyn Hybrid<f64, 2>> {
+//!         Some(self)
+//!     }
+//! }
+//!
+//! impl Hybrid<f64, 2> for Ball {
+//!     fn constraints(&self) -> &'static [Constraint] {
+//!         const { &[Constraint { name: "floor", rate: &[(1, 1)] }] }
+//!     }
+//!
+//!     fn laws(&self) -> [Law<f64>; MOST] {
+//!         let mut laws = [Law::default(); MOST];
+//!         laws[0] = Law { low: Some(0.0), restitution: 0.8, ..Law::default() };
+//!         laws
+//!     }
+//!
+//!     fn measures(&self, _t: f64, x: &SVector<f64, 2>) -> [[f64; 2]; MOST] {
+//!         let mut measures = [[0.0; 2]; MOST];
+//!         measures[0] = [x[0], x[1]];
+//!         measures
+//!     }
+//!
+//!     fn rhs_under(&self, _t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
+//!         SVector::from([x[1], forces[0] - 9.81])
+//!     }
+//!
+//!     fn response(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> Response<f64, 2> {
+//!         let mut response = Response::new(self.rhs_under(t, x, forces));
+//!         response.accelerations[0] = response.rates[1];
+//!         response.columns[0] = SVector::from([0.0, 1.0]);
+//!         response.matrix[0][0] = 1.0;
+//!         response
+//!     }
+//! }
+//!
+//! let solution = Tsit5::new().rtol(1e-12).atol(1e-12).solve(&Ball, 0.0, 5.0, [1.0, 0.0])?;
+//! // falls, and rebounds in times that shrink by a factor of 0.8
+//! let fall = (2.0_f64 / 9.81).sqrt();
+//! let (rests, mode) = *solution.modes().last().unwrap();
+//! assert!((rests - fall * (1.0 + 2.0 * 0.8 / (1.0 - 0.8))).abs() < 1e-12 && mode.is_held(0));
+//! assert_eq!(solution.end(), SVector::from([0.0, 0.0]));
+//! # Ok::<(), pendulum_core::SolveError<f64, 2>>(())
+//! ```
+
+mod complementarity;
+mod held;
+mod in_mode;
+mod mode;
+mod switch;
+mod watch;
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::real::Real;
+
+pub use held::{jacobian, rhs, rhs_and_jacobian, time_derivative};
+pub use in_mode::InMode;
+pub use mode::{Hold, Mode, Status};
+pub(crate) use switch::{Settled, project, start, switch};
+pub(crate) use watch::{Fired, Watch};
+
+/// The most constraints of a system.
+pub const MOST: usize = 8;
+
+/// Something that may hinder a motion: see [`hybrid`](crate::hybrid).
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Constraint {
+    /// What it is called, in messages.
+    pub name: &'static str,
+    /// Where its rate is a sum of components of the state, these and their signs; empty for any other. Such a rate is
+    /// exactly zero while it is held. The component by which it is made zero stands last, and in no constraint before.
+    pub rate: &'static [(usize, i8)],
+}
+
+/// The numbers of a [`Constraint`], forces in N or N m, rates in m/s or rad/s.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Law<T> {
+    /// The friction force while it slips; 0 where there is none.
+    pub slipping: T,
+    /// The largest friction force at rest, not below `slipping`.
+    pub sticking: T,
+    /// The least value.
+    pub low: Option<T>,
+    /// The largest value.
+    pub high: Option<T>,
+    /// What remains of the rate after an impact at a limit, from 0 to 1.
+    pub restitution: T,
+    /// Below this rate there is no rebound.
+    pub slow: T,
+}
+
+/// A system in any number of modes: see [`hybrid`](crate::hybrid).
+///
+/// The state is `[q; qd]`. Forces along constraints are those that do work with their rates: positive ones push
+/// forward. [`MOST`] of everything is passed, of which only the first are used.
+pub trait Hybrid<T: Real, const N: usize> {
+    /// Its constraints, [`MOST`] of them at most.
+    fn constraints(&self) -> &'static [Constraint];
+
+    /// Their numbers.
+    fn laws(&self) -> [Law<T>; MOST];
+
+    /// The value and the rate of each constraint.
+    fn measures(&self, t: T, x: &SVector<T, N>) -> [[T; 2]; MOST];
+
+    /// The right-hand side under forces along the constraints, of which none is held.
+    fn rhs_under(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> SVector<T, N>;
+
+    /// The same, and what more force would change.
+    fn response(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> Response<T, N>;
+}
+
+/// A [`Hybrid`] that knows the derivatives of its right-hand side.
+pub trait HybridJacobian<T: Real, const N: usize>: Hybrid<T, N> {
+    /// The right-hand side under forces along the constraints, and its derivative with respect to the state.
+    fn rhs_and_jacobian_under(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> (SVector<T, N>, SMatrix<T, N, N>);
+
+    /// [`Hybrid::response`] with its derivatives, the forces held fixed.
+    fn response_derivative(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> ResponseDerivative<T, N>;
+}
+
+/// What forces along constraints do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Response<T, const N: usize> {
+    /// The right-hand side under the forces given.
+    pub rates: SVector<T, N>,
+    /// The second derivatives of the constraints by the time, under these forces.
+    pub accelerations: [T; MOST],
+    /// What a unit of further force along each constraint adds to the right-hand side.
+    pub columns: [SVector<T, N>; MOST],
+    /// What it adds to the second derivatives: entry `[i][j]` to that of `i` by a force along `j`; symmetric.
+    pub matrix: [[T; MOST]; MOST],
+}
+
+impl<T: Real, const N: usize> Response<T, N> {
+    /// With this right-hand side, and zero elsewhere.
+    #[inline(always)]
+    pub fn new(rates: SVector<T, N>) -> Self {
+        let zero = T::default();
+        Self {
+            rates,
+            accelerations: [zero; MOST],
+            columns: [SVector::from([zero; N]); MOST],
+            matrix: [[zero; MOST]; MOST],
+        }
+    }
+}
+
+/// A [`Response`] with its derivatives.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ResponseDerivative<T, const N: usize> {
+    /// The response.
+    pub response: Response<T, N>,
+    /// The derivative of the right-hand side with respect to the state.
+    pub rates: SMatrix<T, N, N>,
+    /// Those of the second derivatives of the constraints: a gradient for each.
+    pub accelerations: [SVector<T, N>; MOST],
+    /// The derivative of the right-hand side with respect to the time.
+    pub rates_by_time: SVector<T, N>,
+    /// Those of the second derivatives of the constraints.
+    pub accelerations_by_time: [T; MOST],
+}

@@ -1,0 +1,104 @@
+//! What each constraint of a hybrid system does.
+
+use core::fmt;
+
+use super::{Constraint, MOST};
+
+/// What a constraint does.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub enum Status {
+    /// Nothing: it has no friction, and is away from its limits.
+    #[default]
+    Free,
+    /// It slips with a positive rate.
+    Forward,
+    /// It slips with a negative rate.
+    Backward,
+    /// Friction holds it.
+    Stuck,
+    /// It is held at its least value.
+    Low,
+    /// It is held at its largest value.
+    High,
+}
+
+impl Status {
+    /// Whether its rate is held at zero.
+    #[must_use]
+    pub fn is_held(self) -> bool {
+        matches!(self, Self::Stuck | Self::Low | Self::High)
+    }
+
+    /// Whether it touches a limit.
+    #[must_use]
+    pub fn touches(self) -> bool {
+        matches!(self, Self::Low | Self::High)
+    }
+
+    /// The direction in which friction acts.
+    pub(super) fn friction(self) -> i8 {
+        match self {
+            Self::Forward => -1,
+            Self::Backward => 1,
+            _ => 0,
+        }
+    }
+}
+
+/// What all constraints of a system do, in the order of their declaration.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Hash)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Mode(pub [Status; MOST]);
+
+impl Mode {
+    /// Whether a constraint is held.
+    #[must_use]
+    pub fn is_held(&self, constraint: usize) -> bool {
+        self.0[constraint].is_held()
+    }
+
+    /// In words: "upper slips forward, lower sticks".
+    pub fn describe(self, constraints: &'static [Constraint]) -> impl fmt::Display {
+        Described(self, constraints)
+    }
+}
+
+struct Described(Mode, &'static [Constraint]);
+
+impl fmt::Display for Described {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self(mode, constraints) = self;
+        for (n, (constraint, status)) in constraints.iter().zip(mode.0).enumerate() {
+            let does = match status {
+                Status::Free => "is free",
+                Status::Forward => "slips forward",
+                Status::Backward => "slips backward",
+                Status::Stuck => "sticks",
+                Status::Low if constraint.rate.is_empty() => "touches",
+                Status::Low => "is at its lower stop",
+                Status::High => "is at its upper stop",
+            };
+            let separator = if n == 0 { "" } else { ", " };
+            write!(f, "{separator}{} {does}", constraint.name)?;
+        }
+        Ok(())
+    }
+}
+
+/// What equations of motion need to know of a [`Mode`].
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Hold<T> {
+    /// The forces along the constraints that slip, 0 along the others.
+    pub forces: [T; MOST],
+    /// The constraints whose rates are held at zero, as bits.
+    pub held: u8,
+    /// Those of them whose forces are unknown; the others follow from these, and have no force.
+    pub solved: u8,
+}
+
+/// The places of the bits of a number that are set.
+#[inline(always)]
+pub(super) fn bits(set: u8) -> impl Iterator<Item = usize> {
+    (0..MOST).filter(move |n| set & (1 << n) != 0)
+}

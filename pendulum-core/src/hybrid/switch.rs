@@ -1,0 +1,452 @@
+//! What happens where a mode ends, and which one begins.
+
+use nalgebra::SVector;
+
+use super::complementarity::{Factored, impulses, independent, subsets};
+use super::held::{add, pin};
+use super::mode::{Hold, Mode, Status, bits};
+use super::watch::{BACKWARD, FORWARD, Fired, UPPER, Watch};
+use super::{Hybrid, Law, MOST, Response};
+use crate::error::Reason;
+use crate::real::Float;
+
+/// Values this many ulps of the state's size about a limit are at it, where an integration starts.
+const AT_LIMIT_ULPS: f64 = 64.0;
+/// Rebounds that are lower than this part of the way that a constraint has moved over are not followed.
+const LEAST_REBOUND: f64 = 1e-13;
+
+/// The state and the mode from which to go on.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Settled<T, const N: usize> {
+    pub(crate) x: SVector<T, N>,
+    pub(crate) mode: Mode,
+    pub(crate) hold: Hold<T>,
+    /// How long rebounds that are not followed would still last.
+    pub(crate) delay: T,
+}
+
+/// The mode in which to start from a state.
+pub(crate) fn start<T: Float, const N: usize>(
+    system: &dyn Hybrid<T, N>,
+    t: T,
+    x: &SVector<T, N>,
+) -> Result<Settled<T, N>, Reason> {
+    let mut settling = Settling::new(system, t, x);
+    let size = x.iter().fold(T::from_f64(1.0), |size, x| size.max(x.abs()));
+    let slack = T::from_f64(AT_LIMIT_ULPS) * T::EPSILON * size;
+    let measures = system.measures(t, x);
+    for (n, constraint) in system.constraints().iter().enumerate() {
+        let ([value, rate], law) = (measures[n], &settling.laws[n]);
+        let limits = [
+            (law.low, T::from_f64(1.0), Status::Low),
+            (law.high, T::from_f64(-1.0), Status::High),
+        ];
+        for (limit, inward, status) in limits {
+            let Some(limit) = limit else { continue };
+            let distance = inward * (value - limit);
+            if distance.to_f64().is_nan() || distance < -slack {
+                let (value, limit) = (value.to_f64(), limit.to_f64());
+                let constraint = constraint.name;
+                return Err(Reason::BeyondLimit {
+                    constraint,
+                    value,
+                    limit,
+                });
+            }
+            if distance <= slack {
+                settling.touching[n] = status;
+                settling.rest(n, rate.abs() <= slack);
+            }
+        }
+        settling.rest(n, rate == T::default());
+    }
+    Ok(settling.settle(&[T::default(); MOST]))
+}
+
+/// The mode after the one that ended.
+pub(crate) fn switch<T: Float, const N: usize>(
+    system: &dyn Hybrid<T, N>,
+    (t, x): (T, &SVector<T, N>),
+    mode: &Mode,
+    fired: Fired,
+    watch: &Watch<T>,
+) -> Settled<T, N> {
+    let mut settling = Settling::new(system, t, x);
+    for n in 0..system.constraints().len() {
+        let status = mode.0[n];
+        if status.touches() {
+            settling.touching[n] = status;
+        }
+        settling.rest(n, status.is_held());
+        if status.is_held() {
+            for (way, next) in [(FORWARD, Status::Forward), (BACKWARD, Status::Backward)] {
+                if fired.has(n, way) {
+                    settling.forced[n] = Some(next);
+                }
+            }
+        } else {
+            settling.rest(n, fired.has(n, FORWARD));
+            for (way, next) in [(BACKWARD, Status::Low), (UPPER, Status::High)] {
+                if fired.has(n, way) {
+                    settling.touching[n] = next;
+                }
+            }
+        }
+    }
+    settling.settle(&watch.reach)
+}
+
+/// A state on its way to the next mode.
+struct Settling<'a, T, const N: usize> {
+    system: &'a dyn Hybrid<T, N>,
+    laws: [Law<T>; MOST],
+    t: T,
+    x: SVector<T, N>,
+    /// The limits that constraints touch: `Low`, `High`, or else `Free`.
+    touching: [Status; MOST],
+    /// The constraints whose rates are zero.
+    resting: u8,
+    /// What those must do that gave way.
+    forced: [Option<Status>; MOST],
+}
+
+impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
+    fn new(system: &'a dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) -> Self {
+        Self {
+            system,
+            laws: system.laws(),
+            t,
+            x: *x,
+            touching: [Status::Free; MOST],
+            resting: 0,
+            forced: [None; MOST],
+        }
+    }
+
+    fn rest(&mut self, n: usize, rests: bool) {
+        self.resting |= u8::from(rests) << n;
+    }
+
+    /// 1 at a lower limit, -1 at an upper one, 0 elsewhere: the direction away from it.
+    fn away(&self, n: usize) -> T {
+        T::from_f64(match self.touching[n] {
+            Status::Low => 1.0,
+            Status::High => -1.0,
+            _ => 0.0,
+        })
+    }
+
+    fn has_friction(&self, n: usize) -> bool {
+        self.laws[n].sticking > T::default()
+    }
+
+    fn settle(mut self, reach: &[T; MOST]) -> Settled<T, N> {
+        self.place_at_limits();
+        pin(self.system, self.resting, &mut self.x);
+        let hit = self.collide();
+        let mut delay = T::default();
+        loop {
+            let (mode, hold, accelerations) = self.next_mode();
+            // a rebound too low to be followed
+            let low = bits(hit & !self.resting).find_map(|n| {
+                let (law, rate) = (
+                    &self.laws[n],
+                    self.away(n) * self.system.measures(self.t, &self.x)[n][1],
+                );
+                let fall = -self.away(n) * accelerations[n];
+                let two = T::from_f64(2.0);
+                let is_low = fall > T::default() && rate * rate <= two * fall * T::from_f64(LEAST_REBOUND) * reach[n];
+                is_low.then(|| (n, two * rate / (fall * (T::from_f64(1.0) - law.restitution))))
+            });
+            let Some((n, rest)) = low else {
+                self.project(&hold, &mode);
+                return Settled {
+                    x: self.x,
+                    mode,
+                    hold,
+                    delay,
+                };
+            };
+            delay = delay.max(rest);
+            self.resting |= 1 << n;
+            let touching = bits(self.resting).filter(|&n| self.touching[n].touches());
+            let stopped = touching.fold(0, |set, n| set | 1 << n);
+            let response = self.system.response(self.t, &self.x, &[T::default(); MOST]);
+            let rates = self.system.measures(self.t, &self.x).map(|[_, rate]| rate);
+            let solved = independent(&response.matrix, stopped);
+            self.push(
+                &response,
+                solved,
+                &Factored::of(&response.matrix, solved).solve_negated(&rates),
+            );
+            pin(self.system, self.resting, &mut self.x);
+        }
+    }
+
+    /// Coordinates that touch a limit are at it to the last bit.
+    fn place_at_limits(&mut self) {
+        let measures = self.system.measures(self.t, &self.x);
+        for (n, constraint) in self.system.constraints().iter().enumerate() {
+            let limit = match self.touching[n] {
+                Status::Low => self.laws[n].low,
+                Status::High => self.laws[n].high,
+                _ => None,
+            };
+            if let (Some(limit), Some(&(component, sign))) = (limit, constraint.rate.last()) {
+                self.x[component - N / 2] -= T::from_f64(f64::from(sign)) * (measures[n][0] - limit);
+            }
+        }
+    }
+
+    /// Impacts at the limits that are touched: the constraints that were hit and rebound.
+    fn collide(&mut self) -> u8 {
+        let zero = T::default();
+        let count = self.system.constraints().len();
+        let touching = (0..count).filter(|&n| self.touching[n].touches());
+        let touching = touching.fold(0, |set, n| set | 1 << n);
+        let mut rates = self.system.measures(self.t, &self.x).map(|[_, rate]| rate);
+        for n in bits(self.resting) {
+            rates[n] = zero;
+        }
+        let leaving: [T; MOST] = core::array::from_fn(|n| self.away(n) * rates[n]);
+        let approaching = bits(touching).filter(|&n| leaving[n] < zero);
+        let restitution = approaching.map(|n| {
+            let law = &self.laws[n];
+            if -leaving[n] < law.slow { zero } else { law.restitution }
+        });
+        // the least, so that energy does not grow
+        let Some(restitution) = restitution.reduce(T::min) else {
+            return 0;
+        };
+        let response = self.system.response(self.t, &self.x, &[zero; MOST]);
+        let mut matrix = response.matrix;
+        for (n, row) in matrix.iter_mut().enumerate() {
+            for (m, entry) in row.iter_mut().enumerate() {
+                *entry *= self.away(n) * self.away(m);
+            }
+        }
+        let pushes = impulses(&matrix, touching, &leaving, restitution);
+        let pushes: [T; MOST] = core::array::from_fn(|n| self.away(n) * pushes[n]);
+        self.push(&response, touching, &pushes);
+        let mut hit = 0;
+        for n in 0..count {
+            let change = bits(touching).fold(zero, |sum, m| sum + response.matrix[n][m] * pushes[m]);
+            if pushes[n] != zero && restitution == zero {
+                self.resting |= 1 << n;
+            } else if pushes[n] != zero {
+                self.resting &= !(1 << n);
+                hit |= 1 << n;
+            } else if change != zero {
+                self.resting &= !(1 << n);
+            }
+        }
+        pin(self.system, self.resting, &mut self.x);
+        hit
+    }
+
+    /// Changes the rates by impulses along some constraints.
+    fn push(&mut self, response: &Response<T, N>, along: u8, impulses: &[T; MOST]) {
+        add(&mut self.x, response, along, impulses);
+    }
+
+    /// The mode that the rates and accelerations ask for, and the accelerations in it.
+    fn next_mode(&self) -> (Mode, Hold<T>, [T; MOST]) {
+        let zero = T::default();
+        let count = self.system.constraints().len();
+        let measures = self.system.measures(self.t, &self.x);
+        let (mut mode, mut candidates) = (Mode::default(), 0);
+        let mut forces = [zero; MOST];
+        for n in 0..count {
+            let (friction, touches) = (self.has_friction(n), self.touching[n].touches());
+            let rate = measures[n][1];
+            let rests = self.resting & 1 << n != 0 || rate == zero;
+            if rests && (friction || touches) {
+                candidates |= 1 << n;
+            } else if friction {
+                mode.0[n] = if rate > zero { Status::Forward } else { Status::Backward };
+                forces[n] = self.slipping(n, mode.0[n]);
+            }
+        }
+        let response = self.system.response(self.t, &self.x, &forces);
+        let mut best: Option<(T, Mode, Hold<T>, [T; MOST])> = None;
+        'all: for held in subsets(candidates) {
+            let released = candidates & !held;
+            if bits(held).any(|n| self.forced[n].is_some()) {
+                continue;
+            }
+            for forward in subsets(released) {
+                let Some((mode, hold)) = self.released(mode, forces, (held, released, forward), &response) else {
+                    continue;
+                };
+                let (violation, accelerations) = self.violation(&mode, &hold, candidates, &response, &forces);
+                if best.as_ref().is_none_or(|(least, ..)| violation < *least) {
+                    best = Some((violation, mode, hold, accelerations));
+                }
+                if violation <= T::from_f64(64.0) * T::EPSILON {
+                    break 'all;
+                }
+            }
+        }
+        best.map_or(
+            (
+                mode,
+                Hold {
+                    forces,
+                    ..Hold::default()
+                },
+                response.accelerations,
+            ),
+            |(_, mode, hold, a)| (mode, hold, a),
+        )
+    }
+
+    fn slipping(&self, n: usize, status: Status) -> T {
+        T::from_f64(f64::from(status.friction())) * self.laws[n].slipping
+    }
+
+    /// A mode in which some of the candidates are held, and others go forward or backward; none where a limit is in
+    /// the way.
+    fn released(
+        &self,
+        mut mode: Mode,
+        mut forces: [T; MOST],
+        (held, released, forward): (u8, u8, u8),
+        response: &Response<T, N>,
+    ) -> Option<(Mode, Hold<T>)> {
+        for n in bits(held) {
+            mode.0[n] = if self.touching[n].touches() {
+                self.touching[n]
+            } else {
+                Status::Stuck
+            };
+        }
+        for n in bits(released) {
+            let goes = if forward & 1 << n != 0 {
+                Status::Forward
+            } else {
+                Status::Backward
+            };
+            let blocked = match goes {
+                Status::Forward => Status::High,
+                _ => Status::Low,
+            };
+            if self.touching[n] == blocked || self.forced[n].is_some_and(|forced| forced != goes) {
+                return None;
+            }
+            mode.0[n] = if self.has_friction(n) { goes } else { Status::Free };
+            forces[n] = self.slipping(n, mode.0[n]);
+        }
+        let solved = independent(&response.matrix, held);
+        Some((mode, Hold { forces, held, solved }))
+    }
+
+    /// How far a mode is from being consistent, relative to the forces and accelerations at hand; the accelerations.
+    fn violation(
+        &self,
+        mode: &Mode,
+        hold: &Hold<T>,
+        candidates: u8,
+        response: &Response<T, N>,
+        before: &[T; MOST],
+    ) -> (T, [T; MOST]) {
+        let zero = T::default();
+        let matrix = &response.matrix;
+        let mut accelerations = response.accelerations;
+        let mut sizes = accelerations.map(|a| a.abs());
+        let mut under = |forces: &dyn Fn(usize) -> T| {
+            for n in 0..MOST {
+                for m in bits(candidates) {
+                    let change = matrix[n][m] * forces(m);
+                    accelerations[n] += change;
+                    sizes[n] += change.abs();
+                }
+            }
+        };
+        under(&|m| hold.forces[m] - before[m]);
+        let unknown = {
+            let mut given = response.accelerations;
+            for (n, given) in given.iter_mut().enumerate() {
+                for m in bits(candidates) {
+                    *given += matrix[n][m] * (hold.forces[m] - before[m]);
+                }
+            }
+            Factored::of(matrix, hold.solved).solve_negated(&given)
+        };
+        under(&|m| unknown[m]);
+        let mut worst = zero;
+        for n in bits(candidates) {
+            let (law, force) = (&self.laws[n], unknown[n]);
+            let of_acceleration = sizes[n].max(T::MIN_POSITIVE);
+            // the force that such accelerations take
+            let of_force = (sizes[n] / matrix[n][n]).max(law.sticking).max(T::MIN_POSITIVE);
+            let violation = match mode.0[n] {
+                status if status.is_held() => {
+                    let beyond = |excess: T| excess / of_force;
+                    let forward = if status == Status::Low {
+                        zero
+                    } else {
+                        beyond(force - law.sticking)
+                    };
+                    let backward = if status == Status::High {
+                        zero
+                    } else {
+                        beyond(-force - law.sticking)
+                    };
+                    forward.max(backward).max(accelerations[n].abs() / of_acceleration)
+                }
+                // given way to a force, it accelerates, or will
+                _ if self.forced[n].is_some() => zero,
+                Status::Forward => -accelerations[n] / of_acceleration,
+                Status::Backward => accelerations[n] / of_acceleration,
+                _ => -self.away(n) * accelerations[n] / of_acceleration,
+            };
+            worst = worst.max(violation);
+        }
+        (worst, accelerations)
+    }
+
+    /// The state moved to the limits that hold it, and its rates to zero there.
+    fn project(&mut self, hold: &Hold<T>, mode: &Mode) {
+        project(self.system, hold, mode, self.t, &mut self.x);
+    }
+}
+
+/// Moves a state to where it is held: each position to its limit, each rate to zero.
+pub(crate) fn project<T: Float, const N: usize>(
+    system: &dyn Hybrid<T, N>,
+    hold: &Hold<T>,
+    mode: &Mode,
+    t: T,
+    x: &mut SVector<T, N>,
+) {
+    pin(system, hold.held, x);
+    let constraints = system.constraints();
+    if bits(hold.held).all(|n| !constraints[n].rate.is_empty()) {
+        return;
+    }
+    let laws = system.laws();
+    let measures = system.measures(t, x);
+    let response = system.response(t, x, &hold.forces);
+    let factored = Factored::of(&response.matrix, hold.solved);
+    let mut apart = [T::default(); MOST];
+    for n in bits(hold.held) {
+        let limit = match mode.0[n] {
+            Status::Low => laws[n].low,
+            Status::High => laws[n].high,
+            _ => None,
+        };
+        apart[n] = limit.map_or(T::default(), |limit| measures[n][0] - limit);
+    }
+    let (moves, pushes) = (
+        factored.solve_negated(&apart),
+        factored.solve_negated(&measures.map(|[_, rate]| rate)),
+    );
+    for n in bits(hold.solved) {
+        for component in N / 2..N {
+            // a column holds what a force does to the rates: along it the least kinetic energy moves
+            x[component - N / 2] += response.columns[n][component] * moves[n];
+            x[component] += response.columns[n][component] * pushes[n];
+        }
+    }
+    pin(system, hold.held, x);
+}

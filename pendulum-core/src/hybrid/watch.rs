@@ -1,0 +1,262 @@
+//! The search for the end of a mode within a step.
+
+use nalgebra::SVector;
+
+use super::held::held;
+use super::mode::{Hold, Mode, Status};
+use super::{Hybrid, Law, MOST};
+use crate::dense::Dense;
+use crate::error::Reason;
+use crate::method::{dip, places, root};
+use crate::real::Float;
+use crate::statistics::Statistics;
+
+/// How a constraint may end a mode: by each of three functions that are positive as long as the mode lasts.
+pub(super) const WAYS: usize = 3;
+/// The rate while it slips; what friction or a contact can still take before it gives way forward.
+pub(super) const FORWARD: usize = 0;
+/// The distance from the lower limit; what can still be taken before it gives way backward.
+pub(super) const BACKWARD: usize = 1;
+/// The distance from the upper limit.
+pub(super) const UPPER: usize = 2;
+
+/// Ends of modes within this many ulps of the time are simultaneous.
+const SIMULTANEOUS_ULPS: f64 = 4.0;
+/// What leaves a limit has left it beyond this many ulps of the distances that it moves over.
+const NOISE_ULPS: f64 = 16.0;
+
+/// The functions of all constraints, those of one after those of the other; infinite where there is none.
+type Values<T> = [[T; WAYS]; MOST];
+
+/// Which functions, as bits.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Fired(u32);
+
+impl Fired {
+    pub(super) fn has(self, constraint: usize, way: usize) -> bool {
+        self.0 & 1 << (constraint * WAYS + way) != 0
+    }
+
+    fn insert(&mut self, constraint: usize, way: usize) {
+        self.0 |= 1 << (constraint * WAYS + way);
+    }
+
+    pub(crate) fn is_empty(self) -> bool {
+        self.0 == 0
+    }
+
+    /// The first constraint of which one is.
+    pub(crate) fn first(self) -> usize {
+        self.0.trailing_zeros() as usize / WAYS
+    }
+
+    fn pairs(self) -> impl Iterator<Item = (usize, usize)> {
+        (0..MOST * WAYS)
+            .map(|slot| (slot / WAYS, slot % WAYS))
+            .filter(move |&(n, way)| self.has(n, way))
+    }
+}
+
+/// What is known of a mode since it began.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Watch<T> {
+    /// The functions that have been positive.
+    positive: Fired,
+    /// Whether nothing of the mode has been looked at.
+    starts: bool,
+    /// How far each constraint has been from its limits since it was held there.
+    pub(super) reach: [T; MOST],
+}
+
+impl<T: Float> Watch<T> {
+    pub(crate) fn new() -> Self {
+        Self {
+            positive: Fired::default(),
+            starts: true,
+            reach: [T::default(); MOST],
+        }
+    }
+
+    /// Goes on in another mode.
+    pub(crate) fn restart(&mut self, mode: &Mode) {
+        (self.positive, self.starts) = (Fired::default(), true);
+        for (reach, status) in self.reach.iter_mut().zip(mode.0) {
+            if status.touches() {
+                *reach = T::default();
+            }
+        }
+    }
+
+    /// Where the mode ends within a step, in fractions of it, and by which functions; the work of looking is counted.
+    pub(crate) fn look<const N: usize>(
+        &mut self,
+        (system, mode, hold): (&dyn Hybrid<T, N>, &Mode, &Hold<T>),
+        dense: &Dense<'_, T, N>,
+        work: &mut Statistics,
+    ) -> Result<Option<(T, Fired)>, Reason> {
+        let laws = system.laws();
+        let scene = Scene {
+            system,
+            mode,
+            hold,
+            laws: &laws,
+        };
+        let step = dense.step();
+        let values = scene.values(step.t0, &step.x0, work);
+        self.note_reach(&values, mode);
+        let live = scene.live(&values, self.positive, dense);
+        let was_start = core::mem::replace(&mut self.starts, false);
+        if live.is_empty() {
+            return Ok(None);
+        }
+        let noise: [T; MOST] = self.reach.map(|reach| T::from_f64(NOISE_ULPS) * T::EPSILON * reach);
+        for (n, way) in live.pairs() {
+            if values[n][way] > noise[n] {
+                self.positive.insert(n, way);
+            }
+        }
+        let (mut earlier, mut last): (Option<(T, Values<T>)>, _) = (None, (T::default(), values));
+        for theta in places(was_start) {
+            let here = (theta, scene.values(dense.time(theta), &dense.at_fraction(theta), work));
+            self.note_reach(&here.1, mode);
+            let mut first: Option<(T, Fired)> = None;
+            for (n, way) in live.pairs() {
+                let at = |place: &(T, Values<T>)| (place.0, place.1[n][way]);
+                let value = at(&here).1;
+                if value.to_f64().is_nan() {
+                    let constraint = system.constraints()[n].name;
+                    let t = dense.time(theta).to_f64();
+                    return Err(Reason::ConstraintNotFinite { constraint, t });
+                }
+                let function = |theta: T| scene.value(dense.time(theta), &dense.at_fraction(theta), n, way);
+                let place = if !self.positive.has(n, way) {
+                    if value > noise[n] {
+                        self.positive.insert(n, way);
+                    }
+                    (value < -noise[n]).then_some(theta)
+                } else if value <= T::default() {
+                    Some(root(function, at(&last), at(&here)))
+                } else if let Some(earlier) = &earlier
+                    && earlier.1[n][way] > T::default()
+                    && let Some(bottom) = dip(function, [at(earlier), at(&last), at(&here)])
+                {
+                    Some(root(function, at(earlier), bottom))
+                } else {
+                    None
+                };
+                if let Some(place) = place
+                    && first.is_none_or(|(first, _)| place < first)
+                {
+                    let mut fired = Fired::default();
+                    fired.insert(n, way);
+                    first = Some((place, fired));
+                }
+            }
+            if let Some((theta, mut fired)) = first {
+                // what ends it at the same time
+                let scale = dense.time(theta).abs().max(step.h.abs());
+                let shortly = theta + T::from_f64(SIMULTANEOUS_ULPS) * T::EPSILON * scale / step.h.abs();
+                let values = scene.values(dense.time(shortly), &dense.at_fraction(shortly), work);
+                for (n, way) in live.pairs() {
+                    if self.positive.has(n, way) && values[n][way] <= T::default() {
+                        fired.insert(n, way);
+                    }
+                }
+                return Ok(Some((theta, fired)));
+            }
+            earlier = Some(last);
+            last = here;
+        }
+        Ok(None)
+    }
+
+    fn note_reach(&mut self, values: &Values<T>, mode: &Mode) {
+        for ((reach, values), status) in self.reach.iter_mut().zip(values).zip(mode.0) {
+            let near = values[BACKWARD].min(values[UPPER]);
+            if !status.is_held() && near.is_finite() {
+                *reach = reach.max(near);
+            }
+        }
+    }
+}
+
+/// A system in a mode.
+struct Scene<'a, T, const N: usize> {
+    system: &'a dyn Hybrid<T, N>,
+    mode: &'a Mode,
+    hold: &'a Hold<T>,
+    laws: &'a [Law<T>; MOST],
+}
+
+impl<T: Float, const N: usize> Scene<'_, T, N> {
+    /// All functions.
+    fn values(&self, t: T, x: &SVector<T, N>, work: &mut Statistics) -> Values<T> {
+        let forces = (self.hold.held != 0).then(|| {
+            work.evaluations += 1;
+            self.forces(t, x)
+        });
+        let measures = self.system.measures(t, x);
+        core::array::from_fn(|n| self.of(n, measures[n], forces.map_or(T::default(), |forces| forces[n])))
+    }
+
+    /// One of them.
+    fn value(&self, t: T, x: &SVector<T, N>, n: usize, way: usize) -> T {
+        let force = if self.mode.is_held(n) {
+            self.forces(t, x)[n]
+        } else {
+            T::default()
+        };
+        self.of(n, self.system.measures(t, x)[n], force)[way]
+    }
+
+    fn forces(&self, t: T, x: &SVector<T, N>) -> [T; MOST] {
+        held(self.system, self.hold, &self.system.response(t, x, &self.hold.forces)).1
+    }
+
+    fn of(&self, n: usize, [value, rate]: [T; 2], force: T) -> [T; WAYS] {
+        let (law, status) = (&self.laws[n], self.mode.0[n]);
+        let none = T::from_f64(f64::INFINITY);
+        let mut values = [none; WAYS];
+        if status.is_held() {
+            // a push forward that is too large lets it slip backward
+            if status != Status::Low {
+                values[BACKWARD] = law.sticking - force;
+            }
+            if status != Status::High {
+                values[FORWARD] = force + law.sticking;
+            }
+            return values;
+        }
+        match status {
+            Status::Forward => values[FORWARD] = rate,
+            Status::Backward => values[FORWARD] = -rate,
+            _ => {}
+        }
+        values[BACKWARD] = law.low.map_or(none, |low| value - low);
+        values[UPPER] = law.high.map_or(none, |high| high - value);
+        values
+    }
+
+    /// The functions that may reach zero within a step: those that are sums of components of the state cannot where
+    /// the sizes of the terms of its polynomial do not suffice.
+    fn live(&self, values: &Values<T>, positive: Fired, dense: &Dense<'_, T, N>) -> Fired {
+        let mut live = Fired::default();
+        for (n, constraint) in self.system.constraints().iter().enumerate() {
+            for (way, &value) in values[n].iter().enumerate() {
+                if value == T::from_f64(f64::INFINITY) {
+                    continue;
+                }
+                let linear = !self.mode.is_held(n) && !constraint.rate.is_empty() && positive.has(n, way);
+                let back = if way == FORWARD { 0 } else { N / 2 };
+                let most = constraint.rate.iter().fold(T::default(), |most, &(component, _)| {
+                    let terms = dense.terms().iter().map(|term| term[component - back].abs());
+                    terms.fold(most, |most, term| most + term)
+                });
+                if !linear || value <= most + most * T::from_f64(1e-3) {
+                    live.insert(n, way);
+                }
+            }
+        }
+        live
+    }
+}
