@@ -91,6 +91,19 @@ impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
         polynomial(&self.step.x0, self.coefficients, theta * self.cut)
     }
 
+    /// The state shortly after the end of the step, or before it, by a fraction of the step: the end and a small change,
+    /// which has fewer rounding errors than the polynomial there.
+    pub(crate) fn about_end(&self, by: T) -> SVector<T, N> {
+        let mut x = self.step.x1;
+        let mut change = T::default();
+        for coefficient in self.coefficients {
+            // (1 + by)^k - 1
+            change = change * (T::from_f64(1.0) + by) + by;
+            x += coefficient * change;
+        }
+        x
+    }
+
     /// The time at a fraction of the step.
     pub(crate) fn time(&self, theta: T) -> T {
         if theta == T::from_f64(1.0) {

@@ -25,6 +25,9 @@ const SIMULTANEOUS_ULPS: f64 = 4.0;
 /// What leaves a limit has left it beyond this many ulps of the distances that it moves over.
 const NOISE_ULPS: f64 = 16.0;
 
+/// A step that was taken to the end of a mode is searched so far about its end, in fractions of it.
+const ABOUT_THE_END: [f64; 4] = [1e-12, 1e-9, 1e-6, 1e-3];
+
 /// The functions of all constraints, those of one after those of the other; infinite where there is none.
 type Values<T> = [[T; WAYS]; MOST];
 
@@ -168,6 +171,43 @@ impl<T: Float> Watch<T> {
             last = here;
         }
         Ok(None)
+    }
+
+    /// How far from the end of a step that was taken to there the first of the functions that fired does so, in
+    /// fractions of the step.
+    pub(crate) fn locate<const N: usize>(
+        &self,
+        (system, mode, hold): (&dyn Hybrid<T, N>, &Mode, &Hold<T>),
+        dense: &Dense<'_, T, N>,
+        fired: Fired,
+        work: &mut Statistics,
+    ) -> T {
+        let laws = system.laws();
+        let scene = Scene {
+            system,
+            mode,
+            hold,
+            laws: &laws,
+        };
+        let (zero, step) = (T::default(), dense.step());
+        let mut first = None;
+        for (n, way) in fired.pairs().filter(|&(n, way)| self.positive.has(n, way)) {
+            let function = |by: T| scene.value(step.t1 + by * step.h, &dense.about_end(by), n, way);
+            work.evaluations += usize::from(mode.is_held(n));
+            let value = function(zero);
+            let place = ABOUT_THE_END.into_iter().find_map(|about| {
+                let other = T::from_f64(if value > zero { about } else { -about });
+                let there = function(other);
+                let is_between = value != zero && (there > zero) != (value > zero);
+                is_between.then(|| match value > zero {
+                    true => root(function, (zero, value), (other, there)),
+                    false => root(function, (other, there), (zero, value)),
+                })
+            });
+            let place = place.unwrap_or_default();
+            first = Some(first.map_or(place, |first: T| first.min(place)));
+        }
+        first.unwrap_or_default()
     }
 
     fn note_reach(&mut self, values: &Values<T>, mode: &Mode) {

@@ -69,6 +69,8 @@ struct Modes<T> {
 
 /// Modes that change so often in a row without the time advancing would do so without end.
 const MOST_HURRIED: usize = 100;
+/// Steps to the end of a mode that are shorter than so many ulps of the time are not taken again.
+const SHORTEST_ULPS: f64 = 64.0;
 /// The time has advanced where it is this many ulps later.
 const HURRIED_ULPS: f64 = 4.0;
 
@@ -204,18 +206,62 @@ where
         let Some(hybrid) = self.system.hybrid() else {
             return Ok(());
         };
-        let Modes { mode, hold, watch, .. } = &mut self.modes;
-        let system = InMode::new(self.system, hold);
-        let coefficients = self.scheme.dense(&system, &self.last, &mut self.statistics);
-        let dense = Dense::new(self.last, coefficients);
-        let found = watch.look((hybrid, mode, hold), &dense, &mut self.statistics)?;
-        if let Some((cut, fired)) = found {
-            (self.modes.cut, self.modes.fired) = (cut, fired);
-            let end = (dense.time(cut), dense.at_fraction(cut));
-            self.last = Step::new((self.last.t0, self.last.x0), end);
-        }
-        self.modes.is_dense = true;
+        let (dense, modes, work) = self.dense_and_mode();
+        let found = modes.watch.look((hybrid, &modes.mode, &modes.hold), &dense, work)?;
+        let Some((cut, fired)) = found else { return Ok(()) };
+        let t = dense.time(cut);
+        self.modes.fired = fired;
+        // The ends of steps are more exact than what is between them: a step that ends there shows where it is.
+        let is_exact = self.retake(t)?;
+        let (dense, modes, work) = self.dense_and_mode();
+        let end = if is_exact {
+            let by = modes
+                .watch
+                .locate((hybrid, &modes.mode, &modes.hold), &dense, fired, work);
+            modes.cut = T::from_f64(1.0) + by;
+            (dense.step().t1 + by * dense.step().h, dense.about_end(by))
+        } else {
+            modes.cut = cut;
+            (dense.time(cut), dense.at_fraction(cut))
+        };
+        self.last = Step::new((self.last.t0, self.last.x0), end);
         Ok(())
+    }
+
+    /// The states within the last step, before it is cut off.
+    fn dense_and_mode(&mut self) -> (Dense<'_, T, N>, &mut Modes<T>, &mut Statistics) {
+        let coefficients = if self.modes.is_dense {
+            self.scheme.coefficients()
+        } else {
+            let system = InMode::new(self.system, &self.modes.hold);
+            self.scheme.dense(&system, &self.last, &mut self.statistics)
+        };
+        self.modes.is_dense = true;
+        (
+            Dense::new(self.last, coefficients),
+            &mut self.modes,
+            &mut self.statistics,
+        )
+    }
+
+    /// Takes the last step again, to the time `t` within it; whether that was possible.
+    fn retake(&mut self, t: T) -> Result<bool, Reason> {
+        let whole = self.last;
+        if (t - whole.t0).abs() <= T::from_f64(SHORTEST_ULPS) * T::EPSILON * t.abs().max(whole.h.abs()) {
+            return Ok(false);
+        }
+        self.modes.is_dense = false;
+        let mut take = |t: T| {
+            self.last = Step::at_rest(whole.t0, whole.x0);
+            self.begin()?;
+            let taken = self.attempt(t).and_then(|_| self.advance(t));
+            taken.map_err(|failure| failure.reason((t - whole.t0).to_f64()))
+        };
+        if take(t).is_ok() {
+            return Ok(true);
+        }
+        take(whole.t1)?;
+        Ok(false)
     }
 
     /// Goes to the mode after the one that has ended.

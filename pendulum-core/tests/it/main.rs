@@ -7,6 +7,7 @@ mod continuation;
 mod events;
 mod failures;
 mod hostile;
+mod hybrid;
 mod implicit;
 mod inputs;
 mod jumps;

@@ -1,0 +1,289 @@
+//! Hybrid systems written by hand, against analytic solutions.
+
+use nalgebra::{SMatrix, SVector};
+use pendulum_core::hybrid::{
+    self, Constraint, Hold, Hybrid, HybridJacobian, Law, MOST, Response, ResponseDerivative, Status,
+};
+use pendulum_core::prelude::*;
+
+/// A ball of 1 kg above a floor.
+struct Ball {
+    restitution: f64,
+    slow: f64,
+}
+
+const GRAVITY: f64 = 9.81;
+
+macro_rules! system {
+    ($name:ty, $n:literal) => {
+        impl System<f64, $n> for $name {
+            fn rhs(&self, t: f64, x: &SVector<f64, $n>) -> SVector<f64, $n> {
+                self.rhs_under(t, x, &[0.0; MOST])
+            }
+
+            fn rhs_in(&self, hold: &Hold<f64>, t: f64, x: &SVector<f64, $n>) -> SVector<f64, $n> {
+                hybrid::rhs(self, hold, t, x)
+            }
+
+            fn hybrid(&self) -> Option<&dyn Hybrid<f64, $n>> {
+                Some(self)
+            }
+        }
+    };
+}
+
+system!(Ball, 2);
+
+impl Hybrid<f64, 2> for Ball {
+    fn constraints(&self) -> &'static [Constraint] {
+        const {
+            &[Constraint {
+                name: "floor",
+                rate: &[(1, 1)],
+            }]
+        }
+    }
+
+    fn laws(&self) -> [Law<f64>; MOST] {
+        let mut laws = [Law::default(); MOST];
+        laws[0] = Law {
+            low: Some(0.0),
+            restitution: self.restitution,
+            slow: self.slow,
+            ..Law::default()
+        };
+        laws
+    }
+
+    fn measures(&self, _t: f64, x: &SVector<f64, 2>) -> [[f64; 2]; MOST] {
+        let mut measures = [[0.0; 2]; MOST];
+        measures[0] = [x[0], x[1]];
+        measures
+    }
+
+    fn rhs_under(&self, _t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
+        SVector::from([x[1], forces[0] - GRAVITY])
+    }
+
+    fn response(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> Response<f64, 2> {
+        let mut response = Response::new(self.rhs_under(t, x, forces));
+        response.accelerations[0] = response.rates[1];
+        response.columns[0] = SVector::from([0.0, 1.0]);
+        response.matrix[0][0] = 1.0;
+        response
+    }
+}
+
+/// The same test for methods of all kinds, each by its name.
+macro_rules! each {
+    ($test:ident: $($method:expr;)*) => { $( $test(stringify!($method), &$method); )* };
+}
+
+#[test]
+fn a_ball_rests_when_the_series_of_its_rebounds_ends() {
+    fn bounces(name: &str, method: &impl Method<Ball, f64, 2>) {
+        let ball = Ball {
+            restitution: 0.8,
+            slow: 0.0,
+        };
+        let solution = method.solve(&ball, 0.0, 5.0, [1.0, 0.0]).expect("regular");
+        let fall = (2.0 / GRAVITY).sqrt();
+        let (mut expected, mut flight) = (fall, 2.0 * fall);
+        let (first, rest) = solution.modes().split_first().expect("a mode");
+        let ((rests, last), rebounds) = rest.split_last().expect("a mode");
+        assert!(first.0 == 0.0 && !first.1.is_held(0) && rebounds.len() > 60, "{name}");
+        for (t, mode) in rebounds {
+            assert!(
+                (t - expected).abs() < 1e-12 && !mode.is_held(0),
+                "{name}: {t} for {expected}"
+            );
+            flight *= 0.8;
+            expected += flight;
+        }
+        assert!((rests - 9.0 * fall).abs() < 1e-12, "{name}: {rests}");
+        assert_eq!(last.0[0], Status::Low);
+        assert_eq!(solution.end(), SVector::from([0.0, 0.0]), "{name}");
+        let lowest = solution.x().iter().map(|x| x[0]).fold(f64::INFINITY, f64::min);
+        assert!(lowest > -1e-14, "{name}: {lowest:e}");
+    }
+    each! { bounces:
+        Rk4::new(0.01);
+        Rk45::new().rtol(1e-12).atol(1e-12);
+        Tsit5::new().rtol(1e-12).atol(1e-12);
+        Vern7::new().rtol(1e-12).atol(1e-12);
+        Vern9::new();
+    }
+}
+
+#[test]
+fn slow_impacts_do_not_rebound_and_elastic_ones_go_on() {
+    let slow = Ball {
+        restitution: 0.5,
+        slow: 3.0,
+    };
+    let solution = Tsit5::new().solve(&slow, 0.0, 5.0, [1.0, 0.0]).expect("regular");
+    // 4.43 m/s, and 2.2 m/s, which is too slow
+    assert_eq!(solution.modes().len(), 3);
+    assert_eq!(solution.end(), SVector::from([0.0, 0.0]));
+    let elastic = Ball {
+        restitution: 1.0,
+        slow: 0.0,
+    };
+    let solution = Vern9::new().solve(&elastic, 0.0, 100.0, [1.0, 0.0]).expect("regular");
+    for x in solution.x() {
+        let energy = GRAVITY * x[0] + x[1] * x[1] / 2.0;
+        assert!((energy - GRAVITY).abs() < 1e-11, "{energy}");
+    }
+    assert_eq!(
+        solution.modes().len(),
+        1 + (50.0 * (GRAVITY / 2.0).sqrt() + 0.5) as usize
+    );
+}
+
+/// A block on a belt that runs at 1 m/s, held by a spring to the ground; the state is its place on the belt and the
+/// rate of that.
+struct Belt {
+    mass: f64,
+    stiffness: f64,
+    slipping: f64,
+    sticking: f64,
+}
+
+system!(Belt, 2);
+
+impl Jacobian<f64, 2> for Belt {
+    fn jacobian(&self, t: f64, x: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
+        self.rhs_and_jacobian_under(t, x, &[0.0; MOST]).1
+    }
+
+    fn jacobian_in(&self, hold: &Hold<f64>, t: f64, x: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
+        hybrid::jacobian(self, hold, t, x)
+    }
+
+    fn rhs_and_jacobian_in(
+        &self,
+        hold: &Hold<f64>,
+        t: f64,
+        x: &SVector<f64, 2>,
+    ) -> (SVector<f64, 2>, SMatrix<f64, 2, 2>) {
+        hybrid::rhs_and_jacobian(self, hold, t, x)
+    }
+
+    fn time_derivative_in(&self, hold: &Hold<f64>, t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
+        hybrid::time_derivative(self, hold, t, x)
+    }
+}
+
+impl Hybrid<f64, 2> for Belt {
+    fn constraints(&self) -> &'static [Constraint] {
+        const {
+            &[Constraint {
+                name: "block",
+                rate: &[(1, 1)],
+            }]
+        }
+    }
+
+    fn laws(&self) -> [Law<f64>; MOST] {
+        let mut laws = [Law::default(); MOST];
+        laws[0] = Law {
+            slipping: self.slipping,
+            sticking: self.sticking,
+            ..Law::default()
+        };
+        laws
+    }
+
+    fn measures(&self, _t: f64, x: &SVector<f64, 2>) -> [[f64; 2]; MOST] {
+        let mut measures = [[0.0; 2]; MOST];
+        measures[0] = [x[0], x[1]];
+        measures
+    }
+
+    fn rhs_under(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
+        SVector::from([x[1], (forces[0] - self.stiffness * (x[0] + t)) / self.mass])
+    }
+
+    fn response(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> Response<f64, 2> {
+        let mut response = Response::new(self.rhs_under(t, x, forces));
+        response.accelerations[0] = response.rates[1];
+        response.columns[0] = SVector::from([0.0, 1.0 / self.mass]);
+        response.matrix[0][0] = 1.0 / self.mass;
+        response
+    }
+}
+
+impl HybridJacobian<f64, 2> for Belt {
+    fn rhs_and_jacobian_under(
+        &self,
+        t: f64,
+        x: &SVector<f64, 2>,
+        forces: &[f64; MOST],
+    ) -> (SVector<f64, 2>, SMatrix<f64, 2, 2>) {
+        (
+            self.rhs_under(t, x, forces),
+            SMatrix::from([[0.0, -self.stiffness / self.mass], [1.0, 0.0]]),
+        )
+    }
+
+    fn response_derivative(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> ResponseDerivative<f64, 2> {
+        let slope = -self.stiffness / self.mass;
+        let mut derivative = ResponseDerivative {
+            response: self.response(t, x, forces),
+            rates: self.rhs_and_jacobian_under(t, x, forces).1,
+            accelerations: [SVector::zeros(); MOST],
+            rates_by_time: SVector::from([0.0, slope]),
+            accelerations_by_time: [0.0; MOST],
+        };
+        derivative.accelerations[0][0] = slope;
+        derivative.accelerations_by_time[0] = slope;
+        derivative
+    }
+}
+
+#[test]
+fn a_block_on_a_belt_sticks_and_slips_as_the_analytic_solution() {
+    fn sticks(name: &str, method: &impl Method<Belt, f64, 2>, tolerance: f64) {
+        let belt = Belt {
+            mass: 2.0,
+            stiffness: 50.0,
+            slipping: 10.0,
+            sticking: 16.0,
+        };
+        let solution = method
+            .solve(&belt, 0.0, 20.0, [0.0, 0.0])
+            .unwrap_or_else(|error| panic!("{name}: {error}"));
+        let w = (belt.stiffness / belt.mass).sqrt();
+        let beyond = (belt.sticking - belt.slipping) / belt.stiffness;
+        // from the largest stretch on it slips back until it is as fast as the belt
+        let angle = 2.0 * (std::f64::consts::PI - (beyond * w).atan());
+        let (slips, least) = (
+            angle / w,
+            belt.slipping / belt.stiffness + beyond * angle.cos() + angle.sin() / w,
+        );
+        let most = belt.sticking / belt.stiffness;
+        let mut expected = most;
+        let modes = &solution.modes()[1..];
+        assert!(modes.len() > 20, "{name}: {} modes", modes.len());
+        for (n, (t, mode)) in modes.iter().enumerate() {
+            assert!(
+                (t - expected).abs() < tolerance,
+                "{name}: mode {n} from {t}, not {expected}, {:e}",
+                t - expected
+            );
+            assert_eq!(mode.0[0], [Status::Backward, Status::Stuck][n % 2], "{name}");
+            expected += if n % 2 == 0 { slips } else { most - least };
+        }
+        // exactly at rest on the belt wherever it sticks
+        for pair in solution.modes().windows(2).filter(|pair| pair[0].1.is_held(0)) {
+            let middle = solution.at(0.5 * (pair[0].0 + pair[1].0)).expect("inside");
+            assert_eq!(middle[1], 0.0, "{name}");
+        }
+    }
+    sticks("Rk4", &Rk4::new(1e-3), 1e-10);
+    sticks("Tsit5", &Tsit5::new().rtol(1e-13).atol(1e-13), 1e-12);
+    sticks("Vern9", &Vern9::new().rtol(1e-13).atol(1e-13), 1e-12);
+    sticks("Rodas5P", &Rodas5P::new().rtol(1e-12).atol(1e-12), 1e-10);
+    sticks("Radau5", &Radau5::new().rtol(1e-12).atol(1e-12), 1e-10);
+    sticks("Auto", &Auto::new().rtol(1e-12).atol(1e-12), 1e-10);
+}
