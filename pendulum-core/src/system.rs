@@ -14,7 +14,7 @@ pub use state::IntoState;
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::hybrid::{Hold, Hybrid};
+use crate::hybrid::{self, Hold, Hybrid, HybridJacobian};
 use crate::inputs::Controlled;
 use crate::layout::StateLayout;
 use crate::real::lanes::Lanes;
@@ -45,11 +45,13 @@ pub trait System<T: Real, const N: usize> {
         None
     }
 
-    /// The right-hand side in a mode of a hybrid system: [`hybrid::rhs`](crate::hybrid::rhs) for these, `rhs` for
-    /// others.
+    /// The right-hand side in a mode of a hybrid system; `rhs` of others.
     #[inline(always)]
-    fn rhs_in(&self, _hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N> {
-        self.rhs(t, x)
+    fn rhs_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N> {
+        match self.hybrid() {
+            Some(hybrid) => hybrid::rhs(hybrid, hold, t, x),
+            None => self.rhs(t, x),
+        }
     }
 }
 
@@ -119,26 +121,40 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
         by_number(t, |t| self.rhs(t, x))
     }
 
-    /// The Jacobian in a mode of a hybrid system: [`hybrid::jacobian`](crate::hybrid::jacobian) for these.
+    /// The derivatives of a [hybrid](crate::hybrid) system; required of these, and `None` for others.
     #[inline(always)]
-    fn jacobian_in(&self, _hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
-        self.jacobian(t, x)
+    fn hybrid_jacobian(&self) -> Option<&dyn HybridJacobian<T, N>> {
+        None
     }
 
-    /// Both at once in a mode: [`hybrid::rhs_and_jacobian`](crate::hybrid::rhs_and_jacobian) for hybrid systems.
+    /// The Jacobian in a mode of a hybrid system; `jacobian` of others.
     #[inline(always)]
-    fn rhs_and_jacobian_in(&self, _hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
-        self.rhs_and_jacobian(t, x)
+    fn jacobian_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
+        match self.hybrid_jacobian() {
+            Some(hybrid) => hybrid::jacobian(hybrid, hold, t, x),
+            None => self.jacobian(t, x),
+        }
     }
 
-    /// The derivative by the time in a mode: [`hybrid::time_derivative`](crate::hybrid::time_derivative) for hybrid
-    /// systems.
+    /// Both at once in a mode.
     #[inline(always)]
-    fn time_derivative_in(&self, _hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N>
+    fn rhs_and_jacobian_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
+        match self.hybrid_jacobian() {
+            Some(hybrid) => hybrid::rhs_and_jacobian(hybrid, hold, t, x),
+            None => self.rhs_and_jacobian(t, x),
+        }
+    }
+
+    /// The derivative by the time in a mode.
+    #[inline(always)]
+    fn time_derivative_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N>
     where
         T: Float,
     {
-        self.time_derivative(t, x)
+        match self.hybrid_jacobian() {
+            Some(hybrid) => hybrid::time_derivative(hybrid, hold, t, x),
+            None => self.time_derivative(t, x),
+        }
     }
 }
 
@@ -209,6 +225,7 @@ impl<T: Real, S: Jacobian<T, N> + ?Sized, const N: usize> Jacobian<T, N> for &S 
         jacobian(t: T, x: &SVector<T, N>) -> SMatrix<T, N, N>;
         rhs_and_jacobian(t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>);
         time_derivative(t: T, x: &SVector<T, N>) -> SVector<T, N> where T: Float;
+        hybrid_jacobian() -> Option<&dyn HybridJacobian<T, N>>;
         jacobian_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N>;
         rhs_and_jacobian_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>);
         time_derivative_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N> where T: Float;

@@ -22,6 +22,12 @@ impl<'a, S: ?Sized, T> InMode<'a, S, T> {
     pub fn new(system: &'a S, hold: &'a Hold<T>) -> Self {
         Self { system, hold }
     }
+
+    /// The system, and what is held.
+    #[inline(always)]
+    pub(crate) fn parts(&self) -> (&'a S, &'a Hold<T>) {
+        (self.system, self.hold)
+    }
 }
 
 impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for InMode<'_, S, T> {

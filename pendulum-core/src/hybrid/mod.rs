@@ -18,7 +18,7 @@
 //! [`Hybrid`]:
 //!
 //! ```
-//! use pendulum_core::hybrid::{self, Constraint, Hold, Hybrid, Law, MOST, Response};
+//! use pendulum_core::hybrid::{Constraint, Hybrid, Law, MOST, Response};
 //! use pendulum_core::prelude::*;
 //!
 //! /// A ball of 1 kg above a floor; the state is the height and its rate.
@@ -27,10 +27,6 @@
 //! impl System<f64, 2> for Ball {
 //!     fn rhs(&self, t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
 //!         self.rhs_under(t, x, &[0.0; MOST])
-//!     }
-//!
-//!     fn rhs_in(&self, hold: &Hold<f64>, t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
-//!         hybrid::rhs(self, hold, t, x)
 //!     }
 //!
 //!     fn hybrid(&self) -> Option<&dyn Hybrid<f64, 2>> {
@@ -81,6 +77,7 @@ mod complementarity;
 mod held;
 mod in_mode;
 mod mode;
+mod saltation;
 mod switch;
 mod watch;
 
@@ -91,6 +88,8 @@ use crate::real::Real;
 pub use held::{jacobian, rhs, rhs_and_jacobian, time_derivative};
 pub use in_mode::InMode;
 pub use mode::{Hold, Mode, Status};
+pub use saltation::Passage;
+pub(crate) use saltation::{hold_tangent, saltation};
 pub(crate) use switch::{Settled, project, start, switch};
 pub(crate) use watch::{Fired, Watch};
 
@@ -152,6 +151,9 @@ pub trait HybridJacobian<T: Real, const N: usize>: Hybrid<T, N> {
 
     /// [`Hybrid::response`] with its derivatives, the forces held fixed.
     fn response_derivative(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> ResponseDerivative<T, N>;
+
+    /// The derivatives of [`Hybrid::measures`].
+    fn measure_derivatives(&self, t: T, x: &SVector<T, N>) -> MeasureDerivatives<T, N>;
 }
 
 /// What forces along constraints do.
@@ -179,6 +181,15 @@ impl<T: Real, const N: usize> Response<T, N> {
             matrix: [[zero; MOST]; MOST],
         }
     }
+}
+
+/// The derivatives of the value and of the rate of each constraint.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct MeasureDerivatives<T, const N: usize> {
+    /// With respect to the state.
+    pub by_state: [[SVector<T, N>; 2]; MOST],
+    /// With respect to the time.
+    pub by_time: [[T; 2]; MOST],
 }
 
 /// A [`Response`] with its derivatives.

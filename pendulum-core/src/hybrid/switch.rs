@@ -23,6 +23,8 @@ pub(crate) struct Settled<T, const N: usize> {
     pub(crate) hold: Hold<T>,
     /// How long rebounds that are not followed would still last.
     pub(crate) delay: T,
+    /// The impulses along the constraints.
+    pub(crate) impulses: [T; MOST],
 }
 
 /// The mode in which to start from a state.
@@ -108,6 +110,8 @@ struct Settling<'a, T, const N: usize> {
     resting: u8,
     /// What those must do that gave way.
     forced: [Option<Status>; MOST],
+    /// The impulses so far.
+    impulses: [T; MOST],
 }
 
 impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
@@ -120,6 +124,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
             touching: [Status::Free; MOST],
             resting: 0,
             forced: [None; MOST],
+            impulses: [T::default(); MOST],
         }
     }
 
@@ -165,6 +170,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
                     mode,
                     hold,
                     delay,
+                    impulses: self.impulses,
                 };
             };
             delay = delay.max(rest);
@@ -247,6 +253,9 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
     /// Changes the rates by impulses along some constraints.
     fn push(&mut self, response: &Response<T, N>, along: u8, impulses: &[T; MOST]) {
         add(&mut self.x, response, along, impulses);
+        for n in bits(along) {
+            self.impulses[n] += impulses[n];
+        }
     }
 
     /// The mode that the rates and accelerations ask for, and the accelerations in it.

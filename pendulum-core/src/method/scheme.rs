@@ -6,7 +6,7 @@ use nalgebra::SVector;
 use crate::control::Tolerance;
 use crate::dense::Step;
 use crate::error::Reason;
-use crate::hybrid::InMode;
+use crate::hybrid::{InMode, Passage};
 use crate::real::Float;
 use crate::real::lanes::Lanes;
 use crate::statistics::Statistics;
@@ -72,6 +72,13 @@ pub trait Scheme<S: ?Sized, T: Lanes, const N: usize> {
     /// The vectors `c_1, c_2, ..` of the dense output `x0 + c_1 theta + c_2 theta^2 + ..`, `theta` the fraction of the
     /// step, for the step that was accepted last.
     fn dense(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>];
+
+    /// Goes back to the start of the step that was accepted last, before it [begins](Self::begin) there: what a scheme
+    /// carries along with the state.
+    fn go_back(&mut self) {}
+
+    /// Passes from one mode of a hybrid system to the next: what a scheme carries along with the state.
+    fn pass(&mut self, _system: &S, _passage: &Passage<T, N>) {}
 
     /// What [`dense`](Self::dense) found for the last step.
     fn coefficients(&self) -> &[SVector<T, N>];

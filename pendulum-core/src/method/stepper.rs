@@ -6,7 +6,7 @@ use nalgebra::SVector;
 
 use crate::dense::{Dense, Step};
 use crate::error::Reason;
-use crate::hybrid::{self, Fired, Hold, InMode, Mode, Settled, Watch};
+use crate::hybrid::{self, Fired, Hold, InMode, Mode, Passage, Settled, Watch};
 use crate::method::grid::Grid;
 use crate::method::input::{check_state, require};
 use crate::method::scheme::{Accepted, Failure, NonFinite, Scheme, Stalled};
@@ -253,6 +253,7 @@ where
         self.modes.is_dense = false;
         let mut take = |t: T| {
             self.last = Step::at_rest(whole.t0, whole.x0);
+            self.scheme.go_back();
             self.begin()?;
             let taken = self.attempt(t).and_then(|_| self.advance(t));
             taken.map_err(|failure| failure.reason((t - whole.t0).to_f64()))
@@ -289,13 +290,23 @@ where
         if let Steps::Equal(grid) = &mut self.steps {
             grid.go_to(t);
         }
+        let passage = Passage {
+            t,
+            before: (x, mode, self.modes.hold),
+            fired,
+            impulses: settled.impulses,
+            after: (settled.x, settled.hold),
+        };
+        self.scheme.pass(self.system, &passage);
         self.enter(t, settled);
         self.begin().map(drop)
     }
 
     /// Stands at a point in a mode.
     fn enter(&mut self, t: T, settled: Settled<T, N>) {
-        let Settled { x, mode, hold, delay } = settled;
+        let Settled {
+            x, mode, hold, delay, ..
+        } = settled;
         (self.modes.mode, self.modes.hold, self.modes.from) = (mode, hold, t + delay);
         self.modes.fired = Fired::default();
         self.modes.watch.restart(&mode);

@@ -5,9 +5,10 @@ use nalgebra::SVector;
 use crate::control::{Estimates, Tolerance};
 use crate::dense::Step;
 use crate::error::Reason;
-use crate::hybrid::InMode;
+use crate::hybrid::{InMode, Passage, hold_tangent, saltation};
 use crate::linear::{image, square};
 use crate::method::explicit::{Explicit, ExplicitStages};
+use crate::method::input::require;
 use crate::method::scheme::{Accepted, NonFinite, OneStep, Scheme, Stalled};
 use crate::method::stages::{shifted, weighted_sum};
 use crate::real::Float;
@@ -31,6 +32,10 @@ where
     type Scheme = Bundle<B, T, STAGES, K, N>;
 
     fn scheme(&self, system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
+        if system.hybrid().is_some() {
+            let rule = "a hybrid system must implement `Jacobian::hybrid_jacobian`, which tangents pass its modes by";
+            require(system.hybrid_jacobian().is_some(), "hybrid_jacobian", f64::NAN, rule)?;
+        }
         let zero = SVector::from_element(T::default());
         let mut tangents = [zero; K];
         for (k, tangent) in tangents.iter_mut().enumerate() {
@@ -40,6 +45,7 @@ where
             state: OneStep::<S, T, N>::scheme(&self.0, system, tolerance)?,
             tolerance,
             tangents,
+            before: tangents,
             tried: tangents,
             rates: [[zero; STAGES]; K],
         })
@@ -55,6 +61,8 @@ pub(crate) struct Bundle<B, T, const STAGES: usize, const K: usize, const N: usi
     tolerance: Option<Tolerance<T>>,
     /// Where the last accepted step ended; at first the unit vectors of the first `K` components.
     pub(crate) tangents: [SVector<T, N>; K],
+    /// Where it started.
+    before: [SVector<T, N>; K],
     /// Where the last attempt ended.
     tried: [SVector<T, N>; K],
     /// The derivative of each tangent at each stage.
@@ -108,6 +116,14 @@ where
     }
 
     fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
+        let (own, hold) = system.parts();
+        if let Some(hybrid) = own.hybrid_jacobian()
+            && hold.held != 0
+        {
+            for tangent in &mut self.tangents {
+                hold_tangent(hybrid, hold, (t, x), tangent);
+            }
+        }
         self.state.begin(system, t, x, work)
     }
 
@@ -140,11 +156,23 @@ where
 
     fn accept(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, lanes: Accepted<T>, work: &mut Statistics) {
         self.state.accept(system, step, lanes, work);
-        self.tangents = self.tried;
+        (self.before, self.tangents) = (self.tangents, self.tried);
+    }
+
+    fn go_back(&mut self) {
+        self.tangents = self.before;
     }
 
     fn dense(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
         self.state.dense(system, step, work)
+    }
+
+    fn pass(&mut self, system: &S, passage: &Passage<T, N>) {
+        let Some(hybrid) = system.hybrid_jacobian() else { return };
+        let matrix = saltation(hybrid, passage);
+        for tangent in &mut self.tangents {
+            *tangent = image(&matrix, tangent);
+        }
     }
 
     fn coefficients(&self) -> &[SVector<T, N>] {

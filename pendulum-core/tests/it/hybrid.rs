@@ -2,9 +2,10 @@
 
 use nalgebra::{SMatrix, SVector};
 use pendulum_core::hybrid::{
-    self, Constraint, Hold, Hybrid, HybridJacobian, Law, MOST, Response, ResponseDerivative, Status,
+    Constraint, Hybrid, HybridJacobian, Law, MOST, MeasureDerivatives, Response, ResponseDerivative, Status,
 };
 use pendulum_core::prelude::*;
+use pendulum_core::stability::transition;
 
 /// A ball of 1 kg above a floor.
 struct Ball {
@@ -19,10 +20,6 @@ macro_rules! system {
         impl System<f64, $n> for $name {
             fn rhs(&self, t: f64, x: &SVector<f64, $n>) -> SVector<f64, $n> {
                 self.rhs_under(t, x, &[0.0; MOST])
-            }
-
-            fn rhs_in(&self, hold: &Hold<f64>, t: f64, x: &SVector<f64, $n>) -> SVector<f64, $n> {
-                hybrid::rhs(self, hold, t, x)
             }
 
             fn hybrid(&self) -> Option<&dyn Hybrid<f64, $n>> {
@@ -140,6 +137,16 @@ fn slow_impacts_do_not_rebound_and_elastic_ones_go_on() {
     );
 }
 
+/// The derivatives of the state itself.
+fn identity() -> MeasureDerivatives<f64, 2> {
+    let mut derivatives = MeasureDerivatives {
+        by_state: [[SVector::zeros(); 2]; MOST],
+        by_time: [[0.0; 2]; MOST],
+    };
+    derivatives.by_state[0] = [SVector::from([1.0, 0.0]), SVector::from([0.0, 1.0])];
+    derivatives
+}
+
 /// A block on a belt that runs at 1 m/s, held by a spring to the ground; the state is its place on the belt and the
 /// rate of that.
 struct Belt {
@@ -156,21 +163,8 @@ impl Jacobian<f64, 2> for Belt {
         self.rhs_and_jacobian_under(t, x, &[0.0; MOST]).1
     }
 
-    fn jacobian_in(&self, hold: &Hold<f64>, t: f64, x: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
-        hybrid::jacobian(self, hold, t, x)
-    }
-
-    fn rhs_and_jacobian_in(
-        &self,
-        hold: &Hold<f64>,
-        t: f64,
-        x: &SVector<f64, 2>,
-    ) -> (SVector<f64, 2>, SMatrix<f64, 2, 2>) {
-        hybrid::rhs_and_jacobian(self, hold, t, x)
-    }
-
-    fn time_derivative_in(&self, hold: &Hold<f64>, t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
-        hybrid::time_derivative(self, hold, t, x)
+    fn hybrid_jacobian(&self) -> Option<&dyn HybridJacobian<f64, 2>> {
+        Some(self)
     }
 }
 
@@ -239,6 +233,10 @@ impl HybridJacobian<f64, 2> for Belt {
         derivative.accelerations_by_time[0] = slope;
         derivative
     }
+
+    fn measure_derivatives(&self, _t: f64, _x: &SVector<f64, 2>) -> MeasureDerivatives<f64, 2> {
+        identity()
+    }
 }
 
 #[test]
@@ -286,4 +284,90 @@ fn a_block_on_a_belt_sticks_and_slips_as_the_analytic_solution() {
     sticks("Rodas5P", &Rodas5P::new().rtol(1e-12).atol(1e-12), 1e-10);
     sticks("Radau5", &Radau5::new().rtol(1e-12).atol(1e-12), 1e-10);
     sticks("Auto", &Auto::new().rtol(1e-12).atol(1e-12), 1e-10);
+}
+
+impl Jacobian<f64, 2> for Ball {
+    fn jacobian(&self, _t: f64, _x: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
+        SMatrix::from([[0.0, 0.0], [1.0, 0.0]])
+    }
+
+    fn hybrid_jacobian(&self) -> Option<&dyn HybridJacobian<f64, 2>> {
+        Some(self)
+    }
+}
+
+impl HybridJacobian<f64, 2> for Ball {
+    fn rhs_and_jacobian_under(
+        &self,
+        t: f64,
+        x: &SVector<f64, 2>,
+        forces: &[f64; MOST],
+    ) -> (SVector<f64, 2>, SMatrix<f64, 2, 2>) {
+        (self.rhs_under(t, x, forces), self.jacobian(t, x))
+    }
+
+    fn response_derivative(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> ResponseDerivative<f64, 2> {
+        ResponseDerivative {
+            response: self.response(t, x, forces),
+            rates: self.jacobian(t, x),
+            accelerations: [SVector::zeros(); MOST],
+            rates_by_time: SVector::zeros(),
+            accelerations_by_time: [0.0; MOST],
+        }
+    }
+
+    fn measure_derivatives(&self, _t: f64, _x: &SVector<f64, 2>) -> MeasureDerivatives<f64, 2> {
+        identity()
+    }
+}
+
+/// The derivative of the state at `t1` by that at 0, by differences, where it is defined.
+fn by_differences<S: System<f64, 2>>(system: &S, t1: f64, x: SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
+    let end = |x: SVector<f64, 2>| {
+        Vern9::new()
+            .rtol(1e-13)
+            .atol(1e-13)
+            .solve(system, 0.0, t1, x)
+            .expect("regular")
+            .end()
+    };
+    let reach = 1e-5;
+    let columns = [0, 1].map(|j| {
+        let mut step = SVector::zeros();
+        step[j] = reach;
+        (end(x + step) - end(x - step)) / (2.0 * reach)
+    });
+    SMatrix::from_columns(&columns)
+}
+
+#[test]
+fn tangents_jump_as_neighbours_do() {
+    let ball = Ball {
+        restitution: 0.8,
+        slow: 0.0,
+    };
+    for t in [0.3, 1.0, 1.6, 3.0] {
+        let start = SVector::from([1.0, 0.2]);
+        let (_, matrix) = transition(&ball, 0.0, t, start, 1e-12).expect("regular");
+        let expected = by_differences(&ball, t, start);
+        assert!(
+            (matrix - expected).norm() < 1e-7 * expected.norm(),
+            "{t}: {matrix} for {expected}"
+        );
+    }
+    let belt = Belt {
+        mass: 2.0,
+        stiffness: 50.0,
+        slipping: 10.0,
+        sticking: 16.0,
+    };
+    for (t, start) in [(0.6, [0.1, -0.3]), (2.5, [0.0, -0.1]), (0.3, [0.2, 0.5])] {
+        let start = SVector::from(start);
+        let (_, matrix) = transition(&belt, 0.0, t, start, 1e-12).expect("regular");
+        let expected = by_differences(&belt, t, start);
+        assert!((matrix - expected).norm() < 1e-7, "{t}: {matrix} for {expected}");
+    }
+    // neighbours of what sticks stick at once, and nothing tells their rates any longer
+    let (_, matrix) = transition(&belt, 0.0, 0.2, [0.0, 0.0], 1e-12).expect("regular");
+    assert_eq!(matrix, SMatrix::from([[1.0, 0.0], [0.0, 0.0]]));
 }

@@ -1,0 +1,147 @@
+//! How neighbouring trajectories pass from one mode to the next.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::complementarity::Factored;
+use super::held::{add, held, pin, rhs};
+use super::mode::{Hold, Mode, bits};
+use super::watch::{FORWARD, Fired};
+use super::{HybridJacobian, MOST};
+use crate::linear::image;
+use crate::real::Float;
+
+/// A point at which a mode ends and another begins.
+#[derive(Clone, Copy, Debug)]
+pub struct Passage<T, const N: usize> {
+    pub(crate) t: T,
+    /// The state before, and the mode that ended.
+    pub(crate) before: (SVector<T, N>, Mode, Hold<T>),
+    /// What ended it.
+    pub(crate) fired: Fired,
+    /// The impulses along the constraints.
+    pub(crate) impulses: [T; MOST],
+    /// The state after, and what is held there.
+    pub(crate) after: (SVector<T, N>, Hold<T>),
+}
+
+/// The saltation matrix: a tangent `v` before becomes `S v` after.
+///
+/// With the function `g` whose zero ends the mode, the jump `r` of the state, and the right-hand sides before and after,
+/// it is `Dr + (f+ - Dr f- - dr/dt) Dg / (Dg f- + dg/dt)` (M. di Bernardo, C. J. Budd, A. R. Champneys, P. Kowalczyk,
+/// "Piecewise-smooth Dynamical Systems" 2008, Sec. 2.5). Where two modes end at the same time it is that of the first.
+pub(crate) fn saltation<T: Float, const N: usize>(
+    system: &dyn HybridJacobian<T, N>,
+    passage: &Passage<T, N>,
+) -> SMatrix<T, N, N> {
+    let Passage {
+        t,
+        before: (x, mode, hold),
+        fired,
+        after: (x_after, hold_after),
+        ..
+    } = passage;
+    let slope = rhs(system, hold, *t, x);
+    let slope_after = rhs(system, hold_after, *t, x_after);
+    let (by_state, by_time) = jump(system, passage);
+    let apart = slope_after - image(&by_state, &slope) - by_time;
+    if apart.iter().all(|&apart| apart == T::default()) {
+        return by_state;
+    }
+    // the sign of the function makes no difference
+    let (gradient, by_time) = first(system, (*t, x), (mode, hold), *fired);
+    let speed = (0..N).fold(by_time, |sum, n| sum + gradient[n] * slope[n]);
+    SMatrix::from_fn(|i, j| by_state[(i, j)] + apart[i] * gradient[j] / speed)
+}
+
+/// Takes off a tangent what would move rates that are held: neighbours that have it lose it at once.
+pub(crate) fn hold_tangent<T: Float, const N: usize>(
+    system: &dyn HybridJacobian<T, N>,
+    hold: &Hold<T>,
+    (t, x): (T, &SVector<T, N>),
+    tangent: &mut SVector<T, N>,
+) {
+    let measures = system.measure_derivatives(t, x);
+    let response = system.response(t, x, &hold.forces);
+    let moving = measures
+        .by_state
+        .map(|[_, rate]| (0..N).fold(T::default(), |sum, n| sum + rate[n] * tangent[n]));
+    let changes = Factored::of(&response.matrix, hold.solved).solve_negated(&moving);
+    add(tangent, &response, hold.solved, &changes);
+    pin(system, hold.held, tangent);
+}
+
+/// The derivatives of the state after a jump with respect to that before, and to the time.
+fn jump<T: Float, const N: usize>(
+    system: &dyn HybridJacobian<T, N>,
+    passage: &Passage<T, N>,
+) -> (SMatrix<T, N, N>, SVector<T, N>) {
+    let zero = T::default();
+    let (t, x, impulses) = (passage.t, &passage.before.0, &passage.impulses);
+    let mut by_state = SMatrix::from_fn(|i, j| T::from_f64(f64::from(u8::from(i == j))));
+    let mut by_time = SVector::from_element(zero);
+    let hit = (0..MOST)
+        .filter(|&n| impulses[n] != zero)
+        .fold(0, |set, n| set | 1 << n);
+    if hit == 0 {
+        return (by_state, by_time);
+    }
+    // what impulses do is linear in them: as forces they show how it depends on the state
+    let (under, free) = (
+        system.response_derivative(t, x, impulses),
+        system.response_derivative(t, x, &[zero; MOST]),
+    );
+    let measures = system.measure_derivatives(t, x);
+    let (rates, after) = (system.measures(t, x), system.measures(t, &passage.after.0));
+    // the share of the rate that is taken away: 1 + e
+    let taken = |n: usize| {
+        let [_, rate] = rates[n];
+        if rate == zero {
+            zero
+        } else {
+            (rate - after[n][1]) / rate
+        }
+    };
+    let factored = Factored::of(&under.response.matrix, hit);
+    let column = |of_matrix: SVector<T, N>, of_rates: &dyn Fn(usize) -> T, of_accelerations: &dyn Fn(usize) -> T| {
+        let asked: [T; MOST] = core::array::from_fn(|n| taken(n) * of_rates(n) + of_accelerations(n));
+        let changes = factored.solve_negated(&asked);
+        bits(hit).fold(of_matrix, |sum, n| sum + under.response.columns[n] * changes[n])
+    };
+    for j in 0..N {
+        let of_matrix = SVector::from_fn(|i, _| under.rates[(i, j)] - free.rates[(i, j)]);
+        let change = column(of_matrix, &|n| measures.by_state[n][1][j], &|n| {
+            under.accelerations[n][j] - free.accelerations[n][j]
+        });
+        for i in 0..N {
+            by_state[(i, j)] += change[i];
+        }
+    }
+    by_time += column(
+        under.rates_by_time - free.rates_by_time,
+        &|n| measures.by_time[n][1],
+        &|n| under.accelerations_by_time[n] - free.accelerations_by_time[n],
+    );
+    (by_state, by_time)
+}
+
+/// The derivatives of the first function that fired, up to their sign, with respect to the state and to the time.
+fn first<T: Float, const N: usize>(
+    system: &dyn HybridJacobian<T, N>,
+    (t, x): (T, &SVector<T, N>),
+    (mode, hold): (&Mode, &Hold<T>),
+    fired: Fired,
+) -> (SVector<T, N>, T) {
+    let n = fired.first();
+    if mode.is_held(n) {
+        let forces = held(system, hold, &system.response(t, x, &hold.forces)).1;
+        let derivative = system.response_derivative(t, x, &forces);
+        let factored = Factored::of(&derivative.response.matrix, hold.solved);
+        let of = |slopes: &[T; MOST]| factored.solve_negated(slopes)[n];
+        let gradient = SVector::from_fn(|j, _| of(&derivative.accelerations.map(|gradient| gradient[j])));
+        return (gradient, of(&derivative.accelerations_by_time));
+    }
+    // the rate of what slips, or the value of what reaches a limit
+    let which = usize::from(fired.has(n, FORWARD));
+    let measures = system.measure_derivatives(t, x);
+    (measures.by_state[n][which], measures.by_time[n][which])
+}
