@@ -105,6 +105,16 @@ where
     (rates, all)
 }
 
+/// The forces along the constraints in a mode.
+#[cfg(feature = "std")]
+pub(crate) fn holding_forces<S, T, const N: usize>(system: &S, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> [T; MOST]
+where
+    S: Hybrid<T, N> + ?Sized,
+    T: Real,
+{
+    held(system, hold, &system.response(t, x, &hold.forces)).1
+}
+
 /// Adds what forces along some constraints do.
 #[inline(always)]
 pub(super) fn add<T: Real, const N: usize>(

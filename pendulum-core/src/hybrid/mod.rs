@@ -85,12 +85,14 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::real::Real;
 
+#[cfg(feature = "std")]
+pub(crate) use held::holding_forces;
 pub use held::{jacobian, rhs, rhs_and_jacobian, time_derivative};
 pub use in_mode::InMode;
 pub use mode::{Hold, Mode, Status};
 pub use saltation::Passage;
 pub(crate) use saltation::{hold_tangent, saltation};
-pub(crate) use switch::{Settled, project, start, switch};
+pub(crate) use switch::{Settled, project, rate, start, switch};
 pub(crate) use watch::{Fired, Watch};
 
 /// The most constraints of a system.

@@ -9,6 +9,7 @@ use super::watch::{BACKWARD, FORWARD, Fired, UPPER, Watch};
 use super::{Hybrid, Law, MOST, Response};
 use crate::error::Reason;
 use crate::real::Float;
+use crate::system::System;
 
 /// Values this many ulps of the state's size about a limit are at it, where an integration starts.
 const AT_LIMIT_ULPS: f64 = 64.0;
@@ -63,6 +64,18 @@ pub(crate) fn start<T: Float, const N: usize>(
         settling.rest(n, rate == T::default());
     }
     Ok(settling.settle(&[T::default(); MOST]))
+}
+
+/// The right-hand side at a state, in the mode in which a hybrid system starts from it.
+pub(crate) fn rate<S, T, const N: usize>(system: &S, t: T, x: &SVector<T, N>) -> Result<SVector<T, N>, Reason>
+where
+    S: System<T, N> + ?Sized,
+    T: Float,
+{
+    match system.hybrid() {
+        Some(hybrid) => Ok(system.rhs_in(&start(hybrid, t, x)?.hold, t, x)),
+        None => Ok(system.rhs(t, x)),
+    }
 }
 
 /// The mode after the one that ended.

@@ -86,7 +86,7 @@ where
 }
 
 /// Where the search from `x` comes to rest.
-fn settle<S, const N: usize>(system: &S, x: SVector<f64, N>) -> Result<SVector<f64, N>, StabilityError>
+pub(super) fn settle<S, const N: usize>(system: &S, x: SVector<f64, N>) -> Result<SVector<f64, N>, StabilityError>
 where
     S: Jacobian<f64, N> + ?Sized,
 {

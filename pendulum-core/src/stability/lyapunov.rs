@@ -41,7 +41,8 @@ pub struct Lyapunov {
 /// The largest `K` Lyapunov exponents of a trajectory.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Exponents<const K: usize, const N: usize> {
-    /// The exponents, in 1/s, falling as far as their uncertainty allows.
+    /// The exponents, in 1/s, falling as far as their uncertainty allows; minus infinity where the trajectory of a
+    /// [hybrid](crate::hybrid) system forgets where it came from, as in sticking.
     pub values: [f64; K],
     /// The standard error of each, from the scatter of its means over ten parts of the duration. What is the same in all parts, such as a
     /// transient that has not ended, does not show in it, and what turns on and on, such as the tangents of a damped mode, whose lengths swing, may
@@ -212,6 +213,9 @@ impl<const K: usize> Growth<K> {
         for k in 0..K {
             values[k] = self.parts.iter().map(|part| part[k]).sum::<f64>() / total;
             // Parts that a single step passed over have no share in it.
+            if values[k] == f64::NEG_INFINITY {
+                continue;
+            }
             let rates = self
                 .parts
                 .iter()
@@ -246,9 +250,30 @@ fn orthonormalize<const K: usize, const N: usize>(vectors: &mut [SVector<f64, N>
             rest[0].axpy(-share, before, 1.0);
         }
         *length = rest[0].norm();
-        rest[0] /= *length;
+        if *length == 0.0 {
+            // What sticks forgets: nothing grows along it, whichever direction stands for it.
+            rest[0] = left_over(done);
+        } else {
+            rest[0] /= *length;
+        }
     }
     lengths
+}
+
+/// A unit vector at right angles to the others.
+fn left_over<const N: usize>(done: &[SVector<f64, N>]) -> SVector<f64, N> {
+    let without = |axis: usize| {
+        let mut rest = SVector::from_fn(|i, _| f64::from(u8::from(i == axis)));
+        for _ in 0..2 {
+            for before in done {
+                let share = before.dot(&rest);
+                rest.axpy(-share, before, 1.0);
+            }
+        }
+        rest
+    };
+    let longest = (0..N).map(without).max_by(|a, b| a.norm().total_cmp(&b.norm()));
+    longest.map_or(SVector::zeros(), |longest| longest.normalize())
 }
 
 #[cfg(test)]

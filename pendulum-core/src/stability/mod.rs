@@ -7,6 +7,7 @@
 //! | of motions | |
 //! |---|---|
 //! | [`equilibrium`], [`equilibria`] | states of rest, with the eigenvalues and modes of the small motions about them |
+//! | [`resting`] | where dry friction and contacts let a system rest |
 //! | [`Shooting`] | periodic orbits, with their Floquet multipliers |
 //! | [`Continuation`] | branches of both in a parameter, with folds, crossings, Hopf and torus bifurcations, and period doublings |
 //! | [`Lyapunov`] | Lyapunov exponents |
@@ -45,6 +46,7 @@ mod least_squares;
 mod limits;
 mod lyapunov;
 mod orbit;
+mod resting;
 mod section;
 mod shooting;
 mod spectrum;
@@ -60,6 +62,7 @@ pub use limits::{imaginary_limit, max_stable_step, real_limit};
 pub use lyapunov::{Exponents, Lyapunov};
 pub use nalgebra::Complex;
 pub use orbit::{Multiplier, PeriodicOrbit};
+pub use resting::{Resting, resting};
 pub use section::section;
 pub use shooting::Shooting;
 pub use spectrum::{Mode, Spectrum};

@@ -10,6 +10,7 @@ use super::orbit::{NOISE, PeriodicOrbit};
 use super::transition::flow;
 use super::{StabilityError, transition};
 use crate::error::Reason;
+use crate::hybrid::rate;
 use crate::method::{Method, require};
 use crate::system::{IntoState, Jacobian};
 
@@ -215,7 +216,7 @@ impl<const N: usize> Lap<N> {
             gap,
             turns,
             monodromy,
-            velocity: system.rhs(period, &end),
+            velocity: rate(system, period, &end)?,
         })
     }
 
@@ -263,7 +264,7 @@ pub(super) fn direction<S, const N: usize>(
 where
     S: Jacobian<f64, N> + ?Sized,
 {
-    let velocity = system.rhs(0.0, x);
+    let velocity = rate(system, 0.0, x)?;
     if period * velocity.norm() > tolerance.sqrt() * (1.0 + x.norm()) {
         Ok(velocity)
     } else {

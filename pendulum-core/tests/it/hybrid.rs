@@ -5,7 +5,7 @@ use pendulum_core::hybrid::{
     Constraint, Hybrid, HybridJacobian, Law, MOST, MeasureDerivatives, Response, ResponseDerivative, Status,
 };
 use pendulum_core::prelude::*;
-use pendulum_core::stability::transition;
+use pendulum_core::stability::{Lyapunov, transition};
 
 /// A ball of 1 kg above a floor.
 struct Ball {
@@ -370,4 +370,21 @@ fn tangents_jump_as_neighbours_do() {
     // neighbours of what sticks stick at once, and nothing tells their rates any longer
     let (_, matrix) = transition(&belt, 0.0, 0.2, [0.0, 0.0], 1e-12).expect("regular");
     assert_eq!(matrix, SMatrix::from([[1.0, 0.0], [0.0, 0.0]]));
+}
+
+#[test]
+fn what_sticks_forgets_where_it_came_from() {
+    let belt = Belt {
+        mass: 2.0,
+        stiffness: 50.0,
+        slipping: 10.0,
+        sticking: 16.0,
+    };
+    let exponents = Lyapunov::new()
+        .duration(100.0)
+        .exponents::<2, _>(&belt, [0.0, 0.0])
+        .expect("regular");
+    // neither grows nor decays but within each turn: by a factor of the order of one in all
+    assert!(exponents.values[0].abs() < 1.0 / 100.0, "{:?}", exponents.values);
+    assert_eq!(exponents.values[1], f64::NEG_INFINITY);
 }
