@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::complementarity::{Factored, impulses, independent, subsets};
 use super::held::{add, pin};
 use super::mode::{Hold, Mode, Status, bits};
-use super::watch::{BACKWARD, FORWARD, Fired, UPPER, Watch};
+use super::watch::{BACKWARD, FORWARD, Fired, UPPER, Watch, size};
 use super::{Hybrid, Law, MOST, Response};
 use crate::error::Reason;
 use crate::real::Float;
@@ -13,7 +13,7 @@ use crate::system::System;
 
 /// Values this many ulps of the state's size about a limit are at it, where an integration starts.
 const AT_LIMIT_ULPS: f64 = 64.0;
-/// Rebounds that are lower than this part of the way that a constraint has moved over are not followed.
+/// Rebounds that are lower than this part of the size of all positions are not followed.
 const LEAST_REBOUND: f64 = 1e-13;
 
 /// The state and the mode from which to go on.
@@ -163,6 +163,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
         pin(self.system, self.resting, &mut self.x);
         let hit = self.collide();
         let mut delay = T::default();
+        let size = size(&self.laws, &self.x);
         loop {
             let (mode, hold, accelerations) = self.next_mode();
             // a rebound too low to be followed
@@ -173,7 +174,8 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
                 );
                 let fall = -self.away(n) * accelerations[n];
                 let two = T::from_f64(2.0);
-                let is_low = fall > T::default() && rate * rate <= two * fall * T::from_f64(LEAST_REBOUND) * reach[n];
+                let is_low =
+                    fall > T::default() && rate * rate <= two * fall * T::from_f64(LEAST_REBOUND) * reach[n].max(size);
                 is_low.then(|| (n, two * rate / (fall * (T::from_f64(1.0) - law.restitution))))
             });
             let Some((n, rest)) = low else {

@@ -22,7 +22,7 @@ pub(super) const UPPER: usize = 2;
 
 /// Ends of modes within this many ulps of the time are simultaneous.
 const SIMULTANEOUS_ULPS: f64 = 4.0;
-/// What leaves a limit has left it beyond this many ulps of the distances that it moves over.
+/// What leaves a limit has left it beyond this many ulps of the size of all positions.
 const NOISE_ULPS: f64 = 16.0;
 
 /// A step that was taken to the end of a mode is searched so far about its end, in fractions of it.
@@ -112,7 +112,10 @@ impl<T: Float> Watch<T> {
         if live.is_empty() {
             return Ok(None);
         }
-        let noise: [T; MOST] = self.reach.map(|reach| T::from_f64(NOISE_ULPS) * T::EPSILON * reach);
+        let size = size(&laws, &step.x0);
+        let noise: [T; MOST] = self
+            .reach
+            .map(|reach| T::from_f64(NOISE_ULPS) * T::EPSILON * reach.max(size));
         for (n, way) in live.pairs() {
             if values[n][way] > noise[n] {
                 self.positive.insert(n, way);
@@ -218,6 +221,13 @@ impl<T: Float> Watch<T> {
             }
         }
     }
+}
+
+/// The size of the positions of a state and of its limits, to which rounding errors are relative.
+pub(super) fn size<T: Float, const N: usize>(laws: &[Law<T>; MOST], x: &SVector<T, N>) -> T {
+    let limits = laws.iter().flat_map(|law| [law.low, law.high]).flatten();
+    let positions = x.iter().take(N / 2).copied();
+    limits.chain(positions).fold(T::default(), |size, x| size.max(x.abs()))
 }
 
 /// A system in a mode.

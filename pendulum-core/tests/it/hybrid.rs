@@ -7,6 +7,12 @@ use pendulum_core::hybrid::{
 use pendulum_core::prelude::*;
 use pendulum_core::stability::{Lyapunov, transition};
 
+#[path = "../../../testbed/src/random.rs"]
+#[allow(unreachable_pub, reason = "it is public where it stands")]
+mod random;
+
+use random::Random;
+
 /// A ball of 1 kg above a floor.
 struct Ball {
     restitution: f64,
@@ -387,4 +393,145 @@ fn what_sticks_forgets_where_it_came_from() {
     // neither grows nor decays but within each turn: by a factor of the order of one in all
     assert!(exponents.values[0].abs() < 1.0 / 100.0, "{:?}", exponents.values);
     assert_eq!(exponents.values[1], f64::NEG_INFINITY);
+}
+
+/// Two carts on one rough track, a spring between them that is longer than they may come close, and a spring to the
+/// ground.
+struct Carts {
+    masses: [f64; 2],
+    /// To the ground, and between them.
+    stiffness: [f64; 2],
+    friction: [f64; 2],
+    restitution: f64,
+}
+
+/// How close the carts may come.
+const CLOSE: f64 = 0.5;
+
+impl System<f64, 4> for Carts {
+    fn rhs(&self, t: f64, x: &SVector<f64, 4>) -> SVector<f64, 4> {
+        self.rhs_under(t, x, &[0.0; MOST])
+    }
+
+    fn hybrid(&self) -> Option<&dyn Hybrid<f64, 4>> {
+        Some(self)
+    }
+}
+
+impl Hybrid<f64, 4> for Carts {
+    fn constraints(&self) -> &'static [Constraint] {
+        const {
+            &[
+                Constraint {
+                    name: "first",
+                    rate: &[(2, 1)],
+                },
+                Constraint {
+                    name: "second",
+                    rate: &[(3, 1)],
+                },
+                Constraint {
+                    name: "buffer",
+                    rate: &[(2, -1), (3, 1)],
+                },
+            ]
+        }
+    }
+
+    fn laws(&self) -> [Law<f64>; MOST] {
+        let mut laws = [Law::default(); MOST];
+        for (law, friction) in laws.iter_mut().zip(self.friction) {
+            (law.slipping, law.sticking) = (friction, 1.2 * friction);
+        }
+        laws[2] = Law {
+            low: Some(CLOSE),
+            restitution: self.restitution,
+            ..Law::default()
+        };
+        laws
+    }
+
+    fn measures(&self, _t: f64, x: &SVector<f64, 4>) -> [[f64; 2]; MOST] {
+        let mut measures = [[0.0; 2]; MOST];
+        measures[..3].copy_from_slice(&[[x[0], x[2]], [x[1], x[3]], [x[1] - x[0], x[3] - x[2]]]);
+        measures
+    }
+
+    fn rhs_under(&self, _t: f64, x: &SVector<f64, 4>, forces: &[f64; MOST]) -> SVector<f64, 4> {
+        let [to_ground, between] = [self.stiffness[0] * x[0], self.stiffness[1] * (x[1] - x[0] - 1.0)];
+        let first = forces[0] - forces[2] - to_ground + between;
+        let second = forces[1] + forces[2] - between;
+        SVector::from([x[2], x[3], first / self.masses[0], second / self.masses[1]])
+    }
+
+    fn response(&self, t: f64, x: &SVector<f64, 4>, forces: &[f64; MOST]) -> Response<f64, 4> {
+        let mut response = Response::new(self.rhs_under(t, x, forces));
+        let [a, b] = self.masses.map(|mass| 1.0 / mass);
+        let rates = response.rates;
+        response.accelerations[..3].copy_from_slice(&[rates[2], rates[3], rates[3] - rates[2]]);
+        let columns = [[0.0, 0.0, a, 0.0], [0.0, 0.0, 0.0, b], [0.0, 0.0, -a, b]].map(SVector::from);
+        response.columns[..3].copy_from_slice(&columns);
+        for (row, entries) in response
+            .matrix
+            .iter_mut()
+            .zip([[a, 0.0, -a], [0.0, b, b], [-a, b, a + b]])
+        {
+            row[..3].copy_from_slice(&entries);
+        }
+        response
+    }
+}
+
+impl Carts {
+    fn energy(&self, x: &SVector<f64, 4>) -> f64 {
+        let [to_ground, between] = [x[0], x[1] - x[0] - 1.0];
+        let kinetic = self.masses[0] * x[2] * x[2] + self.masses[1] * x[3] * x[3];
+        0.5 * (kinetic + self.stiffness[0] * to_ground * to_ground + self.stiffness[1] * between * between)
+    }
+}
+
+#[test]
+fn carts_from_anywhere_lose_energy_and_come_to_rest() {
+    let mut random = Random::new(5);
+    for case in 0..60 {
+        let mut between = |low, high| random.between(low, high);
+        let carts = Carts {
+            masses: [between(0.2, 5.0), between(0.2, 5.0)],
+            stiffness: [between(1.0, 50.0), between(0.0, 50.0)],
+            friction: [between(0.1, 2.0), between(0.1, 2.0)],
+            restitution: [0.0, 0.3, 0.9, 1.0][case % 4],
+        };
+        let first = between(-1.0, 1.0);
+        let start = [
+            first,
+            first + CLOSE + between(0.0, 1.0),
+            between(-3.0, 3.0),
+            between(-3.0, 3.0),
+        ];
+        let solution = Vern7::new()
+            .rtol(1e-10)
+            .atol(1e-10)
+            .max_steps(3000)
+            .solve(&carts, 0.0, 300.0, start);
+        let solution = solution.unwrap_or_else(|error| panic!("case {case}: {error}"));
+        let mut energy = f64::INFINITY;
+        for (t, x) in solution.points() {
+            let now = carts.energy(x);
+            assert!(now <= energy + 1e-8, "case {case}: {now:e} at {t} after {energy:e}");
+            energy = now;
+            assert!(
+                x[1] - x[0] >= CLOSE - 1e-13,
+                "case {case}: {:e} at {t}",
+                x[1] - x[0] - CLOSE
+            );
+        }
+        let end = solution.end();
+        assert_eq!(
+            [end[2], end[3]],
+            [0.0, 0.0],
+            "case {case} after {:?}: {:?}",
+            solution.statistics(),
+            solution.modes().last()
+        );
+    }
 }
