@@ -114,18 +114,20 @@ impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
 
     /// The coefficients of the polynomial in the fraction of the part of the step up to `theta`, from the first power on.
     pub(crate) fn coefficients_to(&self, theta: T) -> impl Iterator<Item = SVector<T, N>> {
-        let (cut, one) = (theta * self.cut, T::from_f64(1.0));
-        let mut power = one;
+        let cut = theta * self.cut;
+        let mut power = T::from_f64(1.0);
         self.coefficients.iter().map(move |coefficient| {
-            if cut == one {
-                return *coefficient;
-            }
             power *= cut;
             coefficient * power
         })
     }
 
-    /// The largest that each term of the polynomial can be.
+    /// Whether it is a part of the step that the coefficients are for.
+    pub(crate) fn is_cut_off(&self) -> bool {
+        self.cut != T::from_f64(1.0)
+    }
+
+    /// The coefficients of the polynomial in the fraction of the whole step, from the first power on.
     pub(crate) fn terms(&self) -> &'a [SVector<T, N>] {
         self.coefficients
     }

@@ -180,7 +180,11 @@ impl<T: Float, const N: usize> Record<T, N> for Solution<T, N> {
         let step = dense.step();
         self.t.push(step.t1);
         self.x.push(step.x1);
-        self.coefficients.extend(dense.coefficients_to(T::from_f64(1.0)));
+        if dense.is_cut_off() {
+            self.coefficients.extend(dense.coefficients_to(T::from_f64(1.0)));
+        } else {
+            self.coefficients.extend(dense.terms());
+        }
         self.ends.push(self.coefficients.len());
     }
 

@@ -185,7 +185,7 @@ where
         if self.t() == self.t1 {
             return Ok(None);
         }
-        if !self.modes.fired.is_empty() {
+        if self.system.hybrid().is_some() && !self.modes.fired.is_empty() {
             self.change_mode()?;
         }
         match self.steps {
@@ -202,10 +202,10 @@ where
     /// Cuts the last step of a hybrid system off where its mode ends.
     #[inline(always)]
     fn look_for_the_end_of_the_mode(&mut self) -> Result<(), Reason> {
-        (self.modes.cut, self.modes.is_dense) = (T::from_f64(1.0), false);
         let Some(hybrid) = self.system.hybrid() else {
             return Ok(());
         };
+        (self.modes.cut, self.modes.is_dense) = (T::from_f64(1.0), false);
         let (dense, modes, work) = self.dense_and_mode();
         let found = modes.watch.look((hybrid, &modes.mode, &modes.hold), &dense, work)?;
         let Some((cut, fired)) = found else { return Ok(()) };
@@ -318,13 +318,13 @@ where
     pub fn dense(&mut self) -> Dense<'_, T, N> {
         let coefficients = if self.last.t0 == self.last.t1 {
             &[]
-        } else if self.modes.is_dense {
-            self.scheme.coefficients()
+        } else if self.system.hybrid().is_some() {
+            return Dense::cut_off(self.last, self.scheme.coefficients(), self.modes.cut);
         } else {
             let system = InMode::new(self.system, &self.modes.hold);
             self.scheme.dense(&system, &self.last, &mut self.statistics)
         };
-        Dense::cut_off(self.last, coefficients, self.modes.cut)
+        Dense::new(self.last, coefficients)
     }
 
     /// Integrates to the end, and returns the state there.
@@ -427,8 +427,8 @@ where
     #[inline]
     fn attempt(&mut self, t_new: T) -> Result<T, Failure> {
         let (start, end) = ((self.last.t1, &self.last.x1), (t_new, &mut self.tried));
-        let system = InMode::new(self.system, &self.modes.hold);
-        let mean_square = attempt(&mut self.scheme, &system, start, end, &mut self.statistics)?;
+        let system = (self.system, &self.modes.hold);
+        let mean_square = attempt(&mut self.scheme, system, start, end, &mut self.statistics)?;
         NonFinite::check(&self.tried)?;
         if let Some(hybrid) = self.system.hybrid()
             && self.modes.hold.held != 0
@@ -484,7 +484,7 @@ where
 #[inline(never)]
 fn attempt<C, S, T, const N: usize>(
     scheme: &mut C,
-    system: &InMode<'_, S, T>,
+    (system, hold): (&S, &Hold<T>),
     start: (T, &SVector<T, N>),
     end: (T, &mut SVector<T, N>),
     work: &mut Statistics,
@@ -494,7 +494,7 @@ where
     S: ?Sized,
     T: Float,
 {
-    scheme.attempt(system, start, end, work)
+    scheme.attempt(&InMode::new(system, hold), start, end, work)
 }
 
 impl<C, S, T, const N: usize> fmt::Debug for Stepper<'_, C, S, T, N>

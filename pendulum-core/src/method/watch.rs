@@ -119,18 +119,18 @@ impl<T: Float, const N: usize> Reached<T, N> {
         C: Scheme<S, T, N>,
         S: System<T, N> + ?Sized,
     {
-        let (before, mode) = (self.mode, stepper.mode());
-        let jumps = mode.is_some() && step.x0 != self.x;
+        let Some((from, mode)) = stepper.mode() else {
+            return false;
+        };
+        let (jumps, changes) = (step.x0 != self.x, self.mode != Some((from, mode)));
         if jumps {
             record.jump(step.t0, step.x0);
         }
-        if let Some((from, changed)) = mode
-            && mode != before
-        {
-            record.mode(from, changed);
+        if changes {
+            record.mode(from, mode);
         }
-        (self.x, self.mode) = (step.x1, mode);
-        jumps || mode != before
+        (self.x, self.mode) = (step.x1, Some((from, mode)));
+        jumps || changes
     }
 }
 
