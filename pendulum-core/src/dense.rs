@@ -79,10 +79,7 @@ impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
             (t - self.step.t0) / self.step.h * self.cut,
         )
     }
-}
 
-#[cfg(feature = "std")]
-impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
     /// The state at a fraction of the step.
     pub(crate) fn at_fraction(&self, theta: T) -> SVector<T, N> {
         if theta == T::from_f64(1.0) {
@@ -113,6 +110,7 @@ impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
     }
 
     /// The coefficients of the polynomial in the fraction of the part of the step up to `theta`, from the first power on.
+    #[cfg(feature = "std")]
     pub(crate) fn coefficients_to(&self, theta: T) -> impl Iterator<Item = SVector<T, N>> {
         let cut = theta * self.cut;
         let mut power = T::from_f64(1.0);
@@ -123,6 +121,7 @@ impl<'a, T: Float, const N: usize> Dense<'a, T, N> {
     }
 
     /// Whether it is a part of the step that the coefficients are for.
+    #[cfg(feature = "std")]
     pub(crate) fn is_cut_off(&self) -> bool {
         self.cut != T::from_f64(1.0)
     }

@@ -67,8 +67,8 @@ impl<T: Real> Factored<T> {
         let mut y = [T::default(); MOST];
         for i in 0..n {
             let mut sum = -b[self.rows[i]];
-            for k in 0..i {
-                sum -= self.entries[i][k] * y[k];
+            for (entry, y) in self.entries[i].iter().zip(&y).take(i) {
+                sum -= *entry * *y;
             }
             y[i] = sum;
         }

@@ -1,8 +1,10 @@
-//! A system in one of its modes.
+//! A system in one of its modes, and the way from one to the next.
 
 use nalgebra::{SMatrix, SVector};
 
-use super::mode::Hold;
+use super::MOST;
+use super::mode::{Hold, Mode};
+use super::watch::Fired;
 use crate::layout::StateLayout;
 use crate::real::{Float, Real};
 use crate::system::{Canonical, Jacobian, System};
@@ -24,10 +26,29 @@ impl<'a, S: ?Sized, T> InMode<'a, S, T> {
     }
 
     /// The system, and what is held.
+    #[cfg(feature = "std")]
     #[inline(always)]
     pub(crate) fn parts(&self) -> (&'a S, &'a Hold<T>) {
         (self.system, self.hold)
     }
+}
+
+/// A point at which a mode ends and another begins.
+#[derive(Clone, Copy, Debug)]
+#[cfg_attr(
+    not(feature = "std"),
+    expect(dead_code, reason = "analyses, which need std, read it")
+)]
+pub struct Passage<T, const N: usize> {
+    pub(crate) t: T,
+    /// The state before, and the mode that ended.
+    pub(crate) before: (SVector<T, N>, Mode, Hold<T>),
+    /// What ended it.
+    pub(crate) fired: Fired,
+    /// The impulses along the constraints.
+    pub(crate) impulses: [T; MOST],
+    /// The state after, and what is held there.
+    pub(crate) after: (SVector<T, N>, Hold<T>),
 }
 
 impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for InMode<'_, S, T> {

@@ -77,6 +77,7 @@ mod complementarity;
 mod held;
 mod in_mode;
 mod mode;
+#[cfg(feature = "std")]
 mod saltation;
 mod switch;
 mod watch;
@@ -88,11 +89,13 @@ use crate::real::Real;
 #[cfg(feature = "std")]
 pub(crate) use held::holding_forces;
 pub use held::{jacobian, rhs, rhs_and_jacobian, time_derivative};
-pub use in_mode::InMode;
+pub use in_mode::{InMode, Passage};
 pub use mode::{Hold, Mode, Status};
-pub use saltation::Passage;
+#[cfg(feature = "std")]
 pub(crate) use saltation::{hold_tangent, saltation};
-pub(crate) use switch::{Settled, project, rate, start, switch};
+#[cfg(feature = "std")]
+pub(crate) use switch::rate;
+pub(crate) use switch::{Settled, project, start, switch};
 pub(crate) use watch::{Fired, Watch};
 
 /// The most constraints of a system.

@@ -6,23 +6,9 @@ use super::complementarity::Factored;
 use super::held::{add, held, pin, rhs};
 use super::mode::{Hold, Mode, bits};
 use super::watch::{FORWARD, Fired};
-use super::{HybridJacobian, MOST};
+use super::{HybridJacobian, MOST, Passage};
 use crate::linear::image;
 use crate::real::Float;
-
-/// A point at which a mode ends and another begins.
-#[derive(Clone, Copy, Debug)]
-pub struct Passage<T, const N: usize> {
-    pub(crate) t: T,
-    /// The state before, and the mode that ended.
-    pub(crate) before: (SVector<T, N>, Mode, Hold<T>),
-    /// What ended it.
-    pub(crate) fired: Fired,
-    /// The impulses along the constraints.
-    pub(crate) impulses: [T; MOST],
-    /// The state after, and what is held there.
-    pub(crate) after: (SVector<T, N>, Hold<T>),
-}
 
 /// The saltation matrix: a tangent `v` before becomes `S v` after.
 ///

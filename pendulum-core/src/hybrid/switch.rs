@@ -9,6 +9,7 @@ use super::watch::{BACKWARD, FORWARD, Fired, UPPER, Watch, size};
 use super::{Hybrid, Law, MOST, Response};
 use crate::error::Reason;
 use crate::real::Float;
+#[cfg(feature = "std")]
 use crate::system::System;
 
 /// Values this many ulps of the state's size about a limit are at it, where an integration starts.
@@ -67,6 +68,7 @@ pub(crate) fn start<T: Float, const N: usize>(
 }
 
 /// The right-hand side at a state, in the mode in which a hybrid system starts from it.
+#[cfg(feature = "std")]
 pub(crate) fn rate<S, T, const N: usize>(system: &S, t: T, x: &SVector<T, N>) -> Result<SVector<T, N>, Reason>
 where
     S: System<T, N> + ?Sized,

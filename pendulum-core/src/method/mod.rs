@@ -41,6 +41,7 @@ use crate::system::System;
 use crate::tableau::{self, DormandPrince5, Kutta4, Tsitouras5, Verner7, Verner9};
 
 pub(crate) use input::require;
+pub(crate) use zero::{dip, places, root};
 #[cfg(feature = "std")]
 pub(crate) use {
     grid::Grid,
@@ -51,7 +52,6 @@ pub(crate) use {
     tangent::Tangent,
     watch::follow,
 };
-pub(crate) use zero::{dip, places, root};
 
 pub use crate::control::{Estimates, Tolerance};
 pub use adaptive::Adaptive;
