@@ -6,7 +6,7 @@ use nalgebra::SVector;
 
 use super::check::{first_not_finite, in_lane, sum};
 use super::members::Members;
-use super::{Ensemble, EnsembleError, InLanes, Stopped, alone, check_models, conclude, is_hybrid, model_of};
+use super::{Ensemble, EnsembleError, InLanes, Stopped, alone, check_models, conclude, model_of};
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::hybrid::{Hold, InMode};
@@ -48,14 +48,14 @@ where
 }
 
 /// Trajectories on their way from the states `x`, which are replaced.
-struct March<'a, F, M, T, const N: usize> {
-    method: &'a Adaptive<F>,
-    models: &'a [M],
-    span: (T, T),
-    x: &'a mut [SVector<T, N>],
+pub(super) struct March<'a, F, M, T, const N: usize> {
+    pub(super) method: &'a Adaptive<F>,
+    pub(super) models: &'a [M],
+    pub(super) span: (T, T),
+    pub(super) x: &'a mut [SVector<T, N>],
     /// Those that have not begun.
     waiting: Range<usize>,
-    stopped: &'a mut Vec<Stopped<T>>,
+    pub(super) stopped: &'a mut Vec<Stopped<T>>,
 }
 
 impl<F, M, T, const N: usize> Kernel<T> for March<'_, F, M, T, N>
@@ -68,12 +68,12 @@ where
 
     #[inline(always)]
     fn run<V: Lanes<Scalar = T>>(self) -> Result<(), Reason> {
-        if is_hybrid::<M, T, N>(self.models) {
-            alone(self.method, self.models, self.span, self.waiting, self.x, self.stopped);
-            Ok(())
-        } else if const { !F::NARROW } {
+        let modes = self.modes();
+        if modes == Some(true) && const { V::LANES > 1 } {
+            self.in_modes::<V>()
+        } else if modes.is_none() && const { !F::NARROW } {
             self.in_lanes::<V::Double>()
-        } else if const { V::LANES > 1 } {
+        } else if modes.is_none() && const { V::LANES > 1 } {
             self.in_lanes::<V>()
         } else {
             alone(self.method, self.models, self.span, self.waiting, self.x, self.stopped);
@@ -196,7 +196,7 @@ where
     }
 
     /// The next trajectory, if one waits that has a way to go.
-    fn next(&mut self) -> Option<usize> {
+    pub(super) fn next(&mut self) -> Option<usize> {
         let (t0, t1) = self.span;
         loop {
             let index = self.waiting.next()?;
@@ -229,7 +229,13 @@ where
 
     /// Ends a trajectory before its time, in its last good state.
     #[cold]
-    fn stop(&mut self, members: &mut Members<T>, (lane, index): (usize, usize), x: SVector<T, N>, reason: Reason) {
+    pub(super) fn stop(
+        &mut self,
+        members: &mut Members<T>,
+        (lane, index): (usize, usize),
+        x: SVector<T, N>,
+        reason: Reason,
+    ) {
         let t = members.t[lane];
         self.stopped.push(Stopped { index, t, reason });
         self.x[index] = x;
@@ -240,7 +246,7 @@ where
 /// What a step brings in a lane where not all is finite. The derivative at its end does not matter if its error is too
 /// large.
 #[cold]
-fn outcome<V: Lanes, const N: usize>(
+pub(super) fn outcome<V: Lanes, const N: usize>(
     (x, slope): (&SVector<V, N>, Option<&SVector<V, N>>),
     mean_square: V::Scalar,
     lane: usize,
@@ -253,7 +259,7 @@ fn outcome<V: Lanes, const N: usize>(
 }
 
 /// Replaces the state of a lane.
-fn set_lane<V: Lanes, const N: usize>(x: &mut SVector<V, N>, lane: usize, state: &SVector<V::Scalar, N>) {
+pub(super) fn set_lane<V: Lanes, const N: usize>(x: &mut SVector<V, N>, lane: usize, state: &SVector<V::Scalar, N>) {
     for (x, state) in x.iter_mut().zip(state.iter()) {
         *x = V::from_fn(|other| if other == lane { *state } else { x.lane(other) });
     }

@@ -1,12 +1,15 @@
 //! Those that are on their way together, side by side: what concerns all of them is decided in vector registers too.
 
+use nalgebra::SVector;
+
 use super::MOST_LANES;
 use crate::control::PiController;
-use crate::method::{Accepted, Pace, StepControl};
+use crate::method::{Accepted, Modes, Pace, Progress, StepControl};
 use crate::real::Float;
 use crate::real::lanes::Lanes;
 
 /// The trajectories in the lanes, each with a time and steps of its own.
+#[derive(Clone)]
 pub(super) struct Members<T> {
     /// Which; [`FREE`] where a lane has none.
     index: [usize; MOST_LANES],
@@ -47,6 +50,25 @@ impl<T: Float> Members<T> {
         (self.t[lane], self.t_new[lane], self.h[lane]) = (t, t, pace.h);
         let PiController { alpha, last, most } = pace.controller;
         (self.alpha, self.last[lane], self.most[lane]) = (alpha, last, most);
+    }
+
+    /// How far the trajectory in a lane is, in the state `x`.
+    pub(super) fn progress<const N: usize>(&self, lane: usize, x: SVector<T, N>, modes: Modes<T>) -> Progress<T, N> {
+        let controller = PiController {
+            alpha: self.alpha,
+            last: self.last[lane],
+            most: self.most[lane],
+        };
+        Progress {
+            t: self.t[lane],
+            x,
+            pace: Pace {
+                h: self.h[lane],
+                controller,
+            },
+            steps: self.steps[lane],
+            modes,
+        }
     }
 
     /// Takes the trajectory out of a lane, which stands still from then on.

@@ -3,6 +3,7 @@
 mod adaptive;
 mod check;
 mod fixed;
+mod hybrid;
 mod lanes;
 mod members;
 

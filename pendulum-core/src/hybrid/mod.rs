@@ -96,6 +96,8 @@ pub(crate) use saltation::{hold_tangent, saltation};
 #[cfg(feature = "std")]
 pub(crate) use switch::rate;
 pub(crate) use switch::{Settled, project, start, switch};
+#[cfg(feature = "std")]
+pub(crate) use watch::room;
 pub(crate) use watch::{Fired, Watch};
 
 /// The most constraints of a system.

@@ -9,6 +9,8 @@ use crate::dense::Dense;
 use crate::error::Reason;
 use crate::method::{dip, places, root};
 use crate::real::Float;
+#[cfg(feature = "std")]
+use crate::real::lanes::Lanes;
 use crate::statistics::Statistics;
 
 /// How a constraint may end a mode: by each of three functions that are positive as long as the mode lasts.
@@ -27,6 +29,9 @@ const NOISE_ULPS: f64 = 16.0;
 
 /// A step that was taken to the end of a mode is searched so far about its end, in fractions of it.
 const ABOUT_THE_END: [f64; 4] = [1e-12, 1e-9, 1e-6, 1e-3];
+
+/// The terms of a polynomial are bounded with this much to spare.
+const SLACK: f64 = 1e-3;
 
 /// The functions of all constraints, those of one after those of the other; infinite where there is none.
 type Values<T> = [[T; WAYS]; MOST];
@@ -87,6 +92,39 @@ impl<T: Float> Watch<T> {
             if status.touches() {
                 *reach = T::default();
             }
+        }
+    }
+
+    /// Whether all functions of a mode in which nothing is held have been positive: from then on a mode ends only where
+    /// one of them reaches zero.
+    #[cfg(feature = "std")]
+    pub(crate) fn is_settled(&self, laws: &[Law<T>; MOST], mode: &Mode) -> bool {
+        (0..MOST).all(|n| {
+            let slips = matches!(mode.0[n], Status::Forward | Status::Backward);
+            let watched = [
+                (FORWARD, slips),
+                (BACKWARD, laws[n].low.is_some()),
+                (UPPER, laws[n].high.is_some()),
+            ];
+            watched.into_iter().all(|(way, is)| !is || self.positive.has(n, way))
+        })
+    }
+
+    /// Notes how far the constraints of a lane are from their limits, as [`look`](Self::look) does.
+    #[cfg(feature = "std")]
+    pub(crate) fn note<V: Lanes<Scalar = T>, const N: usize>(
+        &mut self,
+        system: &dyn Hybrid<V, N>,
+        measures: &[[V; 2]; MOST],
+        lane: usize,
+    ) {
+        let laws = system.laws();
+        for (n, law) in laws.iter().enumerate() {
+            let value = measures[n][0].lane(lane);
+            let low = law.low.map(|low| value - low.lane(lane));
+            let high = law.high.map(|high| high.lane(lane) - value);
+            let near = [low, high].into_iter().flatten().reduce(T::min);
+            self.reach[n] = near.map_or(self.reach[n], |near| self.reach[n].max(near));
         }
     }
 
@@ -302,11 +340,39 @@ impl<T: Float, const N: usize> Scene<'_, T, N> {
                     let terms = dense.terms().iter().map(|term| term[component - back].abs());
                     terms.fold(most, |most, term| most + term)
                 });
-                if !linear || value <= most + most * T::from_f64(1e-3) {
+                if !linear || value - (most + most * T::from_f64(SLACK)) <= T::default() {
                     live.insert(n, way);
                 }
             }
         }
         live
     }
+}
+
+/// What a step in lanes leaves of each function of [`Watch::look`], at least, in a mode in which nothing is held: where
+/// all of a lane are positive, its mode does not end. All rates are sums of components of the state.
+#[cfg(feature = "std")]
+#[inline(always)]
+pub(crate) fn room<V: Lanes, const N: usize>(
+    system: &dyn Hybrid<V, N>,
+    measures: &[[V; 2]; MOST],
+    terms: &[SVector<V, N>],
+) -> [[V; WAYS]; MOST] {
+    let laws = system.laws();
+    let mut room = [[V::default(); WAYS]; MOST];
+    for (n, constraint) in system.constraints().iter().enumerate() {
+        let [value, rate] = measures[n];
+        let most = |back: usize| {
+            let components = constraint.rate.iter().map(|&(component, _)| component - back);
+            let most = components.fold(V::default(), |most, component| {
+                terms.iter().fold(most, |most, term| most + term[component].abs())
+            });
+            most + most * V::from_f64(SLACK)
+        };
+        let of_value = most(N / 2);
+        room[n][FORWARD] = rate.abs() - most(0);
+        room[n][BACKWARD] = laws[n].low.map_or(V::from_f64(1.0), |low| value - low - of_value);
+        room[n][UPPER] = laws[n].high.map_or(V::from_f64(1.0), |high| high - value - of_value);
+    }
+    room
 }

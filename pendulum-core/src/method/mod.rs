@@ -49,6 +49,7 @@ pub(crate) use {
     scheme::{Failure, NonFinite},
     stages::SHORT,
     step_control::{Pace, StepControl, is_within_tolerance},
+    stepper::{Modes, Progress},
     tangent::Tangent,
     watch::follow,
 };

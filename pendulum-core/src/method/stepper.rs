@@ -51,12 +51,12 @@ pub struct Stepper<'s, C, S: ?Sized, T, const N: usize> {
 
 /// The mode of a hybrid system; of no meaning for others.
 #[derive(Clone, Copy, Debug)]
-struct Modes<T> {
-    mode: Mode,
-    hold: Hold<T>,
+pub(crate) struct Modes<T> {
+    pub(crate) mode: Mode,
+    pub(crate) hold: Hold<T>,
     /// From when on it holds.
     from: T,
-    watch: Watch<T>,
+    pub(crate) watch: Watch<T>,
     /// What ended it, where the last step ended.
     fired: Fired,
     /// Of the last step, the fraction of what was integrated: less than one where a mode ended.
@@ -65,6 +65,18 @@ struct Modes<T> {
     is_dense: bool,
     /// How often modes have changed within the resolution of the time.
     hurried: usize,
+}
+
+/// A trajectory within a tolerance, between two steps.
+#[cfg(feature = "std")]
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Progress<T, const N: usize> {
+    pub(crate) t: T,
+    pub(crate) x: SVector<T, N>,
+    pub(crate) pace: Pace<T>,
+    /// The steps so far, rejected ones included.
+    pub(crate) steps: usize,
+    pub(crate) modes: Modes<T>,
 }
 
 /// Modes that change so often in a row without the time advancing would do so without end.
@@ -449,6 +461,66 @@ where
         let step = Step::new((self.last.t1, self.last.x1), (t_new, self.tried));
         self.scheme.accept(&system, &step, Accepted::All, &mut self.statistics);
         self.last = step;
+        Ok(())
+    }
+}
+
+/// For those who set a trajectory aside, and go on with it later.
+#[cfg(feature = "std")]
+impl<'s, C, S, T, const N: usize> Stepper<'s, C, S, T, N>
+where
+    C: Scheme<S, T, N>,
+    S: System<T, N> + ?Sized,
+    T: Float,
+{
+    /// A stepper within a tolerance that goes on where another one was.
+    pub(crate) fn resume(
+        system: &'s S,
+        scheme: C,
+        t1: T,
+        control: StepControl<T>,
+        progress: &Progress<T, N>,
+    ) -> Result<Self, Reason> {
+        let mut stepper = Self {
+            system,
+            scheme,
+            steps: Steps::Controlled {
+                control,
+                pace: progress.pace,
+            },
+            t1,
+            last: Step::at_rest(progress.t, progress.x),
+            tried: progress.x,
+            modes: progress.modes,
+            statistics: Statistics {
+                accepted: progress.steps,
+                ..Statistics::default()
+            },
+        };
+        stepper.begin()?;
+        Ok(stepper)
+    }
+
+    /// Where it is, between two steps; only of one within a tolerance.
+    pub(crate) fn progress(&self) -> Option<Progress<T, N>> {
+        let Steps::Controlled { pace, .. } = self.steps else {
+            return None;
+        };
+        Some(Progress {
+            t: self.t(),
+            x: self.x(),
+            pace,
+            steps: self.statistics.accepted + self.statistics.rejected,
+            modes: self.modes,
+        })
+    }
+
+    /// Takes one step, and goes to the next mode at once where one ends before the end is reached.
+    pub(crate) fn step_to_a_mode(&mut self) -> Result<(), Reason> {
+        self.step()?;
+        if self.t() != self.t1 && !self.modes.fired.is_empty() {
+            self.change_mode()?;
+        }
         Ok(())
     }
 }

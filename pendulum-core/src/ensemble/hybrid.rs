@@ -1,0 +1,214 @@
+//! Trajectories of hybrid systems: side by side while nothing is held, and one by one where a mode ends, until nothing
+//! is held again.
+
+use nalgebra::SVector;
+
+use super::adaptive::{March, outcome, set_lane};
+use super::check::{in_lane, sum};
+use super::members::Members;
+use super::{InLanes, Stopped, model_of};
+use crate::dense::Step;
+use crate::error::Reason;
+use crate::hybrid::{Hold, InMode, MOST, Status, room};
+use crate::method::{Failure, Method, Modes, OneStep, Progress, Scheme, StepControl, Stepper};
+use crate::real::lanes::{LaneElement, Lanes};
+use crate::statistics::Statistics;
+use crate::system::{Cast, System};
+
+impl<F, M, T, const N: usize> March<'_, F, M, T, N>
+where
+    F: InLanes<M, T, N> + crate::method::Estimates,
+    M: Cast<N>,
+    T: LaneElement,
+{
+    /// Whether the models are hybrid, and if so, whether all rates that may be hindered are sums of components of the
+    /// state, so that lanes can tell where they stay away from zero.
+    pub(super) fn modes(&self) -> Option<bool> {
+        let model = self.models.first()?.cast::<T>();
+        let hybrid = model.hybrid()?;
+        Some(
+            hybrid
+                .constraints()
+                .iter()
+                .all(|constraint| !constraint.rate.is_empty()),
+        )
+    }
+
+    #[inline(always)]
+    pub(super) fn in_modes<V: Lanes<Scalar = T>>(mut self) -> Result<(), Reason> {
+        let (_, t1) = self.span;
+        let tolerance = self.method.tolerance()?;
+        let mut system = F::gather::<V>(|_| &self.models[0]);
+        let mut scheme = self.method.family.stages::<V>(&system, Some(tolerance))?;
+        let control = self.method.control(tolerance, scheme.error_order(), self.span)?;
+        let mut hold = Hold::default();
+        let mut members = Members::none();
+        let mut modes: Vec<Option<Modes<T>>> = vec![None; V::LANES];
+        let mut ready: Vec<(usize, Progress<T, N>)> = Vec::new();
+        let mut x = SVector::from_element(V::default());
+        let mut x_new = x;
+        let work = &mut Statistics::default();
+        loop {
+            if members.some_are_free(V::LANES) {
+                let mut someone_enters = false;
+                for lane in 0..V::LANES {
+                    if members.index(lane).is_none()
+                        && let Some((index, progress)) = ready.pop().or_else(|| self.start(t1))
+                    {
+                        members.enter(lane, index, progress.t, progress.pace);
+                        members.steps[lane] = progress.steps;
+                        set_lane(&mut x, lane, &progress.x);
+                        modes[lane] = Some(progress.modes);
+                        someone_enters = true;
+                    }
+                }
+                if members.busy(V::LANES).next().is_none() {
+                    return Ok(());
+                }
+                if someone_enters {
+                    if self.models.len() > 1 {
+                        system = F::gather::<V>(|lane| model_of(self.models, members.index(lane).unwrap_or(0)));
+                    }
+                    for (n, force) in hold.forces.iter_mut().enumerate() {
+                        let of = |lane: usize| modes[lane].map_or(T::default(), |modes| modes.hold.forces[n]);
+                        *force = V::from_fn(of);
+                    }
+                    let t = V::from_fn(|lane| members.t[lane]);
+                    scheme.begin(&InMode::new(&system, &hold), t, &x, work);
+                }
+            }
+            let in_mode = InMode::new(&system, &hold);
+            let t = V::from_fn(|lane| members.t[lane]);
+            let proposed = scheme.prepare(&in_mode, t, &x, work);
+            if !members.plan(&control, t1, proposed) {
+                for (lane, index) in members.busy(V::LANES) {
+                    let (mut h, at) = (members.h[lane], members.t[lane]);
+                    let proposed = members.proposal(lane, &proposed);
+                    if let Err(reason) = control.plan(&mut h, (at, t1), members.steps[lane], proposed) {
+                        self.stop(&mut members, (lane, index), in_lane(&x, lane), reason);
+                    }
+                }
+            }
+            let before = members.clone();
+            let t_new = V::from_fn(|lane| members.t_new[lane]);
+            let attempt = scheme.attempt(&in_mode, (t, &x), (t_new, &mut x_new), work);
+            let slope = scheme.arrive(&in_mode, (t_new, &x_new), work);
+            let sum = sum(&x_new, slope);
+            let outcome = |lane| match attempt {
+                Err(stalled) => Err(Failure::from(stalled)),
+                Ok(mean_square) if sum.lane(lane).is_finite() => Ok(mean_square.lane(lane)),
+                Ok(mean_square) => outcome((&x_new, slope), mean_square.lane(lane), lane),
+            };
+            let mean_squares = match attempt {
+                Ok(mean_square) if sum.all_finite() => mean_square,
+                _ => V::from_fn(|lane| outcome(lane).unwrap_or(T::from_f64(f64::NAN))),
+            };
+            if !members.judge(&control, &mean_squares, F::Stages::<V>::PROPOSES) {
+                for (lane, index) in members.busy(V::LANES) {
+                    let (h, step) = (members.h[lane], (members.t[lane], members.t_new[lane]));
+                    if !members.is_accepted(lane) && h < control.least(step.0) {
+                        let reason = control.hopeless(outcome(lane), step, h);
+                        self.stop(&mut members, (lane, index), in_lane(&x, lane), reason);
+                    }
+                }
+            }
+            let step = Step::new((t, x), (t_new, x_new));
+            if let Some(hybrid) = system.hybrid() {
+                let measures = hybrid.measures(t, &x);
+                let room = room(hybrid, &measures, scheme.dense(&in_mode, &step, work));
+                for (lane, index) in members.busy(V::LANES) {
+                    let Some(own) = &mut modes[lane] else { continue };
+                    if !members.is_accepted(lane) {
+                        continue;
+                    }
+                    let may_end = (0..MOST).any(|n| {
+                        let slips = own.mode.0[n] != Status::Free;
+                        let left = room[n].map(|room| room.lane(lane));
+                        (slips && !(left[0] > T::default())) || !(left[1] > T::default() && left[2] > T::default())
+                    });
+                    if may_end {
+                        let progress = before.progress(lane, in_lane(&x, lane), *own);
+                        members.leave(lane);
+                        ready.extend(self.go_on(index, progress, &control).map(|progress| (index, progress)));
+                    } else {
+                        own.watch.note(hybrid, &measures, lane);
+                    }
+                }
+            }
+            let lanes = members.accepted::<V>();
+            scheme.accept(&in_mode, &step, lanes, work);
+            x = lanes.select(&x_new, &x);
+            if members.some_arrive(V::LANES, t1) {
+                for (lane, index) in members.busy(V::LANES) {
+                    if members.t[lane] == t1 {
+                        self.x[index] = in_lane(&x, lane);
+                        members.leave(lane);
+                    }
+                }
+            }
+        }
+    }
+
+    /// Starts the next trajectory, up to where it can go on beside others; those that never can are brought to their
+    /// end.
+    fn start(&mut self, t1: T) -> Option<(usize, Progress<T, N>)> {
+        loop {
+            let index = self.next()?;
+            let model = model_of(self.models, index).cast::<T>();
+            let x0 = self.x[index];
+            let progress = match self.method.stepper(&model, self.span.0, t1, x0) {
+                Ok(stepper) => self.alone(index, stepper),
+                Err(reason) => {
+                    let t = self.span.0;
+                    self.stopped.push(Stopped { index, t, reason });
+                    None
+                }
+            };
+            if let Some(progress) = progress {
+                return Some((index, progress));
+            }
+        }
+    }
+
+    /// Goes on alone with a step in which a mode may end.
+    #[cold]
+    fn go_on(&mut self, index: usize, progress: Progress<T, N>, control: &StepControl<T>) -> Option<Progress<T, N>> {
+        let model = model_of(self.models, index).cast::<T>();
+        let tolerance = control.tolerance;
+        let stepper = OneStep::<M::In<T>, T, N>::scheme(&self.method.family, &model, Some(tolerance))
+            .and_then(|scheme| Stepper::resume(&model, scheme, self.span.1, *control, &progress))
+            .and_then(|mut stepper| stepper.step_to_a_mode().map(|()| stepper));
+        match stepper {
+            Ok(stepper) => self.alone(index, stepper),
+            Err(reason) => {
+                self.stopped.push(Stopped {
+                    index,
+                    t: progress.t,
+                    reason,
+                });
+                self.x[index] = progress.x;
+                None
+            }
+        }
+    }
+
+    /// Goes on alone until the trajectory can go on beside others, or to its end.
+    fn alone(&mut self, index: usize, mut stepper: Stepper<'_, F::Scheme, M::In<T>, T, N>) -> Option<Progress<T, N>> {
+        let model = model_of(self.models, index).cast::<T>();
+        let laws = model.hybrid()?.laws();
+        while stepper.t() != self.span.1 {
+            let progress = stepper.progress()?;
+            let Modes { mode, hold, watch, .. } = &progress.modes;
+            if hold.held == 0 && watch.is_settled(&laws, mode) {
+                return Some(progress);
+            }
+            if let Err(reason) = stepper.step_to_a_mode() {
+                let t = stepper.t();
+                self.stopped.push(Stopped { index, t, reason });
+                break;
+            }
+        }
+        self.x[index] = stepper.x();
+        None
+    }
+}
