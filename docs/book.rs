@@ -16,6 +16,7 @@ pages! {
     getting_started: "src/getting-started.md",
     stability: "src/stability.md",
     driven_pivot: "src/recipes/driven-pivot.md",
+    dry_friction: "src/recipes/dry-friction.md",
     cart_pole: "src/recipes/cart-pole.md",
     computed_torque: "src/recipes/computed-torque.md",
     flip_map: "src/recipes/flip-map.md",

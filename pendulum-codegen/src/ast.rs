@@ -57,6 +57,8 @@ pub(crate) struct Items {
     pub outputs: Vec<Output>,
     /// Functions whose zeros are events.
     pub events: Vec<Event>,
+    /// Walls.
+    pub walls: Vec<Wall>,
     /// The word `generate`, and what to generate.
     pub generate: Option<(Ident, Vec<Ident>)>,
 }
@@ -182,6 +184,39 @@ pub(crate) struct Event {
     pub name: Ident,
     /// What passes zero.
     pub value: Read<Expr>,
+}
+
+/// `wall name { gap: e, restitution: e, slow: e }`
+#[derive(Debug)]
+pub(crate) struct Wall {
+    /// Name.
+    pub name: Ident,
+    /// What stands in the braces.
+    pub fields: WallFields,
+    /// The error in a field that could not be read, if there is one: something may be missing.
+    pub unread: Option<Reported>,
+}
+
+/// The fields of a wall.
+#[derive(Debug, Default)]
+pub(crate) struct WallFields {
+    /// What never turns negative.
+    pub gap: Option<Expr>,
+    /// How much of the rate remains after an impact.
+    pub restitution: Option<Expr>,
+    /// Below this rate nothing rebounds.
+    pub slow: Option<Expr>,
+}
+
+/// `[low, high] restitution(e, slow)`
+#[derive(Debug)]
+pub(crate) struct Stop {
+    /// The least and the largest coordinate.
+    pub limits: [Expr; 2],
+    /// Their text.
+    pub tokens: TokenStream,
+    /// How much of the rate remains after an impact, and below which rate nothing rebounds.
+    pub restitution: Option<(Expr, Option<Expr>)>,
 }
 
 /// `shape name { .. }`
@@ -318,6 +353,27 @@ pub(crate) struct BodyFields {
     pub spring: Option<(Expr, Expr)>,
     /// Joint force.
     pub torque: Option<Expr>,
+    /// Dry friction.
+    pub dry_friction: Option<Expr>,
+    /// Dry friction at rest.
+    pub static_friction: Option<Expr>,
+    /// Limits of the coordinate.
+    pub stop: Option<Stop>,
+}
+
+impl BodyFields {
+    /// What acts along the joint, if anything does: it must move by itself.
+    pub(crate) fn acting(&self) -> Option<&TokenStream> {
+        let spring = self.spring.as_ref().map(|(stiffness, _)| stiffness);
+        let forces = [
+            self.friction.as_ref(),
+            spring,
+            self.torque.as_ref(),
+            self.dry_friction.as_ref(),
+            self.static_friction.as_ref(),
+        ];
+        forces.into_iter().flatten().map(|force| &force.tokens).next()
+    }
 }
 
 /// `kind(arguments) at point rpy angles`
@@ -441,6 +497,12 @@ pub(crate) enum Operator {
 }
 
 impl Items {
+    /// Whether something may hold the motion: dry friction, a stop, or a wall.
+    pub(crate) fn is_hybrid(&self) -> bool {
+        let hinders = |body: &Body| body.fields.dry_friction.is_some() || body.fields.stop.is_some();
+        !self.walls.is_empty() || self.bodies.iter().any(hinders)
+    }
+
     /// Whether the joint of a body has a motion in which the time stands.
     pub(crate) fn is_driven(&self, body: &Body) -> bool {
         let is_time = |kind: &ExprKind| matches!(kind, ExprKind::Name(name) if name == "t");

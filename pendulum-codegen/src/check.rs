@@ -2,9 +2,9 @@
 
 use rustc_hash::FxHashSet;
 
-use crate::dynamics::Dynamics;
+use crate::dynamics::{Dynamics, derived};
 use crate::error::Errors;
-use crate::expr::{ExprId, SymbolKind, vanishing_pivot};
+use crate::expr::{ExprId, Normalizer, SymbolKind, vanishing_pivot};
 use crate::lower::Spans;
 use crate::model::{CoordinateId, Model};
 
@@ -29,10 +29,36 @@ pub(crate) fn check(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'_>) -
         };
         errors.at(spans.bodies[n], fact, help);
     }
+    report_walls(model, spans, &mut errors);
     if errors.is_empty() {
         report_without_effect(model, spans, dynamics, &mut errors);
     }
     errors.finish(())
+}
+
+/// Reports walls whose gap no motion of the state changes.
+fn report_walls(model: &Model<'_>, spans: &Spans, errors: &mut Errors) {
+    /// How far the normal form of a derivative may grow.
+    const BUDGET: usize = 10_000;
+    let walls = model
+        .constraints
+        .iter()
+        .filter(|constraint| constraint.coordinate.is_none());
+    for (wall, &span) in walls.zip(&spans.walls) {
+        let vanishes = |x| Normalizer::new(model.graph, BUDGET).is_zero(x) == Ok(true);
+        let slopes = derived(&[wall.value], &model.positions());
+        if slopes.concat().into_iter().all(vanishes) {
+            let fact = format_args!(
+                "the gap of wall `{}` depends on no coordinate, so no force can keep it open",
+                wall.name
+            );
+            errors.at(
+                span,
+                fact,
+                "build it from coordinates, or from points of bodies that move by themselves",
+            );
+        }
+    }
 }
 
 /// Whether anything is generated that accelerations are needed for.
@@ -51,6 +77,12 @@ fn report_without_effect(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'
     let observed = outputs
         .chain(drawn.flat_map(|point| point.place.at.0))
         .chain(model.events.iter().map(|event| event.value))
+        .chain(
+            model
+                .constraints
+                .iter()
+                .flat_map(|c| [vec![c.value], c.law.numbers()].concat()),
+        )
         .collect::<Vec<_>>();
     let mut dynamics = dynamics.clone();
     if !model.generate.contains("drive_forces") {

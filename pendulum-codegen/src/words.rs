@@ -92,6 +92,10 @@ pub(crate) const ITEMS: &Synonyms = &[
     (&["forces", "push", "load", "thrust", "wrench"], "force"),
     (&["springs", "elastic"], "spring"),
     (&["dampers", "dashpot"], "damper"),
+    (
+        &["walls", "floor", "contact", "obstacle", "barrier", "collision"],
+        "wall",
+    ),
     (&["potentials", "potentialenergy", "energy"], "potential"),
     (&["rayleigh", "loss", "losses"], "dissipation"),
     (
@@ -203,8 +207,15 @@ pub(crate) const FIELDS: &Synonyms = &[
         "a body has mass, com and inertia, or solids: write `solids: [rod(m, [0, 0, 0], [0, -l, 0])]`",
     ),
     (
-        &["limits", "limit", "stop", "range", "min", "max"],
-        "limits are not part of the language: write a stiff smooth law as `torque: ..`",
+        &["coulomb", "coulombfriction", "frictionloss", "slidingfriction"],
+        "dry_friction",
+    ),
+    (&["stiction", "breakaway", "staticfriction"], "static_friction"),
+    (&["limits", "limit", "stops", "range", "bounds", "endstop"], "stop"),
+    (&["min", "max"], "write both limits: `stop: [low, high]`"),
+    (
+        &["restitution", "bounce"],
+        "it stands after the limits: write `stop: [low, high] restitution(0.5)`",
     ),
     (&["initial", "initialangle", "x0", "theta0", "velocity"], START),
     (&["density"], "give the mass of each solid; its density is uniform"),
@@ -215,6 +226,17 @@ pub(crate) const FIELDS: &Synonyms = &[
     (
         &["visual", "color", "mesh"],
         "leave it out: a body is what it weighs and how it moves",
+    ),
+];
+
+/// Fields of walls.
+pub(crate) const WALL: &Synonyms = &[
+    (&["distance", "height", "value", "function", "e"], "gap"),
+    (&["bounce", "elasticity", "cor", "coefficient"], "restitution"),
+    (&["threshold", "rest", "minrate"], "slow"),
+    (
+        &["friction", "dryfriction", "mu"],
+        "walls have no friction: they push along their gap alone",
     ),
 ];
 
@@ -294,7 +316,8 @@ pub(crate) const SYMBOLS: &Synonyms = &[
 pub(crate) const FUNCTIONS: &Synonyms = &[
     (
         &["sign", "signum", "sgn"],
-        "it jumps at 0: write `tanh(x/eps)`, which is smooth and has nearly the same values outside of a width eps",
+        "it jumps at 0: dry friction of a joint is `dry_friction: mu`; \
+         elsewhere write `tanh(x/eps)`, which is smooth and nearly the same outside of a width eps",
     ),
     (
         &["step", "heaviside", "theta"],

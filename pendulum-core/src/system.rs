@@ -65,6 +65,9 @@ pub trait System<T: Real, const N: usize> {
             has it as `model.with_law(law)`, with a law that is generic over `Real`"
 )]
 pub trait Cast<const N: usize> {
+    /// Whether the model may be [hybrid](crate::hybrid).
+    const HYBRID: bool = false;
+
     /// The model in another number type.
     type In<T: Real>: System<T, N>;
 

@@ -22,7 +22,7 @@ pub(crate) fn folder(name: &str) -> Option<PathBuf> {
 }
 
 /// All results of C code, routine by routine and then those of the series, with the defaults of the parameters: for
-/// each list of the time, the state, accelerations and inputs.
+/// each list of the time, the state, accelerations, which are forces of constraints as well, and inputs.
 pub(crate) fn results(folder: &Path, program: &Program, sources: &Sources, given: &[Vec<f64>]) -> Vec<Vec<f64>> {
     let bytes = output(&compiled(folder, sources, &evaluation(program, &sources.name)), given);
     let numbers = bytes.as_chunks().0.iter().map(|bytes| f64::from_le_bytes(*bytes));
@@ -77,7 +77,7 @@ fn evaluation(program: &Program, name: &str) -> String {
         for argument in &routine.arguments {
             arguments += match argument {
                 Argument::Inputs => ", &u",
-                Argument::Accelerations => ", more",
+                Argument::Accelerations | Argument::Forces => ", more",
             };
         }
         if routine.shapes == [Shape::Scalar] {
@@ -97,7 +97,8 @@ fn evaluation(program: &Program, name: &str) -> String {
     if program.inputs.is_empty() {
         // results may overwrite the state; the right-hand side comes first
         calls += &format!("double x[{length}];\nfor (int n = 0; n < {length}; n++) x[n] = in[1 + n];\n");
-        calls += &format!("{name}_rhs(&model, in[0], x, x);\nif (memcmp(x, out, sizeof x) != 0) return 4;\n");
+        let forces = if program.constraints.is_empty() { "" } else { " more," };
+        calls += &format!("{name}_rhs(&model, in[0], x,{forces} x);\nif (memcmp(x, out, sizeof x) != 0) return 4;\n");
     }
     if program.series.is_some() {
         calls += &format!("for (int n = 0; n < {length}; n++) series[0][n] = in[1 + n];\n");

@@ -1,9 +1,12 @@
 //! The C code of scenes against their Rust code, bit for bit.
 
+use std::array::from_fn;
+
 use nalgebra::{SMatrix, SVector};
 use pendulum_codegen::Sources;
 use pendulum_codegen::program::Program;
 use pendulum_core::ParameterError;
+use pendulum_core::hybrid::{Hybrid, HybridJacobian, MOST, Response};
 use pendulum_core::prelude::*;
 use pendulum_core::{Canonical, Controlled, TaylorSeries};
 use testbed::mechanisms::{Furuta, FurutaParams};
@@ -72,6 +75,20 @@ mechanism! {
         event passes: hook.x - 1/10,
         body trolley on ground { joint: prismatic(x), motion: sin(w*t)/2 }
         body rope on trolley { mass: 1, com: [0, -l, 0], joint: revolute(z), coordinate: int }
+    }
+}
+
+mechanism! {
+    /// Dry friction and a stop, and a wall that moves.
+    pub Hindered {
+        params { mu: N m = 0.3 }
+        gravity: [0, -9.81, 0],
+        point tip on rod at [0, -1, 0],
+        wall side { gap: 2 - tip.x + 0.125 m/s^2*t^2, restitution: 0.5 }
+        body cart on ground { mass: 2, joint: prismatic(x), coordinate: s }
+        body rod on cart {
+            mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: turn, dry_friction: mu, stop: [-1, 1],
+        }
     }
 }
 
@@ -180,6 +197,39 @@ fn drives_outputs_and_events_are_the_same() {
         all.extend(&values);
         all.extend(&jacobian);
         all.push(model.passes(t, &x));
+        all
+    });
+}
+
+#[test]
+fn what_hinders_a_motion_is_the_same() {
+    let model = Hindered::new(HinderedParams::default()).expect("physical");
+    same(OWN, "Hindered", 0.0, |t, x, forces| {
+        let x = SVector::<f64, 4>::from_column_slice(x);
+        let forces: [f64; MOST] = from_fn(|n| forces.get(n).copied().unwrap_or(0.0));
+        let mut all = model.rhs_under(t, &x, &forces).as_slice().to_vec();
+        let measures = model.measures(t, &x);
+        all.extend(
+            [0, 1]
+                .map(|which| [measures[0][which], measures[1][which]])
+                .as_flattened(),
+        );
+        let add = |all: &mut Vec<f64>, response: &Response<f64, 4>| {
+            all.extend(&response.rates);
+            all.extend(&response.accelerations[..2]);
+            all.extend(response.columns[..2].iter().flatten());
+            all.extend(response.matrix[..2].iter().flat_map(|row| &row[..2]));
+        };
+        add(&mut all, &model.response(t, &x, &forces));
+        let (rates, jacobian) = model.rhs_and_jacobian_under(t, &x, &forces);
+        all.extend(rates.iter().chain(&jacobian));
+        let derivative = model.response_derivative(t, &x, &forces);
+        add(&mut all, &derivative.response);
+        all.extend(&derivative.rates);
+        all.extend(derivative.accelerations[..2].iter().flatten());
+        all.extend(&derivative.rates_by_time);
+        all.extend(&derivative.accelerations_by_time[..2]);
+        all.extend([model.kinetic(t, &x), model.potential(t, &x)]);
         all
     });
 }

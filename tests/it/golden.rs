@@ -68,6 +68,12 @@ fn the_emitted_code_is_the_expected_one() {
     expect_file!["golden/double_pendulum.rs"].assert_eq(&emitted());
 }
 
+/// A joint with dry friction and a stop.
+#[test]
+fn the_emitted_code_of_a_hybrid_scene_is_the_expected_one() {
+    expect_file!["golden/hybrid.rs"].assert_eq(&code(declaration(include_str!("hybrid.rs"), "Block")));
+}
+
 /// A file for each example that declares mechanisms, with the code of all of them.
 #[test]
 fn the_emitted_code_of_the_examples_is_the_expected_one() {

@@ -13,6 +13,7 @@ mod forces;
 mod gauss;
 mod golden;
 mod growth;
+mod hybrid;
 mod lanes;
 mod mechanisms;
 mod methods;

@@ -3,6 +3,7 @@
 use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, DivAssign, Mul, MulAssign, Neg, Sub, SubAssign};
 
+use pendulum_core::hybrid::{Hold, InMode};
 use pendulum_core::method::{Accepted, Fixed, Gauss, OneStep, RadauIIA, Scheme, Tolerance};
 use pendulum_core::prelude::*;
 use pendulum_core::real::lanes::{Isa, Kernel, LaneElement, Lanes};
@@ -373,13 +374,15 @@ fn spent_by_radau<const N: usize>() -> Option<Operations> {
     draws.into_iter().find_map(|(h, given)| {
         let model = Charged::<N>::new(1.0, given);
         let mut scheme = OneStep::<_, Counted, N>::scheme(&RadauIIA, &model, Some(tolerance)).expect("valid");
+        let hold = Hold::default();
+        let mode = InMode::new(&model, &hold);
         let mut work = Statistics::default();
         let (t0, t1, t2) = (Counted(1.0), Counted(1.001), Counted(1.001 + h));
         let x0 = SVector::from([Counted(0.3); N]);
         let (mut x1, mut x2) = (x0, x0);
-        scheme.begin(&model, t0, &x0, &mut work);
-        scheme.attempt(&model, (t0, &x0), (t1, &mut x1), &mut work).ok()?;
-        scheme.arrive(&model, (t1, &x1), &mut work);
+        scheme.begin(&mode, t0, &x0, &mut work);
+        scheme.attempt(&mode, (t0, &x0), (t1, &mut x1), &mut work).ok()?;
+        scheme.arrive(&mode, (t1, &x1), &mut work);
         let step = Step {
             t0,
             t1,
@@ -387,15 +390,15 @@ fn spent_by_radau<const N: usize>() -> Option<Operations> {
             x0,
             x1,
         };
-        scheme.accept(&model, &step, Accepted::All, &mut work);
+        scheme.accept(&mode, &step, Accepted::All, &mut work);
         // once for a doubt
-        scheme.attempt(&model, (t1, &x1), (t2, &mut x2), &mut work).ok()?;
+        scheme.attempt(&mode, (t1, &x1), (t2, &mut x2), &mut work).ok()?;
         let before = work;
         let mut arrived = false;
         let operations = spent(|| {
-            arrived = scheme.attempt(&model, (t1, &x1), (t2, &mut x2), &mut work).is_ok();
-            scheme.arrive(&model, (t2, &x2), &mut work);
-            scheme.accept(&model, &step, Accepted::All, &mut work);
+            arrived = scheme.attempt(&mode, (t1, &x1), (t2, &mut x2), &mut work).is_ok();
+            scheme.arrive(&mode, (t2, &x2), &mut work);
+            scheme.accept(&mode, &step, Accepted::All, &mut work);
         });
         let is_most = work.iterations == before.iterations + 7 && work.evaluations == before.evaluations + 7 * 3 + 2;
         (arrived && is_most).then_some(operations)

@@ -24,6 +24,7 @@ pub(super) fn along_coordinates<'g>(model: &Model<'g>, actions: &[&Action<'g>]) 
                 Action::Along(..) => g.zero(),
                 Action::Potential(potential) => -by_position.of(*potential),
                 Action::Dissipation(lost) => -by_rate.of(*lost),
+                Action::Press(force, value) => by_position.of(*value) * *force,
                 Action::Push(push) => {
                     let force = poses.direction(push.frame, push.force);
                     Vec3(place(&push.place).0.map(|x| by_position.of(x))).dot(force)
@@ -83,7 +84,7 @@ pub(super) fn wrenches<'g>(
                 push(a, pull, None);
                 push(b, -pull, None);
             }
-            Action::Along(..) | Action::Potential(_) | Action::Dissipation(_) => {}
+            Action::Along(..) | Action::Press(..) | Action::Potential(_) | Action::Dissipation(_) => {}
         }
     }
     wrenches

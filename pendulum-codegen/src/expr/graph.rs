@@ -44,6 +44,8 @@ pub enum SymbolKind {
     Acceleration(usize),
     /// A value given at each evaluation.
     Input(usize),
+    /// The force along what hinders the motion.
+    Force(usize),
     /// Time.
     Time,
     /// A component of the position of a point, until it is known in coordinates.

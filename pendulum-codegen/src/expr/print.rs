@@ -76,8 +76,13 @@ impl<'g> Printer<'g> {
             Node::Symbol(s) => {
                 let symbol = self.graph.name_and_kind(*s);
                 let of_rate = symbol.name.strip_prefix("dot(").and_then(|name| name.strip_suffix(')'));
-                match (symbol.kind, of_rate) {
+                let of_force = symbol
+                    .name
+                    .strip_prefix("force(")
+                    .and_then(|name| name.strip_suffix(')'));
+                match (symbol.kind, of_rate.or(of_force)) {
                     (SymbolKind::Rate(_), Some(coordinate)) => Formula::rate(coordinate),
+                    (SymbolKind::Force(_), Some(name)) => Formula::Call("force".to_owned(), vec![Formula::name(name)]),
                     _ => Formula::name(&symbol.name),
                 }
             }

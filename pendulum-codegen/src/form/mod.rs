@@ -4,6 +4,7 @@ mod closed;
 mod exact;
 mod kind;
 mod output;
+mod response;
 mod routines;
 mod series;
 mod taylor;
@@ -15,6 +16,7 @@ use rustc_hash::FxHashMap;
 pub(crate) use closed::Closed;
 pub(crate) use kind::{Basis, Derivatives, Form};
 pub(crate) use output::{rates, values, values_and_jacobian};
+pub(crate) use response::{measure_derivatives, measures, response, response_derivative};
 pub(crate) use routines::*;
 pub(crate) use taylor::Taylor;
 
@@ -64,6 +66,15 @@ impl<'g> Chosen<'g> {
 
 /// A form of a function, and what it computes.
 type Candidate<'g> = (Form, Vec<Expr<'g>>);
+
+/// A way to solve for the accelerations and for their derivatives.
+struct Way<'a, 'g> {
+    form: Form,
+    factored: &'a Factored<'g>,
+    accelerations: &'a [Expr<'g>],
+    /// The derivatives, column by column.
+    columns: &'a [Expr<'g>],
+}
 
 /// All forms of the dynamics of a scene.
 #[derive(Debug)]
@@ -189,6 +200,19 @@ impl<'g> Forms<'g> {
         variables: &[Expr<'g>],
         with_accelerations: bool,
     ) -> Chosen<'g> {
+        self.solutions(model, variables, |way| {
+            let accelerations = way.accelerations.iter().filter(|_| with_accelerations);
+            accelerations.chain(way.columns).copied().collect()
+        })
+    }
+
+    /// The shortest code for something that is made of the accelerations, and of their derivatives by some symbols.
+    fn solutions(
+        &mut self,
+        model: &Model<'g>,
+        variables: &[Expr<'g>],
+        roots: impl Fn(&Way<'_, 'g>) -> Vec<Expr<'g>>,
+    ) -> Chosen<'g> {
         let mut candidates = Vec::new();
         let sizes = self.forms.iter();
         let sizes = sizes.map(|(_, dynamics, _)| variables.len() * model.graph.reachable(&dynamics.entries()).len());
@@ -220,11 +244,14 @@ impl<'g> Forms<'g> {
                     for (form, accelerations) in &ways {
                         let symbols = model.coordinates.iter().map(|c| c.acceleration);
                         let known: FxHashMap<_, _> = symbols.zip(accelerations.iter().copied()).collect();
-                        let mut roots = model.graph.substitute(&solved, known);
-                        if with_accelerations {
-                            roots.splice(0..0, accelerations.iter().copied());
-                        }
-                        candidates.push((form.derived_by(*derivatives), roots));
+                        let columns = model.graph.substitute(&solved, known);
+                        let way = Way {
+                            form: form.derived_by(*derivatives),
+                            factored: &factored,
+                            accelerations,
+                            columns: &columns,
+                        };
+                        candidates.push((way.form, roots(&way)));
                     }
                 }
             }

@@ -29,7 +29,7 @@ pub(crate) fn rates<'g>(forms: &mut Forms<'g>, model: &Model<'g>, values: &[Expr
     }
     let accelerations = model.coordinates.iter().map(|c| c.acceleration);
     let solved: FxHashMap<_, _> = accelerations.zip(forms.accelerations().roots).collect();
-    let rates = model.graph.substitute(&rates, solved);
+    let rates = model.with_friction(&model.graph.substitute(&rates, solved));
     forms.choose(vec![(Form::of(Basis::Declared), rates)])
 }
 

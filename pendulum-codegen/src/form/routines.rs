@@ -72,17 +72,21 @@ pub(crate) fn momentum<'g>(forms: &mut Forms<'g>, _: &Model<'g>) -> Chosen<'g> {
 
 /// The forces that accelerations take.
 pub(crate) fn inverse_dynamics<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
-    // what inputs do is asked of inverse dynamics, not given
+    // what inputs do, and what holds the motion, is asked of inverse dynamics, not given
     let zero = model.graph.zero();
-    let without_inputs: FxHashMap<_, _> = model.input_symbols().into_iter().map(|input| (input, zero)).collect();
-    forms.part(|dynamics| model.graph.substitute(&dynamics.balance, without_inputs.clone()))
+    let given = model.input_symbols().into_iter().chain(model.force_symbols());
+    let without: FxHashMap<_, _> = given.map(|symbol| (symbol, zero)).collect();
+    forms.part(|dynamics| model.graph.substitute(&dynamics.balance, without.clone()))
 }
 
-/// The forces that the drives supply.
+/// The forces that the drives supply: with the forces along constraints that the right-hand side has by itself.
 pub(crate) fn drive_forces<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let symbols = model.coordinates.iter().map(|c| c.acceleration);
     let solved: FxHashMap<_, _> = symbols.zip(forms.accelerations().roots).collect();
-    forms.part_of_graphs(|dynamics| model.graph.substitute(&dynamics.drive, solved.clone()))
+    forms.part_of_graphs(|dynamics| {
+        let forces = model.graph.substitute(&dynamics.drive, solved.clone());
+        model.with_friction(&forces)
+    })
 }
 
 /// The positions and the momenta, and after them the rates of both.

@@ -71,9 +71,10 @@ impl<'g> Lower<'g> {
         let position = motion.of(self.graph, |k| coordinates[k].position);
         let rate = motion.of(self.graph, |k| coordinates[k].rate);
         let forces = self.forces(body, position, rate);
+        let law = self.law(body);
         let joint = [position, rate].map(|x| Printer::new(self.graph).formula(x.id()));
         let torque = body.fields.torque.as_ref().map(|torque| written(torque, Some(&joint)));
-        let ((heading, motion), geometry, forces) = (heading?, geometry?, forces?);
+        let ((heading, motion), geometry, forces, law) = (heading?, geometry?, forces?, law?);
         let mass = mass?;
         let figures = mass.as_ref().map(|mass| mass.figures.clone()).unwrap_or_default();
         let inertia = match mass {
@@ -97,6 +98,7 @@ impl<'g> Lower<'g> {
             passive: forces.passive,
             torque,
             potential: forces.potential,
+            law: law.filter(|_| geometry.screw.is_some()),
         })
     }
 
@@ -130,8 +132,14 @@ impl<'g> Lower<'g> {
                 "remove the coordinate, or give the joint an axis: `joint: revolute(z)`",
             )),
             (false, None) => {
-                let spring = body.fields.spring.as_ref().map(|(stiffness, _)| stiffness);
-                if let Some(force) = body.fields.friction.as_ref().or(spring).or(body.fields.torque.as_ref()) {
+                if let Some(stop) = &body.fields.stop {
+                    self.errors.on(
+                        &stop.tokens,
+                        format_args!("the joint of `{name}` is fixed, so it needs no stop"),
+                        "remove it, or give the joint an axis and a coordinate",
+                    );
+                }
+                if let Some(force) = body.fields.acting() {
                     self.errors.on(
                         force,
                         format_args!("the joint of `{name}` is fixed, so no force can act along it"),

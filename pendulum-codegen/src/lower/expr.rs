@@ -39,6 +39,8 @@ pub(super) enum Only {
     State,
     /// Coordinates, points and the time.
     Positions,
+    /// The same, at the gap of a wall.
+    Gap,
     /// The time.
     Time,
 }
@@ -61,6 +63,7 @@ impl Only {
                 "build it from coordinates, points, the time and parameters; \
                  write what depends on rates or inputs as `force coordinate: e`, and what is lost as `dissipation: e`"
             }
+            Self::Gap => "a gap is where bodies are: build it from coordinates, points, the time and parameters",
             Self::Time => {
                 "a driven joint follows the time: build it from `t` and parameters; \
                  a joint that moves by itself has a `coordinate`"

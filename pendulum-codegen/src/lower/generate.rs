@@ -8,15 +8,19 @@ use super::Lower;
 use crate::program;
 use crate::words;
 
+/// What a scene has that words of `generate` depend on.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Has {
+    pub(super) parameters: bool,
+    pub(super) inputs: bool,
+    pub(super) drives: bool,
+    /// Dry friction, stops or walls.
+    pub(super) conditions: bool,
+}
+
 impl Lower<'_> {
     /// What to generate.
-    pub(super) fn generate(
-        &mut self,
-        generate: Option<&[Ident]>,
-        has_parameters: bool,
-        has_inputs: bool,
-        has_drives: bool,
-    ) -> BTreeSet<&'static str> {
+    pub(super) fn generate(&mut self, generate: Option<&[Ident]>, has: Has) -> BTreeSet<&'static str> {
         let Some(list) = generate else {
             return ["rhs", "jacobian", "energy"].into();
         };
@@ -35,19 +39,27 @@ impl Lower<'_> {
                     format_args!("`{name}` is listed twice"),
                     "keep one of the two",
                 );
-            } else if word == "parameter_jacobian" && !has_parameters {
+            } else if word == "parameter_jacobian" && !has.parameters {
                 self.errors.at(
                     ident.span(),
                     "there are no parameters to derive by",
                     "declare the quantities of interest in `params { .. }`; numbers are constants",
                 );
-            } else if word == "drive_forces" && !has_drives {
+            } else if word == "drive_forces" && !has.drives {
                 self.errors.at(
                     ident.span(),
                     "no joint is driven by the time",
                     "write a motion with `t`, such as `motion: a*sin(w*t)`, or leave it out",
                 );
-            } else if has_inputs && let Some(what) = motion_under_inputs(word) {
+            } else if has.conditions && ["canonical", "taylor", "parameter_jacobian"].contains(&word) {
+                self.errors.at(
+                    ident.span(),
+                    format_args!("`{word}` is for motions without dry friction, stops and walls"),
+                    format_args!("leave out `{word}`, or write smooth laws, such as `torque: -mu*tanh(qd/eps)`"),
+                );
+            } else if has.inputs
+                && let Some(what) = motion_under_inputs(word)
+            {
                 self.errors.at(
                     ident.span(),
                     format_args!("{what} not known: their law is given after the code is written"),

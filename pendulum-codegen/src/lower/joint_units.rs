@@ -40,6 +40,11 @@ impl JointUnits {
         self.choose("rad", "m")
     }
 
+    /// That of the rate.
+    pub(super) fn rate(self) -> Option<&'static str> {
+        self.choose("rad/s", "m/s")
+    }
+
     /// That of a force along it.
     pub(super) fn force(self) -> Option<&'static str> {
         self.choose("N m", "N")

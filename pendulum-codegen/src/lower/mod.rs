@@ -2,6 +2,7 @@
 
 mod action;
 mod body;
+mod constraint;
 mod declare;
 mod expr;
 mod force;
@@ -33,7 +34,9 @@ use crate::error::{Errors, Reported};
 use crate::expr::{Derivative, Expr, Graph, SymbolKind};
 use crate::model::{BodyId, Coordinate, Figure, Model, Poses, Rule, along_motion};
 use crate::screw::Vec3;
+use constraint::hinder;
 use expr::Place;
+use generate::Has;
 use motion::Motion;
 use point::Declared;
 use scope::Names;
@@ -56,6 +59,8 @@ pub(crate) struct Spans {
     pub parameters: Vec<Span>,
     /// The name of each input.
     pub inputs: Vec<Span>,
+    /// The name of each wall.
+    pub walls: Vec<Span>,
 }
 
 /// The state of lowering one scene.
@@ -133,6 +138,12 @@ impl<'g> Lower<'g> {
             .collect();
         let bodies = self.bodies(&items.bodies, order, &all, &shapes);
         let has_drives = !drives.is_empty();
+        self.check_conditions(items);
+        let walls = self.walls(items);
+        let is_hybrid = bodies.iter().any(|body| body.law.is_some()) || !walls.is_empty();
+        if is_hybrid {
+            self.without_inputs(&items.inputs);
+        }
         let generate = items.generate.as_ref().map(|(word, list)| {
             if list.is_empty() && items.outputs.is_empty() && items.events.is_empty() {
                 let help = "write `generate: [rhs, jacobian, energy]`, or leave it out";
@@ -140,7 +151,13 @@ impl<'g> Lower<'g> {
             }
             list.as_slice()
         });
-        let generate = self.generate(generate, !parameters.is_empty(), !inputs.is_empty(), has_drives);
+        let has = Has {
+            parameters: !parameters.is_empty(),
+            inputs: !inputs.is_empty(),
+            drives: has_drives,
+            conditions: is_hybrid,
+        };
+        let generate = self.generate(generate, has);
         let points = self.points(&items.points);
         if generate.contains("shapes") {
             // what is drawn is used
@@ -162,6 +179,7 @@ impl<'g> Lower<'g> {
             bodies,
             points,
             actions,
+            constraints: Vec::new(),
             outputs: Vec::new(),
             events: Vec::new(),
             rules: Vec::new(),
@@ -169,6 +187,7 @@ impl<'g> Lower<'g> {
         };
         model.outputs = self.outputs(items, &Poses::new(&model));
         model.events = self.events(&items.events);
+        hinder(&mut model, walls);
         self.require_motion(scene, &model.coordinates);
         self.report_refused_defaults(&items.params, &model.parameters);
         self.report_unused(items);

@@ -71,8 +71,12 @@ impl<'g> Lower<'g> {
             let help = "give it either `coordinate: name`, to move by itself, or `motion: e`, to follow the time";
             self.errors.at(coordinate.span(), fact, help);
         }
-        let spring = body.fields.spring.as_ref().map(|(stiffness, _)| stiffness);
-        if let Some(force) = body.fields.friction.as_ref().or(spring).or(body.fields.torque.as_ref()) {
+        if let Some(stop) = &body.fields.stop {
+            let fact = format_args!("the joint of `{name}` is driven, so no stop can end its motion");
+            self.errors
+                .on(&stop.tokens, fact, "remove the stop, or drive the joint by a `torque`");
+        }
+        if let Some(force) = body.fields.acting() {
             let fact = format_args!("the joint of `{name}` is driven, so no force along it changes the motion");
             self.errors
                 .on(force, fact, "remove the force, or drive the joint by a `torque`");

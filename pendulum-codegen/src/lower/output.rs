@@ -111,13 +111,14 @@ impl<'g> Lower<'g> {
             let constants = places(&coordinate.to_string());
             taken.extend(constants.map(|constant| (constant, format!("coordinate `{coordinate}`"))));
         }
+        let is_hybrid = items.is_hybrid();
         for (ident, kind) in outputs.chain(events) {
             let functions = match kind {
                 "output" => program::functions_of_output(ident).to_vec(),
                 _ => program::functions_of_event(ident).to_vec(),
             };
             for function in functions {
-                let is_given = program::is_function(&function) || FACTS.contains(&function.as_str());
+                let is_given = program::is_function(&function, is_hybrid) || FACTS.contains(&function.as_str());
                 let owner = match taken.get(&function) {
                     Some(owner) => owner.as_str(),
                     None if is_given => "every model",

@@ -164,7 +164,7 @@ impl<'g> Lower<'g> {
     }
 
     /// The value of a constant that does not obey.
-    fn broken_by(&self, value: Expr<'g>, requirement: Requirement<'g>) -> Option<f64> {
+    pub(super) fn broken_by(&self, value: Expr<'g>, requirement: Requirement<'g>) -> Option<f64> {
         let scale = requirement.scale().map_or(Some(0.0), Expr::constant)?.abs();
         value.constant().filter(|&number| !requirement.allows(number, scale))
     }

@@ -33,6 +33,8 @@ pub(crate) enum Action<'g> {
     Potential(Expr<'g>),
     /// Minus the slope of a function by each rate.
     Dissipation(Expr<'g>),
+    /// A force along a value, and that value.
+    Press(Expr<'g>, Expr<'g>),
     /// A force at a place.
     Push(Push<'g>),
     /// A spring or a damper between two places `a` and `b`: the force `factor (b - a)` on the first, and its opposite on the
@@ -61,6 +63,7 @@ impl<'g> Action<'g> {
     pub(super) fn expressions(&mut self) -> Vec<&mut Expr<'g>> {
         match self {
             Self::Along(_, x, _) | Self::Potential(x) | Self::Dissipation(x) => vec![x],
+            Self::Press(force, value) => vec![force, value],
             Self::Push(push) => push.force.0.iter_mut().collect(),
             Self::Between { factor, potential, .. } => potential.iter_mut().chain([factor]).collect(),
         }

@@ -2,6 +2,7 @@
 
 mod action;
 mod combination;
+mod constraint;
 mod drive;
 mod figure;
 mod index;
@@ -15,6 +16,7 @@ use rustc_hash::FxHashMap;
 
 pub(crate) use action::{Action, Place, Push};
 pub(crate) use combination::Combination;
+pub(crate) use constraint::{Constraint, Law};
 pub(crate) use drive::Drive;
 pub(crate) use figure::Figure;
 pub use figure::FigureKind;
@@ -57,6 +59,8 @@ pub(crate) struct Model<'g> {
     pub points: Vec<Point<'g>>,
     /// What acts on the scene beside its joints.
     pub actions: Vec<Action<'g>>,
+    /// What hinders the motion: joints in the order of their bodies, then walls.
+    pub constraints: Vec<Constraint<'g>>,
     /// Quantities to evaluate.
     pub outputs: Vec<Output<'g>>,
     /// Functions whose zeros are events.
@@ -147,14 +151,16 @@ pub(crate) struct Body<'g> {
     pub inertia: SpatialInertia<'g>,
     /// How it looks.
     pub figures: Vec<Figure<'g>>,
-    /// Force of the joint along its relative coordinate: friction, spring and torque.
+    /// Force of the joint along its relative coordinate: friction, spring and torque, and whatever holds it.
     pub force: Expr<'g>,
-    /// The part of the force that is friction and spring.
+    /// The part of the force that is friction and spring, and whatever holds the joint.
     pub passive: Expr<'g>,
     /// The rest of it, the torque, as it was written.
     pub torque: Option<Formula>,
     /// Potential energy of the joint.
     pub potential: Expr<'g>,
+    /// Dry friction and stops of the joint.
+    pub law: Option<Law<'g>>,
 }
 
 /// The orientation of a body in its station: the rotation by `turn` about `axis`, after the constant rotation `rest`.

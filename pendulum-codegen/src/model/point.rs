@@ -57,7 +57,9 @@ impl<'g> Model<'g> {
         let of_actions = self.actions.iter_mut().flat_map(Action::expressions);
         let of_outputs = self.outputs.iter_mut().flat_map(|output| &mut output.values);
         let of_events = self.events.iter_mut().map(|event| &mut event.value);
+        let of_constraints = self.constraints.iter_mut().map(|constraint| &mut constraint.value);
         let places = of_bodies.chain(of_actions).chain(of_outputs).chain(of_events);
+        let places = places.chain(of_constraints);
         let places: Vec<&mut Expr<'g>> = places.collect();
         let unresolved: Vec<Expr<'g>> = places.iter().map(|place| **place).collect();
         let resolved = self.graph.substitute(&unresolved, values);

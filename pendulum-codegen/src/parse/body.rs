@@ -37,7 +37,7 @@ const PROPERTIES: [Row<Properties>; 4] = [
 ];
 
 /// The other fields of bodies.
-const BODY_FIELDS: [Row<BodyFields>; 6] = [
+const BODY_FIELDS: [Row<BodyFields>; 9] = [
     ("joint", |field, body| {
         let joint = joint(field.input, field.owner)?;
         once(&mut body.joint, joint, field.key)
@@ -47,6 +47,9 @@ const BODY_FIELDS: [Row<BodyFields>; 6] = [
     ("friction", |field, body| field.value(&mut body.friction)),
     ("spring", |field, body| field.spring(body)),
     ("torque", |field, body| field.value(&mut body.torque)),
+    ("dry_friction", |field, body| field.value(&mut body.dry_friction)),
+    ("static_friction", |field, body| field.value(&mut body.static_friction)),
+    ("stop", |field, body| field.value(&mut body.stop)),
 ];
 
 /// Whether bodies have a field of this name.

@@ -10,6 +10,7 @@ mod joint;
 mod point;
 mod solid;
 mod token;
+mod wall;
 
 pub(crate) use token::starts_item;
 
@@ -26,7 +27,7 @@ use crate::words::{self, Advice, advice};
 use token::{brackets, colon, identifier, list, starts_known, unexpected};
 
 /// The items of a scene.
-const ITEMS: [&str; 16] = [
+const ITEMS: [&str; 17] = [
     "units",
     "params",
     "gravity",
@@ -42,6 +43,7 @@ const ITEMS: [&str; 16] = [
     "dissipation",
     "output",
     "event",
+    "wall",
     "generate",
 ];
 
@@ -286,6 +288,10 @@ fn item(input: ParseStream, items: &mut Items, errors: &mut Errors) -> syn::Resu
         "point" => items.points.push(point::point(input)?),
         "output" => items.outputs.push(declare::output(input, docs)?),
         "event" => items.events.push(declare::event(input, docs)?),
+        "wall" => {
+            items.walls.push(wall::wall(input, errors)?);
+            return Ok(End::Braces);
+        }
         "force" | "spring" | "damper" | "potential" | "dissipation" => {
             items.actions.push(action::action(input, key, errors)?);
         }

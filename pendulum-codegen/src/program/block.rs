@@ -76,6 +76,8 @@ pub enum Variable {
     Time,
     /// An input.
     Input(usize),
+    /// A force along what hinders the motion.
+    Force(usize),
     /// A constant of the model.
     Constant(usize),
     /// A parameter: in the blocks that are computed once, when the model is built.

@@ -17,7 +17,7 @@ use rustc_hash::FxHashMap;
 pub use block::{Block, Coefficient, Let, Local, SinCos, Term, Variable};
 pub(crate) use build::NotFinite;
 pub use drawing::{Drawing, Outline};
-pub use equations::{Equations, Listing, Row, RowKind};
+pub use equations::{Equations, Hindrance, Listing, Row, RowKind};
 pub use layout::{Slot, SlotKind, StateLayout};
 pub(crate) use output::{functions_of_event, functions_of_output, is_function};
 pub use routine::{Argument, Cost, Routine, Shape};
@@ -66,6 +66,11 @@ pub struct Program {
     pub events: Vec<String>,
     /// The bodies whose joints are driven.
     pub drives: Vec<String>,
+    /// What hinders the motion.
+    pub constraints: Vec<Constraint>,
+    /// Of each constraint the friction that slips and that sticks, the restitution and the rate below which there is none,
+    /// then the limits that it has.
+    pub laws: Block,
     /// How the scene looks, if it asks for that.
     pub drawing: Option<Drawing>,
     /// The power series of the motion, if the scene asks for it.
@@ -85,6 +90,19 @@ pub struct Quantity {
     pub unit: String,
     /// The value of a parameter where none is given.
     pub default: Option<f64>,
+}
+
+/// Something that hinders the motion: dry friction and stops of a joint, or a wall.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Constraint {
+    /// The coordinate of the joint, or the name of the wall.
+    pub name: String,
+    /// The components of the state, and their signs, whose sum is its rate; none where it is no such sum.
+    pub rate: Vec<(usize, i8)>,
+    /// Whether it has a least value.
+    pub low: bool,
+    /// Whether it has a largest value.
+    pub high: bool,
 }
 
 /// A condition on the parameters, checked when the model is built.
@@ -140,11 +158,11 @@ impl Program {
             }
         }
         chosen.extend(output::routines(&mut forms, model));
-        let layout = match chosen.iter().find(|(head, _)| head.name == "rhs") {
-            Some((_, rhs)) => StateLayout::new(model, &rhs.roots),
-            // what decides it
-            None => StateLayout::new(model, &forms.closed().unwrap_or(dynamics).balance),
+        let deciding = match chosen.iter().find(|(head, _)| head.name == "rhs") {
+            Some((_, rhs)) => rhs.roots.clone(),
+            None => forms.closed().unwrap_or(dynamics).balance.clone(),
         };
+        let layout = StateLayout::new(model, &[deciding, model.watched()].concat());
         let series = model.generate.contains("taylor").then(|| forms.taylor(model));
         let sketch = model
             .generate
@@ -152,8 +170,9 @@ impl Program {
             .then(|| Sketch::new(&mut forms, model));
         let of_series = series.iter().flat_map(|series| [&series.start, &series.order]);
         let of_sketch = sketch.iter().map(|sketch| &sketch.chosen.roots);
+        let laws: Vec<Expr<'g>> = model.constraints.iter().flat_map(|c| c.law.numbers()).collect();
         let lists = chosen.iter().map(|(_, chosen)| &chosen.roots);
-        let constants = constants(g, lists.chain(of_series).chain(of_sketch));
+        let constants = constants(g, lists.chain(of_series).chain(of_sketch).chain([&laws]));
         let known = known(model, &constants);
         let routines = chosen
             .into_iter()
@@ -176,6 +195,8 @@ impl Program {
             outputs: model.outputs.iter().flat_map(Output::labels).collect(),
             events: model.events.iter().map(|event| event.name.clone()).collect(),
             drives: model.drives.iter().map(|drive| drive.coordinate.name.clone()).collect(),
+            constraints: model.constraints.iter().map(|c| Constraint::new(model, c)).collect(),
+            laws: block(g, &laws, &known)?,
             drawing: sketch.map(|sketch| sketch.finish(model, &known)).transpose()?,
             series: series.map(|series| Series::new(model, series, &known)).transpose()?,
             equations,
@@ -185,6 +206,17 @@ impl Program {
     /// A routine by its name.
     pub fn routine(&self, name: &str) -> Option<&Routine> {
         self.routines.iter().find(|routine| routine.name == name)
+    }
+}
+
+impl Constraint {
+    fn new<'g>(model: &Model<'g>, constraint: &model::Constraint<'g>) -> Self {
+        Self {
+            name: constraint.name.clone(),
+            rate: constraint.rate(model),
+            low: constraint.law.low.is_some(),
+            high: constraint.law.high.is_some(),
+        }
     }
 }
 
@@ -228,12 +260,14 @@ fn known<'g>(model: &Model<'g>, constants: &[Expr<'g>]) -> FxHashMap<ExprId, Var
     let state = model.state().into_iter().enumerate();
     let accelerations = model.coordinates.iter().map(|c| c.acceleration).enumerate();
     let inputs = model.input_symbols().into_iter().enumerate();
+    let forces = model.force_symbols().into_iter().enumerate();
     let constants = constants.iter().copied().enumerate();
     let state = state.map(|(n, x)| (x.id(), Variable::State(n)));
     let accelerations = accelerations.map(|(n, x)| (x.id(), Variable::Acceleration(n)));
     let inputs = inputs.map(|(n, x)| (x.id(), Variable::Input(n)));
+    let forces = forces.map(|(n, x)| (x.id(), Variable::Force(n)));
     let constants = constants.map(|(n, x)| (x.id(), Variable::Constant(n)));
-    let all = state.chain(accelerations).chain(inputs).chain(constants);
+    let all = state.chain(accelerations).chain(inputs).chain(forces).chain(constants);
     all.chain([(model.time.id(), Variable::Time)]).collect()
 }
 

@@ -25,10 +25,12 @@ const OTHERS: [&str; 16] = [
     "outputs_and_jacobian",
 ];
 
-/// Whether a model may have a function of this name, whatever its scene declares.
-pub(crate) fn is_function(name: &str) -> bool {
+/// Whether a model may have a function of this name, whatever else its scene declares; some only where something hinders
+/// the motion.
+pub(crate) fn is_function(name: &str, is_hybrid: bool) -> bool {
     let with = name.strip_suffix("_with").unwrap_or(name);
-    OTHERS.contains(&with) || ROUTINES.iter().any(|row| row.name == with)
+    let mut rows = ROUTINES.iter().filter(|row| is_hybrid || !row.is_of_constraints());
+    OTHERS.contains(&with) || rows.any(|row| row.name == with)
 }
 
 /// The functions of an output: its value, its rate, and both its value and its derivatives.

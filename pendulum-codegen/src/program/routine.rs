@@ -57,6 +57,8 @@ pub enum Argument {
     Inputs,
     /// The accelerations of the coordinates.
     Accelerations,
+    /// The forces along what hinders the motion, in a scene where something does.
+    Forces,
 }
 
 /// The shape of a result, whose lengths are of type `N`. The entries of a matrix are listed column by column.
@@ -85,6 +87,8 @@ pub(crate) enum Length {
     Parameters,
     /// The joints that are driven.
     Drives,
+    /// What hinders the motion.
+    Constraints,
 }
 
 /// What a routine is called, takes and gives.
@@ -97,6 +101,11 @@ pub(super) struct Head {
 }
 
 impl Row {
+    /// Whether it speaks of what hinders the motion.
+    pub(super) fn is_of_constraints(&self) -> bool {
+        self.shapes.contains(&Vector(Constraints))
+    }
+
     /// The head of the routine in a scene.
     pub(super) fn head(&self, model: &Model<'_>) -> Head {
         let arguments = self.arguments.iter().copied();
@@ -105,7 +114,11 @@ impl Row {
             name: self.name.to_owned(),
             doc: self.doc.to_owned(),
             arguments: arguments
-                .filter(|&argument| argument != Argument::Inputs || !model.inputs.is_empty())
+                .filter(|argument| match argument {
+                    Argument::Inputs => !model.inputs.is_empty(),
+                    Argument::Forces => model.is_hybrid(),
+                    Argument::Accelerations => true,
+                })
                 .collect(),
             shapes: shapes.map(|shape| shape.map(|length| length.of(model))).collect(),
         }
@@ -146,6 +159,7 @@ impl Length {
             Self::Inputs => model.inputs.len(),
             Self::Parameters => model.parameters.len(),
             Self::Drives => model.drives.len(),
+            Self::Constraints => model.constraints.len(),
         }
     }
 }
@@ -205,6 +219,11 @@ impl Request<'_> {
         !self.model.inputs.is_empty()
     }
 
+    /// Whether a scene gets the right-hand side.
+    fn rhs(&self) -> bool {
+        self.jacobian() || ["rhs", "canonical", "taylor"].iter().any(|word| self.asks(word))
+    }
+
     /// A scene with inputs gets the derivatives by them together with its right-hand side.
     fn jacobian(&self) -> bool {
         self.asks("jacobian") || (self.is_controlled() && self.asks("rhs"))
@@ -228,9 +247,17 @@ pub(crate) struct Row {
 /// A scene gets the routine if it asks for it by its word, whatever else it has.
 const ASKED: fn(&Request<'_>, &str) -> bool = |scene, word| scene.asks(word);
 
-use Argument::{Accelerations, Inputs};
-use Length::{Drives, Freedom, Parameters, State};
+use Argument::{Accelerations, Forces, Inputs};
+use Length::{Constraints, Drives, Freedom, Parameters, State};
 use Shape::{Matrix, Scalar, Symmetric, Vector};
+
+/// What a response holds.
+const RESPONSE: &[Shape<Length>] = &[
+    Vector(State),
+    Vector(Constraints),
+    Matrix(State, Constraints),
+    Symmetric(Constraints),
+];
 
 /// Every routine that can be generated. What is read from here: the code, its documentation and costs, and the stand-in for a
 /// scene with errors.
@@ -239,16 +266,35 @@ pub(crate) const ROUTINES: &[Row] = &[
         word: "rhs",
         name: "rhs",
         doc: "The time derivative of the state.",
-        arguments: &[Inputs],
+        arguments: &[Inputs, Forces],
         shapes: &[Vector(State)],
-        wanted: |scene, _| scene.jacobian() || ["rhs", "canonical", "taylor"].iter().any(|word| scene.asks(word)),
+        wanted: |scene, _| scene.rhs(),
         form: form::rhs,
+    },
+    Row {
+        word: "rhs",
+        name: "measures",
+        doc: "The values of what hinders the motion, and their rates.",
+        arguments: &[],
+        shapes: &[Vector(Constraints), Vector(Constraints)],
+        wanted: |scene, _| scene.rhs() && scene.model.is_hybrid(),
+        form: form::measures,
+    },
+    Row {
+        word: "rhs",
+        name: "response",
+        doc: "The time derivative of the state, the second derivatives of what hinders the motion, \
+              and what a unit of each force along it adds to the first and to the second.",
+        arguments: &[Forces],
+        shapes: RESPONSE,
+        wanted: |scene, _| scene.rhs() && scene.model.is_hybrid(),
+        form: form::response,
     },
     Row {
         word: "jacobian",
         name: "jacobian",
         doc: "The time derivative of the state, and its derivatives by the state.",
-        arguments: &[Inputs],
+        arguments: &[Inputs, Forces],
         shapes: &[Vector(State), Matrix(State, State)],
         wanted: |scene, _| scene.jacobian(),
         form: form::jacobian,
@@ -257,7 +303,7 @@ pub(crate) const ROUTINES: &[Row] = &[
         word: "jacobian",
         name: "time_derivative",
         doc: "The derivative of the right-hand side by the time.",
-        arguments: &[Inputs],
+        arguments: &[Inputs, Forces],
         shapes: &[Vector(State)],
         wanted: |scene, _| scene.jacobian() && scene.time_occurs,
         form: form::time_derivative,
@@ -270,6 +316,40 @@ pub(crate) const ROUTINES: &[Row] = &[
         shapes: &[Matrix(State, Length::Inputs)],
         wanted: |scene, _| scene.jacobian() && scene.is_controlled(),
         form: form::input_jacobian,
+    },
+    Row {
+        word: "jacobian",
+        name: "response_derivative",
+        doc: "The response with its derivatives at fixed forces: those of the right-hand side by the state, \
+              those of each second derivative, a column for each, and those of both by the time.",
+        arguments: &[Forces],
+        shapes: &[
+            RESPONSE[0],
+            RESPONSE[1],
+            RESPONSE[2],
+            RESPONSE[3],
+            Matrix(State, State),
+            Matrix(State, Constraints),
+            Vector(State),
+            Vector(Constraints),
+        ],
+        wanted: |scene, _| scene.jacobian() && scene.model.is_hybrid(),
+        form: form::response_derivative,
+    },
+    Row {
+        word: "jacobian",
+        name: "measure_derivatives",
+        doc: "The derivatives of the values of what hinders the motion, and of their rates, by the state, \
+              a column for each, and by the time.",
+        arguments: &[],
+        shapes: &[
+            Matrix(State, Constraints),
+            Matrix(State, Constraints),
+            Vector(Constraints),
+            Vector(Constraints),
+        ],
+        wanted: |scene, _| scene.jacobian() && scene.model.is_hybrid(),
+        form: form::measure_derivatives,
     },
     Row {
         word: "energy",

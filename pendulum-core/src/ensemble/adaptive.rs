@@ -68,12 +68,11 @@ where
 
     #[inline(always)]
     fn run<V: Lanes<Scalar = T>>(self) -> Result<(), Reason> {
-        let modes = self.modes();
-        if modes == Some(true) && const { V::LANES > 1 } {
+        if const { M::HYBRID && V::LANES > 1 } && self.has_plain_rates() {
             self.in_modes::<V>()
-        } else if modes.is_none() && const { !F::NARROW } {
+        } else if const { !M::HYBRID && !F::NARROW } {
             self.in_lanes::<V::Double>()
-        } else if modes.is_none() && const { V::LANES > 1 } {
+        } else if const { !M::HYBRID && V::LANES > 1 } {
             self.in_lanes::<V>()
         } else {
             alone(self.method, self.models, self.span, self.waiting, self.x, self.stopped);

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use super::check::{first_not_finite, in_lane};
-use super::{Ensemble, EnsembleError, InLanes, Stopped, alone, check_models, conclude, is_hybrid, model_of};
+use super::{Ensemble, EnsembleError, InLanes, Stopped, alone, check_models, conclude, model_of};
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::hybrid::{Hold, InMode};
@@ -63,12 +63,9 @@ where
     fn run<V: Lanes<Scalar = T>>(mut self) -> Result<(), Reason> {
         // Further lanes fill the gaps where operations wait for one another. A longer system has enough that are independent, and
         // needs the registers for itself.
-        if is_hybrid::<M, T, N>(self.models) {
-            self.alone(0..self.x.len());
-            Ok(())
-        } else if const { !F::NARROW } {
+        if const { !M::HYBRID && !F::NARROW } {
             self.in_groups::<<V::Double as Lanes>::Double>()
-        } else if const { V::LANES > 1 } {
+        } else if const { !M::HYBRID && V::LANES > 1 } {
             self.in_groups::<V>()
         } else {
             self.alone(0..self.x.len());

@@ -9,7 +9,7 @@ use super::members::Members;
 use super::{InLanes, Stopped, model_of};
 use crate::dense::Step;
 use crate::error::Reason;
-use crate::hybrid::{Hold, InMode, MOST, Status, room};
+use crate::hybrid::{Hold, Hybrid, InMode, MOST, Status, room};
 use crate::method::{Failure, Method, Modes, OneStep, Progress, Scheme, StepControl, Stepper};
 use crate::real::lanes::{LaneElement, Lanes};
 use crate::statistics::Statistics;
@@ -21,17 +21,15 @@ where
     M: Cast<N>,
     T: LaneElement,
 {
-    /// Whether the models are hybrid, and if so, whether all rates that may be hindered are sums of components of the
-    /// state, so that lanes can tell where they stay away from zero.
-    pub(super) fn modes(&self) -> Option<bool> {
-        let model = self.models.first()?.cast::<T>();
-        let hybrid = model.hybrid()?;
-        Some(
-            hybrid
-                .constraints()
-                .iter()
-                .all(|constraint| !constraint.rate.is_empty()),
-        )
+    /// Whether all rates that may be hindered are sums of components of the state, so that lanes can tell where they
+    /// stay away from zero.
+    pub(super) fn has_plain_rates(&self) -> bool {
+        let model = self.models.first().map(Cast::cast::<T>);
+        let constraints = model
+            .as_ref()
+            .and_then(System::hybrid)
+            .map_or(&[][..], Hybrid::constraints);
+        constraints.iter().all(|constraint| !constraint.rate.is_empty())
     }
 
     #[inline(always)]

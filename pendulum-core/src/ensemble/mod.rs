@@ -18,7 +18,7 @@ use crate::error::{Reason, debug_as_display};
 use crate::method::{Method, require};
 use crate::real::Float;
 use crate::real::lanes::{Isa, LaneElement};
-use crate::system::{Cast, System};
+use crate::system::Cast;
 
 /// A method that integrates many trajectories at a time.
 pub trait Ensemble<M, T: LaneElement, const N: usize> {
@@ -177,11 +177,6 @@ fn alone<A, M, T, const N: usize>(
         };
         stopped.extend(reason.map(|reason| Stopped { index, t, reason }));
     }
-}
-
-/// Whether the models are hybrid: each trajectory has modes of its own, and is integrated alone.
-fn is_hybrid<M: Cast<N>, T: Float, const N: usize>(models: &[M]) -> bool {
-    models.first().is_some_and(|model| model.cast::<T>().hybrid().is_some())
 }
 
 /// The model of trajectory `i`.

@@ -45,6 +45,7 @@ impl Scene<'_> {
             Variable::Acceleration(n) => (format!("qdd_{}", coordinates[n]), format!("qdd[{n}]")),
             Variable::Time => ("t".to_owned(), "t".to_owned()),
             Variable::Input(n) => (format!("u_{}", inputs[n]), format!("u->{}", inputs[n])),
+            Variable::Force(n) => listed("f", n, "forces"),
             Variable::Constant(n) => listed("k", n, "model->k"),
             Variable::Parameter(n) => (format!("p_{}", parameters[n]), format!("params->{}", parameters[n])),
             Variable::Series(Coefficient::Order) => ("order_k".to_owned(), "(double)k".to_owned()),

@@ -37,6 +37,7 @@ impl Scene<'_> {
     fn prototype(&self, routine: &Routine) -> String {
         let arguments = routine.arguments.iter().map(|argument| match argument {
             Argument::Inputs => ", const @name@_inputs *u".to_owned(),
+            Argument::Forces => format!(", const double forces[{}]", self.program.constraints.len()),
             Argument::Accelerations => format!(", const double qdd[{}]", self.program.layout.dof()),
         });
         let results = outs(routine).map(|(out, shape)| match shape {

@@ -34,6 +34,7 @@ impl Names<'_> {
             Variable::Acceleration(n) => local(&format!("qdd_{}", slots[n].name)),
             Variable::Time => format_ident!("t"),
             Variable::Input(n) => local(&format!("u_{}", program.inputs[n].name)),
+            Variable::Force(n) => local(&format!("f{n}")),
             Variable::Constant(n) => local(&format!("k{n}")),
             Variable::Parameter(n) => local(&format!("p_{}", program.parameters[n].name)),
             Variable::Series(coefficient) => match coefficient {

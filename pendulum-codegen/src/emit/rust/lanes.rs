@@ -27,9 +27,16 @@ impl Items<'_> {
             quote!(::pendulum_core::real::Real),
             quote!(::pendulum_core::real::lanes::Lanes),
         );
+        let is_hybrid = !self.program.constraints.is_empty();
+        let hybrid = is_hybrid.then(|| {
+            quote!(
+                const HYBRID: bool = true;
+            )
+        });
         Some(quote! {
             #allowed
             impl ::pendulum_core::#of_trait for #name {
+                #hybrid
                 type In<T: #real> = #name<T>;
 
                 fn cast<T: #real>(&self) -> #name<T> {

@@ -8,6 +8,7 @@ mod block;
 mod build;
 mod drawing;
 mod facts;
+mod hybrid;
 mod lanes;
 mod routines;
 mod series;

@@ -11,12 +11,14 @@ use super::{Items, allowed, count};
 use crate::program::{Argument, Block, Routine, Shape, Variable};
 
 /// The traits that have routines as their methods. Every other routine is a method of its own.
-const TRAITS: [(&str, &[&str]); 5] = [
+const TRAITS: [(&str, &[&str]); 7] = [
     ("System", &["rhs"]),
     ("Jacobian", &["jacobian", "time_derivative"]),
     ("Controlled", &["rhs", "jacobian", "input_jacobian", "time_derivative"]),
     ("Canonical", &["canonical", "canonical_jacobian"]),
     ("Energy", &["kinetic", "potential"]),
+    ("Hybrid", &["measures", "response"]),
+    ("HybridJacobian", &["response_derivative", "measure_derivatives"]),
 ];
 
 /// Whether a routine is a method of the type itself.
@@ -27,7 +29,9 @@ pub(super) fn is_inherent(name: &str) -> bool {
 impl Items<'_> {
     /// The implementations of the traits, and the methods beside them.
     pub(super) fn routines(&self) -> TokenStream {
-        let motion = if self.program.inputs.is_empty() {
+        let motion = if !self.program.constraints.is_empty() {
+            self.hybrid()
+        } else if self.program.inputs.is_empty() {
             self.system()
         } else {
             self.controlled()
@@ -41,7 +45,7 @@ impl Items<'_> {
     }
 
     /// `impl Trait<T, N> for Model<T>`, or the inherent `impl Model<T>`.
-    fn implement(&self, of_trait: Option<TokenStream>, items: &TokenStream) -> TokenStream {
+    pub(super) fn implement(&self, of_trait: Option<TokenStream>, items: &TokenStream) -> TokenStream {
         let (name, allowed) = (&self.head.name, allowed());
         let of_trait = of_trait.map(|of_trait| quote!(#of_trait for));
         quote! {
@@ -51,7 +55,7 @@ impl Items<'_> {
     }
 
     /// A trait over the length of the state.
-    fn named(&self, name: &str) -> TokenStream {
+    pub(super) fn named(&self, name: &str) -> TokenStream {
         let (name, length) = (format_ident!("{name}"), self.length());
         quote!(::pendulum_core::#name<T, #length>)
     }
@@ -76,7 +80,7 @@ impl Items<'_> {
             let arguments = self.arguments(routine);
             let matrix = self.shape(routine.shapes[1]);
             let both = self.function(&format_ident!("rhs_and_jacobian"), routine);
-            let time_derivative = self.time_derivative("time_derivative", &arguments);
+            let time_derivative = self.time_derivative("time_derivative", &arguments, TokenStream::new());
             let functions = quote! {
                 #[inline]
                 fn jacobian(#arguments) -> #matrix {
@@ -93,7 +97,7 @@ impl Items<'_> {
     }
 
     /// The method of `System` that returns the layout of the state.
-    fn layout(&self) -> TokenStream {
+    pub(super) fn layout(&self) -> TokenStream {
         let name = &self.head.name;
         quote! {
             #[inline]
@@ -103,13 +107,18 @@ impl Items<'_> {
         }
     }
 
-    /// The derivative of the right-hand side by the time; zeros where that does not occur.
-    fn time_derivative(&self, name: &str, arguments: &TokenStream) -> TokenStream {
+    /// The derivative of the right-hand side by the time, from what is `given` and some statements; zeros where that does
+    /// not occur.
+    pub(super) fn time_derivative(&self, name: &str, arguments: &TokenStream, given: TokenStream) -> TokenStream {
         let name = format_ident!("{name}");
         let state = Shape::Vector(self.program.layout.len());
         let vector = self.shape(state);
         let block = match self.program.routine("time_derivative") {
-            Some(routine) => self.block(&routine.block, |values| value(state, values)),
+            Some(routine) if given.is_empty() => self.block(&routine.block, |values| value(state, values)),
+            Some(routine) => {
+                let block = self.block(&routine.block, |values| value(state, values));
+                quote!({ #given #block })
+            }
             None => {
                 let zeros = value(state, &vec![number(0.0); state.len()]);
                 quote!({ #zeros })
@@ -138,7 +147,7 @@ impl Items<'_> {
             &format_ident!("input_jacobian"),
             self.program.routine("input_jacobian")?,
         );
-        let by_time = self.time_derivative("time_derivative_with", &arguments);
+        let by_time = self.time_derivative("time_derivative_with", &arguments, TokenStream::new());
         let functions = quote! {
             type Inputs = #name<T>;
             #[inline]
@@ -229,7 +238,7 @@ impl Items<'_> {
     }
 
     /// A routine as a function.
-    fn function(&self, name: &Ident, routine: &Routine) -> TokenStream {
+    pub(super) fn function(&self, name: &Ident, routine: &Routine) -> TokenStream {
         let arguments = self.arguments(routine);
         let shapes: Vec<TokenStream> = routine.shapes.iter().map(|&shape| self.shape(shape)).collect();
         let output = match shapes.as_slice() {
@@ -240,7 +249,7 @@ impl Items<'_> {
         quote!(fn #name(#arguments) -> #output #block)
     }
 
-    fn arguments(&self, routine: &Routine) -> TokenStream {
+    pub(super) fn arguments(&self, routine: &Routine) -> TokenStream {
         let state = self.shape(Shape::Vector(self.program.layout.len()));
         let mut arguments = quote!(&self, t: T, x: &#state);
         for argument in &routine.arguments {
@@ -249,6 +258,7 @@ impl Items<'_> {
                     let inputs = self.inputs_name();
                     quote!(, u: &#inputs<T>)
                 }
+                Argument::Forces => quote!(, forces: &[T; ::pendulum_core::hybrid::MOST]),
                 Argument::Accelerations => {
                     let vector = self.shape(Shape::Vector(self.program.layout.dof()));
                     quote!(, qdd: &#vector)
@@ -258,7 +268,8 @@ impl Items<'_> {
         arguments
     }
 
-    /// A block that computes from the state `x`, the time `t`, the inputs `u`, the accelerations `qdd` and the constants of the model.
+    /// A block that computes from the state `x`, the time `t`, the inputs `u`, the
+    /// accelerations `qdd`, the `forces` along constraints and the constants of the model.
     pub(super) fn block(&self, block: &Block, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
         let (reads, names) = (block.reads(), self.names());
         let pattern = |variables: &mut dyn Iterator<Item = Variable>| {
@@ -274,6 +285,12 @@ impl Items<'_> {
         if reads.iter().any(|read| matches!(read, Variable::Acceleration(_))) {
             let accelerations = pattern(&mut (0..self.program.layout.dof()).map(Variable::Acceleration));
             head.extend(quote!(let #accelerations = qdd.data.0[0];));
+        }
+        for n in 0..self.program.constraints.len() {
+            if reads.contains(&Variable::Force(n)) {
+                let (name, place) = (names.variable(Variable::Force(n)), count(n));
+                head.extend(quote!(let #name = forces[#place];));
+            }
         }
         for (n, input) in self.program.inputs.iter().enumerate() {
             if reads.contains(&Variable::Input(n)) {
@@ -328,7 +345,7 @@ fn result(shapes: &[Shape<usize>], mut values: &[Piece]) -> TokenStream {
 }
 
 /// A value of a shape from its entries.
-fn value(shape: Shape<usize>, values: &[impl ToTokens]) -> TokenStream {
+pub(super) fn value(shape: Shape<usize>, values: &[impl ToTokens]) -> TokenStream {
     match shape {
         Shape::Scalar => quote!(#(#values)*),
         Shape::Vector(_) => quote!(::pendulum_core::nalgebra::SVector::from([#(#values),*])),

@@ -54,6 +54,7 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
         let name = format_ident!("{}", row.name);
         let arguments = row.arguments.iter().filter_map(|argument| match argument {
             Argument::Inputs => (!items.inputs.is_empty()).then(|| quote!(, _: &#inputs<T>)),
+            Argument::Forces => None,
             Argument::Accelerations => Some(quote!(, _: &#matrix<T, D, 1>)),
         });
         let arguments: TokenStream = arguments.collect();
@@ -66,6 +67,7 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             Length::Freedom => quote!(#dof),
             Length::Inputs => count(items.inputs.len()).into_token_stream(),
             Length::Parameters => count(items.params.len()).into_token_stream(),
+            Length::Constraints => count(0).into_token_stream(),
             Length::Drives => count(outputs::drives(items)).into_token_stream(),
         };
         let results = row.shapes.iter().map(|shape| match shape.map(length) {

@@ -4,11 +4,11 @@ use std::collections::BTreeSet;
 
 use super::names::name_parts;
 use super::torques::Torques;
-use super::{Equations, Listing, Row, RowKind};
+use super::{Equations, Hindrance, Listing, Row, RowKind};
 use crate::dynamics::Dynamics;
 use crate::expr::{Expr, Formula, Normalizer, Printer, Summand};
 use crate::form::expanded;
-use crate::model::Model;
+use crate::model::{Constraint, Law, Model};
 use crate::pass::{Preference, nest};
 
 /// How many products of terms the closed form of the text may take.
@@ -44,6 +44,7 @@ pub(crate) fn equations<'g>(
         composer.closed = composer.expanded(&composer.recursion.clone(), Preference::Expanded);
     }
     Equations {
+        hindrances: composer.hindrances(),
         coordinates: model.coordinate_names().into_iter().map(str::to_owned).collect(),
         driven: !model.drives.is_empty(),
         acted: !model.actions.is_empty(),
@@ -95,6 +96,47 @@ impl<'g> Composer<'_, 'g> {
             Some(entries) if !is_endless(&entries) => self.listing(&entries, false, false),
             _ => best(self.named(&self.recursion, &force, false, RECURSIVE)),
         }
+    }
+
+    /// What hinders the motion, and how.
+    fn hindrances(&mut self) -> Vec<Hindrance> {
+        let values = self.shorter(&self.model.with_drives(&self.model.constraint_values()));
+        let printer = Printer::new(self.model.graph);
+        let formula = |x: Expr<'g>| printer.short(x.id());
+        let hindrance = |(constraint, value): (&Constraint<'g>, Expr<'g>)| {
+            let Law {
+                slipping,
+                sticking,
+                low,
+                high,
+                restitution,
+                slow,
+            } = constraint.law;
+            let mut law = Vec::new();
+            if !sticking.is_zero() {
+                law.push(("dry friction of", formula(slipping)));
+                law.extend((sticking != slipping).then(|| (", at rest up to", formula(sticking))));
+            }
+            let separator = if law.is_empty() {
+                ["stops at", "a wall at the zero of"]
+            } else {
+                ["; stops at", ""]
+            };
+            match (low, high) {
+                (Some(low), Some(high)) => law.extend([(separator[0], formula(low)), (" and", formula(high))]),
+                (Some(_), None) => law.push((separator[1], formula(value))),
+                _ => {}
+            }
+            if low.is_some() {
+                law.push((", restitution", formula(restitution)));
+                law.extend((!slow.is_zero()).then(|| (" from a rate of", formula(slow))));
+            }
+            Hindrance {
+                force: formula(constraint.force),
+                law,
+            }
+        };
+        self.model.constraints.iter().zip(values).map(hindrance).collect()
     }
 
     /// Forces written out, unless that is too long.

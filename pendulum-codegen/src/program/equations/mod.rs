@@ -26,6 +26,17 @@ pub struct Equations {
     pub short: Listing,
     /// The same equations, in which torques are multiplied out.
     pub full: Listing,
+    /// What hinders the motion.
+    pub hindrances: Vec<Hindrance>,
+}
+
+/// Something that hinders the motion.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Hindrance {
+    /// The force along it, as it stands in the equations.
+    pub force: Formula,
+    /// What it does: words, each with the formula after them.
+    pub law: Vec<(&'static str, Formula)>,
 }
 
 /// Entries of the equations, and what the names in them stand for.
@@ -97,7 +108,15 @@ impl Display for Equations {
         let [b, q] = self.sides();
         writeln!(f, "A qdd + b = Q, where A is symmetric, b holds {b}, Q {q}\n")?;
         let listing = if f.alternate() { &self.full } else { &self.short };
-        Display::fmt(listing, f)
+        Display::fmt(listing, f)?;
+        if !self.hindrances.is_empty() {
+            f.write_str("\nand along what hinders the motion\n")?;
+        }
+        for Hindrance { force, law } in &self.hindrances {
+            let law = law.iter().map(|(words, formula)| format!("{words} {formula}"));
+            writeln!(f, "{force}: {}", law.collect::<String>())?;
+        }
+        Ok(())
     }
 }
 
@@ -128,6 +147,12 @@ impl Equations {
             text.push_str("where\n");
         }
         text.push_str(&latex_definitions(&self.short.definitions));
+        for Hindrance { force, law } in &self.hindrances {
+            let law = law
+                .iter()
+                .map(|(words, formula)| format!("{words} ${}$", formula.latex()));
+            text.push_str(&format!("Along ${}$: {}.\n", force.latex(), law.collect::<String>()));
+        }
         text
     }
 }

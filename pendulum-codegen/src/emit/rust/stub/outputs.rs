@@ -13,7 +13,7 @@ use crate::program::{functions_of_event, functions_of_output, is_function};
 pub(super) fn functions(items: &Items, inputs: &Ident) -> TokenStream {
     // a name that is declared twice is a function once
     let mut known: BTreeSet<String> = BTreeSet::new();
-    let mut fresh = |name: &String| !is_function(name) && known.insert(name.clone());
+    let mut fresh = |name: &String| !is_function(name, items.is_hybrid()) && known.insert(name.clone());
     let inputs = (!items.inputs.is_empty()).then(|| quote!(, _: &#inputs<T>));
     let given = |output: &Output| inputs.clone().filter(|_| has_rates(items, output)).unwrap_or_default();
     let (matrix, zero) = (quote!(::pendulum_core::nalgebra::SMatrix), quote!(T::from_f64(0.0)));

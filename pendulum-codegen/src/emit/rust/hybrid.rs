@@ -1,0 +1,305 @@
+//! Models whose motion something hinders.
+
+use proc_macro2::{Literal, TokenStream};
+use quote::{ToTokens, format_ident, quote};
+
+use super::block::Piece;
+use super::lanes::inlined_into_lanes;
+use super::routines::value;
+use super::{Items, count};
+use crate::program::{Constraint, Routine, Shape};
+
+impl Items<'_> {
+    /// The motion in all its modes.
+    pub(super) fn hybrid(&self) -> Option<TokenStream> {
+        let (inline, length, layout) = (inlined_into_lanes(), self.length(), self.layout());
+        let core = quote!(::pendulum_core::hybrid);
+        let rhs = self.function(&format_ident!("rhs_under"), self.program.routine("rhs")?);
+        let vector = self.shape(Shape::Vector(self.program.layout.len()));
+        let hold = quote!(&self, hold: &#core::Hold<T>, t: T, x: &#vector);
+        let friction = self.friction();
+        let system = quote! {
+            #inline
+            fn rhs(&self, t: T, x: &#vector) -> #vector {
+                #friction
+                #core::Hybrid::rhs_under(self, t, x, &forces)
+            }
+            #layout
+            #[inline]
+            fn hybrid(&self) -> ::core::option::Option<&dyn #core::Hybrid<T, #length>> {
+                Some(self)
+            }
+            #[inline]
+            fn rhs_in(#hold) -> #vector {
+                #core::rhs(self, hold, t, x)
+            }
+        };
+        let system = self.implement(Some(self.named("System")), &system);
+        let [constraints, laws, measures] = [self.constraint_list(), self.laws(), self.measures()?];
+        let response = self.of_response(self.program.routine("response")?, |values| self.response(values));
+        let of_modes = quote! {
+            #[inline]
+            fn constraints(&self) -> &'static [#core::Constraint] {
+                const { &[#constraints] }
+            }
+            #[inline]
+            fn laws(&self) -> [#core::Law<T>; #core::MOST] #laws
+            #[inline]
+            fn measures(&self, t: T, x: &#vector) -> [[T; 2]; #core::MOST] #measures
+            #inline
+            #rhs
+            #[inline]
+            #response
+        };
+        let of_modes = self.implement(Some(quote!(#core::Hybrid<T, #length>)), &of_modes);
+        let jacobian = self.hybrid_jacobian(&hold);
+        Some(quote!(#system #of_modes #jacobian))
+    }
+
+    /// The derivatives in all modes, if the scene asks for them.
+    fn hybrid_jacobian(&self, hold: &TokenStream) -> Option<TokenStream> {
+        let (core, length, friction) = (quote!(::pendulum_core::hybrid), self.length(), self.friction());
+        let (jacobian, derivative) = (
+            self.program.routine("jacobian")?,
+            self.program.routine("response_derivative")?,
+        );
+        let [vector, matrix] = [0, 1].map(|n| self.shape(jacobian.shapes[n]));
+        let given = quote!(&self, t: T, x: &#vector);
+        let by_time = self.time_derivative("time_derivative", &given, friction.clone());
+        let functions = quote! {
+            #[inline]
+            fn jacobian(#given) -> #matrix {
+                self.rhs_and_jacobian(t, x).1
+            }
+            #[inline]
+            fn rhs_and_jacobian(#given) -> (#vector, #matrix) {
+                #friction
+                #core::HybridJacobian::rhs_and_jacobian_under(self, t, x, &forces)
+            }
+            #[inline]
+            #by_time
+            #[inline]
+            fn hybrid_jacobian(&self) -> ::core::option::Option<&dyn #core::HybridJacobian<T, #length>> {
+                Some(self)
+            }
+            #[inline]
+            fn jacobian_in(#hold) -> #matrix {
+                #core::jacobian(self, hold, t, x)
+            }
+            #[inline]
+            fn rhs_and_jacobian_in(#hold) -> (#vector, #matrix) {
+                #core::rhs_and_jacobian(self, hold, t, x)
+            }
+            #[inline]
+            fn time_derivative_in(#hold) -> #vector
+            where
+                T: ::pendulum_core::Float,
+            {
+                #core::time_derivative(self, hold, t, x)
+            }
+        };
+        let of_system = self.implement(Some(self.named("Jacobian")), &functions);
+        let both = self.function(&format_ident!("rhs_and_jacobian_under"), jacobian);
+        let derivative = self.of_response(derivative, |values| self.response_derivative(values));
+        let of_measures = self.measure_derivatives()?;
+        let of_measures = quote! {
+            #[inline]
+            fn measure_derivatives(&self, t: T, x: &#vector) -> #core::MeasureDerivatives<T, #length> #of_measures
+        };
+        let functions = quote!(#[inline] #both #[inline] #derivative #of_measures);
+        let of_modes = self.implement(Some(quote!(#core::HybridJacobian<T, #length>)), &functions);
+        Some(quote!(#of_system #of_modes))
+    }
+
+    /// A statement for the forces where friction acts by the sign of each rate, and nothing else does.
+    fn friction(&self) -> TokenStream {
+        let (core, length, count) = (
+            quote!(::pendulum_core::hybrid),
+            self.length(),
+            count(self.program.constraints.len()),
+        );
+        quote! {
+            let (laws, measures) = (
+                #core::Hybrid::<T, #length>::laws(self),
+                #core::Hybrid::<T, #length>::measures(self, t, x),
+            );
+            let mut forces = [T::from_f64(0.0); #core::MOST];
+            for n in 0..#count {
+                forces[n] = -laws[n].slipping * measures[n][1].signum();
+            }
+        }
+    }
+
+    fn constraint_list(&self) -> TokenStream {
+        let constraint = |Constraint { name, rate, .. }: &Constraint| {
+            let rate = rate.iter().map(|&(component, sign)| {
+                let (component, sign) = (count(component), Literal::i8_unsuffixed(sign));
+                quote!((#component, #sign))
+            });
+            quote!(::pendulum_core::hybrid::Constraint { name: #name, rate: &[#(#rate),*] })
+        };
+        let constraints = self.program.constraints.iter().map(constraint);
+        quote!(#(#constraints),*)
+    }
+
+    fn laws(&self) -> TokenStream {
+        let constants = self.constants(&self.program.laws.reads());
+        let code = self.names().code(&self.program.laws, |mut values| {
+            let laws = self.program.constraints.iter().enumerate().map(|(n, constraint)| {
+                let mut next = || {
+                    let (first, rest) = values.split_first().expect("a number for each");
+                    values = rest;
+                    first.to_token_stream()
+                };
+                let [slipping, sticking, restitution, slow] = [(); 4].map(|()| next());
+                let [low, high] = [constraint.low, constraint.high].map(|is_limited| match is_limited {
+                    true => {
+                        let limit = next();
+                        quote!(Some(#limit))
+                    }
+                    false => quote!(None),
+                });
+                let n = count(n);
+                quote! {
+                    laws[#n] = ::pendulum_core::hybrid::Law {
+                        slipping: #slipping,
+                        sticking: #sticking,
+                        low: #low,
+                        high: #high,
+                        restitution: #restitution,
+                        slow: #slow,
+                    };
+                }
+            });
+            let laws: TokenStream = laws.collect();
+            quote! {
+                let mut laws = [::pendulum_core::hybrid::Law::default(); ::pendulum_core::hybrid::MOST];
+                #laws
+                laws
+            }
+        });
+        quote!({ #constants #code })
+    }
+
+    fn measures(&self) -> Option<TokenStream> {
+        let routine = self.program.routine("measures")?;
+        Some(self.block(&routine.block, |values| {
+            let (values, rates) = values.split_at(self.program.constraints.len());
+            let number = (0..values.len()).map(count);
+            quote! {
+                let mut measures = [[T::from_f64(0.0); 2]; ::pendulum_core::hybrid::MOST];
+                #(measures[#number] = [#values, #rates];)*
+                measures
+            }
+        }))
+    }
+
+    fn measure_derivatives(&self) -> Option<TokenStream> {
+        let routine = self.program.routine("measure_derivatives")?;
+        Some(self.block(&routine.block, |entries| {
+            let (length, rows) = (self.program.layout.len(), self.program.constraints.len());
+            let (by_state, by_time) = entries.split_at(2 * length * rows);
+            let gradients: Vec<TokenStream> = by_state.chunks(length).map(vector).collect();
+            let rows = (0..rows).map(|n| {
+                let [values, rates] = [0, 1].map(|which| &gradients[which * rows + n]);
+                let [value, rate] = [0, 1].map(|which| &by_time[which * rows + n]);
+                let n = count(n);
+                quote! {
+                    derivatives.by_state[#n] = [#values, #rates];
+                    derivatives.by_time[#n] = [#value, #rate];
+                }
+            });
+            let rows: TokenStream = rows.collect();
+            let length = count(length);
+            quote! {
+                let zero = T::from_f64(0.0);
+                let mut derivatives = ::pendulum_core::hybrid::MeasureDerivatives {
+                    by_state: [[::pendulum_core::nalgebra::SVector::from([zero; #length]); 2];
+                        ::pendulum_core::hybrid::MOST],
+                    by_time: [[zero; 2]; ::pendulum_core::hybrid::MOST],
+                };
+                #rows
+                derivatives
+            }
+        }))
+    }
+
+    /// A method that returns a response.
+    fn of_response(&self, routine: &Routine, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
+        let (arguments, length) = (self.arguments(routine), self.length());
+        let core = quote!(::pendulum_core::hybrid);
+        let (name, output) = match routine.name.as_str() {
+            "response" => (quote!(response), quote!(#core::Response<T, #length>)),
+            _ => (
+                quote!(response_derivative),
+                quote!(#core::ResponseDerivative<T, #length>),
+            ),
+        };
+        let block = self.block(&routine.block, result);
+        quote!(fn #name(#arguments) -> #output #block)
+    }
+
+    /// Statements that gather a response, and it.
+    fn response(&self, values: &[Piece]) -> TokenStream {
+        let (length, rows) = (self.program.layout.len(), self.program.constraints.len());
+        let (rates, values) = values.split_at(length);
+        let (accelerations, values) = values.split_at(rows);
+        let (columns, triangle) = values.split_at(length * rows);
+        let rates = vector(rates);
+        let (columns, number) = (columns.chunks(length).map(vector), (0..rows).map(count));
+        let number = number.collect::<Vec<_>>();
+        let places = (0..rows).flat_map(|i| (i..rows).map(move |j| (i, j)));
+        let entries = places.zip(triangle).map(|((i, j), entry)| {
+            let (row, column) = (count(i), count(j));
+            if i == j {
+                quote!(response.matrix[#row][#column] = #entry;)
+            } else {
+                quote! {
+                    response.matrix[#row][#column] = #entry;
+                    response.matrix[#column][#row] = response.matrix[#row][#column];
+                }
+            }
+        });
+        quote! {
+            let mut response = ::pendulum_core::hybrid::Response::new(#rates);
+            #(response.accelerations[#number] = #accelerations;)*
+            #(response.columns[#number] = #columns;)*
+            #(#entries)*
+            response
+        }
+    }
+
+    fn response_derivative(&self, values: &[Piece]) -> TokenStream {
+        let (length, rows) = (self.program.layout.len(), self.program.constraints.len());
+        let of_response = length + rows + length * rows + rows * (rows + 1) / 2;
+        let (own, values) = values.split_at(of_response);
+        let response = self.response(own);
+        let (rates, values) = values.split_at(length * length);
+        let (gradients, values) = values.split_at(length * rows);
+        let (by_time, of_rows) = values.split_at(length);
+        let rates = value(Shape::Matrix(length, length), rates);
+        let (gradients, by_time) = (gradients.chunks(length).map(vector), vector(by_time));
+        let number = (0..rows).map(count).collect::<Vec<_>>();
+        let length = count(length);
+        quote! {
+            let response = { #response };
+            let zero = T::from_f64(0.0);
+            let mut accelerations =
+                [::pendulum_core::nalgebra::SVector::from([zero; #length]); ::pendulum_core::hybrid::MOST];
+            #(accelerations[#number] = #gradients;)*
+            let mut accelerations_by_time = [zero; ::pendulum_core::hybrid::MOST];
+            #(accelerations_by_time[#number] = #of_rows;)*
+            ::pendulum_core::hybrid::ResponseDerivative {
+                response,
+                rates: #rates,
+                accelerations,
+                rates_by_time: #by_time,
+                accelerations_by_time,
+            }
+        }
+    }
+}
+
+fn vector(values: &[Piece]) -> TokenStream {
+    value(Shape::Vector(values.len()), values)
+}

@@ -1,0 +1,183 @@
+//! What forces along constraints do: one factored mass matrix, with what is pushed along as further right-hand sides.
+
+use rustc_hash::FxHashMap;
+
+use super::{Basis, Candidate, Chosen, Forms, Preference, Way, expanded, factorings};
+use crate::dynamics::{Factored, derived};
+use crate::expr::{Derivative, Expr, Normalizer};
+use crate::model::Model;
+
+/// The rates of constraints are `J qd + w`; this is what their second derivatives `J qdd + h` are made of.
+#[derive(Clone, Debug)]
+struct Rows<'g> {
+    /// `J`: the gradient of each by the coordinates.
+    gradients: Vec<Vec<Expr<'g>>>,
+    /// `h`: the second derivative of each where the coordinates do not accelerate.
+    drifts: Vec<Expr<'g>>,
+}
+
+impl<'g> Rows<'g> {
+    fn new(model: &Model<'g>) -> Self {
+        let values = model.constraint_values();
+        let gradients = derived(&values, &model.positions());
+        let mut along = model.along_motion();
+        let rates: Vec<Expr<'g>> = values.iter().map(|&value| along.of(value)).collect();
+        let of_state = model.coordinates.iter().map(|c| (c.position, c.rate));
+        let driven = model.drives.iter().map(|drive| &drive.coordinate);
+        let driven = driven.flat_map(|c| [(c.position, c.rate), (c.rate, c.acceleration)]);
+        let time = [(model.time, model.graph.one())];
+        let mut along = Derivative::along(of_state.chain(driven).chain(time));
+        let drifts: Vec<Expr<'g>> = rates.into_iter().map(|rate| along.of(rate)).collect();
+        let gradient = |n: usize| gradients.iter().map(|column| column[n]).collect::<Vec<_>>();
+        Self {
+            gradients: (0..values.len()).map(|n| model.with_drives(&gradient(n))).collect(),
+            drifts: model.with_drives(&drifts),
+        }
+    }
+
+    /// The same in the form of a basis.
+    fn on(&self, normalizer: &mut Normalizer<'g>, basis: Basis) -> Self {
+        let columns = [&self.gradients[..], &[self.drifts.clone()]].concat();
+        let short = match basis {
+            Basis::Closed(preference) => expanded(normalizer, &columns, preference),
+            _ => None,
+        };
+        let mut gradients = short.unwrap_or(columns);
+        let drifts = gradients.pop().unwrap_or_default();
+        Self { gradients, drifts }
+    }
+
+    /// `J qdd + h` for accelerations.
+    fn accelerations(&self, of_state: &[Expr<'g>]) -> Vec<Expr<'g>> {
+        let rows = self.gradients.iter().zip(&self.drifts);
+        rows.map(|(gradient, &drift)| dot(gradient, of_state) + drift).collect()
+    }
+
+    /// For accelerations under the forces at hand the right-hand side, the second derivatives of the constraints, what a
+    /// unit of each force adds to the right-hand side, and what it adds to them, as an upper triangle.
+    fn response(&self, model: &Model<'g>, factored: &Factored<'g>, accelerations: &[Expr<'g>]) -> Vec<Expr<'g>> {
+        let still = vec![model.graph.zero(); model.dof()];
+        let column = |gradient: &Vec<Expr<'g>>| {
+            let against: Vec<Expr<'g>> = gradient.iter().map(|&x| -x).collect();
+            factored.solve_negated(&against)
+        };
+        let columns: Vec<Vec<Expr<'g>>> = self.gradients.iter().map(column).collect();
+        let mut roots = [&model.kinematics(), accelerations].concat();
+        roots.extend(self.accelerations(accelerations));
+        roots.extend(columns.iter().flat_map(|column| [&still[..], column].concat()));
+        for (n, gradient) in self.gradients.iter().enumerate() {
+            roots.extend(columns[n..].iter().map(|column| dot(gradient, column)));
+        }
+        roots
+    }
+}
+
+fn dot<'g>(a: &[Expr<'g>], b: &[Expr<'g>]) -> Expr<'g> {
+    let products = a.iter().zip(b).map(|(&a, &b)| a * b);
+    a[0].graph().sum(products.collect::<Vec<_>>())
+}
+
+/// The values of the constraints, and after them their rates.
+pub(crate) fn measures<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
+    let values = model.constraint_values();
+    let mut along = model.along_motion();
+    let rates: Vec<Expr<'g>> = values.iter().map(|&value| along.of(value)).collect();
+    super::values(forms, model, &[values, rates].concat())
+}
+
+/// The gradients of the values of the constraints by the state, those of their rates, and the derivatives of both by
+/// the time.
+pub(crate) fn measure_derivatives<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
+    let values = model.constraint_values();
+    let mut along = model.along_motion();
+    let rates: Vec<Expr<'g>> = values.iter().map(|&value| along.of(value)).collect();
+    let both = [values, rates].map(|values| model.with_drives(&values));
+    let gradients = both
+        .iter()
+        .flatten()
+        .flat_map(|&value| derived(&[value], &model.state()).concat());
+    let by_time = both.iter().flat_map(|values| derived(values, &[model.time]).concat());
+    super::values(forms, model, &gradients.chain(by_time).collect::<Vec<_>>())
+}
+
+/// What forces along the constraints do.
+pub(crate) fn response<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
+    let rows = Rows::new(model);
+    let mut candidates: Vec<Candidate<'g>> = Vec::new();
+    for (own, dynamics, determinant) in &forms.forms {
+        let rows = rows.on(&mut forms.normalizer, own.basis);
+        let exact = forms.exact.iter().filter(|(form, _)| form.basis == own.basis);
+        for (factored, solver) in factorings(dynamics, *determinant) {
+            let form = own.solved_by(solver);
+            let mut solved = vec![(form, factored.solve_negated(&dynamics.residual))];
+            solved.extend(
+                exact
+                    .clone()
+                    .map(|(_, accelerations)| (form.exactly(), accelerations.clone())),
+            );
+            for (form, accelerations) in solved {
+                candidates.push((form, rows.response(model, &factored, &accelerations)));
+            }
+        }
+    }
+    forms.choose(candidates)
+}
+
+/// The same, and after it the derivatives of the right-hand side by the state, of each constraint's second derivative by
+/// the state, and of both by the time.
+pub(crate) fn response_derivative<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
+    let (graph, state) = (model.graph, model.state());
+    let rows = Rows::new(model);
+    let bases = [Basis::Shared].into_iter().chain(Preference::ALL.map(Basis::Closed));
+    let bases: Vec<(Basis, Rows<'g>)> = bases
+        .map(|basis| (basis, rows.on(&mut forms.normalizer, basis)))
+        .collect();
+    let symbols: Vec<Expr<'g>> = model.coordinates.iter().map(|c| c.acceleration).collect();
+    let all = [&rows.gradients.concat()[..], &rows.drifts].concat();
+    let has_time = forms.has_time(model) || graph.reachable(&all).contains(&model.time.id());
+    let variables = [&state[..], &[model.time][..usize::from(has_time)]].concat();
+    forms.solutions(model, &variables, |way: &Way<'_, 'g>| {
+        let rows = bases
+            .iter()
+            .find(|(basis, _)| *basis == way.form.basis)
+            .unwrap_or(&bases[0]);
+        let rows = &rows.1;
+        let mut roots = rows.response(model, way.factored, way.accelerations);
+        let zeros = vec![graph.zero(); model.dof()];
+        let dof = model.dof();
+        let of_variable = |n: usize| &way.columns[n * dof..(n + 1) * dof];
+        // by each variable those of the right-hand side, then those of the constraints
+        let kinematics = derived(&model.kinematics(), &variables);
+        let known: FxHashMap<_, _> = symbols.iter().copied().zip(way.accelerations.iter().copied()).collect();
+        let partial = derived(&rows.accelerations(&symbols), &variables);
+        let partial: Vec<Vec<Expr<'g>>> = partial
+            .iter()
+            .map(|column| graph.substitute(column, known.clone()))
+            .collect();
+        let by = |n: usize, row: usize| partial[n][row] + dot(&rows.gradients[row], of_variable(n));
+        for n in 0..state.len() {
+            roots.extend([&kinematics[n], of_variable(n)].concat());
+        }
+        let count = rows.drifts.len();
+        roots.extend(
+            (0..count)
+                .flat_map(|row| (0..state.len()).map(move |n| (n, row)))
+                .map(|(n, row)| by(n, row)),
+        );
+        if has_time {
+            roots.extend([&zeros, of_variable(state.len())].concat());
+            roots.extend((0..count).map(|row| by(state.len(), row)));
+        } else {
+            roots.extend(vec![graph.zero(); state.len() + count]);
+        }
+        roots
+    })
+}
+
+impl<'g> Forms<'g> {
+    /// Whether the time occurs in the equations of motion.
+    fn has_time(&self, model: &Model<'g>) -> bool {
+        let form = self.forms.first().map(|(_, dynamics, _)| dynamics.entries());
+        form.is_some_and(|entries| model.graph.reachable(&entries).contains(&model.time.id()))
+    }
+}

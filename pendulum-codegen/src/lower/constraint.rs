@@ -1,0 +1,293 @@
+//! What hinders the motion: dry friction, stops and walls.
+
+use proc_macro2::Span;
+use quote::ToTokens;
+use syn::Ident;
+
+use super::Lower;
+use super::expr::{Only, Place};
+use super::joint_units::JointUnits;
+use super::measure::Measure;
+use super::written::written;
+use crate::ast::{self, ExprKind};
+use crate::error::Reported;
+use crate::expr::{Expr, Level, Printer, SymbolKind};
+use crate::model::{Action, BodyId, Combination, Constraint, Law, Model, Requirement, Rule};
+
+/// How many conditions a scene may have: the core keeps a bit for each.
+const MOST: usize = 8;
+
+/// A wall, before the coordinates of points are known.
+#[derive(Debug)]
+pub(super) struct Wall<'g> {
+    name: String,
+    gap: Expr<'g>,
+    law: Law<'g>,
+}
+
+impl<'g> Lower<'g> {
+    /// Refuses more conditions than the core takes: each dry friction, stop and wall is one.
+    pub(super) fn check_conditions(&mut self, items: &ast::Items) {
+        let of_joints = items.bodies.iter().flat_map(|body| {
+            let friction = body.fields.dry_friction.as_ref().map(|friction| &friction.tokens);
+            friction
+                .into_iter()
+                .chain(body.fields.stop.as_ref().map(|stop| &stop.tokens))
+        });
+        let walls = items.walls.iter().map(|wall| wall.name.to_token_stream());
+        if let Some(ninth) = of_joints.cloned().chain(walls).nth(MOST) {
+            let fact = format_args!("a scene has at most {MOST} conditions: this is one more");
+            let help = "each dry friction, stop and wall is one: leave some out, or write smooth laws";
+            self.errors.on(ninth, fact, help);
+        }
+    }
+
+    /// Refuses inputs, whose law is not known where forces that hold are solved for.
+    pub(super) fn without_inputs(&mut self, inputs: &[ast::Input]) {
+        for input in inputs {
+            let fact = "a scene with dry friction, stops or walls takes no inputs";
+            let help = "write the law into a `torque` or a `force` in place of the input";
+            self.errors.at(input.name.span(), fact, help);
+        }
+    }
+
+    /// Dry friction and the stop of a joint; none where there is neither.
+    pub(super) fn law(&mut self, body: &ast::Body) -> Result<Option<Law<'g>>, Reported> {
+        let (fields, units) = (&body.fields, JointUnits::of(body));
+        let mut law = self.free();
+        let friction = self.dry_friction(body, units, &mut law);
+        let stop = match &fields.stop {
+            Some(stop) => self.stop(body, units, stop, &mut law),
+            None => Ok(()),
+        };
+        friction?;
+        stop?;
+        let hinders = !law.sticking.is_zero() || law.low.is_some();
+        Ok(hinders.then_some(law))
+    }
+
+    fn dry_friction(&mut self, body: &ast::Body, units: JointUnits, law: &mut Law<'g>) -> Result<(), Reported> {
+        let (fields, name) = (&body.fields, &body.name);
+        let place = |what| Place::fixed(format!("the {what} of `{name}`")).in_unit(units.force());
+        let Some(kinetic) = &fields.dry_friction else {
+            let Some(at_rest) = &fields.static_friction else {
+                return Ok(());
+            };
+            let fact = format_args!("`{name}` has no dry friction that could be higher at rest");
+            let help = "write `dry_friction: e` for both, or beside `static_friction: e` for what slips";
+            return Err(self.errors.on(at_rest, fact, help));
+        };
+        let slipping = self.positive(kinetic, &place("dry friction"), Requirement::NonNegative);
+        let at_rest = fields.static_friction.as_ref();
+        let sticking = at_rest.map(|e| self.expr(e, &place("static friction"))).transpose();
+        law.slipping = slipping?;
+        law.sticking = sticking?.unwrap_or(law.slipping);
+        if let Some(at_rest) = at_rest {
+            let fact = format!("the static friction of `{name}` is below its dry friction");
+            let help = "it takes at least as much to start a motion as to go on: swap the two, or leave it out";
+            let rule = format!("the static friction of `{name}` must not be below its dry friction");
+            let difference = law.sticking - law.slipping;
+            self.obeys(at_rest, (difference, Requirement::NonNegative), [&fact, help, &rule])?;
+        }
+        Ok(())
+    }
+
+    fn stop(
+        &mut self,
+        body: &ast::Body,
+        units: JointUnits,
+        stop: &ast::Stop,
+        law: &mut Law<'g>,
+    ) -> Result<(), Reported> {
+        let owner = format!("the stop of `{}`", body.name);
+        let place = Place::fixed(owner.clone()).in_unit(units.coordinate());
+        let limits = stop.limits.each_ref().map(|e| self.expr(e, &place));
+        let (restitution, slow) = stop
+            .restitution
+            .as_ref()
+            .map_or((None, None), |(e, slow)| (Some(e), slow.as_ref()));
+        let impact = self.impact(&owner, units.rate(), (restitution, slow), law);
+        let [low, high] = limits;
+        let (low, high) = (low?, high?);
+        impact?;
+        let [from, to] = stop.limits.each_ref().map(|e| written(e, None).to_string());
+        let fact = format!("{owner} leaves no way to go: it begins at {from} and ends at {to}");
+        let rule = format!("{owner} must end above where it begins");
+        let checked = (high - low, Requirement::Positive);
+        self.obeys(
+            &stop.tokens,
+            checked,
+            [&fact, "write `stop: [low, high]`, the lower limit first", &rule],
+        )?;
+        (law.low, law.high) = (Some(low), Some(high));
+        Ok(())
+    }
+
+    /// The restitution of an impact, and the rate below which there is none.
+    fn impact(
+        &mut self,
+        owner: &str,
+        unit_of_rate: Option<&'static str>,
+        (restitution, slow): (Option<&ast::Expr>, Option<&ast::Expr>),
+        law: &mut Law<'g>,
+    ) -> Result<(), Reported> {
+        if let Some(e) = restitution {
+            let place = Place::fixed(format!("the restitution of {owner}"));
+            let given = self.quantity(e, &place)?;
+            self.require_plain(e, given, &place.what);
+            let value = given.value;
+            let help = "it lies between 0, where nothing rebounds, and 1, where no energy is lost";
+            let rule = format!("{} must lie between 0 and 1", place.what);
+            for checked in [value, 1 - value] {
+                let fact = format!("{} is {}", place.what, written(e, None));
+                self.obeys(e, (checked, Requirement::NonNegative), [&fact, help, &rule])?;
+            }
+            law.restitution = value;
+        }
+        if let Some(e) = slow {
+            let place = Place::fixed(format!("the least rate of a rebound at {owner}")).in_unit(unit_of_rate);
+            law.slow = self.positive(e, &place, Requirement::NonNegative)?;
+        }
+        Ok(())
+    }
+
+    /// Walls, with the symbols of points in their gaps.
+    pub(super) fn walls(&mut self, items: &ast::Items) -> Vec<Wall<'g>> {
+        let mut walls: Vec<Wall<'g>> = Vec::new();
+        let coordinates = items.bodies.iter().filter_map(|body| body.fields.coordinate.as_ref());
+        let coordinates: Vec<&Ident> = coordinates.collect();
+        for (n, wall) in items.walls.iter().enumerate() {
+            let name = &wall.name;
+            // messages of the core have no other word for a constraint
+            if coordinates.contains(&name) {
+                let fact = format_args!("`{name}` is a coordinate, and the name of a wall as well");
+                self.errors.at(name.span(), fact, "choose another name");
+            } else if items.walls[..n].iter().any(|other| other.name == *name) {
+                let fact = format_args!("wall `{name}` is declared twice");
+                self.errors.at(name.span(), fact, "rename one of the two");
+            }
+            walls.extend(self.wall(wall).ok());
+        }
+        walls
+    }
+
+    fn wall(&mut self, wall: &ast::Wall) -> Result<Wall<'g>, Reported> {
+        let (name, fields) = (&wall.name, &wall.fields);
+        let Some(gap) = &fields.gap else {
+            return Err(wall.unread.unwrap_or_else(|| {
+                let help = format_args!("write `wall {name} {{ gap: tip.y, restitution: 0.5 }}`");
+                self.errors
+                    .at(name.span(), format_args!("wall `{name}` has no gap"), help)
+            }));
+        };
+        let mut law = self.free();
+        let value = self.gap(name.span(), gap, format!("the gap of wall `{name}`"));
+        let unit = value.as_ref().map_or(None, |(_, unit)| Some(*unit));
+        let impact = (fields.restitution.as_ref(), fields.slow.as_ref());
+        let impact = self.impact(&format!("wall `{name}`"), unit.map(rate_of), impact, &mut law);
+        let (gap_value, _) = value?;
+        impact?;
+        law.low = Some(self.graph.zero());
+        Ok(Wall {
+            name: name.to_string(),
+            gap: gap_value,
+            law,
+        })
+    }
+
+    /// The gap of a wall, and its unit: a length or an angle.
+    fn gap(&mut self, span: Span, gap: &ast::Expr, what: String) -> Result<(Expr<'g>, &'static str), Reported> {
+        let place = Place {
+            only: Only::Gap,
+            ..Place::moving(what)
+        };
+        self.spans.walls.push(span);
+        let quantity = self.quantity(gap, &place)?;
+        let is_angle = quantity.measure.alike(Measure::ONE).is_some() && !matches!(gap.kind, ExprKind::Number(_));
+        let unit = if is_angle { "rad" } else { "m" };
+        self.fits(gap, quantity, &place.clone().in_unit(unit));
+        let value = self.smooth(gap, quantity.value, 2, &place, "acceleration")?;
+        Ok((value, unit))
+    }
+
+    fn free(&self) -> Law<'g> {
+        let zero = self.graph.zero();
+        Law {
+            slipping: zero,
+            sticking: zero,
+            low: None,
+            high: None,
+            restitution: zero,
+            slow: zero,
+        }
+    }
+
+    /// Checks a number now, or says what `new` must check: `fact` and `help` are for the first, `rule` for the other.
+    fn obeys(
+        &mut self,
+        at: &impl ToTokens,
+        (value, requirement): (Expr<'g>, Requirement<'g>),
+        [fact, help, rule]: [&str; 3],
+    ) -> Result<(), Reported> {
+        if self.broken_by(value, requirement).is_some() {
+            return Err(self.errors.on(at, fact, help));
+        }
+        if value.level() == Level::Parameter {
+            self.rule(Rule {
+                value,
+                requirement,
+                name: Printer::new(self.graph).print(value.id()),
+                text: rule.to_owned(),
+            });
+        }
+        Ok(())
+    }
+}
+
+/// Puts what hinders the motion into a model, with forces that act on it: joints in the order of their bodies, then walls.
+pub(super) fn hinder<'g>(model: &mut Model<'g>, walls: Vec<Wall<'g>>) {
+    let graph = model.graph;
+    let mut constraints: Vec<Constraint<'g>> = Vec::new();
+    let force = |n: usize, name: &str| {
+        let name = name.trim_start_matches("r#");
+        (
+            name.to_owned(),
+            graph.symbol(&format!("force({name})"), SymbolKind::Force(n)),
+        )
+    };
+    for n in BodyId::all(model.bodies.len()) {
+        let body = &model.bodies[n];
+        let (Some(law), Some(own)) = (body.law.clone(), body.coordinate) else {
+            continue;
+        };
+        let (name, force) = force(constraints.len(), &model.coordinate(own).name);
+        constraints.push(Constraint {
+            name,
+            coordinate: Some(own),
+            motion: body.motion.clone(),
+            value: model.position_of(&body.motion),
+            force,
+            law,
+        });
+        let body = &mut model.bodies[n];
+        body.force += force;
+        body.passive += force;
+    }
+    for Wall { name, gap, law } in walls {
+        let (name, force) = force(constraints.len(), &name);
+        model.actions.push(Action::Press(force, gap));
+        constraints.push(Constraint {
+            name,
+            coordinate: None,
+            motion: Combination::default(),
+            value: gap,
+            force,
+            law,
+        });
+    }
+    model.constraints = constraints;
+}
+
+fn rate_of(unit: &str) -> &'static str {
+    if unit == "rad" { "rad/s" } else { "m/s" }
+}

@@ -1,0 +1,598 @@
+//! Dry friction, stops and walls: what the generator writes for them, and their motion.
+
+use std::array::from_fn;
+
+use nalgebra::SVector;
+use pendulum_core::hybrid::{Hybrid, HybridJacobian, MOST, Status};
+use pendulum_core::prelude::*;
+use pendulum_core::real::Real;
+use testbed::dual::Dual;
+use testbed::random::Random;
+
+mechanism! {
+    /// Dry friction on both joints, and a wall at the tip.
+    pub Dry {
+        params { m: kg = 0.7, l: m = 0.8, mu: N m = 0.4, more: N m = 0.1, e: 1 = 0.6 }
+        gravity: [0, -9.81, 0],
+        shape arm { solids: [rod(m, [0, 0, 0], [0, -l, 0])] }
+        point tip on lower at [0, -l, 0],
+        wall side { gap: 1 + tip.x - tip.y^2/7 m, restitution: e, slow: 0.001 }
+        body upper on ground: arm {
+            joint: revolute(z), coordinate: a, dry_friction: mu, static_friction: mu + more, friction: 0.03,
+        }
+        body lower on upper: arm {
+            joint: revolute(z) at [0, -l, 0], coordinate: b, dry_friction: 0.2, stop: [-2, 2.5] restitution(0.3, 0.01),
+        }
+    }
+}
+
+mechanism! {
+    /// The same without what hinders it, and with the same forces from outside.
+    pub Smooth {
+        params { m: kg = 0.7, l: m = 0.8 }
+        input on_a: N m,
+        input on_b: N m,
+        input on_tip: N,
+        gravity: [0, -9.81, 0],
+        shape arm { solids: [rod(m, [0, 0, 0], [0, -l, 0])] }
+        point tip on lower at [0, -l, 0],
+        force on tip: [on_tip, -2/7*on_tip*tip.y/1 m, 0],
+        body upper on ground: arm { joint: revolute(z), coordinate: a, torque: on_a, friction: 0.03 }
+        body lower on upper: arm { joint: revolute(z) at [0, -l, 0], coordinate: b, torque: on_b }
+    }
+}
+
+mechanism! {
+    /// Absolute coordinates, a driven joint, a wall that moves, and bodies that are not in the order of their joints.
+    pub Driven {
+        params { w: rad/s = 3, mu: N m = 0.3 }
+        gravity: [0, -9.81, 0],
+        generate: [rhs, jacobian, energy, inverse_dynamics, drive_forces, mass_matrix],
+        point tip on last at [0, -0.5, 0],
+        output speed: dot(tip.x),
+        wall lid { gap: 2 - tip.y + 0.1 m*sin(w*t) + tip.x/9 }
+        body last on middle {
+            solids: [rod(0.3, [0, 0, 0], [0, -0.5, 0])], joint: revolute(-z) at [0, -0.6, 0], coordinate: c,
+            dry_friction: mu,
+        }
+        body middle on first {
+            solids: [rod(0.4, [0, 0, 0], [0, -0.6, 0])], joint: revolute(z) at [0, -0.7, 0], coordinate: b absolute,
+            dry_friction: 0.2, static_friction: 0.25, stop: [-1, 1],
+        }
+        body first on turned { mass: 1, com: [0, -0.4, 0], inertia: 0.1, joint: revolute(z), coordinate: a absolute, stop: [-2, 2] }
+        body turned on slide { joint: revolute(z), motion: 0.3*sin(w*t) }
+        body slide on ground { mass: 1, joint: prismatic(x), coordinate: s, dry_friction: 2 }
+    }
+}
+
+mechanism! {
+    /// The same without what hinders it.
+    pub DrivenSmooth {
+        params { w: rad/s = 3 }
+        input on_s: N,
+        input on_first: N m,
+        input on_middle: N m,
+        input on_last: N m,
+        input on_tip: N,
+        gravity: [0, -9.81, 0],
+        generate: [rhs, jacobian, energy, inverse_dynamics, drive_forces, mass_matrix],
+        point tip on last at [0, -0.5, 0],
+        force on tip: [on_tip/9, -on_tip, 0],
+        body last on middle {
+            solids: [rod(0.3, [0, 0, 0], [0, -0.5, 0])], joint: revolute(-z) at [0, -0.6, 0], coordinate: c, torque: on_last,
+        }
+        body middle on first {
+            solids: [rod(0.4, [0, 0, 0], [0, -0.6, 0])], joint: revolute(z) at [0, -0.7, 0], coordinate: b absolute,
+            torque: on_middle,
+        }
+        body first on turned {
+            mass: 1, com: [0, -0.4, 0], inertia: 0.1, joint: revolute(z), coordinate: a absolute, torque: on_first,
+        }
+        body turned on slide { joint: revolute(z), motion: 0.3*sin(w*t) }
+        body slide on ground { mass: 1, joint: prismatic(x), coordinate: s, torque: on_s }
+    }
+}
+
+fn dry() -> Dry {
+    Dry::new(DryParams::default()).expect("physical")
+}
+
+fn driven() -> Driven {
+    Driven::new(DrivenParams::default()).expect("physical")
+}
+
+/// A time, a state, and forces on some constraints.
+fn places<const N: usize>(count: usize) -> impl Iterator<Item = (f64, SVector<f64, N>, [f64; MOST])> {
+    let mut random = Random::new(5);
+    (0..40).map(move |_| {
+        let x = SVector::from_fn(|_, _| random.between(-1.5, 1.5));
+        let forces = from_fn(|n| if n < count { random.between(-2.0, 2.0) } else { 0.0 });
+        (random.between(0.0, 3.0), x, forces)
+    })
+}
+
+fn assert_near(ours: f64, theirs: f64, what: &str) {
+    let allowed = 1e-11 * (1.0 + theirs.abs());
+    assert!((ours - theirs).abs() <= allowed, "{what}: {ours:e}, not {theirs:e}");
+}
+
+fn assert_all_near<const N: usize>(ours: &SVector<f64, N>, theirs: &SVector<f64, N>, what: &str) {
+    for (ours, theirs) in ours.iter().zip(theirs.iter()) {
+        assert_near(*ours, *theirs, what);
+    }
+}
+
+#[test]
+fn forces_act_as_torques_and_forces_on_points_do() {
+    let (model, smooth) = (dry(), Smooth::new(SmoothParams::default()).expect("physical"));
+    for (t, x, forces) in places(3) {
+        let u = SmoothInputs {
+            on_a: forces[0],
+            on_b: forces[1],
+            on_tip: forces[2],
+        };
+        let (rhs, jacobian) = smooth.rhs_and_jacobian_with(t, &x, &u);
+        assert_all_near(&model.rhs_under(t, &x, &forces), &rhs, "right-hand side");
+        let (own_rhs, own_jacobian) = model.rhs_and_jacobian_under(t, &x, &forces);
+        assert_all_near(&own_rhs, &rhs, "with its Jacobian");
+        // the force on the tip is held fixed in both, and its direction changes with the place
+        for (n, column) in own_jacobian.column_iter().enumerate() {
+            assert_all_near(&column.into(), &jacobian.column(n).into(), "Jacobian");
+        }
+    }
+    let (model, smooth) = (
+        driven(),
+        DrivenSmooth::new(DrivenSmoothParams::default()).expect("physical"),
+    );
+    for (t, x, forces) in places(5) {
+        let [on_s, on_first, on_middle, on_last, on_tip, ..] = forces;
+        let u = DrivenSmoothInputs {
+            on_s,
+            on_first,
+            on_middle,
+            on_last,
+            on_tip,
+        };
+        let (rhs, jacobian) = smooth.rhs_and_jacobian_with(t, &x, &u);
+        assert_all_near(&model.rhs_under(t, &x, &forces), &rhs, "right-hand side");
+        let (own_rhs, own_jacobian) = model.rhs_and_jacobian_under(t, &x, &forces);
+        assert_all_near(&own_rhs, &rhs, "with its Jacobian");
+        assert!((own_jacobian - jacobian).amax() < 1e-10 * jacobian.amax());
+    }
+}
+
+/// The order of the rows, and which sums of rates they are.
+#[test]
+fn constraints_name_their_rates() {
+    let listed = |constraints: &'static [pendulum_core::hybrid::Constraint]| -> Vec<_> {
+        constraints.iter().map(|c| (c.name, c.rate.to_vec())).collect()
+    };
+    let of_dry = Hybrid::<f64, 4>::constraints(&dry());
+    assert_eq!(
+        listed(of_dry),
+        [("a", vec![(2, 1)]), ("b", vec![(3, 1)]), ("side", vec![])]
+    );
+    // the order of the state is c, b, a, s; a driven joint is below `first`, and `last` turns backwards
+    let of_driven = Hybrid::<f64, 8>::constraints(&driven());
+    let expected = [
+        ("s", vec![(7, 1)]),
+        ("a", vec![]),
+        ("b", vec![(6, -1), (5, 1)]),
+        ("c", vec![(4, 1)]),
+        ("lid", vec![]),
+    ];
+    assert_eq!(listed(of_driven), expected);
+}
+
+#[test]
+fn laws_are_those_declared() {
+    let model = Dry::new(DryParams {
+        mu: 0.5,
+        more: 0.25,
+        e: 0.75,
+        ..DryParams::default()
+    })
+    .expect("physical");
+    let [a, b, side, none, ..] = Hybrid::<f64, 4>::laws(&model);
+    assert_eq!((a.slipping, a.sticking, a.low, a.high), (0.5, 0.75, None, None));
+    assert_eq!(
+        (b.slipping, b.sticking, b.low, b.high),
+        (0.2, 0.2, Some(-2.0), Some(2.5))
+    );
+    assert_eq!((b.restitution, b.slow), (0.3, 0.01));
+    assert_eq!(
+        (side.sticking, side.low, side.high, side.restitution, side.slow),
+        (0.0, Some(0.0), None, 0.75, 0.001)
+    );
+    assert_eq!(none, pendulum_core::hybrid::Law::default());
+    let [_, a, b, ..] = Hybrid::<f64, 8>::laws(&driven());
+    assert_eq!(
+        (a.sticking, a.low, b.slipping, b.sticking),
+        (0.0, Some(-2.0), 0.2, 0.25)
+    );
+    let refused = |params: DryParams| Dry::new(params).expect_err("refused").rule;
+    let rules = [
+        (
+            DryParams {
+                mu: -1.0,
+                more: 2.0,
+                ..DryParams::default()
+            },
+            "the dry friction of `upper` must not be negative",
+        ),
+        (
+            DryParams {
+                more: -0.1,
+                ..DryParams::default()
+            },
+            "the static friction of `upper` must not be below its dry friction",
+        ),
+        (
+            DryParams {
+                e: 1.5,
+                ..DryParams::default()
+            },
+            "the restitution of wall `side` must lie between 0 and 1",
+        ),
+        (
+            DryParams {
+                e: -0.5,
+                ..DryParams::default()
+            },
+            "the restitution of wall `side` must lie between 0 and 1",
+        ),
+    ];
+    for (params, rule) in rules {
+        assert_eq!(refused(params), rule);
+    }
+}
+
+/// Numbers over which a scene is the same as over `f64`, with one slope.
+fn along<const N: usize>(x: &SVector<f64, N>, direction: &SVector<f64, N>) -> SVector<Dual, N> {
+    SVector::from_fn(|n, _| Dual::new(x[n], direction[n]))
+}
+
+/// What a response says against the right-hand side itself, and its derivatives against dual numbers.
+fn check_response<S, D, const N: usize>(model: &S, dual: &D, count: usize)
+where
+    S: HybridJacobian<f64, N>,
+    D: Hybrid<Dual, N>,
+{
+    let lift = |forces: &[f64; MOST]| forces.map(Dual::from_f64);
+    for (t, x, forces) in places(count) {
+        let response = model.response(t, &x, &forces);
+        assert_all_near(&response.rates, &model.rhs_under(t, &x, &forces), "rates");
+        let measures = model.measures(t, &x);
+        // measures along the motion: rates, and second derivatives
+        let moved = along(&x, &response.rates);
+        let along_motion = dual.measures(Dual::new(t, 1.0), &moved);
+        for n in 0..MOST {
+            assert_near(measures[n][1], along_motion[n][0].slope, "rate");
+            assert_near(response.accelerations[n], along_motion[n][1].slope, "second derivative");
+            let mut more = forces;
+            more[n] += 1.0;
+            let pushed = model.response(t, &x, &more);
+            assert_all_near(&response.columns[n], &(pushed.rates - response.rates), "column");
+            for m in 0..MOST {
+                assert_near(
+                    response.matrix[m][n],
+                    pushed.accelerations[m] - response.accelerations[m],
+                    "matrix",
+                );
+                assert!(response.matrix[m][n] == response.matrix[n][m], "symmetric");
+            }
+            assert_eq!(response.matrix[n][n] > 0.0, n < count);
+            assert!(response.columns[n].iter().take(N / 2).all(|&rate| rate == 0.0));
+        }
+        let derivative = model.response_derivative(t, &x, &forces);
+        assert_all_near(&derivative.response.rates, &response.rates, "rates beside derivatives");
+        for n in 0..MOST {
+            assert_near(
+                derivative.response.accelerations[n],
+                response.accelerations[n],
+                "beside derivatives",
+            );
+            assert_all_near(
+                &derivative.response.columns[n],
+                &response.columns[n],
+                "beside derivatives",
+            );
+            for m in 0..MOST {
+                assert_near(
+                    derivative.response.matrix[n][m],
+                    response.matrix[n][m],
+                    "beside derivatives",
+                );
+            }
+        }
+        let near = |ours: f64, theirs: f64, what: &str| {
+            assert!(
+                (ours - theirs).abs() <= 1e-9 * (1.0 + theirs.abs()),
+                "{what}: {ours:e}, not {theirs:e}"
+            );
+        };
+        for component in 0..N {
+            let direction = SVector::from_fn(|n, _| f64::from(u8::from(n == component)));
+            let theirs = dual.response(Dual::from_f64(t), &along(&x, &direction), &lift(&forces));
+            for n in 0..N {
+                near(
+                    derivative.rates[(n, component)],
+                    theirs.rates[n].slope,
+                    "derivative of the rates",
+                );
+            }
+            for n in 0..MOST {
+                near(
+                    derivative.accelerations[n][component],
+                    theirs.accelerations[n].slope,
+                    "gradient",
+                );
+            }
+        }
+        let theirs = dual.response(Dual::new(t, 1.0), &along(&x, &SVector::zeros()), &lift(&forces));
+        for n in 0..N {
+            near(derivative.rates_by_time[n], theirs.rates[n].slope, "by time");
+        }
+        for n in 0..MOST {
+            near(
+                derivative.accelerations_by_time[n],
+                theirs.accelerations[n].slope,
+                "second derivative by time",
+            );
+        }
+    }
+}
+
+#[test]
+fn responses_are_those_of_the_right_hand_side() {
+    check_response::<_, _, 4>(&dry(), &dry().cast::<Dual>(), 3);
+    check_response::<_, _, 8>(&driven(), &driven().cast::<Dual>(), 5);
+}
+
+/// By itself a model has friction against each rate, and nothing else along its constraints.
+#[test]
+fn the_right_hand_side_has_friction_by_the_sign_of_each_rate() {
+    let model = driven();
+    for (t, x, _) in places::<8>(5) {
+        let (laws, measures) = (Hybrid::<f64, 8>::laws(&model), model.measures(t, &x));
+        let forces = from_fn(|n| -laws[n].slipping * Real::signum(measures[n][1]));
+        let rhs = model.rhs_under(t, &x, &forces);
+        assert_eq!(model.rhs(t, &x), rhs);
+        assert_eq!(
+            model.rhs_and_jacobian(t, &x),
+            model.rhs_and_jacobian_under(t, &x, &forces)
+        );
+        // so have what it reports of the motion
+        let smooth = DrivenSmooth::new(DrivenSmoothParams::default()).expect("physical");
+        let [on_s, on_first, on_middle, on_last, on_tip, ..] = forces;
+        let u = DrivenSmoothInputs {
+            on_s,
+            on_first,
+            on_middle,
+            on_last,
+            on_tip,
+        };
+        assert_near(
+            model.drive_forces(t, &x)[0],
+            smooth.drive_forces(t, &x, &u)[0],
+            "drive force",
+        );
+        let moved = model.cast::<Dual>().speed(Dual::new(t, 1.0), &along(&x, &rhs));
+        assert_near(model.speed_rate(t, &x), moved.slope, "rate of an output");
+        let qdd = SVector::from_fn(|n, _| 0.3 * n as f64 - 0.2);
+        assert_all_near(
+            &model.inverse_dynamics(t, &x, &qdd),
+            &smooth.inverse_dynamics(t, &x, &qdd),
+            "inverse dynamics",
+        );
+        assert_near(model.energy(t, &x), smooth.energy(t, &x), "energy");
+    }
+}
+
+mechanism! {
+    /// A block on a plane that is slightly tilted.
+    pub Block {
+        params { m: kg = 2, mu: N = 0.5, at_rest: N = 0.75, pull: N = 0.25 }
+        body block on ground {
+            mass: m, joint: prismatic(x), coordinate: s,
+            dry_friction: mu, static_friction: at_rest, torque: pull, stop: [-10, 1] restitution(0.5),
+        }
+    }
+}
+
+mechanism! {
+    pub Pendulum {
+        params { mu: N m = 0.3 }
+        gravity: [0, -9.81, 0],
+        body rod on ground {
+            solids: [rod(1, [0, 0, 0], [0, -1, 0])], joint: revolute(z), coordinate: theta, dry_friction: mu,
+        }
+    }
+}
+
+mechanism! {
+    /// A ball above a floor that may rise.
+    pub Ball {
+        params { e: 1 = 0.8, v: m/s = 0 }
+        gravity: [0, -9.81, 0],
+        point under on ball,
+        /// The floor.
+        wall floor { gap: under.y - v*t, restitution: e }
+        body ball on ground { mass: 1, joint: prismatic(y), coordinate: h }
+    }
+}
+
+/// Solves with each method that is given, to 1e-13 where it chooses its steps.
+macro_rules! with_each {
+    (|$method:ident| $check:expr) => {
+        with_each!(@ $method, $check, Tsit5::new().rtol(1e-13).atol(1e-13), "Tsit5");
+        with_each!(@ $method, $check, Vern9::new().rtol(1e-13).atol(1e-13), "Vern9");
+        with_each!(@ $method, $check, Rodas5P::new().rtol(1e-13).atol(1e-13), "Rodas5P");
+        with_each!(@ $method, $check, Radau5::new().rtol(1e-13).atol(1e-13), "Radau5");
+        with_each!(@ $method, $check, Rk4::new(1.0 / 256.0), "Rk4");
+    };
+    (@ $method:ident, $check:expr, $given:expr, $name:literal) => {{
+        let $method = $given;
+        let holds: bool = $check;
+        assert!(holds, $name);
+    }};
+}
+
+fn near(ours: f64, theirs: f64) -> bool {
+    let is_near = (ours - theirs).abs() <= 1e-12 * (1.0 + theirs.abs());
+    if !is_near {
+        eprintln!("{ours:e}, not {theirs:e}");
+    }
+    is_near
+}
+
+#[test]
+fn a_block_comes_to_rest_where_and_when_it_must() {
+    let model = Block::new(BlockParams::default()).expect("physical");
+    // pulled by less than friction holds: braked by mu - pull
+    let (v0, a) = (-0.6, (0.5 + 0.25) / 2.0);
+    with_each!(|method| {
+        let solution = method.solve(&model, 0.0, 4.0, [0.0, v0]).expect("a motion");
+        let (rests, mode) = *solution.modes().last().expect("a mode");
+        near(rests, -v0 / a)
+            && mode.0[0] == Status::Stuck
+            && near(solution.end()[0], -v0 * v0 / (2.0 * a))
+            && solution.end()[1] == 0.0
+    });
+    // pulled by more than friction at rest holds, into the stop, which it rebounds from
+    let model = Block::new(BlockParams {
+        pull: 1.0,
+        ..BlockParams::default()
+    })
+    .expect("physical");
+    let (pushed, braked) = ((1.0 - 0.5) / 2.0, (1.0 + 0.5) / 2.0);
+    let hits = (2.0_f64 / pushed).sqrt();
+    let back = 0.5 * pushed * hits;
+    let height = back * back / (2.0 * braked);
+    let (turns, again) = (
+        hits + back / braked,
+        hits + back / braked + (2.0 * height / pushed).sqrt(),
+    );
+    with_each!(|method| {
+        let solution = method.solve(&model, 0.0, again - 1e-3, [0.0, 0.0]).expect("a motion");
+        let times: Vec<f64> = solution.modes().iter().map(|(t, _)| *t).collect();
+        let at_end = 1.0 - height + 0.5 * pushed * (again - 1e-3 - turns).powi(2);
+        times.len() == 3 && near(times[1], hits) && near(times[2], turns) && near(solution.end()[0], at_end)
+    });
+}
+
+#[test]
+fn a_pendulum_comes_to_rest() {
+    let model = Pendulum::new(PendulumParams::default()).expect("physical");
+    let mut rests = Vec::new();
+    with_each!(|method| {
+        let solution = method.solve(&model, 0.0, 20.0, [2.0, 0.0]).expect("a motion");
+        let (theta, rate) = (solution.end()[0], solution.end()[1]);
+        rests.push(theta);
+        // friction holds it there
+        let (_, mode) = *solution.modes().last().expect("a mode");
+        rate == 0.0 && mode.0[0] == Status::Stuck && (0.5 * 9.81 * theta.sin()).abs() < 0.3 && theta != 0.0
+    });
+    // by energy: each swing loses the friction times its angle
+    let swing = |from: f64| {
+        let (mut low, mut high) = (0.0, from.abs());
+        for _ in 0..200 {
+            let to: f64 = (low + high) / 2.0;
+            let left = 0.5 * 9.81 * (to.cos() - from.abs().cos()) - 0.3 * (from.abs() + to);
+            if left > 0.0 { low = to } else { high = to }
+        }
+        -from.signum() * low
+    };
+    let mut place: f64 = 2.0;
+    while (0.5 * 9.81 * place.sin()).abs() > 0.3 {
+        place = swing(place);
+    }
+    for theta in &rests[..4] {
+        assert!((theta - place).abs() < 1e-10, "{theta:e}, not {place:e}");
+    }
+    assert!((rests[4] - place).abs() < 1e-6, "{:e}, not {place:e}", rests[4]);
+}
+
+#[test]
+fn a_ball_rebounds_and_comes_to_rest() {
+    let model = Ball::new(BallParams::default()).expect("physical");
+    let fall = (2.0_f64 / 9.81).sqrt();
+    let rests = fall * (1.0 + 2.0 * 0.8 / (1.0 - 0.8));
+    with_each!(|method| {
+        let solution = method.solve(&model, 0.0, 5.0, [1.0, 0.0]).expect("a motion");
+        let (t, mode) = *solution.modes().last().expect("a mode");
+        near(t, rests) && mode.0[0] == Status::Low && solution.end()[0].abs() < 1e-12 && solution.end()[1] == 0.0
+    });
+    // a floor that rises carries it along
+    let model = Ball::new(BallParams { e: 0.0, v: 0.5 }).expect("physical");
+    let meets = (-0.5 + (0.25_f64 + 2.0 * 9.81).sqrt()) / 9.81;
+    with_each!(|method| {
+        let solution = method.solve(&model, 0.0, 2.0, [1.0, 0.0]).expect("a motion");
+        let (t, _) = *solution.modes().last().expect("a mode");
+        near(t, meets) && near(solution.end()[0], 0.5 * 2.0) && near(solution.end()[1], 0.5)
+    });
+}
+
+/// Two joints stick and slip, and a stop and a wall are hit: all methods agree, and energy never grows.
+#[test]
+fn methods_agree_on_a_dry_double_pendulum() {
+    let model = dry();
+    let start = [1.2, 0.4, -3.0, 2.0];
+    let reference = Vern9::new()
+        .rtol(1e-13)
+        .atol(1e-13)
+        .solve(&model, 0.0, 15.0, start)
+        .expect("a motion");
+    let seen = reference.modes().len();
+    assert!(seen > 10, "{seen} modes");
+    let (_, last) = reference.modes().last().expect("a mode");
+    assert!(last.is_held(0) && last.is_held(1), "{last:?}");
+    for tight in [
+        Tsit5::new().rtol(1e-12).atol(1e-12).solve(&model, 0.0, 15.0, start),
+        Rodas5P::new().rtol(1e-12).atol(1e-12).solve(&model, 0.0, 15.0, start),
+    ] {
+        let end = tight.expect("a motion").end();
+        assert!((end - reference.end()).amax() < 1e-8, "{end} {}", reference.end());
+    }
+    let mut before = f64::INFINITY;
+    for (t, x) in reference.points() {
+        let energy = model.energy(t, &x);
+        assert!(energy <= before + 1e-10, "{energy} at {t}");
+        before = energy;
+    }
+}
+
+/// A friction of zero is none, and the code says nothing of it.
+#[test]
+fn a_friction_of_zero_leaves_no_trace() {
+    let scene = |more: &str| {
+        let text = format!(
+            "pub Rod {{ body rod on ground {{
+                mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: a, {more} }} }}"
+        );
+        pendulum_codegen::expand(text.parse().expect("tokens")).to_string()
+    };
+    assert_eq!(scene("dry_friction: 0,"), scene(""));
+    assert!(scene("dry_friction: 0, static_friction: 1").contains("hybrid"));
+}
+
+#[test]
+fn equations_say_what_hinders_the_motion() {
+    let lines: Vec<&str> = Dry::EQUATIONS.lines().collect();
+    assert!(
+        lines.iter().any(|line| line.starts_with("Q[a] = force(a)")),
+        "{}",
+        Dry::EQUATIONS
+    );
+    let at = lines
+        .iter()
+        .position(|line| *line == "and along what hinders the motion");
+    let expected = [
+        "force(a): dry friction of mu, at rest up to mu + more",
+        "force(b): dry friction of 0.2; stops at -2 and 2.5, restitution 0.3 from a rate of 0.01",
+    ];
+    assert_eq!(lines[at.expect("a line") + 1..][..2], expected, "{}", Dry::EQUATIONS);
+    let wall = lines.last().expect("a line");
+    assert!(wall.starts_with("force(side): a wall at the zero of "), "{wall}");
+    assert!(wall.ends_with(", restitution e from a rate of 0.001"), "{wall}");
+}
