@@ -3,6 +3,7 @@
 use std::array::from_fn;
 
 use nalgebra::SVector;
+use pendulum_core::Slot;
 use pendulum_core::hybrid::{Hybrid, HybridJacobian, MOST, Status};
 use pendulum_core::prelude::*;
 use pendulum_core::real::Real;
@@ -556,7 +557,7 @@ fn methods_agree_on_a_dry_double_pendulum() {
     }
     let mut before = f64::INFINITY;
     for (t, x) in reference.points() {
-        let energy = model.energy(t, &x);
+        let energy = model.energy(t, x);
         assert!(energy <= before + 1e-10, "{energy} at {t}");
         before = energy;
     }
@@ -595,4 +596,14 @@ fn equations_say_what_hinders_the_motion() {
     let wall = lines.last().expect("a line");
     assert!(wall.starts_with("force(side): a wall at the zero of "), "{wall}");
     assert!(wall.ends_with(", restitution e from a rate of 0.001"), "{wall}");
+}
+
+/// Stops and walls end symmetries that the forces alone would have; friction ends none.
+#[test]
+fn layouts_know_what_stops_and_walls_end() {
+    let periodic = |slots: &[Slot]| slots.iter().map(|slot| slot.periodic).collect::<Vec<_>>();
+    assert_eq!(periodic(Pendulum::LAYOUT.slots), [true]);
+    assert_eq!(periodic(Dry::LAYOUT.slots), [true, false]);
+    assert!(!Ball::LAYOUT.slots[0].cyclic && !Block::LAYOUT.slots[0].cyclic);
+    const { assert!(Dry::LAYOUT.autonomous && !Ball::LAYOUT.autonomous) };
 }

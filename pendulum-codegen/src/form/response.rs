@@ -2,6 +2,7 @@
 
 use rustc_hash::FxHashMap;
 
+use super::routines::on_top;
 use super::{Basis, Candidate, Chosen, Forms, Preference, Way, expanded, factorings};
 use crate::dynamics::{Factored, derived};
 use crate::expr::{Derivative, Expr, Normalizer};
@@ -37,7 +38,7 @@ impl<'g> Rows<'g> {
 
     /// The same in the form of a basis.
     fn on(&self, normalizer: &mut Normalizer<'g>, basis: Basis) -> Self {
-        let columns = [&self.gradients[..], &[self.drifts.clone()]].concat();
+        let columns = [&self.gradients[..], std::slice::from_ref(&self.drifts)].concat();
         let short = match basis {
             Basis::Closed(preference) => expanded(normalizer, &columns, preference),
             _ => None,
@@ -53,7 +54,7 @@ impl<'g> Rows<'g> {
         rows.map(|(gradient, &drift)| dot(gradient, of_state) + drift).collect()
     }
 
-    /// For accelerations under the forces at hand the right-hand side, the second derivatives of the constraints, what a
+    /// For accelerations under some forces the right-hand side, the second derivatives of the constraints, what a
     /// unit of each force adds to the right-hand side, and what it adds to them, as an upper triangle.
     fn response(&self, model: &Model<'g>, factored: &Factored<'g>, accelerations: &[Expr<'g>]) -> Vec<Expr<'g>> {
         let still = vec![model.graph.zero(); model.dof()];
@@ -137,39 +138,27 @@ pub(crate) fn response_derivative<'g>(forms: &mut Forms<'g>, model: &Model<'g>) 
     let has_time = forms.has_time(model) || graph.reachable(&all).contains(&model.time.id());
     let variables = [&state[..], &[model.time][..usize::from(has_time)]].concat();
     forms.solutions(model, &variables, |way: &Way<'_, 'g>| {
-        let rows = bases
-            .iter()
-            .find(|(basis, _)| *basis == way.form.basis)
-            .unwrap_or(&bases[0]);
-        let rows = &rows.1;
-        let mut roots = rows.response(model, way.factored, way.accelerations);
-        let zeros = vec![graph.zero(); model.dof()];
-        let dof = model.dof();
-        let of_variable = |n: usize| &way.columns[n * dof..(n + 1) * dof];
-        // by each variable those of the right-hand side, then those of the constraints
-        let kinematics = derived(&model.kinematics(), &variables);
+        let own = bases.iter().find(|(basis, _)| *basis == way.form.basis);
+        let (_, rows) = own.unwrap_or(&bases[0]);
+        let rates = on_top(model, &model.kinematics(), &variables, way.columns);
         let known: FxHashMap<_, _> = symbols.iter().copied().zip(way.accelerations.iter().copied()).collect();
-        let partial = derived(&rows.accelerations(&symbols), &variables);
-        let partial: Vec<Vec<Expr<'g>>> = partial
-            .iter()
-            .map(|column| graph.substitute(column, known.clone()))
-            .collect();
-        let by = |n: usize, row: usize| partial[n][row] + dot(&rows.gradients[row], of_variable(n));
-        for n in 0..state.len() {
-            roots.extend([&kinematics[n], of_variable(n)].concat());
-        }
-        let count = rows.drifts.len();
-        roots.extend(
-            (0..count)
-                .flat_map(|row| (0..state.len()).map(move |n| (n, row)))
-                .map(|(n, row)| by(n, row)),
-        );
-        if has_time {
-            roots.extend([&zeros, of_variable(state.len())].concat());
-            roots.extend((0..count).map(|row| by(state.len(), row)));
-        } else {
-            roots.extend(vec![graph.zero(); state.len() + count]);
-        }
+        // at fixed accelerations, and by those
+        let fixed = derived(&rows.accelerations(&symbols), &variables);
+        let fixed = fixed.iter().map(|column| graph.substitute(column, known.clone()));
+        let changes = fixed.zip(way.columns.chunks(model.dof())).map(|(fixed, change)| {
+            let rows = fixed.into_iter().zip(&rows.gradients);
+            rows.map(|(fixed, gradient)| fixed + dot(gradient, change)).collect()
+        });
+        let mut changes: Vec<Vec<Expr<'g>>> = changes.collect();
+        let (by_state, by_time) = rates.split_at(state.len() * state.len());
+        let still = || vec![graph.zero(); state.len() + rows.drifts.len()];
+        let by_time = changes
+            .split_off(state.len())
+            .pop()
+            .map_or_else(still, |of_rows| [by_time, &of_rows].concat());
+        let gradients = (0..rows.drifts.len()).flat_map(|row| changes.iter().map(move |column| column[row]));
+        let mut roots = rows.response(model, way.factored, way.accelerations);
+        roots.extend(by_state.iter().copied().chain(gradients).chain(by_time));
         roots
     })
 }

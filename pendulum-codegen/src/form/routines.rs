@@ -110,7 +110,12 @@ pub(crate) fn canonical_jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -
 }
 
 /// The derivatives of some rows by some variables on top of the columns of others.
-fn on_top<'g>(model: &Model<'g>, rows: &[Expr<'g>], variables: &[Expr<'g>], columns: &[Expr<'g>]) -> Vec<Expr<'g>> {
+pub(super) fn on_top<'g>(
+    model: &Model<'g>,
+    rows: &[Expr<'g>],
+    variables: &[Expr<'g>],
+    columns: &[Expr<'g>],
+) -> Vec<Expr<'g>> {
     let above = derived(rows, variables);
     let pairs = above.into_iter().zip(columns.chunks(model.dof()));
     pairs.flat_map(|(above, below)| [&above, below].concat()).collect()

@@ -257,7 +257,7 @@ pub(super) fn hinder<'g>(model: &mut Model<'g>, walls: Vec<Wall<'g>>) {
     };
     for n in BodyId::all(model.bodies.len()) {
         let body = &model.bodies[n];
-        let (Some(law), Some(own)) = (body.law.clone(), body.coordinate) else {
+        let (Some(law), Some(own)) = (body.law, body.coordinate) else {
             continue;
         };
         let (name, force) = force(constraints.len(), &model.coordinate(own).name);
