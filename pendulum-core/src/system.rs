@@ -49,7 +49,7 @@ pub trait System<T: Real, const N: usize> {
     #[inline(always)]
     fn rhs_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N> {
         match self.hybrid() {
-            Some(hybrid) => hybrid::rhs(hybrid, hold, t, x),
+            Some(hybrid) => hybrid::called::rhs(hybrid, hold, t, x),
             None => self.rhs(t, x),
         }
     }
@@ -134,7 +134,7 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
     #[inline(always)]
     fn jacobian_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
         match self.hybrid_jacobian() {
-            Some(hybrid) => hybrid::jacobian(hybrid, hold, t, x),
+            Some(hybrid) => hybrid::called::rhs_and_jacobian(hybrid, hold, t, x).1,
             None => self.jacobian(t, x),
         }
     }
@@ -143,7 +143,7 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
     #[inline(always)]
     fn rhs_and_jacobian_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
         match self.hybrid_jacobian() {
-            Some(hybrid) => hybrid::rhs_and_jacobian(hybrid, hold, t, x),
+            Some(hybrid) => hybrid::called::rhs_and_jacobian(hybrid, hold, t, x),
             None => self.rhs_and_jacobian(t, x),
         }
     }
@@ -155,7 +155,7 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
         T: Float,
     {
         match self.hybrid_jacobian() {
-            Some(hybrid) => hybrid::time_derivative(hybrid, hold, t, x),
+            Some(hybrid) => hybrid::called::time_derivative(hybrid, hold, t, x),
             None => self.time_derivative(t, x),
         }
     }

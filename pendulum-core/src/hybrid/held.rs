@@ -105,6 +105,45 @@ where
     (rates, all)
 }
 
+/// The same as functions of their own: what systems that are not hybrid never call is no part of their code.
+pub(crate) mod called {
+    use nalgebra::{SMatrix, SVector};
+
+    use super::super::mode::Hold;
+    use super::super::{Hybrid, HybridJacobian};
+    use crate::real::Real;
+
+    #[inline(never)]
+    pub(crate) fn rhs<T: Real, const N: usize>(
+        system: &dyn Hybrid<T, N>,
+        hold: &Hold<T>,
+        t: T,
+        x: &SVector<T, N>,
+    ) -> SVector<T, N> {
+        super::rhs(system, hold, t, x)
+    }
+
+    #[inline(never)]
+    pub(crate) fn rhs_and_jacobian<T: Real, const N: usize>(
+        system: &dyn HybridJacobian<T, N>,
+        hold: &Hold<T>,
+        t: T,
+        x: &SVector<T, N>,
+    ) -> (SVector<T, N>, SMatrix<T, N, N>) {
+        super::rhs_and_jacobian(system, hold, t, x)
+    }
+
+    #[inline(never)]
+    pub(crate) fn time_derivative<T: Real, const N: usize>(
+        system: &dyn HybridJacobian<T, N>,
+        hold: &Hold<T>,
+        t: T,
+        x: &SVector<T, N>,
+    ) -> SVector<T, N> {
+        super::time_derivative(system, hold, t, x)
+    }
+}
+
 /// The forces along the constraints in a mode.
 #[cfg(feature = "std")]
 pub(crate) fn holding_forces<S, T, const N: usize>(system: &S, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> [T; MOST]

@@ -86,6 +86,7 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::real::Real;
 
+pub(crate) use held::called;
 #[cfg(feature = "std")]
 pub(crate) use held::holding_forces;
 pub use held::{jacobian, rhs, rhs_and_jacobian, time_derivative};
