@@ -423,6 +423,16 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// A ball between two walls, without derivatives and without parameters.
+    pub Between {
+        generate: [rhs],
+        wall left { gap: s, restitution: 1 }
+        wall right { gap: 1 - s, restitution: 1 }
+        body ball on ground { mass: 1, joint: prismatic(x), coordinate: s }
+    }
+}
+
 /// Solves with each method that is given, to 1e-13 where it chooses its steps.
 macro_rules! with_each {
     (|$method:ident| $check:expr) => {
@@ -532,6 +542,19 @@ fn a_ball_rebounds_and_comes_to_rest() {
         let (t, _) = *solution.modes().last().expect("a mode");
         near(t, meets) && near(solution.end()[0], 0.5 * 2.0) && near(solution.end()[1], 0.5)
     });
+}
+
+#[test]
+fn a_ball_goes_to_and_fro_between_walls() {
+    let model = Between::new(BetweenParams {}).expect("physical");
+    let solution = Tsit5::new().solve(&model, 0.0, 10.0, [0.5, 2.0]).expect("a motion");
+    // it has gone 20: to and fro ten times
+    assert!(
+        near(solution.end()[0], 0.5) && near(solution.end()[1], 2.0),
+        "{}",
+        solution.end()
+    );
+    assert_eq!(solution.modes().len(), 21);
 }
 
 /// Two joints stick and slip, and a stop and a wall are hit: all methods agree, and energy never grows.

@@ -1,5 +1,6 @@
 //! One mistake is one error, whatever the model is used for.
 
+use pendulum_core::hybrid::Hybrid;
 use pendulum_core::prelude::*;
 
 mechanism! {
@@ -21,7 +22,17 @@ mechanism! {
     }
 }
 
+mechanism! {
+    pub Rusty {
+        body rod on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: theta, dry_friction: -1 }
+    }
+}
+
 fn main() {
+    let rusty = Rusty::new(RustyParams {}).unwrap();
+    let stuck = Rodas5P::new().solve(&rusty, 0.0, 1.0, [0.0, 0.0]).unwrap();
+    let (_, mode) = stuck.modes()[0];
+    println!("{}", mode.describe(rusty.constraints()));
     let cart = Cart::new(CartParams { m: 2.0 }).unwrap();
     let pushed = cart.with_inputs(|_t, _x: &SVector<f64, 2>| CartInputs { push: 1.0 });
     let solution = Rk45::new().solve(&pushed, 0.0, 1.0, [0.0, 0.0]).unwrap();

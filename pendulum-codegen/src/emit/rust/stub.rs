@@ -88,6 +88,30 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
         }
     });
     let own = own.chain([outputs::functions(items, &inputs)]);
+    let hybrid = items.is_hybrid().then(|| {
+        let core = quote!(::pendulum_core::hybrid);
+        let vector = quote!(#matrix<T, #length, 1>);
+        quote! {
+            #allowed
+            impl<T: #real #any_length> #core::Hybrid<T, #length> for #name<T> {
+                fn constraints(&self) -> &'static [#core::Constraint] {
+                    &[]
+                }
+                fn laws(&self) -> [#core::Law<T>; #core::MOST] {
+                    ::core::default::Default::default()
+                }
+                fn measures(&self, _: T, _: &#vector) -> [[T; 2]; #core::MOST] {
+                    ::core::default::Default::default()
+                }
+                fn rhs_under(&self, _: T, x: &#vector, _: &[T; #core::MOST]) -> #vector {
+                    *x
+                }
+                fn response(&self, _: T, x: &#vector, _: &[T; #core::MOST]) -> #core::Response<T, #length> {
+                    #core::Response::new(*x)
+                }
+            }
+        }
+    });
     let items = quote! {
         #[derive(Clone, Copy, Debug, Default, PartialEq)]
         #allowed
@@ -265,6 +289,7 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
                 T::from_f64(0.0)
             }
         }
+        #hybrid
     };
     in_own_module(&scene.head, &[name.clone(), parameters, inputs], &items)
 }
