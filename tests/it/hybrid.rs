@@ -60,7 +60,9 @@ mechanism! {
             solids: [rod(0.4, [0, 0, 0], [0, -0.6, 0])], joint: revolute(z) at [0, -0.7, 0], coordinate: b absolute,
             dry_friction: 0.2, static_friction: 0.25, stop: [-1, 1],
         }
-        body first on turned { mass: 1, com: [0, -0.4, 0], inertia: 0.1, joint: revolute(z), coordinate: a absolute, stop: [-2, 2] }
+        body first on turned {
+            mass: 1, com: [0, -0.4, 0], inertia: 0.1, joint: revolute(z), coordinate: a absolute, stop: [-2, 2],
+        }
         body turned on slide { joint: revolute(z), motion: 0.3*sin(w*t) }
         body slide on ground { mass: 1, joint: prismatic(x), coordinate: s, dry_friction: 2 }
     }
@@ -80,7 +82,8 @@ mechanism! {
         point tip on last at [0, -0.5, 0],
         force on tip: [on_tip/9, -on_tip, 0],
         body last on middle {
-            solids: [rod(0.3, [0, 0, 0], [0, -0.5, 0])], joint: revolute(-z) at [0, -0.6, 0], coordinate: c, torque: on_last,
+            solids: [rod(0.3, [0, 0, 0], [0, -0.5, 0])], joint: revolute(-z) at [0, -0.6, 0], coordinate: c,
+            torque: on_last,
         }
         body middle on first {
             solids: [rod(0.4, [0, 0, 0], [0, -0.6, 0])], joint: revolute(z) at [0, -0.7, 0], coordinate: b absolute,

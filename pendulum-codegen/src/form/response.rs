@@ -124,8 +124,8 @@ pub(crate) fn response<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'
     forms.choose(candidates)
 }
 
-/// The same, and after it the derivatives of the right-hand side by the state, of each constraint's second derivative by
-/// the state, and of both by the time.
+/// The same, and after it the derivatives of the right-hand side by the state, of each constraint's second derivative
+/// by the state, and of both by the time.
 pub(crate) fn response_derivative<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let (graph, state) = (model.graph, model.state());
     let rows = Rows::new(model);

@@ -244,7 +244,8 @@ impl<'g> Lower<'g> {
     }
 }
 
-/// Puts what hinders the motion into a model, with forces that act on it: joints in the order of their bodies, then walls.
+/// Puts what hinders the motion into a model, with forces that act on it: joints in the order of their bodies, then
+/// walls.
 pub(super) fn hinder<'g>(model: &mut Model<'g>, walls: Vec<Wall<'g>>) {
     let graph = model.graph;
     let mut constraints: Vec<Constraint<'g>> = Vec::new();

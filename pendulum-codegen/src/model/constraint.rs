@@ -3,7 +3,7 @@
 use super::{Combination, CoordinateId, Model};
 use crate::expr::{Derivative, Expr, Unary};
 
-/// Something that hinders the motion: a value that the state determines, with friction against its rate, or with limits.
+/// Something that hinders the motion: a value that the state determines, with friction against its rate, or limits.
 #[derive(Clone, Debug)]
 pub(crate) struct Constraint<'g> {
     /// The coordinate of a joint, or the name of a wall.
@@ -46,8 +46,8 @@ impl<'g> Law<'g> {
 }
 
 impl<'g> Constraint<'g> {
-    /// The components of the state, and their signs, whose sum is the rate; none where it is no such sum. The coordinate
-    /// that belongs to the constraint stands last: it is in no constraint before, as a joint is listed after those below it.
+    /// The components of the state, and their signs, whose sum is the rate; none where it is no such sum. The own
+    /// coordinate stands last: it is in no constraint before, as a joint is listed after those below it.
     pub(crate) fn rate(&self, model: &Model<'g>) -> Vec<(usize, i8)> {
         let Some(own) = self.coordinate else { return Vec::new() };
         let rate = self.motion.without(own);

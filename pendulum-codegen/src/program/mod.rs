@@ -68,8 +68,8 @@ pub struct Program {
     pub drives: Vec<String>,
     /// What hinders the motion.
     pub constraints: Vec<Constraint>,
-    /// Of each constraint the friction that slips and that sticks, the restitution and the rate below which there is none,
-    /// then the limits that it has.
+    /// Of each constraint the friction that slips and that sticks, the restitution and the rate below which there is
+    /// none, then the limits that it has.
     pub laws: Block,
     /// How the scene looks, if it asks for that.
     pub drawing: Option<Drawing>,

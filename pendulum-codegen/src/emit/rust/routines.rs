@@ -107,8 +107,7 @@ impl Items<'_> {
         }
     }
 
-    /// The derivative of the right-hand side by the time, from what is `given` and some statements; zeros where that does
-    /// not occur.
+    /// The derivative of the right-hand side by the time, after some statements; zeros where the time does not occur.
     pub(super) fn time_derivative(&self, name: &str, arguments: &TokenStream, given: TokenStream) -> TokenStream {
         let name = format_ident!("{name}");
         let state = Shape::Vector(self.program.layout.len());
