@@ -146,6 +146,7 @@ pub mod prelude {
     #[cfg(feature = "std")]
     pub use crate::{Ensemble, Event, Solution, shapes::Shapes as _};
     // Their methods alone: the names stay free.
+    pub use crate::hybrid::Hybrid as _;
     pub use crate::{Canonical as _, Cast as _, Float as _, Real as _, TaylorSeries as _};
     pub use nalgebra::{SMatrix, SVector};
 }

@@ -229,6 +229,18 @@ fn what_hinders_a_motion_is_the_same() {
         all.extend(derivative.accelerations[..2].iter().flatten());
         all.extend(&derivative.rates_by_time);
         all.extend(&derivative.accelerations_by_time[..2]);
+        let measures = model.measure_derivatives(t, &x);
+        let each = |which: usize| {
+            measures.by_state[..2]
+                .iter()
+                .flat_map(move |row| row[which].iter().copied())
+        };
+        all.extend(each(0).chain(each(1)));
+        all.extend(
+            [0, 1]
+                .iter()
+                .flat_map(|&which| measures.by_time[..2].iter().map(move |row| row[which])),
+        );
         all.extend([model.kinetic(t, &x), model.potential(t, &x)]);
         all
     });

@@ -336,6 +336,29 @@ k4 = 1/m
                         ),
                 ),
                 (
+                    "measure_derivatives",
+                    ::pendulum_core::FunctionCost::new(
+                            "as declared",
+                            ::pendulum_core::Operations::new(0, 0, 0, 0, 0, 0),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(0, 0, 0, 0, 0, 0),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(0, 0, 0, 0, 0, 0),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(0, 0, 0, 0, 0, 0),
+                                ),
+                            ],
+                        ),
+                ),
+                (
                     "kinetic",
                     ::pendulum_core::FunctionCost::new(
                             "closed form, factors of the state first",
@@ -576,6 +599,12 @@ k4 = 1/m
             ])
         }
         #[inline]
+        fn hybrid_jacobian(
+            &self,
+        ) -> ::core::option::Option<&dyn ::pendulum_core::hybrid::HybridJacobian<T, 2>> {
+            Some(self)
+        }
+        #[inline]
         fn jacobian_in(
             &self,
             hold: &::pendulum_core::hybrid::Hold<T>,
@@ -682,6 +711,33 @@ k4 = 1/m
                 accelerations_by_time,
             }
         }
+        #[inline]
+        fn measure_derivatives(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::hybrid::MeasureDerivatives<T, 2> {
+            let [_, _] = x.data.0[0];
+            let zero = T::from_f64(0.0);
+            let mut derivatives = ::pendulum_core::hybrid::MeasureDerivatives {
+                by_state: [[::pendulum_core::nalgebra::SVector::from(
+                    [zero; 2],
+                ); 2]; ::pendulum_core::hybrid::MOST],
+                by_time: [[zero; 2]; ::pendulum_core::hybrid::MOST],
+            };
+            derivatives.by_state[0] = [
+                ::pendulum_core::nalgebra::SVector::from([
+                    T::from_f64(1.0),
+                    T::from_f64(0.0),
+                ]),
+                ::pendulum_core::nalgebra::SVector::from([
+                    T::from_f64(0.0),
+                    T::from_f64(1.0),
+                ]),
+            ];
+            derivatives.by_time[0] = [T::from_f64(0.0), T::from_f64(0.0)];
+            derivatives
+        }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> ::pendulum_core::Energy<T, 2> for Block<T> {
@@ -699,6 +755,7 @@ k4 = 1/m
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl ::pendulum_core::Cast<2> for Block {
+        const HYBRID: bool = true;
         type In<T: ::pendulum_core::real::Real> = Block<T>;
         fn cast<T: ::pendulum_core::real::Real>(&self) -> Block<T> {
             Block::cast(self)
