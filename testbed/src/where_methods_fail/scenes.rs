@@ -37,3 +37,27 @@ mechanism! {
         body lower on upper { mass: m2, com: [0, -1, 0], joint: revolute(z) at [0, -1, 0], coordinate: theta2 absolute }
     }
 }
+
+mechanism! {
+    /// Two rods whose axles stick.
+    pub DryPendulum {
+        params { mu1: N m, mu2: N m }
+        gravity: [0, -9.81, 0],
+        generate: [rhs, jacobian, energy],
+        shape rod { solids: [rod(1, [0, 0, 0], [0, -1, 0])] }
+        body upper on ground: rod { joint: revolute(z), coordinate: theta1, dry_friction: mu1 }
+        body lower on upper: rod { joint: revolute(z) at [0, -1, 0], coordinate: theta2, dry_friction: mu2 }
+    }
+}
+
+mechanism! {
+    /// The same with friction that rises over a rate of `eps`.
+    pub SmoothedPendulum {
+        params { mu1: N m, mu2: N m, eps: rad/s }
+        gravity: [0, -9.81, 0],
+        generate: [rhs, jacobian],
+        shape rod { solids: [rod(1, [0, 0, 0], [0, -1, 0])] }
+        body upper on ground: rod { joint: revolute(z), coordinate: theta1, torque: -mu1*tanh(qd/eps) }
+        body lower on upper: rod { joint: revolute(z) at [0, -1, 0], coordinate: theta2, torque: -mu2*tanh(qd/eps) }
+    }
+}
