@@ -1,5 +1,7 @@
 //! The search for the end of a mode within a step.
 
+use core::cell::Cell;
+
 use nalgebra::SVector;
 
 use super::held::held;
@@ -74,6 +76,8 @@ pub(crate) struct Watch<T> {
     starts: bool,
     /// How far each constraint has been from its limits since it was held there.
     pub(super) reach: [T; MOST],
+    /// The forces at the end of the last step.
+    forces: Option<[T; MOST]>,
 }
 
 impl<T: Float> Watch<T> {
@@ -82,12 +86,13 @@ impl<T: Float> Watch<T> {
             positive: Fired::default(),
             starts: true,
             reach: [T::default(); MOST],
+            forces: None,
         }
     }
 
     /// Goes on in another mode.
     pub(crate) fn restart(&mut self, mode: &Mode) {
-        (self.positive, self.starts) = (Fired::default(), true);
+        (self.positive, self.starts, self.forces) = (Fired::default(), true, None);
         for (reach, status) in self.reach.iter_mut().zip(mode.0) {
             if status.touches() {
                 *reach = T::default();
@@ -129,6 +134,9 @@ impl<T: Float> Watch<T> {
     }
 
     /// Where the mode ends within a step, in fractions of it, and by which functions; the work of looking is counted.
+    ///
+    /// Forces, which take an evaluation each time, are looked at in as many places as the polynomial of the step can
+    /// have extrema.
     pub(crate) fn look<const N: usize>(
         &mut self,
         (system, mode, hold): (&dyn Hybrid<T, N>, &Mode, &Hold<T>),
@@ -136,21 +144,27 @@ impl<T: Float> Watch<T> {
         work: &mut Statistics,
     ) -> Result<Option<(T, Fired)>, Reason> {
         let laws = system.laws();
-        let scene = Scene {
-            system,
-            mode,
-            hold,
-            laws: &laws,
-        };
+        let scene = Scene::new((system, mode, hold), &laws);
+        let found = self.search(&scene, dense);
+        work.evaluations += scene.evaluations.get();
+        found
+    }
+
+    fn search<const N: usize>(
+        &mut self,
+        scene: &Scene<'_, T, N>,
+        dense: &Dense<'_, T, N>,
+    ) -> Result<Option<(T, Fired)>, Reason> {
         let step = dense.step();
-        let values = scene.values(step.t0, &step.x0, work);
-        self.note_reach(&values, mode);
+        let known = core::mem::take(&mut self.forces);
+        let values = scene.values(step.t0, &step.x0, known.or_else(|| scene.forces(step.t0, &step.x0)));
+        self.note_reach(&values, scene.mode);
         let live = scene.live(&values, self.positive, dense);
         let was_start = core::mem::replace(&mut self.starts, false);
         if live.is_empty() {
             return Ok(None);
         }
-        let size = size(&laws, &step.x0);
+        let size = size(scene.laws, &step.x0);
         let noise: [T; MOST] = self
             .reach
             .map(|reach| T::from_f64(NOISE_ULPS) * T::EPSILON * reach.max(size));
@@ -159,17 +173,28 @@ impl<T: Float> Watch<T> {
                 self.positive.insert(n, way);
             }
         }
-        let (mut earlier, mut last): (Option<(T, Values<T>)>, _) = (None, (T::default(), values));
+        let places_of_forces = dense.terms().len().div_ceil(2).next_power_of_two();
+        let start = (T::default(), values);
+        let (mut of_state, mut of_forces) = (Seen::new(start), Seen::new(start));
         for theta in places(was_start) {
-            let here = (theta, scene.values(dense.time(theta), &dense.at_fraction(theta), work));
-            self.note_reach(&here.1, mode);
+            let (t, x) = (dense.time(theta), dense.at_fraction(theta));
+            let nth = theta * T::from_f64(places_of_forces as f64);
+            let is_of_forces = nth.to_f64().fract() == 0.0;
+            let forces = if is_of_forces { scene.forces(t, &x) } else { None };
+            let here = (theta, scene.values(t, &x, forces));
+            self.note_reach(&here.1, scene.mode);
             let mut first: Option<(T, Fired)> = None;
             for (n, way) in live.pairs() {
+                let seen = match scene.mode.is_held(n) {
+                    true if !is_of_forces => continue,
+                    true => &of_forces,
+                    false => &of_state,
+                };
                 let at = |place: &(T, Values<T>)| (place.0, place.1[n][way]);
                 let value = at(&here).1;
                 if value.to_f64().is_nan() {
-                    let constraint = system.constraints()[n].name;
-                    let t = dense.time(theta).to_f64();
+                    let constraint = scene.system.constraints()[n].name;
+                    let t = t.to_f64();
                     return Err(Reason::ConstraintNotFinite { constraint, t });
                 }
                 let function = |theta: T| scene.value(dense.time(theta), &dense.at_fraction(theta), n, way);
@@ -179,10 +204,10 @@ impl<T: Float> Watch<T> {
                     }
                     (value < -noise[n]).then_some(theta)
                 } else if value <= T::default() {
-                    Some(root(function, at(&last), at(&here)))
-                } else if let Some(earlier) = &earlier
+                    Some(root(function, at(&seen.last), at(&here)))
+                } else if let Some(earlier) = &seen.earlier
                     && earlier.1[n][way] > T::default()
-                    && let Some(bottom) = dip(function, [at(earlier), at(&last), at(&here)])
+                    && let Some(bottom) = dip(function, [at(earlier), at(&seen.last), at(&here)])
                 {
                     Some(root(function, at(earlier), bottom))
                 } else {
@@ -196,22 +221,40 @@ impl<T: Float> Watch<T> {
                     first = Some((place, fired));
                 }
             }
-            if let Some((theta, mut fired)) = first {
-                // what ends it at the same time
-                let scale = dense.time(theta).abs().max(step.h.abs());
-                let shortly = theta + T::from_f64(SIMULTANEOUS_ULPS) * T::EPSILON * scale / step.h.abs();
-                let values = scene.values(dense.time(shortly), &dense.at_fraction(shortly), work);
-                for (n, way) in live.pairs() {
-                    if self.positive.has(n, way) && values[n][way] <= T::default() {
-                        fired.insert(n, way);
-                    }
-                }
-                return Ok(Some((theta, fired)));
+            if let Some((theta, fired)) = first {
+                return Ok(Some((
+                    theta,
+                    self.with_simultaneous(scene, dense, (theta, fired), live),
+                )));
             }
-            earlier = Some(last);
-            last = here;
+            of_state.go_to(here);
+            if is_of_forces {
+                of_forces.go_to(here);
+                self.forces = forces;
+            }
         }
         Ok(None)
+    }
+
+    /// What ends a mode, with all that does so at the same time.
+    fn with_simultaneous<const N: usize>(
+        &self,
+        scene: &Scene<'_, T, N>,
+        dense: &Dense<'_, T, N>,
+        (theta, mut fired): (T, Fired),
+        live: Fired,
+    ) -> Fired {
+        let step = dense.step();
+        let scale = dense.time(theta).abs().max(step.h.abs());
+        let shortly = theta + T::from_f64(SIMULTANEOUS_ULPS) * T::EPSILON * scale / step.h.abs();
+        let (t, x) = (dense.time(shortly), dense.at_fraction(shortly));
+        let values = scene.values(t, &x, scene.forces(t, &x));
+        for (n, way) in live.pairs() {
+            if self.positive.has(n, way) && values[n][way] <= T::default() {
+                fired.insert(n, way);
+            }
+        }
+        fired
     }
 
     /// How far from the end of a step that was taken to there the first of the functions that fired does so, in
@@ -224,17 +267,11 @@ impl<T: Float> Watch<T> {
         work: &mut Statistics,
     ) -> T {
         let laws = system.laws();
-        let scene = Scene {
-            system,
-            mode,
-            hold,
-            laws: &laws,
-        };
+        let scene = Scene::new((system, mode, hold), &laws);
         let (zero, step) = (T::default(), dense.step());
         let mut first = None;
         for (n, way) in fired.pairs().filter(|&(n, way)| self.positive.has(n, way)) {
             let function = |by: T| scene.value(step.t1 + by * step.h, &dense.about_end(by), n, way);
-            work.evaluations += usize::from(mode.is_held(n));
             let value = function(zero);
             let place = ABOUT_THE_END.into_iter().find_map(|about| {
                 let other = T::from_f64(if value > zero { about } else { -about });
@@ -248,6 +285,7 @@ impl<T: Float> Watch<T> {
             let place = place.unwrap_or_default();
             first = Some(first.map_or(place, |first: T| first.min(place)));
         }
+        work.evaluations += scene.evaluations.get();
         first.unwrap_or_default()
     }
 
@@ -268,37 +306,63 @@ pub(super) fn size<T: Float, const N: usize>(laws: &[Law<T>; MOST], x: &SVector<
     limits.chain(positions).fold(T::default(), |size, x| size.max(x.abs()))
 }
 
+/// The two places that were looked at last.
+struct Seen<T> {
+    earlier: Option<(T, Values<T>)>,
+    last: (T, Values<T>),
+}
+
+impl<T: Copy> Seen<T> {
+    fn new(start: (T, Values<T>)) -> Self {
+        Self {
+            earlier: None,
+            last: start,
+        }
+    }
+
+    fn go_to(&mut self, here: (T, Values<T>)) {
+        (self.earlier, self.last) = (Some(self.last), here);
+    }
+}
+
 /// A system in a mode.
 struct Scene<'a, T, const N: usize> {
     system: &'a dyn Hybrid<T, N>,
     mode: &'a Mode,
     hold: &'a Hold<T>,
     laws: &'a [Law<T>; MOST],
+    evaluations: Cell<usize>,
 }
 
-impl<T: Float, const N: usize> Scene<'_, T, N> {
-    /// All functions.
-    fn values(&self, t: T, x: &SVector<T, N>, work: &mut Statistics) -> Values<T> {
-        let forces = (self.hold.held != 0).then(|| {
-            work.evaluations += 1;
-            self.forces(t, x)
-        });
-        let measures = self.system.measures(t, x);
-        core::array::from_fn(|n| self.of(n, measures[n], forces.map_or(T::default(), |forces| forces[n])))
+impl<'a, T: Float, const N: usize> Scene<'a, T, N> {
+    fn new((system, mode, hold): (&'a dyn Hybrid<T, N>, &'a Mode, &'a Hold<T>), laws: &'a [Law<T>; MOST]) -> Self {
+        Self {
+            system,
+            mode,
+            hold,
+            laws,
+            evaluations: Cell::new(0),
+        }
+    }
+
+    /// The functions, those of what is held from its forces.
+    fn values(&self, t: T, x: &SVector<T, N>, forces: Option<[T; MOST]>) -> Values<T> {
+        let (measures, forces) = (self.system.measures(t, x), forces.unwrap_or_default());
+        core::array::from_fn(|n| self.of(n, measures[n], forces[n]))
     }
 
     /// One of them.
     fn value(&self, t: T, x: &SVector<T, N>, n: usize, way: usize) -> T {
-        let force = if self.mode.is_held(n) {
-            self.forces(t, x)[n]
-        } else {
-            T::default()
-        };
-        self.of(n, self.system.measures(t, x)[n], force)[way]
+        let forces = if self.mode.is_held(n) { self.forces(t, x) } else { None };
+        self.of(n, self.system.measures(t, x)[n], forces.unwrap_or_default()[n])[way]
     }
 
-    fn forces(&self, t: T, x: &SVector<T, N>) -> [T; MOST] {
-        held(self.system, self.hold, &self.system.response(t, x, &self.hold.forces)).1
+    /// The forces along the constraints, where something is held.
+    fn forces(&self, t: T, x: &SVector<T, N>) -> Option<[T; MOST]> {
+        (self.hold.held != 0).then(|| {
+            self.evaluations.set(self.evaluations.get() + 1);
+            held(self.system, self.hold, &self.system.response(t, x, &self.hold.forces)).1
+        })
     }
 
     fn of(&self, n: usize, [value, rate]: [T; 2], force: T) -> [T; WAYS] {
