@@ -633,3 +633,50 @@ fn layouts_know_what_stops_and_walls_end() {
     assert!(!Ball::LAYOUT.slots[0].cyclic && !Block::LAYOUT.slots[0].cyclic);
     const { assert!(Dry::LAYOUT.autonomous && !Ball::LAYOUT.autonomous) };
 }
+
+mechanism! {
+    /// Two rods with dry axles, of which the lower one cannot fold.
+    pub Rods {
+        params { mu: N m = 0.3 }
+        gravity: [0, -9.81, 0],
+        generate: [rhs],
+        shape rod { solids: [rod(1, [0, 0, 0], [0, -1, 0])] }
+        body upper on ground: rod { joint: revolute(z), coordinate: a, dry_friction: mu, static_friction: 1.2*mu }
+        body lower on upper: rod {
+            joint: revolute(z) at [0, -1, 0], coordinate: b, dry_friction: 0.1, stop: [-1.5, 1] restitution(0.5),
+        }
+    }
+}
+
+/// Each with a model of its own, and from a state of its own.
+fn rods() -> (Vec<Rods>, Vec<SVector<f64, 4>>) {
+    let mut random = Random::new(8);
+    (0..60)
+        .map(|_| {
+            let params = RodsParams {
+                mu: random.between(0.2, 0.8),
+            };
+            let start = [(-2.0, 2.0), (-1.5, 1.0), (-3.0, 3.0), (-3.0, 3.0)];
+            let start = start.map(|(low, high)| random.between(low, high));
+            (Rods::new(params).expect("physical"), SVector::from(start))
+        })
+        .unzip()
+}
+
+#[test]
+fn lanes_have_the_bits_of_trajectories_alone() {
+    fn same<M>(method: &M)
+    where
+        M: Ensemble<Rods, f64, 4> + Method<Rods, f64, 4>,
+    {
+        let (models, starts) = rods();
+        let ends = method.ensemble(&models, 0.0, 8.0, &starts).expect("regular");
+        for ((model, start), end) in models.iter().zip(&starts).zip(&ends) {
+            let alone = method.solve(model, 0.0, 8.0, *start).expect("regular");
+            assert_eq!(alone.end().map(f64::to_bits), end.map(f64::to_bits), "from {start}");
+        }
+    }
+    same(&Tsit5::new());
+    same(&Vern7::new().rtol(1e-9).atol(1e-9));
+    same(&Rk4::new(0.01));
+}

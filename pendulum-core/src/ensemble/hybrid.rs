@@ -49,14 +49,14 @@ where
         loop {
             if members.some_are_free(V::LANES) {
                 let mut someone_enters = false;
-                for lane in 0..V::LANES {
+                for (lane, modes) in modes.iter_mut().enumerate() {
                     if members.index(lane).is_none()
                         && let Some((index, progress)) = ready.pop().or_else(|| self.start(t1))
                     {
                         members.enter(lane, index, progress.t, progress.pace);
                         members.steps[lane] = progress.steps;
                         set_lane(&mut x, lane, &progress.x);
-                        modes[lane] = Some(progress.modes);
+                        *modes = Some(progress.modes);
                         someone_enters = true;
                     }
                 }
@@ -119,12 +119,11 @@ where
                     if !members.is_accepted(lane) {
                         continue;
                     }
-                    let may_end = (0..MOST).any(|n| {
-                        let slips = own.mode.0[n] != Status::Free;
-                        let left = room[n].map(|room| room.lane(lane));
-                        (slips && !(left[0] > T::default())) || !(left[1] > T::default() && left[2] > T::default())
+                    let goes_on = (0..MOST).all(|n| {
+                        let [rate, low, high] = room[n].map(|room| room.lane(lane) > T::default());
+                        (rate || own.mode.0[n] == Status::Free) && low && high
                     });
-                    if may_end {
+                    if !goes_on {
                         let progress = before.progress(lane, in_lane(&x, lane), *own);
                         members.leave(lane);
                         ready.extend(self.go_on(index, progress, &control).map(|progress| (index, progress)));

@@ -423,7 +423,7 @@ pub(crate) fn room<V: Lanes, const N: usize>(
     terms: &[SVector<V, N>],
 ) -> [[V; WAYS]; MOST] {
     let laws = system.laws();
-    let mut room = [[V::default(); WAYS]; MOST];
+    let mut room = [[V::from_f64(1.0); WAYS]; MOST];
     for (n, constraint) in system.constraints().iter().enumerate() {
         let [value, rate] = measures[n];
         let most = |back: usize| {
