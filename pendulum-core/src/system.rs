@@ -38,7 +38,7 @@ pub trait System<T: Real, const N: usize> {
         None
     }
 
-    /// What switches between the modes of a [hybrid](crate::hybrid) system; `None`, as by default, where the equations
+    /// What switches between the modes of a [hybrid] system; `None`, as by default, where the equations
     /// are always the same.
     #[inline(always)]
     fn hybrid(&self) -> Option<&dyn Hybrid<T, N>> {
@@ -65,7 +65,7 @@ pub trait System<T: Real, const N: usize> {
             has it as `model.with_law(law)`, with a law that is generic over `Real`"
 )]
 pub trait Cast<const N: usize> {
-    /// Whether the model may be [hybrid](crate::hybrid).
+    /// Whether the model may be [hybrid].
     const HYBRID: bool = false;
 
     /// The model in another number type.
@@ -124,7 +124,7 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
         by_number(t, |t| self.rhs(t, x))
     }
 
-    /// The derivatives of a [hybrid](crate::hybrid) system; required of these, and `None` for others.
+    /// The derivatives of a [hybrid] system; required of these, and `None` for others.
     #[inline(always)]
     fn hybrid_jacobian(&self) -> Option<&dyn HybridJacobian<T, N>> {
         None
