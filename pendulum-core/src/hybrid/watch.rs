@@ -178,8 +178,8 @@ impl<T: Float> Watch<T> {
         let (mut of_state, mut of_forces) = (Seen::new(start), Seen::new(start));
         for theta in places(was_start) {
             let (t, x) = (dense.time(theta), dense.at_fraction(theta));
-            let nth = theta * T::from_f64(places_of_forces as f64);
-            let is_of_forces = nth.to_f64().fract() == 0.0;
+            let nth = (theta * T::from_f64(places_of_forces as f64)).to_f64();
+            let is_of_forces = libm::floor(nth) == nth;
             let forces = if is_of_forces { scene.forces(t, &x) } else { None };
             let here = (theta, scene.values(t, &x, forces));
             self.note_reach(&here.1, scene.mode);
