@@ -14,7 +14,7 @@ pub use state::IntoState;
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::hybrid::{self, Hold, Hybrid, HybridJacobian};
+use crate::hybrid::{self, Hold, Hybrid, HybridJacobian, MOST};
 use crate::inputs::Controlled;
 use crate::layout::StateLayout;
 use crate::real::lanes::Lanes;
@@ -43,6 +43,13 @@ pub trait System<T: Real, const N: usize> {
     #[inline(always)]
     fn hybrid(&self) -> Option<&dyn Hybrid<T, N>> {
         None
+    }
+
+    /// The right-hand side of a hybrid system under forces along its constraints, of which none is held: required of
+    /// these; `rhs` of others.
+    #[inline(always)]
+    fn rhs_under(&self, t: T, x: &SVector<T, N>, _forces: &[T; MOST]) -> SVector<T, N> {
+        self.rhs(t, x)
     }
 
     /// The right-hand side in a mode of a hybrid system; `rhs` of others.
@@ -219,6 +226,7 @@ impl<T: Real, S: System<T, N> + ?Sized, const N: usize> System<T, N> for &S {
         rhs(t: T, x: &SVector<T, N>) -> SVector<T, N>;
         layout() -> Option<&'static StateLayout>;
         hybrid() -> Option<&dyn Hybrid<T, N>>;
+        rhs_under(t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> SVector<T, N>;
         rhs_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N>;
     }
 }

@@ -54,7 +54,12 @@ pub struct Passage<T, const N: usize> {
 impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for InMode<'_, S, T> {
     #[inline(always)]
     fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
-        self.system.rhs_in(self.hold, t, x)
+        // nothing is held of what runs in lanes
+        if const { T::LANES > 1 } {
+            self.system.rhs_under(t, x, &self.hold.forces)
+        } else {
+            self.system.rhs_in(self.hold, t, x)
+        }
     }
 
     #[inline(always)]

@@ -29,6 +29,10 @@
 //!         self.rhs_under(t, x, &[0.0; MOST])
 //!     }
 //!
+//!     fn rhs_under(&self, _t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
+//!         SVector::from([x[1], forces[0] - 9.81])
+//!     }
+//!
 //!     fn hybrid(&self) -> Option<&dyn Hybrid<f64, 2>> {
 //!         Some(self)
 //!     }
@@ -49,10 +53,6 @@
 //!         let mut measures = [[0.0; 2]; MOST];
 //!         measures[0] = [x[0], x[1]];
 //!         measures
-//!     }
-//!
-//!     fn rhs_under(&self, _t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
-//!         SVector::from([x[1], forces[0] - 9.81])
 //!     }
 //!
 //!     fn response(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> Response<f64, 2> {
@@ -85,6 +85,7 @@ mod watch;
 use nalgebra::{SMatrix, SVector};
 
 use crate::real::Real;
+use crate::system::System;
 
 pub(crate) use held::called;
 #[cfg(feature = "std")]
@@ -135,7 +136,7 @@ pub struct Law<T> {
 ///
 /// The state is `[q; qd]`. Forces along constraints are those that do work with their rates: positive ones push
 /// forward. [`MOST`] of everything is passed, of which only the first are used.
-pub trait Hybrid<T: Real, const N: usize> {
+pub trait Hybrid<T: Real, const N: usize>: System<T, N> {
     /// Its constraints, [`MOST`] of them at most.
     fn constraints(&self) -> &'static [Constraint];
 
@@ -145,10 +146,7 @@ pub trait Hybrid<T: Real, const N: usize> {
     /// The value and the rate of each constraint.
     fn measures(&self, t: T, x: &SVector<T, N>) -> [[T; 2]; MOST];
 
-    /// The right-hand side under forces along the constraints, of which none is held.
-    fn rhs_under(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> SVector<T, N>;
-
-    /// The same, and what more force would change.
+    /// [`System::rhs_under`], and what more force would change.
     fn response(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> Response<T, N>;
 }
 

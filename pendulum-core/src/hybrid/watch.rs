@@ -60,10 +60,12 @@ impl Fired {
         self.0.trailing_zeros() as usize / WAYS
     }
 
-    fn pairs(self) -> impl Iterator<Item = (usize, usize)> {
-        (0..MOST * WAYS)
-            .map(|slot| (slot / WAYS, slot % WAYS))
-            .filter(move |&(n, way)| self.has(n, way))
+    fn pairs(mut self) -> impl Iterator<Item = (usize, usize)> {
+        core::iter::from_fn(move || {
+            let slot = self.0.trailing_zeros() as usize;
+            self.0 &= self.0.wrapping_sub(1);
+            (slot < MOST * WAYS).then_some((slot / WAYS, slot % WAYS))
+        })
     }
 }
 
@@ -176,7 +178,9 @@ impl<T: Float> Watch<T> {
         let places_of_forces = dense.terms().len().div_ceil(2).next_power_of_two();
         let start = (T::default(), values);
         let (mut of_state, mut of_forces) = (Seen::new(start), Seen::new(start));
-        for theta in places(was_start) {
+        // what rebounds may come back at once
+        let has_limits = live.pairs().any(|(n, way)| way != FORWARD && !scene.mode.is_held(n));
+        for theta in places(was_start && has_limits) {
             let (t, x) = (dense.time(theta), dense.at_fraction(theta));
             let nth = (theta * T::from_f64(places_of_forces as f64)).to_f64();
             let is_of_forces = libm::floor(nth) == nth;
@@ -348,7 +352,11 @@ impl<'a, T: Float, const N: usize> Scene<'a, T, N> {
     /// The functions, those of what is held from its forces.
     fn values(&self, t: T, x: &SVector<T, N>, forces: Option<[T; MOST]>) -> Values<T> {
         let (measures, forces) = (self.system.measures(t, x), forces.unwrap_or_default());
-        core::array::from_fn(|n| self.of(n, measures[n], forces[n]))
+        let mut values = [[T::from_f64(f64::INFINITY); WAYS]; MOST];
+        for n in 0..self.system.constraints().len() {
+            values[n] = self.of(n, measures[n], forces[n]);
+        }
+        values
     }
 
     /// One of them.

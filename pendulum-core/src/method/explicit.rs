@@ -260,6 +260,7 @@ where
         }
     }
 
+    #[inline(always)]
     fn dense(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
         let tableau = const { &B::TABLEAU };
         let mut extra = [SVector::from_element(T::default()); MAX_EXTRA];

@@ -15,21 +15,19 @@ struct Ball {
 
 const GRAVITY: f64 = 9.81;
 
-macro_rules! system {
-    ($name:ty, $n:literal) => {
-        impl System<f64, $n> for $name {
-            fn rhs(&self, t: f64, x: &SVector<f64, $n>) -> SVector<f64, $n> {
-                self.rhs_under(t, x, &[0.0; MOST])
-            }
+impl System<f64, 2> for Ball {
+    fn rhs(&self, t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
+        self.rhs_under(t, x, &[0.0; MOST])
+    }
 
-            fn hybrid(&self) -> Option<&dyn Hybrid<f64, $n>> {
-                Some(self)
-            }
-        }
-    };
+    fn rhs_under(&self, _t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
+        SVector::from([x[1], forces[0] - GRAVITY])
+    }
+
+    fn hybrid(&self) -> Option<&dyn Hybrid<f64, 2>> {
+        Some(self)
+    }
 }
-
-system!(Ball, 2);
 
 impl Hybrid<f64, 2> for Ball {
     fn constraints(&self) -> &'static [Constraint] {
@@ -56,10 +54,6 @@ impl Hybrid<f64, 2> for Ball {
         let mut measures = [[0.0; 2]; MOST];
         measures[0] = [x[0], x[1]];
         measures
-    }
-
-    fn rhs_under(&self, _t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
-        SVector::from([x[1], forces[0] - GRAVITY])
     }
 
     fn response(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> Response<f64, 2> {
@@ -156,7 +150,19 @@ struct Belt {
     sticking: f64,
 }
 
-system!(Belt, 2);
+impl System<f64, 2> for Belt {
+    fn rhs(&self, t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
+        self.rhs_under(t, x, &[0.0; MOST])
+    }
+
+    fn rhs_under(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
+        SVector::from([x[1], (forces[0] - self.stiffness * (x[0] + t)) / self.mass])
+    }
+
+    fn hybrid(&self) -> Option<&dyn Hybrid<f64, 2>> {
+        Some(self)
+    }
+}
 
 impl Jacobian<f64, 2> for Belt {
     fn jacobian(&self, t: f64, x: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
@@ -192,10 +198,6 @@ impl Hybrid<f64, 2> for Belt {
         let mut measures = [[0.0; 2]; MOST];
         measures[0] = [x[0], x[1]];
         measures
-    }
-
-    fn rhs_under(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
-        SVector::from([x[1], (forces[0] - self.stiffness * (x[0] + t)) / self.mass])
     }
 
     fn response(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> Response<f64, 2> {
@@ -407,6 +409,13 @@ impl System<f64, 4> for Carts {
         self.rhs_under(t, x, &[0.0; MOST])
     }
 
+    fn rhs_under(&self, _t: f64, x: &SVector<f64, 4>, forces: &[f64; MOST]) -> SVector<f64, 4> {
+        let [to_ground, between] = [self.stiffness[0] * x[0], self.stiffness[1] * (x[1] - x[0] - 1.0)];
+        let first = forces[0] - forces[2] - to_ground + between;
+        let second = forces[1] + forces[2] - between;
+        SVector::from([x[2], x[3], first / self.masses[0], second / self.masses[1]])
+    }
+
     fn hybrid(&self) -> Option<&dyn Hybrid<f64, 4>> {
         Some(self)
     }
@@ -449,13 +458,6 @@ impl Hybrid<f64, 4> for Carts {
         let mut measures = [[0.0; 2]; MOST];
         measures[..3].copy_from_slice(&[[x[0], x[2]], [x[1], x[3]], [x[1] - x[0], x[3] - x[2]]]);
         measures
-    }
-
-    fn rhs_under(&self, _t: f64, x: &SVector<f64, 4>, forces: &[f64; MOST]) -> SVector<f64, 4> {
-        let [to_ground, between] = [self.stiffness[0] * x[0], self.stiffness[1] * (x[1] - x[0] - 1.0)];
-        let first = forces[0] - forces[2] - to_ground + between;
-        let second = forces[1] + forces[2] - between;
-        SVector::from([x[2], x[3], first / self.masses[0], second / self.masses[1]])
     }
 
     fn response(&self, t: f64, x: &SVector<f64, 4>, forces: &[f64; MOST]) -> Response<f64, 4> {

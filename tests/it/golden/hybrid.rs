@@ -446,13 +446,27 @@ k4 = 1/m
             for n in 0..1 {
                 forces[n] = -laws[n].slipping * measures[n][1].signum();
             }
-            ::pendulum_core::hybrid::Hybrid::rhs_under(self, t, x, &forces)
+            ::pendulum_core::System::rhs_under(self, t, x, &forces)
         }
         #[inline]
         fn layout(
             &self,
         ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
             Some(&<Block>::LAYOUT)
+        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn rhs_under(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+            forces: &[T; ::pendulum_core::hybrid::MOST],
+        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
+            let [_, qd_s] = x.data.0[0];
+            let f0 = forces[0];
+            let k2 = self.constants[2];
+            let k4 = self.constants[4];
+            ::pendulum_core::nalgebra::SVector::from([qd_s, k4 * (k2 + f0)])
         }
         #[inline]
         fn hybrid(
@@ -511,20 +525,6 @@ k4 = 1/m
             let mut measures = [[T::from_f64(0.0); 2]; ::pendulum_core::hybrid::MOST];
             measures[0] = [q_s, qd_s];
             measures
-        }
-        #[cfg_attr(debug_assertions, inline)]
-        #[cfg_attr(not(debug_assertions), inline(always))]
-        fn rhs_under(
-            &self,
-            t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 2>,
-            forces: &[T; ::pendulum_core::hybrid::MOST],
-        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
-            let [_, qd_s] = x.data.0[0];
-            let f0 = forces[0];
-            let k2 = self.constants[2];
-            let k4 = self.constants[4];
-            ::pendulum_core::nalgebra::SVector::from([qd_s, k4 * (k2 + f0)])
         }
         #[inline]
         fn response(

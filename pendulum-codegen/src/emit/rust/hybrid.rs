@@ -22,9 +22,11 @@ impl Items<'_> {
             #inline
             fn rhs(&self, t: T, x: &#vector) -> #vector {
                 #friction
-                #core::Hybrid::rhs_under(self, t, x, &forces)
+                ::pendulum_core::System::rhs_under(self, t, x, &forces)
             }
             #layout
+            #inline
+            #rhs
             #[inline]
             fn hybrid(&self) -> ::core::option::Option<&dyn #core::Hybrid<T, #length>> {
                 Some(self)
@@ -46,8 +48,6 @@ impl Items<'_> {
             fn laws(&self) -> [#core::Law<T>; #core::MOST] #laws
             #[inline]
             fn measures(&self, t: T, x: &#vector) -> [[T; 2]; #core::MOST] #measures
-            #inline
-            #rhs
             #[inline]
             #response
         };
