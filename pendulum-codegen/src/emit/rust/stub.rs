@@ -103,9 +103,6 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
                 fn measures(&self, _: T, _: &#vector) -> [[T; 2]; #core::MOST] {
                     ::core::default::Default::default()
                 }
-                fn rhs_under(&self, _: T, x: &#vector, _: &[T; #core::MOST]) -> #vector {
-                    *x
-                }
                 fn response(&self, _: T, x: &#vector, _: &[T; #core::MOST]) -> #core::Response<T, #length> {
                     #core::Response::new(*x)
                 }
