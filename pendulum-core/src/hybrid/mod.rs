@@ -1,21 +1,21 @@
 //! Hybrid systems: dry friction that sticks, stops, and walls.
 //!
 //! What hinders a motion is a [`Constraint`]: a number that the state determines, such as the coordinate of a joint or
-//! the gap to a wall, whose rate may be braked by friction, and which may have limits. In each [`Mode`] (what slips, what
-//! sticks, what touches) the equations are smooth, and methods integrate them as they do others. A mode ends where a
-//! friction force reaches its limit, a rate or a gap passes zero, or a contact would have to pull: that is found on the
-//! dense output, the step ends there, and the next one starts in another mode.
+//! the gap to a wall, whose rate may be braked by friction, and which may have limits. In each [`Mode`] (what slips,
+//! what sticks, what touches) the equations are smooth, and methods integrate them as they do others. A mode ends
+//! where a friction force reaches its limit, a rate or a gap passes zero, or a contact would have to pull: that is
+//! found on the dense output, the step ends there, and the next one starts in another mode.
 //!
 //! - A rate that reaches zero stays there, exactly, as long as friction can hold it. Which constraints hold and which
 //!   slip is decided for all of them together: forces, accelerations and limits are consistent (a complementarity
 //!   problem, solved by trying all combinations, fewest slipping first).
-//! - At a limit there is an impact: by Newton's law, constraints that approach with the rate `v` leave with `-e v`; with
-//!   several at once, all have the least of their restitutions, so energy never grows. Friction forces are finite, so they
-//!   take no part in impacts.
+//! - At a limit there is an impact: by Newton's law, constraints that approach with the rate `v` leave with `-e v`;
+//!   with several at once, all have the least of their restitutions, so energy never grows. Friction forces are
+//!   finite, so they take no part in impacts.
 //! - Rebounds that become too small to see end at once, at the limit of the geometric series of their times.
 //!
-//! Generated models have all this from `dry_friction`, `stop` and `wall` in their declaration. A model by hand implements
-//! [`Hybrid`]:
+//! Generated models have all this from `dry_friction`, `stop` and `wall` in their declaration. A model by hand
+//! implements [`Hybrid`]:
 //!
 //! ```
 //! use pendulum_core::hybrid::{Constraint, Hybrid, Law, MOST, Response};

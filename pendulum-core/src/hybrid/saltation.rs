@@ -12,9 +12,10 @@ use crate::real::Float;
 
 /// The saltation matrix: a tangent `v` before becomes `S v` after.
 ///
-/// With the function `g` whose zero ends the mode, the jump `r` of the state, and the right-hand sides before and after,
-/// it is `Dr + (f+ - Dr f- - dr/dt) Dg / (Dg f- + dg/dt)` (M. di Bernardo, C. J. Budd, A. R. Champneys, P. Kowalczyk,
-/// "Piecewise-smooth Dynamical Systems" 2008, Sec. 2.5). Where two modes end at the same time it is that of the first.
+/// With the function `g` whose zero ends the mode, the jump `r` of the state, and the right-hand sides before and
+/// after, it is `Dr + (f+ - Dr f- - dr/dt) Dg / (Dg f- + dg/dt)` (M. di Bernardo, C. J. Budd, A. R. Champneys, P.
+/// Kowalczyk, "Piecewise-smooth Dynamical Systems" 2008, Sec. 2.5). Where two modes end at the same time it is that
+/// of the first.
 pub(crate) fn saltation<T: Float, const N: usize>(
     system: &dyn HybridJacobian<T, N>,
     passage: &Passage<T, N>,
