@@ -680,3 +680,38 @@ fn lanes_have_the_bits_of_trajectories_alone() {
     same(&Vern7::new().rtol(1e-9).atol(1e-9));
     same(&Rk4::new(0.01));
 }
+
+#[test]
+fn a_pendulum_rests_in_an_interval() {
+    mechanism! {
+        pub Rusty {
+            params { mu: N m = 2 }
+            gravity: [0, -9.81, 0],
+            body bob on ground {
+                mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle,
+                dry_friction: 0.8*mu, static_friction: mu,
+            }
+        }
+    }
+    let model = Rusty::new(RustyParams::default()).expect("physical");
+    // as far as gravity asks for no more than friction at rest can bear
+    let most = (2.0_f64 / 9.81).asin();
+    let resting = pendulum_core::stability::resting(&model, [0.1, 0.0]).expect("it rests");
+    assert_eq!(resting.x, SVector::from([0.1, 0.0]));
+    assert_eq!(resting.mode.0[0], Status::Stuck);
+    assert_near(resting.margin, 1.0 - 9.81 * 0.1_f64.sin() / 2.0, "margin");
+    let [low, high] = resting.interval(&model, 0, 1.0).expect("regular");
+    assert_near(low, -most, "lower end");
+    assert_near(high, most, "upper end");
+    // from where it slips it is the equilibrium without friction
+    let resting = pendulum_core::stability::resting(&model, [1.0, 0.0]).expect("it rests");
+    assert!(resting.x[0].abs() < 1e-9 && resting.margin > 0.999_999, "{resting:?}");
+    // and wherever it comes to rest is within
+    for start in [1.0, -2.0, 0.5, 3.0] {
+        let end = Tsit5::new()
+            .solve(&model, 0.0, 50.0, [start, 0.0])
+            .expect("regular")
+            .end();
+        assert!(end[1] == 0.0 && end[0].abs() <= most, "{end}");
+    }
+}

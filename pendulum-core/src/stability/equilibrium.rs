@@ -6,6 +6,7 @@ use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
 use super::least_squares::shortest_step;
 use super::{Spectrum, StabilityError};
+use crate::hybrid::{HybridJacobian, MOST};
 use crate::layout::StateLayout;
 use crate::system::{IntoState, Jacobian, System};
 
@@ -69,7 +70,8 @@ impl<const N: usize> Equilibrium<N> {
 /// it does, and no longer than 1, or a tenth of the state, so that it does not leap over what is near (J. Nocedal, S. J. Wright, "Numerical
 /// Optimization", 2nd ed. (2006), 11.2). Where that leads into a valley without a zero, the motion itself is followed with implicit Euler steps,
 /// which brake it, until it hangs (C. T. Kelley, D. E. Keyes, SIAM J. Numer. Anal. 35 (1998) 508). Where equilibria are
-/// not isolated, as for a cart on a level track, it is one nearby.
+/// not isolated, as for a cart on a level track, it is one nearby. Of a [hybrid](crate::hybrid) system it is that without
+/// dry friction and contacts; [`resting`](super::resting) tells where these hold it.
 ///
 /// # Errors
 /// [`StabilityError::TimeDependent`] if the layout says that time may occur, [`StabilityError::NotFinite`] where the right-hand side is not
@@ -90,9 +92,42 @@ pub(super) fn settle<S, const N: usize>(system: &S, x: SVector<f64, N>) -> Resul
 where
     S: Jacobian<f64, N> + ?Sized,
 {
+    match system.hybrid_jacobian() {
+        Some(hybrid) => come_to_rest(&Frictionless(hybrid), x),
+        None => come_to_rest(system, x),
+    }
+}
+
+fn come_to_rest<S, const N: usize>(system: &S, x: SVector<f64, N>) -> Result<SVector<f64, N>, StabilityError>
+where
+    S: Jacobian<f64, N> + ?Sized,
+{
     match newton(system, x) {
         Err(StabilityError::NoConvergence { .. }) => newton(system, brake(system, x)?),
         result => result,
+    }
+}
+
+/// A hybrid system without its friction, which is zero at rest and jumps beside it.
+struct Frictionless<'a, const N: usize>(&'a dyn HybridJacobian<f64, N>);
+
+impl<const N: usize> System<f64, N> for Frictionless<'_, N> {
+    fn rhs(&self, t: f64, x: &SVector<f64, N>) -> SVector<f64, N> {
+        self.0.rhs_under(t, x, &[0.0; MOST])
+    }
+
+    fn layout(&self) -> Option<&'static StateLayout> {
+        self.0.layout()
+    }
+}
+
+impl<const N: usize> Jacobian<f64, N> for Frictionless<'_, N> {
+    fn jacobian(&self, t: f64, x: &SVector<f64, N>) -> SMatrix<f64, N, N> {
+        self.0.rhs_and_jacobian_under(t, x, &[0.0; MOST]).1
+    }
+
+    fn rhs_and_jacobian(&self, t: f64, x: &SVector<f64, N>) -> (SVector<f64, N>, SMatrix<f64, N, N>) {
+        self.0.rhs_and_jacobian_under(t, x, &[0.0; MOST])
     }
 }
 

@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use super::StabilityError;
 use super::equilibrium::{require_autonomous, settle};
-use crate::hybrid::{Hybrid, MOST, Mode, Settled, Status, holding_forces, start};
+use crate::hybrid::{Hybrid, MOST, Mode, Settled, Status, holding_forces, rate, start};
 use crate::system::{IntoState, Jacobian};
 
 /// A state of rest of a [hybrid](crate::hybrid) system that friction and contacts hold: one of a set, not of a point.
@@ -37,7 +37,7 @@ where
     let x = settle(system, x)?;
     let nothing = StabilityError::NoConvergence {
         iterations: 0,
-        residual: system.rhs(0.0, &x).amax(),
+        residual: rate(system, 0.0, &x)?.amax(),
     };
     Resting::at(system, x)?.ok_or(nothing)
 }
