@@ -1,11 +1,11 @@
 //! # Armour-plated leg
 //!
-//! A robot's leg of two irregular plates (Section 6): held by its hip, and swinging while the hip is carried along. Mass, centre
-//! and inertia of the plates follow from their corners.
+//! A robot's leg of two irregular plates (Section 6): held by its hip, and swinging while the hip is carried along. A stop
+//! keeps the knee from bending forward. Mass, centre and inertia of the plates follow from their corners.
 
 use pendulum_core::prelude::*;
 
-use crate::{Check, Run, double_pendulum};
+use crate::{Check, Run, double_pendulum, impacts, larger};
 
 mechanism! {
     /// Thigh and shank, two plates of one density, with friction in hip and knee. The hip moves at the speed `v`, and up and down.
@@ -24,6 +24,7 @@ mechanism! {
         body shank on thigh {
             solids: [plate(m2, [[-0.05, 0.05], [-0.07, -0.12], [-0.03, -0.4], [0.14, -0.43], [0.04, -0.33], [0.05, 0.04]])],
             joint: revolute(z) at [0, -d, 0], coordinate: theta2 absolute, friction: gamma, spring: (knee, -0.3),
+            stop: [-2.4, -0.02] restitution(0.2),
         }
         point toe on shank at [0.14, -0.43, 0],
         generate: [rhs, energy, drive_forces, shapes],
@@ -49,7 +50,8 @@ fn polygon(corners: &[[f64; 2]]) -> ([f64; 2], f64) {
     ([origin[0] + com[0], origin[1] + com[1]], about_com)
 }
 
-/// The plates by their triangles, the leg as held against the formula, and the power of friction and of the hip.
+/// The plates by their triangles, the leg as held against the formula, the stop of the knee, and the power of friction and
+/// of the hip.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let thigh = [
         [-0.08, 0.06],
@@ -85,7 +87,7 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let x = [0.4, -0.7, 1.5, -2.0];
     let rate = held.rhs(0.0, &x.into());
     let known = double_pendulum([3.0, c1, 3.0 * i1, alpha1], [2.0, c2, 2.0 * i2, alpha2], d, 9.81, x);
-    let checks = vec![
+    let mut checks = vec![
         Check::new("energy of the thigh that turns, in J", straight, inertia, 1e-14),
         Check::same(
             "accelerations held by the hip, in rad/s^2",
@@ -99,6 +101,21 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
         .rtol(1e-12)
         .atol(1e-12)
         .solve(&model, 0.0, 3.0, [0.9, 0.2, 0.0, 0.0])?;
+    let turning = |x: &SVector<f64, 4>| x[3] - x[2];
+    let (mut count, mut law) = (0.0, 0.0);
+    for (_, before, after) in impacts(&solution) {
+        law = larger(law, (turning(&after) + 0.2 * turning(&before)).abs());
+        count += 1.0;
+    }
+    let bends = solution.x().iter().map(|x| x[Leg::THETA2] - x[Leg::THETA1]);
+    checks.push(Check::new(
+        "straightest, in rad",
+        bends.fold(f64::NEG_INFINITY, larger),
+        -0.02,
+        1e-15,
+    ));
+    checks.push(Check::new("impacts at the stop of the knee", count, 1.0, 0.0));
+    checks.push(Check::new("their law, in rad/s", law, 0.0, 1e-13));
     let powers = move |t: f64, x: &SVector<f64, 4>| {
         let [along, up]: [f64; 2] = model.drive_forces(t, x).into();
         let lost = [-0.08 * x[2].powi(2), -0.08 * (x[3] - x[2]).powi(2)];

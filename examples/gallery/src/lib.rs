@@ -16,6 +16,7 @@ use pendulum_draw::Drawing;
 pub mod arm;
 pub mod asymmetric;
 pub mod bars_and_squares;
+pub mod bouncing_ball;
 pub mod cart_pole;
 pub mod coupled_pendulums;
 pub mod cubic;
@@ -26,7 +27,10 @@ pub mod leg;
 pub mod magnets;
 mod page;
 pub mod point_masses;
+pub mod rocking_block;
+pub mod rods_and_wall;
 pub mod spring_suspended;
+pub mod stick_slip;
 pub mod triple;
 pub mod two_bodies;
 
@@ -71,6 +75,10 @@ pub const SYSTEMS: &[System] = systems![
     cart_pole,
     furuta,
     arm,
+    stick_slip,
+    bouncing_ball,
+    rocking_block,
+    rods_and_wall,
 ];
 
 /// What came out.
@@ -211,6 +219,15 @@ where
         );
     }
     Ok(residual / largest)
+}
+
+/// The impacts of a motion: their times, and the states before and after.
+fn impacts<const N: usize>(
+    solution: &Solution<f64, N>,
+) -> impl Iterator<Item = (f64, SVector<f64, N>, SVector<f64, N>)> {
+    let pairs = solution.points().zip(solution.points().skip(1));
+    let impacts = pairs.filter(|((before, _), (after, _))| before == after);
+    impacts.map(|((t, before), (_, after))| (t, *before, *after))
 }
 
 /// The Jacobian against extrapolated differences.
