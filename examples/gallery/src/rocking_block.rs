@@ -1,7 +1,7 @@
 //! # Rocking block
 //!
-//! A slender block that slides along smooth ground and rocks from corner to corner (on rough ground: G. W. Housner 1963).
-//! At each impact the next corner stops dead, and the one on which the block turned lifts off.
+//! A slender block that slides along smooth ground and rocks from corner to corner (on rough ground: G. W. Housner
+//! 1963). At each impact the next corner stops dead, and the one on which the block turned lifts off.
 
 use pendulum_core::prelude::*;
 
@@ -29,8 +29,8 @@ mechanism! {
 
 /// The first impact, and the rate of turning after each, in closed form.
 ///
-/// Before an impact the block turns at the rate `w` on a corner, so its centre rises at `b w`. The impulse `P` at the other
-/// corner makes that `b w + P/m`, and the rate `w' = w + b P/I`; it stops the corner, `b w + P/m + b w' = 0`. So
+/// Before an impact the block turns at the rate `w` on a corner, so its centre rises at `b w`. The impulse `P` at the
+/// other corner makes that `b w + P/m`, and the rate `w' = w + b P/I`; it stops the corner, `b w + P/m + b w' = 0`. So
 /// `w' = w (I - m b^2) / (I + m b^2)`.
 pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
     let RockingBlockParams { b, h } = RockingBlockParams::default();
