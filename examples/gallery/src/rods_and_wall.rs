@@ -1,8 +1,8 @@
 //! # Rods and a wall
 //!
-//! Two rods swing against a rigid wall, from which elbow and tip rebound with a tenth of their speed (after F. A. Potra,
-//! M. Anitescu, B. Gavrea and J. Trinkle 2006). A series of rebounds ends in a contact, which lasts until the wall would
-//! have to pull.
+//! Two rods swing against a rigid wall, from which elbow and tip rebound with a tenth of their speed (after
+//! F. A. Potra, M. Anitescu, B. Gavrea and J. Trinkle 2006). A series of rebounds ends in a contact, which lasts until
+//! the wall would have to pull.
 
 use std::f64::consts::PI;
 

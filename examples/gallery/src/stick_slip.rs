@@ -37,8 +37,8 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
         slipping,
         sticking,
     } = params;
-    // It slips where the spring pulls with `sticking`, swings about the place where that is `slipping`, and has the speed
-    // of the belt again as far beyond it.
+    // It slips where the spring pulls with `sticking`, swings about the place where that is `slipping`, and has the
+    // speed of the belt again as far beyond it.
     let (w, beyond) = ((k / m).sqrt(), (sticking - slipping) / k);
     let slips_for = (PI + 2.0 * (v / w / beyond).atan()) / w;
     let sticks_for = 2.0 * beyond / v;
