@@ -21,6 +21,7 @@ mod parameters;
 mod points;
 mod random_mechanisms;
 mod robots;
+mod rough;
 mod sincos;
 mod step_limits;
 mod stiff;

@@ -16,6 +16,8 @@ use crate::system::System;
 const AT_LIMIT_ULPS: f64 = 64.0;
 /// Rebounds that are lower than this part of the size of all positions are not followed.
 const LEAST_REBOUND: f64 = 1e-13;
+/// What gave way is pushed on by this part of what acts on it: shortly after, it is.
+const PUSHED_ON: f64 = 1e-9;
 
 /// The state and the mode from which to go on.
 #[derive(Clone, Copy, Debug)]
@@ -162,11 +164,12 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
 
     fn settle(mut self, reach: &[T; MOST]) -> Settled<T, N> {
         self.place_at_limits();
-        pin(self.system, self.resting, &mut self.x);
+        self.stand();
         let hit = self.collide();
         let mut delay = T::default();
         let size = size(&self.laws, &self.x);
         loop {
+            self.stand();
             let (mode, hold, accelerations) = self.next_mode();
             // a rebound too low to be followed
             let low = bits(hit & !self.resting).find_map(|n| {
@@ -181,7 +184,6 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
                 is_low.then(|| (n, two * rate / (fall * (T::from_f64(1.0) - law.restitution))))
             });
             let Some((n, rest)) = low else {
-                self.project(&hold, &mode);
                 return Settled {
                     x: self.x,
                     mode,
@@ -192,8 +194,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
             };
             delay = delay.max(rest);
             self.resting |= 1 << n;
-            let touching = bits(self.resting).filter(|&n| self.touching[n].touches());
-            let stopped = touching.fold(0, |set, n| set | 1 << n);
+            let stopped = self.resting & self.touched();
             let response = self.system.response(self.t, &self.x, &[T::default(); MOST]);
             let rates = self.system.measures(self.t, &self.x).map(|[_, rate]| rate);
             let solved = independent(&response.matrix, stopped);
@@ -202,22 +203,47 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
                 solved,
                 &Factored::of(&response.matrix, solved).solve_negated(&rates),
             );
-            pin(self.system, self.resting, &mut self.x);
         }
     }
 
-    /// Coordinates that touch a limit are at it to the last bit.
+    /// The constraints that touch a limit.
+    fn touched(&self) -> u8 {
+        let touching = (0..MOST).filter(|&n| self.touching[n].touches());
+        touching.fold(0, |set, n| set | 1 << n)
+    }
+
+    /// Moves what touches a limit to it, coordinates to the last bit; what rests stays.
     fn place_at_limits(&mut self) {
-        let measures = self.system.measures(self.t, &self.x);
-        for (n, constraint) in self.system.constraints().iter().enumerate() {
-            let limit = match self.touching[n] {
-                Status::Low => self.laws[n].low,
-                Status::High => self.laws[n].high,
-                _ => None,
-            };
-            if let (Some(limit), Some(&(component, sign))) = (limit, constraint.rate.last()) {
-                self.x[component - N / 2] -= T::from_f64(f64::from(sign)) * (measures[n][0] - limit);
+        let constraints = self.system.constraints();
+        if bits(self.touched()).any(|n| constraints[n].rate.is_empty()) {
+            let response = self.system.response(self.t, &self.x, &[T::default(); MOST]);
+            let solved = independent(&response.matrix, self.touched() | self.resting);
+            let apart = self.apart();
+            shift(&mut self.x, N / 2, &response, solved, &apart);
+        }
+        let apart = self.apart();
+        for n in bits(self.touched()) {
+            if let Some(&(component, sign)) = constraints[n].rate.last() {
+                self.x[component - N / 2] -= T::from_f64(f64::from(sign)) * apart[n];
             }
+        }
+    }
+
+    /// How far from its limit each constraint is that touches one.
+    fn apart(&self) -> [T; MOST] {
+        apart(&self.laws, &self.touching, &self.system.measures(self.t, &self.x))
+    }
+
+    /// Makes the rates of all that rests zero: whichever of it is held next, none of the rest moves by that.
+    fn stand(&mut self) {
+        pin(self.system, self.resting, &mut self.x);
+        let constraints = self.system.constraints();
+        if bits(self.resting).any(|n| constraints[n].rate.is_empty()) {
+            let response = self.system.response(self.t, &self.x, &[T::default(); MOST]);
+            let solved = independent(&response.matrix, self.resting);
+            let rates = self.system.measures(self.t, &self.x).map(|[_, rate]| rate);
+            shift(&mut self.x, 0, &response, solved, &rates);
+            pin(self.system, self.resting, &mut self.x);
         }
     }
 
@@ -225,8 +251,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
     fn collide(&mut self) -> u8 {
         let zero = T::default();
         let count = self.system.constraints().len();
-        let touching = (0..count).filter(|&n| self.touching[n].touches());
-        let touching = touching.fold(0, |set, n| set | 1 << n);
+        let touching = self.touched();
         let mut rates = self.system.measures(self.t, &self.x).map(|[_, rate]| rate);
         for n in bits(self.resting) {
             rates[n] = zero;
@@ -263,7 +288,6 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
                 self.resting &= !(1 << n);
             }
         }
-        pin(self.system, self.resting, &mut self.x);
         hit
     }
 
@@ -379,7 +403,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
         let matrix = &response.matrix;
         let mut accelerations = response.accelerations;
         let mut sizes = accelerations.map(|a| a.abs());
-        let mut under = |forces: &dyn Fn(usize) -> T| {
+        let mut under = |accelerations: &mut [T; MOST], forces: &dyn Fn(usize) -> T| {
             for n in 0..MOST {
                 for m in bits(candidates) {
                     let change = matrix[n][m] * forces(m);
@@ -388,17 +412,14 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
                 }
             }
         };
-        under(&|m| hold.forces[m] - before[m]);
-        let unknown = {
-            let mut given = response.accelerations;
-            for (n, given) in given.iter_mut().enumerate() {
-                for m in bits(candidates) {
-                    *given += matrix[n][m] * (hold.forces[m] - before[m]);
-                }
-            }
-            Factored::of(matrix, hold.solved).solve_negated(&given)
+        let pushed_on = |m: usize| {
+            let size = (response.accelerations[m].abs() / matrix[m][m]).max(self.laws[m].sticking);
+            let on = size * T::from_f64(PUSHED_ON);
+            self.forced[m].map_or(zero, |way| if way == Status::Forward { on } else { -on })
         };
-        under(&|m| unknown[m]);
+        under(&mut accelerations, &|m| hold.forces[m] - before[m] + pushed_on(m));
+        let unknown = Factored::of(matrix, hold.solved).solve_negated(&accelerations);
+        under(&mut accelerations, &|m| unknown[m]);
         let mut worst = zero;
         for n in bits(candidates) {
             let (law, force) = (&self.laws[n], unknown[n]);
@@ -420,8 +441,6 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
                     };
                     forward.max(backward).max(accelerations[n].abs() / of_acceleration)
                 }
-                // given way to a force, it accelerates, or will
-                _ if self.forced[n].is_some() => zero,
                 Status::Forward => -accelerations[n] / of_acceleration,
                 Status::Backward => accelerations[n] / of_acceleration,
                 _ => -self.away(n) * accelerations[n] / of_acceleration,
@@ -429,11 +448,6 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
             worst = worst.max(violation);
         }
         (worst, accelerations)
-    }
-
-    /// The state moved to the limits that hold it, and its rates to zero there.
-    fn project(&mut self, hold: &Hold<T>, mode: &Mode) {
-        project(self.system, hold, mode, self.t, &mut self.x);
     }
 }
 
@@ -453,26 +467,36 @@ pub(crate) fn project<T: Float, const N: usize>(
     let laws = system.laws();
     let measures = system.measures(t, x);
     let response = system.response(t, x, &hold.forces);
-    let factored = Factored::of(&response.matrix, hold.solved);
-    let mut apart = [T::default(); MOST];
-    for n in bits(hold.held) {
-        let limit = match mode.0[n] {
+    shift(x, N / 2, &response, hold.solved, &apart(&laws, &mode.0, &measures));
+    shift(x, 0, &response, hold.solved, &measures.map(|[_, rate]| rate));
+    pin(system, hold.held, x);
+}
+
+/// How far from its limit each constraint is that touches one.
+fn apart<T: Float>(laws: &[Law<T>; MOST], touching: &[Status; MOST], measures: &[[T; 2]; MOST]) -> [T; MOST] {
+    core::array::from_fn(|n| {
+        let limit = match touching[n] {
             Status::Low => laws[n].low,
             Status::High => laws[n].high,
             _ => None,
         };
-        apart[n] = limit.map_or(T::default(), |limit| measures[n][0] - limit);
-    }
-    let (moves, pushes) = (
-        factored.solve_negated(&apart),
-        factored.solve_negated(&measures.map(|[_, rate]| rate)),
-    );
-    for n in bits(hold.solved) {
+        limit.map_or(T::default(), |limit| measures[n][0] - limit)
+    })
+}
+
+/// Takes what some constraints have off positions or rates, which stand so far `before` the rates: a column holds what
+/// a force does to the rates, and along it the least kinetic energy moves.
+fn shift<T: Float, const N: usize>(
+    x: &mut SVector<T, N>,
+    before: usize,
+    response: &Response<T, N>,
+    solved: u8,
+    surplus: &[T; MOST],
+) {
+    let moves = Factored::of(&response.matrix, solved).solve_negated(surplus);
+    for n in bits(solved) {
         for component in N / 2..N {
-            // a column holds what a force does to the rates: along it the least kinetic energy moves
-            x[component - N / 2] += response.columns[n][component] * moves[n];
-            x[component] += response.columns[n][component] * pushes[n];
+            x[component - before] += response.columns[n][component] * moves[n];
         }
     }
-    pin(system, hold.held, x);
 }
