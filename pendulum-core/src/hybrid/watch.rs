@@ -30,7 +30,7 @@ const SIMULTANEOUS_ULPS: f64 = 4.0;
 const NOISE_ULPS: f64 = 16.0;
 
 /// A step that was taken to the end of a mode is searched so far about its end, in fractions of it.
-const ABOUT_THE_END: [f64; 6] = [1e-12, 1e-9, 1e-6, 1e-3, 1e-2, 1e-1];
+const ABOUT_THE_END: [f64; 6] = [1e-12, 1e-9, 1e-6, 1e-3, 1e-1, 1.0];
 
 /// The terms of a polynomial are bounded with this much to spare.
 const SLACK: f64 = 1e-3;
@@ -187,43 +187,20 @@ impl<T: Float> Watch<T> {
             let forces = if is_of_forces { scene.forces(t, &x) } else { None };
             let here = (theta, scene.values(t, &x, forces));
             self.note_reach(&here.1, scene.mode);
-            let mut first: Option<(T, Fired)> = None;
-            for (n, way) in live.pairs() {
-                let seen = match scene.mode.is_held(n) {
-                    true if !is_of_forces => continue,
-                    true => &of_forces,
-                    false => &of_state,
-                };
-                let at = |place: &(T, Values<T>)| (place.0, place.1[n][way]);
-                let value = at(&here).1;
-                if value.to_f64().is_nan() {
-                    let constraint = scene.system.constraints()[n].name;
-                    let t = t.to_f64();
-                    return Err(Reason::ConstraintNotFinite { constraint, t });
+            let mut first = self.first(scene, dense, live, &noise, (false, &of_state, &here))?;
+            // forces also where something else ends the mode
+            let of_held = match first {
+                Some((theta, _)) if !is_of_forces => {
+                    let (t, x) = (dense.time(theta), dense.at_fraction(theta));
+                    Some((theta, scene.values(t, &x, scene.forces(t, &x))))
                 }
-                let function = |theta: T| scene.value(dense.time(theta), &dense.at_fraction(theta), n, way);
-                let place = if !self.positive.has(n, way) {
-                    if value > noise[n] {
-                        self.positive.insert(n, way);
-                    }
-                    (value < -noise[n]).then_some(theta)
-                } else if value <= T::default() {
-                    Some(root(function, at(&seen.last), at(&here)))
-                } else if let Some(earlier) = &seen.earlier
-                    && earlier.1[n][way] > T::default()
-                    && let Some(bottom) = dip(function, [at(earlier), at(&seen.last), at(&here)])
-                {
-                    Some(root(function, at(earlier), bottom))
-                } else {
-                    None
-                };
-                if let Some(place) = place
-                    && first.is_none_or(|(first, _)| place < first)
-                {
-                    let mut fired = Fired::default();
-                    fired.insert(n, way);
-                    first = Some((place, fired));
-                }
+                _ => is_of_forces.then_some(here),
+            };
+            if let Some(here) = &of_held
+                && let Some(by_force) = self.first(scene, dense, live, &noise, (true, &of_forces, here))?
+                && first.is_none_or(|(first, _)| by_force.0 < first)
+            {
+                first = Some(by_force);
             }
             if let Some((theta, fired)) = first {
                 return Ok(Some((
@@ -238,6 +215,51 @@ impl<T: Float> Watch<T> {
             }
         }
         Ok(None)
+    }
+
+    /// Where the first of the functions, of what is held or of what is not, ends the mode up to the place `here`.
+    fn first<const N: usize>(
+        &mut self,
+        scene: &Scene<'_, T, N>,
+        dense: &Dense<'_, T, N>,
+        live: Fired,
+        noise: &[T; MOST],
+        (of_held, seen, here): (bool, &Seen<T>, &(T, Values<T>)),
+    ) -> Result<Option<(T, Fired)>, Reason> {
+        let mut first: Option<(T, Fired)> = None;
+        for (n, way) in live.pairs().filter(|&(n, _)| scene.mode.is_held(n) == of_held) {
+            let at = |place: &(T, Values<T>)| (place.0, place.1[n][way]);
+            let (theta, value) = at(here);
+            if value.to_f64().is_nan() {
+                let constraint = scene.system.constraints()[n].name;
+                let t = dense.time(theta).to_f64();
+                return Err(Reason::ConstraintNotFinite { constraint, t });
+            }
+            let function = |theta: T| scene.value(dense.time(theta), &dense.at_fraction(theta), n, way);
+            let place = if !self.positive.has(n, way) {
+                if value > noise[n] {
+                    self.positive.insert(n, way);
+                }
+                (value < -noise[n]).then_some(theta)
+            } else if value <= T::default() {
+                Some(root(function, at(&seen.last), at(here)))
+            } else if let Some(earlier) = &seen.earlier
+                && earlier.1[n][way] > T::default()
+                && let Some(bottom) = dip(function, [at(earlier), at(&seen.last), at(here)])
+            {
+                Some(root(function, at(earlier), bottom))
+            } else {
+                None
+            };
+            if let Some(place) = place
+                && first.is_none_or(|(first, _)| place < first)
+            {
+                let mut fired = Fired::default();
+                fired.insert(n, way);
+                first = Some((place, fired));
+            }
+        }
+        Ok(first)
     }
 
     /// What ends a mode, with all that does so at the same time.
