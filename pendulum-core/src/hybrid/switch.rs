@@ -17,7 +17,7 @@ const AT_LIMIT_ULPS: f64 = 64.0;
 /// Rebounds that are lower than this part of the size of all positions are not followed.
 const LEAST_REBOUND: f64 = 1e-13;
 /// What gave way is pushed on by this part of what acts on it: shortly after, it is.
-const PUSHED_ON: f64 = 1e-9;
+const PUSHED_ON: f64 = 1e-6;
 
 /// The state and the mode from which to go on.
 #[derive(Clone, Copy, Debug)]
@@ -42,16 +42,9 @@ pub(crate) fn start<T: Float, const N: usize>(
     let slack = T::from_f64(AT_LIMIT_ULPS) * T::EPSILON * size;
     let measures = system.measures(t, x);
     for (n, constraint) in system.constraints().iter().enumerate() {
-        let ([value, rate], law) = (measures[n], &settling.laws[n]);
-        let limits = [
-            (law.low, T::from_f64(1.0), Status::Low),
-            (law.high, T::from_f64(-1.0), Status::High),
-        ];
-        for (limit, inward, status) in limits {
-            let Some(limit) = limit else { continue };
-            let distance = inward * (value - limit);
+        for (distance, limit, status) in settling.distances(n, &measures) {
             if distance.to_f64().is_nan() || distance < -slack {
-                let (value, limit) = (value.to_f64(), limit.to_f64());
+                let (value, limit) = (measures[n][0].to_f64(), limit.to_f64());
                 let constraint = constraint.name;
                 return Err(Reason::BeyondLimit {
                     constraint,
@@ -59,12 +52,9 @@ pub(crate) fn start<T: Float, const N: usize>(
                     limit,
                 });
             }
-            if distance <= slack {
-                settling.touching[n] = status;
-                settling.rest(n, rate.abs() <= slack);
-            }
+            settling.touch(n, status, distance <= slack, measures[n][1].abs() <= slack);
         }
-        settling.rest(n, rate == T::default());
+        settling.rest(n, measures[n][1] == T::default());
     }
     Ok(settling.settle(&[T::default(); MOST]))
 }
@@ -91,6 +81,8 @@ pub(crate) fn switch<T: Float, const N: usize>(
     watch: &Watch<T>,
 ) -> Settled<T, N> {
     let mut settling = Settling::new(system, t, x);
+    let measures = system.measures(t, x);
+    let slack = T::from_f64(AT_LIMIT_ULPS) * T::EPSILON * size(&settling.laws, x);
     for n in 0..system.constraints().len() {
         let status = mode.0[n];
         if status.touches() {
@@ -105,6 +97,11 @@ pub(crate) fn switch<T: Float, const N: usize>(
             }
         } else {
             settling.rest(n, fired.has(n, FORWARD));
+            // what stands at a limit because something else holds it there
+            for (distance, _, status) in settling.distances(n, &measures) {
+                let stands = distance.abs() <= slack && measures[n][1].abs() <= slack;
+                settling.touch(n, status, stands, stands);
+            }
             for (way, next) in [(BACKWARD, Status::Low), (UPPER, Status::High)] {
                 if fired.has(n, way) {
                     settling.touching[n] = next;
@@ -147,6 +144,21 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
 
     fn rest(&mut self, n: usize, rests: bool) {
         self.resting |= u8::from(rests) << n;
+    }
+
+    /// How far from each of its limits a constraint is, the limit, and what it is there.
+    fn distances(&self, n: usize, measures: &[[T; 2]; MOST]) -> impl Iterator<Item = (T, T, Status)> + use<T, N> {
+        let (law, value) = (&self.laws[n], measures[n][0]);
+        let low = law.low.map(|low| (value - low, low, Status::Low));
+        let high = law.high.map(|high| (high - value, high, Status::High));
+        [low, high].into_iter().flatten()
+    }
+
+    fn touch(&mut self, n: usize, status: Status, touches: bool, rests: bool) {
+        if touches {
+            self.touching[n] = status;
+            self.rest(n, rests);
+        }
     }
 
     /// 1 at a lower limit, -1 at an upper one, 0 elsewhere: the direction away from it.
@@ -465,10 +477,14 @@ pub(crate) fn project<T: Float, const N: usize>(
         return;
     }
     let laws = system.laws();
-    let measures = system.measures(t, x);
     let response = system.response(t, x, &hold.forces);
-    shift(x, N / 2, &response, hold.solved, &apart(&laws, &mode.0, &measures));
-    shift(x, 0, &response, hold.solved, &measures.map(|[_, rate]| rate));
+    // the second time for what is quadratic in the first
+    for _ in 0..2 {
+        let measures = system.measures(t, x);
+        shift(x, N / 2, &response, hold.solved, &apart(&laws, &mode.0, &measures));
+        let rates = system.measures(t, x).map(|[_, rate]| rate);
+        shift(x, 0, &response, hold.solved, &rates);
+    }
     pin(system, hold.held, x);
 }
 
