@@ -72,7 +72,7 @@ mechanism! {
 const DEFAULT: u64 = 12;
 const DURATION: f64 = 20.0;
 const TOLERANCE: f64 = 1e-9;
-const MOST_STEPS: usize = 20_000;
+const MOST_STEPS: usize = 50_000;
 
 /// What was seen, of one start or of many.
 #[derive(Clone, Copy, Debug, Default)]

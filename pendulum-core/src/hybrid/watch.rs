@@ -30,7 +30,7 @@ const SIMULTANEOUS_ULPS: f64 = 4.0;
 const NOISE_ULPS: f64 = 16.0;
 
 /// A step that was taken to the end of a mode is searched so far about its end, in fractions of it.
-const ABOUT_THE_END: [f64; 6] = [1e-12, 1e-9, 1e-6, 1e-3, 1e-1, 1.0];
+const ABOUT_THE_END: [f64; 6] = [1e-12, 1e-9, 1e-6, 1e-3, 1e-1, 0.5];
 
 /// The terms of a polynomial are bounded with this much to spare.
 const SLACK: f64 = 1e-3;
