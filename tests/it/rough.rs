@@ -252,7 +252,12 @@ where
         seen.deepest_within
     );
     assert!(seen.gained <= within, "{:e} gained", seen.gained);
-    assert!(seen.gained_at_once <= 1e-12, "{:e} gained at once", seen.gained_at_once);
+    // a wall that is missed by less than the tolerance may count as hit, and is moved to
+    assert!(
+        seen.gained_at_once <= tolerance,
+        "{:e} gained at once",
+        seen.gained_at_once
+    );
     seen.seconds = since.elapsed().as_secs_f64();
     seen
 }
@@ -415,4 +420,94 @@ fn rods_between_walls_are_followed_to_rest() {
 #[test]
 fn pushed_rods_are_followed() {
     all_are_followed("pushed", pushed);
+}
+
+/// Radau's ends that Newton's method leaves beyond a limit, walls that were not moved to, contacts that gave way to a
+/// force at its limit, forces that passed theirs shortly before another end, joints that held what stood at a wall.
+#[test]
+fn difficult_starts_are_followed() {
+    for seed in [4, 88, 270] {
+        folding(seed);
+    }
+    for seed in [4, 11, 18, 25, 79, 180, 281, 298] {
+        walled(seed);
+    }
+    for seed in [38, 83, 87, 101, 125, 203] {
+        pushed(seed);
+    }
+}
+
+mechanism! {
+    /// A tile that slides on a table, with friction along both edges, into a corner of two walls.
+    pub Tile {
+        params { mu: N = 1, e: 1 = 1, pull: N = 0 }
+        generate: [rhs, jacobian, energy],
+        wall east { gap: 1 - x, restitution: e }
+        wall north { gap: 1 - y, restitution: e }
+        body slide on ground { joint: prismatic(x), coordinate: x, dry_friction: mu, torque: pull }
+        body tile on slide { mass: 1, joint: prismatic(y), coordinate: y, dry_friction: mu }
+    }
+}
+
+fn tile(mu: f64, e: f64, pull: f64) -> Tile {
+    Tile::new(TileParams { mu, e, pull }).expect("physical")
+}
+
+#[test]
+fn both_edges_come_to_rest_at_the_same_instant() {
+    let solution = Tsit5::new()
+        .solve(&tile(1.0, 1.0, 0.0), 0.0, 3.0, [0.0, 0.0, 1.0, 1.0])
+        .expect("a motion");
+    assert_eq!(solution.modes().len(), 2);
+    let (t, mode) = solution.modes()[1];
+    assert!(
+        (t - 1.0).abs() < 1e-12 && mode.0[..2] == [Status::Stuck; 2],
+        "{t} {mode:?}"
+    );
+    assert_eq!(solution.end().rows(2, 2), SVector::<f64, 2>::zeros());
+}
+
+#[test]
+fn a_corner_reverses_both_rates_and_keeps_the_energy() {
+    let model = tile(0.0, 1.0, 0.0);
+    let solution = Vern9::new()
+        .solve(&model, 0.0, 1.0, [0.0, 0.0, 2.0, 2.0])
+        .expect("a motion");
+    assert_eq!(solution.modes().len(), 2);
+    let end = solution.end();
+    assert!((end - SVector::from([0.0, 0.0, -2.0, -2.0])).amax() < 1e-14, "{end}");
+}
+
+#[test]
+fn a_wall_reached_at_rest_is_not_an_impact() {
+    // braked to rest after 1 m, which is where the wall is
+    let model = tile(0.5, 1.0, 0.0);
+    for x in [0.0, 1e-14, -1e-14] {
+        let solution = Vern7::new()
+            .solve(&model, 0.0, 4.0, [x, 0.0, 1.0, 0.0])
+            .expect("a motion");
+        let end = solution.end();
+        assert!((end[0] - 1.0).abs() < 1e-13 && end[2] == 0.0, "{end}");
+    }
+}
+
+#[test]
+fn friction_at_its_limit_holds() {
+    let solution = Tsit5::new()
+        .solve(&tile(1.0, 0.0, 1.0), 0.0, 4.0, [0.0; 4])
+        .expect("a motion");
+    assert_eq!(solution.end(), SVector::from([0.0; 4]));
+    assert_eq!(solution.modes().len(), 1);
+}
+
+#[test]
+fn what_grazes_a_wall_goes_on_along_it() {
+    let solution = Tsit5::new()
+        .solve(&tile(0.0, 1.0, 0.0), 0.0, 4.0, [1.0, -2.0, 0.0, 0.5])
+        .expect("a motion");
+    assert!(
+        (solution.end() - SVector::from([1.0, 0.0, 0.0, 0.5])).amax() < 1e-14,
+        "{}",
+        solution.end()
+    );
 }
