@@ -68,6 +68,9 @@ mechanism! {
     }
 }
 
+/// The energy of a state, in a scene in which none is added.
+type EnergyOf<'a, const N: usize> = Option<&'a dyn Fn(&SVector<f64, N>) -> f64>;
+
 /// How many of each scene are tried where no other number is given.
 const DEFAULT: u64 = 12;
 const DURATION: f64 = 20.0;
@@ -185,7 +188,7 @@ fn check_mode<S: Hybrid<f64, N>, const N: usize>(model: &S, mode: &Mode, t: f64,
 /// Goes along a motion, and checks all of it.
 fn follow<S, M, const N: usize>(
     (model, method): (&S, &M),
-    energy: Option<&dyn Fn(&SVector<f64, N>) -> f64>,
+    energy: EnergyOf<'_, N>,
     start: SVector<f64, N>,
     tolerance: f64,
 ) -> Seen
@@ -263,12 +266,7 @@ where
 }
 
 /// Follows a motion by one method after the other.
-fn follow_by_one<S, const N: usize>(
-    seed: u64,
-    model: &S,
-    energy: Option<&dyn Fn(&SVector<f64, N>) -> f64>,
-    start: SVector<f64, N>,
-) -> Seen
+fn follow_by_one<S, const N: usize>(seed: u64, model: &S, energy: EnergyOf<'_, N>, start: SVector<f64, N>) -> Seen
 where
     S: Jacobian<f64, N> + Hybrid<f64, N>,
 {
