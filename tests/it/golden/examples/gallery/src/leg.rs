@@ -79,8 +79,11 @@ A[theta1, theta2] = 17/12050*m2*d*sin(theta1 - theta2) + 3334/18075*m2*d*cos(the
 A[theta2, theta2] = 258847/4820000*m2
 b[theta1] = 578463/7310000*m1*cos(theta1) + 327/14620000*(75001*m1 + 438600*m2*d)*sin(theta1) + 3334/18075*m2*d*dot(theta2)^2*sin(theta1 - theta2) - 17/12050*m2*d*dot(theta2)^2*cos(theta1 - theta2) - (75001/438600*m1*rise*w^2 + m2*d*rise*w^2)*sin(w*t)*sin(theta1) - 1769/219300*m1*rise*w^2*sin(w*t)*cos(theta1)
 b[theta2] = 17/12050*m2*d*dot(theta1)^2*cos(theta1 - theta2) + 545109/301250*m2*sin(theta2) + 16677/1205000*m2*cos(theta2) - 3334/18075*m2*d*dot(theta1)^2*sin(theta1 - theta2) - 3334/18075*m2*rise*w^2*sin(w*t)*sin(theta2) - 17/12050*m2*rise*w^2*sin(w*t)*cos(theta2)
-Q[theta1] = gamma*dot(theta2) + 0.3*knee + knee*theta2 - knee*theta1 - 2*gamma*dot(theta1)
-Q[theta2] = gamma*dot(theta1) + knee*theta1 - 0.3*knee - knee*theta2 - gamma*dot(theta2)
+Q[theta1] = gamma*dot(theta2) + 0.3*knee + knee*theta2 - knee*theta1 - 2*gamma*dot(theta1) - force(theta2)
+Q[theta2] = force(theta2) + gamma*dot(theta1) + knee*theta1 - 0.3*knee - knee*theta2 - gamma*dot(theta2)
+
+and along what hinders the motion
+force(theta2): stops at -2.4 and -0.02, restitution 0.2
 ```
 
 # Constants, computed by `new`
@@ -479,21 +482,21 @@ k57 = rise*w^2*(m1 + m2)
                     "rhs",
                     ::pendulum_core::FunctionCost::new(
                             "closed form, expanded, exact quotient",
-                            ::pendulum_core::Operations::new(35, 46, 1, 3, 0, 39),
+                            ::pendulum_core::Operations::new(36, 46, 1, 3, 0, 39),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of the state first, L^T D L",
-                                    ::pendulum_core::Operations::new(25, 37, 1, 3, 0, 36),
+                                    ::pendulum_core::Operations::new(27, 37, 1, 3, 0, 37),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of parameters first, L^T D L",
-                                    ::pendulum_core::Operations::new(25, 37, 1, 3, 0, 36),
+                                    ::pendulum_core::Operations::new(27, 37, 1, 3, 0, 37),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "recursion, adjugate",
-                                    ::pendulum_core::Operations::new(34, 39, 1, 3, 0, 39),
+                                    ::pendulum_core::Operations::new(35, 39, 1, 3, 0, 39),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "articulated bodies",
@@ -501,7 +504,57 @@ k57 = rise*w^2*(m1 + m2)
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "A, B and C, adjugate",
-                                    ::pendulum_core::Operations::new(94, 113, 1, 3, 0, 41),
+                                    ::pendulum_core::Operations::new(96, 113, 1, 3, 0, 41),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "measures",
+                    ::pendulum_core::FunctionCost::new(
+                            "as declared",
+                            ::pendulum_core::Operations::new(2, 0, 0, 0, 0, 1),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(2, 0, 0, 0, 0, 1),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(2, 0, 0, 0, 0, 1),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(2, 0, 0, 0, 0, 1),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "response",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, expanded, L^T D L, exact quotient",
+                            ::pendulum_core::Operations::new(42, 48, 1, 3, 0, 40),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first, L^T D L",
+                                    ::pendulum_core::Operations::new(33, 39, 1, 3, 0, 38),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first, L^T D L",
+                                    ::pendulum_core::Operations::new(33, 39, 1, 3, 0, 38),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "recursion, inverse",
+                                    ::pendulum_core::Operations::new(39, 40, 1, 3, 0, 42),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C, adjugate",
+                                    ::pendulum_core::Operations::new(100, 115, 1, 3, 0, 42),
                                 ),
                             ],
                         ),
@@ -564,13 +617,13 @@ k57 = rise*w^2*(m1 + m2)
                     "drive_forces",
                     ::pendulum_core::FunctionCost::new(
                             "recursion",
-                            ::pendulum_core::Operations::new(50, 64, 1, 3, 0, 48),
+                            ::pendulum_core::Operations::new(50, 64, 1, 3, 0, 47),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
                                     "A, B and C",
-                                    ::pendulum_core::Operations::new(72, 84, 1, 3, 0, 45),
+                                    ::pendulum_core::Operations::new(72, 84, 1, 3, 0, 44),
                                 ),
                             ],
                         ),
@@ -595,7 +648,7 @@ k57 = rise*w^2*(m1 + m2)
             ],
         );
         /// The equations of motion as text.
-        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms, gravity and the inertia forces of the drives, Q the forces of the joints\n\nA[theta1, theta1] = 223237/4386000*m1 + m2*d^2\nA[theta1, theta2] = 17/12050*m2*d*sin(theta1 - theta2) + 3334/18075*m2*d*cos(theta1 - theta2)\nA[theta2, theta2] = 258847/4820000*m2\nb[theta1] = 578463/7310000*m1*cos(theta1) + 327/14620000*(75001*m1 + 438600*m2*d)*sin(theta1) + 3334/18075*m2*d*dot(theta2)^2*sin(theta1 - theta2) - 17/12050*m2*d*dot(theta2)^2*cos(theta1 - theta2) - (75001/438600*m1*rise*w^2 + m2*d*rise*w^2)*sin(w*t)*sin(theta1) - 1769/219300*m1*rise*w^2*sin(w*t)*cos(theta1)\nb[theta2] = 17/12050*m2*d*dot(theta1)^2*cos(theta1 - theta2) + 545109/301250*m2*sin(theta2) + 16677/1205000*m2*cos(theta2) - 3334/18075*m2*d*dot(theta1)^2*sin(theta1 - theta2) - 3334/18075*m2*rise*w^2*sin(w*t)*sin(theta2) - 17/12050*m2*rise*w^2*sin(w*t)*cos(theta2)\nQ[theta1] = gamma*dot(theta2) + 0.3*knee + knee*theta2 - knee*theta1 - 2*gamma*dot(theta1)\nQ[theta2] = gamma*dot(theta1) + knee*theta1 - 0.3*knee - knee*theta2 - gamma*dot(theta2)\n";
+        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms, gravity and the inertia forces of the drives, Q the forces of the joints\n\nA[theta1, theta1] = 223237/4386000*m1 + m2*d^2\nA[theta1, theta2] = 17/12050*m2*d*sin(theta1 - theta2) + 3334/18075*m2*d*cos(theta1 - theta2)\nA[theta2, theta2] = 258847/4820000*m2\nb[theta1] = 578463/7310000*m1*cos(theta1) + 327/14620000*(75001*m1 + 438600*m2*d)*sin(theta1) + 3334/18075*m2*d*dot(theta2)^2*sin(theta1 - theta2) - 17/12050*m2*d*dot(theta2)^2*cos(theta1 - theta2) - (75001/438600*m1*rise*w^2 + m2*d*rise*w^2)*sin(w*t)*sin(theta1) - 1769/219300*m1*rise*w^2*sin(w*t)*cos(theta1)\nb[theta2] = 17/12050*m2*d*dot(theta1)^2*cos(theta1 - theta2) + 545109/301250*m2*sin(theta2) + 16677/1205000*m2*cos(theta2) - 3334/18075*m2*d*dot(theta1)^2*sin(theta1 - theta2) - 3334/18075*m2*rise*w^2*sin(w*t)*sin(theta2) - 17/12050*m2*rise*w^2*sin(w*t)*cos(theta2)\nQ[theta1] = gamma*dot(theta2) + 0.3*knee + knee*theta2 - knee*theta1 - 2*gamma*dot(theta1) - force(theta2)\nQ[theta2] = force(theta2) + gamma*dot(theta1) + knee*theta1 - 0.3*knee - knee*theta2 - gamma*dot(theta2)\n\nand along what hinders the motion\nforce(theta2): stops at -2.4 and -0.02, restitution 0.2\n";
         ///The bodies whose joints are driven.
         pub const DRIVES: [&'static str; 2] = ["carried", "hip"];
     }
@@ -608,7 +661,32 @@ k57 = rise*w^2*(m1 + m2)
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 4>,
         ) -> ::pendulum_core::nalgebra::SVector<T, 4> {
+            let (laws, measures) = (
+                ::pendulum_core::hybrid::Hybrid::<T, 4>::laws(self),
+                ::pendulum_core::hybrid::Hybrid::<T, 4>::measures(self, t, x),
+            );
+            let mut forces = [T::from_f64(0.0); ::pendulum_core::hybrid::MOST];
+            for n in 0..1 {
+                forces[n] = -laws[n].slipping * measures[n][1].signum();
+            }
+            ::pendulum_core::System::rhs_under(self, t, x, &forces)
+        }
+        #[inline]
+        fn layout(
+            &self,
+        ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
+            Some(&<Leg>::LAYOUT)
+        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn rhs_under(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 4>,
+            forces: &[T; ::pendulum_core::hybrid::MOST],
+        ) -> ::pendulum_core::nalgebra::SVector<T, 4> {
             let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
+            let f0 = forces[0];
             let k1 = self.constants[1];
             let k2 = self.constants[2];
             let k5 = self.constants[5];
@@ -640,7 +718,7 @@ k57 = rise*w^2*(m1 + m2)
             let k52 = self.constants[52];
             let k53 = self.constants[53];
             let k54 = self.constants[54];
-            let t0 = k1 * qd_theta2 - (k2 * q_theta1 - k2 * q_theta2);
+            let t0 = f0 + k2 * q_theta1 - (k2 * q_theta2 + k1 * qd_theta2);
             let (sin1, _) = (k5 * t).sin_cos();
             let t2 = qd_theta2 * qd_theta2;
             let [(sin_theta2, cos_theta2), (sin_theta1, cos_theta1)] = q_theta2
@@ -648,7 +726,7 @@ k57 = rise*w^2*(m1 + m2)
             let t3 = cos_theta2 * sin_theta1 - cos_theta1 * sin_theta2;
             let t4 = cos_theta1 * cos_theta2 + sin_theta1 * sin_theta2;
             let t5 = k52 * t3 + k53 * t4;
-            let t6 = qd_theta1 * (qd_theta1 * (k31 * t4 - k32 * t3) - k1) + t0;
+            let t6 = qd_theta1 * (qd_theta1 * (k31 * t4 - k32 * t3) - k1) - t0;
             let t7 = cos_theta2 * t4 + sin_theta2 * t3;
             let t8 = k44 * (sin_theta2 * t4) + k45 * (cos_theta2 * t3) + k46 * t7
                 - k24 * sin_theta1;
@@ -659,7 +737,7 @@ k57 = rise*w^2*(m1 + m2)
             let t11 = k29 + t6 + cos_theta2 * (k36 - k34 * sin1)
                 + sin_theta2 * (k35 - k33 * sin1);
             let t12 = k14 / (k23 + t3 * (k43 * t3 - k42 * t4))
-                * (t10 - k51 * t7 - t0 - k26);
+                * (t10 + t0 - k51 * t7 - k26);
             ::pendulum_core::nalgebra::SVector::from([
                 qd_theta1,
                 qd_theta2,
@@ -668,10 +746,146 @@ k57 = rise*w^2*(m1 + m2)
             ])
         }
         #[inline]
-        fn layout(
+        fn hybrid(
             &self,
-        ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
-            Some(&<Leg>::LAYOUT)
+        ) -> ::core::option::Option<&dyn ::pendulum_core::hybrid::Hybrid<T, 4>> {
+            Some(self)
+        }
+        #[inline]
+        fn rhs_in(
+            &self,
+            hold: &::pendulum_core::hybrid::Hold<T>,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 4>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 4> {
+            ::pendulum_core::hybrid::rhs(self, hold, t, x)
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::hybrid::Hybrid<T, 4>
+    for Leg<T> {
+        #[inline]
+        fn constraints(&self) -> &'static [::pendulum_core::hybrid::Constraint] {
+            const {
+                &[
+                    ::pendulum_core::hybrid::Constraint {
+                        name: "theta2",
+                        rate: &[(2, -1), (3, 1)],
+                    },
+                ]
+            }
+        }
+        #[inline]
+        fn laws(
+            &self,
+        ) -> [::pendulum_core::hybrid::Law<T>; ::pendulum_core::hybrid::MOST] {
+            let mut laws = [::pendulum_core::hybrid::Law::default(); ::pendulum_core::hybrid::MOST];
+            laws[0] = ::pendulum_core::hybrid::Law {
+                slipping: T::from_f64(0.0),
+                sticking: T::from_f64(0.0),
+                low: Some(T::from_f64(-2.4)),
+                high: Some(T::from_f64(-0.02)),
+                restitution: T::from_f64(0.2),
+                slow: T::from_f64(0.0),
+            };
+            laws
+        }
+        #[inline]
+        fn measures(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 4>,
+        ) -> [[T; 2]; ::pendulum_core::hybrid::MOST] {
+            let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
+            let mut measures = [[T::from_f64(0.0); 2]; ::pendulum_core::hybrid::MOST];
+            measures[0] = [q_theta2 - q_theta1, qd_theta2 - qd_theta1];
+            measures
+        }
+        #[inline]
+        fn response(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 4>,
+            forces: &[T; ::pendulum_core::hybrid::MOST],
+        ) -> ::pendulum_core::hybrid::Response<T, 4> {
+            let [q_theta1, q_theta2, qd_theta1, qd_theta2] = x.data.0[0];
+            let f0 = forces[0];
+            let k1 = self.constants[1];
+            let k2 = self.constants[2];
+            let k5 = self.constants[5];
+            let k14 = self.constants[14];
+            let k16 = self.constants[16];
+            let k23 = self.constants[23];
+            let k24 = self.constants[24];
+            let k25 = self.constants[25];
+            let k26 = self.constants[26];
+            let k27 = self.constants[27];
+            let k28 = self.constants[28];
+            let k29 = self.constants[29];
+            let k30 = self.constants[30];
+            let k31 = self.constants[31];
+            let k32 = self.constants[32];
+            let k33 = self.constants[33];
+            let k34 = self.constants[34];
+            let k35 = self.constants[35];
+            let k36 = self.constants[36];
+            let k42 = self.constants[42];
+            let k43 = self.constants[43];
+            let k44 = self.constants[44];
+            let k45 = self.constants[45];
+            let k46 = self.constants[46];
+            let k47 = self.constants[47];
+            let k48 = self.constants[48];
+            let k49 = self.constants[49];
+            let k51 = self.constants[51];
+            let k52 = self.constants[52];
+            let k53 = self.constants[53];
+            let k54 = self.constants[54];
+            let t0 = f0 + k2 * q_theta1 - (k2 * q_theta2 + k1 * qd_theta2);
+            let (sin1, _) = (k5 * t).sin_cos();
+            let t2 = qd_theta2 * qd_theta2;
+            let [(sin_theta2, cos_theta2), (sin_theta1, cos_theta1)] = q_theta2
+                .sin_cos_pair(q_theta1);
+            let t3 = cos_theta2 * sin_theta1 - cos_theta1 * sin_theta2;
+            let t4 = cos_theta1 * cos_theta2 + sin_theta1 * sin_theta2;
+            let t5 = k14 / (k23 + t3 * (k43 * t3 - k42 * t4));
+            let t6 = k52 * t3 + k53 * t4;
+            let t7 = qd_theta1 * (qd_theta1 * (k31 * t4 - k32 * t3) - k1) - t0;
+            let t8 = cos_theta2 * t4 + sin_theta2 * t3;
+            let t9 = k44 * (sin_theta2 * t4) + k45 * (cos_theta2 * t3) + k46 * t8
+                - k24 * sin_theta1;
+            let t10 = k28 * cos_theta1 + k27 * sin_theta1 + k16 * qd_theta1 + t6 * t7
+                + sin1 * (t9 - k25 * cos_theta1);
+            let t11 = t10 + t4 * (k54 - k47 * sin_theta2 - k31 * t2)
+                + t3 * (k32 * t2 - k48 * cos_theta2 - k49);
+            let t12 = k29 + t7 + cos_theta2 * (k36 - k34 * sin1)
+                + sin_theta2 * (k35 - k33 * sin1);
+            let t13 = t5 * (t11 + t0 - k51 * t8 - k26);
+            let t14 = -t13;
+            let t15 = k30 * t12 - t6 * t13;
+            let t16 = t13 + t15;
+            let t17 = t5 * (T::from_f64(1.0) - t6);
+            let t18 = -t17;
+            let t19 = k30 + t6 * t17;
+            let t20 = t17 - t19;
+            let t21 = -t19;
+            let mut response = ::pendulum_core::hybrid::Response::new(
+                ::pendulum_core::nalgebra::SVector::from([
+                    qd_theta1,
+                    qd_theta2,
+                    t14,
+                    t15,
+                ]),
+            );
+            response.accelerations[0] = t16;
+            response.columns[0] = ::pendulum_core::nalgebra::SVector::from([
+                T::from_f64(0.0),
+                T::from_f64(0.0),
+                t18,
+                t21,
+            ]);
+            response.matrix[0][0] = t20;
+            response
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
@@ -776,9 +990,9 @@ k57 = rise*w^2*(m1 + m2)
             let k52 = self.constants[52];
             let k53 = self.constants[53];
             let k57 = self.constants[57];
-            let t0 = qd_theta2 * qd_theta2;
-            let (sin1, _) = (k5 * t).sin_cos();
-            let t2 = k1 * qd_theta2 + k2 * (q_theta2 - q_theta1);
+            let t0 = k2 * (q_theta1 - q_theta2) - k1 * qd_theta2;
+            let t1 = qd_theta2 * qd_theta2;
+            let (sin2, _) = (k5 * t).sin_cos();
             let t3 = qd_theta1 * qd_theta1;
             let t4 = qd_theta1 + qd_theta2 - qd_theta1;
             let t5 = t4 * t4;
@@ -790,21 +1004,21 @@ k57 = rise*w^2*(m1 + m2)
             let t9 = cos_theta2 * t8 + sin_theta2 * t7;
             let t10 = k46 * t9 + k45 * cos_theta2 * t7 + k44 * sin_theta2 * t8
                 - k24 * sin_theta1;
-            let t11 = t7 * (k32 * t0 - k48 * cos_theta2 - k49)
-                + sin1 * (t10 - k25 * cos_theta1);
-            let t12 = k52 * t7 + k53 * t8;
-            let t13 = t2 + qd_theta1 * (qd_theta1 * (k31 * t8 - k32 * t7) - k1);
-            let t14 = t11 + t12 * t13 + k16 * qd_theta1 + k27 * sin_theta1
+            let t11 = t0 + t7 * (k32 * t1 - k48 * cos_theta2 - k49)
+                + sin2 * (t10 - k25 * cos_theta1);
+            let t12 = qd_theta1 * (qd_theta1 * (k31 * t8 - k32 * t7) - k1) - t0;
+            let t13 = k52 * t7 + k53 * t8;
+            let t14 = t11 + t13 * t12 + k16 * qd_theta1 + k27 * sin_theta1
                 + k28 * cos_theta1;
-            let t15 = t14 - t2 - t8 * (k50 + k31 * t0 + k47 * sin_theta2) - k51 * t9;
+            let t15 = t14 - t8 * (k50 + k31 * t1 + k47 * sin_theta2) - k51 * t9;
             let t16 = k14 / (k23 + t7 * (k43 * t7 - k42 * t8)) * (t15 - k26);
-            let t17 = k29 + t13 + sin_theta2 * (k35 - k33 * sin1)
-                + cos_theta2 * (k36 - k34 * sin1);
-            let t18 = t16 + k30 * t17 - t16 - t12 * t16;
+            let t17 = k29 + t12 + sin_theta2 * (k35 - k33 * sin2)
+                + cos_theta2 * (k36 - k34 * sin2);
+            let t18 = t16 + k30 * t17 - t16 - t13 * t16;
             let t19 = k6 * cos_theta1 + k11 * sin_theta1;
             let t20 = k7 * cos_theta2 + k8 * sin_theta2;
             let t21 = k7 * sin_theta2 - k8 * cos_theta2;
-            let t22 = k9 - k57 * sin1 + t20 * t18 - t21 * t5 - t6 * t3;
+            let t22 = k9 - k57 * sin2 + t20 * t18 - t21 * t5 - t6 * t3;
             ::pendulum_core::nalgebra::SVector::from([
                 t6 * t16 - (t19 * t3 + t20 * t5 + t21 * t18),
                 t22 - t19 * t16,
@@ -973,6 +1187,7 @@ k57 = rise*w^2*(m1 + m2)
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl ::pendulum_core::Cast<4> for Leg {
+        const HYBRID: bool = true;
         type In<T: ::pendulum_core::real::Real> = Leg<T>;
         fn cast<T: ::pendulum_core::real::Real>(&self) -> Leg<T> {
             Leg::cast(self)
