@@ -716,3 +716,37 @@ fn a_pendulum_rests_in_an_interval() {
     }
     assert_eq!(end(3.0), SVector::from([3.0, 0.0]));
 }
+
+#[test]
+fn a_rocking_block_comes_to_rest() {
+    mechanism! {
+        pub Rocking {
+            params { b: m = 0.08, h: m = 0.25 }
+            gravity: [0, -9.81, 0],
+            generate: [rhs],
+            point left on block at [-b, -h, 0],
+            point right on block at [b, -h, 0],
+            wall under_left { gap: left.y },
+            wall under_right { gap: right.y },
+            body up on ground { joint: prismatic(y), coordinate: y }
+            body block on up { mass: 1, inertia: 0.02, joint: revolute(z), coordinate: phi }
+        }
+    }
+    let RockingParams { b, h } = RockingParams::default();
+    let model = Rocking::new(RockingParams { b, h }).expect("physical");
+    for tilt in [0.28, 0.1, -0.2_f64] {
+        let start = [b * tilt.abs().sin() + h * tilt.cos(), tilt, 0.0, 0.0];
+        let solution = Vern9::new()
+            .rtol(1e-12)
+            .atol(1e-12)
+            .max_steps(2000)
+            .solve(&model, 0.0, 2.0, start);
+        let solution = solution.expect("regular");
+        let (end, (_, mode)) = (solution.end(), *solution.modes().last().expect("a mode"));
+        assert_eq!(mode.0[..2], [Status::Low; 2], "from {tilt}");
+        assert!(
+            (end[0] - h).abs() < 1e-12 && end[1].abs() < 1e-12 && end[2].abs() + end[3].abs() < 1e-14,
+            "{end}"
+        );
+    }
+}

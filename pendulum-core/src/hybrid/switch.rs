@@ -177,14 +177,14 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
     fn settle(mut self, reach: &[T; MOST]) -> Settled<T, N> {
         self.place_at_limits();
         self.stand();
-        let hit = self.collide();
+        let thrown_off = self.collide();
         let mut delay = T::default();
         let size = size(&self.laws, &self.x);
         loop {
             self.stand();
             let (mode, hold, accelerations) = self.next_mode();
-            // a rebound too low to be followed
-            let low = bits(hit & !self.resting).find_map(|n| {
+            // a rebound too low to be followed, of its own or where another contact was hit
+            let low = bits(thrown_off & !self.resting).find_map(|n| {
                 let (law, rate) = (
                     &self.laws[n],
                     self.away(n) * self.system.measures(self.t, &self.x)[n][1],
@@ -259,7 +259,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
         }
     }
 
-    /// Impacts at the limits that are touched: the constraints that were hit and rebound.
+    /// Impacts at the limits that are touched: the constraints that leave theirs.
     fn collide(&mut self) -> u8 {
         let zero = T::default();
         let count = self.system.constraints().len();
@@ -288,19 +288,15 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
         let pushes = impulses(&matrix, touching, &leaving, restitution);
         let pushes: [T; MOST] = core::array::from_fn(|n| self.away(n) * pushes[n]);
         self.push(&response, touching, &pushes);
-        let mut hit = 0;
         for n in 0..count {
             let change = bits(touching).fold(zero, |sum, m| sum + response.matrix[n][m] * pushes[m]);
             if pushes[n] != zero && restitution == zero {
                 self.resting |= 1 << n;
-            } else if pushes[n] != zero {
-                self.resting &= !(1 << n);
-                hit |= 1 << n;
-            } else if change != zero {
+            } else if pushes[n] != zero || change != zero {
                 self.resting &= !(1 << n);
             }
         }
-        hit
+        touching & !self.resting
     }
 
     /// Changes the rates by impulses along some constraints.
