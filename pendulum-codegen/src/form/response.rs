@@ -21,8 +21,7 @@ impl<'g> Rows<'g> {
     fn new(model: &Model<'g>) -> Self {
         let values = model.constraint_values();
         let gradients = derived(&values, &model.positions());
-        let mut along = model.along_motion();
-        let rates: Vec<Expr<'g>> = values.iter().map(|&value| along.of(value)).collect();
+        let rates = model.constraint_rates();
         let of_state = model.coordinates.iter().map(|c| (c.position, c.rate));
         let driven = model.drives.iter().map(|drive| &drive.coordinate);
         let driven = driven.flat_map(|c| [(c.position, c.rate), (c.rate, c.acceleration)]);
@@ -80,19 +79,14 @@ fn dot<'g>(a: &[Expr<'g>], b: &[Expr<'g>]) -> Expr<'g> {
 
 /// The values of the constraints, and after them their rates.
 pub(crate) fn measures<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
-    let values = model.constraint_values();
-    let mut along = model.along_motion();
-    let rates: Vec<Expr<'g>> = values.iter().map(|&value| along.of(value)).collect();
-    super::values(forms, model, &[values, rates].concat())
+    let both = [model.constraint_values(), model.constraint_rates()];
+    super::values(forms, model, &both.concat())
 }
 
 /// The gradients of the values of the constraints by the state, those of their rates, and the derivatives of both by
 /// the time.
 pub(crate) fn measure_derivatives<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
-    let values = model.constraint_values();
-    let mut along = model.along_motion();
-    let rates: Vec<Expr<'g>> = values.iter().map(|&value| along.of(value)).collect();
-    let both = [values, rates].map(|values| model.with_drives(&values));
+    let both = [model.constraint_values(), model.constraint_rates()].map(|values| model.with_drives(&values));
     let gradients = both
         .iter()
         .flatten()

@@ -1,7 +1,7 @@
 //! What hinders the motion: dry friction and stops of joints, and walls.
 
 use super::{Combination, CoordinateId, Model};
-use crate::expr::{Derivative, Expr, Unary};
+use crate::expr::{Expr, Unary};
 
 /// Something that hinders the motion: a value that the state determines, with friction against its rate, or limits.
 #[derive(Clone, Debug)]
@@ -46,8 +46,8 @@ impl<'g> Law<'g> {
 }
 
 impl<'g> Constraint<'g> {
-    /// The components of the state, and their signs, whose sum is the rate; none where it is no such sum. The own
-    /// coordinate stands last: it is in no constraint before, as a joint is listed after those below it.
+    /// The components of the state whose sum is the rate, with their signs; empty where the rate is anything else. The
+    /// joint's own coordinate stands last, and in no constraint before, as a joint is listed after those below it.
     pub(crate) fn rate(&self, model: &Model<'g>) -> Vec<(usize, i8)> {
         let Some(own) = self.coordinate else { return Vec::new() };
         let rate = self.motion.without(own);
@@ -76,10 +76,18 @@ impl<'g> Model<'g> {
         self.constraints.iter().map(|constraint| constraint.value).collect()
     }
 
+    /// Their rates.
+    pub(crate) fn constraint_rates(&self) -> Vec<Expr<'g>> {
+        let mut along = self.along_motion();
+        self.constraint_values()
+            .into_iter()
+            .map(|value| along.of(value))
+            .collect()
+    }
+
     /// What decides when a mode ends: rates, and the values that have limits.
     pub(crate) fn watched(&self) -> Vec<Expr<'g>> {
-        let mut along = self.along_motion();
-        let rates = self.constraints.iter().map(|constraint| along.of(constraint.value));
+        let rates = self.constraint_rates().into_iter();
         let limited = self
             .constraints
             .iter()
@@ -93,9 +101,7 @@ impl<'g> Model<'g> {
         if !self.is_hybrid() {
             return roots.to_vec();
         }
-        let mut along: Derivative<'g> = self.along_motion();
-        let rates: Vec<Expr<'g>> = self.constraint_values().iter().map(|&value| along.of(value)).collect();
-        let rates = self.with_drives(&rates);
+        let rates = self.with_drives(&self.constraint_rates());
         let forces = self.constraints.iter().zip(rates);
         let forces =
             forces.map(|(constraint, rate)| (constraint.force, -constraint.law.slipping * rate.apply(Unary::Sign)));

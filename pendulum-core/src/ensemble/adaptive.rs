@@ -11,7 +11,7 @@ use crate::dense::Step;
 use crate::error::Reason;
 use crate::hybrid::{Hold, InMode};
 use crate::method::{
-    Adaptive, Estimates, Failure, NonFinite, Scheme, StepControl, check_span, check_state, is_within_tolerance,
+    Adaptive, Estimates, Failure, NonFinite, Scheme, Stalled, StepControl, check_span, check_state, is_within_tolerance,
 };
 use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
 use crate::statistics::Statistics;
@@ -92,7 +92,6 @@ where
         if self.models.is_empty() {
             return Ok(());
         }
-        let (_, t1) = self.span;
         let tolerance = self.method.tolerance()?;
         let mut system = F::gather::<V>(|_| &self.models[0]);
         let mut scheme = self.method.family.stages::<V>(&system, Some(tolerance))?;
@@ -123,37 +122,11 @@ where
             }
             let t = V::from_fn(|lane| members.t[lane]);
             let proposed = scheme.prepare(&InMode::new(&system, &hold), t, &x, work);
-            if !members.plan(&control, t1, proposed) {
-                for (lane, index) in members.busy(V::LANES) {
-                    let (mut h, at) = (members.h[lane], members.t[lane]);
-                    let proposed = members.proposal(lane, &proposed);
-                    if let Err(reason) = control.plan(&mut h, (at, t1), members.steps[lane], proposed) {
-                        self.stop(&mut members, (lane, index), in_lane(&x, lane), reason);
-                    }
-                }
-            }
+            self.plan(&mut members, &control, &x, proposed);
             let t_new = V::from_fn(|lane| members.t_new[lane]);
             let attempt = scheme.attempt(&InMode::new(&system, &hold), (t, &x), (t_new, &mut x_new), work);
             let slope = scheme.arrive(&InMode::new(&system, &hold), (t_new, &x_new), work);
-            let sum = sum(&x_new, slope);
-            let outcome = |lane| match attempt {
-                Err(stalled) => Err(Failure::from(stalled)),
-                Ok(mean_square) if sum.lane(lane).is_finite() => Ok(mean_square.lane(lane)),
-                Ok(mean_square) => outcome((&x_new, slope), mean_square.lane(lane), lane),
-            };
-            let mean_squares = match attempt {
-                Ok(mean_square) if sum.all_finite() => mean_square,
-                _ => V::from_fn(|lane| outcome(lane).unwrap_or(T::from_f64(f64::NAN))),
-            };
-            if !members.judge(&control, &mean_squares, F::Stages::<V>::PROPOSES) {
-                for (lane, index) in members.busy(V::LANES) {
-                    let (h, step) = (members.h[lane], (members.t[lane], members.t_new[lane]));
-                    if !members.is_accepted(lane) && h < control.least(step.0) {
-                        let reason = control.hopeless(outcome(lane), step, h);
-                        self.stop(&mut members, (lane, index), in_lane(&x, lane), reason);
-                    }
-                }
-            }
+            self.judge(&mut members, &control, &x, attempt, (&x_new, slope));
             let lanes = members.accepted::<V>();
             scheme.accept(
                 &InMode::new(&system, &hold),
@@ -162,12 +135,71 @@ where
                 work,
             );
             x = lanes.select(&x_new, &x);
-            if members.some_arrive(V::LANES, t1) {
-                for (lane, index) in members.busy(V::LANES) {
-                    if members.t[lane] == t1 {
-                        self.x[index] = in_lane(&x, lane);
-                        members.leave(lane);
-                    }
+            self.take_out(&mut members, &x);
+        }
+    }
+
+    /// Plans the next steps; stops those that may take none.
+    #[inline(always)]
+    pub(super) fn plan<V: Lanes<Scalar = T>>(
+        &mut self,
+        members: &mut Members<T>,
+        control: &StepControl<T>,
+        x: &SVector<V, N>,
+        proposed: Option<V>,
+    ) {
+        let (_, t1) = self.span;
+        if !members.plan(control, t1, proposed) {
+            for (lane, index) in members.busy(V::LANES) {
+                let (mut h, at) = (members.h[lane], members.t[lane]);
+                let proposed = members.proposal(lane, &proposed);
+                if let Err(reason) = control.plan(&mut h, (at, t1), members.steps[lane], proposed) {
+                    self.stop(members, (lane, index), in_lane(x, lane), reason);
+                }
+            }
+        }
+    }
+
+    /// Judges steps from the states `x` by what came of the attempt; stops those that may take no shorter one.
+    #[inline(always)]
+    pub(super) fn judge<V: Lanes<Scalar = T>>(
+        &mut self,
+        members: &mut Members<T>,
+        control: &StepControl<T>,
+        x: &SVector<V, N>,
+        attempt: Result<V, Stalled>,
+        (x_new, slope): (&SVector<V, N>, Option<&SVector<V, N>>),
+    ) {
+        let sum = sum(x_new, slope);
+        let outcome = |lane| match attempt {
+            Err(stalled) => Err(Failure::from(stalled)),
+            Ok(mean_square) if sum.lane(lane).is_finite() => Ok(mean_square.lane(lane)),
+            Ok(mean_square) => outcome((x_new, slope), mean_square.lane(lane), lane),
+        };
+        let mean_squares = match attempt {
+            Ok(mean_square) if sum.all_finite() => mean_square,
+            _ => V::from_fn(|lane| outcome(lane).unwrap_or(T::from_f64(f64::NAN))),
+        };
+        if !members.judge(control, &mean_squares, F::Stages::<V>::PROPOSES) {
+            for (lane, index) in members.busy(V::LANES) {
+                let (h, step) = (members.h[lane], (members.t[lane], members.t_new[lane]));
+                if !members.is_accepted(lane) && h < control.least(step.0) {
+                    let reason = control.hopeless(outcome(lane), step, h);
+                    self.stop(members, (lane, index), in_lane(x, lane), reason);
+                }
+            }
+        }
+    }
+
+    /// Takes those out of their lanes that are at the end.
+    #[inline(always)]
+    pub(super) fn take_out<V: Lanes<Scalar = T>>(&mut self, members: &mut Members<T>, x: &SVector<V, N>) {
+        let (_, t1) = self.span;
+        if members.some_arrive(V::LANES, t1) {
+            for (lane, index) in members.busy(V::LANES) {
+                if members.t[lane] == t1 {
+                    self.x[index] = in_lane(x, lane);
+                    members.leave(lane);
                 }
             }
         }
@@ -245,7 +277,7 @@ where
 /// What a step brings in a lane where not all is finite. The derivative at its end does not matter if its error is too
 /// large.
 #[cold]
-pub(super) fn outcome<V: Lanes, const N: usize>(
+fn outcome<V: Lanes, const N: usize>(
     (x, slope): (&SVector<V, N>, Option<&SVector<V, N>>),
     mean_square: V::Scalar,
     lane: usize,

@@ -3,21 +3,21 @@
 
 use nalgebra::SVector;
 
-use super::adaptive::{March, outcome, set_lane};
-use super::check::{in_lane, sum};
+use super::adaptive::{March, set_lane};
+use super::check::in_lane;
 use super::members::Members;
 use super::{InLanes, Stopped, model_of};
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::hybrid::{Hold, Hybrid, InMode, MOST, Status, room};
-use crate::method::{Failure, Method, Modes, OneStep, Progress, Scheme, StepControl, Stepper};
+use crate::method::{Estimates, Method, Modes, OneStep, Progress, Scheme, StepControl, Stepper};
 use crate::real::lanes::{LaneElement, Lanes};
 use crate::statistics::Statistics;
 use crate::system::{Cast, System};
 
 impl<F, M, T, const N: usize> March<'_, F, M, T, N>
 where
-    F: InLanes<M, T, N> + crate::method::Estimates,
+    F: InLanes<M, T, N> + Estimates,
     M: Cast<N>,
     T: LaneElement,
 {
@@ -78,38 +78,12 @@ where
             let in_mode = InMode::new(&system, &hold);
             let t = V::from_fn(|lane| members.t[lane]);
             let proposed = scheme.prepare(&in_mode, t, &x, work);
-            if !members.plan(&control, t1, proposed) {
-                for (lane, index) in members.busy(V::LANES) {
-                    let (mut h, at) = (members.h[lane], members.t[lane]);
-                    let proposed = members.proposal(lane, &proposed);
-                    if let Err(reason) = control.plan(&mut h, (at, t1), members.steps[lane], proposed) {
-                        self.stop(&mut members, (lane, index), in_lane(&x, lane), reason);
-                    }
-                }
-            }
+            self.plan(&mut members, &control, &x, proposed);
             let before = members.clone();
             let t_new = V::from_fn(|lane| members.t_new[lane]);
             let attempt = scheme.attempt(&in_mode, (t, &x), (t_new, &mut x_new), work);
             let slope = scheme.arrive(&in_mode, (t_new, &x_new), work);
-            let sum = sum(&x_new, slope);
-            let outcome = |lane| match attempt {
-                Err(stalled) => Err(Failure::from(stalled)),
-                Ok(mean_square) if sum.lane(lane).is_finite() => Ok(mean_square.lane(lane)),
-                Ok(mean_square) => outcome((&x_new, slope), mean_square.lane(lane), lane),
-            };
-            let mean_squares = match attempt {
-                Ok(mean_square) if sum.all_finite() => mean_square,
-                _ => V::from_fn(|lane| outcome(lane).unwrap_or(T::from_f64(f64::NAN))),
-            };
-            if !members.judge(&control, &mean_squares, F::Stages::<V>::PROPOSES) {
-                for (lane, index) in members.busy(V::LANES) {
-                    let (h, step) = (members.h[lane], (members.t[lane], members.t_new[lane]));
-                    if !members.is_accepted(lane) && h < control.least(step.0) {
-                        let reason = control.hopeless(outcome(lane), step, h);
-                        self.stop(&mut members, (lane, index), in_lane(&x, lane), reason);
-                    }
-                }
-            }
+            self.judge(&mut members, &control, &x, attempt, (&x_new, slope));
             let step = Step::new((t, x), (t_new, x_new));
             if let Some(hybrid) = system.hybrid() {
                 let measures = hybrid.measures(t, &x);
@@ -135,14 +109,7 @@ where
             let lanes = members.accepted::<V>();
             scheme.accept(&in_mode, &step, lanes, work);
             x = lanes.select(&x_new, &x);
-            if members.some_arrive(V::LANES, t1) {
-                for (lane, index) in members.busy(V::LANES) {
-                    if members.t[lane] == t1 {
-                        self.x[index] = in_lane(&x, lane);
-                        members.leave(lane);
-                    }
-                }
-            }
+            self.take_out(&mut members, &x);
         }
     }
 

@@ -17,7 +17,7 @@ where
     if hold.held == 0 {
         return system.rhs_under(t, x, &hold.forces);
     }
-    held(system, hold, &system.response(t, x, &hold.forces)).0
+    held(system, hold, t, x).0
 }
 
 /// The derivative of [`rhs`] with respect to the state.
@@ -45,7 +45,7 @@ where
     if hold.held == 0 {
         return system.rhs_and_jacobian_under(t, x, &hold.forces);
     }
-    let (rates, forces) = held(system, hold, &system.response(t, x, &hold.forces));
+    let (rates, forces) = held(system, hold, t, x);
     // the forces are as fixed as those of friction; how they change comes on top
     let derivative = system.response_derivative(t, x, &forces);
     let factored = Factored::of(&derivative.response.matrix, hold.solved);
@@ -70,11 +70,7 @@ where
     S: HybridJacobian<T, N> + ?Sized,
     T: Real,
 {
-    let mut forces = hold.forces;
-    if hold.held != 0 {
-        forces = held(system, hold, &system.response(t, x, &hold.forces)).1;
-    }
-    let derivative = system.response_derivative(t, x, &forces);
+    let derivative = system.response_derivative(t, x, &forces(system, hold, t, x));
     let factored = Factored::of(&derivative.response.matrix, hold.solved);
     let changes = factored.solve_negated(&derivative.accelerations_by_time);
     let mut column = derivative.rates_by_time;
@@ -85,18 +81,15 @@ where
 
 /// The right-hand side with what is held, and all forces along the constraints.
 #[inline(always)]
-pub(super) fn held<S, T, const N: usize>(
-    system: &S,
-    hold: &Hold<T>,
-    response: &Response<T, N>,
-) -> (SVector<T, N>, [T; MOST])
+fn held<S, T, const N: usize>(system: &S, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, [T; MOST])
 where
     S: Hybrid<T, N> + ?Sized,
     T: Real,
 {
+    let response = system.response(t, x, &hold.forces);
     let forces = Factored::of(&response.matrix, hold.solved).solve_negated(&response.accelerations);
     let mut rates = response.rates;
-    add(&mut rates, response, hold.solved, &forces);
+    add(&mut rates, &response, hold.solved, &forces);
     pin(system, hold.held, &mut rates);
     let mut all = hold.forces;
     for n in bits(hold.solved) {
@@ -105,7 +98,7 @@ where
     (rates, all)
 }
 
-/// The same as functions of their own: what systems that are not hybrid never call is no part of their code.
+/// The same as functions that are never inlined: a system that is not hybrid has none of this in its code.
 pub(crate) mod called {
     use nalgebra::{SMatrix, SVector};
 
@@ -144,14 +137,17 @@ pub(crate) mod called {
     }
 }
 
-/// The forces along the constraints in a mode.
-#[cfg(feature = "std")]
-pub(crate) fn holding_forces<S, T, const N: usize>(system: &S, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> [T; MOST]
+/// The forces along the constraints in a mode, those of what is held included.
+#[inline(always)]
+pub(crate) fn forces<S, T, const N: usize>(system: &S, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> [T; MOST]
 where
     S: Hybrid<T, N> + ?Sized,
     T: Real,
 {
-    held(system, hold, &system.response(t, x, &hold.forces)).1
+    if hold.held == 0 {
+        return hold.forces;
+    }
+    held(system, hold, t, x).1
 }
 
 /// Adds what forces along some constraints do.

@@ -89,7 +89,7 @@ use crate::system::System;
 
 pub(crate) use held::called;
 #[cfg(feature = "std")]
-pub(crate) use held::holding_forces;
+pub(crate) use held::forces;
 pub use held::{jacobian, rhs, rhs_and_jacobian, time_derivative};
 pub use in_mode::{InMode, Passage};
 pub use mode::{Hold, Mode, Status};

@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::complementarity::Factored;
-use super::held::{add, held, pin, rhs};
+use super::held::{add, forces, pin, rhs};
 use super::mode::{Hold, Mode, bits};
 use super::watch::{FORWARD, Fired};
 use super::{HybridJacobian, MOST, Passage};
@@ -120,8 +120,7 @@ fn first<T: Float, const N: usize>(
 ) -> (SVector<T, N>, T) {
     let n = fired.first();
     if mode.is_held(n) {
-        let forces = held(system, hold, &system.response(t, x, &hold.forces)).1;
-        let derivative = system.response_derivative(t, x, &forces);
+        let derivative = system.response_derivative(t, x, &forces(system, hold, t, x));
         let factored = Factored::of(&derivative.response.matrix, hold.solved);
         let of = |slopes: &[T; MOST]| factored.solve_negated(slopes)[n];
         let gradient = SVector::from_fn(|j, _| of(&derivative.accelerations.map(|gradient| gradient[j])));

@@ -326,36 +326,30 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
             }
         }
         let response = self.system.response(self.t, &self.x, &forces);
-        let mut best: Option<(T, Mode, Hold<T>, [T; MOST])> = None;
-        'all: for held in subsets(candidates) {
+        let gave_way = (0..count).filter(|&n| self.forced[n].is_some());
+        let gave_way = gave_way.fold(0, |set, n| set | 1 << n);
+        let without_any = Hold {
+            forces,
+            ..Hold::default()
+        };
+        let mut best = (T::from_f64(f64::INFINITY), mode, without_any, response.accelerations);
+        'all: for held in subsets(candidates & !gave_way) {
             let released = candidates & !held;
-            if bits(held).any(|n| self.forced[n].is_some()) {
-                continue;
-            }
             for forward in subsets(released) {
                 let Some((mode, hold)) = self.released(mode, forces, (held, released, forward), &response) else {
                     continue;
                 };
                 let (violation, accelerations) = self.violation(&mode, &hold, candidates, &response, &forces);
-                if best.as_ref().is_none_or(|(least, ..)| violation < *least) {
-                    best = Some((violation, mode, hold, accelerations));
+                if violation < best.0 {
+                    best = (violation, mode, hold, accelerations);
                 }
                 if violation <= T::from_f64(64.0) * T::EPSILON {
                     break 'all;
                 }
             }
         }
-        best.map_or(
-            (
-                mode,
-                Hold {
-                    forces,
-                    ..Hold::default()
-                },
-                response.accelerations,
-            ),
-            |(_, mode, hold, a)| (mode, hold, a),
-        )
+        let (_, mode, hold, accelerations) = best;
+        (mode, hold, accelerations)
     }
 
     fn slipping(&self, n: usize, status: Status) -> T {

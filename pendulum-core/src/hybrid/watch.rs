@@ -4,7 +4,7 @@ use core::cell::Cell;
 
 use nalgebra::SVector;
 
-use super::held::held;
+use super::held::forces;
 use super::mode::{Hold, Mode, Status};
 use super::{Hybrid, Law, MOST};
 use crate::dense::Dense;
@@ -391,7 +391,7 @@ impl<'a, T: Float, const N: usize> Scene<'a, T, N> {
     fn forces(&self, t: T, x: &SVector<T, N>) -> Option<[T; MOST]> {
         (self.hold.held != 0).then(|| {
             self.evaluations.set(self.evaluations.get() + 1);
-            held(self.system, self.hold, &self.system.response(t, x, &self.hold.forces)).1
+            forces(self.system, self.hold, t, x)
         })
     }
 

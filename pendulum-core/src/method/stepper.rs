@@ -328,14 +328,15 @@ where
     /// The states within the last step, by the dense output of the method. Some methods evaluate the right-hand side a
     /// few more times for it. Before the first step, and after a failed one, it is the point reached.
     pub fn dense(&mut self) -> Dense<'_, T, N> {
-        let coefficients = if self.last.t0 == self.last.t1 {
-            &[]
-        } else if self.system.hybrid().is_some() {
+        if self.last.t0 == self.last.t1 {
+            return Dense::new(self.last, &[]);
+        }
+        if self.system.hybrid().is_some() {
+            // the search for the end of the mode has found it
             return Dense::cut_off(self.last, self.scheme.coefficients(), self.modes.cut);
-        } else {
-            let system = InMode::new(self.system, &self.modes.hold);
-            self.scheme.dense(&system, &self.last, &mut self.statistics)
-        };
+        }
+        let system = InMode::new(self.system, &self.modes.hold);
+        let coefficients = self.scheme.dense(&system, &self.last, &mut self.statistics);
         Dense::new(self.last, coefficients)
     }
 

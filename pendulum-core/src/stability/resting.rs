@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use super::StabilityError;
 use super::equilibrium::{require_autonomous, settle};
-use crate::hybrid::{Hybrid, MOST, Mode, Settled, Status, holding_forces, rate, start};
+use crate::hybrid::{Hybrid, MOST, Mode, Settled, Status, forces, rate, start};
 use crate::system::{IntoState, Jacobian};
 
 /// A state of rest of a [hybrid](crate::hybrid) system that friction and contacts hold: one of a set, not of a point.
@@ -54,7 +54,7 @@ impl<const N: usize> Resting<N> {
         Ok(rests.then(|| Self {
             x,
             mode,
-            margin: margin(hybrid, &mode, &holding_forces(hybrid, &hold, 0.0, &x)),
+            margin: margin(hybrid, &mode, &forces(hybrid, &hold, 0.0, &x)),
         }))
     }
 
