@@ -79,33 +79,34 @@ where
             let t = V::from_fn(|lane| members.t[lane]);
             let proposed = scheme.prepare(&in_mode, t, &x, work);
             self.plan(&mut members, &control, &x, proposed);
-            let before = members.clone();
             let t_new = V::from_fn(|lane| members.t_new[lane]);
             let attempt = scheme.attempt(&in_mode, (t, &x), (t_new, &mut x_new), work);
-            let slope = scheme.arrive(&in_mode, (t_new, &x_new), work);
-            self.judge(&mut members, &control, &x, attempt, (&x_new, slope));
+            let slope = scheme.arrive(&in_mode, (t_new, &x_new), work).copied();
             let step = Step::new((t, x), (t_new, x_new));
-            if let Some(hybrid) = system.hybrid() {
-                let measures = hybrid.measures(t, &x);
-                let room = room(hybrid, &measures, scheme.dense(&in_mode, &step, work));
+            // those whose mode may end within the step take it again by themselves
+            if let (Some(hybrid), Ok(_)) = (system.hybrid(), attempt) {
+                let (laws, measures) = (hybrid.laws(), hybrid.measures(t, &x));
+                let room = room(
+                    (hybrid.constraints(), &laws),
+                    &measures,
+                    scheme.dense(&in_mode, &step, work),
+                );
                 for (lane, index) in members.busy(V::LANES) {
                     let Some(own) = &mut modes[lane] else { continue };
-                    if !members.is_accepted(lane) {
-                        continue;
-                    }
                     let goes_on = (0..MOST).all(|n| {
                         let [rate, low, high] = room[n].map(|room| room.lane(lane) > T::default());
                         (rate || own.mode.0[n] == Status::Free) && low && high
                     });
-                    if !goes_on {
-                        let progress = before.progress(lane, in_lane(&x, lane), *own);
+                    if goes_on {
+                        own.watch.note(&laws, &measures, lane);
+                    } else {
+                        let progress = members.progress(lane, in_lane(&x, lane), *own);
                         members.leave(lane);
                         ready.extend(self.go_on(index, progress, &control).map(|progress| (index, progress)));
-                    } else {
-                        own.watch.note(hybrid, &measures, lane);
                     }
                 }
             }
+            self.judge(&mut members, &control, &x, attempt, (&x_new, slope.as_ref()));
             let lanes = members.accepted::<V>();
             scheme.accept(&in_mode, &step, lanes, work);
             x = lanes.select(&x_new, &x);
@@ -161,10 +162,8 @@ where
         let model = model_of(self.models, index).cast::<T>();
         let laws = model.hybrid()?.laws();
         while stepper.t() != self.span.1 {
-            let progress = stepper.progress()?;
-            let Modes { mode, hold, watch, .. } = &progress.modes;
-            if hold.held == 0 && watch.is_settled(&laws, mode) {
-                return Some(progress);
+            if stepper.is_settled(&laws) {
+                return stepper.progress();
             }
             if let Err(reason) = stepper.step_to_a_mode() {
                 let t = stepper.t();

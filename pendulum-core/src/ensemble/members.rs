@@ -9,7 +9,6 @@ use crate::real::Float;
 use crate::real::lanes::Lanes;
 
 /// The trajectories in the lanes, each with a time and steps of its own.
-#[derive(Clone)]
 pub(super) struct Members<T> {
     /// Which; [`FREE`] where a lane has none.
     index: [usize; MOST_LANES],

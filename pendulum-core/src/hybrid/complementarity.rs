@@ -9,8 +9,7 @@ const INDEPENDENT: f64 = 1e-10;
 
 /// A factored symmetric matrix, `L D L^T`, of chosen rows and columns.
 pub(super) struct Factored<T> {
-    rows: [usize; MOST],
-    count: usize,
+    chosen: u8,
     /// `L` below the diagonal, `1/D` on it.
     entries: [[T; MOST]; MOST],
 }
@@ -29,73 +28,75 @@ impl<T: Real> Factored<T> {
     #[inline(always)]
     fn none() -> Self {
         Self {
-            rows: [0; MOST],
-            count: 0,
+            chosen: 0,
             entries: [[T::default(); MOST]; MOST],
         }
     }
 
-    /// Adds a row and column; returns its pivot.
+    /// Adds a row and column, after those before; returns its pivot.
     #[inline(always)]
     fn push(&mut self, matrix: &[[T; MOST]; MOST], row: usize) -> T {
-        let n = self.count;
         let mut pivot = matrix[row][row];
         // u = D l, for each row before
-        for j in 0..n {
-            let mut u = matrix[row][self.rows[j]];
-            for k in 0..j {
-                u -= self.entries[j][k] * self.entries[n][k];
+        for j in bits(self.chosen) {
+            let mut u = matrix[row][j];
+            for k in bits(self.chosen & before(j)) {
+                u -= self.entries[j][k] * self.entries[row][k];
             }
-            self.entries[n][j] = u;
+            self.entries[row][j] = u;
         }
-        for j in 0..n {
-            let u = self.entries[n][j];
+        for j in bits(self.chosen) {
+            let u = self.entries[row][j];
             let l = u * self.entries[j][j];
             pivot -= l * u;
-            self.entries[n][j] = l;
+            self.entries[row][j] = l;
         }
-        self.entries[n][n] = T::from_f64(1.0) / pivot;
-        self.rows[n] = row;
-        self.count += 1;
+        self.entries[row][row] = T::from_f64(1.0) / pivot;
+        self.chosen |= 1 << row;
         pivot
     }
 
     /// `-A^-1 b` for the chosen rows, 0 for the others.
     #[inline(always)]
     pub(super) fn solve_negated(&self, b: &[T; MOST]) -> [T; MOST] {
-        let n = self.count;
-        let mut y = [T::default(); MOST];
-        for i in 0..n {
-            let mut sum = -b[self.rows[i]];
-            for (entry, y) in self.entries[i].iter().zip(&y).take(i) {
-                sum -= *entry * *y;
-            }
-            y[i] = sum;
-        }
         let mut x = [T::default(); MOST];
-        for i in (0..n).rev() {
-            let mut sum = y[i] * self.entries[i][i];
-            for k in i + 1..n {
-                sum -= self.entries[k][i] * x[self.rows[k]];
+        for i in bits(self.chosen) {
+            let mut sum = -b[i];
+            for k in bits(self.chosen & before(i)) {
+                sum -= self.entries[i][k] * x[k];
             }
-            x[self.rows[i]] = sum;
+            x[i] = sum;
+        }
+        let mut left = self.chosen;
+        while left != 0 {
+            let i = left.ilog2() as usize;
+            left &= before(i);
+            let mut sum = x[i] * self.entries[i][i];
+            for k in bits(self.chosen & !before(i + 1)) {
+                sum -= self.entries[k][i] * x[k];
+            }
+            x[i] = sum;
         }
         x
     }
 }
 
+/// The bits below the one at a place.
+#[inline(always)]
+fn before(place: usize) -> u8 {
+    ((1_u16 << place) - 1) as u8
+}
+
 /// Those of the chosen rows that are independent of the ones before them.
 pub(super) fn independent<T: Float>(matrix: &[[T; MOST]; MOST], chosen: u8) -> u8 {
-    let (mut factored, mut solved) = (Factored::none(), 0);
+    let mut factored = Factored::none();
     for row in bits(chosen) {
-        let pivot = factored.push(matrix, row);
-        if pivot > T::from_f64(INDEPENDENT) * matrix[row][row] {
-            solved |= 1 << row;
-        } else {
-            factored.count -= 1;
+        let is_independent = factored.push(matrix, row) > T::from_f64(INDEPENDENT) * matrix[row][row];
+        if !is_independent {
+            factored.chosen &= !(1 << row);
         }
     }
-    solved
+    factored.chosen
 }
 
 /// The impulses `p >= 0` by which rates `w` become `w + A p >= -e w`, each with one of the two equal: those of Newton's
@@ -125,7 +126,12 @@ pub(super) fn impulses<T: Float>(matrix: &[[T; MOST]; MOST], chosen: u8, w: &[T;
 
 /// All parts of a set, those of more elements first.
 pub(super) fn subsets(set: u8) -> impl Iterator<Item = u8> {
+    let parts = move || {
+        core::iter::successors(Some(0_u8), move |part| {
+            Some(part.wrapping_sub(set) & set).filter(|&part| part != 0)
+        })
+    };
     (0..=set.count_ones())
         .rev()
-        .flat_map(move |count| (0..=u8::MAX).filter(move |part| part & !set == 0 && part.count_ones() == count))
+        .flat_map(move |count| parts().filter(move |part| part.count_ones() == count))
 }

@@ -99,6 +99,10 @@ pub struct Hold<T> {
 
 /// The places of the bits of a number that are set.
 #[inline(always)]
-pub(super) fn bits(set: u8) -> impl Iterator<Item = usize> {
-    (0..MOST).filter(move |n| set & (1 << n) != 0)
+pub(super) fn bits(mut set: u8) -> impl Iterator<Item = usize> {
+    core::iter::from_fn(move || {
+        let place = set.trailing_zeros() as usize;
+        set &= set.wrapping_sub(1);
+        (place < MOST).then_some(place)
+    })
 }

@@ -6,12 +6,11 @@ use nalgebra::SVector;
 
 use super::held::forces;
 use super::mode::{Hold, Mode, Status};
-use super::{Hybrid, Law, MOST};
+use super::{Constraint, Hybrid, Law, MOST};
 use crate::dense::Dense;
 use crate::error::Reason;
-use crate::method::{dip, places, root};
+use crate::method::{MAX_DEGREE, dip, places, root};
 use crate::real::Float;
-#[cfg(feature = "std")]
 use crate::real::lanes::Lanes;
 use crate::statistics::Statistics;
 
@@ -32,8 +31,8 @@ const NOISE_ULPS: f64 = 16.0;
 /// A step that was taken to the end of a mode is searched so far about its end, in fractions of it.
 const ABOUT_THE_END: [f64; 6] = [1e-12, 1e-9, 1e-6, 1e-3, 1e-1, 0.5];
 
-/// The terms of a polynomial are bounded with this much to spare.
-const SLACK: f64 = 1e-3;
+/// Bounds of polynomials have this part of all their terms to spare.
+const SLACK: f64 = 1e-4;
 
 /// The functions of all constraints, those of one after those of the other; infinite where there is none.
 type Values<T> = [[T; WAYS]; MOST];
@@ -119,19 +118,12 @@ impl<T: Float> Watch<T> {
 
     /// Notes how far the constraints of a lane are from their limits, as [`look`](Self::look) does.
     #[cfg(feature = "std")]
-    pub(crate) fn note<V: Lanes<Scalar = T>, const N: usize>(
-        &mut self,
-        system: &dyn Hybrid<V, N>,
-        measures: &[[V; 2]; MOST],
-        lane: usize,
-    ) {
-        let laws = system.laws();
-        for (n, law) in laws.iter().enumerate() {
-            let value = measures[n][0].lane(lane);
-            let low = law.low.map(|low| value - low.lane(lane));
-            let high = law.high.map(|high| high.lane(lane) - value);
-            let near = [low, high].into_iter().flatten().reduce(T::min);
-            self.reach[n] = near.map_or(self.reach[n], |near| self.reach[n].max(near));
+    pub(crate) fn note<V: Lanes<Scalar = T>>(&mut self, laws: &[Law<V>; MOST], measures: &[[V; 2]; MOST], lane: usize) {
+        for (reach, (law, [value, _])) in self.reach.iter_mut().zip(laws.iter().zip(measures)) {
+            let none = T::from_f64(f64::INFINITY);
+            let low = law.low.map_or(none, |low| value.lane(lane) - low.lane(lane));
+            let high = law.high.map_or(none, |high| high.lane(lane) - value.lane(lane));
+            note_near(reach, low.min(high));
         }
     }
 
@@ -178,12 +170,17 @@ impl<T: Float> Watch<T> {
         let places_of_forces = dense.terms().len().div_ceil(2).next_power_of_two();
         let start = (T::default(), values);
         let (mut of_state, mut of_forces) = (Seen::new(start), Seen::new(start));
+        let free = || live.pairs().filter(|&(n, _)| !scene.mode.is_held(n));
+        let only_forces = free().next().is_none();
         // what rebounds may come back at once
-        let has_limits = live.pairs().any(|(n, way)| way != FORWARD && !scene.mode.is_held(n));
-        for theta in places(was_start && has_limits) {
-            let (t, x) = (dense.time(theta), dense.at_fraction(theta));
+        let may_come_back = free().any(|(_, way)| way != FORWARD);
+        for theta in places::<T>(was_start && may_come_back) {
             let nth = (theta * T::from_f64(places_of_forces as f64)).to_f64();
             let is_of_forces = libm::floor(nth) == nth;
+            if only_forces && !is_of_forces {
+                continue;
+            }
+            let (t, x) = (dense.time(theta), dense.at_fraction(theta));
             let forces = if is_of_forces { scene.forces(t, &x) } else { None };
             let here = (theta, scene.values(t, &x, forces));
             self.note_reach(&here.1, scene.mode);
@@ -317,11 +314,17 @@ impl<T: Float> Watch<T> {
 
     fn note_reach(&mut self, values: &Values<T>, mode: &Mode) {
         for ((reach, values), status) in self.reach.iter_mut().zip(values).zip(mode.0) {
-            let near = values[BACKWARD].min(values[UPPER]);
-            if !status.is_held() && near.is_finite() {
-                *reach = reach.max(near);
+            if !status.is_held() {
+                note_near(reach, values[BACKWARD].min(values[UPPER]));
             }
         }
+    }
+}
+
+/// Notes a distance from a limit; it is infinite where there is none.
+fn note_near<T: Float>(reach: &mut T, near: T) {
+    if near > *reach && near < T::from_f64(f64::INFINITY) {
+        *reach = near;
     }
 }
 
@@ -375,8 +378,8 @@ impl<'a, T: Float, const N: usize> Scene<'a, T, N> {
     fn values(&self, t: T, x: &SVector<T, N>, forces: Option<[T; MOST]>) -> Values<T> {
         let (measures, forces) = (self.system.measures(t, x), forces.unwrap_or_default());
         let mut values = [[T::from_f64(f64::INFINITY); WAYS]; MOST];
-        for n in 0..self.system.constraints().len() {
-            values[n] = self.of(n, measures[n], forces[n]);
+        for (n, values) in values.iter_mut().enumerate().take(self.system.constraints().len()) {
+            *values = self.of(n, measures[n], forces[n]);
         }
         values
     }
@@ -419,22 +422,22 @@ impl<'a, T: Float, const N: usize> Scene<'a, T, N> {
         values
     }
 
-    /// The functions that may reach zero within a step: those that are sums of components of the state cannot where
-    /// the sizes of the terms of its polynomial do not suffice.
+    /// The functions that may reach zero within a step: not those of which the polynomial of the step shows that they
+    /// do not.
     fn live(&self, values: &Values<T>, positive: Fired, dense: &Dense<'_, T, N>) -> Fired {
         let mut live = Fired::default();
         for (n, constraint) in self.system.constraints().iter().enumerate() {
+            let is_linear = !self.mode.is_held(n) && !constraint.rate.is_empty();
             for (way, &value) in values[n].iter().enumerate() {
                 if value == T::from_f64(f64::INFINITY) {
                     continue;
                 }
-                let linear = !self.mode.is_held(n) && !constraint.rate.is_empty() && positive.has(n, way);
-                let back = if way == FORWARD { 0 } else { N / 2 };
-                let most = constraint.rate.iter().fold(T::default(), |most, &(component, _)| {
-                    let terms = dense.terms().iter().map(|term| term[component - back].abs());
-                    terms.fold(most, |most, term| most + term)
-                });
-                if !linear || value - (most + most * T::from_f64(SLACK)) <= T::default() {
+                let is_negated = way == UPPER || self.mode.0[n] == Status::Backward && way == FORWARD;
+                let sign = T::from_f64(if is_negated { -1.0 } else { 1.0 });
+                let stays = is_linear
+                    && positive.has(n, way)
+                    && least((value, sign), (constraint, way), dense.terms()) > T::default();
+                if !stays {
                     live.insert(n, way);
                 }
             }
@@ -448,25 +451,55 @@ impl<'a, T: Float, const N: usize> Scene<'a, T, N> {
 #[cfg(feature = "std")]
 #[inline(always)]
 pub(crate) fn room<V: Lanes, const N: usize>(
-    system: &dyn Hybrid<V, N>,
+    (constraints, laws): (&[Constraint], &[Law<V>; MOST]),
     measures: &[[V; 2]; MOST],
     terms: &[SVector<V, N>],
 ) -> [[V; WAYS]; MOST] {
-    let laws = system.laws();
-    let mut room = [[V::from_f64(1.0); WAYS]; MOST];
-    for (n, constraint) in system.constraints().iter().enumerate() {
+    let one = V::from_f64(1.0);
+    let mut room = [[one; WAYS]; MOST];
+    for (n, constraint) in constraints.iter().enumerate() {
         let [value, rate] = measures[n];
-        let most = |back: usize| {
-            let components = constraint.rate.iter().map(|&(component, _)| component - back);
-            let most = components.fold(V::default(), |most, component| {
-                terms.iter().fold(most, |most, term| most + term[component].abs())
-            });
-            most + most * V::from_f64(SLACK)
-        };
-        let of_value = most(N / 2);
-        room[n][FORWARD] = rate.abs() - most(0);
-        room[n][BACKWARD] = laws[n].low.map_or(V::from_f64(1.0), |low| value - low - of_value);
-        room[n][UPPER] = laws[n].high.map_or(V::from_f64(1.0), |high| high - value - of_value);
+        let least = |way, value, sign| least((value, sign), (constraint, way), terms);
+        room[n] = [
+            least(FORWARD, rate.abs(), rate.signum()),
+            laws[n].low.map_or(one, |low| least(BACKWARD, value - low, one)),
+            laws[n].high.map_or(one, |high| least(UPPER, high - value, -one)),
+        ];
     }
     room
+}
+
+/// What a function of a step stays above: a value, and `sign` times a sum of components of the state, of the polynomial
+/// `x0 + c_1 theta + c_2 theta^2 + ..`. It is the least of the coefficients in the basis of Bernstein, between which a
+/// polynomial lies (G. Farin, "Curves and Surfaces for CAGD" 2002, Sec. 5.1), less what rounding errors may do.
+#[inline(always)]
+fn least<V: Lanes, const N: usize>(
+    (value, sign): (V, V),
+    (constraint, way): (&Constraint, usize),
+    terms: &[SVector<V, N>],
+) -> V {
+    let degree = terms.len();
+    let back = if way == FORWARD { 0 } else { N / 2 };
+    let mut sums = [V::default(); MAX_DEGREE + 1];
+    sums[0] = value;
+    let (mut size, mut choices) = (V::default(), 1.0);
+    for (power, term) in terms.iter().enumerate() {
+        let mut change = V::default();
+        for &(component, its) in constraint.rate {
+            change += term[component - back] * V::from_f64(f64::from(its));
+        }
+        // over the number of ways to choose so many of all
+        choices *= (degree - power) as f64 / (power + 1) as f64;
+        sums[power + 1] = sign * change * V::from_f64(1.0 / choices);
+        size += change.abs();
+    }
+    let mut least = value;
+    for first in 0..degree {
+        for n in (first..degree).rev() {
+            let sum = sums[n];
+            sums[n + 1] += sum;
+        }
+        least = (least - sums[first + 1]).select(least, sums[first + 1]);
+    }
+    least - size * V::from_f64(SLACK)
 }

@@ -293,8 +293,8 @@ where
 const MAX_STAGES: usize = 20;
 /// The most further stages of a dense output.
 const MAX_EXTRA: usize = 10;
-/// The highest degree of a dense output.
-const MAX_DEGREE: usize = 9;
+/// The highest degree of a dense output, of other methods as well.
+pub(crate) const MAX_DEGREE: usize = 9;
 
 /// Evaluates the stages of a step from `(t, x)` to `t_new`, but for the first and the last, and returns the state
 /// there.

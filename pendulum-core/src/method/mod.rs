@@ -40,6 +40,7 @@ use crate::system::IntoState;
 use crate::system::System;
 use crate::tableau::{self, DormandPrince5, Kutta4, Tsitouras5, Verner7, Verner9};
 
+pub(crate) use explicit::MAX_DEGREE;
 pub(crate) use input::require;
 pub(crate) use zero::{dip, places, root};
 #[cfg(feature = "std")]

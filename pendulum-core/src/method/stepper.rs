@@ -6,7 +6,7 @@ use nalgebra::SVector;
 
 use crate::dense::{Dense, Step};
 use crate::error::Reason;
-use crate::hybrid::{self, Fired, Hold, InMode, Mode, Passage, Settled, Watch};
+use crate::hybrid::{self, Fired, Hold, InMode, Law, MOST, Mode, Passage, Settled, Watch};
 use crate::method::grid::Grid;
 use crate::method::input::{check_state, require};
 use crate::method::scheme::{Accepted, Failure, NonFinite, Scheme, Stalled};
@@ -514,6 +514,12 @@ where
             steps: self.statistics.accepted + self.statistics.rejected,
             modes: self.modes,
         })
+    }
+
+    /// Whether nothing is held, and nothing of the mode is left to find out: see [`Watch::is_settled`].
+    pub(crate) fn is_settled(&self, laws: &[Law<T>; MOST]) -> bool {
+        let Modes { mode, hold, watch, .. } = &self.modes;
+        hold.held == 0 && watch.is_settled(laws, mode)
     }
 
     /// Takes one step, and goes to the next mode at once where one ends before the end is reached.
