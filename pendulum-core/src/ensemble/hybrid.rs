@@ -159,10 +159,8 @@ where
 
     /// Goes on alone until the trajectory can go on beside others, or to its end.
     fn alone(&mut self, index: usize, mut stepper: Stepper<'_, F::Scheme, M::In<T>, T, N>) -> Option<Progress<T, N>> {
-        let model = model_of(self.models, index).cast::<T>();
-        let laws = model.hybrid()?.laws();
         while stepper.t() != self.span.1 {
-            if stepper.is_settled(&laws) {
+            if stepper.is_settled() {
                 return stepper.progress();
             }
             if let Err(reason) = stepper.step_to_a_mode() {

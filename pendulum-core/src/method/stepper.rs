@@ -6,7 +6,7 @@ use nalgebra::SVector;
 
 use crate::dense::{Dense, Step};
 use crate::error::Reason;
-use crate::hybrid::{self, Fired, Hold, InMode, Law, MOST, Mode, Passage, Settled, Watch};
+use crate::hybrid::{self, Fired, Hold, InMode, Mode, Passage, Settled, Watch};
 use crate::method::grid::Grid;
 use crate::method::input::{check_state, require};
 use crate::method::scheme::{Accepted, Failure, NonFinite, Scheme, Stalled};
@@ -517,9 +517,10 @@ where
     }
 
     /// Whether nothing is held, and nothing of the mode is left to find out: see [`Watch::is_settled`].
-    pub(crate) fn is_settled(&self, laws: &[Law<T>; MOST]) -> bool {
+    pub(crate) fn is_settled(&self) -> bool {
         let Modes { mode, hold, watch, .. } = &self.modes;
-        hold.held == 0 && watch.is_settled(laws, mode)
+        let hybrid = self.system.hybrid().filter(|_| hold.held == 0);
+        hybrid.is_some_and(|hybrid| watch.is_settled(&hybrid.laws(), mode))
     }
 
     /// Takes one step, and goes to the next mode at once where one ends before the end is reached.
