@@ -222,18 +222,24 @@ where
         let found = modes.watch.look((hybrid, &modes.mode, &modes.hold), &dense, work)?;
         let Some((cut, fired)) = found else { return Ok(()) };
         let t = dense.time(cut);
-        self.modes.fired = fired;
         // The ends of steps are more exact than what is between them: a step that ends there shows where it is.
         let is_exact = self.retake(t)?;
         let (dense, modes, work) = self.dense_and_mode();
         let end = if is_exact {
-            let by = modes
+            let located = modes
                 .watch
                 .locate((hybrid, &modes.mode, &modes.hold), &dense, fired, work);
-            modes.cut = T::from_f64(1.0) + by;
+            let Some((by, fired)) = located else {
+                // and that there is none
+                if let Steps::Equal(grid) = &mut self.steps {
+                    grid.go_to(t);
+                }
+                return Ok(());
+            };
+            (modes.cut, modes.fired) = (T::from_f64(1.0) + by, fired);
             (dense.step().t1 + by * dense.step().h, dense.about_end(by))
         } else {
-            modes.cut = cut;
+            (modes.cut, modes.fired) = (cut, fired);
             (dense.time(cut), dense.at_fraction(cut))
         };
         self.last = Step::new((self.last.t0, self.last.x0), end);
