@@ -29,8 +29,10 @@ const SIMULTANEOUS_ULPS: f64 = 4.0;
 /// What leaves a limit has left it beyond this many ulps of the size of all positions.
 const NOISE_ULPS: f64 = 16.0;
 
-/// A step that was taken to the end of a mode is searched so far about its end, in fractions of it.
-const ABOUT_THE_END: [f64; 6] = [1e-12, 1e-9, 1e-6, 1e-3, 1e-1, 0.5];
+/// A step that was taken to the end of a mode is searched so far back from its end, in fractions of it, and beyond it
+/// so far as the polynomial is as exact there.
+const BACK: [f64; 8] = [1e-12, 1e-9, 1e-6, 1e-3, 0.1, 0.5, 0.9, 0.99];
+const BEYOND: usize = 4;
 
 /// The terms of a polynomial are bounded with this much to spare.
 const SLACK: f64 = 1e-3;
@@ -51,14 +53,16 @@ struct Place<T> {
 pub(crate) struct Fired(u32);
 
 impl Fired {
-    const ALL: Self = Self((1 << (MOST * WAYS)) - 1);
-
     pub(super) fn has(self, constraint: usize, way: usize) -> bool {
         self.0 & 1 << (constraint * WAYS + way) != 0
     }
 
     fn insert(&mut self, constraint: usize, way: usize) {
         self.0 |= 1 << (constraint * WAYS + way);
+    }
+
+    fn without(self, others: Self) -> Self {
+        Self(self.0 & !others.0)
     }
 
     pub(crate) fn is_empty(self) -> bool {
@@ -177,10 +181,7 @@ impl<T: Float> Watch<T> {
         if live.is_empty() {
             return Ok(None);
         }
-        let size = size(scene.laws, &step.x0);
-        let noise: [T; MOST] = self
-            .reach
-            .map(|reach| T::from_f64(NOISE_ULPS) * T::EPSILON * reach.max(size));
+        let noise = self.noise(scene.laws, dense);
         for (n, way) in live.pairs() {
             if start.values[n][way] > noise[n] {
                 self.positive.insert(n, way);
@@ -312,8 +313,8 @@ impl<T: Float> Watch<T> {
     }
 
     /// Where the mode ends about the end of a step that was taken to there, in fractions of the step from its end, and by
-    /// which of the functions that fired, or passed zero without: on the way there they may have come in another order.
-    /// None where the step shows that none of them ends it.
+    /// which functions: those that fired, or others that pass zero before them, since two that are near to each other
+    /// may have come in another order. None where the step shows that none of those that fired ends it.
     pub(crate) fn locate<const N: usize>(
         &mut self,
         (system, mode, hold): (&dyn Hybrid<T, N>, &Mode, &Hold<T>),
@@ -323,28 +324,22 @@ impl<T: Float> Watch<T> {
     ) -> Option<(T, Fired)> {
         let laws = system.laws();
         let scene = Scene::new((system, mode, hold), &laws);
-        let (zero, step) = (T::default(), dense.step());
-        let resolution = resolution(dense, step.t1);
-        let end = scene.place(T::from_f64(1.0), step.t1, &step.x1, None);
-        let mut first: Option<(T, Fired)> = None;
-        for (n, way) in Fired::ALL.pairs() {
-            let is_positive = self.positive.has(n, way);
-            let has_passed = is_positive && !mode.is_held(n) && end.values[n][way] <= zero;
-            let place = match fired.has(n, way) {
-                true if !is_positive => Some(zero),
-                is_fired if is_fired || has_passed => Self::zero_about_the_end(&scene, dense, n, way),
-                _ => None,
+        let noise = self.noise(&laws, dense);
+        let mut first = None;
+        for (n, way) in fired.pairs() {
+            let place = if self.positive.has(n, way) {
+                scene.zero_about_the_end(dense, T::default(), (n, way), noise[n])
+            } else {
+                Some(T::default())
             };
-            let Some(place) = place else { continue };
-            let (mut earliest, mut by) = first.unwrap_or((place, Fired::default()));
-            if place < earliest - resolution {
-                by = Fired::default();
+            first = earlier_of(first, place, (n, way), dense);
+        }
+        let by = first.map_or(T::default(), |(by, _)| by);
+        let there = scene.place(by, dense.step().t1 + by * dense.step().h, &dense.about_end(by), None);
+        for (n, way) in self.positive.without(fired).pairs() {
+            if !mode.is_held(n) && there.values[n][way] <= T::default() {
+                first = earlier_of(first, scene.zero_about_the_end(dense, by, (n, way), noise[n]), (n, way), dense);
             }
-            if place <= earliest + resolution {
-                by.insert(n, way);
-            }
-            earliest = earliest.min(place);
-            first = Some((earliest, by));
         }
         work.evaluations += scene.evaluations.get();
         if first.is_none() {
@@ -353,27 +348,11 @@ impl<T: Float> Watch<T> {
         first
     }
 
-    /// Where one of the functions passes zero about the end of a step.
-    fn zero_about_the_end<const N: usize>(
-        scene: &Scene<'_, T, N>,
-        dense: &Dense<'_, T, N>,
-        n: usize,
-        way: usize,
-    ) -> Option<T> {
-        let (zero, step) = (T::default(), dense.step());
-        let function = |by: T| scene.value(step.t1 + by * step.h, &dense.about_end(by), n, way);
-        let value = function(zero);
-        if value == zero {
-            return Some(zero);
-        }
-        ABOUT_THE_END.into_iter().find_map(|about| {
-            let other = T::from_f64(if value > zero { about } else { -about });
-            let there = function(other);
-            ((there > zero) != (value > zero)).then(|| match value > zero {
-                true => root(function, (zero, value), (other, there)),
-                false => root(function, (other, there), (zero, value)),
-            })
-        })
+    /// Within what of zero the functions of each constraint may be rounding errors.
+    fn noise<const N: usize>(&self, laws: &[Law<T>; MOST], dense: &Dense<'_, T, N>) -> [T; MOST] {
+        let size = size(laws, &dense.step().x0);
+        self.reach
+            .map(|reach| T::from_f64(NOISE_ULPS) * T::EPSILON * reach.max(size))
     }
 
     fn note_reach(&mut self, values: &Values<T>, mode: &Mode) {
@@ -390,6 +369,25 @@ impl<T: Float> Watch<T> {
 fn resolution<T: Float, const N: usize>(dense: &Dense<'_, T, N>, t: T) -> T {
     let h = dense.step().h.abs();
     T::from_f64(SIMULTANEOUS_ULPS) * T::EPSILON * t.abs().max(h) / h
+}
+
+/// What ends a mode first, and where in fractions of the step, after one more that may.
+fn earlier_of<T: Float, const N: usize>(
+    first: Option<(T, Fired)>,
+    place: Option<T>,
+    (n, way): (usize, usize),
+    dense: &Dense<'_, T, N>,
+) -> Option<(T, Fired)> {
+    let Some(place) = place else { return first };
+    let (earliest, mut fired) = first.unwrap_or((place, Fired::default()));
+    let resolution = resolution(dense, dense.step().t1);
+    if place < earliest - resolution {
+        fired = Fired::default();
+    }
+    if place <= earliest + resolution {
+        fired.insert(n, way);
+    }
+    Some((earliest.min(place), fired))
 }
 
 /// The size of the positions of a state and of its limits, to which rounding errors are relative.
@@ -453,6 +451,32 @@ impl<'a, T: Float, const N: usize> Scene<'a, T, N> {
     fn value(&self, t: T, x: &SVector<T, N>, n: usize, way: usize) -> T {
         let forces = if self.mode.is_held(n) { self.forces(t, x) } else { None };
         self.of(n, self.system.measures(t, x)[n], forces.unwrap_or_default()[n])[way]
+    }
+
+    /// Where one of them passes zero about a place, in fractions of a step from its end.
+    fn zero_about_the_end(
+        &self,
+        dense: &Dense<'_, T, N>,
+        place: T,
+        (n, way): (usize, usize),
+        noise: T,
+    ) -> Option<T> {
+        let (zero, step) = (T::default(), dense.step());
+        let function = |by: T| self.value(step.t1 + by * step.h, &dense.about_end(by), n, way);
+        let value = function(place);
+        if value == zero {
+            return Some(place);
+        }
+        let (count, towards) = if value > zero { (BEYOND, 1.0) } else { (BACK.len(), -1.0) };
+        let found = BACK[..count].iter().find_map(|about| {
+            let other = place + T::from_f64(towards * about);
+            let there = function(other);
+            ((there > zero) != (value > zero)).then(|| match value > zero {
+                true => root(function, (place, value), (other, there)),
+                false => root(function, (other, there), (place, value)),
+            })
+        });
+        found.or((value <= noise).then_some(place))
     }
 
     /// The forces along the constraints, where something is held.
