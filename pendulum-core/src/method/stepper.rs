@@ -225,7 +225,7 @@ where
         // The ends of steps are more exact than what is between them: a step that ends there shows where it is.
         let is_exact = self.retake(t)?;
         let (dense, modes, work) = self.dense_and_mode();
-        let end = if is_exact {
+        let mut end = if is_exact {
             let located = modes
                 .watch
                 .locate((hybrid, &modes.mode, &modes.hold), &dense, fired, work);
@@ -242,6 +242,9 @@ where
             (modes.cut, modes.fired) = (cut, fired);
             (dense.time(cut), dense.at_fraction(cut))
         };
+        if modes.hold.held != 0 {
+            hybrid::project(hybrid, &modes.hold, &modes.mode, end.0, &mut end.1);
+        }
         self.last = Step::new((self.last.t0, self.last.x0), end);
         Ok(())
     }
