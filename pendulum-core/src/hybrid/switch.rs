@@ -101,7 +101,12 @@ pub(crate) fn switch<T: Float, const N: usize>(
             for (distance, _, status) in settling.distances(n, &measures) {
                 let rate = measures[n][1];
                 let leaving = if status == Status::Low { rate } else { -rate };
-                settling.touch(n, status, distance.abs() <= slack && leaving <= slack, rate.abs() <= slack);
+                settling.touch(
+                    n,
+                    status,
+                    distance.abs() <= slack && leaving <= slack,
+                    rate.abs() <= slack,
+                );
             }
             for (way, next) in [(BACKWARD, Status::Low), (UPPER, Status::High)] {
                 if fired.has(n, way) {

@@ -260,7 +260,11 @@ impl<T: Float> Watch<T> {
                 let (before, margin) = (at(&seen.last), noise[n]);
                 (value < -margin && !leaves).then(|| {
                     if before.1 + margin > zero {
-                        root(|theta| function(theta) + margin, (before.0, before.1 + margin), (theta, value + margin))
+                        root(
+                            |theta| function(theta) + margin,
+                            (before.0, before.1 + margin),
+                            (theta, value + margin),
+                        )
                     } else {
                         theta
                     }
@@ -338,7 +342,12 @@ impl<T: Float> Watch<T> {
         let there = scene.place(by, dense.step().t1 + by * dense.step().h, &dense.about_end(by), None);
         for (n, way) in self.positive.without(fired).pairs() {
             if !mode.is_held(n) && there.values[n][way] <= T::default() {
-                first = earlier_of(first, scene.zero_about_the_end(dense, by, (n, way), noise[n]), (n, way), dense);
+                first = earlier_of(
+                    first,
+                    scene.zero_about_the_end(dense, by, (n, way), noise[n]),
+                    (n, way),
+                    dense,
+                );
             }
         }
         work.evaluations += scene.evaluations.get();
@@ -454,20 +463,18 @@ impl<'a, T: Float, const N: usize> Scene<'a, T, N> {
     }
 
     /// Where one of them passes zero about a place, in fractions of a step from its end.
-    fn zero_about_the_end(
-        &self,
-        dense: &Dense<'_, T, N>,
-        place: T,
-        (n, way): (usize, usize),
-        noise: T,
-    ) -> Option<T> {
+    fn zero_about_the_end(&self, dense: &Dense<'_, T, N>, place: T, (n, way): (usize, usize), noise: T) -> Option<T> {
         let (zero, step) = (T::default(), dense.step());
         let function = |by: T| self.value(step.t1 + by * step.h, &dense.about_end(by), n, way);
         let value = function(place);
         if value == zero {
             return Some(place);
         }
-        let (count, towards) = if value > zero { (BEYOND, 1.0) } else { (BACK.len(), -1.0) };
+        let (count, towards) = if value > zero {
+            (BEYOND, 1.0)
+        } else {
+            (BACK.len(), -1.0)
+        };
         let found = BACK[..count].iter().find_map(|about| {
             let other = place + T::from_f64(towards * about);
             let there = function(other);
