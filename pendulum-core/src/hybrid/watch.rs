@@ -257,16 +257,14 @@ impl<T: Float> Watch<T> {
                 }
                 // what leaves a limit may seem to start beyond it, by the error of the polynomial
                 let leaves = is_gap && with_slope(here).1[1] >= zero && theta != T::from_f64(1.0);
-                let (before, margin) = (at(&seen.last), noise[n]);
-                (value < -margin && !leaves).then(|| {
-                    if before.1 + margin > zero {
-                        root(
-                            |theta| function(theta) + margin,
-                            (before.0, before.1 + margin),
-                            (theta, value + margin),
-                        )
-                    } else {
+                let is_rate = !of_held && way == FORWARD;
+                let shifted = |(theta, value): (T, T)| (theta, value + noise[n]);
+                let (before, after) = (shifted(at(&seen.last)), shifted(at(here)));
+                (after.1 < zero && !leaves).then(|| {
+                    if is_rate || before.1 <= zero {
                         theta
+                    } else {
+                        root(|theta| function(theta) + noise[n], before, after)
                     }
                 })
             } else if is_gap {
