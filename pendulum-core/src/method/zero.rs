@@ -177,7 +177,7 @@ fn cubic<T: Float>((from, to): (Known<T>, Known<T>), part: T) -> T {
 mod tests {
     use std::cell::RefCell;
 
-    use super::{dip, root};
+    use super::{dip, first_zero, root};
 
     /// The root of `f` between 0 and 1, or between 1 and 0 in reverse, and the places that were looked at.
     fn search(f: impl Fn(f64) -> f64, (from, to): (f64, f64)) -> (f64, Vec<f64>) {
@@ -494,5 +494,26 @@ mod tests {
             let last = places.last().expect("a search");
             assert!((last - bottom).abs() < 1e-7, "{last}");
         }
+    }
+
+    #[test]
+    fn values_and_derivatives_show_zeros_between_places() {
+        let search = |f: &dyn Fn(f64) -> [f64; 2], first: Option<f64>| {
+            let places = [first, Some(0.5), Some(1.0)].map(|place| place.map(|place| (place, f(place))));
+            first_zero(f, places, 1e-15)
+        };
+        // both sides of a dip are places, and the lowest value is at neither of them
+        for (depth, zero) in [(1e-9, Some(0.7 - 1e-9_f64.sqrt())), (-1e-9, None)] {
+            let dip = |x: f64| [(x - 0.7) * (x - 0.7) - depth, 2.0 * (x - 0.7)];
+            for first in [None, Some(0.0)] {
+                let found = search(&dip, first);
+                assert_eq!(found.is_some(), zero.is_some());
+                assert!(found.zip(zero).is_none_or(|(found, zero)| (found - zero).abs() < 1e-10));
+            }
+        }
+        // the value in the middle shows that the function is not the cubic through the others
+        let wave = |x: f64| [1.0 + 1.1 * (7.0 * x).sin(), 7.7 * (7.0 * x).cos()];
+        let found = search(&wave, Some(0.0)).expect("a zero");
+        assert!(wave(found)[0].abs() < 1e-14, "{found}");
     }
 }
