@@ -176,6 +176,7 @@ fn cubic<T: Float>((from, to): (Known<T>, Known<T>), part: T) -> T {
 #[cfg(test)]
 mod tests {
     use std::cell::RefCell;
+    use std::f64::consts::PI;
 
     use super::{dip, first_zero, root};
 
@@ -512,7 +513,11 @@ mod tests {
             }
         }
         // the value in the middle shows that the function is not the cubic through the others
-        let wave = |x: f64| [1.0 + 1.1 * (7.0 * x).sin(), 7.7 * (7.0 * x).cos()];
+        let wave = |x: f64| {
+            let (once, twice) = (2.0 * PI * x, 4.0 * PI * x);
+            let slope = -1.2 * PI * once.sin() - 4.0 * PI * twice.sin();
+            [1.0 + 0.6 * once.cos() + twice.cos(), slope]
+        };
         let found = search(&wave, Some(0.0)).expect("a zero");
         assert!(wave(found)[0].abs() < 1e-14, "{found}");
     }
