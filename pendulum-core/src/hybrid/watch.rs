@@ -314,9 +314,9 @@ impl<T: Float> Watch<T> {
         fired
     }
 
-    /// Where the mode ends about the end of a step that was taken to there, in fractions of the step from its end, and by
-    /// which functions: those that fired, or others that pass zero before them, since two that are near to each other
-    /// may have come in another order. None where the step shows that none of those that fired ends it.
+    /// Where the mode ends about the end of a step that was taken to there, in fractions of the step from its end, and
+    /// by which functions: those that fired, or others that pass zero before them, since two that are near to each
+    /// other may have come in another order. None where the step shows that none of those that fired ends it.
     pub(crate) fn locate<const N: usize>(
         &mut self,
         (system, mode, hold): (&dyn Hybrid<T, N>, &Mode, &Hold<T>),
