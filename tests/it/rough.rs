@@ -3,6 +3,7 @@
 //! `PENDULUM_ROUGH=10000 cargo test --release -p tests --test it rough -- --nocapture` tries more of them, and shows the
 //! worst; `PENDULUM_SEED` is the first seed. What fails is printed with its seed.
 
+use std::f64::consts::PI;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -75,7 +76,7 @@ type EnergyOf<'a, const N: usize> = Option<&'a dyn Fn(&SVector<f64, N>) -> f64>;
 const DEFAULT: u64 = 12;
 const DURATION: f64 = 20.0;
 const TOLERANCE: f64 = 1e-9;
-const MOST_STEPS: usize = 50_000;
+const MOST_STEPS: usize = 40_000;
 
 /// What was seen, of one start or of many.
 #[derive(Clone, Copy, Debug, Default)]
@@ -255,12 +256,7 @@ where
         seen.deepest_within
     );
     assert!(seen.gained <= within, "{:e} gained", seen.gained);
-    // a wall that is missed by less than the tolerance may count as hit, and is moved to
-    assert!(
-        seen.gained_at_once <= tolerance,
-        "{:e} gained at once",
-        seen.gained_at_once
-    );
+    assert!(seen.gained_at_once <= 1e-11, "{:e} gained at once", seen.gained_at_once);
     seen.seconds = since.elapsed().as_secs_f64();
     seen
 }
@@ -421,16 +417,20 @@ fn pushed_rods_are_followed() {
 }
 
 /// Radau's ends that Newton's method leaves beyond a limit, walls that were not moved to, contacts that gave way to a
-/// force at its limit, forces that passed theirs shortly before another end, joints that held what stood at a wall.
+/// force at its limit, forces that passed theirs shortly before another end, joints that held what stood at a wall,
+/// hits between the places that are looked at, ends of a mode that come in another order than it seemed, hits that only
+/// the polynomial of a step shows, walls that hold a joint, ends far from where they seemed to be.
 #[test]
 fn difficult_starts_are_followed() {
-    for seed in [4, 88, 270] {
+    for seed in [4, 88, 270, 1423] {
         folding(seed);
     }
-    for seed in [4, 11, 18, 25, 79, 180, 281, 298] {
+    for seed in [4, 11, 18, 25, 79, 180, 281, 298, 312, 487, 1320, 1460, 1490, 2378, 2936] {
         walled(seed);
     }
-    for seed in [38, 83, 87, 101, 125, 203] {
+    for seed in [
+        38, 83, 87, 101, 125, 203, 474, 1145, 1683, 2125, 2447, 2474, 3224, 101_359, 201_431,
+    ] {
         pushed(seed);
     }
 }
@@ -508,4 +508,30 @@ fn what_grazes_a_wall_goes_on_along_it() {
         "{}",
         solution.end()
     );
+}
+
+mechanism! {
+    /// A block that sticks before a wall that moves to and fro.
+    Knocked {
+        params { w: rad/s, near: m }
+        generate: [rhs, jacobian],
+        wall lid { gap: 0.1 m + near - x + 0.1 m*sin(w*t), restitution: 0 }
+        body block on ground { mass: 1, joint: prismatic(x), coordinate: x, dry_friction: 5 N }
+    }
+}
+
+/// Nothing moves but the wall, so that steps are as long as the span: it comes near again and again between two places.
+#[test]
+fn a_wall_that_moves_hits_what_sticks() {
+    for w in [1.0, 6.0, 7.5, 23.0] {
+        let first_hit = |near| {
+            let model = Knocked::new(KnockedParams { w, near }).expect("physical");
+            let solution = Vern9::new().solve(&model, 0.0, 20.0, [0.0; 2]).expect("a motion");
+            solution.modes().get(1).map(|&(t, _)| t)
+        };
+        let expected = (PI + (1.0 - 1e-3_f64).asin()) / w;
+        let hit = first_hit(-1e-4).expect("a hit");
+        assert!((hit - expected).abs() < 1e-12, "{hit} {expected}");
+        assert_eq!(first_hit(1e-4), None);
+    }
 }

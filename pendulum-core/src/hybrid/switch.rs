@@ -97,10 +97,16 @@ pub(crate) fn switch<T: Float, const N: usize>(
             }
         } else {
             settling.rest(n, fired.has(n, FORWARD));
-            // what stands at a limit because something else holds it there
+            // what stands at a limit because something else holds it there, or arrives at the same time
             for (distance, _, status) in settling.distances(n, &measures) {
-                let stands = distance.abs() <= slack && measures[n][1].abs() <= slack;
-                settling.touch(n, status, stands, stands);
+                let rate = measures[n][1];
+                let leaving = if status == Status::Low { rate } else { -rate };
+                settling.touch(
+                    n,
+                    status,
+                    distance.abs() <= slack && leaving <= slack,
+                    rate.abs() <= slack,
+                );
             }
             for (way, next) in [(BACKWARD, Status::Low), (UPPER, Status::High)] {
                 if fired.has(n, way) {
@@ -255,6 +261,13 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
             let solved = independent(&response.matrix, self.resting);
             let rates = self.system.measures(self.t, &self.x).map(|[_, rate]| rate);
             shift(&mut self.x, 0, &response, solved, &rates);
+            // what the rest of it holds rests too
+            let slack = T::from_f64(AT_LIMIT_ULPS) * T::EPSILON * size(&self.laws, &self.x);
+            for (n, [_, rate]) in self.system.measures(self.t, &self.x).into_iter().enumerate() {
+                let with = self.resting | 1 << n;
+                let depends = independent(&response.matrix, with).count_ones() == solved.count_ones();
+                self.rest(n, n < constraints.len() && rate.abs() <= slack && depends);
+            }
             pin(self.system, self.resting, &mut self.x);
         }
     }

@@ -9,7 +9,7 @@ use super::mode::{Hold, Mode, Status};
 use super::{Constraint, Hybrid, Law, MOST};
 use crate::dense::Dense;
 use crate::error::Reason;
-use crate::method::{MAX_DEGREE, dip, places, root};
+use crate::method::{MAX_DEGREE, dip, first_zero, places, root};
 use crate::real::Float;
 use crate::real::lanes::Lanes;
 use crate::statistics::Statistics;
@@ -28,14 +28,24 @@ const SIMULTANEOUS_ULPS: f64 = 4.0;
 /// What leaves a limit has left it beyond this many ulps of the size of all positions.
 const NOISE_ULPS: f64 = 16.0;
 
-/// A step that was taken to the end of a mode is searched so far about its end, in fractions of it.
-const ABOUT_THE_END: [f64; 6] = [1e-12, 1e-9, 1e-6, 1e-3, 1e-1, 0.5];
+/// A step that was taken to the end of a mode is searched so far back from its end, in fractions of it, and beyond it
+/// so far as the polynomial is as exact there.
+const BACK: [f64; 8] = [1e-12, 1e-9, 1e-6, 1e-3, 0.1, 0.5, 0.9, 0.99];
+const BEYOND: usize = 4;
 
 /// Bounds of polynomials have this part of all their terms to spare.
 const SLACK: f64 = 1e-4;
 
 /// The functions of all constraints, those of one after those of the other; infinite where there is none.
 type Values<T> = [[T; WAYS]; MOST];
+
+/// A place within a step, in fractions of it, with the functions there and the rates of all constraints.
+#[derive(Clone, Copy)]
+struct Place<T> {
+    theta: T,
+    values: Values<T>,
+    rates: [T; MOST],
+}
 
 /// Which functions, as bits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -48,6 +58,10 @@ impl Fired {
 
     fn insert(&mut self, constraint: usize, way: usize) {
         self.0 |= 1 << (constraint * WAYS + way);
+    }
+
+    fn without(self, others: Self) -> Self {
+        Self(self.0 & !others.0)
     }
 
     pub(crate) fn is_empty(self) -> bool {
@@ -151,24 +165,21 @@ impl<T: Float> Watch<T> {
     ) -> Result<Option<(T, Fired)>, Reason> {
         let step = dense.step();
         let known = core::mem::take(&mut self.forces);
-        let values = scene.values(step.t0, &step.x0, known.or_else(|| scene.forces(step.t0, &step.x0)));
-        self.note_reach(&values, scene.mode);
-        let live = scene.live(&values, self.positive, dense);
+        let known = known.or_else(|| scene.forces(step.t0, &step.x0));
+        let start = scene.place(T::default(), step.t0, &step.x0, known);
+        self.note_reach(&start.values, scene.mode);
+        let live = scene.live(&start.values, self.positive, dense);
         let was_start = core::mem::replace(&mut self.starts, false);
         if live.is_empty() {
             return Ok(None);
         }
-        let size = size(scene.laws, &step.x0);
-        let noise: [T; MOST] = self
-            .reach
-            .map(|reach| T::from_f64(NOISE_ULPS) * T::EPSILON * reach.max(size));
+        let noise = self.noise(scene.laws, dense);
         for (n, way) in live.pairs() {
-            if values[n][way] > noise[n] {
+            if start.values[n][way] > noise[n] {
                 self.positive.insert(n, way);
             }
         }
         let places_of_forces = dense.terms().len().div_ceil(2).next_power_of_two();
-        let start = (T::default(), values);
         let (mut of_state, mut of_forces) = (Seen::new(start), Seen::new(start));
         let free = || live.pairs().filter(|&(n, _)| !scene.mode.is_held(n));
         let only_forces = free().next().is_none();
@@ -182,14 +193,14 @@ impl<T: Float> Watch<T> {
             }
             let (t, x) = (dense.time(theta), dense.at_fraction(theta));
             let forces = if is_of_forces { scene.forces(t, &x) } else { None };
-            let here = (theta, scene.values(t, &x, forces));
-            self.note_reach(&here.1, scene.mode);
+            let here = scene.place(theta, t, &x, forces);
+            self.note_reach(&here.values, scene.mode);
             let mut first = self.first(scene, dense, live, &noise, (false, &of_state, &here))?;
             // forces also where something else ends the mode
             let of_held = match first {
                 Some((theta, _)) if !is_of_forces => {
                     let (t, x) = (dense.time(theta), dense.at_fraction(theta));
-                    Some((theta, scene.values(t, &x, scene.forces(t, &x))))
+                    Some(scene.place(theta, t, &x, scene.forces(t, &x)))
                 }
                 _ => is_of_forces.then_some(here),
             };
@@ -221,27 +232,49 @@ impl<T: Float> Watch<T> {
         dense: &Dense<'_, T, N>,
         live: Fired,
         noise: &[T; MOST],
-        (of_held, seen, here): (bool, &Seen<T>, &(T, Values<T>)),
+        (of_held, seen, here): (bool, &Seen<T>, &Place<T>),
     ) -> Result<Option<(T, Fired)>, Reason> {
+        let zero = T::default();
         let mut first: Option<(T, Fired)> = None;
         for (n, way) in live.pairs().filter(|&(n, _)| scene.mode.is_held(n) == of_held) {
-            let at = |place: &(T, Values<T>)| (place.0, place.1[n][way]);
+            let at = |place: &Place<T>| (place.theta, place.values[n][way]);
             let (theta, value) = at(here);
             if value.to_f64().is_nan() {
                 let constraint = scene.system.constraints()[n].name;
                 let t = dense.time(theta).to_f64();
                 return Err(Reason::ConstraintNotFinite { constraint, t });
             }
+            let is_gap = !of_held && way != FORWARD;
+            let outward = if way == UPPER { -dense.step().h } else { dense.step().h };
+            let with_slope = |place: &Place<T>| (place.theta, [place.values[n][way], outward * place.rates[n]]);
             let function = |theta: T| scene.value(dense.time(theta), &dense.at_fraction(theta), n, way);
             let place = if !self.positive.has(n, way) {
                 if value > noise[n] {
                     self.positive.insert(n, way);
                 }
-                (value < -noise[n]).then_some(theta)
-            } else if value <= T::default() {
+                // what leaves a limit may seem to start beyond it, by the error of the polynomial
+                let leaves = is_gap && with_slope(here).1[1] >= zero && theta != T::from_f64(1.0);
+                let is_rate = !of_held && way == FORWARD;
+                let shifted = |(theta, value): (T, T)| (theta, value + noise[n]);
+                let (before, after) = (shifted(at(&seen.last)), shifted(at(here)));
+                (after.1 < zero && !leaves).then(|| {
+                    if is_rate || before.1 <= zero {
+                        theta
+                    } else {
+                        root(|theta| function(theta) + noise[n], before, after)
+                    }
+                })
+            } else if is_gap {
+                let function = |theta: T| {
+                    let [value, rate] = scene.system.measures(dense.time(theta), &dense.at_fraction(theta))[n];
+                    [scene.of(n, [value, rate], zero)[way], outward * rate]
+                };
+                let places = [seen.earlier.as_ref(), Some(&seen.last), Some(here)].map(|place| place.map(with_slope));
+                first_zero(function, places, noise[n])
+            } else if value <= zero {
                 Some(root(function, at(&seen.last), at(here)))
             } else if let Some(earlier) = &seen.earlier
-                && earlier.1[n][way] > T::default()
+                && at(earlier).1 > zero
                 && let Some(bottom) = dip(function, [at(earlier), at(&seen.last), at(here)])
             {
                 Some(root(function, at(earlier), bottom))
@@ -267,11 +300,9 @@ impl<T: Float> Watch<T> {
         (theta, mut fired): (T, Fired),
         live: Fired,
     ) -> Fired {
-        let step = dense.step();
-        let scale = dense.time(theta).abs().max(step.h.abs());
-        let shortly = theta + T::from_f64(SIMULTANEOUS_ULPS) * T::EPSILON * scale / step.h.abs();
+        let shortly = theta + resolution(dense, dense.time(theta));
         let (t, x) = (dense.time(shortly), dense.at_fraction(shortly));
-        let values = scene.values(t, &x, scene.forces(t, &x));
+        let values = scene.place(shortly, t, &x, scene.forces(t, &x)).values;
         for (n, way) in live.pairs() {
             if self.positive.has(n, way) && values[n][way] <= T::default() {
                 fired.insert(n, way);
@@ -280,36 +311,52 @@ impl<T: Float> Watch<T> {
         fired
     }
 
-    /// How far from the end of a step that was taken to there the first of the functions that fired does so, in
-    /// fractions of the step.
+    /// Where the mode ends about the end of a step that was taken to there, in fractions of the step from its end, and
+    /// by which functions: those that fired, or others that pass zero before them, since two that are near to each
+    /// other may have come in another order. None where the step shows that none of those that fired ends it.
     pub(crate) fn locate<const N: usize>(
-        &self,
+        &mut self,
         (system, mode, hold): (&dyn Hybrid<T, N>, &Mode, &Hold<T>),
         dense: &Dense<'_, T, N>,
         fired: Fired,
         work: &mut Statistics,
-    ) -> T {
+    ) -> Option<(T, Fired)> {
         let laws = system.laws();
         let scene = Scene::new((system, mode, hold), &laws);
-        let (zero, step) = (T::default(), dense.step());
+        let noise = self.noise(&laws, dense);
         let mut first = None;
-        for (n, way) in fired.pairs().filter(|&(n, way)| self.positive.has(n, way)) {
-            let function = |by: T| scene.value(step.t1 + by * step.h, &dense.about_end(by), n, way);
-            let value = function(zero);
-            let place = ABOUT_THE_END.into_iter().find_map(|about| {
-                let other = T::from_f64(if value > zero { about } else { -about });
-                let there = function(other);
-                let is_between = value != zero && (there > zero) != (value > zero);
-                is_between.then(|| match value > zero {
-                    true => root(function, (zero, value), (other, there)),
-                    false => root(function, (other, there), (zero, value)),
-                })
-            });
-            let place = place.unwrap_or_default();
-            first = Some(first.map_or(place, |first: T| first.min(place)));
+        for (n, way) in fired.pairs() {
+            let place = if self.positive.has(n, way) {
+                scene.zero_about_the_end(dense, T::default(), (n, way), noise[n])
+            } else {
+                Some(T::default())
+            };
+            first = earlier_of(first, place, (n, way), dense);
+        }
+        let by = first.map_or(T::default(), |(by, _)| by);
+        let there = scene.place(by, dense.step().t1 + by * dense.step().h, &dense.about_end(by), None);
+        for (n, way) in self.positive.without(fired).pairs() {
+            if !mode.is_held(n) && there.values[n][way] <= T::default() {
+                first = earlier_of(
+                    first,
+                    scene.zero_about_the_end(dense, by, (n, way), noise[n]),
+                    (n, way),
+                    dense,
+                );
+            }
         }
         work.evaluations += scene.evaluations.get();
-        first.unwrap_or_default()
+        if first.is_none() {
+            self.forces = None;
+        }
+        first
+    }
+
+    /// Within what of zero the functions of each constraint may be rounding errors.
+    fn noise<const N: usize>(&self, laws: &[Law<T>; MOST], dense: &Dense<'_, T, N>) -> [T; MOST] {
+        let size = size(laws, &dense.step().x0);
+        self.reach
+            .map(|reach| T::from_f64(NOISE_ULPS) * T::EPSILON * reach.max(size))
     }
 
     fn note_reach(&mut self, values: &Values<T>, mode: &Mode) {
@@ -328,6 +375,31 @@ fn note_near<T: Float>(reach: &mut T, near: T) {
     }
 }
 
+/// Within what part of a step ends of modes are simultaneous.
+fn resolution<T: Float, const N: usize>(dense: &Dense<'_, T, N>, t: T) -> T {
+    let h = dense.step().h.abs();
+    T::from_f64(SIMULTANEOUS_ULPS) * T::EPSILON * t.abs().max(h) / h
+}
+
+/// What ends a mode first, and where in fractions of the step, after one more that may.
+fn earlier_of<T: Float, const N: usize>(
+    first: Option<(T, Fired)>,
+    place: Option<T>,
+    (n, way): (usize, usize),
+    dense: &Dense<'_, T, N>,
+) -> Option<(T, Fired)> {
+    let Some(place) = place else { return first };
+    let (earliest, mut fired) = first.unwrap_or((place, Fired::default()));
+    let resolution = resolution(dense, dense.step().t1);
+    if place < earliest - resolution {
+        fired = Fired::default();
+    }
+    if place <= earliest + resolution {
+        fired.insert(n, way);
+    }
+    Some((earliest.min(place), fired))
+}
+
 /// The size of the positions of a state and of its limits, to which rounding errors are relative.
 pub(super) fn size<T: Float, const N: usize>(laws: &[Law<T>; MOST], x: &SVector<T, N>) -> T {
     let limits = laws.iter().flat_map(|law| [law.low, law.high]).flatten();
@@ -337,19 +409,19 @@ pub(super) fn size<T: Float, const N: usize>(laws: &[Law<T>; MOST], x: &SVector<
 
 /// The two places that were looked at last.
 struct Seen<T> {
-    earlier: Option<(T, Values<T>)>,
-    last: (T, Values<T>),
+    earlier: Option<Place<T>>,
+    last: Place<T>,
 }
 
 impl<T: Copy> Seen<T> {
-    fn new(start: (T, Values<T>)) -> Self {
+    fn new(start: Place<T>) -> Self {
         Self {
             earlier: None,
             last: start,
         }
     }
 
-    fn go_to(&mut self, here: (T, Values<T>)) {
+    fn go_to(&mut self, here: Place<T>) {
         (self.earlier, self.last) = (Some(self.last), here);
     }
 }
@@ -375,19 +447,44 @@ impl<'a, T: Float, const N: usize> Scene<'a, T, N> {
     }
 
     /// The functions, those of what is held from its forces.
-    fn values(&self, t: T, x: &SVector<T, N>, forces: Option<[T; MOST]>) -> Values<T> {
+    fn place(&self, theta: T, t: T, x: &SVector<T, N>, forces: Option<[T; MOST]>) -> Place<T> {
         let (measures, forces) = (self.system.measures(t, x), forces.unwrap_or_default());
         let mut values = [[T::from_f64(f64::INFINITY); WAYS]; MOST];
         for (n, values) in values.iter_mut().enumerate().take(self.system.constraints().len()) {
             *values = self.of(n, measures[n], forces[n]);
         }
-        values
+        let rates = measures.map(|[_, rate]| rate);
+        Place { theta, values, rates }
     }
 
     /// One of them.
     fn value(&self, t: T, x: &SVector<T, N>, n: usize, way: usize) -> T {
         let forces = if self.mode.is_held(n) { self.forces(t, x) } else { None };
         self.of(n, self.system.measures(t, x)[n], forces.unwrap_or_default()[n])[way]
+    }
+
+    /// Where one of them passes zero about a place, in fractions of a step from its end.
+    fn zero_about_the_end(&self, dense: &Dense<'_, T, N>, place: T, (n, way): (usize, usize), noise: T) -> Option<T> {
+        let (zero, step) = (T::default(), dense.step());
+        let function = |by: T| self.value(step.t1 + by * step.h, &dense.about_end(by), n, way);
+        let value = function(place);
+        if value == zero {
+            return Some(place);
+        }
+        let (count, towards) = if value > zero {
+            (BEYOND, 1.0)
+        } else {
+            (BACK.len(), -1.0)
+        };
+        let found = BACK[..count].iter().find_map(|about| {
+            let other = place + T::from_f64(towards * about);
+            let there = function(other);
+            ((there > zero) != (value > zero)).then(|| match value > zero {
+                true => root(function, (place, value), (other, there)),
+                false => root(function, (other, there), (place, value)),
+            })
+        });
+        found.or((value <= noise).then_some(place))
     }
 
     /// The forces along the constraints, where something is held.

@@ -42,7 +42,7 @@ use crate::tableau::{self, DormandPrince5, Kutta4, Tsitouras5, Verner7, Verner9}
 
 pub(crate) use explicit::MAX_DEGREE;
 pub(crate) use input::require;
-pub(crate) use zero::{dip, places, root};
+pub(crate) use zero::{dip, first_zero, places, root};
 #[cfg(feature = "std")]
 pub(crate) use {
     grid::Grid,

@@ -83,6 +83,8 @@ pub(crate) struct Progress<T, const N: usize> {
 const MOST_HURRIED: usize = 100;
 /// Steps to the end of a mode that are shorter than so many ulps of the time are not taken again.
 const SHORTEST_ULPS: f64 = 64.0;
+/// The end of a mode this part of a step before its end takes another, shorter step.
+const FAR_FROM_THE_END: f64 = 1e-3;
 /// The time has advanced where it is this many ulps later.
 const HURRIED_ULPS: f64 = 4.0;
 
@@ -220,23 +222,36 @@ where
         (self.modes.cut, self.modes.is_dense) = (T::from_f64(1.0), false);
         let (dense, modes, work) = self.dense_and_mode();
         let found = modes.watch.look((hybrid, &modes.mode, &modes.hold), &dense, work)?;
-        let Some((cut, fired)) = found else { return Ok(()) };
-        let t = dense.time(cut);
-        self.modes.fired = fired;
-        // The ends of steps are more exact than what is between them: a step that ends there shows where it is.
-        let is_exact = self.retake(t)?;
-        let (dense, modes, work) = self.dense_and_mode();
-        let end = if is_exact {
-            let by = modes
-                .watch
-                .locate((hybrid, &modes.mode, &modes.hold), &dense, fired, work);
-            modes.cut = T::from_f64(1.0) + by;
-            (dense.step().t1 + by * dense.step().h, dense.about_end(by))
-        } else {
-            modes.cut = cut;
-            (dense.time(cut), dense.at_fraction(cut))
+        let Some((mut cut, mut fired)) = found else {
+            return Ok(());
         };
-        self.last = Step::new((self.last.t0, self.last.x0), end);
+        let mut t = dense.time(cut);
+        // The ends of steps are more exact than what is between them: a step that ends there shows where it is.
+        let mut x = loop {
+            let is_exact = self.retake(t)?;
+            let (dense, modes, work) = self.dense_and_mode();
+            if !is_exact {
+                break dense.at_fraction(cut);
+            }
+            let scene = (hybrid, &modes.mode, &modes.hold);
+            let Some((by, first)) = modes.watch.locate(scene, &dense, fired, work) else {
+                // and that there is none
+                if let Steps::Equal(grid) = &mut self.steps {
+                    grid.go_to(t);
+                }
+                return Ok(());
+            };
+            (t, cut, fired) = (dense.step().t1 + by * dense.step().h, T::from_f64(1.0) + by, first);
+            if by > T::from_f64(-FAR_FROM_THE_END) {
+                break dense.about_end(by);
+            }
+        };
+        let modes = &mut self.modes;
+        (modes.cut, modes.fired) = (cut, fired);
+        if modes.hold.held != 0 {
+            hybrid::project(hybrid, &modes.hold, &modes.mode, t, &mut x);
+        }
+        self.last = Step::new((self.last.t0, self.last.x0), (t, x));
         Ok(())
     }
 
@@ -259,6 +274,9 @@ where
     /// Takes the last step again, to the time `t` within it; whether that was possible.
     fn retake(&mut self, t: T) -> Result<bool, Reason> {
         let whole = self.last;
+        if t == whole.t1 {
+            return Ok(true);
+        }
         if (t - whole.t0).abs() <= T::from_f64(SHORTEST_ULPS) * T::EPSILON * t.abs().max(whole.h.abs()) {
             return Ok(false);
         }

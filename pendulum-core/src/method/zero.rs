@@ -113,11 +113,72 @@ pub(crate) fn dip<T: Float>(f: impl Fn(T) -> T, places: [(T, T); 3]) -> Option<(
     None
 }
 
+/// A place, with the value of a function there and its derivative.
+type Known<T> = (T, [T; 2]);
+
+/// Where a function that was positive first reaches zero, up to the last of three places, of which the first need not
+/// be known. What is less than `noise` below zero does not count.
+pub(crate) fn first_zero<T: Float>(f: impl Fn(T) -> [T; 2], places: [Option<Known<T>>; 3], noise: T) -> Option<T> {
+    let [Some(middle), Some(last)] = [places[1], places[2]] else {
+        return None;
+    };
+    let zero = T::default();
+    let Some(first) = places[0].filter(|first| first.1[0] > zero) else {
+        return first_zero_between(&f, (middle, last), zero, noise);
+    };
+    // how far from the cubic through the outer two the function is at most, by how far it is in the middle
+    let part = (middle.0 - first.0) / (last.0 - first.0);
+    let bubble = part * (T::from_f64(1.0) - part);
+    let error = (middle.1[0] - cubic((first, last), part)).abs() / (T::from_f64(16.0) * bubble * bubble);
+    first_zero_between(&f, (first, middle), error, noise)
+        .or_else(|| first_zero_between(&f, (middle, last), error, noise))
+}
+
+/// The same between two places, where the function is within `error` of the cubic through them: that is positive where
+/// its coefficients in the polynomials of Bernstein are. Halves show what is not certain of the whole.
+fn first_zero_between<T: Float>(
+    f: &impl Fn(T) -> [T; 2],
+    (from, to): (Known<T>, Known<T>),
+    error: T,
+    noise: T,
+) -> Option<T> {
+    let at = |place: Known<T>| (place.0, place.1[0]);
+    if to.1[0] <= T::default() {
+        return Some(root(|place| f(place)[0], at(from), at(to)));
+    }
+    let width = to.0 - from.0;
+    let tangents = |part: f64| {
+        let width = width * T::from_f64(part);
+        [from.1[0] + width * from.1[1], to.1[0] - width * to.1[1]]
+    };
+    // of degree four, to which `error theta^2 (1 - theta)^2 16` belongs
+    let ([second, fourth], [left, right]) = (tangents(1.0 / 4.0), tangents(1.0 / 3.0));
+    let third = T::from_f64(0.5) * (left + right) - T::from_f64(8.0 / 3.0) * error;
+    if second.min(third).min(fourth) >= -noise || width <= T::EPSILON.sqrt() * to.0 {
+        return None;
+    }
+    let half = T::from_f64(0.5);
+    let place = from.0 + half * width;
+    let middle = (place, f(place));
+    let error = (middle.1[0] - cubic((from, to), half)).abs();
+    first_zero_between(f, (from, middle), error, noise).or_else(|| first_zero_between(f, (middle, to), error, noise))
+}
+
+/// The cubic through two places with their derivatives, at a part of the way between them.
+fn cubic<T: Float>((from, to): (Known<T>, Known<T>), part: T) -> T {
+    let (rest, width) = (T::from_f64(1.0) - part, to.0 - from.0);
+    let (three, two) = (T::from_f64(3.0), T::from_f64(2.0));
+    let ([start, falls], [end, rises]) = (from.1, to.1);
+    rest * rest * (start * (three - two * rest) + width * falls * part)
+        + part * part * (end * (three - two * part) - width * rises * rest)
+}
+
 #[cfg(test)]
 mod tests {
     use std::cell::RefCell;
+    use std::f64::consts::PI;
 
-    use super::{dip, root};
+    use super::{dip, first_zero, root};
 
     /// The root of `f` between 0 and 1, or between 1 and 0 in reverse, and the places that were looked at.
     fn search(f: impl Fn(f64) -> f64, (from, to): (f64, f64)) -> (f64, Vec<f64>) {
@@ -434,5 +495,30 @@ mod tests {
             let last = places.last().expect("a search");
             assert!((last - bottom).abs() < 1e-7, "{last}");
         }
+    }
+
+    #[test]
+    fn values_and_derivatives_show_zeros_between_places() {
+        let search = |f: &dyn Fn(f64) -> [f64; 2], first: Option<f64>| {
+            let places = [first, Some(0.5), Some(1.0)].map(|place| place.map(|place| (place, f(place))));
+            first_zero(f, places, 1e-15)
+        };
+        // both sides of a dip are places, and the lowest value is at neither of them
+        for (depth, zero) in [(1e-9, Some(0.7 - 1e-9_f64.sqrt())), (-1e-9, None)] {
+            let dip = |x: f64| [(x - 0.7) * (x - 0.7) - depth, 2.0 * (x - 0.7)];
+            for first in [None, Some(0.0)] {
+                let found = search(&dip, first);
+                assert_eq!(found.is_some(), zero.is_some());
+                assert!(found.zip(zero).is_none_or(|(found, zero)| (found - zero).abs() < 1e-10));
+            }
+        }
+        // the value in the middle shows that the function is not the cubic through the others
+        let wave = |x: f64| {
+            let (once, twice) = (2.0 * PI * x, 4.0 * PI * x);
+            let slope = -1.2 * PI * once.sin() - 4.0 * PI * twice.sin();
+            [1.0 + 0.6 * once.cos() + twice.cos(), slope]
+        };
+        let found = search(&wave, Some(0.0)).expect("a zero");
+        assert!(wave(found)[0].abs() < 1e-14, "{found}");
     }
 }
