@@ -1,0 +1,103 @@
+//! Jobs as programs.
+
+use std::path::{Path, PathBuf};
+
+use crate::error::SweepError;
+use crate::job::{Job, Task};
+
+/// What the command line of a sweep says.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Arguments {
+    /// `--out FILE`: another file.
+    pub out: Option<PathBuf>,
+    /// `--shard I/N`: the share `I`, from 0, of `N`.
+    pub share: Option<(usize, usize)>,
+    /// `--merge`: puts the file together from the shares.
+    pub merge: bool,
+    /// `--threads N`.
+    pub threads: Option<usize>,
+    /// `--quiet`: without progress.
+    pub quiet: bool,
+}
+
+const USAGE: &str = "usage: [--out FILE] [--shard I/N] [--merge] [--threads N] [--quiet]
+  --out FILE   the Parquet file
+  --shard I/N  computes share I of N, counted from 0; --merge puts them together when all are done
+  --threads N  threads in place of one for each core
+  --quiet      shows no progress";
+
+impl Arguments {
+    /// Reads the arguments of a program, without its name.
+    ///
+    /// # Errors
+    /// [`SweepError::Invalid`] with a text on how to use them.
+    pub fn parse(arguments: impl IntoIterator<Item = String>) -> Result<Self, SweepError> {
+        let mut parsed = Self::default();
+        let mut arguments = arguments.into_iter();
+        let wrong = |what: String| SweepError::Invalid(format!("{what}\n{USAGE}"));
+        while let Some(argument) = arguments.next() {
+            let mut value = || {
+                arguments
+                    .next()
+                    .ok_or_else(|| wrong(format!("{argument} takes a value")))
+            };
+            match argument.as_str() {
+                "--out" => parsed.out = Some(value()?.into()),
+                "--shard" => {
+                    let text = value()?;
+                    let share = text
+                        .split_once('/')
+                        .and_then(|(i, n)| Some((i.parse().ok()?, n.parse().ok()?)));
+                    let share = share.filter(|(index, of)| index < of);
+                    let rule = || wrong(format!("--shard {text}: it is I/N with I from 0 to N - 1, as 0/4"));
+                    parsed.share = Some(share.ok_or_else(rule)?);
+                }
+                "--merge" => parsed.merge = true,
+                "--threads" => {
+                    let text = value()?;
+                    let rule = |_| wrong(format!("--threads {text}: it is a number"));
+                    parsed.threads = Some(text.parse().map_err(rule)?);
+                }
+                "--quiet" => parsed.quiet = true,
+                _ => return Err(wrong(format!("unknown argument {argument}"))),
+            }
+        }
+        Ok(parsed)
+    }
+}
+
+impl<T: Task<K>, const K: usize> Job<T, K> {
+    /// Runs the job as its program was called, into a file where `--out` names no other, and prints what was done: see
+    /// [`Arguments`].
+    ///
+    /// # Errors
+    /// [`SweepError::Invalid`] where the arguments are wrong, and those of [`obey`](Self::obey).
+    pub fn main(self, path: impl AsRef<Path>) -> Result<(), SweepError> {
+        self.obey(Arguments::parse(std::env::args().skip(1))?, path)
+    }
+
+    /// The same with arguments of the program's own choice.
+    ///
+    /// # Errors
+    /// Those of [`run_to`](Self::run_to) and [`merge`](Self::merge).
+    pub fn obey(mut self, arguments: Arguments, path: impl AsRef<Path>) -> Result<(), SweepError> {
+        let path = arguments.out.unwrap_or_else(|| path.as_ref().to_owned());
+        if arguments.merge {
+            self.merge(&path)?;
+            println!("{}", path.display());
+            return Ok(());
+        }
+        if let Some((index, of)) = arguments.share {
+            self = self.share(index, of);
+        }
+        if let Some(threads) = arguments.threads {
+            self = self.threads(threads);
+        }
+        if arguments.quiet {
+            self = self.quiet();
+        }
+        println!("{}: {}", path.display(), self.run_to(&path)?);
+        Ok(())
+    }
+}

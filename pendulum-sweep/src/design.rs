@@ -1,0 +1,311 @@
+//! Where the points of a sweep lie.
+
+use pendulum_core::real::Real;
+use serde_json::{Value, json};
+
+use crate::table::Column;
+
+/// Points with `K` numbers each; see the [crate](crate).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Sweep<const K: usize> {
+    pub(crate) name: String,
+    design: Design<K>,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Design<const K: usize> {
+    Grid([Axis; K]),
+    List([Column; K], Vec<[f64; K]>),
+    Random([Draw; K], usize, u64),
+}
+
+impl<const K: usize> Sweep<K> {
+    /// All combinations of the values of some axes. The last axis runs fastest.
+    #[must_use]
+    pub fn grid(name: &str, axes: [Axis; K]) -> Self {
+        Self::new(name, Design::Grid(axes))
+    }
+
+    /// Points one by one, with the names and units of their numbers.
+    #[must_use]
+    pub fn list(name: &str, columns: [(&str, &str); K], points: Vec<[f64; K]>) -> Self {
+        let columns = columns.map(|(name, unit)| Column::new(name, unit));
+        Self::new(name, Design::List(columns, points))
+    }
+
+    /// Random points. Each number follows from the seed, its row and its column alone (the counter of `SplitMix64`: G. L.
+    /// Steele, D. Lea, C. H. Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014), so a longer sweep
+    /// begins with the points of a shorter one.
+    #[must_use]
+    pub fn random(name: &str, draws: [Draw; K], points: usize, seed: u64) -> Self {
+        Self::new(name, Design::Random(draws, points, seed))
+    }
+
+    fn new(name: &str, design: Design<K>) -> Self {
+        let name = name.to_owned();
+        Self { name, design }
+    }
+
+    /// How many points there are.
+    #[must_use]
+    pub fn points(&self) -> usize {
+        match &self.design {
+            Design::Grid(axes) => axes.iter().map(|axis| axis.values.len()).product(),
+            Design::List(_, points) => points.len(),
+            Design::Random(_, points, _) => *points,
+        }
+    }
+
+    /// A point.
+    ///
+    /// # Panics
+    /// If there are not so many.
+    #[must_use]
+    pub fn point(&self, row: usize) -> [f64; K] {
+        assert!(row < self.points(), "row {row} of a sweep of {} points", self.points());
+        match &self.design {
+            Design::Grid(axes) => {
+                let (mut point, mut left) = ([0.0; K], row);
+                for (number, axis) in point.iter_mut().zip(axes).rev() {
+                    *number = axis.values[left % axis.values.len()];
+                    left /= axis.values.len();
+                }
+                point
+            }
+            Design::List(_, points) => points[row],
+            Design::Random(draws, _, seed) => {
+                let counter = |column: usize| (row as u64).wrapping_mul(K as u64).wrapping_add(column as u64);
+                std::array::from_fn(|column| draws[column].at(*seed, counter(column)))
+            }
+        }
+    }
+
+    /// What the numbers of a point are.
+    #[must_use]
+    pub fn columns(&self) -> Vec<Column> {
+        match &self.design {
+            Design::Grid(axes) => axes.iter().map(|axis| axis.column.clone()).collect(),
+            Design::List(columns, _) => columns.to_vec(),
+            Design::Random(draws, ..) => draws.iter().map(|draw| draw.column.clone()).collect(),
+        }
+    }
+
+    /// The design in full, from which each point can be found again.
+    pub(crate) fn declaration(&self) -> Value {
+        match &self.design {
+            Design::Grid(axes) => {
+                let axis =
+                    |axis: &Axis| json!({ "name": axis.column.name, "unit": axis.column.unit, "values": axis.spacing });
+                json!({ "grid": axes.iter().map(axis).collect::<Vec<_>>() })
+            }
+            Design::List(columns, points) => {
+                let bits = points.iter().flatten().map(|number| number.to_bits());
+                // the points themselves are in the table
+                json!({ "list": columns.iter().map(|column| json!({ "name": column.name, "unit": column.unit })).collect::<Vec<_>>(),
+                    "points": points.len(), "digest": bits.fold(0, |digest, bits| mixed(digest ^ bits)) })
+            }
+            Design::Random(draws, points, seed) => {
+                let draw = |draw: &Draw| json!({ "name": draw.column.name, "unit": draw.column.unit, "law": format!("{:?}", draw.law) });
+                json!({ "random": draws.iter().map(draw).collect::<Vec<_>>(), "points": points, "seed": seed })
+            }
+        }
+    }
+}
+
+/// A number that takes some values on a grid.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Axis {
+    column: Column,
+    values: Vec<f64>,
+    spacing: Value,
+}
+
+impl Axis {
+    /// Values in equal distances, the ends included.
+    #[must_use]
+    pub fn linear(name: &str, unit: &str, from: f64, to: f64, count: usize) -> Self {
+        let value = |n: usize| {
+            if n + 1 == count {
+                to
+            } else {
+                from + (to - from) * (n as f64 / (count - 1) as f64)
+            }
+        };
+        let spacing = json!({ "linear": [from, to], "count": count });
+        Self::new(name, unit, (0..count).map(value).collect(), spacing)
+    }
+
+    /// Values in equal ratios, the ends included, which have one sign.
+    #[must_use]
+    pub fn logarithmic(name: &str, unit: &str, from: f64, to: f64, count: usize) -> Self {
+        let ratio = Real::ln(to / from);
+        let value = |n: usize| {
+            if n + 1 == count {
+                to
+            } else {
+                from * Real::exp(ratio * (n as f64 / (count - 1) as f64))
+            }
+        };
+        let spacing = json!({ "logarithmic": [from, to], "count": count });
+        Self::new(name, unit, (0..count).map(value).collect(), spacing)
+    }
+
+    /// The centres of cells of equal size, as for a map.
+    #[must_use]
+    pub fn cells(name: &str, unit: &str, from: f64, to: f64, count: usize) -> Self {
+        let value = |n: usize| from + (to - from) * ((2 * n + 1) as f64 / (2 * count) as f64);
+        let spacing = json!({ "cells": [from, to], "count": count });
+        Self::new(name, unit, (0..count).map(value).collect(), spacing)
+    }
+
+    /// Values one by one.
+    #[must_use]
+    pub fn values(name: &str, unit: &str, values: impl Into<Vec<f64>>) -> Self {
+        let values = values.into();
+        let spacing = json!({ "values": values });
+        Self::new(name, unit, values, spacing)
+    }
+
+    fn new(name: &str, unit: &str, values: Vec<f64>, spacing: Value) -> Self {
+        Self {
+            column: Column::new(name, unit),
+            values,
+            spacing,
+        }
+    }
+}
+
+/// A random number, independent of the others.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Draw {
+    column: Column,
+    law: Law,
+}
+
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Law {
+    Uniform { from: f64, to: f64 },
+    Logarithmic { from: f64, to: f64 },
+    Normal { mean: f64, deviation: f64 },
+}
+
+impl Draw {
+    /// Uniform from `from` up to `to`.
+    #[must_use]
+    pub fn uniform(name: &str, unit: &str, from: f64, to: f64) -> Self {
+        Self::new(name, unit, Law::Uniform { from, to })
+    }
+
+    /// With a logarithm that is uniform; both ends have one sign.
+    #[must_use]
+    pub fn logarithmic(name: &str, unit: &str, from: f64, to: f64) -> Self {
+        Self::new(name, unit, Law::Logarithmic { from, to })
+    }
+
+    /// Normal, with a mean and a standard deviation.
+    #[must_use]
+    pub fn normal(name: &str, unit: &str, mean: f64, deviation: f64) -> Self {
+        Self::new(name, unit, Law::Normal { mean, deviation })
+    }
+
+    fn new(name: &str, unit: &str, law: Law) -> Self {
+        let column = Column::new(name, unit);
+        Self { column, law }
+    }
+
+    /// The number at a count. Logarithms and sines are those of the core, with the same bits on every machine.
+    fn at(&self, seed: u64, counter: u64) -> f64 {
+        let share = |half: u64| {
+            let bits = mixed(seed.wrapping_add(GOLDEN.wrapping_mul(2 * counter + half + 1)));
+            // an odd number of 2^-54: neither 0 nor 1
+            (2.0 * (bits >> 11) as f64 + 1.0) * 2.0_f64.powi(-54)
+        };
+        match self.law {
+            Law::Uniform { from, to } => from + (to - from) * share(0),
+            Law::Logarithmic { from, to } => from * Real::exp(Real::ln(to / from) * share(0)),
+            Law::Normal { mean, deviation } => {
+                // G. E. P. Box, M. E. Muller, Ann. Math. Statist. 29 (1958) 610-611
+                let (radius, angle) = ((-2.0 * Real::ln(share(0))).sqrt(), std::f64::consts::TAU * share(1));
+                mean + deviation * radius * Real::sin_cos(angle).1
+            }
+        }
+    }
+}
+
+/// 2^64 over the golden ratio, odd.
+const GOLDEN: u64 = 0x9e37_79b9_7f4a_7c15;
+
+/// The output function of `SplitMix64`.
+fn mixed(state: u64) -> u64 {
+    let state = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
+    let state = (state ^ (state >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
+    state ^ (state >> 31)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_last_axis_runs_fastest_and_ends_are_exact() {
+        let sweep = Sweep::grid(
+            "s",
+            [Axis::values("a", "1", [1.0, 2.0]), Axis::linear("b", "m", 0.1, 0.7, 3)],
+        );
+        assert_eq!(sweep.points(), 6);
+        assert_eq!(
+            [0, 1, 2, 3].map(|row| sweep.point(row)),
+            [[1.0, 0.1], [1.0, 0.4], [1.0, 0.7], [2.0, 0.1]]
+        );
+        let decades = Sweep::grid("s", [Axis::logarithmic("c", "1", 1e-3, 1.0, 4)]);
+        assert_eq!((decades.point(0), decades.point(3)), ([1e-3], [1.0]));
+        assert!((decades.point(1)[0] - 1e-2).abs() < 1e-16);
+        let map = Sweep::grid("s", [Axis::cells("d", "1", 0.0, 1.0, 2)]);
+        assert_eq!([0, 1].map(|row| map.point(row)), [[0.25], [0.75]]);
+    }
+
+    /// The first three outputs for the seed 1234567, of the authors' C code.
+    #[test]
+    fn the_generator_is_splitmix64() {
+        let seed = 1_234_567_u64;
+        let outputs = [1, 2, 3].map(|n| mixed(seed.wrapping_add(GOLDEN.wrapping_mul(n))));
+        assert_eq!(
+            outputs,
+            [
+                6_457_827_717_110_365_317,
+                3_203_168_211_198_807_973,
+                9_817_491_932_198_370_423
+            ]
+        );
+    }
+
+    #[test]
+    fn draws_have_their_means_and_deviations() {
+        let draws = [
+            Draw::uniform("a", "1", 2.0, 4.0),
+            Draw::normal("b", "1", -1.0, 0.5),
+            Draw::logarithmic("c", "1", 1e-2, 1e2),
+        ];
+        let sweep = Sweep::random("s", draws, 20_000, 7);
+        let column = |n: usize, f: fn(f64) -> f64| {
+            let numbers: Vec<f64> = (0..sweep.points()).map(|row| f(sweep.point(row)[n])).collect();
+            let mean = numbers.iter().sum::<f64>() / numbers.len() as f64;
+            let square = numbers.iter().map(|number| (number - mean).powi(2)).sum::<f64>() / numbers.len() as f64;
+            (mean, square.sqrt())
+        };
+        // four standard errors, at least, of each
+        let near = |(mean, deviation): (f64, f64), (m, d): (f64, f64)| {
+            assert!(
+                (mean - m).abs() < 0.03 * d && (deviation - d).abs() < 0.03 * d,
+                "{mean} {deviation}"
+            );
+        };
+        near(column(0, |x| x), (3.0, 1.0 / 3.0_f64.sqrt()));
+        near(column(1, |x| x), (-1.0, 0.5));
+        near(column(2, f64::log10), (0.0, 2.0 / 3.0_f64.sqrt()));
+        assert_eq!(
+            Sweep::random("s", [Draw::uniform("a", "1", 2.0, 4.0)], 10, 7).points(),
+            10
+        );
+    }
+}

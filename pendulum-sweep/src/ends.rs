@@ -1,0 +1,139 @@
+//! Final states, many at a time.
+
+use std::fmt::Debug;
+
+use pendulum_core::nalgebra::SVector;
+use pendulum_core::{Cast, Ensemble, EnsembleError, StateLayout, System};
+use serde_json::{Value, json};
+
+use crate::design::Sweep;
+use crate::error::SweepError;
+use crate::job::{Chunk, Failure, Job, Task};
+use crate::table::Column;
+
+/// A number that a model and a state at a time determine.
+type Quantity<M, const N: usize> = Box<dyn Fn(&M, f64, &SVector<f64, N>) -> f64 + Send + Sync>;
+
+/// What [`Sweep::ends`] does.
+pub struct Ends<X, F, M, const N: usize> {
+    method: X,
+    span: (f64, f64),
+    trial: F,
+    values: Vec<(Column, Quantity<M, N>)>,
+}
+
+impl<const K: usize> Sweep<K> {
+    /// The states that models reach from `span.0` to `span.1`, in the lanes of vector registers. `trial` makes the model
+    /// and the start of a point.
+    ///
+    /// Kept are the time `t` that was reached, and the state there, by the names of its components.
+    pub fn ends<X, F, M, const N: usize>(self, method: X, span: (f64, f64), trial: F) -> Job<Ends<X, F, M, N>, K>
+    where
+        F: Fn([f64; K]) -> Result<(M, [f64; N]), Failure> + Sync,
+        X: Ensemble<M, f64, N> + Debug + Sync,
+        M: Cast<N>,
+    {
+        let values = Vec::new();
+        self.job(Ends {
+            method,
+            span,
+            trial,
+            values,
+        })
+    }
+}
+
+impl<X, F, M, const K: usize, const N: usize> Job<Ends<X, F, M, N>, K> {
+    /// Keeps a number that the model and its final state determine as well.
+    pub fn value(
+        mut self,
+        name: &str,
+        unit: &str,
+        value: impl Fn(&M, f64, &SVector<f64, N>) -> f64 + Send + Sync + 'static,
+    ) -> Self {
+        self.task.values.push((Column::new(name, unit), Box::new(value)));
+        self
+    }
+}
+
+impl<X, F, M, const K: usize, const N: usize> Task<K> for Ends<X, F, M, N>
+where
+    F: Fn([f64; K]) -> Result<(M, [f64; N]), Failure> + Sync,
+    X: Ensemble<M, f64, N> + Debug + Sync,
+    M: Cast<N>,
+{
+    fn columns(&self, sweep: &Sweep<K>) -> Vec<Column> {
+        let layout = first_layout(sweep, |point| Some((self.trial)(point).ok()?.0.cast::<f64>().layout()));
+        let mut columns = vec![Column::new("t", "s")];
+        columns.extend(of_state::<N>(layout));
+        columns.extend(self.values.iter().map(|(column, _)| column.clone()));
+        columns
+    }
+
+    fn declaration(&self) -> Value {
+        json!({ "ends": format!("{:?}", self.method), "span": self.span })
+    }
+
+    fn run(&self, points: &[[f64; K]]) -> Result<Chunk, SweepError> {
+        let (t0, t1) = self.span;
+        let (mut models, mut starts) = (Vec::new(), Vec::new());
+        let trials: Vec<Result<(), Failure>> = points
+            .iter()
+            .map(|&point| {
+                let (model, start) = (self.trial)(point)?;
+                models.push(model);
+                starts.push(SVector::from(start));
+                Ok(())
+            })
+            .collect();
+        let (ends, stopped) = match self.method.ensemble(&models, t0, t1, &starts) {
+            Ok(ends) => (ends, Vec::new()),
+            Err(EnsembleError::InvalidInput(reason)) => return Err(reason.into()),
+            Err(EnsembleError::Stopped { stopped, x }) => (x, stopped),
+            Err(other) => return Err(SweepError::Invalid(other.to_string())),
+        };
+        let mut stopped = stopped.into_iter().peekable();
+        let mut reached = models.iter().zip(ends).enumerate();
+        let mut chunk = Chunk::default();
+        for trial in trials {
+            if let Err(reason) = trial {
+                chunk.fail(vec![f64::NAN; 1 + N + self.values.len()], reason);
+                continue;
+            }
+            let Some((index, (model, x))) = reached.next() else {
+                break;
+            };
+            let stopped = stopped.next_if(|stopped| stopped.index == index);
+            let t = stopped.map_or(t1, |stopped| stopped.t);
+            let values = self.values.iter().map(|(_, value)| value(model, t, &x));
+            let numbers = [t].into_iter().chain(x.iter().copied()).chain(values).collect();
+            match stopped {
+                None => chunk.push(numbers),
+                Some(stopped) => chunk.fail(numbers, stopped.reason),
+            }
+        }
+        Ok(chunk)
+    }
+}
+
+/// The layout of the first point that has a model.
+pub(crate) fn first_layout<const K: usize>(
+    sweep: &Sweep<K>,
+    layout: impl Fn([f64; K]) -> Option<Option<&'static StateLayout>>,
+) -> Option<&'static StateLayout> {
+    (0..sweep.points()).find_map(|row| layout(sweep.point(row))).flatten()
+}
+
+/// The components of a state, by number where their names are not known.
+pub(crate) fn of_state<const N: usize>(layout: Option<&'static StateLayout>) -> Vec<Column> {
+    let Some(layout) = layout else {
+        return (0..N).map(|n| Column::new(&format!("x{n}"), "1")).collect();
+    };
+    let mut units = vec!["1"; N];
+    for slot in layout.slots {
+        slot.positions.clone().for_each(|place| units[place] = slot.unit());
+        slot.rates.clone().for_each(|place| units[place] = slot.rate_unit());
+    }
+    let named = layout.components().into_iter().zip(units);
+    named.map(|(name, unit)| Column::new(&name, unit)).collect()
+}

@@ -1,0 +1,391 @@
+//! A sweep with what is done at its points.
+
+use std::collections::BTreeMap;
+use std::error::Error;
+use std::fmt;
+use std::ops::Range;
+use std::path::Path;
+use std::time::{Duration, Instant};
+
+use indicatif::{ProgressBar, ProgressStyle};
+use rayon::prelude::*;
+use serde_json::{Value, json};
+
+use crate::design::Sweep;
+use crate::error::SweepError;
+use crate::shards::Shards;
+use crate::table::{Column, Table};
+
+/// Why something failed at a point; `?` makes it of every error.
+pub type Failure = Box<dyn Error + Send + Sync>;
+
+/// What is done at the points of a sweep, and what is kept.
+pub trait Task<const K: usize>: Sync {
+    /// What is kept of each point.
+    fn columns(&self, sweep: &Sweep<K>) -> Vec<Column>;
+
+    /// What the results depend on besides the points, as far as it can be said: a sweep is gone on with where this is
+    /// the same.
+    fn declaration(&self) -> Value;
+
+    /// The results at some points.
+    ///
+    /// # Errors
+    /// [`SweepError::Invalid`] where settings are wrong at all points; the failure of one is part of the results.
+    fn run(&self, points: &[[f64; K]]) -> Result<Chunk, SweepError>;
+}
+
+/// The results of some points, row by row.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Chunk {
+    rows: Vec<Vec<f64>>,
+    failures: BTreeMap<usize, String>,
+}
+
+impl Chunk {
+    /// Adds a row: a number for each column.
+    pub fn push(&mut self, numbers: Vec<f64>) {
+        self.rows.push(numbers);
+    }
+
+    /// Adds the row of a point at which something failed, with what there is.
+    pub fn fail(&mut self, numbers: Vec<f64>, reason: impl fmt::Display) {
+        self.failures.insert(self.rows.len(), reason.to_string());
+        self.rows.push(numbers);
+    }
+}
+
+/// A sweep with what is done at its points; see the [crate](crate).
+#[must_use = "nothing is computed before `run`, `run_to` or `main`"]
+pub struct Job<T, const K: usize> {
+    sweep: Sweep<K>,
+    pub(crate) task: T,
+    shard: usize,
+    share: (usize, usize),
+    threads: usize,
+    quiet: bool,
+    version: String,
+}
+
+/// What was done.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub struct Summary {
+    /// The rows of the sweep.
+    pub rows: usize,
+    /// Those that were computed now; the others were there, or are left to other shares.
+    pub computed: usize,
+    /// Those of them that failed.
+    pub failed: usize,
+    /// The time that it took.
+    pub time: Duration,
+    /// Whether the file is complete.
+    pub complete: bool,
+}
+
+/// Rows that are computed together, in the lanes of one thread.
+const CHUNK: usize = 256;
+/// Rows in a shard, where no other number is given.
+const SHARD: usize = 16 * CHUNK;
+
+impl<const K: usize> Sweep<K> {
+    /// Numbers that a function finds at each point, under names with units. Anything can be done there: a method and
+    /// its settings may follow from the point as well.
+    ///
+    /// ```
+    /// use pendulum_core::prelude::*;
+    /// use pendulum_core::stability::Lyapunov;
+    /// use pendulum_sweep::{Axis, Sweep};
+    ///
+    /// mechanism! {
+    ///     pub Driven {
+    ///         params { a: N m }
+    ///         gravity: [0, -9.81, 0],
+    ///         body bob on ground {
+    ///             mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle, friction: 0.5,
+    ///             torque: a*sin(2 rad/s*t),
+    ///         }
+    ///     }
+    /// }
+    ///
+    /// let table = Sweep::grid("chaos", [Axis::linear("a", "N m", 5.0, 15.0, 3)])
+    ///     .each([("exponent", "1/s")], |[a]| {
+    ///         let driven = Driven::new(DrivenParams { a })?;
+    ///         Ok([Lyapunov::new().duration(20.0).largest(&driven, [0.1, 0.0])?.values[0]])
+    ///     })
+    ///     .quiet()
+    ///     .run()?;
+    /// assert!(table["exponent"].iter().all(|exponent| exponent.is_finite()));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn each<F, const Q: usize>(self, columns: [(&str, &str); Q], find: F) -> Job<Each<F, Q>, K>
+    where
+        F: Fn([f64; K]) -> Result<[f64; Q], Failure> + Sync,
+    {
+        let columns = columns.map(|(name, unit)| Column::new(name, unit));
+        self.job(Each { columns, find })
+    }
+
+    /// Any task.
+    pub fn job<T: Task<K>>(self, task: T) -> Job<T, K> {
+        Job {
+            sweep: self,
+            task,
+            shard: SHARD,
+            share: (0, 1),
+            threads: 0,
+            quiet: false,
+            version: String::new(),
+        }
+    }
+}
+
+impl<T: Task<K>, const K: usize> Job<T, K> {
+    /// The rows of each shard: what a kill loses at most, for each core. Default: 4096.
+    pub fn shard(mut self, rows: usize) -> Self {
+        self.shard = rows.max(1);
+        self
+    }
+
+    /// Computes only each `of`-th shard, from `index` on, which is below `of`: for other processes, on this machine or
+    /// another one, that compute the others. The file is put together by [`merge`](Self::merge).
+    pub fn share(mut self, index: usize, of: usize) -> Self {
+        self.share = (index, of);
+        self
+    }
+
+    /// How many threads there are. Default, or 0: one for each core.
+    pub fn threads(mut self, threads: usize) -> Self {
+        self.threads = threads;
+        self
+    }
+
+    /// Shows no progress.
+    pub fn quiet(mut self) -> Self {
+        self.quiet = true;
+        self
+    }
+
+    /// Names the version of your own code: what functions do cannot be told from results, so change it where they
+    /// change.
+    pub fn version(mut self, version: &str) -> Self {
+        version.clone_into(&mut self.version);
+        self
+    }
+
+    /// Computes all rows.
+    ///
+    /// # Errors
+    /// [`SweepError::Invalid`].
+    pub fn run(&self) -> Result<Table, SweepError> {
+        self.check()?;
+        let progress = self.progress(self.sweep.points());
+        self.in_threads(|| self.rows(0..self.sweep.points(), &progress))
+    }
+
+    /// Computes all rows into a Parquet file, by way of shards in the folder `PATH.shards` beside it: a job that was
+    /// killed goes on with those that are missing. Nothing is computed where the file is there.
+    ///
+    /// The file has the column `row`, those of the points, what was kept, and `failure`, a text or null. Its metadata
+    /// hold the units and the declaration.
+    ///
+    /// # Errors
+    /// All of [`SweepError`]; [`SweepError::Incomplete`] is none of them where this is a [share](Self::share).
+    pub fn run_to(&self, path: impl AsRef<Path>) -> Result<Summary, SweepError> {
+        let (since, path) = (Instant::now(), path.as_ref());
+        self.check()?;
+        let shards = self.shards(path)?;
+        let (index, of) = self.share;
+        let mut summary = Summary {
+            rows: self.sweep.points(),
+            computed: 0,
+            failed: 0,
+            time: Duration::ZERO,
+            complete: true,
+        };
+        if !shards.is_merged()? {
+            shards.open()?;
+            let own: Vec<usize> = (index..shards.count).step_by(of).filter(|&n| !shards.has(n)).collect();
+            let rows = own.iter().map(|&n| shards.rows(n).len()).sum();
+            let progress = self.progress(rows);
+            let failed = self.in_threads(|| {
+                let shard = |&n: &usize| {
+                    let table = self.rows(shards.rows(n), &progress)?;
+                    shards.write(n, &table)?;
+                    Ok(table.failures.len())
+                };
+                own.par_iter().map(shard).try_reduce(|| 0, |a, b| Ok(a + b))
+            })?;
+            (summary.computed, summary.failed) = (rows, failed);
+            if of == 1 {
+                shards.merge()?;
+            }
+            summary.complete = of == 1;
+        }
+        summary.time = since.elapsed();
+        Ok(summary)
+    }
+
+    /// Puts the file together from the shards of all shares.
+    ///
+    /// # Errors
+    /// [`SweepError::Incomplete`] where shards are missing, and those of [`run_to`](Self::run_to).
+    pub fn merge(&self, path: impl AsRef<Path>) -> Result<(), SweepError> {
+        self.check()?;
+        let shards = self.shards(path.as_ref())?;
+        if shards.is_merged()? { Ok(()) } else { shards.merge() }
+    }
+
+    fn shards<'p>(&self, path: &'p Path) -> Result<Shards<'p>, SweepError> {
+        Shards::new(path, self.sweep.points(), self.shard, self.empty()?)
+    }
+
+    fn check(&self) -> Result<(), SweepError> {
+        let (index, of) = self.share;
+        if index >= of {
+            let reason = format!(
+                "share {index} of {of}: shares are counted from 0, so the last one is {}",
+                of.max(1) - 1
+            );
+            return Err(SweepError::Invalid(reason));
+        }
+        if self.sweep.points() == 0 {
+            return Err(SweepError::Invalid("the sweep has no points".to_owned()));
+        }
+        self.empty().map(drop)
+    }
+
+    /// The table without rows.
+    fn empty(&self) -> Result<Table, SweepError> {
+        let columns: Vec<Column> = self
+            .sweep
+            .columns()
+            .into_iter()
+            .chain(self.task.columns(&self.sweep))
+            .collect();
+        let mut names: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
+        names.extend(["row", "failure"]);
+        names.sort_unstable();
+        if let Some(twice) = names.windows(2).find(|pair| pair[0] == pair[1]) {
+            let reason = format!(
+                "two columns have the name `{}`; `row` and `failure` are always there",
+                twice[0]
+            );
+            return Err(SweepError::Invalid(reason));
+        }
+        let declaration = json!({
+            "name": self.sweep.name,
+            "design": self.sweep.declaration(),
+            "task": self.task.declaration(),
+            "columns": columns.iter().map(|column| json!([column.name, column.unit])).collect::<Vec<_>>(),
+            "rows of a shard": self.shard,
+            "version": self.version,
+            "pendulum-sweep": env!("CARGO_PKG_VERSION"),
+        });
+        Ok(Table {
+            numbers: vec![Vec::new(); columns.len()],
+            columns,
+            failures: BTreeMap::new(),
+            declaration: declaration.to_string(),
+        })
+    }
+
+    /// Some rows, in chunks on all threads.
+    fn rows(&self, rows: Range<usize>, progress: &ProgressBar) -> Result<Table, SweepError> {
+        let chunk = |first: usize| {
+            let points: Vec<[f64; K]> = (first..rows.end.min(first + CHUNK))
+                .map(|row| self.sweep.point(row))
+                .collect();
+            let chunk = self.task.run(&points)?;
+            progress.inc(points.len() as u64);
+            Ok((points, chunk))
+        };
+        let firsts: Vec<usize> = rows.clone().step_by(CHUNK).collect();
+        let chunks: Vec<_> = firsts.into_par_iter().map(chunk).collect::<Result<_, SweepError>>()?;
+        let mut table = self.empty()?;
+        for (points, chunk) in chunks {
+            let before = table.rows();
+            for (point, kept) in points.iter().zip(&chunk.rows) {
+                let numbers = point.iter().chain(kept);
+                table
+                    .numbers
+                    .iter_mut()
+                    .zip(numbers)
+                    .for_each(|(column, &number)| column.push(number));
+            }
+            let failures = chunk.failures.into_iter().map(|(row, reason)| (before + row, reason));
+            table.failures.extend(failures);
+        }
+        Ok(table)
+    }
+
+    fn in_threads<R: Send>(&self, work: impl FnOnce() -> Result<R, SweepError> + Send) -> Result<R, SweepError> {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(self.threads).build();
+        pool.map_err(|error| SweepError::Invalid(error.to_string()))?
+            .install(work)
+    }
+
+    /// A bar on the terminal.
+    fn progress(&self, rows: usize) -> ProgressBar {
+        if self.quiet {
+            return ProgressBar::hidden();
+        }
+        let style = ProgressStyle::with_template("{bar:40} {human_pos} of {human_len}, {per_sec}, {eta} left");
+        ProgressBar::new(rows as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+    }
+}
+
+/// What [`Sweep::each`] does.
+pub struct Each<F, const Q: usize> {
+    columns: [Column; Q],
+    find: F,
+}
+
+impl<F, const K: usize, const Q: usize> Task<K> for Each<F, Q>
+where
+    F: Fn([f64; K]) -> Result<[f64; Q], Failure> + Sync,
+{
+    fn columns(&self, _sweep: &Sweep<K>) -> Vec<Column> {
+        self.columns.to_vec()
+    }
+
+    fn declaration(&self) -> Value {
+        json!("each")
+    }
+
+    fn run(&self, points: &[[f64; K]]) -> Result<Chunk, SweepError> {
+        let mut chunk = Chunk::default();
+        for &point in points {
+            match (self.find)(point) {
+                Ok(numbers) => chunk.push(numbers.to_vec()),
+                Err(reason) => chunk.fail(vec![f64::NAN; Q], reason),
+            }
+        }
+        Ok(chunk)
+    }
+}
+
+impl fmt::Display for Summary {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            rows,
+            computed,
+            failed,
+            time,
+            complete,
+        } = self;
+        let seconds = time.as_secs_f64();
+        write!(f, "{computed} of {rows} rows in {seconds:.1} s")?;
+        if *computed > 0 {
+            write!(f, ", {:.0} per second", *computed as f64 / seconds)?;
+        }
+        if *failed > 0 {
+            write!(f, ", of which {failed} failed")?;
+        }
+        f.write_str(if *complete {
+            ""
+        } else {
+            "; merge the shares when all are done"
+        })
+    }
+}

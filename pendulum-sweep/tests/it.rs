@@ -1,0 +1,291 @@
+//! Sweeps as their users see them.
+
+use std::error::Error;
+use std::fs;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::thread::sleep;
+use std::time::Duration;
+
+use pendulum_core::prelude::*;
+use pendulum_sweep::{Arguments, Axis, Draw, Ends, Failure, Job, Sweep, SweepError, Table};
+
+mechanism! {
+    pub Rods {
+        params { gamma: N m s = 0.1 }
+        gravity: [0, -9.81, 0],
+        shape arm { solids: [rod(1, [0, 0, 0], [0, -1, 0])] }
+        body upper on ground: arm { joint: revolute(z), coordinate: a, friction: gamma }
+        body lower on upper: arm { joint: revolute(z) at [0, -1, 0], coordinate: b, friction: gamma }
+    }
+}
+
+type Outcome = Result<(), Box<dyn Error>>;
+
+/// An empty folder for a test.
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = fs::remove_dir_all(&folder);
+    fs::create_dir_all(&folder).expect("a folder for tests");
+    folder
+}
+
+/// A model and its start; a friction above 0.9 is refused by hand.
+fn trial([a, gamma]: [f64; 2]) -> Result<(Rods, [f64; 4]), Failure> {
+    if gamma > 0.9 {
+        return Err("too much friction".into());
+    }
+    Ok((Rods::new(RodsParams { gamma })?, [a, 0.3, 0.0, 0.0]))
+}
+
+fn method() -> Tsit5 {
+    Tsit5::new()
+}
+
+type Trial = fn([f64; 2]) -> Result<(Rods, [f64; 4]), Failure>;
+
+fn rods(rows: usize, t1: f64) -> Job<Ends<Tsit5, Trial, Rods, 4>, 2> {
+    let draws = [
+        Draw::uniform("start", "rad", -3.0, 3.0),
+        Draw::logarithmic("gamma", "N m s", 1e-3, 1.0),
+    ];
+    Sweep::random("rods", draws, rows, 7)
+        .ends(method(), (0.0, t1), trial as Trial)
+        .value("energy", "J", |rods, t, x| rods.energy(t, x))
+        .shard(100)
+        .quiet()
+}
+
+#[test]
+fn rows_are_what_they_are_alone_for_any_number_of_threads_and_shares() -> Outcome {
+    let folder = folder("shares");
+    let table = rods(450, 2.0).run()?;
+    assert_eq!(table.rows(), 450);
+    let names: Vec<String> = table
+        .columns()
+        .iter()
+        .map(|column| format!("{} {}", column.name, column.unit))
+        .collect();
+    let expected = "start rad, gamma N m s, t s, a rad, b rad, dot(a) rad/s, dot(b) rad/s, energy J";
+    assert_eq!(names.join(", "), expected);
+    for row in 0..450 {
+        let (start, gamma) = (table["start"][row], table["gamma"][row]);
+        let kept = ["a", "b", "dot(a)", "dot(b)", "energy"].map(|name| table[name][row].to_bits());
+        match trial([start, gamma]) {
+            Err(_) => {
+                assert_eq!(table.failures()[&row], "too much friction");
+                assert!(table["a"][row].is_nan());
+            }
+            Ok((model, x0)) => {
+                let end = method().solve(&model, 0.0, 2.0, x0)?.end();
+                let energy = model.energy(2.0, &end);
+                assert_eq!(kept, [end[0], end[1], end[2], end[3], energy].map(f64::to_bits));
+            }
+        }
+    }
+    assert!(!table.failures().is_empty());
+
+    let (whole, shared) = (folder.join("whole.parquet"), folder.join("shared.parquet"));
+    let summary = rods(450, 2.0).threads(1).run_to(&whole)?;
+    assert_eq!(
+        (summary.rows, summary.computed, summary.failed),
+        (450, 450, table.failures().len())
+    );
+    assert!(summary.complete);
+    for share in [2, 0, 1] {
+        assert!(!rods(450, 2.0).share(share, 3).run_to(&shared)?.complete);
+        let merged = rods(450, 2.0).merge(&shared);
+        assert_eq!(merged.is_ok(), share == 1);
+        if let Err(error) = merged {
+            assert!(error.to_string().contains("of 5 shards are there; shard"), "{error}");
+        }
+    }
+    assert_eq!(fs::read(&whole)?, fs::read(&shared)?);
+    assert_eq!(fs::read_dir(&folder)?.count(), 2, "no shards are left");
+    let read = Table::read(&whole)?;
+    let bits = |table: &Table, name: &str| table[name].iter().map(|number| number.to_bits()).collect::<Vec<_>>();
+    for column in table.columns() {
+        assert_eq!(bits(&table, &column.name), bits(&read, &column.name));
+    }
+    assert_eq!((table.columns(), table.failures()), (read.columns(), read.failures()));
+    assert_eq!(table.declaration(), read.declaration());
+    // what is there is not computed again
+    assert_eq!(rods(450, 2.0).run_to(&whole)?.computed, 0);
+    Ok(())
+}
+
+/// What the children of the next test do.
+#[test]
+fn child() -> Outcome {
+    if let Some(path) = std::env::var_os("PENDULUM_SWEEP_TEST_FILE") {
+        rods(600, 1.0).shard(20).run_to(path)?;
+    }
+    Ok(())
+}
+
+#[cfg(unix)]
+#[test]
+fn a_sweep_that_is_killed_goes_on_and_ends_with_the_same_bytes() -> Outcome {
+    let folder = folder("killed");
+    let (whole, killed) = (folder.join("whole.parquet"), folder.join("killed.parquet"));
+    rods(600, 1.0).shard(20).run_to(&whole)?;
+    let (mut kills, mut shards) = (0, 0);
+    for attempt in 0..200 {
+        let mut child = Command::new(std::env::current_exe()?)
+            .args(["--exact", "child"])
+            .env("PENDULUM_SWEEP_TEST_FILE", &killed)
+            .stdout(Stdio::null())
+            .spawn()?;
+        sleep(Duration::from_millis(40 + 37 * (attempt % 7)));
+        if child.try_wait()?.is_none() {
+            child.kill()?;
+            kills += 1;
+        }
+        child.wait()?;
+        if killed.exists() {
+            break;
+        }
+        let complete = || {
+            fs::read_dir(folder.join("killed.parquet.shards"))
+                .into_iter()
+                .flatten()
+                .flatten()
+        };
+        let now = complete()
+            .filter(|entry| entry.path().extension().is_some_and(|end| end == "parquet"))
+            .count();
+        assert!(now >= shards, "shards are kept");
+        shards = now;
+    }
+    assert!(kills > 1, "the test kills: {kills}");
+    assert_eq!(fs::read(&whole)?, fs::read(&killed)?);
+    Ok(())
+}
+
+#[test]
+fn another_sweep_is_not_overwritten() -> Outcome {
+    let path = folder("others").join("sweep.parquet");
+    rods(120, 1.0).run_to(&path)?;
+    let error = rods(120, 2.0).run_to(&path).expect_err("another span");
+    let text = format!(
+        "{} holds another sweep, with another task; remove it, or give this one another name",
+        path.display()
+    );
+    assert_eq!(error.to_string(), text);
+    let error = rods(120, 1.0).version("2").run_to(&path).expect_err("another version");
+    assert!(error.to_string().contains("another version;"), "{error}");
+    let error = rods(121, 1.0).merge(&path).expect_err("another design");
+    assert!(error.to_string().contains("another design;"), "{error}");
+    fs::write(&path, "text")?;
+    assert!(matches!(Table::read(&path), Err(SweepError::File(..))));
+    assert!(matches!(rods(120, 1.0).run_to(&path), Err(SweepError::File(..))));
+    Ok(())
+}
+
+#[test]
+fn what_is_wrong_is_said() {
+    let says = |result: Result<Table, SweepError>, text: &str| {
+        let error = result.expect_err("an error").to_string();
+        assert!(error.contains(text), "{error}");
+    };
+    says(rods(0, 1.0).run(), "the sweep has no points");
+    says(
+        rods(10, 1.0).share(3, 3).run(),
+        "shares are counted from 0, so the last one is 2",
+    );
+    says(
+        rods(10, 1.0).value("start", "rad", |_, _, x| x[0]).run(),
+        "two columns have the name `start`",
+    );
+    let wrong = Sweep::grid("g", [Axis::values("start", "rad", [1.0])]);
+    let wrong = wrong.ends(Rk4::new(-1.0), (0.0, 1.0), |[a]| trial([a, 0.1]));
+    says(wrong.quiet().run(), "step");
+    for (arguments, text) in [
+        (&["--shard", "4/4"][..], "I from 0 to N - 1"),
+        (&["--shard"], "--shard takes a value"),
+        (&["--thread"], "unknown argument --thread\nusage:"),
+    ] {
+        let error = Arguments::parse(arguments.iter().map(|&text| text.to_owned())).expect_err("wrong arguments");
+        assert!(error.to_string().contains(text), "{error}");
+    }
+}
+
+#[test]
+fn trajectories_keep_times_extrema_and_events() -> Outcome {
+    mechanism! {
+        pub Ball { gravity: [0, -10, 0], body ball on ground { mass: 1, joint: prismatic(y), coordinate: y } }
+    }
+    let table = Sweep::list("throws", [("rate", "m/s")], vec![[2.0], [4.0], [f64::NAN]])
+        .trajectories(Vern7::new(), (0.0, 1.0), |[rate]| {
+            Ok((Ball::new(BallParams {})?, [0.0, rate]))
+        })
+        .event("floor", |_| {
+            Event::new(|_, x: &SVector<f64, 2>| x[0] + 1e-9).falling().terminal()
+        })
+        .largest("height", "m", |_, _, x| x[0])
+        .least("lowest", "m", |_, _, x| x[0])
+        .value("energy", "J", |ball, t, x| ball.energy(t, x))
+        .at([0.25, 0.75])
+        .quiet()
+        .run()?;
+    let near = |a: f64, b: f64| assert!((a - b).abs() < 1e-7, "{a} {b}");
+    // thrown up with v: back after v/5, highest v^2/20 after v/10
+    for (row, v) in [(0, 2.0), (1, 4.0)] {
+        near(table["height"][row], v * v / 20.0);
+        near(table["t of height"][row], v / 10.0);
+        near(table["t"][row], v / 5.0);
+        near(table["t of floor"][row], v / 5.0);
+        near(table["energy"][row], v * v / 2.0);
+        near(table["lowest"][row], 0.0);
+        near(table["y at 0.25 s"][row], v * 0.25 - 0.3125);
+    }
+    assert_eq!(table["floor"][0], 1.0);
+    assert!(table["y at 0.75 s"][0].is_nan() && !table["y at 0.75 s"][1].is_nan());
+    assert!(
+        table.failures().contains_key(&2) && table.failures().len() == 1,
+        "{:?}",
+        table.failures()
+    );
+    Ok(())
+}
+
+/// Reads a file with whichever of polars and pandas there is, and prints its shape, the bits of a number, and how many
+/// failed.
+const PYTHON: &str = "
+import struct, sys
+try:
+    import polars
+    table = polars.read_parquet(sys.argv[1])
+    failed = len(table) - table['failure'].null_count()
+except ImportError:
+    import pandas
+    table = pandas.read_parquet(sys.argv[1])
+    failed = table['failure'].notna().sum()
+print(table.shape, table['row'][249], struct.unpack('<Q', struct.pack('<d', table['a'][3]))[0], failed)
+";
+
+#[test]
+fn python_reads_the_file_in_one_line() -> Outcome {
+    let has = |module: &str| {
+        let script = format!("import {module}");
+        let python = Command::new("python3")
+            .args(["-c", &script])
+            .stderr(Stdio::null())
+            .status();
+        python.is_ok_and(|status| status.success())
+    };
+    let can_read = has("polars") || (has("pandas") && has("pyarrow"));
+    if !can_read {
+        eprintln!("skipped: python3 has neither polars nor pandas with pyarrow");
+        return Ok(());
+    }
+    let path = folder("python").join("rods.parquet");
+    rods(250, 1.0).run_to(&path)?;
+    let table = Table::read(&path)?;
+    let output = Command::new("python3").args(["-c", PYTHON]).arg(&path).output()?;
+    let text = String::from_utf8(output.stdout)?;
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let expected = format!("(250, 10) 249 {} {}\n", table["a"][3].to_bits(), table.failures().len());
+    assert_eq!(text, expected);
+    Ok(())
+}
