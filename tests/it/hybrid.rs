@@ -823,7 +823,10 @@ mechanism! {
 #[test]
 fn tangents_are_those_of_neighbours() {
     /// Returns the number of impacts, and the last mode.
-    fn check<S: Jacobian<f64, N>, const N: usize>(model: &S, start: [f64; N], t: f64) -> (usize, Mode) {
+    fn check<S, const N: usize>(model: &S, start: [f64; N], t: f64, allowed: f64) -> (usize, Mode)
+    where
+        S: Jacobian<f64, N>,
+    {
         let method = Vern9::new().rtol(1e-13).atol(1e-13);
         let end = |x| {
             method
@@ -839,7 +842,7 @@ fn tangents_are_those_of_neighbours() {
             let start = SVector::from(start);
             let theirs = (end(start + step) - end(start - step)) / (2.0 * reach);
             let error = (column - theirs).amax() / (1.0 + theirs.amax());
-            assert!(error < 1e-7, "{error:e} in {component} at {t}");
+            assert!(error < allowed, "{error:e} in {component} at {t}");
         }
         let solution = method.solve(model, 0.0, t, start).expect("regular");
         let jumps = |pair: &&[(f64, SVector<f64, N>)]| (pair[1].1 - pair[0].1).amax() > 1e-6 && pair[0].0 == pair[1].0;
@@ -848,33 +851,33 @@ fn tangents_are_those_of_neighbours() {
         (points.windows(2).filter(jumps).count(), last)
     }
     for (t, impacts) in [(0.5, 1), (2.0, 1)] {
-        let seen = check(&dry(), [1.2, 0.4, -3.0, 2.0], t);
+        let seen = check(&dry(), [1.2, 0.4, -3.0, 2.0], t, 1e-7);
         assert_eq!(seen.0, impacts);
     }
     let struck = Struck::new(StruckParams {}).expect("physical");
     for (t, impacts, sticks) in [(0.5, 0, false), (1.0, 1, false), (2.0, 1, true)] {
-        let (seen, last) = check(&struck, [-0.5, 0.3, 0.5, 1.0], t);
+        let (seen, last) = check(&struck, [-0.5, 0.3, 0.5, 1.0], t, 1e-7);
         assert_eq!((seen, last.is_held(0)), (impacts, sticks));
     }
+    // neighbours of what sticks stick soon, and what they lose moves the other joint; differences show it to their reach
+    let (_, mode) = check(&struck, [0.0, -0.3, 0.0, -0.5], 0.2, 1e-5);
+    assert!(mode.is_held(0));
     for t in [0.5, 2.0] {
-        let (_, last) = check(&driven(), [0.3, -0.4, 0.2, 0.1, 2.0, -1.0, 3.0, 1.0], t);
+        let (_, last) = check(&driven(), [0.3, -0.4, 0.2, 0.1, 2.0, -1.0, 3.0, 1.0], t, 1e-7);
         assert_eq!(last.is_held(3), t == 2.0);
     }
 }
 
-/// The states between the points of a solution go on to these, also where steps were cut off.
+/// The states within a step go on to its end, also where it was cut off.
 #[test]
 fn dense_output_ends_where_steps_do() {
     let model = dry();
-    let mut stepper = Rk4::new(0.05)
-        .stepper(&model, 0.0, 10.0, [1.2, 0.4, -3.0, 2.0])
-        .expect("a start");
+    let start = [1.2, 0.4, -3.0, 2.0];
+    let mut stepper = Rk4::new(0.2).stepper(&model, 0.0, 10.0, start).expect("a start");
     while let Some(step) = stepper.step().expect("regular") {
-        let dense = stepper.dense();
-        for (t, x) in [(step.t0, step.x0), (step.t1, step.x1)] {
-            let apart = (dense.at(t) - x).amax();
-            assert!(apart < 1e-12, "{apart:e} at {t}");
-        }
+        let shortly_before = step.t1 - 1e-12;
+        let apart = (stepper.dense().at(shortly_before) - step.x1).amax();
+        assert!(apart < 1e-10, "{apart:e} at {}", step.t1);
     }
 }
 
