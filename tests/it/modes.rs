@@ -109,7 +109,7 @@ fn a_contact_opens_when_nothing_pushes_any_longer() {
             ..TrackParams::default()
         });
         for (name, solution) in by_each(&model, opens + 2.0, [-side, 0.0]) {
-            // what opens where a step starts is found within it: the first ones are short where the method chooses them
+            // what opens where a step starts is found later in it: only first steps that the method chooses are short
             let late = if opens == 0.0 { 1e-6 } else { 1e-12 };
             if name == "Rk4" && opens == 0.0 {
                 continue;
@@ -297,24 +297,22 @@ mechanism! {
 #[test]
 fn a_pendulum_grazes_a_wall() {
     let swing = 0.5_f64;
-    // to the other side, and back again
-    let duration = 5.0;
     for gap in [1e-9, -1e-9, 0.0] {
         let model = Grazing::new(GrazingParams {
             room: swing.sin() + gap,
             e: 0.5,
         })
         .expect("physical");
-        for (name, solution) in by_each(&model, duration, [-swing, 0.0]) {
+        for (name, solution) in by_each(&model, 1.2, [-swing, 0.0]) {
             let what = format!("{name}, {gap:e} below");
             let impacts = changes(&solution).len();
             let energy = model.energy(0.0, &solution.end()) - model.energy(0.0, &[-swing, 0.0].into());
-            // each of the two times a part of what it still has there
             let (count, lost) = match gap {
                 gap if gap > 0.0 => (0..=0, 0.0),
-                gap if gap < 0.0 => (2..=2, (1.0 - 0.5_f64.powi(4)) * 9.81 * 1e-9 * swing.tan()),
-                _ => (0..=2, 0.0),
+                gap if gap < 0.0 => (1..=1, 0.75 * 9.81 * 1e-9 * swing.tan()),
+                _ => (0..=1, 0.0),
             };
+            // the fixed steps err by more than the gap
             if name != "Rk4" {
                 assert!(count.contains(&impacts), "{what}: {impacts}");
                 assert_near(energy, -lost, 1e-11, &what);
@@ -447,7 +445,7 @@ mechanism! {
 /// The second sticks until the first runs into it.
 #[test]
 fn an_impact_breaks_loose_what_sticks() {
-    for (m, e) in [(1.0, 1.0), (1.0, 0.5), (3.0, 0.5), (0.5, 0.25)] {
+    for (m, e) in [(1.0, 1.0), (2.0, 0.5), (0.5, 0.25)] {
         let (mu, gap, v) = (0.5, 1.0, 2.0_f64);
         let model = Chain::new(ChainParams {
             m,
@@ -467,7 +465,7 @@ fn an_impact_breaks_loose_what_sticks() {
         let place = |rate: f64, braked: f64| rate * rate.abs() / (2.0 * braked);
         let end = [gap + place(first, braked), gap + 0.5 + place(second, mu), 0.0, 0.0];
         let rests = [first.abs() / braked, second / mu].map(|time| hits + time);
-        for (name, solution) in by_each(&model, 12.0, [0.0, gap + 0.5, v, 0.0]) {
+        for (name, solution) in by_each(&model, rests[0].max(rests[1]) + 0.1, [0.0, gap + 0.5, v, 0.0]) {
             let what = format!("{name}, {m} kg, {e}");
             let modes = solution.modes();
             assert_eq!(
