@@ -11,10 +11,10 @@ use pendulum_core::prelude::*;
 mechanism! {
     /// A block on a straight track between two stops, under a force that grows.
     pub Track {
-        params { mu: N = 0, at_rest: N = 0, pull: N = 0, growth: N/s = 0, reach: m = 1, e: 1 = 0 }
+        params { mu: N = 0, at_rest: N = 0, pull: N = 0, growth: N/s = 0, low: m = -1, high: m = 1, e: 1 = 0 }
         body block on ground {
             mass: 1, joint: prismatic(x), coordinate: s, torque: pull + growth*t,
-            dry_friction: mu, static_friction: at_rest, stop: [-reach, reach] restitution(e),
+            dry_friction: mu, static_friction: at_rest, stop: [low, high] restitution(e),
         }
     }
 }
@@ -214,22 +214,23 @@ fn a_stop_is_reached_at_rest() {
 
 #[test]
 fn rebounds_end_at_their_stop_to_the_last_bit() {
-    let (reach, pull) = (0.7, 9.0);
+    let (height, pull) = (0.7, 9.0);
+    let fall = (2.0_f64 * height / pull).sqrt();
     for (side, e) in [(1.0, 0.0), (-1.0, 0.0), (1.0, 0.5), (-1.0, 0.5)] {
+        let [low, high] = if side > 0.0 { [-1.0, 0.0] } else { [0.0, 1.0] };
         let model = track(TrackParams {
             pull: side * pull,
-            reach,
+            low,
+            high,
             e,
             ..TrackParams::default()
         });
-        let fall = (2.0_f64 * reach / pull).sqrt();
-        for (name, solution) in by_each(&model, 2.0, [0.0, 0.0]) {
-            assert_eq!(solution.end(), SVector::from([side * reach, 0.0]), "{name}");
+        for (name, solution) in by_each(&model, 2.0, [-side * height, 0.0]) {
+            assert_eq!(solution.end(), SVector::from([0.0; 2]), "{name}");
             let (rests, _) = *solution.modes().last().expect("a mode");
-            // of the least rebounds, of 1e-13 m, the last bit of the place is a thousandth
-            assert_near(rests, fall * (1.0 + 2.0 * e / (1.0 - e)), 1e-9, name);
-            let beyond = solution.x().iter().map(|x| x[0].abs() - reach).fold(0.0, f64::max);
-            assert!(beyond < 1e-15, "{name}: {beyond:e}");
+            assert_near(rests, fall * (1.0 + 2.0 * e / (1.0 - e)), 1e-12, name);
+            let beyond = solution.x().iter().map(|x| side * x[0]).fold(0.0, f64::max);
+            assert!(beyond < 1e-14, "{name}: {beyond:e}");
         }
     }
 }
