@@ -41,6 +41,19 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// Two rods with dry axles, of which the lower one rebounds from stops: see `DRY_START`.
+    pub Dry {
+        params { mu: N m = 1.5 }
+        gravity: [0, -9.81, 0],
+        shape rod { solids: [rod(1, [0, 0, 0], [0, -1, 0])] }
+        body upper on ground: rod { joint: revolute(z), coordinate: a, dry_friction: mu, static_friction: 2*mu }
+        body lower on upper: rod {
+            joint: revolute(z) at [0, -1, 0], coordinate: b, dry_friction: 0.1, stop: [-1.5, 0.6] restitution(0.5),
+        }
+    }
+}
+
 /// A digest of numbers, of all their bits (FNV-1a).
 struct Digest(u64);
 
@@ -160,6 +173,8 @@ fn all<T: Float, const R: usize, const C: usize>(matrix: SMatrix<T, R, C>) -> im
 }
 
 const START: [f64; 4] = [2.0, 2.5, 0.0, 0.0];
+/// The upper axle sticks, breaks loose, and sticks again after the lower rod has hit its stop.
+const DRY_START: [f64; 4] = [0.1, 0.3, 0.0, 3.0];
 
 fn pendulum() -> DoublePendulum {
     DoublePendulum::new(DoublePendulumParams::default()).expect("physical")
@@ -254,6 +269,12 @@ fn methods(table: &mut Table) {
     let start = [0.3, 0.5, 1.0, 0.7];
     rows!(ensemble, f64, "Functions", model, start; Rk4::new(0.02));
     rows!(end, f64, "Functions", model, start; Rk45::new(), Radau5::new());
+    let model = &Dry::new(DryParams::default()).expect("physical");
+    let motion = Vern9::new().solve(model, 0.0, 1.0, DRY_START).expect("regular");
+    let sticks = motion.modes().iter().filter(|(_, mode)| mode.is_held(0)).count();
+    assert!(sticks == 2 && motion.x().iter().any(|x| x[1] == 0.6));
+    rows!(ensemble, f64, "Dry", model, DRY_START; Tsit5::new());
+    rows!(end, f64, "Dry", model, DRY_START; Vern9::new(), Rodas5P::new(), Rk4::new(0.02));
     let model = &Ur5::new(Ur5Params {}).expect("physical");
     let start = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0];
     rows!(end, f64, "Ur5", model, start; Rk4::new(0.02));

@@ -4,7 +4,7 @@ use std::array::from_fn;
 
 use nalgebra::SVector;
 use pendulum_core::Slot;
-use pendulum_core::hybrid::{Hybrid, HybridJacobian, MOST, Status};
+use pendulum_core::hybrid::{Hold, Hybrid, HybridJacobian, MOST, Mode, Status};
 use pendulum_core::prelude::*;
 use pendulum_core::real::Real;
 use testbed::dual::Dual;
@@ -700,6 +700,10 @@ fn a_pendulum_rests_in_an_interval() {
     assert_eq!(resting.x, SVector::from([0.1, 0.0]));
     assert_eq!(resting.mode.0[0], Status::Stuck);
     assert_near(resting.margin, 1.0 - 9.81 * 0.1_f64.sin() / 2.0, "margin");
+    // wherever it is on its way, and on either side
+    let moving = pendulum_core::stability::resting(&model, [-0.1, 0.5]).expect("it rests");
+    assert_eq!(moving.x, SVector::from([-0.1, 0.0]));
+    assert_eq!(moving.margin, resting.margin);
     let [low, high] = resting.interval(&model, 0, 1.0).expect("regular");
     assert_near(low, -most, "lower end");
     assert_near(high, most, "upper end");
@@ -749,4 +753,143 @@ fn a_rocking_block_comes_to_rest() {
             "{end}"
         );
     }
+}
+
+/// What is held moves nothing else than its forces do: derivatives in each mode against dual numbers.
+#[test]
+fn derivatives_hold_in_every_mode() {
+    fn check<S, D, const N: usize>(model: &S, dual: &D, count: usize)
+    where
+        S: HybridJacobian<f64, N>,
+        D: Hybrid<Dual, N>,
+    {
+        for (n, (t, x, mut forces)) in places::<N>(count).enumerate() {
+            let held = n as u8 & ((1 << count) - 1);
+            (0..count).filter(|n| held & 1 << n != 0).for_each(|n| forces[n] = 0.0);
+            let hold = Hold {
+                forces,
+                held,
+                solved: held,
+            };
+            let lifted = Hold {
+                forces: forces.map(Dual::from_f64),
+                held,
+                solved: held,
+            };
+            let along = |t: Dual, direction: &SVector<f64, N>| {
+                pendulum_core::hybrid::rhs(dual, &lifted, t, &along(&x, direction)).map(|rate| rate.slope)
+            };
+            let near = |ours: SVector<f64, N>, theirs: SVector<f64, N>, what: &str| {
+                let error = (ours - theirs).amax() / (1.0 + theirs.amax());
+                assert!(error < 1e-9, "{what} with {held:b} held: {error:e}");
+            };
+            let (rates, jacobian) = pendulum_core::hybrid::rhs_and_jacobian(model, &hold, t, &x);
+            near(
+                rates,
+                pendulum_core::hybrid::rhs(model, &hold, t, &x),
+                "right-hand side",
+            );
+            for component in 0..N {
+                let direction = SVector::from_fn(|n, _| f64::from(u8::from(n == component)));
+                near(
+                    jacobian.column(component).into(),
+                    along(Dual::from_f64(t), &direction),
+                    "Jacobian",
+                );
+            }
+            let by_time = pendulum_core::hybrid::time_derivative(model, &hold, t, &x);
+            near(by_time, along(Dual::new(t, 1.0), &SVector::zeros()), "time");
+        }
+    }
+    check::<_, _, 4>(&dry(), &dry().cast::<Dual>(), 3);
+    check::<_, _, 8>(&driven(), &driven().cast::<Dual>(), 4);
+}
+
+mechanism! {
+    /// Two rods, the upper one shaken in a dry axle, beside a wall that moves to and fro.
+    pub Struck {
+        gravity: [0, -9.81, 0],
+        shape arm { solids: [rod(1, [0, 0, 0], [0, -1, 0])] }
+        point tip on lower at [0, -1, 0],
+        wall side { gap: 0.3 - tip.x + 0.2 m*sin(5 rad/s*t), restitution: 0.7 }
+        body upper on ground: arm {
+            joint: revolute(z), coordinate: a, torque: 2 N m*sin(3 rad/s*t), dry_friction: 4,
+        }
+        body lower on upper: arm { joint: revolute(z) at [0, -1, 0], coordinate: b, dry_friction: 0.1 }
+    }
+}
+
+/// Through impacts, also on a wall that moves, and through what sticks and slips.
+#[test]
+fn tangents_are_those_of_neighbours() {
+    /// Returns the number of impacts, and the last mode.
+    fn check<S, const N: usize>(model: &S, start: [f64; N], t: f64, allowed: f64) -> (usize, Mode)
+    where
+        S: Jacobian<f64, N>,
+    {
+        let method = Vern9::new().rtol(1e-13).atol(1e-13);
+        let end = |x| {
+            method
+                .stepper(model, 0.0, t, x)
+                .and_then(|mut stepper| stepper.run())
+                .expect("regular")
+        };
+        let (_, matrix) = pendulum_core::stability::transition(model, 0.0, t, start, 1e-12).expect("regular");
+        let reach = 1e-5;
+        for (component, column) in matrix.column_iter().enumerate() {
+            let mut step = SVector::zeros();
+            step[component] = reach;
+            let start = SVector::from(start);
+            let theirs = (end(start + step) - end(start - step)) / (2.0 * reach);
+            let error = (column - theirs).amax() / (1.0 + theirs.amax());
+            assert!(error < allowed, "{error:e} in {component} at {t}");
+        }
+        let solution = method.solve(model, 0.0, t, start).expect("regular");
+        let jumps = |pair: &&[(f64, SVector<f64, N>)]| (pair[1].1 - pair[0].1).amax() > 1e-6 && pair[0].0 == pair[1].0;
+        let points: Vec<_> = solution.points().map(|(t, x)| (t, *x)).collect();
+        let (_, last) = *solution.modes().last().expect("a mode");
+        (points.windows(2).filter(jumps).count(), last)
+    }
+    let (impacts, _) = check(&dry(), [1.2, 0.4, -3.0, 2.0], 0.5, 1e-7);
+    assert_eq!(impacts, 1);
+    let struck = Struck::new(StruckParams {}).expect("physical");
+    let (impacts, last) = check(&struck, [-0.5, 0.3, 0.5, 1.0], 1.5, 1e-7);
+    assert!(impacts == 1 && last.is_held(0));
+    // neighbours of what sticks stick soon, and what they lose moves the other joint; differences show it to their reach
+    let (_, last) = check(&struck, [0.0, -0.3, 0.0, -0.5], 0.2, 1e-5);
+    assert!(last.is_held(0));
+}
+
+/// The states within a step go on to its end, also where it was cut off.
+#[test]
+fn dense_output_ends_where_steps_do() {
+    let model = dry();
+    let start = [1.2, 0.4, -3.0, 2.0];
+    let mut stepper = Rk4::new(0.2).stepper(&model, 0.0, 10.0, start).expect("a start");
+    while let Some(step) = stepper.step().expect("regular") {
+        let shortly_before = step.t1 - 1e-12;
+        let apart = (stepper.dense().at(shortly_before) - step.x1).amax();
+        assert!(apart < 1e-10, "{apart:e} at {}", step.t1);
+    }
+}
+
+/// Wherever steps run out, they do at the same place as alone.
+#[test]
+fn steps_in_lanes_are_counted_as_alone() {
+    let (models, starts) = rods();
+    let steps = |n: usize| {
+        let statistics = Tsit5::new()
+            .solve(&models[n], 0.0, 8.0, starts[n])
+            .expect("regular")
+            .statistics();
+        statistics.accepted + statistics.rejected
+    };
+    let count = steps(0);
+    let ends = |most: usize| {
+        Tsit5::new()
+            .max_steps(most)
+            .ensemble(&models[..1], 0.0, 8.0, &starts[..1])
+    };
+    assert!(ends(count).is_ok());
+    assert!(ends(count - 1).is_err());
 }

@@ -17,6 +17,7 @@ mod hybrid;
 mod lanes;
 mod mechanisms;
 mod methods;
+mod modes;
 mod parameters;
 mod points;
 mod random_mechanisms;

@@ -199,7 +199,14 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
                 let two = T::from_f64(2.0);
                 let is_low =
                     fall > T::default() && rate * rate <= two * fall * T::from_f64(LEAST_REBOUND) * reach[n].max(size);
-                is_low.then(|| (n, two * rate / (fall * (T::from_f64(1.0) - law.restitution))))
+                // elastic rebounds would go on for ever: these end at once
+                let lost = T::from_f64(1.0) - law.restitution;
+                let rest = if lost > T::default() {
+                    two * rate / (fall * lost)
+                } else {
+                    lost
+                };
+                is_low.then_some((n, rest))
             });
             let Some((n, rest)) = low else {
                 return Settled {

@@ -1,6 +1,7 @@
 //! Hybrid systems written by hand, against analytic solutions.
 
 use nalgebra::{SMatrix, SVector};
+use pendulum_core::Reason;
 use pendulum_core::hybrid::{
     Constraint, Hybrid, HybridJacobian, Law, MOST, MeasureDerivatives, Response, ResponseDerivative, Status,
 };
@@ -533,4 +534,216 @@ fn carts_from_anywhere_lose_energy_and_come_to_rest() {
             solution.modes().last()
         );
     }
+}
+
+/// The same carts, whose coordinates run the other way.
+struct Mirrored(Carts);
+
+impl System<f64, 4> for Mirrored {
+    fn rhs(&self, t: f64, x: &SVector<f64, 4>) -> SVector<f64, 4> {
+        self.rhs_under(t, x, &[0.0; MOST])
+    }
+
+    fn rhs_under(&self, t: f64, x: &SVector<f64, 4>, forces: &[f64; MOST]) -> SVector<f64, 4> {
+        -self.0.rhs_under(t, &-x, forces)
+    }
+
+    fn hybrid(&self) -> Option<&dyn Hybrid<f64, 4>> {
+        Some(self)
+    }
+}
+
+impl Hybrid<f64, 4> for Mirrored {
+    fn constraints(&self) -> &'static [Constraint] {
+        const {
+            &[
+                Constraint {
+                    name: "first",
+                    rate: &[(2, -1)],
+                },
+                Constraint {
+                    name: "second",
+                    rate: &[(3, -1)],
+                },
+                Constraint {
+                    name: "buffer",
+                    rate: &[(2, 1), (3, -1)],
+                },
+            ]
+        }
+    }
+
+    fn laws(&self) -> [Law<f64>; MOST] {
+        self.0.laws()
+    }
+
+    fn measures(&self, t: f64, x: &SVector<f64, 4>) -> [[f64; 2]; MOST] {
+        self.0.measures(t, &-x)
+    }
+
+    fn response(&self, t: f64, x: &SVector<f64, 4>, forces: &[f64; MOST]) -> Response<f64, 4> {
+        let response = self.0.response(t, &-x, forces);
+        Response {
+            rates: -response.rates,
+            columns: response.columns.map(|column| -column),
+            ..response
+        }
+    }
+}
+
+#[test]
+fn the_signs_of_coordinates_make_no_difference() {
+    for restitution in [0.0, 0.8] {
+        let carts = || Carts {
+            masses: [1.0, 2.5],
+            stiffness: [20.0, 1.0],
+            friction: [0.2, 0.1],
+            restitution,
+        };
+        let method = Vern7::new().rtol(1e-10).atol(1e-10).max_steps(3000);
+        let start = SVector::from([-2.0, -1.4, 0.5, -0.5]);
+        let solution = method.solve(&carts(), 0.0, 30.0, start).expect("regular");
+        let mirrored = method.solve(&Mirrored(carts()), 0.0, 30.0, -start).expect("regular");
+        let touch = solution.modes().iter().any(|(_, mode)| mode.is_held(2));
+        assert_eq!(touch, restitution == 0.0);
+        assert_eq!(mirrored.modes(), solution.modes());
+        assert_eq!(mirrored.end(), -solution.end());
+    }
+}
+
+/// A ball as it cannot be: forces do not move it by `moves`, or its height is another `value`.
+struct Wrong {
+    ball: Ball,
+    moves: f64,
+    value: fn(f64) -> f64,
+}
+
+impl System<f64, 2> for Wrong {
+    fn rhs(&self, t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
+        self.ball.rhs(t, x)
+    }
+
+    fn rhs_under(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
+        self.ball.rhs_under(t, x, forces)
+    }
+
+    fn hybrid(&self) -> Option<&dyn Hybrid<f64, 2>> {
+        Some(self)
+    }
+}
+
+impl Hybrid<f64, 2> for Wrong {
+    fn constraints(&self) -> &'static [Constraint] {
+        // not of a coordinate
+        const {
+            &[Constraint {
+                name: "floor",
+                rate: &[],
+            }]
+        }
+    }
+
+    fn laws(&self) -> [Law<f64>; MOST] {
+        self.ball.laws()
+    }
+
+    fn measures(&self, t: f64, x: &SVector<f64, 2>) -> [[f64; 2]; MOST] {
+        let mut measures = self.ball.measures(t, x);
+        measures[0][0] = (self.value)(measures[0][0]);
+        measures
+    }
+
+    fn response(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> Response<f64, 2> {
+        let mut response = self.ball.response(t, x, forces);
+        response.columns[0] *= self.moves;
+        response
+    }
+}
+
+#[test]
+fn failures_name_what_failed() {
+    let ball = || Ball {
+        restitution: 0.8,
+        slow: 0.0,
+    };
+    let method = Tsit5::new();
+    let failure = method.stepper(&ball(), 0.0, 1.0, [-1e-9, 0.0]).err();
+    let expected = Reason::BeyondLimit {
+        constraint: "floor",
+        value: -1e-9,
+        limit: 0.0,
+    };
+    assert_eq!(failure, Some(expected));
+    let backward = method.stepper(&ball(), 1.0, 0.0, [1.0, 0.0]).err();
+    assert!(
+        matches!(backward, Some(Reason::InvalidInput { what: "t1", .. })),
+        "{backward:?}"
+    );
+    // an impact that changes nothing happens again at once
+    let unmoved = Wrong {
+        ball: ball(),
+        moves: 0.0,
+        value: |height| height,
+    };
+    let failure = method
+        .stepper(&unmoved, 1e6, 1e6 + 1.0, [1.0, 0.0])
+        .and_then(|mut stepper| stepper.run());
+    assert_eq!(failure, Err(Reason::ModesAccumulate { constraint: "floor" }));
+    let torn = Wrong {
+        ball: ball(),
+        moves: 1.0,
+        value: |height| (height - 0.5).sqrt(),
+    };
+    let failure = method
+        .stepper(&torn, 0.0, 1.0, [1.0, 0.0])
+        .and_then(|mut stepper| stepper.run());
+    assert!(
+        matches!(
+            failure,
+            Err(Reason::ConstraintNotFinite {
+                constraint: "floor",
+                ..
+            })
+        ),
+        "{failure:?}"
+    );
+}
+
+#[test]
+fn a_restart_that_fails_changes_nothing() {
+    let belt = Belt {
+        mass: 2.0,
+        stiffness: 50.0,
+        slipping: 10.0,
+        sticking: 16.0,
+    };
+    let method = Tsit5::new();
+    let mut stepper = method.stepper(&belt, 0.0, 1.0, [0.0, 0.0]).expect("a start");
+    stepper.step().expect("regular");
+    let before = (stepper.t(), stepper.x(), stepper.mode());
+    assert!(stepper.restart(before.0, [1e308, 1.0].into()).is_err());
+    assert_eq!((stepper.t(), stepper.x(), stepper.mode()), before);
+    let undisturbed = method.solve(&belt, 0.0, 1.0, [0.0, 0.0]).expect("regular");
+    let end = stepper.run().expect("regular");
+    assert!((end - undisturbed.end()).amax() < 1e-6, "{end} {}", undisturbed.end());
+}
+
+/// What counts as too low to be followed is relative to how high the ball was since it last lay on the floor.
+#[test]
+fn a_small_hop_rebounds_as_often_as_a_large_one() {
+    let ball = Ball {
+        restitution: 0.8,
+        slow: 0.0,
+    };
+    let hop = Event::new(|t, _: &SVector<f64, 2>| t - 5.0).reset(|_, _| [0.0, 1e-4].into());
+    let method = Vern9::new().rtol(1e-13).atol(1e-13);
+    let solution = method.solve_with(&ball, 0.0, 6.0, [1.0, 0.0], &[hop]).expect("regular");
+    let modes = solution.modes();
+    let large = modes.iter().filter(|(t, _)| *t < 5.0).count();
+    let small = modes.iter().filter(|(t, _)| *t >= 5.0).count();
+    assert!(large.abs_diff(small) <= 1, "{large} and {small}");
+    let (rests, mode) = modes[modes.len() - 1];
+    assert!(mode.is_held(0));
+    let expected = 5.0 + 2e-4 / GRAVITY / (1.0 - 0.8);
+    assert!((rests - expected).abs() < 1e-12, "{rests} for {expected}");
 }
