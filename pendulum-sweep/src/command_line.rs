@@ -71,6 +71,9 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
     /// Runs the job as its program was called, into a file where `--out` names no other, and prints what was done: see
     /// [`Arguments`].
     ///
+    /// With the feature `mpi`, processes that `mpirun` has started share the shards, each as it is ready for the next
+    /// one. Where one fails all of them end.
+    ///
     /// # Errors
     /// [`SweepError::Invalid`] where the arguments are wrong, and those of [`obey`](Self::obey).
     pub fn main(self, path: impl AsRef<Path>) -> Result<(), SweepError> {
@@ -96,6 +99,14 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         }
         if arguments.quiet {
             self = self.quiet();
+        }
+        #[cfg(feature = "mpi")]
+        if let Some(ranks) = crate::ranks::Ranks::of_program() {
+            let summary = self.run_on(&ranks, &path).unwrap_or_else(|error| ranks.abort(&error));
+            if ranks.is_first() {
+                println!("{}: {summary}", path.display());
+            }
+            return Ok(());
         }
         println!("{}: {}", path.display(), self.run_to(&path)?);
         Ok(())

@@ -226,6 +226,49 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         Ok(summary)
     }
 
+    /// Computes all rows into a file, together with the other processes of `mpirun`.
+    #[cfg(feature = "mpi")]
+    pub(crate) fn run_on(&self, ranks: &crate::ranks::Ranks, path: &Path) -> Result<Summary, SweepError> {
+        let since = Instant::now();
+        self.check()?;
+        let shards = self.shards(path)?;
+        let is_merged = shards.is_merged()?;
+        if !is_merged && ranks.is_first() {
+            shards.open()?;
+        }
+        ranks.meet();
+        let (mut computed, mut failed) = (0, 0);
+        if !is_merged {
+            shards.open()?;
+            let missing: Vec<usize> = (0..shards.count).filter(|&n| !shards.has(n)).collect();
+            let rows = missing.iter().map(|&n| shards.rows(n).len()).sum();
+            let progress = if ranks.is_first() {
+                self.progress(rows)
+            } else {
+                ProgressBar::hidden()
+            };
+            ranks.share(missing, &progress, |n| {
+                let table = self.in_threads(|| self.rows(shards.rows(n), &ProgressBar::hidden()))?;
+                shards.write(n, &table)?;
+                (computed, failed) = (computed + table.rows(), failed + table.failures.len());
+                Ok(table.rows())
+            })?;
+            (computed, failed) = (ranks.sum(computed), ranks.sum(failed));
+            if ranks.is_first() {
+                shards.merge()?;
+            }
+            ranks.meet();
+        }
+        let rows = self.sweep.points();
+        Ok(Summary {
+            rows,
+            computed,
+            failed,
+            time: since.elapsed(),
+            complete: true,
+        })
+    }
+
     /// Puts the file together from the shards of all shares.
     ///
     /// # Errors
