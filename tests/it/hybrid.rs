@@ -855,7 +855,8 @@ fn tangents_are_those_of_neighbours() {
     let struck = Struck::new(StruckParams {}).expect("physical");
     let (impacts, last) = check(&struck, [-0.5, 0.3, 0.5, 1.0], 1.5, 1e-7);
     assert!(impacts == 1 && last.is_held(0));
-    // neighbours of what sticks stick soon, and what they lose moves the other joint; differences show it to their reach
+    // neighbours of what sticks stick soon, and what they lose moves the other joint; differences show that to their
+    // reach
     let (_, last) = check(&struck, [0.0, -0.3, 0.0, -0.5], 0.2, 1e-5);
     assert!(last.is_held(0));
 }

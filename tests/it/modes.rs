@@ -167,7 +167,9 @@ mechanism! {
     /// A block that a force moves to and fro.
     pub Shaken {
         params { mu: N = 0.9, most: N = 1 }
-        body block on ground { mass: 1, joint: prismatic(x), coordinate: s, torque: most*sin(1 rad/s*t), dry_friction: mu }
+        body block on ground {
+            mass: 1, joint: prismatic(x), coordinate: s, torque: most*sin(1 rad/s*t), dry_friction: mu,
+        }
     }
 }
 

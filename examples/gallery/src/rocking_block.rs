@@ -91,8 +91,8 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
 /// When a block that starts from a tilt has come to rest.
 ///
 /// By its energy it falls from the tilt `p` in the integral of `dphi / w`, where
-/// `w^2 (I + m y'^2) = 2 m g (y(p) - y(phi))` with the height `y = b sin(phi) + h cos(phi)`; every rise takes as long as
-/// the next fall. What is slow turns in times that shrink as the rates do: a geometric series.
+/// `w^2 (I + m y'^2) = 2 m g (y(p) - y(phi))` with the height `y = b sin(phi) + h cos(phi)`; every rise takes as
+/// long as the next fall. What is slow turns in times that shrink as the rates do: a geometric series.
 fn stands_from(b: f64, h: f64, tilt: f64) -> f64 {
     const PARTS: u32 = 1000;
     let inertia = (b * b + h * h) / 3.0;
