@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::complementarity::Factored;
-use super::held::{add, forces, pin, rhs};
+use super::held::{forces, pin, rhs};
 use super::mode::{Hold, Mode, bits};
 use super::watch::{FORWARD, Fired};
 use super::{HybridJacobian, MOST, Passage};
@@ -40,22 +40,41 @@ pub(crate) fn saltation<T: Float, const N: usize>(
     SMatrix::from_fn(|i, j| by_state[(i, j)] + apart[i] * gradient[j] / speed)
 }
 
-/// Takes off a tangent what would move rates that are held: neighbours that have it lose it at once.
+/// Takes off a tangent what would move what is held: neighbours that have it lose it at once. Held are rates, and the
+/// place where a limit pushes back harder than friction could: a neighbour at a small distance `d` from it goes there
+/// within a time of the order of the root of `d`. What friction holds stays wherever it is.
 pub(crate) fn hold_tangent<T: Float, const N: usize>(
     system: &dyn HybridJacobian<T, N>,
     hold: &Hold<T>,
     (t, x): (T, &SVector<T, N>),
     tangent: &mut SVector<T, N>,
 ) {
+    let (laws, forces) = (system.laws(), forces(system, hold, t, x));
+    let at_rest = T::from_f64(1.0 + AT_REST);
+    let is_pressed = |n: usize| {
+        let has_limit = laws[n].low.is_some() || laws[n].high.is_some();
+        has_limit && forces[n].abs() > at_rest * laws[n].sticking
+    };
     let measures = system.measure_derivatives(t, x);
     let response = system.response(t, x, &hold.forces);
-    let moving = measures
-        .by_state
-        .map(|[_, rate]| (0..N).fold(T::default(), |sum, n| sum + rate[n] * tangent[n]));
-    let changes = Factored::of(&response.matrix, hold.solved).solve_negated(&moving);
-    add(tangent, &response, hold.solved, &changes);
+    let factored = Factored::of(&response.matrix, hold.solved);
+    // positions first: rates depend on them
+    for (which, before) in [(0, N / 2), (1, 0)] {
+        let along = |n: usize| (0..N).fold(T::default(), |sum, i| sum + measures.by_state[n][which][i] * tangent[i]);
+        let is_held = |n: usize| which == 1 || is_pressed(n);
+        let moving = core::array::from_fn(|n| if is_held(n) { along(n) } else { T::default() });
+        let changes = factored.solve_negated(&moving);
+        for n in bits(hold.solved) {
+            for component in N / 2..N {
+                tangent[component - before] += response.columns[n][component] * changes[n];
+            }
+        }
+    }
     pin(system, hold.held, tangent);
 }
+
+/// Friction at rest holds this part more than its largest force, for rounding errors.
+const AT_REST: f64 = 1e-10;
 
 /// The derivatives of the state after a jump with respect to that before, and to the time.
 fn jump<T: Float, const N: usize>(
