@@ -87,6 +87,8 @@ use nalgebra::{SMatrix, SVector};
 use crate::real::Real;
 use crate::system::System;
 
+#[cfg(feature = "std")]
+pub(crate) use complementarity::independent;
 pub(crate) use held::called;
 #[cfg(feature = "std")]
 pub(crate) use held::forces;
@@ -94,7 +96,7 @@ pub use held::{jacobian, rhs, rhs_and_jacobian, time_derivative};
 pub use in_mode::{InMode, Passage};
 pub use mode::{Hold, Mode, Status};
 #[cfg(feature = "std")]
-pub(crate) use saltation::{hold_tangent, saltation};
+pub(crate) use saltation::{hold_tangents, saltation};
 #[cfg(feature = "std")]
 pub(crate) use switch::rate;
 pub(crate) use switch::{Settled, project, start, switch};

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use crate::control::{Estimates, Tolerance};
 use crate::dense::Step;
 use crate::error::Reason;
-use crate::hybrid::{InMode, Passage, hold_tangent, saltation};
+use crate::hybrid::{InMode, Passage, hold_tangents, saltation};
 use crate::linear::{image, square};
 use crate::method::explicit::{Explicit, ExplicitStages};
 use crate::method::input::require;
@@ -113,9 +113,7 @@ where
         if let Some(hybrid) = system.hybrid_jacobian()
             && hold.held != 0
         {
-            for tangent in &mut self.tangents {
-                hold_tangent(hybrid, hold, at, tangent);
-            }
+            hold_tangents(hybrid, hold, at, &mut self.tangents);
         }
     }
 }

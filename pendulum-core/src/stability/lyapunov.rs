@@ -134,7 +134,9 @@ impl Lyapunov {
         const { assert!(1 <= K && K <= N, "there are from one to N exponents") };
         self.check()?;
         let end = self.transient + self.duration;
-        let mut stepper = flow::<K>(self.tolerance).stepper(system, 0.0, end, x0)?;
+        // where all stands still a step might pass over the whole duration
+        let flow = flow::<K>(self.tolerance).h_max(self.duration / PARTS as f64);
+        let mut stepper = flow.stepper(system, 0.0, end, x0)?;
         stepper.scheme_mut().tangents = oblique();
         // what is held from the start holds these as well
         let (t, x) = (stepper.t(), stepper.x());
