@@ -96,8 +96,8 @@ impl<const N: usize> Resting<N> {
     /// The interval of a coordinate over which the system rests, all other coordinates as they are.
     ///
     /// It is looked for up to a distance of `reach` to both sides, in the unit of the coordinate, m or rad: an end is
-    /// infinite where the system still rests as far away as that. Gaps shorter than `reach / 256` may not be seen. Where
-    /// it rests only here, as a joint without friction does, both ends are this place, but for rounding errors.
+    /// infinite where the system still rests as far away as that. Gaps shorter than `reach / 256` may not be seen.
+    /// Where it rests only here, as a joint without friction does, both ends are this place, but for rounding errors.
     ///
     /// # Errors
     /// [`StabilityError::Integration`] if `coordinate` is not that of a coordinate in the state, such as of a rate, or
