@@ -96,11 +96,13 @@ impl<T: Float, const N: usize> Solution<T, N> {
         &self.events
     }
 
-    /// The modes of a [hybrid](crate::hybrid) system, each with the time from which on it holds; none for other
-    /// systems.
+    /// The modes of a [hybrid](crate::hybrid) system, each with the time at which it begins; empty for other systems.
     ///
-    /// Where rebounds end that were too low to be followed, the time is that of the last one; the states before it are
-    /// those of the contact.
+    /// An impact begins a mode, even one with the same constraints held as before: in [`t`](Self::t) its time then
+    /// stands twice, with the states before and after.
+    ///
+    /// Rebounds too low to follow are replaced by lasting contact from the first of them on. The mode of this contact has
+    /// the time at which the last rebound would have ended, a little later.
     #[must_use]
     pub fn modes(&self) -> &[(T, Mode)] {
         &self.modes

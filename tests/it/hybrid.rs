@@ -560,6 +560,28 @@ fn a_ball_goes_to_and_fro_between_walls() {
     assert_eq!(solution.modes().len(), 21);
 }
 
+/// Impacts at the same time are one, with one restitution.
+#[test]
+fn an_elastic_ball_shares_its_rate_with_two_that_touch() {
+    mechanism! {
+        pub Cradle {
+            wall first { gap: b - a, restitution: 1 }
+            wall second { gap: c - b, restitution: 1 }
+            body ball_a on ground { mass: 1, joint: prismatic(x), coordinate: a }
+            body ball_b on ground { mass: 1, joint: prismatic(x), coordinate: b }
+            body ball_c on ground { mass: 1, joint: prismatic(x), coordinate: c }
+        }
+    }
+    let cradle = Cradle::new(CradleParams {}).expect("physical");
+    for (gap, rates) in [(0.0, [-1.0, 2.0, 2.0].map(|rate| rate / 3.0)), (0.01, [0.0, 0.0, 1.0])] {
+        let solution = Vern7::new().solve(&cradle, 0.0, 1.0, [-0.5, 0.0, gap, 1.0, 0.0, 0.0]);
+        let end = solution.expect("a motion").end();
+        for (n, rate) in rates.into_iter().enumerate() {
+            assert_near(end[3 + n], rate, "rate");
+        }
+    }
+}
+
 /// Two joints stick and slip, and a stop and a wall are hit: all methods agree, and energy never grows.
 #[test]
 fn methods_agree_on_a_dry_double_pendulum() {

@@ -14,6 +14,7 @@ mod gauss;
 mod golden;
 mod growth;
 mod hybrid;
+mod hybrid_stability;
 mod lanes;
 mod mechanisms;
 mod methods;

@@ -14,7 +14,7 @@ use crate::error::Reported;
 use crate::expr::{Expr, Level, Printer, SymbolKind};
 use crate::model::{Action, BodyId, Combination, Constraint, Law, Model, Requirement, Rule};
 
-/// How many conditions a scene may have: the core keeps a bit for each.
+/// How many joints and walls of a scene may hinder its motion: the core keeps a bit for each.
 const MOST: usize = 8;
 
 /// A wall, before the coordinates of points are known.
@@ -26,19 +26,20 @@ pub(super) struct Wall<'g> {
 }
 
 impl<'g> Lower<'g> {
-    /// Refuses more conditions than the core takes: each dry friction, stop and wall is one.
+    /// Refuses more joints and walls that hinder the motion than the core takes.
     pub(super) fn check_conditions(&mut self, items: &ast::Items) {
-        let of_joints = items.bodies.iter().flat_map(|body| {
-            let friction = body.fields.dry_friction.as_ref().map(|friction| &friction.tokens);
-            friction
-                .into_iter()
-                .chain(body.fields.stop.as_ref().map(|stop| &stop.tokens))
+        let of_joints = items.bodies.iter().filter_map(|body| {
+            let stop = body.fields.stop.as_ref().map(|stop| &stop.tokens);
+            body.fields.dry_friction.as_ref().map(|e| &e.tokens).or(stop)
         });
         let walls = items.walls.iter().map(|wall| wall.name.to_token_stream());
-        if let Some(ninth) = of_joints.cloned().chain(walls).nth(MOST) {
-            let fact = format_args!("a scene has at most {MOST} conditions: this is one more");
-            let help = "each dry friction, stop and wall is one: leave some out, or write smooth laws";
-            self.errors.on(ninth, fact, help);
+        let hindering: Vec<_> = of_joints.cloned().chain(walls).collect();
+        if let Some(ninth) = hindering.get(MOST) {
+            let fact = format_args!(
+                "{} joints with dry friction or a stop and walls hinder the motion: at most {MOST} in all are possible",
+                hindering.len()
+            );
+            self.errors.on(ninth, fact, "leave some out, or write smooth laws");
         }
     }
 
@@ -73,8 +74,8 @@ impl<'g> Lower<'g> {
             let Some(at_rest) = &fields.static_friction else {
                 return Ok(());
             };
-            let fact = format_args!("`{name}` has no dry friction that could be higher at rest");
-            let help = "write `dry_friction: e` for both, or beside `static_friction: e` for what slips";
+            let fact = format_args!("`{name}` has `static_friction`, but no `dry_friction`");
+            let help = "add `dry_friction: e`, the friction while it slips, or rename it to that if both are the same";
             return Err(self.errors.on(at_rest, fact, help));
         };
         let slipping = self.positive(kinetic, &place("dry friction"), Requirement::NonNegative);
@@ -205,7 +206,11 @@ impl<'g> Lower<'g> {
         let quantity = self.quantity(gap, &place)?;
         let is_angle = quantity.measure.alike(Measure::ONE).is_some() && !matches!(gap.kind, ExprKind::Number(_));
         let unit = if is_angle { "rad" } else { "m" };
-        self.fits(gap, quantity, &place.clone().in_unit(unit));
+        let needed = Place {
+            what: format!("a gap is a length or an angle: {}", place.what),
+            ..place.clone().in_unit(unit)
+        };
+        self.fits(gap, quantity, &needed);
         let value = self.smooth(gap, quantity.value, 2, &place, "acceleration")?;
         Ok((value, unit))
     }

@@ -77,9 +77,10 @@ impl<'g> Lower<'g> {
                 .on(&stop.tokens, fact, "remove the stop, or drive the joint by a `torque`");
         }
         if let Some(force) = body.fields.acting() {
-            let fact = format_args!("the joint of `{name}` is driven, so no force along it changes the motion");
+            let fact =
+                format_args!("the joint of `{name}` is driven, so no force or friction along it changes the motion");
             self.errors
-                .on(force, fact, "remove the force, or drive the joint by a `torque`");
+                .on(force, fact, "remove it, or drive the joint by a `torque`");
         }
         self.smooth(motion, law?, 2, &place, "acceleration")
     }

@@ -88,7 +88,7 @@ fn before(place: usize) -> u8 {
 }
 
 /// Those of the chosen rows that are independent of the ones before them.
-pub(super) fn independent<T: Float>(matrix: &[[T; MOST]; MOST], chosen: u8) -> u8 {
+pub(crate) fn independent<T: Float>(matrix: &[[T; MOST]; MOST], chosen: u8) -> u8 {
     let mut factored = Factored::none();
     for row in bits(chosen) {
         let is_independent = factored.push(matrix, row) > T::from_f64(INDEPENDENT) * matrix[row][row];

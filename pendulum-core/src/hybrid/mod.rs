@@ -7,8 +7,8 @@
 //! found on the dense output, the step ends there, and the next one starts in another mode.
 //!
 //! - A rate that reaches zero stays there, exactly, as long as friction can hold it. Which constraints hold and which
-//!   slip is decided for all of them together: forces, accelerations and limits are consistent (a complementarity
-//!   problem, solved by trying all combinations, fewest slipping first).
+//!   slip is decided for all of them together, so that all forces are within their limits, and what slips does so
+//!   against its friction (a complementarity problem, solved by trying combinations, those that hold most first).
 //! - At a limit there is an impact: by Newton's law, constraints that approach with the rate `v` leave with `-e v`;
 //!   with several at once, all have the least of their restitutions, so energy never grows. Friction forces are
 //!   finite, so they take no part in impacts.
@@ -87,6 +87,8 @@ use nalgebra::{SMatrix, SVector};
 use crate::real::Real;
 use crate::system::System;
 
+#[cfg(feature = "std")]
+pub(crate) use complementarity::independent;
 pub(crate) use held::called;
 #[cfg(feature = "std")]
 pub(crate) use held::forces;
@@ -94,7 +96,7 @@ pub use held::{jacobian, rhs, rhs_and_jacobian, time_derivative};
 pub use in_mode::{InMode, Passage};
 pub use mode::{Hold, Mode, Status};
 #[cfg(feature = "std")]
-pub(crate) use saltation::{hold_tangent, saltation};
+pub(crate) use saltation::{hold_tangents, saltation};
 #[cfg(feature = "std")]
 pub(crate) use switch::rate;
 pub(crate) use switch::{Settled, project, start, switch};
@@ -110,8 +112,9 @@ pub const MOST: usize = 8;
 pub struct Constraint {
     /// What it is called, in messages.
     pub name: &'static str,
-    /// Where its rate is a sum of components of the state, these and their signs; empty for any other. Such a rate is
-    /// exactly zero while it is held. The component by which it is made zero stands last, and in no constraint before.
+    /// For a rate that is a sum of components of the state, each with the sign 1 or -1: their places and signs. Such a
+    /// rate is exactly zero while it is held: its last component is computed from the others, and so must not occur in
+    /// the constraints before. Empty for any other rate.
     pub rate: &'static [(usize, i8)],
 }
 
@@ -120,7 +123,8 @@ pub struct Constraint {
 pub struct Law<T> {
     /// The friction force while it slips; 0 where there is none.
     pub slipping: T,
-    /// The largest friction force at rest, not below `slipping`.
+    /// The largest friction force at rest. It must not be below `slipping`, which is not checked for models written by
+    /// hand.
     pub sticking: T,
     /// The least value.
     pub low: Option<T>,

@@ -93,7 +93,8 @@ pub struct Hold<T> {
     pub forces: [T; MOST],
     /// The constraints whose rates are held at zero, as bits.
     pub held: u8,
-    /// Those of them whose forces are unknown; the others follow from these, and have no force.
+    /// Those of them whose forces are solved for. Where these stand still, so do the others of `held`, which depend on
+    /// them and have no force of their own.
     pub solved: u8,
 }
 

@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::complementarity::Factored;
-use super::held::{add, forces, pin, rhs};
+use super::held::{forces, pin, rhs};
 use super::mode::{Hold, Mode, bits};
 use super::watch::{FORWARD, Fired};
 use super::{HybridJacobian, MOST, Passage};
@@ -40,22 +40,64 @@ pub(crate) fn saltation<T: Float, const N: usize>(
     SMatrix::from_fn(|i, j| by_state[(i, j)] + apart[i] * gradient[j] / speed)
 }
 
-/// Takes off a tangent what would move rates that are held: neighbours that have it lose it at once.
-pub(crate) fn hold_tangent<T: Float, const N: usize>(
+/// Takes off tangents what would move what is held: neighbours that have it lose it at once. Held are rates, and the
+/// place where a limit pushes back harder than friction could: what friction holds stays wherever it is.
+///
+/// A neighbour at a small distance `d` from the limit is there after a time of the order of the root of `d`. The pushes
+/// that it lacks on the way, and those where it arrives, add up to none; that they come later moves it along the
+/// bracket of the motion `f` with what they do, `Df c - Dc f`, whether it rebounds or not.
+pub(crate) fn hold_tangents<T: Float, const N: usize>(
     system: &dyn HybridJacobian<T, N>,
     hold: &Hold<T>,
     (t, x): (T, &SVector<T, N>),
-    tangent: &mut SVector<T, N>,
+    tangents: &mut [SVector<T, N>],
 ) {
+    let (laws, forces) = (system.laws(), forces(system, hold, t, x));
+    let beyond_friction = T::from_f64(1.0 + AT_REST);
+    let is_pressed = |&n: &usize| {
+        let has_limit = laws[n].low.is_some() || laws[n].high.is_some();
+        has_limit && forces[n].abs() > beyond_friction * laws[n].sticking
+    };
+    let pressed = bits(hold.solved).filter(is_pressed).fold(0, |set, n| set | 1 << n);
     let measures = system.measure_derivatives(t, x);
     let response = system.response(t, x, &hold.forces);
-    let moving = measures
-        .by_state
-        .map(|[_, rate]| (0..N).fold(T::default(), |sum, n| sum + rate[n] * tangent[n]));
-    let changes = Factored::of(&response.matrix, hold.solved).solve_negated(&moving);
-    add(tangent, &response, hold.solved, &changes);
-    pin(system, hold.held, tangent);
+    let factored = Factored::of(&response.matrix, hold.solved);
+    let take_off = |tangent: &mut SVector<T, N>, which: usize, held: u8, along: &[SVector<T, N>; MOST]| {
+        let mut moving = [T::default(); MOST];
+        for n in bits(held) {
+            let slope = &measures.by_state[n][which];
+            moving[n] = (0..N).fold(T::default(), |sum, i| sum + slope[i] * tangent[i]);
+        }
+        let changes = factored.solve_negated(&moving);
+        for n in bits(hold.solved) {
+            for component in 0..N {
+                tangent[component] += along[n][component] * changes[n];
+            }
+        }
+    };
+    // places first: rates depend on them
+    if pressed != 0 {
+        let free = system.response_derivative(t, x, &[T::default(); MOST]);
+        let mut brackets = response.columns;
+        for n in bits(hold.solved) {
+            let unit = core::array::from_fn(|m| T::from_f64(f64::from(u8::from(m == n))));
+            let under = system.response_derivative(t, x, &unit);
+            brackets[n] = image(&free.rates, &response.columns[n])
+                - image(&(under.rates - free.rates), &response.rates)
+                - (under.rates_by_time - free.rates_by_time);
+        }
+        for tangent in &mut *tangents {
+            take_off(tangent, 0, pressed, &brackets);
+        }
+    }
+    for tangent in tangents {
+        take_off(tangent, 1, hold.solved, &response.columns);
+        pin(system, hold.held, tangent);
+    }
 }
+
+/// Friction at rest holds this part more than its largest force, for rounding errors.
+const AT_REST: f64 = 1e-10;
 
 /// The derivatives of the state after a jump with respect to that before, and to the time.
 fn jump<T: Float, const N: usize>(

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use crate::control::{Estimates, Tolerance};
 use crate::dense::Step;
 use crate::error::Reason;
-use crate::hybrid::{InMode, Passage, hold_tangent, saltation};
+use crate::hybrid::{InMode, Passage, hold_tangents, saltation};
 use crate::linear::{image, square};
 use crate::method::explicit::{Explicit, ExplicitStages};
 use crate::method::input::require;
@@ -103,6 +103,19 @@ where
         }
         largest
     }
+
+    /// Takes off the tangents what the mode of a hybrid system holds.
+    fn hold<S>(&mut self, system: &InMode<'_, S, T>, at: (T, &SVector<T, N>))
+    where
+        S: Jacobian<T, N> + ?Sized,
+    {
+        let (system, hold) = system.parts();
+        if let Some(hybrid) = system.hybrid_jacobian()
+            && hold.held != 0
+        {
+            hold_tangents(hybrid, hold, at, &mut self.tangents);
+        }
+    }
 }
 
 impl<B, S, T, const STAGES: usize, const K: usize, const N: usize> Scheme<S, T, N> for Bundle<B, T, STAGES, K, N>
@@ -116,14 +129,7 @@ where
     }
 
     fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
-        let (own, hold) = system.parts();
-        if let Some(hybrid) = own.hybrid_jacobian()
-            && hold.held != 0
-        {
-            for tangent in &mut self.tangents {
-                hold_tangent(hybrid, hold, (t, x), tangent);
-            }
-        }
+        self.hold(system, (t, x));
         self.state.begin(system, t, x, work)
     }
 
@@ -157,6 +163,7 @@ where
     fn accept(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, lanes: Accepted<T>, work: &mut Statistics) {
         self.state.accept(system, step, lanes, work);
         (self.before, self.tangents) = (self.tangents, self.tried);
+        self.hold(system, (step.t1, &step.x1));
     }
 
     fn go_back(&mut self) {

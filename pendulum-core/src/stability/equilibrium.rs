@@ -4,9 +4,9 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
+use super::frictionless::Frictionless;
 use super::least_squares::shortest_step;
 use super::{Spectrum, StabilityError};
-use crate::hybrid::{HybridJacobian, MOST};
 use crate::layout::StateLayout;
 use crate::system::{IntoState, Jacobian, System};
 
@@ -92,43 +92,33 @@ pub(super) fn settle<S, const N: usize>(system: &S, x: SVector<f64, N>) -> Resul
 where
     S: Jacobian<f64, N> + ?Sized,
 {
-    match system.hybrid_jacobian() {
-        Some(hybrid) => come_to_rest(&Frictionless(hybrid), x),
+    let found = match system.hybrid_jacobian() {
+        Some(hybrid) => come_to_rest(&Frictionless::new(hybrid), x),
         None => come_to_rest(system, x),
-    }
+    };
+    found.map_err(|(_, error)| error)
 }
 
-fn come_to_rest<S, const N: usize>(system: &S, x: SVector<f64, N>) -> Result<SVector<f64, N>, StabilityError>
+/// Where the search from `x` comes to rest, or how far it came.
+pub(super) fn come_to_rest<S, const N: usize>(
+    system: &S,
+    x: SVector<f64, N>,
+) -> Result<SVector<f64, N>, (SVector<f64, N>, StabilityError)>
 where
     S: Jacobian<f64, N> + ?Sized,
 {
     match newton(system, x) {
-        Err(StabilityError::NoConvergence { .. }) => newton(system, brake(system, x)?),
-        result => result,
+        Err(StabilityError::NoConvergence { .. }) => {
+            let x = brake(system, x).map_err(|error| (x, error))?;
+            newton(system, x).map_err(|error| (x, error))
+        }
+        result => result.map_err(|error| (x, error)),
     }
 }
 
-/// A hybrid system without its friction, which is zero at rest and jumps beside it.
-struct Frictionless<'a, const N: usize>(&'a dyn HybridJacobian<f64, N>);
-
-impl<const N: usize> System<f64, N> for Frictionless<'_, N> {
-    fn rhs(&self, t: f64, x: &SVector<f64, N>) -> SVector<f64, N> {
-        self.0.rhs_under(t, x, &[0.0; MOST])
-    }
-
-    fn layout(&self) -> Option<&'static StateLayout> {
-        self.0.layout()
-    }
-}
-
-impl<const N: usize> Jacobian<f64, N> for Frictionless<'_, N> {
-    fn jacobian(&self, t: f64, x: &SVector<f64, N>) -> SMatrix<f64, N, N> {
-        self.0.rhs_and_jacobian_under(t, x, &[0.0; MOST]).1
-    }
-
-    fn rhs_and_jacobian(&self, t: f64, x: &SVector<f64, N>) -> (SVector<f64, N>, SMatrix<f64, N, N>) {
-        self.0.rhs_and_jacobian_under(t, x, &[0.0; MOST])
-    }
+/// The size of a right-hand side that rounding errors leave where it is zero.
+pub(super) fn resolution<const N: usize>(jacobian: &SMatrix<f64, N, N>, x: &SVector<f64, N>) -> f64 {
+    100.0 * f64::EPSILON * jacobian.norm() * (1.0 + x.norm())
 }
 
 fn newton<S, const N: usize>(system: &S, mut x: SVector<f64, N>) -> Result<SVector<f64, N>, StabilityError>
@@ -149,8 +139,7 @@ where
             break;
         }
     }
-    let resolution = f64::EPSILON * jacobian.norm() * (1.0 + x.norm());
-    if rhs.norm() > 100.0 * resolution {
+    if rhs.norm() > resolution(&jacobian, &x) {
         return Err(StabilityError::NoConvergence {
             iterations: ITERATIONS,
             residual: rhs.amax(),
@@ -160,7 +149,7 @@ where
 }
 
 /// Where implicit Euler steps lead, each of one iteration. They grow as the motion comes to rest.
-fn brake<S, const N: usize>(system: &S, mut x: SVector<f64, N>) -> Result<SVector<f64, N>, StabilityError>
+pub(super) fn brake<S, const N: usize>(system: &S, mut x: SVector<f64, N>) -> Result<SVector<f64, N>, StabilityError>
 where
     S: Jacobian<f64, N> + ?Sized,
 {
@@ -237,7 +226,7 @@ where
     Ok(found)
 }
 
-const ITERATIONS: usize = 100;
+pub(super) const ITERATIONS: usize = 100;
 /// A step so short, in parts of the state, is the last.
 const SETTLED: f64 = 1e-12;
 /// Equilibria so close are the same.

@@ -134,8 +134,14 @@ impl Lyapunov {
         const { assert!(1 <= K && K <= N, "there are from one to N exponents") };
         self.check()?;
         let end = self.transient + self.duration;
-        let mut stepper = flow::<K>(self.tolerance).stepper(system, 0.0, end, x0)?;
+        // where all stands still a step might pass over the whole duration
+        let flow = flow::<K>(self.tolerance).h_max(self.duration / PARTS as f64);
+        let mut stepper = flow.stepper(system, 0.0, end, x0)?;
         stepper.scheme_mut().tangents = oblique();
+        // what is held from the start holds these as well
+        let (t, x) = (stepper.t(), stepper.x());
+        stepper.restart(t, x)?;
+        orthonormalize(&mut stepper.scheme_mut().tangents);
         let mut growth = Growth::new(self.transient, end);
         while let Some(step) = stepper.step()? {
             let lengths = orthonormalize(&mut stepper.scheme_mut().tangents);
@@ -240,8 +246,11 @@ fn oblique<const K: usize, const N: usize>() -> [SVector<f64, N>; K] {
     vectors
 }
 
-/// Makes vectors orthonormal, each by what the ones before it leave of it (modified Gram-Schmidt): the lengths that were left.
+/// Makes vectors orthonormal, each by what the ones before it leave of it (modified Gram-Schmidt): the lengths that were
+/// left, 0 where these are rounding errors. In place of such a vector comes any that is left over: where the directions
+/// that grow are too few, the next step takes it away again, and where there are more of them later it is one.
 fn orthonormalize<const K: usize, const N: usize>(vectors: &mut [SVector<f64, N>; K]) -> [f64; K] {
+    let longest = vectors.iter().map(|vector| vector.norm()).fold(1.0, f64::max);
     let mut lengths = [0.0; K];
     for (k, length) in lengths.iter_mut().enumerate() {
         let (done, rest) = vectors.split_at_mut(k);
@@ -249,16 +258,19 @@ fn orthonormalize<const K: usize, const N: usize>(vectors: &mut [SVector<f64, N>
             let share = before.dot(&rest[0]);
             rest[0].axpy(-share, before, 1.0);
         }
-        *length = rest[0].norm();
-        if *length == 0.0 {
-            // What sticks forgets: nothing grows along it, whichever direction stands for it.
-            rest[0] = left_over(done);
+        let left = rest[0].norm();
+        if left > LEAST * longest {
+            rest[0] /= left;
+            *length = left;
         } else {
-            rest[0] /= *length;
+            rest[0] = left_over(done);
         }
     }
     lengths
 }
+
+/// Shorter vectors than this part of the longest are rounding errors.
+const LEAST: f64 = 1e-12;
 
 /// A unit vector at right angles to the others.
 fn left_over<const N: usize>(done: &[SVector<f64, N>]) -> SVector<f64, N> {

@@ -41,6 +41,7 @@ mod curve;
 mod equilibrium;
 mod error;
 mod families;
+mod frictionless;
 mod function;
 mod least_squares;
 mod limits;

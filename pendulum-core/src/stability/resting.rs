@@ -3,8 +3,11 @@
 use nalgebra::SVector;
 
 use super::StabilityError;
-use super::equilibrium::{require_autonomous, settle};
+use super::equilibrium::{ITERATIONS, brake, come_to_rest, require_autonomous, resolution};
+use super::frictionless::Frictionless;
+use crate::error::Reason;
 use crate::hybrid::{Hybrid, MOST, Mode, Settled, Status, forces, rate, start};
+use crate::method::require;
 use crate::system::{IntoState, Jacobian};
 
 /// A state of rest of a [hybrid](crate::hybrid) system that friction and contacts hold: one of a set, not of a point.
@@ -18,25 +21,55 @@ pub struct Resting<const N: usize> {
     pub margin: f64,
 }
 
-/// A state of rest near `seed`, which is that itself if friction holds it, and else the equilibrium that it would have
-/// without friction.
+/// A state of rest near `seed`, which is that itself if friction and contacts hold it, and else one that needs no
+/// friction: an equilibrium without it, and where that lies beyond a stop or a wall, at rest against this.
+///
+/// The rates of `seed` do not matter.
 ///
 /// # Errors
 /// [`StabilityError::TimeDependent`] if the layout says that time may occur, [`StabilityError::Integration`] if the
-/// seed is beyond a limit, and [`StabilityError::NoConvergence`] if nothing there rests, or if the system is not hybrid.
+/// seed is beyond a limit, or if the system is not hybrid or has no [`HybridJacobian`](crate::hybrid::HybridJacobian),
+/// and [`StabilityError::NoConvergence`] if no rest is found.
 pub fn resting<S, const N: usize>(system: &S, seed: impl IntoState<f64, N>) -> Result<Resting<N>, StabilityError>
 where
     S: Jacobian<f64, N> + ?Sized,
 {
     require_autonomous(system)?;
+    let rule = "only a hybrid system with its derivatives can be held; others rest in an `equilibrium`";
+    let hybrid = system.hybrid_jacobian().ok_or(Reason::InvalidInput {
+        what: "hybrid_jacobian",
+        value: f64::NAN,
+        rule,
+    })?;
     let mut x = seed.into_state();
     (N / 2..N).for_each(|n| x[n] = 0.0);
     if let Some(resting) = Resting::at(system, x)? {
         return Ok(resting);
     }
-    let x = settle(system, x)?;
+    let (mut from, mut mode) = (x, Mode::default());
+    for _ in 0..CHANGES {
+        let frictionless = Frictionless::at_limits(hybrid, mode, &from);
+        let (found, failure) = match come_to_rest(&frictionless, from) {
+            Ok(x) => (x, None),
+            // on its way it may have passed a limit
+            Err((x, failure)) => (x, Some(failure)),
+        };
+        x = frictionless.place(found);
+        if let Some((n, limit)) = frictionless.beyond(&x) {
+            mode.0[n] = limit;
+            continue;
+        }
+        if let Some(failure) = failure {
+            return Err(failure);
+        }
+        let slack = resolution(&frictionless.jacobian(0.0, &x), &x);
+        let Some(n) = frictionless.pulled(&x, slack) else { break };
+        mode.0[n] = Status::Free;
+        // Newton's method might lead beyond the limit again, but the motion does not
+        from = brake(&Frictionless::at_limits(hybrid, mode, &x), x)?;
+    }
     let nothing = StabilityError::NoConvergence {
-        iterations: 0,
+        iterations: ITERATIONS,
         residual: rate(system, 0.0, &x)?.amax(),
     };
     Resting::at(system, x)?.ok_or(nothing)
@@ -50,7 +83,9 @@ impl<const N: usize> Resting<N> {
     {
         let Some(hybrid) = system.hybrid() else { return Ok(None) };
         let Settled { x, mode, hold, .. } = start(hybrid, 0.0, &x)?;
-        let rests = system.rhs_in(&hold, 0.0, &x).iter().all(|&rate| rate == 0.0);
+        let (rates, jacobian) = system.rhs_and_jacobian_in(&hold, 0.0, &x);
+        // what nothing holds rests as far as rounding errors show
+        let rests = rates.norm() <= resolution(&jacobian, &x);
         Ok(rests.then(|| Self {
             x,
             mode,
@@ -58,15 +93,23 @@ impl<const N: usize> Resting<N> {
         }))
     }
 
-    /// The interval of one coordinate over which the system rests, the others as they are: infinite where a motion of
-    /// `reach` to that side, in m or rad, still rests.
+    /// The interval of a coordinate over which the system rests, all other coordinates as they are.
+    ///
+    /// It is looked for up to a distance of `reach` to both sides, in the unit of the coordinate, m or rad: an end is
+    /// infinite where the system still rests as far away as that. Gaps shorter than `reach / 256` may not be seen.
+    /// Where it rests only here, as a joint without friction does, both ends are this place, but for rounding errors.
     ///
     /// # Errors
-    /// As [`resting`].
+    /// [`StabilityError::Integration`] if `coordinate` is not that of a coordinate in the state, such as of a rate, or
+    /// if `reach` is not finite and positive.
     pub fn interval<S>(&self, system: &S, coordinate: usize, reach: f64) -> Result<[f64; 2], StabilityError>
     where
         S: Jacobian<f64, N> + ?Sized,
     {
+        let rule = "it must be the place of a coordinate in the state, which come before the rates";
+        require(coordinate < N / 2, "coordinate", coordinate as f64, rule)?;
+        let rule = "the distance up to which to look must be finite and positive";
+        require(reach.is_finite() && reach > 0.0, "reach", reach, rule)?;
         let mut ends = [f64::NEG_INFINITY, f64::INFINITY];
         for (end, direction) in ends.iter_mut().zip([-1.0, 1.0]) {
             let rests = |by: f64| {
@@ -86,7 +129,7 @@ impl<const N: usize> Resting<N> {
             }) else {
                 continue;
             };
-            while outside - inside > f64::EPSILON * (self.x[coordinate].abs() + outside) {
+            while outside - inside > f64::EPSILON * (self.x[coordinate].abs() + reach) {
                 let middle = 0.5 * (inside + outside);
                 *(if rests(middle) { &mut inside } else { &mut outside }) = middle;
             }
@@ -105,5 +148,7 @@ fn margin<const N: usize>(system: &dyn Hybrid<f64, N>, mode: &Mode, forces: &[f6
         .fold(1.0, f64::min)
 }
 
+/// How often what is held at limits may change in a search.
+const CHANGES: usize = 4 * MOST;
 /// The places at which an interval is looked for.
 const STEPS: usize = 256;

@@ -8,6 +8,9 @@ mechanism! {
         body second on first: rod { joint: revolute(z) at [0, -1, 0], coordinate: b, dry_friction: 1, stop: [-1, 1] }
         body third on second: rod { joint: revolute(z) at [0, -1, 0], coordinate: c, dry_friction: 1, stop: [-1, 1] }
         body last on third: rod { joint: revolute(z) at [0, -1, 0], coordinate: d, dry_friction: 1 }
+        wall left { gap: 9 + tip.x }
+        wall right { gap: 9 - tip.x }
+        wall far { gap: 20 - tip.x + tip.y }
     }
 }
 

@@ -23,6 +23,7 @@ mechanism! {
         params { slow: rad/s = 1 }
         point tip on b at [0, -1, 0],
         wall area { gap: tip.x^2 }
+        wall force { gap: 3 N }
         wall side { gap: tip.x + 2, slow: slow }
         wall corner { gap: 1 - a, slow: 1 m/s }
         body b on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: a }

@@ -1,0 +1,117 @@
+//! Hybrid systems without their friction.
+
+use nalgebra::{SMatrix, SVector};
+
+use crate::hybrid::{self, Hold, HybridJacobian, MOST, Mode, Status, forces, independent, project};
+use crate::layout::StateLayout;
+use crate::system::{Jacobian, System};
+
+/// A hybrid system without its friction, which is zero at rest and jumps beside it, some constraints held at limits.
+///
+/// Where the right-hand side of the mode does not change with the distance from a limit, a spring of stiffness 1 pulls
+/// back to it, so that this is zero only at rest on the limits.
+pub(super) struct Frictionless<'a, const N: usize> {
+    system: &'a dyn HybridJacobian<f64, N>,
+    mode: Mode,
+    hold: Hold<f64>,
+}
+
+impl<'a, const N: usize> Frictionless<'a, N> {
+    /// With nothing held.
+    pub(super) fn new(system: &'a dyn HybridJacobian<f64, N>) -> Self {
+        let (mode, hold) = (Mode::default(), Hold::default());
+        Self { system, mode, hold }
+    }
+
+    /// With what touches a limit in a mode held there, about the state `x`.
+    pub(super) fn at_limits(system: &'a dyn HybridJacobian<f64, N>, mode: Mode, x: &SVector<f64, N>) -> Self {
+        let touching = (0..MOST).filter(|&n| mode.0[n].touches());
+        let held = touching.fold(0, |set, n| set | 1 << n);
+        let solved = independent(&system.response(0.0, x, &[0.0; MOST]).matrix, held);
+        let forces = [0.0; MOST];
+        let hold = Hold { forces, held, solved };
+        Self { system, mode, hold }
+    }
+
+    /// A state of rest to the last bit: without rates, and on the limits.
+    pub(super) fn place(&self, mut x: SVector<f64, N>) -> SVector<f64, N> {
+        (N / 2..N).for_each(|n| x[n] = 0.0);
+        project(self.system, &self.hold, &self.mode, 0.0, &mut x);
+        x
+    }
+
+    /// The constraint that is farthest beyond a limit, and what it is there.
+    pub(super) fn beyond(&self, x: &SVector<f64, N>) -> Option<(usize, Status)> {
+        let (laws, measures) = (self.system.laws(), self.system.measures(0.0, x));
+        let beyond = (0..MOST).filter(|&n| !self.mode.0[n].touches()).flat_map(|n| {
+            let value = measures[n][0];
+            let low = laws[n].low.map(|low| (low - value, n, Status::Low));
+            [low, laws[n].high.map(|high| (value - high, n, Status::High))]
+        });
+        let beyond = beyond.flatten().filter(|&(by, ..)| by > 0.0);
+        let farthest = beyond.max_by(|(a, ..), (b, ..)| a.total_cmp(b));
+        farthest.map(|(_, n, status)| (n, status))
+    }
+
+    /// The constraint that is pulled most to its limit where it is held, by more than what gives an acceleration of
+    /// `slack`.
+    pub(super) fn pulled(&self, x: &SVector<f64, N>, slack: f64) -> Option<usize> {
+        let (forces, response) = (
+            forces(self.system, &self.hold, 0.0, x),
+            self.system.response(0.0, x, &[0.0; MOST]),
+        );
+        let pulls = (0..MOST).map(|n| match self.mode.0[n] {
+            Status::Low => (-forces[n] * response.matrix[n][n], n),
+            Status::High => (forces[n] * response.matrix[n][n], n),
+            _ => (0.0, n),
+        });
+        let most = pulls.max_by(|(a, _), (b, _)| a.total_cmp(b));
+        most.filter(|&(pull, _)| pull > slack).map(|(_, n)| n)
+    }
+
+    /// For each constraint that is held by a force, how far it is from its limit, and what a force along it does.
+    fn apart(&self, x: &SVector<f64, N>) -> impl Iterator<Item = (usize, f64, SVector<f64, N>)> {
+        let (laws, mode, solved) = (self.system.laws(), self.mode, self.hold.solved);
+        let at = (solved != 0).then(|| (self.system.measures(0.0, x), self.system.response(0.0, x, &[0.0; MOST])));
+        at.into_iter().flat_map(move |(measures, response)| {
+            (0..MOST).filter(move |n| solved & 1 << n != 0).map(move |n| {
+                let limit = if mode.0[n] == Status::Low {
+                    laws[n].low
+                } else {
+                    laws[n].high
+                };
+                let apart = limit.map_or(0.0, |limit| measures[n][0] - limit);
+                (n, apart, response.columns[n])
+            })
+        })
+    }
+}
+
+impl<const N: usize> System<f64, N> for Frictionless<'_, N> {
+    fn rhs(&self, t: f64, x: &SVector<f64, N>) -> SVector<f64, N> {
+        let rates = hybrid::rhs(self.system, &self.hold, t, x);
+        self.apart(x)
+            .fold(rates, |rates, (_, apart, column)| rates - column * apart)
+    }
+
+    fn layout(&self) -> Option<&'static StateLayout> {
+        self.system.layout()
+    }
+}
+
+impl<const N: usize> Jacobian<f64, N> for Frictionless<'_, N> {
+    fn jacobian(&self, t: f64, x: &SVector<f64, N>) -> SMatrix<f64, N, N> {
+        self.rhs_and_jacobian(t, x).1
+    }
+
+    /// How a column changes is left out: it makes no difference on the limit.
+    fn rhs_and_jacobian(&self, t: f64, x: &SVector<f64, N>) -> (SVector<f64, N>, SMatrix<f64, N, N>) {
+        let (mut rates, mut jacobian) = hybrid::rhs_and_jacobian(self.system, &self.hold, t, x);
+        for (n, apart, column) in self.apart(x) {
+            let [value, _] = self.system.measure_derivatives(t, x).by_state[n];
+            rates -= column * apart;
+            jacobian -= column * value.transpose();
+        }
+        (rates, jacobian)
+    }
+}
