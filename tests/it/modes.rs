@@ -589,3 +589,41 @@ fn a_reset_begins_another_mode() {
         assert_state(solution.end(), [rests[0], 0.0], 1e-12, "at the end");
     }
 }
+
+mechanism! {
+    /// A block that sticks for long, and breaks loose once.
+    pub Swelling {
+        params { k: N/s = 0.02, w: rad/s = 1, limit: N = 0.9 }
+        generate: [rhs, jacobian, energy],
+        body block on ground {
+            mass: 1, joint: prismatic(x), coordinate: s, torque: k*t*sin(w*t), dry_friction: limit,
+        }
+    }
+}
+
+/// The holding force is a wave that grows: 0.9 N are reached first at 45.417 s, where steps of what rests would be long.
+#[test]
+fn what_rests_breaks_loose_the_first_time_that_its_force_is_too_large() {
+    let model = Swelling::new(SwellingParams::default()).expect("physical");
+    let mut t = 45.4;
+    for _ in 0..20 {
+        let (sine, cosine) = f64::sin_cos(t);
+        t -= (0.02 * t * sine - 0.9) / (0.02 * sine + 0.02 * t * cosine);
+    }
+    macro_rules! check {
+        ($($method:expr),*) => {$(
+            let solution = $method.solve(&model, 0.0, 60.0, [0.0, 0.0]).expect("a motion");
+            let breaks = solution.modes().get(1).map_or(f64::NAN, |(t, _)| *t);
+            assert!((breaks - t).abs() < 1e-9, "{}: {breaks}, not {t}", stringify!($method));
+        )*};
+    }
+    check!(
+        Tsit5::new(),
+        Vern7::new(),
+        Vern9::new(),
+        Rodas5P::new(),
+        Radau5::new(),
+        Auto::new(),
+        Rk4::new(0.05)
+    );
+}

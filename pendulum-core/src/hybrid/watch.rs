@@ -33,6 +33,11 @@ const NOISE_ULPS: f64 = 16.0;
 const BACK: [f64; 8] = [1e-12, 1e-9, 1e-6, 1e-3, 0.1, 0.5, 0.9, 0.99];
 const BEYOND: usize = 4;
 
+/// Forces are looked at so closely that none bends by more than this part of its size between three places.
+const MOST_BEND: f64 = 0.25;
+/// But not in more places of a step.
+const MOST_FORCES: usize = 1 << 10;
+
 /// Bounds of polynomials have this part of all their terms to spare.
 const SLACK: f64 = 1e-4;
 
@@ -93,6 +98,10 @@ pub(crate) struct Watch<T> {
     pub(super) reach: [T; MOST],
     /// The forces at the end of the last step.
     forces: Option<[T; MOST]>,
+    /// How far from each other the places were where forces were seen to be close enough.
+    width: T,
+    /// The largest of the forces of what is held that were seen in the mode.
+    sizes: [T; MOST],
 }
 
 impl<T: Float> Watch<T> {
@@ -102,12 +111,15 @@ impl<T: Float> Watch<T> {
             starts: true,
             reach: [T::default(); MOST],
             forces: None,
+            width: T::from_f64(f64::INFINITY),
+            sizes: [T::default(); MOST],
         }
     }
 
     /// Goes on in another mode.
     pub(crate) fn restart(&mut self, mode: &Mode) {
         (self.positive, self.starts, self.forces) = (Fired::default(), true, None);
+        (self.width, self.sizes) = (T::from_f64(f64::INFINITY), [T::default(); MOST]);
         for (reach, status) in self.reach.iter_mut().zip(mode.0) {
             if status.touches() {
                 *reach = T::default();
@@ -143,8 +155,7 @@ impl<T: Float> Watch<T> {
 
     /// Where the mode ends within a step, in fractions of it, and by which functions; the work of looking is counted.
     ///
-    /// Forces, which take an evaluation each time, are looked at in as many places as the polynomial of the step can
-    /// have extrema.
+    /// Forces take an evaluation each time.
     pub(crate) fn look<const N: usize>(
         &mut self,
         (system, mode, hold): (&dyn Hybrid<T, N>, &Mode, &Hold<T>),
@@ -179,23 +190,63 @@ impl<T: Float> Watch<T> {
                 self.positive.insert(n, way);
             }
         }
-        let places_of_forces = dense.terms().len().div_ceil(2).next_power_of_two();
-        let (mut of_state, mut of_forces) = (Seen::new(start), Seen::new(start));
-        let free = || live.pairs().filter(|&(n, _)| !scene.mode.is_held(n));
-        let only_forces = free().next().is_none();
         // what rebounds may come back at once
+        let free = || live.pairs().filter(|&(n, _)| !scene.mode.is_held(n));
         let may_come_back = free().any(|(_, way)| way != FORWARD);
-        for theta in places::<T>(was_start && may_come_back) {
-            let nth = (theta * T::from_f64(places_of_forces as f64)).to_f64();
-            let is_of_forces = libm::floor(nth) == nth;
-            if only_forces && !is_of_forces {
-                continue;
+        let places = || places::<T>(was_start && may_come_back).filter(|_| free().next().is_some());
+        let mut count = self.count_of_forces(scene, dense);
+        loop {
+            let (found, bend) = self.pass(scene, dense, live, &noise, start, (places(), count))?;
+            if bend <= T::from_f64(MOST_BEND) || count >= MOST_FORCES {
+                let width = step.h.abs() / T::from_f64(count as f64);
+                self.width = if bend == T::default() {
+                    T::from_f64(f64::INFINITY)
+                } else {
+                    width
+                };
+                return Ok(found);
             }
+            count *= 2;
+        }
+    }
+
+    /// In how many places of a step forces are looked at: as many as its polynomial can have extrema, and not much
+    /// farther from each other than where they were seen to be close enough. A power of two.
+    fn count_of_forces<const N: usize>(&self, scene: &Scene<'_, T, N>, dense: &Dense<'_, T, N>) -> usize {
+        if scene.hold.held == 0 {
+            return 1;
+        }
+        let least = dense.terms().len().div_ceil(2).next_power_of_two();
+        let widest = T::from_f64(2.0) * self.width;
+        let wanted = libm::ceil((dense.step().h.abs() / widest).to_f64()) as usize;
+        wanted.next_power_of_two().clamp(least.max(2), MOST_FORCES)
+    }
+
+    /// Looks for the end of a mode at some places, and at forces in equal distances: what ends it, and how much at most
+    /// a force bends between three of these, relative to its limit.
+    fn pass<const N: usize>(
+        &mut self,
+        scene: &Scene<'_, T, N>,
+        dense: &Dense<'_, T, N>,
+        live: Fired,
+        noise: &[T; MOST],
+        start: Place<T>,
+        (places, count): (impl Iterator<Item = T>, usize),
+    ) -> Result<(Option<(T, Fired)>, T), Reason> {
+        let (mut of_state, mut of_forces) = (Seen::new(start), Seen::new(start));
+        let mut places = places.peekable();
+        let mut bend = T::default();
+        let mut nth = 1;
+        while nth <= count {
+            let with_forces = T::from_f64(nth as f64 / count as f64);
+            let theta = places.next_if(|&place| place <= with_forces).unwrap_or(with_forces);
+            let is_of_forces = theta == with_forces;
+            nth += usize::from(is_of_forces);
             let (t, x) = (dense.time(theta), dense.at_fraction(theta));
             let forces = if is_of_forces { scene.forces(t, &x) } else { None };
             let here = scene.place(theta, t, &x, forces);
             self.note_reach(&here.values, scene.mode);
-            let mut first = self.first(scene, dense, live, &noise, (false, &of_state, &here))?;
+            let mut first = self.first(scene, dense, live, noise, (false, &of_state, &here))?;
             // forces also where something else ends the mode
             let of_held = match first {
                 Some((theta, _)) if !is_of_forces => {
@@ -204,17 +255,22 @@ impl<T: Float> Watch<T> {
                 }
                 _ => is_of_forces.then_some(here),
             };
+            if let Some(forces) = &forces {
+                let sizes = self.sizes.iter_mut().zip(forces);
+                sizes.for_each(|(size, force)| *size = size.max(force.abs()));
+                if let Some(earlier) = &of_forces.earlier {
+                    bend = bend.max(scene.bend([earlier, &of_forces.last, &here], &self.sizes));
+                }
+            }
             if let Some(here) = &of_held
-                && let Some(by_force) = self.first(scene, dense, live, &noise, (true, &of_forces, here))?
+                && let Some(by_force) = self.first(scene, dense, live, noise, (true, &of_forces, here))?
                 && first.is_none_or(|(first, _)| by_force.0 < first)
             {
                 first = Some(by_force);
             }
             if let Some((theta, fired)) = first {
-                return Ok(Some((
-                    theta,
-                    self.with_simultaneous(scene, dense, (theta, fired), live),
-                )));
+                let fired = self.with_simultaneous(scene, dense, (theta, fired), live);
+                return Ok((Some((theta, fired)), bend));
             }
             of_state.go_to(here);
             if is_of_forces {
@@ -222,7 +278,7 @@ impl<T: Float> Watch<T> {
                 self.forces = forces;
             }
         }
-        Ok(None)
+        Ok((None, bend))
     }
 
     /// Where the first of the functions, of what is held or of what is not, ends the mode up to the place `here`.
@@ -485,6 +541,25 @@ impl<'a, T: Float, const N: usize> Scene<'a, T, N> {
             })
         });
         found.or((value <= noise).then_some(place))
+    }
+
+    /// How much the forces of what is held bend between three places in equal distances, relative to their sizes.
+    fn bend(&self, [first, middle, last]: [&Place<T>; 3], sizes: &[T; MOST]) -> T {
+        let mut most = T::default();
+        for n in (0..MOST).filter(|&n| self.mode.is_held(n)) {
+            let size = self.laws[n].sticking.max(sizes[n]);
+            let way = if self.mode.0[n] == Status::High {
+                BACKWARD
+            } else {
+                FORWARD
+            };
+            let [a, b, c] = [first, middle, last].map(|place| place.values[n][way]);
+            let bend = (a - b - b + c).abs();
+            if bend > most * size {
+                most = bend / size;
+            }
+        }
+        most
     }
 
     /// The forces along the constraints, where something is held.
