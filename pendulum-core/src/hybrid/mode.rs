@@ -89,11 +89,11 @@ impl fmt::Display for Described {
 /// What equations of motion need to know of a [`Mode`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Hold<T> {
-    /// The forces along the constraints that slip, 0 along the others.
+    /// The forces along the constraints that slip, or that rest only with others; 0 along the rest.
     pub forces: [T; MOST],
     /// The constraints whose rates are held at zero, as bits.
     pub held: u8,
-    /// Those of them whose forces are unknown; the others follow from these, and have no force.
+    /// Those of them whose forces are unknown; the others follow from these.
     pub solved: u8,
 }
 

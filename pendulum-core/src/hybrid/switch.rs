@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::complementarity::{Factored, impulses, independent, subsets};
+use super::complementarity::{Factored, depends, impulses, independent, subsets};
 use super::held::{add, pin};
 use super::mode::{Hold, Mode, Status, bits};
 use super::watch::{BACKWARD, FORWARD, Fired, UPPER, Watch, size};
@@ -264,9 +264,8 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
             // what the rest of it holds rests too
             let slack = T::from_f64(AT_LIMIT_ULPS) * T::EPSILON * size(&self.laws, &self.x);
             for (n, [_, rate]) in self.system.measures(self.t, &self.x).into_iter().enumerate() {
-                let with = self.resting | 1 << n;
-                let depends = independent(&response.matrix, with).count_ones() == solved.count_ones();
-                self.rest(n, n < constraints.len() && rate.abs() <= slack && depends);
+                let rests = n < constraints.len() && rate.abs() <= slack;
+                self.rest(n, rests && depends(&response.matrix, n, solved));
             }
             pin(self.system, self.resting, &mut self.x);
         }
@@ -361,8 +360,24 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
                 }
             }
         }
-        let (_, mode, hold, accelerations) = best;
+        let (_, mut mode, mut hold, accelerations) = best;
+        // what depends on what is held rests with it, under the force that it has
+        for n in bits(candidates & !hold.held) {
+            if depends(&response.matrix, n, hold.solved) {
+                mode.0[n] = self.holding(n);
+                hold.held |= 1 << n;
+            }
+        }
         (mode, hold, accelerations)
+    }
+
+    /// What a constraint does that is held.
+    fn holding(&self, n: usize) -> Status {
+        if self.touching[n].touches() {
+            self.touching[n]
+        } else {
+            Status::Stuck
+        }
     }
 
     fn slipping(&self, n: usize, status: Status) -> T {
@@ -379,11 +394,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
         response: &Response<T, N>,
     ) -> Option<(Mode, Hold<T>)> {
         for n in bits(held) {
-            mode.0[n] = if self.touching[n].touches() {
-                self.touching[n]
-            } else {
-                Status::Stuck
-            };
+            mode.0[n] = self.holding(n);
         }
         for n in bits(released) {
             let goes = if forward & 1 << n != 0 {
