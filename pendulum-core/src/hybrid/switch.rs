@@ -16,6 +16,8 @@ use crate::system::System;
 const AT_LIMIT_ULPS: f64 = 64.0;
 /// Rebounds that are lower than this part of the size of all positions are not followed.
 const LEAST_REBOUND: f64 = 1e-13;
+/// Forces and accelerations are consistent to this many ulps of theirs.
+const CONSISTENT_ULPS: f64 = 64.0;
 /// What gave way is pushed on by this part of what acts on it: shortly after, it is.
 const PUSHED_ON: f64 = 1e-6;
 
@@ -344,6 +346,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
             forces,
             ..Hold::default()
         };
+        let consistent = T::from_f64(CONSISTENT_ULPS) * T::EPSILON;
         let mut best = (T::from_f64(f64::INFINITY), mode, without_any, response.accelerations);
         'all: for held in subsets(candidates & !gave_way) {
             let released = candidates & !held;
@@ -355,17 +358,21 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
                 if violation < best.0 {
                     best = (violation, mode, hold, accelerations);
                 }
-                if violation <= T::from_f64(64.0) * T::EPSILON {
+                if violation <= consistent {
                     break 'all;
                 }
             }
         }
         let (_, mut mode, mut hold, accelerations) = best;
-        // what depends on what is held rests with it, under the force that it has
-        for n in bits(candidates & !hold.held) {
-            if depends(&response.matrix, n, hold.solved) {
-                mode.0[n] = self.holding(n);
-                hold.held |= 1 << n;
+        // friction that depends on what is held rests with it, under the force that it has, unless all is about to move
+        for n in bits(candidates & !hold.held).filter(|&n| self.has_friction(n)) {
+            let (mut with, mut holds) = (mode, hold);
+            with.0[n] = self.holding(n);
+            holds.held |= 1 << n;
+            if depends(&response.matrix, n, hold.solved)
+                && self.violation(&with, &holds, candidates, &response, &forces).0 <= consistent
+            {
+                (mode, hold) = (with, holds);
             }
         }
         (mode, hold, accelerations)

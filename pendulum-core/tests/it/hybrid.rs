@@ -133,10 +133,10 @@ fn slow_impacts_do_not_rebound_and_elastic_ones_go_on() {
     );
 }
 
-/// A ball of which one evaluation, counted from the first, is not finite.
+/// A ball of which no evaluation is finite after some good ones.
 struct Failing {
     ball: Ball,
-    bad: usize,
+    good: usize,
     evaluations: Cell<usize>,
 }
 
@@ -147,7 +147,7 @@ impl System<f64, 2> for Failing {
 
     fn rhs_under(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
         self.evaluations.set(self.evaluations.get() + 1);
-        let is_bad = self.evaluations.get() == self.bad;
+        let is_bad = self.evaluations.get() > self.good;
         self.ball.rhs_under(t, x, forces) * if is_bad { f64::NAN } else { 1.0 }
     }
 
@@ -178,24 +178,21 @@ impl Hybrid<f64, 2> for Failing {
 #[test]
 fn a_good_step_that_cannot_be_taken_again_is_kept() {
     // one at the start, and four of the step
-    for bad in 6..10 {
+    for good in 5..9 {
         let ball = Ball {
             restitution: 0.5,
             slow: 0.0,
         };
         let evaluations = Cell::new(0);
-        let ball = Failing { ball, bad, evaluations };
+        let ball = Failing {
+            ball,
+            good,
+            evaluations,
+        };
         let mut stepper = Rk4::new(0.7).stepper(&ball, 0.0, 0.7, [1.0, 0.0]).expect("a start");
         let hit = stepper.step().expect("a good step").expect("a step");
-        assert!(ball.evaluations.get() >= bad);
-        assert!((hit.t1 - (2.0 / GRAVITY).sqrt()).abs() < 1e-14, "{bad}: {}", hit.t1);
-        let end = stepper.run().expect("a good end");
-        let since = 0.7 - hit.t1;
-        let rate = 0.5 * GRAVITY * hit.t1;
-        assert!(
-            (end[0] - (rate - 0.5 * GRAVITY * since) * since).abs() < 1e-14,
-            "{bad}: {end}"
-        );
+        assert!(ball.evaluations.get() > good);
+        assert!((hit.t1 - (2.0 / GRAVITY).sqrt()).abs() < 1e-14, "{good}: {}", hit.t1);
     }
 }
 
