@@ -99,6 +99,11 @@ pub(crate) fn independent<T: Float>(matrix: &[[T; MOST]; MOST], chosen: u8) -> u
     factored.chosen
 }
 
+/// Whether a row depends on others, which are independent.
+pub(super) fn depends<T: Float>(matrix: &[[T; MOST]; MOST], row: usize, others: u8) -> bool {
+    independent(matrix, others | 1 << row).count_ones() == others.count_ones()
+}
+
 /// The impulses `p >= 0` by which rates `w` become `w + A p >= -e w`, each with one of the two equal: those of Newton's
 /// law with one restitution `e`. Rows are those chosen; `A` is symmetric and not negative.
 pub(super) fn impulses<T: Float>(matrix: &[[T; MOST]; MOST], chosen: u8, w: &[T; MOST], e: T) -> [T; MOST] {

@@ -89,12 +89,12 @@ impl fmt::Display for Described {
 /// What equations of motion need to know of a [`Mode`].
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Hold<T> {
-    /// The forces along the constraints that slip, 0 along the others.
+    /// The forces along the constraints that slip, or that rest only with others; 0 along the rest.
     pub forces: [T; MOST],
     /// The constraints whose rates are held at zero, as bits.
     pub held: u8,
     /// Those of them whose forces are solved for. Where these stand still, so do the others of `held`, which depend on
-    /// them and have no force of their own.
+    /// them.
     pub solved: u8,
 }
 

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::complementarity::{Factored, impulses, independent, subsets};
+use super::complementarity::{Factored, depends, impulses, independent, subsets};
 use super::held::{add, pin};
 use super::mode::{Hold, Mode, Status, bits};
 use super::watch::{BACKWARD, FORWARD, Fired, UPPER, Watch, size};
@@ -16,6 +16,8 @@ use crate::system::System;
 const AT_LIMIT_ULPS: f64 = 64.0;
 /// Rebounds that are lower than this part of the size of all positions are not followed.
 const LEAST_REBOUND: f64 = 1e-13;
+/// Forces and accelerations are consistent to this many ulps of theirs.
+const CONSISTENT_ULPS: f64 = 64.0;
 /// What gave way is pushed on by this part of what acts on it: shortly after, it is.
 const PUSHED_ON: f64 = 1e-6;
 
@@ -271,9 +273,8 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
             // what the rest of it holds rests too
             let slack = T::from_f64(AT_LIMIT_ULPS) * T::EPSILON * size(&self.laws, &self.x);
             for (n, [_, rate]) in self.system.measures(self.t, &self.x).into_iter().enumerate() {
-                let with = self.resting | 1 << n;
-                let depends = independent(&response.matrix, with).count_ones() == solved.count_ones();
-                self.rest(n, n < constraints.len() && rate.abs() <= slack && depends);
+                let rests = n < constraints.len() && rate.abs() <= slack;
+                self.rest(n, rests && depends(&response.matrix, n, solved));
             }
             pin(self.system, self.resting, &mut self.x);
         }
@@ -352,6 +353,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
             forces,
             ..Hold::default()
         };
+        let consistent = T::from_f64(CONSISTENT_ULPS) * T::EPSILON;
         let mut best = (T::from_f64(f64::INFINITY), mode, without_any, response.accelerations);
         'all: for held in subsets(candidates & !gave_way) {
             let released = candidates & !held;
@@ -363,13 +365,33 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
                 if violation < best.0 {
                     best = (violation, mode, hold, accelerations);
                 }
-                if violation <= T::from_f64(64.0) * T::EPSILON {
+                if violation <= consistent {
                     break 'all;
                 }
             }
         }
-        let (_, mode, hold, accelerations) = best;
+        let (_, mut mode, mut hold, accelerations) = best;
+        // friction that depends on what is held rests with it, under the force that it has, unless all is about to move
+        for n in bits(candidates & !hold.held).filter(|&n| self.has_friction(n)) {
+            let (mut with, mut holds) = (mode, hold);
+            with.0[n] = self.holding(n);
+            holds.held |= 1 << n;
+            if depends(&response.matrix, n, hold.solved)
+                && self.violation(&with, &holds, candidates, &response, &forces).0 <= consistent
+            {
+                (mode, hold) = (with, holds);
+            }
+        }
         (mode, hold, accelerations)
+    }
+
+    /// What a constraint does that is held.
+    fn holding(&self, n: usize) -> Status {
+        if self.touching[n].touches() {
+            self.touching[n]
+        } else {
+            Status::Stuck
+        }
     }
 
     fn slipping(&self, n: usize, status: Status) -> T {
@@ -386,11 +408,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
         response: &Response<T, N>,
     ) -> Option<(Mode, Hold<T>)> {
         for n in bits(held) {
-            mode.0[n] = if self.touching[n].touches() {
-                self.touching[n]
-            } else {
-                Status::Stuck
-            };
+            mode.0[n] = self.holding(n);
         }
         for n in bits(released) {
             let goes = if forward & 1 << n != 0 {

@@ -30,7 +30,7 @@ pub trait OneStep<S: ?Sized, T: Lanes, const N: usize> {
 ///
 /// The engine holds time and state, chooses the length of steps, and checks that what comes back is finite. `T` is a
 /// scalar, or several in lanes, each of which has a time and a step of its own.
-pub trait Scheme<S: ?Sized, T: Lanes, const N: usize> {
+pub trait Scheme<S: ?Sized, T: Lanes, const N: usize>: Clone {
     /// Whether [`prepare`](Self::prepare) chooses the steps.
     const PROPOSES: bool = false;
 

@@ -228,7 +228,7 @@ where
         let mut t = dense.time(cut);
         // The ends of steps are more exact than what is between them: a step that ends there shows where it is.
         let mut x = loop {
-            let is_exact = self.retake(t)?;
+            let is_exact = self.retake(t);
             let (dense, modes, work) = self.dense_and_mode();
             if !is_exact {
                 break dense.at_fraction(cut);
@@ -271,28 +271,25 @@ where
         )
     }
 
-    /// Takes the last step again, to the time `t` within it; whether that was possible.
-    fn retake(&mut self, t: T) -> Result<bool, Reason> {
+    /// Takes the last step again, to the time `t` within it; whether that was possible. If not, it stays as it was.
+    fn retake(&mut self, t: T) -> bool {
         let whole = self.last;
         if t == whole.t1 {
-            return Ok(true);
+            return true;
         }
         if (t - whole.t0).abs() <= T::from_f64(SHORTEST_ULPS) * T::EPSILON * t.abs().max(whole.h.abs()) {
-            return Ok(false);
+            return false;
         }
-        self.modes.is_dense = false;
-        let mut take = |t: T| {
-            self.last = Step::at_rest(whole.t0, whole.x0);
-            self.scheme.go_back();
-            self.begin()?;
-            let taken = self.attempt(t).and_then(|_| self.advance(t));
-            taken.map_err(|failure| failure.reason((t - whole.t0).to_f64()))
-        };
-        if take(t).is_ok() {
-            return Ok(true);
+        let scheme = self.scheme.clone();
+        self.last = Step::at_rest(whole.t0, whole.x0);
+        self.scheme.go_back();
+        let begun = self.begin().is_ok();
+        if begun && self.attempt(t).and_then(|_| self.advance(t)).is_ok() {
+            self.modes.is_dense = false;
+            return true;
         }
-        take(whole.t1)?;
-        Ok(false)
+        (self.last, self.scheme) = (whole, scheme);
+        false
     }
 
     /// Goes to the mode after the one that has ended.

@@ -121,7 +121,7 @@ pub(crate) const fn difference<const S: usize>(mut a: [f64; S], b: [f64; S]) -> 
 
 /// A type that stands for a tableau, so that the stepping code is compiled for each one with its coefficients as
 /// constants.
-pub trait Tableau<const S: usize> {
+pub trait Tableau<const S: usize>: Clone {
     /// The coefficients.
     const TABLEAU: ButcherTableau<S>;
 }

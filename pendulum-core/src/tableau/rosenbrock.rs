@@ -41,7 +41,7 @@ pub struct RosenbrockTableau<const S: usize> {
 
 /// A type that stands for a tableau, so that the stepping code is compiled for each one with its coefficients as
 /// constants.
-pub trait RosenbrockMethod<const S: usize> {
+pub trait RosenbrockMethod<const S: usize>: Clone {
     /// The coefficients.
     const TABLEAU: RosenbrockTableau<S>;
 }

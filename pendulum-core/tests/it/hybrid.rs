@@ -1,5 +1,7 @@
 //! Hybrid systems written by hand, against analytic solutions.
 
+use std::cell::Cell;
+
 use nalgebra::{SMatrix, SVector};
 use pendulum_core::Reason;
 use pendulum_core::hybrid::{
@@ -130,6 +132,69 @@ fn slow_impacts_do_not_rebound_and_elastic_ones_go_on() {
         solution.modes().len(),
         1 + (50.0 * (GRAVITY / 2.0).sqrt() + 0.5) as usize
     );
+}
+
+/// A ball of which no evaluation is finite after some good ones.
+struct Failing {
+    ball: Ball,
+    good: usize,
+    evaluations: Cell<usize>,
+}
+
+impl System<f64, 2> for Failing {
+    fn rhs(&self, t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
+        self.rhs_under(t, x, &[0.0; MOST])
+    }
+
+    fn rhs_under(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
+        self.evaluations.set(self.evaluations.get() + 1);
+        let is_bad = self.evaluations.get() > self.good;
+        self.ball.rhs_under(t, x, forces) * if is_bad { f64::NAN } else { 1.0 }
+    }
+
+    fn hybrid(&self) -> Option<&dyn Hybrid<f64, 2>> {
+        Some(self)
+    }
+}
+
+impl Hybrid<f64, 2> for Failing {
+    fn constraints(&self) -> &'static [Constraint] {
+        self.ball.constraints()
+    }
+
+    fn laws(&self) -> [Law<f64>; MOST] {
+        self.ball.laws()
+    }
+
+    fn measures(&self, t: f64, x: &SVector<f64, 2>) -> [[f64; 2]; MOST] {
+        self.ball.measures(t, x)
+    }
+
+    fn response(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> Response<f64, 2> {
+        self.ball.response(t, x, forces)
+    }
+}
+
+/// A step in which a mode ends is taken again to there: where that fails, the step that was taken still shows where.
+#[test]
+fn a_good_step_that_cannot_be_taken_again_is_kept() {
+    // one at the start, and four of the step
+    for good in 5..9 {
+        let ball = Ball {
+            restitution: 0.5,
+            slow: 0.0,
+        };
+        let evaluations = Cell::new(0);
+        let ball = Failing {
+            ball,
+            good,
+            evaluations,
+        };
+        let mut stepper = Rk4::new(0.7).stepper(&ball, 0.0, 0.7, [1.0, 0.0]).expect("a start");
+        let hit = stepper.step().expect("a good step").expect("a step");
+        assert!(ball.evaluations.get() > good);
+        assert!((hit.t1 - (2.0 / GRAVITY).sqrt()).abs() < 1e-14, "{good}: {}", hit.t1);
+    }
 }
 
 /// The derivatives of the state itself.
