@@ -15,6 +15,7 @@ mod golden;
 mod growth;
 mod hybrid;
 mod lanes;
+mod lift_off;
 mod mechanisms;
 mod methods;
 mod parameters;
