@@ -132,7 +132,7 @@ fn what_a_swinging_force_lifts_flies_and_lands() {
             let [lifted, landed] = [1, 2].map(|n| solution.modes()[n].0);
             assert!((lifted - lifts).abs() < 1e-15, "{method}, {a}: {lifted} {lifts}");
             assert!((landed - lands).abs() < 1e-8, "{method}, {a}: {landed} {lands}");
-            for (t, x) in solution.points().filter(|&(t, _)| (lifts..lands).contains(&t)) {
+            for (t, x) in solution.points().filter(|&(t, _)| (lifts..lands - 1e-8).contains(&t)) {
                 let apart = (x - SVector::from(flight(t))).amax();
                 assert!(x[0] >= -1e-15 && apart < 2e-8, "{method}, {a} at {t}: {apart:e}");
             }
@@ -179,8 +179,9 @@ fn a_ball_on_a_shaken_table_flies_and_rests_by_turns() {
                     assert!(gap >= -1e-14, "{w}, {e} at {t}: {gap:e}");
                 }
             }
-            // what rests forgets where it came from; what rebounds does not, nor what it just missed
-            let others = solutions[1..].iter().filter(|_| e == 0.0);
+            // what rests forgets where it came from, what rebounds does not; and a faster table may rise and fall
+            // between the places at which long steps are looked at
+            let others = solutions[1..].iter().filter(|_| e == 0.0 && w < 80.0);
             for other in others {
                 let pairs = solutions[0].modes().iter().zip(other.modes());
                 for ((t, mode), (other_t, other_mode)) in pairs {
