@@ -138,7 +138,7 @@ pub enum Reason {
         /// The time at which it is.
         t: f64,
     },
-    /// The modes of a hybrid system change without time advancing.
+    /// The modes of a hybrid system change without time advancing, or almost.
     ModesAccumulate {
         /// The name of a constraint that changes.
         constraint: &'static str,
@@ -200,8 +200,10 @@ impl fmt::Display for Reason {
             ),
             Self::ModesAccumulate { constraint } => write!(
                 f,
-                "`{constraint}` changes between modes without time advancing; \
-                 check that its friction force is not as small as rounding errors"
+                "`{constraint}` changes between modes without time advancing, or almost; \
+                 where a moving wall presses against what cannot move, let one of the two yield; \
+                 where it rebounds too fast, set `slow`; \
+                 where it has friction, check that the force is not as small as rounding errors"
             ),
             Self::TooManySteps { max_steps } => write!(
                 f,

@@ -16,6 +16,7 @@ mod growth;
 mod hybrid;
 mod hybrid_stability;
 mod lanes;
+mod lift_off;
 mod mechanisms;
 mod methods;
 mod modes;

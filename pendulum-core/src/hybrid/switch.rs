@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use super::complementarity::{Factored, depends, impulses, independent, subsets};
 use super::held::{add, pin};
 use super::mode::{Hold, Mode, Status, bits};
-use super::watch::{BACKWARD, FORWARD, Fired, UPPER, Watch, size};
+use super::watch::{BACKWARD, FORWARD, Fired, UPPER, Watch, sizes};
 use super::{Hybrid, Law, MOST, Response};
 use crate::error::Reason;
 use crate::real::Float;
@@ -84,7 +84,7 @@ pub(crate) fn switch<T: Float, const N: usize>(
 ) -> Settled<T, N> {
     let mut settling = Settling::new(system, t, x);
     let measures = system.measures(t, x);
-    let slack = T::from_f64(AT_LIMIT_ULPS) * T::EPSILON * size(&settling.laws, x);
+    let sizes = sizes(system, &settling.laws, t, x);
     for n in 0..system.constraints().len() {
         let status = mode.0[n];
         if status.touches() {
@@ -99,6 +99,7 @@ pub(crate) fn switch<T: Float, const N: usize>(
             }
         } else {
             settling.rest(n, fired.has(n, FORWARD));
+            let slack = T::from_f64(AT_LIMIT_ULPS) * T::EPSILON * sizes[n];
             // what stands at a limit because something else holds it there, or arrives at the same time
             for (distance, _, status) in settling.distances(n, &measures) {
                 let rate = measures[n][1];
@@ -187,7 +188,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
         self.stand();
         let thrown_off = self.collide();
         let mut delay = T::default();
-        let size = size(&self.laws, &self.x);
+        let sizes = sizes(self.system, &self.laws, self.t, &self.x);
         loop {
             self.stand();
             let (mode, hold, accelerations) = self.next_mode();
@@ -198,16 +199,12 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
                     self.away(n) * self.system.measures(self.t, &self.x)[n][1],
                 );
                 let fall = -self.away(n) * accelerations[n];
-                let two = T::from_f64(2.0);
-                let is_low =
-                    fall > T::default() && rate * rate <= two * fall * T::from_f64(LEAST_REBOUND) * reach[n].max(size);
-                // elastic rebounds would go on for ever: these end at once
+                let (zero, two) = (T::default(), T::from_f64(2.0));
+                let least = T::from_f64(LEAST_REBOUND) * reach[n].max(sizes[n]);
+                let is_low = fall > zero && rate * rate <= two * fall * least;
+                // where no energy is lost there is no limit
                 let lost = T::from_f64(1.0) - law.restitution;
-                let rest = if lost > T::default() {
-                    two * rate / (fall * lost)
-                } else {
-                    lost
-                };
+                let rest = if lost > zero { two * rate / (fall * lost) } else { zero };
                 is_low.then_some((n, rest))
             });
             let Some((n, rest)) = low else {
@@ -271,8 +268,9 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
             let rates = self.system.measures(self.t, &self.x).map(|[_, rate]| rate);
             shift(&mut self.x, 0, &response, solved, &rates);
             // what the rest of it holds rests too
-            let slack = T::from_f64(AT_LIMIT_ULPS) * T::EPSILON * size(&self.laws, &self.x);
+            let sizes = sizes(self.system, &self.laws, self.t, &self.x);
             for (n, [_, rate]) in self.system.measures(self.t, &self.x).into_iter().enumerate() {
+                let slack = T::from_f64(AT_LIMIT_ULPS) * T::EPSILON * sizes[n];
                 let rests = n < constraints.len() && rate.abs() <= slack;
                 self.rest(n, rests && depends(&response.matrix, n, solved));
             }

@@ -27,6 +27,8 @@ pub(super) const UPPER: usize = 2;
 const SIMULTANEOUS_ULPS: f64 = 4.0;
 /// What leaves a limit has left it beyond this many ulps of the size of all positions.
 const NOISE_ULPS: f64 = 16.0;
+/// An acceleration that is this part of the one at the end of a step, or less, may be a rounding error.
+const LEAST_ACCELERATION: f64 = 1e-6;
 
 /// A step that was taken to the end of a mode is searched so far back from its end, in fractions of it, and beyond it
 /// so far as the polynomial is as exact there.
@@ -184,7 +186,7 @@ impl<T: Float> Watch<T> {
         if live.is_empty() {
             return Ok(None);
         }
-        let noise = self.noise(scene.laws, dense);
+        let noise = self.noise(scene, dense);
         for (n, way) in live.pairs() {
             if start.values[n][way] > noise[n] {
                 self.positive.insert(n, way);
@@ -246,7 +248,7 @@ impl<T: Float> Watch<T> {
             let forces = if is_of_forces { scene.forces(t, &x) } else { None };
             let here = scene.place(theta, t, &x, forces);
             self.note_reach(&here.values, scene.mode);
-            let mut first = self.first(scene, dense, live, noise, (false, &of_state, &here))?;
+            let mut first = self.first(scene, dense, live, noise, (false, &start, &of_state, &here))?;
             // forces also where something else ends the mode
             let of_held = match first {
                 Some((theta, _)) if !is_of_forces => {
@@ -263,7 +265,7 @@ impl<T: Float> Watch<T> {
                 }
             }
             if let Some(here) = &of_held
-                && let Some(by_force) = self.first(scene, dense, live, noise, (true, &of_forces, here))?
+                && let Some(by_force) = self.first(scene, dense, live, noise, (true, &start, &of_forces, here))?
                 && first.is_none_or(|(first, _)| by_force.0 < first)
             {
                 first = Some(by_force);
@@ -288,7 +290,7 @@ impl<T: Float> Watch<T> {
         dense: &Dense<'_, T, N>,
         live: Fired,
         noise: &[T; MOST],
-        (of_held, seen, here): (bool, &Seen<T>, &Place<T>),
+        (of_held, start, seen, here): (bool, &Place<T>, &Seen<T>, &Place<T>),
     ) -> Result<Option<(T, Fired)>, Reason> {
         let zero = T::default();
         let mut first: Option<(T, Fired)> = None;
@@ -309,13 +311,21 @@ impl<T: Float> Watch<T> {
                     self.positive.insert(n, way);
                 }
                 // what leaves a limit may seem to start beyond it, by the error of the polynomial
-                let leaves = is_gap && with_slope(here).1[1] >= zero && theta != T::from_f64(1.0);
+                let is_thrown_on = theta * with_slope(start).1[1] < -noise[n];
+                let leaves = || {
+                    let departs = with_slope(here).1[1] >= zero;
+                    departs || !is_thrown_on && !scene.is_pushed_on(dense, theta, (n, way))
+                };
                 let is_rate = !of_held && way == FORWARD;
                 let shifted = |(theta, value): (T, T)| (theta, value + noise[n]);
                 let (before, after) = (shifted(at(&seen.last)), shifted(at(here)));
-                (after.1 < zero && !leaves).then(|| {
-                    if is_rate || before.1 <= zero {
+                let ends = after.1 < zero && !(is_gap && theta != T::from_f64(1.0) && leaves());
+                ends.then(|| {
+                    if is_rate || seen.last.theta == zero && before.1 <= zero {
                         theta
+                    } else if before.1 <= zero {
+                        // since there it has not seemed to leave
+                        seen.last.theta
                     } else {
                         root(|theta| function(theta) + noise[n], before, after)
                     }
@@ -379,7 +389,7 @@ impl<T: Float> Watch<T> {
     ) -> Option<(T, Fired)> {
         let laws = system.laws();
         let scene = Scene::new((system, mode, hold), &laws);
-        let noise = self.noise(&laws, dense);
+        let noise = self.noise(&scene, dense);
         let mut first = None;
         for (n, way) in fired.pairs() {
             let place = if self.positive.has(n, way) {
@@ -409,10 +419,10 @@ impl<T: Float> Watch<T> {
     }
 
     /// Within what of zero the functions of each constraint may be rounding errors.
-    fn noise<const N: usize>(&self, laws: &[Law<T>; MOST], dense: &Dense<'_, T, N>) -> [T; MOST] {
-        let size = size(laws, &dense.step().x0);
-        self.reach
-            .map(|reach| T::from_f64(NOISE_ULPS) * T::EPSILON * reach.max(size))
+    fn noise<const N: usize>(&self, scene: &Scene<'_, T, N>, dense: &Dense<'_, T, N>) -> [T; MOST] {
+        let step = dense.step();
+        let sizes = sizes(scene.system, scene.laws, step.t0, &step.x0);
+        core::array::from_fn(|n| T::from_f64(NOISE_ULPS) * T::EPSILON * self.reach[n].max(sizes[n]))
     }
 
     fn note_reach(&mut self, values: &Values<T>, mode: &Mode) {
@@ -456,11 +466,20 @@ fn earlier_of<T: Float, const N: usize>(
     Some((earliest.min(place), fired))
 }
 
-/// The size of the positions of a state and of its limits, to which rounding errors are relative.
-pub(super) fn size<T: Float, const N: usize>(laws: &[Law<T>; MOST], x: &SVector<T, N>) -> T {
+/// The size to which the rounding errors of each value are relative: that of all positions and limits, and of the way
+/// of what moves by itself, whose place is as exact as the time is.
+pub(super) fn sizes<T: Float, const N: usize>(
+    system: &dyn Hybrid<T, N>,
+    laws: &[Law<T>; MOST],
+    t: T,
+    x: &SVector<T, N>,
+) -> [T; MOST] {
     let limits = laws.iter().flat_map(|law| [law.low, law.high]).flatten();
     let positions = x.iter().take(N / 2).copied();
-    limits.chain(positions).fold(T::default(), |size, x| size.max(x.abs()))
+    let size = limits.chain(positions).fold(T::default(), |size, x| size.max(x.abs()));
+    let mut at_rest = *x;
+    at_rest.iter_mut().skip(N / 2).for_each(|rate| *rate = T::default());
+    system.measures(t, &at_rest).map(|[_, rate]| size.max((t * rate).abs()))
 }
 
 /// The two places that were looked at last.
@@ -560,6 +579,18 @@ impl<'a, T: Float, const N: usize> Scene<'a, T, N> {
             }
         }
         most
+    }
+
+    /// Whether a gap is accelerated towards its limit at a place within a step.
+    fn is_pushed_on(&self, dense: &Dense<'_, T, N>, theta: T, (n, way): (usize, usize)) -> bool {
+        let towards = T::from_f64(if way == UPPER { 1.0 } else { -1.0 });
+        let [here, last] = [theta, T::from_f64(1.0)].map(|theta| {
+            let (t, x) = (dense.time(theta), dense.at_fraction(theta));
+            let forces = self.forces(t, &x).unwrap_or(self.hold.forces);
+            self.evaluations.set(self.evaluations.get() + 1);
+            towards * self.system.response(t, &x, &forces).accelerations[n]
+        });
+        here > T::from_f64(LEAST_ACCELERATION) * last.abs()
     }
 
     /// The forces along the constraints, where something is held.

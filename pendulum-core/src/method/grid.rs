@@ -60,6 +60,10 @@ impl<T: Float> Grid<T> {
         }
     }
 
+    pub(crate) fn h(&self) -> T {
+        self.h
+    }
+
     fn direction(&self) -> T {
         T::from_f64(if self.t1 < self.t0 { -1.0 } else { 1.0 })
     }

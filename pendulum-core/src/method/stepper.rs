@@ -63,8 +63,8 @@ pub(crate) struct Modes<T> {
     cut: T,
     /// Whether the dense output of the last step is known.
     is_dense: bool,
-    /// How often modes have changed within the resolution of the time.
-    hurried: usize,
+    /// How often modes have changed since some time, and that time.
+    changes: (usize, T),
 }
 
 /// A trajectory within a tolerance, between two steps.
@@ -79,14 +79,18 @@ pub(crate) struct Progress<T, const N: usize> {
     pub(crate) modes: Modes<T>,
 }
 
-/// Modes that change so often in a row without the time advancing would do so without end.
-const MOST_HURRIED: usize = 100;
+/// So many changes of modes are too many if they take, on average, no longer than the times below: the rebounds of a
+/// ball are no longer followed before they are so short.
+const MANY_CHANGES: usize = 1000;
+/// This part of a fixed step, or else of all the time that remains.
+const HURRIED_OF_STEP: f64 = 1e-7;
+const HURRIED_OF_REST: f64 = 1e-13;
+/// So many ulps of the time.
+const HURRIED_ULPS: f64 = 4.0;
 /// Steps to the end of a mode that are shorter than so many ulps of the time are not taken again.
 const SHORTEST_ULPS: f64 = 64.0;
 /// The end of a mode this part of a step before its end takes another, shorter step.
 const FAR_FROM_THE_END: f64 = 1e-3;
-/// The time has advanced where it is this many ulps later.
-const HURRIED_ULPS: f64 = 4.0;
 
 /// How long the steps are.
 #[derive(Clone, Copy, Debug)]
@@ -133,7 +137,7 @@ where
                 fired: Fired::default(),
                 cut: T::from_f64(1.0),
                 is_dense: false,
-                hurried: 0,
+                changes: (0, t0),
             },
             statistics: Statistics::default(),
         };
@@ -301,19 +305,29 @@ where
             mode,
             fired,
             watch,
-            from,
-            hurried,
+            changes: (count, since),
             ..
         } = self.modes;
         let (t, x) = (self.t(), self.x());
         let settled = hybrid::switch(hybrid, (t, &x), &mode, fired, &watch);
         self.statistics.evaluations += 1;
-        let soon = T::from_f64(HURRIED_ULPS) * T::EPSILON * t.abs().max(self.last.h.abs());
-        self.modes.hurried = if t - from <= soon { hurried + 1 } else { 0 };
-        if self.modes.hurried > MOST_HURRIED {
-            let constraint = hybrid.constraints()[fired.first()].name;
-            return Err(Reason::ModesAccumulate { constraint });
+        let changes = if count < MANY_CHANGES {
+            (count + 1, since)
+        } else {
+            (1, t)
+        };
+        if count == MANY_CHANGES {
+            let shortest = match &self.steps {
+                Steps::Equal(grid) => T::from_f64(HURRIED_OF_STEP) * grid.h(),
+                Steps::Controlled { .. } => T::from_f64(HURRIED_OF_REST) * (self.t1 - t),
+            };
+            let resolved = T::from_f64(HURRIED_ULPS) * T::EPSILON * t.abs().max(self.last.h.abs());
+            if t - since <= T::from_f64(MANY_CHANGES as f64) * shortest.max(resolved) {
+                let constraint = hybrid.constraints()[fired.first()].name;
+                return Err(Reason::ModesAccumulate { constraint });
+            }
         }
+        self.modes.changes = changes;
         if let Steps::Equal(grid) = &mut self.steps {
             grid.go_to(t);
         }
@@ -382,7 +396,10 @@ where
             .transpose()?;
         let (before, steps, modes) = ((self.t(), self.x()), self.steps, self.modes);
         match settled {
-            Some(settled) => self.enter(t, settled),
+            Some(settled) => {
+                self.enter(t, settled);
+                self.modes.changes = (0, t);
+            }
             None => self.last = Step::at_rest(t, x),
         }
         if let Steps::Equal(grid) = &mut self.steps {
