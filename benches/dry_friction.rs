@@ -35,7 +35,7 @@ mechanism! {
     }
 }
 
-/// Steps are counted on so many of the starts.
+/// The number of starts on which steps are counted.
 const SAMPLE: usize = 500;
 
 fn main() -> Result<(), Box<dyn Error>> {

@@ -59,7 +59,7 @@ impl<const K: usize> Sweep<K> {
     /// A point.
     ///
     /// # Panics
-    /// If there are not so many.
+    /// If `row` is not below [`points`](Self::points).
     #[must_use]
     pub fn point(&self, row: usize) -> [f64; K] {
         assert!(row < self.points(), "row {row} of a sweep of {} points", self.points());

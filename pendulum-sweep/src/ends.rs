@@ -12,7 +12,7 @@ use crate::job::{Chunk, Failure, Job, Task};
 use crate::table::Column;
 
 /// A number that a model and a state at a time determine.
-type Quantity<M, const N: usize> = Box<dyn Fn(&M, f64, &SVector<f64, N>) -> f64 + Send + Sync>;
+pub(crate) type Quantity<M, const N: usize> = Box<dyn Fn(&M, f64, &SVector<f64, N>) -> f64 + Send + Sync>;
 
 /// What [`Sweep::ends`] does.
 pub struct Ends<X, F, M, const N: usize> {

@@ -166,8 +166,8 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         self
     }
 
-    /// Names the version of your own code: what functions do cannot be told from results, so change it where they
-    /// change.
+    /// Names the version of your own code. A sweep cannot see what its functions do: give it another version when you
+    /// change them.
     pub fn version(mut self, version: &str) -> Self {
         version.clone_into(&mut self.version);
         self

@@ -7,13 +7,11 @@ use pendulum_core::{Event, Method, Solution, SolveError, System};
 use serde_json::{Value, json};
 
 use crate::design::Sweep;
-use crate::ends::{first_layout, of_state};
+use crate::ends::{Quantity, first_layout, of_state};
 use crate::error::SweepError;
 use crate::job::{Chunk, Failure, Job, Task};
 use crate::table::Column;
 
-/// A number that a model and a state at a time determine.
-type Quantity<M, const N: usize> = Box<dyn Fn(&M, f64, &SVector<f64, N>) -> f64 + Send + Sync>;
 /// An event of a model.
 type EventOf<M, const N: usize> = Box<dyn for<'m> Fn(&'m M) -> Event<'m, f64, N> + Send + Sync>;
 

@@ -94,6 +94,8 @@ pub(crate) use held::called;
 pub(crate) use held::forces;
 pub use held::{jacobian, rhs, rhs_and_jacobian, time_derivative};
 pub use in_mode::{InMode, Passage};
+#[cfg(feature = "std")]
+pub(crate) use mode::set_of;
 pub use mode::{Hold, Mode, Status};
 #[cfg(feature = "std")]
 pub(crate) use saltation::{hold_tangents, saltation};

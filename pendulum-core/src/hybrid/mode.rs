@@ -98,6 +98,12 @@ pub struct Hold<T> {
     pub solved: u8,
 }
 
+/// The number in which these bits are set.
+#[inline(always)]
+pub(crate) fn set_of(bits: impl Iterator<Item = usize>) -> u8 {
+    bits.fold(0, |set, n| set | 1 << n)
+}
+
 /// The places of the bits of a number that are set.
 #[inline(always)]
 pub(super) fn bits(mut set: u8) -> impl Iterator<Item = usize> {

@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::complementarity::Factored;
 use super::held::{forces, pin, rhs};
-use super::mode::{Hold, Mode, bits};
+use super::mode::{Hold, Mode, bits, set_of};
 use super::watch::{FORWARD, Fired};
 use super::{HybridJacobian, MOST, Passage};
 use crate::linear::image;
@@ -58,7 +58,7 @@ pub(crate) fn hold_tangents<T: Float, const N: usize>(
         let has_limit = laws[n].low.is_some() || laws[n].high.is_some();
         has_limit && forces[n].abs() > beyond_friction * laws[n].sticking
     };
-    let pressed = bits(hold.solved).filter(is_pressed).fold(0, |set, n| set | 1 << n);
+    let pressed = set_of(bits(hold.solved).filter(is_pressed));
     let measures = system.measure_derivatives(t, x);
     let response = system.response(t, x, &hold.forces);
     let factored = Factored::of(&response.matrix, hold.solved);
@@ -108,9 +108,7 @@ fn jump<T: Float, const N: usize>(
     let (t, x, impulses) = (passage.t, &passage.before.0, &passage.impulses);
     let mut by_state = SMatrix::from_fn(|i, j| T::from_f64(f64::from(u8::from(i == j))));
     let mut by_time = SVector::from_element(zero);
-    let hit = (0..MOST)
-        .filter(|&n| impulses[n] != zero)
-        .fold(0, |set, n| set | 1 << n);
+    let hit = set_of((0..MOST).filter(|&n| impulses[n] != zero));
     if hit == 0 {
         return (by_state, by_time);
     }

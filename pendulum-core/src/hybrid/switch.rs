@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use super::complementarity::{Factored, depends, impulses, independent, subsets};
 use super::held::{add, pin};
-use super::mode::{Hold, Mode, Status, bits};
+use super::mode::{Hold, Mode, Status, bits, set_of};
 use super::watch::{BACKWARD, FORWARD, Fired, UPPER, Watch, sizes};
 use super::{Hybrid, Law, MOST, Response};
 use crate::error::Reason;
@@ -232,8 +232,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
 
     /// The constraints that touch a limit.
     fn touched(&self) -> u8 {
-        let touching = (0..MOST).filter(|&n| self.touching[n].touches());
-        touching.fold(0, |set, n| set | 1 << n)
+        set_of((0..MOST).filter(|&n| self.touching[n].touches()))
     }
 
     /// Moves what touches a limit to it, coordinates to the last bit; what rests stays.
@@ -345,8 +344,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
             }
         }
         let response = self.system.response(self.t, &self.x, &forces);
-        let gave_way = (0..count).filter(|&n| self.forced[n].is_some());
-        let gave_way = gave_way.fold(0, |set, n| set | 1 << n);
+        let gave_way = set_of((0..count).filter(|&n| self.forced[n].is_some()));
         let without_any = Hold {
             forces,
             ..Hold::default()

@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::hybrid::{self, Hold, HybridJacobian, MOST, Mode, Status, forces, independent, project};
+use crate::hybrid::{self, Hold, HybridJacobian, MOST, Mode, Status, forces, independent, project, set_of};
 use crate::layout::StateLayout;
 use crate::system::{Jacobian, System};
 
@@ -25,8 +25,7 @@ impl<'a, const N: usize> Frictionless<'a, N> {
 
     /// With what touches a limit in a mode held there, about the state `x`.
     pub(super) fn at_limits(system: &'a dyn HybridJacobian<f64, N>, mode: Mode, x: &SVector<f64, N>) -> Self {
-        let touching = (0..MOST).filter(|&n| mode.0[n].touches());
-        let held = touching.fold(0, |set, n| set | 1 << n);
+        let held = set_of((0..MOST).filter(|&n| mode.0[n].touches()));
         let solved = independent(&system.response(0.0, x, &[0.0; MOST]).matrix, held);
         let forces = [0.0; MOST];
         let hold = Hold { forces, held, solved };
