@@ -40,6 +40,6 @@ mod tests;
 mod units;
 mod words;
 
-pub use emit::c::{Sources, c};
+pub use emit::c::{Sources, c, opencl};
 pub use error::Errors;
 pub use pipeline::{expand, program};

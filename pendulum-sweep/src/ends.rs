@@ -74,6 +74,10 @@ where
         json!({ "ends": format!("{:?}", self.method), "span": self.span })
     }
 
+    fn chunk(&self) -> usize {
+        self.method.batch()
+    }
+
     fn run(&self, points: &[[f64; K]]) -> Result<Chunk, SweepError> {
         let (t0, t1) = self.span;
         let (mut models, mut starts) = (Vec::new(), Vec::new());

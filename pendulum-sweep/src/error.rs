@@ -22,6 +22,9 @@ pub enum SweepError {
         /// The parts of the declarations that differ.
         differs: Vec<String>,
     },
+    /// A device could not be used, or not for this.
+    #[cfg(feature = "opencl")]
+    Device(String),
     /// Shards are missing, which other shares have to compute.
     Incomplete {
         /// How many there are.
@@ -50,6 +53,8 @@ impl fmt::Display for SweepError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
             Self::Invalid(reason) => f.write_str(reason),
+            #[cfg(feature = "opencl")]
+            Self::Device(reason) => f.write_str(reason),
             Self::File(path, error) => write!(f, "{}: {error}", path.display()),
             Self::Other { path, differs } => write!(
                 f,

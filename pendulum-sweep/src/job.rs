@@ -33,6 +33,11 @@ pub trait Task<const K: usize>: Sync {
     /// # Errors
     /// [`SweepError::Invalid`] where settings are wrong at all points; the failure of one is part of the results.
     fn run(&self, points: &[[f64; K]]) -> Result<Chunk, SweepError>;
+
+    /// How many points are best given to [`run`](Self::run) at a time.
+    fn chunk(&self) -> usize {
+        256
+    }
 }
 
 /// The results of some points, row by row.
@@ -60,7 +65,7 @@ impl Chunk {
 pub struct Job<T, const K: usize> {
     sweep: Sweep<K>,
     pub(crate) task: T,
-    shard: usize,
+    shard: Option<usize>,
     share: (usize, usize),
     threads: usize,
     quiet: bool,
@@ -83,10 +88,8 @@ pub struct Summary {
     pub complete: bool,
 }
 
-/// Rows that are computed together, in the lanes of one thread.
-const CHUNK: usize = 256;
-/// Rows in a shard, where no other number is given.
-const SHARD: usize = 16 * CHUNK;
+/// Chunks in a shard, where the number of its rows is not given.
+const SHARD: usize = 16;
 
 impl<const K: usize> Sweep<K> {
     /// Numbers that a function finds at each point, under names with units. Anything can be done there: a method and
@@ -131,7 +134,7 @@ impl<const K: usize> Sweep<K> {
         Job {
             sweep: self,
             task,
-            shard: SHARD,
+            shard: None,
             share: (0, 1),
             threads: 0,
             quiet: false,
@@ -141,10 +144,15 @@ impl<const K: usize> Sweep<K> {
 }
 
 impl<T: Task<K>, const K: usize> Job<T, K> {
-    /// The rows of each shard: what a kill loses at most, for each core. Default: 4096.
+    /// The rows of each shard: what a kill loses at most, for each core. Default: 4096, and more for methods that
+    /// integrate more trajectories at a time.
     pub fn shard(mut self, rows: usize) -> Self {
-        self.shard = rows.max(1);
+        self.shard = Some(rows.max(1));
         self
+    }
+
+    fn rows_of_shard(&self) -> usize {
+        self.shard.unwrap_or(SHARD * self.task.chunk())
     }
 
     /// Computes only each `of`-th shard, from `index` on, which is below `of`: for other processes, on this machine or
@@ -280,7 +288,7 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
     }
 
     fn shards<'p>(&self, path: &'p Path) -> Result<Shards<'p>, SweepError> {
-        Shards::new(path, self.sweep.points(), self.shard, self.empty()?)
+        Shards::new(path, self.sweep.points(), self.rows_of_shard(), self.empty()?)
     }
 
     fn check(&self) -> Result<(), SweepError> {
@@ -321,7 +329,7 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
             "design": self.sweep.declaration(),
             "task": self.task.declaration(),
             "columns": columns.iter().map(|column| json!([column.name, column.unit])).collect::<Vec<_>>(),
-            "rows of a shard": self.shard,
+            "rows of a shard": self.rows_of_shard(),
             "version": self.version,
             "pendulum-sweep": env!("CARGO_PKG_VERSION"),
         });
@@ -335,15 +343,16 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
 
     /// Some rows, in chunks on all threads.
     fn rows(&self, rows: Range<usize>, progress: &ProgressBar) -> Result<Table, SweepError> {
+        let size = self.task.chunk();
         let chunk = |first: usize| {
-            let points: Vec<[f64; K]> = (first..rows.end.min(first + CHUNK))
+            let points: Vec<[f64; K]> = (first..rows.end.min(first + size))
                 .map(|row| self.sweep.point(row))
                 .collect();
             let chunk = self.task.run(&points)?;
             progress.inc(points.len() as u64);
             Ok((points, chunk))
         };
-        let firsts: Vec<usize> = rows.clone().step_by(CHUNK).collect();
+        let firsts: Vec<usize> = rows.clone().step_by(size).collect();
         let chunks: Vec<_> = firsts.into_par_iter().map(chunk).collect::<Result<_, SweepError>>()?;
         let mut table = self.empty()?;
         for (points, chunk) in chunks {

@@ -45,6 +45,8 @@ mod ends;
 mod error;
 mod file;
 mod job;
+#[cfg(feature = "opencl")]
+pub mod opencl;
 #[cfg(feature = "mpi")]
 mod ranks;
 mod shards;

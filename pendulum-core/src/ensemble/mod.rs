@@ -75,6 +75,11 @@ pub trait Ensemble<M, T: LaneElement, const N: usize> {
         t1: T,
         starts: &[SVector<T, N>],
     ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>;
+
+    /// With how many trajectories at a time it is busy; more are no faster.
+    fn batch(&self) -> usize {
+        256
+    }
 }
 
 /// A trajectory that stopped early.
@@ -87,6 +92,14 @@ pub struct Stopped<T = f64> {
     pub t: T,
     /// Why it stopped.
     pub reason: Reason,
+}
+
+impl<T> Stopped<T> {
+    /// Trajectory `index` stopped at `t`.
+    #[must_use]
+    pub const fn new(index: usize, t: T, reason: Reason) -> Self {
+        Self { index, t, reason }
+    }
 }
 
 debug_as_display! { [T: Float, const N: usize] EnsembleError<T, N>; }
@@ -129,7 +142,12 @@ impl<T: Float, const N: usize> fmt::Display for EnsembleError<T, N> {
 
 impl<T: Float, const N: usize> Error for EnsembleError<T, N> {}
 
-fn check_models<M: Cast<N>, X, const N: usize>(models: &[M], starts: &[X]) -> Result<(), Reason> {
+/// Refuses models that are neither one nor one for each start, or that cannot run side by side: for implementations of
+/// [`Ensemble`].
+///
+/// # Errors
+/// [`Reason::InvalidInput`].
+pub fn check_models<M: Cast<N>, X, const N: usize>(models: &[M], starts: &[X]) -> Result<(), Reason> {
     let rule = "an ensemble takes one model for all starts, or one for each";
     let fits = models.len() == 1 || models.len() == starts.len();
     require(fits, "models", models.len() as f64, rule)?;
@@ -138,8 +156,11 @@ fn check_models<M: Cast<N>, X, const N: usize>(models: &[M], starts: &[X]) -> Re
     require(strange.is_none(), "models", strange.unwrap_or(0) as f64, rule)
 }
 
-/// The final states, or which trajectories stopped.
-fn conclude<T, const N: usize>(
+/// The final states, or which trajectories stopped: for implementations of [`Ensemble`].
+///
+/// # Errors
+/// [`EnsembleError::Stopped`], if any did.
+pub fn conclude<T, const N: usize>(
     x: Vec<SVector<T, N>>,
     mut stopped: Vec<Stopped<T>>,
 ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>> {

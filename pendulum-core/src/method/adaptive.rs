@@ -105,6 +105,15 @@ impl<F> Adaptive<F> {
         self
     }
 
+    /// The settings of an integration from `t0` to `t1`, with an error estimate of this order: for those who take the
+    /// steps by other means.
+    ///
+    /// # Errors
+    /// [`Reason::InvalidInput`] if one is out of range.
+    pub fn step_control<T: Float>(&self, error_order: usize, (t0, t1): (T, T)) -> Result<StepControl<T>, Reason> {
+        self.control(self.tolerance()?, error_order, (t0, t1))
+    }
+
     /// The step control of an integration from `t0` to `t1`.
     pub(crate) fn control<T: Float>(
         &self,

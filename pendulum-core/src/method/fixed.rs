@@ -33,6 +33,14 @@ impl<F: Default> Fixed<F> {
     }
 }
 
+impl<F> Fixed<F> {
+    /// The length of a step.
+    #[must_use]
+    pub const fn h(&self) -> f64 {
+        self.h
+    }
+}
+
 impl<F, S, T, const N: usize> Method<S, T, N> for Fixed<F>
 where
     F: OneStep<S, T, N>,

@@ -49,7 +49,7 @@ pub(crate) use {
     input::{check_span, check_state},
     scheme::{Failure, NonFinite},
     stages::SHORT,
-    step_control::{Pace, StepControl, is_within_tolerance},
+    step_control::{Pace, is_within_tolerance},
     stepper::{Modes, Progress},
     tangent::Tangent,
     watch::follow,
@@ -64,6 +64,7 @@ pub use gauss::Gauss;
 pub use radau::RadauIIA;
 pub use rosenbrock::Rosenbrock;
 pub use scheme::{Accepted, OneStep, Scheme, Stalled};
+pub use step_control::StepControl;
 pub use stepper::Stepper;
 pub use taylor::{PowerSeries, Taylor};
 

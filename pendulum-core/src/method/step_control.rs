@@ -8,17 +8,23 @@ use crate::method::scheme::Failure;
 use crate::real::Float;
 use crate::system::System;
 
-/// The settings of all trajectories of a method. All lengths are positive.
+/// The settings of an [`Adaptive`](crate::method::Adaptive) method for an integration, with the defaults where none are
+/// given. All lengths are positive.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct StepControl<T> {
+#[non_exhaustive]
+pub struct StepControl<T> {
     /// The first step, where it is given.
-    pub(crate) h0: Option<T>,
-    pub(crate) h_min: T,
-    pub(crate) h_max: T,
-    pub(crate) max_steps: usize,
+    pub h0: Option<T>,
+    /// The shortest.
+    pub h_min: T,
+    /// The longest.
+    pub h_max: T,
+    /// The most steps, accepted and rejected.
+    pub max_steps: usize,
     /// The order of the error estimate.
-    pub(crate) error_order: usize,
-    pub(crate) tolerance: Tolerance<T>,
+    pub error_order: usize,
+    /// What errors are measured against.
+    pub tolerance: Tolerance<T>,
 }
 
 /// What one trajectory has learnt on its way.

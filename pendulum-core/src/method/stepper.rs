@@ -168,6 +168,15 @@ where
         self.last.t1
     }
 
+    /// The length of the step that is tried next, without its sign.
+    #[must_use]
+    pub fn h(&self) -> T {
+        match &self.steps {
+            Steps::Equal(grid) => grid.h(),
+            Steps::Controlled { pace, .. } => pace.h,
+        }
+    }
+
     /// The state reached.
     #[must_use]
     #[inline]

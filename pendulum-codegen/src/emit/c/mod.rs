@@ -3,10 +3,12 @@
 mod block;
 mod model;
 mod names;
+mod opencl;
 mod routines;
 mod template;
 
 use names::{identifiers, snake_case};
+pub use opencl::opencl;
 
 use crate::program::Program;
 
@@ -26,13 +28,7 @@ pub struct Sources {
 /// The results are those of the Rust code, bit for bit, where no function of the platform is called but `sqrt` and
 /// `fabs`. The last bits of the others differ from platform to platform; those of the Rust code do not.
 pub fn c(program: &Program) -> Sources {
-    let scene = Scene {
-        program,
-        name: snake_case(&program.name),
-        parameters: identifiers(program.parameters.iter().map(|parameter| &parameter.name)),
-        inputs: identifiers(program.inputs.iter().map(|input| &input.name)),
-        coordinates: identifiers(program.layout.slots.iter().map(|slot| &slot.name)),
-    };
+    let scene = Scene::new(program, snake_case(&program.name));
     let (source, calls) = scene.source();
     let (header, name) = (scene.header(&calls), scene.name);
     Sources { name, header, source }
@@ -47,7 +43,17 @@ struct Scene<'p> {
     coordinates: Vec<String>,
 }
 
-impl Scene<'_> {
+impl<'p> Scene<'p> {
+    fn new(program: &'p Program, name: String) -> Self {
+        Self {
+            program,
+            name,
+            parameters: identifiers(program.parameters.iter().map(|parameter| &parameter.name)),
+            inputs: identifiers(program.inputs.iter().map(|input| &input.name)),
+            coordinates: identifiers(program.layout.slots.iter().map(|slot| &slot.name)),
+        }
+    }
+
     /// A template with the names and the lengths of the scene. C has no arrays without elements.
     fn fill(&self, template: &str, values: &[(&str, String)]) -> String {
         let (program, series) = (self.program, self.program.series.as_ref());

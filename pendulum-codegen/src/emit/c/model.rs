@@ -95,14 +95,14 @@ impl Scene<'_> {
 }
 
 /// The functions that are called: what stands over them, and their code.
-fn functions(calls: &Calls) -> impl Iterator<Item = (&'static str, &'static str)> {
+pub(super) fn functions(calls: &Calls) -> impl Iterator<Item = (&'static str, &'static str)> {
     let sections = include_str!("templates/functions.c").split("//! ");
     let sections = sections.filter_map(|section| section.split_once('\n'));
     sections.filter(|(head, _)| head.split(':').next().is_some_and(|name| calls.contains(name)))
 }
 
 /// The fields of a structure. C has no structures without fields.
-fn fields(quantities: &[Quantity], names: &[String]) -> String {
+pub(super) fn fields(quantities: &[Quantity], names: &[String]) -> String {
     let field = |(quantity, name): (&Quantity, &String)| {
         let is_number = quantity.unit == "1";
         let unit = if is_number { "a plain number" } else { &quantity.unit };

@@ -23,15 +23,17 @@ impl Scene<'_> {
 
     /// Routines and series as functions.
     pub(super) fn routines(&self, calls: &mut Calls) -> String {
-        let function = |routine: &Routine| {
-            let (code, results) = self.code(&routine.block, calls);
-            let body = code + &stores(routine, &results);
-            let values = [("prototype", self.prototype(routine)), ("body", body)];
-            self.fill("\n@prototype@ {\n    @body@\n}", &values)
-        };
-        let routines: String = self.program.routines.iter().map(function).collect();
+        let routines = self.program.routines.iter();
+        let routines: String = routines.map(|routine| self.routine(routine, calls)).collect();
         let series = self.program.series.as_ref();
         routines + &series.map(|series| self.series(series, calls)).unwrap_or_default()
+    }
+
+    pub(super) fn routine(&self, routine: &Routine, calls: &mut Calls) -> String {
+        let (code, results) = self.code(&routine.block, calls);
+        let body = code + &stores(routine, &results);
+        let values = [("prototype", self.prototype(routine)), ("body", body)];
+        self.fill("\n@prototype@ {\n    @body@\n}", &values)
     }
 
     fn prototype(&self, routine: &Routine) -> String {

@@ -1,0 +1,245 @@
+//! Ensembles on GPUs, and on whatever else runs OpenCL.
+//!
+//! A scene that is declared by [`declared!`](crate::declared) knows its declaration when the program runs. From it the
+//! generator writes OpenCL C, and [`Device::method`] makes of a method one that integrates each trajectory in a
+//! work-item of a device: an [`Ensemble`], for [`Sweep::ends`](crate::Sweep::ends) and by itself. Explicit Runge-Kutta
+//! methods can do that, from [`Rk4`](pendulum_core::Rk4) to [`Vern9`](pendulum_core::Vern9), for scenes without inputs,
+//! dry friction, stops and walls.
+//!
+//! In double precision the results have the bits of [`solve`](Method::solve), where the scene calls no functions but
+//! sines, cosines and roots, angles stay below 1e5 rad, and the device rounds as IEEE 754 asks for.
+//!
+//! ```no_run
+//! use pendulum_core::prelude::*;
+//! use pendulum_sweep::opencl::Device;
+//! use pendulum_sweep::{Axis, Sweep, declared};
+//!
+//! declared! {
+//!     pub Swing {
+//!         params { gamma: N m s }
+//!         gravity: [0, -9.81, 0],
+//!         body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle, friction: gamma }
+//!     }
+//! }
+//!
+//! let device = Device::first()?;
+//! let sweep = Sweep::grid("swing", [
+//!     Axis::linear("start", "rad", -3.0, 3.0, 1000),
+//!     Axis::logarithmic("gamma", "N m s", 1e-3, 1.0, 1000),
+//! ]);
+//! let table = sweep
+//!     .ends(device.method(Rk45::new())?, (0.0, 10.0), |[start, gamma]| {
+//!         Ok((Swing::new(SwingParams { gamma })?, [start, 0.0]))
+//!     })
+//!     .run()?;
+//! assert_eq!(table.rows(), 1_000_000);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+
+mod device;
+mod source;
+
+use std::fmt;
+use std::marker::PhantomData;
+
+use opencl3::error_codes::ClError;
+use pendulum_core::ensemble::{Stopped, check_models, conclude};
+use pendulum_core::nalgebra::SVector;
+use pendulum_core::real::Float;
+use pendulum_core::real::lanes::Isa;
+use pendulum_core::{Cast, Ensemble, EnsembleError, Method, Reason};
+
+pub use device::Device;
+pub use source::{KernelMethod, Settings};
+
+use crate::error::SweepError;
+use device::Kernel;
+
+/// A model that knows its declaration: of a scene in [`declared!`](crate::declared).
+pub trait Declared {
+    /// The declaration.
+    const DECLARATION: &'static str;
+
+    /// The values of its parameters, in the order of their declaration.
+    fn parameters(&self) -> Vec<f64>;
+}
+
+/// [`mechanism!`](pendulum_core::mechanism) for a scene whose declaration is known when the program runs, so that
+/// [kernels](crate::opencl) can be made of it.
+#[macro_export]
+macro_rules! declared {
+    ($(#[$attribute:meta])* $visibility:vis $name:ident { $($scene:tt)* }) => {
+        ::pendulum_core::mechanism! { $(#[$attribute])* $visibility $name { $($scene)* } }
+
+        impl $crate::opencl::Declared for $name {
+            const DECLARATION: &'static str = ::core::stringify!($visibility $name { $($scene)* });
+
+            fn parameters(&self) -> ::std::vec::Vec<f64> {
+                self.params().to_array().to_vec()
+            }
+        }
+    };
+}
+
+/// A method that integrates on a device; see [`Device::method`].
+pub struct OnDevice<X, M> {
+    method: X,
+    kernel: Kernel,
+    single: bool,
+    model: PhantomData<fn() -> M>,
+}
+
+/// Trajectories that are integrated together: so many fill a GPU.
+const BATCH: usize = 1 << 16;
+/// The number of codes of a kernel.
+const ENDS: i32 = 5;
+
+impl Device {
+    /// The method `method`, for models of one scene, on this device, in double precision.
+    ///
+    /// # Errors
+    /// [`SweepError::Invalid`] with what to do, if the scene has dry friction, stops, walls or inputs, if the device
+    /// has no double precision, or if its compiler refuses the kernel.
+    pub fn method<M: Declared, X: KernelMethod>(&self, method: X) -> Result<OnDevice<X, M>, SweepError> {
+        self.compile(method, false)
+    }
+
+    /// The same in single precision, which most GPUs compute many times as fast. Settings that are not given are the
+    /// defaults of `f32`; results are near those of `f32` in Rust, and not the same bits.
+    ///
+    /// # Errors
+    /// As [`method`](Self::method).
+    pub fn method_in_single<M: Declared, X: KernelMethod>(&self, method: X) -> Result<OnDevice<X, M>, SweepError> {
+        self.compile(method, true)
+    }
+
+    fn compile<M: Declared, X: KernelMethod>(&self, method: X, single: bool) -> Result<OnDevice<X, M>, SweepError> {
+        let invalid = |reason: String| SweepError::Invalid(reason);
+        let tokens = M::DECLARATION
+            .parse()
+            .map_err(|_| invalid("not a declaration".to_owned()))?;
+        let program = pendulum_codegen::program(tokens).map_err(|errors| invalid(errors.to_string()))?;
+        if !program.constraints.is_empty() || !program.inputs.is_empty() {
+            let name = &program.name;
+            return Err(invalid(format!(
+                "`{name}` has inputs, dry friction, stops or walls, which kernels do not take: integrate it on the CPU"
+            )));
+        }
+        let text = source::program(&pendulum_codegen::opencl(&program), &method);
+        let kernel = Kernel::new(self, &text, single)?;
+        Ok(OnDevice {
+            method,
+            kernel,
+            single,
+            model: PhantomData,
+        })
+    }
+}
+
+impl<X: fmt::Debug, M> fmt::Debug for OnDevice<X, M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("OnDevice")
+            .field("method", &self.method)
+            .field("device", &self.kernel.device_name())
+            .field("single", &self.single)
+            .finish()
+    }
+}
+
+impl<X, M, const N: usize> Ensemble<M, f64, N> for OnDevice<X, M>
+where
+    X: KernelMethod + Method<M::In<f64>, f64, N> + Method<M::In<f32>, f32, N>,
+    M: Declared + Cast<N>,
+{
+    fn ensemble_on(
+        &self,
+        _isa: Isa,
+        models: &[M],
+        t0: f64,
+        t1: f64,
+        starts: &[SVector<f64, N>],
+    ) -> Result<Vec<SVector<f64, N>>, EnsembleError<f64, N>> {
+        if self.single {
+            self.integrate::<f32, N>(models, (t0, t1), starts)
+        } else {
+            self.integrate::<f64, N>(models, (t0, t1), starts)
+        }
+    }
+
+    fn batch(&self) -> usize {
+        BATCH
+    }
+}
+
+impl<X, M> OnDevice<X, M> {
+    fn integrate<T: Float, const N: usize>(
+        &self,
+        models: &[M],
+        (t0, t1): (f64, f64),
+        starts: &[SVector<f64, N>],
+    ) -> Result<Vec<SVector<f64, N>>, EnsembleError<f64, N>>
+    where
+        X: KernelMethod + Method<M::In<T>, T, N>,
+        M: Declared + Cast<N>,
+    {
+        check_models(models, starts)?;
+        let span = (T::from_f64(t0), T::from_f64(t1));
+        let settings = self.method.settings(span)?;
+        let (mut ends, mut stopped) = (starts.to_vec(), Vec::new());
+        // those that start, with their parameters, states and first steps
+        let (mut started, mut parameters, mut points) = (Vec::new(), Vec::new(), Vec::new());
+        for (index, start) in starts.iter().enumerate() {
+            let model = if let [model] = models { model } else { &models[index] };
+            let start = start.map(T::from_f64);
+            match self.method.stepper(&model.cast::<T>(), span.0, span.1, start) {
+                Ok(stepper) => {
+                    started.push(index);
+                    parameters.extend(model.parameters().into_iter().map(T::from_f64));
+                    points.extend(start.iter().copied().chain([stepper.h()]));
+                }
+                Err(reason) if is_of_start(&reason) => stopped.push(Stopped::new(index, t0, reason)),
+                Err(reason) => return Err(EnsembleError::InvalidInput(reason)),
+            }
+        }
+        if started.is_empty() {
+            return conclude(ends, stopped);
+        }
+        let reached = self
+            .kernel
+            .integrate((started.len(), N), span, &settings, &parameters, &points)
+            .map_err(|ClError(code)| {
+                EnsembleError::InvalidInput(Reason::InvalidInput {
+                    what: "device",
+                    value: f64::from(code),
+                    rule: "OpenCL failed with this code; a smaller ensemble takes less memory",
+                })
+            })?;
+        for ((&index, numbers), &code) in started.iter().zip(reached.numbers.chunks(N + 3)).zip(&reached.codes) {
+            ends[index] = SVector::from_fn(|component, _| numbers[component].to_f64());
+            let t = numbers[N].to_f64();
+            let details = (numbers[N + 1].to_f64(), numbers[N + 2].to_f64());
+            let reason = reason(code, details, settings.max_steps);
+            stopped.extend(reason.map(|reason| Stopped::new(index, t, reason)));
+        }
+        conclude(ends, stopped)
+    }
+}
+
+/// Whether it is the start of a trajectory that is wrong, and not a setting.
+fn is_of_start(reason: &Reason) -> bool {
+    !matches!(reason, Reason::InvalidInput { what, .. } if *what != "x0")
+}
+
+/// What the code of a trajectory means.
+fn reason(code: i32, (h, least): (f64, f64), max_steps: u64) -> Option<Reason> {
+    let component = (code / ENDS) as usize;
+    Some(match code % ENDS {
+        1 => Reason::NonFinite { component, h: Some(h) },
+        2 => Reason::NonFinite { component, h: None },
+        3 => Reason::StepUnderflow { h, least },
+        4 => Reason::TooManySteps {
+            max_steps: max_steps as usize,
+        },
+        _ => return None,
+    })
+}
