@@ -46,11 +46,13 @@ impl<const K: usize> Sweep<K> {
         Self { name, design }
     }
 
-    /// How many points there are.
+    /// How many points there are; `usize::MAX` where that is too small a number.
     #[must_use]
     pub fn points(&self) -> usize {
         match &self.design {
-            Design::Grid(axes) => axes.iter().map(|axis| axis.values.len()).product(),
+            Design::Grid(axes) => axes
+                .iter()
+                .fold(1, |points: usize, axis| points.saturating_mul(axis.values.len())),
             Design::List(_, points) => points.len(),
             Design::Random(_, points, _) => *points,
         }

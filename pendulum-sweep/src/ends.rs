@@ -1,6 +1,7 @@
 //! Final states, many at a time.
 
 use std::fmt::Debug;
+use std::iter::{once, repeat_n};
 
 use pendulum_core::nalgebra::SVector;
 use pendulum_core::{Cast, Ensemble, EnsembleError, StateLayout, System};
@@ -80,7 +81,7 @@ where
 
     fn run(&self, points: &[[f64; K]]) -> Result<Chunk, SweepError> {
         let (t0, t1) = self.span;
-        let (mut models, mut starts) = (Vec::new(), Vec::new());
+        let (mut models, mut starts) = (Vec::with_capacity(points.len()), Vec::with_capacity(points.len()));
         let trials: Vec<Result<(), Failure>> = points
             .iter()
             .map(|&point| {
@@ -101,7 +102,7 @@ where
         let mut chunk = Chunk::default();
         for trial in trials {
             if let Err(reason) = trial {
-                chunk.fail(vec![f64::NAN; 1 + N + self.values.len()], reason);
+                chunk.fail(repeat_n(f64::NAN, 1 + N + self.values.len()), reason);
                 continue;
             }
             let Some((index, (model, x))) = reached.next() else {
@@ -110,7 +111,7 @@ where
             let stopped = stopped.next_if(|stopped| stopped.index == index);
             let t = stopped.map_or(t1, |stopped| stopped.t);
             let values = self.values.iter().map(|(_, value)| value(model, t, &x));
-            let numbers = [t].into_iter().chain(x.iter().copied()).chain(values).collect();
+            let numbers = once(t).chain(x.iter().copied()).chain(values);
             match stopped {
                 None => chunk.push(numbers),
                 Some(stopped) => chunk.fail(numbers, stopped.reason),

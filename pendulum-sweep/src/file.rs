@@ -3,14 +3,15 @@
 use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{self, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use parquet::basic::{Compression, LogicalType, Repetition, Type as Physical};
+use parquet::basic::{Compression, Encoding, LogicalType, Repetition, Type as Physical};
 use parquet::column::reader::get_typed_column_reader;
+use parquet::column::writer::ColumnCloseResult;
 use parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
 use parquet::file::metadata::KeyValue;
-use parquet::file::properties::WriterProperties;
+use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::reader::{FileReader, RowGroupReader, SerializedFileReader};
 use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::types::{ColumnPath, Type};
@@ -23,31 +24,59 @@ use crate::table::{Column, Table};
 const DECLARATION: &str = "pendulum-sweep";
 const UNITS: &str = "units";
 
-/// Writes tables of the columns of `empty`, each with the number of its first row, as groups of rows.
-pub(crate) fn write(
-    file: impl Write + Send,
-    empty: &Table,
-    tables: impl IntoIterator<Item = Result<(usize, Table), SweepError>>,
-) -> io::Result<()> {
-    let mut writer = SerializedFileWriter::new(file, Arc::new(schema(empty)?), Arc::new(properties(empty)))?;
-    for table in tables {
-        let (first, table) = table.map_err(io::Error::other)?;
-        let rows = table.rows();
-        let mut group = writer.next_row_group()?;
-        let numbers: Vec<i64> = (first..first + rows).map(|row| row as i64).collect();
-        write_column::<Int64Type>(&mut group, &numbers, None)?;
-        for numbers in &table.numbers {
-            write_column::<DoubleType>(&mut group, numbers, None)?;
+/// Writes a table whose first row is number `first`, as one group of rows.
+pub(crate) fn write(file: impl Write + Send, first: usize, table: &Table) -> io::Result<()> {
+    let mut writer = writer(file, table)?;
+    let rows = table.rows();
+    let mut group = writer.next_row_group()?;
+    let numbers: Vec<i64> = (first..first + rows).map(|row| row as i64).collect();
+    write_column::<Int64Type>(&mut group, &numbers, None)?;
+    for numbers in &table.numbers {
+        write_column::<DoubleType>(&mut group, numbers, None)?;
+    }
+    let reasons: Vec<ByteArray> = table.failures.values().map(|reason| reason.as_str().into()).collect();
+    let mut levels = vec![0_i16; rows];
+    table.failures.keys().for_each(|&row| levels[row] = 1);
+    write_column::<ByteArrayType>(&mut group, &reasons, Some(&levels))?;
+    group.close()?;
+    writer.close()?;
+    Ok(())
+}
+
+/// Writes one file of the groups of several with the same columns, as they are; `empty` has the declaration, which all
+/// of them must have.
+pub(crate) fn concatenate(file: impl Write + Send, empty: &Table, parts: &[PathBuf]) -> io::Result<()> {
+    let mut writer = writer(file, empty)?;
+    for path in parts {
+        let part = File::open(path)?;
+        let reader = SerializedFileReader::new(part.try_clone()?)?;
+        if metadata(&reader, DECLARATION)? != empty.declaration {
+            let what = format!("{} is of another sweep", path.display());
+            return Err(io::Error::new(io::ErrorKind::InvalidData, what));
         }
-        let reasons: Vec<ByteArray> = table.failures.values().map(|reason| reason.as_str().into()).collect();
-        let levels: Vec<i16> = (0..rows)
-            .map(|row| i16::from(table.failures.contains_key(&row)))
-            .collect();
-        write_column::<ByteArrayType>(&mut group, &reasons, Some(&levels))?;
-        group.close()?;
+        for group in reader.metadata().row_groups() {
+            let mut written = writer.next_row_group()?;
+            for column in group.columns() {
+                let copied = ColumnCloseResult {
+                    bytes_written: u64::try_from(column.compressed_size()).map_err(io::Error::other)?,
+                    rows_written: u64::try_from(group.num_rows()).map_err(io::Error::other)?,
+                    metadata: column.clone(),
+                    bloom_filter: None,
+                    column_index: None,
+                    offset_index: None,
+                };
+                written.append_column(&part, copied)?;
+            }
+            written.close()?;
+        }
     }
     writer.close()?;
     Ok(())
+}
+
+fn writer<W: Write + Send>(file: W, table: &Table) -> io::Result<SerializedFileWriter<W>> {
+    let (schema, properties) = (Arc::new(schema(table)?), Arc::new(properties(table)));
+    Ok(SerializedFileWriter::new(file, schema, properties)?)
 }
 
 fn write_column<D: DataType>(
@@ -88,11 +117,13 @@ fn properties(empty: &Table) -> WriterProperties {
         KeyValue::new(DECLARATION.to_owned(), empty.declaration.clone()),
         KeyValue::new(UNITS.to_owned(), json!(units).to_string()),
     ];
-    // numbers of results have no two alike
+    // numbers of results have no two alike, but row numbers follow one another
     WriterProperties::builder()
         .set_created_by(concat!("pendulum-sweep ", env!("CARGO_PKG_VERSION")).to_owned())
         .set_compression(Compression::UNCOMPRESSED)
         .set_dictionary_enabled(false)
+        .set_column_encoding(ColumnPath::from("row"), Encoding::DELTA_BINARY_PACKED)
+        .set_statistics_enabled(EnabledStatistics::Chunk)
         .set_column_dictionary_enabled(ColumnPath::from("failure"), true)
         .set_key_value_metadata(Some(metadata))
         .build()
@@ -117,7 +148,7 @@ impl Table {
     /// [`SweepError::File`].
     pub fn write(&self, path: impl AsRef<Path>) -> Result<(), SweepError> {
         let path = path.as_ref();
-        let written = File::create(path).and_then(|file| write(file, self, [Ok((0, self.clone()))]));
+        let written = File::create(path).and_then(|file| write(file, 0, self));
         written.map_err(SweepError::file(path))
     }
 }

@@ -36,27 +36,44 @@ pub trait Task<const K: usize>: Sync {
 
     /// How many points are best given to [`run`](Self::run) at a time.
     fn chunk(&self) -> usize {
-        256
+        USUAL_CHUNK
     }
 }
 
-/// The results of some points, row by row.
+/// The results of some points.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chunk {
-    rows: Vec<Vec<f64>>,
+    /// Column by column.
+    numbers: Vec<Vec<f64>>,
+    rows: usize,
     failures: BTreeMap<usize, String>,
 }
 
 impl Chunk {
     /// Adds a row: a number for each column.
-    pub fn push(&mut self, numbers: Vec<f64>) {
-        self.rows.push(numbers);
+    ///
+    /// # Panics
+    /// If the row has another length than those before.
+    pub fn push(&mut self, numbers: impl IntoIterator<Item = f64>) {
+        let mut columns = 0;
+        for number in numbers {
+            if self.rows == 0 {
+                self.numbers.push(Vec::with_capacity(USUAL_CHUNK));
+            }
+            self.numbers[columns].push(number);
+            columns += 1;
+        }
+        assert_eq!(columns, self.numbers.len(), "rows of one chunk have one length");
+        self.rows += 1;
     }
 
     /// Adds the row of a point at which something failed, with what there is.
-    pub fn fail(&mut self, numbers: Vec<f64>, reason: impl fmt::Display) {
-        self.failures.insert(self.rows.len(), reason.to_string());
-        self.rows.push(numbers);
+    ///
+    /// # Panics
+    /// As [`push`](Self::push).
+    pub fn fail(&mut self, numbers: impl IntoIterator<Item = f64>, reason: impl fmt::Display) {
+        self.failures.insert(self.rows, reason.to_string());
+        self.push(numbers);
     }
 }
 
@@ -88,6 +105,10 @@ pub struct Summary {
     pub complete: bool,
 }
 
+/// Row numbers are exact below this one, whatever reads them.
+const MOST_POINTS: usize = 1 << 53;
+/// How many points are computed at a time, where nothing else is better.
+const USUAL_CHUNK: usize = 256;
 /// Chunks in a shard, where the number of its rows is not given.
 const SHARD: usize = 16;
 
@@ -200,20 +221,13 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
     /// # Errors
     /// All of [`SweepError`]; [`SweepError::Incomplete`] is none of them where this is a [share](Self::share).
     pub fn run_to(&self, path: impl AsRef<Path>) -> Result<Summary, SweepError> {
-        let (since, path) = (Instant::now(), path.as_ref());
-        self.check()?;
-        let shards = self.shards(path)?;
         let (index, of) = self.share;
-        let mut summary = Summary {
-            rows: self.sweep.points(),
-            computed: 0,
-            failed: 0,
-            time: Duration::ZERO,
-            complete: true,
-        };
-        if !shards.is_merged()? {
+        self.timed(path.as_ref(), |shards| {
+            if shards.is_merged()? {
+                return Ok((0, 0, true));
+            }
             shards.open()?;
-            let own: Vec<usize> = (index..shards.count).step_by(of).filter(|&n| !shards.has(n)).collect();
+            let own = shards.missing((index..shards.count).step_by(of))?;
             let rows = own.iter().map(|&n| shards.rows(n).len()).sum();
             let progress = self.progress(rows);
             let failed = self.in_threads(|| {
@@ -224,31 +238,49 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
                 };
                 own.par_iter().map(shard).try_reduce(|| 0, |a, b| Ok(a + b))
             })?;
-            (summary.computed, summary.failed) = (rows, failed);
             if of == 1 {
                 shards.merge()?;
             }
-            summary.complete = of == 1;
-        }
-        summary.time = since.elapsed();
-        Ok(summary)
+            Ok((rows, failed, of == 1))
+        })
+    }
+
+    /// The summary of what computes shards: how many rows, how many of them failed, and whether the file is complete.
+    fn timed(
+        &self,
+        path: &Path,
+        compute: impl FnOnce(&Shards<'_>) -> Result<(usize, usize, bool), SweepError>,
+    ) -> Result<Summary, SweepError> {
+        let since = Instant::now();
+        self.check()?;
+        let (computed, failed, complete) = compute(&self.shards(path)?)?;
+        Ok(Summary {
+            rows: self.sweep.points(),
+            computed,
+            failed,
+            time: since.elapsed(),
+            complete,
+        })
     }
 
     /// Computes all rows into a file, together with the other processes of `mpirun`.
     #[cfg(feature = "mpi")]
     pub(crate) fn run_on(&self, ranks: &crate::ranks::Ranks, path: &Path) -> Result<Summary, SweepError> {
-        let since = Instant::now();
-        self.check()?;
-        let shards = self.shards(path)?;
-        let is_merged = shards.is_merged()?;
-        if !is_merged && ranks.is_first() {
-            shards.open()?;
-        }
-        ranks.meet();
-        let (mut computed, mut failed) = (0, 0);
-        if !is_merged {
-            shards.open()?;
-            let missing: Vec<usize> = (0..shards.count).filter(|&n| !shards.has(n)).collect();
+        self.timed(path, |shards| {
+            let is_merged = shards.is_merged()?;
+            if !is_merged && ranks.is_first() {
+                shards.open()?;
+            }
+            ranks.meet();
+            if is_merged {
+                return Ok((0, 0, true));
+            }
+            let missing = if ranks.is_first() {
+                shards.missing(0..shards.count)?
+            } else {
+                Vec::new()
+            };
+            let (mut computed, mut failed) = (0, 0);
             let rows = missing.iter().map(|&n| shards.rows(n).len()).sum();
             let progress = if ranks.is_first() {
                 self.progress(rows)
@@ -266,14 +298,7 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
                 shards.merge()?;
             }
             ranks.meet();
-        }
-        let rows = self.sweep.points();
-        Ok(Summary {
-            rows,
-            computed,
-            failed,
-            time: since.elapsed(),
-            complete: true,
+            Ok((computed, failed, true))
         })
     }
 
@@ -284,7 +309,12 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
     pub fn merge(&self, path: impl AsRef<Path>) -> Result<(), SweepError> {
         self.check()?;
         let shards = self.shards(path.as_ref())?;
-        if shards.is_merged()? { Ok(()) } else { shards.merge() }
+        if shards.is_merged()? {
+            return Ok(());
+        }
+        shards.open()?;
+        shards.missing(0..shards.count)?;
+        shards.merge()
     }
 
     fn shards<'p>(&self, path: &'p Path) -> Result<Shards<'p>, SweepError> {
@@ -300,12 +330,15 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
             );
             return Err(SweepError::Invalid(reason));
         }
-        if self.sweep.points() == 0 {
-            return Err(SweepError::Invalid("the sweep has no points".to_owned()));
-        }
-        self.empty().map(drop)
+        let wrong = match self.sweep.points() {
+            0 => "the sweep has no points",
+            MOST_POINTS.. => {
+                "the sweep has 2^53 points or more, which no machine computes: take fewer values, or random points"
+            }
+            _ => return self.empty().map(drop),
+        };
+        Err(SweepError::Invalid(wrong.to_owned()))
     }
-
     /// The table without rows.
     fn empty(&self) -> Result<Table, SweepError> {
         let columns: Vec<Column> = self
@@ -355,15 +388,15 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         let firsts: Vec<usize> = rows.clone().step_by(size).collect();
         let chunks: Vec<_> = firsts.into_par_iter().map(chunk).collect::<Result<_, SweepError>>()?;
         let mut table = self.empty()?;
+        table.numbers.iter_mut().for_each(|column| column.reserve(rows.len()));
         for (points, chunk) in chunks {
             let before = table.rows();
-            for (point, kept) in points.iter().zip(&chunk.rows) {
-                let numbers = point.iter().chain(kept);
-                table
-                    .numbers
-                    .iter_mut()
-                    .zip(numbers)
-                    .for_each(|(column, &number)| column.push(number));
+            let (of_points, kept) = table.numbers.split_at_mut(K);
+            for (number, column) in of_points.iter_mut().enumerate() {
+                column.extend(points.iter().map(|point| point[number]));
+            }
+            for (column, numbers) in kept.iter_mut().zip(&chunk.numbers) {
+                column.extend_from_slice(numbers);
             }
             let failures = chunk.failures.into_iter().map(|(row, reason)| (before + row, reason));
             table.failures.extend(failures);
@@ -409,8 +442,8 @@ where
         let mut chunk = Chunk::default();
         for &point in points {
             match (self.find)(point) {
-                Ok(numbers) => chunk.push(numbers.to_vec()),
-                Err(reason) => chunk.fail(vec![f64::NAN; Q], reason),
+                Ok(numbers) => chunk.push(numbers),
+                Err(reason) => chunk.fail([f64::NAN; Q], reason),
             }
         }
         Ok(chunk)

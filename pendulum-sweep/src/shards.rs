@@ -1,11 +1,13 @@
 //! The shards of a file: each complete or absent.
 
+use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs::{self, File};
-use std::io::{self, Write};
+use std::io::{self, BufWriter, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
+use crc32fast::Hasher;
 use serde_json::Value;
 
 use crate::error::SweepError;
@@ -46,12 +48,46 @@ impl<'p> Shards<'p> {
         n * self.length..self.points.min((n + 1) * self.length)
     }
 
-    pub(crate) fn has(&self, n: usize) -> bool {
-        self.of(n).exists()
+    /// Those of some shards that are not there. Broken ones are removed: the name of a shard has the checksum of its
+    /// bytes.
+    pub(crate) fn missing(&self, shards: impl Iterator<Item = usize>) -> Result<Vec<usize>, SweepError> {
+        let present = self.present()?;
+        let is_missing = |n: &usize| match present.get(n) {
+            None => Ok(true),
+            Some(path) => {
+                let bytes = fs::read(path).map_err(SweepError::file(path))?;
+                let is_broken = *path != self.of(*n, crc32fast::hash(&bytes));
+                if is_broken {
+                    eprintln!("{} is broken, and is computed again", path.display());
+                    fs::remove_file(path).map_err(SweepError::file(path))?;
+                }
+                Ok(is_broken)
+            }
+        };
+        let checked = shards.filter_map(|n| match is_missing(&n) {
+            Ok(is_missing) => is_missing.then_some(Ok(n)),
+            Err(error) => Some(Err(error)),
+        });
+        checked.collect()
     }
 
-    fn of(&self, n: usize) -> PathBuf {
-        self.folder.join(format!("{n:06}.parquet"))
+    /// The shards that are there, broken or not.
+    fn present(&self) -> Result<BTreeMap<usize, PathBuf>, SweepError> {
+        let entries = fs::read_dir(&self.folder).map_err(SweepError::file(&self.folder))?;
+        let mut present = BTreeMap::new();
+        for entry in entries {
+            let path = entry.map_err(SweepError::file(&self.folder))?.path();
+            let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
+            let number = name.strip_suffix(".parquet").and_then(|name| name.split_once('-'));
+            if let Some(n) = number.and_then(|(number, _)| number.parse().ok()) {
+                present.insert(n, path);
+            }
+        }
+        Ok(present)
+    }
+
+    fn of(&self, n: usize, sum: u32) -> PathBuf {
+        self.folder.join(format!("{n:06}-{sum:08x}.parquet"))
     }
 
     /// Whether the file is there; it must be that of this sweep.
@@ -71,32 +107,42 @@ impl<'p> Shards<'p> {
             Ok(text) => self.compare(&self.folder, &text),
             Err(error) if error.kind() == io::ErrorKind::NotFound => {
                 let text = self.empty.declaration.clone();
-                whole(&declaration, |file| file.write_all(text.as_bytes()))
+                whole(&declaration, |file| {
+                    file.write_all(text.as_bytes())?;
+                    Ok(declaration.clone())
+                })
             }
             Err(error) => Err(SweepError::File(declaration, error)),
         }
     }
 
     pub(crate) fn write(&self, n: usize, table: &Table) -> Result<(), SweepError> {
-        whole(&self.of(n), |file| {
-            file::write(file, &self.empty, [Ok((self.rows(n).start, table.clone()))])
+        whole(&self.folder.join(format!("{n:06}")), |file| {
+            let mut file = Summed {
+                file: BufWriter::new(file),
+                sum: Hasher::new(),
+            };
+            file::write(&mut file, self.rows(n).start, table)?;
+            file.flush()?;
+            Ok(self.of(n, file.sum.finalize()))
         })
     }
 
     /// Puts the file together, and removes the shards.
     pub(crate) fn merge(&self) -> Result<(), SweepError> {
-        self.open()?;
-        let missing = (0..self.count).find(|&n| !self.has(n));
-        if let Some(missing) = missing {
-            let present = (0..self.count).filter(|&n| self.has(n)).count();
+        let present = self.present()?;
+        if let Some(missing) = (0..self.count).find(|n| !present.contains_key(n)) {
             return Err(SweepError::Incomplete {
-                present,
+                present: present.len(),
                 of: self.count,
                 missing,
             });
         }
-        let shards = (0..self.count).map(|n| Ok((self.rows(n).start, Table::read_file(&self.of(n))?)));
-        whole(self.path, |file| file::write(file, &self.empty, shards))?;
+        let parts: Vec<PathBuf> = present.into_values().take(self.count).collect();
+        whole(self.path, |file| {
+            file::concatenate(file, &self.empty, &parts)?;
+            Ok(self.path.to_owned())
+        })?;
         fs::remove_dir_all(&self.folder).map_err(SweepError::file(&self.folder))
     }
 
@@ -118,8 +164,27 @@ impl<'p> Shards<'p> {
     }
 }
 
-/// Writes a file that is complete or absent at any time.
-fn whole(path: &Path, write: impl FnOnce(&mut File) -> io::Result<()>) -> Result<(), SweepError> {
+/// A file, and the checksum of what is written to it.
+struct Summed<W> {
+    file: W,
+    sum: Hasher,
+}
+
+impl<W: Write> Write for Summed<W> {
+    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
+        let written = self.file.write(bytes)?;
+        self.sum.update(&bytes[..written]);
+        Ok(written)
+    }
+
+    fn flush(&mut self) -> io::Result<()> {
+        self.file.flush()
+    }
+}
+
+/// Writes a file that is complete or absent at any time, under a name like `path` at first, and then under the one that
+/// `write` returns.
+fn whole(path: &Path, write: impl FnOnce(&mut File) -> io::Result<PathBuf>) -> Result<(), SweepError> {
     let mut name = path.file_name().unwrap_or_default().to_owned();
     name.push(format!(".{}.tmp", std::process::id()));
     let unfinished = path.with_file_name(name);
@@ -127,7 +192,7 @@ fn whole(path: &Path, write: impl FnOnce(&mut File) -> io::Result<()>) -> Result
         fs::create_dir_all(folder).map_err(SweepError::file(folder))?;
     }
     let written = File::create(&unfinished).and_then(|mut file| {
-        write(&mut file)?;
+        let path = write(&mut file)?;
         file.sync_all()?;
         fs::rename(&unfinished, path)
     });

@@ -162,6 +162,58 @@ fn a_sweep_that_is_killed_goes_on_and_ends_with_the_same_bytes() -> Outcome {
     Ok(())
 }
 
+/// The shards beside a file, in order.
+fn shards(path: &Path) -> Vec<PathBuf> {
+    let entries = fs::read_dir(path.with_extension("parquet.shards")).expect("the folder of the shards");
+    let paths = entries.map(|entry| entry.expect("an entry").path());
+    let mut paths: Vec<PathBuf> = paths
+        .filter(|path| path.extension().is_some_and(|end| end == "parquet"))
+        .collect();
+    paths.sort();
+    paths
+}
+
+#[test]
+fn a_broken_shard_is_computed_again() -> Outcome {
+    let folder = folder("broken");
+    let (whole, broken) = (folder.join("whole.parquet"), folder.join("broken.parquet"));
+    rods(450, 1.0).run_to(&whole)?;
+    for share in 0..2 {
+        rods(450, 1.0).share(share, 2).run_to(&broken)?;
+    }
+    // a single bit, and an end that is missing
+    let (first, second) = (&shards(&broken)[1], &shards(&broken)[3]);
+    let mut bytes = fs::read(first)?;
+    bytes[1000] ^= 4;
+    fs::write(first, &bytes)?;
+    fs::write(second, &fs::read(second)?[..700])?;
+    let missing = rods(450, 1.0).merge(&broken).expect_err("two are broken");
+    assert!(
+        missing.to_string().contains("3 of 5 shards are there; shard 1 "),
+        "{missing}"
+    );
+    let summary = rods(450, 1.0).run_to(&broken)?;
+    assert_eq!((summary.computed, summary.complete), (200, true));
+    assert_eq!(fs::read(&whole)?, fs::read(&broken)?);
+    Ok(())
+}
+
+#[test]
+fn shards_of_different_sweeps_are_not_put_together() -> Outcome {
+    let folder = folder("contradiction");
+    let (one, other) = (folder.join("one.parquet"), folder.join("other.parquet"));
+    rods(450, 1.0).share(0, 2).run_to(&one)?;
+    rods(450, 2.0).share(1, 2).run_to(&other)?;
+    for shard in shards(&other) {
+        let name = shard.file_name().expect("a name").to_owned();
+        fs::rename(shard, folder.join("one.parquet.shards").join(name))?;
+    }
+    let error = rods(450, 1.0).merge(&one).expect_err("two spans");
+    assert!(error.to_string().contains(".parquet is of another sweep"), "{error}");
+    assert!(!one.exists());
+    Ok(())
+}
+
 #[test]
 fn another_sweep_is_not_overwritten() -> Outcome {
     let path = folder("others").join("sweep.parquet");
@@ -189,6 +241,9 @@ fn what_is_wrong_is_said() {
         assert!(error.contains(text), "{error}");
     };
     says(rods(0, 1.0).run(), "the sweep has no points");
+    let axis = |name| Axis::linear(name, "1", 0.0, 1.0, 1 << 20);
+    let huge = Sweep::grid("huge", ["a", "b", "c", "d"].map(axis)).each([("one", "1")], |_| Ok([1.0]));
+    says(huge.quiet().run(), "the sweep has 2^53 points or more");
     says(
         rods(10, 1.0).share(3, 3).run(),
         "shares are counted from 0, so the last one is 2",
