@@ -8,7 +8,8 @@ use std::path::PathBuf;
 use pendulum_core::Reason;
 
 /// Why a sweep did not run, or did not reach its end. A trajectory that fails is a row with a reason, and no error.
-#[derive(Debug)]
+///
+/// `Debug` prints the same message as `Display`, for a `main` that returns the error.
 #[non_exhaustive]
 pub enum SweepError {
     /// The design, the columns or the settings of the method are not valid; nothing was computed.
@@ -68,6 +69,12 @@ impl fmt::Display for SweepError {
                  are left, or the sweep without a share"
             ),
         }
+    }
+}
+
+impl fmt::Debug for SweepError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        fmt::Display::fmt(self, f)
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::fmt;
 use std::ptr;
+use std::sync::Mutex;
 
 use opencl3::command_queue::CommandQueue;
 use opencl3::context::Context;
@@ -17,6 +18,9 @@ use pendulum_core::real::Float;
 use super::source::Settings;
 use crate::error::SweepError;
 
+/// Drivers look for devices, and compile, in one thread at a time: not all of them are made for more.
+static DRIVERS: Mutex<()> = Mutex::new(());
+
 /// A device that runs OpenCL.
 pub struct Device {
     device: device::Device,
@@ -29,6 +33,7 @@ impl Device {
     /// # Errors
     /// [`SweepError::Device`].
     pub fn all() -> Result<Vec<Self>, SweepError> {
+        let _one_at_a_time = DRIVERS.lock();
         let mut devices = Vec::new();
         // no library and no driver are no devices
         for platform in get_platforms().unwrap_or_default() {
@@ -105,6 +110,7 @@ impl Kernel {
         } else {
             ""
         };
+        let _one_at_a_time = DRIVERS.lock();
         let context = Context::from_device(&device.device).map_err(failed("use the device"))?;
         let queue = CommandQueue::create_default(&context, 0).map_err(failed("make a queue"))?;
         let program = Program::create_and_build_from_source(&context, source, options)
