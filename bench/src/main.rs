@@ -12,6 +12,7 @@ mod python;
 mod report;
 mod rust;
 mod scaling;
+mod sweeps;
 mod timing;
 mod weights;
 
@@ -21,12 +22,13 @@ use std::process::ExitCode;
 type Measurement = fn() -> Result<(), Box<dyn Error>>;
 
 /// What can be measured: `cargo run --release -- NAME`.
-const MEASUREMENTS: [(&str, Measurement); 5] = [
+const MEASUREMENTS: [(&str, Measurement); 6] = [
     ("peers", peers::measure),
     ("lanes", lanes::measure),
     ("scaling", scaling::measure),
     ("weights", weights::measure),
     ("methods", methods::measure),
+    ("sweeps", sweeps::measure),
 ];
 
 fn main() -> ExitCode {
