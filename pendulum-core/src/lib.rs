@@ -108,7 +108,7 @@ pub use real::{Float, Real};
 #[cfg(feature = "std")]
 pub use solution::{OutsideSpan, Solution};
 pub use statistics::Statistics;
-pub use system::{Canonical, Cast, Energy, FnSystem, IntoState, Jacobian, System};
+pub use system::{Canonical, Cast, CastJacobian, Energy, FnSystem, IntoState, Jacobian, System};
 pub use taylor::{CastTaylor, TaylorSeries};
 
 /// Declares a mechanism and generates its equations of motion: see [`language`].

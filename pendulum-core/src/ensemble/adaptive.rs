@@ -68,7 +68,7 @@ where
 
     #[inline(always)]
     fn run<V: Lanes<Scalar = T>>(self) -> Result<(), Reason> {
-        if const { M::HYBRID && V::LANES > 1 } && self.has_plain_rates() {
+        if const { M::HYBRID && F::IN_MODES && V::LANES > 1 } && self.has_plain_rates() {
             self.in_modes::<V>()
         } else if const { !M::HYBRID && !F::NARROW } {
             self.in_lanes::<V::Double>()
@@ -274,14 +274,17 @@ where
     }
 }
 
-/// What a step brings in a lane where not all is finite. The derivative at its end does not matter if its error is too
-/// large.
+/// What a step brings in a lane where not all is finite, or which [stalls](Scheme::attempt). The derivative at its end
+/// does not matter if its error is too large.
 #[cold]
 fn outcome<V: Lanes, const N: usize>(
     (x, slope): (&SVector<V, N>, Option<&SVector<V, N>>),
     mean_square: V::Scalar,
     lane: usize,
 ) -> Result<V::Scalar, Failure> {
+    if mean_square < V::Scalar::default() {
+        return Err(Stalled.into());
+    }
     let slope = slope.filter(|_| is_within_tolerance(mean_square));
     match first_not_finite(x, slope, lane) {
         Some(component) => Err(component.into()),

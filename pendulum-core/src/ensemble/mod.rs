@@ -12,7 +12,7 @@ use std::fmt;
 
 use nalgebra::SVector;
 
-pub use lanes::{Expanded, InLanes};
+pub use lanes::{Differentiable, Expanded, InLanes};
 
 use crate::error::{Reason, debug_as_display};
 use crate::method::{Method, require};

@@ -47,6 +47,7 @@ pub(crate) use zero::{dip, first_zero, places, root};
 pub(crate) use {
     grid::Grid,
     input::{check_span, check_state},
+    rosenbrock::RosenbrockStages,
     scheme::{Failure, NonFinite},
     stages::SHORT,
     step_control::{Pace, StepControl, is_within_tolerance},

@@ -48,7 +48,8 @@ pub trait Scheme<S: ?Sized, T: Lanes, const N: usize>: Clone {
 
     /// Tries a step from the start `(t, x)` to the end `(t, x)`, whose state it writes.
     ///
-    /// Returns the mean square of the estimated error in units of the tolerance; 0 where there is no estimate.
+    /// Returns the mean square of the estimated error in units of the tolerance; 0 where there is no estimate. Of
+    /// several lanes, those that stall have a negative one, and a state that is not finite.
     fn attempt(
         &mut self,
         system: &InMode<'_, S, T>,
