@@ -106,7 +106,7 @@ pub use method::{
 };
 pub use real::{Float, Real};
 #[cfg(feature = "std")]
-pub use solution::{OutsideSpan, Solution};
+pub use solution::{Observer, OutsideSpan, Solution};
 pub use statistics::Statistics;
 pub use system::{Canonical, Cast, CastJacobian, Energy, FnSystem, IntoState, Jacobian, System};
 pub use taylor::{CastTaylor, TaylorSeries};

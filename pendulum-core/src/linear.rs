@@ -211,6 +211,7 @@ impl<F: Field<Size: Float>, const N: usize> Pivots<F, N> for Alone<N> {
 }
 
 /// The [`Pivots`] of a matrix in each lane, which are those that it has alone.
+#[cfg(feature = "std")]
 #[derive(Clone, Copy, Debug)]
 pub struct PerLane<V, const N: usize> {
     /// At `[k][i]` negative where row `i` moved up to row `k`.
@@ -219,6 +220,7 @@ pub struct PerLane<V, const N: usize> {
     defect: V,
 }
 
+#[cfg(feature = "std")]
 impl<V: Lanes, const N: usize> Pivots<V, N> for PerLane<V, N> {
     #[inline(always)]
     fn in_order() -> Self {
@@ -268,6 +270,7 @@ impl<V: Lanes, const N: usize> Pivots<V, N> for PerLane<V, N> {
 }
 
 /// Exchanges two numbers in the lanes where `moved` is negative.
+#[cfg(feature = "std")]
 #[inline(always)]
 fn exchange<V: Lanes>(moved: V, numbers: &mut [V], k: usize, i: usize) {
     let (upper, lower) = (numbers[k], numbers[i]);

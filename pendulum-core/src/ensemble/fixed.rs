@@ -3,19 +3,23 @@
 use nalgebra::SVector;
 
 use super::check::{first_not_finite, in_lane};
-use super::{Ensemble, EnsembleError, InLanes, Stopped, alone, check_models, conclude, model_of};
+use super::together::Together;
+use super::watch::{Unwatched, Watch, Watched};
+use super::{Ensemble, EnsembleError, InLanes, Stopped, alone, check_models, check_observers, conclude, model_of};
 use crate::dense::Step;
 use crate::error::Reason;
+use crate::event::Event;
 use crate::hybrid::{Hold, InMode};
-use crate::method::{Accepted, Fixed, Grid, Scheme, Stalled, check_span};
+use crate::method::{Accepted, Fixed, Grid, OneStep, Scheme, Stalled, check_span};
 use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
+use crate::solution::Observer;
 use crate::statistics::Statistics;
 use crate::system::Cast;
 
 impl<M, F, T, const N: usize> Ensemble<M, T, N> for Fixed<F>
 where
     M: Cast<N>,
-    F: InLanes<M, T, N>,
+    F: Together<M, T, N>,
     T: LaneElement,
 {
     fn ensemble_on(
@@ -26,59 +30,122 @@ where
         t1: T,
         starts: &[SVector<T, N>],
     ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>> {
-        check_span(t0, t1)?;
-        let grid = Grid::new(self.h, t0, t1)?;
-        check_models(models, starts)?;
-        let mut x = starts.to_vec();
-        let mut stopped = Vec::new();
-        isa.run(March {
-            method: self,
-            models,
-            grid,
-            x: &mut x,
-            stopped: &mut stopped,
-        })?;
-        conclude(x, stopped)
+        run(self, isa, models, (t0, t1), starts, Unwatched)
+    }
+
+    fn observe_on<'w, 'e: 'w, O>(
+        &self,
+        isa: Isa,
+        models: &[M],
+        span: (T, T),
+        starts: &[SVector<T, N>],
+        events: impl Fn(usize) -> &'w [Event<'e, T, N>],
+        observers: &mut [O],
+    ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>
+    where
+        O: Observer<T, N>,
+        T: 'w,
+    {
+        check_observers(observers, starts)?;
+        run(self, isa, models, span, starts, Watched::new(observers, events))
     }
 }
 
+fn run<M, F, T, W, const N: usize>(
+    method: &Fixed<F>,
+    isa: Isa,
+    models: &[M],
+    (t0, t1): (T, T),
+    starts: &[SVector<T, N>],
+    watch: W,
+) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>
+where
+    M: Cast<N>,
+    F: Together<M, T, N>,
+    T: LaneElement,
+    W: Watch<T, N>,
+{
+    check_span(t0, t1)?;
+    let grid = Grid::new(method.h, t0, t1)?;
+    check_models(models, starts)?;
+    // settings are wrong for all trajectories, or for none
+    if let Some(model) = models.first() {
+        method.family.scheme(&model.cast(), None)?;
+    }
+    let mut x = starts.to_vec();
+    let mut stopped = Vec::new();
+    let march = March {
+        method,
+        models,
+        grid,
+        x: &mut x,
+        stopped: &mut stopped,
+        watch,
+    };
+    F::on_grid(isa, march)?;
+    conclude(x, stopped)
+}
+
 /// Trajectories on their way from the states `x`, which are replaced.
-struct March<'a, F, M, T, const N: usize> {
+pub struct March<'a, F, M, T, W, const N: usize> {
     method: &'a Fixed<F>,
     models: &'a [M],
     grid: Grid<T>,
     x: &'a mut [SVector<T, N>],
     stopped: &'a mut Vec<Stopped<T>>,
+    watch: W,
 }
 
-impl<F, M, T, const N: usize> Kernel<T> for March<'_, F, M, T, N>
+impl<F, M, T, W, const N: usize> Kernel<T> for March<'_, F, M, T, W, N>
 where
     F: InLanes<M, T, N>,
     M: Cast<N>,
     T: LaneElement,
+    W: Watch<T, N>,
 {
     type Output = Result<(), Reason>;
 
     #[inline(always)]
-    fn run<V: Lanes<Scalar = T>>(mut self) -> Result<(), Reason> {
+    fn run<V: Lanes<Scalar = T>>(self) -> Result<(), Reason> {
         // Further lanes fill the gaps where operations wait for one another. A longer system has enough that are independent, and
         // needs the registers for itself.
-        if const { !M::HYBRID && !F::NARROW } {
+        if const { !M::HYBRID && !F::NARROW && !W::WATCHES } {
             self.in_groups::<<V::Double as Lanes>::Double>()
-        } else if const { !M::HYBRID && V::LANES > 1 } {
+        } else if const { !M::HYBRID && V::LANES > 1 && !W::WATCHES } {
             self.in_groups::<V>()
         } else {
-            self.alone(0..self.x.len());
+            self.one_by_one();
             Ok(())
         }
     }
 }
 
-impl<F, M, T, const N: usize> March<'_, F, M, T, N>
+impl<F, M, T, W, const N: usize> March<'_, F, M, T, W, N>
+where
+    F: OneStep<M::In<T>, T, N>,
+    M: Cast<N>,
+    T: LaneElement,
+    W: Watch<T, N>,
+{
+    /// Brings all to their ends, one after the other.
+    pub(super) fn one_by_one(mut self) {
+        self.alone(0..self.x.len());
+    }
+
+    /// The same with some of them.
+    fn alone(&mut self, which: impl IntoIterator<Item = usize>) {
+        let span = (self.grid.t0(), self.grid.t1());
+        let states = (&mut *self.x, &mut self.watch);
+        alone(self.method, self.models, span, which, states, self.stopped);
+    }
+}
+
+impl<F, M, T, W, const N: usize> March<'_, F, M, T, W, N>
 where
     F: InLanes<M, T, N>,
     M: Cast<N>,
     T: LaneElement,
+    W: Watch<T, N>,
 {
     /// As many trajectories at a time as there are lanes; where they run out, the last fills the group.
     ///
@@ -103,12 +170,6 @@ where
         }
         self.alone(failed);
         Ok(())
-    }
-
-    /// Integrates some of the trajectories one after the other.
-    fn alone(&mut self, which: impl IntoIterator<Item = usize>) {
-        let span = (self.grid.t0(), self.grid.t1());
-        alone(self.method, self.models, span, which, self.x, self.stopped);
     }
 }
 

@@ -53,7 +53,8 @@ pub(crate) use {
     step_control::{Pace, StepControl, is_within_tolerance},
     stepper::{Modes, Progress},
     tangent::Tangent,
-    watch::follow,
+    search::Search,
+    watch::{follow, see},
 };
 
 pub use crate::control::{Estimates, Tolerance};
