@@ -34,6 +34,7 @@ const SAMPLES: usize = 100;
 fn main() -> Result<(), Box<dyn Error>> {
     let loose = ensemble(0.0, 0.0)?;
     compare("Tsit5", &Tsit5::new(), &loose)?;
+    return compare("Rodas5P", &Rodas5P::new(), &loose);
     compare("Vern9", &Vern9::new().rtol(1e-10).atol(1e-10), &loose)?;
     compare("Taylor", &Taylor::new().rtol(1e-10).atol(1e-10), &loose)?;
     compare("Rk4", &Rk4::new(0.01), &loose)?;

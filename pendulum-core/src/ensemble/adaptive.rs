@@ -250,23 +250,27 @@ where
         within: &mut Vec<SVector<T, N>>,
     ) {
         let span = |lane: usize| (step.t0.lane(lane), step.t1.lane(lane));
-        let accepted = |members: &Members<T>| {
-            let is_accepted: [bool; MOST_LANES] = std::array::from_fn(|lane| members.is_accepted(lane));
-            members.busy(V::LANES).filter(move |&(lane, _)| is_accepted[lane])
-        };
+        let mut looks = [false; MOST_LANES];
+        for (lane, index) in members.busy(V::LANES) {
+            looks[lane] = members.is_accepted(lane) && self.watch.looks_into(index, span(lane));
+        }
         let mut work = Statistics::default();
-        let looks = accepted(members).any(|(lane, index)| self.watch.looks_into(index, span(lane)));
-        let coefficients = if looks {
+        let coefficients = if looks[..V::LANES].contains(&true) {
             scheme.dense(system, step, &mut work)
         } else {
             &[]
         };
-        for (lane, index) in accepted(members) {
+        for (lane, index) in members.busy(V::LANES) {
+            if !members.is_accepted(lane) {
+                continue;
+            }
             let (start, end) = span(lane);
             let step = Step::new((start, in_lane(&step.x0, lane)), (end, in_lane(&step.x1, lane)));
             within.clear();
-            if self.watch.looks_into(index, (start, end)) {
-                within.extend(coefficients.iter().map(|coefficient| in_lane(coefficient, lane)));
+            if looks[lane] {
+                for coefficient in coefficients {
+                    within.push(in_lane(coefficient, lane));
+                }
                 self.watch.work(index, &work);
             }
             match self.watch.see(index, &Dense::new(step, within)) {

@@ -12,7 +12,7 @@ use crate::hybrid::InMode;
 use crate::linear::square;
 use crate::method::operations as count;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
-use crate::method::stages::{SHORT, shifted, weighted_sum};
+use crate::method::stages::{SHORT, combination, shifted, weighted_sum};
 use crate::method::{Adaptive, Fixed};
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
@@ -264,22 +264,13 @@ where
     fn dense(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
         let tableau = const { &B::TABLEAU };
         let mut extra = [SVector::from_element(T::default()); MAX_EXTRA];
-        let sum = |weights: &[f64], extra: &[SVector<T, N>]| {
-            let mut sum = SVector::from_element(T::default());
-            for (&weight, stage) in weights.iter().zip(self.stages.iter().chain(extra)) {
-                if weight != 0.0 {
-                    sum += stage * T::from_f64(weight);
-                }
-            }
-            sum * step.h
-        };
         for (i, row) in tableau.extra.iter().enumerate() {
-            let x = step.x0 + sum(row.a, &extra[..i]);
-            extra[i] = system.rhs(step.t0 + step.h * T::from_f64(row.c), &x);
+            let change = combination(row.a, self.stages.iter().chain(&extra[..i]), step.h);
+            extra[i] = system.rhs(step.t0 + step.h * T::from_f64(row.c), &shifted(&step.x0, &change));
         }
         work.evaluations += tableau.extra.len();
         for (coefficient, row) in self.coefficients.iter_mut().zip(tableau.dense) {
-            *coefficient = sum(row, &extra[..tableau.extra.len()]);
+            *coefficient = combination(row, self.stages.iter().chain(&extra[..tableau.extra.len()]), step.h);
         }
         &self.coefficients[..tableau.dense.len()]
     }

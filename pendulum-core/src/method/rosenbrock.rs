@@ -298,13 +298,18 @@ where
         self.swapped = !self.swapped;
     }
 
+    #[inline(always)]
     fn dense(&mut self, _system: &InMode<'_, S, T>, _step: &Step<T, N>, _work: &mut Statistics) -> &[SVector<T, N>] {
         let rows = const { B::TABLEAU.dense };
         for (coefficient, row) in self.coefficients.iter_mut().zip(rows) {
-            *coefficient = SVector::from_element(T::default());
+            let mut sums = [T::default(); N];
             for (stage, &weight) in self.stages.iter().zip(*row) {
-                *coefficient += stage * T::from_f64(weight);
+                let weight = T::from_f64(weight);
+                for (sum, &component) in sums.iter_mut().zip(&stage.data.0[0]) {
+                    *sum += component * weight;
+                }
             }
+            *coefficient = SVector::from(sums);
         }
         &self.coefficients[..rows.len()]
     }
