@@ -51,7 +51,12 @@ type Members = (Vec<Rods>, Vec<SVector<f64, 4>>);
 
 fn ensemble(k: f64, c: f64) -> Result<Members, Box<dyn Error>> {
     let share = |n: usize| n as f64 / COUNT as f64;
-    let rods = |n| Rods::new(RodsParams { k: k * (1.0 + share(n)), c });
+    let rods = |n| {
+        Rods::new(RodsParams {
+            k: k * (1.0 + share(n)),
+            c,
+        })
+    };
     let models = (0..COUNT).map(rods).collect::<Result<_, _>>()?;
     let start = |n| SVector::from([3.0 * share(n), 0.1, 0.0, 0.0]);
     Ok((models, (0..COUNT).map(start).collect()))
@@ -91,7 +96,11 @@ where
     let events = [event(0)];
     let steps = method.solve(&models[1], 0.0, T1, starts[1])?.statistics().accepted;
     let ends = ratio(
-        || members().map(|(model, &x)| method.stepper(model, 0.0, T1, x)?.run()).collect::<Result<Vec<_>, _>>(),
+        || {
+            members()
+                .map(|(model, &x)| method.stepper(model, 0.0, T1, x)?.run())
+                .collect::<Result<Vec<_>, _>>()
+        },
         || method.ensemble(models, 0.0, T1, starts),
     );
     let samples = ratio(

@@ -22,8 +22,8 @@ use nalgebra::{SMatrix, SVector};
 
 pub use law::{Generic, InputLaw, Law, LawJacobian};
 
-use crate::real::lanes::Lanes;
 use crate::real::Real;
+use crate::real::lanes::Lanes;
 #[cfg(feature = "std")]
 use crate::shapes::{Shape, Shapes};
 use crate::system::{Cast, CastJacobian, Differences, Energy, Jacobian, System, WithJacobian, by_number};

@@ -459,6 +459,82 @@ mod tests {
         assert_eq!(lu.solve(&[one, one + i]), [one, one]);
     }
 
+    /// Matrices whose lanes need other pivots, or none, and are singular here and there.
+    #[cfg(feature = "std")]
+    #[test]
+    fn each_lane_has_the_pivots_that_it_has_alone() {
+        use super::PerLane;
+        use crate::real::Real;
+        use crate::real::lanes::{F32x8, F64x4, Lanes};
+
+        fn check<V: Lanes, const N: usize>(seed: &mut u64) -> [usize; 2] {
+            let (mut regular, mut singular) = (0, 0);
+            for round in 0..200 {
+                // few different numbers, so that some are equal and some zero
+                let coarse =
+                    |number: f64| V::Scalar::from_f64(if round % 2 == 0 { (2.0 * number).round() } else { number });
+                let mut entries = || -> [[V; N]; N] {
+                    core::array::from_fn(|_| core::array::from_fn(|_| V::from_fn(|_| coarse(noise(seed)))))
+                };
+                let (columns, b) = (entries(), entries()[0]);
+                let lu = Lu::<V, N, PerLane<V, N>>::of(columns).expect("in lanes");
+                let x = lu.solved(&b);
+                for lane in 0..V::LANES {
+                    let own = columns.map(|column| column.map(|entry| entry.lane(lane)));
+                    match Lu::new(own) {
+                        Ok(alone) => {
+                            regular += 1;
+                            assert!(lu.defect().lane(lane).is_finite(), "{own:?}");
+                            let alone = alone.solve(&b.map(|b| b.lane(lane))).map(|x| x.to_f64().to_bits());
+                            assert_eq!(x.map(|x| x.lane(lane).to_f64().to_bits()), alone, "{own:?}");
+                        }
+                        Err(Singular) => {
+                            singular += 1;
+                            assert!(!lu.defect().lane(lane).is_finite(), "{own:?}");
+                        }
+                    }
+                }
+            }
+            [regular, singular]
+        }
+        let mut seed = 1;
+        for [regular, singular] in [
+            check::<F64x4, 2>(&mut seed),
+            check::<F64x4, 4>(&mut seed),
+            check::<F32x8, 5>(&mut seed),
+        ] {
+            assert!(regular > 100 && singular > 10, "{regular} {singular}");
+        }
+    }
+
+    #[cfg(feature = "std")]
+    #[test]
+    fn a_lane_is_singular_where_no_reciprocal_exists() {
+        use super::PerLane;
+        use crate::real::lanes::{F64x4, Lanes};
+
+        let pivots = [
+            f64::MAX,
+            f64::MIN_POSITIVE,
+            5e-324,
+            0.0,
+            -0.0,
+            f64::INFINITY,
+            f64::NAN,
+            1.0,
+        ];
+        for pivots in pivots.chunks(4) {
+            let lu = Lu::<F64x4, 1, PerLane<F64x4, 1>>::of([[F64x4::from_fn(|lane| pivots[lane])]]).expect("in lanes");
+            for (lane, &pivot) in pivots.iter().enumerate() {
+                assert_eq!(
+                    lu.defect().lane(lane).is_finite(),
+                    Lu::new([[pivot]]).is_ok(),
+                    "{pivot}"
+                );
+            }
+        }
+    }
+
     #[test]
     fn singular_matrices_are_refused() {
         assert_eq!(Lu::new([[1.0, 2.0], [2.0, 4.0]]).err(), Some(Singular));

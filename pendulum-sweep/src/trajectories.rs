@@ -336,7 +336,9 @@ where
         Ok(_) => {}
         Err(EnsembleError::InvalidInput(reason)) => return Err(reason.into()),
         Err(EnsembleError::Stopped { stopped, .. }) => {
-            stopped.iter().for_each(|stopped| reasons[stopped.index] = Some(stopped.reason));
+            stopped
+                .iter()
+                .for_each(|stopped| reasons[stopped.index] = Some(stopped.reason));
         }
         Err(other) => return Err(SweepError::Invalid(other.to_string())),
     }

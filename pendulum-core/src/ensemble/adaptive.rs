@@ -9,7 +9,7 @@ use super::members::Members;
 use super::together::Together;
 use super::watch::{Unwatched, Watch, Watched};
 use super::{
-    MOST_LANES, Ensemble, EnsembleError, InLanes, Stopped, alone, check_models, check_observers, conclude, model_of,
+    Ensemble, EnsembleError, InLanes, MOST_LANES, Stopped, alone, check_models, check_observers, conclude, model_of,
 };
 use crate::dense::{Dense, Step};
 use crate::error::Reason;
@@ -165,7 +165,7 @@ where
         }
         let tolerance = self.method.tolerance()?;
         let mut system = F::gather::<V>(|_| &self.models[0]);
-        let mut scheme = self.method.family.stages::<V>(&system, Some(tolerance))?;
+        let mut scheme = self.method.family.stages::<V>(&system, Some(tolerance), W::WATCHES)?;
         let control = self.method.control(tolerance, scheme.error_order(), self.span)?;
         let hold = Hold::default();
         let mut members = Members::none();
@@ -208,7 +208,13 @@ where
             let lanes = members.accepted::<V>();
             let step = Step::new((t, x), (t_new, x_new));
             if const { W::WATCHES } {
-                self.show(&mut members, &mut scheme, &InMode::new(&system, &hold), &step, &mut within);
+                self.show(
+                    &mut members,
+                    &mut scheme,
+                    &InMode::new(&system, &hold),
+                    &step,
+                    &mut within,
+                );
             }
             scheme.accept(&InMode::new(&system, &hold), &step, lanes, work);
             x = lanes.select(&x_new, &x);
@@ -437,7 +443,7 @@ where
 /// What a step brings in a lane where not all is finite, or which [stalls](Scheme::attempt). The derivative at its end
 /// does not matter if its error is too large.
 #[cold]
-fn outcome<V: Lanes, const N: usize>(
+pub(super) fn outcome<V: Lanes, const N: usize>(
     (x, slope): (&SVector<V, N>, Option<&SVector<V, N>>),
     mean_square: V::Scalar,
     lane: usize,

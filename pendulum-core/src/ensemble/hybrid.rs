@@ -39,7 +39,7 @@ where
         let (_, t1) = self.span;
         let tolerance = self.method.tolerance()?;
         let mut system = F::gather::<V>(|_| &self.models[0]);
-        let mut scheme = self.method.family.stages::<V>(&system, Some(tolerance))?;
+        let mut scheme = self.method.family.stages::<V>(&system, Some(tolerance), true)?;
         let control = self.method.control(tolerance, scheme.error_order(), self.span)?;
         let mut hold = Hold::default();
         let mut members = Members::none();
@@ -160,7 +160,11 @@ where
     }
 
     /// Goes on alone until the trajectory can go on beside others, or to its end.
-    fn go_alone(&mut self, index: usize, mut stepper: Stepper<'_, F::Scheme, M::In<T>, T, N>) -> Option<Progress<T, N>> {
+    fn go_alone(
+        &mut self,
+        index: usize,
+        mut stepper: Stepper<'_, F::Scheme, M::In<T>, T, N>,
+    ) -> Option<Progress<T, N>> {
         while stepper.t() != self.span.1 {
             if stepper.is_settled() {
                 return stepper.progress();

@@ -32,7 +32,7 @@ pub trait InLanes<M: Cast<N>, T: LaneElement, const N: usize>: OneStep<M::In<T>,
     where
         M: 'm;
 
-    /// [`OneStep::scheme`] in lanes.
+    /// [`OneStep::scheme`] in lanes; `is_dense` says whether dense output will be asked for.
     ///
     /// # Errors
     /// Those of [`OneStep::scheme`].
@@ -40,6 +40,7 @@ pub trait InLanes<M: Cast<N>, T: LaneElement, const N: usize>: OneStep<M::In<T>,
         &self,
         system: &Self::System<V>,
         tolerance: Option<Tolerance<T>>,
+        is_dense: bool,
     ) -> Result<Self::Stages<V>, Reason>;
 }
 
@@ -66,8 +67,11 @@ where
         &self,
         system: &M::In<V>,
         tolerance: Option<Tolerance<T>>,
+        is_dense: bool,
     ) -> Result<Self::Stages<V>, Reason> {
-        OneStep::<M::In<V>, V, N>::scheme(self, system, tolerance)
+        let mut stages = OneStep::<M::In<V>, V, N>::scheme(self, system, tolerance)?;
+        stages.keep_stages(is_dense);
+        Ok(stages)
     }
 }
 
@@ -94,6 +98,7 @@ where
         &self,
         system: &Expanded<M, V, N>,
         tolerance: Option<Tolerance<T>>,
+        _is_dense: bool,
     ) -> Result<Self::Stages<V>, Reason> {
         OneStep::<Expanded<M, V, N>, V, N>::scheme(self, system, tolerance)
     }
@@ -153,6 +158,7 @@ where
         &self,
         _system: &Differentiable<M, V, N>,
         tolerance: Option<Tolerance<T>>,
+        _is_dense: bool,
     ) -> Result<Self::Stages<V>, Reason> {
         Ok(RosenbrockStages::new(tolerance))
     }

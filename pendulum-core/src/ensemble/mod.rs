@@ -27,6 +27,10 @@ use crate::system::Cast;
 use watch::Watch;
 
 /// A method that integrates many trajectories at a time.
+///
+/// Explicit methods, [`Taylor`](crate::Taylor) and Rosenbrock methods do so in lanes: each trajectory has one, and the
+/// next takes it where it ends. [`Radau5`](crate::Radau5), [`Auto`](crate::Auto) and the methods of Gauss go through the
+/// trajectories one by one, and so do Rosenbrock methods with [hybrid](crate::hybrid) systems.
 pub trait Ensemble<M, T: LaneElement, const N: usize> {
     /// Integrates a model from each of many states at `t0` to `t1`, and returns the states there.
     ///
@@ -190,7 +194,12 @@ fn check_models<M: Cast<N>, X, const N: usize>(models: &[M], starts: &[X]) -> Re
 
 fn check_observers<O, X>(observers: &[O], starts: &[X]) -> Result<(), Reason> {
     let rule = "an ensemble takes one observer for each start";
-    require(observers.len() == starts.len(), "observers", observers.len() as f64, rule)
+    require(
+        observers.len() == starts.len(),
+        "observers",
+        observers.len() as f64,
+        rule,
+    )
 }
 
 /// The final states, or which trajectories stopped.

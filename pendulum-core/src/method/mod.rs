@@ -38,9 +38,9 @@ use crate::solution::{Observer, Solution};
 use crate::system::IntoState;
 #[cfg(feature = "std")]
 use crate::system::System;
+use crate::tableau::{self, DormandPrince5, Kutta4, Tsitouras5, Verner7, Verner9};
 #[cfg(feature = "std")]
 use nalgebra::SVector;
-use crate::tableau::{self, DormandPrince5, Kutta4, Tsitouras5, Verner7, Verner9};
 
 pub(crate) use explicit::MAX_DEGREE;
 pub(crate) use input::require;
@@ -51,11 +51,11 @@ pub(crate) use {
     input::{check_span, check_state},
     rosenbrock::RosenbrockStages,
     scheme::{Failure, NonFinite},
+    search::Search,
     stages::SHORT,
     step_control::{Pace, StepControl, is_within_tolerance},
     stepper::{Modes, Progress},
     tangent::Tangent,
-    search::Search,
     watch::{follow, see},
 };
 

@@ -332,7 +332,11 @@ where
     #[inline(always)]
     fn dense(&mut self, _system: &InMode<'_, S, T>, step: &Step<T, N>, _work: &mut Statistics) -> &[SVector<T, N>] {
         let mut power = T::from_f64(1.0);
-        let start = if const { T::LANES == 1 } { 1 - self.current } else { self.current };
+        let start = if const { T::LANES == 1 } {
+            1 - self.current
+        } else {
+            self.current
+        };
         let series = &self.x[start][1..=self.order];
         for (coefficient, x) in self.coefficients.iter_mut().zip(series) {
             power *= step.h;
