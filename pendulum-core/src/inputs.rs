@@ -22,11 +22,11 @@ use nalgebra::{SMatrix, SVector};
 
 pub use law::{Generic, InputLaw, Law, LawJacobian};
 
+use crate::real::Real;
 use crate::real::lanes::Lanes;
-use crate::real::{Float, Real};
 #[cfg(feature = "std")]
 use crate::shapes::{Shape, Shapes};
-use crate::system::{Cast, Differences, Energy, Jacobian, System, WithJacobian, by_number};
+use crate::system::{Cast, CastJacobian, Differences, Energy, Jacobian, System, WithJacobian, by_number};
 
 /// A model with `M` inputs (controls), whose values are given at each evaluation.
 ///
@@ -61,7 +61,7 @@ pub trait Controlled<T: Real, const N: usize, const M: usize> {
     #[inline]
     fn time_derivative_with(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SVector<T, N>
     where
-        T: Float,
+        T: Lanes,
     {
         by_number(t, |t| self.rhs_with(t, x, u))
     }
@@ -223,7 +223,7 @@ where
     #[inline]
     fn time_derivative(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>
     where
-        T: Float,
+        T: Lanes,
     {
         let inputs = self.law.inputs(t, x).into();
         let by_inputs = self.system.input_jacobian(t, x, &inputs);
@@ -277,6 +277,16 @@ where
 
     fn shares_lanes(&self, other: &Self) -> bool {
         self.law == other.law
+    }
+}
+
+impl<S, L, const N: usize, const M: usize> CastJacobian<N> for WithInputs<S, Generic<L>, M>
+where
+    S: CastControlled<N, M>,
+    L: InputLaw<N, M>,
+{
+    fn with_jacobian<T: Real>(model: &Self::In<T>) -> &impl Jacobian<T, N> {
+        model
     }
 }
 

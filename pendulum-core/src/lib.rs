@@ -91,7 +91,7 @@ mod statistics;
 pub use cost::{Cost, FunctionCost, Operations};
 pub use dense::{Dense, Step};
 #[cfg(feature = "std")]
-pub use ensemble::{Ensemble, EnsembleError};
+pub use ensemble::{Ensemble, EnsembleError, ObservedEnsemble};
 #[cfg(feature = "std")]
 pub use error::SolveError;
 pub use error::{ParameterError, Reason};
@@ -106,9 +106,9 @@ pub use method::{
 };
 pub use real::{Float, Real};
 #[cfg(feature = "std")]
-pub use solution::{OutsideSpan, Solution};
+pub use solution::{Observer, OutsideSpan, Solution};
 pub use statistics::Statistics;
-pub use system::{Canonical, Cast, Energy, FnSystem, IntoState, Jacobian, System};
+pub use system::{Canonical, Cast, CastJacobian, Energy, FnSystem, IntoState, Jacobian, System};
 pub use taylor::{CastTaylor, TaylorSeries};
 
 /// Declares a mechanism and generates its equations of motion: see [`language`].
@@ -144,7 +144,7 @@ pub mod prelude {
     pub use crate::{Auto, Gauss4, Gauss6, Radau5, Rk4, Rk45, Rodas4, Rodas5P, Taylor, Tsit5, Vern7, Vern9};
     pub use crate::{Controlled, Energy, FnSystem, Jacobian, Method, System};
     #[cfg(feature = "std")]
-    pub use crate::{Ensemble, Event, Solution, shapes::Shapes as _};
+    pub use crate::{Ensemble, Event, ObservedEnsemble, Solution, shapes::Shapes as _};
     // Their methods alone: the names stay free.
     pub use crate::hybrid::Hybrid as _;
     pub use crate::{Canonical as _, Cast as _, Float as _, Real as _, TaylorSeries as _};

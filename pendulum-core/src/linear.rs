@@ -6,13 +6,14 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::cost::Operations;
 use crate::real::Float;
+use crate::real::lanes::Lanes;
 
-/// The numbers of a linear system: a [`Float`], or a [`Complex`] over it.
+/// The numbers of a linear system: a [`Float`], several in [`Lanes`], or a [`Complex`] one.
 pub(crate) trait Field:
     Copy + Default + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
 {
     /// The type of sizes.
-    type Size: Float;
+    type Size: Lanes;
 
     /// The operations of a sum or difference.
     const SUM: Operations;
@@ -33,7 +34,7 @@ pub(crate) trait Field:
     fn reciprocal(self) -> Self;
 }
 
-impl<T: Float> Field for T {
+impl<T: Lanes> Field for T {
     type Size = T;
     const SUM: Operations = Operations::new(1, 0, 0, 0, 0, 1);
     const PRODUCT: Operations = Operations::new(0, 1, 0, 0, 0, 1);
@@ -126,44 +127,182 @@ impl<T: Float> Field for Complex<T> {
     }
 }
 
-/// A matrix in triangular factors, `P A = L U`.
+/// A matrix in triangular factors, `P A = L U`; or one in each lane, with pivots of its own.
 ///
 /// Gaussian elimination with partial pivoting (G. H. Golub, C. F. Van Loan, "Matrix Computations", 4th ed., 3.4), made
 /// for the few rows that the state of a mechanism has: all of it is in arrays whose length the compiler knows.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Lu<F, const N: usize> {
+pub(crate) struct Lu<F, const N: usize, P = Alone<N>> {
     /// By columns: `L` below the diagonal, whose ones are left out, the reciprocals of the pivots on it, and `U` above.
     factors: [[F; N]; N],
-    /// The row of the matrix that each row of the factors was.
-    rows: [usize; N],
+    pivots: P,
 }
 
 /// The matrix has no inverse that numbers of its type can hold, or an entry that is not finite.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Singular;
 
-impl<F: Field, const N: usize> Lu<F, N> {
+/// Which rows of a matrix are its pivots, and whether these have reciprocals.
+pub trait Pivots<F, const N: usize>: Copy {
+    /// The rows as they are.
+    fn in_order() -> Self;
+
+    /// Row `i` moves up to row `k` if it is larger in that column.
+    fn compare(&mut self, columns: &mut [[F; N]; N], k: usize, i: usize);
+
+    /// Takes a pivot, with its reciprocal.
+    fn take(&mut self, pivot: F, over_pivot: F);
+
+    /// Whether all pivots have reciprocals: of a single matrix, those in lanes have a [`defect`](Self::defect).
+    fn are_regular(&self) -> bool;
+
+    /// A number that is not finite in the lanes where a pivot has no reciprocal.
+    fn defect(&self) -> F;
+
+    /// A vector in the order of the pivots.
+    fn sorted(&self, b: &[F; N]) -> [F; N];
+}
+
+/// The [`Pivots`] of a single matrix.
+#[derive(Clone, Copy, Debug)]
+pub struct Alone<const N: usize> {
+    /// The row of the matrix that each row of the factors was.
+    rows: [usize; N],
+    is_regular: bool,
+}
+
+impl<F: Field<Size: Float>, const N: usize> Pivots<F, N> for Alone<N> {
+    #[inline(always)]
+    fn in_order() -> Self {
+        Self {
+            rows: core::array::from_fn(|i| i),
+            is_regular: true,
+        }
+    }
+
+    #[inline(always)]
+    fn compare(&mut self, columns: &mut [[F; N]; N], k: usize, i: usize) {
+        if columns[k][i].size() > columns[k][k].size() {
+            columns.iter_mut().for_each(|column| column.swap(k, i));
+            self.rows.swap(k, i);
+        }
+    }
+
+    #[inline(always)]
+    fn take(&mut self, _pivot: F, over_pivot: F) {
+        let size = over_pivot.size();
+        self.is_regular &= size.is_finite() && size > F::Size::default();
+    }
+
+    #[inline(always)]
+    fn are_regular(&self) -> bool {
+        self.is_regular
+    }
+
+    #[inline(always)]
+    fn defect(&self) -> F {
+        F::default()
+    }
+
+    #[inline(always)]
+    fn sorted(&self, b: &[F; N]) -> [F; N] {
+        self.rows.map(|row| b[row])
+    }
+}
+
+/// The [`Pivots`] of a matrix in each lane, which are those that it has alone.
+#[cfg(feature = "std")]
+#[derive(Clone, Copy, Debug)]
+pub struct PerLane<V, const N: usize> {
+    /// At `[k][i]` negative where row `i` moved up to row `k`.
+    moved: [[V; N]; N],
+    /// Not finite where a pivot has no reciprocal.
+    defect: V,
+}
+
+#[cfg(feature = "std")]
+impl<V: Lanes, const N: usize> Pivots<V, N> for PerLane<V, N> {
+    #[inline(always)]
+    fn in_order() -> Self {
+        Self {
+            moved: [[V::default(); N]; N],
+            defect: V::default(),
+        }
+    }
+
+    /// The difference of two numbers is zero where they are equal, and else has the sign of the comparison: none is so
+    /// small that it would vanish.
+    #[inline(always)]
+    fn compare(&mut self, columns: &mut [[V; N]; N], k: usize, i: usize) {
+        let moved = columns[k][k].abs() - columns[k][i].abs();
+        for column in columns {
+            exchange(moved, column, k, i);
+        }
+        self.moved[k][i] = moved;
+    }
+
+    /// The product is close to one, unless the pivot or its reciprocal is zero or not finite.
+    #[inline(always)]
+    fn take(&mut self, pivot: V, over_pivot: V) {
+        self.defect += pivot * over_pivot;
+    }
+
+    #[inline(always)]
+    fn are_regular(&self) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn defect(&self) -> V {
+        self.defect
+    }
+
+    #[inline(always)]
+    fn sorted(&self, b: &[V; N]) -> [V; N] {
+        let mut x = *b;
+        for k in 0..N {
+            for i in k + 1..N {
+                exchange(self.moved[k][i], &mut x, k, i);
+            }
+        }
+        x
+    }
+}
+
+/// Exchanges two numbers in the lanes where `moved` is negative.
+#[cfg(feature = "std")]
+#[inline(always)]
+fn exchange<V: Lanes>(moved: V, numbers: &mut [V], k: usize, i: usize) {
+    let (upper, lower) = (numbers[k], numbers[i]);
+    numbers[k] = moved.select(lower, upper);
+    numbers[i] = moved.select(upper, lower);
+}
+
+impl<F: Field<Size: Float>, const N: usize> Lu<F, N> {
     /// Factors a matrix, which is given by its columns.
     ///
     /// # Errors
     /// If a pivot is zero, not finite, or so small or large that its reciprocal is beyond the range of the type.
     #[inline(always)]
     pub(crate) fn new(columns: [[F; N]; N]) -> Result<Self, Singular> {
+        Self::of(columns)
+    }
+}
+
+impl<F: Field, P: Pivots<F, N>, const N: usize> Lu<F, N, P> {
+    /// [`new`](Lu::new), or the same in each lane.
+    #[inline(always)]
+    pub(crate) fn of(columns: [[F; N]; N]) -> Result<Self, Singular> {
         let mut a = columns;
-        let mut rows = core::array::from_fn(|i| i);
-        let mut is_regular = true;
+        let mut pivots = P::in_order();
         for k in 0..N {
             // One row after the other moves up if it is larger. The indices are constants where the loops are short
             // enough to be unrolled; the factors then stay in registers.
             for i in k + 1..N {
-                if a[k][i].size() > a[k][k].size() {
-                    a.iter_mut().for_each(|column| column.swap(k, i));
-                    rows.swap(k, i);
-                }
+                pivots.compare(&mut a, k, i);
             }
             let over_pivot = a[k][k].reciprocal();
-            let size = over_pivot.size();
-            is_regular &= size.is_finite() && size > F::Size::default();
+            pivots.take(a[k][k], over_pivot);
             a[k][k] = over_pivot;
             for entry in &mut a[k][k + 1..] {
                 *entry = *entry * over_pivot;
@@ -175,18 +314,31 @@ impl<F: Field, const N: usize> Lu<F, N> {
             }
         }
         // A number that is not finite spreads to a pivot of a later column at the latest.
-        if is_regular {
-            Ok(Self { factors: a, rows })
+        if pivots.are_regular() {
+            Ok(Self { factors: a, pivots })
         } else {
             Err(Singular)
         }
+    }
+
+    /// [`Pivots::defect`].
+    #[inline(always)]
+    pub(crate) fn defect(&self) -> F {
+        self.pivots.defect()
     }
 
     /// The `x` of `A x = b`.
     #[inline]
     #[must_use]
     pub(crate) fn solve(&self, b: &[F; N]) -> [F; N] {
-        let mut x = self.rows.map(|row| b[row]);
+        self.solved(b)
+    }
+
+    /// [`solve`](Self::solve), inlined for the instructions of lanes.
+    #[inline(always)]
+    #[must_use]
+    pub(crate) fn solved(&self, b: &[F; N]) -> [F; N] {
+        let mut x = self.pivots.sorted(b);
         for k in 0..N {
             for i in k + 1..N {
                 x[i] = x[i] - self.factors[k][i] * x[k];
@@ -261,7 +413,7 @@ mod tests {
     }
 
     /// The largest error of `solve(A x)` in ulps, over a number of random matrices.
-    fn error<F: Field, const N: usize>(mut entry: impl FnMut() -> F) -> f64 {
+    fn error<F: Field<Size: Float>, const N: usize>(mut entry: impl FnMut() -> F) -> f64 {
         let mut worst = 0.0_f64;
         for _ in 0..200 {
             let columns: [[F; N]; N] = core::array::from_fn(|_| core::array::from_fn(|_| entry()));
@@ -305,6 +457,82 @@ mod tests {
         let lu = Lu::new([[Complex::new(1e-20, 0.0), i], [one, one]]).expect("regular");
         // x = (1, 1) to 20 digits: b = A (1, 1)
         assert_eq!(lu.solve(&[one, one + i]), [one, one]);
+    }
+
+    /// Matrices whose lanes need other pivots, or none, and are singular here and there.
+    #[cfg(feature = "std")]
+    #[test]
+    fn each_lane_has_the_pivots_that_it_has_alone() {
+        use super::PerLane;
+        use crate::real::Real;
+        use crate::real::lanes::{F32x8, F64x4, Lanes};
+
+        fn check<V: Lanes, const N: usize>(seed: &mut u64) -> [usize; 2] {
+            let (mut regular, mut singular) = (0, 0);
+            for round in 0..200 {
+                // few different numbers, so that some are equal and some zero
+                let coarse =
+                    |number: f64| V::Scalar::from_f64(if round % 2 == 0 { (2.0 * number).round() } else { number });
+                let mut entries = || -> [[V; N]; N] {
+                    core::array::from_fn(|_| core::array::from_fn(|_| V::from_fn(|_| coarse(noise(seed)))))
+                };
+                let (columns, b) = (entries(), entries()[0]);
+                let lu = Lu::<V, N, PerLane<V, N>>::of(columns).expect("in lanes");
+                let x = lu.solved(&b);
+                for lane in 0..V::LANES {
+                    let own = columns.map(|column| column.map(|entry| entry.lane(lane)));
+                    match Lu::new(own) {
+                        Ok(alone) => {
+                            regular += 1;
+                            assert!(lu.defect().lane(lane).is_finite(), "{own:?}");
+                            let alone = alone.solve(&b.map(|b| b.lane(lane))).map(|x| x.to_f64().to_bits());
+                            assert_eq!(x.map(|x| x.lane(lane).to_f64().to_bits()), alone, "{own:?}");
+                        }
+                        Err(Singular) => {
+                            singular += 1;
+                            assert!(!lu.defect().lane(lane).is_finite(), "{own:?}");
+                        }
+                    }
+                }
+            }
+            [regular, singular]
+        }
+        let mut seed = 1;
+        for [regular, singular] in [
+            check::<F64x4, 2>(&mut seed),
+            check::<F64x4, 4>(&mut seed),
+            check::<F32x8, 5>(&mut seed),
+        ] {
+            assert!(regular > 100 && singular > 10, "{regular} {singular}");
+        }
+    }
+
+    #[cfg(feature = "std")]
+    #[test]
+    fn a_lane_is_singular_where_no_reciprocal_exists() {
+        use super::PerLane;
+        use crate::real::lanes::{F64x4, Lanes};
+
+        let pivots = [
+            f64::MAX,
+            f64::MIN_POSITIVE,
+            5e-324,
+            0.0,
+            -0.0,
+            f64::INFINITY,
+            f64::NAN,
+            1.0,
+        ];
+        for pivots in pivots.chunks(4) {
+            let lu = Lu::<F64x4, 1, PerLane<F64x4, 1>>::of([[F64x4::from_fn(|lane| pivots[lane])]]).expect("in lanes");
+            for (lane, &pivot) in pivots.iter().enumerate() {
+                assert_eq!(
+                    lu.defect().lane(lane).is_finite(),
+                    Lu::new([[pivot]]).is_ok(),
+                    "{pivot}"
+                );
+            }
+        }
     }
 
     #[test]

@@ -43,8 +43,9 @@ pub struct Solution<T, const N: usize> {
 }
 
 impl<T: Float, const N: usize> Solution<T, N> {
-    /// The solution that consists of its initial point.
-    pub(crate) fn start(t0: T, x0: SVector<T, N>) -> Self {
+    /// The solution that consists of its initial point: an [`Observer`] that keeps what follows.
+    #[must_use]
+    pub fn start(t0: T, x0: SVector<T, N>) -> Self {
         Self {
             t: vec![t0],
             x: vec![x0],
@@ -54,10 +55,6 @@ impl<T: Float, const N: usize> Solution<T, N> {
             modes: Vec::new(),
             statistics: Statistics::default(),
         }
-    }
-
-    pub(crate) fn set_statistics(&mut self, statistics: Statistics) {
-        self.statistics = statistics;
     }
 
     /// The times of the accepted points, the initial one first; the last is the end of the span exactly.
@@ -158,46 +155,39 @@ impl<T: Float, const N: usize> Solution<T, N> {
     }
 }
 
-/// What is kept of a trajectory that is followed.
-pub(crate) trait Record<T, const N: usize> {
-    /// A step.
-    fn push(&mut self, dense: &Dense<'_, T, N>);
+/// What sees a trajectory on its way, step by step: for [`Ensemble::observe`](crate::Ensemble::observe). A [`Solution`]
+/// keeps all of it.
+pub trait Observer<T, const N: usize> {
+    /// Whether the states within a step from `t0` to `t1` are of interest: by default they are.
+    ///
+    /// Where they are not, [`step`](Self::step) may show its ends alone, which takes less time.
+    fn looks_into(&self, _t0: T, _t1: T) -> bool {
+        true
+    }
 
-    /// The part of a step up to the fraction `theta`.
-    fn push_part(&mut self, dense: &Dense<'_, T, N>, theta: T);
+    /// A step, or the part of one after which an event acts. Steps follow each other without gaps, but for jumps.
+    fn step(&mut self, dense: &Dense<'_, T, N>);
 
-    /// Another state at the last time.
-    fn jump(&mut self, t: T, x: SVector<T, N>);
+    /// The state becomes another one at the time that was reached: by a reset, or by an impact.
+    fn jump(&mut self, _t: T, _x: SVector<T, N>) {}
 
-    /// An event.
-    fn note(&mut self, event: Occurrence<T, N>);
+    /// An event occurred, in the step that was seen last.
+    fn event(&mut self, _event: Occurrence<T, N>) {}
 
-    /// Another mode of a hybrid system.
+    /// Another mode of a hybrid system holds from this time on.
     fn mode(&mut self, _from: T, _mode: Mode) {}
+
+    /// The end, after so much work; not of a trajectory that cannot begin.
+    fn finish(&mut self, _statistics: Statistics) {}
 }
 
 /// All of it.
-impl<T: Float, const N: usize> Record<T, N> for Solution<T, N> {
-    fn push(&mut self, dense: &Dense<'_, T, N>) {
+impl<T: Float, const N: usize> Observer<T, N> for Solution<T, N> {
+    fn step(&mut self, dense: &Dense<'_, T, N>) {
         let step = dense.step();
         self.t.push(step.t1);
         self.x.push(step.x1);
-        if dense.is_cut_off() {
-            self.coefficients.extend(dense.coefficients_to(T::from_f64(1.0)));
-        } else {
-            self.coefficients.extend(dense.terms());
-        }
-        self.ends.push(self.coefficients.len());
-    }
-
-    fn push_part(&mut self, dense: &Dense<'_, T, N>, theta: T) {
-        let t = dense.time(theta);
-        if t == self.last().0 {
-            return;
-        }
-        self.t.push(t);
-        self.x.push(dense.at_fraction(theta));
-        self.coefficients.extend(dense.coefficients_to(theta));
+        self.coefficients.extend(dense.terms());
         self.ends.push(self.coefficients.len());
     }
 
@@ -207,24 +197,24 @@ impl<T: Float, const N: usize> Record<T, N> for Solution<T, N> {
         self.ends.push(self.coefficients.len());
     }
 
-    fn note(&mut self, event: Occurrence<T, N>) {
+    fn event(&mut self, event: Occurrence<T, N>) {
         self.events.push(event);
     }
 
     fn mode(&mut self, from: T, mode: Mode) {
         self.modes.push((from, mode));
     }
+
+    fn finish(&mut self, statistics: Statistics) {
+        self.statistics = statistics;
+    }
 }
 
 /// Its events alone.
-impl<T, const N: usize> Record<T, N> for Vec<Occurrence<T, N>> {
-    fn push(&mut self, _dense: &Dense<'_, T, N>) {}
+impl<T, const N: usize> Observer<T, N> for Vec<Occurrence<T, N>> {
+    fn step(&mut self, _dense: &Dense<'_, T, N>) {}
 
-    fn push_part(&mut self, _dense: &Dense<'_, T, N>, _theta: T) {}
-
-    fn jump(&mut self, _t: T, _x: SVector<T, N>) {}
-
-    fn note(&mut self, event: Occurrence<T, N>) {
+    fn event(&mut self, event: Occurrence<T, N>) {
         self.push(event);
     }
 }

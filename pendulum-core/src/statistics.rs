@@ -22,3 +22,18 @@ pub struct Statistics {
     /// How often [`Auto`](crate::Auto) changed between its methods.
     pub switches: usize,
 }
+
+#[cfg(feature = "std")]
+impl Statistics {
+    /// Adds the work of another.
+    pub(crate) fn add(&mut self, other: &Self) {
+        self.evaluations += other.evaluations;
+        self.accepted += other.accepted;
+        self.rejected += other.rejected;
+        self.jacobians += other.jacobians;
+        self.factorizations += other.factorizations;
+        self.iterations += other.iterations;
+        self.stiff += other.stiff;
+        self.switches += other.switches;
+    }
+}

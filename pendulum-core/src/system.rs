@@ -17,8 +17,8 @@ use nalgebra::{SMatrix, SVector};
 use crate::hybrid::{self, Hold, Hybrid, HybridJacobian, MOST};
 use crate::inputs::Controlled;
 use crate::layout::StateLayout;
+use crate::real::Real;
 use crate::real::lanes::Lanes;
-use crate::real::{Float, Real};
 
 /// A system of first-order ordinary differential equations, `dx/dt = rhs(t, x)`.
 #[diagnostic::on_unimplemented(
@@ -123,7 +123,7 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
     #[inline]
     fn time_derivative(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>
     where
-        T: Float,
+        T: Lanes,
     {
         if self.layout().is_some_and(|layout| layout.autonomous) {
             return SVector::from_element(T::default());
@@ -159,13 +159,27 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
     #[inline(always)]
     fn time_derivative_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N>
     where
-        T: Float,
+        T: Lanes,
     {
         match self.hybrid_jacobian() {
             Some(hybrid) => hybrid::called::time_derivative(hybrid, hold, t, x),
             None => self.time_derivative(t, x),
         }
     }
+}
+
+/// A model that has its [`Jacobian`] in every number type, so that implicit methods run in lanes.
+///
+/// [`mechanism!`](crate::mechanism) implements it for models without inputs where `generate` has `jacobian`. A model
+/// with inputs has it together with a law that is generic as well, as it has [`Cast`].
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no Jacobian in other number types",
+    note = "`mechanism!` implements `CastJacobian` for scenes without inputs where `generate` has `jacobian`; a model \
+            with inputs has it as `model.with_law(law)`, with a law that is generic over `Real`"
+)]
+pub trait CastJacobian<const N: usize>: Cast<N> {
+    /// The model as one with a Jacobian; that of [`Cast::In`], where it has one.
+    fn with_jacobian<T: Real>(model: &Self::In<T>) -> &impl Jacobian<T, N>;
 }
 
 /// A mechanism in canonical variables: its coordinates and their momenta, `y = [q; p]` with `p = A(q) qd`.
@@ -235,11 +249,11 @@ impl<T: Real, S: Jacobian<T, N> + ?Sized, const N: usize> Jacobian<T, N> for &S 
     forward! {
         jacobian(t: T, x: &SVector<T, N>) -> SMatrix<T, N, N>;
         rhs_and_jacobian(t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>);
-        time_derivative(t: T, x: &SVector<T, N>) -> SVector<T, N> where T: Float;
+        time_derivative(t: T, x: &SVector<T, N>) -> SVector<T, N> where T: Lanes;
         hybrid_jacobian() -> Option<&dyn HybridJacobian<T, N>>;
         jacobian_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N>;
         rhs_and_jacobian_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>);
-        time_derivative_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N> where T: Float;
+        time_derivative_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N> where T: Lanes;
     }
 }
 
@@ -266,6 +280,6 @@ impl<T: Real, S: Controlled<T, N, M> + ?Sized, const N: usize, const M: usize> C
         jacobian_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, N>;
         rhs_and_jacobian_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> (SVector<T, N>, SMatrix<T, N, N>);
         input_jacobian(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, M>;
-        time_derivative_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SVector<T, N> where T: Float;
+        time_derivative_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SVector<T, N> where T: Lanes;
     }
 }

@@ -5,7 +5,8 @@
 //! at each point, and what is kept of it, is one of
 //!
 //! - [`ends`](Sweep::ends): final states, in the lanes of vector registers;
-//! - [`trajectories`](Sweep::trajectories): states at times, extrema and events, with every method;
+//! - [`trajectories`](Sweep::trajectories): states at times, extrema and events, with every method, and
+//!   [in lanes](Job::in_lanes) where that is possible;
 //! - [`each`](Sweep::each): numbers that a function of your own finds, such as Lyapunov exponents.
 //!
 //! The [`Job`] that this makes runs on all cores. [`Job::run`] returns a [`Table`]; [`Job::run_to`] writes a Parquet file

@@ -304,6 +304,92 @@ fn trajectories_keep_times_extrema_and_events() -> Outcome {
     Ok(())
 }
 
+/// The same sweep in lanes and one by one, which has all that trajectories can keep, and failures of all kinds.
+#[test]
+fn trajectories_in_lanes_have_the_bits_of_those_alone() -> Outcome {
+    fn same<X>(method: X, span: (f64, f64), keeps_all: bool) -> Outcome
+    where
+        X: ObservedEnsemble<Rods, f64, 4> + Method<Rods, f64, 4> + Clone + std::fmt::Debug + Sync,
+    {
+        let job = || {
+            let draws = [
+                Draw::uniform("start", "rad", -3.0, 3.0),
+                Draw::logarithmic("gamma", "N m s", 1e-3, 1.0),
+            ];
+            let job = Sweep::random("rods", draws, 70, 7)
+                .trajectories(method.clone(), span, |[a, gamma]| {
+                    let (model, mut start) = trial([a, gamma])?;
+                    if a > 2.7 {
+                        start[3] = f64::NAN;
+                    }
+                    Ok((model, start))
+                })
+                .at([1.0, 0.5, 7.0])
+                .event("passes", |_| Event::new(|_, x: &SVector<f64, 4>| x[0]))
+                .event("over", |_| {
+                    Event::new(|_, x: &SVector<f64, 4>| x[1].abs() - 2.5)
+                        .rising()
+                        .terminal()
+                })
+                .value("energy", "J", |rods, t, x| rods.energy(t, x))
+                .at([-1.5, span.0, span.1])
+                .quiet();
+            if keeps_all {
+                job.largest("height", "m", |_, _, x| -x[0].cos())
+                    .least("rate", "rad/s", |_, _, x| x[2])
+            } else {
+                job
+            }
+        };
+        let (alone, lanes) = (job().run()?, job().in_lanes().run()?);
+        assert_eq!(alone.failures(), lanes.failures());
+        assert!(
+            (5..80).contains(&alone.failures().len()),
+            "{:?}",
+            alone.failures().len()
+        );
+        for column in alone.columns() {
+            let bits = |table: &Table| {
+                table[&column.name]
+                    .iter()
+                    .map(|number| number.to_bits())
+                    .collect::<Vec<_>>()
+            };
+            assert_eq!(bits(&alone), bits(&lanes), "{}", column.name);
+        }
+        let ended = alone["t"].iter().filter(|&&t| t != span.1 && t != span.0).count();
+        assert!(ended > 5, "terminal events: {ended}");
+        Ok(())
+    }
+    same(Tsit5::new().max_steps(180), (0.0, 3.0), false)?;
+    same(Tsit5::new(), (0.0, 3.0), true)?;
+    same(Vern9::new(), (2.0, -1.0), false)?;
+    same(Rodas5P::new(), (0.0, 2.0), true)?;
+    same(Auto::new(), (0.0, 2.0), false)?;
+    same(Rk4::new(0.01), (0.0, 2.0), false)
+}
+
+#[test]
+fn samples_are_those_of_solutions() -> Outcome {
+    let times = [0.0, 0.1, 1.3, 0.7, 2.0];
+    let table = Sweep::list("rods", [("start", "rad")], vec![[1.0], [2.0]])
+        .trajectories(Tsit5::new(), (0.0, 2.0), |[a]| trial([a, 0.1]))
+        .at(times)
+        .in_lanes()
+        .quiet()
+        .run()?;
+    for (row, a) in [1.0, 2.0].into_iter().enumerate() {
+        let (model, start) = trial([a, 0.1]).expect("a model");
+        let solution = Tsit5::new().solve(&model, 0.0, 2.0, start)?;
+        for t in times {
+            let [name, rate] = ["a", "dot(b)"].map(|name| format!("{name} at {t} s"));
+            let x = solution.at(t)?;
+            assert_eq!([table[&name][row], table[&rate][row]], [x[0], x[3]], "{t}");
+        }
+    }
+    Ok(())
+}
+
 /// Reads a file with whichever of polars and pandas there is, and prints its shape, the bits of a number, and how many
 /// failed.
 const PYTHON: &str = "

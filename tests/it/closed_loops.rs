@@ -196,15 +196,18 @@ fn ensembles_of_closed_loops_are_scalar_solves_bit_for_bit() {
     });
     let closed = models.map(|model| model.expect("physical").with_law(law.clone()));
     let starts: Vec<SVector<f64, 4>> = lengths.map(|l| SVector::from([0.1 * l, 0.1, 0.0, -0.2])).into();
-    let (adaptive, fixed) = (Vern7::new().rtol(1e-9), Rk4::new(0.01));
+    let (adaptive, fixed, stiff) = (Vern7::new().rtol(1e-9), Rk4::new(0.01), Rodas5P::new());
     for isa in Isa::available() {
         let adaptive_ends = adaptive.ensemble_on(isa, &closed, 0.0, 3.0, &starts).expect("regular");
         let fixed_ends = fixed.ensemble_on(isa, &closed, 0.0, 3.0, &starts).expect("regular");
+        let stiff_ends = stiff.ensemble_on(isa, &closed, 0.0, 3.0, &starts).expect("regular");
         for (i, model) in closed.iter().enumerate() {
             let alone = adaptive.solve(model, 0.0, 3.0, starts[i]).expect("regular").end();
             assert_eq!(adaptive_ends[i], alone, "{isa:?}");
             let alone = fixed.solve(model, 0.0, 3.0, starts[i]).expect("regular").end();
             assert_eq!(fixed_ends[i], alone, "{isa:?}");
+            let alone = stiff.solve(model, 0.0, 3.0, starts[i]).expect("regular").end();
+            assert_eq!(stiff_ends[i], alone, "{isa:?}");
         }
     }
     // lanes share the law, so another one is refused

@@ -661,7 +661,7 @@ mechanism! {
     pub Rods {
         params { mu: N m = 0.3 }
         gravity: [0, -9.81, 0],
-        generate: [rhs],
+        generate: [rhs, jacobian],
         shape rod { solids: [rod(1, [0, 0, 0], [0, -1, 0])] }
         body upper on ground: rod { joint: revolute(z), coordinate: a, dry_friction: mu, static_friction: 1.2*mu }
         body lower on upper: rod {
@@ -701,6 +701,9 @@ fn lanes_have_the_bits_of_trajectories_alone() {
     same(&Tsit5::new());
     same(&Vern7::new().rtol(1e-9).atol(1e-9));
     same(&Rk4::new(0.01));
+    // one after the other
+    same(&Rodas5P::new());
+    same(&Auto::new());
 }
 
 #[test]

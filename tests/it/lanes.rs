@@ -3,10 +3,12 @@
 use std::fmt::Debug;
 
 use nalgebra::SVector;
-use pendulum_core::method::{Fixed, PowerSeries};
+use pendulum_core::dense::Dense;
+use pendulum_core::method::{Fixed, PowerSeries, Rosenbrock};
 use pendulum_core::prelude::*;
 use pendulum_core::real::lanes::{F32x8, F32x16, F64x4, F64x8, Isa, Kernel, LaneElement, Lanes};
-use pendulum_core::{Cast, EnsembleError, Float, Real, Reason};
+use pendulum_core::tableau::HairerWanner4;
+use pendulum_core::{Cast, CastJacobian, EnsembleError, Float, Observer, Real, Reason, SolveError};
 use testbed::random::Random;
 use testbed::robots::{Ur5, Ur5Params};
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
@@ -183,6 +185,12 @@ fn pendulums_that_differ() {
         Taylor::new();
         Taylor::new().order(7);
         Fixed::<PowerSeries>::new(0.05);
+        Rodas4::new();
+        Rodas5P::new().rtol(1e-4);
+        Fixed::<Rosenbrock<HairerWanner4, 6>>::new(0.05);
+        Radau5::new();
+        Auto::new();
+        Gauss4::new(0.05);
     }
 }
 
@@ -210,6 +218,19 @@ impl Cast<2> for Jolted {
     }
 }
 
+impl<T: Real> Jacobian<T, 2> for Jolted<T> {
+    #[inline(always)]
+    fn jacobian(&self, _t: T, _x: &SVector<T, 2>) -> SMatrix<T, 2, 2> {
+        SMatrix::<f64, 2, 2>::from([[0.0, 0.0], [1.0, -0.1]]).map(T::from_f64)
+    }
+}
+
+impl CastJacobian<2> for Jolted {
+    fn with_jacobian<T: Real>(model: &Jolted<T>) -> &impl Jacobian<T, 2> {
+        model
+    }
+}
+
 #[test]
 fn forces_that_jump() {
     let mut random = Random::new(4);
@@ -222,6 +243,8 @@ fn forces_that_jump() {
         assert_ensemble(Tsit5::new().rtol(1e-9).atol(1e-9), &models, span, &starts);
         assert_ensemble(Vern7::new(), &models, span, &starts);
         assert_ensemble(Vern9::new(), &models, span, &starts);
+        // the derivative by the time is a central difference, in each lane about a time of its own
+        assert_ensemble(Rodas5P::new(), &models, span, &starts);
     }
     // A jump is met by steps that are rejected.
     let alone = Rk45::new().solve(&models[0], 0.0, 3.0, starts[0]).expect("regular");
@@ -292,6 +315,22 @@ fn a_trajectory_that_bursts_is_named_and_spoils_no_other() {
     assert_burst(Rk4::new(0.01));
     assert_burst(Rk45::new());
     assert_burst(Vern7::new().max_steps(40));
+    assert_burst(Rodas5P::new());
+    assert_burst(Radau5::new());
+    assert_burst(Auto::new());
+}
+
+impl<T: Real> Jacobian<T, 1> for Burst<T> {
+    #[inline(always)]
+    fn jacobian(&self, _t: T, x: &SVector<T, 1>) -> SMatrix<T, 1, 1> {
+        SMatrix::from([[self.0 * (x[0] + x[0])]])
+    }
+}
+
+impl CastJacobian<1> for Burst {
+    fn with_jacobian<T: Real>(model: &Burst<T>) -> &impl Jacobian<T, 1> {
+        model
+    }
 }
 
 fn assert_burst<A: Ensemble<Burst, f64, 1> + Method<Burst, f64, 1>>(method: A) {
@@ -380,4 +419,242 @@ fn bad_input() {
     for (models, starts) in [(1, 3), (3, 3), (1, 0), (0, 0)] {
         assert_eq!(what(models, starts, 0.1, 1.0), None);
     }
+    // settings are looked at before anything is integrated, also where one goes after the other
+    let wrong = Radau5::new()
+        .rtol(-1.0)
+        .ensemble(&[Burst(0.1)], 0.0, 1.0, &[SVector::from([1.0])]);
+    assert!(matches!(
+        wrong,
+        Err(EnsembleError::InvalidInput(Reason::InvalidInput { what: "rtol", .. }))
+    ));
+    let observers = &mut [(); 2].map(|()| Vec::new());
+    let wrong = Tsit5::new().observe(&[Burst(0.1)], (0.0, 1.0), &[SVector::from([1.0])], |_| &[], observers);
+    assert!(matches!(
+        wrong,
+        Err(EnsembleError::InvalidInput(Reason::InvalidInput {
+            what: "observers",
+            ..
+        }))
+    ));
+}
+
+/// `x' = rate(t) x`, with a rate of -1 before `t = self` and of 32 after it.
+#[derive(Clone, Copy, Debug)]
+struct Turns<T = f64>(T);
+
+impl<T: Real> Turns<T> {
+    fn rate(&self, t: T) -> T {
+        let [rest, half] = [15.5, 16.5].map(T::from_f64);
+        rest + half * (t - self.0).signum()
+    }
+}
+
+impl<T: Real> System<T, 1> for Turns<T> {
+    #[inline(always)]
+    fn rhs(&self, t: T, x: &SVector<T, 1>) -> SVector<T, 1> {
+        SVector::from([self.rate(t) * x[0]])
+    }
+}
+
+impl<T: Real> Jacobian<T, 1> for Turns<T> {
+    #[inline(always)]
+    fn jacobian(&self, t: T, _x: &SVector<T, 1>) -> SMatrix<T, 1, 1> {
+        SMatrix::from([[self.rate(t)]])
+    }
+
+    #[inline(always)]
+    fn time_derivative(&self, _t: T, _x: &SVector<T, 1>) -> SVector<T, 1> {
+        SVector::from([T::default()])
+    }
+}
+
+impl Cast<1> for Turns {
+    type In<T: Real> = Turns<T>;
+
+    fn cast<T: Real>(&self) -> Turns<T> {
+        Turns(T::from_f64(self.0))
+    }
+
+    fn gather<'m, V: Lanes>(models: impl Fn(usize) -> &'m Self) -> Turns<V> {
+        Turns(V::from_fn(|i| V::Scalar::from_f64(models(i).0)))
+    }
+}
+
+impl CastJacobian<1> for Turns {
+    fn with_jacobian<T: Real>(model: &Turns<T>) -> &impl Jacobian<T, 1> {
+        model
+    }
+}
+
+#[test]
+fn a_singular_matrix_stops_its_trajectory_alone() {
+    fn check<A: Ensemble<Turns, f64, 1> + Method<Turns, f64, 1>>(method: A) {
+        let models: Vec<_> = (0..40).map(|n| Turns(if n % 3 == 1 { 0.4 } else { 9.0 })).collect();
+        let starts: Vec<_> = (0..40).map(|n| SVector::from([0.01 * f64::from(n + 1)])).collect();
+        for isa in Isa::available() {
+            let error = method
+                .ensemble_on(isa, &models, 0.0, 1.0, &starts)
+                .expect_err("singular");
+            let EnsembleError::Stopped { stopped, x } = error else {
+                panic!("{error}");
+            };
+            assert_eq!(stopped.len(), 13);
+            for (n, (model, start)) in models.iter().zip(&starts).enumerate() {
+                match method.solve(model, 0.0, 1.0, *start) {
+                    Ok(solution) => assert_eq!(x[n], solution.end()),
+                    Err(error) => {
+                        let stopped = stopped.iter().find(|stopped| stopped.index == n).expect("it stopped");
+                        assert_eq!((stopped.t, stopped.reason, x[n]), (error.t(), error.reason, error.x()));
+                        // 1 - h gamma J is zero for J = 32
+                        assert_eq!((error.t(), error.reason), (0.5, Reason::NoConvergence { h: 0.125 }));
+                    }
+                }
+            }
+        }
+    }
+    check(Rodas4::new().h0(0.125).h_min(0.125).h_max(0.125).atol(10.0));
+    check(Fixed::<Rosenbrock<HairerWanner4, 6>>::new(0.125));
+}
+
+/// What observers keep of an ensemble, against trajectories one by one.
+fn assert_observed<A, M, T, const N: usize>(
+    method: A,
+    models: &[M],
+    (t0, t1): (T, T),
+    starts: &[SVector<T, N>],
+    events: &[[Event<'_, T, N>; 2]],
+) where
+    A: ObservedEnsemble<M, T, N> + Method<M::In<T>, T, N>,
+    M: Cast<N>,
+    T: LaneElement + Debug,
+{
+    let of = |n: usize| events[n % events.len()].as_slice();
+    for isa in Isa::available() {
+        let mut solutions: Vec<_> = starts.iter().map(|&x| Solution::start(t0, x)).collect();
+        let ended = method.observe_on(isa, models, (t0, t1), starts, of, &mut solutions);
+        let (ends, stopped) = match ended {
+            Ok(ends) => (ends, Vec::new()),
+            Err(EnsembleError::Stopped { x, stopped }) => (x, stopped),
+            Err(error) => panic!("{error}"),
+        };
+        let mut stopped = stopped.iter().peekable();
+        for (n, (solution, start)) in solutions.iter().zip(starts).enumerate() {
+            let model = models.get(n).unwrap_or(&models[0]).cast::<T>();
+            let stopped = stopped.next_if(|stopped| stopped.index == n);
+            match method.solve_with(&model, t0, t1, *start, of(n)) {
+                Ok(alone) => {
+                    assert!(*solution == alone, "{isa:?}, {n}: {solution:?} {alone:?}");
+                    assert!(stopped.is_none() && ends[n] == alone.end(), "{isa:?}, {n}");
+                }
+                Err(SolveError {
+                    reason,
+                    solution: alone,
+                    ..
+                }) => {
+                    assert!(*solution == *alone, "{isa:?}, {n}: {solution:?} {alone:?}");
+                    let stopped = stopped.expect("it stopped alone");
+                    assert_eq!(stopped.reason, reason, "{isa:?}, {n}");
+                }
+            }
+        }
+        assert_eq!(stopped.next(), None);
+    }
+}
+
+#[test]
+fn observers_see_what_solutions_keep() {
+    let (models, starts) = pendulums(37);
+    let single: Vec<_> = starts.iter().map(|x| x.map(|x| x as f32)).collect();
+    fn events<T: Float>() -> [[Event<'static, T, 4>; 2]; 4] {
+        let turns = || Event::new(|_, x: &SVector<T, 4>| x[2]);
+        let passes = || Event::new(|t, x: &SVector<T, 4>| x[0] + t - T::from_f64(0.5));
+        [
+            [turns(), passes().rising()],
+            [turns(), passes().terminal()],
+            [turns().falling().terminal(), passes()],
+            // goes alone
+            [turns().reset(|_, x| -x), passes()],
+        ]
+    }
+    macro_rules! assert_all_observed {
+        ($($method:expr;)*) => { $(
+            assert_observed($method, &models, (0.0, 1.5), &starts, &events());
+            assert_observed($method, &models, (1.0, 0.503), &starts, &events());
+            assert_observed($method, &models, (1.0, 1.0), &starts, &events());
+            assert_observed($method, &models[..1], (0.0, 0.6), &single, &events());
+        )* };
+    }
+    assert_all_observed! {
+        Tsit5::new();
+        Vern9::new().rtol(1e-5);
+        Taylor::new().order(7);
+        Rodas5P::new().rtol(1e-4);
+        Auto::new();
+        Rk4::new(0.01);
+    }
+    assert_observed(Rk45::new().max_steps(30), &models, (0.0, 2.0), &starts, &events());
+    // steps that are rejected
+    let jolted: Vec<_> = (0..20).map(|n| Jolted(0.1 + 0.04 * f64::from(n))).collect();
+    let starts: Vec<_> = (0..20)
+        .map(|n| SVector::from([0.1 * f64::from(n) - 1.0, 0.5]))
+        .collect();
+    let never = || Event::new(|_, _: &SVector<f64, 2>| 1.0);
+    assert_observed(Tsit5::new(), &jolted, (0.0, 3.0), &starts, &[[never(), never()]]);
+    assert_observed(Rodas5P::new(), &jolted, (0.0, 3.0), &starts, &[[never(), never()]]);
+    // an event that is not a number, from the start on and on the way
+    let nowhere = |from: f64| Event::new(move |t: f64, _: &SVector<f64, 2>| if t < from { 1.0 } else { f64::NAN });
+    let events = [[never(), never()], [never(), nowhere(0.0)], [never(), nowhere(1.5)]];
+    assert_observed(Tsit5::new(), &jolted, (0.0, 3.0), &starts, &events);
+    // and trajectories that burst
+    let models: Vec<_> = (0..9).map(|n| Burst(0.2 * f64::from(n))).collect();
+    let starts = [SVector::from([1.0]); 9];
+    let never = || Event::new(|_, _: &SVector<f64, 1>| 1.0);
+    assert_observed(Tsit5::new(), &models, (0.0, 2.0), &starts, &[[never(), never()]]);
+    assert_observed(Rodas5P::new(), &models, (0.0, 2.0), &starts, &[[never(), never()]]);
+}
+
+/// Looks at every third step.
+struct Third(usize, Vec<SVector<f64, 4>>);
+
+impl Observer<f64, 4> for Third {
+    fn looks_into(&self, _t0: f64, _t1: f64) -> bool {
+        self.0 % 3 == 2
+    }
+
+    fn step(&mut self, dense: &Dense<'_, f64, 4>) {
+        if self.0 % 3 == 2 {
+            self.1.push(dense.at(dense.step().t0 + 0.3 * dense.step().h));
+        }
+        self.1.push(dense.step().x1);
+        self.0 += 1;
+    }
+}
+
+#[test]
+fn observers_look_into_the_steps_that_they_ask_for() {
+    fn check<A: ObservedEnsemble<DoublePendulum, f64, 4> + Method<DoublePendulum, f64, 4>>(method: A) {
+        let (models, starts) = pendulums(20);
+        for isa in Isa::available() {
+            let mut seen: Vec<_> = (0..20).map(|n| Third(n, Vec::new())).collect();
+            method
+                .observe_on(isa, &models, (0.0, 2.0), &starts, |_| &[], &mut seen)
+                .expect("regular");
+            for (n, seen) in seen.iter().enumerate() {
+                let mut alone = Third(n, Vec::new());
+                let end = method
+                    .follow(&models[n], 0.0, 2.0, starts[n], &[], &mut alone)
+                    .expect("regular");
+                assert!(alone.1 == seen.1 && alone.1.last() == Some(&end), "{isa:?}, {n}");
+                let solution = method.solve(&models[n], 0.0, 2.0, starts[n]).expect("regular");
+                let (t, h) = (solution.t(), |k: usize| solution.t()[k + 1] - solution.t()[k]);
+                let first = (2 + 3 * n - n) % 3;
+                let within = solution.at(t[first] + 0.3 * h(first)).expect("within");
+                assert!(seen.1.contains(&within), "{isa:?}, {n}");
+            }
+        }
+    }
+    check(Tsit5::new());
+    check(Vern7::new());
+    check(Rodas4::new());
+    check(Radau5::new());
 }

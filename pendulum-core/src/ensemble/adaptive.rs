@@ -6,21 +6,29 @@ use nalgebra::SVector;
 
 use super::check::{first_not_finite, in_lane, sum};
 use super::members::Members;
-use super::{Ensemble, EnsembleError, InLanes, Stopped, alone, check_models, conclude, model_of};
-use crate::dense::Step;
+use super::together::Together;
+use super::watch::{Unwatched, Watch, Watched};
+use super::{
+    Ensemble, EnsembleError, InLanes, MOST_LANES, ObservedEnsemble, Stopped, alone, check_models, check_observers,
+    conclude, model_of,
+};
+use crate::dense::{Dense, Step};
 use crate::error::Reason;
+use crate::event::Event;
 use crate::hybrid::{Hold, InMode};
 use crate::method::{
-    Adaptive, Estimates, Failure, NonFinite, Scheme, Stalled, StepControl, check_span, check_state, is_within_tolerance,
+    Adaptive, Estimates, Failure, NonFinite, OneStep, Scheme, Stalled, StepControl, check_span, check_state,
+    is_within_tolerance,
 };
 use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
+use crate::solution::Observer;
 use crate::statistics::Statistics;
 use crate::system::Cast;
 
 impl<M, F, T, const N: usize> Ensemble<M, T, N> for Adaptive<F>
 where
     M: Cast<N>,
-    F: InLanes<M, T, N> + Estimates,
+    F: Together<M, T, N> + Estimates,
     T: LaneElement,
 {
     fn ensemble_on(
@@ -31,24 +39,73 @@ where
         t1: T,
         starts: &[SVector<T, N>],
     ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>> {
-        check_span(t0, t1)?;
-        check_models(models, starts)?;
-        let mut x = starts.to_vec();
-        let mut stopped = Vec::new();
-        isa.run(March {
-            method: self,
-            models,
-            span: (t0, t1),
-            waiting: 0..x.len(),
-            x: &mut x,
-            stopped: &mut stopped,
-        })?;
-        conclude(x, stopped)
+        run(self, isa, models, (t0, t1), starts, Unwatched)
     }
 }
 
+impl<M, F, T, const N: usize> ObservedEnsemble<M, T, N> for Adaptive<F>
+where
+    M: Cast<N>,
+    F: Together<M, T, N> + Estimates,
+    T: LaneElement,
+{
+    fn observe_on<'w, 'e: 'w, O>(
+        &self,
+        isa: Isa,
+        models: &[M],
+        span: (T, T),
+        starts: &[SVector<T, N>],
+        events: impl Fn(usize) -> &'w [Event<'e, T, N>],
+        observers: &mut [O],
+    ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>
+    where
+        O: Observer<T, N>,
+        T: 'w,
+    {
+        check_observers(observers, starts)?;
+        run(self, isa, models, span, starts, Watched::new(observers, events))
+    }
+}
+
+fn run<M, F, T, W, const N: usize>(
+    method: &Adaptive<F>,
+    isa: Isa,
+    models: &[M],
+    (t0, t1): (T, T),
+    starts: &[SVector<T, N>],
+    watch: W,
+) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>
+where
+    M: Cast<N>,
+    F: Together<M, T, N> + Estimates,
+    T: LaneElement,
+    W: Watch<T, N>,
+{
+    check_span(t0, t1)?;
+    check_models(models, starts)?;
+    // settings are wrong for all trajectories, or for none
+    if let Some(model) = models.first() {
+        let tolerance = method.tolerance()?;
+        let scheme = method.family.scheme(&model.cast(), Some(tolerance))?;
+        method.control(tolerance, scheme.error_order(), (t0, t1))?;
+    }
+    let mut x = starts.to_vec();
+    let mut stopped = Vec::new();
+    let march = March {
+        method,
+        models,
+        span: (t0, t1),
+        waiting: 0..x.len(),
+        x: &mut x,
+        stopped: &mut stopped,
+        watch,
+    };
+    F::within_tolerance(isa, march)?;
+    conclude(x, stopped)
+}
+
 /// Trajectories on their way from the states `x`, which are replaced.
-pub(super) struct March<'a, F, M, T, const N: usize> {
+pub struct March<'a, F, M, T, W, const N: usize> {
     pub(super) method: &'a Adaptive<F>,
     pub(super) models: &'a [M],
     pub(super) span: (T, T),
@@ -56,36 +113,58 @@ pub(super) struct March<'a, F, M, T, const N: usize> {
     /// Those that have not begun.
     waiting: Range<usize>,
     pub(super) stopped: &'a mut Vec<Stopped<T>>,
+    watch: W,
 }
 
-impl<F, M, T, const N: usize> Kernel<T> for March<'_, F, M, T, N>
+impl<F, M, T, W, const N: usize> March<'_, F, M, T, W, N>
+where
+    F: OneStep<M::In<T>, T, N> + Estimates,
+    M: Cast<N>,
+    T: LaneElement,
+    W: Watch<T, N>,
+{
+    /// Brings all that have not begun to their ends, one after the other.
+    pub(super) fn one_by_one(mut self) {
+        let waiting = self.waiting.clone();
+        self.alone(waiting);
+    }
+
+    fn alone(&mut self, which: Range<usize>) {
+        let states = (&mut *self.x, &mut self.watch);
+        alone(self.method, self.models, self.span, which, states, self.stopped);
+    }
+}
+
+impl<F, M, T, W, const N: usize> Kernel<T> for March<'_, F, M, T, W, N>
 where
     F: InLanes<M, T, N> + Estimates,
     M: Cast<N>,
     T: LaneElement,
+    W: Watch<T, N>,
 {
     type Output = Result<(), Reason>;
 
     #[inline(always)]
     fn run<V: Lanes<Scalar = T>>(self) -> Result<(), Reason> {
-        if const { M::HYBRID && V::LANES > 1 } && self.has_plain_rates() {
+        if const { M::HYBRID && F::IN_MODES && !W::WATCHES && V::LANES > 1 } && self.has_plain_rates() {
             self.in_modes::<V>()
         } else if const { !M::HYBRID && !F::NARROW } {
             self.in_lanes::<V::Double>()
         } else if const { !M::HYBRID && V::LANES > 1 } {
             self.in_lanes::<V>()
         } else {
-            alone(self.method, self.models, self.span, self.waiting, self.x, self.stopped);
+            self.one_by_one();
             Ok(())
         }
     }
 }
 
-impl<F, M, T, const N: usize> March<'_, F, M, T, N>
+impl<F, M, T, W, const N: usize> March<'_, F, M, T, W, N>
 where
-    F: InLanes<M, T, N>,
+    F: InLanes<M, T, N> + Estimates,
     M: Cast<N>,
     T: LaneElement,
+    W: Watch<T, N>,
 {
     #[inline(always)]
     fn in_lanes<V: Lanes<Scalar = T>>(mut self) -> Result<(), Reason> {
@@ -94,13 +173,14 @@ where
         }
         let tolerance = self.method.tolerance()?;
         let mut system = F::gather::<V>(|_| &self.models[0]);
-        let mut scheme = self.method.family.stages::<V>(&system, Some(tolerance))?;
+        let mut scheme = self.method.family.stages::<V>(&system, Some(tolerance), W::WATCHES)?;
         let control = self.method.control(tolerance, scheme.error_order(), self.span)?;
         let hold = Hold::default();
         let mut members = Members::none();
         let mut x = SVector::from_element(V::default());
         let mut x_new = x;
         let work = &mut Statistics::default();
+        let mut within = Vec::new();
         loop {
             if members.some_are_free(V::LANES) {
                 let someone_enters = self.enter(&mut members, &mut x, &control);
@@ -112,30 +192,106 @@ where
                         system = F::gather::<V>(|lane| model_of(self.models, members.index(lane).unwrap_or(0)));
                     }
                     let t = V::from_fn(|lane| members.t[lane]);
+                    *work = Statistics::default();
                     let slope = scheme.begin(&InMode::new(&system, &hold), t, &x, work);
                     for (lane, index) in members.busy(V::LANES) {
                         if members.steps[lane] == 0 {
-                            self.begin(&control, &mut members, (lane, index), &in_lane(&slope, lane));
+                            self.begin(&control, &mut members, (lane, index), &in_lane(&slope, lane), work);
                         }
                     }
                 }
             }
             let t = V::from_fn(|lane| members.t[lane]);
+            *work = Statistics::default();
             let proposed = scheme.prepare(&InMode::new(&system, &hold), t, &x, work);
             self.plan(&mut members, &control, &x, proposed);
             let t_new = V::from_fn(|lane| members.t_new[lane]);
             let attempt = scheme.attempt(&InMode::new(&system, &hold), (t, &x), (t_new, &mut x_new), work);
-            let slope = scheme.arrive(&InMode::new(&system, &hold), (t_new, &x_new), work);
+            let mut at_end = Statistics::default();
+            let slope = scheme.arrive(&InMode::new(&system, &hold), (t_new, &x_new), &mut at_end);
+            if const { W::WATCHES } {
+                self.count(&members, attempt, (&x_new, slope), [work, &at_end]);
+            }
             self.judge(&mut members, &control, &x, attempt, (&x_new, slope));
             let lanes = members.accepted::<V>();
-            scheme.accept(
-                &InMode::new(&system, &hold),
-                &Step::new((t, x), (t_new, x_new)),
-                lanes,
-                work,
-            );
+            let step = Step::new((t, x), (t_new, x_new));
+            if const { W::WATCHES } {
+                self.show(
+                    &mut members,
+                    &mut scheme,
+                    &InMode::new(&system, &hold),
+                    &step,
+                    &mut within,
+                );
+            }
+            scheme.accept(&InMode::new(&system, &hold), &step, lanes, work);
             x = lanes.select(&x_new, &x);
             self.take_out(&mut members, &x);
+        }
+    }
+
+    /// Counts the work of an attempt: that of all, and that at the end where they arrive.
+    #[inline(always)]
+    fn count<V: Lanes<Scalar = T>>(
+        &mut self,
+        members: &Members<T>,
+        attempt: Result<V, Stalled>,
+        (x_new, slope): (&SVector<V, N>, Option<&SVector<V, N>>),
+        [tried, at_end]: [&Statistics; 2],
+    ) {
+        for (lane, index) in members.busy(V::LANES) {
+            let is_finite = |v: &SVector<V, N>| v.iter().all(|v| v.lane(lane).is_finite());
+            let is_within = attempt.is_ok_and(|mean_square| is_within_tolerance(mean_square.lane(lane)));
+            let arrives = is_within && is_finite(x_new);
+            let is_accepted = arrives && slope.is_none_or(is_finite);
+            let mut work = *tried;
+            if arrives {
+                work.add(at_end);
+            }
+            (work.accepted, work.rejected) = (usize::from(is_accepted), usize::from(!is_accepted));
+            self.watch.work(index, &work);
+        }
+    }
+
+    /// Shows the steps that are accepted; takes those out of their lanes which an event ends.
+    #[inline(always)]
+    fn show<V: Lanes<Scalar = T>>(
+        &mut self,
+        members: &mut Members<T>,
+        scheme: &mut F::Stages<V>,
+        system: &InMode<'_, F::System<V>, V>,
+        step: &Step<V, N>,
+        within: &mut Vec<SVector<T, N>>,
+    ) {
+        let span = |lane: usize| (step.t0.lane(lane), step.t1.lane(lane));
+        let mut looks = [false; MOST_LANES];
+        for (lane, index) in members.busy(V::LANES) {
+            looks[lane] = members.is_accepted(lane) && self.watch.looks_into(index, span(lane));
+        }
+        let mut work = Statistics::default();
+        let coefficients = if looks[..V::LANES].contains(&true) {
+            scheme.dense(system, step, &mut work)
+        } else {
+            &[]
+        };
+        for (lane, index) in members.busy(V::LANES) {
+            if !members.is_accepted(lane) {
+                continue;
+            }
+            let (start, end) = span(lane);
+            let step = Step::new((start, in_lane(&step.x0, lane)), (end, in_lane(&step.x1, lane)));
+            within.clear();
+            if looks[lane] {
+                for coefficient in coefficients {
+                    within.push(in_lane(coefficient, lane));
+                }
+                self.watch.work(index, &work);
+            }
+            match self.watch.see(index, &Dense::new(step, within)) {
+                Ok(None) => {}
+                Ok(Some(x)) => self.leave(members, (lane, index), x),
+                Err(reason) => self.stop(members, (lane, index), step.x1, reason),
+            }
         }
     }
 
@@ -198,8 +354,7 @@ where
         if members.some_arrive(V::LANES, t1) {
             for (lane, index) in members.busy(V::LANES) {
                 if members.t[lane] == t1 {
-                    self.x[index] = in_lane(x, lane);
-                    members.leave(lane);
+                    self.leave(members, (lane, index), in_lane(x, lane));
                 }
             }
         }
@@ -226,11 +381,15 @@ where
         someone_enters
     }
 
-    /// The next trajectory, if one waits that has a way to go.
+    /// The next trajectory, if one waits that has a way to go; those are brought to their ends that must go alone.
     pub(super) fn next(&mut self) -> Option<usize> {
         let (t0, t1) = self.span;
         loop {
             let index = self.waiting.next()?;
+            if const { W::WATCHES } && (t0 == t1 || self.watch.is_alone(index)) {
+                self.alone(index..index + 1);
+                continue;
+            }
             match check_state(&self.x[index]) {
                 Ok(()) if t0 == t1 => {}
                 Ok(()) => return Some(index),
@@ -246,16 +405,32 @@ where
         members: &mut Members<T>,
         (lane, index): (usize, usize),
         slope: &SVector<T, N>,
+        work: &Statistics,
     ) {
-        let x = self.x[index];
+        let (x, mut work) = (self.x[index], *work);
         if let Err(component) = NonFinite::check(slope) {
-            self.stop(members, (lane, index), x, component.at_start());
-        } else if const { !<F::Scheme as Scheme<M::In<T>, T, N>>::PROPOSES } {
+            let t = members.t[lane];
+            let reason = component.at_start();
+            self.stopped.push(Stopped { index, t, reason });
+            return members.leave(lane);
+        }
+        if const { !<F::Scheme as Scheme<M::In<T>, T, N>>::PROPOSES } {
             let model = model_of(self.models, index).cast::<T>();
             if let Some(h) = control.first_step(&model, (members.t[lane], &x, slope), self.span.1) {
                 members.h[lane] = h;
+                work.evaluations += 1;
             }
         }
+        if let Err(reason) = self.watch.start(index, (members.t[lane], &x), &work) {
+            self.stop(members, (lane, index), x, reason);
+        }
+    }
+
+    /// Ends a trajectory in a state.
+    fn leave(&mut self, members: &mut Members<T>, (lane, index): (usize, usize), x: SVector<T, N>) {
+        self.x[index] = x;
+        members.leave(lane);
+        self.watch.finish(index);
     }
 
     /// Ends a trajectory before its time, in its last good state.
@@ -269,19 +444,21 @@ where
     ) {
         let t = members.t[lane];
         self.stopped.push(Stopped { index, t, reason });
-        self.x[index] = x;
-        members.leave(lane);
+        self.leave(members, (lane, index), x);
     }
 }
 
-/// What a step brings in a lane where not all is finite. The derivative at its end does not matter if its error is too
-/// large.
+/// What a step brings in a lane where not all is finite, or which [stalls](Scheme::attempt). The derivative at its end
+/// does not matter if its error is too large.
 #[cold]
-fn outcome<V: Lanes, const N: usize>(
+pub(super) fn outcome<V: Lanes, const N: usize>(
     (x, slope): (&SVector<V, N>, Option<&SVector<V, N>>),
     mean_square: V::Scalar,
     lane: usize,
 ) -> Result<V::Scalar, Failure> {
+    if mean_square < V::Scalar::default() {
+        return Err(Stalled.into());
+    }
     let slope = slope.filter(|_| is_within_tolerance(mean_square));
     match first_not_finite(x, slope, lane) {
         Some(component) => Err(component.into()),

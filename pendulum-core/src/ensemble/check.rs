@@ -33,5 +33,9 @@ pub(super) fn first_not_finite<V: Lanes, const N: usize>(
 /// The vector of one lane.
 #[inline(always)]
 pub(super) fn in_lane<V: Lanes, const N: usize>(vector: &SVector<V, N>, lane: usize) -> SVector<V::Scalar, N> {
-    SVector::from_fn(|k, _| vector[k].lane(lane))
+    let mut own = [V::Scalar::default(); N];
+    for (own, number) in own.iter_mut().zip(&vector.data.0[0]) {
+        *own = number.lane(lane);
+    }
+    SVector::from(own)
 }

@@ -1,21 +1,31 @@
 //! Many trajectories with steps of the same length.
 
+use std::array;
+
 use nalgebra::SVector;
 
+use super::adaptive::outcome as outcome_of;
 use super::check::{first_not_finite, in_lane};
-use super::{Ensemble, EnsembleError, InLanes, Stopped, alone, check_models, conclude, model_of};
-use crate::dense::Step;
+use super::together::Together;
+use super::watch::{Unwatched, Watch, Watched};
+use super::{
+    Ensemble, EnsembleError, InLanes, MOST_LANES, ObservedEnsemble, Stopped, alone, check_models, check_observers,
+    conclude, model_of,
+};
+use crate::dense::{Dense, Step};
 use crate::error::Reason;
+use crate::event::Event;
 use crate::hybrid::{Hold, InMode};
-use crate::method::{Accepted, Fixed, Grid, Scheme, Stalled, check_span};
+use crate::method::{Accepted, Failure, Fixed, Grid, NonFinite, OneStep, Scheme, Stalled, check_span, check_state};
 use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
+use crate::solution::Observer;
 use crate::statistics::Statistics;
 use crate::system::Cast;
 
 impl<M, F, T, const N: usize> Ensemble<M, T, N> for Fixed<F>
 where
     M: Cast<N>,
-    F: InLanes<M, T, N>,
+    F: Together<M, T, N>,
     T: LaneElement,
 {
     fn ensemble_on(
@@ -26,59 +36,131 @@ where
         t1: T,
         starts: &[SVector<T, N>],
     ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>> {
-        check_span(t0, t1)?;
-        let grid = Grid::new(self.h, t0, t1)?;
-        check_models(models, starts)?;
-        let mut x = starts.to_vec();
-        let mut stopped = Vec::new();
-        isa.run(March {
-            method: self,
-            models,
-            grid,
-            x: &mut x,
-            stopped: &mut stopped,
-        })?;
-        conclude(x, stopped)
+        run(self, isa, models, (t0, t1), starts, Unwatched)
     }
 }
 
+impl<M, F, T, const N: usize> ObservedEnsemble<M, T, N> for Fixed<F>
+where
+    M: Cast<N>,
+    F: Together<M, T, N>,
+    T: LaneElement,
+{
+    fn observe_on<'w, 'e: 'w, O>(
+        &self,
+        isa: Isa,
+        models: &[M],
+        span: (T, T),
+        starts: &[SVector<T, N>],
+        events: impl Fn(usize) -> &'w [Event<'e, T, N>],
+        observers: &mut [O],
+    ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>
+    where
+        O: Observer<T, N>,
+        T: 'w,
+    {
+        check_observers(observers, starts)?;
+        run(self, isa, models, span, starts, Watched::new(observers, events))
+    }
+}
+
+fn run<M, F, T, W, const N: usize>(
+    method: &Fixed<F>,
+    isa: Isa,
+    models: &[M],
+    (t0, t1): (T, T),
+    starts: &[SVector<T, N>],
+    watch: W,
+) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>
+where
+    M: Cast<N>,
+    F: Together<M, T, N>,
+    T: LaneElement,
+    W: Watch<T, N>,
+{
+    check_span(t0, t1)?;
+    let grid = Grid::new(method.h, t0, t1)?;
+    check_models(models, starts)?;
+    // settings are wrong for all trajectories, or for none
+    if let Some(model) = models.first() {
+        method.family.scheme(&model.cast(), None)?;
+    }
+    let mut x = starts.to_vec();
+    let mut stopped = Vec::new();
+    let march = March {
+        method,
+        models,
+        grid,
+        x: &mut x,
+        stopped: &mut stopped,
+        watch,
+    };
+    F::on_grid(isa, march)?;
+    conclude(x, stopped)
+}
+
 /// Trajectories on their way from the states `x`, which are replaced.
-struct March<'a, F, M, T, const N: usize> {
+pub struct March<'a, F, M, T, W, const N: usize> {
     method: &'a Fixed<F>,
     models: &'a [M],
     grid: Grid<T>,
     x: &'a mut [SVector<T, N>],
     stopped: &'a mut Vec<Stopped<T>>,
+    watch: W,
 }
 
-impl<F, M, T, const N: usize> Kernel<T> for March<'_, F, M, T, N>
+impl<F, M, T, W, const N: usize> Kernel<T> for March<'_, F, M, T, W, N>
 where
     F: InLanes<M, T, N>,
     M: Cast<N>,
     T: LaneElement,
+    W: Watch<T, N>,
 {
     type Output = Result<(), Reason>;
 
     #[inline(always)]
-    fn run<V: Lanes<Scalar = T>>(mut self) -> Result<(), Reason> {
+    fn run<V: Lanes<Scalar = T>>(self) -> Result<(), Reason> {
         // Further lanes fill the gaps where operations wait for one another. A longer system has enough that are independent, and
         // needs the registers for itself.
-        if const { !M::HYBRID && !F::NARROW } {
+        if const { !M::HYBRID && V::LANES > 1 && W::WATCHES } {
+            self.watched::<V>()
+        } else if const { !M::HYBRID && !F::NARROW && !W::WATCHES } {
             self.in_groups::<<V::Double as Lanes>::Double>()
-        } else if const { !M::HYBRID && V::LANES > 1 } {
+        } else if const { !M::HYBRID && V::LANES > 1 && !W::WATCHES } {
             self.in_groups::<V>()
         } else {
-            self.alone(0..self.x.len());
+            self.one_by_one();
             Ok(())
         }
     }
 }
 
-impl<F, M, T, const N: usize> March<'_, F, M, T, N>
+impl<F, M, T, W, const N: usize> March<'_, F, M, T, W, N>
+where
+    F: OneStep<M::In<T>, T, N>,
+    M: Cast<N>,
+    T: LaneElement,
+    W: Watch<T, N>,
+{
+    /// Brings all to their ends, one after the other.
+    pub(super) fn one_by_one(mut self) {
+        self.alone(0..self.x.len());
+    }
+
+    /// The same with some of them.
+    fn alone(&mut self, which: impl IntoIterator<Item = usize>) {
+        let span = (self.grid.t0(), self.grid.t1());
+        let states = (&mut *self.x, &mut self.watch);
+        alone(self.method, self.models, span, which, states, self.stopped);
+    }
+}
+
+impl<F, M, T, W, const N: usize> March<'_, F, M, T, W, N>
 where
     F: InLanes<M, T, N>,
     M: Cast<N>,
     T: LaneElement,
+    W: Watch<T, N>,
 {
     /// As many trajectories at a time as there are lanes; where they run out, the last fills the group.
     ///
@@ -91,7 +173,7 @@ where
             let first = number * V::LANES;
             let member = |lane: usize| lane.min(states.len() - 1);
             let system = F::gather::<V>(|lane| model_of(self.models, first + member(lane)));
-            let scheme = self.method.family.stages::<V>(&system, None)?;
+            let scheme = self.method.family.stages::<V>(&system, None, false)?;
             let x = SVector::from_fn(|k, _| V::from_fn(|lane| states[member(lane)][k]));
             let ends = march(&system, scheme, x, self.grid);
             for (lane, state) in states.iter_mut().enumerate() {
@@ -104,11 +186,109 @@ where
         self.alone(failed);
         Ok(())
     }
+}
 
-    /// Integrates some of the trajectories one after the other.
-    fn alone(&mut self, which: impl IntoIterator<Item = usize>) {
-        let span = (self.grid.t0(), self.grid.t1());
-        alone(self.method, self.models, span, which, self.x, self.stopped);
+impl<F, M, T, W, const N: usize> March<'_, F, M, T, W, N>
+where
+    F: InLanes<M, T, N>,
+    M: Cast<N>,
+    T: LaneElement,
+    W: Watch<T, N>,
+{
+    /// The same where each step is seen, and a trajectory may end before the others of its group.
+    #[inline(always)]
+    fn watched<V: Lanes<Scalar = T>>(mut self) -> Result<(), Reason> {
+        let cannot_begin = |x: &SVector<T, N>| self.grid.t0() == self.grid.t1() || check_state(x).is_err();
+        let (alone, others): (Vec<_>, Vec<_>) =
+            (0..self.x.len()).partition(|&index| self.watch.is_alone(index) || cannot_begin(&self.x[index]));
+        self.alone(alone);
+        let mut within = Vec::new();
+        for group in others.chunks(V::LANES) {
+            let member = |lane: usize| group[lane.min(group.len() - 1)];
+            let system = F::gather::<V>(|lane| model_of(self.models, member(lane)));
+            let mut scheme = self.method.family.stages::<V>(&system, None, true)?;
+            let hold = Hold::default();
+            let system = &InMode::new(&system, &hold);
+            let mut x = SVector::from_fn(|k, _| V::from_fn(|lane| self.x[member(lane)][k]));
+            let mut x_new = x;
+            let mut grid = self.grid;
+            let mut t = grid.t0();
+            let mut work = Statistics::default();
+            let slope = scheme.begin(system, V::splat(t), &x, &mut work);
+            let mut busy = [false; MOST_LANES];
+            for (lane, &index) in group.iter().enumerate() {
+                let started = NonFinite::check(&in_lane(&slope, lane)).map_err(NonFinite::at_start);
+                let start = self.x[index];
+                busy[lane] = started.is_ok();
+                if let Err(reason) = started {
+                    self.stopped.push(Stopped { index, t, reason });
+                } else if let Err(reason) = self.watch.start(index, (t, &start), &work) {
+                    busy[lane] = false;
+                    self.end(index, start, Some((t, reason)));
+                }
+            }
+            while t != grid.t1() && busy.contains(&true) {
+                let t_new = grid.next();
+                let (start, end) = (V::splat(t), V::splat(t_new));
+                let [mut tried, mut at_end, mut of_dense] = [Statistics::default(); 3];
+                let attempt = scheme.attempt(system, (start, &x), (end, &mut x_new), &mut tried);
+                let slope = scheme.arrive(system, (end, &x_new), &mut at_end).copied();
+                let step = Step::new((start, x), (end, x_new));
+                let looks: [bool; MOST_LANES] =
+                    array::from_fn(|lane| busy[lane] && self.watch.looks_into(group[lane], (t, t_new)));
+                let coefficients = if looks.contains(&true) {
+                    scheme.dense(system, &step, &mut of_dense)
+                } else {
+                    &[]
+                };
+                for (lane, &index) in group.iter().enumerate() {
+                    if !busy[lane] {
+                        continue;
+                    }
+                    let before = in_lane(&x, lane);
+                    let outcome = attempt.map_err(Failure::from);
+                    let outcome =
+                        outcome.and_then(|error| outcome_of((&x_new, slope.as_ref()), error.lane(lane), lane));
+                    let mut work = tried;
+                    if NonFinite::check(&in_lane(&x_new, lane)).is_ok() {
+                        work.add(&at_end);
+                    }
+                    (work.accepted, work.rejected) = (usize::from(outcome.is_ok()), usize::from(outcome.is_err()));
+                    self.watch.work(index, &work);
+                    if let Err(failure) = outcome {
+                        busy[lane] = false;
+                        let reason = failure.reason((t_new - t).to_f64());
+                        self.end(index, before, Some((t, reason)));
+                        continue;
+                    }
+                    let step = Step::new((t, before), (t_new, in_lane(&x_new, lane)));
+                    within.clear();
+                    if looks[lane] {
+                        for coefficient in coefficients {
+                            within.push(in_lane(coefficient, lane));
+                        }
+                        self.watch.work(index, &of_dense);
+                    }
+                    match self.watch.see(index, &Dense::new(step, &within)) {
+                        Ok(None) if t_new != grid.t1() => continue,
+                        Ok(end) => self.end(index, end.unwrap_or(step.x1), None),
+                        Err(reason) => self.end(index, step.x1, Some((t_new, reason))),
+                    }
+                    busy[lane] = false;
+                }
+                scheme.accept(system, &step, Accepted::All, &mut work);
+                (x, t) = (x_new, t_new);
+            }
+        }
+        Ok(())
+    }
+
+    /// Ends a trajectory in a state, perhaps before its time.
+    fn end(&mut self, index: usize, x: SVector<T, N>, early: Option<(T, Reason)>) {
+        self.x[index] = x;
+        self.stopped
+            .extend(early.map(|(t, reason)| Stopped { index, t, reason }));
+        self.watch.finish(index);
     }
 }
 

@@ -6,6 +6,7 @@ use nalgebra::SVector;
 use super::adaptive::{March, set_lane};
 use super::check::in_lane;
 use super::members::Members;
+use super::watch::Watch;
 use super::{InLanes, Stopped, model_of};
 use crate::dense::Step;
 use crate::error::Reason;
@@ -15,11 +16,12 @@ use crate::real::lanes::{LaneElement, Lanes};
 use crate::statistics::Statistics;
 use crate::system::{Cast, System};
 
-impl<F, M, T, const N: usize> March<'_, F, M, T, N>
+impl<F, M, T, W, const N: usize> March<'_, F, M, T, W, N>
 where
     F: InLanes<M, T, N> + Estimates,
     M: Cast<N>,
     T: LaneElement,
+    W: Watch<T, N>,
 {
     /// Whether all rates that may be hindered are sums of components of the state, so that lanes can tell where they
     /// stay away from zero.
@@ -37,7 +39,7 @@ where
         let (_, t1) = self.span;
         let tolerance = self.method.tolerance()?;
         let mut system = F::gather::<V>(|_| &self.models[0]);
-        let mut scheme = self.method.family.stages::<V>(&system, Some(tolerance))?;
+        let mut scheme = self.method.family.stages::<V>(&system, Some(tolerance), true)?;
         let control = self.method.control(tolerance, scheme.error_order(), self.span)?;
         let mut hold = Hold::default();
         let mut members = Members::none();
@@ -122,7 +124,7 @@ where
             let model = model_of(self.models, index).cast::<T>();
             let x0 = self.x[index];
             let progress = match self.method.stepper(&model, self.span.0, t1, x0) {
-                Ok(stepper) => self.alone(index, stepper),
+                Ok(stepper) => self.go_alone(index, stepper),
                 Err(reason) => {
                     let t = self.span.0;
                     self.stopped.push(Stopped { index, t, reason });
@@ -144,7 +146,7 @@ where
             .and_then(|scheme| Stepper::resume(&model, scheme, self.span.1, *control, &progress))
             .and_then(|mut stepper| stepper.step_to_a_mode().map(|()| stepper));
         match stepper {
-            Ok(stepper) => self.alone(index, stepper),
+            Ok(stepper) => self.go_alone(index, stepper),
             Err(reason) => {
                 self.stopped.push(Stopped {
                     index,
@@ -158,7 +160,11 @@ where
     }
 
     /// Goes on alone until the trajectory can go on beside others, or to its end.
-    fn alone(&mut self, index: usize, mut stepper: Stepper<'_, F::Scheme, M::In<T>, T, N>) -> Option<Progress<T, N>> {
+    fn go_alone(
+        &mut self,
+        index: usize,
+        mut stepper: Stepper<'_, F::Scheme, M::In<T>, T, N>,
+    ) -> Option<Progress<T, N>> {
         while stepper.t() != self.span.1 {
             if stepper.is_settled() {
                 return stepper.progress();

@@ -1,21 +1,25 @@
 //! Which methods run in lanes, and on what.
 
-use nalgebra::SVector;
+use nalgebra::{SMatrix, SVector};
 
 use crate::control::Tolerance;
 use crate::error::Reason;
 use crate::layout::StateLayout;
-use crate::method::{Explicit, OneStep, PowerSeries, SHORT, Scheme};
+use crate::linear::PerLane;
+use crate::method::{Explicit, OneStep, PowerSeries, Rosenbrock, RosenbrockStages, SHORT, Scheme};
 use crate::real::Real;
 use crate::real::lanes::{LaneElement, Lanes};
-use crate::system::{Cast, System};
-use crate::tableau::Tableau;
+use crate::system::{Cast, CastJacobian, Jacobian, System};
+use crate::tableau::{RosenbrockMethod, Tableau};
 use crate::taylor::{CastTaylor, TaylorSeries};
 
 /// A kind of method whose [`Scheme`] works on lanes as it does on a scalar.
 pub trait InLanes<M: Cast<N>, T: LaneElement, const N: usize>: OneStep<M::In<T>, T, N> {
     /// Whether a step has so much to do, or to remember, that registers side by side gain nothing.
     const NARROW: bool;
+
+    /// Whether lanes also go through the modes of hybrid systems, while nothing is held.
+    const IN_MODES: bool = true;
 
     /// Models in lanes.
     type System<V: Lanes<Scalar = T>>: System<V, N>;
@@ -28,7 +32,7 @@ pub trait InLanes<M: Cast<N>, T: LaneElement, const N: usize>: OneStep<M::In<T>,
     where
         M: 'm;
 
-    /// [`OneStep::scheme`] in lanes.
+    /// [`OneStep::scheme`] in lanes; `is_dense` says whether dense output will be asked for.
     ///
     /// # Errors
     /// Those of [`OneStep::scheme`].
@@ -36,6 +40,7 @@ pub trait InLanes<M: Cast<N>, T: LaneElement, const N: usize>: OneStep<M::In<T>,
         &self,
         system: &Self::System<V>,
         tolerance: Option<Tolerance<T>>,
+        is_dense: bool,
     ) -> Result<Self::Stages<V>, Reason>;
 }
 
@@ -62,8 +67,11 @@ where
         &self,
         system: &M::In<V>,
         tolerance: Option<Tolerance<T>>,
+        is_dense: bool,
     ) -> Result<Self::Stages<V>, Reason> {
-        OneStep::<M::In<V>, V, N>::scheme(self, system, tolerance)
+        let mut stages = OneStep::<M::In<V>, V, N>::scheme(self, system, tolerance)?;
+        stages.keep_stages(is_dense);
+        Ok(stages)
     }
 }
 
@@ -90,6 +98,7 @@ where
         &self,
         system: &Expanded<M, V, N>,
         tolerance: Option<Tolerance<T>>,
+        _is_dense: bool,
     ) -> Result<Self::Stages<V>, Reason> {
         OneStep::<Expanded<M, V, N>, V, N>::scheme(self, system, tolerance)
     }
@@ -120,5 +129,71 @@ impl<M: CastTaylor<N>, T: Real, const N: usize> TaylorSeries<T, N> for Expanded<
     #[inline(always)]
     fn series(&self, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace) {
         M::series(&self.0, t, x, work);
+    }
+}
+
+impl<M, B, T, const STAGES: usize, const N: usize> InLanes<M, T, N> for Rosenbrock<B, STAGES>
+where
+    M: CastJacobian<N>,
+    M::In<T>: Jacobian<T, N>,
+    B: RosenbrockMethod<STAGES>,
+    T: LaneElement,
+{
+    const NARROW: bool = true;
+    // the derivatives in modes are functions that are never inlined
+    const IN_MODES: bool = false;
+    type System<V: Lanes<Scalar = T>> = Differentiable<M, V, N>;
+    type Stages<V: Lanes<Scalar = T>> = RosenbrockStages<B, V, STAGES, N, PerLane<V, N>>;
+
+    #[inline(always)]
+    fn gather<'m, V: Lanes<Scalar = T>>(models: impl Fn(usize) -> &'m M) -> Differentiable<M, V, N>
+    where
+        M: 'm,
+    {
+        Differentiable(M::gather(models))
+    }
+
+    #[inline(always)]
+    fn stages<V: Lanes<Scalar = T>>(
+        &self,
+        _system: &Differentiable<M, V, N>,
+        tolerance: Option<Tolerance<T>>,
+        _is_dense: bool,
+    ) -> Result<Self::Stages<V>, Reason> {
+        Ok(RosenbrockStages::new(tolerance))
+    }
+}
+
+/// A model in the number type `T`, with its [`Jacobian`]: that it has it in all types is known of `M` alone.
+pub struct Differentiable<M: Cast<N>, T: Real, const N: usize>(M::In<T>);
+
+impl<M: Cast<N>, T: Real, const N: usize> System<T, N> for Differentiable<M, T, N> {
+    #[inline(always)]
+    fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
+        self.0.rhs(t, x)
+    }
+
+    fn layout(&self) -> Option<&'static StateLayout> {
+        self.0.layout()
+    }
+}
+
+impl<M: CastJacobian<N>, T: Real, const N: usize> Jacobian<T, N> for Differentiable<M, T, N> {
+    #[inline(always)]
+    fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
+        M::with_jacobian(&self.0).jacobian(t, x)
+    }
+
+    #[inline(always)]
+    fn rhs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
+        M::with_jacobian(&self.0).rhs_and_jacobian(t, x)
+    }
+
+    #[inline(always)]
+    fn time_derivative(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>
+    where
+        T: Lanes,
+    {
+        M::with_jacobian(&self.0).time_derivative(t, x)
     }
 }

@@ -6,21 +6,31 @@ mod fixed;
 mod hybrid;
 mod lanes;
 mod members;
+mod together;
+mod watch;
 
 use std::error::Error;
 use std::fmt;
 
 use nalgebra::SVector;
 
-pub use lanes::{Expanded, InLanes};
+pub use lanes::{Differentiable, Expanded, InLanes};
+pub use together::Together;
 
 use crate::error::{Reason, debug_as_display};
+use crate::event::Event;
 use crate::method::{Method, require};
 use crate::real::Float;
 use crate::real::lanes::{Isa, LaneElement};
+use crate::solution::Observer;
 use crate::system::Cast;
+use watch::Watch;
 
 /// A method that integrates many trajectories at a time.
+///
+/// Explicit methods, [`Taylor`](crate::Taylor) and Rosenbrock methods do so in lanes: each trajectory has one, and the
+/// next takes it where it ends. [`Radau5`](crate::Radau5), [`Auto`](crate::Auto) and the methods of Gauss go through the
+/// trajectories one by one, and so do Rosenbrock methods with [hybrid](crate::hybrid) systems.
 pub trait Ensemble<M, T: LaneElement, const N: usize> {
     /// Integrates a model from each of many states at `t0` to `t1`, and returns the states there.
     ///
@@ -80,6 +90,53 @@ pub trait Ensemble<M, T: LaneElement, const N: usize> {
     fn batch(&self) -> usize {
         256
     }
+}
+
+/// A method that integrates many trajectories at a time, and shows them on their way.
+pub trait ObservedEnsemble<M, T: LaneElement, const N: usize>: Ensemble<M, T, N> {
+    /// [`ensemble`](Self::ensemble), where an observer for each start sees the trajectory on its way, and `events(i)`
+    /// are those of trajectory `i`: what each observer sees is bit for bit what
+    /// [`solve_with`](crate::Method::solve_with) keeps. A terminal event ends its trajectory, whose final state is that
+    /// of the event.
+    ///
+    /// Trajectories with events that reset their state go one by one, and so do those of hybrid systems.
+    ///
+    /// # Errors
+    /// As for [`ensemble`](Self::ensemble), and [`EnsembleError::InvalidInput`] if there is not one observer for each
+    /// start.
+    fn observe<'w, 'e: 'w, O>(
+        &self,
+        models: &[M],
+        span: (T, T),
+        starts: &[SVector<T, N>],
+        events: impl Fn(usize) -> &'w [Event<'e, T, N>],
+        observers: &mut [O],
+    ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>
+    where
+        Self: Sized,
+        O: Observer<T, N>,
+        T: 'w,
+    {
+        self.observe_on(Isa::widest(), models, span, starts, events, observers)
+    }
+
+    /// [`observe`](Self::observe) on the instruction set `isa`.
+    ///
+    /// # Errors
+    /// As for [`observe`](Self::observe).
+    fn observe_on<'w, 'e: 'w, O>(
+        &self,
+        isa: Isa,
+        models: &[M],
+        span: (T, T),
+        starts: &[SVector<T, N>],
+        events: impl Fn(usize) -> &'w [Event<'e, T, N>],
+        observers: &mut [O],
+    ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>
+    where
+        Self: Sized,
+        O: Observer<T, N>,
+        T: 'w;
 }
 
 /// A trajectory that stopped early.
@@ -156,6 +213,16 @@ pub fn check_models<M: Cast<N>, X, const N: usize>(models: &[M], starts: &[X]) -
     require(strange.is_none(), "models", strange.unwrap_or(0) as f64, rule)
 }
 
+fn check_observers<O, X>(observers: &[O], starts: &[X]) -> Result<(), Reason> {
+    let rule = "an ensemble takes one observer for each start";
+    require(
+        observers.len() == starts.len(),
+        "observers",
+        observers.len() as f64,
+        rule,
+    )
+}
+
 /// The final states, or which trajectories stopped: for implementations of [`Ensemble`].
 ///
 /// # Errors
@@ -173,26 +240,27 @@ pub fn conclude<T, const N: usize>(
 
 /// Integrates some of the trajectories from the states `x`, which are replaced, one after the other. A single lane is
 /// slower than a scalar, whose right-hand side is a function rather than a copy in each stage.
-fn alone<A, M, T, const N: usize>(
+fn alone<A, M, T, W, const N: usize>(
     method: &A,
     models: &[M],
     (t0, t1): (T, T),
     which: impl IntoIterator<Item = usize>,
-    x: &mut [SVector<T, N>],
+    (x, watch): (&mut [SVector<T, N>], &mut W),
     stopped: &mut Vec<Stopped<T>>,
 ) where
     A: Method<M::In<T>, T, N>,
     M: Cast<N>,
     T: Float,
+    W: Watch<T, N>,
 {
     for index in which {
         let x = &mut x[index];
         let model = model_of(models, index).cast::<T>();
         let (t, reason) = match method.stepper(&model, t0, t1, *x) {
             Ok(mut stepper) => {
-                let reason = stepper.run().err();
-                *x = stepper.x();
-                (stepper.t(), reason)
+                let ended = watch.run(index, &mut stepper);
+                *x = ended.unwrap_or_else(|_| stepper.x());
+                (stepper.t(), ended.err())
             }
             Err(reason) => (t0, Some(reason)),
         };

@@ -6,7 +6,8 @@ use super::MOST;
 use super::mode::{Hold, Mode};
 use super::watch::Fired;
 use crate::layout::StateLayout;
-use crate::real::{Float, Real};
+use crate::real::Real;
+use crate::real::lanes::Lanes;
 use crate::system::{Canonical, Jacobian, System};
 use crate::taylor::TaylorSeries;
 
@@ -82,7 +83,7 @@ impl<S: Jacobian<T, N> + ?Sized, T: Real, const N: usize> Jacobian<T, N> for InM
     #[inline(always)]
     fn time_derivative(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>
     where
-        T: Float,
+        T: Lanes,
     {
         self.system.time_derivative_in(self.hold, t, x)
     }

@@ -3,7 +3,8 @@
 use nalgebra::{SMatrix, SVector};
 
 use crate::dual::Dual;
-use crate::real::{Float, Real};
+use crate::real::Real;
+use crate::real::lanes::Lanes;
 use crate::system::{Differences, WithJacobian, by_number, by_state};
 
 /// A law for `M` inputs, from the time and a state of length `N`, in one number type. Closures are laws.
@@ -32,7 +33,7 @@ pub trait LawJacobian<T: Real, const N: usize, const M: usize>: Law<T, N, M> {
     #[inline]
     fn time_derivative(&self, t: T, x: &SVector<T, N>) -> SVector<T, M>
     where
-        T: Float,
+        T: Lanes,
     {
         by_number(t, |t| self.inputs(t, x).into())
     }
@@ -132,7 +133,7 @@ impl<T: Real, F: Law<T, N, M>, const N: usize, const M: usize> Law<T, N, M> for 
     }
 }
 
-impl<T: Float, F: Law<T, N, M>, const N: usize, const M: usize> LawJacobian<T, N, M> for Differences<F> {
+impl<T: Lanes, F: Law<T, N, M>, const N: usize, const M: usize> LawJacobian<T, N, M> for Differences<F> {
     #[inline]
     fn inputs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> ([T; M], SMatrix<T, M, N>) {
         (self.inputs(t, x), by_state(x, |x| self.inputs(t, x).into()))

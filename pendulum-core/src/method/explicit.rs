@@ -12,7 +12,7 @@ use crate::hybrid::InMode;
 use crate::linear::square;
 use crate::method::operations as count;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
-use crate::method::stages::{SHORT, shifted, weighted_sum};
+use crate::method::stages::{SHORT, combination, shifted, weighted_sum};
 use crate::method::{Adaptive, Fixed};
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
@@ -109,6 +109,7 @@ where
         let zero = SVector::from_element(T::default());
         Ok(ExplicitStages {
             tolerance: tolerance.map(Tolerance::in_lanes),
+            goes_on_at_once: T::LANES > 1 && tolerance.is_none(),
             slope: zero,
             stages: [zero; STAGES],
             coefficients: [zero; MAX_DEGREE],
@@ -123,6 +124,9 @@ impl<B: Estimates, const STAGES: usize> Estimates for Explicit<B, STAGES> {}
 #[derive(Clone, Copy, Debug)]
 pub struct ExplicitStages<B, T, const STAGES: usize, const N: usize> {
     tolerance: Option<Tolerance<T>>,
+    /// Whether what is tried is accepted, as without a tolerance, and the derivative at the end is the slope at once: in
+    /// lanes, where nothing else reads the last stage.
+    goes_on_at_once: bool,
     /// See [`slope`](Self::slope).
     slope: SVector<T, N>,
     stages: [SVector<T, N>; STAGES],
@@ -132,7 +136,7 @@ pub struct ExplicitStages<B, T, const STAGES: usize, const N: usize> {
 
 impl<B, T: Lanes, const STAGES: usize, const N: usize> ExplicitStages<B, T, STAGES, N> {
     /// The derivative where the next step starts. It stands beside the stages of the last step, whose first one dense
-    /// output needs; lanes have no dense output, and save the copy.
+    /// output needs; lanes have dense output before a step is accepted, and save the copy.
     #[inline(always)]
     fn slope(&mut self) -> &mut SVector<T, N> {
         if const { T::LANES == 1 } {
@@ -142,11 +146,10 @@ impl<B, T: Lanes, const STAGES: usize, const N: usize> ExplicitStages<B, T, STAG
         }
     }
 
-    /// Whether what is tried is accepted, as without a tolerance, and the derivative at the end is the slope at once: in
-    /// lanes, where nothing else reads the last stage.
-    #[inline(always)]
-    fn goes_on_at_once(&self) -> bool {
-        T::LANES > 1 && self.tolerance.is_none()
+    /// Keeps all stages of a step for dense output, where that is asked for.
+    #[cfg(feature = "std")]
+    pub(crate) fn keep_stages(&mut self, is_dense: bool) {
+        self.goes_on_at_once &= !is_dense;
     }
 }
 
@@ -240,7 +243,7 @@ where
         (t, x): (T, &SVector<T, N>),
         work: &mut Statistics,
     ) -> Option<&SVector<T, N>> {
-        if self.goes_on_at_once() {
+        if T::LANES > 1 && self.goes_on_at_once {
             work.evaluations += 1;
             *self.slope() = system.rhs(t, x);
             return Some(self.slope());
@@ -254,7 +257,7 @@ where
 
     #[inline(always)]
     fn accept(&mut self, _system: &InMode<'_, S, T>, _step: &Step<T, N>, lanes: Accepted<T>, _work: &mut Statistics) {
-        if !self.goes_on_at_once() {
+        if !(T::LANES > 1 && self.goes_on_at_once) {
             let last = self.stages[STAGES - 1];
             *self.slope() = lanes.select(&last, self.slope());
         }
@@ -264,22 +267,13 @@ where
     fn dense(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
         let tableau = const { &B::TABLEAU };
         let mut extra = [SVector::from_element(T::default()); MAX_EXTRA];
-        let sum = |weights: &[f64], extra: &[SVector<T, N>]| {
-            let mut sum = SVector::from_element(T::default());
-            for (&weight, stage) in weights.iter().zip(self.stages.iter().chain(extra)) {
-                if weight != 0.0 {
-                    sum += stage * T::from_f64(weight);
-                }
-            }
-            sum * step.h
-        };
         for (i, row) in tableau.extra.iter().enumerate() {
-            let x = step.x0 + sum(row.a, &extra[..i]);
-            extra[i] = system.rhs(step.t0 + step.h * T::from_f64(row.c), &x);
+            let change = combination(row.a, self.stages.iter().chain(&extra[..i]), step.h);
+            extra[i] = system.rhs(step.t0 + step.h * T::from_f64(row.c), &shifted(&step.x0, &change));
         }
         work.evaluations += tableau.extra.len();
         for (coefficient, row) in self.coefficients.iter_mut().zip(tableau.dense) {
-            *coefficient = sum(row, &extra[..tableau.extra.len()]);
+            *coefficient = combination(row, self.stages.iter().chain(&extra[..tableau.extra.len()]), step.h);
         }
         &self.coefficients[..tableau.dense.len()]
     }

@@ -34,11 +34,13 @@ use crate::error::SolveError;
 use crate::event::Event;
 use crate::real::Float;
 #[cfg(feature = "std")]
-use crate::solution::Solution;
+use crate::solution::{Observer, Solution};
 use crate::system::IntoState;
 #[cfg(feature = "std")]
 use crate::system::System;
 use crate::tableau::{self, DormandPrince5, Kutta4, Tsitouras5, Verner7, Verner9};
+#[cfg(feature = "std")]
+use nalgebra::SVector;
 
 pub(crate) use explicit::MAX_DEGREE;
 pub(crate) use input::require;
@@ -47,12 +49,14 @@ pub(crate) use zero::{dip, first_zero, places, root};
 pub(crate) use {
     grid::Grid,
     input::{check_span, check_state},
+    rosenbrock::RosenbrockStages,
     scheme::{Failure, NonFinite},
+    search::Search,
     stages::SHORT,
     step_control::{Pace, is_within_tolerance},
     stepper::{Modes, Progress},
     tangent::Tangent,
-    watch::follow,
+    watch::{follow, see},
 };
 
 pub use crate::control::{Estimates, Tolerance};
@@ -126,6 +130,55 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
             Ok(stepper) => watch::collect(stepper, events),
             Err(reason) => Err(SolveError::at_start(reason, t0, x0)),
         }
+    }
+
+    /// [`solve_with`](Self::solve_with) for an observer in place of a [`Solution`], which is itself one: the final
+    /// state. Nothing is kept but what the observer keeps.
+    ///
+    /// ```
+    /// use pendulum_core::dense::Dense;
+    /// use pendulum_core::prelude::*;
+    /// use pendulum_core::{Observer, Reason};
+    ///
+    /// /// The greatest height among the ends of steps.
+    /// struct Top(f64);
+    ///
+    /// impl Observer<f64, 2> for Top {
+    ///     fn looks_into(&self, _t0: f64, _t1: f64) -> bool {
+    ///         false
+    ///     }
+    ///
+    ///     fn step(&mut self, dense: &Dense<'_, f64, 2>) {
+    ///         self.0 = self.0.max(-dense.step().x1[0].cos());
+    ///     }
+    /// }
+    ///
+    /// let swing = FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], -x[0].sin()]));
+    /// let mut top = Top(-1.0);
+    /// let end = Vern9::new().h_max(0.1).follow(&swing, 0.0, 1000.0, [1.0, 0.0], &[], &mut top)?;
+    /// assert!((top.0 + 1.0_f64.cos()).abs() < 1e-3 && end[0].abs() <= 1.0);
+    /// # Ok::<(), Reason>(())
+    /// ```
+    ///
+    /// # Errors
+    /// The reasons of [`solve_with`](Self::solve_with). The observer has then seen all up to the last good state.
+    #[cfg(feature = "std")]
+    fn follow(
+        &self,
+        system: &S,
+        t0: T,
+        t1: T,
+        x0: impl IntoState<T, N>,
+        events: &[Event<'_, T, N>],
+        observer: &mut impl Observer<T, N>,
+    ) -> Result<SVector<T, N>, Reason>
+    where
+        S: System<T, N>,
+    {
+        let mut stepper = self.stepper(system, t0, t1, x0)?;
+        let ended = watch::follow(&mut stepper, events, observer);
+        observer.finish(stepper.statistics());
+        ended
     }
 }
 

@@ -9,12 +9,13 @@ use crate::cost::Operations;
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::hybrid::InMode;
-use crate::linear::{Lu, Singular, factoring, solving};
+use crate::linear::{Alone, Lu, Pivots, Singular, factoring, solving};
 use crate::method::Adaptive;
 use crate::method::operations as count;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::stages::{SHORT, shifted, weighted_sum};
-use crate::real::Float;
+use crate::real::lanes::Lanes;
+use crate::real::{Float, Real};
 use crate::statistics::Statistics;
 use crate::system::{Jacobian, System};
 use crate::tableau::{RosenbrockMethod, RosenbrockTableau, difference};
@@ -94,28 +95,15 @@ where
 
     #[inline]
     fn scheme(&self, _system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
-        let zero = SVector::from_element(T::default());
-        let nothing = Linearisation {
-            slope: zero,
-            jacobian: SMatrix::from_element(T::default()),
-            drift: zero,
-        };
-        Ok(RosenbrockStages {
-            tolerance,
-            swapped: false,
-            points: [nothing; 2],
-            stages: [zero; STAGES],
-            coefficients: [zero; MAX_DEGREE],
-            tableau: PhantomData,
-        })
+        Ok(RosenbrockStages::new(tolerance))
     }
 }
 
 impl<B, const STAGES: usize> Estimates for Rosenbrock<B, STAGES> {}
 
-/// The stages of a step of a Rosenbrock method.
+/// The stages of a step of a Rosenbrock method; `P` are the [`Pivots`] of its matrices.
 #[derive(Clone, Copy, Debug)]
-pub struct RosenbrockStages<B, T, const STAGES: usize, const N: usize> {
+pub struct RosenbrockStages<B, T, const STAGES: usize, const N: usize, P = Alone<N>> {
     tolerance: Option<Tolerance<T>>,
     /// The system where the next step starts, and beside it where a step was tried to.
     points: [Linearisation<T, N>; 2],
@@ -124,7 +112,7 @@ pub struct RosenbrockStages<B, T, const STAGES: usize, const N: usize> {
     /// The `u_i` of the tableau.
     stages: [SVector<T, N>; STAGES],
     coefficients: [SVector<T, N>; MAX_DEGREE],
-    tableau: PhantomData<B>,
+    tableau: PhantomData<(B, P)>,
 }
 
 /// A system to first order about a point.
@@ -137,8 +125,8 @@ struct Linearisation<T, const N: usize> {
     drift: SVector<T, N>,
 }
 
-impl<T: Float, const N: usize> Linearisation<T, N> {
-    #[inline]
+impl<T: Lanes, const N: usize> Linearisation<T, N> {
+    #[inline(always)]
     fn new<S>(system: &S, t: T, x: &SVector<T, N>, work: &mut Statistics) -> Self
     where
         S: Jacobian<T, N> + ?Sized,
@@ -151,11 +139,30 @@ impl<T: Float, const N: usize> Linearisation<T, N> {
     }
 }
 
-impl<B, T, const STAGES: usize, const N: usize> RosenbrockStages<B, T, STAGES, N>
+impl<B, T, P, const STAGES: usize, const N: usize> RosenbrockStages<B, T, STAGES, N, P>
 where
     B: RosenbrockMethod<STAGES>,
-    T: Float,
+    T: Lanes,
+    P: Pivots<T, N>,
 {
+    #[inline(always)]
+    pub(crate) fn new(tolerance: Option<Tolerance<T::Scalar>>) -> Self {
+        let zero = SVector::from_element(T::default());
+        let nothing = Linearisation {
+            slope: zero,
+            jacobian: SMatrix::from_element(T::default()),
+            drift: zero,
+        };
+        Self {
+            tolerance: tolerance.map(Tolerance::in_lanes),
+            swapped: false,
+            points: [nothing; 2],
+            stages: [zero; STAGES],
+            coefficients: [zero; MAX_DEGREE],
+            tableau: PhantomData,
+        }
+    }
+
     /// The Jacobian where the next step starts.
     pub(super) fn jacobian(&self) -> &SMatrix<T, N, N> {
         &self.start().jacobian
@@ -167,16 +174,22 @@ where
         &self.points[usize::from(self.swapped)]
     }
 
-    /// Solves for the stages, which are spelled out for the reasons that explicit methods have: the state at the end.
+    /// Solves for the stages, which are spelled out for the reasons that explicit methods have: the state at the end,
+    /// and the [defect](Pivots::defect) of the matrix.
     #[inline(always)]
-    fn solve_stages<S>(&mut self, system: &S, (t, x): (T, &SVector<T, N>), t_new: T) -> Result<SVector<T, N>, Singular>
+    fn solve_stages<S>(
+        &mut self,
+        system: &S,
+        (t, x): (T, &SVector<T, N>),
+        t_new: T,
+    ) -> Result<(SVector<T, N>, T), Singular>
     where
         S: System<T, N> + ?Sized,
     {
         const { assert!(STAGES >= 1 && STAGES <= MAX_STAGES && B::TABLEAU.dense.len() <= MAX_DEGREE) };
         let (one, h) = (T::from_f64(1.0), t_new - t);
         let h_gamma = h * T::from_f64(const { B::TABLEAU.gamma });
-        let lu = Lu::new(identity_minus(h_gamma, &self.start().jacobian))?;
+        let lu = Lu::<T, N, P>::of(identity_minus(h_gamma, &self.start().jacobian))?;
         macro_rules! stages {
             ($($i:literal)*) => { $(
                 if $i < STAGES {
@@ -198,34 +211,37 @@ where
                         }
                         *right += h_gamma * slope;
                     }
-                    self.stages[$i] = SVector::from(lu.solve(&right.data.0[0]));
+                    let right = &right.data.0[0];
+                    self.stages[$i] = SVector::from(if const { T::LANES > 1 } { lu.solved(right) } else { lu.solve(right) });
                 }
             )* };
         }
         stages!(0 1 2 3 4 5 6 7);
         let weights = const { &B::TABLEAU.b };
-        Ok(shifted(x, &weighted_sum(one, weights, STAGES, &self.stages)))
+        let x_new = shifted(x, &weighted_sum(one, weights, STAGES, &self.stages));
+        Ok((x_new, lu.defect()))
     }
 }
 
-impl<B, S, T, const STAGES: usize, const N: usize> Scheme<S, T, N> for RosenbrockStages<B, T, STAGES, N>
+impl<B, S, T, P, const STAGES: usize, const N: usize> Scheme<S, T, N> for RosenbrockStages<B, T, STAGES, N, P>
 where
     B: RosenbrockMethod<STAGES>,
     S: Jacobian<T, N> + ?Sized,
-    T: Float,
+    T: Lanes,
+    P: Pivots<T, N>,
 {
-    #[inline]
+    #[inline(always)]
     fn error_order(&self) -> usize {
         B::TABLEAU.order_hat
     }
 
-    #[inline]
+    #[inline(always)]
     fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
         self.points[usize::from(self.swapped)] = Linearisation::new(system, t, x, work);
         self.start().slope
     }
 
-    #[inline]
+    #[inline(always)]
     fn attempt(
         &mut self,
         system: &InMode<'_, S, T>,
@@ -235,23 +251,28 @@ where
     ) -> Result<T, Stalled> {
         work.factorizations += 1;
         work.evaluations += STAGES - 1;
-        let solved = if const { N <= SHORT } {
+        let solved = if const { N <= SHORT || T::LANES > 1 } {
             self.solve_stages(system, (t, x), t_new)
         } else {
             self.solve_stages(&system, (t, x), t_new)
         };
-        *x_new = solved.map_err(|Singular| Stalled)?;
-        Ok(match &self.tolerance {
+        let (solved, defect) = solved.map_err(|Singular| Stalled)?;
+        *x_new = solved;
+        let mean_square = match &self.tolerance {
             None => T::default(),
             Some(tolerance) => {
                 let weights = const { &difference(B::TABLEAU.b, B::TABLEAU.b_hat) };
                 let error = weighted_sum(T::from_f64(1.0), weights, STAGES, &self.stages);
                 tolerance.mean_square(&error, x, x_new)
             }
-        })
+        };
+        if const { T::LANES > 1 } && !defect.all_finite() {
+            return Ok(stall(defect, x_new, mean_square));
+        }
+        Ok(mean_square)
     }
 
-    #[inline]
+    #[inline(always)]
     fn arrive(
         &mut self,
         system: &InMode<'_, S, T>,
@@ -263,18 +284,32 @@ where
         Some(&end.slope)
     }
 
-    #[inline]
-    fn accept(&mut self, _system: &InMode<'_, S, T>, _step: &Step<T, N>, _lanes: Accepted<T>, _work: &mut Statistics) {
+    #[inline(always)]
+    fn accept(&mut self, _system: &InMode<'_, S, T>, _step: &Step<T, N>, lanes: Accepted<T>, _work: &mut Statistics) {
+        if let Accepted::Negative(_) = lanes {
+            // the others start again where they were
+            let (start, end) = (*self.start(), &mut self.points[usize::from(!self.swapped)]);
+            end.slope = lanes.select(&end.slope, &start.slope);
+            end.drift = lanes.select(&end.drift, &start.drift);
+            for (new, old) in end.jacobian.data.0.iter_mut().zip(start.jacobian.data.0) {
+                *new = lanes.select(&(*new).into(), &old.into()).data.0[0];
+            }
+        }
         self.swapped = !self.swapped;
     }
 
+    #[inline(always)]
     fn dense(&mut self, _system: &InMode<'_, S, T>, _step: &Step<T, N>, _work: &mut Statistics) -> &[SVector<T, N>] {
         let rows = const { B::TABLEAU.dense };
         for (coefficient, row) in self.coefficients.iter_mut().zip(rows) {
-            *coefficient = SVector::from_element(T::default());
+            let mut sums = [T::default(); N];
             for (stage, &weight) in self.stages.iter().zip(*row) {
-                *coefficient += stage * T::from_f64(weight);
+                let weight = T::from_f64(weight);
+                for (sum, &component) in sums.iter_mut().zip(&stage.data.0[0]) {
+                    *sum += component * weight;
+                }
             }
+            *coefficient = SVector::from(sums);
         }
         &self.coefficients[..rows.len()]
     }
@@ -284,14 +319,27 @@ where
     }
 }
 
+/// Marks the lanes whose matrix is singular, as [`Scheme::attempt`] says.
+#[cold]
+fn stall<V: Lanes, const N: usize>(defect: V, x_new: &mut SVector<V, N>, mean_square: V) -> V {
+    let marked = |number: V, mark: f64| {
+        V::from_fn(|lane| match defect.lane(lane).is_finite() {
+            true => number.lane(lane),
+            false => V::Scalar::from_f64(mark),
+        })
+    };
+    *x_new = x_new.map(|x| marked(x, f64::NAN));
+    marked(mean_square, -1.0)
+}
+
 /// The most stages that a step spells out.
 const MAX_STAGES: usize = 8;
 /// The highest degree of a dense output.
 const MAX_DEGREE: usize = 4;
 
 /// `1 - h J`, by columns.
-#[inline]
-fn identity_minus<T: Float, const N: usize>(h: T, jacobian: &SMatrix<T, N, N>) -> [[T; N]; N] {
+#[inline(always)]
+fn identity_minus<T: Lanes, const N: usize>(h: T, jacobian: &SMatrix<T, N, N>) -> [[T; N]; N] {
     let mut columns = jacobian.data.0;
     for (k, column) in columns.iter_mut().enumerate() {
         for entry in column.iter_mut() {

@@ -48,7 +48,8 @@ pub trait Scheme<S: ?Sized, T: Lanes, const N: usize>: Clone {
 
     /// Tries a step from the start `(t, x)` to the end `(t, x)`, whose state it writes.
     ///
-    /// Returns the mean square of the estimated error in units of the tolerance; 0 where there is no estimate.
+    /// Returns the mean square of the estimated error in units of the tolerance; 0 where there is no estimate. Of
+    /// several lanes, those that stall have a negative one, and a state that is not finite.
     fn attempt(
         &mut self,
         system: &InMode<'_, S, T>,
@@ -70,7 +71,7 @@ pub trait Scheme<S: ?Sized, T: Lanes, const N: usize>: Clone {
     fn accept(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, lanes: Accepted<T>, work: &mut Statistics);
 
     /// The vectors `c_1, c_2, ..` of the dense output `x0 + c_1 theta + c_2 theta^2 + ..`, `theta` the fraction of the
-    /// step, for the step that was accepted last.
+    /// step, for the step that was accepted last. In lanes it is that which was tried last, before it is accepted.
     fn dense(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>];
 
     /// Goes back to the start of the step that was accepted last, before it [begins](Self::begin) there: what a scheme

@@ -18,7 +18,7 @@ const MOST_HURRIED: usize = 1000;
 const TOO_MANY: f64 = 1e7;
 
 /// What is known of the events where the last step ended.
-pub(super) struct Search<'w, 'e, T, const N: usize> {
+pub(crate) struct Search<'w, 'e, T, const N: usize> {
     events: &'w [Event<'e, T, N>],
     seen: Vec<Seen<T>>,
     /// Whether the integration starts here, or anew.
@@ -39,7 +39,7 @@ struct Seen<T> {
 
 /// Something found within a step.
 #[derive(Clone, Copy)]
-pub(super) struct Found<T> {
+pub(crate) struct Found<T> {
     /// Which event.
     pub(super) index: usize,
     /// In fractions of the step.
@@ -48,7 +48,7 @@ pub(super) struct Found<T> {
 }
 
 #[derive(Clone, Copy, PartialEq)]
-pub(super) enum What {
+pub(crate) enum What {
     /// The function passes zero.
     Passage(Passage),
     /// It is not a number.
@@ -79,7 +79,7 @@ fn not_finite<T: Float>(event: usize, t: T) -> Reason {
 }
 
 impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
-    pub(super) fn new(events: &'w [Event<'e, T, N>], t: T, x: &SVector<T, N>) -> Result<Self, Reason> {
+    pub(crate) fn new(events: &'w [Event<'e, T, N>], t: T, x: &SVector<T, N>) -> Result<Self, Reason> {
         let mut seen = Vec::with_capacity(events.len());
         for index in 0..events.len() {
             let value = value(events, index, t, x)?;
@@ -148,6 +148,11 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
             Some(acted) if (t - acted).abs() <= near => Err(Reason::EventsAccumulate { event: index }),
             _ => Ok(()),
         }
+    }
+
+    /// The event that was found.
+    pub(super) fn event(&self, found: &Found<T>) -> &Event<'e, T, N> {
+        &self.events[found.index]
     }
 
     /// All that is found in a step, in the order of time.

@@ -20,7 +20,7 @@ pub(super) enum Side<T> {
 
 /// How a function passes zero.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(super) enum Passage {
+pub(crate) enum Passage {
     Rising,
     Falling,
     /// It starts at zero and stays there.

@@ -329,12 +329,20 @@ where
         self.current = new;
     }
 
+    #[inline(always)]
     fn dense(&mut self, _system: &InMode<'_, S, T>, step: &Step<T, N>, _work: &mut Statistics) -> &[SVector<T, N>] {
         let mut power = T::from_f64(1.0);
-        let series = &self.x[1 - self.current][1..=self.order];
+        let start = if const { T::LANES == 1 } {
+            1 - self.current
+        } else {
+            self.current
+        };
+        let series = &self.x[start][1..=self.order];
         for (coefficient, x) in self.coefficients.iter_mut().zip(series) {
             power *= step.h;
-            *coefficient = x * power;
+            for (coefficient, &x) in coefficient.data.0[0].iter_mut().zip(&x.data.0[0]) {
+                *coefficient = x * power;
+            }
         }
         &self.coefficients[..self.order]
     }

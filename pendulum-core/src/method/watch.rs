@@ -1,4 +1,4 @@
-//! Following a trajectory to its end: events act, and what is asked for is kept.
+//! Following a trajectory to its end: events act, and an observer sees the way.
 
 use nalgebra::SVector;
 
@@ -10,7 +10,7 @@ use crate::method::Stepper;
 use crate::method::scheme::{NonFinite, Scheme};
 use crate::method::search::{Found, Search, What};
 use crate::real::Float;
-use crate::solution::{Record, Solution};
+use crate::solution::{Observer, Solution};
 use crate::system::System;
 
 /// Events within this many ulps of the time are simultaneous, and one that acts twice within them never ends.
@@ -30,9 +30,9 @@ where
     let ended = stepper
         .check_to_keep()
         .and_then(|()| follow(&mut stepper, events, &mut solution));
-    solution.set_statistics(stepper.statistics());
+    solution.finish(stepper.statistics());
     match ended {
-        Ok(()) => Ok(solution),
+        Ok(_) => Ok(solution),
         Err(reason) => Err(SolveError {
             reason,
             solution: Box::new(solution),
@@ -40,80 +40,110 @@ where
     }
 }
 
-/// Goes on to the end, and keeps what `record` asks for.
+/// Goes on to the end, where `observer` sees the way: the state there, which is that of a terminal event if there was
+/// one.
 pub(crate) fn follow<C, S, T, const N: usize>(
     stepper: &mut Stepper<'_, C, S, T, N>,
     events: &[Event<'_, T, N>],
-    record: &mut impl Record<T, N>,
-) -> Result<(), Reason>
+    observer: &mut impl Observer<T, N>,
+) -> Result<SVector<T, N>, Reason>
 where
     C: Scheme<S, T, N>,
     S: System<T, N> + ?Sized,
     T: Float,
 {
     let mut search = Search::new(events, stepper.t(), &stepper.x())?;
-    let mut reached = Reached::start(stepper, record);
+    let mut reached = Reached::start(stepper, observer);
     while let Some(step) = stepper.step()? {
-        if reached.changes(stepper, &step, record) {
+        if reached.changes(stepper, &step, observer) {
             search.restart((step.t0, stepper.t1(), step.t0.abs().max(step.h.abs())), &step.x0, &[])?;
         }
-        let dense = stepper.dense();
-        let found = search.look(&dense);
-        let acts = |found: &&Found<T>| matches!(found.what, What::Passage(_)) && events[found.index].acts();
-        let Some(cut) = found.iter().find(acts).map(|found| found.theta) else {
-            let occurred: Vec<_> = found
-                .iter()
-                .map(|found| found.occurrence(&dense))
-                .collect::<Result<_, _>>()?;
-            record.push(&dense);
-            occurred.into_iter().for_each(|event| record.note(event));
+        if events.is_empty() && !observer.looks_into(step.t0, step.t1) {
+            observer.step(&Dense::new(step, &[]));
+            continue;
+        }
+        let Some(stop) = see(&mut search, &stepper.dense(), observer)? else {
             continue;
         };
-        let mut stop = Stop::new(&dense, cut);
-        record.push_part(&dense, cut);
-        for found in found {
-            if found.theta > cut && !stop.is_simultaneous(dense.time(found.theta)) {
-                break;
-            }
-            stop.act(found, found.occurrence(&dense)?, &events[found.index], &search, record)?;
-        }
         if stop.is_the_end {
-            return Ok(());
+            return Ok(stop.x);
         }
         stepper.restart(stop.t, stop.x)?;
-        reached = Reached::start(stepper, record);
+        reached = Reached::start(stepper, observer);
         search.restart((stop.t, stepper.t1(), stop.scale), &stop.x, &stop.fired)?;
     }
-    Ok(())
+    Ok(stepper.x())
 }
 
-/// Where the record has arrived.
+/// Looks for events in a step, which an observer then sees, up to where one acts: what there is to do then.
+pub(crate) fn see<T: Float, const N: usize>(
+    search: &mut Search<'_, '_, T, N>,
+    dense: &Dense<'_, T, N>,
+    observer: &mut impl Observer<T, N>,
+) -> Result<Option<Stop<T, N>>, Reason> {
+    let found = search.look(dense);
+    let acts = |found: &&Found<T>| matches!(found.what, What::Passage(_)) && search.event(found).acts();
+    let Some(cut) = found.iter().find(acts).map(|found| found.theta) else {
+        let occurred: Vec<_> = found
+            .iter()
+            .map(|found| found.occurrence(dense))
+            .collect::<Result<_, _>>()?;
+        observe(dense, T::from_f64(1.0), observer);
+        occurred.into_iter().for_each(|event| observer.event(event));
+        return Ok(None);
+    };
+    let mut stop = Stop::new(dense, cut);
+    observe(dense, cut, observer);
+    for found in found {
+        if found.theta > cut && !stop.is_simultaneous(dense.time(found.theta)) {
+            break;
+        }
+        stop.act(found, found.occurrence(dense)?, search, observer)?;
+    }
+    Ok(Some(stop))
+}
+
+/// Shows the part of a step up to the fraction `theta`, by a polynomial of its own.
+fn observe<T: Float, const N: usize>(dense: &Dense<'_, T, N>, theta: T, observer: &mut impl Observer<T, N>) {
+    let step = dense.step();
+    if theta == T::from_f64(1.0) && !dense.is_cut_off() {
+        return observer.step(dense);
+    }
+    let t = dense.time(theta);
+    if t != step.t0 {
+        let part = Step::new((step.t0, step.x0), (t, dense.at_fraction(theta)));
+        let coefficients: Vec<_> = dense.coefficients_to(theta).collect();
+        observer.step(&Dense::new(part, &coefficients));
+    }
+}
+
+/// Where a trajectory has arrived.
 struct Reached<T, const N: usize> {
     x: SVector<T, N>,
     mode: Option<(T, Mode)>,
 }
 
 impl<T: Float, const N: usize> Reached<T, N> {
-    /// At the point of a stepper, whose mode is recorded.
-    fn start<C, S>(stepper: &Stepper<'_, C, S, T, N>, record: &mut impl Record<T, N>) -> Self
+    /// At the point of a stepper, whose mode is shown.
+    fn start<C, S>(stepper: &Stepper<'_, C, S, T, N>, observer: &mut impl Observer<T, N>) -> Self
     where
         C: Scheme<S, T, N>,
         S: System<T, N> + ?Sized,
     {
         let mode = stepper.mode();
         if let Some((from, mode)) = mode {
-            record.mode(from, mode);
+            observer.mode(from, mode);
         }
         Self { x: stepper.x(), mode }
     }
 
-    /// Goes on to the end of a step; records another mode in which it started, and another state, and tells whether
-    /// there was one.
+    /// Goes on to the end of a step; shows another mode in which it started, and another state, and tells whether there
+    /// was one.
     fn changes<C, S>(
         &mut self,
         stepper: &Stepper<'_, C, S, T, N>,
         step: &Step<T, N>,
-        record: &mut impl Record<T, N>,
+        observer: &mut impl Observer<T, N>,
     ) -> bool
     where
         C: Scheme<S, T, N>,
@@ -124,10 +154,10 @@ impl<T: Float, const N: usize> Reached<T, N> {
         };
         let (jumps, changes) = (step.x0 != self.x, self.mode != Some((from, mode)));
         if jumps {
-            record.jump(step.t0, step.x0);
+            observer.jump(step.t0, step.x0);
         }
         if changes {
-            record.mode(from, mode);
+            observer.mode(from, mode);
         }
         (self.x, self.mode) = (step.x1, Some((from, mode)));
         jumps || changes
@@ -135,12 +165,12 @@ impl<T: Float, const N: usize> Reached<T, N> {
 }
 
 /// A point within a step at which events act, one after the other.
-struct Stop<T, const N: usize> {
+pub(crate) struct Stop<T, const N: usize> {
     /// In fractions of the step.
     theta: T,
     t: T,
     /// The state after the events that have acted.
-    x: SVector<T, N>,
+    pub(crate) x: SVector<T, N>,
     /// The size of times, to which their resolution is relative.
     scale: T,
     /// The events here, with the values of their functions before them.
@@ -174,17 +204,17 @@ impl<T: Float, const N: usize> Stop<T, N> {
         &mut self,
         found: Found<T>,
         mut occurrence: Occurrence<T, N>,
-        event: &Event<'_, T, N>,
         search: &Search<'_, '_, T, N>,
-        record: &mut impl Record<T, N>,
+        observer: &mut impl Observer<T, N>,
     ) -> Result<(), Reason> {
+        let event = search.event(&found);
         if found.theta >= self.theta {
             occurrence.x = self.x;
         }
         if self.is_simultaneous(occurrence.t) {
             self.fired.push((found, (event.function)(self.t, &self.x)));
         }
-        record.note(occurrence);
+        observer.event(occurrence);
         if !event.acts() {
             return Ok(());
         }
@@ -193,7 +223,7 @@ impl<T: Float, const N: usize> Stop<T, N> {
         if let Some(reset) = &event.reset {
             self.x = reset(self.t, &self.x);
             NonFinite::check(&self.x).map_err(NonFinite::at_start)?;
-            record.jump(self.t, self.x);
+            observer.jump(self.t, self.x);
         }
         Ok(())
     }

@@ -4,6 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use super::{Energy, Jacobian, System};
 use crate::layout::StateLayout;
+use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
 
 /// A [`System`], or a [law](crate::inputs::Law) for inputs, whose derivatives are central differences: the last resort
@@ -44,7 +45,7 @@ impl<T: Real, S: System<T, N>, const N: usize> System<T, N> for Differences<S> {
     }
 }
 
-impl<T: Float, S: System<T, N>, const N: usize> Jacobian<T, N> for Differences<S> {
+impl<T: Lanes, S: System<T, N>, const N: usize> Jacobian<T, N> for Differences<S> {
     #[inline]
     fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
         by_state(x, |x| self.0.rhs(t, x))
@@ -64,7 +65,7 @@ impl<T: Real, S: Energy<T, N>, const N: usize> Energy<T, N> for Differences<S> {
 }
 
 /// The derivative of `f` with respect to the state at `x`.
-pub(crate) fn by_state<T: Float, const N: usize, const M: usize>(
+pub(crate) fn by_state<T: Lanes, const N: usize, const M: usize>(
     x: &SVector<T, N>,
     f: impl Fn(&SVector<T, N>) -> SVector<T, M>,
 ) -> SMatrix<T, M, N> {
@@ -80,8 +81,10 @@ pub(crate) fn by_state<T: Float, const N: usize, const M: usize>(
 }
 
 /// The derivative of `f` at the number `at`.
-pub(crate) fn by_number<T: Float, const M: usize>(at: T, f: impl Fn(T) -> SVector<T, M>) -> SVector<T, M> {
-    let reach = T::from_f64(libm::cbrt(T::EPSILON.to_f64())) * at.abs().max(T::from_f64(1.0));
+pub(crate) fn by_number<T: Lanes, const M: usize>(at: T, f: impl Fn(T) -> SVector<T, M>) -> SVector<T, M> {
+    let size = at.abs();
+    let size = T::from_fn(|lane| size.lane(lane).max(T::Scalar::from_f64(1.0)));
+    let reach = T::from_f64(libm::cbrt(T::Scalar::EPSILON.to_f64())) * size;
     let (before, after) = (at - reach, at + reach);
     (f(after) - f(before)) / (after - before)
 }

@@ -551,7 +551,8 @@ k11 = -m*c*d/(inertia + m*c^2)
         ) -> ::pendulum_core::nalgebra::SMatrix<T, 4, 4> {
             self.rhs_and_jacobian(t, x).1
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn rhs_and_jacobian(
             &self,
             t: T,
@@ -615,15 +616,13 @@ k11 = -m*c*d/(inertia + m*c^2)
                 ]),
             )
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn time_derivative(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 4>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 4>
-        where
-            T: ::pendulum_core::Float,
-        {
+        ) -> ::pendulum_core::nalgebra::SVector<T, 4> {
             ::pendulum_core::nalgebra::SVector::from([
                 T::from_f64(0.0),
                 T::from_f64(0.0),
@@ -915,6 +914,15 @@ k11 = -m*c*d/(inertia + m*c^2)
             work: &mut ::pendulum_core::taylor::Products<T, 12>,
         ) {
             ::pendulum_core::taylor::TaylorSeries::series(system, t, x, work);
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::CastJacobian<4> for DoublePendulum {
+        #[inline]
+        fn with_jacobian<T: ::pendulum_core::real::Real>(
+            model: &DoublePendulum<T>,
+        ) -> &impl ::pendulum_core::Jacobian<T, 4> {
+            model
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

@@ -589,10 +589,7 @@ k4 = 1/m
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 2>
-        where
-            T: ::pendulum_core::Float,
-        {
+        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
             ::pendulum_core::nalgebra::SVector::from([
                 T::from_f64(0.0),
                 T::from_f64(0.0),
@@ -631,10 +628,7 @@ k4 = 1/m
             hold: &::pendulum_core::hybrid::Hold<T>,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 2>
-        where
-            T: ::pendulum_core::Float,
-        {
+        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
             ::pendulum_core::hybrid::time_derivative(self, hold, t, x)
         }
     }
@@ -751,6 +745,15 @@ k4 = 1/m
         fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 2>) -> T {
             let [_, _] = x.data.0[0];
             T::from_f64(0.0)
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::CastJacobian<2> for Block {
+        #[inline]
+        fn with_jacobian<T: ::pendulum_core::real::Real>(
+            model: &Block<T>,
+        ) -> &impl ::pendulum_core::Jacobian<T, 2> {
+            model
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

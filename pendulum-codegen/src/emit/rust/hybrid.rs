@@ -91,10 +91,7 @@ impl Items<'_> {
                 #core::rhs_and_jacobian(self, hold, t, x)
             }
             #[inline]
-            fn time_derivative_in(#hold) -> #vector
-            where
-                T: ::pendulum_core::Float,
-            {
+            fn time_derivative_in(#hold) -> #vector {
                 #core::time_derivative(self, hold, t, x)
             }
         };

@@ -12,7 +12,8 @@ pub(super) fn inlined_into_lanes() -> TokenStream {
 }
 
 impl Items<'_> {
-    /// `impl Cast<N>`, or `impl CastControlled<N, M>` with inputs, where the model has a right-hand side.
+    /// `impl Cast<N>`, or `impl CastControlled<N, M>` with inputs, where the model has a right-hand side; `impl
+    /// CastJacobian<N>`, where it has a Jacobian without inputs.
     pub(super) fn over_numbers(&self) -> Option<TokenStream> {
         self.program.routine("rhs")?;
         let (name, length, allowed) = (&self.head.name, self.length(), allowed());
@@ -33,7 +34,20 @@ impl Items<'_> {
                 const HYBRID: bool = true;
             )
         });
+        let has_jacobian = self.program.inputs.is_empty() && self.program.routine("jacobian").is_some();
+        let jacobian = has_jacobian.then(|| {
+            quote! {
+                #allowed
+                impl ::pendulum_core::CastJacobian<#length> for #name {
+                    #[inline]
+                    fn with_jacobian<T: #real>(model: &#name<T>) -> &impl ::pendulum_core::Jacobian<T, #length> {
+                        model
+                    }
+                }
+            }
+        });
         Some(quote! {
+            #jacobian
             #allowed
             impl ::pendulum_core::#of_trait for #name {
                 #hybrid

@@ -86,9 +86,9 @@ impl Items<'_> {
                 fn jacobian(#arguments) -> #matrix {
                     self.rhs_and_jacobian(t, x).1
                 }
-                #[inline]
+                #inline
                 #both
-                #[inline]
+                #inline
                 #time_derivative
             };
             self.implement(Some(self.named("Jacobian")), &functions)
@@ -124,10 +124,7 @@ impl Items<'_> {
             }
         };
         quote! {
-            fn #name(#arguments) -> #vector
-            where
-                T: ::pendulum_core::Float,
-            #block
+            fn #name(#arguments) -> #vector #block
         }
     }
 

@@ -256,6 +256,12 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             }
         }
         #allowed
+        impl<const N: usize> ::pendulum_core::CastJacobian<N> for #name {
+            fn with_jacobian<T: #real>(model: &#name<T>) -> &impl ::pendulum_core::Jacobian<T, N> {
+                model
+            }
+        }
+        #allowed
         impl<T: #real, const N: usize> ::pendulum_core::Canonical<T, N> for #name<T> {
             fn canonical(#system) -> (#vector, #vector) {
                 (*x, *x)

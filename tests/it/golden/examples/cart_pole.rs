@@ -520,10 +520,7 @@ k8 = -0.5/(1/3*l)
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 4>,
             u: &CartPoleInputs<T>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 4>
-        where
-            T: ::pendulum_core::Float,
-        {
+        ) -> ::pendulum_core::nalgebra::SVector<T, 4> {
             ::pendulum_core::nalgebra::SVector::from([
                 T::from_f64(0.0),
                 T::from_f64(0.0),

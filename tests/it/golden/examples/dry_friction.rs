@@ -680,10 +680,7 @@ k5 = 3*gamma
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 4>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 4>
-        where
-            T: ::pendulum_core::Float,
-        {
+        ) -> ::pendulum_core::nalgebra::SVector<T, 4> {
             ::pendulum_core::nalgebra::SVector::from([
                 T::from_f64(0.0),
                 T::from_f64(0.0),
@@ -724,10 +721,7 @@ k5 = 3*gamma
             hold: &::pendulum_core::hybrid::Hold<T>,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 4>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 4>
-        where
-            T: ::pendulum_core::Float,
-        {
+        ) -> ::pendulum_core::nalgebra::SVector<T, 4> {
             ::pendulum_core::hybrid::time_derivative(self, hold, t, x)
         }
     }
@@ -981,6 +975,15 @@ k5 = 3*gamma
             let [q_theta1, q_theta2, _, _] = x.data.0[0];
             let [(_, cos_theta2), (_, cos_theta1)] = q_theta2.sin_cos_pair(q_theta1);
             -(T::from_f64(4.905) * cos_theta2 + T::from_f64(14.715) * cos_theta1)
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::CastJacobian<4> for Rods {
+        #[inline]
+        fn with_jacobian<T: ::pendulum_core::real::Real>(
+            model: &Rods<T>,
+        ) -> &impl ::pendulum_core::Jacobian<T, 4> {
+            model
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

@@ -626,10 +626,7 @@ k9 = 1/m3
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 6>,
             u: &ScaraInputs<T>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 6>
-        where
-            T: ::pendulum_core::Float,
-        {
+        ) -> ::pendulum_core::nalgebra::SVector<T, 6> {
             ::pendulum_core::nalgebra::SVector::from([
                 T::from_f64(0.0),
                 T::from_f64(0.0),

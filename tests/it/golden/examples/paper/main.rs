@@ -465,7 +465,8 @@ k11 = -m*c*d/(inertia + m*c^2)
         ) -> ::pendulum_core::nalgebra::SMatrix<T, 4, 4> {
             self.rhs_and_jacobian(t, x).1
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn rhs_and_jacobian(
             &self,
             t: T,
@@ -529,15 +530,13 @@ k11 = -m*c*d/(inertia + m*c^2)
                 ]),
             )
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn time_derivative(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 4>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 4>
-        where
-            T: ::pendulum_core::Float,
-        {
+        ) -> ::pendulum_core::nalgebra::SVector<T, 4> {
             ::pendulum_core::nalgebra::SVector::from([
                 T::from_f64(0.0),
                 T::from_f64(0.0),
@@ -566,6 +565,15 @@ k11 = -m*c*d/(inertia + m*c^2)
             let k5 = self.constants[5];
             let [(_, cos_theta1), (_, cos_theta2)] = q_theta1.sin_cos_pair(q_theta2);
             -(cos_theta1 * k5 + cos_theta2 * k4)
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::CastJacobian<4> for DoublePendulum {
+        #[inline]
+        fn with_jacobian<T: ::pendulum_core::real::Real>(
+            model: &DoublePendulum<T>,
+        ) -> &impl ::pendulum_core::Jacobian<T, 4> {
+            model
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

@@ -359,7 +359,8 @@ k9 = -0.5/(1/3)
         ) -> ::pendulum_core::nalgebra::SMatrix<T, 4, 4> {
             self.rhs_and_jacobian(t, x).1
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn rhs_and_jacobian(
             &self,
             t: T,
@@ -422,15 +423,13 @@ k9 = -0.5/(1/3)
                 ]),
             )
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn time_derivative(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 4>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 4>
-        where
-            T: ::pendulum_core::Float,
-        {
+        ) -> ::pendulum_core::nalgebra::SVector<T, 4> {
             ::pendulum_core::nalgebra::SVector::from([
                 T::from_f64(0.0),
                 T::from_f64(0.0),
@@ -457,6 +456,15 @@ k9 = -0.5/(1/3)
             let a1 = cos0 * k2;
             let a2 = k3;
             ::pendulum_core::nalgebra::SMatrix::from([[a0, a1], [a1, a2]])
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::CastJacobian<4> for DoubleBar {
+        #[inline]
+        fn with_jacobian<T: ::pendulum_core::real::Real>(
+            model: &DoubleBar<T>,
+        ) -> &impl ::pendulum_core::Jacobian<T, 4> {
+            model
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
@@ -900,7 +908,8 @@ k9 = -1/(2/3)
         ) -> ::pendulum_core::nalgebra::SMatrix<T, 4, 4> {
             self.rhs_and_jacobian(t, x).1
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn rhs_and_jacobian(
             &self,
             t: T,
@@ -963,15 +972,13 @@ k9 = -1/(2/3)
                 ]),
             )
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn time_derivative(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 4>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 4>
-        where
-            T: ::pendulum_core::Float,
-        {
+        ) -> ::pendulum_core::nalgebra::SVector<T, 4> {
             ::pendulum_core::nalgebra::SVector::from([
                 T::from_f64(0.0),
                 T::from_f64(0.0),
@@ -1126,6 +1133,15 @@ k9 = -1/(2/3)
                     ]
                 },
             )
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::CastJacobian<4> for DoubleSquare {
+        #[inline]
+        fn with_jacobian<T: ::pendulum_core::real::Real>(
+            model: &DoubleSquare<T>,
+        ) -> &impl ::pendulum_core::Jacobian<T, 4> {
+            model
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

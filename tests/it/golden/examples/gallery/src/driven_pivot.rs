@@ -686,7 +686,8 @@ k43 = b*w^2*ny^2*(m1 + m2)
         ) -> ::pendulum_core::nalgebra::SMatrix<T, 4, 4> {
             self.rhs_and_jacobian(t, x).1
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn rhs_and_jacobian(
             &self,
             t: T,
@@ -768,15 +769,13 @@ k43 = b*w^2*ny^2*(m1 + m2)
                 ]),
             )
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn time_derivative(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 4>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 4>
-        where
-            T: ::pendulum_core::Float,
-        {
+        ) -> ::pendulum_core::nalgebra::SVector<T, 4> {
             let [q_theta1, q_theta2, _, _] = x.data.0[0];
             let k4 = self.constants[4];
             let k5 = self.constants[5];
@@ -1009,6 +1008,15 @@ k43 = b*w^2*ny^2*(m1 + m2)
                     ]
                 },
             )
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::CastJacobian<4> for DrivenPivot {
+        #[inline]
+        fn with_jacobian<T: ::pendulum_core::real::Real>(
+            model: &DrivenPivot<T>,
+        ) -> &impl ::pendulum_core::Jacobian<T, 4> {
+            model
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

@@ -462,7 +462,8 @@ k16 = m*a*w^2
         ) -> ::pendulum_core::nalgebra::SMatrix<T, 2, 2> {
             self.rhs_and_jacobian(t, x).1
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn rhs_and_jacobian(
             &self,
             t: T,
@@ -491,15 +492,13 @@ k16 = m*a*w^2
                 ]),
             )
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn time_derivative(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 2>
-        where
-            T: ::pendulum_core::Float,
-        {
+        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
             let [q_theta, _] = x.data.0[0];
             let k2 = self.constants[2];
             let k15 = self.constants[15];
@@ -613,6 +612,15 @@ k16 = m*a*w^2
                     ]
                 },
             )
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::CastJacobian<2> for Kapitza {
+        #[inline]
+        fn with_jacobian<T: ::pendulum_core::real::Real>(
+            model: &Kapitza<T>,
+        ) -> &impl ::pendulum_core::Jacobian<T, 2> {
+            model
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

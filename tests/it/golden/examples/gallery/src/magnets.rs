@@ -675,7 +675,8 @@ k57 = 77343750000000/1998607065841*l^2*k
         ) -> ::pendulum_core::nalgebra::SMatrix<T, 4, 4> {
             self.rhs_and_jacobian(t, x).1
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn rhs_and_jacobian(
             &self,
             t: T,
@@ -881,15 +882,13 @@ k57 = 77343750000000/1998607065841*l^2*k
                 ]),
             )
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn time_derivative(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 4>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 4>
-        where
-            T: ::pendulum_core::Float,
-        {
+        ) -> ::pendulum_core::nalgebra::SVector<T, 4> {
             ::pendulum_core::nalgebra::SVector::from([
                 T::from_f64(0.0),
                 T::from_f64(0.0),
@@ -1045,6 +1044,15 @@ k57 = 77343750000000/1998607065841*l^2*k
                     ]
                 },
             )
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::CastJacobian<4> for Magnets {
+        #[inline]
+        fn with_jacobian<T: ::pendulum_core::real::Real>(
+            model: &Magnets<T>,
+        ) -> &impl ::pendulum_core::Jacobian<T, 4> {
+            model
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

@@ -560,7 +560,8 @@ k23 = 3.27*m*(0.5*a^2*b + 0.5*a^2*b + 2^2*0.5*a^2*b)/(0.5*a*b + 0.5*a*b + 2*0.5*
         ) -> ::pendulum_core::nalgebra::SMatrix<T, 6, 6> {
             self.rhs_and_jacobian(t, x).1
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn rhs_and_jacobian(
             &self,
             t: T,
@@ -694,15 +695,13 @@ k23 = 3.27*m*(0.5*a^2*b + 0.5*a^2*b + 2^2*0.5*a^2*b)/(0.5*a*b + 0.5*a*b + 2*0.5*
                 ]),
             )
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn time_derivative(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 6>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 6>
-        where
-            T: ::pendulum_core::Float,
-        {
+        ) -> ::pendulum_core::nalgebra::SVector<T, 6> {
             let [_, _, q_phi, _, _, _] = x.data.0[0];
             let k0 = self.constants[0];
             let k6 = self.constants[6];
@@ -857,6 +856,15 @@ k23 = 3.27*m*(0.5*a^2*b + 0.5*a^2*b + 2^2*0.5*a^2*b)/(0.5*a*b + 0.5*a*b + 2*0.5*
                     ]
                 },
             )
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::CastJacobian<6> for SpringSuspended {
+        #[inline]
+        fn with_jacobian<T: ::pendulum_core::real::Real>(
+            model: &SpringSuspended<T>,
+        ) -> &impl ::pendulum_core::Jacobian<T, 6> {
+            model
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

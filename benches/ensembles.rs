@@ -1,0 +1,166 @@
+//! Ensembles beside the same trajectories one by one: `cargo bench --bench ensembles`.
+//!
+//! One core. Each figure is the median of ratios of times that were taken in turns.
+
+use std::error::Error;
+use std::time::Instant;
+
+use nalgebra::SVector;
+use pendulum_core::dense::Dense;
+use pendulum_core::prelude::*;
+use pendulum_core::{Observer, SolveError};
+
+mechanism! {
+    /// Two rods of 1 kg and 1 m, joined by a spring with a damper.
+    Rods {
+        params { k: N m/rad, c: N m s/rad }
+        gravity: [0, -9.81, 0],
+        shape arm { solids: [rod(1, [0, 0, 0], [0, -1, 0])] }
+        generate: [rhs, jacobian, taylor],
+        body upper on ground: arm { joint: revolute(z), coordinate: theta1, friction: 0.02 }
+        body lower on upper: arm {
+            joint: revolute(z) at [0, -1, 0], coordinate: theta2, spring: (k, 0), friction: c,
+        }
+    }
+}
+
+/// Rounds, and trajectories in each.
+const ROUNDS: usize = 9;
+const COUNT: usize = 128;
+const T1: f64 = 10.0;
+/// How many states are kept.
+const SAMPLES: usize = 100;
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let loose = ensemble(0.0, 0.0)?;
+    compare("Tsit5", &Tsit5::new(), &loose)?;
+    return compare("Rodas5P", &Rodas5P::new(), &loose);
+    compare("Vern9", &Vern9::new().rtol(1e-10).atol(1e-10), &loose)?;
+    compare("Taylor", &Taylor::new().rtol(1e-10).atol(1e-10), &loose)?;
+    compare("Rk4", &Rk4::new(0.01), &loose)?;
+    // what joins them hardly bends
+    let stiff = ensemble(1e5, 1e3)?;
+    compare("Rodas4, stiff", &Rodas4::new(), &stiff)?;
+    compare("Rodas5P, stiff", &Rodas5P::new(), &stiff)?;
+    compare("Auto, stiff", &Auto::new(), &stiff)?;
+    compare("Radau5, stiff", &Radau5::new(), &stiff)
+}
+
+/// Models and starts.
+type Members = (Vec<Rods>, Vec<SVector<f64, 4>>);
+
+fn ensemble(k: f64, c: f64) -> Result<Members, Box<dyn Error>> {
+    let share = |n: usize| n as f64 / COUNT as f64;
+    let rods = |n| {
+        Rods::new(RodsParams {
+            k: k * (1.0 + share(n)),
+            c,
+        })
+    };
+    let models = (0..COUNT).map(rods).collect::<Result<_, _>>()?;
+    let start = |n| SVector::from([3.0 * share(n), 0.1, 0.0, 0.0]);
+    Ok((models, (0..COUNT).map(start).collect()))
+}
+
+/// The states at some times.
+struct Samples(Vec<SVector<f64, 4>>);
+
+impl Samples {
+    fn next(&self) -> f64 {
+        T1 * self.0.len() as f64 / SAMPLES as f64
+    }
+}
+
+impl Observer<f64, 4> for Samples {
+    fn looks_into(&self, _t0: f64, t1: f64) -> bool {
+        self.next() < t1
+    }
+
+    fn step(&mut self, dense: &Dense<'_, f64, 4>) {
+        while self.next() < dense.step().t1 {
+            self.0.push(dense.at(self.next()));
+        }
+    }
+}
+
+/// Of which each kind of record takes how long alone, in units of the time in lanes.
+fn compare<A>(name: &str, method: &A, (models, starts): &Members) -> Result<(), Box<dyn Error>>
+where
+    A: Method<Rods, f64, 4> + Ensemble<Rods, f64, 4>,
+{
+    let members = || models.iter().zip(starts);
+    let event = |_: usize| {
+        let passes = Event::new(|_, x: &SVector<f64, 4>| x[0] + x[1]);
+        [passes]
+    };
+    let events = [event(0)];
+    let steps = method.solve(&models[1], 0.0, T1, starts[1])?.statistics().accepted;
+    let ends = ratio(
+        || {
+            members()
+                .map(|(model, &x)| method.stepper(model, 0.0, T1, x)?.run())
+                .collect::<Result<Vec<_>, _>>()
+        },
+        || method.ensemble(models, 0.0, T1, starts),
+    );
+    let samples = ratio(
+        || {
+            let sample = |(model, &x)| {
+                let mut stepper = method.stepper(model, 0.0, T1, x)?;
+                let mut samples = Samples(Vec::new());
+                while let Some(step) = stepper.step()? {
+                    if samples.looks_into(step.t0, step.t1) {
+                        samples.step(&stepper.dense());
+                    }
+                }
+                Ok::<_, pendulum_core::Reason>(samples.0)
+            };
+            members().map(sample).collect::<Result<Vec<_>, _>>()
+        },
+        || {
+            let mut samples: Vec<_> = (0..COUNT).map(|_| Samples(Vec::new())).collect();
+            let ended = method.observe(models, (0.0, T1), starts, |_| &[], &mut samples);
+            ended.map(|_| samples.into_iter().map(|samples| samples.0).collect::<Vec<_>>())
+        },
+    );
+    let all = |events: &[Event<'_, f64, 4>]| {
+        ratio(
+            || {
+                let solve = |(model, &x)| method.solve_with(model, 0.0, T1, x, events);
+                members().map(solve).collect::<Result<Vec<_>, SolveError<f64, 4>>>()
+            },
+            || {
+                let mut solutions: Vec<_> = starts.iter().map(|&x| Solution::start(0.0, x)).collect();
+                let ended = method.observe(models, (0.0, T1), starts, |_| events, &mut solutions);
+                ended.map(|_| solutions)
+            },
+        )
+    };
+    let (solutions, with_event) = (all(&[]), all(&events[0]));
+    println!(
+        "{name}, {steps} steps: ends {ends:.2}, {SAMPLES} samples {samples:.2}, solutions {solutions:.2}, with an event \
+         {with_event:.2}"
+    );
+    Ok(())
+}
+
+/// The median ratio of the times of two functions that return the same, measured in turns.
+fn ratio<R: PartialEq, E: std::fmt::Debug, F: std::fmt::Debug>(
+    alone: impl Fn() -> Result<R, E>,
+    in_lanes: impl Fn() -> Result<R, F>,
+) -> f64 {
+    let mut ratios: Vec<f64> = (0..ROUNDS)
+        .map(|_| {
+            let (start, first) = (Instant::now(), alone());
+            let (between, second) = (Instant::now(), in_lanes());
+            let end = Instant::now();
+            match (first, second) {
+                (Ok(first), Ok(second)) => assert!(first == second, "other bits"),
+                (first, second) => panic!("{:?} {:?}", first.err(), second.err()),
+            }
+            (between - start).as_secs_f64() / (end - between).as_secs_f64()
+        })
+        .collect();
+    ratios.sort_by(f64::total_cmp);
+    ratios[ROUNDS / 2]
+}

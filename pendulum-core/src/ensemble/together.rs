@@ -1,0 +1,83 @@
+//! Which methods integrate many trajectories side by side, and which one after the other.
+
+use super::lanes::InLanes;
+use super::watch::Watch;
+use super::{adaptive, fixed};
+use crate::error::Reason;
+use crate::method::{Estimates, Explicit, Gauss, OneStep, PowerSeries, RadauIIA, Rosenbrock, Switching};
+use crate::real::lanes::{Isa, LaneElement};
+use crate::system::Cast;
+
+/// A kind of method that integrates many trajectories: one after the other, unless it is [`InLanes`].
+pub trait Together<M: Cast<N>, T: LaneElement, const N: usize>: OneStep<M::In<T>, T, N> + Sized {
+    /// With steps within a tolerance.
+    #[doc(hidden)]
+    fn within_tolerance<W>(_isa: Isa, march: adaptive::March<'_, Self, M, T, W, N>) -> Result<(), Reason>
+    where
+        Self: Estimates,
+        W: Watch<T, N>,
+    {
+        march.one_by_one();
+        Ok(())
+    }
+
+    /// With steps of equal length.
+    #[doc(hidden)]
+    fn on_grid<W>(_isa: Isa, march: fixed::March<'_, Self, M, T, W, N>) -> Result<(), Reason>
+    where
+        W: Watch<T, N>,
+    {
+        march.one_by_one();
+        Ok(())
+    }
+}
+
+macro_rules! in_lanes {
+    ($([$($generics:tt)*] $family:ty;)*) => { $(
+        impl<M, T, $($generics)* const N: usize> Together<M, T, N> for $family
+        where
+            M: Cast<N>,
+            T: LaneElement,
+            Self: InLanes<M, T, N>,
+        {
+            fn within_tolerance<W>(isa: Isa, march: adaptive::March<'_, Self, M, T, W, N>) -> Result<(), Reason>
+            where
+                Self: Estimates,
+                W: Watch<T, N>,
+            {
+                isa.run(march)
+            }
+
+            fn on_grid<W>(isa: Isa, march: fixed::March<'_, Self, M, T, W, N>) -> Result<(), Reason>
+            where
+                W: Watch<T, N>,
+            {
+                isa.run(march)
+            }
+        }
+    )* };
+}
+
+macro_rules! one_by_one {
+    ($([$($generics:tt)*] $family:ty;)*) => { $(
+        impl<M, T, $($generics)* const N: usize> Together<M, T, N> for $family
+        where
+            M: Cast<N>,
+            T: LaneElement,
+            Self: OneStep<M::In<T>, T, N>,
+        {
+        }
+    )* };
+}
+
+in_lanes! {
+    [B, const STAGES: usize,] Explicit<B, STAGES>;
+    [B, const STAGES: usize,] Rosenbrock<B, STAGES>;
+    [] PowerSeries;
+}
+
+one_by_one! {
+    [] RadauIIA;
+    [] Switching;
+    [const STAGES: usize,] Gauss<STAGES>;
+}

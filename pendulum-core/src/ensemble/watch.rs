@@ -1,0 +1,151 @@
+//! What is seen of trajectories on their way.
+
+use nalgebra::SVector;
+
+use crate::dense::Dense;
+use crate::error::Reason;
+use crate::event::Event;
+use crate::method::{Scheme, Search, Stepper, follow, see};
+use crate::real::Float;
+use crate::solution::Observer;
+use crate::statistics::Statistics;
+use crate::system::System;
+
+/// Who watches the trajectories of an ensemble, each known by its index.
+pub trait Watch<T: Float, const N: usize> {
+    /// Whether there is anybody.
+    const WATCHES: bool;
+
+    /// Whether a trajectory must go alone.
+    fn is_alone(&self, index: usize) -> bool;
+
+    /// Brings a trajectory to its end alone: the state there.
+    ///
+    /// # Errors
+    /// Why it stopped early.
+    fn run<C, S>(&mut self, index: usize, stepper: &mut Stepper<'_, C, S, T, N>) -> Result<SVector<T, N>, Reason>
+    where
+        C: Scheme<S, T, N>,
+        S: System<T, N> + ?Sized;
+
+    /// A trajectory starts in a lane, after so much work.
+    fn start(&mut self, index: usize, at: (T, &SVector<T, N>), work: &Statistics) -> Result<(), Reason>;
+
+    /// Whether the states within a step are of interest.
+    fn looks_into(&self, index: usize, span: (T, T)) -> bool;
+
+    /// A step in a lane: the state at which a terminal event ends the trajectory, if one does.
+    fn see(&mut self, index: usize, dense: &Dense<'_, T, N>) -> Result<Option<SVector<T, N>>, Reason>;
+
+    /// Work in a lane.
+    fn work(&mut self, index: usize, work: &Statistics);
+
+    /// A trajectory leaves its lane, at its end or before.
+    fn finish(&mut self, index: usize);
+}
+
+/// Nobody.
+pub(super) struct Unwatched;
+
+impl<T: Float, const N: usize> Watch<T, N> for Unwatched {
+    const WATCHES: bool = false;
+
+    fn is_alone(&self, _index: usize) -> bool {
+        false
+    }
+
+    fn run<C, S>(&mut self, _index: usize, stepper: &mut Stepper<'_, C, S, T, N>) -> Result<SVector<T, N>, Reason>
+    where
+        C: Scheme<S, T, N>,
+        S: System<T, N> + ?Sized,
+    {
+        stepper.run()
+    }
+
+    fn start(&mut self, _index: usize, _at: (T, &SVector<T, N>), _work: &Statistics) -> Result<(), Reason> {
+        Ok(())
+    }
+
+    fn looks_into(&self, _index: usize, _span: (T, T)) -> bool {
+        false
+    }
+
+    fn see(&mut self, _index: usize, _dense: &Dense<'_, T, N>) -> Result<Option<SVector<T, N>>, Reason> {
+        Ok(None)
+    }
+
+    fn work(&mut self, _index: usize, _work: &Statistics) {}
+
+    fn finish(&mut self, _index: usize) {}
+}
+
+/// An observer of each trajectory, with the events that it meets.
+pub(super) struct Watched<'o, 'w, 'e, O, T, const N: usize> {
+    observers: &'o mut [O],
+    events: Vec<&'w [Event<'e, T, N>]>,
+    /// Of those that are in lanes.
+    searches: Vec<Option<Search<'w, 'e, T, N>>>,
+    work: Vec<Statistics>,
+}
+
+impl<'o, 'w, 'e, O, T, const N: usize> Watched<'o, 'w, 'e, O, T, N> {
+    pub(super) fn new(observers: &'o mut [O], events: impl Fn(usize) -> &'w [Event<'e, T, N>]) -> Self {
+        let count = observers.len();
+        Self {
+            observers,
+            events: (0..count).map(events).collect(),
+            searches: (0..count).map(|_| None).collect(),
+            work: vec![Statistics::default(); count],
+        }
+    }
+}
+
+impl<O: Observer<T, N>, T: Float, const N: usize> Watch<T, N> for Watched<'_, '_, '_, O, T, N> {
+    const WATCHES: bool = true;
+
+    /// With events that set another state.
+    fn is_alone(&self, index: usize) -> bool {
+        self.events[index].iter().any(|event| event.reset.is_some())
+    }
+
+    fn run<C, S>(&mut self, index: usize, stepper: &mut Stepper<'_, C, S, T, N>) -> Result<SVector<T, N>, Reason>
+    where
+        C: Scheme<S, T, N>,
+        S: System<T, N> + ?Sized,
+    {
+        let observer = &mut self.observers[index];
+        let ended = follow(stepper, self.events[index], observer);
+        observer.finish(stepper.statistics());
+        ended
+    }
+
+    fn start(&mut self, index: usize, (t, x): (T, &SVector<T, N>), work: &Statistics) -> Result<(), Reason> {
+        self.work[index].add(work);
+        self.searches[index] = Some(Search::new(self.events[index], t, x)?);
+        Ok(())
+    }
+
+    fn looks_into(&self, index: usize, (t0, t1): (T, T)) -> bool {
+        !self.events[index].is_empty() || self.observers[index].looks_into(t0, t1)
+    }
+
+    fn see(&mut self, index: usize, dense: &Dense<'_, T, N>) -> Result<Option<SVector<T, N>>, Reason> {
+        let observer = &mut self.observers[index];
+        match &mut self.searches[index] {
+            Some(search) if !self.events[index].is_empty() => Ok(see(search, dense, observer)?.map(|stop| stop.x)),
+            _ => {
+                observer.step(dense);
+                Ok(None)
+            }
+        }
+    }
+
+    fn work(&mut self, index: usize, work: &Statistics) {
+        self.work[index].add(work);
+    }
+
+    fn finish(&mut self, index: usize) {
+        self.searches[index] = None;
+        self.observers[index].finish(self.work[index]);
+    }
+}
