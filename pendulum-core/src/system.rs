@@ -14,7 +14,9 @@ pub use state::IntoState;
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::hybrid::{self, Hold, Hybrid, HybridJacobian, MOST};
+use crate::hybrid::{
+    self, Constraint, Hold, Hybrid, HybridJacobian, Law, MOST, MeasureDerivatives, Response, ResponseDerivative,
+};
 use crate::inputs::Controlled;
 use crate::layout::StateLayout;
 use crate::real::lanes::Lanes;
@@ -139,7 +141,10 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
 
     /// The Jacobian in a mode of a hybrid system; `jacobian` of others.
     #[inline(always)]
-    fn jacobian_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
+    fn jacobian_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N>
+    where
+        T: Float,
+    {
         match self.hybrid_jacobian() {
             Some(hybrid) => hybrid::called::rhs_and_jacobian(hybrid, hold, t, x).1,
             None => self.jacobian(t, x),
@@ -148,7 +153,10 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
 
     /// Both at once in a mode.
     #[inline(always)]
-    fn rhs_and_jacobian_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
+    fn rhs_and_jacobian_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>)
+    where
+        T: Float,
+    {
         match self.hybrid_jacobian() {
             Some(hybrid) => hybrid::called::rhs_and_jacobian(hybrid, hold, t, x),
             None => self.rhs_and_jacobian(t, x),
@@ -237,8 +245,8 @@ impl<T: Real, S: Jacobian<T, N> + ?Sized, const N: usize> Jacobian<T, N> for &S 
         rhs_and_jacobian(t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>);
         time_derivative(t: T, x: &SVector<T, N>) -> SVector<T, N> where T: Float;
         hybrid_jacobian() -> Option<&dyn HybridJacobian<T, N>>;
-        jacobian_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N>;
-        rhs_and_jacobian_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>);
+        jacobian_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> where T: Float;
+        rhs_and_jacobian_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) where T: Float;
         time_derivative_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N> where T: Float;
     }
 }
@@ -267,5 +275,15 @@ impl<T: Real, S: Controlled<T, N, M> + ?Sized, const N: usize, const M: usize> C
         rhs_and_jacobian_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> (SVector<T, N>, SMatrix<T, N, N>);
         input_jacobian(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, M>;
         time_derivative_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SVector<T, N> where T: Float;
+        constraints() -> &'static [Constraint];
+        laws() -> [Law<T>; MOST];
+        measures(t: T, x: &SVector<T, N>) -> [[T; 2]; MOST];
+        rhs_under_with(t: T, x: &SVector<T, N>, u: &Self::Inputs, forces: &[T; MOST]) -> SVector<T, N>;
+        response_with(t: T, x: &SVector<T, N>, u: &Self::Inputs, forces: &[T; MOST]) -> Response<T, N>;
+        rhs_and_jacobian_under_with(t: T, x: &SVector<T, N>, u: &Self::Inputs, forces: &[T; MOST])
+            -> (SVector<T, N>, SMatrix<T, N, N>);
+        response_derivative_with(t: T, x: &SVector<T, N>, u: &Self::Inputs, forces: &[T; MOST])
+            -> ResponseDerivative<T, N> where T: Float;
+        measure_derivatives(t: T, x: &SVector<T, N>) -> MeasureDerivatives<T, N>;
     }
 }

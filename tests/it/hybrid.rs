@@ -257,7 +257,7 @@ fn along<const N: usize>(x: &SVector<f64, N>, direction: &SVector<f64, N>) -> SV
 }
 
 /// What a response says against the right-hand side itself, and its derivatives against dual numbers.
-fn check_response<S, D, const N: usize>(model: &S, dual: &D, count: usize)
+pub(crate) fn check_response<S, D, const N: usize>(model: &S, dual: &D, count: usize)
 where
     S: HybridJacobian<f64, N>,
     D: Hybrid<Dual, N>,
@@ -778,53 +778,54 @@ fn a_rocking_block_comes_to_rest() {
 }
 
 /// What is held moves nothing else than its forces do: derivatives in each mode against dual numbers.
+pub(crate) fn check_derivatives<S, D, const N: usize>(model: &S, dual: &D, count: usize)
+where
+    S: HybridJacobian<f64, N>,
+    D: Hybrid<Dual, N>,
+{
+    for (n, (t, x, mut forces)) in places::<N>(count).enumerate() {
+        let held = n as u8 & ((1 << count) - 1);
+        (0..count).filter(|n| held & 1 << n != 0).for_each(|n| forces[n] = 0.0);
+        let hold = Hold {
+            forces,
+            held,
+            solved: held,
+        };
+        let lifted = Hold {
+            forces: forces.map(Dual::from_f64),
+            held,
+            solved: held,
+        };
+        let along = |t: Dual, direction: &SVector<f64, N>| {
+            pendulum_core::hybrid::rhs(dual, &lifted, t, &along(&x, direction)).map(|rate| rate.slope)
+        };
+        let near = |ours: SVector<f64, N>, theirs: SVector<f64, N>, what: &str| {
+            let error = (ours - theirs).amax() / (1.0 + theirs.amax());
+            assert!(error < 1e-9, "{what} with {held:b} held: {error:e}");
+        };
+        let (rates, jacobian) = pendulum_core::hybrid::rhs_and_jacobian(model, &hold, t, &x);
+        near(
+            rates,
+            pendulum_core::hybrid::rhs(model, &hold, t, &x),
+            "right-hand side",
+        );
+        for component in 0..N {
+            let direction = SVector::from_fn(|n, _| f64::from(u8::from(n == component)));
+            near(
+                jacobian.column(component).into(),
+                along(Dual::from_f64(t), &direction),
+                "Jacobian",
+            );
+        }
+        let by_time = pendulum_core::hybrid::time_derivative(model, &hold, t, &x);
+        near(by_time, along(Dual::new(t, 1.0), &SVector::zeros()), "time");
+    }
+}
+
 #[test]
 fn derivatives_hold_in_every_mode() {
-    fn check<S, D, const N: usize>(model: &S, dual: &D, count: usize)
-    where
-        S: HybridJacobian<f64, N>,
-        D: Hybrid<Dual, N>,
-    {
-        for (n, (t, x, mut forces)) in places::<N>(count).enumerate() {
-            let held = n as u8 & ((1 << count) - 1);
-            (0..count).filter(|n| held & 1 << n != 0).for_each(|n| forces[n] = 0.0);
-            let hold = Hold {
-                forces,
-                held,
-                solved: held,
-            };
-            let lifted = Hold {
-                forces: forces.map(Dual::from_f64),
-                held,
-                solved: held,
-            };
-            let along = |t: Dual, direction: &SVector<f64, N>| {
-                pendulum_core::hybrid::rhs(dual, &lifted, t, &along(&x, direction)).map(|rate| rate.slope)
-            };
-            let near = |ours: SVector<f64, N>, theirs: SVector<f64, N>, what: &str| {
-                let error = (ours - theirs).amax() / (1.0 + theirs.amax());
-                assert!(error < 1e-9, "{what} with {held:b} held: {error:e}");
-            };
-            let (rates, jacobian) = pendulum_core::hybrid::rhs_and_jacobian(model, &hold, t, &x);
-            near(
-                rates,
-                pendulum_core::hybrid::rhs(model, &hold, t, &x),
-                "right-hand side",
-            );
-            for component in 0..N {
-                let direction = SVector::from_fn(|n, _| f64::from(u8::from(n == component)));
-                near(
-                    jacobian.column(component).into(),
-                    along(Dual::from_f64(t), &direction),
-                    "Jacobian",
-                );
-            }
-            let by_time = pendulum_core::hybrid::time_derivative(model, &hold, t, &x);
-            near(by_time, along(Dual::new(t, 1.0), &SVector::zeros()), "time");
-        }
-    }
-    check::<_, _, 4>(&dry(), &dry().cast::<Dual>(), 3);
-    check::<_, _, 8>(&driven(), &driven().cast::<Dual>(), 4);
+    check_derivatives::<_, _, 4>(&dry(), &dry().cast::<Dual>(), 3);
+    check_derivatives::<_, _, 8>(&driven(), &driven().cast::<Dual>(), 4);
 }
 
 mechanism! {
@@ -841,45 +842,46 @@ mechanism! {
     }
 }
 
+/// Tangents against differences of neighbours; the number of impacts, and the last mode.
+pub(crate) fn check_tangents<S, const N: usize>(model: &S, start: [f64; N], t: f64, allowed: f64) -> (usize, Mode)
+where
+    S: Jacobian<f64, N>,
+{
+    let method = Vern9::new().rtol(1e-13).atol(1e-13);
+    let end = |x| {
+        method
+            .stepper(model, 0.0, t, x)
+            .and_then(|mut stepper| stepper.run())
+            .expect("regular")
+    };
+    let (_, matrix) = pendulum_core::stability::transition(model, 0.0, t, start, 1e-12).expect("regular");
+    let reach = 1e-5;
+    for (component, column) in matrix.column_iter().enumerate() {
+        let mut step = SVector::zeros();
+        step[component] = reach;
+        let start = SVector::from(start);
+        let theirs = (end(start + step) - end(start - step)) / (2.0 * reach);
+        let error = (column - theirs).amax() / (1.0 + theirs.amax());
+        assert!(error < allowed, "{error:e} in {component} at {t}");
+    }
+    let solution = method.solve(model, 0.0, t, start).expect("regular");
+    let jumps = |pair: &&[(f64, SVector<f64, N>)]| (pair[1].1 - pair[0].1).amax() > 1e-6 && pair[0].0 == pair[1].0;
+    let points: Vec<_> = solution.points().map(|(t, x)| (t, *x)).collect();
+    let (_, last) = *solution.modes().last().expect("a mode");
+    (points.windows(2).filter(jumps).count(), last)
+}
+
 /// Through impacts, also on a wall that moves, and through what sticks and slips.
 #[test]
 fn tangents_are_those_of_neighbours() {
-    /// Returns the number of impacts, and the last mode.
-    fn check<S, const N: usize>(model: &S, start: [f64; N], t: f64, allowed: f64) -> (usize, Mode)
-    where
-        S: Jacobian<f64, N>,
-    {
-        let method = Vern9::new().rtol(1e-13).atol(1e-13);
-        let end = |x| {
-            method
-                .stepper(model, 0.0, t, x)
-                .and_then(|mut stepper| stepper.run())
-                .expect("regular")
-        };
-        let (_, matrix) = pendulum_core::stability::transition(model, 0.0, t, start, 1e-12).expect("regular");
-        let reach = 1e-5;
-        for (component, column) in matrix.column_iter().enumerate() {
-            let mut step = SVector::zeros();
-            step[component] = reach;
-            let start = SVector::from(start);
-            let theirs = (end(start + step) - end(start - step)) / (2.0 * reach);
-            let error = (column - theirs).amax() / (1.0 + theirs.amax());
-            assert!(error < allowed, "{error:e} in {component} at {t}");
-        }
-        let solution = method.solve(model, 0.0, t, start).expect("regular");
-        let jumps = |pair: &&[(f64, SVector<f64, N>)]| (pair[1].1 - pair[0].1).amax() > 1e-6 && pair[0].0 == pair[1].0;
-        let points: Vec<_> = solution.points().map(|(t, x)| (t, *x)).collect();
-        let (_, last) = *solution.modes().last().expect("a mode");
-        (points.windows(2).filter(jumps).count(), last)
-    }
-    let (impacts, _) = check(&dry(), [1.2, 0.4, -3.0, 2.0], 0.5, 1e-7);
+    let (impacts, _) = check_tangents(&dry(), [1.2, 0.4, -3.0, 2.0], 0.5, 1e-7);
     assert_eq!(impacts, 1);
     let struck = Struck::new(StruckParams {}).expect("physical");
-    let (impacts, last) = check(&struck, [-0.5, 0.3, 0.5, 1.0], 1.5, 1e-7);
+    let (impacts, last) = check_tangents(&struck, [-0.5, 0.3, 0.5, 1.0], 1.5, 1e-7);
     assert!(impacts == 1 && last.is_held(0));
     // neighbours of what sticks stick soon, and what they lose moves the other joint; differences show that to their
     // reach
-    let (_, last) = check(&struck, [0.0, -0.3, 0.0, -0.5], 0.2, 1e-5);
+    let (_, last) = check_tangents(&struck, [0.0, -0.3, 0.0, -0.5], 0.2, 1e-5);
     assert!(last.is_held(0));
 }
 

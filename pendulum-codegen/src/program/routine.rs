@@ -285,7 +285,7 @@ pub(crate) const ROUTINES: &[Row] = &[
         name: "response",
         doc: "The time derivative of the state, the second derivatives of what hinders the motion, \
               and what a unit of each force along it adds to the first and to the second.",
-        arguments: &[Forces],
+        arguments: &[Inputs, Forces],
         shapes: RESPONSE,
         wanted: |scene, _| scene.rhs() && scene.model.is_hybrid(),
         form: form::response,
@@ -322,7 +322,7 @@ pub(crate) const ROUTINES: &[Row] = &[
         name: "response_derivative",
         doc: "The response with its derivatives at fixed forces: those of the right-hand side by the state, \
               those of each second derivative, a column for each, and those of both by the time.",
-        arguments: &[Forces],
+        arguments: &[Inputs, Forces],
         shapes: &[
             RESPONSE[0],
             RESPONSE[1],

@@ -5,7 +5,7 @@ use nalgebra::{SMatrix, SVector};
 use super::complementarity::Factored;
 use super::mode::{Hold, bits};
 use super::{Hybrid, HybridJacobian, MOST, Response};
-use crate::real::Real;
+use crate::real::{Float, Real};
 
 /// The right-hand side of a hybrid system in a mode: what [`System::rhs_in`](crate::System::rhs_in) is for it.
 #[inline(always)]
@@ -25,7 +25,7 @@ where
 pub fn jacobian<S, T, const N: usize>(system: &S, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N>
 where
     S: HybridJacobian<T, N> + ?Sized,
-    T: Real,
+    T: Float,
 {
     rhs_and_jacobian(system, hold, t, x).1
 }
@@ -40,7 +40,7 @@ pub fn rhs_and_jacobian<S, T, const N: usize>(
 ) -> (SVector<T, N>, SMatrix<T, N, N>)
 where
     S: HybridJacobian<T, N> + ?Sized,
-    T: Real,
+    T: Float,
 {
     if hold.held == 0 {
         return system.rhs_and_jacobian_under(t, x, &hold.forces);
@@ -68,7 +68,7 @@ where
 pub fn time_derivative<S, T, const N: usize>(system: &S, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N>
 where
     S: HybridJacobian<T, N> + ?Sized,
-    T: Real,
+    T: Float,
 {
     let derivative = system.response_derivative(t, x, &forces(system, hold, t, x));
     let factored = Factored::of(&derivative.response.matrix, hold.solved);
@@ -104,7 +104,7 @@ pub(crate) mod called {
 
     use super::super::mode::Hold;
     use super::super::{Hybrid, HybridJacobian};
-    use crate::real::Real;
+    use crate::real::{Float, Real};
 
     #[inline(never)]
     pub(crate) fn rhs<T: Real, const N: usize>(
@@ -117,7 +117,7 @@ pub(crate) mod called {
     }
 
     #[inline(never)]
-    pub(crate) fn rhs_and_jacobian<T: Real, const N: usize>(
+    pub(crate) fn rhs_and_jacobian<T: Float, const N: usize>(
         system: &dyn HybridJacobian<T, N>,
         hold: &Hold<T>,
         t: T,
@@ -127,7 +127,7 @@ pub(crate) mod called {
     }
 
     #[inline(never)]
-    pub(crate) fn time_derivative<T: Real, const N: usize>(
+    pub(crate) fn time_derivative<T: Float, const N: usize>(
         system: &dyn HybridJacobian<T, N>,
         hold: &Hold<T>,
         t: T,

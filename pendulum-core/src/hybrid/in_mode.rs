@@ -68,7 +68,7 @@ impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for InMode<
     }
 }
 
-impl<S: Jacobian<T, N> + ?Sized, T: Real, const N: usize> Jacobian<T, N> for InMode<'_, S, T> {
+impl<S: Jacobian<T, N> + ?Sized, T: Float, const N: usize> Jacobian<T, N> for InMode<'_, S, T> {
     #[inline(always)]
     fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
         self.system.jacobian_in(self.hold, t, x)

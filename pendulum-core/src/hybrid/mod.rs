@@ -84,7 +84,7 @@ mod watch;
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::real::Real;
+use crate::real::{Float, Real};
 use crate::system::System;
 
 #[cfg(feature = "std")]
@@ -162,7 +162,9 @@ pub trait HybridJacobian<T: Real, const N: usize>: Hybrid<T, N> {
     fn rhs_and_jacobian_under(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> (SVector<T, N>, SMatrix<T, N, N>);
 
     /// [`Hybrid::response`] with its derivatives, the forces held fixed.
-    fn response_derivative(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> ResponseDerivative<T, N>;
+    fn response_derivative(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> ResponseDerivative<T, N>
+    where
+        T: Float;
 
     /// The derivatives of [`Hybrid::measures`].
     fn measure_derivatives(&self, t: T, x: &SVector<T, N>) -> MeasureDerivatives<T, N>;

@@ -610,7 +610,10 @@ k4 = 1/m
             hold: &::pendulum_core::hybrid::Hold<T>,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-        ) -> ::pendulum_core::nalgebra::SMatrix<T, 2, 2> {
+        ) -> ::pendulum_core::nalgebra::SMatrix<T, 2, 2>
+        where
+            T: ::pendulum_core::Float,
+        {
             ::pendulum_core::hybrid::jacobian(self, hold, t, x)
         }
         #[inline]
@@ -622,7 +625,10 @@ k4 = 1/m
         ) -> (
             ::pendulum_core::nalgebra::SVector<T, 2>,
             ::pendulum_core::nalgebra::SMatrix<T, 2, 2>,
-        ) {
+        )
+        where
+            T: ::pendulum_core::Float,
+        {
             ::pendulum_core::hybrid::rhs_and_jacobian(self, hold, t, x)
         }
         #[inline]
