@@ -4,16 +4,21 @@ use std::array::from_fn;
 
 use nalgebra::SVector;
 use pendulum_core::Slot;
-use pendulum_core::hybrid::{Hold, Hybrid, HybridJacobian, MOST, Mode, Status};
+use pendulum_core::TaylorSeries;
+use pendulum_core::hybrid::{Hold, Hybrid, HybridJacobian, InMode, MOST, Mode, Status};
 use pendulum_core::prelude::*;
 use pendulum_core::real::Real;
 use testbed::dual::Dual;
+use testbed::power_series::{LENGTH, Series, motion};
 use testbed::random::Random;
+
+use super::taylor::difference;
 
 mechanism! {
     /// Dry friction on both joints, and a wall at the tip.
     pub Dry {
         params { m: kg = 0.7, l: m = 0.8, mu: N m = 0.4, more: N m = 0.1, e: 1 = 0.6 }
+        generate: [rhs, jacobian, energy, taylor],
         gravity: [0, -9.81, 0],
         shape arm { solids: [rod(m, [0, 0, 0], [0, -l, 0])] }
         point tip on lower at [0, -l, 0],
@@ -48,7 +53,7 @@ mechanism! {
     pub Driven {
         params { w: rad/s = 3, mu: N m = 0.3 }
         gravity: [0, -9.81, 0],
-        generate: [rhs, jacobian, energy, inverse_dynamics, drive_forces, mass_matrix],
+        generate: [rhs, jacobian, energy, inverse_dynamics, drive_forces, mass_matrix, taylor],
         point tip on last at [0, -0.5, 0],
         output speed: dot(tip.x),
         wall lid { gap: 2 - tip.y + 0.1 m*sin(w*t) + tip.x/9 }
@@ -599,9 +604,11 @@ fn methods_agree_on_a_dry_double_pendulum() {
     for tight in [
         Tsit5::new().rtol(1e-12).atol(1e-12).solve(&model, 0.0, 15.0, start),
         Rodas5P::new().rtol(1e-12).atol(1e-12).solve(&model, 0.0, 15.0, start),
+        Taylor::new().rtol(1e-13).atol(1e-13).solve(&model, 0.0, 15.0, start),
     ] {
         let end = tight.expect("a motion").end();
         assert!((end - reference.end()).amax() < 1e-8, "{end} {}", reference.end());
+        assert!(end[2] == 0.0 && end[3] == 0.0, "{end}");
     }
     let mut before = f64::INFINITY;
     for (t, x) in reference.points() {
@@ -661,7 +668,7 @@ mechanism! {
     pub Rods {
         params { mu: N m = 0.3 }
         gravity: [0, -9.81, 0],
-        generate: [rhs],
+        generate: [rhs, taylor],
         shape rod { solids: [rod(1, [0, 0, 0], [0, -1, 0])] }
         body upper on ground: rod { joint: revolute(z), coordinate: a, dry_friction: mu, static_friction: 1.2*mu }
         body lower on upper: rod {
@@ -701,6 +708,8 @@ fn lanes_have_the_bits_of_trajectories_alone() {
     same(&Tsit5::new());
     same(&Vern7::new().rtol(1e-9).atol(1e-9));
     same(&Rk4::new(0.01));
+    same(&Taylor::new());
+    same(&Taylor::new().rtol(1e-13).atol(1e-13));
 }
 
 #[test]
@@ -840,6 +849,46 @@ mechanism! {
         }
         body lower on upper: arm { joint: revolute(z) at [0, -1, 0], coordinate: b, dry_friction: 0.1 }
     }
+}
+
+/// The recurrences of each mode give the series that its right-hand side gives when it computes with series.
+#[test]
+fn series_hold_in_every_mode() {
+    fn check<S, M, const N: usize>(model: &S, series: &M, count: usize)
+    where
+        S: TaylorSeries<f64, N> + Hybrid<f64, N>,
+        M: System<Series, N>,
+    {
+        let mut work = model.workspace();
+        for (n, (t, start, mut forces)) in places::<N>(count).enumerate() {
+            let held = n as u8 & ((1 << count) - 1);
+            (0..count).filter(|n| held & 1 << n != 0).for_each(|n| forces[n] = 0.0);
+            let solved = held;
+            let hold = Hold { forces, held, solved };
+            let mut x = [start; LENGTH];
+            model.series_in(&hold, t, &mut x, &mut work);
+            let forces = forces.map(Series::from_f64);
+            let theirs = motion(&InMode::new(series, &Hold { forces, held, solved }), t, start);
+            let difference = difference(&x, &theirs);
+            assert!(difference < 1e-12, "{difference:e} with {held:b} held");
+            for (n, constraint) in model
+                .constraints()
+                .iter()
+                .enumerate()
+                .filter(|(n, _)| held & 1 << n != 0)
+            {
+                if constraint.rate.is_empty() {
+                    continue;
+                }
+                for (k, x) in x.iter().enumerate().skip(1) {
+                    let rate: f64 = constraint.rate.iter().map(|&(at, sign)| f64::from(sign) * x[at]).sum();
+                    assert!(rate == 0.0, "{rate:e} of {n} at order {k}");
+                }
+            }
+        }
+    }
+    check::<_, _, 4>(&dry(), &dry().cast::<Series>(), 3);
+    check::<_, _, 8>(&driven(), &driven().cast::<Series>(), 4);
 }
 
 /// Tangents against differences of neighbours; the number of impacts, and the last mode.

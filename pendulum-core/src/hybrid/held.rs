@@ -91,11 +91,68 @@ where
     let mut rates = response.rates;
     add(&mut rates, &response, hold.solved, &forces);
     pin(system, hold.held, &mut rates);
+    (rates, with_solved(hold, &forces))
+}
+
+/// All forces along the constraints, from those that were solved for.
+#[inline(always)]
+fn with_solved<T: Real>(hold: &Hold<T>, forces: &[T; MOST]) -> [T; MOST] {
     let mut all = hold.forces;
     for n in bits(hold.solved) {
         all[n] = forces[n];
     }
-    (rates, all)
+    all
+}
+
+/// The power series of the forces along the constraints in a mode, for what computes that of the motion.
+///
+/// The coefficients of one order of the forces add to those of the constraints' second derivatives what the forces
+/// themselves add at the start: so from what these are without them follows what makes them vanish.
+pub struct HeldSeries<T> {
+    /// The forces at the start.
+    pub forces: [T; MOST],
+    held: u8,
+    factored: Factored<T>,
+}
+
+impl<T: Real> HeldSeries<T> {
+    /// The forces at the start of a motion in a mode.
+    #[inline(always)]
+    pub fn new<S, const N: usize>(system: &S, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> Self
+    where
+        S: Hybrid<T, N> + ?Sized,
+    {
+        // nothing is held of what runs in lanes
+        if T::LANES > 1 || hold.held == 0 {
+            return Self {
+                forces: hold.forces,
+                held: 0,
+                factored: Factored::none(),
+            };
+        }
+        let response = system.response(t, x, &hold.forces);
+        let factored = Factored::of(&response.matrix, hold.solved);
+        Self {
+            forces: with_solved(hold, &factored.solve_negated(&response.accelerations)),
+            held: hold.held,
+            factored,
+        }
+    }
+
+    /// The coefficients of the next order, from those of the constraints' second derivatives without them.
+    #[inline(always)]
+    pub fn next(&self, accelerations: &[T; MOST]) -> [T; MOST] {
+        self.factored.solve_negated(accelerations)
+    }
+
+    /// Makes the rates of what is held zero, exactly, in a coefficient of the motion.
+    #[inline(always)]
+    pub fn pin<S, const N: usize>(&self, system: &S, x: &mut SVector<T, N>)
+    where
+        S: Hybrid<T, N> + ?Sized,
+    {
+        pin(system, self.held, x);
+    }
 }
 
 /// The same as functions that are never inlined: a system that is not hybrid has none of this in its code.

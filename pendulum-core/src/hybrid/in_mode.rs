@@ -110,6 +110,6 @@ impl<S: TaylorSeries<T, N> + ?Sized, T: Real, const N: usize> TaylorSeries<T, N>
 
     #[inline(always)]
     fn series(&self, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace) {
-        self.system.series(t, x, work);
+        self.system.series_in(self.hold, t, x, work);
     }
 }

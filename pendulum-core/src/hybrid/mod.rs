@@ -92,7 +92,7 @@ pub(crate) use complementarity::independent;
 pub(crate) use held::called;
 #[cfg(feature = "std")]
 pub(crate) use held::forces;
-pub use held::{jacobian, rhs, rhs_and_jacobian, time_derivative};
+pub use held::{HeldSeries, jacobian, rhs, rhs_and_jacobian, time_derivative};
 pub use in_mode::{InMode, Passage};
 #[cfg(feature = "std")]
 pub(crate) use mode::set_of;
