@@ -194,6 +194,53 @@ pub trait Canonical<T: Real, const N: usize>: System<T, N> {
 
     /// The derivatives of both with respect to the state.
     fn canonical_jacobian(&self, t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>);
+
+    /// [`canonical`](Self::canonical) of a [hybrid] system under forces along its constraints: required of these.
+    #[inline(always)]
+    fn canonical_under(&self, t: T, x: &SVector<T, N>, _forces: &[T; MOST]) -> (SVector<T, N>, SVector<T, N>) {
+        self.canonical(t, x)
+    }
+
+    /// [`canonical_jacobian`](Self::canonical_jacobian) of a [hybrid] system, the forces along its constraints held
+    /// fixed: required of these.
+    #[inline(always)]
+    fn canonical_jacobian_under(
+        &self,
+        t: T,
+        x: &SVector<T, N>,
+        _forces: &[T; MOST],
+    ) -> (SMatrix<T, N, N>, SMatrix<T, N, N>) {
+        self.canonical_jacobian(t, x)
+    }
+
+    /// The variables in a mode of a hybrid system, and their rates; [`canonical`](Self::canonical) of others.
+    ///
+    /// Where a rate that is a sum of components is held, the mechanism has a coordinate less: its canonical variables are
+    /// the momenta of the others, in which no force holds anything, and that rate, which stays zero, stands in the place
+    /// of the momentum that is left over.
+    #[inline(always)]
+    fn canonical_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>) {
+        match self.hybrid() {
+            Some(hybrid) => {
+                let both = self.canonical_under(t, x, &hybrid::pressing(hybrid, hold, t, x));
+                hybrid::reduced(hybrid, hold.held, x, both)
+            }
+            None => self.canonical(t, x),
+        }
+    }
+
+    /// The derivatives of both in a mode, the forces along the constraints held fixed.
+    #[inline(always)]
+    fn canonical_jacobian_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>) {
+        match self.hybrid() {
+            Some(hybrid) => {
+                let both = self.canonical_jacobian_under(t, x, &hybrid::pressing(hybrid, hold, t, x));
+                let identity = SMatrix::from_fn(|i, j| T::from_f64(f64::from(u8::from(i == j))));
+                hybrid::reduced(hybrid, hold.held, &identity, both)
+            }
+            None => self.canonical_jacobian(t, x),
+        }
+    }
 }
 
 /// A model that knows its energy, in joules.
@@ -255,6 +302,11 @@ impl<T: Real, S: Canonical<T, N> + ?Sized, const N: usize> Canonical<T, N> for &
     forward! {
         canonical(t: T, x: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>);
         canonical_jacobian(t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>);
+        canonical_under(t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> (SVector<T, N>, SVector<T, N>);
+        canonical_jacobian_under(t: T, x: &SVector<T, N>, forces: &[T; MOST])
+            -> (SMatrix<T, N, N>, SMatrix<T, N, N>);
+        canonical_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>);
+        canonical_jacobian_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>);
     }
 }
 

@@ -4,10 +4,10 @@ use std::array::from_fn;
 
 use nalgebra::SVector;
 use pendulum_core::Slot;
-use pendulum_core::TaylorSeries;
 use pendulum_core::hybrid::{Hold, Hybrid, HybridJacobian, InMode, MOST, Mode, Status};
 use pendulum_core::prelude::*;
 use pendulum_core::real::Real;
+use pendulum_core::{Canonical, TaylorSeries};
 use testbed::dual::Dual;
 use testbed::power_series::{LENGTH, Series, motion};
 use testbed::random::Random;
@@ -18,7 +18,7 @@ mechanism! {
     /// Dry friction on both joints, and a wall at the tip.
     pub Dry {
         params { m: kg = 0.7, l: m = 0.8, mu: N m = 0.4, more: N m = 0.1, e: 1 = 0.6 }
-        generate: [rhs, jacobian, energy, taylor],
+        generate: [rhs, jacobian, energy, taylor, canonical],
         gravity: [0, -9.81, 0],
         shape arm { solids: [rod(m, [0, 0, 0], [0, -l, 0])] }
         point tip on lower at [0, -l, 0],
@@ -53,7 +53,7 @@ mechanism! {
     pub Driven {
         params { w: rad/s = 3, mu: N m = 0.3 }
         gravity: [0, -9.81, 0],
-        generate: [rhs, jacobian, energy, inverse_dynamics, drive_forces, mass_matrix, taylor],
+        generate: [rhs, jacobian, energy, inverse_dynamics, drive_forces, mass_matrix, taylor, canonical],
         point tip on last at [0, -0.5, 0],
         output speed: dot(tip.x),
         wall lid { gap: 2 - tip.y + 0.1 m*sin(w*t) + tip.x/9 }
@@ -889,6 +889,54 @@ fn series_hold_in_every_mode() {
     }
     check::<_, _, 4>(&dry(), &dry().cast::<Series>(), 3);
     check::<_, _, 8>(&driven(), &driven().cast::<Series>(), 4);
+}
+
+/// In every mode the canonical variables change along the motion by their rates, and their derivatives are those by
+/// dual numbers: at fixed forces, of which walls alone have some while they hold.
+#[test]
+fn canonical_equations_hold_in_every_mode() {
+    fn check<S, D, const N: usize>(model: &S, dual: &D, count: usize)
+    where
+        S: Canonical<f64, N> + Hybrid<f64, N>,
+        D: Canonical<Dual, N>,
+    {
+        for (n, (t, x, mut forces)) in places::<N>(count).enumerate() {
+            let held = n as u8 & ((1 << count) - 1);
+            (0..count).filter(|n| held & 1 << n != 0).for_each(|n| forces[n] = 0.0);
+            let solved = held;
+            let hold = Hold { forces, held, solved };
+            let forces = forces.map(Dual::from_f64);
+            let lifted = Hold { forces, held, solved };
+            let moved = |by_time: f64, direction: &SVector<f64, N>| {
+                let (variables, rates) = dual.canonical_in(&lifted, Dual::new(t, by_time), &along(&x, direction));
+                [variables, rates].map(|both| both.map(|x| x.slope))
+            };
+            let near = |ours: SVector<f64, N>, theirs: SVector<f64, N>, what: &str| {
+                let error = (ours - theirs).amax() / (1.0 + theirs.amax());
+                assert!(error < 1e-9, "{what} with {held:b} held: {error:e}");
+            };
+            let (_, rates) = model.canonical_in(&hold, t, &x);
+            let [along_motion, _] = moved(1.0, &pendulum_core::hybrid::rhs(model, &hold, t, &x));
+            near(rates, along_motion, "rates");
+            let of_walls = model
+                .constraints()
+                .iter()
+                .enumerate()
+                .filter(|(_, wall)| wall.rate.is_empty());
+            if of_walls.clone().any(|(n, _)| held & 1 << n != 0) {
+                continue;
+            }
+            let (of_variables, of_rates) = model.canonical_jacobian_in(&hold, t, &x);
+            for component in 0..N {
+                let direction = SVector::from_fn(|n, _| f64::from(u8::from(n == component)));
+                let [variables, rates] = moved(0.0, &direction);
+                near(of_variables.column(component).into(), variables, "variables");
+                near(of_rates.column(component).into(), rates, "derivative of the rates");
+            }
+        }
+    }
+    check::<_, _, 4>(&dry(), &dry().cast::<Dual>(), 3);
+    check::<_, _, 8>(&driven(), &driven().cast::<Dual>(), 4);
 }
 
 /// Tangents against differences of neighbours; the number of impacts, and the last mode.

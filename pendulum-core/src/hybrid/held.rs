@@ -207,6 +207,65 @@ where
     held(system, hold, t, x).1
 }
 
+/// The forces along the constraints in canonical equations that are [reduced]: those that hold sums of components are in
+/// none of these, and are left out where nothing else is held.
+#[inline(never)]
+pub(crate) fn pressing<T, const N: usize>(
+    system: &dyn Hybrid<T, N>,
+    hold: &Hold<T>,
+    t: T,
+    x: &SVector<T, N>,
+) -> [T; MOST]
+where
+    T: Real,
+{
+    let constraints = system.constraints();
+    if bits(hold.held).all(|n| !constraints[n].rate.is_empty()) {
+        return hold.forces;
+    }
+    forces(system, hold, t, x)
+}
+
+/// Canonical variables of a state and their rates, or the derivatives of both, without the momenta of what is held: see
+/// [`Canonical::canonical_in`](crate::Canonical::canonical_in).
+#[inline(never)]
+pub(crate) fn reduced<T: Real, const N: usize, const K: usize>(
+    system: &dyn Hybrid<T, N>,
+    held: u8,
+    x: &SMatrix<T, N, K>,
+    (mut variables, mut rates): (SMatrix<T, N, K>, SMatrix<T, N, K>),
+) -> (SMatrix<T, N, K>, SMatrix<T, N, K>) {
+    let constraints = system.constraints();
+    // from the last on: what follows from others may itself be one that others follow from
+    for n in (0..constraints.len()).rev().filter(|n| held & 1 << n != 0) {
+        let Some((&(last, sign), others)) = constraints[n].rate.split_last() else {
+            continue;
+        };
+        for column in 0..K {
+            for of_momenta in [&mut variables, &mut rates] {
+                for &(other, its) in others {
+                    let follows = T::from_f64(-f64::from(its * sign)) * of_momenta[(last, column)];
+                    of_momenta[(other, column)] += follows;
+                }
+            }
+        }
+    }
+    for n in bits(held) {
+        let Some(&(last, _)) = constraints[n].rate.last() else {
+            continue;
+        };
+        for column in 0..K {
+            let rate = constraints[n]
+                .rate
+                .iter()
+                .map(|&(at, sign)| T::from_f64(f64::from(sign)) * x[(at, column)]);
+            variables[(last, column)] = rate.fold(T::default(), |sum, term| sum + term);
+            rates[(last, column)] = T::default();
+        }
+    }
+    (variables, rates)
+}
+
 /// Adds what forces along some constraints do.
 #[inline(always)]
 pub(super) fn add<T: Real, const N: usize>(

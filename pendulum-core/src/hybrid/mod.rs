@@ -89,10 +89,10 @@ use crate::system::System;
 
 #[cfg(feature = "std")]
 pub(crate) use complementarity::independent;
-pub(crate) use held::called;
 #[cfg(feature = "std")]
 pub(crate) use held::forces;
 pub use held::{HeldSeries, jacobian, rhs, rhs_and_jacobian, time_derivative};
+pub(crate) use held::{called, pressing, reduced};
 pub use in_mode::{InMode, Passage};
 #[cfg(feature = "std")]
 pub(crate) use mode::set_of;

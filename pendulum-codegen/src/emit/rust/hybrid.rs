@@ -136,6 +136,29 @@ impl Items<'_> {
         format_ident!("{name}{suffix}")
     }
 
+    /// The canonical equations under forces along what hinders the motion, if the scene asks for them.
+    pub(super) fn canonical_under(&self) -> Option<TokenStream> {
+        let friction = self.friction();
+        let vector = self.shape(Shape::Vector(self.program.layout.len()));
+        let functions = ["canonical", "canonical_jacobian"].map(|name| {
+            let routine = self.program.routine(name)?;
+            let (name, under) = (format_ident!("{name}"), format_ident!("{name}_under"));
+            let [one, other] = [0, 1].map(|n| self.shape(routine.shapes[n]));
+            let function = self.function(&under, routine);
+            Some(quote! {
+                #[inline]
+                fn #name(&self, t: T, x: &#vector) -> (#one, #other) {
+                    #friction
+                    self.#under(t, x, &forces)
+                }
+                #[inline]
+                #function
+            })
+        });
+        let functions: Option<TokenStream> = functions.into_iter().collect();
+        Some(self.implement(Some(self.named("Canonical")), &functions?))
+    }
+
     /// A statement for the forces where friction acts by the sign of each rate, and nothing else does.
     pub(super) fn friction(&self) -> TokenStream {
         let (length, constraints) = (self.length(), count(self.program.constraints.len()));

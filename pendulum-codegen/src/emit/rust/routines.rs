@@ -36,7 +36,11 @@ impl Items<'_> {
         } else {
             self.hybrid()
         };
-        let canonical = self.of_trait("Canonical");
+        let canonical = if self.program.constraints.is_empty() {
+            self.of_trait("Canonical")
+        } else {
+            self.canonical_under()
+        };
         let energy = self.of_trait("Energy");
         [motion, canonical, energy, self.inherent()]
             .into_iter()
