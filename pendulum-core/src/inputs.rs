@@ -22,6 +22,7 @@ use nalgebra::{SMatrix, SVector};
 
 pub use law::{Generic, InputLaw, Law, LawJacobian};
 
+use crate::hybrid::{self, Constraint, Hybrid, HybridJacobian, MOST, MeasureDerivatives, Response, ResponseDerivative};
 use crate::real::Real;
 use crate::real::lanes::Lanes;
 #[cfg(feature = "std")]
@@ -65,6 +66,81 @@ pub trait Controlled<T: Real, const N: usize, const M: usize> {
     {
         by_number(t, |t| self.rhs_with(t, x, u))
     }
+
+    /// What hinders the motion, as [`Hybrid::constraints`]: nothing by default. Where something does, all that follows
+    /// is required as well, and with a law for its inputs the model is a [`Hybrid`].
+    #[inline(always)]
+    fn constraints(&self) -> &'static [Constraint] {
+        &[]
+    }
+
+    /// [`Hybrid::laws`].
+    #[inline]
+    fn laws(&self) -> [hybrid::Law<T>; MOST] {
+        [hybrid::Law::default(); MOST]
+    }
+
+    /// [`Hybrid::measures`].
+    #[inline]
+    fn measures(&self, _t: T, _x: &SVector<T, N>) -> [[T; 2]; MOST] {
+        [[T::default(); 2]; MOST]
+    }
+
+    /// [`System::rhs_under`], under the inputs `u`.
+    #[inline(always)]
+    fn rhs_under_with(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs, _forces: &[T; MOST]) -> SVector<T, N> {
+        self.rhs_with(t, x, u)
+    }
+
+    /// [`Hybrid::response`], under the inputs `u`.
+    #[inline]
+    fn response_with(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs, forces: &[T; MOST]) -> Response<T, N> {
+        Response::new(self.rhs_under_with(t, x, u, forces))
+    }
+
+    /// [`HybridJacobian::rhs_and_jacobian_under`], the inputs held fixed.
+    #[inline]
+    fn rhs_and_jacobian_under_with(
+        &self,
+        t: T,
+        x: &SVector<T, N>,
+        u: &Self::Inputs,
+        _forces: &[T; MOST],
+    ) -> (SVector<T, N>, SMatrix<T, N, N>) {
+        self.rhs_and_jacobian_with(t, x, u)
+    }
+
+    /// [`HybridJacobian::response_derivative`], the inputs held fixed.
+    #[inline]
+    fn response_derivative_with(
+        &self,
+        t: T,
+        x: &SVector<T, N>,
+        u: &Self::Inputs,
+        forces: &[T; MOST],
+    ) -> ResponseDerivative<T, N>
+    where
+        T: Lanes,
+    {
+        let zero = T::default();
+        ResponseDerivative {
+            response: self.response_with(t, x, u, forces),
+            rates: self.rhs_and_jacobian_under_with(t, x, u, forces).1,
+            accelerations: [SVector::from([zero; N]); MOST],
+            rates_by_time: self.time_derivative_with(t, x, u),
+            accelerations_by_time: [zero; MOST],
+        }
+    }
+
+    /// [`HybridJacobian::measure_derivatives`].
+    #[inline]
+    fn measure_derivatives(&self, _t: T, _x: &SVector<T, N>) -> MeasureDerivatives<T, N> {
+        let zero = T::default();
+        MeasureDerivatives {
+            by_state: [[SVector::from([zero; N]); 2]; MOST],
+            by_time: [[zero; 2]; MOST],
+        }
+    }
 }
 
 /// A model with `M` inputs that can be converted to any number type; what [`Cast`] is for models without.
@@ -75,6 +151,9 @@ pub trait Controlled<T: Real, const N: usize, const M: usize> {
     note = "`mechanism!` implements `CastControlled` for scenes with inputs where `generate` has `rhs`"
 )]
 pub trait CastControlled<const N: usize, const M: usize> {
+    /// Whether anything may hinder the motion: see [`Cast::HYBRID`].
+    const HYBRID: bool = false;
+
     /// The model in another number type.
     type In<T: Real>: Controlled<T, N, M>;
 
@@ -191,6 +270,16 @@ where
     fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
         self.system.rhs_with(t, x, &self.law.inputs(t, x).into())
     }
+
+    #[inline(always)]
+    fn hybrid(&self) -> Option<&dyn Hybrid<T, N>> {
+        (!self.system.constraints().is_empty()).then_some(self)
+    }
+
+    #[inline(always)]
+    fn rhs_under(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> SVector<T, N> {
+        self.system.rhs_under_with(t, x, &self.law.inputs(t, x).into(), forces)
+    }
 }
 
 impl<T, S, L, const N: usize, const M: usize> Jacobian<T, N> for WithInputs<S, L, M>
@@ -209,14 +298,7 @@ where
         let (inputs, by_state) = self.law.inputs_and_jacobian(t, x);
         let inputs = inputs.into();
         let (rhs, mut jacobian) = self.system.rhs_and_jacobian_with(t, x, &inputs);
-        let by_inputs = self.system.input_jacobian(t, x, &inputs);
-        for (j, mut column) in jacobian.column_iter_mut().enumerate() {
-            for m in 0..M {
-                for (i, entry) in column.iter_mut().enumerate() {
-                    *entry += by_inputs[(i, m)] * by_state[(m, j)];
-                }
-            }
-        }
+        add_product(&mut jacobian, &self.system.input_jacobian(t, x, &inputs), &by_state);
         (rhs, jacobian)
     }
 
@@ -228,12 +310,88 @@ where
         let inputs = self.law.inputs(t, x).into();
         let by_inputs = self.system.input_jacobian(t, x, &inputs);
         let mut derivative = self.system.time_derivative_with(t, x, &inputs);
-        for (by_input, &rate) in by_inputs.column_iter().zip(&self.law.time_derivative(t, x)) {
-            for (entry, &by_input) in derivative.iter_mut().zip(&by_input) {
-                *entry += by_input * rate;
+        add_product(&mut derivative, &by_inputs, &self.law.time_derivative(t, x));
+        derivative
+    }
+
+    #[inline(always)]
+    fn hybrid_jacobian(&self) -> Option<&dyn HybridJacobian<T, N>> {
+        (!self.system.constraints().is_empty()).then_some(self)
+    }
+}
+
+impl<T, S, L, const N: usize, const M: usize> Hybrid<T, N> for WithInputs<S, L, M>
+where
+    T: Real,
+    S: Controlled<T, N, M>,
+    L: Law<T, N, M>,
+{
+    #[inline]
+    fn constraints(&self) -> &'static [Constraint] {
+        self.system.constraints()
+    }
+
+    #[inline]
+    fn laws(&self) -> [hybrid::Law<T>; MOST] {
+        self.system.laws()
+    }
+
+    #[inline]
+    fn measures(&self, t: T, x: &SVector<T, N>) -> [[T; 2]; MOST] {
+        self.system.measures(t, x)
+    }
+
+    #[inline]
+    fn response(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> Response<T, N> {
+        self.system.response_with(t, x, &self.law.inputs(t, x).into(), forces)
+    }
+}
+
+impl<T, S, L, const N: usize, const M: usize> HybridJacobian<T, N> for WithInputs<S, L, M>
+where
+    T: Real,
+    S: Controlled<T, N, M>,
+    L: LawJacobian<T, N, M>,
+{
+    #[inline]
+    fn rhs_and_jacobian_under(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> (SVector<T, N>, SMatrix<T, N, N>) {
+        let (inputs, by_state) = self.law.inputs_and_jacobian(t, x);
+        let inputs = inputs.into();
+        let (rhs, mut jacobian) = self.system.rhs_and_jacobian_under_with(t, x, &inputs, forces);
+        // no force along a constraint changes what inputs do
+        add_product(&mut jacobian, &self.system.input_jacobian(t, x, &inputs), &by_state);
+        (rhs, jacobian)
+    }
+
+    #[inline]
+    fn response_derivative(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> ResponseDerivative<T, N>
+    where
+        T: Lanes,
+    {
+        let (inputs, by_state) = self.law.inputs_and_jacobian(t, x);
+        let inputs = inputs.into();
+        let mut derivative = self.system.response_derivative_with(t, x, &inputs, forces);
+        let by_inputs = self.system.input_jacobian(t, x, &inputs);
+        let by_time = self.law.time_derivative(t, x);
+        add_product(&mut derivative.rates, &by_inputs, &by_state);
+        add_product(&mut derivative.rates_by_time, &by_inputs, &by_time);
+        // rates of constraints, and so their accelerations, follow those of the state
+        let measures = self.system.measure_derivatives(t, x);
+        for (n, [_, slopes]) in measures.by_state[..self.system.constraints().len()].iter().enumerate() {
+            for m in 0..M {
+                let by_input = (0..N).fold(T::default(), |sum, i| sum + slopes[i] * by_inputs[(i, m)]);
+                for j in 0..N {
+                    derivative.accelerations[n][j] += by_input * by_state[(m, j)];
+                }
+                derivative.accelerations_by_time[n] += by_input * by_time[m];
             }
         }
         derivative
+    }
+
+    #[inline]
+    fn measure_derivatives(&self, t: T, x: &SVector<T, N>) -> MeasureDerivatives<T, N> {
+        self.system.measure_derivatives(t, x)
     }
 }
 
@@ -255,6 +413,8 @@ where
     S: CastControlled<N, M>,
     L: InputLaw<N, M>,
 {
+    const HYBRID: bool = S::HYBRID;
+
     type In<T: Real> = WithInputs<S::In<T>, Generic<L>, M>;
 
     fn cast<T: Real>(&self) -> Self::In<T> {
@@ -287,6 +447,22 @@ where
 {
     fn with_jacobian<T: Real>(model: &Self::In<T>) -> &impl Jacobian<T, N> {
         model
+    }
+}
+
+/// Adds to `sum` what moves it through the inputs: its derivative by these, times theirs.
+#[inline(always)]
+fn add_product<T: Real, const N: usize, const M: usize, const K: usize>(
+    sum: &mut SMatrix<T, N, K>,
+    by_inputs: &SMatrix<T, N, M>,
+    of_inputs: &SMatrix<T, M, K>,
+) {
+    for (j, mut column) in sum.column_iter_mut().enumerate() {
+        for m in 0..M {
+            for (i, entry) in column.iter_mut().enumerate() {
+                *entry += by_inputs[(i, m)] * of_inputs[(m, j)];
+            }
+        }
     }
 }
 

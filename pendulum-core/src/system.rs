@@ -14,7 +14,9 @@ pub use state::IntoState;
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::hybrid::{self, Hold, Hybrid, HybridJacobian, MOST};
+use crate::hybrid::{
+    self, Constraint, Hold, Hybrid, HybridJacobian, Law, MOST, MeasureDerivatives, Response, ResponseDerivative,
+};
 use crate::inputs::Controlled;
 use crate::layout::StateLayout;
 use crate::real::Real;
@@ -139,7 +141,10 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
 
     /// The Jacobian in a mode of a hybrid system; `jacobian` of others.
     #[inline(always)]
-    fn jacobian_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
+    fn jacobian_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N>
+    where
+        T: Lanes,
+    {
         match self.hybrid_jacobian() {
             Some(hybrid) => hybrid::called::rhs_and_jacobian(hybrid, hold, t, x).1,
             None => self.jacobian(t, x),
@@ -148,7 +153,10 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
 
     /// Both at once in a mode.
     #[inline(always)]
-    fn rhs_and_jacobian_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
+    fn rhs_and_jacobian_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>)
+    where
+        T: Lanes,
+    {
         match self.hybrid_jacobian() {
             Some(hybrid) => hybrid::called::rhs_and_jacobian(hybrid, hold, t, x),
             None => self.rhs_and_jacobian(t, x),
@@ -200,6 +208,53 @@ pub trait Canonical<T: Real, const N: usize>: System<T, N> {
 
     /// The derivatives of both with respect to the state.
     fn canonical_jacobian(&self, t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>);
+
+    /// [`canonical`](Self::canonical) of a [hybrid] system under forces along its constraints: required of these.
+    #[inline(always)]
+    fn canonical_under(&self, t: T, x: &SVector<T, N>, _forces: &[T; MOST]) -> (SVector<T, N>, SVector<T, N>) {
+        self.canonical(t, x)
+    }
+
+    /// [`canonical_jacobian`](Self::canonical_jacobian) of a [hybrid] system, the forces along its constraints held
+    /// fixed: required of these.
+    #[inline(always)]
+    fn canonical_jacobian_under(
+        &self,
+        t: T,
+        x: &SVector<T, N>,
+        _forces: &[T; MOST],
+    ) -> (SMatrix<T, N, N>, SMatrix<T, N, N>) {
+        self.canonical_jacobian(t, x)
+    }
+
+    /// The variables in a mode of a hybrid system, and their rates; [`canonical`](Self::canonical) of others.
+    ///
+    /// Where a rate that is a sum of components is held, the mechanism has a coordinate less: its canonical variables are
+    /// the momenta of the others, in which no force holds anything, and that rate, which stays zero, stands in the place
+    /// of the momentum that is left over.
+    #[inline(always)]
+    fn canonical_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>) {
+        match self.hybrid() {
+            Some(hybrid) => {
+                let both = self.canonical_under(t, x, &hybrid::pressing(hybrid, hold, t, x));
+                hybrid::reduced(hybrid, hold.held, x, both)
+            }
+            None => self.canonical(t, x),
+        }
+    }
+
+    /// The derivatives of both in a mode, the forces along the constraints held fixed.
+    #[inline(always)]
+    fn canonical_jacobian_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>) {
+        match self.hybrid() {
+            Some(hybrid) => {
+                let both = self.canonical_jacobian_under(t, x, &hybrid::pressing(hybrid, hold, t, x));
+                let identity = SMatrix::from_fn(|i, j| T::from_f64(f64::from(u8::from(i == j))));
+                hybrid::reduced(hybrid, hold.held, &identity, both)
+            }
+            None => self.canonical_jacobian(t, x),
+        }
+    }
 }
 
 /// A model that knows its energy, in joules.
@@ -251,8 +306,8 @@ impl<T: Real, S: Jacobian<T, N> + ?Sized, const N: usize> Jacobian<T, N> for &S 
         rhs_and_jacobian(t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>);
         time_derivative(t: T, x: &SVector<T, N>) -> SVector<T, N> where T: Lanes;
         hybrid_jacobian() -> Option<&dyn HybridJacobian<T, N>>;
-        jacobian_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N>;
-        rhs_and_jacobian_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>);
+        jacobian_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> where T: Lanes;
+        rhs_and_jacobian_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) where T: Lanes;
         time_derivative_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N> where T: Lanes;
     }
 }
@@ -261,6 +316,11 @@ impl<T: Real, S: Canonical<T, N> + ?Sized, const N: usize> Canonical<T, N> for &
     forward! {
         canonical(t: T, x: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>);
         canonical_jacobian(t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>);
+        canonical_under(t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> (SVector<T, N>, SVector<T, N>);
+        canonical_jacobian_under(t: T, x: &SVector<T, N>, forces: &[T; MOST])
+            -> (SMatrix<T, N, N>, SMatrix<T, N, N>);
+        canonical_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>);
+        canonical_jacobian_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>);
     }
 }
 
@@ -281,5 +341,15 @@ impl<T: Real, S: Controlled<T, N, M> + ?Sized, const N: usize, const M: usize> C
         rhs_and_jacobian_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> (SVector<T, N>, SMatrix<T, N, N>);
         input_jacobian(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, M>;
         time_derivative_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SVector<T, N> where T: Lanes;
+        constraints() -> &'static [Constraint];
+        laws() -> [Law<T>; MOST];
+        measures(t: T, x: &SVector<T, N>) -> [[T; 2]; MOST];
+        rhs_under_with(t: T, x: &SVector<T, N>, u: &Self::Inputs, forces: &[T; MOST]) -> SVector<T, N>;
+        response_with(t: T, x: &SVector<T, N>, u: &Self::Inputs, forces: &[T; MOST]) -> Response<T, N>;
+        rhs_and_jacobian_under_with(t: T, x: &SVector<T, N>, u: &Self::Inputs, forces: &[T; MOST])
+            -> (SVector<T, N>, SMatrix<T, N, N>);
+        response_derivative_with(t: T, x: &SVector<T, N>, u: &Self::Inputs, forces: &[T; MOST])
+            -> ResponseDerivative<T, N> where T: Lanes;
+        measure_derivatives(t: T, x: &SVector<T, N>) -> MeasureDerivatives<T, N>;
     }
 }

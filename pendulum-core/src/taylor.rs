@@ -8,6 +8,7 @@
 
 use nalgebra::SVector;
 
+use crate::hybrid::Hold;
 use crate::real::Real;
 use crate::system::{Cast, System};
 
@@ -36,6 +37,15 @@ pub trait TaylorSeries<T: Real, const N: usize>: System<T, N> {
     /// # Panics
     /// If the order is above [`MAX_ORDER`].
     fn series(&self, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace);
+
+    /// The series in a mode of a [hybrid](crate::hybrid) system: required of these; [`series`](Self::series) of others.
+    ///
+    /// # Panics
+    /// If the order is above [`MAX_ORDER`].
+    #[inline(always)]
+    fn series_in(&self, _hold: &Hold<T>, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace) {
+        self.series(t, x, work);
+    }
 }
 
 /// A [`Cast`] with power series in every number type, lanes included.
@@ -52,6 +62,18 @@ pub trait CastTaylor<const N: usize>: Cast<N> {
 
     /// [`TaylorSeries::series`] of the model in a number type.
     fn series<T: Real>(system: &Self::In<T>, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace<T>);
+
+    /// [`TaylorSeries::series_in`] of the model in a number type.
+    #[inline(always)]
+    fn series_in<T: Real>(
+        system: &Self::In<T>,
+        _hold: &Hold<T>,
+        t: T,
+        x: &mut [SVector<T, N>],
+        work: &mut Self::Workspace<T>,
+    ) {
+        Self::series(system, t, x, work);
+    }
 }
 
 impl<T: Real, S: TaylorSeries<T, N> + ?Sized, const N: usize> TaylorSeries<T, N> for &S {
@@ -65,6 +87,11 @@ impl<T: Real, S: TaylorSeries<T, N> + ?Sized, const N: usize> TaylorSeries<T, N>
     #[inline]
     fn series(&self, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace) {
         (**self).series(t, x, work);
+    }
+
+    #[inline]
+    fn series_in(&self, hold: &Hold<T>, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace) {
+        (**self).series_in(hold, t, x, work);
     }
 }
 

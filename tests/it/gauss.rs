@@ -2,6 +2,7 @@
 
 use approx::assert_abs_diff_eq;
 use nalgebra::{SMatrix, SVector};
+use pendulum_core::hybrid::{Mode, Status};
 use pendulum_core::prelude::*;
 use pendulum_core::{Canonical, Reason};
 use testbed::trajectories::scene;
@@ -11,7 +12,7 @@ mechanism! {
     pub Pair {
         params { gamma: N m s = 0.0 }
         gravity: [0, -9.8, 0],
-        generate: [rhs, canonical],
+        generate: [rhs, energy, canonical],
         shape plate { mass: 1, com: [0, -1, 0], inertia: 1 }
         body upper on ground: plate { joint: revolute(z), coordinate: theta1 absolute, friction: gamma }
         body lower on upper: plate { joint: revolute(z) at [0, -1, 0], coordinate: theta2 absolute, friction: gamma }
@@ -206,4 +207,112 @@ fn steps_that_are_far_too_long_do_not_converge() {
         .solve(&model, 0.0, 30.0, CHAOTIC)
         .expect_err("no solution near the start");
     assert!(matches!(error.reason, Reason::NoConvergence { .. }), "{error}");
+}
+
+// Scenes in which something hinders the motion
+
+mechanism! {
+    /// A double pendulum whose joints rebound from stops, and whose tip does from a wall.
+    pub Bouncing {
+        params { e: 1 = 1, mu: N m = 0, side: m = 1 }
+        gravity: [0, -9.8, 0],
+        generate: [rhs, energy, canonical],
+        shape plate { mass: 1, com: [0, -1, 0], inertia: 1 }
+        point tip on lower at [0, -1, 0],
+        wall side { gap: side - tip.x, restitution: e }
+        body upper on ground: plate { joint: revolute(z), coordinate: a, dry_friction: mu, stop: [-1.5, 1.5] restitution(e) }
+        body lower on upper: plate {
+            joint: revolute(z) at [0, -1, 0], coordinate: b, dry_friction: mu/2, stop: [-2, 2] restitution(e),
+        }
+    }
+}
+
+/// The largest energy errors in the first and in the second half of a long motion, and how often modes changed.
+fn energy_errors<S>(model: &S, start: [f64; 4]) -> ([f64; 2], usize)
+where
+    S: Canonical<f64, 4> + Energy<f64, 4>,
+{
+    let (t1, start) = (400.0, SVector::from(start));
+    let energy = model.energy(0.0, &start);
+    let mut stepper = Gauss4::new(0.02).stepper(model, 0.0, t1, start).expect("valid");
+    let (mut largest, mut changes, mut since) = ([0.0_f64; 2], 0, 0.0);
+    while let Some(step) = stepper.step().expect("regular") {
+        let half = usize::from(step.t1 > 0.5 * t1);
+        largest[half] = largest[half].max((model.energy(step.t1, &step.x1) - energy).abs());
+        if let Some((from, _)) = stepper.mode() {
+            changes += usize::from(from != since);
+            since = from;
+        }
+    }
+    (largest, changes)
+}
+
+#[test]
+fn the_energy_does_not_drift_over_many_elastic_impacts() {
+    let wide = Bouncing::new(BouncingParams {
+        e: 1.0,
+        mu: 0.0,
+        side: 10.0,
+    })
+    .expect("physical");
+    let narrow = Bouncing::new(BouncingParams {
+        e: 1.0,
+        mu: 0.0,
+        side: 0.5,
+    })
+    .expect("physical");
+    let start = [-1.2, 1.5, 0.0, 0.0];
+    let (free, none) = energy_errors(&pair(0.0), [-1.2, 0.3, 0.0, 0.0]);
+    assert_eq!(none, 0);
+    for (model, least) in [(wide, 60), (narrow, 150)] {
+        let ([early, late], impacts) = energy_errors(&model, start);
+        assert!(impacts > least, "{impacts} impacts");
+        assert!(
+            late < 1.2 * early && late < 1.2 * free[0].max(free[1]),
+            "{early:e} {late:e}, without {free:?}"
+        );
+    }
+}
+
+#[test]
+fn errors_fall_with_the_order_through_friction_and_impacts() {
+    let model = Bouncing::new(BouncingParams {
+        e: 0.5,
+        mu: 0.6,
+        side: 0.7,
+    })
+    .expect("physical");
+    let (start, t1) = ([-1.4, 0.5, 0.0, 0.0], 8.0);
+    let tight = Vern9::new().rtol(1e-13).atol(1e-13);
+    let reference = tight.solve(&model, 0.0, t1, start).expect("regular");
+    let stuck = |n: usize| move |(_, mode): &&(f64, Mode)| mode.0[n] == Status::Stuck;
+    assert!(reference.modes().len() > 8, "{:?}", reference.modes());
+    assert!(
+        reference.modes().iter().any(|mode| stuck(0)(&mode)) && reference.modes().iter().any(|mode| stuck(1)(&mode))
+    );
+    macro_rules! errors {
+        ($method:ident, $h:expr) => {
+            [$h, 0.5 * $h].map(|h| {
+                let solution = $method::new(h).solve(&model, 0.0, t1, start).expect("regular");
+                assert_eq!(solution.modes().len(), reference.modes().len());
+                let modes = solution.modes().iter().zip(reference.modes());
+                for pair in solution.modes().windows(2) {
+                    let ((from, mode), (to, _)) = (pair[0], pair[1]);
+                    let x = solution.at(0.5 * (from + to)).expect("inside");
+                    for n in (0..2).filter(|&n| mode.0[n].is_held()) {
+                        assert!(x[2 + n] == 0.0, "{x} in {mode:?}");
+                    }
+                }
+                let apart = (solution.end() - reference.end()).amax();
+                modes.fold(apart, |most, ((t, mode), (exact, same))| {
+                    assert_eq!(mode, same);
+                    most.max((t - exact).abs())
+                })
+            })
+        };
+    }
+    let [coarse, fine] = errors!(Gauss4, 0.02);
+    assert!(fine < 1e-5 && coarse / fine > 8.0, "{coarse:e} {fine:e}");
+    let [coarse, fine] = errors!(Gauss6, 0.04);
+    assert!(fine < 1e-6 && coarse / fine > 16.0, "{coarse:e} {fine:e}");
 }

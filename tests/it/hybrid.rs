@@ -4,16 +4,21 @@ use std::array::from_fn;
 
 use nalgebra::SVector;
 use pendulum_core::Slot;
-use pendulum_core::hybrid::{Hold, Hybrid, HybridJacobian, MOST, Mode, Status};
+use pendulum_core::hybrid::{Hold, Hybrid, HybridJacobian, InMode, MOST, Mode, Status};
 use pendulum_core::prelude::*;
 use pendulum_core::real::Real;
+use pendulum_core::{Canonical, TaylorSeries};
 use testbed::dual::Dual;
+use testbed::power_series::{LENGTH, Series, motion};
 use testbed::random::Random;
+
+use super::taylor::difference;
 
 mechanism! {
     /// Dry friction on both joints, and a wall at the tip.
     pub Dry {
         params { m: kg = 0.7, l: m = 0.8, mu: N m = 0.4, more: N m = 0.1, e: 1 = 0.6 }
+        generate: [rhs, jacobian, energy, taylor, canonical],
         gravity: [0, -9.81, 0],
         shape arm { solids: [rod(m, [0, 0, 0], [0, -l, 0])] }
         point tip on lower at [0, -l, 0],
@@ -48,7 +53,7 @@ mechanism! {
     pub Driven {
         params { w: rad/s = 3, mu: N m = 0.3 }
         gravity: [0, -9.81, 0],
-        generate: [rhs, jacobian, energy, inverse_dynamics, drive_forces, mass_matrix],
+        generate: [rhs, jacobian, energy, inverse_dynamics, drive_forces, mass_matrix, taylor, canonical],
         point tip on last at [0, -0.5, 0],
         output speed: dot(tip.x),
         wall lid { gap: 2 - tip.y + 0.1 m*sin(w*t) + tip.x/9 }
@@ -257,7 +262,7 @@ fn along<const N: usize>(x: &SVector<f64, N>, direction: &SVector<f64, N>) -> SV
 }
 
 /// What a response says against the right-hand side itself, and its derivatives against dual numbers.
-fn check_response<S, D, const N: usize>(model: &S, dual: &D, count: usize)
+pub(crate) fn check_response<S, D, const N: usize>(model: &S, dual: &D, count: usize)
 where
     S: HybridJacobian<f64, N>,
     D: Hybrid<Dual, N>,
@@ -599,9 +604,11 @@ fn methods_agree_on_a_dry_double_pendulum() {
     for tight in [
         Tsit5::new().rtol(1e-12).atol(1e-12).solve(&model, 0.0, 15.0, start),
         Rodas5P::new().rtol(1e-12).atol(1e-12).solve(&model, 0.0, 15.0, start),
+        Taylor::new().rtol(1e-13).atol(1e-13).solve(&model, 0.0, 15.0, start),
     ] {
         let end = tight.expect("a motion").end();
         assert!((end - reference.end()).amax() < 1e-8, "{end} {}", reference.end());
+        assert!(end[2] == 0.0 && end[3] == 0.0, "{end}");
     }
     let mut before = f64::INFINITY;
     for (t, x) in reference.points() {
@@ -661,7 +668,7 @@ mechanism! {
     pub Rods {
         params { mu: N m = 0.3 }
         gravity: [0, -9.81, 0],
-        generate: [rhs, jacobian],
+        generate: [rhs, jacobian, taylor],
         shape rod { solids: [rod(1, [0, 0, 0], [0, -1, 0])] }
         body upper on ground: rod { joint: revolute(z), coordinate: a, dry_friction: mu, static_friction: 1.2*mu }
         body lower on upper: rod {
@@ -704,6 +711,8 @@ fn lanes_have_the_bits_of_trajectories_alone() {
     // one after the other
     same(&Rodas5P::new());
     same(&Auto::new());
+    same(&Taylor::new());
+    same(&Taylor::new().rtol(1e-13).atol(1e-13));
 }
 
 #[test]
@@ -781,53 +790,54 @@ fn a_rocking_block_comes_to_rest() {
 }
 
 /// What is held moves nothing else than its forces do: derivatives in each mode against dual numbers.
+pub(crate) fn check_derivatives<S, D, const N: usize>(model: &S, dual: &D, count: usize)
+where
+    S: HybridJacobian<f64, N>,
+    D: Hybrid<Dual, N>,
+{
+    for (n, (t, x, mut forces)) in places::<N>(count).enumerate() {
+        let held = n as u8 & ((1 << count) - 1);
+        (0..count).filter(|n| held & 1 << n != 0).for_each(|n| forces[n] = 0.0);
+        let hold = Hold {
+            forces,
+            held,
+            solved: held,
+        };
+        let lifted = Hold {
+            forces: forces.map(Dual::from_f64),
+            held,
+            solved: held,
+        };
+        let along = |t: Dual, direction: &SVector<f64, N>| {
+            pendulum_core::hybrid::rhs(dual, &lifted, t, &along(&x, direction)).map(|rate| rate.slope)
+        };
+        let near = |ours: SVector<f64, N>, theirs: SVector<f64, N>, what: &str| {
+            let error = (ours - theirs).amax() / (1.0 + theirs.amax());
+            assert!(error < 1e-9, "{what} with {held:b} held: {error:e}");
+        };
+        let (rates, jacobian) = pendulum_core::hybrid::rhs_and_jacobian(model, &hold, t, &x);
+        near(
+            rates,
+            pendulum_core::hybrid::rhs(model, &hold, t, &x),
+            "right-hand side",
+        );
+        for component in 0..N {
+            let direction = SVector::from_fn(|n, _| f64::from(u8::from(n == component)));
+            near(
+                jacobian.column(component).into(),
+                along(Dual::from_f64(t), &direction),
+                "Jacobian",
+            );
+        }
+        let by_time = pendulum_core::hybrid::time_derivative(model, &hold, t, &x);
+        near(by_time, along(Dual::new(t, 1.0), &SVector::zeros()), "time");
+    }
+}
+
 #[test]
 fn derivatives_hold_in_every_mode() {
-    fn check<S, D, const N: usize>(model: &S, dual: &D, count: usize)
-    where
-        S: HybridJacobian<f64, N>,
-        D: Hybrid<Dual, N>,
-    {
-        for (n, (t, x, mut forces)) in places::<N>(count).enumerate() {
-            let held = n as u8 & ((1 << count) - 1);
-            (0..count).filter(|n| held & 1 << n != 0).for_each(|n| forces[n] = 0.0);
-            let hold = Hold {
-                forces,
-                held,
-                solved: held,
-            };
-            let lifted = Hold {
-                forces: forces.map(Dual::from_f64),
-                held,
-                solved: held,
-            };
-            let along = |t: Dual, direction: &SVector<f64, N>| {
-                pendulum_core::hybrid::rhs(dual, &lifted, t, &along(&x, direction)).map(|rate| rate.slope)
-            };
-            let near = |ours: SVector<f64, N>, theirs: SVector<f64, N>, what: &str| {
-                let error = (ours - theirs).amax() / (1.0 + theirs.amax());
-                assert!(error < 1e-9, "{what} with {held:b} held: {error:e}");
-            };
-            let (rates, jacobian) = pendulum_core::hybrid::rhs_and_jacobian(model, &hold, t, &x);
-            near(
-                rates,
-                pendulum_core::hybrid::rhs(model, &hold, t, &x),
-                "right-hand side",
-            );
-            for component in 0..N {
-                let direction = SVector::from_fn(|n, _| f64::from(u8::from(n == component)));
-                near(
-                    jacobian.column(component).into(),
-                    along(Dual::from_f64(t), &direction),
-                    "Jacobian",
-                );
-            }
-            let by_time = pendulum_core::hybrid::time_derivative(model, &hold, t, &x);
-            near(by_time, along(Dual::new(t, 1.0), &SVector::zeros()), "time");
-        }
-    }
-    check::<_, _, 4>(&dry(), &dry().cast::<Dual>(), 3);
-    check::<_, _, 8>(&driven(), &driven().cast::<Dual>(), 4);
+    check_derivatives::<_, _, 4>(&dry(), &dry().cast::<Dual>(), 3);
+    check_derivatives::<_, _, 8>(&driven(), &driven().cast::<Dual>(), 4);
 }
 
 mechanism! {
@@ -844,45 +854,134 @@ mechanism! {
     }
 }
 
+/// The recurrences of each mode give the series that its right-hand side gives when it computes with series.
+#[test]
+fn series_hold_in_every_mode() {
+    fn check<S, M, const N: usize>(model: &S, series: &M, count: usize)
+    where
+        S: TaylorSeries<f64, N> + Hybrid<f64, N>,
+        M: System<Series, N>,
+    {
+        let mut work = model.workspace();
+        for (n, (t, start, mut forces)) in places::<N>(count).enumerate() {
+            let held = n as u8 & ((1 << count) - 1);
+            (0..count).filter(|n| held & 1 << n != 0).for_each(|n| forces[n] = 0.0);
+            let solved = held;
+            let hold = Hold { forces, held, solved };
+            let mut x = [start; LENGTH];
+            model.series_in(&hold, t, &mut x, &mut work);
+            let forces = forces.map(Series::from_f64);
+            let theirs = motion(&InMode::new(series, &Hold { forces, held, solved }), t, start);
+            let difference = difference(&x, &theirs);
+            assert!(difference < 1e-12, "{difference:e} with {held:b} held");
+            for (n, constraint) in model
+                .constraints()
+                .iter()
+                .enumerate()
+                .filter(|(n, _)| held & 1 << n != 0)
+            {
+                if constraint.rate.is_empty() {
+                    continue;
+                }
+                for (k, x) in x.iter().enumerate().skip(1) {
+                    let rate: f64 = constraint.rate.iter().map(|&(at, sign)| f64::from(sign) * x[at]).sum();
+                    assert!(rate == 0.0, "{rate:e} of {n} at order {k}");
+                }
+            }
+        }
+    }
+    check::<_, _, 4>(&dry(), &dry().cast::<Series>(), 3);
+    check::<_, _, 8>(&driven(), &driven().cast::<Series>(), 4);
+}
+
+/// In every mode the canonical variables change along the motion by their rates, and their derivatives are those by
+/// dual numbers: at fixed forces, of which walls alone have some while they hold.
+#[test]
+fn canonical_equations_hold_in_every_mode() {
+    fn check<S, D, const N: usize>(model: &S, dual: &D, count: usize)
+    where
+        S: Canonical<f64, N> + Hybrid<f64, N>,
+        D: Canonical<Dual, N>,
+    {
+        for (n, (t, x, mut forces)) in places::<N>(count).enumerate() {
+            let held = n as u8 & ((1 << count) - 1);
+            (0..count).filter(|n| held & 1 << n != 0).for_each(|n| forces[n] = 0.0);
+            let solved = held;
+            let hold = Hold { forces, held, solved };
+            let forces = forces.map(Dual::from_f64);
+            let lifted = Hold { forces, held, solved };
+            let moved = |by_time: f64, direction: &SVector<f64, N>| {
+                let (variables, rates) = dual.canonical_in(&lifted, Dual::new(t, by_time), &along(&x, direction));
+                [variables, rates].map(|both| both.map(|x| x.slope))
+            };
+            let near = |ours: SVector<f64, N>, theirs: SVector<f64, N>, what: &str| {
+                let error = (ours - theirs).amax() / (1.0 + theirs.amax());
+                assert!(error < 1e-9, "{what} with {held:b} held: {error:e}");
+            };
+            let (_, rates) = model.canonical_in(&hold, t, &x);
+            let [along_motion, _] = moved(1.0, &pendulum_core::hybrid::rhs(model, &hold, t, &x));
+            near(rates, along_motion, "rates");
+            let of_walls = model
+                .constraints()
+                .iter()
+                .enumerate()
+                .filter(|(_, wall)| wall.rate.is_empty());
+            if of_walls.clone().any(|(n, _)| held & 1 << n != 0) {
+                continue;
+            }
+            let (of_variables, of_rates) = model.canonical_jacobian_in(&hold, t, &x);
+            for component in 0..N {
+                let direction = SVector::from_fn(|n, _| f64::from(u8::from(n == component)));
+                let [variables, rates] = moved(0.0, &direction);
+                near(of_variables.column(component).into(), variables, "variables");
+                near(of_rates.column(component).into(), rates, "derivative of the rates");
+            }
+        }
+    }
+    check::<_, _, 4>(&dry(), &dry().cast::<Dual>(), 3);
+    check::<_, _, 8>(&driven(), &driven().cast::<Dual>(), 4);
+}
+
+/// Tangents against differences of neighbours; the number of impacts, and the last mode.
+pub(crate) fn check_tangents<S, const N: usize>(model: &S, start: [f64; N], t: f64, allowed: f64) -> (usize, Mode)
+where
+    S: Jacobian<f64, N>,
+{
+    let method = Vern9::new().rtol(1e-13).atol(1e-13);
+    let end = |x| {
+        method
+            .stepper(model, 0.0, t, x)
+            .and_then(|mut stepper| stepper.run())
+            .expect("regular")
+    };
+    let (_, matrix) = pendulum_core::stability::transition(model, 0.0, t, start, 1e-12).expect("regular");
+    let reach = 1e-5;
+    for (component, column) in matrix.column_iter().enumerate() {
+        let mut step = SVector::zeros();
+        step[component] = reach;
+        let start = SVector::from(start);
+        let theirs = (end(start + step) - end(start - step)) / (2.0 * reach);
+        let error = (column - theirs).amax() / (1.0 + theirs.amax());
+        assert!(error < allowed, "{error:e} in {component} at {t}");
+    }
+    let solution = method.solve(model, 0.0, t, start).expect("regular");
+    let jumps = |pair: &&[(f64, SVector<f64, N>)]| (pair[1].1 - pair[0].1).amax() > 1e-6 && pair[0].0 == pair[1].0;
+    let points: Vec<_> = solution.points().map(|(t, x)| (t, *x)).collect();
+    let (_, last) = *solution.modes().last().expect("a mode");
+    (points.windows(2).filter(jumps).count(), last)
+}
+
 /// Through impacts, also on a wall that moves, and through what sticks and slips.
 #[test]
 fn tangents_are_those_of_neighbours() {
-    /// Returns the number of impacts, and the last mode.
-    fn check<S, const N: usize>(model: &S, start: [f64; N], t: f64, allowed: f64) -> (usize, Mode)
-    where
-        S: Jacobian<f64, N>,
-    {
-        let method = Vern9::new().rtol(1e-13).atol(1e-13);
-        let end = |x| {
-            method
-                .stepper(model, 0.0, t, x)
-                .and_then(|mut stepper| stepper.run())
-                .expect("regular")
-        };
-        let (_, matrix) = pendulum_core::stability::transition(model, 0.0, t, start, 1e-12).expect("regular");
-        let reach = 1e-5;
-        for (component, column) in matrix.column_iter().enumerate() {
-            let mut step = SVector::zeros();
-            step[component] = reach;
-            let start = SVector::from(start);
-            let theirs = (end(start + step) - end(start - step)) / (2.0 * reach);
-            let error = (column - theirs).amax() / (1.0 + theirs.amax());
-            assert!(error < allowed, "{error:e} in {component} at {t}");
-        }
-        let solution = method.solve(model, 0.0, t, start).expect("regular");
-        let jumps = |pair: &&[(f64, SVector<f64, N>)]| (pair[1].1 - pair[0].1).amax() > 1e-6 && pair[0].0 == pair[1].0;
-        let points: Vec<_> = solution.points().map(|(t, x)| (t, *x)).collect();
-        let (_, last) = *solution.modes().last().expect("a mode");
-        (points.windows(2).filter(jumps).count(), last)
-    }
-    let (impacts, _) = check(&dry(), [1.2, 0.4, -3.0, 2.0], 0.5, 1e-7);
+    let (impacts, _) = check_tangents(&dry(), [1.2, 0.4, -3.0, 2.0], 0.5, 1e-7);
     assert_eq!(impacts, 1);
     let struck = Struck::new(StruckParams {}).expect("physical");
-    let (impacts, last) = check(&struck, [-0.5, 0.3, 0.5, 1.0], 1.5, 1e-7);
+    let (impacts, last) = check_tangents(&struck, [-0.5, 0.3, 0.5, 1.0], 1.5, 1e-7);
     assert!(impacts == 1 && last.is_held(0));
     // neighbours of what sticks stick soon, and what they lose moves the other joint; differences show that to their
     // reach
-    let (_, last) = check(&struck, [0.0, -0.3, 0.0, -0.5], 0.2, 1e-5);
+    let (_, last) = check_tangents(&struck, [0.0, -0.3, 0.0, -0.5], 0.2, 1e-5);
     assert!(last.is_held(0));
 }
 

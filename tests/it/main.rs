@@ -5,6 +5,7 @@ mod c_code;
 mod canonical;
 mod closed_loops;
 mod compile_errors;
+mod controlled;
 mod double_pendulum;
 mod drives;
 mod emitted_c;

@@ -4,13 +4,14 @@
 use std::f64::consts::PI;
 
 use nalgebra::SVector;
-use pendulum_core::Solution;
 use pendulum_core::hybrid::{Mode, Status};
 use pendulum_core::prelude::*;
+use pendulum_core::{Canonical, Solution, TaylorSeries};
 
 mechanism! {
     /// A block on a straight track between two stops, under a force that grows.
     pub Track {
+        generate: [rhs, jacobian, energy, taylor, canonical],
         params { mu: N = 0, at_rest: N = 0, pull: N = 0, growth: N/s = 0, low: m = -1, high: m = 1, e: 1 = 0 }
         body block on ground {
             mass: 1, joint: prismatic(x), coordinate: s, torque: pull + growth*t,
@@ -24,9 +25,9 @@ fn track(params: TrackParams) -> Track {
 }
 
 /// The motion by methods of all kinds, to 1e-13 where they choose their steps.
-fn by_each<S, const N: usize>(model: &S, t1: f64, start: [f64; N]) -> [(&'static str, Solution<f64, N>); 6]
+fn by_each<S, const N: usize>(model: &S, t1: f64, start: [f64; N]) -> [(&'static str, Solution<f64, N>); 8]
 where
-    S: Jacobian<f64, N>,
+    S: Jacobian<f64, N> + TaylorSeries<f64, N> + Canonical<f64, N>,
 {
     macro_rules! by {
         ($($method:ident $given:expr),*) => {
@@ -40,7 +41,8 @@ where
     }
     by!(
         Rk4 Rk4::new(1.0 / 64.0), Tsit5 tight!(Tsit5), Vern9 tight!(Vern9), Rodas5P tight!(Rodas5P),
-        Radau5 tight!(Radau5), Auto tight!(Auto)
+        Radau5 tight!(Radau5), Auto tight!(Auto), Taylor tight!(Taylor),
+        Gauss6 Gauss6::new(1.0 / 64.0)
     )
 }
 
@@ -166,6 +168,7 @@ fn friction_holds_what_a_growing_force_pulls_off_a_stop() {
 mechanism! {
     /// A block that a force moves to and fro.
     pub Shaken {
+        generate: [rhs, jacobian, energy, taylor, canonical],
         params { mu: N = 0.9, most: N = 1 }
         body block on ground {
             mass: 1, joint: prismatic(x), coordinate: s, torque: most*sin(1 rad/s*t), dry_friction: mu,
@@ -240,6 +243,7 @@ fn rebounds_end_at_their_stop_to_the_last_bit() {
 mechanism! {
     /// A stone under a ceiling.
     pub Thrown {
+        generate: [rhs, jacobian, energy, taylor, canonical],
         params { top: m = 1, e: 1 = 0.5 }
         gravity: [0, -9.81, 0],
         point head on stone,
@@ -289,6 +293,7 @@ fn a_parabola_grazes_a_ceiling() {
 mechanism! {
     /// A pendulum whose tip swings up to a wall.
     pub Grazing {
+        generate: [rhs, jacobian, energy, taylor, canonical],
         params { room: m, e: 1 = 0.5 }
         gravity: [0, -9.81, 0],
         point tip on bob at [0, -1, 0],
@@ -329,6 +334,7 @@ fn a_pendulum_grazes_a_wall() {
 mechanism! {
     /// Two blocks side by side, of which one has friction and the other a stop.
     pub Apart {
+        generate: [rhs, jacobian, energy, taylor, canonical],
         body first on ground { mass: 1, joint: prismatic(x), coordinate: a, dry_friction: 0.5 }
         body second on ground { mass: 3, joint: prismatic(x), coordinate: b, stop: [-1, 1] restitution(0.5) }
     }
@@ -351,6 +357,7 @@ fn one_sticks_at_the_instant_at_which_another_rebounds() {
 mechanism! {
     /// A block in a box that slides between stops itself: each has 1 kg.
     pub Boxed {
+        generate: [rhs, jacobian, energy, taylor, canonical],
         params { e: 1 = 0.5, inner_e: 1 = 0.5, pull: N = 0, inner: N = 0 }
         body outer on ground {
             mass: 1, joint: prismatic(x), coordinate: a, torque: pull, stop: [-1, 1] restitution(e),
@@ -434,6 +441,7 @@ fn an_impact_without_restitution_ends_at_rest() {
 mechanism! {
     /// Two blocks on one rough track, of which the first may run into the second.
     pub Chain {
+        generate: [rhs, jacobian, energy, taylor, canonical],
         params { m: kg = 1, mu: N = 0.5, at_rest: N = 0.75, e: 1 = 1 }
         wall between { gap: b - a - 0.5, restitution: e }
         body first on ground {
@@ -495,8 +503,8 @@ fn an_impact_breaks_loose_what_sticks() {
 mechanism! {
     /// A tile in a corner, one of whose walls is declared twice.
     pub Twice {
+        generate: [rhs, jacobian, energy, taylor, canonical],
         params { pull: N = 0 }
-        generate: [rhs, jacobian],
         wall east { gap: 1 - x, restitution: 1 }
         wall east_again { gap: 2 m - 2*x, restitution: 1 }
         wall north { gap: 1 - y, restitution: 1 }
@@ -521,6 +529,7 @@ fn a_wall_that_is_declared_twice_is_one() {
 mechanism! {
     /// Two mass points on rods without mass, beside a wall.
     pub TwoPoints {
+        generate: [rhs, jacobian, energy, taylor, canonical],
         gravity: [0, -9.81, 0],
         point elbow on upper at [0, -1, 0],
         point tip on lower at [0, -1, 0],
@@ -593,8 +602,8 @@ fn a_reset_begins_another_mode() {
 mechanism! {
     /// A block that sticks for long, and breaks loose once.
     pub Swelling {
+        generate: [rhs, jacobian, energy, taylor, canonical],
         params { k: N/s = 0.02, w: rad/s = 1, limit: N = 0.9 }
-        generate: [rhs, jacobian, energy],
         body block on ground {
             mass: 1, joint: prismatic(x), coordinate: s, torque: k*t*sin(w*t), dry_friction: limit,
         }

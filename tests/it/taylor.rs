@@ -13,7 +13,7 @@ use testbed::trajectories::scene;
 
 /// The largest difference of two lists of coefficients, each component measured by its largest term at the end of a step as long as
 /// the series of both reaches: where the last terms are as large as the first.
-fn difference<const N: usize>(ours: &[SVector<f64, N>], theirs: &[SVector<f64, N>]) -> f64 {
+pub(crate) fn difference<const N: usize>(ours: &[SVector<f64, N>], theirs: &[SVector<f64, N>]) -> f64 {
     let size = |k: usize| theirs[k].amax();
     let last = theirs.len() - 1;
     let reach = (1..=last)

@@ -10,7 +10,7 @@ use crate::model::Model;
 
 /// The rates of constraints are `J qd + w`; this is what their second derivatives `J qdd + h` are made of.
 #[derive(Clone, Debug)]
-struct Rows<'g> {
+pub(super) struct Rows<'g> {
     /// `J`: the gradient of each by the coordinates.
     gradients: Vec<Vec<Expr<'g>>>,
     /// `h`: the second derivative of each where the coordinates do not accelerate.
@@ -18,7 +18,7 @@ struct Rows<'g> {
 }
 
 impl<'g> Rows<'g> {
-    fn new(model: &Model<'g>) -> Self {
+    pub(super) fn new(model: &Model<'g>) -> Self {
         let values = model.constraint_values();
         let gradients = derived(&values, &model.positions());
         let rates = model.constraint_rates();
@@ -48,7 +48,7 @@ impl<'g> Rows<'g> {
     }
 
     /// `J qdd + h` for accelerations.
-    fn accelerations(&self, of_state: &[Expr<'g>]) -> Vec<Expr<'g>> {
+    pub(super) fn accelerations(&self, of_state: &[Expr<'g>]) -> Vec<Expr<'g>> {
         let rows = self.gradients.iter().zip(&self.drifts);
         rows.map(|(gradient, &drift)| dot(gradient, of_state) + drift).collect()
     }

@@ -41,6 +41,8 @@ pub(crate) struct Symbols<'g> {
     pub time: Expr<'g>,
     /// The coefficients of the coordinates, then of their rates.
     pub state: Vec<Expr<'g>>,
+    /// The coefficients of the forces along what hinders the motion.
+    pub forces: Vec<Expr<'g>>,
     /// The sums of the slots.
     pub sums: Vec<Expr<'g>>,
     /// What does not change from order to order.
@@ -57,6 +59,7 @@ impl<'g> Symbols<'g> {
             over_order: symbol("1/k", 0),
             time: symbol("t[k]", 0),
             state: (0..length).map(|n| symbol("x[k]", n)).collect(),
+            forces: (0..model.constraints.len()).map(|n| symbol("force[k]", n)).collect(),
             sums: Vec::new(),
             kept: Vec::new(),
         }
@@ -85,10 +88,11 @@ pub(super) struct Recurrences<'g, 's> {
 }
 
 impl<'g, 's> Recurrences<'g, 's> {
-    /// No expressions yet, but the time and the state.
+    /// No expressions yet, but the time, the state and forces.
     pub(super) fn new(model: &Model<'g>, symbols: &'s mut Symbols<'g>) -> Self {
         let state = model.state().into_iter().zip(symbols.state.iter().copied());
-        let coefficients = state.chain([(model.time, symbols.time)]).collect();
+        let forces = model.force_symbols().into_iter().zip(symbols.forces.iter().copied());
+        let coefficients = state.chain(forces).chain([(model.time, symbols.time)]).collect();
         Self {
             graph: model.graph,
             symbols,

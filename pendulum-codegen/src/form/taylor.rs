@@ -2,6 +2,7 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
+use super::response::Rows;
 use super::series::{Recurrences, Symbols};
 use super::{Form, Forms, factorings};
 use crate::dynamics::{Dynamics, Factored};
@@ -21,7 +22,8 @@ pub(crate) struct Taylor<'g> {
     pub slots: usize,
     /// Of order 0: the right-hand side, then what [`Symbols::kept`] stands for.
     pub start: Vec<Expr<'g>>,
-    /// Of order `k`: the right-hand side, then the left sides of all products, then their right sides.
+    /// Of order `k`: the right-hand side, then the left sides of all products, then their right sides; after them the
+    /// second derivatives of what hinders the motion, without its forces of this order.
     pub order: Vec<Expr<'g>>,
     /// Operations of one order `k`, without the sums of the products.
     pub operations: Operations,
@@ -38,9 +40,10 @@ impl<'g> Forms<'g> {
     /// The shortest code for the coefficients of the motion.
     pub(crate) fn taylor(&self, model: &Model<'g>) -> Taylor<'g> {
         let mut symbols = Symbols::new(model);
+        let rows = hindered(model);
         let mut candidates: Vec<(Form, Dynamics<'g>, Option<Expr<'g>>, usize)> = Vec::new();
         for (form, dynamics, determinant) in &self.forms {
-            let slots = slots(model, &mut symbols, dynamics);
+            let slots = slots(model, &mut symbols, dynamics, &rows);
             candidates.push((*form, dynamics.clone(), *determinant, slots));
         }
         let fewest = candidates.iter().map(|(.., slots)| *slots).min().unwrap_or(0);
@@ -55,7 +58,7 @@ impl<'g> Forms<'g> {
             for dynamics in ways {
                 for (factored, solver) in factorings(&dynamics, determinant) {
                     let form = form.solved_by(solver);
-                    counted.push(code(model, symbols.clone(), form, &dynamics, &factored));
+                    counted.push(code(model, symbols.clone(), form, (&dynamics, &factored), &rows));
                 }
             }
         }
@@ -85,10 +88,23 @@ fn shared<'g>(g: &'g Graph, dynamics: &Dynamics<'g>, factor: bool) -> Dynamics<'
     dynamics
 }
 
+/// The second derivatives of what hinders the motion, for the accelerations as symbols.
+fn hindered<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
+    let accelerations: Vec<Expr<'g>> = model.coordinates.iter().map(|c| c.acceleration).collect();
+    if model.is_hybrid() {
+        Rows::new(model).accelerations(&accelerations)
+    } else {
+        Vec::new()
+    }
+}
+
 /// How many products of series the dynamics take.
-fn slots<'g>(model: &Model<'g>, symbols: &mut Symbols<'g>, dynamics: &Dynamics<'g>) -> usize {
+fn slots<'g>(model: &Model<'g>, symbols: &mut Symbols<'g>, dynamics: &Dynamics<'g>, rows: &[Expr<'g>]) -> usize {
     let mut recurrences = Recurrences::new(model, symbols);
     balance(model, &mut recurrences, dynamics);
+    for &row in rows {
+        recurrences.coefficient(row);
+    }
     recurrences.sides();
     recurrences.slots.len()
 }
@@ -116,8 +132,8 @@ fn code<'g>(
     model: &Model<'g>,
     mut symbols: Symbols<'g>,
     form: Form,
-    dynamics: &Dynamics<'g>,
-    factored: &Factored<'g>,
+    (dynamics, factored): (&Dynamics<'g>, &Factored<'g>),
+    rows: &[Expr<'g>],
 ) -> Taylor<'g> {
     let g = model.graph;
     let mut recurrences = Recurrences::new(model, &mut symbols);
@@ -127,11 +143,15 @@ fn code<'g>(
     for (&unknown, &solved) in unknowns.iter().zip(&order) {
         recurrences.set(unknown, solved);
     }
+    let rows: Vec<Expr<'g>> = rows.iter().map(|&row| recurrences.coefficient(row)).collect();
     let [left, right] = recurrences.sides();
     let slots = left.len();
     order.extend(left.into_iter().chain(right));
+    let newest = symbols.forces.iter().map(|&force| (force, g.zero()));
+    order.extend(g.substitute(&rows, newest.collect()));
     let changing = [symbols.order, symbols.over_order, symbols.time];
     let changing = changing.into_iter().chain(symbols.state.iter().copied());
+    let changing = changing.chain(symbols.forces.iter().copied());
     let changing: FxHashSet<Expr<'g>> = changing.chain(symbols.sums[..slots].iter().copied()).collect();
     let kept = kept(g, &order, changing);
     let mut names = FxHashMap::default();

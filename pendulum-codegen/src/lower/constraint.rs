@@ -43,15 +43,6 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// Refuses inputs, whose law is not known where forces that hold are solved for.
-    pub(super) fn without_inputs(&mut self, inputs: &[ast::Input]) {
-        for input in inputs {
-            let fact = "a scene with dry friction, stops or walls takes no inputs";
-            let help = "write the law into a `torque` or a `force` in place of the input";
-            self.errors.at(input.name.span(), fact, help);
-        }
-    }
-
     /// Dry friction and the stop of a joint; none where there is neither.
     pub(super) fn law(&mut self, body: &ast::Body) -> Result<Option<Law<'g>>, Reported> {
         let (fields, units) = (&body.fields, JointUnits::of(body));

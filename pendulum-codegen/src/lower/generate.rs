@@ -51,7 +51,7 @@ impl Lower<'_> {
                     "no joint is driven by the time",
                     "write a motion with `t`, such as `motion: a*sin(w*t)`, or leave it out",
                 );
-            } else if has.conditions && ["canonical", "taylor", "parameter_jacobian"].contains(&word) {
+            } else if has.conditions && word == "parameter_jacobian" {
                 self.errors.at(
                     ident.span(),
                     format_args!("`{word}` is for motions without dry friction, stops and walls"),

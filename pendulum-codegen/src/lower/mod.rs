@@ -141,9 +141,6 @@ impl<'g> Lower<'g> {
         self.check_conditions(items);
         let walls = self.walls(items);
         let is_hybrid = bodies.iter().any(|body| body.law.is_some()) || !walls.is_empty();
-        if is_hybrid {
-            self.without_inputs(&items.inputs);
-        }
         let generate = items.generate.as_ref().map(|(word, list)| {
             if list.is_empty() && items.outputs.is_empty() && items.events.is_empty() {
                 let help = "write `generate: [rhs, jacobian, energy]`, or leave it out";

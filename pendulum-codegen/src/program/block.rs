@@ -101,12 +101,39 @@ pub enum Coefficient {
     Sum(usize),
     /// What order 0 has left for all others.
     Kept(usize),
+    /// The coefficient of a force along what hinders the motion.
+    Force(usize),
 }
 
 impl Block {
     /// The name of a value that a statement defines.
     pub fn name(&self, local: Local) -> &str {
         &self.names[local.0]
+    }
+
+    /// What can be computed before some variables are known, with the last `count` results, and the rest, which also
+    /// reads what was computed before. The results of the first part go on with what the rest reads of it.
+    pub(super) fn split(mut self, count: usize, is_late: impl Fn(Variable) -> bool) -> [Self; 2] {
+        let mut late: BTreeSet<Local> = BTreeSet::new();
+        let mut parts = [(); 2].map(|()| Self {
+            names: self.names.clone(),
+            ..Self::default()
+        });
+        for code in self.lets {
+            let mut waits = code.needs().iter().any(|local| late.contains(local));
+            for term in code.terms() {
+                term.leaves(&mut |leaf| waits |= matches!(leaf, Term::Read(variable) if is_late(*variable)));
+            }
+            late.extend(code.defines().filter(|_| waits));
+            parts[usize::from(waits)].lets.push(code);
+        }
+        let first = self.results.split_off(self.results.len() - count);
+        let read = parts[1].lets.iter().flat_map(Let::needs);
+        let read: BTreeSet<Local> = read.chain(self.results.iter().flat_map(Term::locals)).collect();
+        let read = read.difference(&late).map(|&local| Term::Local(local));
+        parts[0].results = first.into_iter().chain(read).collect();
+        parts[1].results = self.results;
+        parts
     }
 
     /// Every variable that is read.

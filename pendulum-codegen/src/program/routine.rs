@@ -285,7 +285,7 @@ pub(crate) const ROUTINES: &[Row] = &[
         name: "response",
         doc: "The time derivative of the state, the second derivatives of what hinders the motion, \
               and what a unit of each force along it adds to the first and to the second.",
-        arguments: &[Forces],
+        arguments: &[Inputs, Forces],
         shapes: RESPONSE,
         wanted: |scene, _| scene.rhs() && scene.model.is_hybrid(),
         form: form::response,
@@ -322,7 +322,7 @@ pub(crate) const ROUTINES: &[Row] = &[
         name: "response_derivative",
         doc: "The response with its derivatives at fixed forces: those of the right-hand side by the state, \
               those of each second derivative, a column for each, and those of both by the time.",
-        arguments: &[Forces],
+        arguments: &[Inputs, Forces],
         shapes: &[
             RESPONSE[0],
             RESPONSE[1],
@@ -400,7 +400,7 @@ pub(crate) const ROUTINES: &[Row] = &[
         word: "canonical",
         name: "canonical",
         doc: "Coordinates and momenta, and the rates of both.",
-        arguments: &[],
+        arguments: &[Forces],
         shapes: &[Vector(State), Vector(State)],
         wanted: ASKED,
         form: form::canonical,
@@ -409,7 +409,7 @@ pub(crate) const ROUTINES: &[Row] = &[
         word: "canonical",
         name: "canonical_jacobian",
         doc: "The derivatives of coordinates and momenta, and of their rates, by the state.",
-        arguments: &[],
+        arguments: &[Forces],
         shapes: &[Matrix(State, State), Matrix(State, State)],
         wanted: ASKED,
         form: form::canonical_jacobian,

@@ -18,6 +18,9 @@ pub struct Series {
     pub kept: usize,
     /// Of order 0: the right-hand side, then what is kept.
     pub start: Block,
+    /// Of order `k`, before the forces along what hinders the motion are known: its second derivatives without those of
+    /// this order, then what `order` reads beside.
+    pub before: Block,
     /// Of order `k`: the right-hand side, then the left sides of all products, then their right sides.
     pub order: Block,
     /// What one order `k` takes, without the sums of the products.
@@ -37,6 +40,7 @@ impl Series {
             (&symbols.state, Coefficient::State as fn(usize) -> Coefficient),
             (&symbols.sums, Coefficient::Sum),
             (&symbols.kept, Coefficient::Kept),
+            (&symbols.forces, Coefficient::Force),
         ];
         let single = [
             (symbols.order, Coefficient::Order),
@@ -59,11 +63,14 @@ impl Series {
             .others
             .iter()
             .map(|&(form, products, operations)| cost(form, products, operations));
+        let is_force = |variable| matches!(variable, Variable::Series(Coefficient::Force(_)));
+        let [before, order] = block(g, &taylor.order, &of_order)?.split(model.constraints.len(), is_force);
         Ok(Self {
             products: taylor.slots,
             kept: symbols.kept.len(),
             start: block(g, &taylor.start, known)?,
-            order: block(g, &taylor.order, &of_order)?,
+            before,
+            order,
             cost: Cost {
                 others: others.collect(),
                 ..cost(taylor.form, taylor.slots, taylor.operations)

@@ -4,6 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::control::Tolerance;
 use crate::error::Reason;
+use crate::hybrid::{Hold, Hybrid, MOST};
 use crate::layout::StateLayout;
 use crate::linear::PerLane;
 use crate::method::{Explicit, OneStep, PowerSeries, Rosenbrock, RosenbrockStages, SHORT, Scheme};
@@ -116,6 +117,16 @@ impl<M: Cast<N>, T: Real, const N: usize> System<T, N> for Expanded<M, T, N> {
     fn layout(&self) -> Option<&'static StateLayout> {
         self.0.layout()
     }
+
+    #[inline(always)]
+    fn hybrid(&self) -> Option<&dyn Hybrid<T, N>> {
+        self.0.hybrid()
+    }
+
+    #[inline(always)]
+    fn rhs_under(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> SVector<T, N> {
+        self.0.rhs_under(t, x, forces)
+    }
 }
 
 impl<M: CastTaylor<N>, T: Real, const N: usize> TaylorSeries<T, N> for Expanded<M, T, N> {
@@ -129,6 +140,11 @@ impl<M: CastTaylor<N>, T: Real, const N: usize> TaylorSeries<T, N> for Expanded<
     #[inline(always)]
     fn series(&self, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace) {
         M::series(&self.0, t, x, work);
+    }
+
+    #[inline(always)]
+    fn series_in(&self, hold: &Hold<T>, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace) {
+        M::series_in(&self.0, hold, t, x, work);
     }
 }
 

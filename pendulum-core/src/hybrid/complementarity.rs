@@ -26,7 +26,7 @@ impl<T: Real> Factored<T> {
     }
 
     #[inline(always)]
-    fn none() -> Self {
+    pub(super) fn none() -> Self {
         Self {
             chosen: 0,
             entries: [[T::default(); MOST]; MOST],

@@ -6,6 +6,7 @@ use super::complementarity::Factored;
 use super::mode::{Hold, bits};
 use super::{Hybrid, HybridJacobian, MOST, Response};
 use crate::real::Real;
+use crate::real::lanes::Lanes;
 
 /// The right-hand side of a hybrid system in a mode: what [`System::rhs_in`](crate::System::rhs_in) is for it.
 #[inline(always)]
@@ -25,7 +26,7 @@ where
 pub fn jacobian<S, T, const N: usize>(system: &S, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N>
 where
     S: HybridJacobian<T, N> + ?Sized,
-    T: Real,
+    T: Lanes,
 {
     rhs_and_jacobian(system, hold, t, x).1
 }
@@ -40,7 +41,7 @@ pub fn rhs_and_jacobian<S, T, const N: usize>(
 ) -> (SVector<T, N>, SMatrix<T, N, N>)
 where
     S: HybridJacobian<T, N> + ?Sized,
-    T: Real,
+    T: Lanes,
 {
     if hold.held == 0 {
         return system.rhs_and_jacobian_under(t, x, &hold.forces);
@@ -68,7 +69,7 @@ where
 pub fn time_derivative<S, T, const N: usize>(system: &S, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N>
 where
     S: HybridJacobian<T, N> + ?Sized,
-    T: Real,
+    T: Lanes,
 {
     let derivative = system.response_derivative(t, x, &forces(system, hold, t, x));
     let factored = Factored::of(&derivative.response.matrix, hold.solved);
@@ -91,11 +92,68 @@ where
     let mut rates = response.rates;
     add(&mut rates, &response, hold.solved, &forces);
     pin(system, hold.held, &mut rates);
+    (rates, with_solved(hold, &forces))
+}
+
+/// All forces along the constraints, from those that were solved for.
+#[inline(always)]
+fn with_solved<T: Real>(hold: &Hold<T>, forces: &[T; MOST]) -> [T; MOST] {
     let mut all = hold.forces;
     for n in bits(hold.solved) {
         all[n] = forces[n];
     }
-    (rates, all)
+    all
+}
+
+/// The power series of the forces along the constraints in a mode, for what computes that of the motion.
+///
+/// The coefficients of one order of the forces add to those of the constraints' second derivatives what the forces
+/// themselves add at the start: so from what these are without them follows what makes them vanish.
+pub struct HeldSeries<T> {
+    /// The forces at the start.
+    pub forces: [T; MOST],
+    held: u8,
+    factored: Factored<T>,
+}
+
+impl<T: Real> HeldSeries<T> {
+    /// The forces at the start of a motion in a mode.
+    #[inline(always)]
+    pub fn new<S, const N: usize>(system: &S, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> Self
+    where
+        S: Hybrid<T, N> + ?Sized,
+    {
+        // nothing is held of what runs in lanes
+        if T::LANES > 1 || hold.held == 0 {
+            return Self {
+                forces: hold.forces,
+                held: 0,
+                factored: Factored::none(),
+            };
+        }
+        let response = system.response(t, x, &hold.forces);
+        let factored = Factored::of(&response.matrix, hold.solved);
+        Self {
+            forces: with_solved(hold, &factored.solve_negated(&response.accelerations)),
+            held: hold.held,
+            factored,
+        }
+    }
+
+    /// The coefficients of the next order, from those of the constraints' second derivatives without them.
+    #[inline(always)]
+    pub fn next(&self, accelerations: &[T; MOST]) -> [T; MOST] {
+        self.factored.solve_negated(accelerations)
+    }
+
+    /// Makes the rates of what is held zero, exactly, in a coefficient of the motion.
+    #[inline(always)]
+    pub fn pin<S, const N: usize>(&self, system: &S, x: &mut SVector<T, N>)
+    where
+        S: Hybrid<T, N> + ?Sized,
+    {
+        pin(system, self.held, x);
+    }
 }
 
 /// The same as functions that are never inlined: a system that is not hybrid has none of this in its code.
@@ -105,6 +163,7 @@ pub(crate) mod called {
     use super::super::mode::Hold;
     use super::super::{Hybrid, HybridJacobian};
     use crate::real::Real;
+    use crate::real::lanes::Lanes;
 
     #[inline(never)]
     pub(crate) fn rhs<T: Real, const N: usize>(
@@ -117,7 +176,7 @@ pub(crate) mod called {
     }
 
     #[inline(never)]
-    pub(crate) fn rhs_and_jacobian<T: Real, const N: usize>(
+    pub(crate) fn rhs_and_jacobian<T: Lanes, const N: usize>(
         system: &dyn HybridJacobian<T, N>,
         hold: &Hold<T>,
         t: T,
@@ -127,7 +186,7 @@ pub(crate) mod called {
     }
 
     #[inline(never)]
-    pub(crate) fn time_derivative<T: Real, const N: usize>(
+    pub(crate) fn time_derivative<T: Lanes, const N: usize>(
         system: &dyn HybridJacobian<T, N>,
         hold: &Hold<T>,
         t: T,
@@ -148,6 +207,65 @@ where
         return hold.forces;
     }
     held(system, hold, t, x).1
+}
+
+/// The forces along the constraints in canonical equations that are [reduced]: those that hold sums of components are in
+/// none of these, and are left out where nothing else is held.
+#[inline(never)]
+pub(crate) fn pressing<T, const N: usize>(
+    system: &dyn Hybrid<T, N>,
+    hold: &Hold<T>,
+    t: T,
+    x: &SVector<T, N>,
+) -> [T; MOST]
+where
+    T: Real,
+{
+    let constraints = system.constraints();
+    if bits(hold.held).all(|n| !constraints[n].rate.is_empty()) {
+        return hold.forces;
+    }
+    forces(system, hold, t, x)
+}
+
+/// Canonical variables of a state and their rates, or the derivatives of both, without the momenta of what is held: see
+/// [`Canonical::canonical_in`](crate::Canonical::canonical_in).
+#[inline(never)]
+pub(crate) fn reduced<T: Real, const N: usize, const K: usize>(
+    system: &dyn Hybrid<T, N>,
+    held: u8,
+    x: &SMatrix<T, N, K>,
+    (mut variables, mut rates): (SMatrix<T, N, K>, SMatrix<T, N, K>),
+) -> (SMatrix<T, N, K>, SMatrix<T, N, K>) {
+    let constraints = system.constraints();
+    // from the last on: what follows from others may itself be one that others follow from
+    for n in (0..constraints.len()).rev().filter(|n| held & 1 << n != 0) {
+        let Some((&(last, sign), others)) = constraints[n].rate.split_last() else {
+            continue;
+        };
+        for column in 0..K {
+            for of_momenta in [&mut variables, &mut rates] {
+                for &(other, its) in others {
+                    let follows = T::from_f64(-f64::from(its * sign)) * of_momenta[(last, column)];
+                    of_momenta[(other, column)] += follows;
+                }
+            }
+        }
+    }
+    for n in bits(held) {
+        let Some(&(last, _)) = constraints[n].rate.last() else {
+            continue;
+        };
+        for column in 0..K {
+            let rate = constraints[n]
+                .rate
+                .iter()
+                .map(|&(at, sign)| T::from_f64(f64::from(sign)) * x[(at, column)]);
+            variables[(last, column)] = rate.fold(T::default(), |sum, term| sum + term);
+            rates[(last, column)] = T::default();
+        }
+    }
+    (variables, rates)
 }
 
 /// Adds what forces along some constraints do.

@@ -3,6 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::MOST;
+use super::held::pin;
 use super::mode::{Hold, Mode};
 use super::watch::Fired;
 use crate::layout::StateLayout;
@@ -31,6 +32,19 @@ impl<'a, S: ?Sized, T> InMode<'a, S, T> {
     #[inline(always)]
     pub(crate) fn parts(&self) -> (&'a S, &'a Hold<T>) {
         (self.system, self.hold)
+    }
+}
+
+impl<S: ?Sized, T: Real> InMode<'_, S, T> {
+    /// Makes the rates of what is held zero, exactly, in a state.
+    #[inline(always)]
+    pub(crate) fn pin<const N: usize>(&self, x: &mut SVector<T, N>)
+    where
+        S: System<T, N>,
+    {
+        if let Some(hybrid) = self.system.hybrid() {
+            pin(hybrid, self.hold.held, x);
+        }
     }
 }
 
@@ -69,7 +83,7 @@ impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for InMode<
     }
 }
 
-impl<S: Jacobian<T, N> + ?Sized, T: Real, const N: usize> Jacobian<T, N> for InMode<'_, S, T> {
+impl<S: Jacobian<T, N> + ?Sized, T: Lanes, const N: usize> Jacobian<T, N> for InMode<'_, S, T> {
     #[inline(always)]
     fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
         self.system.jacobian_in(self.hold, t, x)
@@ -92,12 +106,12 @@ impl<S: Jacobian<T, N> + ?Sized, T: Real, const N: usize> Jacobian<T, N> for InM
 impl<S: Canonical<T, N> + ?Sized, T: Real, const N: usize> Canonical<T, N> for InMode<'_, S, T> {
     #[inline(always)]
     fn canonical(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>) {
-        self.system.canonical(t, x)
+        self.system.canonical_in(self.hold, t, x)
     }
 
     #[inline(always)]
     fn canonical_jacobian(&self, t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>) {
-        self.system.canonical_jacobian(t, x)
+        self.system.canonical_jacobian_in(self.hold, t, x)
     }
 }
 
@@ -111,6 +125,6 @@ impl<S: TaylorSeries<T, N> + ?Sized, T: Real, const N: usize> TaylorSeries<T, N>
 
     #[inline(always)]
     fn series(&self, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace) {
-        self.system.series(t, x, work);
+        self.system.series_in(self.hold, t, x, work);
     }
 }

@@ -85,14 +85,15 @@ mod watch;
 use nalgebra::{SMatrix, SVector};
 
 use crate::real::Real;
+use crate::real::lanes::Lanes;
 use crate::system::System;
 
 #[cfg(feature = "std")]
 pub(crate) use complementarity::independent;
-pub(crate) use held::called;
 #[cfg(feature = "std")]
 pub(crate) use held::forces;
-pub use held::{jacobian, rhs, rhs_and_jacobian, time_derivative};
+pub use held::{HeldSeries, jacobian, rhs, rhs_and_jacobian, time_derivative};
+pub(crate) use held::{called, pressing, reduced};
 pub use in_mode::{InMode, Passage};
 #[cfg(feature = "std")]
 pub(crate) use mode::set_of;
@@ -162,7 +163,9 @@ pub trait HybridJacobian<T: Real, const N: usize>: Hybrid<T, N> {
     fn rhs_and_jacobian_under(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> (SVector<T, N>, SMatrix<T, N, N>);
 
     /// [`Hybrid::response`] with its derivatives, the forces held fixed.
-    fn response_derivative(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> ResponseDerivative<T, N>;
+    fn response_derivative(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> ResponseDerivative<T, N>
+    where
+        T: Lanes;
 
     /// The derivatives of [`Hybrid::measures`].
     fn measure_derivatives(&self, t: T, x: &SVector<T, N>) -> MeasureDerivatives<T, N>;

@@ -13,6 +13,7 @@ use crate::method::{MAX_DEGREE, dip, first_zero, places, root};
 use crate::real::Float;
 use crate::real::lanes::Lanes;
 use crate::statistics::Statistics;
+use crate::taylor::MAX_ORDER;
 
 /// How a constraint may end a mode: by each of three functions that are positive as long as the mode lasts.
 pub(super) const WAYS: usize = 3;
@@ -681,9 +682,23 @@ fn least<V: Lanes, const N: usize>(
     (constraint, way): (&Constraint, usize),
     terms: &[SVector<V, N>],
 ) -> V {
+    if terms.len() <= MAX_DEGREE {
+        least_of::<V, N, { MAX_DEGREE + 1 }>((value, sign), (constraint, way), terms)
+    } else {
+        least_of::<V, N, { MAX_ORDER + 1 }>((value, sign), (constraint, way), terms)
+    }
+}
+
+/// [`least`] of a polynomial of so many coefficients at most.
+#[inline(always)]
+fn least_of<V: Lanes, const N: usize, const MOST_TERMS: usize>(
+    (value, sign): (V, V),
+    (constraint, way): (&Constraint, usize),
+    terms: &[SVector<V, N>],
+) -> V {
     let degree = terms.len();
     let back = if way == FORWARD { 0 } else { N / 2 };
-    let mut sums = [V::default(); MAX_DEGREE + 1];
+    let mut sums = [V::default(); MOST_TERMS];
     sums[0] = value;
     let (mut size, mut choices) = (V::default(), 1.0);
     for (power, term) in terms.iter().enumerate() {

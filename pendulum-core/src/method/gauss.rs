@@ -158,7 +158,7 @@ where
     #[inline]
     fn solve<S: Canonical<T, N> + ?Sized>(
         &self,
-        system: &S,
+        system: &InMode<'_, S, T>,
         (t, x): (T, &SVector<T, N>),
         h: T,
         work: &mut Statistics,
@@ -214,6 +214,7 @@ where
             before = change;
             for (stage, change) in stages.iter_mut().zip(&changes) {
                 *stage += change;
+                system.pin(stage);
             }
         }
         Err(Stalled)
@@ -274,6 +275,7 @@ where
         work.factorizations += 1;
         self.tried = (Point { y, lost }, stages);
         *x_new = nearby + SVector::from(change);
+        system.pin(x_new);
         Ok(T::default())
     }
 

@@ -118,6 +118,7 @@ where
             order,
             isa: Isa::for_scalars(),
             current: 0,
+            from: 0,
             x: [[zero; MAX_ORDER + 1]; 2],
             coefficients: [zero; MAX_ORDER],
             work: system.workspace(),
@@ -225,6 +226,8 @@ pub struct TaylorStages<W, T, const N: usize> {
     /// The series of the point reached, and beside it that of the point where the last step started, or where a step
     /// was tried to.
     current: usize,
+    /// Which of the two the step that was tried last started from.
+    from: usize,
     x: [[SVector<T, N>; MAX_ORDER + 1]; 2],
     /// The dense output.
     coefficients: [SVector<T, N>; MAX_ORDER],
@@ -297,6 +300,7 @@ where
         work: &mut Statistics,
     ) -> Result<T, Stalled> {
         let (h, other) = (t_new - t, 1 - self.current);
+        self.from = self.current;
         *x_new = polynomial(x, &self.series(self.current)[1..], h);
         self.find(other, system, (t_new, x_new), work);
         Ok(match &self.tolerance {
@@ -333,7 +337,7 @@ where
     fn dense(&mut self, _system: &InMode<'_, S, T>, step: &Step<T, N>, _work: &mut Statistics) -> &[SVector<T, N>] {
         let mut power = T::from_f64(1.0);
         let start = if const { T::LANES == 1 } {
-            1 - self.current
+            self.from
         } else {
             self.current
         };

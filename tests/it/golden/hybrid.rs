@@ -607,7 +607,10 @@ k4 = 1/m
             hold: &::pendulum_core::hybrid::Hold<T>,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-        ) -> ::pendulum_core::nalgebra::SMatrix<T, 2, 2> {
+        ) -> ::pendulum_core::nalgebra::SMatrix<T, 2, 2>
+        where
+            T: ::pendulum_core::Float,
+        {
             ::pendulum_core::hybrid::jacobian(self, hold, t, x)
         }
         #[inline]
@@ -619,7 +622,10 @@ k4 = 1/m
         ) -> (
             ::pendulum_core::nalgebra::SVector<T, 2>,
             ::pendulum_core::nalgebra::SMatrix<T, 2, 2>,
-        ) {
+        )
+        where
+            T: ::pendulum_core::Float,
+        {
             ::pendulum_core::hybrid::rhs_and_jacobian(self, hold, t, x)
         }
         #[inline]

@@ -54,6 +54,8 @@ impl Scene<'_> {
             Variable::Series(Coefficient::State(n)) => listed("x", n, "series[k]"),
             Variable::Series(Coefficient::Sum(n)) => listed("s", n, "sums"),
             Variable::Series(Coefficient::Kept(n)) => listed("h", n, "kept"),
+            // forces are constant
+            Variable::Series(Coefficient::Force(n)) => (format!("force{n}"), "0.0".to_owned()),
         }
     }
 

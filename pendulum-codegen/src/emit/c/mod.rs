@@ -66,6 +66,16 @@ impl<'p> Scene<'p> {
             ("constants", length(program.constants_text.len())),
             ("products", length(series.map_or(0, |series| series.products))),
             ("kept", length(series.map_or(0, |series| series.kept))),
+            ("forces", self.forces()),
+            (
+                "constant",
+                if self.forces().is_empty() {
+                    ""
+                } else {
+                    ", under constant forces"
+                }
+                .to_owned(),
+            ),
         ];
         template::fill(template, &[&own, values].concat())
     }

@@ -39,7 +39,7 @@ impl Scene<'_> {
     fn prototype(&self, routine: &Routine) -> String {
         let arguments = routine.arguments.iter().map(|argument| match argument {
             Argument::Inputs => ", const @name@_inputs *u".to_owned(),
-            Argument::Forces => format!(", const double forces[{}]", self.program.constraints.len()),
+            Argument::Forces => self.forces(),
             Argument::Accelerations => format!(", const double qdd[{}]", self.program.layout.dof()),
         });
         let results = outs(routine).map(|(out, shape)| match shape {
@@ -53,12 +53,25 @@ impl Scene<'_> {
         self.fill(&prototype, &[]).trim_end().to_owned()
     }
 
+    /// The argument for the forces along what hinders the motion; nothing where there are none.
+    pub(super) fn forces(&self) -> String {
+        match self.program.constraints.len() {
+            0 => String::new(),
+            constraints => format!(", const double forces[{constraints}]"),
+        }
+    }
+
     fn series(&self, series: &Series, calls: &mut Calls) -> String {
         let (start, results) = self.code(&series.start, calls);
         let (rates, kept) = results.split_at(self.program.layout.len());
         let rates = statements(rates, |n| format!("series[1][{n}]"));
         let start = start + &rates + &statements(kept, |n| format!("kept[{n}]"));
-        let (order, results) = self.code(&series.order, calls);
+        // forces along what hinders the motion are constant, so there is nothing to wait for
+        let mut order = series.before.clone();
+        order.lets.extend(series.order.lets.iter().cloned());
+        order.names.clone_from(&series.order.names);
+        order.results.clone_from(&series.order.results);
+        let (order, results) = self.code(&order, calls);
         let (rates, sides) = results.split_at(self.program.layout.len());
         let (left, right) = sides.split_at(series.products);
         let left = statements(left, |n| format!("left[{n}]"));

@@ -44,6 +44,7 @@ impl Names<'_> {
                 Coefficient::State(n) => local(&format!("x{n}")),
                 Coefficient::Sum(n) => local(&format!("s{n}")),
                 Coefficient::Kept(n) => local(&format!("h{n}")),
+                Coefficient::Force(n) => local(&format!("force{n}")),
             },
         }
     }

@@ -1,6 +1,6 @@
 //! Models whose motion something hinders.
 
-use proc_macro2::{Literal, TokenStream};
+use proc_macro2::{Ident, Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 use super::block::Piece;
@@ -10,7 +10,7 @@ use super::{Items, count};
 use crate::program::{Constraint, Routine, Shape};
 
 impl Items<'_> {
-    /// The motion in all its modes.
+    /// The motion in all its modes, of a scene without inputs.
     pub(super) fn hybrid(&self) -> Option<TokenStream> {
         let (inline, length, layout) = (inlined_into_lanes(), self.length(), self.layout());
         let core = quote!(::pendulum_core::hybrid);
@@ -37,21 +37,7 @@ impl Items<'_> {
             }
         };
         let system = self.implement(Some(self.named("System")), &system);
-        let [constraints, laws, measures] = [self.constraint_list(), self.laws(), self.measures()?];
-        let response = self.of_response(self.program.routine("response")?, |values| self.response(values));
-        let of_modes = quote! {
-            #[inline]
-            fn constraints(&self) -> &'static [#core::Constraint] {
-                const { &[#constraints] }
-            }
-            #[inline]
-            fn laws(&self) -> [#core::Law<T>; #core::MOST] #laws
-            #[inline]
-            fn measures(&self, t: T, x: &#vector) -> [[T; 2]; #core::MOST] #measures
-            #[inline]
-            #response
-        };
-        let of_modes = self.implement(Some(quote!(#core::Hybrid<T, #length>)), &of_modes);
+        let of_modes = self.implement(Some(quote!(#core::Hybrid<T, #length>)), &self.modes()?);
         let jacobian = self.hybrid_jacobian(&hold);
         Some(quote!(#system #of_modes #jacobian))
     }
@@ -59,13 +45,14 @@ impl Items<'_> {
     /// The derivatives in all modes, if the scene asks for them.
     fn hybrid_jacobian(&self, hold: &TokenStream) -> Option<TokenStream> {
         let (core, length, friction) = (quote!(::pendulum_core::hybrid), self.length(), self.friction());
-        let (jacobian, derivative) = (
-            self.program.routine("jacobian")?,
-            self.program.routine("response_derivative")?,
-        );
+        let jacobian = self.program.routine("jacobian")?;
         let [vector, matrix] = [0, 1].map(|n| self.shape(jacobian.shapes[n]));
         let given = quote!(&self, t: T, x: &#vector);
         let by_time = self.time_derivative("time_derivative", &given, friction.clone());
+        let of_lanes = quote! {
+            where
+                T: ::pendulum_core::real::lanes::Lanes,
+        };
         let functions = quote! {
             #[inline]
             fn jacobian(#given) -> #matrix {
@@ -83,45 +70,112 @@ impl Items<'_> {
                 Some(self)
             }
             #[inline]
-            fn jacobian_in(#hold) -> #matrix {
+            fn jacobian_in(#hold) -> #matrix
+            #of_lanes
+            {
                 #core::jacobian(self, hold, t, x)
             }
             #[inline]
-            fn rhs_and_jacobian_in(#hold) -> (#vector, #matrix) {
+            fn rhs_and_jacobian_in(#hold) -> (#vector, #matrix)
+            #of_lanes
+            {
                 #core::rhs_and_jacobian(self, hold, t, x)
             }
             #[inline]
-            fn time_derivative_in(#hold) -> #vector {
+            fn time_derivative_in(#hold) -> #vector
+            #of_lanes
+            {
                 #core::time_derivative(self, hold, t, x)
             }
         };
         let of_system = self.implement(Some(self.named("Jacobian")), &functions);
-        let both = self.function(&format_ident!("rhs_and_jacobian_under"), jacobian);
+        let functions = self.derivatives_of_modes()?;
+        let of_modes = self.implement(Some(quote!(#core::HybridJacobian<T, #length>)), &functions);
+        Some(quote!(#of_system #of_modes))
+    }
+
+    /// What hinders the motion, and what forces along it do: methods of `Hybrid`, or of `Controlled` with inputs.
+    pub(super) fn modes(&self) -> Option<TokenStream> {
+        let core = quote!(::pendulum_core::hybrid);
+        let vector = self.shape(Shape::Vector(self.program.layout.len()));
+        let [constraints, laws, measures] = [self.constraint_list(), self.laws(), self.measures()?];
+        let response = self.of_response(self.program.routine("response")?, |values| self.response(values));
+        Some(quote! {
+            #[inline]
+            fn constraints(&self) -> &'static [#core::Constraint] {
+                const { &[#constraints] }
+            }
+            #[inline]
+            fn laws(&self) -> [#core::Law<T>; #core::MOST] #laws
+            #[inline]
+            fn measures(&self, t: T, x: &#vector) -> [[T; 2]; #core::MOST] #measures
+            #[inline]
+            #response
+        })
+    }
+
+    /// The derivatives of these, if the scene has them: methods of `HybridJacobian`, or of `Controlled` with inputs.
+    pub(super) fn derivatives_of_modes(&self) -> Option<TokenStream> {
+        let (core, length) = (quote!(::pendulum_core::hybrid), self.length());
+        let vector = self.shape(Shape::Vector(self.program.layout.len()));
+        let name = self.under_inputs("rhs_and_jacobian_under");
+        let both = self.function(&name, self.program.routine("jacobian")?);
+        let derivative = self.program.routine("response_derivative")?;
         let derivative = self.of_response(derivative, |values| self.response_derivative(values));
         let of_measures = self.measure_derivatives()?;
         let of_measures = quote! {
             #[inline]
             fn measure_derivatives(&self, t: T, x: &#vector) -> #core::MeasureDerivatives<T, #length> #of_measures
         };
-        let functions = quote!(#[inline] #both #[inline] #derivative #of_measures);
-        let of_modes = self.implement(Some(quote!(#core::HybridJacobian<T, #length>)), &functions);
-        Some(quote!(#of_system #of_modes))
+        Some(quote!(#[inline] #both #[inline] #derivative #of_measures))
+    }
+
+    /// The name that a function has in the trait that takes the inputs, where there are any.
+    fn under_inputs(&self, name: &str) -> Ident {
+        let suffix = if self.program.inputs.is_empty() { "" } else { "_with" };
+        format_ident!("{name}{suffix}")
+    }
+
+    /// The canonical equations under forces along what hinders the motion, if the scene asks for them.
+    pub(super) fn canonical_under(&self) -> Option<TokenStream> {
+        let friction = self.friction();
+        let vector = self.shape(Shape::Vector(self.program.layout.len()));
+        let functions = ["canonical", "canonical_jacobian"].map(|name| {
+            let routine = self.program.routine(name)?;
+            let (name, under) = (format_ident!("{name}"), format_ident!("{name}_under"));
+            let [one, other] = [0, 1].map(|n| self.shape(routine.shapes[n]));
+            let function = self.function(&under, routine);
+            Some(quote! {
+                #[inline]
+                fn #name(&self, t: T, x: &#vector) -> (#one, #other) {
+                    #friction
+                    self.#under(t, x, &forces)
+                }
+                #[inline]
+                #function
+            })
+        });
+        let functions: Option<TokenStream> = functions.into_iter().collect();
+        Some(self.implement(Some(self.named("Canonical")), &functions?))
     }
 
     /// A statement for the forces where friction acts by the sign of each rate, and nothing else does.
-    fn friction(&self) -> TokenStream {
-        let (core, length, count) = (
-            quote!(::pendulum_core::hybrid),
-            self.length(),
-            count(self.program.constraints.len()),
-        );
+    pub(super) fn friction(&self) -> TokenStream {
+        let (length, constraints) = (self.length(), count(self.program.constraints.len()));
+        let of_trait = match self.program.inputs.len() {
+            0 => quote!(::pendulum_core::hybrid::Hybrid::<T, #length>),
+            inputs => {
+                let inputs = count(inputs);
+                quote!(::pendulum_core::Controlled::<T, #length, #inputs>)
+            }
+        };
         quote! {
             let (laws, measures) = (
-                #core::Hybrid::<T, #length>::laws(self),
-                #core::Hybrid::<T, #length>::measures(self, t, x),
+                #of_trait::laws(self),
+                #of_trait::measures(self, t, x),
             );
-            let mut forces = [T::from_f64(0.0); #core::MOST];
-            for n in 0..#count {
+            let mut forces = [T::from_f64(0.0); ::pendulum_core::hybrid::MOST];
+            for n in 0..#constraints {
                 forces[n] = -laws[n].slipping * measures[n][1].signum();
             }
         }
@@ -225,13 +279,11 @@ impl Items<'_> {
     fn of_response(&self, routine: &Routine, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
         let (arguments, length) = (self.arguments(routine), self.length());
         let core = quote!(::pendulum_core::hybrid);
-        let (name, output) = match routine.name.as_str() {
-            "response" => (quote!(response), quote!(#core::Response<T, #length>)),
-            _ => (
-                quote!(response_derivative),
-                quote!(#core::ResponseDerivative<T, #length>),
-            ),
+        let output = match routine.name.as_str() {
+            "response" => quote!(#core::Response<T, #length>),
+            _ => quote!(#core::ResponseDerivative<T, #length>),
         };
+        let name = self.under_inputs(&routine.name);
         let block = self.block(&routine.block, result);
         quote!(fn #name(#arguments) -> #output #block)
     }

@@ -29,14 +29,18 @@ pub(super) fn is_inherent(name: &str) -> bool {
 impl Items<'_> {
     /// The implementations of the traits, and the methods beside them.
     pub(super) fn routines(&self) -> TokenStream {
-        let motion = if !self.program.constraints.is_empty() {
-            self.hybrid()
-        } else if self.program.inputs.is_empty() {
+        let motion = if !self.program.inputs.is_empty() {
+            self.controlled()
+        } else if self.program.constraints.is_empty() {
             self.system()
         } else {
-            self.controlled()
+            self.hybrid()
         };
-        let canonical = self.of_trait("Canonical");
+        let canonical = if self.program.constraints.is_empty() {
+            self.of_trait("Canonical")
+        } else {
+            self.canonical_under()
+        };
         let energy = self.of_trait("Energy");
         [motion, canonical, energy, self.inherent()]
             .into_iter()
@@ -130,20 +134,42 @@ impl Items<'_> {
 
     fn controlled(&self) -> Option<TokenStream> {
         let (rhs, jacobian) = (self.program.routine("rhs")?, self.program.routine("jacobian")?);
-        let (length, inputs) = (self.length(), count(self.program.inputs.len()));
-        let (name, arguments, matrix) = (
-            self.inputs_name(),
-            self.arguments(jacobian),
-            self.shape(jacobian.shapes[1]),
-        );
+        let (inline, length, inputs) = (inlined_into_lanes(), self.length(), count(self.program.inputs.len()));
+        let (name, matrix) = (self.inputs_name(), self.shape(jacobian.shapes[1]));
         let vector = self.shape(jacobian.shapes[0]);
-        let rhs = self.function(&format_ident!("rhs_with"), rhs);
-        let both = self.function(&format_ident!("rhs_and_jacobian_with"), jacobian);
+        let arguments = quote!(&self, t: T, x: &#vector, u: &#name<T>);
         let by_inputs = self.function(
             &format_ident!("input_jacobian"),
             self.program.routine("input_jacobian")?,
         );
-        let by_time = self.time_derivative("time_derivative_with", &arguments, TokenStream::new());
+        let is_hybrid = !self.program.constraints.is_empty();
+        let friction = is_hybrid.then(|| self.friction()).unwrap_or_default();
+        let by_time = self.time_derivative("time_derivative_with", &arguments, friction.clone());
+        let [rhs, both] = if is_hybrid {
+            let rhs_under = self.function(&format_ident!("rhs_under_with"), rhs);
+            let (modes, derivatives) = (self.modes()?, self.derivatives_of_modes()?);
+            [
+                quote! {
+                    fn rhs_with(#arguments) -> #vector {
+                        #friction
+                        self.rhs_under_with(t, x, u, &forces)
+                    }
+                    #inline
+                    #rhs_under
+                    #modes
+                },
+                quote! {
+                    fn rhs_and_jacobian_with(#arguments) -> (#vector, #matrix) {
+                        #friction
+                        self.rhs_and_jacobian_under_with(t, x, u, &forces)
+                    }
+                    #derivatives
+                },
+            ]
+        } else {
+            [("rhs_with", rhs), ("rhs_and_jacobian_with", jacobian)]
+                .map(|(name, routine)| self.function(&format_ident!("{name}"), routine))
+        };
         let functions = quote! {
             type Inputs = #name<T>;
             #[inline]

@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, TokenStream};
 use quote::quote;
 
-use super::block::local;
+use super::block::{Piece, local};
 use super::lanes::inlined_into_lanes;
 use super::{Items, allowed, count};
 use crate::expr::Precedence;
@@ -18,6 +18,7 @@ impl Items<'_> {
         let (real, core) = (quote!(::pendulum_core::real::Real), quote!(::pendulum_core::taylor));
         let vector = quote!(::pendulum_core::nalgebra::SVector<T, #length>);
         let (start, orders) = (self.start(series), self.orders(series));
+        let [arguments, of_modes, of_all_modes] = self.series_in_modes();
         Some(quote! {
             #allowed
             impl<T: #real> #core::TaylorSeries<T, #length> for #name<T> {
@@ -26,8 +27,9 @@ impl Items<'_> {
                 fn workspace(&self) -> Self::Workspace {
                     #core::Products::new()
                 }
+                #of_modes
                 #inline
-                fn series(&self, t: T, x: &mut [#vector], work: &mut Self::Workspace) {
+                fn #arguments {
                     if x.len() < 2 {
                         return;
                     }
@@ -46,8 +48,49 @@ impl Items<'_> {
                 fn series<T: #real>(system: &#name<T>, t: T, x: &mut [#vector], work: &mut #core::Products<T, #slots>) {
                     #core::TaylorSeries::series(system, t, x, work);
                 }
+                #of_all_modes
             }
         })
+    }
+
+    /// The head of the function that computes the series, and where something hinders the motion those beside it: the
+    /// series where friction acts by the sign of each rate, and that in a mode for `CastTaylor`.
+    fn series_in_modes(&self) -> [TokenStream; 3] {
+        let (name, length) = (&self.head.name, self.length());
+        let vector = quote!(::pendulum_core::nalgebra::SVector<T, #length>);
+        let hold = quote!(::pendulum_core::hybrid::Hold<T>);
+        let given = quote!(t: T, x: &mut [#vector], work: &mut Self::Workspace);
+        if self.program.constraints.is_empty() {
+            return [quote!(series(&self, #given)), TokenStream::new(), TokenStream::new()];
+        }
+        let (friction, inline) = (self.friction(), inlined_into_lanes());
+        [
+            quote!(series_in(&self, hold: &#hold, #given)),
+            quote! {
+                #inline
+                fn series(&self, #given) {
+                    let forces = {
+                        let Some(x) = x.first() else { return };
+                        #friction
+                        forces
+                    };
+                    let hold = ::pendulum_core::hybrid::Hold { forces, ..::core::default::Default::default() };
+                    self.series_in(&hold, t, x, work);
+                }
+            },
+            quote! {
+                #inline
+                fn series_in<T: ::pendulum_core::real::Real>(
+                    system: &#name<T>,
+                    hold: &#hold,
+                    t: T,
+                    x: &mut [#vector],
+                    work: &mut Self::Workspace<T>,
+                ) {
+                    ::pendulum_core::taylor::TaylorSeries::series_in(system, hold, t, x, work);
+                }
+            },
+        ]
     }
 
     /// Order 0, which gives the state of order 1 and what the orders beyond have in common.
@@ -56,12 +99,22 @@ impl Items<'_> {
         let rates: Vec<Ident> = (0..length).map(|n| local(&format!("a{n}"))).collect();
         let kept = self.all(series.kept, Coefficient::Kept);
         let block = self.block(&series.start, |values| quote!((#(#values,)*)));
+        let is_hybrid = !self.program.constraints.is_empty();
+        let held = is_hybrid.then(|| {
+            quote! {
+                let held = ::pendulum_core::hybrid::HeldSeries::new(self, hold, t, &x[0]);
+                let forces = &held.forces;
+            }
+        });
+        let pin = is_hybrid.then(|| quote!(held.pin(self, &mut x[1]);));
         quote! {
+            #held
             let (#(#rates,)* #(#kept,)*) = {
                 let x = &x[0];
                 #block
             };
             x[1] = ::pendulum_core::nalgebra::SVector::from([#(#rates),*]);
+            #pin
         }
     }
 
@@ -74,7 +127,10 @@ impl Items<'_> {
             self.all(length, Coefficient::State),
             self.all(series.products, Coefficient::Sum),
         );
-        let reads = series.order.reads();
+        let mut reads = series.order.reads();
+        reads.extend(series.before.reads());
+        let is_hybrid = !self.program.constraints.is_empty();
+        let pin = is_hybrid.then(|| quote!(held.pin(self, &mut x[k + 1]);));
         let reads_time = reads.contains(&Variable::Series(Coefficient::Time));
         let time = reads_time.then(|| quote!(let #time = T::from_f64(if k == 1 { 1.0 } else { 0.0 });));
         let head = self.constants(&reads);
@@ -87,8 +143,10 @@ impl Items<'_> {
                 newest.push(k, left, right);
                 work.set(k, left, right);
                 x[k + 1] = ::pendulum_core::nalgebra::SVector::from([#(#rates * over_next),*]);
+                #pin
             }
         });
+        let before = self.names().code(&series.before, |values| self.next_forces(values));
         quote! {
             #head
             let mut over_next = T::from_f64(1.0);
@@ -100,8 +158,26 @@ impl Items<'_> {
                 #time
                 let [#(#sums),*] = newest.add(work.sums(k));
                 let [#(#state),*] = x[k].data.0[0];
+                #before
                 #code
             }
+        }
+    }
+
+    /// A statement for the coefficients of the forces along what hinders the motion, from those of its second
+    /// derivatives without them.
+    fn next_forces(&self, values: &[Piece]) -> TokenStream {
+        let constraints = self.program.constraints.len();
+        if constraints == 0 {
+            return TokenStream::new();
+        }
+        let accelerations = &values[..constraints];
+        let forces = self.all(constraints, Coefficient::Force);
+        let number = (0..constraints).map(count);
+        quote! {
+            let mut accelerations = [T::from_f64(0.0); ::pendulum_core::hybrid::MOST];
+            #(accelerations[#number] = #accelerations;)*
+            let [#(#forces,)* ..] = held.next(&accelerations);
         }
     }
 

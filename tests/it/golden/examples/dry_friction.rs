@@ -700,7 +700,10 @@ k5 = 3*gamma
             hold: &::pendulum_core::hybrid::Hold<T>,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 4>,
-        ) -> ::pendulum_core::nalgebra::SMatrix<T, 4, 4> {
+        ) -> ::pendulum_core::nalgebra::SMatrix<T, 4, 4>
+        where
+            T: ::pendulum_core::Float,
+        {
             ::pendulum_core::hybrid::jacobian(self, hold, t, x)
         }
         #[inline]
@@ -712,7 +715,10 @@ k5 = 3*gamma
         ) -> (
             ::pendulum_core::nalgebra::SVector<T, 4>,
             ::pendulum_core::nalgebra::SMatrix<T, 4, 4>,
-        ) {
+        )
+        where
+            T: ::pendulum_core::Float,
+        {
             ::pendulum_core::hybrid::rhs_and_jacobian(self, hold, t, x)
         }
         #[inline]

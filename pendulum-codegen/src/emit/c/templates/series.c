@@ -20,7 +20,7 @@ static void pendulum_sums(size_t k, size_t products, const double *left, const d
     }
 }
 
-int @name@_series(const @name@_model *model, double t, double series[][@length@], size_t order, @name@_work *work) {
+int @name@_series(const @name@_model *model, double t, double series[][@length@], size_t order, @name@_work *work@forces@) {
     double sums[@products@], kept[@kept@];
     if (order > @NAME@_MAX_ORDER) return 1;
     if (order == 0) return 0;
