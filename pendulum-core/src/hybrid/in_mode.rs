@@ -3,8 +3,8 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::MOST;
+use super::functions::Fired;
 use super::mode::{Hold, Mode};
-use super::watch::Fired;
 use crate::layout::StateLayout;
 use crate::real::{Float, Real};
 use crate::system::{Canonical, Jacobian, System};

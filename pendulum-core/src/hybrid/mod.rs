@@ -73,8 +73,11 @@
 //! # Ok::<(), pendulum_core::SolveError<f64, 2>>(())
 //! ```
 
+mod bounds;
 mod complementarity;
+mod functions;
 mod held;
+mod impact;
 mod in_mode;
 mod mode;
 #[cfg(feature = "std")]
@@ -88,11 +91,15 @@ use crate::real::Real;
 use crate::system::System;
 
 #[cfg(feature = "std")]
+pub(crate) use bounds::room;
+#[cfg(feature = "std")]
 pub(crate) use complementarity::independent;
+pub(crate) use functions::Fired;
 pub(crate) use held::called;
 #[cfg(feature = "std")]
 pub(crate) use held::forces;
 pub use held::{jacobian, rhs, rhs_and_jacobian, time_derivative};
+pub use impact::Impact;
 pub use in_mode::{InMode, Passage};
 #[cfg(feature = "std")]
 pub(crate) use mode::set_of;
@@ -102,9 +109,7 @@ pub(crate) use saltation::{hold_tangents, saltation};
 #[cfg(feature = "std")]
 pub(crate) use switch::rate;
 pub(crate) use switch::{Settled, project, start, switch};
-#[cfg(feature = "std")]
-pub(crate) use watch::room;
-pub(crate) use watch::{Fired, Watch};
+pub(crate) use watch::Watch;
 
 /// The most constraints of a system.
 pub const MOST: usize = 8;

@@ -42,7 +42,7 @@ use crate::tableau::{self, DormandPrince5, Kutta4, Tsitouras5, Verner7, Verner9}
 
 pub(crate) use explicit::MAX_DEGREE;
 pub(crate) use input::require;
-pub(crate) use zero::{dip, first_zero, places, root};
+pub(crate) use zero::{Known, dip, first_zero, places, root, unseen_bend};
 #[cfg(feature = "std")]
 pub(crate) use {
     grid::Grid,
@@ -122,7 +122,7 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
     {
         let x0 = x0.into_state();
         match self.stepper(system, t0, t1, x0) {
-            Ok(stepper) => watch::collect(stepper, events),
+            Ok(stepper) => watch::collect(stepper, x0, events),
             Err(reason) => Err(SolveError::at_start(reason, t0, x0)),
         }
     }
