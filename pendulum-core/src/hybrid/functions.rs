@@ -21,6 +21,8 @@ pub(super) const BACKWARD: usize = 1;
 /// The distance from the upper limit.
 pub(super) const UPPER: usize = 2;
 
+/// Ends of modes within this many ulps of the time are simultaneous.
+const SIMULTANEOUS_ULPS: f64 = 4.0;
 /// An acceleration that is this part of the one at the end of a step, or less, may be a rounding error.
 const LEAST_ACCELERATION: f64 = 1e-6;
 
@@ -152,11 +154,12 @@ impl<'a, T: Float, const N: usize> Scene<'a, T, N> {
         let [before, after] = [last, here].map(|place| (place.theta, place.values[n][way] + noise));
         let ends = after.1 < zero && !(is_gap && theta != T::from_f64(1.0) && leaves());
         ends.then(|| {
-            if is_rate || last.theta == zero && before.1 <= zero {
+            let is_start = last.theta == zero;
+            if is_rate || is_gap && is_start && before.1 <= zero {
                 theta
             } else if before.1 <= zero {
-                // since there it has not seemed to leave
-                last.theta
+                // since there it has not seemed to leave, or gives way
+                last.theta.max(resolution(self.dense, self.dense.step().t0))
             } else {
                 let function = |theta: T| {
                     let (t, x) = self.at(theta);
@@ -349,4 +352,10 @@ fn rates_at_rest<T: Float, const N: usize>(system: &dyn Hybrid<T, N>, t: T, x: &
     let mut at_rest = *x;
     at_rest.iter_mut().skip(N / 2).for_each(|rate| *rate = T::default());
     system.measures(t, &at_rest).map(|[_, rate]| rate)
+}
+
+/// Within what part of a step ends of modes are simultaneous.
+pub(super) fn resolution<T: Float, const N: usize>(dense: &Dense<'_, T, N>, t: T) -> T {
+    let h = dense.step().h.abs();
+    T::from_f64(SIMULTANEOUS_ULPS) * T::EPSILON * t.abs().max(h) / h
 }

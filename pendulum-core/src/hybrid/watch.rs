@@ -1,6 +1,6 @@
 //! The search for the end of a mode within a step.
 
-use super::functions::{BACKWARD, FORWARD, Fired, Place, Scene, UPPER, Values, sizes};
+use super::functions::{BACKWARD, FORWARD, Fired, Place, Scene, UPPER, Values, resolution, sizes};
 use super::mode::{Hold, Mode, Status};
 use super::{Hybrid, Law, MOST};
 use crate::dense::Dense;
@@ -10,8 +10,6 @@ use crate::real::Float;
 use crate::real::lanes::Lanes;
 use crate::statistics::Statistics;
 
-/// Ends of modes within this many ulps of the time are simultaneous.
-const SIMULTANEOUS_ULPS: f64 = 4.0;
 /// What leaves a limit has left it beyond this many ulps of the size of all positions.
 const NOISE_ULPS: f64 = 16.0;
 
@@ -336,12 +334,6 @@ fn note_near<T: Float>(reach: &mut T, near: T) {
     if near > *reach && near < T::from_f64(f64::INFINITY) {
         *reach = near;
     }
-}
-
-/// Within what part of a step ends of modes are simultaneous.
-fn resolution<T: Float, const N: usize>(dense: &Dense<'_, T, N>, t: T) -> T {
-    let h = dense.step().h.abs();
-    T::from_f64(SIMULTANEOUS_ULPS) * T::EPSILON * t.abs().max(h) / h
 }
 
 /// What ends a mode first, and where in fractions of the step, after one more that may.
