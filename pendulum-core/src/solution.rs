@@ -8,7 +8,7 @@ use nalgebra::SVector;
 use crate::dense::{Dense, polynomial};
 use crate::error::debug_as_display;
 use crate::event::Occurrence;
-use crate::hybrid::Mode;
+use crate::hybrid::{Impact, Mode};
 use crate::real::Float;
 
 pub use crate::statistics::Statistics;
@@ -16,8 +16,8 @@ pub use crate::statistics::Statistics;
 /// A trajectory: the accepted points, and dense output between them.
 ///
 /// There is always at least one point, the initial one; it stays alone if the integration was asked to end where it starts.
-/// Times ascend, or descend if it went backward in time; where an event reset the state, a time stands twice, with the states before and
-/// after.
+/// Times ascend, or descend if it went backward in time; where an event reset the state, and at an impact, a time stands
+/// twice, with the states before and after.
 #[derive(Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(
@@ -39,6 +39,7 @@ pub struct Solution<T, const N: usize> {
     ends: Vec<usize>,
     events: Vec<Occurrence<T, N>>,
     modes: Vec<(T, Mode)>,
+    impacts: Vec<Impact<T, N>>,
     statistics: Statistics,
 }
 
@@ -53,6 +54,7 @@ impl<T: Float, const N: usize> Solution<T, N> {
             ends: Vec::new(),
             events: Vec::new(),
             modes: Vec::new(),
+            impacts: Vec::new(),
             statistics: Statistics::default(),
         }
     }
@@ -103,6 +105,42 @@ impl<T: Float, const N: usize> Solution<T, N> {
     #[must_use]
     pub fn modes(&self) -> &[(T, Mode)] {
         &self.modes
+    }
+
+    /// The impacts of a [hybrid](crate::hybrid) system, in the order in which they occurred; empty for other systems.
+    ///
+    /// Impacts at the same time are one. Rebounds too low to follow are left out, and the impact before them is one
+    /// without a rebound.
+    ///
+    /// ```
+    /// use pendulum_core::hybrid::Hybrid;
+    /// use pendulum_core::prelude::*;
+    ///
+    /// mechanism! {
+    ///     pub Ball {
+    ///         gravity: [0, -9.81, 0],
+    ///         wall floor { gap: y, restitution: 0.5 }
+    ///         body ball on ground { mass: 2, joint: prismatic(y), coordinate: y }
+    ///     }
+    /// }
+    /// # fn main() -> Result<(), Box<dyn std::error::Error>> {
+    /// let ball = Ball::new(BallParams {})?;
+    /// let solution = Vern7::new().solve(&ball, 0.0, 1.0, [1.0, 0.0])?;
+    /// for impact in solution.impacts() {
+    ///     for (constraint, impulse) in impact.pushes() {
+    ///         println!("{:.4} s: {impulse:.3} N s from the {}", impact.t, ball.constraints()[constraint].name);
+    ///     }
+    /// }
+    /// let [first, ..] = solution.impacts() else { return Err("no impact".into()) };
+    /// let rate = (2.0 * 9.81_f64).sqrt();
+    /// assert!((first.impulses[0] - 2.0 * 1.5 * rate).abs() < 1e-6);
+    /// assert!((first.after[Ball::DOT_Y] - 0.5 * rate).abs() < 1e-6);
+    /// # Ok(())
+    /// # }
+    /// ```
+    #[must_use]
+    pub fn impacts(&self) -> &[Impact<T, N>] {
+        &self.impacts
     }
 
     /// How much work the integration was.
@@ -179,6 +217,9 @@ pub trait Observer<T, const N: usize> {
 
     /// The end, after so much work; not of a trajectory that cannot begin.
     fn finish(&mut self, _statistics: Statistics) {}
+
+    /// An impact.
+    fn impact(&mut self, _impact: Impact<T, N>) {}
 }
 
 /// All of it.
@@ -207,6 +248,10 @@ impl<T: Float, const N: usize> Observer<T, N> for Solution<T, N> {
 
     fn finish(&mut self, statistics: Statistics) {
         self.statistics = statistics;
+    }
+
+    fn impact(&mut self, impact: Impact<T, N>) {
+        self.impacts.push(impact);
     }
 }
 
@@ -244,6 +289,8 @@ struct Unchecked<T, const N: usize> {
     events: Vec<Occurrence<T, N>>,
     #[serde(default)]
     modes: Vec<(T, Mode)>,
+    #[serde(default)]
+    impacts: Vec<Impact<T, N>>,
     statistics: Statistics,
 }
 
@@ -273,6 +320,7 @@ impl<T: Float, const N: usize> TryFrom<Unchecked<T, N>> for Solution<T, N> {
             ends: record.ends,
             events: record.events,
             modes: record.modes,
+            impacts: record.impacts,
             statistics: record.statistics,
         })
     }

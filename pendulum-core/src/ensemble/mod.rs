@@ -258,7 +258,7 @@ fn alone<A, M, T, W, const N: usize>(
         let model = model_of(models, index).cast::<T>();
         let (t, reason) = match method.stepper(&model, t0, t1, *x) {
             Ok(mut stepper) => {
-                let ended = watch.run(index, &mut stepper);
+                let ended = watch.run((index, *x), &mut stepper);
                 *x = ended.unwrap_or_else(|_| stepper.x());
                 (stepper.t(), ended.err())
             }

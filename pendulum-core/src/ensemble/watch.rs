@@ -23,7 +23,11 @@ pub trait Watch<T: Float, const N: usize> {
     ///
     /// # Errors
     /// Why it stopped early.
-    fn run<C, S>(&mut self, index: usize, stepper: &mut Stepper<'_, C, S, T, N>) -> Result<SVector<T, N>, Reason>
+    fn run<C, S>(
+        &mut self,
+        start: (usize, SVector<T, N>),
+        stepper: &mut Stepper<'_, C, S, T, N>,
+    ) -> Result<SVector<T, N>, Reason>
     where
         C: Scheme<S, T, N>,
         S: System<T, N> + ?Sized;
@@ -54,7 +58,11 @@ impl<T: Float, const N: usize> Watch<T, N> for Unwatched {
         false
     }
 
-    fn run<C, S>(&mut self, _index: usize, stepper: &mut Stepper<'_, C, S, T, N>) -> Result<SVector<T, N>, Reason>
+    fn run<C, S>(
+        &mut self,
+        _start: (usize, SVector<T, N>),
+        stepper: &mut Stepper<'_, C, S, T, N>,
+    ) -> Result<SVector<T, N>, Reason>
     where
         C: Scheme<S, T, N>,
         S: System<T, N> + ?Sized,
@@ -108,13 +116,17 @@ impl<O: Observer<T, N>, T: Float, const N: usize> Watch<T, N> for Watched<'_, '_
         self.events[index].iter().any(|event| event.reset.is_some())
     }
 
-    fn run<C, S>(&mut self, index: usize, stepper: &mut Stepper<'_, C, S, T, N>) -> Result<SVector<T, N>, Reason>
+    fn run<C, S>(
+        &mut self,
+        (index, x0): (usize, SVector<T, N>),
+        stepper: &mut Stepper<'_, C, S, T, N>,
+    ) -> Result<SVector<T, N>, Reason>
     where
         C: Scheme<S, T, N>,
         S: System<T, N> + ?Sized,
     {
         let observer = &mut self.observers[index];
-        let ended = follow(stepper, self.events[index], observer);
+        let ended = follow(stepper, x0, self.events[index], observer);
         observer.finish(stepper.statistics());
         ended
     }

@@ -3,9 +3,9 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::MOST;
+use super::functions::Fired;
 use super::held::pin;
 use super::mode::{Hold, Mode};
-use super::watch::Fired;
 use crate::layout::StateLayout;
 use crate::real::Real;
 use crate::real::lanes::Lanes;

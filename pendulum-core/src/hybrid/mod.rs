@@ -73,8 +73,11 @@
 //! # Ok::<(), pendulum_core::SolveError<f64, 2>>(())
 //! ```
 
+mod bounds;
 mod complementarity;
+mod functions;
 mod held;
+mod impact;
 mod in_mode;
 mod mode;
 #[cfg(feature = "std")]
@@ -89,11 +92,15 @@ use crate::real::lanes::Lanes;
 use crate::system::System;
 
 #[cfg(feature = "std")]
+pub(crate) use bounds::room;
+#[cfg(feature = "std")]
 pub(crate) use complementarity::independent;
+pub(crate) use functions::Fired;
 #[cfg(feature = "std")]
 pub(crate) use held::forces;
 pub use held::{HeldSeries, jacobian, rhs, rhs_and_jacobian, time_derivative};
 pub(crate) use held::{called, pressing, reduced};
+pub use impact::Impact;
 pub use in_mode::{InMode, Passage};
 #[cfg(feature = "std")]
 pub(crate) use mode::set_of;
@@ -103,9 +110,7 @@ pub(crate) use saltation::{hold_tangents, saltation};
 #[cfg(feature = "std")]
 pub(crate) use switch::rate;
 pub(crate) use switch::{Settled, project, start, switch};
-#[cfg(feature = "std")]
-pub(crate) use watch::room;
-pub(crate) use watch::{Fired, Watch};
+pub(crate) use watch::Watch;
 
 /// The most constraints of a system.
 pub const MOST: usize = 8;

@@ -3,9 +3,9 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::complementarity::Factored;
+use super::functions::{FORWARD, Fired};
 use super::held::{forces, pin, rhs};
 use super::mode::{Hold, Mode, bits, set_of};
-use super::watch::{FORWARD, Fired};
 use super::{HybridJacobian, MOST, Passage};
 use crate::linear::image;
 use crate::real::Float;

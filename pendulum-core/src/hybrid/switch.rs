@@ -3,9 +3,10 @@
 use nalgebra::SVector;
 
 use super::complementarity::{Factored, depends, impulses, independent, subsets};
+use super::functions::{BACKWARD, FORWARD, Fired, UPPER, sizes};
 use super::held::{add, pin};
 use super::mode::{Hold, Mode, Status, bits, set_of};
-use super::watch::{BACKWARD, FORWARD, Fired, UPPER, Watch, sizes};
+use super::watch::Watch;
 use super::{Hybrid, Law, MOST, Response};
 use crate::error::Reason;
 use crate::real::Float;

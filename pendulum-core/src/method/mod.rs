@@ -44,7 +44,7 @@ use nalgebra::SVector;
 
 pub(crate) use explicit::MAX_DEGREE;
 pub(crate) use input::require;
-pub(crate) use zero::{dip, first_zero, places, root};
+pub(crate) use zero::{Known, dip, first_zero, places, root, unseen_bend};
 #[cfg(feature = "std")]
 pub(crate) use {
     grid::Grid,
@@ -127,7 +127,7 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
     {
         let x0 = x0.into_state();
         match self.stepper(system, t0, t1, x0) {
-            Ok(stepper) => watch::collect(stepper, events),
+            Ok(stepper) => watch::collect(stepper, x0, events),
             Err(reason) => Err(SolveError::at_start(reason, t0, x0)),
         }
     }
@@ -175,8 +175,9 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
     where
         S: System<T, N>,
     {
+        let x0 = x0.into_state();
         let mut stepper = self.stepper(system, t0, t1, x0)?;
-        let ended = watch::follow(&mut stepper, events, observer);
+        let ended = watch::follow(&mut stepper, x0, events, observer);
         observer.finish(stepper.statistics());
         ended
     }

@@ -6,7 +6,7 @@ use nalgebra::SVector;
 
 use crate::dense::{Dense, Step};
 use crate::error::Reason;
-use crate::hybrid::{self, Fired, Hold, InMode, Mode, Passage, Settled, Watch};
+use crate::hybrid::{self, Fired, Hold, InMode, MOST, Mode, Passage, Settled, Watch};
 use crate::method::grid::Grid;
 use crate::method::input::{check_state, require};
 use crate::method::scheme::{Accepted, Failure, NonFinite, Scheme, Stalled};
@@ -56,6 +56,8 @@ pub(crate) struct Modes<T> {
     pub(crate) hold: Hold<T>,
     /// From when on it holds.
     from: T,
+    /// The impulses along the constraints with which it began.
+    impulses: [T; MOST],
     pub(crate) watch: Watch<T>,
     /// What ended it, where the last step ended.
     fired: Fired,
@@ -133,6 +135,7 @@ where
                 mode: Mode::default(),
                 hold: Hold::default(),
                 from: t0,
+                impulses: [T::default(); MOST],
                 watch: Watch::new(),
                 fired: Fired::default(),
                 cut: T::from_f64(1.0),
@@ -191,6 +194,14 @@ where
     #[must_use]
     pub fn mode(&self) -> Option<(T, Mode)> {
         self.system.hybrid().map(|_| (self.modes.from, self.modes.mode))
+    }
+
+    /// The impulses along the constraints of a [hybrid](crate::hybrid) system with which its mode began, in N s or N m s;
+    /// `None` where it began without an impact, and for other systems.
+    #[must_use]
+    pub fn impulses(&self) -> Option<[T; MOST]> {
+        let impulses = self.system.hybrid().map(|_| self.modes.impulses);
+        impulses.filter(|impulses| impulses.iter().any(|&impulse| impulse != T::default()))
     }
 
     /// The work so far.
@@ -355,9 +366,14 @@ where
     /// Stands at a point in a mode.
     fn enter(&mut self, t: T, settled: Settled<T, N>) {
         let Settled {
-            x, mode, hold, delay, ..
+            x,
+            mode,
+            hold,
+            delay,
+            impulses,
         } = settled;
         (self.modes.mode, self.modes.hold, self.modes.from) = (mode, hold, t + delay);
+        self.modes.impulses = impulses;
         self.modes.fired = Fired::default();
         self.modes.watch.restart(&mode);
         self.last = Step::at_rest(t, x);

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use crate::dense::{Dense, Step};
 use crate::error::{Reason, SolveError};
 use crate::event::{Event, Occurrence};
-use crate::hybrid::Mode;
+use crate::hybrid::{Impact, Mode};
 use crate::method::Stepper;
 use crate::method::scheme::{NonFinite, Scheme};
 use crate::method::search::{Found, Search, What};
@@ -16,9 +16,10 @@ use crate::system::System;
 /// Events within this many ulps of the time are simultaneous, and one that acts twice within them never ends.
 const SIMULTANEOUS_ULPS: f64 = 4.0;
 
-/// Goes on to the end, with events if there are any, and keeps the trajectory.
+/// Goes on to the end from the state `x0`, with events if there are any, and keeps the trajectory.
 pub(super) fn collect<C, S, T, const N: usize>(
     mut stepper: Stepper<'_, C, S, T, N>,
+    x0: SVector<T, N>,
     events: &[Event<'_, T, N>],
 ) -> Result<Solution<T, N>, SolveError<T, N>>
 where
@@ -26,10 +27,10 @@ where
     S: System<T, N> + ?Sized,
     T: Float,
 {
-    let mut solution = Solution::start(stepper.t(), stepper.x());
+    let mut solution = Solution::start(stepper.t(), from(&stepper, x0));
     let ended = stepper
         .check_to_keep()
-        .and_then(|()| follow(&mut stepper, events, &mut solution));
+        .and_then(|()| follow(&mut stepper, x0, events, &mut solution));
     solution.finish(stepper.statistics());
     match ended {
         Ok(_) => Ok(solution),
@@ -40,10 +41,21 @@ where
     }
 }
 
+/// The state from which a stepper starts that was asked to start from `x0`: before an impact that there may be.
+fn from<C, S, T, const N: usize>(stepper: &Stepper<'_, C, S, T, N>, x0: SVector<T, N>) -> SVector<T, N>
+where
+    C: Scheme<S, T, N>,
+    S: System<T, N> + ?Sized,
+    T: Float,
+{
+    if stepper.impulses().is_some() { x0 } else { stepper.x() }
+}
+
 /// Goes on to the end, where `observer` sees the way: the state there, which is that of a terminal event if there was
-/// one.
+/// one. The stepper was asked to start from `x0`.
 pub(crate) fn follow<C, S, T, const N: usize>(
     stepper: &mut Stepper<'_, C, S, T, N>,
+    x0: SVector<T, N>,
     events: &[Event<'_, T, N>],
     observer: &mut impl Observer<T, N>,
 ) -> Result<SVector<T, N>, Reason>
@@ -53,7 +65,7 @@ where
     T: Float,
 {
     let mut search = Search::new(events, stepper.t(), &stepper.x())?;
-    let mut reached = Reached::start(stepper, observer);
+    let mut reached = Reached::start(stepper, from(stepper, x0), observer);
     while let Some(step) = stepper.step()? {
         if reached.changes(stepper, &step, observer) {
             search.restart((step.t0, stepper.t1(), step.t0.abs().max(step.h.abs())), &step.x0, &[])?;
@@ -69,7 +81,7 @@ where
             return Ok(stop.x);
         }
         stepper.restart(stop.t, stop.x)?;
-        reached = Reached::start(stepper, observer);
+        reached = Reached::start(stepper, stop.x, observer);
         search.restart((stop.t, stepper.t1(), stop.scale), &stop.x, &stop.fired)?;
     }
     Ok(stepper.x())
@@ -124,21 +136,18 @@ struct Reached<T, const N: usize> {
 }
 
 impl<T: Float, const N: usize> Reached<T, N> {
-    /// At the point of a stepper, whose mode is shown.
-    fn start<C, S>(stepper: &Stepper<'_, C, S, T, N>, observer: &mut impl Observer<T, N>) -> Self
+    /// At the start of a stepper, which was asked to start from the state `x`.
+    fn start<C, S>(stepper: &Stepper<'_, C, S, T, N>, x: SVector<T, N>, observer: &mut impl Observer<T, N>) -> Self
     where
         C: Scheme<S, T, N>,
         S: System<T, N> + ?Sized,
     {
-        let mode = stepper.mode();
-        if let Some((from, mode)) = mode {
-            observer.mode(from, mode);
-        }
-        Self { x: stepper.x(), mode }
+        let mut reached = Self { x, mode: None };
+        reached.enter(stepper, (stepper.t(), stepper.x()), observer);
+        reached
     }
 
-    /// Goes on to the end of a step; shows another mode in which it started, and another state, and tells whether there
-    /// was one.
+    /// Goes on to the end of a step; tells whether it started in another mode or from another state.
     fn changes<C, S>(
         &mut self,
         stepper: &Stepper<'_, C, S, T, N>,
@@ -149,17 +158,45 @@ impl<T: Float, const N: usize> Reached<T, N> {
         C: Scheme<S, T, N>,
         S: System<T, N> + ?Sized,
     {
+        let changes = self.enter(stepper, (step.t0, step.x0), observer);
+        self.x = step.x1;
+        changes
+    }
+
+    /// Shows the mode of a stepper from a point on, the state there and the impact, where these are new; tells whether
+    /// they were.
+    fn enter<C, S>(
+        &mut self,
+        stepper: &Stepper<'_, C, S, T, N>,
+        (t, x): (T, SVector<T, N>),
+        observer: &mut impl Observer<T, N>,
+    ) -> bool
+    where
+        C: Scheme<S, T, N>,
+        S: System<T, N> + ?Sized,
+    {
         let Some((from, mode)) = stepper.mode() else {
             return false;
         };
-        let (jumps, changes) = (step.x0 != self.x, self.mode != Some((from, mode)));
+        let (jumps, changes) = (x != self.x, self.mode != Some((from, mode)));
         if jumps {
-            observer.jump(step.t0, step.x0);
+            observer.jump(t, x);
         }
         if changes {
             observer.mode(from, mode);
         }
-        (self.x, self.mode) = (step.x1, Some((from, mode)));
+        if (jumps || changes)
+            && let Some(impulses) = stepper.impulses()
+        {
+            let before = self.x;
+            observer.impact(Impact {
+                t,
+                impulses,
+                before,
+                after: x,
+            });
+        }
+        (self.x, self.mode) = (x, Some((from, mode)));
         jumps || changes
     }
 }

@@ -9,6 +9,12 @@ const PLACES: [f64; 10] = [0.01, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 0.
 /// once.
 const FIRST_PLACE: f64 = 1e-15;
 
+/// A function passes zero once where the error of its cubic is this part of its fall, or less.
+const MOST_ERROR: f64 = 1.0 / 16.0;
+/// How much a function bends between places counts where they are farther apart than this part of the way from the start
+/// of a step.
+const LEAST_WIDTH: f64 = 1.0 / 4096.0;
+
 /// The places of a step; more where the integration starts.
 pub(crate) fn places<T: Float>(starts: bool) -> impl Iterator<Item = T> {
     let mut decade = FIRST_PLACE;
@@ -114,54 +120,63 @@ pub(crate) fn dip<T: Float>(f: impl Fn(T) -> T, places: [(T, T); 3]) -> Option<(
 }
 
 /// A place, with the value of a function there and its derivative.
-type Known<T> = (T, [T; 2]);
+pub(crate) type Known<T> = (T, [T; 2]);
 
-/// Where a function that was positive first reaches zero, up to the last of three places, of which the first need not
-/// be known. What is less than `noise` below zero does not count.
-pub(crate) fn first_zero<T: Float>(f: impl Fn(T) -> [T; 2], places: [Option<Known<T>>; 3], noise: T) -> Option<T> {
-    let [Some(middle), Some(last)] = [places[1], places[2]] else {
-        return None;
-    };
-    let zero = T::default();
-    let Some(first) = places[0].filter(|first| first.1[0] > zero) else {
-        return first_zero_between(&f, (middle, last), zero, noise);
-    };
-    // how far from the cubic through the outer two the function is at most, by how far it is in the middle
-    let part = (middle.0 - first.0) / (last.0 - first.0);
+/// How much a function bends that is not seen at three places: how far it is in the middle from the cubic through the
+/// outer two, for the cubics between each two of them, over the squares of their widths. What is less than `noise` may
+/// be rounding errors; places close to the start of a step show how its values and derivatives disagree.
+pub(crate) fn unseen_bend<T: Float>([first, middle, last]: [Known<T>; 3], noise: T) -> T {
+    let width = last.0 - first.0;
+    let part = (middle.0 - first.0) / width;
     let bubble = part * (T::from_f64(1.0) - part);
-    let error = (middle.1[0] - cubic((first, last), part)).abs() / (T::from_f64(16.0) * bubble * bubble);
-    first_zero_between(&f, (first, middle), error, noise)
-        .or_else(|| first_zero_between(&f, (middle, last), error, noise))
+    let apart = (middle.1[0] - cubic((first, last), part)).abs();
+    if apart <= noise || last.0 <= T::from_f64(PLACES[0]) {
+        return T::default();
+    }
+    let error = apart / (T::from_f64(16.0) * bubble * bubble);
+    T::from_f64(4.0) * error / (width * width)
 }
 
-/// The same between two places, where the function is within `error` of the cubic through them: that is positive where
-/// its coefficients in the polynomials of Bernstein are. Halves show what is not certain of the whole.
-fn first_zero_between<T: Float>(
+/// Where a function that was positive first reaches zero between two places. What is less than `noise` below zero does
+/// not count.
+///
+/// The function is not farther from the cubic through the places than `bend` times the square of the width, as far as was
+/// seen: so it is positive where the coefficients in the polynomials of Bernstein are, and has one zero where it falls
+/// by far more than that. Halves show what is not certain of the whole, and how much it bends.
+pub(crate) fn first_zero<T: Float>(
     f: &impl Fn(T) -> [T; 2],
     (from, to): (Known<T>, Known<T>),
-    error: T,
+    bend: &mut T,
     noise: T,
 ) -> Option<T> {
     let at = |place: Known<T>| (place.0, place.1[0]);
-    if to.1[0] <= T::default() {
-        return Some(root(|place| f(place)[0], at(from), at(to)));
-    }
     let width = to.0 - from.0;
-    let tangents = |part: f64| {
-        let width = width * T::from_f64(part);
-        [from.1[0] + width * from.1[1], to.1[0] - width * to.1[1]]
+    let error = if width > T::from_f64(LEAST_WIDTH) * to.0 {
+        *bend * width * width
+    } else {
+        T::default()
     };
-    // of degree four, to which `error theta^2 (1 - theta)^2 16` belongs
-    let ([second, fourth], [left, right]) = (tangents(1.0 / 4.0), tangents(1.0 / 3.0));
-    let third = T::from_f64(0.5) * (left + right) - T::from_f64(8.0 / 3.0) * error;
-    if second.min(third).min(fourth) >= -noise || width <= T::EPSILON.sqrt() * to.0 {
-        return None;
+    let is_short = width <= T::EPSILON.sqrt() * to.0;
+    if to.1[0] <= T::default() {
+        if is_short || error <= T::from_f64(MOST_ERROR) * (from.1[0] - to.1[0]) + noise {
+            return Some(root(|place| f(place)[0], at(from), at(to)));
+        }
+    } else {
+        let tangents = |part: f64| {
+            let width = width * T::from_f64(part);
+            [from.1[0] + width * from.1[1], to.1[0] - width * to.1[1]]
+        };
+        // of degree four, to which `error theta^2 (1 - theta)^2 16` belongs
+        let ([second, fourth], [left, right]) = (tangents(1.0 / 4.0), tangents(1.0 / 3.0));
+        let third = T::from_f64(0.5) * (left + right) - T::from_f64(8.0 / 3.0) * error;
+        if is_short || second.min(third).min(fourth) >= -noise {
+            return None;
+        }
     }
-    let half = T::from_f64(0.5);
-    let place = from.0 + half * width;
+    let place = from.0 + T::from_f64(0.5) * width;
     let middle = (place, f(place));
-    let error = (middle.1[0] - cubic((from, to), half)).abs();
-    first_zero_between(f, (from, middle), error, noise).or_else(|| first_zero_between(f, (middle, to), error, noise))
+    *bend = bend.max(unseen_bend([from, middle, to], noise));
+    first_zero(f, (from, middle), bend, noise).or_else(|| first_zero(f, (middle, to), bend, noise))
 }
 
 /// The cubic through two places with their derivatives, at a part of the way between them.
@@ -178,7 +193,7 @@ mod tests {
     use std::cell::RefCell;
     use std::f64::consts::PI;
 
-    use super::{dip, first_zero, root};
+    use super::{dip, first_zero, root, unseen_bend};
 
     /// The root of `f` between 0 and 1, or between 1 and 0 in reverse, and the places that were looked at.
     fn search(f: impl Fn(f64) -> f64, (from, to): (f64, f64)) -> (f64, Vec<f64>) {
@@ -497,11 +512,47 @@ mod tests {
         }
     }
 
+    /// Of many zeros between two places, and of those that the places before do not let expect.
+    #[test]
+    fn of_many_zeros_the_first_is_found() {
+        for (turns, height) in [0.7, 1.0, 3.3, 8.0, 8.1, 50.0, 150.7].into_iter().flat_map(|turns| {
+            let heights = [1.01, 1.5, 3.0, 7.0];
+            heights.map(|height| (turns, height))
+        }) {
+            for phase in (0..12).map(|n| f64::from(n) * PI / 6.0) {
+                // what falls by eight onto a wave
+                let f = |x: f64| {
+                    let angle = 2.0 * PI * turns * x + phase;
+                    [
+                        height - 8.0 * x * x - angle.sin(),
+                        -16.0 * x - 2.0 * PI * turns * angle.cos(),
+                    ]
+                };
+                let at = |x: f64| (x, f(x));
+                let first = (1..)
+                    .map(|n| f64::from(n) * 1e-5)
+                    .find(|&x| f(x)[0] <= 0.0)
+                    .expect("a zero");
+                let mut bend = unseen_bend([at(0.0), at(0.4), at(1.0)], 1e-15);
+                let found = first_zero(&f, (at(0.0), at(1.0)), &mut bend, 1e-15).expect("a zero");
+                assert!(
+                    (found - first).abs() < 2e-5,
+                    "{turns} {height} {phase}: {found}, not {first}"
+                );
+            }
+        }
+    }
+
     #[test]
     fn values_and_derivatives_show_zeros_between_places() {
         let search = |f: &dyn Fn(f64) -> [f64; 2], first: Option<f64>| {
-            let places = [first, Some(0.5), Some(1.0)].map(|place| place.map(|place| (place, f(place))));
-            first_zero(f, places, 1e-15)
+            let [middle, last] = [0.5, 1.0].map(|place| (place, f(place)));
+            let Some(first) = first.map(|place| (place, f(place))) else {
+                return first_zero(&f, (middle, last), &mut 0.0, 1e-15);
+            };
+            let mut bend = unseen_bend([first, middle, last], 1e-15);
+            let mut between = |from, to| first_zero(&f, (from, to), &mut bend, 1e-15);
+            between(first, middle).or_else(|| between(middle, last))
         };
         // both sides of a dip are places, and the lowest value is at neither of them
         for (depth, zero) in [(1e-9, Some(0.7 - 1e-9_f64.sqrt())), (-1e-9, None)] {

@@ -39,9 +39,10 @@ where
     M: Method<S, f64, N>,
     S: System<f64, N> + ?Sized,
 {
-    let mut points = Vec::new();
+    let (x0, mut points) = (x0.into_state(), Vec::new());
     follow(
         &mut method.stepper(system, t0, t1, x0)?,
+        x0,
         std::slice::from_ref(surface),
         &mut points,
     )?;

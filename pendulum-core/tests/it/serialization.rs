@@ -22,6 +22,26 @@ fn a_solution_is_read_back_as_it_was_written() {
 }
 
 mechanism! {
+    pub Ball {
+        gravity: [0, -9.8, 0],
+        wall floor { gap: y, restitution: 0.5 }
+        body ball on ground { mass: 1, joint: prismatic(y), coordinate: y }
+    }
+}
+
+#[test]
+fn modes_and_impacts_are_read_back() {
+    let ball = Ball::new(BallParams {}).expect("physical");
+    let solution = Rk45::new().solve(&ball, 0.0, 1.0, [1.0, 0.0]).expect("regular");
+    assert!(!solution.impacts().is_empty());
+    let text = serde_json::to_string(&solution).expect("writes");
+    assert_eq!(
+        serde_json::from_str::<Solution<f64, 2>>(&text).expect("reads"),
+        solution
+    );
+}
+
+mechanism! {
     pub Pendulum {
         params { m: kg, l: m, g: m/s^2 = 9.8 }
         gravity: [0, -g, 0],
