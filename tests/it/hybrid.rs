@@ -18,7 +18,7 @@ mechanism! {
     /// Dry friction on both joints, and a wall at the tip.
     pub Dry {
         params { m: kg = 0.7, l: m = 0.8, mu: N m = 0.4, more: N m = 0.1, e: 1 = 0.6 }
-        generate: [rhs, jacobian, energy, taylor, canonical],
+        generate: [rhs, jacobian, energy, taylor, canonical, parameter_jacobian],
         gravity: [0, -9.81, 0],
         shape arm { solids: [rod(m, [0, 0, 0], [0, -l, 0])] }
         point tip on lower at [0, -l, 0],
@@ -615,6 +615,39 @@ fn methods_agree_on_a_dry_double_pendulum() {
         let energy = model.energy(t, x);
         assert!(energy <= before + 1e-10, "{energy} at {t}");
         before = energy;
+    }
+}
+
+/// Friction and all else that is a parameter, in the right-hand side as it is by itself.
+#[test]
+fn parameters_move_the_right_hand_side() {
+    let model = dry();
+    let params = model.params().to_array();
+    for (t, x, _) in places::<4>(3) {
+        let jacobian = model.parameter_jacobian(t, &x);
+        for (n, &value) in params.iter().enumerate() {
+            let accelerations = |value: f64| {
+                let mut params = params;
+                params[n] = value;
+                let model = model.with_params(DryParams::from_array(params)).expect("physical");
+                model.rhs(t, &x)
+            };
+            let (less, more) = (value - 1e-5, value + 1e-5);
+            let slopes = (accelerations(more) - accelerations(less)) / (more - less);
+            for row in 0..2 {
+                let (ours, theirs) = (jacobian[(row, n)], slopes[2 + row]);
+                let what = DryParams::NAMES[n];
+                assert!(
+                    (ours - theirs).abs() < 1e-7 * (1.0 + theirs.abs()),
+                    "{what}: {ours:e}, not {theirs:e}"
+                );
+            }
+        }
+        // static friction and rebounds have no part in it
+        assert!(
+            jacobian.columns(3, 2).amax() == 0.0 && jacobian.column(2).amax() > 0.1,
+            "{jacobian}"
+        );
     }
 }
 

@@ -126,6 +126,7 @@ mechanism! {
     pub Hanging {
         params { growth: N m/s = 0.5 }
         gravity: [0, -9.81, 0],
+        generate: [rhs, jacobian, energy, taylor, canonical],
         point tip on bob at [0, -1, 0],
         wall side { gap: tip.x }
         body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: a, torque: growth*t }
@@ -663,6 +664,7 @@ mechanism! {
     pub Bouncing {
         params { e: 1 = 0.5 }
         gravity: [0, -9.81, 0],
+        generate: [rhs, jacobian, energy, taylor, canonical],
         wall floor { gap: y, restitution: e }
         body ball on ground { mass: 2, joint: prismatic(y), coordinate: y }
     }

@@ -39,10 +39,22 @@ fn by<'g>(forms: &mut Forms<'g>, model: &Model<'g>, variables: &[Expr<'g>]) -> C
     chosen.with(|columns| on_top(model, &model.kinematics(), variables, &columns))
 }
 
-/// The derivatives of the accelerations by the parameters, column by column.
+/// The derivatives of the accelerations by the parameters, column by column: with the forces along constraints that the
+/// right-hand side has by itself.
 pub(crate) fn parameter_jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let parameters: Vec<Expr<'g>> = model.parameters.iter().map(|parameter| parameter.symbol).collect();
-    forms.jacobian(model, &parameters, false)
+    let (forces, dof) = (model.force_symbols(), model.dof());
+    let slopes = derived(&model.with_friction(&forces), &parameters);
+    forms.solutions(model, &[&parameters[..], &forces].concat(), |way| {
+        let (fixed, by_forces) = way.columns.split_at(parameters.len() * dof);
+        let columns = fixed.chunks(dof).zip(&slopes).flat_map(|(fixed, slopes)| {
+            (0..dof).map(move |row| {
+                let of_forces = by_forces.chunks(dof).zip(slopes);
+                of_forces.fold(fixed[row], |sum, (column, &slope)| sum + column[row] * slope)
+            })
+        });
+        model.with_friction(&columns.collect::<Vec<_>>())
+    })
 }
 
 /// Kinetic energy.

@@ -14,8 +14,6 @@ pub(super) struct Has {
     pub(super) parameters: bool,
     pub(super) inputs: bool,
     pub(super) drives: bool,
-    /// Dry friction, stops or walls.
-    pub(super) conditions: bool,
 }
 
 impl Lower<'_> {
@@ -50,12 +48,6 @@ impl Lower<'_> {
                     ident.span(),
                     "no joint is driven by the time",
                     "write a motion with `t`, such as `motion: a*sin(w*t)`, or leave it out",
-                );
-            } else if has.conditions && word == "parameter_jacobian" {
-                self.errors.at(
-                    ident.span(),
-                    format_args!("`{word}` is for motions without dry friction, stops and walls"),
-                    format_args!("leave out `{word}`, or write smooth laws, such as `torque: -mu*tanh(qd/eps)`"),
                 );
             } else if has.inputs
                 && let Some(what) = motion_under_inputs(word)

@@ -140,7 +140,6 @@ impl<'g> Lower<'g> {
         let has_drives = !drives.is_empty();
         self.check_conditions(items);
         let walls = self.walls(items);
-        let is_hybrid = bodies.iter().any(|body| body.law.is_some()) || !walls.is_empty();
         let generate = items.generate.as_ref().map(|(word, list)| {
             if list.is_empty() && items.outputs.is_empty() && items.events.is_empty() {
                 let help = "write `generate: [rhs, jacobian, energy]`, or leave it out";
@@ -152,7 +151,6 @@ impl<'g> Lower<'g> {
             parameters: !parameters.is_empty(),
             inputs: !inputs.is_empty(),
             drives: has_drives,
-            conditions: is_hybrid,
         };
         let generate = self.generate(generate, has);
         let points = self.points(&items.points);

@@ -3,7 +3,7 @@
 use std::f64::consts::PI;
 
 use approx::assert_abs_diff_eq;
-use pendulum_core::ensemble::InLanes;
+use pendulum_core::ensemble::Together;
 use pendulum_core::method::{Adaptive, Estimates, Fixed, OneStep};
 use pendulum_core::prelude::*;
 use pendulum_core::{EnsembleError, Reason};
@@ -276,7 +276,7 @@ macro_rules! stopped_alike {
     ($test:ident: $model:ident, $params:ident, $symbol:ident, $x0:expr) => {
         #[test]
         fn $test() {
-            fn check<F: InLanes<$model, f64, 2> + OneStep<$model, f64, 2> + Estimates + Default>(promise: &Promise) {
+            fn check<F: Together<$model, f64, 2> + Estimates + Default>(promise: &Promise) {
                 // some end, and some do not
                 let models = [1.0, -0.5, 0.9, -0.2, 1.1, 1.2, -0.1, 1.3, 1.4, 1.5, 1.6]
                     .map(|$symbol| $model::new($params { $symbol }).expect("physical"));
