@@ -16,7 +16,7 @@ mechanism! {
         params { k: N m/rad, c: N m s/rad }
         gravity: [0, -9.81, 0],
         shape arm { solids: [rod(1, [0, 0, 0], [0, -1, 0])] }
-        generate: [rhs, jacobian, taylor],
+        generate: [rhs, jacobian],
         body upper on ground: arm { joint: revolute(z), coordinate: theta1, friction: 0.02 }
         body lower on upper: arm {
             joint: revolute(z) at [0, -1, 0], coordinate: theta2, spring: (k, 0), friction: c,
@@ -34,16 +34,10 @@ const SAMPLES: usize = 100;
 fn main() -> Result<(), Box<dyn Error>> {
     let loose = ensemble(0.0, 0.0)?;
     compare("Tsit5", &Tsit5::new(), &loose)?;
-    return compare("Rodas5P", &Rodas5P::new(), &loose);
     compare("Vern9", &Vern9::new().rtol(1e-10).atol(1e-10), &loose)?;
-    compare("Taylor", &Taylor::new().rtol(1e-10).atol(1e-10), &loose)?;
     compare("Rk4", &Rk4::new(0.01), &loose)?;
     // what joins them hardly bends
-    let stiff = ensemble(1e5, 1e3)?;
-    compare("Rodas4, stiff", &Rodas4::new(), &stiff)?;
-    compare("Rodas5P, stiff", &Rodas5P::new(), &stiff)?;
-    compare("Auto, stiff", &Auto::new(), &stiff)?;
-    compare("Radau5, stiff", &Radau5::new(), &stiff)
+    compare("Rodas5P", &Rodas5P::new(), &ensemble(1e5, 1e3)?)
 }
 
 /// Models and starts.
