@@ -70,8 +70,12 @@ where
         if reached.changes(stepper, &step, observer) {
             search.restart((step.t0, stepper.t1(), step.t0.abs().max(step.h.abs())), &step.x0, &[])?;
         }
-        if events.is_empty() && !observer.looks_into(step.t0, step.t1) {
-            observer.step(&Dense::new(step, &[]));
+        if events.is_empty() {
+            if observer.looks_into(step.t0, step.t1) {
+                observe(&stepper.dense(), T::from_f64(1.0), observer);
+            } else {
+                observer.step(&Dense::new(step, &[]));
+            }
             continue;
         }
         let Some(stop) = see(&mut search, &stepper.dense(), observer)? else {
@@ -94,6 +98,10 @@ pub(crate) fn see<T: Float, const N: usize>(
     observer: &mut impl Observer<T, N>,
 ) -> Result<Option<Stop<T, N>>, Reason> {
     let found = search.look(dense);
+    if found.is_empty() {
+        observe(dense, T::from_f64(1.0), observer);
+        return Ok(None);
+    }
     let acts = |found: &&Found<T>| matches!(found.what, What::Passage(_)) && search.event(found).acts();
     let Some(cut) = found.iter().find(acts).map(|found| found.theta) else {
         let occurred: Vec<_> = found
