@@ -64,7 +64,12 @@ impl Series {
             .iter()
             .map(|&(form, products, operations)| cost(form, products, operations));
         let is_force = |variable| matches!(variable, Variable::Series(Coefficient::Force(_)));
-        let [before, order] = block(g, &taylor.order, &of_order)?.split(model.constraints.len(), is_force);
+        let order = block(g, &taylor.order, &of_order)?;
+        let [before, order] = if model.is_hybrid() {
+            order.split(model.constraints.len(), is_force)
+        } else {
+            [Block::default(), order]
+        };
         Ok(Self {
             products: taylor.slots,
             kept: symbols.kept.len(),

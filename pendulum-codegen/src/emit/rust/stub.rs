@@ -88,7 +88,26 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
         }
     });
     let own = own.chain([outputs::functions(items, &inputs)]);
-    let hybrid = items.is_hybrid().then(|| {
+    // either trait has what hinders the motion, and a name must not be found in both
+    let is_hybrid = items.is_hybrid() && items.inputs.is_empty();
+    let controlled = (!is_hybrid).then(|| {
+        quote! {
+            #allowed
+            impl<T: #real, const N: usize, const M: usize> ::pendulum_core::Controlled<T, N, M> for #name<T> {
+                type Inputs = #inputs<T>;
+                fn rhs_with(#system, _: &Self::Inputs) -> #vector {
+                    *x
+                }
+                fn jacobian_with(#inherent, _: &Self::Inputs) -> #matrix<T, N, N> {
+                    #zeros
+                }
+                fn input_jacobian(#inherent, _: &Self::Inputs) -> #matrix<T, N, M> {
+                    #zeros
+                }
+            }
+        }
+    });
+    let hybrid = is_hybrid.then(|| {
         let core = quote!(::pendulum_core::hybrid);
         let vector = quote!(#matrix<T, #length, 1>);
         quote! {
@@ -270,19 +289,7 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
                 (#zeros, #zeros)
             }
         }
-        #allowed
-        impl<T: #real, const N: usize, const M: usize> ::pendulum_core::Controlled<T, N, M> for #name<T> {
-            type Inputs = #inputs<T>;
-            fn rhs_with(#system, _: &Self::Inputs) -> #vector {
-                *x
-            }
-            fn jacobian_with(#inherent, _: &Self::Inputs) -> #matrix<T, N, N> {
-                #zeros
-            }
-            fn input_jacobian(#inherent, _: &Self::Inputs) -> #matrix<T, N, M> {
-                #zeros
-            }
-        }
+        #controlled
         #allowed
         impl<T: #real, const N: usize> ::pendulum_core::Energy<T, N> for #name<T> {
             fn kinetic(#inherent) -> T {
