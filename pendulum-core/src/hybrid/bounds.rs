@@ -2,8 +2,12 @@
 
 use nalgebra::SVector;
 
-use super::functions::{BACKWARD, FORWARD, UPPER, WAYS};
-use super::{Constraint, Law, MOST};
+use super::Constraint;
+use super::functions::FORWARD;
+#[cfg(feature = "std")]
+use super::functions::{BACKWARD, UPPER, WAYS};
+#[cfg(feature = "std")]
+use super::{Law, MOST};
 use crate::method::MAX_DEGREE;
 use crate::real::lanes::Lanes;
 
