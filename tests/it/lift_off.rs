@@ -182,9 +182,10 @@ fn a_ball_on_a_shaken_table_flies_and_rests_by_turns() {
     }
 }
 
-/// The table swings up to eight times within the places at which a step is looked at: of its crests, the first that a ball
-/// meets is found. Compared with steps so short that none swings by more than a radian, and as far as these are certain:
-/// rebounds multiply errors, as a table shows that swings a little farther. `PENDULUM_ROUGH` tries more tables.
+/// The table swings up to eight times within the places at which a step is looked at: of its crests, the first that a
+/// ball meets is found. Compared with steps so short that none swings by more than a radian, and as far as these are
+/// certain: rebounds multiply errors, as a table shows that swings a little farther. `PENDULUM_ROUGH` tries more
+/// tables.
 #[test]
 fn a_table_that_swings_within_a_step_hits_as_soon_as_it_must() {
     let more: u32 = std::env::var("PENDULUM_ROUGH").map_or(0, |text| text.parse().expect("a number"));

@@ -14,8 +14,9 @@ use crate::real::lanes::Lanes;
 /// Bounds of polynomials have this part of all their terms to spare.
 const SLACK: f64 = 1e-4;
 
-/// What a step in lanes leaves of each function of [`Watch::look`](super::Watch::look), at least, in a mode in which nothing is held: where
-/// all of a lane are positive, its mode does not end. All rates are sums of components of the state.
+/// What a step in lanes leaves of each function of [`Watch::look`](super::Watch::look), at least, in a mode in which
+/// nothing is held: where all of a lane are positive, its mode does not end. All rates are sums of components of the
+/// state.
 #[cfg(feature = "std")]
 #[inline(always)]
 pub(crate) fn room<V: Lanes, const N: usize>(

@@ -124,8 +124,8 @@ impl<T: Float, const N: usize> Reached<T, N> {
         changes
     }
 
-    /// Records the mode of a stepper from a point on, the state there and the impact, where these are new; tells whether
-    /// they were.
+    /// Records the mode of a stepper from a point on, the state there and the impact, where these are new; tells
+    /// whether they were.
     fn enter<C, S>(
         &mut self,
         stepper: &Stepper<'_, C, S, T, N>,
