@@ -16,8 +16,8 @@ pub use crate::statistics::Statistics;
 /// A trajectory: the accepted points, and dense output between them.
 ///
 /// There is always at least one point, the initial one; it stays alone if the integration was asked to end where it starts.
-/// Times ascend, or descend if it went backward in time; where an event reset the state, and at an impact, a time stands
-/// twice, with the states before and after.
+/// Times ascend, or descend if it went backward in time; where an event reset the state, and at an impact, a time
+/// stands twice, with the states before and after.
 #[derive(Clone, PartialEq)]
 #[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 #[cfg_attr(

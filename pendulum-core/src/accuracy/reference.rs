@@ -23,7 +23,7 @@ pub struct Reference<'a, const N: usize> {
 /// What is known between points.
 enum Curve<'a, const N: usize> {
     Function(Box<dyn Fn(f64) -> SVector<f64, N> + 'a>),
-    Solution(Solution<f64, N>),
+    Solution(Box<Solution<f64, N>>),
 }
 
 /// How far the largest component of the state may be wrong.
@@ -65,7 +65,7 @@ impl<'a, const N: usize> Reference<'a, N> {
         for (t, x) in other.points() {
             uncertainty = uncertainty.max(distance(&best.at(t)?, x));
         }
-        Ok(Self::along(Curve::Solution(best), uncertainty))
+        Ok(Self::along(Curve::Solution(Box::new(best)), uncertainty))
     }
 
     /// The solution of [`Vern7`] from the state `x0` at `t0` to `t1` with tolerances of 1e-14, trusted as far as [`Vern9`] agrees.

@@ -2,8 +2,12 @@
 
 use nalgebra::SVector;
 
-use super::functions::{BACKWARD, FORWARD, UPPER, WAYS};
-use super::{Constraint, Law, MOST};
+use super::Constraint;
+use super::functions::FORWARD;
+#[cfg(feature = "std")]
+use super::functions::{BACKWARD, UPPER, WAYS};
+#[cfg(feature = "std")]
+use super::{Law, MOST};
 use crate::method::MAX_DEGREE;
 use crate::real::lanes::Lanes;
 use crate::taylor::MAX_ORDER;
@@ -11,8 +15,9 @@ use crate::taylor::MAX_ORDER;
 /// Bounds of polynomials have this part of all their terms to spare.
 const SLACK: f64 = 1e-4;
 
-/// What a step in lanes leaves of each function of [`Watch::look`](super::Watch::look), at least, in a mode in which nothing is held: where
-/// all of a lane are positive, its mode does not end. All rates are sums of components of the state.
+/// What a step in lanes leaves of each function of [`Watch::look`](super::Watch::look), at least, in a mode in which
+/// nothing is held: where all of a lane are positive, its mode does not end. All rates are sums of components of the
+/// state.
 #[cfg(feature = "std")]
 #[inline(always)]
 pub(crate) fn room<V: Lanes, const N: usize>(

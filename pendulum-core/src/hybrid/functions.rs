@@ -137,7 +137,8 @@ impl<'a, T: Float, const N: usize> Scene<'a, T, N> {
         (if way == UPPER { -h } else { h }) * rate
     }
 
-    /// Where a function that has not been positive since the mode began ends it, from the last place but one to the last.
+    /// Where a function that has not been positive since the mode began ends it, from the last place but one to the
+    /// last.
     pub(super) fn end_at_the_start(
         &self,
         (n, way): (usize, usize),

@@ -107,9 +107,9 @@ pub(crate) use mode::set_of;
 pub use mode::{Hold, Mode, Status};
 #[cfg(feature = "std")]
 pub(crate) use saltation::{hold_tangents, saltation};
-#[cfg(feature = "std")]
-pub(crate) use switch::rate;
 pub(crate) use switch::{Settled, project, start, switch};
+#[cfg(feature = "std")]
+pub(crate) use switch::{apart, rate};
 pub(crate) use watch::Watch;
 
 /// The most constraints of a system.

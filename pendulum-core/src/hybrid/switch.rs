@@ -514,7 +514,11 @@ pub(crate) fn project<T: Float, const N: usize>(
 }
 
 /// How far from its limit each constraint is that touches one.
-fn apart<T: Float>(laws: &[Law<T>; MOST], touching: &[Status; MOST], measures: &[[T; 2]; MOST]) -> [T; MOST] {
+pub(crate) fn apart<T: Float>(
+    laws: &[Law<T>; MOST],
+    touching: &[Status; MOST],
+    measures: &[[T; 2]; MOST],
+) -> [T; MOST] {
     core::array::from_fn(|n| {
         let limit = match touching[n] {
             Status::Low => laws[n].low,

@@ -1,12 +1,17 @@
 //! The search for the end of a mode within a step.
 
+#[cfg(feature = "std")]
+use super::Law;
 use super::functions::{BACKWARD, FORWARD, Fired, Place, Scene, UPPER, Values, resolution, sizes};
-use super::mode::{Hold, Mode, Status};
-use super::{Hybrid, Law, MOST};
+#[cfg(feature = "std")]
+use super::mode::Status;
+use super::mode::{Hold, Mode};
+use super::{Hybrid, MOST};
 use crate::dense::Dense;
 use crate::error::Reason;
 use crate::method::{places, unseen_bend};
 use crate::real::Float;
+#[cfg(feature = "std")]
 use crate::real::lanes::Lanes;
 use crate::statistics::Statistics;
 

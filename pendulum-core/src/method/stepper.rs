@@ -196,8 +196,8 @@ where
         self.system.hybrid().map(|_| (self.modes.from, self.modes.mode))
     }
 
-    /// The impulses along the constraints of a [hybrid](crate::hybrid) system with which its mode began, in N s or N m s;
-    /// `None` where it began without an impact, and for other systems.
+    /// The impulses along the constraints of a [hybrid](crate::hybrid) system with which its mode began, in N s or
+    /// N m s; `None` where it began without an impact, and for other systems.
     #[must_use]
     pub fn impulses(&self) -> Option<[T; MOST]> {
         let impulses = self.system.hybrid().map(|_| self.modes.impulses);

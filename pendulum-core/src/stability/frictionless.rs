@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::hybrid::{self, Hold, HybridJacobian, MOST, Mode, Status, forces, independent, project, set_of};
+use crate::hybrid::{self, Hold, HybridJacobian, MOST, Mode, Status, apart, forces, independent, project, set_of};
 use crate::layout::StateLayout;
 use crate::system::{Jacobian, System};
 
@@ -73,15 +73,9 @@ impl<'a, const N: usize> Frictionless<'a, N> {
         let (laws, mode, solved) = (self.system.laws(), self.mode, self.hold.solved);
         let at = (solved != 0).then(|| (self.system.measures(0.0, x), self.system.response(0.0, x, &[0.0; MOST])));
         at.into_iter().flat_map(move |(measures, response)| {
-            (0..MOST).filter(move |n| solved & 1 << n != 0).map(move |n| {
-                let limit = if mode.0[n] == Status::Low {
-                    laws[n].low
-                } else {
-                    laws[n].high
-                };
-                let apart = limit.map_or(0.0, |limit| measures[n][0] - limit);
-                (n, apart, response.columns[n])
-            })
+            let apart = apart(&laws, &mode.0, &measures);
+            let held = (0..MOST).filter(move |n| solved & 1 << n != 0);
+            held.map(move |n| (n, apart[n], response.columns[n]))
         })
     }
 }
