@@ -112,9 +112,9 @@ impl<X, F, M, const K: usize, const N: usize> Job<Trajectories<X, F, M, N>, K> {
     /// Follows many trajectories at a time, in the lanes of vector registers, for models and methods that can; the
     /// numbers have the same bits.
     ///
-    /// This is two to four times as fast where states, ends and events are kept. Extrema need all steps, so that less
-    /// is gained. Trajectories with events that reset their state go one by one, as do those of hybrid systems, and
-    /// methods with steps of equal length.
+    /// Most is gained where ends and states at times are kept. Extrema need all steps, so that less is gained.
+    /// Trajectories with events that reset their state go one by one, and so do those of hybrid systems, and the methods
+    /// that [`Ensemble`] names.
     pub fn in_lanes(mut self) -> Self
     where
         X: ObservedEnsemble<M, f64, N>,
