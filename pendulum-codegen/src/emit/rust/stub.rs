@@ -105,6 +105,19 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
                     #zeros
                 }
             }
+            #allowed
+            impl<const N: usize, const M: usize> ::pendulum_core::CastControlled<N, M> for #name {
+                type In<T: #real> = #name<T>;
+                fn cast<T: #real>(&self) -> #name<T> {
+                    #name::cast(self)
+                }
+                fn gather<'m, T: ::pendulum_core::real::lanes::Lanes>(models: impl ::core::ops::Fn(usize) -> &'m Self) -> #name<T>
+                where
+                    Self: 'm,
+                {
+                    models(0).cast()
+                }
+            }
         }
     });
     let hybrid = is_hybrid.then(|| {
@@ -220,19 +233,6 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
         }
         #allowed
         impl<const N: usize> ::pendulum_core::Cast<N> for #name {
-            type In<T: #real> = #name<T>;
-            fn cast<T: #real>(&self) -> #name<T> {
-                #name::cast(self)
-            }
-            fn gather<'m, T: ::pendulum_core::real::lanes::Lanes>(models: impl ::core::ops::Fn(usize) -> &'m Self) -> #name<T>
-            where
-                Self: 'm,
-            {
-                models(0).cast()
-            }
-        }
-        #allowed
-        impl<const N: usize, const M: usize> ::pendulum_core::CastControlled<N, M> for #name {
             type In<T: #real> = #name<T>;
             fn cast<T: #real>(&self) -> #name<T> {
                 #name::cast(self)
