@@ -143,7 +143,7 @@ impl Items<'_> {
             self.program.routine("input_jacobian")?,
         );
         let is_hybrid = !self.program.constraints.is_empty();
-        let friction = is_hybrid.then(|| self.friction()).unwrap_or_default();
+        let friction = if is_hybrid { self.friction() } else { TokenStream::new() };
         let by_time = self.time_derivative("time_derivative_with", &arguments, friction.clone());
         let [rhs, both] = if is_hybrid {
             let rhs_under = self.function(&format_ident!("rhs_under_with"), rhs);
