@@ -82,7 +82,7 @@ impl Observer<f64, 4> for Samples {
 /// How much longer trajectories take alone, by what is kept of them.
 fn compare<A>(name: &str, method: &A, members: &Members) -> Result<(), Box<dyn Error>>
 where
-    A: Method<Rods, f64, 4> + Ensemble<Rods, f64, 4>,
+    A: Method<Rods, f64, 4> + ObservedEnsemble<Rods, f64, 4>,
 {
     let (models, starts) = members;
     let steps = method.solve(&models[1], 0.0, T1, starts[1])?.statistics().accepted;
@@ -110,7 +110,7 @@ fn followed<A, O>(
     observer: impl Fn(SVector<f64, 4>) -> O,
 ) -> f64
 where
-    A: Method<Rods, f64, 4> + Ensemble<Rods, f64, 4>,
+    A: Method<Rods, f64, 4> + ObservedEnsemble<Rods, f64, 4>,
     O: Observer<f64, 4> + PartialEq,
 {
     let follow = |(model, &x)| {

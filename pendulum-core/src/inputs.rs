@@ -266,7 +266,7 @@ where
     S: Controlled<T, N, M>,
     L: Law<T, N, M>,
 {
-    #[inline]
+    #[inline(always)]
     fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
         self.system.rhs_with(t, x, &self.law.inputs(t, x).into())
     }
@@ -293,7 +293,7 @@ where
         self.rhs_and_jacobian(t, x).1
     }
 
-    #[inline]
+    #[inline(always)]
     fn rhs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
         let (inputs, by_state) = self.law.inputs_and_jacobian(t, x);
         let inputs = inputs.into();
@@ -302,7 +302,7 @@ where
         (rhs, jacobian)
     }
 
-    #[inline]
+    #[inline(always)]
     fn time_derivative(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>
     where
         T: Lanes,

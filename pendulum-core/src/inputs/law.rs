@@ -141,14 +141,14 @@ impl<T: Lanes, F: Law<T, N, M>, const N: usize, const M: usize> LawJacobian<T, N
 }
 
 impl<T: Real, L: InputLaw<N, M>, const N: usize, const M: usize> Law<T, N, M> for Generic<L> {
-    #[inline]
+    #[inline(always)]
     fn inputs(&self, t: T, x: &SVector<T, N>) -> [T; M] {
         self.0.inputs(t, x)
     }
 }
 
 impl<T: Real, L: InputLaw<N, M>, const N: usize, const M: usize> LawJacobian<T, N, M> for Generic<L> {
-    #[inline]
+    #[inline(always)]
     fn inputs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> ([T; M], SMatrix<T, M, N>) {
         let variables = SVector::<Dual<T, N>, N>::from_fn(|n, _| Dual::variable(x[n], n));
         let inputs = self.0.inputs(Dual::constant(t), &variables);
@@ -156,7 +156,7 @@ impl<T: Real, L: InputLaw<N, M>, const N: usize, const M: usize> LawJacobian<T, 
         (inputs.map(|input| input.value), jacobian)
     }
 
-    #[inline]
+    #[inline(always)]
     fn time_derivative(&self, t: T, x: &SVector<T, N>) -> SVector<T, M> {
         let inputs = self.0.inputs(Dual::<T, 1>::variable(t, 0), &x.map(Dual::constant));
         inputs.map(|input| input.slopes[0]).into()

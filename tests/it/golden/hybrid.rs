@@ -609,7 +609,7 @@ k4 = 1/m
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
         ) -> ::pendulum_core::nalgebra::SMatrix<T, 2, 2>
         where
-            T: ::pendulum_core::Float,
+            T: ::pendulum_core::real::lanes::Lanes,
         {
             ::pendulum_core::hybrid::jacobian(self, hold, t, x)
         }
@@ -624,7 +624,7 @@ k4 = 1/m
             ::pendulum_core::nalgebra::SMatrix<T, 2, 2>,
         )
         where
-            T: ::pendulum_core::Float,
+            T: ::pendulum_core::real::lanes::Lanes,
         {
             ::pendulum_core::hybrid::rhs_and_jacobian(self, hold, t, x)
         }
@@ -634,7 +634,10 @@ k4 = 1/m
             hold: &::pendulum_core::hybrid::Hold<T>,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
+        ) -> ::pendulum_core::nalgebra::SVector<T, 2>
+        where
+            T: ::pendulum_core::real::lanes::Lanes,
+        {
             ::pendulum_core::hybrid::time_derivative(self, hold, t, x)
         }
     }

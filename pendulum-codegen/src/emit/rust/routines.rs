@@ -172,17 +172,17 @@ impl Items<'_> {
         };
         let functions = quote! {
             type Inputs = #name<T>;
-            #[inline]
+            #inline
             #rhs
             #[inline]
             fn jacobian_with(#arguments) -> #matrix {
                 self.rhs_and_jacobian_with(t, x, u).1
             }
-            #[inline]
+            #inline
             #both
-            #[inline]
+            #inline
             #by_inputs
-            #[inline]
+            #inline
             #by_time
         };
         let controlled = self.implement(

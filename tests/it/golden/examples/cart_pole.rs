@@ -403,7 +403,8 @@ k8 = -0.5/(1/3*l)
     impl<T: ::pendulum_core::real::Real> ::pendulum_core::Controlled<T, 4, 1>
     for CartPole<T> {
         type Inputs = CartPoleInputs<T>;
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn rhs_with(
             &self,
             t: T,
@@ -440,7 +441,8 @@ k8 = -0.5/(1/3*l)
         ) -> ::pendulum_core::nalgebra::SMatrix<T, 4, 4> {
             self.rhs_and_jacobian_with(t, x, u).1
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn rhs_and_jacobian_with(
             &self,
             t: T,
@@ -496,7 +498,8 @@ k8 = -0.5/(1/3*l)
                 ]),
             )
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn input_jacobian(
             &self,
             t: T,
@@ -514,7 +517,8 @@ k8 = -0.5/(1/3*l)
                 [T::from_f64(0.0), T::from_f64(0.0), t0, -(k8 * t0 * cos_theta)],
             ])
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn time_derivative_with(
             &self,
             t: T,

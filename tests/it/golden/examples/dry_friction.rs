@@ -702,7 +702,7 @@ k5 = 3*gamma
             x: &::pendulum_core::nalgebra::SVector<T, 4>,
         ) -> ::pendulum_core::nalgebra::SMatrix<T, 4, 4>
         where
-            T: ::pendulum_core::Float,
+            T: ::pendulum_core::real::lanes::Lanes,
         {
             ::pendulum_core::hybrid::jacobian(self, hold, t, x)
         }
@@ -717,7 +717,7 @@ k5 = 3*gamma
             ::pendulum_core::nalgebra::SMatrix<T, 4, 4>,
         )
         where
-            T: ::pendulum_core::Float,
+            T: ::pendulum_core::real::lanes::Lanes,
         {
             ::pendulum_core::hybrid::rhs_and_jacobian(self, hold, t, x)
         }
@@ -727,7 +727,10 @@ k5 = 3*gamma
             hold: &::pendulum_core::hybrid::Hold<T>,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 4>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 4> {
+        ) -> ::pendulum_core::nalgebra::SVector<T, 4>
+        where
+            T: ::pendulum_core::real::lanes::Lanes,
+        {
             ::pendulum_core::hybrid::time_derivative(self, hold, t, x)
         }
     }

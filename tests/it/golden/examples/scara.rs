@@ -420,7 +420,8 @@ k9 = 1/m3
     impl<T: ::pendulum_core::real::Real> ::pendulum_core::Controlled<T, 6, 3>
     for Scara<T> {
         type Inputs = ScaraInputs<T>;
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn rhs_with(
             &self,
             t: T,
@@ -464,7 +465,8 @@ k9 = 1/m3
         ) -> ::pendulum_core::nalgebra::SMatrix<T, 6, 6> {
             self.rhs_and_jacobian_with(t, x, u).1
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn rhs_and_jacobian_with(
             &self,
             t: T,
@@ -571,7 +573,8 @@ k9 = 1/m3
                 ]),
             )
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn input_jacobian(
             &self,
             t: T,
@@ -620,7 +623,8 @@ k9 = 1/m3
                 ],
             ])
         }
-        #[inline]
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn time_derivative_with(
             &self,
             t: T,
