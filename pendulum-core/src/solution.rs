@@ -193,7 +193,7 @@ impl<T: Float, const N: usize> Solution<T, N> {
     }
 }
 
-/// What sees a trajectory on its way, step by step: for [`Ensemble::observe`](crate::Ensemble::observe). A [`Solution`]
+/// What sees a trajectory on its way, step by step: for [`ObservedEnsemble::observe`](crate::ObservedEnsemble::observe). A [`Solution`]
 /// keeps all of it.
 pub trait Observer<T, const N: usize> {
     /// Whether the states within a step from `t0` to `t1` are of interest: by default they are.

@@ -268,12 +268,12 @@ where
         let tableau = const { &B::TABLEAU };
         let mut extra = [SVector::from_element(T::default()); MAX_EXTRA];
         for (i, row) in tableau.extra.iter().enumerate() {
-            let change = combination(row.a, self.stages.iter().chain(&extra[..i]), step.h);
+            let change = combination(row.a, (&self.stages, &extra[..i]), step.h);
             extra[i] = system.rhs(step.t0 + step.h * T::from_f64(row.c), &shifted(&step.x0, &change));
         }
         work.evaluations += tableau.extra.len();
         for (coefficient, row) in self.coefficients.iter_mut().zip(tableau.dense) {
-            *coefficient = combination(row, self.stages.iter().chain(&extra[..tableau.extra.len()]), step.h);
+            *coefficient = combination(row, (&self.stages, &extra[..tableau.extra.len()]), step.h);
         }
         &self.coefficients[..tableau.dense.len()]
     }

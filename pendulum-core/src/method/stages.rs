@@ -46,20 +46,23 @@ pub(crate) fn weighted_sum<T: Real, const STAGES: usize, const N: usize>(
     SVector::from(sums)
 }
 
-/// `(sum_i weights_i stages_i) factor`, passing over zero weights; for weights that need no order of their own in
-/// registers, as those of dense output.
+/// `(sum_i weights_i stages_i) factor`, passing over zero weights, over the stages of a step and then over `extra` ones;
+/// for weights that need no order of their own in registers, as those of dense output.
 #[inline(always)]
-pub(crate) fn combination<'s, T: Real, const N: usize>(
+pub(crate) fn combination<T: Real, const N: usize>(
     weights: &[f64],
-    stages: impl Iterator<Item = &'s SVector<T, N>>,
+    (stages, extra): (&[SVector<T, N>], &[SVector<T, N>]),
     factor: T,
 ) -> SVector<T, N> {
     let mut sums = [T::default(); N];
-    for (&weight, stage) in weights.iter().zip(stages) {
-        if weight != 0.0 {
-            let weight = T::from_f64(weight);
-            for (sum, &component) in sums.iter_mut().zip(&stage.data.0[0]) {
-                *sum += component * weight;
+    let (of_stages, of_extra) = weights.split_at(stages.len().min(weights.len()));
+    for (weights, stages) in [(of_stages, stages), (of_extra, extra)] {
+        for (&weight, stage) in weights.iter().zip(stages) {
+            if weight != 0.0 {
+                let weight = T::from_f64(weight);
+                for (sum, &component) in sums.iter_mut().zip(&stage.data.0[0]) {
+                    *sum += component * weight;
+                }
             }
         }
     }
