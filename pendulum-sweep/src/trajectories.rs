@@ -114,7 +114,7 @@ impl<X, F, M, const K: usize, const N: usize> Job<Trajectories<X, F, M, N>, K> {
     ///
     /// Most is gained where ends and states at times are kept. Extrema need all steps, so that less is gained.
     /// Trajectories with events that reset their state go one by one, and so do those of hybrid systems, and the methods
-    /// that [`Ensemble`] names.
+    /// that [`Ensemble`](pendulum_core::Ensemble) names.
     pub fn in_lanes(mut self) -> Self
     where
         X: ObservedEnsemble<M, f64, N>,

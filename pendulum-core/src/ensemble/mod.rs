@@ -94,7 +94,7 @@ pub trait Ensemble<M, T: LaneElement, const N: usize> {
 
 /// A method that integrates many trajectories at a time, and shows them on their way.
 pub trait ObservedEnsemble<M, T: LaneElement, const N: usize>: Ensemble<M, T, N> {
-    /// [`ensemble`](Self::ensemble), where an observer for each start sees the trajectory on its way, and `events(i)`
+    /// [`ensemble`](Ensemble::ensemble), where an observer for each start sees the trajectory on its way, and `events(i)`
     /// are those of trajectory `i`: what each observer sees is bit for bit what
     /// [`solve_with`](crate::Method::solve_with) keeps. A terminal event ends its trajectory, whose final state is that
     /// of the event.
@@ -102,7 +102,7 @@ pub trait ObservedEnsemble<M, T: LaneElement, const N: usize>: Ensemble<M, T, N>
     /// Trajectories with events that reset their state go one by one, and so do those of hybrid systems.
     ///
     /// # Errors
-    /// As for [`ensemble`](Self::ensemble), and [`EnsembleError::InvalidInput`] if there is not one observer for each
+    /// As for [`ensemble`](Ensemble::ensemble), and [`EnsembleError::InvalidInput`] if there is not one observer for each
     /// start.
     fn observe<'w, 'e: 'w, O>(
         &self,
