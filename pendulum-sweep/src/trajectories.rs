@@ -113,8 +113,8 @@ impl<X, F, M, const K: usize, const N: usize> Job<Trajectories<X, F, M, N>, K> {
     /// numbers have the same bits.
     ///
     /// Most is gained where ends and states at times are kept. Extrema need all steps, so that less is gained.
-    /// Trajectories with events that reset their state go one by one, and so do those of hybrid systems, and the methods
-    /// that [`Ensemble`](pendulum_core::Ensemble) names.
+    /// Trajectories with events that reset their state go one by one, and so do those of hybrid systems, and the
+    /// methods that [`Ensemble`](pendulum_core::Ensemble) names.
     pub fn in_lanes(mut self) -> Self
     where
         X: ObservedEnsemble<M, f64, N>,

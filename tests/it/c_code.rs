@@ -102,8 +102,11 @@ fn evaluation(program: &Program, name: &str) -> String {
     }
     if program.series.is_some() {
         calls += &format!("for (int n = 0; n < {length}; n++) series[0][n] = in[1 + n];\n");
-        calls += &format!("if ({name}_series(&model, in[0], series, {ORDER} + 1, &work) != 1) return 2;\n");
-        calls += &format!("if ({name}_series(&model, in[0], series, {ORDER}, &work) != 0) return 3;\n");
+        let forces = if program.constraints.is_empty() { "" } else { ", more" };
+        for (order, status, code) in [(ORDER + 1, 1, 2), (ORDER, 0, 3)] {
+            let call = format!("{name}_series(&model, in[0], series, {order}, &work{forces})");
+            calls += &format!("if ({call} != {status}) return {code};\n");
+        }
         calls += &format!(
             "for (int n = 0; n < {ORDER} * {length}; n++) out[{at} + n] = series[1 + n / {length}][n % {length}];\n"
         );

@@ -6,7 +6,7 @@ use nalgebra::{SMatrix, SVector};
 use pendulum_codegen::Sources;
 use pendulum_codegen::program::Program;
 use pendulum_core::ParameterError;
-use pendulum_core::hybrid::{Hybrid, HybridJacobian, MOST, Response};
+use pendulum_core::hybrid::{Hold, Hybrid, HybridJacobian, MOST, Response};
 use pendulum_core::prelude::*;
 use pendulum_core::{Canonical, Controlled, TaylorSeries};
 use testbed::mechanisms::{Furuta, FurutaParams};
@@ -83,6 +83,7 @@ mechanism! {
     pub Hindered {
         params { mu: N m = 0.3 }
         gravity: [0, -9.81, 0],
+        generate: [rhs, jacobian, energy, canonical, taylor],
         point tip on rod at [0, -1, 0],
         wall side { gap: 2 - tip.x + 0.125 m/s^2*t^2, restitution: 0.5 }
         body cart on ground { mass: 2, joint: prismatic(x), coordinate: s }
@@ -242,6 +243,16 @@ fn what_hinders_a_motion_is_the_same() {
                 .flat_map(|&which| measures.by_time[..2].iter().map(move |row| row[which])),
         );
         all.extend([model.kinetic(t, &x), model.potential(t, &x)]);
+        let (variables, rates) = model.canonical_under(t, &x, &forces);
+        let (of_variables, of_rates) = model.canonical_jacobian_under(t, &x, &forces);
+        all.extend(variables.iter().chain(&rates).chain(&of_variables).chain(&of_rates));
+        let constant = Hold {
+            forces,
+            ..Hold::default()
+        };
+        let mut series = [x; ORDER + 1];
+        model.series_in(&constant, t, &mut series, &mut model.workspace());
+        all.extend(series[1..].iter().flatten());
         all
     });
 }
