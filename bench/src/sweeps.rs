@@ -8,6 +8,7 @@ use std::process::Command;
 use std::time::Instant;
 
 use nalgebra::SVector;
+use pendulum_core::ParameterError;
 use pendulum_core::prelude::*;
 use pendulum_sweep::{Draw, Sweep};
 use serde::{Deserialize, Serialize};
@@ -20,7 +21,7 @@ use crate::report::{list, number, table, write};
 /// Trajectories of a sweep, and how long each is, in seconds: not so long that errors would grow beyond all bounds.
 const TRAJECTORIES: usize = 40_000;
 const END: f64 = 3.0;
-/// Of so many the error is that of the one in the middle.
+/// How many are compared with the exact ends; their median error is shown.
 const COMPARED: usize = 100;
 const STEPS: usize = 300;
 const TOLERANCES: [f64; 3] = [1e-6, 1e-9, 1e-12];
@@ -95,7 +96,7 @@ pub(crate) fn measure() -> Result<(), Box<dyn Error>> {
             error(&ends, &exact),
         ));
     }
-    let head = ["setting", "", "microseconds each", "error in the middle"];
+    let head = ["setting", "", "microseconds each", "median error"];
     let mut text = list(&machine::describe());
     text += &format!("- {TRAJECTORIES} double pendulums without friction, {END} s, {threads} threads\n\n");
     text += &table(&head, 2, &rows);

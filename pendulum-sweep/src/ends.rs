@@ -4,7 +4,7 @@ use std::fmt::Debug;
 use std::iter::{once, repeat_n};
 
 use pendulum_core::nalgebra::SVector;
-use pendulum_core::{Cast, Ensemble, EnsembleError, StateLayout, System};
+use pendulum_core::{Cast, Ensemble, EnsembleError, Reason, StateLayout, System};
 use serde_json::{Value, json};
 
 use crate::design::Sweep;
@@ -81,43 +81,73 @@ where
 
     fn run(&self, points: &[[f64; K]]) -> Result<Chunk, SweepError> {
         let (t0, t1) = self.span;
-        let (mut models, mut starts) = (Vec::with_capacity(points.len()), Vec::with_capacity(points.len()));
-        let trials: Vec<Result<(), Failure>> = points
-            .iter()
-            .map(|&point| {
-                let (model, start) = (self.trial)(point)?;
-                models.push(model);
-                starts.push(SVector::from(start));
-                Ok(())
-            })
-            .collect();
-        let (ends, stopped) = match self.method.ensemble(&models, t0, t1, &starts) {
+        let trials = Trials::of(points, &self.trial);
+        let (ends, stopped) = match self.method.ensemble(&trials.models, t0, t1, &trials.starts) {
             Ok(ends) => (ends, Vec::new()),
             Err(EnsembleError::InvalidInput(reason)) => return Err(reason.into()),
             Err(EnsembleError::Stopped { stopped, x }) => (x, stopped),
             Err(other) => return Err(SweepError::Invalid(other.to_string())),
         };
         let mut stopped = stopped.into_iter().peekable();
-        let mut reached = models.iter().zip(ends).enumerate();
-        let mut chunk = Chunk::default();
-        for trial in trials {
-            if let Err(reason) = trial {
-                chunk.fail(repeat_n(f64::NAN, 1 + N + self.values.len()), reason);
-                continue;
-            }
-            let Some((index, (model, x))) = reached.next() else {
-                break;
-            };
+        let rows = trials.models.iter().zip(ends).enumerate().map(|(index, (model, x))| {
             let stopped = stopped.next_if(|stopped| stopped.index == index);
             let t = stopped.map_or(t1, |stopped| stopped.t);
-            let values = self.values.iter().map(|(_, value)| value(model, t, &x));
-            let numbers = once(t).chain(x.iter().copied()).chain(values);
-            match stopped {
-                None => chunk.push(numbers),
-                Some(stopped) => chunk.fail(numbers, stopped.reason),
+            let values = self.values.iter().map(move |(_, value)| value(model, t, &x));
+            let numbers = once(t).chain(<[f64; N]>::from(x)).chain(values);
+            (numbers, stopped.map(|stopped| stopped.reason))
+        });
+        let mut chunk = Chunk::default();
+        trials.conclude(&mut chunk, 1 + N + self.values.len(), rows);
+        Ok(chunk)
+    }
+}
+
+/// The models and the starts of those points that have them.
+pub(crate) struct Trials<M, const N: usize> {
+    pub(crate) models: Vec<M>,
+    pub(crate) starts: Vec<SVector<f64, N>>,
+    /// Of each point, why it has none.
+    failures: Vec<Option<Failure>>,
+}
+
+impl<M, const N: usize> Trials<M, N> {
+    pub(crate) fn of<const K: usize>(
+        points: &[[f64; K]],
+        trial: impl Fn([f64; K]) -> Result<(M, [f64; N]), Failure>,
+    ) -> Self {
+        let mut trials = Self {
+            models: Vec::with_capacity(points.len()),
+            starts: Vec::with_capacity(points.len()),
+            failures: Vec::with_capacity(points.len()),
+        };
+        for &point in points {
+            let failure = trial(point).map(|(model, start)| {
+                trials.models.push(model);
+                trials.starts.push(SVector::from(start));
+            });
+            trials.failures.push(failure.err());
+        }
+        trials
+    }
+
+    /// Adds a row for each point: those of the models, which may have failed, and `width` times NaN where there is none.
+    pub(crate) fn conclude<I: IntoIterator<Item = f64>>(
+        &self,
+        chunk: &mut Chunk,
+        width: usize,
+        mut rows: impl Iterator<Item = (I, Option<Reason>)>,
+    ) {
+        for failure in &self.failures {
+            if let Some(failure) = failure {
+                chunk.fail(repeat_n(f64::NAN, width), failure);
+                continue;
+            }
+            match rows.next() {
+                Some((numbers, None)) => chunk.push(numbers),
+                Some((numbers, Some(reason))) => chunk.fail(numbers, reason),
+                None => {}
             }
         }
-        Ok(chunk)
     }
 }
 

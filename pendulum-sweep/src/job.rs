@@ -207,9 +207,9 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
     /// # Errors
     /// [`SweepError::Invalid`].
     pub fn run(&self) -> Result<Table, SweepError> {
-        self.check()?;
+        let empty = self.empty()?;
         let progress = self.progress(self.sweep.points());
-        self.in_threads(|| self.rows(0..self.sweep.points(), &progress))
+        self.in_threads(|| self.rows(0..self.sweep.points(), &empty, &progress))
     }
 
     /// Computes all rows into a Parquet file, by way of shards in the folder `PATH.shards` beside it: a job that was
@@ -232,7 +232,7 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
             let progress = self.progress(rows);
             let failed = self.in_threads(|| {
                 let shard = |&n: &usize| {
-                    let table = self.rows(shards.rows(n), &progress)?;
+                    let table = self.rows(shards.rows(n), &shards.empty, &progress)?;
                     shards.write(n, &table)?;
                     Ok(table.failures.len())
                 };
@@ -252,7 +252,6 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         compute: impl FnOnce(&Shards<'_>) -> Result<(usize, usize, bool), SweepError>,
     ) -> Result<Summary, SweepError> {
         let since = Instant::now();
-        self.check()?;
         let (computed, failed, complete) = compute(&self.shards(path)?)?;
         Ok(Summary {
             rows: self.sweep.points(),
@@ -288,7 +287,7 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
                 ProgressBar::hidden()
             };
             ranks.share(missing, &progress, |n| {
-                let table = self.in_threads(|| self.rows(shards.rows(n), &ProgressBar::hidden()))?;
+                let table = self.in_threads(|| self.rows(shards.rows(n), &shards.empty, &ProgressBar::hidden()))?;
                 shards.write(n, &table)?;
                 (computed, failed) = (computed + table.rows(), failed + table.failures.len());
                 Ok(table.rows())
@@ -307,7 +306,6 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
     /// # Errors
     /// [`SweepError::Incomplete`] where shards are missing, and those of [`run_to`](Self::run_to).
     pub fn merge(&self, path: impl AsRef<Path>) -> Result<(), SweepError> {
-        self.check()?;
         let shards = self.shards(path.as_ref())?;
         if shards.is_merged()? {
             return Ok(());
@@ -335,12 +333,14 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
             MOST_POINTS.. => {
                 "the sweep has 2^53 points or more, which no machine computes: take fewer values, or random points"
             }
-            _ => return self.empty().map(drop),
+            _ => return Ok(()),
         };
         Err(SweepError::Invalid(wrong.to_owned()))
     }
-    /// The table without rows.
+
+    /// The table without rows, of a job that can run.
     fn empty(&self) -> Result<Table, SweepError> {
+        self.check()?;
         let columns: Vec<Column> = self
             .sweep
             .columns()
@@ -374,8 +374,8 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         })
     }
 
-    /// Some rows, in chunks on all threads.
-    fn rows(&self, rows: Range<usize>, progress: &ProgressBar) -> Result<Table, SweepError> {
+    /// Some rows, added to the table without any, in chunks on all threads.
+    fn rows(&self, rows: Range<usize>, empty: &Table, progress: &ProgressBar) -> Result<Table, SweepError> {
         let size = self.task.chunk();
         let chunk = |first: usize| {
             let points: Vec<[f64; K]> = (first..rows.end.min(first + size))
@@ -387,7 +387,7 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         };
         let firsts: Vec<usize> = rows.clone().step_by(size).collect();
         let chunks: Vec<_> = firsts.into_par_iter().map(chunk).collect::<Result<_, SweepError>>()?;
-        let mut table = self.empty()?;
+        let mut table = empty.clone();
         table.numbers.iter_mut().for_each(|column| column.reserve(rows.len()));
         for (points, chunk) in chunks {
             let before = table.rows();

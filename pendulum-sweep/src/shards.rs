@@ -22,7 +22,7 @@ pub(crate) struct Shards<'p> {
     length: usize,
     pub(crate) count: usize,
     /// The table without rows, with the declaration.
-    empty: Table,
+    pub(crate) empty: Table,
 }
 
 const DECLARATION: &str = "declaration.json";

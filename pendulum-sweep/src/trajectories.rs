@@ -10,7 +10,7 @@ use pendulum_core::{
 use serde_json::{Value, json};
 
 use crate::design::Sweep;
-use crate::ends::{Quantity, first_layout, of_state};
+use crate::ends::{Quantity, Trials, first_layout, of_state};
 use crate::error::SweepError;
 use crate::job::{Chunk, Failure, Job, Task};
 use crate::table::Column;
@@ -213,38 +213,18 @@ where
         let together = if keeps_all { MOST_SOLUTIONS } else { points.len() };
         let mut chunk = Chunk::default();
         for points in points.chunks(together.min(self.together).max(1)) {
-            let (mut models, mut starts) = (Vec::new(), Vec::new());
-            let trials: Vec<Result<(), Failure>> = points
-                .iter()
-                .map(|&point| {
-                    let (model, start) = (self.trial)(point)?;
-                    models.push(model);
-                    starts.push(SVector::from(start));
-                    Ok(())
-                })
-                .collect();
+            let trials = Trials::of(points, &self.trial);
+            let Trials { models, starts, .. } = &trials;
             let events: Vec<Vec<_>> = models
                 .iter()
                 .map(|model| self.events.iter().map(|event| event(model)).collect())
                 .collect();
             let seen = |start: &SVector<f64, N>| Seen::new(self.span, *start, &samples, self.events.len(), keeps_all);
             let mut seen: Vec<_> = starts.iter().map(seen).collect();
-            let reasons = (self.follow)(&self.method, self.span, &models, &starts, &events, &mut seen)?;
-            let mut followed = models.iter().zip(&seen).zip(reasons);
-            for trial in trials {
-                if let Err(reason) = trial {
-                    chunk.fail(vec![f64::NAN; self.width()], reason);
-                    continue;
-                }
-                let Some(((model, seen), reason)) = followed.next() else {
-                    break;
-                };
-                let numbers = self.numbers(model, seen);
-                match reason {
-                    None => chunk.push(numbers),
-                    Some(reason) => chunk.fail(numbers, reason),
-                }
-            }
+            let reasons = (self.follow)(&self.method, self.span, models, starts, &events, &mut seen)?;
+            let followed = models.iter().zip(&seen).zip(reasons);
+            let rows = followed.map(|((model, seen), reason)| (self.numbers(model, seen), reason));
+            trials.conclude(&mut chunk, self.width(), rows);
         }
         Ok(chunk)
     }

@@ -7,12 +7,12 @@ use nalgebra::SVector;
 use super::check::{first_not_finite, in_lane, sum};
 use super::members::Members;
 use super::together::Together;
-use super::watch::{Unwatched, Watch, Watched};
+use super::watch::{Unwatched, Watch, Watched, show_lane};
 use super::{
     Ensemble, EnsembleError, InLanes, MOST_LANES, ObservedEnsemble, Stopped, alone, check_models, check_observers,
     conclude, model_of,
 };
-use crate::dense::{Dense, Step};
+use crate::dense::Step;
 use crate::error::Reason;
 use crate::event::Event;
 use crate::hybrid::{Hold, InMode};
@@ -278,19 +278,11 @@ where
             if !members.is_accepted(lane) {
                 continue;
             }
-            let (start, end) = span(lane);
-            let step = Step::new((start, in_lane(&step.x0, lane)), (end, in_lane(&step.x1, lane)));
-            within.clear();
-            if looks[lane] {
-                for coefficient in coefficients {
-                    within.push(in_lane(coefficient, lane));
-                }
-                self.watch.work(index, &work);
-            }
-            match self.watch.see(index, &Dense::new(step, within)) {
+            let looks_into = looks[lane].then_some((coefficients, &work));
+            match show_lane(&mut self.watch, (lane, index), step, looks_into, within) {
                 Ok(None) => {}
                 Ok(Some(x)) => self.leave(members, (lane, index), x),
-                Err(reason) => self.stop(members, (lane, index), step.x1, reason),
+                Err(reason) => self.stop(members, (lane, index), in_lane(&step.x1, lane), reason),
             }
         }
     }

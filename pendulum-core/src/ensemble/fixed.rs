@@ -7,12 +7,12 @@ use nalgebra::SVector;
 use super::adaptive::outcome as outcome_of;
 use super::check::{first_not_finite, in_lane};
 use super::together::Together;
-use super::watch::{Unwatched, Watch, Watched};
+use super::watch::{Unwatched, Watch, Watched, show_lane};
 use super::{
     Ensemble, EnsembleError, InLanes, MOST_LANES, ObservedEnsemble, Stopped, alone, check_models, check_observers,
     conclude, model_of,
 };
-use crate::dense::{Dense, Step};
+use crate::dense::Step;
 use crate::error::Reason;
 use crate::event::Event;
 use crate::hybrid::{Hold, InMode};
@@ -186,15 +186,7 @@ where
         self.alone(failed);
         Ok(())
     }
-}
 
-impl<F, M, T, W, const N: usize> March<'_, F, M, T, W, N>
-where
-    F: InLanes<M, T, N>,
-    M: Cast<N>,
-    T: LaneElement,
-    W: Watch<T, N>,
-{
     /// The same where each step is seen, and a trajectory may end before the others of its group.
     #[inline(always)]
     fn watched<V: Lanes<Scalar = T>>(mut self) -> Result<(), Reason> {
@@ -261,18 +253,12 @@ where
                         self.end(index, before, Some((t, reason)));
                         continue;
                     }
-                    let step = Step::new((t, before), (t_new, in_lane(&x_new, lane)));
-                    within.clear();
-                    if looks[lane] {
-                        for coefficient in coefficients {
-                            within.push(in_lane(coefficient, lane));
-                        }
-                        self.watch.work(index, &of_dense);
-                    }
-                    match self.watch.see(index, &Dense::new(step, &within)) {
+                    let looks_into = looks[lane].then_some((coefficients, &of_dense));
+                    let after = in_lane(&x_new, lane);
+                    match show_lane(&mut self.watch, (lane, index), &step, looks_into, &mut within) {
                         Ok(None) if t_new != grid.t1() => continue,
-                        Ok(end) => self.end(index, end.unwrap_or(step.x1), None),
-                        Err(reason) => self.end(index, step.x1, Some((t_new, reason))),
+                        Ok(end) => self.end(index, end.unwrap_or(after), None),
+                        Err(reason) => self.end(index, after, Some((t_new, reason))),
                     }
                     busy[lane] = false;
                 }

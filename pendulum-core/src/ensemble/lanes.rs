@@ -105,7 +105,8 @@ where
     }
 }
 
-/// A model in the number type `T`, with its [`TaylorSeries`]: that it has them in all types is known of `M` alone.
+/// A model in the number type `T`: that it has its [`TaylorSeries`], or its [`Jacobian`], in all types is known of `M`
+/// alone.
 pub struct Expanded<M: Cast<N>, T: Real, const N: usize>(M::In<T>);
 
 impl<M: Cast<N>, T: Real, const N: usize> System<T, N> for Expanded<M, T, N> {
@@ -158,21 +159,21 @@ where
     const NARROW: bool = true;
     // the derivatives in modes are functions that are never inlined
     const IN_MODES: bool = false;
-    type System<V: Lanes<Scalar = T>> = Differentiable<M, V, N>;
+    type System<V: Lanes<Scalar = T>> = Expanded<M, V, N>;
     type Stages<V: Lanes<Scalar = T>> = RosenbrockStages<B, V, STAGES, N, PerLane<V, N>>;
 
     #[inline(always)]
-    fn gather<'m, V: Lanes<Scalar = T>>(models: impl Fn(usize) -> &'m M) -> Differentiable<M, V, N>
+    fn gather<'m, V: Lanes<Scalar = T>>(models: impl Fn(usize) -> &'m M) -> Expanded<M, V, N>
     where
         M: 'm,
     {
-        Differentiable(M::gather(models))
+        Expanded(M::gather(models))
     }
 
     #[inline(always)]
     fn stages<V: Lanes<Scalar = T>>(
         &self,
-        _system: &Differentiable<M, V, N>,
+        _system: &Expanded<M, V, N>,
         tolerance: Option<Tolerance<T>>,
         _is_dense: bool,
     ) -> Result<Self::Stages<V>, Reason> {
@@ -180,21 +181,7 @@ where
     }
 }
 
-/// A model in the number type `T`, with its [`Jacobian`]: that it has it in all types is known of `M` alone.
-pub struct Differentiable<M: Cast<N>, T: Real, const N: usize>(M::In<T>);
-
-impl<M: Cast<N>, T: Real, const N: usize> System<T, N> for Differentiable<M, T, N> {
-    #[inline(always)]
-    fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
-        self.0.rhs(t, x)
-    }
-
-    fn layout(&self) -> Option<&'static StateLayout> {
-        self.0.layout()
-    }
-}
-
-impl<M: CastJacobian<N>, T: Real, const N: usize> Jacobian<T, N> for Differentiable<M, T, N> {
+impl<M: CastJacobian<N>, T: Real, const N: usize> Jacobian<T, N> for Expanded<M, T, N> {
     #[inline(always)]
     fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
         M::with_jacobian(&self.0).jacobian(t, x)

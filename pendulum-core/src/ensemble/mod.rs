@@ -14,7 +14,7 @@ use std::fmt;
 
 use nalgebra::SVector;
 
-pub use lanes::{Differentiable, Expanded, InLanes};
+pub use lanes::{Expanded, InLanes};
 pub use together::Together;
 
 use crate::error::{Reason, debug_as_display};
@@ -86,7 +86,7 @@ pub trait Ensemble<M, T: LaneElement, const N: usize> {
         starts: &[SVector<T, N>],
     ) -> Result<Vec<SVector<T, N>>, EnsembleError<T, N>>;
 
-    /// With how many trajectories at a time it is busy; more are no faster.
+    /// How many trajectories are best passed at a time, where there are many.
     fn batch(&self) -> usize {
         256
     }

@@ -2,11 +2,13 @@
 
 use nalgebra::SVector;
 
-use crate::dense::Dense;
+use super::check::in_lane;
+use crate::dense::{Dense, Step};
 use crate::error::Reason;
 use crate::event::Event;
 use crate::method::{Scheme, Search, Stepper, follow, see};
 use crate::real::Float;
+use crate::real::lanes::Lanes;
 use crate::solution::Observer;
 use crate::statistics::Statistics;
 use crate::system::System;
@@ -46,6 +48,28 @@ pub trait Watch<T: Float, const N: usize> {
 
     /// A trajectory leaves its lane, at its end or before.
     fn finish(&mut self, index: usize);
+}
+
+/// Shows the step of a lane, with the coefficients of its dense output, and the work that they took, where the states
+/// within are of interest: what [`Watch::see`] returns.
+#[inline(always)]
+pub(super) fn show_lane<V: Lanes, W: Watch<V::Scalar, N>, const N: usize>(
+    watch: &mut W,
+    (lane, index): (usize, usize),
+    step: &Step<V, N>,
+    looks_into: Option<(&[SVector<V, N>], &Statistics)>,
+    within: &mut Vec<SVector<V::Scalar, N>>,
+) -> Result<Option<SVector<V::Scalar, N>>, Reason> {
+    let end = |t: V, x: &SVector<V, N>| (t.lane(lane), in_lane(x, lane));
+    let step = Step::new(end(step.t0, &step.x0), end(step.t1, &step.x1));
+    within.clear();
+    if let Some((coefficients, work)) = looks_into {
+        for coefficient in coefficients {
+            within.push(in_lane(coefficient, lane));
+        }
+        watch.work(index, work);
+    }
+    watch.see(index, &Dense::new(step, within))
 }
 
 /// Nobody.

@@ -13,7 +13,7 @@ use crate::linear::{Alone, Lu, Pivots, Singular, factoring, solving};
 use crate::method::Adaptive;
 use crate::method::operations as count;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
-use crate::method::stages::{SHORT, shifted, weighted_sum};
+use crate::method::stages::{SHORT, combination, shifted, weighted_sum};
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
 use crate::statistics::Statistics;
@@ -302,14 +302,7 @@ where
     fn dense(&mut self, _system: &InMode<'_, S, T>, _step: &Step<T, N>, _work: &mut Statistics) -> &[SVector<T, N>] {
         let rows = const { B::TABLEAU.dense };
         for (coefficient, row) in self.coefficients.iter_mut().zip(rows) {
-            let mut sums = [T::default(); N];
-            for (stage, &weight) in self.stages.iter().zip(*row) {
-                let weight = T::from_f64(weight);
-                for (sum, &component) in sums.iter_mut().zip(&stage.data.0[0]) {
-                    *sum += component * weight;
-                }
-            }
-            *coefficient = SVector::from(sums);
+            *coefficient = combination(row, (&self.stages, &[]), T::from_f64(1.0));
         }
         &self.coefficients[..rows.len()]
     }

@@ -89,7 +89,7 @@ pub struct OnDevice<X, M> {
     model: PhantomData<fn() -> M>,
 }
 
-/// Trajectories that are integrated together: so many fill a GPU.
+/// How many trajectories are integrated together: enough to fill a GPU.
 const BATCH: usize = 1 << 16;
 /// The number of codes of a kernel.
 const ENDS: i32 = 5;
