@@ -59,6 +59,8 @@ pub(crate) struct Items {
     pub events: Vec<Event>,
     /// Walls.
     pub walls: Vec<Wall>,
+    /// Joints that close loops.
+    pub closures: Vec<Closure>,
     /// The word `generate`, and what to generate.
     pub generate: Option<(Ident, Vec<Ident>)>,
 }
@@ -208,6 +210,26 @@ pub(crate) struct WallFields {
     pub slow: Option<Expr>,
 }
 
+/// `close body at [x, y, z] to body at [x, y, z]: revolute(z),`
+#[derive(Debug)]
+pub(crate) struct Closure {
+    /// The word that the item begins with.
+    pub word: Ident,
+    /// The two places that coincide.
+    pub ends: [End; 2],
+    /// How one may move against the other.
+    pub joint: Read<JointKind>,
+}
+
+/// `body at [x, y, z]`
+#[derive(Debug)]
+pub(crate) struct End {
+    /// The body, or `ground`.
+    pub body: Ident,
+    /// Where in its frame; at its origin if left out.
+    pub at: Option<Read<Vector>>,
+}
+
 /// `[low, high] restitution(e, slow)`
 #[derive(Debug)]
 pub(crate) struct Stop {
@@ -345,6 +367,10 @@ pub(crate) struct BodyFields {
     pub coordinate: Option<Ident>,
     /// Whether the coordinate is measured from ground: the word `absolute`.
     pub absolute: Option<Ident>,
+    /// Whether the coordinate follows from closed loops: the word `depends`.
+    pub depends: Option<Ident>,
+    /// The coordinate where the loops are assembled.
+    pub near: Option<Expr>,
     /// The coordinate as a function of time, of a joint that is driven.
     pub motion: Option<Expr>,
     /// Viscous friction.
@@ -496,7 +522,20 @@ pub(crate) enum Operator {
     Div,
 }
 
+impl Body {
+    /// The coordinate that its joint brings into the state, if it brings one.
+    pub(crate) fn state_coordinate(&self) -> Option<&Ident> {
+        let depends = self.fields.depends.is_some();
+        self.fields.coordinate.as_ref().filter(|_| !depends)
+    }
+}
+
 impl Items {
+    /// The coordinates of the state.
+    pub(crate) fn state_coordinates(&self) -> impl Iterator<Item = &Ident> {
+        self.bodies.iter().filter_map(Body::state_coordinate)
+    }
+
     /// Whether something may hold the motion: dry friction, a stop, or a wall.
     pub(crate) fn is_hybrid(&self) -> bool {
         let hinders = |body: &Body| body.fields.dry_friction.is_some() || body.fields.stop.is_some();

@@ -90,6 +90,7 @@ fn report_without_effect(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'
     }
     let roots = dynamics.entries().into_iter().chain(checked);
     let roots: Vec<_> = roots.chain(model.with_drives(&observed)).collect();
+    let roots = model.written_out(&roots);
     let read: FxHashSet<ExprId> = model.graph.reachable(&roots).into_iter().collect();
     let parameters = model.parameters.iter().map(|p| ("parameter", &p.name, p.symbol));
     let inputs = model.inputs.iter().map(|input| ("input", &input.name, input.symbol));

@@ -68,6 +68,12 @@ impl Errors {
         self.0.iter()
     }
 
+    /// That an error has been noted, where one must have been.
+    pub(crate) fn noted(&self) -> Reported {
+        debug_assert!(!self.0.is_empty(), "no error has been noted");
+        Reported(())
+    }
+
     /// Ends a phase: the value, or all errors.
     pub fn finish<T>(self, value: T) -> Result<T, Self> {
         if self.0.is_empty() { Ok(value) } else { Err(self) }

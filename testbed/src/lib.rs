@@ -6,6 +6,7 @@ pub mod chains;
 pub mod dual;
 pub mod eq22;
 pub mod fit;
+pub mod linkages;
 pub mod lopsided;
 pub mod mechanisms;
 pub mod methods;

@@ -18,6 +18,7 @@ mod hybrid;
 mod hybrid_stability;
 mod lanes;
 mod lift_off;
+mod linkages;
 mod mechanisms;
 mod methods;
 mod modes;

@@ -10,14 +10,14 @@ use crate::screw::{Vec3, Wrench};
 /// The forces of actions along the coordinates, those of the drives behind the others.
 pub(super) fn along_coordinates<'g>(model: &Model<'g>, actions: &[&Action<'g>]) -> Vec<Expr<'g>> {
     let g = model.graph;
-    let mut forces = vec![g.zero(); model.dof() + model.drives.len()];
+    let mut forces = vec![g.zero(); model.all_coordinates().count()];
     if actions.is_empty() {
         return forces;
     }
     let poses = Poses::new(model);
     let place = |place: &Place<'g>| poses.point(place.body, place.at);
     for (k, coordinate) in model.all_coordinates().enumerate() {
-        let (mut by_position, mut by_rate) = (Derivative::by(coordinate.position), Derivative::by(coordinate.rate));
+        let [mut by_position, mut by_rate] = [coordinate.position, coordinate.rate].map(Derivative::by_alone);
         for &action in actions {
             forces[k] += match action {
                 Action::Along(own, force, _) if usize::from(*own) == k => *force,

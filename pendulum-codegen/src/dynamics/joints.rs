@@ -64,7 +64,9 @@ impl<'g> AlongJoints<'g> {
         };
         let drive = balance.split_off(n);
         let (momentum, kinetic) = self.momentum_and_energy(model, &matrix);
-        let tangent = self.inertial.map(|Inertial { tangent, .. }| {
+        // how what follows changes is no part of that tangent
+        let inertial = self.inertial.filter(|_| model.dependents.is_empty());
+        let tangent = inertial.map(|Inertial { tangent, .. }| {
             let [by_position, by_rate] = [tangent.by_position, tangent.by_rate]
                 .map(|entries| of_state(model, &pull_back_matrix(model, &self.motions, entries)));
             Tangent { by_position, by_rate }
@@ -85,7 +87,7 @@ impl<'g> AlongJoints<'g> {
     }
 
     fn pulled(&self, model: &Model<'g>, along: &[Expr<'g>]) -> Vec<Expr<'g>> {
-        pull_back(model, self.motions.iter().zip(along.iter().copied()))
+        free(model, pull_back(model, self.motions.iter().zip(along.iter().copied())))
     }
 
     /// The momenta of the coordinates, and the kinetic energy of all joints.
@@ -96,7 +98,7 @@ impl<'g> AlongJoints<'g> {
             None => matrix[..n].iter().map(|row| times_rates(model, row)).collect(),
         };
         let twice = match &self.momenta {
-            Some(momenta) if !model.drives.is_empty() => {
+            Some(momenta) if !model.drives.is_empty() || !model.dependents.is_empty() => {
                 let joints = self.motions.iter().zip(momenta);
                 let products = joints.map(|(motion, &momentum)| model.rate_of(motion) * momentum);
                 model.graph.sum(products.collect::<Vec<_>>())
@@ -114,7 +116,7 @@ fn forces<'g>(model: &Model<'g>) -> [Vec<Expr<'g>>; 2] {
     let sum = |a: &[Expr<'g>], b: &[Expr<'g>]| -> Vec<Expr<'g>> { a.iter().zip(b).map(|(&a, &b)| a + b).collect() };
     let apart = sum(&of_joints, &along_coordinates(model, &others));
     let all = sum(&apart, &along_coordinates(model, &as_wrenches));
-    [apart, all]
+    [free(model, apart), free(model, all)]
 }
 
 fn less<'g>(a: &[Expr<'g>], b: &[Expr<'g>]) -> Vec<Expr<'g>> {
@@ -138,7 +140,7 @@ fn pull_back<'g, 'm>(
     model: &Model<'g>,
     along_joints: impl Iterator<Item = (&'m Combination, Expr<'g>)>,
 ) -> Vec<Expr<'g>> {
-    let mut pulled = vec![model.graph.zero(); model.dof() + model.drives.len()];
+    let mut pulled = vec![model.graph.zero(); model.all_coordinates().count()];
     for (motion, along) in along_joints {
         for (k, t) in motion.terms() {
             pulled[k] += t * along;
@@ -147,13 +149,25 @@ fn pull_back<'g, 'm>(
     pulled
 }
 
+/// Forces along all coordinates, as forces along those that do not follow from others: `tau + N^T tau'`, where `N` is how the others
+/// follow.
+pub(super) fn free<'g>(model: &Model<'g>, mut along: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
+    let of_dependents = along.split_off(model.dof() + model.drives.len());
+    for (dependent, force) in model.dependents.iter().zip(of_dependents) {
+        for (sum, &slope) in along.iter_mut().zip(&dependent.slopes) {
+            *sum += slope * force;
+        }
+    }
+    along
+}
+
 /// `T^T M T`
 fn pull_back_matrix<'g>(
     model: &Model<'g>,
     motions: &[Combination],
     entries: impl IntoIterator<Item = Entry<'g>>,
 ) -> Vec<Vec<Expr<'g>>> {
-    let n = model.dof() + model.drives.len();
+    let n = model.all_coordinates().count();
     let mut pulled = vec![vec![model.graph.zero(); n]; n];
     for (i, j, entry) in entries {
         for (k, t) in motions[i].terms() {
@@ -162,7 +176,17 @@ fn pull_back_matrix<'g>(
             }
         }
     }
-    pulled
+    // N^T M N, by columns and then by rows
+    let mut rows: Vec<Vec<Expr<'g>>> = pulled.into_iter().map(|row| free(model, row)).collect();
+    let of_dependents = rows.split_off(model.dof() + model.drives.len());
+    for (dependent, row) in model.dependents.iter().zip(of_dependents) {
+        for (sums, &slope) in rows.iter_mut().zip(&dependent.slopes) {
+            for (sum, &entry) in sums.iter_mut().zip(&row) {
+                *sum += slope * entry;
+            }
+        }
+    }
+    rows
 }
 
 /// The scalar product with the rates.

@@ -4,7 +4,7 @@
 //! part of its inertia that the joint cannot move (base parameters: Gautier and Khalil 1990; Khalil and Dombre, ch. 9).
 
 use super::joints::JointId;
-use crate::expr::{Expr, ratio};
+use crate::expr::Expr;
 use crate::model::{Combination, CoordinateId, Model};
 use crate::screw::{MassMoments, Mat3, Symmetric3, Transform, Twist, Vec3};
 
@@ -95,7 +95,7 @@ pub(super) fn links<'g>(model: &Model<'g>) -> Links<'g> {
             (zero, along_z)
         };
         let aligned = Transform {
-            rotation: with_third_column(direction),
+            rotation: Mat3::with_third_column(direction),
             translation: place,
         };
         let back = aligned.inverse();
@@ -158,21 +158,4 @@ impl<'g> Link<'g> {
         };
         self.pitch().is_zero().then_some((kept, line))
     }
-}
-
-/// A rotation whose third column is a unit vector: a permutation where that is a coordinate axis.
-fn with_third_column(z: Vec3<'_>) -> Mat3<'_> {
-    let g = z[0].graph();
-    let axis = (0..3).find(|&k| (0..3).all(|i| i == k || z[i].is_zero()));
-    let x = match axis {
-        // any coordinate axis at a right angle will do
-        Some(k) => Vec3::unit(g, (k + 1) % 3),
-        None => {
-            // the part of a coordinate axis that is at a right angle to z, normalised; the axis where z is zero is best
-            let k = (0..3).find(|&k| z[k].is_zero()).unwrap_or(0);
-            let across = Vec3::unit(g, k) - z[k] * z;
-            across.dot(across).power(ratio(-1, 2)) * across
-        }
-    };
-    Mat3([x, z.cross(x), z]).transpose()
 }

@@ -77,7 +77,7 @@ impl<'g> Dynamics<'g> {
             let times = if j == k { 1 } else { 2 };
             bias[i] += entry * (times * (rates[j] * rates[k]));
         }
-        let momenta = (!model.drives.is_empty()).then(|| {
+        let momenta = (!model.drives.is_empty() || !model.dependents.is_empty()).then(|| {
             let driven: Vec<Expr<'g>> = bodies
                 .iter()
                 .map(|body| model.driven_acceleration_of(&body.motion))
@@ -127,7 +127,7 @@ impl<'g> Dynamics<'g> {
             .actions
             .iter()
             .filter(|action| !matches!(action, Action::Along(..)));
-        let mut forces = actions::along_coordinates(model, &actions.collect::<Vec<_>>());
+        let mut forces = joints::free(model, actions::along_coordinates(model, &actions.collect::<Vec<_>>()));
         forces.truncate(model.dof());
         model.with_drives(&forces)
     }

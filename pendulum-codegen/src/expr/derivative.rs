@@ -8,15 +8,26 @@ use super::{Binary, Expr, Node, Unary};
 #[derive(Debug)]
 pub(crate) struct Derivative<'g> {
     by: Option<Expr<'g>>,
+    /// Whether what follows from others keeps its value.
+    alone: bool,
     known: FxHashMap<Expr<'g>, Expr<'g>>,
 }
 
 impl<'g> Derivative<'g> {
-    /// The derivative by the symbol `by`.
+    /// The derivative by the symbol `by`, on which others may depend.
     pub(crate) fn by(by: Expr<'g>) -> Self {
         Self {
             by: Some(by),
+            alone: false,
             known: FxHashMap::default(),
+        }
+    }
+
+    /// The derivative by the symbol `by`, where all others keep their values.
+    pub(crate) fn by_alone(by: Expr<'g>) -> Self {
+        Self {
+            alone: true,
+            ..Self::by(by)
         }
     }
 
@@ -24,6 +35,7 @@ impl<'g> Derivative<'g> {
     pub(crate) fn along(components: impl IntoIterator<Item = (Expr<'g>, Expr<'g>)>) -> Self {
         Self {
             by: None,
+            alone: false,
             known: components.into_iter().collect(),
         }
     }
@@ -38,7 +50,12 @@ impl<'g> Derivative<'g> {
             return known;
         }
         let derivative = match x.node() {
-            Node::Number(_) | Node::Pi | Node::Symbol(_) => graph.zero(),
+            Node::Symbol(_) => {
+                let changes = graph.changes(x, self.alone).into_iter();
+                let terms = changes.map(|(of, factor)| chain(self.of(of), || factor));
+                graph.sum(terms.collect::<Vec<_>>())
+            }
+            Node::Number(_) | Node::Pi => graph.zero(),
             Node::Unary(Unary::Neg, a) => -self.of(a),
             Node::Unary(op, a) => chain(self.of(a), || op.derivative(a)),
             Node::Binary(op @ (Binary::Add | Binary::Sub), a, b) => self.of(a).combine(op, self.of(b)),

@@ -54,6 +54,8 @@ pub enum SymbolKind {
     PointRate(usize),
     /// A quantity of one order of a power series in time.
     Coefficient(usize),
+    /// A quantity that follows from others: where loops are closed.
+    Following(usize),
 }
 
 /// A named symbol.
@@ -93,12 +95,23 @@ pub enum Node<Operand = ExprId, Number = Rational> {
     Power(Operand, Number),
 }
 
+/// How a symbol changes that follows from others.
+#[derive(Clone, Debug)]
+struct Changes {
+    /// Whether it is another name for a sum, and not only held by a condition.
+    is_sum: bool,
+    /// Expressions, and the factors of their changes.
+    terms: Vec<[ExprId; 2]>,
+}
+
 /// The store of all expressions of one scene: an arena that is shared, and only grows. Equal expressions get equal ids.
 #[derive(Default)]
 pub struct Graph {
     nodes: FrozenVec<Box<Stored>>,
     ids: RefCell<FxHashMap<Node, ExprId>>,
     symbols: FrozenVec<Box<Symbol>>,
+    /// Of symbols that follow from others: how they change with these.
+    changes: RefCell<FxHashMap<ExprId, Changes>>,
 }
 
 /// A node, and what is asked of it most often: known from that of its operands, so that nobody walks the graph for it.
@@ -185,6 +198,20 @@ impl Graph {
             kind,
         }));
         self.intern(Node::Symbol(id))
+    }
+
+    /// Says how a symbol changes with expressions, each with the factor of its change.
+    pub fn set_changes<'g>(&'g self, symbol: Expr<'g>, terms: &[(Expr<'g>, Expr<'g>)], is_sum: bool) {
+        let terms = terms.iter().map(|(x, factor)| [x.id(), factor.id()]).collect();
+        self.changes.borrow_mut().insert(symbol.id(), Changes { is_sum, terms });
+    }
+
+    /// How a symbol changes with expressions, if it follows from them; of sums only, if `alone`.
+    pub fn changes<'g>(&'g self, symbol: Expr<'g>, alone: bool) -> Vec<(Expr<'g>, Expr<'g>)> {
+        let changes = self.changes.borrow();
+        let changes = changes.get(&symbol.id()).filter(|changes| changes.is_sum || !alone);
+        let terms = changes.into_iter().flat_map(|changes| &changes.terms);
+        terms.map(|&[x, factor]| (self.expr(x), self.expr(factor))).collect()
     }
 
     /// The symbol of a leaf, if it is one.

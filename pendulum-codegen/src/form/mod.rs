@@ -24,7 +24,7 @@ use crate::dynamics::{
     Dynamics, Factored, Solver, derived, momentum_partials, momentum_rates, partials, partials_by_recursion,
 };
 use crate::expr::{Expr, Graph, Normalizer};
-use crate::model::{Body, Model};
+use crate::model::{Body, Following, Model};
 use crate::pass::{Operations, Preference, constants, factor, share, trig};
 
 /// How many products of terms the closed form of a scene may take. Larger scenes keep the shared graph.
@@ -87,6 +87,8 @@ pub(crate) struct Forms<'g> {
     articulated: Vec<Candidate<'g>>,
     /// The accelerations in the shortest form, once they are known.
     solved: OnceCell<Chosen<'g>>,
+    /// What symbols stand for that follow from the state.
+    following: Following<'g>,
     normalizer: Normalizer<'g>,
 }
 
@@ -106,7 +108,9 @@ impl<'g> Forms<'g> {
             (form(Basis::Recursive, pushed), dynamics)
         });
         let recursive: Vec<_> = recursive.collect();
-        let articulated = ways.iter().map(|&pushed| {
+        // articulated bodies know nothing of closed loops
+        let open = ways.iter().filter(|_| model.dependents.is_empty());
+        let articulated = open.map(|&pushed| {
             let accelerations = Dynamics::articulated(model, pushed);
             (form(Basis::Articulated, pushed), accelerations)
         });
@@ -138,6 +142,7 @@ impl<'g> Forms<'g> {
             exact,
             articulated,
             solved: OnceCell::new(),
+            following: model.following.clone(),
             normalizer,
         }
     }
@@ -291,7 +296,9 @@ impl<'g> Forms<'g> {
     }
 
     fn choose(&self, candidates: Vec<Candidate<'g>>) -> Chosen<'g> {
-        choose(self.normalizer.graph(), candidates)
+        let graph = self.normalizer.graph();
+        let written_out = |(form, roots): Candidate<'g>| (form, self.following.written_out(graph, &roots));
+        choose(graph, candidates.into_iter().map(written_out).collect())
     }
 }
 

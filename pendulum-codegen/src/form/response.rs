@@ -6,7 +6,7 @@ use super::routines::on_top;
 use super::{Basis, Candidate, Chosen, Forms, Preference, Way, expanded, factorings};
 use crate::dynamics::{Factored, derived};
 use crate::expr::{Derivative, Expr, Normalizer};
-use crate::model::Model;
+use crate::model::{CoordinateId, Model};
 
 /// The rates of constraints are `J qd + w`; this is what their second derivatives `J qdd + h` are made of.
 #[derive(Clone, Debug)]
@@ -25,8 +25,16 @@ impl<'g> Rows<'g> {
         let of_state = model.coordinates.iter().map(|c| (c.position, c.rate));
         let driven = model.drives.iter().map(|drive| &drive.coordinate);
         let driven = driven.flat_map(|c| [(c.position, c.rate), (c.rate, c.acceleration)]);
+        let first = model.dof() + model.drives.len();
+        let dependent = model.dependents.iter().enumerate().flat_map(|(n, dependent)| {
+            let (c, drift) = (
+                &dependent.coordinate,
+                model.driven_acceleration(CoordinateId::new(first + n)),
+            );
+            [(c.position, c.rate), (c.rate, drift)]
+        });
         let time = [(model.time, model.graph.one())];
-        let mut along = Derivative::along(of_state.chain(driven).chain(time));
+        let mut along = Derivative::along(of_state.chain(driven).chain(dependent).chain(time));
         let drifts: Vec<Expr<'g>> = rates.into_iter().map(|rate| along.of(rate)).collect();
         let gradient = |n: usize| gradients.iter().map(|column| column[n]).collect::<Vec<_>>();
         Self {

@@ -43,8 +43,10 @@ impl<'g> Forms<'g> {
         let rows = hindered(model);
         let mut candidates: Vec<(Form, Dynamics<'g>, Option<Expr<'g>>, usize)> = Vec::new();
         for (form, dynamics, determinant) in &self.forms {
-            let slots = slots(model, &mut symbols, dynamics, &rows);
-            candidates.push((*form, dynamics.clone(), *determinant, slots));
+            let dynamics = dynamics.clone().with_entries(model.written_out(&dynamics.entries()));
+            let determinant = determinant.map(|determinant| model.written_out(&[determinant])[0]);
+            let slots = slots(model, &mut symbols, &dynamics, &rows);
+            candidates.push((*form, dynamics, determinant, slots));
         }
         let fewest = candidates.iter().map(|(.., slots)| *slots).min().unwrap_or(0);
         let mut counted: Vec<Taylor<'g>> = Vec::new();
@@ -92,7 +94,7 @@ fn shared<'g>(g: &'g Graph, dynamics: &Dynamics<'g>, factor: bool) -> Dynamics<'
 fn hindered<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
     let accelerations: Vec<Expr<'g>> = model.coordinates.iter().map(|c| c.acceleration).collect();
     if model.is_hybrid() {
-        Rows::new(model).accelerations(&accelerations)
+        model.written_out(&Rows::new(model).accelerations(&accelerations))
     } else {
         Vec::new()
     }

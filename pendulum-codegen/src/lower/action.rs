@@ -95,7 +95,10 @@ impl<'g> Lower<'g> {
         let k = self.coordinate(coordinate, items);
         let force = self.read(force)?;
         let value = self.expr(force, &place)?;
-        Ok(Action::Along(k?, value, written(force, None)))
+        Ok(match k? {
+            Some(k) => Action::Along(k, value, written(force, None)),
+            None => Action::Press(value, self.name(coordinate, &Place::moving(""))?.value),
+        })
     }
 
     /// The force on a point, and the number of the body in whose frame it is given.
@@ -159,11 +162,15 @@ impl<'g> Lower<'g> {
         Ok(coefficient? * approach / square_of_distance(&ends))
     }
 
-    fn coordinate(&mut self, name: &Ident, items: &ast::Items) -> Result<CoordinateId, Reported> {
+    /// A coordinate of the state; none for one that follows from closed loops.
+    fn coordinate(&mut self, name: &Ident, items: &ast::Items) -> Result<Option<CoordinateId>, Reported> {
+        if let Some(k) = items.state_coordinates().position(|known| name == known) {
+            return Ok(Some(CoordinateId::new(k)));
+        }
         let coordinates = items.bodies.iter().filter_map(|body| body.fields.coordinate.as_ref());
         let coordinates: Vec<String> = coordinates.map(Ident::to_string).collect();
-        if let Some(k) = coordinates.iter().position(|known| name == known) {
-            return Ok(CoordinateId::new(k));
+        if coordinates.iter().any(|known| name == known) {
+            return Ok(None);
         }
         if self.points.contains_key(&name.to_string()) {
             let fact = format_args!("`{name}` is a point, not a coordinate");

@@ -128,18 +128,19 @@ impl<'g> Lower<'g> {
         }
     }
 
-    pub(super) fn coordinates(&mut self, bodies: &[ast::Body]) -> Vec<Coordinate<'g>> {
+    /// The coordinates of the state, or those that follow from closed loops; the first of them is number `first`.
+    pub(super) fn coordinates(&mut self, bodies: &[ast::Body], first: usize, depend: bool) -> Vec<Coordinate<'g>> {
         let mut coordinates = Vec::new();
-        for body in bodies {
+        for body in bodies.iter().filter(|body| body.fields.depends.is_some() == depend) {
             let Some(ident) = &body.fields.coordinate else { continue };
-            let (name, k) = (ident.to_string(), coordinates.len());
+            let (name, k) = (ident.to_string(), first + coordinates.len());
             let position = self.graph.symbol(&name, SymbolKind::Coordinate(k));
             let measure = JointUnits::of(body).measure();
             self.names
                 .declare(&mut self.errors, Kind::Coordinate, ident, (measure, Some(position)));
             coordinates.push((name, position));
         }
-        let rate = |k: usize, name: &String| self.graph.symbol(&format!("dot({name})"), SymbolKind::Rate(k));
+        let rate = |k: usize, name: &String| self.graph.symbol(&format!("dot({name})"), SymbolKind::Rate(first + k));
         let rates: Vec<_> = coordinates
             .iter()
             .enumerate()
@@ -151,7 +152,9 @@ impl<'g> Lower<'g> {
         let with_rates = coordinates.into_iter().zip(rates).enumerate();
         with_rates
             .map(|(k, ((name, position), rate))| {
-                let acceleration = self.graph.symbol(&format!("ddot({name})"), SymbolKind::Acceleration(k));
+                let acceleration = self
+                    .graph
+                    .symbol(&format!("ddot({name})"), SymbolKind::Acceleration(first + k));
                 Coordinate {
                     name,
                     position,

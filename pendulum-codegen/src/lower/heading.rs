@@ -4,12 +4,8 @@ use super::Lower;
 use super::joint::Geometry;
 use crate::ast;
 use crate::error::Reported;
-use crate::expr::Normalizer;
-use crate::model::{Body, BodyId, Combination, CoordinateId, Heading};
-use crate::screw::{Mat3, Twist, Vec3};
-
-/// How far the small normal forms of axes may grow.
-const BUDGET: usize = 100_000;
+use crate::model::{Body, BodyId, Combination, CoordinateId, Heading, parallel};
+use crate::screw::{Mat3, Twist};
 
 impl<'g> Lower<'g> {
     /// How the joint turns its body, and what its relative coordinate is in the coordinates of the scene.
@@ -88,14 +84,4 @@ impl<'g> Lower<'g> {
             motion,
         ))
     }
-}
-
-/// Whether two unit vectors are equal for all parameters: 1, or -1 if they are opposite; none where that cannot be proved.
-fn parallel<'g>(a: Vec3<'g>, b: Vec3<'g>) -> Option<i64> {
-    let mut normalizer = Normalizer::new(a[0].graph(), BUDGET);
-    let mut vanishes = |v: Vec3<'g>| v.0.into_iter().all(|x| normalizer.is_zero(x) == Ok(true));
-    if vanishes(a - b) {
-        return Some(1);
-    }
-    vanishes(a + b).then_some(-1)
 }

@@ -128,7 +128,7 @@ impl<'g> Lower<'g> {
         Ok(Some(Twist { angular, linear }))
     }
 
-    fn axis(&mut self, body: &Ident, axis: &Read<Axis>) -> Result<Vec3<'g>, Reported> {
+    pub(super) fn axis(&mut self, body: &Ident, axis: &Read<Axis>) -> Result<Vec3<'g>, Reported> {
         match self.read(axis)? {
             Axis::Unit { number, negative } => {
                 let unit = Vec3::unit(self.graph, *number);

@@ -2,6 +2,7 @@
 
 mod action;
 mod body;
+mod close;
 mod constraint;
 mod declare;
 mod expr;
@@ -32,7 +33,7 @@ use proc_macro2::Span;
 use crate::ast::{Items, Read, Scene, Vector};
 use crate::error::{Errors, Reported};
 use crate::expr::{Derivative, Expr, Graph, SymbolKind};
-use crate::model::{BodyId, Coordinate, Figure, Model, Poses, Rule, along_motion};
+use crate::model::{BodyId, Coordinate, Figure, Following, Model, Poses, Rule, along_motion};
 use crate::screw::Vec3;
 use constraint::hinder;
 use expr::Place;
@@ -122,11 +123,12 @@ impl<'g> Lower<'g> {
         let inputs = self.inputs(&items.inputs);
         let lets = self.declare_lets(&items.lets);
         let order = self.order(&items.bodies);
-        let coordinates = self.coordinates(&items.bodies);
+        let coordinates = self.coordinates(&items.bodies, 0, false);
+        let dependents = self.coordinates(&items.bodies, coordinates.len(), true);
         self.check_places(&items.bodies);
         self.declare_points(items);
         let points = self.points.values().map(Declared::symbols);
-        self.along_motion = along_motion(self.time, coordinates.iter(), points);
+        self.along_motion = along_motion(self.time, coordinates.iter().chain(&dependents), points);
         self.lets(&items.lets);
         let gravity = self.gravity(items.gravity.as_ref());
         let drives = self.drives(&items.bodies, coordinates.len());
@@ -135,6 +137,7 @@ impl<'g> Lower<'g> {
             .iter()
             .cloned()
             .chain(drives.iter().map(|drive| drive.coordinate.clone()))
+            .chain(dependents.iter().cloned())
             .collect();
         let bodies = self.bodies(&items.bodies, order, &all, &shapes);
         let has_drives = !drives.is_empty();
@@ -168,6 +171,9 @@ impl<'g> Lower<'g> {
             inputs,
             coordinates,
             drives,
+            dependents: Vec::new(),
+            following: Following::default(),
+            margins: Vec::new(),
             time: self.time,
             gravity,
             lets,
@@ -180,6 +186,7 @@ impl<'g> Lower<'g> {
             rules: Vec::new(),
             generate,
         };
+        self.close(items, &mut model, dependents);
         model.outputs = self.outputs(items, &Poses::new(&model));
         model.events = self.events(&items.events);
         hinder(&mut model, walls);

@@ -107,7 +107,7 @@ impl<'g> Lower<'g> {
         let outputs = items.outputs.iter().map(|output| (&output.name, "output"));
         let events = items.events.iter().map(|event| (&event.name, "event"));
         let mut taken: BTreeMap<String, String> = BTreeMap::new();
-        for coordinate in items.bodies.iter().filter_map(|body| body.fields.coordinate.as_ref()) {
+        for coordinate in items.state_coordinates() {
             let constants = places(&coordinate.to_string());
             taken.extend(constants.map(|constant| (constant, format!("coordinate `{coordinate}`"))));
         }

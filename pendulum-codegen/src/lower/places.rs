@@ -10,7 +10,7 @@ impl Lower<'_> {
         let mut taken: Vec<(String, String)> = FACTS
             .map(|fact| (fact.to_owned(), "another fact of the model".to_owned()))
             .into();
-        for ident in bodies.iter().filter_map(|body| body.fields.coordinate.as_ref()) {
+        for ident in bodies.iter().filter_map(ast::Body::state_coordinate) {
             let own = places(&ident.to_string());
             let clash = taken.iter().find(|(constant, _)| own.contains(constant));
             if let Some((constant, owner)) = clash.filter(|(_, owner)| *owner != format!("`{ident}`")) {

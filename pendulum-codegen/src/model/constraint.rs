@@ -54,7 +54,7 @@ impl<'g> Constraint<'g> {
         let terms = rate.terms().chain([(own, self.motion.factor(own))]);
         let component = |(k, factor): (CoordinateId, i64)| {
             let sign = i8::try_from(factor).ok().filter(|sign| sign.abs() == 1)?;
-            (!model.is_driven(k)).then_some((model.dof() + usize::from(k), sign))
+            model.is_free(k).then_some((model.dof() + usize::from(k), sign))
         };
         terms.map(component).collect::<Option<_>>().unwrap_or_default()
     }

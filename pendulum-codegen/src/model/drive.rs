@@ -1,6 +1,6 @@
 //! Driven joints.
 
-use super::{Combination, Coordinate, CoordinateId, Model};
+use super::{Combination, Coordinate, CoordinateId, Dependent, Model};
 use crate::expr::Expr;
 
 /// A joint that is driven: its coordinate is a function of time, and no part of the state.
@@ -13,34 +13,55 @@ pub(crate) struct Drive<'g> {
 }
 
 impl<'g> Model<'g> {
-    /// A coordinate of the state, or that of a drive.
+    /// A coordinate of the state, of a drive, or one that follows from these.
     pub(crate) fn coordinate(&self, k: CoordinateId) -> &Coordinate<'g> {
-        match usize::from(k).checked_sub(self.dof()) {
-            Some(drive) => &self.drives[drive].coordinate,
-            None => &self.coordinates[k],
+        let (dof, drives, k) = (self.dof(), self.drives.len(), usize::from(k));
+        if k < dof {
+            &self.coordinates[k]
+        } else if k < dof + drives {
+            &self.drives[k - dof].coordinate
+        } else {
+            &self.dependents[k - dof - drives].coordinate
         }
     }
 
-    /// The coordinates of the state, then those of the drives.
+    /// The coordinates of the state, then those of the drives, then those that follow.
     pub(crate) fn all_coordinates(&self) -> impl Iterator<Item = &Coordinate<'g>> {
         self.coordinates
             .iter()
             .chain(self.drives.iter().map(|drive| &drive.coordinate))
+            .chain(self.dependents.iter().map(|dependent| &dependent.coordinate))
+    }
+
+    /// Whether a coordinate is one of the state.
+    pub(crate) fn is_free(&self, k: CoordinateId) -> bool {
+        usize::from(k) < self.dof()
     }
 
     /// Whether a coordinate is that of a drive.
     pub(crate) fn is_driven(&self, k: CoordinateId) -> bool {
-        usize::from(k) >= self.dof()
+        (self.dof()..self.dof() + self.drives.len()).contains(&usize::from(k))
     }
 
     /// The second rate of a combination of coordinates where those of the state do not accelerate.
     pub(crate) fn driven_acceleration_of(&self, combination: &Combination) -> Expr<'g> {
-        let zero = self.graph.zero();
-        let own = |k| match self.is_driven(k) {
-            true => self.coordinate(k).acceleration,
-            false => zero,
+        combination.of(self.graph, |k| self.driven_acceleration(k))
+    }
+
+    /// The second rate of a coordinate where those of the state do not accelerate.
+    pub(crate) fn driven_acceleration(&self, k: CoordinateId) -> Expr<'g> {
+        let (dof, drives) = (self.dof(), &self.drives);
+        if self.is_free(k) {
+            return self.graph.zero();
+        }
+        let Some(n) = usize::from(k).checked_sub(dof + drives.len()) else {
+            return self.coordinate(k).acceleration;
         };
-        combination.of(self.graph, own)
+        let Dependent { slopes, drift, .. } = &self.dependents[n];
+        let of_drives = slopes[dof..].iter().zip(drives);
+        of_drives.fold(*drift, |sum, (&slope, drive)| {
+            sum + slope * drive.coordinate.acceleration
+        })
     }
 
     /// Expressions in which the laws of the drives stand in the place of their symbols.

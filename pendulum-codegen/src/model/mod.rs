@@ -1,22 +1,27 @@
 //! The typed scene: what a declaration means, without its text.
 
 mod action;
+mod closure;
 mod combination;
 mod constraint;
+mod dependent;
 mod drive;
 mod figure;
 mod index;
 mod output;
 mod point;
 mod pose;
+mod triangle;
 
 use std::collections::BTreeSet;
 
 use rustc_hash::FxHashMap;
 
 pub(crate) use action::{Action, Place, Push};
+pub(crate) use closure::{Closure, Loop, NoPlane, parallel};
 pub(crate) use combination::Combination;
 pub(crate) use constraint::{Constraint, Law};
+pub(crate) use dependent::{Dependent, Following};
 pub(crate) use drive::Drive;
 pub(crate) use figure::Figure;
 pub use figure::FigureKind;
@@ -25,6 +30,7 @@ pub(crate) use index::{BodyId, CoordinateId};
 pub(crate) use output::{Event, Output, OutputShape};
 pub(crate) use point::{Point, along_motion};
 pub(crate) use pose::Poses;
+pub(crate) use triangle::{Closed, Declared, Open, close};
 
 use crate::expr::{BaseAngles, Definition, Expr, Formula, Graph, ratio};
 use crate::screw::{Mat3, SpatialInertia, Transform, Twist, Vec3};
@@ -47,6 +53,12 @@ pub(crate) struct Model<'g> {
     pub coordinates: Vec<Coordinate<'g>>,
     /// Joints that are driven: their coordinates are numbered behind those of the state.
     pub drives: Vec<Drive<'g>>,
+    /// Coordinates that follow from those before, behind which they are numbered.
+    pub dependents: Vec<Dependent<'g>>,
+    /// What the symbols of all that follows stand for.
+    pub following: Following<'g>,
+    /// For each closed loop how far it is from its toggle: the sine of the angle between the two sides that are solved for.
+    pub margins: Vec<Expr<'g>>,
     /// The symbol of time.
     pub time: Expr<'g>,
     /// Acceleration of gravity in the ground frame.
@@ -295,7 +307,9 @@ impl<'g> Model<'g> {
     pub(crate) fn base_angles(&self) -> BaseAngles<'g> {
         let mut angles = FxHashMap::default();
         for body in &self.bodies {
-            let Some(own) = body.coordinate else { continue };
+            let Some(own) = body.coordinate.filter(|&own| self.is_free(own)) else {
+                continue;
+            };
             let turn = body.heading.turn.filtered(|k| !self.is_driven(k));
             let factor = turn.factor(own);
             if factor == 0 {

@@ -212,14 +212,19 @@ impl Field<'_> {
     fn coordinate(&self, body: &mut BodyFields) -> syn::Result<()> {
         let coordinate = identifier(self.input, "the name of a coordinate", "coordinate: theta")?;
         once(&mut body.coordinate, coordinate, self.key)?;
-        if self.input.peek(Ident) && !starts_item(self.input) {
+        while self.input.peek(Ident) && !starts_item(self.input) {
             let word: Ident = self.input.parse()?;
-            if word != "absolute" {
-                let fact = format_args!("unexpected `{word}` after the coordinate");
-                let help = "it is relative to the parent, or measured from ground with the word `absolute`";
-                return Err(at(word.span(), fact, help));
+            match word.to_string().as_str() {
+                "absolute" => once(&mut body.absolute, word.clone(), &word)?,
+                "depends" => once(&mut body.depends, word.clone(), &word)?,
+                "near" => once(&mut body.near, self.input.parse()?, &word)?,
+                _ => {
+                    let fact = format_args!("unexpected `{word}` after the coordinate");
+                    let help = "it is relative to the parent, or measured from ground with the word `absolute`; \
+                                `depends near 0.3` is for one that follows from closed loops";
+                    return Err(at(word.span(), fact, help));
+                }
             }
-            body.absolute = Some(word);
         }
         Ok(())
     }

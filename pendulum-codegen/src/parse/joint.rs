@@ -26,15 +26,8 @@ const JOINTS: [Row; 5] = [
 
 /// `kind(arguments) at point rpy angles`
 pub(super) fn joint(input: ParseStream, body: &Ident) -> syn::Result<Joint> {
-    let word = identifier(input, "a joint", "joint: revolute(z) at [0, 0, 0]")?;
-    let form = JOINTS.into_iter().find(|(known, ..)| word == known);
-    let form = form.map_or("revolute(z)", |(_, form, _)| form);
-    let arguments = match parentheses(input)? {
-        Some(inner) => list(&inner, form, JointArgument::parse)?,
-        None => Vec::new(),
-    };
     let mut joint = Joint {
-        kind: kind(body, &word, arguments),
+        kind: kind(input, body, "joint: revolute(z) at [0, 0, 0]")?,
         at: None,
         rpy: None,
     };
@@ -54,7 +47,19 @@ pub(super) fn joint(input: ParseStream, body: &Ident) -> syn::Result<Joint> {
     Ok(joint)
 }
 
-fn kind(body: &Ident, word: &Ident, arguments: Vec<JointArgument>) -> Read<JointKind> {
+/// `kind(arguments)`, which stands in the text as in `form`
+pub(super) fn kind(input: ParseStream, owner: &Ident, form: &str) -> syn::Result<Read<JointKind>> {
+    let word = identifier(input, "a joint", form)?;
+    let form = JOINTS.into_iter().find(|(known, ..)| word == known);
+    let form = form.map_or("revolute(z)", |(_, form, _)| form);
+    let arguments = match parentheses(input)? {
+        Some(inner) => list(&inner, form, JointArgument::parse)?,
+        None => Vec::new(),
+    };
+    Ok(of_arguments(owner, &word, arguments))
+}
+
+fn of_arguments(body: &Ident, word: &Ident, arguments: Vec<JointArgument>) -> Read<JointKind> {
     let Some((_, form, read)) = JOINTS.into_iter().find(|(known, ..)| word == known) else {
         let Advice { help, .. } = advice(&word.to_string(), JOINTS.map(|(known, ..)| known), words::JOINTS);
         return Err(at(word.span(), format_args!("unknown joint `{word}`"), help));

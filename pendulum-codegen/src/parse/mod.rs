@@ -3,6 +3,7 @@
 mod action;
 mod argument;
 mod body;
+mod close;
 mod declare;
 mod expr;
 mod foreign;
@@ -27,7 +28,7 @@ use crate::words::{self, Advice, advice};
 use token::{brackets, colon, identifier, list, starts_known, unexpected};
 
 /// The items of a scene.
-const ITEMS: [&str; 17] = [
+const ITEMS: [&str; 18] = [
     "units",
     "params",
     "gravity",
@@ -44,6 +45,7 @@ const ITEMS: [&str; 17] = [
     "output",
     "event",
     "wall",
+    "close",
     "generate",
 ];
 
@@ -292,6 +294,7 @@ fn item(input: ParseStream, items: &mut Items, errors: &mut Errors) -> syn::Resu
             items.walls.push(wall::wall(input, errors)?);
             return Ok(End::Braces);
         }
+        "close" => items.closures.push(close::close(input, key, errors)?),
         "force" | "spring" | "damper" | "potential" | "dissipation" => {
             items.actions.push(action::action(input, key, errors)?);
         }

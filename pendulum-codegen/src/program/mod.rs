@@ -160,9 +160,9 @@ impl Program {
         chosen.extend(output::routines(&mut forms, model));
         let deciding = match chosen.iter().find(|(head, _)| head.name == "rhs") {
             Some((_, rhs)) => rhs.roots.clone(),
-            None => forms.closed().unwrap_or(dynamics).balance.clone(),
+            None => model.written_out(&forms.closed().unwrap_or(dynamics).balance),
         };
-        let layout = StateLayout::new(model, &[deciding, model.watched()].concat());
+        let layout = StateLayout::new(model, &[deciding, model.written_out(&model.watched())].concat());
         let series = model.generate.contains("taylor").then(|| forms.taylor(model));
         let sketch = model
             .generate

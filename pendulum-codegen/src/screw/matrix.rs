@@ -3,7 +3,7 @@
 use std::ops::{Add, Index, Mul};
 
 use super::Vec3;
-use crate::expr::{Expr, Graph};
+use crate::expr::{Expr, Graph, ratio};
 
 /// A matrix, row by row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,6 +49,23 @@ impl<'g> Mat3<'g> {
                 symmetric + turned
             }
         })
+    }
+
+    /// A rotation whose third column is a unit vector: a permutation where that is a coordinate axis.
+    pub(crate) fn with_third_column(z: Vec3<'g>) -> Self {
+        let g = z[0].graph();
+        let axis = (0..3).find(|&k| (0..3).all(|i| i == k || z[i].is_zero()));
+        let x = match axis {
+            // any coordinate axis at a right angle will do
+            Some(k) => Vec3::unit(g, (k + 1) % 3),
+            None => {
+                // the part of a coordinate axis that is at a right angle to z, normalised; the axis where z is zero is best
+                let k = (0..3).find(|&k| z[k].is_zero()).unwrap_or(0);
+                let across = Vec3::unit(g, k) - z[k] * z;
+                across.dot(across).power(ratio(-1, 2)) * across
+            }
+        };
+        Self([x, z.cross(x), z]).transpose()
     }
 
     /// The transposed matrix.

@@ -7,6 +7,7 @@
 mod inertia;
 mod matrix;
 mod moments;
+mod plane;
 mod symmetric;
 mod transform;
 mod turn;
@@ -17,6 +18,7 @@ mod wrench;
 pub(crate) use inertia::SpatialInertia;
 pub(crate) use matrix::Mat3;
 pub(crate) use moments::MassMoments;
+pub(crate) use plane::Vec2;
 pub(crate) use symmetric::Symmetric3;
 pub(crate) use transform::Transform;
 pub(crate) use turn::Turn;

@@ -24,14 +24,11 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
         .is_empty()
         .then(|| quote!(stub: ::core::marker::PhantomData<T>));
     let (fields, controls) = (fields.into_iter(), controls.into_iter());
-    let freedom = items
-        .bodies
-        .iter()
-        .filter(|body| body.fields.coordinate.is_some())
-        .count();
+    let freedom = items.state_coordinates().count();
     let dof = count(freedom);
-    let coordinates = items.bodies.iter().filter_map(|body| body.fields.coordinate.as_ref());
-    let of_coordinates = coordinates.flat_map(|coordinate| places(&coordinate.to_string()));
+    let of_coordinates = items
+        .state_coordinates()
+        .flat_map(|coordinate| places(&coordinate.to_string()));
     // by mistake a place may have the name of another, or of a fact
     let mut places: BTreeSet<String> = of_coordinates.collect();
     places.retain(|place| !FACTS.contains(&place.as_str()));

@@ -26,7 +26,7 @@ impl<'g> Torques<'g> {
     pub(super) fn new(model: &Model<'g>) -> Self {
         let mut passive = Dynamics::scene_forces(model);
         let mut rows: Vec<Vec<Summand>> = vec![Vec::new(); model.dof()];
-        let mut named = Vec::new();
+        let (mut named, printer) = (Vec::new(), Printer::new(model.graph));
         for body in &model.bodies {
             let name = format!("torque_{}", body.name.trim_start_matches("r#"));
             let torque = body.torque.as_ref().map(|torque| {
@@ -40,7 +40,7 @@ impl<'g> Torques<'g> {
                 });
                 Formula::Name(name)
             });
-            for (k, factor) in body.motion.terms().filter(|(k, _)| !model.is_driven(*k)) {
+            for (k, factor) in body.motion.terms().filter(|(k, _)| model.is_free(*k)) {
                 passive[k] += factor * body.passive;
                 let Some(torque) = torque.clone() else { continue };
                 let size = factor.abs();
@@ -50,6 +50,21 @@ impl<'g> Torques<'g> {
                     Formula::Product(vec![Formula::Number(ratio(size, 1)), torque])
                 };
                 rows[k].extend(scaled.into_terms(factor < 0));
+            }
+            // along what follows from closed loops, times its slopes
+            for (slopes, factor) in body
+                .motion
+                .terms()
+                .filter_map(|(k, factor)| Some((model.slopes(k)?, factor)))
+            {
+                for ((sum, row), &slope) in passive.iter_mut().zip(&mut rows).zip(slopes) {
+                    *sum += slope * (factor * body.passive);
+                    let Some(torque) = torque.clone().filter(|_| !slope.is_zero()) else {
+                        continue;
+                    };
+                    let scaled = Formula::Product(vec![printer.formula((factor * slope).id()), torque]);
+                    row.extend(scaled.into_terms(false));
+                }
             }
         }
         for action in &model.actions {
@@ -103,6 +118,10 @@ fn points(model: &Model<'_>) -> Vec<Definition> {
             formula: printer.short(drive.law[0].id()),
         });
     }
+    definitions.extend(model.following.definitions().map(|(symbol, value)| Definition {
+        name: printer.print(symbol.id()),
+        formula: printer.short(value.id()),
+    }));
     for point in &model.points {
         let position = model.with_drives(&poses.point(point.place.body, point.place.at).0);
         let short = expanded(&mut normalizer, std::slice::from_ref(&position), Preference::Expanded);

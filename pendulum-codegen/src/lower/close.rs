@@ -1,0 +1,209 @@
+//! Closed loops, and the coordinates that follow from them.
+
+use proc_macro2::Span;
+
+use super::Lower;
+use super::expr::Place;
+use super::joint_units::JointUnits;
+use crate::ast::{self, JointKind};
+use crate::error::Reported;
+use crate::expr::{Expr, Level};
+use crate::model::{self, BodyId, Closure, Combination, Coordinate, Declared, Loop, Model, NoPlane, Open};
+use crate::screw::Vec3;
+
+/// How many coordinates follow from a loop in a plane.
+const FOLLOW: usize = 2;
+
+impl<'g> Lower<'g> {
+    /// Closes the loops of a model: coordinates that depend become symbols that follow from the state.
+    pub(super) fn close(&mut self, items: &ast::Items, model: &mut Model<'g>, declared: Vec<Coordinate<'g>>) {
+        let near: Vec<Result<Expr<'g>, Reported>> = items.bodies.iter().map(|body| self.near(body)).collect();
+        let closures = items.closures.iter().map(|closure| self.closure(closure, items));
+        let closures: Vec<Result<(Closure<'g>, Span), Reported>> = closures.collect();
+        if items.closures.is_empty() && declared.is_empty() {
+            return;
+        }
+        // so they stand until the loops are closed, and after an error
+        let zero = self.graph.zero();
+        let unsolved = declared.iter().cloned().map(|coordinate| model::Dependent {
+            coordinate,
+            slopes: Vec::new(),
+            drift: zero,
+        });
+        model.dependents = unsolved.collect();
+        let solved = self.count(items).and_then(|()| {
+            let closures = closures.into_iter().collect::<Result<Vec<_>, _>>()?;
+            let near = near.into_iter().collect::<Result<Vec<_>, _>>()?;
+            let bodies = || items.bodies.iter().zip(near.iter().copied());
+            let of_state = bodies().filter(|(body, _)| body.state_coordinate().is_some());
+            let of_state: Vec<Expr<'g>> = of_state.map(|(_, near)| near).collect();
+            let following = bodies().filter(|(body, _)| body.fields.depends.is_some());
+            let following = declared.iter().cloned().zip(following);
+            let following: Vec<Declared<'g>> = following
+                .map(|(coordinate, (_, near))| Declared { coordinate, near })
+                .collect();
+            self.solve(items, model, &closures, &following, &of_state)
+        });
+        let Ok(closed) = solved else { return };
+        let first = model.dof() + model.drives.len();
+        let in_new = |sum: &Combination| {
+            sum.terms().fold(Combination::default(), |new, (k, factor)| {
+                match usize::from(k).checked_sub(first) {
+                    Some(n) => new.plus_scaled(factor, &closed.combinations[n]),
+                    None => new.plus_scaled(factor, &Combination::one(k)),
+                }
+            })
+        };
+        for body in &mut model.bodies {
+            body.motion = in_new(&body.motion);
+            body.heading.turn = in_new(&body.heading.turn);
+        }
+        model.dependents = closed.dependents;
+        model.following = closed.following;
+        model.margins = closed.margins;
+    }
+
+    /// Where a coordinate is when the loops are assembled: 0 if left out.
+    fn near(&mut self, body: &ast::Body) -> Result<Expr<'g>, Reported> {
+        let Some(near) = &body.fields.near else {
+            return Ok(self.graph.zero());
+        };
+        let place = Place {
+            most: Level::Constant,
+            ..Place::fixed(format!("where the joint of `{}` is near", body.name))
+                .in_unit(JointUnits::of(body).coordinate())
+        };
+        self.expr(near, &place)
+    }
+
+    /// Each loop in a plane determines two coordinates.
+    fn count(&mut self, items: &ast::Items) -> Result<(), Reported> {
+        let depending: Vec<&ast::Body> = items
+            .bodies
+            .iter()
+            .filter(|body| body.fields.depends.is_some())
+            .collect();
+        let (loops, given) = (items.closures.len(), depending.len());
+        let needed = FOLLOW * loops;
+        if given > needed {
+            let word = depending
+                .into_iter()
+                .filter_map(|body| body.fields.depends.as_ref())
+                .nth(needed);
+            let fact = format!("{given} coordinates depend, and {loops} closed loops determine {needed}");
+            let help = "leave out `depends` where a joint moves by itself, or close another loop: `close a at [..] to b at [..]: revolute(z)`";
+            let at = word.map_or(Span::call_site(), proc_macro2::Ident::span);
+            return Err(self.errors.at(at, fact, help));
+        }
+        if given < needed {
+            let fact = format!("{loops} closed loops determine {needed} coordinates, and {given} depend");
+            let help = "a loop in a plane determines two: write `coordinate: phi depends near 0.3`, \
+                        where the number says in which assembly";
+            let at = items.closures[given / FOLLOW].word.span();
+            return Err(self.errors.at(at, fact, help));
+        }
+        Ok(())
+    }
+
+    fn closure(&mut self, closure: &ast::Closure, items: &ast::Items) -> Result<(Closure<'g>, Span), Reported> {
+        let place =
+            |body: &dyn std::fmt::Display| Place::fixed(format!("the end of the loop on `{body}`")).in_unit("m");
+        let [first, second] = closure.ends.each_ref().map(|end| {
+            let body = self.body_named(&end.body, &items.bodies);
+            let at = end.at.as_ref().map_or(Ok(Vec3::zero(self.graph)), |at| {
+                let at = self.read(at)?;
+                self.vector(at, &place(&end.body))
+            });
+            Ok(model::Place {
+                body: self.at_body(body?)?,
+                at: at?,
+            })
+        });
+        let owner = &closure.ends[0].body;
+        let axis = match self.read(&closure.joint)? {
+            JointKind::Revolute(axis) => self.axis(owner, axis),
+            _ => {
+                let fact = "a loop is closed by a joint that turns";
+                let help = "write `revolute(z)`; what slides is a joint of a body of its own";
+                Err(self.errors.at(closure.word.span(), fact, help))
+            }
+        };
+        let closure_span = closure.word.span();
+        Ok((
+            Closure {
+                ends: [first?, second?],
+                axis: axis?,
+            },
+            closure_span,
+        ))
+    }
+
+    /// The body of a number in the text; an error that is known where it could not be read.
+    fn at_body(&mut self, body: Option<usize>) -> Result<Option<BodyId>, Reported> {
+        match self.placed(body) {
+            Some(placed) => Ok(placed),
+            None => Err(self.errors.noted()),
+        }
+    }
+
+    fn solve(
+        &mut self,
+        items: &ast::Items,
+        model: &mut Model<'g>,
+        closures: &[(Closure<'g>, Span)],
+        declared: &[Declared<'g>],
+        near: &[Expr<'g>],
+    ) -> Result<model::Closed<'g>, Reported> {
+        if !self.errors.is_empty() {
+            return Err(self.errors.noted());
+        }
+        let mut loops = Vec::new();
+        for (closure, span) in closures {
+            loops.push(Loop::new(model, closure).map_err(|why| self.no_plane(*span, &why))?);
+        }
+        model::close(model, &loops, declared, near).map_err(|open| {
+            let ends = |n: usize| items.closures[n].ends.each_ref().map(|end| end.body.to_string());
+            let at = |n: usize| closures[n].1;
+            match open {
+                Open::NoTriangle(left) => {
+                    let n = left[0];
+                    let [a, b] = ends(n);
+                    let fact = format!("the loop from `{a}` to `{b}` is no triangle of two unknown sides");
+                    let help = "a loop is solved in closed form where two of its joints are unknown once the loops before it are: \
+                                choose other coordinates to depend, or close other loops of the same mechanism";
+                    self.errors.at(at(n), fact, help)
+                }
+                Open::TooShort(n, by) => {
+                    let [a, b] = ends(n);
+                    let fact = format!("the loop from `{a}` to `{b}` cannot close: it misses by {by:.3e} m where it is assembled");
+                    let help = "check lengths and places, or say where the mechanism can be assembled: `coordinate: theta near 0.5`";
+                    self.errors.at(at(n), fact, help)
+                }
+                Open::Undecided(n) => {
+                    let [a, b] = ends(n);
+                    let fact = format!("the loop from `{a}` to `{b}` can be assembled in two ways, and the guess is as near to both");
+                    let help = "say in which: `coordinate: phi depends near 0.3`";
+                    self.errors.at(at(n), fact, help)
+                }
+            }
+        })
+    }
+
+    fn no_plane(&mut self, span: Span, why: &NoPlane) -> Reported {
+        let (fact, help) = match why {
+            NoPlane::Axes => (
+                "the bodies of the loop do not turn about one axis",
+                "loops in space are not supported yet: all joints of a loop turn about parallel axes, or slide across them",
+            ),
+            NoPlane::Joint => (
+                "the joint that closes the loop turns about another axis than its bodies",
+                "give it the axis of the others",
+            ),
+            NoPlane::Apart => (
+                "the ends of the loop do not lie in one plane",
+                "check the places along the axis of the joints, and in which directions they slide",
+            ),
+        };
+        self.errors.at(span, fact, help)
+    }
+}

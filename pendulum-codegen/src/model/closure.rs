@@ -1,0 +1,194 @@
+//! Closed loops as vectors of a plane that add up to zero.
+
+use super::{BodyId, Combination, CoordinateId, Heading, Model, Place};
+use crate::expr::{Expr, Normalizer};
+use crate::screw::{Mat3, Vec2, Vec3};
+
+/// A joint that closes a loop: two places coincide, and one may turn against the other.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Closure<'g> {
+    /// The places.
+    pub ends: [Place<'g>; 2],
+    /// The axis of the joint, in the frame of the first.
+    pub axis: Vec3<'g>,
+}
+
+/// Why a joint cannot close its loop in a plane.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum NoPlane {
+    /// The bodies do not turn about one axis in one frame.
+    Axes,
+    /// The bodies do, but the joint turns about another.
+    Joint,
+    /// The places lie in different planes, or move out of them.
+    Apart,
+}
+
+/// A vector of the plane of a loop.
+#[derive(Clone, Debug)]
+pub(crate) struct Piece<'g> {
+    /// The angle by which it is turned.
+    pub(super) turn: Combination,
+    /// The vector before; a unit vector where it slides.
+    pub(super) vector: Vec2<'g>,
+    /// The coordinate along which it slides.
+    pub(super) slide: Option<CoordinateId>,
+    /// The body in whose frame it stands still; none for the frame of the plane.
+    pub(super) body: Option<BodyId>,
+}
+
+/// Vectors that add up to zero.
+#[derive(Clone, Debug)]
+pub(crate) struct Loop<'g>(pub(super) Vec<Piece<'g>>);
+
+/// A vector of the frame of the plane.
+struct Step<'g> {
+    turn: Combination,
+    vector: Vec3<'g>,
+    slide: Option<CoordinateId>,
+    body: Option<BodyId>,
+}
+
+/// How far normal forms of constants may grow.
+const BUDGET: usize = 100_000;
+
+impl<'g> Loop<'g> {
+    /// The loop that a joint closes.
+    pub(crate) fn new(model: &Model<'g>, closure: &Closure<'g>) -> Result<Self, NoPlane> {
+        let [first, second] = &closure.ends;
+        let station = |place: &Place<'g>| place.body.and_then(|body| model.bodies[body].heading.station);
+        // an end may be the body in whose frame the others turn
+        let frame = match [first, second].map(station) {
+            [a, b] if a == b => a,
+            [a, b] if first.body == b && a != b => b,
+            [a, b] if second.body == a && a != b => a,
+            _ => return Err(NoPlane::Axes),
+        };
+        let axes = [first, second].map(|place| axis_in(model, place, frame));
+        let axis = axes.into_iter().flatten().next().ok_or(NoPlane::Axes)?;
+        let mut steps = Vec::new();
+        for (place, own, towards) in [(first, axes[0], 1), (second, axes[1], -1)] {
+            let sign = own.map_or(Some(1), |own| parallel(axis, own)).ok_or(NoPlane::Axes)?;
+            for step in steps_to(model, place, frame) {
+                steps.push(Step {
+                    turn: step.turn.scaled(sign),
+                    vector: towards * step.vector,
+                    ..step
+                });
+            }
+        }
+        let of_joint = match first.body {
+            Some(body) if first.body != frame => model.bodies[body].heading.rest * closure.axis,
+            _ => closure.axis,
+        };
+        parallel(axis, of_joint).ok_or(NoPlane::Joint)?;
+        let basis = Mat3::with_third_column(axis).transpose();
+        let mut height = model.graph.zero();
+        let mut pieces = Vec::new();
+        for step in steps {
+            let Vec3([x, y, z]) = basis * step.vector;
+            if step.slide.is_none() {
+                height += z;
+            } else if !vanishes(z) {
+                return Err(NoPlane::Apart);
+            }
+            pieces.push(Piece {
+                turn: step.turn,
+                vector: Vec2([x, y]),
+                slide: step.slide,
+                body: step.body,
+            });
+        }
+        pieces.retain(|piece| !piece.vector.0.into_iter().all(Expr::is_zero));
+        if vanishes(height) {
+            Ok(Self(pieces))
+        } else {
+            Err(NoPlane::Apart)
+        }
+    }
+
+    /// The loop around both.
+    pub(super) fn joined(&self, other: &Self, sign: i64) -> Self {
+        let signed = other.0.iter().map(|piece| Piece {
+            vector: piece.vector.0[0].graph().integer(sign) * piece.vector,
+            ..piece.clone()
+        });
+        let mut joined = Self(Vec::new());
+        for piece in self.0.iter().cloned().chain(signed) {
+            let same = |known: &&mut Piece<'g>| known.turn == piece.turn && known.slide == piece.slide;
+            match joined.0.iter_mut().find(same) {
+                Some(known) if piece.slide.is_none() => known.vector = known.vector + piece.vector,
+                Some(known) if known.vector == -piece.vector => known.vector = Vec2::zero(piece.vector.0[0].graph()),
+                _ => joined.0.push(piece),
+            }
+        }
+        joined.0.retain(|piece| !piece.vector.0.into_iter().all(vanishes));
+        joined
+    }
+}
+
+/// The axis about which a body turns in a frame, if it turns there.
+fn axis_in<'g>(model: &Model<'g>, place: &Place<'g>, frame: Option<BodyId>) -> Option<Vec3<'g>> {
+    let body = place.body.filter(|_| place.body != frame)?;
+    model.bodies[body].heading.axis
+}
+
+/// From the origin of a frame to a place on a body that turns in it: vectors of the frame.
+fn steps_to<'g>(model: &Model<'g>, place: &Place<'g>, frame: Option<BodyId>) -> Vec<Step<'g>> {
+    let still = |vector: Vec3<'g>| Step {
+        turn: Combination::default(),
+        vector,
+        slide: None,
+        body: None,
+    };
+    let inside = |at: Option<BodyId>| at.filter(|_| at != frame);
+    let held = |at: Option<BodyId>, vector: Vec3<'g>| match inside(at) {
+        None => still(vector),
+        Some(body) => {
+            let Heading { turn, rest, .. } = &model.bodies[body].heading;
+            Step {
+                turn: turn.clone(),
+                vector: *rest * vector,
+                slide: None,
+                body: Some(body),
+            }
+        }
+    };
+    let mut steps = vec![held(place.body, place.at)];
+    let mut at = inside(place.body);
+    while let Some(body) = at {
+        let own = &model.bodies[body];
+        let joint = own.placement;
+        steps.push(held(own.parent, joint.translation));
+        if let Some(screw) = own.screw {
+            let (arm, pitch) = (screw.angular.cross(screw.linear), screw.angular.dot(screw.linear));
+            let along = if screw.turns() {
+                pitch * screw.angular
+            } else {
+                screw.linear
+            };
+            steps.push(Step {
+                slide: own.coordinate,
+                ..held(own.parent, joint.rotation * along)
+            });
+            steps.push(held(own.parent, joint.rotation * arm));
+            steps.push(held(at, -arm));
+        }
+        at = inside(own.parent);
+    }
+    steps.retain(|step| !step.vector.is_zero());
+    steps
+}
+
+/// Whether two unit vectors are equal for all parameters: 1, or -1 if they are opposite; none where that cannot be proved.
+pub(crate) fn parallel<'g>(a: Vec3<'g>, b: Vec3<'g>) -> Option<i64> {
+    let vanish = |v: Vec3<'g>| v.0.into_iter().all(vanishes);
+    if vanish(a - b) {
+        return Some(1);
+    }
+    vanish(a + b).then_some(-1)
+}
+
+fn vanishes(x: Expr<'_>) -> bool {
+    Normalizer::new(x.graph(), BUDGET).is_zero(x) == Ok(true)
+}

@@ -1,0 +1,135 @@
+//! Coordinates that follow from others, where loops are closed.
+
+use rustc_hash::FxHashMap;
+
+use super::{Coordinate, CoordinateId, Model};
+use crate::expr::{Binary, Expr, Graph, Node, Normalizer, Unary};
+
+/// A coordinate that follows from those of the state and of the drives.
+#[derive(Clone, Debug)]
+pub(crate) struct Dependent<'g> {
+    /// The symbols of the coordinate and of its rate, and its second rate in those of the others.
+    pub coordinate: Coordinate<'g>,
+    /// Its derivatives by the coordinates of the state, then by those of the drives.
+    pub slopes: Vec<Expr<'g>>,
+    /// Its second rate where none of these accelerates.
+    pub drift: Expr<'g>,
+}
+
+/// What follows from the state: symbols that stand in expressions until these are written out.
+///
+/// Between, they are as good as variables: forms are expanded in them, and derivatives know how they
+/// change. What they stand for has roots and quotients that no form could be expanded in.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Following<'g> {
+    /// The values of symbols, in the state.
+    values: FxHashMap<Expr<'g>, Expr<'g>>,
+    /// Cosine and sine of angles, in the state.
+    turns: FxHashMap<Expr<'g>, [Expr<'g>; 2]>,
+    /// Angles as sums of others with integer factors.
+    sums: FxHashMap<Expr<'g>, Vec<(Expr<'g>, i64)>>,
+    /// What each symbol stands for, as it was given.
+    definitions: Vec<(Expr<'g>, Expr<'g>)>,
+}
+
+/// How far the normal form of an angle may grow.
+const BUDGET: usize = 10_000;
+
+impl<'g> Following<'g> {
+    /// Gives a symbol its value, which may hold what was given before.
+    pub(super) fn set(&mut self, symbol: Expr<'g>, value: Expr<'g>) {
+        self.definitions.push((symbol, value));
+        let value = self.written_out(symbol.graph(), &[value])[0];
+        self.values.insert(symbol, value);
+    }
+
+    /// Gives an angle its cosine and sine.
+    pub(super) fn set_turn(&mut self, angle: Expr<'g>, [cosine, sine]: [Expr<'g>; 2]) {
+        self.definitions.push((angle, sine.combine(Binary::Atan2, cosine)));
+        let turn = self.written_out(angle.graph(), &[cosine, sine]);
+        self.turns.insert(angle, [turn[0], turn[1]]);
+    }
+
+    /// Says which sum an angle is.
+    pub(super) fn set_sum(&mut self, angle: Expr<'g>, sum: Vec<(Expr<'g>, i64)>) {
+        self.sums.insert(angle, sum);
+    }
+
+    /// What each symbol stands for, in the state and in symbols before it.
+    pub(crate) fn definitions(&self) -> impl Iterator<Item = (Expr<'g>, Expr<'g>)> {
+        self.definitions.iter().copied()
+    }
+
+    /// The expressions in the state alone.
+    pub(crate) fn written_out(&self, graph: &'g Graph, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
+        if self.values.is_empty() && self.turns.is_empty() {
+            return roots.to_vec();
+        }
+        let mut known = self.values.clone();
+        for id in graph.reachable(roots) {
+            let x = graph.expr(id);
+            if let Node::Unary(op @ (Unary::Sin | Unary::Cos), angle) = x.node()
+                && let Some([cosine, sine]) = self.turn(angle)
+            {
+                known.insert(x, if op == Unary::Sin { sine } else { cosine });
+            }
+        }
+        graph.substitute(roots, known)
+    }
+
+    /// Cosine and sine of an angle, where angles that follow are part of it.
+    fn turn(&self, angle: Expr<'g>) -> Option<[Expr<'g>; 2]> {
+        let graph = angle.graph();
+        let mut normalizer = Normalizer::new(graph, BUDGET);
+        let follows = |x: &Expr<'g>| self.turns.contains_key(x) || self.sums.contains_key(x);
+        if !graph.reachable(&[angle]).into_iter().any(|id| follows(&graph.expr(id))) {
+            return None;
+        }
+        let whole = normalizer.normal(angle).ok()?;
+        let mut rest = (*whole).clone();
+        let mut parts: Vec<(Expr<'g>, i64)> = Vec::new();
+        for (monomial, factor) in whole.terms() {
+            let &[(symbol, 1)] = monomial.powers() else { continue };
+            let symbol = graph.expr(symbol);
+            if !follows(&symbol) {
+                continue;
+            }
+            let factor = i64::try_from(factor.is_integer().then(|| factor.to_integer())?).ok()?;
+            rest.remove(monomial);
+            match self.sums.get(&symbol) {
+                Some(sum) => parts.extend(sum.iter().map(|&(part, n)| (part, n * factor))),
+                None => parts.push((symbol, factor)),
+            }
+        }
+        let mut rest = normalizer.to_expr(&rest);
+        let mut turns: Vec<([Expr<'g>; 2], i64)> = Vec::new();
+        for (part, n) in parts {
+            match self.turns.get(&part) {
+                Some(&turn) => turns.push((turn, n)),
+                None => rest += n * part,
+            }
+        }
+        let mut sum = [rest.cos(), rest.sin()];
+        for ([cosine, sine], n) in turns {
+            let sine = if n < 0 { -sine } else { sine };
+            for _ in 0..n.unsigned_abs() {
+                let [c, s] = sum;
+                sum = [c * cosine - s * sine, s * cosine + c * sine];
+            }
+        }
+        Some(sum)
+    }
+}
+
+impl<'g> Model<'g> {
+    /// The derivatives of a coordinate by those of the state, if it follows from them.
+    pub(crate) fn slopes(&self, k: CoordinateId) -> Option<&[Expr<'g>]> {
+        let n = usize::from(k).checked_sub(self.dof() + self.drives.len())?;
+        Some(&self.dependents[n].slopes[..self.dof()])
+    }
+
+    /// Expressions in which what follows from the state is written out.
+    pub(crate) fn written_out(&self, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
+        self.following.written_out(self.graph, roots)
+    }
+}

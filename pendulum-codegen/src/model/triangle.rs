@@ -1,0 +1,716 @@
+//! Loops that fall apart into triangles: what follows from the state, in closed form.
+//!
+//! A loop with two unknown angles, or with an angle and a length, is a triangle of two unknown sides `r1 + r2 = m`, where `-m` is the sum of
+//! all that is known. Sides of known lengths meet where two circles do: with `L = m . m` and `a = 1/2 + (r1^2 - r2^2) / (2 L)` the first
+//! is `a m + h m'`, `h = +-sqrt(r1^2 / L - a^2)`, where `m'` is `m` after a quarter of a turn. A side that slides ends where a line meets
+//! a circle. Rates follow by Cramer's rule from two equations, whose determinant vanishes where the triangle is flat: at its toggle.
+
+use super::closure::{Loop, Piece};
+use super::{Combination, Coordinate, CoordinateId, Dependent, Following, Model};
+use crate::expr::{Binary, Expr, Graph, Level, Normalizer, Symbol, SymbolKind, ratio};
+use crate::screw::Vec2;
+
+/// A coordinate that shall follow, as it is declared.
+#[derive(Clone, Debug)]
+pub(crate) struct Declared<'g> {
+    /// Its name and symbols.
+    pub coordinate: Coordinate<'g>,
+    /// Its value where the loops are assembled.
+    pub near: Expr<'g>,
+}
+
+/// Why loops cannot be closed.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Open {
+    /// None of these loops is a triangle.
+    NoTriangle(Vec<usize>),
+    /// Where the loop is assembled, it misses closing by this length.
+    TooShort(usize, f64),
+    /// The guess is as near to one assembly of the loop as to the other.
+    Undecided(usize),
+}
+
+/// What closed loops make of the coordinates that are declared to follow.
+#[derive(Clone, Debug)]
+pub(crate) struct Closed<'g> {
+    /// The coordinates that follow: absolute angles of sides, and lengths.
+    pub dependents: Vec<Dependent<'g>>,
+    /// Each declared coordinate in those of the state, of the drives, and those.
+    pub combinations: Vec<Combination>,
+    /// The values of all symbols.
+    pub following: Following<'g>,
+    /// For each triangle the sine of the angle between its unknown sides: zero at its toggle.
+    pub margins: Vec<Expr<'g>>,
+}
+
+/// Two unknown sides, and what is known. If one of them slides, it is the first.
+struct Triangle<'g> {
+    sides: [Side<'g>; 2],
+    known: Vec<Piece<'g>>,
+}
+
+#[derive(Clone)]
+enum Side<'g> {
+    /// Pieces that turn together, by the unknown angle of the first of them.
+    Turning(Combination, Vec<Piece<'g>>),
+    /// A piece that slides by an unknown length.
+    Sliding(CoordinateId, Piece<'g>),
+}
+
+/// A triangle that is solved.
+struct Solution<'g> {
+    /// The sides, with the lengths by which they slide.
+    sides: [Vec2<'g>; 2],
+    /// Cosine and sine of the angle of a side that turns.
+    turns: [Option<[Expr<'g>; 2]>; 2],
+    /// How far a side slides.
+    length: Option<Expr<'g>>,
+    /// What each unknown moves the end by, for each unit.
+    columns: [Vec2<'g>; 2],
+    /// One over what the columns span.
+    inverse: Expr<'g>,
+    /// The sine of the angle between the columns.
+    margin: Expr<'g>,
+    /// The unknowns where the loop is assembled.
+    assembled: [f64; 2],
+}
+
+impl<'g> Solution<'g> {
+    /// The rates of the unknowns that bring the end back, where all else moves it by `push`.
+    fn answers(&self, push: Vec2<'g>) -> [Expr<'g>; 2] {
+        let [first, second] = self.columns;
+        [-(push.cross(second) * self.inverse), push.cross(first) * self.inverse]
+    }
+}
+
+/// Loops while they are solved.
+struct Solver<'g, 'm> {
+    graph: &'g Graph,
+    model: &'m Model<'g>,
+    declared: &'m [Declared<'g>],
+    dependents: Vec<Option<Dependent<'g>>>,
+    combinations: Vec<Option<Combination>>,
+    following: Following<'g>,
+    margins: Vec<Expr<'g>>,
+    /// All coordinates where the loops are assembled.
+    assembled: Vec<f64>,
+}
+
+/// Solves the loops in an order in which each is a triangle. Near `near` the coordinates of the state assemble them.
+pub(crate) fn close<'g>(
+    model: &Model<'g>,
+    loops: &[Loop<'g>],
+    declared: &[Declared<'g>],
+    near: &[Expr<'g>],
+) -> Result<Closed<'g>, Open> {
+    let mut solver = Solver::new(model, declared, near);
+    let mut left: Vec<usize> = (0..loops.len()).collect();
+    while !left.is_empty() {
+        let (at, triangle) = solver.next(loops, &left).ok_or(Open::NoTriangle(left.clone()))?;
+        solver.solve(left[at], &triangle)?;
+        left.remove(at);
+    }
+    Ok(Closed {
+        dependents: solver.dependents.into_iter().flatten().collect(),
+        combinations: solver.combinations.into_iter().flatten().collect(),
+        following: solver.following,
+        margins: solver.margins,
+    })
+}
+
+impl<'g, 'm> Solver<'g, 'm> {
+    fn new(model: &'m Model<'g>, declared: &'m [Declared<'g>], near: &[Expr<'g>]) -> Self {
+        let mut solver = Self {
+            graph: model.graph,
+            model,
+            declared,
+            dependents: vec![None; declared.len()],
+            combinations: vec![None; declared.len()],
+            following: Following::default(),
+            margins: Vec::new(),
+            assembled: Vec::new(),
+        };
+        let laws = model.drives.iter().map(|drive| drive.law[0]);
+        let guesses = declared.iter().map(|declared| declared.near);
+        for value in near.iter().copied().chain(laws).chain(guesses) {
+            let value = solver.number(value);
+            solver.assembled.push(value);
+        }
+        solver
+    }
+
+    /// How many coordinates do not follow from others: those of the state, and of the drives.
+    fn free(&self) -> usize {
+        self.model.dof() + self.model.drives.len()
+    }
+
+    /// The place among the declared coordinates, of one of them.
+    fn declared_as(&self, k: CoordinateId) -> Option<usize> {
+        usize::from(k).checked_sub(self.free())
+    }
+
+    fn is_unknown(&self, k: CoordinateId) -> bool {
+        self.declared_as(k).is_some_and(|n| self.dependents[n].is_none())
+    }
+
+    /// A sum of declared coordinates, with what is solved in the place of them.
+    fn rebased(&self, sum: &Combination) -> Combination {
+        sum.terms().fold(Combination::default(), |sum, (k, factor)| {
+            let own = self.declared_as(k).and_then(|n| self.combinations[n].clone());
+            sum.plus_scaled(factor, &own.unwrap_or(Combination::one(k)))
+        })
+    }
+
+    fn unknown_part(&self, sum: &Combination) -> Combination {
+        sum.filtered(|k| self.is_unknown(k))
+    }
+
+    /// A triangle among the loops that are left, or among sums and differences of two of them, and which of them it closes.
+    fn next(&self, loops: &[Loop<'g>], left: &[usize]) -> Option<(usize, Triangle<'g>)> {
+        let alone = left.iter().enumerate().map(|(at, &n)| (at, loops[n].clone()));
+        let pairs = left.iter().enumerate().flat_map(|(at, &n)| {
+            let others = left[..at].iter().flat_map(|&m| [(m, 1), (m, -1)]);
+            others.map(move |(m, sign)| (at, loops[n].joined(&loops[m], sign)))
+        });
+        alone
+            .chain(pairs)
+            .find_map(|(at, around)| Some((at, self.triangle(&around)?)))
+    }
+
+    /// The loop as a triangle, if it is one.
+    fn triangle(&self, around: &Loop<'g>) -> Option<Triangle<'g>> {
+        let mut turning: Vec<(Combination, Side<'g>)> = Vec::new();
+        let (mut sides, mut known) = (Vec::new(), Vec::new());
+        for piece in &around.0 {
+            let turn = self.rebased(&piece.turn);
+            let (piece, unknown) = (piece.clone(), self.unknown_part(&turn));
+            let slides = piece.slide.filter(|&k| self.is_unknown(k));
+            if let Some(k) = slides {
+                sides.push(Side::Sliding(k, piece.clone()));
+            }
+            if unknown == Combination::default() {
+                known.extend(slides.is_none().then_some(piece));
+                continue;
+            }
+            let own = slides.is_none().then_some(piece);
+            match turning.iter_mut().find(|(known, _)| *known == unknown) {
+                Some((_, Side::Turning(_, pieces))) => pieces.extend(own),
+                _ => turning.push((unknown, Side::Turning(turn, own.into_iter().collect()))),
+            }
+        }
+        sides.extend(turning.into_iter().map(|(_, side)| side));
+        let sides = <[Side<'g>; 2]>::try_from(sides).ok()?;
+        // what slides does so along what is known, or along the other side, without turning on it
+        let fits = match &sides {
+            [Side::Sliding(_, piece), Side::Turning(angle, _)] => {
+                let turn = self.rebased(&piece.turn);
+                self.unknown_part(&turn) == Combination::default() || turn == *angle
+            }
+            [Side::Turning(..), Side::Turning(..)] => true,
+            _ => false,
+        };
+        let triangle = Triangle { sides, known };
+        (fits && self.in_unknowns(&triangle).is_some()).then_some(triangle)
+    }
+
+    /// The two declared coordinates that a triangle determines, each in the unknowns of the two sides. These take their numbers.
+    fn in_unknowns(&self, triangle: &Triangle<'g>) -> Option<[(CoordinateId, Combination); 2]> {
+        let sums = triangle.sides.each_ref().map(|side| match side {
+            Side::Turning(angle, _) => angle.clone(),
+            Side::Sliding(k, _) => Combination::one(*k),
+        });
+        let mut numbers: Vec<CoordinateId> = Vec::new();
+        for (k, _) in sums.iter().flat_map(Combination::terms) {
+            if self.is_unknown(k) && !numbers.contains(&k) {
+                numbers.push(k);
+            }
+        }
+        let &[first, second] = &numbers[..] else { return None };
+        let [[a, b], [c, d]] = sums.each_ref().map(|sum| [first, second].map(|k| sum.factor(k)));
+        let determinant = a * d - b * c;
+        if determinant.abs() != 1 {
+            return None;
+        }
+        // unknown - what is known in it = factors . declared
+        let bare = |k: CoordinateId, sum: &Combination| {
+            Combination::one(k).plus_scaled(-1, &sum.filtered(|k| !self.is_unknown(k)))
+        };
+        let (u, v) = (bare(first, &sums[0]), bare(second, &sums[1]));
+        let of = |p: i64, q: i64| u.scaled(p * determinant).plus_scaled(q * determinant, &v);
+        Some([(first, of(d, -b)), (second, of(-c, a))])
+    }
+
+    /// Closes a loop by its triangle.
+    fn solve(&mut self, number: usize, triangle: &Triangle<'g>) -> Result<(), Open> {
+        let Some(places) = self.in_unknowns(triangle) else {
+            return Err(Open::NoTriangle(vec![number]));
+        };
+        let guesses = triangle.sides.each_ref().map(|side| match side {
+            Side::Turning(angle, _) => angle
+                .terms()
+                .map(|(k, n)| n as f64 * self.assembled[usize::from(k)])
+                .sum(),
+            Side::Sliding(k, _) => self.assembled[usize::from(*k)],
+        });
+        let solution = self.solution(triangle, guesses).map_err(|miss| match miss {
+            Miss::Short(by) => Open::TooShort(number, by),
+            Miss::Undecided => Open::Undecided(number),
+        })?;
+        let free = self.free();
+        for (n, side) in triangle.sides.iter().enumerate() {
+            let place = usize::from(places[n].0);
+            self.assembled[place] = solution.assembled[n];
+            let coordinate = self.unknown(place, side);
+            if let Some(turn) = solution.turns[n] {
+                self.following.set_turn(coordinate.position, turn);
+            }
+            if let (Side::Sliding(..), Some(length)) = (side, solution.length) {
+                self.following.set(coordinate.position, length);
+            }
+            let (slopes, drift) = (vec![self.graph.zero(); free], self.graph.zero());
+            self.dependents[place - free] = Some(Dependent {
+                coordinate,
+                slopes,
+                drift,
+            });
+        }
+        for (k, combination) in &places {
+            self.combinations[usize::from(*k) - free] = Some(combination.clone());
+        }
+        // at fixed unknowns, the end moves with all else
+        let pushes = (0..free).map(|j| self.velocity(triangle, &solution, |k| self.slope(k, j), false));
+        let slopes: Vec<[Expr<'g>; 2]> = pushes.map(|push| solution.answers(push)).collect();
+        let columns = [0, 1].map(|n| slopes.iter().map(|slope| slope[n]).collect::<Vec<_>>());
+        for ((k, _), column) in places.iter().zip(columns) {
+            self.set_slopes(usize::from(*k) - free, column);
+        }
+        let bend = self.velocity(triangle, &solution, |k| self.drift(k), true);
+        for ((k, _), drift) in places.iter().zip(solution.answers(bend)) {
+            self.set_drift(usize::from(*k) - free, drift);
+        }
+        for (k, _) in &places {
+            self.set_declared(usize::from(*k) - free);
+        }
+        self.margins.push(solution.margin);
+        Ok(())
+    }
+
+    /// The symbols of the unknown of a side.
+    fn unknown(&self, place: usize, side: &Side<'g>) -> Coordinate<'g> {
+        let declared = &self.declared[place - self.free()].coordinate;
+        let body = match side {
+            Side::Sliding(..) => return declared.clone(),
+            Side::Turning(_, pieces) => pieces.iter().find_map(|piece| piece.body),
+        };
+        let name = match body {
+            Some(body) => format!("angle_{}", self.model.bodies[body].name.trim_start_matches("r#")),
+            None => declared.name.clone(),
+        };
+        Coordinate {
+            position: self.graph.symbol(&name, SymbolKind::Coordinate(place)),
+            rate: self.graph.symbol(&format!("dot({name})"), SymbolKind::Rate(place)),
+            acceleration: self.graph.zero(),
+            name,
+        }
+    }
+
+    /// A symbol for a value that follows from the state.
+    fn follow(&mut self, symbol: Expr<'g>, value: Expr<'g>) {
+        let value = self.model.with_drives(&[value])[0];
+        self.graph.set_changes(symbol, &[(value, self.graph.one())], false);
+        self.following.set(symbol, value);
+    }
+
+    fn named(&mut self, name: &str, value: Expr<'g>) -> Expr<'g> {
+        if value.level() < Level::State || value.as_symbol().is_some() {
+            return value;
+        }
+        let symbol = self.graph.symbol(name, SymbolKind::Following(0));
+        self.follow(symbol, value);
+        symbol
+    }
+
+    /// The slopes of an unknown give it its rate.
+    fn set_slopes(&mut self, n: usize, slopes: Vec<Expr<'g>>) {
+        let Some(Dependent { coordinate, .. }) = self.dependents[n].clone() else {
+            return;
+        };
+        let mut named = Vec::new();
+        for (j, slope) in slopes.into_iter().enumerate() {
+            let by = bare(&self.model.coordinate(CoordinateId::new(j)).name);
+            named.push(self.named(&format!("slope_{}_{by}", bare(&coordinate.name)), slope));
+        }
+        let (dof, drives) = (self.model.dof(), &self.model.drives);
+        let of_state = self.model.coordinates.iter().zip(&named);
+        let of_drives = named[dof..]
+            .iter()
+            .zip(drives)
+            .map(|(&slope, drive)| slope * drive.law[1]);
+        let of_time = self.graph.sum(of_drives.collect::<Vec<_>>());
+        let rate = of_state.clone().fold(of_time, |sum, (c, &slope)| sum + slope * c.rate);
+        let acceleration = of_state.clone().map(|(c, &slope)| slope * c.acceleration);
+        let driven = named[dof..]
+            .iter()
+            .zip(drives)
+            .map(|(&slope, drive)| slope * drive.coordinate.acceleration);
+        let acceleration = self.graph.sum(acceleration.chain(driven).collect::<Vec<_>>());
+        let changes = of_state
+            .map(|(c, &slope)| (c.position, slope))
+            .chain([(self.model.time, of_time)]);
+        self.graph
+            .set_changes(coordinate.position, &changes.collect::<Vec<_>>(), false);
+        self.follow(coordinate.rate, rate);
+        let coordinate = Coordinate {
+            acceleration,
+            ..coordinate
+        };
+        self.dependents[n] = Some(Dependent {
+            coordinate,
+            slopes: named,
+            drift: self.graph.zero(),
+        });
+    }
+
+    fn set_drift(&mut self, n: usize, drift: Expr<'g>) {
+        let Some(mut dependent) = self.dependents[n].clone() else {
+            return;
+        };
+        dependent.drift = self.named(&format!("drift_{}", bare(&dependent.coordinate.name)), drift);
+        dependent.coordinate.acceleration += dependent.drift;
+        self.dependents[n] = Some(dependent);
+    }
+
+    /// Says what a declared coordinate is, now that the unknowns are known.
+    fn set_declared(&mut self, n: usize) {
+        let Declared { coordinate, near } = self.declared[n].clone();
+        let Some(sum) = self.combinations[n].clone() else {
+            return;
+        };
+        let list = |part: fn(&Coordinate<'g>) -> Expr<'g>| -> Vec<(Expr<'g>, i64)> {
+            sum.terms()
+                .map(|(k, factor)| (part(self.coordinate(k)), factor))
+                .collect()
+        };
+        let (positions, rates) = (list(|c| c.position), list(|c| c.rate));
+        if positions.iter().any(|(position, _)| *position == coordinate.position) {
+            return;
+        }
+        let factors = |list: &[(Expr<'g>, i64)]| -> Vec<(Expr<'g>, Expr<'g>)> {
+            list.iter().map(|&(x, n)| (x, self.graph.integer(n))).collect()
+        };
+        self.graph.set_changes(coordinate.position, &factors(&positions), true);
+        self.graph.set_changes(coordinate.rate, &factors(&rates), true);
+        let rate = self.graph.sum(rates.iter().map(|&(x, n)| n * x).collect::<Vec<_>>());
+        self.following.set_sum(coordinate.position, positions);
+        self.following.set(coordinate.rate, self.model.with_drives(&[rate])[0]);
+        let beside = coordinate.position - near;
+        let beside = beside.sin().combine(Binary::Atan2, beside.cos());
+        self.following.set(coordinate.position, near + beside);
+    }
+
+    /// A coordinate of the state, of a drive, or an unknown that was found.
+    fn coordinate(&self, k: CoordinateId) -> &Coordinate<'g> {
+        let own = self.declared_as(k);
+        let found = own.and_then(|n| self.dependents[n].as_ref().map(|dependent| &dependent.coordinate));
+        match (own, found) {
+            (_, Some(found)) => found,
+            (Some(n), None) => &self.declared[n].coordinate,
+            (None, None) => self.model.coordinate(k),
+        }
+    }
+
+    /// The derivative of a coordinate by that of number `j`; zero for what is just being solved.
+    fn slope(&self, k: CoordinateId, j: usize) -> Expr<'g> {
+        match self.declared_as(k).and_then(|n| self.dependents[n].as_ref()) {
+            Some(dependent) => dependent.slopes[j],
+            None => self.graph.integer(i64::from(usize::from(k) == j)),
+        }
+    }
+
+    /// The second rate of a coordinate where nothing accelerates by itself.
+    fn drift(&self, k: CoordinateId) -> Expr<'g> {
+        let dependent = self.declared_as(k).and_then(|n| self.dependents[n].as_ref());
+        dependent.map_or(self.graph.zero(), |dependent| dependent.drift)
+    }
+
+    /// The vector of a piece, without the length by which it slides.
+    fn direction(&self, piece: &Piece<'g>) -> Vec2<'g> {
+        let turn = self.rebased(&piece.turn);
+        let angle = turn.of(self.graph, |k| self.coordinate(k).position);
+        piece.vector.turned([angle.cos(), angle.sin()])
+    }
+
+    /// The vector of a piece.
+    fn vector(&self, piece: &Piece<'g>) -> Vec2<'g> {
+        let direction = self.direction(piece);
+        piece
+            .slide
+            .map_or(direction, |k| self.coordinate(k).position * direction)
+    }
+
+    /// The sum of the changes of all pieces where coordinates change by `by`; with the terms in products of rates if `bends`.
+    fn velocity(
+        &self,
+        triangle: &Triangle<'g>,
+        solution: &Solution<'g>,
+        by: impl Fn(CoordinateId) -> Expr<'g>,
+        bends: bool,
+    ) -> Vec2<'g> {
+        let mut sum = Vec2::zero(self.graph);
+        let rate = |turn: &Combination| turn.of(self.graph, |k| self.coordinate(k).rate);
+        let mut add = |turn: &Combination, slide: Option<CoordinateId>, direction: Vec2<'g>, vector: Vec2<'g>| {
+            let turn = self.rebased(turn);
+            sum = sum + turn.of(self.graph, &by) * vector.quarter();
+            if let Some(k) = slide {
+                sum = sum + by(k) * direction;
+            }
+            if bends {
+                let turns = rate(&turn);
+                sum = sum - turns.powi(2) * vector;
+                if let Some(k) = slide {
+                    sum = sum + (2 * turns * self.coordinate(k).rate) * direction.quarter();
+                }
+            }
+        };
+        for piece in &triangle.known {
+            add(&piece.turn, piece.slide, self.direction(piece), self.vector(piece));
+        }
+        for (side, &vector) in triangle.sides.iter().zip(&solution.sides) {
+            match side {
+                Side::Sliding(_, piece) => add(&piece.turn, piece.slide, self.direction(piece), vector),
+                Side::Turning(_, pieces) => match &pieces[..] {
+                    // one vector that is known, or pieces that move on the side
+                    [first, others @ ..]
+                        if others
+                            .iter()
+                            .chain([first])
+                            .all(|piece| piece.turn == first.turn && piece.slide.is_none()) =>
+                    {
+                        add(&first.turn, None, vector, vector);
+                    }
+                    _ => {
+                        for piece in pieces {
+                            add(&piece.turn, piece.slide, self.direction(piece), self.vector(piece));
+                        }
+                    }
+                },
+            }
+        }
+        sum
+    }
+
+    /// The triangle in closed form, in the assembly that is nearest to the guesses.
+    fn solution(&self, triangle: &Triangle<'g>, guesses: [f64; 2]) -> Result<Solution<'g>, Miss> {
+        let known = triangle.known.iter().map(|piece| self.vector(piece));
+        let target = -known.fold(Vec2::zero(self.graph), |sum, piece| sum + piece);
+        match &triangle.sides {
+            [Side::Sliding(_, piece), Side::Turning(angle, pieces)] => {
+                let side = self.on_side(angle, pieces);
+                if self.rebased(&piece.turn) == *angle {
+                    self.slide_on_side(target, piece.vector, side, guesses)
+                } else {
+                    self.slide_beside(target, self.direction(piece), side, guesses)
+                }
+            }
+            sides => {
+                let sides = sides.each_ref().map(|side| match side {
+                    Side::Turning(angle, pieces) => self.on_side(angle, pieces),
+                    Side::Sliding(_, piece) => piece.vector,
+                });
+                self.circles(target, sides, guesses)
+            }
+        }
+    }
+
+    /// The sum of pieces in the frame that turns by an angle.
+    fn on_side(&self, angle: &Combination, pieces: &[Piece<'g>]) -> Vec2<'g> {
+        let pieces = pieces.iter().map(|piece| {
+            let beside = self.rebased(&piece.turn).plus_scaled(-1, angle);
+            let beside = beside.of(self.graph, |k| self.coordinate(k).position);
+            let vector = piece.vector.turned([beside.cos(), beside.sin()]);
+            piece.slide.map_or(vector, |k| self.coordinate(k).position * vector)
+        });
+        pieces.fold(Vec2::zero(self.graph), |sum, piece| sum + piece)
+    }
+
+    /// Two sides that turn: where two circles meet.
+    fn circles(&self, m: Vec2<'g>, [a, b]: [Vec2<'g>; 2], guesses: [f64; 2]) -> Result<Solution<'g>, Miss> {
+        let [to, first, second] = [m, a, b].map(|v| self.numbers(v));
+        let (length, radii) = (norm(to), [norm(first), norm(second)]);
+        let miss = (length - radii[0] - radii[1]).max((radii[0] - radii[1]).abs() - length);
+        let share = 0.5 + (radii[0].powi(2) - radii[1].powi(2)) / (2.0 * length.powi(2));
+        let height = ((radii[0] / length).powi(2) - share.powi(2)).max(0.0).sqrt();
+        let assembled = |sign: f64| {
+            let one = [
+                share * to[0] - sign * height * to[1],
+                share * to[1] + sign * height * to[0],
+            ];
+            [between(first, one), between(second, [to[0] - one[0], to[1] - one[1]])]
+        };
+        let (sign, assembled) = self.nearest(miss, assembled, |one| {
+            one.iter()
+                .zip(guesses)
+                .map(|(angle, guess)| turned_by(angle - guess))
+                .sum()
+        })?;
+        let l = self.shorter(m.dot(m));
+        let [a2, b2] = [a, b].map(|v| self.shorter(v.dot(v)));
+        let over = l.recip();
+        let share = ratio(1, 2) + (ratio(1, 2) * (a2 - b2)) * over;
+        let height = (a2 * over - share.powi(2)).sqrt();
+        let signed = if sign < 0.0 { -height } else { height };
+        let one = share * m + signed * m.quarter();
+        let two = m - one;
+        Ok(Solution {
+            sides: [one, two],
+            turns: [Some(a.turn_to(one)), Some(b.turn_to(two))],
+            length: None,
+            columns: [one.quarter(), two.quarter()],
+            inverse: -(signed * l).recip(),
+            margin: height * l / (a2 * b2).sqrt(),
+            assembled,
+        })
+    }
+
+    /// A side `a` that turns, and a known direction to slide along: where a line meets a circle.
+    fn slide_beside(&self, m: Vec2<'g>, e: Vec2<'g>, a: Vec2<'g>, guesses: [f64; 2]) -> Result<Solution<'g>, Miss> {
+        let [to, along, side] = [m, e, a].map(|v| self.numbers(v));
+        let (off, radius) = (cross(to, along), norm(side));
+        let height = (radius.powi(2) - off.powi(2)).max(0.0).sqrt();
+        let assembled = |sign: f64| {
+            let length = to[0] * along[0] + to[1] * along[1] + sign * height;
+            [
+                length,
+                between(side, [to[0] - length * along[0], to[1] - length * along[1]]),
+            ]
+        };
+        let (sign, assembled) = self.nearest(off.abs() - radius, assembled, |[length, angle]| {
+            (length - guesses[0]).abs() / radius + turned_by(angle - guesses[1])
+        })?;
+        let a2 = self.shorter(a.dot(a));
+        let root = (a2 - m.cross(e).powi(2)).sqrt();
+        let signed = if sign < 0.0 { -root } else { root };
+        let length = m.dot(e) + signed;
+        let turning = m - length * e;
+        Ok(Solution {
+            sides: [length * e, turning],
+            turns: [None, Some(a.turn_to(turning))],
+            length: Some(length),
+            columns: [e, turning.quarter()],
+            inverse: -signed.recip(),
+            margin: root / a2.sqrt(),
+            assembled,
+        })
+    }
+
+    /// A side `a + s e` that turns, and whose length changes with `s`.
+    fn slide_on_side(&self, m: Vec2<'g>, e: Vec2<'g>, a: Vec2<'g>, guesses: [f64; 2]) -> Result<Solution<'g>, Miss> {
+        let [to, along, base] = [m, e, a].map(|v| self.numbers(v));
+        let (off, radius) = (cross(base, along), norm(to));
+        let height = (radius.powi(2) - off.powi(2)).max(0.0).sqrt();
+        let assembled = |sign: f64| {
+            let length = sign * height - (base[0] * along[0] + base[1] * along[1]);
+            [
+                length,
+                between([base[0] + length * along[0], base[1] + length * along[1]], to),
+            ]
+        };
+        let (sign, assembled) = self.nearest(off.abs() - radius, assembled, |[length, angle]| {
+            (length - guesses[0]).abs() / radius + turned_by(angle - guesses[1])
+        })?;
+        let m2 = self.shorter(m.dot(m));
+        let root = (m2 - a.cross(e).powi(2)).sqrt();
+        let signed = if sign < 0.0 { -root } else { root };
+        let length = signed - a.dot(e);
+        let whole = a + length * e;
+        let turn = [whole.dot(m) / m2, whole.cross(m) / m2];
+        Ok(Solution {
+            sides: [length * e.turned(turn), a.turned(turn)],
+            turns: [None, Some(turn)],
+            length: Some(length),
+            columns: [e.turned(turn), m.quarter()],
+            inverse: signed.recip(),
+            margin: root / m2.sqrt(),
+            assembled,
+        })
+    }
+
+    /// The sign of the assembly that is nearer to a guess, if both exist.
+    fn nearest(
+        &self,
+        miss: f64,
+        assembled: impl Fn(f64) -> [f64; 2],
+        distance: impl Fn([f64; 2]) -> f64,
+    ) -> Result<(f64, [f64; 2]), Miss> {
+        /// The least difference that says anything.
+        const LEAST: f64 = 1e-6;
+        let is_known = self
+            .model
+            .parameters
+            .iter()
+            .all(|parameter| parameter.default.is_some());
+        if is_known && miss > 0.0 {
+            return Err(Miss::Short(miss));
+        }
+        let both = [1.0, -1.0].map(|sign| (sign, assembled(sign)));
+        let [first, second] = both.map(|(_, unknowns)| distance(unknowns));
+        if (first - second).abs() > LEAST {
+            Ok(both[usize::from(second < first)])
+        } else {
+            Err(Miss::Undecided)
+        }
+    }
+
+    /// The expression, or its normal form where that is shorter.
+    fn shorter(&self, x: Expr<'g>) -> Expr<'g> {
+        /// How far the normal form may grow.
+        const BUDGET: usize = 10_000;
+        let mut normalizer = Normalizer::with_angles(self.graph, BUDGET, self.model.base_angles());
+        let normal = normalizer.normal(x).map(|normal| normalizer.to_expr(&normal));
+        normal.ok().filter(|normal| normal.length() < x.length()).unwrap_or(x)
+    }
+
+    /// The value of an expression where the loops are assembled: parameters without a default count as 1.
+    fn number(&self, x: Expr<'g>) -> f64 {
+        let x = self.following.written_out(self.graph, &self.model.with_drives(&[x]));
+        let value = |symbol: &Symbol| match symbol.kind {
+            SymbolKind::Parameter(n) => self.model.parameters[n].default.unwrap_or(1.0),
+            SymbolKind::Coordinate(k) => self.assembled[k],
+            _ => 0.0,
+        };
+        self.graph.evaluate(&x, value)[0]
+    }
+
+    fn numbers(&self, v: Vec2<'g>) -> [f64; 2] {
+        v.0.map(|x| self.number(x))
+    }
+}
+
+/// Why a triangle has no assembly that a guess tells.
+enum Miss {
+    Short(f64),
+    Undecided,
+}
+
+/// The name of a body or coordinate, without the word before it and the mark of a raw identifier.
+fn bare(name: &str) -> &str {
+    name.trim_start_matches("angle_").trim_start_matches("r#")
+}
+
+fn norm([x, y]: [f64; 2]) -> f64 {
+    x.hypot(y)
+}
+
+fn cross([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
+    a * d - b * c
+}
+
+/// The angle from one vector to another.
+fn between(a: [f64; 2], b: [f64; 2]) -> f64 {
+    cross(a, b).atan2(a[0] * b[0] + a[1] * b[1])
+}
+
+/// How far an angle is from a whole number of turns.
+fn turned_by(angle: f64) -> f64 {
+    angle.sin().atan2(angle.cos()).abs()
+}

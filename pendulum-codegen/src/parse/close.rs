@@ -1,0 +1,43 @@
+//! Joints that close loops.
+
+use syn::parse::ParseStream;
+use syn::{Ident, Token};
+
+use super::token::{colon, identifier};
+use super::{joint, read};
+use crate::ast::{Closure, End, Vector};
+use crate::error::{Errors, at};
+
+const FORM: &str = "close coupler at [b, 0, 0] to rocker at [c, 0, 0]: revolute(z)";
+
+/// `body at [x, y, z] to body at [x, y, z]: revolute(z)`, after the word `close`
+pub(super) fn close(input: ParseStream, word: Ident, errors: &mut Errors) -> syn::Result<Closure> {
+    let first = end(input)?;
+    let to: Option<Ident> = input.parse()?;
+    if to.as_ref().is_none_or(|to| to != "to") {
+        let span = to.map_or(input.span(), |to| to.span());
+        let fact = format_args!("expected `to`, and what `{}` is tied to", first.body);
+        return Err(at(span, fact, format_args!("write `{FORM}`")));
+    }
+    let second = end(input)?;
+    colon(input, &second.body, errors)?;
+    let joint = joint::kind(input, &second.body, FORM)?;
+    Ok(Closure {
+        word,
+        ends: [first, second],
+        joint,
+    })
+}
+
+/// `body at [x, y, z]`
+fn end(input: ParseStream) -> syn::Result<End> {
+    let body = identifier(input, "a body that closes the loop", FORM)?;
+    let ahead = input.fork().parse::<Ident>();
+    let given = ahead.is_ok_and(|word| word == "at");
+    if given {
+        input.parse::<Ident>()?;
+    }
+    let at_end = |input: ParseStream| input.peek(Token![:]) || input.peek(Ident);
+    let at = given.then(|| read::<Vector>(input, at_end));
+    Ok(End { body, at })
+}

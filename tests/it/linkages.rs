@@ -1,0 +1,90 @@
+//! Closed loops against reference data that was made without screws and without closed forms: positions, rates and accelerations from a
+//! tree, its closures and their null space, to 20 digits.
+
+use std::f64::consts::TAU;
+
+use nalgebra::SVector;
+use pendulum_core::prelude::*;
+use serde_json::Value;
+use testbed::linkages::{
+    Andrews, AndrewsParams, FiveBar, FiveBarParams, FourBar, FourBarParams, SliderCrank, SliderCrankParams,
+};
+
+/// Largest error over the largest entry.
+const TOLERANCE: f64 = 1e-11;
+
+fn number(value: &Value) -> f64 {
+    value
+        .as_str()
+        .map_or_else(|| value.as_f64(), |text| text.parse().ok())
+        .expect("a number")
+}
+
+fn numbers(value: &Value) -> Vec<f64> {
+    value.as_array().expect("a list").iter().map(number).collect()
+}
+
+fn mechanism(name: &str) -> Value {
+    let all: Value = serde_json::from_str(include_str!("../../testbed/data/loops.json")).expect("valid JSON");
+    let list = all["mechanisms"].as_array().expect("a list");
+    list.iter()
+        .find(|m| m["name"] == name)
+        .expect("a mechanism of that name")
+        .clone()
+}
+
+fn assert_close(what: &str, ours: &[f64], reference: &[f64]) {
+    let size = reference.iter().fold(1e-300, |size: f64, x| size.max(x.abs()));
+    assert_eq!(ours.len(), reference.len());
+    for (a, b) in ours.iter().zip(reference) {
+        assert!(
+            (a - b).abs() <= TOLERANCE * size,
+            "{what}: {ours:?} instead of {reference:?}"
+        );
+    }
+}
+
+/// The nearest of the angles that differ by whole turns.
+fn nearest(angle: f64, to: f64) -> f64 {
+    angle - TAU * ((angle - to) / TAU).round()
+}
+
+macro_rules! agrees {
+    ($($test:ident: $model:ident, $params:ident, $free:literal, angles $angles:expr;)*) => {$(
+        #[test]
+        fn $test() {
+            const D: usize = $free;
+            const N: usize = 2 * D;
+            let model = $model::new($params::default()).expect("the parameters are physical");
+            let data = mechanism(stringify!($test));
+            let free = numbers(&data["independent"]);
+            let free: Vec<usize> = free.into_iter().map(|k| k as usize).collect();
+            for sample in data["samples"].as_array().expect("a list") {
+                let [q, qd, qdd] = ["q", "qd", "qdd"].map(|key| numbers(&sample[key]));
+                let x = SVector::<f64, N>::from_fn(|n, _| if n < D { q[free[n]] } else { qd[free[n - D]] });
+                let rest = |all: &[f64]| -> Vec<f64> { (0..all.len()).filter(|k| !free.contains(k)).map(|k| all[k]).collect() };
+                let angles: Vec<usize> = $angles;
+                let expected = rest(&q);
+                let following = model.following(0.0, &x);
+                let following: Vec<f64> = (0..expected.len()).map(|k| {
+                    if angles.contains(&k) { nearest(following[k], expected[k]) } else { following[k] }
+                }).collect();
+                assert_close("positions that follow", &following, &expected);
+                assert_close("rates that follow", model.following_rates(0.0, &x).as_slice(), &rest(&qd));
+                let rates = model.rhs(0.0, &x);
+                let accelerations = numbers(&sample["independent_acceleration"]);
+                assert_close("accelerations", &rates.as_slice()[D..], &accelerations);
+                assert_close("accelerations that follow", model.following_rates_rate(0.0, &x).as_slice(), &rest(&qdd));
+                assert_close("energies", &[model.kinetic(0.0, &x), model.potential(0.0, &x)], &[number(&sample["kinetic"]), number(&sample["potential"])]);
+                assert!(model.gaps(0.0, &x).amax() < 1e-15, "closed: {}", model.gaps(0.0, &x));
+            }
+        }
+    )*};
+}
+
+agrees! {
+    four_bar: FourBar, FourBarParams, 1, angles vec![0, 1];
+    slider_crank: SliderCrank, SliderCrankParams, 1, angles vec![0];
+    five_bar: FiveBar, FiveBarParams, 2, angles vec![0, 1];
+    andrews: Andrews, AndrewsParams, 1, angles (0..6).collect();
+}
