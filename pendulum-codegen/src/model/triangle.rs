@@ -130,6 +130,10 @@ impl<'g, 'm> Solver<'g, 'm> {
             margins: Vec::new(),
             assembled: Vec::new(),
         };
+        for drive in &model.drives {
+            let change = (model.time, drive.law[1]);
+            model.graph.set_changes(drive.coordinate.position, &[change], false);
+        }
         let laws = model.drives.iter().map(|drive| drive.law[0]);
         let guesses = declared.iter().map(|declared| declared.near);
         for value in near.iter().copied().chain(laws).chain(guesses) {
@@ -262,10 +266,12 @@ impl<'g, 'm> Solver<'g, 'm> {
             self.assembled[place] = solution.assembled[n];
             let coordinate = self.unknown(place, side);
             if let Some(turn) = solution.turns[n] {
+                let turn = turn.map(|x| self.model.with_drives(&[x])[0]);
                 self.following.set_turn(coordinate.position, turn);
             }
             if let (Side::Sliding(..), Some(length)) = (side, solution.length) {
-                self.following.set(coordinate.position, length);
+                self.following
+                    .set(coordinate.position, self.model.with_drives(&[length])[0]);
             }
             let (slopes, drift) = (vec![self.graph.zero(); free], self.graph.zero());
             self.dependents[place - free] = Some(Dependent {
@@ -401,11 +407,14 @@ impl<'g, 'm> Solver<'g, 'm> {
         self.graph.set_changes(coordinate.position, &factors(&positions), true);
         self.graph.set_changes(coordinate.rate, &factors(&rates), true);
         let rate = self.graph.sum(rates.iter().map(|&(x, n)| n * x).collect::<Vec<_>>());
-        self.following.set_sum(coordinate.position, positions);
+        let in_time = |&(x, n): &(Expr<'g>, i64)| (self.model.with_drives(&[x])[0], n);
+        self.following
+            .set_sum(coordinate.position, positions.iter().map(in_time).collect());
         self.following.set(coordinate.rate, self.model.with_drives(&[rate])[0]);
         let beside = coordinate.position - near;
         let beside = beside.sin().combine(Binary::Atan2, beside.cos());
-        self.following.set(coordinate.position, near + beside);
+        self.following
+            .set(coordinate.position, self.model.with_drives(&[near + beside])[0]);
     }
 
     /// A coordinate of the state, of a drive, or an unknown that was found.

@@ -7,6 +7,7 @@ mod equations_text;
 mod forms;
 mod gallery;
 mod limits;
+mod linkages;
 mod normal_form;
 mod places;
 mod solids;

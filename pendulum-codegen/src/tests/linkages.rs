@@ -1,0 +1,311 @@
+//! Closed loops against the same trees with their loops open, held together by multipliers.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::{model, numbers};
+use crate::dynamics::{Dynamics, derived};
+use crate::expr::{Expr, Graph, Symbol, SymbolKind};
+use crate::form::Forms;
+use crate::model::Model;
+
+/// Scenes whose output `gaps` are the ends of their loops apart.
+const SCENES: [&str; 8] = [
+    // forces of every kind on what follows, in parameters
+    "pub FourBar {
+        params { a: m = 0.2, b: m = 0.5, c: m = 0.4, k: N m = 3 }
+        gravity: [1, -9.81, 0],
+        body crank on ground { mass: 0.5, com: [0.1, 0.02, 0], inertia: 0.002, joint: revolute(z), coordinate: q1 near 0.8, friction: 0.3 }
+        body coupler on crank { mass: 1.1, com: [0.2, 0.1, 0], inertia: 0.02,
+            joint: revolute(z) at [a, 0, 0], coordinate: q2 depends near -0.3, spring: (k, 0.4), friction: 0.2 }
+        body rocker on ground { mass: 0.9, com: [0.2, 0.1, 0], inertia: 0.01,
+            joint: revolute(-z) at [0.6, 0.1, 0], coordinate: q3 depends near -1.6, torque: 0.4*sin(q) - 0.1*qd^3 }
+        close coupler at [b, 0.05, 0] to rocker at [c, -0.03, 0]: revolute(z),
+        point p on coupler at [b, 0.05, 0], point r on rocker at [c, -0.03, 0], point nail on ground at [0.3, 1, 0],
+        force q2: 0.3*cos(q2 + q3), force on p: [0.2, q3, 0] in coupler,
+        spring between p and nail: (20, 0.3), damper between r and nail: 0.7, potential: 0.2*(q2 - q3)^2,
+        output gaps: [p.x - r.x, p.y - r.y],
+    }",
+    // an inclined slider beside the crank, angles from ground
+    "pub SliderCrank {
+        gravity: [0, -9.81, 0],
+        body crank on ground { mass: 0.36, com: [0.08, 0, 0], inertia: 0.0007, joint: revolute(z), coordinate: q1 near 0.8 }
+        body rod on crank { mass: 0.15, com: [0.15, 0.01, 0], inertia: 0.0012, joint: revolute(z) at [0.15, 0, 0], coordinate: q2 absolute depends near -0.4 }
+        body piston on ground { mass: 0.07, com: [0.01, 0, 0], inertia: 0.01, joint: prismatic([4, 1, 0]) at [0, -0.02, 0], coordinate: q3 depends near 0.4, friction: 1.5 }
+        close rod at [0.3, 0, 0] to piston: revolute(z),
+        point p on rod at [0.3, 0, 0], point r on piston,
+        output gaps: [p.x - r.x, p.y - r.y],
+    }",
+    // what slides does so on a side that turns
+    "pub Whitworth {
+        gravity: [0, -9.81, 0],
+        body crank on ground { mass: 0.36, com: [0.08, 0, 0], inertia: 0.0007, joint: revolute(z), coordinate: q1 near 0.8 }
+        body arm on ground { mass: 1, com: [0.2, 0.1, 0], inertia: 0.03, joint: revolute(z) at [0, -0.5, 0], coordinate: q2 depends near 1.4, friction: 0.1 }
+        body block on arm { mass: 0.3, com: [0.01, 0.02, 0], inertia: 0.01, joint: prismatic(x) at [0.1, 0.03, 0], coordinate: q3 depends near 0.4 }
+        close crank at [0.2, 0, 0] to block at [0.02, 0.01, 0]: revolute(z),
+        point p on crank at [0.2, 0, 0], point r on block at [0.02, 0.01, 0],
+        output gaps: [p.x - r.x, p.y - r.y],
+    }",
+    // one crank is driven
+    "pub FiveBar {
+        gravity: [0, -9.81, 0],
+        body left on ground { mass: 0.4, com: [0.12, 0, 0], inertia: 0.002, joint: revolute(z), coordinate: q1 near 2.2 }
+        body left_bar on left { mass: 0.3, com: [0.17, 0, 0], inertia: 0.003, joint: revolute(z) at [0.25, 0, 0], coordinate: q2 depends near -1.7 }
+        body right on ground { mass: 0.4, com: [0.12, 0, 0], inertia: 0.002, joint: revolute(z) at [0.3, 0, 0], motion: 0.9 + 0.2*sin(3*t) }
+        body right_bar on right { mass: 0.3, com: [0.17, 0, 0], inertia: 0.003, joint: revolute(z) at [0.25, 0, 0], coordinate: q3 depends near 1.7 }
+        close left_bar at [0.35, 0, 0] to right_bar at [0.35, 0, 0]: revolute(z),
+        point p on left_bar at [0.35, 0, 0], point r on right_bar at [0.35, 0, 0],
+        output gaps: [p.x - r.x, p.y - r.y],
+    }",
+    // on a carrier that turns about another axis, and a body that hangs on what follows
+    "pub Carried {
+        gravity: [0, 1, -9.81],
+        body carrier on ground { mass: 2, com: [0.1, 0.2, 0.1], inertia: [0.3, 0.4, 0.5], joint: revolute(z), coordinate: q1 }
+        body thigh on carrier { mass: 0.5, com: [0.1, 0.02, 0], inertia: [0.002, 0.003, 0.004],
+            joint: revolute(x) at [0.3, 0, 0], coordinate: q2 near 0.8, friction: 0.3 }
+        body coupler on thigh { mass: 1.1, com: [0.2, 0.1, 0], inertia: [0.02, 0.01, 0.02], joint: revolute(x) at [0, 0.2, 0], coordinate: q3 depends near -0.3 }
+        body rocker on carrier { mass: 0.9, com: [0.2, 0.1, 0], inertia: [0.01, 0.02, 0.02], joint: revolute(x) at [0.3, 0.6, 0], coordinate: q4 depends near 1.6 }
+        body bell on coupler { mass: 0.4, com: [0, 0, -0.2], inertia: [0.01, 0.01, 0.003], joint: revolute(x) at [0, 0.3, 0], coordinate: q5 }
+        body tongue on bell { mass: 0.2, com: [0, 0, -0.2], inertia: [0.01, 0.01, 0.003], joint: revolute(y) at [0, 0.1, 0], coordinate: q6 }
+        close coupler at [0.02, 0.5, 0] to rocker at [0.02, 0.4, 0]: revolute(x),
+        point p on coupler at [0, 0.5, 0], point r on rocker at [0, 0.4, 0],
+        output gaps: [(p.x - r.x)*cos(q1) + (p.y - r.y)*sin(q1), (p.y - r.y)*cos(q1) - (p.x - r.x)*sin(q1), p.z - r.z],
+    }",
+    // a side of which a part moves by itself, in both ways
+    "pub Telescope {
+        gravity: [0, -9.81, 0],
+        body crank on ground { mass: 0.5, com: [0.1, 0, 0], inertia: 0.002, joint: revolute(z), coordinate: q1 near 0.8 }
+        body tube on crank { mass: 1.1, com: [0.2, 0.1, 0], inertia: 0.02, joint: revolute(z) at [0.2, 0, 0], coordinate: q2 depends near -0.3 }
+        body stem on tube { mass: 0.3, com: [0.05, 0, 0], inertia: 0.003, joint: prismatic(x) at [0.2, 0, 0], coordinate: q3 near 0.15 }
+        body foot on stem { mass: 0.2, com: [0.05, 0.01, 0], inertia: 0.001, joint: revolute(z) at [0.05, 0, 0], coordinate: q4 near 0.3 }
+        body rocker on ground { mass: 0.9, com: [0.2, 0, 0], inertia: 0.01, joint: revolute(z) at [0.6, 0, 0], coordinate: q5 depends near 1.6 }
+        close foot at [0.1, 0, 0] to rocker at [0.4, 0, 0]: revolute(z),
+        point p on foot at [0.1, 0, 0], point r on rocker at [0.4, 0, 0],
+        output gaps: [p.x - r.x, p.y - r.y],
+    }",
+    // neither loop is a triangle, their difference is
+    "pub Difference {
+        gravity: [0, -9.81, 0],
+        body crank on ground { mass: 0.5, com: [0.1, 0, 0], inertia: 0.002, joint: revolute(z), coordinate: q1 near 0.8 }
+        body coupler on crank { mass: 1.1, com: [0.2, 0, 0], inertia: 0.02, joint: revolute(z) at [0.2, 0, 0], coordinate: q2 depends near -0.3 }
+        body rocker on ground { mass: 0.9, com: [0.2, 0, 0], inertia: 0.01, joint: revolute(z) at [0.6, 0, 0], coordinate: q3 depends near 1.6 }
+        body arm on ground { mass: 0.4, com: [0.2, 0, 0], inertia: 0.01, joint: revolute(z) at [0.2, 0.9, 0], coordinate: q4 depends near -1.5 }
+        body hand on arm { mass: 0.3, com: [0.2, 0, 0], inertia: 0.01, joint: revolute(z) at [0.4, 0, 0], coordinate: q5 depends near 1 }
+        close coupler at [0.5, 0, 0] to hand at [0.4, 0, 0]: revolute(z),
+        close rocker at [0.4, 0, 0] to hand at [0.4, 0, 0]: revolute(z),
+        point p on coupler at [0.5, 0, 0], point r on rocker at [0.4, 0, 0], point s on hand at [0.4, 0, 0],
+        output gaps: [p.x - s.x, p.y - s.y, r.x - s.x, r.y - s.y],
+    }",
+    // a loop that hangs on a loop
+    "pub DoubleFourBar {
+        gravity: [0, -9.81, 0],
+        body first on ground { mass: 1, com: [0, 0.5, 0], inertia: 0.1, joint: revolute(z), coordinate: q1 near 0.2 }
+        body beam on first { mass: 1, com: [0.5, 0, 0], inertia: 0.1, joint: revolute(z) at [0, 1, 0], coordinate: q2 depends near -0.2 }
+        body second on ground { mass: 1, com: [0, 0.5, 0], inertia: 0.1, joint: revolute(z) at [1, 0, 0], coordinate: q3 depends near 0.2 }
+        body other on second { mass: 1, com: [0.5, 0, 0], inertia: 0.1, joint: revolute(z) at [0, 1, 0], coordinate: q4 depends near -0.2 }
+        body third on ground { mass: 1, com: [0, 0.5, 0], inertia: 0.1, joint: revolute(z) at [2, 0, 0], coordinate: q5 depends near 0.2 }
+        close beam at [1, 0, 0] to second at [0, 1, 0]: revolute(z),
+        close other at [1, 0.1, 0] to third at [0, 1.1, 0]: revolute(z),
+        point p on beam at [1, 0, 0], point r on second at [0, 1, 0], point s on other at [1, 0.1, 0], point u on third at [0, 1.1, 0],
+        output gaps: [p.x - r.x, p.y - r.y, s.x - u.x, s.y - u.y],
+    }",
+];
+
+const TIME: f64 = 0.3;
+
+/// Where a scene says that a coordinate is assembled.
+fn near(text: &str, coordinate: &str) -> f64 {
+    let after = text
+        .split(&format!("coordinate: {coordinate}"))
+        .nth(1)
+        .expect("declared");
+    let field = after.split([',', '}']).next().expect("a field");
+    let number = field
+        .split("near ")
+        .nth(1)
+        .map_or(Ok(0.0), |number| number.trim().parse());
+    number.expect("a number")
+}
+
+/// The values of expressions, where coordinates and rates have values by their names.
+fn values<'g>(model: &Model<'g>, roots: &[Expr<'g>], state: &impl Fn(&str) -> f64) -> Vec<f64> {
+    let roots = model.written_out(&model.with_drives(roots));
+    let value = |symbol: &Symbol| match symbol.kind {
+        SymbolKind::Parameter(n) => model.parameters[n].default.expect("a default"),
+        SymbolKind::Time => TIME,
+        _ => state(&symbol.name),
+    };
+    model.graph.evaluate(&roots, value)
+}
+
+/// The state of a scene by name.
+fn state_of<'a>(names: &'a [String], q: &'a [f64], qd: &'a [f64]) -> impl Fn(&str) -> f64 + 'a {
+    move |name| {
+        let place = |own: &str| names.iter().position(|known| known == own);
+        let rate = name
+            .strip_prefix("dot(")
+            .and_then(|rest| place(rest.trim_end_matches(')')));
+        match (place(name), rate) {
+            (Some(k), _) => q[k],
+            (_, Some(k)) => qd[k],
+            _ => f64::NAN,
+        }
+    }
+}
+
+fn names(model: &Model<'_>) -> Vec<String> {
+    model.coordinates.iter().map(|c| c.name.clone()).collect()
+}
+
+/// The accelerations of an open tree whose gaps are held closed by multipliers.
+fn by_multipliers(open: &Model<'_>, q: &[f64], qd: &[f64]) -> DVector<f64> {
+    let (names, n) = (names(open), q.len());
+    let state = state_of(&names, q, qd);
+    let dynamics = Dynamics::new(open);
+    let gaps = &open.outputs[0].values;
+    let mass = DMatrix::from_row_slice(n, n, &values(open, &dynamics.mass_matrix.concat(), &state));
+    let residual = DVector::from_vec(values(open, &dynamics.residual, &state));
+    let columns = derived(gaps, &open.positions()).concat();
+    let jacobian = DMatrix::from_column_slice(gaps.len(), n, &values(open, &columns, &state));
+    let mut along = open.along_motion();
+    let rates: Vec<Expr<'_>> = gaps.iter().map(|&gap| along.of(gap)).collect();
+    let mut along = crate::expr::Derivative::along(
+        open.all_coordinates()
+            .flat_map(|c| [(c.position, c.rate)])
+            .chain(
+                open.drives
+                    .iter()
+                    .map(|d| (d.coordinate.rate, d.coordinate.acceleration)),
+            )
+            .chain([(open.time, open.graph.one())]),
+    );
+    let bends: Vec<Expr<'_>> = rates.iter().map(|&rate| along.of(rate)).collect();
+    let bend = DVector::from_vec(values(open, &bends, &state));
+    let m = gaps.len();
+    let mut whole = DMatrix::zeros(n + m, n + m);
+    whole.view_mut((0, 0), (n, n)).copy_from(&mass);
+    whole.view_mut((n, 0), (m, n)).copy_from(&jacobian);
+    whole.view_mut((0, n), (n, m)).copy_from(&jacobian.transpose());
+    let right = DVector::from_iterator(n + m, residual.iter().chain(&bend).map(|x| -x));
+    // gaps in space may be redundant
+    let solved = whole.svd(true, true).solve(&right, 1e-12).expect("singular values");
+    solved.rows(0, n).into_owned()
+}
+
+fn assert_near(what: &str, ours: &[f64], expected: &[f64], tolerance: f64) {
+    assert_eq!(ours.len(), expected.len(), "{what}");
+    let size = expected.iter().fold(1.0, |size: f64, x| size.max(x.abs()));
+    let error = ours
+        .iter()
+        .zip(expected)
+        .fold(0.0, |error: f64, (a, b)| error.max((a - b).abs()));
+    assert!(error <= tolerance * size, "{what}: {ours:?} instead of {expected:?}");
+}
+
+#[test]
+fn loops_move_as_with_multipliers() {
+    for (seed, text) in SCENES.iter().enumerate() {
+        let open_text: String = text
+            .replace(" depends", "")
+            .lines()
+            .filter(|line| !line.trim().starts_with("close "))
+            .collect();
+        let (graph, open_graph) = (Graph::new(), Graph::new());
+        let (closed, open) = (model(&graph, text), model(&open_graph, &open_text));
+        let mut forms = Forms::new(&closed, &Dynamics::new(&closed));
+        let dynamics = [
+            Dynamics::new(&closed),
+            Dynamics::recursive(&closed, Dynamics::new(&closed).potential, false),
+            Dynamics::recursive(&closed, Dynamics::new(&closed).potential, true),
+        ];
+        let (free, all) = (names(&closed), names(&open));
+        let mut random = numbers(seed as u32);
+        for _ in 0..4 {
+            let q: Vec<f64> = free.iter().map(|name| near(text, name) + 0.1 * random()).collect();
+            let qd: Vec<f64> = free.iter().map(|_| random()).collect();
+            let state = state_of(&free, &q, &qd);
+            // what follows, by its symbols
+            let follows = |name: &str| {
+                let mut known = closed
+                    .following
+                    .definitions()
+                    .filter(|(symbol, _)| symbol.as_symbol().is_some_and(|s| s.name == name));
+                values(&closed, &[known.next().expect("it follows").0], &state)[0]
+            };
+            let whole = |name: &String| {
+                free.contains(name)
+                    .then(|| state(name))
+                    .unwrap_or_else(|| follows(name))
+            };
+            let whole_q: Vec<f64> = all.iter().map(whole).collect();
+            let whole_qd: Vec<f64> = all
+                .iter()
+                .map(|name| {
+                    free.contains(name)
+                        .then(|| state(&format!("dot({name})")))
+                        .unwrap_or_else(|| follows(&format!("dot({name})")))
+                })
+                .collect();
+            let open_state = state_of(&all, &whole_q, &whole_qd);
+            let gaps = values(&open, &open.outputs[0].values, &open_state);
+            assert_near("gaps", &gaps, &vec![0.0; gaps.len()], 1e-15);
+            let expected = by_multipliers(&open, &whole_q, &whole_qd);
+            let of_free: Vec<f64> = free
+                .iter()
+                .map(|name| expected[all.iter().position(|own| own == name).expect("in both")])
+                .collect();
+            let open_dynamics = Dynamics::new(&open);
+            let energies = values(&open, &[open_dynamics.kinetic, open_dynamics.potential], &open_state);
+            for dynamics in &dynamics {
+                let mass = values(&closed, &dynamics.mass_matrix.concat(), &state);
+                let mass = DMatrix::from_row_slice(free.len(), free.len(), &mass);
+                let residual = DVector::from_vec(values(&closed, &dynamics.residual, &state));
+                let solved = mass.lu().solve(&-residual).expect("it has an inverse");
+                assert_near("accelerations", solved.as_slice(), &of_free, 1e-11);
+                let own = values(&closed, &[dynamics.kinetic, dynamics.potential], &state);
+                assert_near("energies", &own, &energies, 1e-13);
+            }
+            let chosen = forms.accelerations().roots;
+            assert_near("chosen form", &values(&closed, &chosen, &state), &of_free, 1e-11);
+            assert_derivatives(&closed, &mut forms, &free, &q, &qd);
+        }
+    }
+}
+
+/// The Jacobian, and the rates of the momenta, against differences.
+fn assert_derivatives<'g>(closed: &Model<'g>, forms: &mut Forms<'g>, free: &[String], q: &[f64], qd: &[f64]) {
+    /// Differences of fourth order lose some four digits of sixteen.
+    const STEP: f64 = 1e-3;
+    let roots = forms.accelerations().roots;
+    let accelerations = |q: &[f64], qd: &[f64]| values(closed, &roots, &state_of(free, q, qd));
+    let x = [q, qd].concat();
+    let n = q.len();
+    let columns = forms.jacobian(closed, &closed.state(), false).roots;
+    let columns = values(closed, &columns, &state_of(free, q, qd));
+    let along = |direction: &[f64], of: &dyn Fn(&[f64], &[f64]) -> Vec<f64>| -> Vec<f64> {
+        let at = |steps: f64| {
+            let moved: Vec<f64> = x.iter().zip(direction).map(|(x, d)| x + steps * STEP * d).collect();
+            of(&moved[..n], &moved[n..])
+        };
+        let [a, b, c, d] = [-2.0, -1.0, 1.0, 2.0].map(at);
+        (0..a.len())
+            .map(|k| (a[k] - 8.0 * b[k] + 8.0 * c[k] - d[k]) / (12.0 * STEP))
+            .collect()
+    };
+    for k in 0..2 * n {
+        let mut direction = vec![0.0; 2 * n];
+        direction[k] = 1.0;
+        assert_near(
+            "Jacobian",
+            &columns[k * n..(k + 1) * n],
+            &along(&direction, &accelerations),
+            1e-7,
+        );
+    }
+    if closed.drives.is_empty() {
+        let canonical = forms.canonical(closed).roots;
+        let momenta = |q: &[f64], qd: &[f64]| values(closed, &canonical[..n], &state_of(free, q, qd));
+        let direction = [qd, &accelerations(q, qd)].concat();
+        let rates = values(closed, &canonical[n..], &state_of(free, q, qd));
+        assert_near("rates of momenta", &rates, &along(&direction, &momenta), 1e-7);
+    }
+}
