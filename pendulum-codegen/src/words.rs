@@ -97,6 +97,20 @@ pub(crate) const ITEMS: &Synonyms = &[
         "wall",
     ),
     (&["potentials", "potentialenergy", "energy"], "potential"),
+    (
+        &[
+            "loop",
+            "closure",
+            "loopclosure",
+            "closes",
+            "constraint",
+            "connect",
+            "connection",
+            "tie",
+            "weld",
+        ],
+        "close",
+    ),
     (&["rayleigh", "loss", "losses"], "dissipation"),
     (
         &["torque", "moment"],

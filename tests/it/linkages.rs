@@ -88,3 +88,41 @@ agrees! {
     five_bar: FiveBar, FiveBarParams, 2, angles vec![0, 1];
     andrews: Andrews, AndrewsParams, 1, angles (0..6).collect();
 }
+
+/// The motion that Andrews' mechanism is published with, from rest to 0.03 s: reference to 18 digits.
+#[test]
+fn andrews_moves_as_published() {
+    let data: Value = serde_json::from_str(include_str!("../../testbed/data/andrews.json")).expect("valid JSON");
+    let motion = &data["motions"][0];
+    let model = Andrews::new(AndrewsParams::default()).expect("the parameters are physical");
+    let start = numbers(&motion["x0"]);
+    let times = numbers(&motion["times"]);
+    // beta, theta, gamma, phi, delta, omega, epsilon and their rates
+    const ORDER: [usize; 6] = [0, 1, 3, 2, 5, 4];
+    for (&t, state) in times.iter().zip(motion["states"].as_array().expect("a list")) {
+        let method = Vern9::new().rtol(1e-13).atol(1e-13);
+        let x = &method
+            .solve(&model, 0.0, t, [start[0], start[7]])
+            .expect("it moves")
+            .end();
+        let state = numbers(state);
+        assert!((x[0] - state[0]).abs() < 1e-11, "{t}: {} instead of {}", x[0], state[0]);
+        assert!(
+            (x[1] - state[7]).abs() < 1e-11 * 1500.0,
+            "{t}: {} instead of {}",
+            x[1],
+            state[7]
+        );
+        let (following, rates) = (model.following(t, x), model.following_rates(t, x));
+        for (k, &place) in ORDER.iter().enumerate() {
+            let expected = state[1 + k];
+            let ours = nearest(following[place], expected);
+            assert!(
+                (ours - expected).abs() < 1e-11,
+                "{t}, {k}: {ours} instead of {expected}"
+            );
+            assert!((rates[place] - state[8 + k]).abs() < 1e-11 * 1500.0, "{t}, {k}");
+        }
+        assert!(model.gaps(t, x).amax() < 1e-14 * 0.09, "closed: {}", model.gaps(t, x));
+    }
+}

@@ -5,9 +5,9 @@ use proc_macro2::Span;
 use super::Lower;
 use super::expr::Place;
 use super::joint_units::JointUnits;
-use crate::ast::{self, JointKind};
+use crate::ast::{self, ExprKind, JointKind};
 use crate::error::Reported;
-use crate::expr::{Expr, Level};
+use crate::expr::{Expr, Level, SymbolKind};
 use crate::model::{self, BodyId, Closure, Combination, Coordinate, Declared, Loop, Model, NoPlane, Open};
 use crate::screw::Vec3;
 
@@ -21,7 +21,14 @@ impl<'g> Lower<'g> {
         let closures = items.closures.iter().map(|closure| self.closure(closure, items));
         let closures: Vec<Result<(Closure<'g>, Span), Reported>> = closures.collect();
         if items.closures.is_empty() && declared.is_empty() {
+            if let Some(near) = items.bodies.iter().find_map(|body| body.fields.near.as_ref()) {
+                let help = "leave it out: `near` says where closed loops are assembled, and there are none";
+                self.errors.on(near, "there is nothing to assemble", help);
+            }
             return;
+        }
+        for body in &items.bodies {
+            self.refuse_to_hold(body);
         }
         // so they stand until the loops are closed, and after an error
         let zero = self.graph.zero();
@@ -60,7 +67,51 @@ impl<'g> Lower<'g> {
         }
         model.dependents = closed.dependents;
         model.following = closed.following;
-        model.margins = closed.margins;
+        for ((_, symbol), &margin) in self.margins.iter().zip(&closed.margins) {
+            self.graph.set_changes(*symbol, &[(margin, self.graph.one())], false);
+            model.following.set(*symbol, margin);
+        }
+    }
+
+    /// Declares what stands for the margin of each loop until the loops are closed.
+    pub(super) fn declare_margins(&mut self, items: &ast::Items) {
+        for (n, closure) in items.closures.iter().enumerate() {
+            let [a, b] = closure.ends.each_ref().map(|end| end.body.to_string());
+            let symbol = self
+                .graph
+                .symbol(&format!("margin({a}, {b})"), SymbolKind::Following(n));
+            self.margins.push(([a, b], symbol));
+        }
+    }
+
+    /// `margin(a, b)`: how far the loop from `a` to `b` is from its toggle.
+    pub(super) fn margin(
+        &mut self,
+        expr: &ast::Expr,
+        arguments: &[ast::Expr],
+        place: &Place<'g>,
+    ) -> Result<Expr<'g>, Reported> {
+        let named = |argument: &ast::Expr| match &argument.kind {
+            ExprKind::Name(name) => Some(name.to_string()),
+            _ => None,
+        };
+        let names: Vec<String> = arguments.iter().filter_map(named).collect();
+        let closes =
+            |ends: &[String; 2]| names == *ends || (names.len() == 2 && names[0] == ends[1] && names[1] == ends[0]);
+        if let Some(&(_, symbol)) = self.margins.iter().find(|(ends, _)| closes(ends)) {
+            return self.permit(symbol, expr.span(), place);
+        }
+        let fact = "`margin` takes the two bodies that close a loop";
+        let known: Vec<String> = self
+            .margins
+            .iter()
+            .map(|([a, b], _)| format!("`margin({a}, {b})`"))
+            .collect();
+        let help = match &known[..] {
+            [] => "no loop is closed here: `close a at [..] to b at [..]: revolute(z)`".to_owned(),
+            known => format!("write {}", known.join(" or ")),
+        };
+        Err(self.errors.on(expr, fact, help))
     }
 
     /// Where a coordinate is when the loops are assembled: 0 if left out.
@@ -70,10 +121,24 @@ impl<'g> Lower<'g> {
         };
         let place = Place {
             most: Level::Constant,
-            ..Place::fixed(format!("where the joint of `{}` is near", body.name))
+            ..Place::fixed(format!("the guess for the joint of `{}`", body.name))
                 .in_unit(JointUnits::of(body).coordinate())
         };
         self.expr(near, &place)
+    }
+
+    /// What follows from closed loops has no friction that holds it, and no stop.
+    fn refuse_to_hold(&mut self, body: &ast::Body) {
+        let (fields, name) = (&body.fields, &body.name);
+        let friction = fields.dry_friction.as_ref().map(|e| &e.tokens);
+        let Some(held) = friction.or(fields.stop.as_ref().map(|stop| &stop.tokens)) else {
+            return;
+        };
+        if fields.depends.is_some() {
+            let fact = format_args!("the coordinate of `{name}` depends on others, so nothing can hold it by itself");
+            let help = "let another coordinate of the loop depend; a `wall` limits anything";
+            self.errors.on(held, fact, help);
+        }
     }
 
     /// Each loop in a plane determines two coordinates.
@@ -90,13 +155,13 @@ impl<'g> Lower<'g> {
                 .into_iter()
                 .filter_map(|body| body.fields.depends.as_ref())
                 .nth(needed);
-            let fact = format!("{given} coordinates depend, and {loops} closed loops determine {needed}");
+            let fact = format!("coordinates that depend: {given}; closed loops determine {needed}");
             let help = "leave out `depends` where a joint moves by itself, or close another loop: `close a at [..] to b at [..]: revolute(z)`";
             let at = word.map_or(Span::call_site(), proc_macro2::Ident::span);
             return Err(self.errors.at(at, fact, help));
         }
         if given < needed {
-            let fact = format!("{loops} closed loops determine {needed} coordinates, and {given} depend");
+            let fact = format!("closed loops determine {needed} coordinates; those that depend: {given}");
             let help = "a loop in a plane determines two: write `coordinate: phi depends near 0.3`, \
                         where the number says in which assembly";
             let at = items.closures[given / FOLLOW].word.span();

@@ -50,7 +50,7 @@ impl Only {
         match kind {
             SymbolKind::Input(_) => self == Self::All,
             SymbolKind::Rate(_) | SymbolKind::PointRate(_) => matches!(self, Self::All | Self::State),
-            SymbolKind::Coordinate(_) | SymbolKind::Point(_) => self != Self::Time,
+            SymbolKind::Coordinate(_) | SymbolKind::Point(_) | SymbolKind::Following(_) => self != Self::Time,
             _ => true,
         }
     }

@@ -89,6 +89,8 @@ struct Lower<'g> {
     motions: Vec<Option<Result<Motion<'g>, Reported>>>,
     /// For each body of the text the body of the model, unless it has an error.
     bodies: Vec<Option<BodyId>>,
+    /// For each closed loop the bodies that it ties, and what stands for its margin.
+    margins: Vec<([String; 2], Expr<'g>)>,
     /// The derivative along the motion of what depends on places and the time.
     along_motion: Derivative<'g>,
 }
@@ -111,6 +113,7 @@ pub(crate) fn lower<'g>(graph: &'g Graph, scene: &Scene, errors: Errors) -> Resu
         figures: Vec::new(),
         motions: Vec::new(),
         bodies: Vec::new(),
+        margins: Vec::new(),
         along_motion: Derivative::along([]),
     };
     lower.scene(scene)
@@ -127,6 +130,7 @@ impl<'g> Lower<'g> {
         let dependents = self.coordinates(&items.bodies, coordinates.len(), true);
         self.check_places(&items.bodies);
         self.declare_points(items);
+        self.declare_margins(items);
         let points = self.points.values().map(Declared::symbols);
         self.along_motion = along_motion(self.time, coordinates.iter().chain(&dependents), points);
         self.lets(&items.lets);
@@ -173,7 +177,6 @@ impl<'g> Lower<'g> {
             drives,
             dependents: Vec::new(),
             following: Following::default(),
-            margins: Vec::new(),
             time: self.time,
             gravity,
             lets,
@@ -225,6 +228,11 @@ impl<'g> Lower<'g> {
             (
                 format!("only driven joints move in `{name}`, so it has no state"),
                 "give one joint a coordinate in place of its motion",
+            )
+        } else if !scene.items.closures.is_empty() {
+            (
+                format!("closed loops leave nothing in `{name}` that moves by itself"),
+                "close fewer loops, or give one more body a joint whose coordinate does not depend",
             )
         } else if scene.items.bodies.is_empty() {
             (

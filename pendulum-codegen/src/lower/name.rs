@@ -27,7 +27,7 @@ fn functions() -> impl Iterator<Item = &'static str> {
     UNARY
         .iter()
         .map(|(name, _)| *name)
-        .chain(["sqrt", "atan2", "dot", "distance"])
+        .chain(["sqrt", "atan2", "dot", "distance", "margin"])
 }
 
 /// The number with a unit that a product ends in.
@@ -136,6 +136,12 @@ impl<'g> Lower<'g> {
                 let rate = self.dot(expr, arguments, place)?;
                 self.permit(rate.value, name.span(), place)?;
                 return Ok(rate);
+            }
+            "margin" => {
+                return Ok(Quantity {
+                    value: self.margin(expr, arguments, place)?,
+                    measure: Measure::ONE,
+                });
             }
             "distance" => {
                 return Ok(Quantity {
@@ -251,7 +257,7 @@ impl<'g> Lower<'g> {
         let without_rate = symbols.find(|symbol| {
             matches!(
                 symbol.kind,
-                SymbolKind::Rate(_) | SymbolKind::PointRate(_) | SymbolKind::Input(_)
+                SymbolKind::Rate(_) | SymbolKind::PointRate(_) | SymbolKind::Input(_) | SymbolKind::Following(_)
             )
         });
         if let Some(symbol) = without_rate {

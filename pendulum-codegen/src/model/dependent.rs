@@ -37,7 +37,7 @@ const BUDGET: usize = 10_000;
 
 impl<'g> Following<'g> {
     /// Gives a symbol its value, which may hold what was given before.
-    pub(super) fn set(&mut self, symbol: Expr<'g>, value: Expr<'g>) {
+    pub(crate) fn set(&mut self, symbol: Expr<'g>, value: Expr<'g>) {
         self.definitions.push((symbol, value));
         let value = self.written_out(symbol.graph(), &[value])[0];
         self.values.insert(symbol, value);
@@ -45,7 +45,7 @@ impl<'g> Following<'g> {
 
     /// Gives an angle its cosine and sine.
     pub(super) fn set_turn(&mut self, angle: Expr<'g>, [cosine, sine]: [Expr<'g>; 2]) {
-        self.definitions.push((angle, sine.combine(Binary::Atan2, cosine)));
+        self.set(angle, sine.combine(Binary::Atan2, cosine));
         let turn = self.written_out(angle.graph(), &[cosine, sine]);
         self.turns.insert(angle, [turn[0], turn[1]]);
     }

@@ -57,8 +57,6 @@ pub(crate) struct Model<'g> {
     pub dependents: Vec<Dependent<'g>>,
     /// What the symbols of all that follows stand for.
     pub following: Following<'g>,
-    /// For each closed loop how far it is from its toggle: the sine of the angle between the two sides that are solved for.
-    pub margins: Vec<Expr<'g>>,
     /// The symbol of time.
     pub time: Expr<'g>,
     /// Acceleration of gravity in the ground frame.

@@ -39,7 +39,7 @@ pub(crate) struct Closed<'g> {
     pub combinations: Vec<Combination>,
     /// The values of all symbols.
     pub following: Following<'g>,
-    /// For each triangle the sine of the angle between its unknown sides: zero at its toggle.
+    /// For each loop the sine of the angle between the unknown sides of its triangle: zero at its toggle.
     pub margins: Vec<Expr<'g>>,
 }
 
@@ -103,7 +103,7 @@ pub(crate) fn close<'g>(
     declared: &[Declared<'g>],
     near: &[Expr<'g>],
 ) -> Result<Closed<'g>, Open> {
-    let mut solver = Solver::new(model, declared, near);
+    let mut solver = Solver::new(model, loops.len(), declared, near);
     let mut left: Vec<usize> = (0..loops.len()).collect();
     while !left.is_empty() {
         let (at, triangle) = solver.next(loops, &left).ok_or(Open::NoTriangle(left.clone()))?;
@@ -119,7 +119,7 @@ pub(crate) fn close<'g>(
 }
 
 impl<'g, 'm> Solver<'g, 'm> {
-    fn new(model: &'m Model<'g>, declared: &'m [Declared<'g>], near: &[Expr<'g>]) -> Self {
+    fn new(model: &'m Model<'g>, loops: usize, declared: &'m [Declared<'g>], near: &[Expr<'g>]) -> Self {
         let mut solver = Self {
             graph: model.graph,
             model,
@@ -127,7 +127,7 @@ impl<'g, 'm> Solver<'g, 'm> {
             dependents: vec![None; declared.len()],
             combinations: vec![None; declared.len()],
             following: Following::default(),
-            margins: Vec::new(),
+            margins: vec![model.graph.one(); loops],
             assembled: Vec::new(),
         };
         for drive in &model.drives {
@@ -297,7 +297,7 @@ impl<'g, 'm> Solver<'g, 'm> {
         for (k, _) in &places {
             self.set_declared(usize::from(*k) - free);
         }
-        self.margins.push(solution.margin);
+        self.margins[number] = self.model.with_drives(&[solution.margin])[0];
         Ok(())
     }
 

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use super::{model, numbers};
 use crate::dynamics::{Dynamics, derived};
 use crate::expr::{Expr, Graph, Symbol, SymbolKind};
-use crate::form::Forms;
+use crate::form::{Forms, drive_forces};
 use crate::model::Model;
 
 /// Scenes whose output `gaps` are the ends of their loops apart.
@@ -112,6 +112,19 @@ const SCENES: [&str; 8] = [
 
 const TIME: f64 = 0.3;
 
+/// The declaration of the same bodies without loops.
+fn opened(text: &str) -> String {
+    let lines = text.lines().filter(|line| !line.trim().starts_with("close "));
+    let without_guess = |line: &str| match line.split_once(" near ") {
+        Some((before, after)) => {
+            let end = after.find([',', ' ']).expect("something follows");
+            format!("{before}{}", &after[end..])
+        }
+        None => line.to_owned(),
+    };
+    lines.map(without_guess).collect::<String>().replace(" depends", "")
+}
+
 /// Where a scene says that a coordinate is assembled.
 fn near(text: &str, coordinate: &str) -> f64 {
     let after = text
@@ -157,7 +170,9 @@ fn names(model: &Model<'_>) -> Vec<String> {
 }
 
 /// The accelerations of an open tree whose gaps are held closed by multipliers.
-fn by_multipliers(open: &Model<'_>, q: &[f64], qd: &[f64]) -> DVector<f64> {
+///
+/// After them the forces of the drives.
+fn by_multipliers(open: &Model<'_>, q: &[f64], qd: &[f64]) -> (DVector<f64>, Vec<f64>) {
     let (names, n) = (names(open), q.len());
     let state = state_of(&names, q, qd);
     let dynamics = Dynamics::new(open);
@@ -188,7 +203,25 @@ fn by_multipliers(open: &Model<'_>, q: &[f64], qd: &[f64]) -> DVector<f64> {
     let right = DVector::from_iterator(n + m, residual.iter().chain(&bend).map(|x| -x));
     // gaps in space may be redundant
     let solved = whole.svd(true, true).solve(&right, 1e-12).expect("singular values");
-    solved.rows(0, n).into_owned()
+    let accelerations = solved.rows(0, n).into_owned();
+    let symbols = open.coordinates.iter().map(|c| c.acceleration);
+    let known = symbols.zip(accelerations.iter().map(|&x| number(open.graph, x)));
+    let drive = open.graph.substitute(&dynamics.drive, known.collect());
+    let mut forces = values(open, &drive, &state);
+    for (force, drive) in forces.iter_mut().zip(&open.drives) {
+        let slopes = derived(gaps, &[drive.coordinate.position]).concat();
+        let slopes = values(open, &slopes, &state);
+        *force += slopes
+            .iter()
+            .zip(solved.rows(n, m).iter())
+            .map(|(a, b)| a * b)
+            .sum::<f64>();
+    }
+    (accelerations, forces)
+}
+
+fn number(graph: &Graph, x: f64) -> Expr<'_> {
+    graph.number(num_rational::BigRational::from_float(x).expect("finite"))
 }
 
 fn assert_near(what: &str, ours: &[f64], expected: &[f64], tolerance: f64) {
@@ -204,11 +237,7 @@ fn assert_near(what: &str, ours: &[f64], expected: &[f64], tolerance: f64) {
 #[test]
 fn loops_move_as_with_multipliers() {
     for (seed, text) in SCENES.iter().enumerate() {
-        let open_text: String = text
-            .replace(" depends", "")
-            .lines()
-            .filter(|line| !line.trim().starts_with("close "))
-            .collect();
+        let open_text = opened(text);
         let (graph, open_graph) = (Graph::new(), Graph::new());
         let (closed, open) = (model(&graph, text), model(&open_graph, &open_text));
         let mut forms = Forms::new(&closed, &Dynamics::new(&closed));
@@ -248,7 +277,7 @@ fn loops_move_as_with_multipliers() {
             let open_state = state_of(&all, &whole_q, &whole_qd);
             let gaps = values(&open, &open.outputs[0].values, &open_state);
             assert_near("gaps", &gaps, &vec![0.0; gaps.len()], 1e-15);
-            let expected = by_multipliers(&open, &whole_q, &whole_qd);
+            let (expected, drive) = by_multipliers(&open, &whole_q, &whole_qd);
             let of_free: Vec<f64> = free
                 .iter()
                 .map(|name| expected[all.iter().position(|own| own == name).expect("in both")])
@@ -264,6 +293,8 @@ fn loops_move_as_with_multipliers() {
                 let own = values(&closed, &[dynamics.kinetic, dynamics.potential], &state);
                 assert_near("energies", &own, &energies, 1e-13);
             }
+            let chosen = drive_forces(&mut forms, &closed).roots;
+            assert_near("forces of drives", &values(&closed, &chosen, &state), &drive, 1e-11);
             let chosen = forms.accelerations().roots;
             assert_near("chosen form", &values(&closed, &chosen, &state), &of_free, 1e-11);
             assert_derivatives(&closed, &mut forms, &free, &q, &qd);

@@ -1,0 +1,81 @@
+mechanism! {
+    pub TooShort {
+        params { a: m = 0.2, b: m = 0.1 }
+        shape bar { mass: 1, com: [0.1, 0, 0], inertia: 0.1 }
+        body crank on ground: bar { joint: revolute(z), coordinate: theta near 0.8 }
+        body coupler on crank: bar { joint: revolute(z) at [a, 0, 0], coordinate: phi depends near -0.3 }
+        body rocker on ground: bar { joint: revolute(z) at [0.6, 0, 0], coordinate: psi depends near 1.6 }
+        close coupler at [b, 0, 0] to rocker at [b, 0, 0]: revolute(z),
+    }
+}
+
+mechanism! {
+    pub Undecided {
+        shape bar { mass: 1, com: [0.1, 0, 0], inertia: 0.1 }
+        body crank on ground: bar { joint: revolute(z), coordinate: theta }
+        body coupler on crank: bar { joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends }
+        body rocker on ground: bar { joint: revolute(z) at [0.6, 0, 0], coordinate: psi depends }
+        close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: revolute(z),
+    }
+}
+
+mechanism! {
+    pub OutOfPlane {
+        shape bar { mass: 1, com: [0.1, 0, 0], inertia: [0.1, 0.1, 0.1] }
+        body crank on ground: bar { joint: revolute(z), coordinate: theta near 0.8 }
+        body coupler on crank: bar { joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends near -0.3 }
+        body rocker on ground: bar { joint: revolute(z) at [0.6, 0, 0.1], coordinate: psi depends near 1.6 }
+        close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: revolute(z),
+    }
+}
+
+mechanism! {
+    pub OtherAxis {
+        shape bar { mass: 1, com: [0.1, 0, 0], inertia: [0.1, 0.1, 0.1] }
+        body crank on ground: bar { joint: revolute(z), coordinate: theta near 0.8 }
+        body coupler on crank: bar { joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends near -0.3 }
+        body rocker on ground: bar { joint: revolute(z) at [0.6, 0, 0], coordinate: psi depends near 1.6 }
+        close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: revolute(x),
+    }
+}
+
+mechanism! {
+    pub Spatial {
+        shape bar { mass: 1, com: [0.1, 0, 0], inertia: [0.1, 0.1, 0.1] }
+        body crank on ground: bar { joint: revolute(z), coordinate: theta near 0.8 }
+        body coupler on crank: bar { joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends near -0.3 }
+        body rocker on ground: bar { joint: revolute(x) at [0.6, 0, 0], coordinate: psi depends near 1.6 }
+        close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: revolute(z),
+    }
+}
+
+mechanism! {
+    pub Sliding {
+        shape bar { mass: 1, com: [0.1, 0, 0], inertia: 0.1 }
+        body crank on ground: bar { joint: revolute(z), coordinate: theta near 0.8 }
+        body coupler on crank: bar { joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends near -0.3 }
+        body rocker on ground: bar { joint: revolute(z) at [0.6, 0, 0], coordinate: psi depends near 1.6 }
+        close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: prismatic(x),
+    }
+}
+
+mechanism! {
+    pub NoTriangle {
+        shape bar { mass: 1, com: [0.1, 0, 0], inertia: 0.1 }
+        body crank on ground: bar { joint: revolute(z), coordinate: theta depends near 0.8 }
+        body coupler on crank: bar { joint: revolute(z) at [0.2, 0, 0], coordinate: phi near -0.3 }
+        body rocker on ground: bar { joint: revolute(z) at [0.6, 0, 0], coordinate: psi near 1.6 }
+        body flag on rocker: bar { joint: revolute(z) at [0.2, 0, 0], coordinate: chi depends near 1.6 }
+        close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: revolute(z),
+    }
+}
+
+mechanism! {
+    pub Wrong {
+        shape bar { mass: 1, com: [0.1, 0, 0], inertia: 0.1 }
+        body crank on ground: bar { joint: revolute(z), coordinate: theta near 0.8 m }
+        body coupler on crank: bar { joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends near theta }
+        body rocker on ground: bar { joint: revolute(z) at [0.6, 0, 0], coordinate: psi depends near 1.6 }
+        close coupler at [0.5 kg, 0, 0] to rokcer at [0.4, 0, 0]: revolute(z),
+    }
+}
