@@ -9,6 +9,7 @@ pub mod fit;
 pub mod lopsided;
 pub mod mechanisms;
 pub mod methods;
+pub mod motions;
 pub mod plates;
 pub mod power_series;
 pub mod printed;
