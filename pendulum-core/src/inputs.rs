@@ -67,6 +67,10 @@ pub trait Controlled<T: Real, const N: usize, const M: usize> {
         by_number(t, |t| self.rhs_with(t, x, u))
     }
 
+    /// Puts a state back onto its constraints, as [`System::project`]: by default there are none.
+    #[inline(always)]
+    fn project(&self, _t: T, _x: &mut SVector<T, N>) {}
+
     /// What hinders the motion, as [`Hybrid::constraints`]: nothing by default. Where something does, all that follows
     /// is required as well, and with a law for its inputs the model is a [`Hybrid`].
     #[inline(always)]
@@ -269,6 +273,11 @@ where
     #[inline(always)]
     fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
         self.system.rhs_with(t, x, &self.law.inputs(t, x).into())
+    }
+
+    #[inline(always)]
+    fn project(&self, t: T, x: &mut SVector<T, N>) {
+        self.system.project(t, x);
     }
 
     #[inline(always)]

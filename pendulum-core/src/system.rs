@@ -40,6 +40,36 @@ pub trait System<T: Real, const N: usize> {
         None
     }
 
+    /// Puts a state back onto the constraints that the equations preserve, but rounding and truncation do not: a
+    /// quaternion is of unit length. By default there are none, which costs nothing.
+    ///
+    /// Methods call it at the start and after each step, so that no error across the constraints adds up. States within
+    /// a step, by dense output, are as exact as that is.
+    ///
+    /// ```
+    /// use pendulum_core::prelude::*;
+    ///
+    /// /// A point on the unit circle, which turns.
+    /// struct Turning;
+    ///
+    /// impl System<f64, 2> for Turning {
+    ///     fn rhs(&self, _t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
+    ///         SVector::from([-x[1], x[0]])
+    ///     }
+    ///
+    ///     fn project(&self, _t: f64, x: &mut SVector<f64, 2>) {
+    ///         *x /= x.norm();
+    ///     }
+    /// }
+    ///
+    /// let end = Rk4::new(0.1).stepper(&Turning, 0.0, 1000.0, [1.0, 0.0])?.run()?;
+    /// assert!((end.norm() - 1.0).abs() < 1e-15);
+    /// assert!(Rk4::new(0.1).stepper(&Turning, 0.0, 1000.0, [1.1, 0.0]).is_err());
+    /// # Ok::<(), pendulum_core::Reason>(())
+    /// ```
+    #[inline(always)]
+    fn project(&self, _t: T, _x: &mut SVector<T, N>) {}
+
     /// What switches between the modes of a [hybrid] system; `None`, as by default, where the equations
     /// are always the same.
     #[inline(always)]
@@ -278,10 +308,10 @@ pub trait Energy<T: Real, const N: usize> {
 
 /// Methods of `&S`, by those of `S`.
 macro_rules! forward {
-    ($($method:ident($($argument:ident: $kind:ty),*) -> $output:ty $(where $number:ident: $order:ident)?;)*) => {
+    ($($method:ident($($argument:ident: $kind:ty),*) $(-> $output:ty)? $(where $number:ident: $order:ident)?;)*) => {
         $(
             #[inline]
-            fn $method(&self, $($argument: $kind),*) -> $output
+            fn $method(&self, $($argument: $kind),*) $(-> $output)?
             $(where $number: $order)?
             {
                 (**self).$method($($argument),*)
@@ -294,6 +324,7 @@ impl<T: Real, S: System<T, N> + ?Sized, const N: usize> System<T, N> for &S {
     forward! {
         rhs(t: T, x: &SVector<T, N>) -> SVector<T, N>;
         layout() -> Option<&'static StateLayout>;
+        project(t: T, x: &mut SVector<T, N>);
         hybrid() -> Option<&dyn Hybrid<T, N>>;
         rhs_under(t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> SVector<T, N>;
         rhs_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N>;
@@ -340,6 +371,7 @@ impl<T: Real, S: Controlled<T, N, M> + ?Sized, const N: usize, const M: usize> C
         jacobian_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, N>;
         rhs_and_jacobian_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> (SVector<T, N>, SMatrix<T, N, N>);
         input_jacobian(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, M>;
+        project(t: T, x: &mut SVector<T, N>);
         time_derivative_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SVector<T, N> where T: Lanes;
         constraints() -> &'static [Constraint];
         laws() -> [Law<T>; MOST];

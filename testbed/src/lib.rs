@@ -10,6 +10,7 @@ pub mod linkages;
 pub mod lopsided;
 pub mod mechanisms;
 pub mod methods;
+pub mod motions;
 pub mod plates;
 pub mod power_series;
 pub mod printed;

@@ -24,6 +24,7 @@ mod methods;
 mod modes;
 mod parameters;
 mod points;
+mod quaternions;
 mod random_mechanisms;
 mod robots;
 mod rough;

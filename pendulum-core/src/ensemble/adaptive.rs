@@ -17,8 +17,8 @@ use crate::error::Reason;
 use crate::event::Event;
 use crate::hybrid::{Hold, InMode};
 use crate::method::{
-    Adaptive, Estimates, Failure, NonFinite, OneStep, Scheme, Stalled, StepControl, check_span, check_state,
-    is_within_tolerance,
+    Adaptive, Estimates, Failure, NonFinite, OneStep, Scheme, Stalled, StepControl, check_span, is_within_tolerance,
+    place,
 };
 use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
 use crate::solution::Observer;
@@ -382,9 +382,14 @@ where
                 self.alone(index..index + 1);
                 continue;
             }
-            match check_state(&self.x[index]) {
-                Ok(()) if t0 == t1 => {}
-                Ok(()) => return Some(index),
+            let model = model_of(self.models, index).cast::<T>();
+            match place(&model, t0, &self.x[index]) {
+                Ok(x) => {
+                    self.x[index] = x;
+                    if t0 != t1 {
+                        return Some(index);
+                    }
+                }
                 Err(reason) => self.stopped.push(Stopped { index, t: t0, reason }),
             }
         }

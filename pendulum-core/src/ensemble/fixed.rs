@@ -16,7 +16,7 @@ use crate::dense::Step;
 use crate::error::Reason;
 use crate::event::Event;
 use crate::hybrid::{Hold, InMode};
-use crate::method::{Accepted, Failure, Fixed, Grid, NonFinite, OneStep, Scheme, Stalled, check_span, check_state};
+use crate::method::{Accepted, Failure, Fixed, Grid, NonFinite, OneStep, Scheme, Stalled, check_span, place};
 use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
 use crate::solution::Observer;
 use crate::statistics::Statistics;
@@ -171,12 +171,25 @@ where
         let mut failed = Vec::new();
         for (number, states) in self.x.chunks_mut(V::LANES).enumerate() {
             let first = number * V::LANES;
+            let before = failed.len();
+            for (lane, state) in states.iter_mut().enumerate() {
+                let model = model_of(self.models, first + lane).cast::<T>();
+                match place(&model, self.grid.t0(), state) {
+                    Ok(placed) => *state = placed,
+                    // alone it tells why
+                    Err(_) => failed.push(first + lane),
+                }
+            }
+            let refused = before..failed.len();
             let member = |lane: usize| lane.min(states.len() - 1);
             let system = F::gather::<V>(|lane| model_of(self.models, first + member(lane)));
             let scheme = self.method.family.stages::<V>(&system, None, false)?;
             let x = SVector::from_fn(|k, _| V::from_fn(|lane| states[member(lane)][k]));
             let ends = march(&system, scheme, x, self.grid);
             for (lane, state) in states.iter_mut().enumerate() {
+                if failed[refused.clone()].contains(&(first + lane)) {
+                    continue;
+                }
                 match &ends {
                     Ok((x, slope)) if first_not_finite(x, slope.as_ref(), lane).is_none() => *state = in_lane(x, lane),
                     _ => failed.push(first + lane),
@@ -190,9 +203,19 @@ where
     /// The same where each step is seen, and a trajectory may end before the others of its group.
     #[inline(always)]
     fn watched<V: Lanes<Scalar = T>>(mut self) -> Result<(), Reason> {
-        let cannot_begin = |x: &SVector<T, N>| self.grid.t0() == self.grid.t1() || check_state(x).is_err();
-        let (alone, others): (Vec<_>, Vec<_>) =
-            (0..self.x.len()).partition(|&index| self.watch.is_alone(index) || cannot_begin(&self.x[index]));
+        let mut alone = Vec::new();
+        let mut others = Vec::new();
+        for (index, x) in self.x.iter_mut().enumerate() {
+            let model = model_of(self.models, index).cast::<T>();
+            let placed = place(&model, self.grid.t0(), x).ok();
+            match placed.filter(|_| !self.watch.is_alone(index) && self.grid.t0() != self.grid.t1()) {
+                Some(placed) => {
+                    *x = placed;
+                    others.push(index);
+                }
+                None => alone.push(index),
+            }
+        }
         self.alone(alone);
         let mut within = Vec::new();
         for group in others.chunks(V::LANES) {

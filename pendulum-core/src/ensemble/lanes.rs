@@ -120,6 +120,11 @@ impl<M: Cast<N>, T: Real, const N: usize> System<T, N> for Expanded<M, T, N> {
     }
 
     #[inline(always)]
+    fn project(&self, t: T, x: &mut SVector<T, N>) {
+        self.0.project(t, x);
+    }
+
+    #[inline(always)]
     fn hybrid(&self) -> Option<&dyn Hybrid<T, N>> {
         self.0.hybrid()
     }

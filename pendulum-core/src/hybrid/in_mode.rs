@@ -81,6 +81,11 @@ impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for InMode<
     fn layout(&self) -> Option<&'static StateLayout> {
         self.system.layout()
     }
+
+    #[inline(always)]
+    fn project(&self, t: T, x: &mut SVector<T, N>) {
+        self.system.project(t, x);
+    }
 }
 
 impl<S: Jacobian<T, N> + ?Sized, T: Lanes, const N: usize> Jacobian<T, N> for InMode<'_, S, T> {

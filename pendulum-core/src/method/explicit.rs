@@ -222,6 +222,7 @@ where
             attempt::<B, &InMode<'_, S, T>, _, _, _>(&system, (t, x), t_new, &mut self.stages)
         };
         work.evaluations += STAGES - 2;
+        system.project(t_new, x_new);
         Ok(match &self.tolerance {
             None => T::default(),
             Some(tolerance) => {

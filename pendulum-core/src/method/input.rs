@@ -4,6 +4,7 @@ use nalgebra::SVector;
 
 use crate::error::Reason;
 use crate::real::Float;
+use crate::system::System;
 
 /// An error unless `holds`.
 pub(crate) fn require(holds: bool, what: &'static str, value: f64, rule: &'static str) -> Result<(), Reason> {
@@ -29,6 +30,25 @@ pub(super) fn check_start<T: Float, const N: usize>(t0: T, t1: T, x0: &SVector<T
     const { assert!(N > 0, "a state has at least one component") };
     check_span(t0, t1)?;
     check_state(x0)
+}
+
+/// A state to start from that is this far from the constraints of its system is an error, not one of rounding.
+const FAR: f64 = 1e-3;
+
+/// A state to start from on the constraints of its system, close to the one that is given.
+pub(crate) fn place<S, T, const N: usize>(system: &S, t: T, given: &SVector<T, N>) -> Result<SVector<T, N>, Reason>
+where
+    S: System<T, N> + ?Sized,
+    T: Float,
+{
+    check_state(given)?;
+    let mut x = *given;
+    system.project(t, &mut x);
+    for (&x, &given) in x.iter().zip(given.iter()) {
+        let rule = "the state must be close to the constraints of the system: a quaternion has unit length";
+        require((x - given).abs() <= T::from_f64(FAR), "x0", given.to_f64(), rule)?;
+    }
+    Ok(x)
 }
 
 /// Checks a state to start from.

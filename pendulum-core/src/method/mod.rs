@@ -48,7 +48,7 @@ pub(crate) use zero::{Known, dip, first_zero, places, root, unseen_bend};
 #[cfg(feature = "std")]
 pub(crate) use {
     grid::Grid,
-    input::{check_span, check_state},
+    input::{check_span, place},
     rosenbrock::RosenbrockStages,
     scheme::{Failure, NonFinite},
     search::Search,

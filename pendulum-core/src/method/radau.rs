@@ -294,6 +294,7 @@ where
             self.iterate(&system, (t, x), t_new, &pencil, work)
         };
         *x_new = x + self.rises[STAGES - 1];
+        system.project(t_new, x_new);
         let mean_square = solved.map(|()| self.estimate(system, (t, x), (h, x_new), &pencil, work));
         self.is_doubtful = true;
         mean_square

@@ -258,6 +258,7 @@ where
         };
         let (solved, defect) = solved.map_err(|Singular| Stalled)?;
         *x_new = solved;
+        system.project(t_new, x_new);
         let mean_square = match &self.tolerance {
             None => T::default(),
             Some(tolerance) => {

@@ -46,7 +46,8 @@ pub trait Scheme<S: ?Sized, T: Lanes, const N: usize>: Clone {
         None
     }
 
-    /// Tries a step from the start `(t, x)` to the end `(t, x)`, whose state it writes.
+    /// Tries a step from the start `(t, x)` to the end `(t, x)`, whose state it writes: on the constraints of the
+    /// system, by [`System::project`](crate::System::project).
     ///
     /// Returns the mean square of the estimated error in units of the tolerance; 0 where there is no estimate. Of
     /// several lanes, those that stall have a negative one, and a state that is not finite.

@@ -8,7 +8,7 @@ use crate::dense::{Dense, Step};
 use crate::error::Reason;
 use crate::hybrid::{self, Fired, Hold, InMode, MOST, Mode, Passage, Settled, Watch};
 use crate::method::grid::Grid;
-use crate::method::input::{check_state, require};
+use crate::method::input::{place, require};
 use crate::method::scheme::{Accepted, Failure, NonFinite, Scheme, Stalled};
 use crate::method::step_control::{Pace, StepControl, is_within_tolerance};
 use crate::real::Float;
@@ -124,6 +124,7 @@ where
         x0: SVector<T, N>,
         steps: Steps<T>,
     ) -> Result<Self, Reason> {
+        let x0 = place(system, t0, &x0)?;
         let mut stepper = Self {
             system,
             scheme,
@@ -270,6 +271,7 @@ where
                 break dense.about_end(by);
             }
         };
+        self.system.project(t, &mut x);
         let modes = &mut self.modes;
         (modes.cut, modes.fired) = (cut, fired);
         if modes.hold.held != 0 {
@@ -413,7 +415,7 @@ where
         let (from, to) = (self.last.t0.min(self.t1), self.last.t0.max(self.t1));
         let rule = "the time must lie between the start of the last step and the end";
         require(from <= t && t <= to, "t", t.to_f64(), rule)?;
-        check_state(&x)?;
+        let x = place(self.system, t, &x)?;
         let settled = self
             .system
             .hybrid()

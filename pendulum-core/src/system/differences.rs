@@ -43,6 +43,11 @@ impl<T: Real, S: System<T, N>, const N: usize> System<T, N> for Differences<S> {
     fn layout(&self) -> Option<&'static StateLayout> {
         self.0.layout()
     }
+
+    #[inline(always)]
+    fn project(&self, t: T, x: &mut SVector<T, N>) {
+        self.0.project(t, x);
+    }
 }
 
 impl<T: Lanes, S: System<T, N>, const N: usize> Jacobian<T, N> for Differences<S> {

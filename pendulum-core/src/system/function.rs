@@ -99,6 +99,11 @@ impl<T: Real, F: System<T, N>, J, const N: usize> System<T, N> for WithJacobian<
     fn layout(&self) -> Option<&'static StateLayout> {
         self.function.layout()
     }
+
+    #[inline(always)]
+    fn project(&self, t: T, x: &mut SVector<T, N>) {
+        self.function.project(t, x);
+    }
 }
 
 impl<T, F, J, const N: usize> Jacobian<T, N> for WithJacobian<F, J>
