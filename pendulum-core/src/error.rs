@@ -162,7 +162,8 @@ impl fmt::Display for Reason {
             Self::NonFinite { component, h: Some(h) } => write!(
                 f,
                 "component {component} of the state or its derivative is not finite after a step of {h:.3e}; \
-                 if the step is fixed, try a shorter one; else the right-hand side is singular or undefined there"
+                 if the step is fixed, try a shorter one; else the right-hand side is singular or undefined there, \
+                 as where a closed loop is flat"
             ),
             Self::StepUnderflow { h, least } => write!(
                 f,

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::SVector;
 use pendulum_core::prelude::*;
+use pendulum_core::{Reason, Solution, SolveError};
 use serde_json::Value;
 use testbed::linkages::{
     Andrews, AndrewsParams, FiveBar, FiveBarParams, FourBar, FourBarParams, SliderCrank, SliderCrankParams,
@@ -125,4 +126,87 @@ fn andrews_moves_as_published() {
         }
         assert!(model.gaps(t, x).amax() < 1e-14 * 0.09, "closed: {}", model.gaps(t, x));
     }
+}
+
+mechanism! {
+    /// A crank that cannot turn all the way.
+    pub Rocking {
+        gravity: [0, -9.81, 0],
+        body crank on ground { solids: [rod(1, [0, 0, 0], [0.5, 0, 0])], joint: revolute(z), coordinate: theta near 0.8 }
+        body coupler on crank {
+            solids: [rod(1, [0, 0, 0], [0.3, 0, 0])], joint: revolute(z) at [0.5, 0, 0], coordinate: phi depends near -0.5,
+        }
+        body rocker on ground {
+            solids: [rod(1, [0, 0, 0], [0.5, 0, 0])], joint: revolute(z) at [0.6, 0, 0], coordinate: psi depends near 1.4,
+        }
+        close coupler at [0.3, 0, 0] to rocker at [0.5, 0, 0]: revolute(z),
+        output margin: margin(coupler, rocker),
+        event flat: margin(coupler, rocker) - 0.1,
+    }
+}
+
+mechanism! {
+    /// A parallelogram, which is flat twice a turn.
+    pub Parallelogram {
+        gravity: [0, -9.81, 0],
+        body left on ground { solids: [rod(1, [0, 0, 0], [0, 1, 0])], joint: revolute(z), coordinate: alpha near 0.1 }
+        body beam on left {
+            solids: [rod(1, [0, 0, 0], [1, 0, 0])], joint: revolute(z) at [0, 1, 0], coordinate: beta depends near -0.1,
+        }
+        body right on ground {
+            solids: [rod(1, [0, 0, 0], [0, 1, 0])], joint: revolute(z) at [1, 0, 0], coordinate: p depends near 0.1,
+        }
+        close beam at [1, 0, 0] to right at [0, 1, 0]: revolute(z),
+        output margin: margin(beam, right),
+        output angles: [beta, p],
+        event flat: margin(beam, right) - 0.01,
+    }
+}
+
+/// A motion ends where a loop is flat: nothing jumps to another assembly, and no method creeps towards the place for long.
+#[test]
+fn a_motion_ends_at_a_toggle() {
+    let rocking = Rocking::new(RockingParams::default()).expect("the parameters are physical");
+    let parallelogram = Parallelogram::new(ParallelogramParams::default()).expect("the parameters are physical");
+    fn ends<M: System<f64, 2>>(model: &M, margin: impl Fn(f64, &SVector<f64, 2>) -> f64, start: [f64; 2]) {
+        let check = |solved: Result<Solution<f64, 2>, SolveError<f64, 2>>| {
+            let error = solved.expect_err("it comes to its toggle");
+            assert!(matches!(error.reason, Reason::NonFinite { .. }), "{error}");
+            assert!(error.to_string().contains("a closed loop is flat"), "{error}");
+            let (t, x) = error.solution.last();
+            assert!(
+                (1e-3..0.02).contains(&margin(t, &x)),
+                "stopped {:e} before the toggle",
+                margin(t, &x)
+            );
+            assert!(
+                error.solution.statistics().evaluations < 20_000,
+                "{:?}",
+                error.solution.statistics()
+            );
+        };
+        for tolerance in [1e-6, 1e-10] {
+            check(
+                Vern9::new()
+                    .rtol(tolerance)
+                    .atol(tolerance)
+                    .solve(model, 0.0, 5.0, start),
+            );
+            check(
+                Tsit5::new()
+                    .rtol(tolerance)
+                    .atol(tolerance)
+                    .solve(model, 0.0, 5.0, start),
+            );
+        }
+        check(Rk4::new(1e-4).solve(model, 0.0, 5.0, start));
+    }
+    ends(&rocking, |t, x| rocking.margin(t, x), [0.8, 3.0]);
+    ends(&parallelogram, |t, x| parallelogram.margin(t, x), [0.1, 2.0]);
+    let flat = rocking.flat_event().terminal();
+    let ended = Vern9::new()
+        .solve_with(&rocking, 0.0, 5.0, [0.8, 3.0], &[flat])
+        .expect("the event ends it");
+    let (t, x) = ended.last();
+    assert!((rocking.margin(t, &x) - 0.1).abs() < 1e-12);
 }

@@ -20,7 +20,10 @@ pub mod bouncing_ball;
 pub mod cart_pole;
 pub mod coupled_pendulums;
 pub mod cubic;
+pub mod double_four_bar;
 pub mod driven_pivot;
+pub mod five_bar;
+pub mod four_bar;
 pub mod furuta;
 pub mod kapitza;
 pub mod leg;
@@ -29,7 +32,9 @@ mod page;
 pub mod point_masses;
 pub mod rocking_block;
 pub mod rods_and_wall;
+pub mod slider_crank;
 pub mod spring_suspended;
+pub mod squeezer;
 pub mod stick_slip;
 pub mod triple;
 pub mod two_bodies;
@@ -75,6 +80,11 @@ pub const SYSTEMS: &[System] = systems![
     cart_pole,
     furuta,
     arm,
+    four_bar,
+    slider_crank,
+    five_bar,
+    double_four_bar,
+    squeezer,
     stick_slip,
     bouncing_ball,
     rocking_block,

@@ -24,6 +24,11 @@ pub(crate) fn jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'
     })
 }
 
+/// How far each closed loop is from its toggle.
+pub(crate) fn loop_margins<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
+    super::values(forms, model, &model.margins)
+}
+
 /// The derivative of the right-hand side by the time.
 pub(crate) fn time_derivative<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     by(forms, model, &[model.time])

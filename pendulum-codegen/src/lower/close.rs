@@ -71,6 +71,7 @@ impl<'g> Lower<'g> {
             self.graph.set_changes(*symbol, &[(margin, self.graph.one())], false);
             model.following.set(*symbol, margin);
         }
+        model.margins = closed.margins;
     }
 
     /// Declares what stands for the margin of each loop until the loops are closed.

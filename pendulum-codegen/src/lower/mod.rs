@@ -177,6 +177,7 @@ impl<'g> Lower<'g> {
             drives,
             dependents: Vec::new(),
             following: Following::default(),
+            margins: Vec::new(),
             time: self.time,
             gravity,
             lets,

@@ -57,6 +57,8 @@ pub(crate) struct Model<'g> {
     pub dependents: Vec<Dependent<'g>>,
     /// What the symbols of all that follows stand for.
     pub following: Following<'g>,
+    /// For each closed loop the sine of the angle between the two sides that it is solved for: zero at its toggle.
+    pub margins: Vec<Expr<'g>>,
     /// The symbol of time.
     pub time: Expr<'g>,
     /// Acceleration of gravity in the ground frame.

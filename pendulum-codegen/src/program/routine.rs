@@ -89,6 +89,8 @@ pub(crate) enum Length {
     Drives,
     /// What hinders the motion.
     Constraints,
+    /// The closed loops.
+    Loops,
 }
 
 /// What a routine is called, takes and gives.
@@ -160,6 +162,7 @@ impl Length {
             Self::Parameters => model.parameters.len(),
             Self::Drives => model.drives.len(),
             Self::Constraints => model.constraints.len(),
+            Self::Loops => model.margins.len(),
         }
     }
 }
@@ -248,7 +251,7 @@ pub(crate) struct Row {
 const ASKED: fn(&Request<'_>, &str) -> bool = |scene, word| scene.asks(word);
 
 use Argument::{Accelerations, Forces, Inputs};
-use Length::{Constraints, Drives, Freedom, Parameters, State};
+use Length::{Constraints, Drives, Freedom, Loops, Parameters, State};
 use Shape::{Matrix, Scalar, Symmetric, Vector};
 
 /// What a response holds.
@@ -270,6 +273,16 @@ pub(crate) const ROUTINES: &[Row] = &[
         shapes: &[Vector(State)],
         wanted: |scene, _| scene.rhs(),
         form: form::rhs,
+    },
+    Row {
+        word: "rhs",
+        name: "loop_margins",
+        doc: "How far each closed loop is from its toggle, in the order of the declaration: the sine of the angle between \
+              the two sides that it is solved for.",
+        arguments: &[],
+        shapes: &[Vector(Loops)],
+        wanted: |scene, _| scene.rhs() && !scene.model.margins.is_empty(),
+        form: form::loop_margins,
     },
     Row {
         word: "rhs",

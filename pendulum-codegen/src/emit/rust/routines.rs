@@ -21,6 +21,9 @@ const TRAITS: [(&str, &[&str]); 7] = [
     ("HybridJacobian", &["response_derivative", "measure_derivatives"]),
 ];
 
+/// The least sine of the angle between two sides of a triangle that a state may have: its square is what rounding is divided by.
+const LEAST_MARGIN: f64 = 1e-3;
+
 /// Whether a routine is a method of the type itself.
 pub(super) fn is_inherent(name: &str) -> bool {
     !TRAITS.iter().any(|(_, methods)| methods.contains(&name))
@@ -100,13 +103,30 @@ impl Items<'_> {
         Some(quote!(#system #jacobian))
     }
 
-    /// The method of `System` that returns the layout of the state.
+    /// The methods of `System` that say what the state is, and where it has none.
     pub(super) fn layout(&self) -> TokenStream {
         let name = &self.head.name;
+        let project = self.program.routine("loop_margins").map(|_| self.project());
         quote! {
             #[inline]
             fn layout(&self) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
                 Some(&<#name>::LAYOUT)
+            }
+            #project
+        }
+    }
+
+    /// The end of a motion whose loops come to their toggle: there other assemblies begin, and digits are lost.
+    fn project(&self) -> TokenStream {
+        let vector = self.shape(Shape::Vector(self.program.layout.len()));
+        let (zero, least) = (number(0.0), number(LEAST_MARGIN));
+        quote! {
+            #[inline]
+            fn project(&self, t: T, x: &mut #vector) {
+                for margin in self.loop_margins(t, x).iter() {
+                    // nothing, or not a number
+                    x[0] = x[0] + #zero * (*margin - #least).sqrt();
+                }
             }
         }
     }

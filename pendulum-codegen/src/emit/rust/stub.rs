@@ -65,6 +65,7 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             Length::Inputs => count(items.inputs.len()).into_token_stream(),
             Length::Parameters => count(items.params.len()).into_token_stream(),
             Length::Constraints => count(0).into_token_stream(),
+            Length::Loops => count(items.closures.len()).into_token_stream(),
             Length::Drives => count(outputs::drives(items)).into_token_stream(),
         };
         let results = row.shapes.iter().map(|shape| match shape.map(length) {
