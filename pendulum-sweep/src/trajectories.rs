@@ -222,9 +222,10 @@ where
             let seen = |start: &SVector<f64, N>| Seen::new(self.span, *start, &samples, self.events.len(), keeps_all);
             let mut seen: Vec<_> = starts.iter().map(seen).collect();
             let reasons = (self.follow)(&self.method, self.span, models, starts, &events, &mut seen)?;
-            let followed = models.iter().zip(&seen).zip(reasons);
-            let rows = followed.map(|((model, seen), reason)| (self.numbers(model, seen), reason));
-            trials.conclude(&mut chunk, self.width(), rows);
+            trials.conclude(&mut chunk, self.width(), |index, numbers| {
+                self.keep_of(&models[index], &seen[index], numbers);
+                reasons[index]
+            });
         }
         Ok(chunk)
     }
@@ -255,8 +256,9 @@ impl<X, F, M, const N: usize> Trajectories<X, F, M, N> {
         samples
     }
 
-    fn numbers(&self, model: &M, seen: &Seen<'_, N>) -> Vec<f64> {
-        let mut numbers = vec![seen.t];
+    /// The numbers that are kept of a trajectory.
+    fn keep_of(&self, model: &M, seen: &Seen<'_, N>, numbers: &mut Vec<f64>) {
+        numbers.push(seen.t);
         numbers.extend(&seen.x);
         let mut states = seen.states().into_iter();
         for kept in &self.kept {
@@ -275,7 +277,6 @@ impl<X, F, M, const N: usize> Trajectories<X, F, M, N> {
                 }
             }
         }
-        numbers
     }
 }
 
