@@ -334,6 +334,33 @@ fn trajectories_keep_times_extrema_and_events() -> Outcome {
     Ok(())
 }
 
+#[test]
+fn extrema_are_those_of_solutions() -> Outcome {
+    for span in [(0.0, 3.0), (3.0, 0.0)] {
+        let starts = [0.7, -1.9, 2.8, 0.0, 1.3];
+        let table = Sweep::list("rods", [("start", "rad")], starts.map(|a| [a]).to_vec())
+            .trajectories(Tsit5::new().rtol(1e-4), span, |[a]| trial([a, 0.1]))
+            .largest("most", "rad", |_, _, x| x[0])
+            .least("least", "rad/s", |_, _, x| x[3])
+            .quiet()
+            .run()?;
+        for (row, a) in starts.into_iter().enumerate() {
+            let (model, start) = trial([a, 0.1]).expect("a model");
+            let solution = Tsit5::new().rtol(1e-4).solve(&model, span.0, span.1, start)?;
+            let states = solution.sample((0..=30_000).map(|n| 1e-4 * f64::from(n)))?;
+            let most = states.iter().fold(f64::NEG_INFINITY, |most, x| most.max(x[0]));
+            let least = states.iter().fold(f64::INFINITY, |least, x| least.min(x[3]));
+            let (found, t) = (table["most"][row], table["t of most"][row]);
+            assert!(found > most - 1e-9, "{span:?}, {a}: {found} {most}");
+            assert!((solution.at(t)?[0] - found).abs() < 1e-12, "{span:?}, {a}");
+            let (found, t) = (table["least"][row], table["t of least"][row]);
+            assert!(found < least + 1e-9, "{span:?}, {a}: {found} {least}");
+            assert!((solution.at(t)?[3] - found).abs() < 1e-12, "{span:?}, {a}");
+        }
+    }
+    Ok(())
+}
+
 /// The same sweep in lanes and one by one, which has all that trajectories can keep, and failures of all kinds.
 #[test]
 fn trajectories_in_lanes_have_the_bits_of_those_alone() -> Outcome {
