@@ -122,6 +122,8 @@ pub struct Summary {
 
 /// Row numbers are exact below this one, whatever reads them.
 const MOST_POINTS: usize = 1 << 53;
+/// More than any machine has cores.
+const MOST_THREADS: usize = 4096;
 /// How many points are computed at a time, where nothing else is better.
 const USUAL_CHUNK: usize = 256;
 /// Chunks in a shard at least, where the number of its rows is not given, and how many shards there are at most.
@@ -372,7 +374,8 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
             MOST_POINTS.. => {
                 "the sweep has 2^53 points or more, which no machine computes: take fewer values, or random points"
             }
-            _ => return Ok(()),
+            _ if self.threads > MOST_THREADS => "there are at most 4096 threads",
+            _ => return self.sweep.check(),
         };
         Err(SweepError::Invalid(wrong.to_owned()))
     }
@@ -401,7 +404,7 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
             "design": self.sweep.declaration(),
             "task": self.task.declaration(),
             "columns": columns.iter().map(|column| json!([column.name, column.unit])).collect::<Vec<_>>(),
-            "rows of a shard": self.rows_of_shard(),
+            "size of shards": self.rows_of_shard(),
             "version": self.version,
             "pendulum-sweep": env!("CARGO_PKG_VERSION"),
         });

@@ -134,9 +134,10 @@ impl<'p> Shards<'p> {
     pub(crate) fn open(&self) -> Result<(), SweepError> {
         fs::create_dir_all(&self.folder).map_err(SweepError::file(&self.folder))?;
         let declaration = self.folder.join(DECLARATION);
+        let has_shards = !self.present()?.is_empty();
         match fs::read_to_string(&declaration) {
-            // as a loss of power may leave it
-            Ok(text) if !text.is_empty() => self.compare(&self.folder, &text)?,
+            // nothing is lost where there is nothing yet; a loss of power may leave an empty text
+            Ok(text) if has_shards && !text.is_empty() => self.compare(&self.folder, &text)?,
             Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(SweepError::File(declaration, error)),
             _ => whole(&declaration, self.empty.declaration.as_bytes()).map_err(SweepError::file(&declaration))?,
         }

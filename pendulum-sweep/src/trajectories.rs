@@ -209,6 +209,11 @@ where
 
     fn run(&self, points: &[[f64; K]]) -> Result<Chunk, SweepError> {
         let samples = self.samples();
+        if let Some((t, _)) = samples.iter().find(|(t, _)| !t.is_finite()) {
+            return Err(SweepError::Invalid(format!(
+                "states are kept at {t}: a time must be finite"
+            )));
+        }
         let mut chunk = Chunk::default();
         for points in points.chunks(self.together) {
             let trials = Trials::of(points, &self.trial);

@@ -279,7 +279,32 @@ fn what_is_wrong_is_said() {
     let wrong = Sweep::grid("g", [Axis::values("start", "rad", [1.0])]);
     let wrong = wrong.ends(Rk4::new(-1.0), (0.0, 1.0), |[a]| trial([a, 0.1]));
     says(wrong.quiet().run(), "step");
+    let one = |sweep: Sweep<1>| sweep.each([("one", "1")], |_| Ok([1.0])).quiet();
+    let sign = "`a` has numbers that are not finite: ";
+    says(
+        one(Sweep::grid("g", [Axis::logarithmic("a", "1", -1.0, 1.0, 3)])).run(),
+        sign,
+    );
+    says(
+        one(Sweep::random("r", [Draw::logarithmic("a", "1", -1.0, 1.0)], 3, 1)).run(),
+        sign,
+    );
+    says(
+        one(Sweep::random("r", [Draw::uniform("a", "1", 0.0, f64::INFINITY)], 3, 1)).run(),
+        sign,
+    );
+    says(rods(10, 1.0).threads(5000).run(), "at most 4096 threads");
+    let times = Sweep::list("rods", [("start", "rad")], vec![[1.0]]);
+    let times = times.trajectories(Tsit5::new(), (0.0, 2.0), |[a]| trial([a, 0.1]));
+    says(times.at([1.0, f64::NAN]).quiet().run(), "states are kept at NaN");
     let path = folder("wrong").join("sweep.parquet");
+    // a setting that is mended is that of another sweep, but nothing was computed
+    let span = rods(10, f64::INFINITY).run_to(&path).expect_err("no end");
+    assert!(span.to_string().contains("a time must be finite"), "{span}");
+    assert!(path.with_extension("parquet.shards").exists());
+    let mended = rods(10, 1.0).run_to(&path).expect("another sweep").complete;
+    assert!(mended);
+    let path = folder("many").join("sweep.parquet");
     let many = rods(1_000_000, 1.0)
         .shard(30)
         .run_to(&path)
