@@ -203,6 +203,12 @@ pub trait Observer<T, const N: usize> {
         true
     }
 
+    /// Whether every step is kept: then methods with steps of equal length refuse to take more than ten million. By
+    /// default it is not so.
+    fn keeps_all(&self) -> bool {
+        false
+    }
+
     /// A step, or the part of one after which an event acts. Steps follow each other without gaps, but for jumps.
     fn step(&mut self, dense: &Dense<'_, T, N>);
 
@@ -224,6 +230,10 @@ pub trait Observer<T, const N: usize> {
 
 /// All of it.
 impl<T: Float, const N: usize> Observer<T, N> for Solution<T, N> {
+    fn keeps_all(&self) -> bool {
+        true
+    }
+
     fn step(&mut self, dense: &Dense<'_, T, N>) {
         let step = dense.step();
         self.t.push(step.t1);

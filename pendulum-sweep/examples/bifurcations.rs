@@ -50,6 +50,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         |[amplitude]| Ok((Driven::new(DrivenParams { amplitude })?, [0.1, 0.0])),
     )
     .at(times.clone())
+    .in_lanes()
     .main(&file)?;
     if !Path::new(&file).exists() {
         return Ok(());

@@ -43,6 +43,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         .event("lower flips", |_| {
             Event::new(|_, x: &SVector<f64, 4>| (0.5 * x[Rods::THETA2]).cos()).terminal()
         })
+        .in_lanes()
         .main(&file)?;
     if !Path::new(&file).exists() {
         return Ok(());

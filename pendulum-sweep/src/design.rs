@@ -3,6 +3,7 @@
 use pendulum_core::real::Real;
 use serde_json::{Value, json};
 
+use crate::error::SweepError;
 use crate::table::Column;
 
 /// Points with `K` numbers each; see the [crate](crate).
@@ -80,6 +81,27 @@ impl<const K: usize> Sweep<K> {
                 std::array::from_fn(|column| draws[column].at(*seed, counter(column)))
             }
         }
+    }
+
+    /// Refuses laws of numbers that are not finite, as between ends of two signs in equal ratios. A list may have any.
+    pub(crate) fn check(&self) -> Result<(), SweepError> {
+        let wrong = match &self.design {
+            Design::Grid(axes) => {
+                let mut wrong = axes
+                    .iter()
+                    .filter(|axis| !axis.values.iter().all(|value| value.is_finite()));
+                wrong.next().map(|axis| (&axis.column, axis.spacing.to_string()))
+            }
+            Design::List(..) => None,
+            Design::Random(draws, _, seed) => {
+                let mut wrong = draws.iter().filter(|draw| !draw.at(*seed, 0).is_finite());
+                wrong.next().map(|draw| (&draw.column, format!("{:?}", draw.law)))
+            }
+        };
+        wrong.map_or(Ok(()), |(column, law)| {
+            let reason = format!("`{}` has numbers that are not finite: {law}", column.name);
+            Err(SweepError::Invalid(reason))
+        })
     }
 
     /// What the numbers of a point are.

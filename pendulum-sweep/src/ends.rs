@@ -1,7 +1,7 @@
 //! Final states, many at a time.
 
 use std::fmt::Debug;
-use std::iter::{once, repeat_n};
+use std::iter::repeat_n;
 
 use pendulum_core::nalgebra::SVector;
 use pendulum_core::{Cast, Ensemble, EnsembleError, Reason, StateLayout, System};
@@ -89,15 +89,16 @@ where
             Err(other) => return Err(SweepError::Invalid(other.to_string())),
         };
         let mut stopped = stopped.into_iter().peekable();
-        let rows = trials.models.iter().zip(ends).enumerate().map(|(index, (model, x))| {
+        let mut chunk = Chunk::default();
+        trials.conclude(&mut chunk, 1 + N + self.values.len(), |index, numbers| {
+            let (model, x) = (&trials.models[index], &ends[index]);
             let stopped = stopped.next_if(|stopped| stopped.index == index);
             let t = stopped.map_or(t1, |stopped| stopped.t);
-            let values = self.values.iter().map(move |(_, value)| value(model, t, &x));
-            let numbers = once(t).chain(<[f64; N]>::from(x)).chain(values);
-            (numbers, stopped.map(|stopped| stopped.reason))
+            numbers.push(t);
+            numbers.extend_from_slice(x.as_slice());
+            numbers.extend(self.values.iter().map(|(_, value)| value(model, t, x)));
+            stopped.map(|stopped| stopped.reason)
         });
-        let mut chunk = Chunk::default();
-        trials.conclude(&mut chunk, 1 + N + self.values.len(), rows);
         Ok(chunk)
     }
 }
@@ -130,22 +131,24 @@ impl<M, const N: usize> Trials<M, N> {
         trials
     }
 
-    /// Adds a row for each point: those of the models, which may have failed, and `width` times NaN where there is none.
-    pub(crate) fn conclude<I: IntoIterator<Item = f64>>(
+    /// Adds a row for each point: `width` numbers, which `row` adds of each model, and why it failed if it did; NaN where
+    /// there is none.
+    pub(crate) fn conclude(
         &self,
         chunk: &mut Chunk,
         width: usize,
-        mut rows: impl Iterator<Item = (I, Option<Reason>)>,
+        mut row: impl FnMut(usize, &mut Vec<f64>) -> Option<Reason>,
     ) {
+        let (mut models, mut numbers) = (0..self.models.len(), Vec::with_capacity(width));
         for failure in &self.failures {
             if let Some(failure) = failure {
                 chunk.fail(repeat_n(f64::NAN, width), failure);
-                continue;
-            }
-            match rows.next() {
-                Some((numbers, None)) => chunk.push(numbers),
-                Some((numbers, Some(reason))) => chunk.fail(numbers, reason),
-                None => {}
+            } else if let Some(index) = models.next() {
+                numbers.clear();
+                match row(index, &mut numbers) {
+                    None => chunk.push(numbers.iter().copied()),
+                    Some(reason) => chunk.fail(numbers.iter().copied(), reason),
+                }
             }
         }
     }

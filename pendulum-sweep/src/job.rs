@@ -5,6 +5,7 @@ use std::error::Error;
 use std::fmt;
 use std::ops::Range;
 use std::path::Path;
+use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressStyle};
@@ -13,6 +14,7 @@ use serde_json::{Value, json};
 
 use crate::design::Sweep;
 use crate::error::SweepError;
+use crate::file::MOST_ROWS;
 use crate::shards::Shards;
 use crate::table::{Column, Table};
 
@@ -55,15 +57,21 @@ impl Chunk {
     /// # Panics
     /// If the row has another length than those before.
     pub fn push(&mut self, numbers: impl IntoIterator<Item = f64>) {
-        let mut columns = 0;
-        for number in numbers {
-            if self.rows == 0 {
-                self.numbers.push(Vec::with_capacity(USUAL_CHUNK));
+        const RULE: &str = "rows of one chunk have one length";
+        let mut numbers = numbers.into_iter();
+        if self.rows == 0 {
+            let begin = |number| {
+                let mut column = Vec::with_capacity(USUAL_CHUNK);
+                column.push(number);
+                column
+            };
+            self.numbers = numbers.map(begin).collect();
+        } else {
+            for column in &mut self.numbers {
+                column.push(numbers.next().expect(RULE));
             }
-            self.numbers[columns].push(number);
-            columns += 1;
+            assert!(numbers.next().is_none(), "{RULE}");
         }
-        assert_eq!(columns, self.numbers.len(), "rows of one chunk have one length");
         self.rows += 1;
     }
 
@@ -74,6 +82,13 @@ impl Chunk {
     pub fn fail(&mut self, numbers: impl IntoIterator<Item = f64>, reason: impl fmt::Display) {
         self.failures.insert(self.rows, reason.to_string());
         self.push(numbers);
+    }
+
+    /// Puts the numbers of the points before the others.
+    fn begin_with<const K: usize>(&mut self, points: &[[f64; K]]) {
+        assert_eq!(self.rows, points.len(), "a chunk has a row for each point");
+        let of_points = (0..K).map(|number| points.iter().map(|point| point[number]).collect());
+        self.numbers.splice(..0, of_points);
     }
 }
 
@@ -107,10 +122,15 @@ pub struct Summary {
 
 /// Row numbers are exact below this one, whatever reads them.
 const MOST_POINTS: usize = 1 << 53;
+/// More than any machine has cores.
+const MOST_THREADS: usize = 4096;
 /// How many points are computed at a time, where nothing else is better.
 const USUAL_CHUNK: usize = 256;
-/// Chunks in a shard, where the number of its rows is not given.
+/// Chunks in a shard at least, where the number of its rows is not given, and how many shards there are at most.
 const SHARD: usize = 16;
+const USUAL_SHARDS: usize = 4096;
+/// The most groups of rows in a Parquet file.
+const MOST_SHARDS: usize = i16::MAX as usize;
 
 impl<const K: usize> Sweep<K> {
     /// Numbers that a function finds at each point, under names with units. Anything can be done there: a method and
@@ -165,15 +185,17 @@ impl<const K: usize> Sweep<K> {
 }
 
 impl<T: Task<K>, const K: usize> Job<T, K> {
-    /// The rows of each shard: what a kill loses at most, for each core. Default: 4096, and more for methods that
-    /// integrate more trajectories at a time.
+    /// The rows of each shard: what a kill loses at most, for each core. Default: 4096, more for methods that integrate
+    /// more trajectories at a time, and more where there would be more than 4096 shards. At most 2^20.
     pub fn shard(mut self, rows: usize) -> Self {
-        self.shard = Some(rows.max(1));
+        self.shard = Some(rows.clamp(1, MOST_ROWS));
         self
     }
 
     fn rows_of_shard(&self) -> usize {
-        self.shard.unwrap_or(SHARD * self.task.chunk())
+        let chunk = self.task.chunk();
+        let usual = || self.sweep.points().div_ceil(USUAL_SHARDS).next_multiple_of(chunk);
+        self.shard.unwrap_or_else(|| usual().max(SHARD * chunk).min(MOST_ROWS))
     }
 
     /// Computes only each `of`-th shard, from `index` on, which is below `of`: for other processes, on this machine or
@@ -207,9 +229,24 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
     /// # Errors
     /// [`SweepError::Invalid`].
     pub fn run(&self) -> Result<Table, SweepError> {
-        let empty = self.empty()?;
+        let mut empty = self.empty()?;
         let progress = self.progress(self.sweep.points());
-        self.in_threads(|| self.rows(0..self.sweep.points(), &empty, &progress))
+        let rows = self.sweep.points();
+        empty.numbers.fill(vec![0.0; rows]);
+        let table = Mutex::new(empty);
+        self.in_threads(|| {
+            self.rows(0..rows, &progress, |first, chunk| {
+                let table = &mut locked(&table);
+                for (column, numbers) in table.numbers.iter_mut().zip(chunk.numbers) {
+                    column[first..first + numbers.len()].copy_from_slice(&numbers);
+                }
+                let failures = chunk.failures.into_iter();
+                table
+                    .failures
+                    .extend(failures.map(|(row, reason)| (first + row, reason)));
+            })
+        })?;
+        Ok(table.into_inner().unwrap_or_else(PoisonError::into_inner))
     }
 
     /// Computes all rows into a Parquet file, by way of shards in the folder `PATH.shards` beside it: a job that was
@@ -224,24 +261,21 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         let (index, of) = self.share;
         self.timed(path.as_ref(), |shards| {
             if shards.is_merged()? {
+                shards.clean()?;
                 return Ok((0, 0, true));
             }
             shards.open()?;
             let own = shards.missing((index..shards.count).step_by(of))?;
             let rows = own.iter().map(|&n| shards.rows(n).len()).sum();
             let progress = self.progress(rows);
-            let failed = self.in_threads(|| {
-                let shard = |&n: &usize| {
-                    let table = self.rows(shards.rows(n), &shards.empty, &progress)?;
-                    shards.write(n, &table)?;
-                    Ok(table.failures.len())
-                };
+            let failures = self.in_threads(|| {
+                let shard = |&n: &usize| self.write(shards, n, &progress);
                 own.par_iter().map(shard).try_reduce(|| 0, |a, b| Ok(a + b))
             })?;
             if of == 1 {
                 shards.merge()?;
             }
-            Ok((rows, failed, of == 1))
+            Ok((rows, failures, of == 1))
         })
     }
 
@@ -279,7 +313,7 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
             } else {
                 Vec::new()
             };
-            let (mut computed, mut failed) = (0, 0);
+            let (mut computed, mut failures) = (0, 0);
             let rows = missing.iter().map(|&n| shards.rows(n).len()).sum();
             let progress = if ranks.is_first() {
                 self.progress(rows)
@@ -287,17 +321,17 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
                 ProgressBar::hidden()
             };
             ranks.share(missing, &progress, |n| {
-                let table = self.in_threads(|| self.rows(shards.rows(n), &shards.empty, &ProgressBar::hidden()))?;
-                shards.write(n, &table)?;
-                (computed, failed) = (computed + table.rows(), failed + table.failures.len());
-                Ok(table.rows())
+                let rows = shards.rows(n).len();
+                let failed = self.in_threads(|| self.write(shards, n, &ProgressBar::hidden()))?;
+                (computed, failures) = (computed + rows, failures + failed);
+                Ok(rows)
             })?;
-            (computed, failed) = (ranks.sum(computed), ranks.sum(failed));
+            (computed, failures) = (ranks.sum(computed), ranks.sum(failures));
             if ranks.is_first() {
                 shards.merge()?;
             }
             ranks.meet();
-            Ok((computed, failed, true))
+            Ok((computed, failures, true))
         })
     }
 
@@ -308,7 +342,7 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
     pub fn merge(&self, path: impl AsRef<Path>) -> Result<(), SweepError> {
         let shards = self.shards(path.as_ref())?;
         if shards.is_merged()? {
-            return Ok(());
+            return shards.clean();
         }
         shards.open()?;
         shards.missing(0..shards.count)?;
@@ -316,7 +350,14 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
     }
 
     fn shards<'p>(&self, path: &'p Path) -> Result<Shards<'p>, SweepError> {
-        Shards::new(path, self.sweep.points(), self.rows_of_shard(), self.empty()?)
+        let shards = Shards::new(path, self.sweep.points(), self.rows_of_shard(), self.empty()?)?;
+        if shards.count > MOST_SHARDS {
+            let least = self.sweep.points().div_ceil(MOST_SHARDS);
+            let reason =
+                format!("a file takes {MOST_SHARDS} shards at most: of so many points, each has {least} rows or more");
+            return Err(SweepError::Invalid(reason));
+        }
+        Ok(shards)
     }
 
     fn check(&self) -> Result<(), SweepError> {
@@ -333,7 +374,8 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
             MOST_POINTS.. => {
                 "the sweep has 2^53 points or more, which no machine computes: take fewer values, or random points"
             }
-            _ => return Ok(()),
+            _ if self.threads > MOST_THREADS => "there are at most 4096 threads",
+            _ => return self.sweep.check(),
         };
         Err(SweepError::Invalid(wrong.to_owned()))
     }
@@ -362,7 +404,7 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
             "design": self.sweep.declaration(),
             "task": self.task.declaration(),
             "columns": columns.iter().map(|column| json!([column.name, column.unit])).collect::<Vec<_>>(),
-            "rows of a shard": self.rows_of_shard(),
+            "size of shards": self.rows_of_shard(),
             "version": self.version,
             "pendulum-sweep": env!("CARGO_PKG_VERSION"),
         });
@@ -374,34 +416,41 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         })
     }
 
-    /// Some rows, added to the table without any, in chunks on all threads.
-    fn rows(&self, rows: Range<usize>, empty: &Table, progress: &ProgressBar) -> Result<Table, SweepError> {
+    /// Computes and writes a shard: how many of its rows failed.
+    fn write(&self, shards: &Shards<'_>, n: usize, progress: &ProgressBar) -> Result<usize, SweepError> {
+        let shard = Mutex::new(shards.begin(n));
+        self.rows(shards.rows(n), progress, |first, chunk| {
+            let shard = &mut locked(&shard);
+            shard.keep(first, chunk.numbers.iter().map(Vec::as_slice));
+            for (row, reason) in chunk.failures {
+                shard.fail(first + row, reason);
+            }
+        })?;
+        let shard = shard.into_inner().unwrap_or_else(PoisonError::into_inner);
+        let failed = shard.failed();
+        shards.write(n, shard)?;
+        Ok(failed)
+    }
+
+    /// Computes some rows in chunks on all threads, and keeps each chunk, with the number of its first row among these.
+    fn rows(
+        &self,
+        rows: Range<usize>,
+        progress: &ProgressBar,
+        keep: impl Fn(usize, Chunk) + Sync,
+    ) -> Result<(), SweepError> {
         let size = self.task.chunk();
-        let chunk = |first: usize| {
-            let points: Vec<[f64; K]> = (first..rows.end.min(first + size))
-                .map(|row| self.sweep.point(row))
-                .collect();
-            let chunk = self.task.run(&points)?;
+        let compute = |first: usize| {
+            let of_chunk = first..rows.end.min(first + size);
+            let points: Vec<[f64; K]> = of_chunk.map(|row| self.sweep.point(row)).collect();
+            let mut chunk = self.task.run(&points)?;
+            chunk.begin_with(&points);
+            keep(first - rows.start, chunk);
             progress.inc(points.len() as u64);
-            Ok((points, chunk))
+            Ok(())
         };
         let firsts: Vec<usize> = rows.clone().step_by(size).collect();
-        let chunks: Vec<_> = firsts.into_par_iter().map(chunk).collect::<Result<_, SweepError>>()?;
-        let mut table = empty.clone();
-        table.numbers.iter_mut().for_each(|column| column.reserve(rows.len()));
-        for (points, chunk) in chunks {
-            let before = table.rows();
-            let (of_points, kept) = table.numbers.split_at_mut(K);
-            for (number, column) in of_points.iter_mut().enumerate() {
-                column.extend(points.iter().map(|point| point[number]));
-            }
-            for (column, numbers) in kept.iter_mut().zip(&chunk.numbers) {
-                column.extend_from_slice(numbers);
-            }
-            let failures = chunk.failures.into_iter().map(|(row, reason)| (before + row, reason));
-            table.failures.extend(failures);
-        }
-        Ok(table)
+        firsts.into_par_iter().try_for_each(compute)
     }
 
     fn in_threads<R: Send>(&self, work: impl FnOnce() -> Result<R, SweepError> + Send) -> Result<R, SweepError> {
@@ -418,6 +467,11 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         let style = ProgressStyle::with_template("{bar:40} {human_pos} of {human_len}, {per_sec}, {eta} left");
         ProgressBar::new(rows as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
     }
+}
+
+/// What is locked. Where a thread has panicked, so will all.
+fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
+    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// What [`Sweep::each`] does.

@@ -1,31 +1,43 @@
 //! The shards of a file: each complete or absent.
+//!
+//! The numbers of all shards, which are most of what is written, lie in one file from the beginning, each shard in a
+//! place of its own, so that they are written once. A small file tells that a shard is complete: it has the rest of the
+//! shard, and in its name the checksums of both. The big file becomes the table by adding to it what the small ones
+//! have.
 
 use std::collections::BTreeMap;
 use std::ffi::OsString;
-use std::fs::{self, File};
-use std::io::{self, BufWriter, Write};
+use std::fs::{self, File, OpenOptions};
+use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
+use std::sync::Mutex;
 
-use crc32fast::Hasher;
 use serde_json::Value;
 
 use crate::error::SweepError;
-use crate::file;
+use crate::file::{self, Part};
 use crate::table::Table;
 
 /// The file of a sweep, and the folder of its shards.
 pub(crate) struct Shards<'p> {
     path: &'p Path,
     folder: PathBuf,
+    /// The file with the numbers of all shards.
+    numbers: PathBuf,
     points: usize,
     length: usize,
     pub(crate) count: usize,
     /// The table without rows, with the declaration.
     pub(crate) empty: Table,
+    /// Memory that shards have had: fresh memory would cost as much as to write it.
+    spare: Mutex<Vec<Vec<u8>>>,
 }
 
 const DECLARATION: &str = "declaration.json";
+
+/// Shards begin at multiples of this many bytes: no two processes write to the same page of memory or block of a disk.
+const PAGE: usize = 4096;
 
 impl<'p> Shards<'p> {
     pub(crate) fn new(path: &'p Path, points: usize, length: usize, empty: Table) -> Result<Self, SweepError> {
@@ -33,13 +45,16 @@ impl<'p> Shards<'p> {
         let name = name.ok_or_else(|| SweepError::Invalid(format!("{} is not the name of a file", path.display())))?;
         let mut folder = OsString::from(name);
         folder.push(".shards");
+        let folder = path.with_file_name(folder);
         Ok(Self {
             path,
-            folder: path.with_file_name(folder),
+            numbers: folder.join("numbers"),
+            folder,
             points,
             length,
             count: points.div_ceil(length),
             empty,
+            spare: Mutex::default(),
         })
     }
 
@@ -48,46 +63,62 @@ impl<'p> Shards<'p> {
         n * self.length..self.points.min((n + 1) * self.length)
     }
 
-    /// Those of some shards that are not there. Broken ones are removed: the name of a shard has the checksum of its
-    /// bytes.
-    pub(crate) fn missing(&self, shards: impl Iterator<Item = usize>) -> Result<Vec<usize>, SweepError> {
-        let present = self.present()?;
-        let is_missing = |n: &usize| match present.get(n) {
-            None => Ok(true),
-            Some(path) => {
-                let bytes = fs::read(path).map_err(SweepError::file(path))?;
-                let is_broken = *path != self.of(*n, crc32fast::hash(&bytes));
-                if is_broken {
-                    eprintln!("{} is broken, and is computed again", path.display());
-                    fs::remove_file(path).map_err(SweepError::file(path))?;
-                }
-                Ok(is_broken)
-            }
-        };
-        let checked = shards.filter_map(|n| match is_missing(&n) {
-            Ok(is_missing) => is_missing.then_some(Ok(n)),
-            Err(error) => Some(Err(error)),
-        });
-        checked.collect()
+    /// Where the numbers of a shard begin.
+    fn place(&self, n: usize) -> u64 {
+        let room = file::most_bytes(self.empty.columns.len(), self.length.min(self.points));
+        (PAGE + n * room.next_multiple_of(PAGE)) as u64
     }
 
-    /// The shards that are there, broken or not.
-    fn present(&self) -> Result<BTreeMap<usize, PathBuf>, SweepError> {
+    /// Those of some shards that are not there. Broken ones are removed.
+    pub(crate) fn missing(&self, shards: impl Iterator<Item = usize>) -> Result<Vec<usize>, SweepError> {
+        let present = self.present()?;
+        let mut missing = Vec::new();
+        for n in shards {
+            if let Some(&sums) = present.get(&n) {
+                let path = self.of(n, sums);
+                if self.is_whole(n, sums, &path)? {
+                    continue;
+                }
+                eprintln!("{} is broken, and is computed again", path.display());
+                fs::remove_file(&path).map_err(SweepError::file(&path))?;
+            }
+            missing.push(n);
+        }
+        Ok(missing)
+    }
+
+    /// Whether a shard has its checksums; it must be of this sweep.
+    fn is_whole(&self, n: usize, [of_others, of_numbers]: [u32; 2], path: &Path) -> Result<bool, SweepError> {
+        let others = fs::read(path).map_err(SweepError::file(path))?;
+        if crc32fast::hash(&others) != of_others {
+            return Ok(false);
+        }
+        let columns = self.empty.columns.len();
+        let (declaration, length) = file::read_others(&others.into(), columns).map_err(SweepError::file(path))?;
+        self.compare(path, &declaration)?;
+        let numbers = self.read(n, length).map_err(SweepError::file(&self.numbers))?;
+        Ok(crc32fast::hash(&numbers) == of_numbers)
+    }
+
+    /// The shards that are there, broken or not, with the checksums that they should have.
+    fn present(&self) -> Result<BTreeMap<usize, [u32; 2]>, SweepError> {
         let entries = fs::read_dir(&self.folder).map_err(SweepError::file(&self.folder))?;
         let mut present = BTreeMap::new();
         for entry in entries {
-            let path = entry.map_err(SweepError::file(&self.folder))?.path();
-            let name = path.file_name().and_then(|name| name.to_str()).unwrap_or_default();
-            let number = name.strip_suffix(".parquet").and_then(|name| name.split_once('-'));
-            if let Some(n) = number.and_then(|(number, _)| number.parse().ok()) {
-                present.insert(n, path);
-            }
+            let name = entry.map_err(SweepError::file(&self.folder))?.file_name();
+            let shard = |name: &str| {
+                let mut parts = name.strip_suffix(".shard")?.split('-');
+                let n: usize = parts.next()?.parse().ok()?;
+                let [others, numbers] = [parts.next()?, parts.next()?].map(|sum| u32::from_str_radix(sum, 16));
+                Some((n, [others.ok()?, numbers.ok()?]))
+            };
+            present.extend(name.to_str().and_then(shard));
         }
         Ok(present)
     }
 
-    fn of(&self, n: usize, sum: u32) -> PathBuf {
-        self.folder.join(format!("{n:06}-{sum:08x}.parquet"))
+    fn of(&self, n: usize, [others, numbers]: [u32; 2]) -> PathBuf {
+        self.folder.join(format!("{n:06}-{others:08x}-{numbers:08x}.shard"))
     }
 
     /// Whether the file is there; it must be that of this sweep.
@@ -103,32 +134,52 @@ impl<'p> Shards<'p> {
     pub(crate) fn open(&self) -> Result<(), SweepError> {
         fs::create_dir_all(&self.folder).map_err(SweepError::file(&self.folder))?;
         let declaration = self.folder.join(DECLARATION);
+        let has_shards = !self.present()?.is_empty();
         match fs::read_to_string(&declaration) {
-            Ok(text) => self.compare(&self.folder, &text),
-            Err(error) if error.kind() == io::ErrorKind::NotFound => {
-                let text = self.empty.declaration.clone();
-                whole(&declaration, |file| {
-                    file.write_all(text.as_bytes())?;
-                    Ok(declaration.clone())
-                })
-            }
-            Err(error) => Err(SweepError::File(declaration, error)),
+            // nothing is lost where there is nothing yet; a loss of power may leave an empty text
+            Ok(text) if has_shards && !text.is_empty() => self.compare(&self.folder, &text)?,
+            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(SweepError::File(declaration, error)),
+            _ => whole(&declaration, self.empty.declaration.as_bytes()).map_err(SweepError::file(&declaration))?,
         }
+        let mut options = OpenOptions::new();
+        let numbers = options.write(true).create(true).truncate(false).open(&self.numbers);
+        numbers.map(drop).map_err(SweepError::file(&self.numbers))
     }
 
-    pub(crate) fn write(&self, n: usize, table: &Table) -> Result<(), SweepError> {
-        whole(&self.folder.join(format!("{n:06}")), |file| {
-            let mut file = Summed {
-                file: BufWriter::new(file),
-                sum: Hasher::new(),
-            };
-            file::write(&mut file, self.rows(n).start, table)?;
-            file.flush()?;
-            Ok(self.of(n, file.sum.finalize()))
-        })
+    /// A shard that is to be computed.
+    pub(crate) fn begin(&self, n: usize) -> Part {
+        let memory = self.spare.lock().map_or(None, |mut spare| spare.pop());
+        Part::new(self.rows(n), self.empty.columns.len(), memory.unwrap_or_default())
     }
 
-    /// Puts the file together, and removes the shards.
+    pub(crate) fn write(&self, n: usize, shard: Part) -> Result<(), SweepError> {
+        let numbers = self.write_numbers(n, shard.numbers());
+        numbers.map_err(SweepError::file(&self.numbers))?;
+        let others = shard.others(&self.empty).map_err(SweepError::file(&self.folder))?;
+        let path = self.of(n, [crc32fast::hash(&others), crc32fast::hash(shard.numbers())]);
+        whole(&path, &others).map_err(SweepError::file(&path))?;
+        if let Ok(mut spare) = self.spare.lock() {
+            spare.push(shard.into_memory());
+        }
+        Ok(())
+    }
+
+    fn write_numbers(&self, n: usize, numbers: &[u8]) -> io::Result<()> {
+        let mut file = OpenOptions::new().write(true).open(&self.numbers)?;
+        file.seek(SeekFrom::Start(self.place(n)))?;
+        file.write_all(numbers)
+    }
+
+    /// The numbers of a shard, as far as they are there.
+    fn read(&self, n: usize, length: usize) -> io::Result<Vec<u8>> {
+        let mut file = File::open(&self.numbers)?;
+        file.seek(SeekFrom::Start(self.place(n)))?;
+        let mut numbers = Vec::with_capacity(length);
+        file.take(length as u64).read_to_end(&mut numbers)?;
+        Ok(numbers)
+    }
+
+    /// Makes the file of the shards.
     pub(crate) fn merge(&self) -> Result<(), SweepError> {
         let present = self.present()?;
         if let Some(missing) = (0..self.count).find(|n| !present.contains_key(n)) {
@@ -138,12 +189,27 @@ impl<'p> Shards<'p> {
                 missing,
             });
         }
-        let parts: Vec<PathBuf> = present.into_values().take(self.count).collect();
-        whole(self.path, |file| {
-            file::concatenate(file, &self.empty, &parts)?;
-            Ok(self.path.to_owned())
-        })?;
-        fs::remove_dir_all(&self.folder).map_err(SweepError::file(&self.folder))
+        let conclude = || {
+            let mut file = OpenOptions::new().write(true).open(&self.numbers)?;
+            file.write_all(&file::MAGIC)?;
+            file.set_len(self.place(self.count))?;
+            let others = present.iter().take(self.count);
+            let rows = others.map(|(&n, &sums)| Ok((self.place(n), fs::read(self.of(n, sums))?.into())));
+            file::conclude(&mut file, &self.empty, rows)?;
+            file.sync_all()?;
+            fs::rename(&self.numbers, self.path)
+        };
+        conclude().map_err(SweepError::file(self.path))?;
+        self.clean()
+    }
+
+    /// Removes what is left of the shards when the file is there.
+    pub(crate) fn clean(&self) -> Result<(), SweepError> {
+        let declaration = fs::read_to_string(self.folder.join(DECLARATION));
+        if declaration.is_ok_and(|text| text == self.empty.declaration) {
+            fs::remove_dir_all(&self.folder).map_err(SweepError::file(&self.folder))?;
+        }
+        Ok(())
     }
 
     /// That a declaration is the one of this sweep, and else in what it differs.
@@ -164,41 +230,16 @@ impl<'p> Shards<'p> {
     }
 }
 
-/// A file, and the checksum of what is written to it.
-struct Summed<W> {
-    file: W,
-    sum: Hasher,
-}
-
-impl<W: Write> Write for Summed<W> {
-    fn write(&mut self, bytes: &[u8]) -> io::Result<usize> {
-        let written = self.file.write(bytes)?;
-        self.sum.update(&bytes[..written]);
-        Ok(written)
-    }
-
-    fn flush(&mut self) -> io::Result<()> {
-        self.file.flush()
-    }
-}
-
-/// Writes a file that is complete or absent at any time, under a name like `path` at first, and then under the one that
-/// `write` returns.
-fn whole(path: &Path, write: impl FnOnce(&mut File) -> io::Result<PathBuf>) -> Result<(), SweepError> {
+/// Writes a file that is complete or absent at any time, under another name at first. Where power fails, some of it may
+/// be missing.
+fn whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut name = path.file_name().unwrap_or_default().to_owned();
     name.push(format!(".{}.tmp", std::process::id()));
     let unfinished = path.with_file_name(name);
-    if let Some(folder) = path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
-        fs::create_dir_all(folder).map_err(SweepError::file(folder))?;
-    }
-    let written = File::create(&unfinished).and_then(|mut file| {
-        let path = write(&mut file)?;
-        file.sync_all()?;
-        fs::rename(&unfinished, path)
-    });
-    written.map_err(|error| {
-        // what is unfinished is of no use; the error says more than that it could not be removed
-        let _ = fs::remove_file(&unfinished);
-        SweepError::File(path.to_owned(), error)
-    })
+    fs::write(&unfinished, bytes)
+        .and_then(|()| fs::rename(&unfinished, path))
+        .inspect_err(|_| {
+            // what is unfinished is of no use; the error says more than that it could not be removed
+            let _ = fs::remove_file(&unfinished);
+        })
 }

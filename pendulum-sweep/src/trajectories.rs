@@ -112,7 +112,7 @@ impl<X, F, M, const K: usize, const N: usize> Job<Trajectories<X, F, M, N>, K> {
     /// Follows many trajectories at a time, in the lanes of vector registers, for models and methods that can; the
     /// numbers have the same bits.
     ///
-    /// Most is gained where ends and states at times are kept. Extrema need all steps, so that less is gained.
+    /// Most is gained where ends and states at times are kept; events and extrema look into each step.
     /// Trajectories with events that reset their state go one by one, and so do those of hybrid systems, and the
     /// methods that [`Ensemble`](pendulum_core::Ensemble) names.
     pub fn in_lanes(mut self) -> Self
@@ -209,29 +209,34 @@ where
 
     fn run(&self, points: &[[f64; K]]) -> Result<Chunk, SweepError> {
         let samples = self.samples();
-        let keeps_all = self.kept.iter().any(|kept| matches!(kept, Kept::Extremum(..)));
-        let together = if keeps_all { MOST_SOLUTIONS } else { points.len() };
+        if let Some((t, _)) = samples.iter().find(|(t, _)| !t.is_finite()) {
+            return Err(SweepError::Invalid(format!(
+                "states are kept at {t}: a time must be finite"
+            )));
+        }
         let mut chunk = Chunk::default();
-        for points in points.chunks(together.min(self.together).max(1)) {
+        for points in points.chunks(self.together) {
             let trials = Trials::of(points, &self.trial);
             let Trials { models, starts, .. } = &trials;
             let events: Vec<Vec<_>> = models
                 .iter()
                 .map(|model| self.events.iter().map(|event| event(model)).collect())
                 .collect();
-            let seen = |start: &SVector<f64, N>| Seen::new(self.span, *start, &samples, self.events.len(), keeps_all);
-            let mut seen: Vec<_> = starts.iter().map(seen).collect();
+            let members = models.iter().zip(starts);
+            let seen = members.map(|(model, &start)| Seen {
+                extrema: self.extrema(model, start),
+                ..Seen::new(self.span, start, &samples, self.events.len())
+            });
+            let mut seen: Vec<_> = seen.collect();
             let reasons = (self.follow)(&self.method, self.span, models, starts, &events, &mut seen)?;
-            let followed = models.iter().zip(&seen).zip(reasons);
-            let rows = followed.map(|((model, seen), reason)| (self.numbers(model, seen), reason));
-            trials.conclude(&mut chunk, self.width(), rows);
+            trials.conclude(&mut chunk, self.width(), |index, numbers| {
+                self.keep_of(&models[index], &seen[index], numbers);
+                reasons[index]
+            });
         }
         Ok(chunk)
     }
 }
-
-/// So many solutions are in memory at a time, of one thread.
-const MOST_SOLUTIONS: usize = 64;
 
 impl<X, F, M, const N: usize> Trajectories<X, F, M, N> {
     fn width(&self) -> usize {
@@ -255,18 +260,29 @@ impl<X, F, M, const N: usize> Trajectories<X, F, M, N> {
         samples
     }
 
-    fn numbers(&self, model: &M, seen: &Seen<'_, N>) -> Vec<f64> {
-        let mut numbers = vec![seen.t];
+    /// The extrema of a trajectory that starts here.
+    fn extrema<'s>(&'s self, model: &'s M, start: SVector<f64, N>) -> Vec<Extremum<'s, N>> {
+        let of_kept = self.kept.iter().filter_map(|kept| match kept {
+            Kept::Extremum(_, sign, value) => {
+                let value = Box::new(move |t: f64, x: &SVector<f64, N>| sign * value(model, t, x));
+                Some(Extremum::new(value, self.span.0, start))
+            }
+            _ => None,
+        });
+        of_kept.collect()
+    }
+
+    /// The numbers that are kept of a trajectory.
+    fn keep_of(&self, model: &M, seen: &Seen<'_, N>, numbers: &mut Vec<f64>) {
+        numbers.push(seen.t);
         numbers.extend(&seen.x);
-        let mut states = seen.states().into_iter();
+        let (mut states, mut extrema) = (seen.states().into_iter(), seen.extrema.iter());
         for kept in &self.kept {
             match kept {
                 Kept::At(times) => numbers.extend(states.by_ref().take(times.len()).flatten()),
                 Kept::End(_, value) => numbers.push(value(model, seen.t, &seen.x)),
-                Kept::Extremum(_, sign, value) => {
-                    let value = |t: f64, x: &SVector<f64, N>| sign * value(model, t, x);
-                    let found = seen.solution.as_ref().map(|solution| extremum(solution, value));
-                    let (t, most) = found.unwrap_or((f64::NAN, f64::NAN));
+                Kept::Extremum(_, sign, _) => {
+                    let (t, most) = extrema.next().map_or((f64::NAN, f64::NAN), Extremum::found);
                     numbers.extend([sign * most, t]);
                 }
                 Kept::Event(_, index) => {
@@ -275,7 +291,6 @@ impl<X, F, M, const N: usize> Trajectories<X, F, M, N> {
                 }
             }
         }
-        numbers
     }
 }
 
@@ -336,18 +351,11 @@ struct Seen<'s, const N: usize> {
     states: Vec<[f64; N]>,
     /// How often each event occurred, and when first.
     events: Vec<(usize, f64)>,
-    /// All of it, where that is asked for.
-    solution: Option<Solution<f64, N>>,
+    extrema: Vec<Extremum<'s, N>>,
 }
 
 impl<'s, const N: usize> Seen<'s, N> {
-    fn new(
-        (t0, t1): (f64, f64),
-        x: SVector<f64, N>,
-        samples: &'s [(f64, usize)],
-        events: usize,
-        keeps_all: bool,
-    ) -> Self {
+    fn new((t0, t1): (f64, f64), x: SVector<f64, N>, samples: &'s [(f64, usize)], events: usize) -> Self {
         let is_forward = t0 <= t1;
         let early = samples.iter().take_while(|&&(t, _)| t != t0 && (t < t0) == is_forward);
         Self {
@@ -357,7 +365,7 @@ impl<'s, const N: usize> Seen<'s, N> {
             samples,
             states: early.map(|_| [f64::NAN; N]).collect(),
             events: vec![(0, f64::NAN); events],
-            solution: keeps_all.then(|| Solution::start(t0, x)),
+            extrema: Vec::new(),
         }
     }
 
@@ -383,7 +391,7 @@ impl<'s, const N: usize> Seen<'s, N> {
 
 impl<const N: usize> Observer<f64, N> for Seen<'_, N> {
     fn looks_into(&self, _t0: f64, t1: f64) -> bool {
-        self.solution.is_some() || self.sample_before(t1).is_some()
+        !self.extrema.is_empty() || self.sample_before(t1).is_some()
     }
 
     fn step(&mut self, dense: &Dense<'_, f64, N>) {
@@ -393,15 +401,15 @@ impl<const N: usize> Observer<f64, N> for Seen<'_, N> {
             self.states.push(x.into());
         }
         (self.t, self.x) = (step.t1, step.x1);
-        if let Some(solution) = &mut self.solution {
-            solution.step(dense);
+        for extremum in &mut self.extrema {
+            extremum.step(dense);
         }
     }
 
-    fn jump(&mut self, t: f64, x: SVector<f64, N>) {
+    fn jump(&mut self, _t: f64, x: SVector<f64, N>) {
         self.x = x;
-        if let Some(solution) = &mut self.solution {
-            solution.jump(t, x);
+        for extremum in &mut self.extrema {
+            extremum.is_open = false;
         }
     }
 
@@ -414,37 +422,76 @@ impl<const N: usize> Observer<f64, N> for Seen<'_, N> {
     }
 }
 
-/// Where a quantity is largest along a solution, and the value there.
-fn extremum<const N: usize>(solution: &Solution<f64, N>, value: impl Fn(f64, &SVector<f64, N>) -> f64) -> (f64, f64) {
-    let at = |t: f64| solution.at(t).map_or(f64::NAN, |x| value(t, &x));
-    let (t0, x0) = (solution.t()[0], solution.x()[0]);
-    let mut best = (t0, value(t0, &x0), 0.0);
-    let better = |best: &mut (f64, f64, f64), (t, width): (f64, f64), value: f64| {
-        if value > best.1 {
-            *best = (t, value, width);
+/// Where a quantity is largest so far.
+struct Extremum<'s, const N: usize> {
+    value: Box<dyn Fn(f64, &SVector<f64, N>) -> f64 + 's>,
+    t: f64,
+    most: f64,
+    /// Between this place and those beside it at which the quantity was looked at.
+    width: f64,
+    /// The steps about it.
+    about: Solution<f64, N>,
+    /// Whether the next step is about it too, for it is where that begins.
+    is_open: bool,
+}
+
+impl<'s, const N: usize> Extremum<'s, N> {
+    fn new(value: Box<dyn Fn(f64, &SVector<f64, N>) -> f64 + 's>, t: f64, x: SVector<f64, N>) -> Self {
+        let (most, about) = (value(t, &x), Solution::start(t, x));
+        Self {
+            value,
+            t,
+            most,
+            width: 0.0,
+            about,
+            is_open: true,
         }
-    };
-    for (pair, x) in solution.t().windows(2).zip(&solution.x()[1..]) {
-        let width = 0.25 * (pair[1] - pair[0]);
-        for n in 1..4 {
-            let t = pair[0] + f64::from(n) * width;
-            better(&mut best, (t, width), at(t));
-        }
-        // the end as it is, before a reset
-        better(&mut best, (pair[1], width), value(pair[1], x));
     }
-    // the golden section about it
-    let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
-    let (mut t, mut most, mut width) = best;
-    while width > 1e-9 * t.abs().max(1.0) {
-        width *= golden;
-        for place in [t - width, t + width] {
-            let value = at(place);
-            if value > most {
-                (t, most) = (place, value);
-                break;
+
+    fn step(&mut self, dense: &Dense<'_, f64, N>) {
+        let step = dense.step();
+        let width = 0.25 * (step.t1 - step.t0);
+        let mut is_here = false;
+        for n in 1..=4 {
+            // the end as it is, before a reset
+            let (t, x) = match n {
+                4 => (step.t1, step.x1),
+                _ => {
+                    let t = step.t0 + f64::from(n) * width;
+                    (t, dense.at(t))
+                }
+            };
+            let value = (self.value)(t, &x);
+            if value > self.most {
+                (self.t, self.most, self.width) = (t, value, width.abs());
+                is_here = true;
             }
         }
+        if is_here {
+            self.about = Solution::start(step.t0, step.x0);
+        } else if self.is_open {
+            self.width = self.width.max(width.abs());
+        } else {
+            return;
+        }
+        self.about.step(dense);
+        self.is_open = is_here && self.t == step.t1;
     }
-    (t, most)
+
+    /// Where it is, by the golden section, and the value there.
+    fn found(&self) -> (f64, f64) {
+        let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
+        let (mut t, mut most, mut width) = (self.t, self.most, self.width);
+        while width > 1e-9 * t.abs().max(1.0) {
+            width *= golden;
+            for place in [t - width, t + width] {
+                let value = self.about.at(place).map_or(f64::NAN, |x| (self.value)(place, &x));
+                if value > most {
+                    (t, most) = (place, value);
+                    break;
+                }
+            }
+        }
+        (t, most)
+    }
 }

@@ -109,8 +109,24 @@ fn rows_are_what_they_are_alone_for_any_number_of_threads_and_shares() -> Outcom
     }
     assert_eq!((table.columns(), table.failures()), (read.columns(), read.failures()));
     assert_eq!(table.declaration(), read.declaration());
-    // what is there is not computed again
+    // what is there is not computed again, and what a kill has left of its shards is removed
+    let left = whole.with_extension("parquet.shards");
+    fs::create_dir(&left)?;
+    fs::write(left.join("declaration.json"), table.declaration())?;
+    fs::write(left.join("000004-00000000-00000000.shard"), "")?;
     assert_eq!(rods(450, 2.0).run_to(&whole)?.computed, 0);
+    assert!(!left.exists());
+    Ok(())
+}
+
+#[test]
+fn a_table_is_read_as_it_was_written() -> Outcome {
+    let path = folder("table").join("rods.parquet");
+    let table = rods(450, 1.0).run()?;
+    assert!(!table.failures().is_empty());
+    table.write(&path)?;
+    let read = Table::read(&path)?;
+    assert_eq!(format!("{table:?}"), format!("{read:?}"), "NaN included");
     Ok(())
 }
 
@@ -152,7 +168,7 @@ fn a_sweep_that_is_killed_goes_on_and_ends_with_the_same_bytes() -> Outcome {
                 .flatten()
         };
         let now = complete()
-            .filter(|entry| entry.path().extension().is_some_and(|end| end == "parquet"))
+            .filter(|entry| entry.path().extension().is_some_and(|end| end == "shard"))
             .count();
         assert!(now >= shards, "shards are kept");
         shards = now;
@@ -167,7 +183,7 @@ fn shards(path: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(path.with_extension("parquet.shards")).expect("the folder of the shards");
     let paths = entries.map(|entry| entry.expect("an entry").path());
     let mut paths: Vec<PathBuf> = paths
-        .filter(|path| path.extension().is_some_and(|end| end == "parquet"))
+        .filter(|path| path.extension().is_some_and(|end| end == "shard"))
         .collect();
     paths.sort();
     paths
@@ -181,12 +197,14 @@ fn a_broken_shard_is_computed_again() -> Outcome {
     for share in 0..2 {
         rods(450, 1.0).share(share, 2).run_to(&broken)?;
     }
-    // a single bit, and an end that is missing
-    let (first, second) = (&shards(&broken)[1], &shards(&broken)[3]);
-    let mut bytes = fs::read(first)?;
-    bytes[1000] ^= 4;
-    fs::write(first, &bytes)?;
-    fs::write(second, &fs::read(second)?[..700])?;
+    // a single bit of the numbers, and an end that is missing
+    let numbers = broken.with_extension("parquet.shards").join("numbers");
+    let mut bytes = fs::read(&numbers)?;
+    let length = bytes.len();
+    bytes[length / 3] ^= 4;
+    fs::write(&numbers, &bytes)?;
+    let last = &shards(&broken)[3];
+    fs::write(last, &fs::read(last)?[..300])?;
     let missing = rods(450, 1.0).merge(&broken).expect_err("two are broken");
     assert!(
         missing.to_string().contains("3 of 5 shards are there; shard 1 "),
@@ -208,9 +226,15 @@ fn shards_of_different_sweeps_are_not_put_together() -> Outcome {
         let name = shard.file_name().expect("a name").to_owned();
         fs::rename(shard, folder.join("one.parquet.shards").join(name))?;
     }
-    let error = rods(450, 1.0).merge(&one).expect_err("two spans");
-    assert!(error.to_string().contains(".parquet is of another sweep"), "{error}");
+    for error in [rods(450, 1.0).merge(&one), rods(450, 1.0).run_to(&one).map(drop)] {
+        let error = error.expect_err("two spans").to_string();
+        assert!(
+            error.contains(".shard holds another sweep, with another task"),
+            "{error}"
+        );
+    }
     assert!(!one.exists());
+    assert_eq!(shards(&one).len(), 5, "nothing is removed");
     Ok(())
 }
 
@@ -255,6 +279,37 @@ fn what_is_wrong_is_said() {
     let wrong = Sweep::grid("g", [Axis::values("start", "rad", [1.0])]);
     let wrong = wrong.ends(Rk4::new(-1.0), (0.0, 1.0), |[a]| trial([a, 0.1]));
     says(wrong.quiet().run(), "step");
+    let one = |sweep: Sweep<1>| sweep.each([("one", "1")], |_| Ok([1.0])).quiet();
+    let sign = "`a` has numbers that are not finite: ";
+    says(
+        one(Sweep::grid("g", [Axis::logarithmic("a", "1", -1.0, 1.0, 3)])).run(),
+        sign,
+    );
+    says(
+        one(Sweep::random("r", [Draw::logarithmic("a", "1", -1.0, 1.0)], 3, 1)).run(),
+        sign,
+    );
+    says(
+        one(Sweep::random("r", [Draw::uniform("a", "1", 0.0, f64::INFINITY)], 3, 1)).run(),
+        sign,
+    );
+    says(rods(10, 1.0).threads(5000).run(), "at most 4096 threads");
+    let times = Sweep::list("rods", [("start", "rad")], vec![[1.0]]);
+    let times = times.trajectories(Tsit5::new(), (0.0, 2.0), |[a]| trial([a, 0.1]));
+    says(times.at([1.0, f64::NAN]).quiet().run(), "states are kept at NaN");
+    let path = folder("wrong").join("sweep.parquet");
+    // a setting that is mended is that of another sweep, but nothing was computed
+    let span = rods(10, f64::INFINITY).run_to(&path).expect_err("no end");
+    assert!(span.to_string().contains("a time must be finite"), "{span}");
+    assert!(path.with_extension("parquet.shards").exists());
+    let mended = rods(10, 1.0).run_to(&path).expect("another sweep").complete;
+    assert!(mended);
+    let path = folder("many").join("sweep.parquet");
+    let many = rods(1_000_000, 1.0)
+        .shard(30)
+        .run_to(&path)
+        .expect_err("too many shards");
+    assert!(many.to_string().contains("each has 31 rows or more"), "{many}");
     for (arguments, text) in [
         (&["--shard", "4/4"][..], "I from 0 to N - 1"),
         (&["--shard"], "--shard takes a value"),
@@ -301,6 +356,33 @@ fn trajectories_keep_times_extrema_and_events() -> Outcome {
         "{:?}",
         table.failures()
     );
+    Ok(())
+}
+
+#[test]
+fn extrema_are_those_of_solutions() -> Outcome {
+    for span in [(0.0, 3.0), (3.0, 0.0)] {
+        let starts = [0.7, -1.9, 2.8, 0.0, 1.3];
+        let table = Sweep::list("rods", [("start", "rad")], starts.map(|a| [a]).to_vec())
+            .trajectories(Tsit5::new().rtol(1e-4), span, |[a]| trial([a, 0.1]))
+            .largest("most", "rad", |_, _, x| x[0])
+            .least("least", "rad/s", |_, _, x| x[3])
+            .quiet()
+            .run()?;
+        for (row, a) in starts.into_iter().enumerate() {
+            let (model, start) = trial([a, 0.1]).expect("a model");
+            let solution = Tsit5::new().rtol(1e-4).solve(&model, span.0, span.1, start)?;
+            let states = solution.sample((0..=30_000).map(|n| 1e-4 * f64::from(n)))?;
+            let most = states.iter().fold(f64::NEG_INFINITY, |most, x| most.max(x[0]));
+            let least = states.iter().fold(f64::INFINITY, |least, x| least.min(x[3]));
+            let (found, t) = (table["most"][row], table["t of most"][row]);
+            assert!(found > most - 1e-9, "{span:?}, {a}: {found} {most}");
+            assert!((solution.at(t)?[0] - found).abs() < 1e-12, "{span:?}, {a}");
+            let (found, t) = (table["least"][row], table["t of least"][row]);
+            assert!(found < least + 1e-9, "{span:?}, {a}: {found} {least}");
+            assert!((solution.at(t)?[3] - found).abs() < 1e-12, "{span:?}, {a}");
+        }
+    }
     Ok(())
 }
 

@@ -631,6 +631,22 @@ impl Observer<f64, 4> for Third {
 }
 
 #[test]
+fn no_more_steps_are_kept_than_fit() {
+    let (models, starts) = pendulums(2);
+    let mut solutions = starts
+        .clone()
+        .into_iter()
+        .map(|start| Solution::start(0.0, start))
+        .collect::<Vec<_>>();
+    let error = Rk4::new(1e-8).observe(&models, (0.0, 1.0), &starts, |_| &[], &mut solutions);
+    let Err(EnsembleError::InvalidInput(reason)) = error else {
+        panic!("1e8 points");
+    };
+    assert!(reason.to_string().contains("ten million points"), "{reason}");
+    assert_eq!(solutions[1].t().len(), 1);
+}
+
+#[test]
 fn observers_look_into_the_steps_that_they_ask_for() {
     fn check<A: ObservedEnsemble<DoublePendulum, f64, 4> + Method<DoublePendulum, f64, 4>>(method: A) {
         let (models, starts) = pendulums(20);

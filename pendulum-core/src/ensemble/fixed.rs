@@ -80,6 +80,9 @@ where
 {
     check_span(t0, t1)?;
     let grid = Grid::new(method.h, t0, t1)?;
+    if watch.keeps_all() {
+        grid.check_to_keep()?;
+    }
     check_models(models, starts)?;
     // settings are wrong for all trajectories, or for none
     if let Some(model) = models.first() {

@@ -18,6 +18,9 @@ pub trait Watch<T: Float, const N: usize> {
     /// Whether there is anybody.
     const WATCHES: bool;
 
+    /// Whether every step of some trajectory is kept.
+    fn keeps_all(&self) -> bool;
+
     /// Whether a trajectory must go alone.
     fn is_alone(&self, index: usize) -> bool;
 
@@ -78,6 +81,10 @@ pub(super) struct Unwatched;
 impl<T: Float, const N: usize> Watch<T, N> for Unwatched {
     const WATCHES: bool = false;
 
+    fn keeps_all(&self) -> bool {
+        false
+    }
+
     fn is_alone(&self, _index: usize) -> bool {
         false
     }
@@ -134,6 +141,10 @@ impl<'o, 'w, 'e, O, T, const N: usize> Watched<'o, 'w, 'e, O, T, N> {
 
 impl<O: Observer<T, N>, T: Float, const N: usize> Watch<T, N> for Watched<'_, '_, '_, O, T, N> {
     const WATCHES: bool = true;
+
+    fn keeps_all(&self) -> bool {
+        self.observers.iter().any(Observer::keeps_all)
+    }
 
     /// With events that set another state.
     fn is_alone(&self, index: usize) -> bool {

@@ -23,6 +23,8 @@ pub(crate) struct Search<'w, 'e, T, const N: usize> {
     seen: Vec<Seen<T>>,
     /// Whether the integration starts here, or anew.
     starts: bool,
+    /// The places at which all events are looked at in a step, and the states there.
+    states: Vec<(T, SVector<T, N>)>,
 }
 
 /// What is known of an event.
@@ -100,6 +102,7 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
             events,
             seen,
             starts: true,
+            states: Vec::new(),
         })
     }
 
@@ -158,6 +161,9 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
     /// All that is found in a step, in the order of time.
     pub(super) fn look(&mut self, dense: &Dense<'_, T, N>) -> Vec<Found<T>> {
         let mut found = Vec::new();
+        let at = |theta| (theta, dense.at_fraction(theta));
+        self.states.clear();
+        self.states.extend(places(self.starts).map(at));
         for index in 0..self.events.len() {
             self.look_at(index, dense, |theta, what| found.push(Found { index, theta, what }));
         }
@@ -183,8 +189,9 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
         // The two places before.
         let mut earlier: Option<(T, T)> = None;
         let mut last = (T::default(), seen.value);
-        for theta in places(self.starts) {
-            let here = (theta, value(theta));
+        for (theta, x) in &self.states {
+            let theta = *theta;
+            let here = (theta, function(dense.time(theta), x));
             if !here.1.is_finite() {
                 return report(theta, What::Undefined);
             }

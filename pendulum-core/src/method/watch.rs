@@ -28,9 +28,7 @@ where
     T: Float,
 {
     let mut solution = Solution::start(stepper.t(), from(&stepper, x0));
-    let ended = stepper
-        .check_to_keep()
-        .and_then(|()| follow(&mut stepper, x0, events, &mut solution));
+    let ended = follow(&mut stepper, x0, events, &mut solution);
     solution.finish(stepper.statistics());
     match ended {
         Ok(_) => Ok(solution),
@@ -64,6 +62,9 @@ where
     S: System<T, N> + ?Sized,
     T: Float,
 {
+    if observer.keeps_all() {
+        stepper.check_to_keep()?;
+    }
     let mut search = Search::new(events, stepper.t(), &stepper.x())?;
     let mut reached = Reached::start(stepper, from(stepper, x0), observer);
     while let Some(step) = stepper.step()? {
