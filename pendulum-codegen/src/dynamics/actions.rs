@@ -17,7 +17,7 @@ pub(super) fn along_coordinates<'g>(model: &Model<'g>, actions: &[&Action<'g>]) 
     let poses = Poses::new(model);
     let place = |place: &Place<'g>| poses.point(place.body, place.at);
     for (k, coordinate) in model.all_coordinates().enumerate() {
-        let (mut by_position, mut by_rate) = (Derivative::by(coordinate.position), Derivative::by(coordinate.rate));
+        let (mut by_position, mut by_rate) = (coordinate.derivative(), Derivative::by(coordinate.rate));
         for &action in actions {
             forces[k] += match action {
                 Action::Along(own, force, _) if usize::from(*own) == k => *force,

@@ -79,7 +79,8 @@ impl Items<'_> {
         let (inline, rhs) = (inlined_into_lanes(), self.program.routine("rhs")?);
         let rhs = self.function(&format_ident!("rhs"), rhs);
         let layout = self.layout();
-        let system = self.implement(Some(self.named("System")), &quote!(#inline #rhs #layout));
+        let project = self.project();
+        let system = self.implement(Some(self.named("System")), &quote!(#inline #rhs #layout #project));
         let jacobian = self.program.routine("jacobian").map(|routine| {
             let arguments = self.arguments(routine);
             let matrix = self.shape(routine.shapes[1]);
@@ -109,6 +110,30 @@ impl Items<'_> {
                 Some(&<#name>::LAYOUT)
             }
         }
+    }
+
+    /// The method that makes quaternions of unit length again, if there are any.
+    fn project(&self) -> Option<TokenStream> {
+        let vector = self.shape(Shape::Vector(self.program.layout.len()));
+        let normalised = self.program.layout.quaternions().map(|places| {
+            let [w, x, y, z] = [0, 1, 2, 3].map(|n| count(places.start + n));
+            quote! {
+                let norm = (x[#w] * x[#w] + x[#x] * x[#x] + x[#y] * x[#y] + x[#z] * x[#z]).sqrt();
+                x[#w] /= norm;
+                x[#x] /= norm;
+                x[#y] /= norm;
+                x[#z] /= norm;
+            }
+        });
+        let normalised: Vec<TokenStream> = normalised.collect();
+        (!normalised.is_empty()).then(|| {
+            quote! {
+                #[inline]
+                fn project(&self, _: T, x: &mut #vector) {
+                    #(#normalised)*
+                }
+            }
+        })
     }
 
     /// The derivative of the right-hand side by the time, after some statements; zeros where the time does not occur.
@@ -170,10 +195,12 @@ impl Items<'_> {
             [("rhs_with", rhs), ("rhs_and_jacobian_with", jacobian)]
                 .map(|(name, routine)| self.function(&format_ident!("{name}"), routine))
         };
+        let project = self.project();
         let functions = quote! {
             type Inputs = #name<T>;
             #inline
             #rhs
+            #project
             #[inline]
             fn jacobian_with(#arguments) -> #matrix {
                 self.rhs_and_jacobian_with(t, x, u).1
