@@ -365,6 +365,10 @@ pub(crate) struct BodyFields {
     pub joint: Option<Joint>,
     /// Name of the coordinate.
     pub coordinate: Option<Ident>,
+    /// Name of the orientation of a joint that turns freely.
+    pub orientation: Option<Ident>,
+    /// Name of the position of a joint that moves freely.
+    pub position: Option<Ident>,
     /// Whether the coordinate is measured from ground: the word `absolute`.
     pub absolute: Option<Ident>,
     /// Whether the coordinate follows from closed loops: the word `depends`.
@@ -388,6 +392,22 @@ pub(crate) struct BodyFields {
 }
 
 impl BodyFields {
+    /// The names of the coordinates that the joint brings into the state, as the layout of the state has them, each with
+    /// the word it is named after.
+    pub(crate) fn slots(&self) -> Vec<(&Ident, String)> {
+        let free = self.coordinate.iter().filter(|_| self.depends.is_none());
+        let plain = free.chain(&self.orientation);
+        let axes = ["x", "y", "z"];
+        let position = self.position.iter();
+        let of_position = position.flat_map(|p| axes.map(|axis| (p, format!("{p}.{axis}"))));
+        of_position.chain(plain.map(|name| (name, name.to_string()))).collect()
+    }
+
+    /// Whether the joint brings coordinates into the state.
+    pub(crate) fn moves(&self) -> bool {
+        self.coordinate.is_some() || self.orientation.is_some() || self.position.is_some()
+    }
+
     /// What acts along the joint, if anything does: it must move by itself.
     pub(crate) fn acting(&self) -> Option<&TokenStream> {
         let spring = self.spring.as_ref().map(|(stiffness, _)| stiffness);
@@ -434,6 +454,10 @@ pub(crate) enum JointKind {
         /// Their text.
         tokens: TokenStream,
     },
+    /// It turns about all axes.
+    Ball,
+    /// It turns about all axes, and slides along all.
+    Free,
     /// It does not move.
     Fixed,
 }
@@ -479,8 +503,10 @@ pub(crate) enum ExprKind {
     Measured(Box<Measured>),
     /// A name.
     Name(Ident),
-    /// `point.x`: a point, and the word behind the dot.
+    /// `point.x`: a point, an orientation or a position, and the word behind the dot.
     Component(Ident, Ident),
+    /// `dot(orientation).x`, likewise.
+    RateComponent(Ident, Ident),
     /// `function(arguments)`.
     Call(Ident, Vec<Expr>),
     /// `-a`.
@@ -571,7 +597,9 @@ impl Expr {
             ExprKind::Call(_, arguments) => arguments.iter().any(of),
             ExprKind::Neg(a) => of(a),
             ExprKind::Binary(_, a, b) | ExprKind::Power(a, b) => of(a) || of(b),
-            ExprKind::Number(_) | ExprKind::Measured(..) | ExprKind::Component(..) => false,
+            ExprKind::Number(_) | ExprKind::Measured(..) | ExprKind::Component(..) | ExprKind::RateComponent(..) => {
+                false
+            }
         };
         in_parts || operation(&self.kind)
     }

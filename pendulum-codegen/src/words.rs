@@ -186,6 +186,7 @@ pub(crate) const FIELDS: &Synonyms = &[
     (&["weight", "m"], "mass"),
     (&["solid", "geometry", "parts", "volumes", "collision"], "solids"),
     (&["hinge", "pivot", "connection"], "joint"),
+    (&["quaternion", "attitude", "quat"], "orientation"),
     (&["prescribed", "driven", "trajectory", "law", "path"], "motion"),
     (
         &["axis", "direction"],
@@ -281,8 +282,12 @@ pub(crate) const JOINTS: &Synonyms = &[
         "write it as bodies without mass, one after the other, each with one joint",
     ),
     (
-        &["ball", "spherical", "free", "floating", "float"],
-        "every joint has one coordinate: write it as bodies without mass, one after the other, each with one joint",
+        &["spherical", "balljoint", "socket", "ballandsocket", "quaternion", "s"],
+        "ball",
+    ),
+    (
+        &["floating", "float", "freeflyer", "freejoint", "sixdof", "6dof"],
+        "free",
     ),
 ];
 

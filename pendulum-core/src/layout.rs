@@ -67,6 +67,12 @@ impl StateLayout {
         self.slots.iter().map(|slot| slot.positions.len()).sum()
     }
 
+    /// The components of the state that are a quaternion, for each.
+    pub fn quaternions(&self) -> impl Iterator<Item = Range<usize>> {
+        let slots = self.slots.iter().filter(|slot| slot.kind == SlotKind::Quaternion);
+        slots.map(|slot| slot.positions.clone())
+    }
+
     /// The components of the state that are angles with the period 2 pi, as [`Slot::periodic`] defines it.
     pub fn angles(&self) -> impl Iterator<Item = usize> {
         self.slots
@@ -186,7 +192,8 @@ mod tests {
         assert_eq!(LAYOUT.positions(), 6);
         let names = "s o.w o.x o.y o.z theta dot(s) dot(o).x dot(o).y dot(o).z dot(theta)";
         assert_eq!(LAYOUT.components().join(" "), names);
-        assert!(LAYOUT.angles().eq([5]));
+        assert!(LAYOUT.angles().eq([5]) && LAYOUT.quaternions().count() == 1);
+        assert_eq!(LAYOUT.quaternions().next(), Some(1..5));
         let units = LAYOUT.slots.iter().map(|slot| (slot.unit(), slot.rate_unit()));
         assert!(units.eq([("m", "m/s"), ("1", "rad/s"), ("rad", "rad/s")]));
     }

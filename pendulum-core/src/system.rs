@@ -1,7 +1,8 @@
 //! What a model offers: traits that the generated code implements, and that hand-written models can implement as well.
 //!
 //! Everywhere `x` is the state, `[q; qd]` for a mechanism: the coordinates first, then their rates, in the order of
-//! declaration and in SI units (m, rad, s). `N` is the length of the state, twice the number of degrees of freedom.
+//! declaration and in SI units (m, rad, s). `N` is the length of the state, twice the number of degrees of freedom, and one
+//! more for each orientation: its position is a unit quaternion, its rate the angular velocity along the axes of the body.
 
 mod differences;
 mod function;
@@ -227,7 +228,8 @@ pub trait CastJacobian<const N: usize>: Cast<N> {
 /// of its coordinate. Structure-preserving methods such as [`Gauss4`](crate::Gauss4) step in these variables, in which
 /// the motion without friction is a canonical map.
 ///
-/// [`mechanism!`](crate::mechanism) implements it for scenes without inputs where `generate` has `canonical`.
+/// [`mechanism!`](crate::mechanism) implements it for scenes without inputs where `generate` has `canonical`. Scenes with
+/// orientations cannot have it: an angular velocity is the rate of no coordinates.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no canonical equations",
     note = "`mechanism!` generates them for scenes without inputs where `generate` has `canonical`"

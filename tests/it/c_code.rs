@@ -112,6 +112,11 @@ fn evaluation(program: &Program, name: &str) -> String {
         );
         at += ORDER * length;
     }
+    if program.layout.quaternions().next().is_some() {
+        let copied = format!("for (int n = 0; n < {length}; n++) out[{at} + n] = in[1 + n];\n");
+        calls += &format!("{copied}{name}_project(out + {at});\n");
+        at += length;
+    }
     let declared = match &program.series {
         Some(_) => format!("static double series[{ORDER} + 1][{length}];\nstatic {name}_work work;\n"),
         None => String::new(),

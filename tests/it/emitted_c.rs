@@ -202,6 +202,36 @@ fn drives_outputs_and_events_are_the_same() {
     });
 }
 
+mechanism! {
+    /// A ball that carries an arm, on a body that moves freely.
+    pub Floating {
+        gravity: [0, 0, -9.81],
+        generate: [rhs, jacobian, energy, mass_matrix, taylor],
+        body craft on ground {
+            mass: 3, com: [0.1, 0.1, -0.1], inertia: [0.3, 0.25, 0.2],
+            joint: free at [1, 0, 0], orientation: craft, position: int,
+        }
+        body bob on craft { mass: 0.7, com: [0, 0, -0.4], inertia: [0.01, 0.02, 0.015], joint: ball, orientation: double }
+        body arm on bob { mass: 0.1, com: [0.2, 0, 0], joint: revolute(y), coordinate: out }
+    }
+}
+
+#[test]
+fn balls_are_the_same() {
+    let model = Floating::new(FloatingParams {}).expect("physical");
+    same(OWN, "Floating", 0.0, |t, x, _| {
+        let x = SVector::<f64, 22>::from_column_slice(x);
+        let mut placed = x;
+        model.project(t, &mut placed);
+        let mass = model.mass_matrix(t, &x);
+        let mut all = motion(&model, t, &x);
+        all.extend(&mass);
+        all.extend(series(&model, t, &x));
+        all.extend(&placed);
+        all
+    });
+}
+
 #[test]
 fn what_hinders_a_motion_is_the_same() {
     let model = Hindered::new(HinderedParams::default()).expect("physical");

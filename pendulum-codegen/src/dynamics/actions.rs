@@ -17,7 +17,8 @@ pub(super) fn along_coordinates<'g>(model: &Model<'g>, actions: &[&Action<'g>]) 
     let poses = Poses::new(model);
     let place = |place: &Place<'g>| poses.point(place.body, place.at);
     for (k, coordinate) in model.all_coordinates().enumerate() {
-        let [mut by_position, mut by_rate] = [coordinate.position, coordinate.rate].map(Derivative::by_alone);
+        let mut by_position = coordinate.derivative().alone();
+        let mut by_rate = Derivative::by(coordinate.rate).alone();
         for &action in actions {
             forces[k] += match action {
                 Action::Along(own, force, _) if usize::from(*own) == k => *force,

@@ -68,13 +68,13 @@ pub(super) fn frames<'g>(model: &Model<'g>, links: &[Link<'g>]) -> Vec<Frame<'g>
         let below = link.parent.and_then(|parent| frames[parent].inside);
         let placement = link.placement.rotation;
         let slide = link.pitch() * model.position_of(&link.motion);
-        let rate = model.rate_of(&link.motion);
+        let velocity = link.velocity(model);
         let offset = link.placement.translation + slide * placement.column(2);
         frames.push(Frame {
             turned: (!follows[n]).then_some(Turned { below, placement, own }),
             inside,
             offset: Inside::forward(below, offset),
-            velocity: rate * link.screw,
+            velocity,
             inertia: MassMoments {
                 mass: link.inertia.mass,
                 first: Inside::forward(inside, link.inertia.first),

@@ -13,7 +13,7 @@ use crate::screw::{MassMoments, Mat3, Symmetric3, Transform, Twist, Vec3};
 pub(super) struct Link<'g> {
     /// The link that carries it; none for ground.
     pub(super) parent: Option<JointId>,
-    /// The joint frame at coordinate zero, in the frame of the parent: constant.
+    /// The joint frame at coordinate zero, in the frame of the parent: constant, but for the first joint of an orientation.
     pub(super) placement: Transform<'g>,
     /// The joint's screw axis in the frame of the link: a turn about z that may slide along it, or a slide along z.
     pub(super) screw: Twist<'g>,
@@ -25,9 +25,23 @@ pub(super) struct Link<'g> {
     pub(super) coordinate: CoordinateId,
     /// The force along the joint: friction, spring and torque.
     pub(super) force: Expr<'g>,
+    /// Of the three joints of an orientation the angular velocity that each adds, in the frame of the link: all of it by
+    /// the first, whose placement is turned, and none by the others.
+    pub(super) spin: Option<Vec3<'g>>,
 }
 
 impl<'g> Link<'g> {
+    /// The velocity that the joint adds.
+    pub(super) fn velocity(&self, model: &Model<'g>) -> Twist<'g> {
+        match self.spin {
+            None => model.rate_of(&self.motion) * self.screw,
+            Some(angular) => Twist {
+                angular,
+                linear: Vec3::zero(model.graph),
+            },
+        }
+    }
+
     /// Whether the joint turns.
     pub(super) fn turns(&self) -> bool {
         self.screw.turns()
@@ -108,6 +122,7 @@ pub(super) fn links<'g>(model: &Model<'g>) -> Links<'g> {
             motion,
             coordinate,
             force,
+            spin: body.spin.map(|spin| back.rotation * spin),
         });
         owners.push((Some(JointId::new(links.len() - 1)), back));
     }
@@ -144,6 +159,14 @@ impl<'g> Link<'g> {
                 ..self.inertia
             };
             return Some((kept, MassMoments { second, ..none }));
+        }
+        if self.spin.is_some() {
+            // three turns move all but the mass at their centre
+            let kept = MassMoments {
+                mass: zero,
+                ..self.inertia
+            };
+            return Some((kept, MassMoments { mass, ..none }));
         }
         let (Vec3([hx, hy, hz]), Symmetric3([xx, yy, zz, xy, xz, yz])) = (first, second);
         let kept = MassMoments {

@@ -66,6 +66,13 @@ impl<'g> Dynamics<'g> {
     /// The dynamics of a model from A, B and C (Williams 2023, Sec. 2): the definition that other forms are proved equal to.
     pub(crate) fn new(model: &Model<'g>) -> Self {
         let mut kinematics = Kinematics::new(model);
+        let of_joints = || model.graph.sum(model.bodies.iter().map(|body| body.potential));
+        let of_actions = || model.graph.sum(model.actions.iter().filter_map(Action::potential));
+        if model.has_orientations() {
+            // B holds for the rates of coordinates, which angular velocities are not
+            let potential = kinematics.potential() + of_joints() + of_actions();
+            return Self::recursive(model, potential, false);
+        }
         let Coefficients { a, b, c } = Coefficients::new(model, &mut kinematics);
         let (g, bodies) = (model.graph, &model.bodies);
         let rates: Vec<Expr<'g>> = bodies.iter().map(|body| model.rate_of(&body.motion)).collect();
@@ -93,8 +100,7 @@ impl<'g> Dynamics<'g> {
             momenta
         });
         let of_gravity = kinematics.potential();
-        let potential = of_gravity + g.sum(bodies.iter().map(|body| body.potential));
-        let potential = potential + g.sum(model.actions.iter().filter_map(Action::potential));
+        let potential = of_gravity + of_joints() + of_actions();
         let joint = |body: BodyId| JointId::new(body.into());
         let along = AlongJoints {
             motions: bodies.iter().map(|body| body.motion.clone()).collect(),

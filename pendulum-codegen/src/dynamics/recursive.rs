@@ -43,16 +43,20 @@ pub(super) fn along_joints<'g>(model: &Model<'g>, pushed: bool) -> AlongJoints<'
     let rates: Vec<Expr<'g>> = links.iter().map(|link| model.rate_of(&link.motion)).collect();
     let (_, wrenches) = inverse_dynamics(&links, &resting, Vec3::zero(g), &rates, None);
     let momenta = forces(&links, &wrenches);
+    // Off the unit sphere of a quaternion, where stages of methods are, only what is made of one matrix and one bias agrees:
+    // there the Jacobian must be that of the right-hand side too.
+    let agrees = !model.has_orientations();
+    let inertial = Inertial {
+        forces: inertial,
+        tangent,
+    };
     AlongJoints {
         motions: links.into_iter().map(|link| link.motion).collect(),
         mass_matrix,
         bias,
         momenta: Some(momenta),
-        inertial: Some(Inertial {
-            forces: inertial,
-            tangent,
-        }),
-        pushed,
+        inertial: agrees.then_some(inertial),
+        pushed: pushed.filter(|_| agrees),
     }
 }
 

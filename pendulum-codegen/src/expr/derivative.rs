@@ -23,12 +23,10 @@ impl<'g> Derivative<'g> {
         }
     }
 
-    /// The derivative by the symbol `by`, where all others keep their values.
-    pub(crate) fn by_alone(by: Expr<'g>) -> Self {
-        Self {
-            alone: true,
-            ..Self::by(by)
-        }
+    /// The same, where what follows from others keeps its value.
+    #[must_use]
+    pub(crate) fn alone(self) -> Self {
+        Self { alone: true, ..self }
     }
 
     /// The derivative along a direction: the sum of the derivatives by some symbols, each times its component.

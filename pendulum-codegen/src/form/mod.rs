@@ -97,7 +97,8 @@ impl<'g> Forms<'g> {
     pub(crate) fn new(model: &Model<'g>, dynamics: &Dynamics<'g>) -> Self {
         let g = model.graph;
         let mut normalizer = Normalizer::with_angles(g, BUDGET, model.base_angles());
-        let ways: &[bool] = if Dynamics::has_wrenches(model) {
+        let has_orientations = model.has_orientations();
+        let ways: &[bool] = if Dynamics::has_wrenches(model) && !has_orientations {
             &[false, true]
         } else {
             &[false]
@@ -114,7 +115,8 @@ impl<'g> Forms<'g> {
             let accelerations = Dynamics::articulated(model, pushed);
             (form(Basis::Articulated, pushed), accelerations)
         });
-        let articulated: Vec<Candidate<'g>> = articulated.collect();
+        // with orientations only what is made of one mass matrix and one bias: see `dynamics::recursive`
+        let articulated: Vec<Candidate<'g>> = articulated.filter(|_| !has_orientations).collect();
         let lopsided = is_lopsided(&model.bodies);
         let (mut forms, mut exact) = (Vec::new(), Vec::new());
         if let Ok(closed) = Closed::new(&mut normalizer, dynamics) {
@@ -127,10 +129,8 @@ impl<'g> Forms<'g> {
             }
         }
         // constants that are zero, or equal, for a reason that shows in their normal form only
-        for (form, dynamics) in [(Form::of(Basis::Shared), dynamics.clone())]
-            .into_iter()
-            .chain(recursive)
-        {
+        let shared = (!has_orientations).then(|| (Form::of(Basis::Shared), dynamics.clone()));
+        for (form, dynamics) in shared.into_iter().chain(recursive) {
             let folded = constants::fold(g, &dynamics.entries());
             forms.push((form, dynamics.with_entries(folded), None));
         }

@@ -6,7 +6,7 @@ use super::closed::short_terms;
 use super::{Basis, Candidate, Chosen, Form, Forms};
 use crate::dynamics::derived;
 use crate::expr::{Derivative, Expr, SymbolKind};
-use crate::model::Model;
+use crate::model::{Model, changes};
 use crate::pass::Preference;
 use crate::pass::factor::factor;
 
@@ -18,8 +18,8 @@ pub(crate) fn values<'g>(forms: &mut Forms<'g>, model: &Model<'g>, values: &[Exp
 
 /// The rates of expressions along the motion.
 pub(crate) fn rates<'g>(forms: &mut Forms<'g>, model: &Model<'g>, values: &[Expr<'g>]) -> Chosen<'g> {
-    let coordinates = model.all_coordinates();
-    let directions = coordinates.flat_map(|c| [(c.position, c.rate), (c.rate, c.acceleration)]);
+    let directions = changes(model.all_coordinates()).into_iter();
+    let directions = directions.chain(model.all_coordinates().map(|c| (c.rate, c.acceleration)));
     let mut along = Derivative::along(directions.chain([(model.time, model.graph.one())]));
     let rates: Vec<Expr<'g>> = values.iter().map(|&value| along.of(value)).collect();
     let rates = model.with_drives(&rates);

@@ -52,7 +52,7 @@ pub(crate) struct Symbols<'g> {
 impl<'g> Symbols<'g> {
     /// Symbols for a model.
     pub(super) fn new(model: &Model<'g>) -> Self {
-        let length = 2 * model.dof();
+        let length = model.state().len();
         let symbol = |name: &str, n: usize| model.graph.symbol(name, SymbolKind::Coefficient(n));
         Self {
             order: symbol("k", 0),

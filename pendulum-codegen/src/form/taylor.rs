@@ -104,7 +104,7 @@ fn hindered<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
 fn slots<'g>(model: &Model<'g>, symbols: &mut Symbols<'g>, dynamics: &Dynamics<'g>, rows: &[Expr<'g>]) -> usize {
     let mut recurrences = Recurrences::new(model, symbols);
     balance(model, &mut recurrences, dynamics);
-    for &row in rows {
+    for &row in model.kinematics().iter().chain(rows) {
         recurrences.coefficient(row);
     }
     recurrences.sides();
@@ -146,6 +146,9 @@ fn code<'g>(
         recurrences.set(unknown, solved);
     }
     let rows: Vec<Expr<'g>> = rows.iter().map(|&row| recurrences.coefficient(row)).collect();
+    let kinematics = model.kinematics();
+    let kinematics: Vec<Expr<'g>> = kinematics.iter().map(|&rate| recurrences.coefficient(rate)).collect();
+    order.splice(0..0, kinematics);
     let [left, right] = recurrences.sides();
     let slots = left.len();
     order.extend(left.into_iter().chain(right));
@@ -207,13 +210,9 @@ impl<'g> Taylor<'g> {
         self.operations = Operations::of(g, &self.order);
     }
 
-    /// The same with the rates of the positions before the accelerations.
+    /// The same with the rates of the positions before the accelerations of order 0, as they are in the others.
     fn with_kinematics(mut self, model: &Model<'g>) -> Self {
-        let kinematics = model.kinematics();
-        let mut recurrences = Recurrences::new(model, &mut self.symbols);
-        let of_order: Vec<Expr<'g>> = kinematics.iter().map(|&rate| recurrences.coefficient(rate)).collect();
-        self.order.splice(0..0, of_order);
-        self.start.splice(0..0, kinematics);
+        self.start.splice(0..0, model.kinematics());
         self
     }
 }

@@ -6,6 +6,7 @@ use super::Lower;
 use super::mass::{Mass, Turns};
 use super::motion::Motion;
 use super::order::Hung;
+use super::orientation::freedom;
 use super::written::written;
 use crate::ast;
 use crate::error::Reported;
@@ -29,10 +30,15 @@ impl<'g> Lower<'g> {
             let body = &declared[n];
             let parent = parent.and_then(|parent| parent.and_then(|parent| placed[parent]).transpose());
             let motion = self.motions[n].transpose();
-            let lowered = motion.and_then(|motion| self.body(body, motion, parent, &bodies, coordinates, shapes));
+            let lowered = match freedom(body) {
+                Some(slides) => self.free_bodies(body, slides, parent, &bodies, coordinates, shapes),
+                None => motion
+                    .and_then(|motion| self.body(body, motion, parent, &bodies, coordinates, shapes))
+                    .map(|body| vec![body]),
+            };
             placed[n] = Some(lowered.map(|lowered| {
-                self.spans.bodies.push(body.name.span());
-                bodies.push(lowered);
+                self.spans.bodies.extend(lowered.iter().map(|_| body.name.span()));
+                bodies.extend(lowered);
                 BodyId::new(bodies.len() - 1)
             }));
             self.bodies[n] = placed[n].and_then(Result::ok);
@@ -64,6 +70,7 @@ impl<'g> Lower<'g> {
             _ => geometry,
         });
         let heading = geometry.as_ref().map_err(|reported| *reported).and_then(|geometry| {
+            self.require_no_freedom(body)?;
             self.require_coordinate(body, moves)?;
             self.heading(body, bodies, parent?, geometry, coordinate)
         });
@@ -89,6 +96,7 @@ impl<'g> Lower<'g> {
             parent: parent?,
             placement: geometry.placement,
             screw: geometry.screw,
+            spin: None,
             coordinate,
             motion,
             heading,
@@ -156,6 +164,7 @@ impl<'g> Lower<'g> {
 /// About which axes a body turns.
 fn turns<'g>(heading: &Heading<'g>) -> Turns<'g> {
     match (heading.station, heading.axis) {
+        _ if heading.turns_freely() => Turns::Freely,
         (None, None) => Turns::Never,
         (None, Some(axis)) => Turns::About(heading.rest.transpose() * axis),
         (Some(_), _) => Turns::Freely,

@@ -8,6 +8,7 @@ use super::Lower;
 use super::expr::{Only, Place};
 use super::joint_units::JointUnits;
 use super::measure::Measure;
+use super::orientation::freedom;
 use super::written::written;
 use crate::ast::{self, ExprKind};
 use crate::error::Reported;
@@ -26,14 +27,21 @@ pub(super) struct Wall<'g> {
 }
 
 impl<'g> Lower<'g> {
-    /// Refuses more joints and walls that hinder the motion than the core takes.
-    pub(super) fn check_conditions(&mut self, items: &ast::Items) {
-        let of_joints = items.bodies.iter().filter_map(|body| {
+    /// Refuses more joints and walls that hinder the motion than the core takes, and any in a scene with orientations.
+    pub(super) fn check_conditions(&mut self, items: &ast::Items, has_orientations: bool) {
+        // of joints that turn freely they have been refused
+        let bodies = items.bodies.iter().filter(|body| freedom(body).is_none());
+        let of_joints = bodies.filter_map(|body| {
             let stop = body.fields.stop.as_ref().map(|stop| &stop.tokens);
             body.fields.dry_friction.as_ref().map(|e| &e.tokens).or(stop)
         });
         let walls = items.walls.iter().map(|wall| wall.name.to_token_stream());
         let hindering: Vec<_> = of_joints.cloned().chain(walls).collect();
+        if let (Some(first), true) = (hindering.first(), has_orientations) {
+            let fact = "dry friction, stops and walls are not supported in a scene with ball or free joints";
+            let help = "write smooth laws: viscous friction, and a `potential` in the place of a stop or a wall";
+            self.errors.on(first, fact, help);
+        }
         if let Some(ninth) = hindering.get(MOST) {
             let fact = format_args!(
                 "{} joints with dry friction or a stop and walls hinder the motion: at most {MOST} in all are possible",

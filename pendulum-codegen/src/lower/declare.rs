@@ -4,6 +4,7 @@ use super::Lower;
 use super::expr::Place;
 use super::joint_units::JointUnits;
 use super::measure::Measure;
+use super::orientation::Unrated;
 use super::scope::Kind;
 use super::written::written;
 use crate::ast::{self, ExprKind, Read};
@@ -132,37 +133,35 @@ impl<'g> Lower<'g> {
     pub(super) fn coordinates(&mut self, bodies: &[ast::Body], first: usize, depend: bool) -> Vec<Coordinate<'g>> {
         let mut coordinates = Vec::new();
         for body in bodies.iter().filter(|body| body.fields.depends.is_some() == depend) {
+            self.freedom_coordinates(body, &mut coordinates);
             let Some(ident) = &body.fields.coordinate else { continue };
             let (name, k) = (ident.to_string(), first + coordinates.len());
             let position = self.graph.symbol(&name, SymbolKind::Coordinate(k));
             let measure = JointUnits::of(body).measure();
             self.names
                 .declare(&mut self.errors, Kind::Coordinate, ident, (measure, Some(position)));
-            coordinates.push((name, position));
+            coordinates.push(Unrated {
+                rate: format!("dot({name})"),
+                name,
+                position,
+                turns: None,
+            });
         }
-        let rate = |k: usize, name: &String| self.graph.symbol(&format!("dot({name})"), SymbolKind::Rate(first + k));
-        let rates: Vec<_> = coordinates
-            .iter()
-            .enumerate()
-            .map(|(k, (name, _))| rate(k, name))
-            .collect();
-        for ((name, _), &rate) in coordinates.iter().zip(&rates) {
+        let rate = |(k, unrated): (usize, &Unrated<'g>)| self.graph.symbol(&unrated.rate, SymbolKind::Rate(first + k));
+        let rates: Vec<_> = coordinates.iter().enumerate().map(rate).collect();
+        for (Unrated { name, .. }, &rate) in coordinates.iter().zip(&rates) {
             self.names.set_rate(name, rate);
         }
         let with_rates = coordinates.into_iter().zip(rates).enumerate();
-        with_rates
-            .map(|(k, ((name, position), rate))| {
-                let acceleration = self
-                    .graph
-                    .symbol(&format!("ddot({name})"), SymbolKind::Acceleration(first + k));
-                Coordinate {
-                    name,
-                    position,
-                    rate,
-                    acceleration,
-                }
+        let coordinates = with_rates
+            .map(|(k, (unrated, rate))| {
+                let name = format!("d{}", unrated.rate);
+                let acceleration = self.graph.symbol(&name, SymbolKind::Acceleration(first + k));
+                unrated.with_rates(rate, acceleration)
             })
-            .collect()
+            .collect::<Vec<_>>();
+        self.name_components(bodies, &coordinates);
+        coordinates
     }
 }
 

@@ -177,10 +177,8 @@ impl<'g> Lower<'g> {
                 self.permit(quantity.value, name.span(), place)?;
                 Ok(quantity)
             }
-            ExprKind::Component(point, axis) => Ok(Quantity {
-                value: self.component(point, axis, place)?,
-                measure: Measure::of("m"),
-            }),
+            ExprKind::Component(point, axis) => self.component(point, axis, place),
+            ExprKind::RateComponent(name, axis) => self.rate_component(name, axis, place),
             ExprKind::Call(name, arguments) => self.call(expr, name, arguments, place),
             ExprKind::Neg(a) => {
                 let Quantity { value, measure } = self.operation(a, place)?;

@@ -14,6 +14,7 @@ pub(super) struct Has {
     pub(super) parameters: bool,
     pub(super) inputs: bool,
     pub(super) drives: bool,
+    pub(super) orientations: bool,
 }
 
 impl Lower<'_> {
@@ -48,6 +49,12 @@ impl Lower<'_> {
                     ident.span(),
                     "no joint is driven by the time",
                     "write a motion with `t`, such as `motion: a*sin(w*t)`, or leave it out",
+                );
+            } else if word == "canonical" && has.orientations {
+                self.errors.at(
+                    ident.span(),
+                    "a scene with orientations has no canonical equations: angular velocities are the rates of no coordinates",
+                    "leave out `canonical`; explicit methods, `Rodas5P` and `Taylor` put orientations back to unit length",
                 );
             } else if has.inputs
                 && let Some(what) = motion_under_inputs(word)

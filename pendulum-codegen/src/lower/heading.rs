@@ -41,6 +41,8 @@ impl<'g> Lower<'g> {
         };
         let axis = rest * screw.angular;
         let sign = match before.axis {
+            // the axis stands still in the frame of the body alone
+            _ if before.turns_freely() => None,
             None => Some(1),
             Some(group) => parallel(group, axis),
         };

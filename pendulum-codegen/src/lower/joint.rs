@@ -86,7 +86,7 @@ impl<'g> Lower<'g> {
         let zero = Vec3::zero(self.graph);
         let place = |what: &str| Place::fixed(format!("the {what} of the joint of `{body}`"));
         let (angular, linear) = match self.read(kind)? {
-            JointKind::Fixed => return Ok(None),
+            JointKind::Fixed | JointKind::Ball | JointKind::Free => return Ok(None),
             JointKind::Revolute(axis) => (self.axis(body, axis)?, zero),
             JointKind::Prismatic(axis) => (zero, self.axis(body, axis)?),
             JointKind::Helical { axis, pitch } => {

@@ -16,6 +16,7 @@ mod measure;
 mod motion;
 mod name;
 mod order;
+mod orientation;
 mod output;
 mod physical;
 mod places;
@@ -39,6 +40,7 @@ use constraint::hinder;
 use expr::Place;
 use generate::Has;
 use motion::Motion;
+use orientation::Components;
 use point::Declared;
 use scope::Names;
 
@@ -81,6 +83,8 @@ struct Lower<'g> {
     has_units: bool,
     /// The points that are declared.
     points: BTreeMap<String, Declared<'g>>,
+    /// What stands behind the dots of orientations and positions.
+    components: BTreeMap<String, Components<'g>>,
     /// How the solids look that were read last.
     figures: Vec<Figure<'g>>,
     /// The names of the bodies.
@@ -109,6 +113,7 @@ pub(crate) fn lower<'g>(graph: &'g Graph, scene: &Scene, errors: Errors) -> Resu
         time,
         has_units: scene.items.without_units.is_none(),
         points: BTreeMap::new(),
+        components: BTreeMap::new(),
         body_names: scene.items.bodies.iter().map(|body| body.name.to_string()).collect(),
         figures: Vec::new(),
         motions: Vec::new(),
@@ -128,6 +133,7 @@ impl<'g> Lower<'g> {
         let order = self.order(&items.bodies);
         let coordinates = self.coordinates(&items.bodies, 0, false);
         let dependents = self.coordinates(&items.bodies, coordinates.len(), true);
+        let has_orientations = coordinates.iter().any(Coordinate::is_of_orientation);
         self.check_places(&items.bodies);
         self.declare_points(items);
         self.declare_margins(items);
@@ -145,7 +151,7 @@ impl<'g> Lower<'g> {
             .collect();
         let bodies = self.bodies(&items.bodies, order, &all, &shapes);
         let has_drives = !drives.is_empty();
-        self.check_conditions(items);
+        self.check_conditions(items, has_orientations);
         let walls = self.walls(items);
         let generate = items.generate.as_ref().map(|(word, list)| {
             if list.is_empty() && items.outputs.is_empty() && items.events.is_empty() {
@@ -158,6 +164,7 @@ impl<'g> Lower<'g> {
             parameters: !parameters.is_empty(),
             inputs: !inputs.is_empty(),
             drives: has_drives,
+            orientations: has_orientations,
         };
         let generate = self.generate(generate, has);
         let points = self.points(&items.points);

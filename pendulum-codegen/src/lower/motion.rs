@@ -47,12 +47,7 @@ impl<'g> Lower<'g> {
         let mut by_time = Derivative::by(self.time);
         let first = by_time.of(law);
         Drive {
-            coordinate: Coordinate {
-                name,
-                position,
-                rate,
-                acceleration,
-            },
+            coordinate: Coordinate::plain(name, [position, rate, acceleration]),
             law: [law, first, by_time.of(first)],
         }
     }
@@ -111,12 +106,12 @@ impl<'g> Lower<'g> {
 
 /// The first call of `abs` in an expression, or of a root.
 fn corner(expr: &ast::Expr) -> Option<&ast::Expr> {
-    use ast::ExprKind::{Binary, Call, Component, Measured, Name, Neg, Number, Power};
+    use ast::ExprKind::{Binary, Call, Component, Measured, Name, Neg, Number, Power, RateComponent};
     match &expr.kind {
         Call(name, _) if name == "abs" || name == "sqrt" => Some(expr),
         Call(_, arguments) => arguments.iter().find_map(corner),
         Neg(a) => corner(a),
         Binary(_, a, b) | Power(a, b) => corner(a).or_else(|| corner(b)),
-        Number(_) | Measured(..) | Name(_) | Component(..) => None,
+        Number(_) | Measured(..) | Name(_) | Component(..) | RateComponent(..) => None,
     }
 }

@@ -69,6 +69,11 @@ impl<'g> Lower<'g> {
                 let help = format_args!("write `{text}.x`, `{text}.y` or `{text}.z`");
                 return Err(self.errors.at(name.span(), fact, help));
             }
+            Some(Kind::Orientation | Kind::Position) => {
+                if let Some(reported) = self.not_a_number(name, false) {
+                    return Err(reported);
+                }
+            }
             Some(Kind::Parameter) => {
                 let fact = format_args!("{} may not depend on `{text}`", place.what);
                 let help = "write a number; a `let` names what depends on parameters";
@@ -230,6 +235,11 @@ impl<'g> Lower<'g> {
                 match self.names.kind(&text) {
                     Some(Kind::Let | Kind::Input) => {}
                     None if text == "t" => {}
+                    Some(Kind::Orientation | Kind::Position) => {
+                        if let Some(reported) = self.not_a_number(name, true) {
+                            return Err(reported);
+                        }
+                    }
                     Some(Kind::Point) => {
                         let fact = format_args!("`{text}` is a point, not a number");
                         let help = format_args!("write `dot({text}.x)`, `dot({text}.y)` or `dot({text}.z)`");
@@ -244,7 +254,9 @@ impl<'g> Lower<'g> {
                     }
                 }
             }
-            ExprKind::Component(point, _) if !self.point_named(point)?.moves => {
+            ExprKind::Component(point, _)
+                if !self.components.contains_key(&point.to_string()) && !self.point_named(point)?.moves =>
+            {
                 let fact = format_args!("`{point}` does not move, so it has no rate");
                 let help = "leave it out, or name a point of a body that moves";
                 return Err(self.errors.at(point.span(), fact, help));

@@ -107,8 +107,8 @@ impl<'g> Lower<'g> {
         let outputs = items.outputs.iter().map(|output| (&output.name, "output"));
         let events = items.events.iter().map(|event| (&event.name, "event"));
         let mut taken: BTreeMap<String, String> = BTreeMap::new();
-        for coordinate in items.state_coordinates() {
-            let constants = places(&coordinate.to_string());
+        for (_, coordinate) in items.bodies.iter().flat_map(|body| body.fields.slots()) {
+            let constants = places(&coordinate);
             taken.extend(constants.map(|constant| (constant, format!("coordinate `{coordinate}`"))));
         }
         let is_hybrid = items.is_hybrid();

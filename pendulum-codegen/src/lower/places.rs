@@ -10,17 +10,17 @@ impl Lower<'_> {
         let mut taken: Vec<(String, String)> = FACTS
             .map(|fact| (fact.to_owned(), "another fact of the model".to_owned()))
             .into();
-        for ident in bodies.iter().filter_map(ast::Body::state_coordinate) {
-            let own = places(&ident.to_string());
+        for (ident, slot) in bodies.iter().flat_map(|body| body.fields.slots()) {
+            let own = places(&slot);
             let clash = taken.iter().find(|(constant, _)| own.contains(constant));
-            if let Some((constant, owner)) = clash.filter(|(_, owner)| *owner != format!("`{ident}`")) {
+            if let Some((constant, owner)) = clash.filter(|(_, owner)| *owner != format!("`{slot}`")) {
                 let fact = format!(
-                    "coordinate `{ident}` needs the constant `{constant}` for its place in the state, \
+                    "coordinate `{slot}` needs the constant `{constant}` for its place in the state, \
                      but {owner} has that name"
                 );
                 self.errors.at(ident.span(), fact, "rename the coordinate");
             }
-            taken.extend(own.map(|constant| (constant, format!("`{ident}`"))));
+            taken.extend(own.map(|constant| (constant, format!("`{slot}`"))));
         }
     }
 }

@@ -5,7 +5,7 @@ use syn::Ident;
 
 use super::Lower;
 use super::expr::Place;
-use super::measure::Measure;
+use super::measure::{Measure, Quantity};
 use super::scope::Kind;
 use crate::ast;
 use crate::error::Reported;
@@ -144,8 +144,18 @@ impl<'g> Lower<'g> {
         Err(self.errors.unknown(name, fact, known.iter().map(String::as_str), &[]))
     }
 
-    /// `point.x`
-    pub(super) fn component(&mut self, point: &Ident, axis: &Ident, place: &Place<'g>) -> Result<Expr<'g>, Reported> {
+    /// `point.x`, `orientation.w` or `position.x`
+    pub(super) fn component(
+        &mut self,
+        point: &Ident,
+        axis: &Ident,
+        place: &Place<'g>,
+    ) -> Result<Quantity<'g>, Reported> {
+        if let Some(found) = self.component_of_joint(point, axis) {
+            let quantity = found?;
+            self.permit(quantity.value, point.span(), place)?;
+            return Ok(quantity);
+        }
         if let Some(kind) = self.names.kind(&point.to_string()).filter(|kind| *kind != Kind::Point) {
             let fact = format_args!("`{point}` is {}, and only points have components", kind.one());
             let help = format_args!("`dot({point})` is the rate of `{point}`; a point `p` has `p.x`, `p.y` and `p.z`");
@@ -157,7 +167,10 @@ impl<'g> Lower<'g> {
             let help = format_args!("write `{point}.x`, `{point}.y` or `{point}.z`");
             return Err(self.errors.at(axis.span(), fact, help));
         };
-        self.permit(declared.position[n], point.span(), place)
+        Ok(Quantity {
+            value: self.permit(declared.position[n], point.span(), place)?,
+            measure: Measure::of("m"),
+        })
     }
 
     /// `distance(a, b)`
@@ -205,7 +218,7 @@ fn moving(items: &ast::Items) -> Vec<bool> {
         let parent = body.parent.as_ref().ok()?;
         bodies.iter().position(|other| other.name == *parent)
     };
-    let own = |body: &ast::Body| body.fields.coordinate.is_some() || items.is_driven(body);
+    let own = |body: &ast::Body| body.fields.moves() || items.is_driven(body);
     let mut moves: Vec<bool> = bodies.iter().map(own).collect();
     // as often as the longest chain has bodies
     for _ in bodies {

@@ -31,13 +31,24 @@ pub(super) enum Kind {
     Input,
     Let,
     Coordinate,
+    Orientation,
+    Position,
     Point,
 }
 
 impl Kind {
+    /// Whether joints have it: all of these matter to the motion.
+    fn is_of_joint(self) -> bool {
+        matches!(self, Self::Coordinate | Self::Orientation | Self::Position)
+    }
+
     /// With its article: `an input`.
     pub(super) fn one(self) -> String {
-        let article = if self == Self::Input { "an" } else { "a" };
+        let article = if matches!(self, Self::Input | Self::Orientation) {
+            "an"
+        } else {
+            "a"
+        };
         format!("{article} {self}")
     }
 }
@@ -49,6 +60,8 @@ impl std::fmt::Display for Kind {
             Self::Input => "input",
             Self::Let => "`let`",
             Self::Coordinate => "coordinate",
+            Self::Orientation => "orientation",
+            Self::Position => "position",
             Self::Point => "point",
         })
     }
@@ -188,7 +201,7 @@ impl<'g> Names<'g> {
         let mut unused: Vec<_> = self
             .0
             .iter()
-            .filter(|(_, name)| !name.used && name.kind != Kind::Coordinate)
+            .filter(|(_, name)| !name.used && !name.kind.is_of_joint())
             .collect();
         unused.sort_by_key(|(_, name)| name.order);
         for (text, name) in unused {

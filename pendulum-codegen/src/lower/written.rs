@@ -17,6 +17,7 @@ pub(super) fn written(expr: &Expr, joint: Option<&[Formula; 2]>) -> Formula {
             (name, _) => Formula::name(name),
         },
         ExprKind::Component(point, axis) => Formula::name(&format!("{point}.{axis}")),
+        ExprKind::RateComponent(of, axis) => Formula::name(&format!("dot({of}).{axis}")),
         ExprKind::Call(function, arguments) => {
             Formula::Call(function.to_string(), arguments.iter().map(part).collect())
         }

@@ -32,7 +32,7 @@ pub(crate) use point::{Point, along_motion};
 pub(crate) use pose::Poses;
 pub(crate) use triangle::{Closed, Declared, Open, close};
 
-use crate::expr::{BaseAngles, Definition, Expr, Formula, Graph, ratio};
+use crate::expr::{BaseAngles, Definition, Derivative, Expr, Formula, Graph, Level, ratio};
 use crate::screw::{Mat3, SpatialInertia, Transform, Twist, Vec3};
 use crate::units::Unit;
 
@@ -116,12 +116,64 @@ pub(crate) struct Input<'g> {
 pub(crate) struct Coordinate<'g> {
     /// Name.
     pub name: String,
-    /// The coordinate.
+    /// The coordinate; the number 0 for a component of the angular velocity of an [orientation](Self::is_of_orientation).
     pub position: Expr<'g>,
+    /// The components of the state that a unit of its rate changes, and how fast: a column of `K` in `q' = K(q) v`.
+    pub changes: Vec<(Expr<'g>, Expr<'g>)>,
     /// Its rate.
     pub rate: Expr<'g>,
     /// Its second rate, where it is held fixed while other things vary.
     pub acceleration: Expr<'g>,
+}
+
+impl<'g> Coordinate<'g> {
+    /// A coordinate whose position is one component of the state.
+    pub(crate) fn plain(name: String, [position, rate, acceleration]: [Expr<'g>; 3]) -> Self {
+        Self {
+            name,
+            position,
+            changes: vec![(position, position.graph().one())],
+            rate,
+            acceleration,
+        }
+    }
+
+    /// The component of the angular velocity of a body along one of its axes, for the unit quaternion from body to parent,
+    /// `q' = q (0, w) / 2`. It is the rate of no coordinate, but its screw is that of a joint that turns.
+    pub(crate) fn turn(
+        name: String,
+        quaternion: [Expr<'g>; 4],
+        axis: usize,
+        [rate, acceleration]: [Expr<'g>; 2],
+    ) -> Self {
+        let changes = by_turn(quaternion, axis).map(|x| ratio(1, 2) * x);
+        Self {
+            name,
+            position: rate.graph().zero(),
+            changes: quaternion.into_iter().zip(changes).collect(),
+            rate,
+            acceleration,
+        }
+    }
+
+    /// Whether it is a component of the angular velocity of an orientation.
+    pub(crate) fn is_of_orientation(&self) -> bool {
+        self.changes.len() > 1
+    }
+
+    /// The derivative by the coordinate: where it is one of an angular velocity, that by a turn about its axis.
+    pub(crate) fn derivative(&self) -> Derivative<'g> {
+        Derivative::along(self.changes.iter().copied())
+    }
+}
+
+/// `q (0, e)` for the unit vector `e` of an axis.
+fn by_turn<'g>([w, x, y, z]: [Expr<'g>; 4], axis: usize) -> [Expr<'g>; 4] {
+    match axis {
+        0 => [-x, w, z, -y],
+        1 => [-y, -z, w, x],
+        _ => [-z, y, -x, w],
+    }
 }
 
 /// The constants that a model has beside the places of its coordinates.
@@ -136,9 +188,10 @@ pub(crate) const FACTS: [&str; 8] = [
     "DRIVES",
 ];
 
-/// The constants for the places of a coordinate and of its rate in the state: `THETA1` and `DOT_THETA1`.
+/// The constants for the places of a coordinate and of its rate in the state: `THETA1` and `DOT_THETA1`, of `p.x` `P_X` and
+/// `DOT_P_X`, and of an orientation the first of them.
 pub(crate) fn places(coordinate: &str) -> [String; 2] {
-    let name = coordinate.trim_start_matches("r#").to_uppercase();
+    let name = coordinate.trim_start_matches("r#").replace('.', "_").to_uppercase();
     [name.clone(), format!("DOT_{name}")]
 }
 
@@ -149,10 +202,13 @@ pub(crate) struct Body<'g> {
     pub name: String,
     /// The body that carries it; none for ground.
     pub parent: Option<BodyId>,
-    /// Where the joint frame sits in the parent's frame.
+    /// Where the joint frame sits in the parent's frame: constant, but for an orientation.
     pub placement: Transform<'g>,
     /// The joint's screw axis in the joint frame, normalised; none for a fixed joint.
     pub screw: Option<Twist<'g>>,
+    /// Of the three joints of an orientation, in a row on bodies without mass, the angular velocity that each adds: all of
+    /// it by the first, whose placement is turned by the quaternion, and none by the others.
+    pub spin: Option<Vec3<'g>>,
     /// The coordinate that this joint brings into the scene; a driven one has one too.
     pub coordinate: Option<CoordinateId>,
     /// The relative joint coordinate in terms of the scene's coordinates.
@@ -187,8 +243,16 @@ pub(crate) struct Heading<'g> {
     pub axis: Option<Vec3<'g>>,
     /// The angle.
     pub turn: Combination,
-    /// The orientation at angle zero.
+    /// The orientation at angle zero: constant, but for an orientation by a quaternion.
     pub rest: Mat3<'g>,
+}
+
+impl Heading<'_> {
+    /// Whether a quaternion turns it.
+    pub(crate) fn turns_freely(&self) -> bool {
+        let entries = self.rest.0.iter().flat_map(|row| row.0);
+        entries.into_iter().any(|entry| entry.level() == Level::State)
+    }
 }
 
 /// A condition on parameters that `new` checks.
@@ -237,6 +301,24 @@ impl<'g> Requirement<'g> {
     }
 }
 
+/// The positions of coordinates, and how fast they change along a motion.
+pub(crate) fn changes<'g, 'm>(coordinates: impl Iterator<Item = &'m Coordinate<'g>>) -> Vec<(Expr<'g>, Expr<'g>)>
+where
+    'g: 'm,
+{
+    let mut all: Vec<(Expr<'g>, Expr<'g>)> = Vec::new();
+    for coordinate in coordinates {
+        for &(position, factor) in &coordinate.changes {
+            let change = factor * coordinate.rate;
+            match all.iter_mut().find(|(known, _)| *known == position) {
+                Some((_, sum)) => *sum += change,
+                None => all.push((position, change)),
+            }
+        }
+    }
+    all
+}
+
 impl<'g> Model<'g> {
     /// The number of degrees of freedom.
     pub(crate) fn dof(&self) -> usize {
@@ -254,14 +336,22 @@ impl<'g> Model<'g> {
         self.positions().into_iter().chain(rates).collect()
     }
 
-    /// The coordinates.
+    /// The positions: of orientations the four components of their quaternions, of other coordinates themselves.
     pub(crate) fn positions(&self) -> Vec<Expr<'g>> {
-        self.coordinates.iter().map(|c| c.position).collect()
+        changes(self.coordinates.iter()).into_iter().map(|(x, _)| x).collect()
     }
 
-    /// How the positions change: the kinematic half of the right-hand side.
+    /// How the positions change: the kinematic part of the right-hand side.
     pub(crate) fn kinematics(&self) -> Vec<Expr<'g>> {
-        self.coordinates.iter().map(|c| c.rate).collect()
+        changes(self.coordinates.iter())
+            .into_iter()
+            .map(|(_, rate)| rate)
+            .collect()
+    }
+
+    /// Whether it has orientations: then positions outnumber rates.
+    pub(crate) fn has_orientations(&self) -> bool {
+        self.coordinates.iter().any(Coordinate::is_of_orientation)
     }
 
     /// The symbols of the inputs.

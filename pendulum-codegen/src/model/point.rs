@@ -2,7 +2,7 @@
 
 use rustc_hash::FxHashMap;
 
-use super::{Action, Coordinate, Model, Place, Poses};
+use super::{Action, Coordinate, Model, Place, Poses, changes};
 use crate::expr::{Derivative, Expr};
 use crate::screw::Vec3;
 
@@ -30,7 +30,7 @@ pub(crate) fn along_motion<'g, 'm>(
 where
     'g: 'm,
 {
-    let coordinates = coordinates.map(|c| (c.position, c.rate));
+    let coordinates = changes(coordinates).into_iter();
     let points = points.flat_map(|[position, velocity]| position.0.into_iter().zip(velocity.0));
     Derivative::along(coordinates.chain(points).chain([(time, time.graph().one())]))
 }

@@ -312,12 +312,9 @@ impl<'g, 'm> Solver<'g, 'm> {
             Some(body) => format!("angle_{}", self.model.bodies[body].name.trim_start_matches("r#")),
             None => declared.name.clone(),
         };
-        Coordinate {
-            position: self.graph.symbol(&name, SymbolKind::Coordinate(place)),
-            rate: self.graph.symbol(&format!("dot({name})"), SymbolKind::Rate(place)),
-            acceleration: self.graph.zero(),
-            name,
-        }
+        let position = self.graph.symbol(&name, SymbolKind::Coordinate(place));
+        let rate = self.graph.symbol(&format!("dot({name})"), SymbolKind::Rate(place));
+        Coordinate::plain(name, [position, rate, self.graph.zero()])
     }
 
     /// A symbol for a value that follows from the state.

@@ -2,7 +2,7 @@
 
 use syn::ext::IdentExt;
 use syn::parse::{Parse, ParseBuffer, ParseStream};
-use syn::token::Brace;
+use syn::token::{Brace, Bracket};
 use syn::{Ident, Token};
 
 use super::argument::Argument;
@@ -37,12 +37,18 @@ const PROPERTIES: [Row<Properties>; 4] = [
 ];
 
 /// The other fields of bodies.
-const BODY_FIELDS: [Row<BodyFields>; 9] = [
+const BODY_FIELDS: [Row<BodyFields>; 11] = [
     ("joint", |field, body| {
         let joint = joint(field.input, field.owner)?;
         once(&mut body.joint, joint, field.key)
     }),
     ("coordinate", |field, body| field.coordinate(body)),
+    ("orientation", |field, body| {
+        field.name(&mut body.orientation, "an orientation", "orientation: o")
+    }),
+    ("position", |field, body| {
+        field.name(&mut body.position, "a position", "position: p")
+    }),
     ("motion", |field, body| field.value(&mut body.motion)),
     ("friction", |field, body| field.value(&mut body.friction)),
     ("spring", |field, body| field.spring(body)),
@@ -207,6 +213,17 @@ impl Field<'_> {
 
     fn value<T: Parse>(&self, place: &mut Option<T>) -> syn::Result<()> {
         once(place, self.input.parse()?, self.key)
+    }
+
+    /// The name of what a joint that moves freely has.
+    fn name(&self, place: &mut Option<Ident>, what: &str, form: &str) -> syn::Result<()> {
+        if self.input.peek(Bracket) {
+            let fact = format_args!("the {} of a joint that moves freely is a name", self.key);
+            let help = words::synonym(&self.key.to_string(), words::FIELDS).unwrap_or(form);
+            return Err(at(self.key.span(), fact, help));
+        }
+        let name = identifier(self.input, &format!("the name of {what}"), form)?;
+        once(place, name, self.key)
     }
 
     fn coordinate(&self, body: &mut BodyFields) -> syn::Result<()> {

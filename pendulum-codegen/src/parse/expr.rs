@@ -194,6 +194,17 @@ fn atom(input: ParseStream) -> syn::Result<Expr> {
             });
         };
         let arguments = list(&inner, &format!("{name}(x)"), sum)?;
+        if name == "dot"
+            && let [
+                Expr {
+                    kind: ExprKind::Name(of),
+                    ..
+                },
+            ] = &arguments[..]
+            && let Some(component) = component(input)
+        {
+            return Ok(ExprKind::RateComponent(of.clone(), component?));
+        }
         Ok(ExprKind::Call(name, arguments))
     })?;
     foreign::nothing_after(input, &kind, &tokens)?;

@@ -13,7 +13,7 @@ use crate::words::{self, Advice, advice};
 /// The word of a joint, how it is written, and how its arguments are read: none if they do not fit.
 type Row = (&'static str, &'static str, fn(&mut Arguments) -> Option<JointKind>);
 
-const JOINTS: [Row; 5] = [
+const JOINTS: [Row; 7] = [
     ("revolute", "revolute(z)", |a| Some(JointKind::Revolute(a.axis()?))),
     ("prismatic", "prismatic(x)", |a| Some(JointKind::Prismatic(a.axis()?))),
     ("helical", "helical(z, pitch)", |a| {
@@ -21,6 +21,8 @@ const JOINTS: [Row; 5] = [
         Some(JointKind::Helical { axis, pitch })
     }),
     ("screw", "screw([wx, wy, wz, vx, vy, vz])", |a| a.screw()),
+    ("ball", "ball", |_| Some(JointKind::Ball)),
+    ("free", "free", |_| Some(JointKind::Free)),
     ("fixed", "fixed", |_| Some(JointKind::Fixed)),
 ];
 

@@ -7,7 +7,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::block::{Block, Let, Local, SinCos, Term, Variable};
 use super::schedule::{Step, schedule};
-use crate::expr::{Binary, Expr, ExprId, Graph, Level, Node, Printer, Rational, SymbolKind, Unary, ratio};
+use crate::expr::{Binary, Expr, ExprId, Graph, Level, Node, Printer, Rational, Symbol, SymbolKind, Unary, ratio};
 
 /// Longer expressions are broken up by a statement.
 const MOST_OPERATIONS: usize = 8;
@@ -169,9 +169,8 @@ impl<'g> Builder<'g> {
                 Let::SinCos(pairs) => {
                     for SinCos { sine, cosine, .. } in pairs {
                         let angle = sine.or(*cosine).and_then(|local| self.locals[local.0]);
-                        // a rate has no name that a language could take
                         let symbol = angle.and_then(|angle| self.graph.as_symbol(angle));
-                        let suffix = match symbol.filter(|symbol| !matches!(symbol.kind, SymbolKind::Rate(_))) {
+                        let suffix = match symbol.filter(|symbol| is_name(symbol)) {
                             Some(symbol) => format!("_{}", symbol.name),
                             None => next().to_string(),
                         };
@@ -291,6 +290,11 @@ impl<'g> Builder<'g> {
         let exponent = exponent.to_f64().unwrap_or(f64::NAN);
         base.unary(|base| Term::Power(base, exponent))
     }
+}
+
+/// Whether a symbol has a name that a language could take: a rate has none, and neither has a component.
+fn is_name(symbol: &Symbol) -> bool {
+    !matches!(symbol.kind, SymbolKind::Rate(_)) && !symbol.name.contains('.')
 }
 
 /// Whether an expression is a sine or a cosine.

@@ -5,7 +5,6 @@ use std::ops::Range;
 use num_traits::Zero;
 use rustc_hash::FxHashMap;
 
-use super::block::{Term, Variable};
 use crate::expr::{Binary, Expr, ExprId, Graph, Node, Normalizer, Rational, Unary, ratio};
 use crate::model::{CoordinateId, Model, places};
 use crate::screw::Twist;
@@ -32,8 +31,6 @@ pub struct Slot {
     pub rates: Range<usize>,
     /// The constants that hold the two places, for a coordinate of one component: `THETA1` and `DOT_THETA1`.
     pub constants: [String; 2],
-    /// How its positions change: a row of `q' = K(q) v` for each.
-    pub kinematics: Vec<Term>,
     /// Whether a full turn is known to leave everything as it was.
     pub periodic: bool,
     /// Whether the right-hand side is known not to depend on the position.
@@ -47,6 +44,8 @@ pub enum SlotKind {
     Angle,
     /// A length.
     Length,
+    /// An orientation: a unit quaternion, and three components of the angular velocity.
+    Quaternion,
 }
 
 impl SlotKind {
@@ -55,13 +54,14 @@ impl SlotKind {
         match self {
             Self::Angle => "rad",
             Self::Length => "m",
+            Self::Quaternion => "1",
         }
     }
 
     /// The unit of rates.
     pub fn rate_unit(self) -> &'static str {
         match self {
-            Self::Angle => "rad/s",
+            Self::Angle | Self::Quaternion => "rad/s",
             Self::Length => "m/s",
         }
     }
@@ -76,22 +76,33 @@ impl StateLayout {
         let nodes = g.reachable(roots);
         let occurs = |symbol: Expr<'g>| nodes.binary_search(&symbol.id()).is_ok();
         let controlled = !model.inputs.is_empty();
-        let dof = model.dof();
-        let slots = model.coordinate_names().into_iter().enumerate().map(|(k, name)| {
-            let (coordinate, symbol) = (CoordinateId::new(k), model.coordinates[k].position);
-            Slot {
+        let names = model.coordinate_names();
+        let mut slots: Vec<Slot> = Vec::new();
+        let mut position = 0;
+        let first_rate = model.positions().len();
+        let mut k = 0;
+        while k < model.dof() {
+            let (id, coordinate) = (CoordinateId::new(k), &model.coordinates[k]);
+            let (name, kind, count) = if coordinate.is_of_orientation() {
+                (names[k].trim_end_matches(".x"), SlotKind::Quaternion, 3)
+            } else {
+                (names[k], kind(model, id), 1)
+            };
+            let symbols = coordinate.changes.iter().map(|(symbol, _)| *symbol);
+            let is_angle = |symbol| returns(model, id) && repeats(g, &nodes, roots, symbol);
+            slots.push(Slot {
                 name: name.to_owned(),
-                kind: kind(model, coordinate),
-                positions: k..k + 1,
-                rates: dof + k..dof + k + 1,
+                kind,
+                positions: position..position + symbols.len(),
+                rates: first_rate + k..first_rate + k + count,
                 constants: places(name),
-                kinematics: vec![Term::Read(Variable::State(dof + k))],
-                periodic: !controlled && returns(model, coordinate) && repeats(g, &nodes, roots, symbol),
-                cyclic: !controlled && !occurs(symbol),
-            }
-        });
+                periodic: !controlled && kind != SlotKind::Quaternion && is_angle(coordinate.position),
+                cyclic: !controlled && !symbols.clone().any(occurs),
+            });
+            (position, k) = (position + symbols.len(), k + count);
+        }
         Self {
-            slots: slots.collect(),
+            slots,
             autonomous: !controlled && !occurs(model.time),
         }
     }
@@ -109,6 +120,22 @@ impl StateLayout {
     /// Whether the state has no components.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
+    }
+
+    /// The names of the components of the state that are positions, then those of the rates without the mark of a rate.
+    pub fn components(&self) -> [Vec<String>; 2] {
+        let names = |slot: &Slot, axes: &[&str]| match slot.kind {
+            SlotKind::Quaternion => axes.iter().map(|axis| format!("{}.{axis}", slot.name)).collect(),
+            _ => vec![slot.name.clone()],
+        };
+        let of = |axes: &[&str]| self.slots.iter().flat_map(|slot| names(slot, axes)).collect();
+        [of(&["w", "x", "y", "z"]), of(&["x", "y", "z"])]
+    }
+
+    /// Where the quaternions stand in the state.
+    pub fn quaternions(&self) -> impl Iterator<Item = Range<usize>> {
+        let slots = self.slots.iter().filter(|slot| slot.kind == SlotKind::Quaternion);
+        slots.map(|slot| slot.positions.clone())
     }
 
     /// The number of degrees of freedom: of rates.

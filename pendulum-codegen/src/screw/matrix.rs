@@ -68,6 +68,18 @@ impl<'g> Mat3<'g> {
         Self([x, z.cross(x), z]).transpose()
     }
 
+    /// The rotation of a unit quaternion, scalar first.
+    pub(crate) fn of_quaternion([w, x, y, z]: [Expr<'g>; 4]) -> Self {
+        let [xx, yy, zz] = [x, y, z].map(|x| x * x);
+        let twice = |a: Expr<'g>, b: Expr<'g>| 2 * (a + b);
+        let less = |a: Expr<'g>, b: Expr<'g>| 2 * (a - b);
+        Self([
+            Vec3([1 - twice(yy, zz), less(x * y, w * z), twice(x * z, w * y)]),
+            Vec3([twice(x * y, w * z), 1 - twice(xx, zz), less(y * z, w * x)]),
+            Vec3([less(x * z, w * y), twice(y * z, w * x), 1 - twice(xx, yy)]),
+        ])
+    }
+
     /// The transposed matrix.
     #[must_use]
     pub(crate) fn transpose(self) -> Self {

@@ -68,6 +68,17 @@ const ACTED: &str = "pub Acted {
     body lower on upper { mass: 1, com: [0, -1, 0], joint: revolute(z) at [0, -1, 0], coordinate: q2 absolute, friction: c }
 }";
 
+/// A ball that carries an arm.
+const BALL: &str = "pub Ball {
+    params { m: kg, l: m, gamma: N m s }
+    gravity: [0, 0, -9.81],
+    potential: o.w^2,
+    body bob on ground {
+        mass: m, com: [0, 0, -l], inertia: [0.04, 0.07, 0.05], joint: ball, orientation: o, friction: gamma,
+    }
+    body arm on bob { mass: 1, com: [0, l, 0], inertia: [0.05, 0.05, 0.1], joint: revolute(z) at [0, 0, -l], coordinate: q1 }
+}";
+
 /// Links of one shape on parallel joints; `absolute` is put after the names of coordinates, and a letter for a number is a parameter.
 fn chain(n: usize, link: &str, mass: &str, length: &str, absolute: &str) -> String {
     let body = |k: usize| {
@@ -155,6 +166,7 @@ fn plain(line: &str) -> String {
             ']' => inside = false,
             ',' if inside => plain.push_str("__"),
             ' ' if inside => {}
+            '.' if inside => plain.push('_'),
             _ => plain.push(c),
         }
     }
@@ -198,7 +210,12 @@ fn value(expr: &Expr, symbols: &FxHashMap<String, f64>, lines: &BTreeMap<String,
         ExprKind::Binary(Operator::Mul, a, b) => of(a) * of(b),
         ExprKind::Binary(Operator::Div, a, b) => of(a) / of(b),
         ExprKind::Power(a, b) => of(a).powf(of(b)),
-        ExprKind::Component(point, axis) => of(&lines[&format!("{point}.{axis}")]),
+        ExprKind::Component(of_what, axis) => {
+            let name = format!("{of_what}.{axis}");
+            // of a point, or of an orientation
+            lines.get(&name).map_or_else(|| symbols[&name], of)
+        }
+        ExprKind::RateComponent(of_what, axis) => symbols[&format!("dot({of_what}).{axis}")],
     }
 }
 
@@ -226,7 +243,8 @@ fn assert_true(model: &Model<'_>, dynamics: &Dynamics<'_>, equations: &Equations
             (symbol.name.clone(), if is_fixed { value.abs() + 0.5 } else { value })
         })
         .collect();
-    let names = model.coordinate_names();
+    let names = model.coordinate_names().into_iter().map(|name| name.replace('.', "_"));
+    let names: Vec<String> = names.collect();
     let mut entries = Vec::new();
     for (i, first) in names.iter().enumerate() {
         for (j, second) in names.iter().enumerate().skip(i) {
@@ -324,7 +342,7 @@ fn assert_well_formed(latex: &str) {
 
 #[test]
 fn what_is_printed_is_the_equation() {
-    for declaration in [MAGNET, CUBIC, ABSOLUTE, ACTED, &spatial(3), &spatial(4)] {
+    for declaration in [MAGNET, CUBIC, ABSOLUTE, ACTED, BALL, &spatial(3), &spatial(4)] {
         checked(declaration);
     }
 }

@@ -59,6 +59,7 @@ fn read<'g>(model: &Model<'g>, expr: &ast::Expr) -> Expr<'g> {
         ExprKind::Name(name) if name == "pi" => model.graph.pi(),
         ExprKind::Name(name) => symbol(model, &name.to_string()),
         ExprKind::Component(point, axis) => symbol(model, &format!("{point}.{axis}")),
+        ExprKind::RateComponent(of, axis) => symbol(model, &format!("dot({of}).{axis}")),
         ExprKind::Call(function, arguments) if function == "dot" => {
             let ExprKind::Name(name) = &arguments[0].kind else {
                 panic!("dot of a name")

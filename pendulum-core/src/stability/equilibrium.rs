@@ -74,7 +74,7 @@ impl<const N: usize> Equilibrium<N> {
 /// dry friction and contacts; [`resting`](super::resting) tells where these hold it.
 ///
 /// # Errors
-/// [`StabilityError::TimeDependent`] if the layout says that time may occur, [`StabilityError::NotFinite`] where the right-hand side is not
+/// [`StabilityError::TimeDependent`] and [`StabilityError::Orientations`] if the layout says that time may occur, or that there are quaternions, [`StabilityError::NotFinite`] where the right-hand side is not
 /// finite, and [`StabilityError::NoConvergence`] if no zero of it is found.
 pub fn equilibrium<S, const N: usize>(
     system: &S,
@@ -180,7 +180,7 @@ fn within_reach<const N: usize>(step: SVector<f64, N>, x: &SVector<f64, N>) -> S
 /// Seeds that lead nowhere are passed over.
 ///
 /// # Errors
-/// [`StabilityError::TimeDependent`] if the layout says that time may occur.
+/// [`StabilityError::TimeDependent`] and [`StabilityError::Orientations`] if the layout says that time may occur, or that there are quaternions.
 pub fn equilibria<S, const N: usize>(
     system: &S,
     seeds: impl IntoIterator<Item = SVector<f64, N>>,
@@ -285,13 +285,24 @@ pub(super) fn angles<const N: usize>(system: &(impl System<f64, N> + ?Sized)) ->
     system.layout().into_iter().flat_map(StateLayout::angles).collect()
 }
 
-/// Refuses a system in which time may occur, as far as its layout says.
+/// Refuses a system with quaternions, and one in which time may occur, as far as its layout says.
 pub(super) fn require_autonomous<const N: usize>(
     system: &(impl System<f64, N> + ?Sized),
 ) -> Result<(), StabilityError> {
+    require_no_orientations(system)?;
     match system.layout() {
         Some(layout) if !layout.autonomous => Err(StabilityError::TimeDependent),
         _ => Ok(()),
+    }
+}
+
+/// Refuses a system with quaternions.
+pub(super) fn require_no_orientations<const N: usize>(
+    system: &(impl System<f64, N> + ?Sized),
+) -> Result<(), StabilityError> {
+    match system.layout().and_then(|layout| layout.quaternions().next()) {
+        Some(_) => Err(StabilityError::Orientations),
+        None => Ok(()),
     }
 }
 

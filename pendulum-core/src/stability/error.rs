@@ -24,6 +24,9 @@ pub enum StabilityError {
     },
     /// An analysis of systems that do not depend on time was asked of one that does.
     TimeDependent,
+    /// Equilibria and periodic orbits were asked of a system with orientations, whose quaternions have a direction in which
+    /// nothing moves.
+    Orientations,
     /// What was to be a periodic orbit is, or shrank to, a state of rest, which is periodic with any period.
     AtRest,
     /// A family of systems has no member at the parameter asked for.
@@ -47,6 +50,11 @@ impl fmt::Display for StabilityError {
                 "the right-hand side depends on time, so the system has neither equilibria nor orbits of a period of their own; \
                  search for motions with the period of the drive by `Shooting::forced`"
             ),
+            Self::Orientations => write!(
+                f,
+                "equilibria and periodic orbits of systems with quaternions are not supported: \
+                 write three turns in a row in place of a ball"
+            ),
             Self::AtRest => write!(
                 f,
                 "the orbit shrank to a state of rest; start farther from it, or with a period closer to that of the orbit"
@@ -61,7 +69,9 @@ impl Error for StabilityError {
         match self {
             Self::Integration(reason) => Some(reason),
             Self::Build(error) => Some(error),
-            Self::NotFinite | Self::NoConvergence { .. } | Self::TimeDependent | Self::AtRest => None,
+            Self::NotFinite | Self::NoConvergence { .. } | Self::TimeDependent | Self::Orientations | Self::AtRest => {
+                None
+            }
         }
     }
 }

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
-use super::equilibrium::{angles, require_autonomous, within_a_turn};
+use super::equilibrium::{angles, require_autonomous, require_no_orientations, within_a_turn};
 use super::least_squares::shortest_step;
 use super::orbit::{NOISE, PeriodicOrbit};
 use super::transition::flow;
@@ -121,6 +121,7 @@ impl Shooting {
     where
         S: Jacobian<f64, N> + ?Sized,
     {
+        require_no_orientations(system)?;
         check_period(period)?;
         let angles = angles(system);
         let mut lap = Lap::run(system, (x, period), self.tolerance, &angles)?;

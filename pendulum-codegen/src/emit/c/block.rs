@@ -38,11 +38,12 @@ impl Scene<'_> {
     /// The name that code gives to a variable, and where it finds it.
     pub(super) fn variable(&self, variable: Variable) -> (String, String) {
         let listed = |name: &str, n: usize, list: &str| (format!("{name}{n}"), format!("{list}[{n}]"));
-        let (coordinates, inputs, parameters) = (&self.coordinates, &self.inputs, &self.parameters);
+        let (positions, rates) = (&self.positions, &self.rates);
+        let (inputs, parameters) = (&self.inputs, &self.parameters);
         match variable {
-            Variable::State(n) if n < coordinates.len() => (format!("q_{}", coordinates[n]), format!("x[{n}]")),
-            Variable::State(n) => (format!("qd_{}", coordinates[n - coordinates.len()]), format!("x[{n}]")),
-            Variable::Acceleration(n) => (format!("qdd_{}", coordinates[n]), format!("qdd[{n}]")),
+            Variable::State(n) if n < positions.len() => (format!("q_{}", positions[n]), format!("x[{n}]")),
+            Variable::State(n) => (format!("qd_{}", rates[n - positions.len()]), format!("x[{n}]")),
+            Variable::Acceleration(n) => (format!("qdd_{}", rates[n]), format!("qdd[{n}]")),
             Variable::Time => ("t".to_owned(), "t".to_owned()),
             Variable::Input(n) => (format!("u_{}", inputs[n]), format!("u->{}", inputs[n])),
             Variable::Force(n) => listed("f", n, "forces"),

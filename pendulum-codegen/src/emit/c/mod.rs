@@ -40,17 +40,20 @@ struct Scene<'p> {
     name: String,
     parameters: Vec<String>,
     inputs: Vec<String>,
-    coordinates: Vec<String>,
+    positions: Vec<String>,
+    rates: Vec<String>,
 }
 
 impl<'p> Scene<'p> {
     fn new(program: &'p Program, name: String) -> Self {
+        let [positions, rates] = program.layout.components();
         Self {
             program,
             name,
             parameters: identifiers(program.parameters.iter().map(|parameter| &parameter.name)),
             inputs: identifiers(program.inputs.iter().map(|input| &input.name)),
-            coordinates: identifiers(program.layout.slots.iter().map(|slot| &slot.name)),
+            positions: identifiers(&positions),
+            rates: identifiers(&rates),
         }
     }
 

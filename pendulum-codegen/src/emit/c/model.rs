@@ -3,18 +3,25 @@
 use super::Scene;
 use super::block::{Calls, number, statements};
 use super::template::{fill, lines};
-use crate::program::{Condition, FINITE_CONSTANT, FINITE_PARAMETER, Quantity, ROUNDING};
+use crate::program::{Condition, FINITE_CONSTANT, FINITE_PARAMETER, Quantity, ROUNDING, SlotKind};
 
 impl Scene<'_> {
     /// The header of a source that makes these calls.
     pub(super) fn header(&self, calls: &Calls) -> String {
-        let (program, slots) = (self.program, &self.program.layout.slots);
-        let positions = slots.iter().map(|s| (s.positions.start, "", &s.name, s.kind.unit()));
-        let rates = slots
-            .iter()
-            .map(|s| (s.rates.start, "the rate of ", &s.name, s.kind.rate_unit()));
-        let state = positions.chain(rates);
-        let state = state.map(|(n, of, name, unit)| format!("x[{n}]  {of}{name}, in {unit}"));
+        let program = self.program;
+        let [positions, rates] = program.layout.components();
+        let slots = || program.layout.slots.iter();
+        let units = slots().flat_map(|slot| slot.positions.clone().map(|n| (n, "", slot.kind.unit())));
+        let units_of_rates = slots().flat_map(|slot| {
+            let of = match slot.kind {
+                SlotKind::Quaternion => "the angular velocity of ",
+                _ => "the rate of ",
+            };
+            slot.rates.clone().map(move |n| (n, of, slot.kind.rate_unit()))
+        });
+        let names = positions.iter().chain(&rates);
+        let state = units.chain(units_of_rates).zip(names);
+        let state = state.map(|((n, of, unit), name)| format!("x[{n}]  {of}{name}, in {unit}"));
         let meanings = program.constants_text.iter().enumerate();
         let codes = (1..).zip(self.rules());
         let code = |(n, rule)| format!("/// {rule}\n{}_RULE_{n} = {n},", self.name.to_uppercase());

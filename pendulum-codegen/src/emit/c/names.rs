@@ -36,7 +36,11 @@ fn ascii(name: &str) -> String {
         0..128 => letter.to_string(),
         number => format!("u{number:04x}"),
     };
-    name.trim_start_matches("r#").chars().map(spelled).collect()
+    name.trim_start_matches("r#")
+        .replace('.', "_")
+        .chars()
+        .map(spelled)
+        .collect()
 }
 
 #[cfg(test)]

@@ -1,5 +1,7 @@
 //! Routines and the power series as functions.
 
+use std::ops::Range;
+
 use super::Scene;
 use super::block::{Calls, Piece, statements};
 use super::template::lines;
@@ -16,6 +18,7 @@ impl Scene<'_> {
         let routines: String = self.program.routines.iter().map(declaration).collect();
         let series = self.program.series.iter();
         routines
+            + &self.projection(|_| ";".to_owned())
             + &series
                 .map(|_| self.fill(include_str!("templates/series.h"), &[]))
                 .collect::<String>()
@@ -26,7 +29,31 @@ impl Scene<'_> {
         let routines = self.program.routines.iter();
         let routines: String = routines.map(|routine| self.routine(routine, calls)).collect();
         let series = self.program.series.as_ref();
-        routines + &series.map(|series| self.series(series, calls)).unwrap_or_default()
+        let projection = self.projection(|places| {
+            calls.insert("PENDULUM_SQRT".to_owned());
+            let square = places.clone().map(|n| format!("x[{n}] * x[{n}]"));
+            let norm = format!("norm = PENDULUM_SQRT({});\n", square.collect::<Vec<_>>().join(" + "));
+            norm + &lines(places.map(|n| format!("x[{n}] /= norm;")))
+        });
+        routines + &projection + &series.map(|series| self.series(series, calls)).unwrap_or_default()
+    }
+
+    /// The function that makes quaternions of unit length again, if there are any: its prototype where `body` gives a
+    /// semicolon, else with the statements for each.
+    fn projection(&self, body: impl FnMut(Range<usize>) -> String) -> String {
+        let bodies: Vec<String> = self.program.layout.quaternions().map(body).collect();
+        let prototype = "void @name@_project(double x[@length@])";
+        match bodies.first().map(String::as_str) {
+            None => String::new(),
+            Some(";") => {
+                let docs = "/// Makes the quaternions of a state of unit length: call it after each step.";
+                self.fill(&format!("\n{docs}\n{prototype};"), &[])
+            }
+            Some(_) => {
+                let values = [("body", format!("double norm;\n{}", bodies.concat()))];
+                self.fill(&format!("\n{prototype} {{\n    @body@\n}}"), &values)
+            }
+        }
     }
 
     pub(super) fn routine(&self, routine: &Routine, calls: &mut Calls) -> String {

@@ -25,13 +25,18 @@ impl Names<'_> {
     /// The name of a variable.
     pub(super) fn variable(self, variable: Variable) -> Ident {
         let Self(program) = self;
-        let slots = &program.layout.slots;
+        let [positions, rates] = program.layout.components();
+        // no name of a declaration begins as that of a component does: `q_theta` and `qx_p`
+        let of_state = |prefix: &str, name: &str| match name.rsplit_once('.') {
+            Some((name, axis)) => local(&format!("{prefix}{axis}_{name}")),
+            None => local(&format!("{prefix}_{name}")),
+        };
         match variable {
-            Variable::State(n) => match slots.get(n) {
-                Some(slot) => local(&format!("q_{}", slot.name)),
-                None => local(&format!("qd_{}", slots[n - slots.len()].name)),
+            Variable::State(n) => match positions.get(n) {
+                Some(name) => of_state("q", name),
+                None => of_state("qd", &rates[n - positions.len()]),
             },
-            Variable::Acceleration(n) => local(&format!("qdd_{}", slots[n].name)),
+            Variable::Acceleration(n) => of_state("qdd", &rates[n]),
             Variable::Time => format_ident!("t"),
             Variable::Input(n) => local(&format!("u_{}", program.inputs[n].name)),
             Variable::Force(n) => local(&format!("f{n}")),

@@ -13,7 +13,7 @@ impl Items<'_> {
     pub(super) fn facts(&self) -> TokenStream {
         let (name, program) = (&self.head.name, self.program);
         let (dof, equations) = (count(program.layout.dof()), program.equations.to_string());
-        let coordinates = program.layout.slots.iter().map(|slot| &slot.name);
+        let [_, coordinates] = program.layout.components();
         let routines = program
             .routines
             .iter()
@@ -25,6 +25,19 @@ impl Items<'_> {
         });
         let layout = layout(&program.layout);
         let places = program.layout.slots.iter().map(places);
+        let has_quaternions = program.layout.quaternions().next().is_some();
+        let (about_freedom, about_names) = if has_quaternions {
+            (
+                " The number of degrees of freedom, and of rates; a quaternion has one component more.",
+                " The names of the coordinates, in the order in which their rates stand in the state; of an orientation \
+                 the axes of its angular velocity.",
+            )
+        } else {
+            (
+                " The number of degrees of freedom; the state has twice as many components.",
+                " The names of the coordinates, in the order in which they, and then their rates, stand in the state.",
+            )
+        };
         let outputs = names_of(
             "OUTPUTS",
             "The names of the components of all outputs.",
@@ -35,9 +48,9 @@ impl Items<'_> {
         quote! {
             impl #name {
                 #(#places)*
-                /// The number of degrees of freedom; the state has twice as many components.
+                #[doc = #about_freedom]
                 pub const DOF: usize = #dof;
-                /// The names of the coordinates, in the order in which they, and then their rates, stand in the state.
+                #[doc = #about_names]
                 pub const COORDINATES: [&'static str; #dof] = [#(#coordinates),*];
                 /// Counted operations of each generated function, in the form that it has and in others.
                 pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::new(&[#(#costs),*]);
@@ -74,8 +87,13 @@ fn places(slot: &Slot) -> TokenStream {
         constants: [position, rate],
         ..
     } = slot;
-    let [own, dot] = [(name.clone(), kind.unit()), (format!("dot({name})"), kind.rate_unit())]
-        .map(|(name, unit)| format!("The place of `{name}` in the state, where it stands in {unit}."));
+    let [own, dot] =
+        [(name.clone(), kind.unit()), (format!("dot({name})"), kind.rate_unit())].map(|(name, unit)| match kind {
+            SlotKind::Quaternion => {
+                format!("The first place of `{name}` in the state, whose components stand in {unit}.")
+            }
+            _ => format!("The place of `{name}` in the state, where it stands in {unit}."),
+        });
     let (position, rate) = (format_ident!("{position}"), format_ident!("{rate}"));
     let (first, first_rate) = (count(positions.start), count(rates.start));
     quote! {
@@ -118,6 +136,7 @@ fn layout(of: &StateLayout) -> TokenStream {
         let kind = match slot.kind {
             SlotKind::Angle => quote!(Angle),
             SlotKind::Length => quote!(Length),
+            SlotKind::Quaternion => quote!(Quaternion),
         };
         let range = |range: &Range<usize>| {
             let (start, end) = (count(range.start), count(range.end));

@@ -82,7 +82,8 @@ impl Items<'_> {
         let (inline, rhs) = (inlined_into_lanes(), self.program.routine("rhs")?);
         let rhs = self.function(&format_ident!("rhs"), rhs);
         let layout = self.layout();
-        let system = self.implement(Some(self.named("System")), &quote!(#inline #rhs #layout));
+        let project = self.project();
+        let system = self.implement(Some(self.named("System")), &quote!(#inline #rhs #layout #project));
         let jacobian = self.program.routine("jacobian").map(|routine| {
             let arguments = self.arguments(routine);
             let matrix = self.shape(routine.shapes[1]);
@@ -103,10 +104,10 @@ impl Items<'_> {
         Some(quote!(#system #jacobian))
     }
 
-    /// The methods of `System` that say what the state is, and where it has none.
+    /// The methods of `System` that say what the state is, and that keep it so.
     pub(super) fn layout(&self) -> TokenStream {
         let name = &self.head.name;
-        let project = self.program.routine("loop_margins").map(|_| self.project());
+        let project = self.project();
         quote! {
             #[inline]
             fn layout(&self) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
@@ -116,19 +117,38 @@ impl Items<'_> {
         }
     }
 
-    /// The end of a motion whose loops come to their toggle: there other assemblies begin, and digits are lost.
-    fn project(&self) -> TokenStream {
+    /// The method that makes quaternions of unit length again, and that ends a motion where a loop comes to its toggle: there other
+    /// assemblies begin, and digits are lost. None where there is neither.
+    fn project(&self) -> Option<TokenStream> {
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
-        let (zero, least) = (number(0.0), number(LEAST_MARGIN));
-        quote! {
-            #[inline]
-            fn project(&self, t: T, x: &mut #vector) {
+        let normalised = self.program.layout.quaternions().map(|places| {
+            let [w, x, y, z] = [0, 1, 2, 3].map(|n| count(places.start + n));
+            quote! {
+                let norm = (x[#w] * x[#w] + x[#x] * x[#x] + x[#y] * x[#y] + x[#z] * x[#z]).sqrt();
+                x[#w] /= norm;
+                x[#x] /= norm;
+                x[#y] /= norm;
+                x[#z] /= norm;
+            }
+        });
+        let ended = self.program.routine("loop_margins").map(|_| {
+            let (zero, least) = (number(0.0), number(LEAST_MARGIN));
+            quote! {
                 for margin in self.loop_margins(t, x).iter() {
                     // nothing, or not a number
-                    x[0] = x[0] + #zero * (*margin - #least).sqrt();
+                    x[0] += #zero * (*margin - #least).sqrt();
                 }
             }
-        }
+        });
+        let statements: Vec<TokenStream> = normalised.chain(ended).collect();
+        (!statements.is_empty()).then(|| {
+            quote! {
+                #[inline]
+                fn project(&self, t: T, x: &mut #vector) {
+                    #(#statements)*
+                }
+            }
+        })
     }
 
     /// The derivative of the right-hand side by the time, after some statements; zeros where the time does not occur.
@@ -190,10 +210,12 @@ impl Items<'_> {
             [("rhs_with", rhs), ("rhs_and_jacobian_with", jacobian)]
                 .map(|(name, routine)| self.function(&format_ident!("{name}"), routine))
         };
+        let project = self.project();
         let functions = quote! {
             type Inputs = #name<T>;
             #inline
             #rhs
+            #project
             #[inline]
             fn jacobian_with(#arguments) -> #matrix {
                 self.rhs_and_jacobian_with(t, x, u).1

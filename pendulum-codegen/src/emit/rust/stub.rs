@@ -24,11 +24,13 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
         .is_empty()
         .then(|| quote!(stub: ::core::marker::PhantomData<T>));
     let (fields, controls) = (fields.into_iter(), controls.into_iter());
-    let freedom = items.state_coordinates().count();
+    let slots = || items.bodies.iter().flat_map(|body| body.fields.slots());
+    let orientations = items.bodies.iter().filter(|body| body.fields.orientation.is_some());
+    // an orientation has three rates, and four components
+    let orientations = orientations.count();
+    let freedom = slots().count() + 2 * orientations;
     let dof = count(freedom);
-    let of_coordinates = items
-        .state_coordinates()
-        .flat_map(|coordinate| places(&coordinate.to_string()));
+    let of_coordinates = slots().flat_map(|(_, slot)| places(&slot));
     // by mistake a place may have the name of another, or of a fact
     let mut places: BTreeSet<String> = of_coordinates.collect();
     places.retain(|place| !FACTS.contains(&place.as_str()));
@@ -36,7 +38,7 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
     let given = count(items.params.len());
     // the length of the state tells a law of inputs its types; without any coordinate, the length was not read
     let (length, any_length) = if freedom > 0 {
-        (count(2 * freedom).into_token_stream(), None)
+        (count(2 * freedom + orientations).into_token_stream(), None)
     } else {
         (quote!(N), Some(quote!(, const N: usize)))
     };

@@ -1,0 +1,73 @@
+mechanism! {
+    pub Names {
+        body coordinate on ground { mass: 1, inertia: [1, 1, 1], joint: ball, coordinate: theta }
+        body both on ground { mass: 1, inertia: [1, 1, 1], joint: ball, orientation: o1, coordinate: phi }
+        body none on ground { mass: 1, inertia: [1, 1, 1], joint: ball }
+        body slides on ground { mass: 1, inertia: [1, 1, 1], joint: ball, orientation: o2, position: p2 }
+        body without on ground { mass: 1, inertia: [1, 1, 1], joint: free, orientation: o3 }
+        body hinge on ground { mass: 1, inertia: [1, 1, 1], joint: revolute(z), orientation: o4 }
+        body placed on ground { mass: 1, inertia: [1, 1, 1], joint: revolute(z), coordinate: psi, position: p4 }
+        body list on ground { mass: 1, inertia: [1, 1, 1], joint: ball, orientation: [0, 0, 1] }
+        body argument on ground { mass: 1, inertia: [1, 1, 1], joint: ball(z), orientation: o5 }
+        body word on ground { mass: 1, inertia: [1, 1, 1], joint: spherical, orientation: o6 }
+    }
+}
+
+mechanism! {
+    pub Forces {
+        params { k: N m = 1 }
+        body bob on ground {
+            mass: 1, com: [0, -1, 0], inertia: [1, 1, 1], joint: ball, orientation: o,
+            spring: (k, 0), torque: k, dry_friction: k, static_friction: k, stop: [-1, 1],
+        }
+        body drone on ground {
+            mass: 1, inertia: [1, 1, 1], joint: free, orientation: turn, position: place, friction: k,
+        }
+        body driven on ground { mass: 1, inertia: [1, 1, 1], joint: ball, motion: sin(2 rad/s*t) }
+        body kg on ground { mass: 1, inertia: [1, 1, 1], joint: ball, orientation: p, friction: 2 kg }
+        body less on ground { mass: 1, inertia: [1, 1, 1], joint: ball, orientation: s, friction: -1 }
+        body law on ground { mass: 1, inertia: [1, 1, 1], joint: ball, orientation: r, friction: r.w }
+        body scalar on ground { mass: 1, inertia: 1, joint: ball, orientation: u }
+    }
+}
+
+mechanism! {
+    pub Expressions {
+        generate: [rhs, canonical],
+        point tip on bob at [0, -1, 0],
+        potential: 1 J*o,
+        potential: 1 J*o.q + 1 J*dot(o).x,
+        potential: 1 J*place.w,
+        potential: o.w,
+        dissipation: 1 W*dot(o),
+        dissipation: 1 J*dot(o).w + 1 J*dot(theta).x + 1 N*dot(tip).x + 1 J*dot(k).x,
+        force o: 1,
+        body bob on ground { mass: 1, com: [0, -1, 0], inertia: [1, 1, 1], joint: ball, orientation: o }
+        body arm on bob { mass: 1, inertia: [1, 1, 1], joint: revolute(z), coordinate: theta absolute }
+        body drone on ground { mass: 1, inertia: [1, 1, 1], joint: free, orientation: o, position: place }
+        body twice on ground { mass: 1, inertia: [1, 1, 1], joint: free, position: one, orientation: one }
+    }
+}
+
+mechanism! {
+    pub Hybrid {
+        body bob on ground { mass: 1, com: [0, -1, 0], inertia: [1, 1, 1], joint: ball, orientation: o }
+        body arm on bob {
+            mass: 1, com: [0, -1, 0], inertia: [1, 1, 1], joint: revolute(z), coordinate: theta, stop: [-1, 1],
+        }
+    }
+}
+
+mechanism! {
+    pub Rod {
+        body rod on ground { mass: 1, inertia: [0, 0, 0], joint: ball, orientation: o }
+    }
+}
+
+mechanism! {
+    pub Places {
+        body bob on ground { mass: 1, inertia: [1, 1, 1], joint: ball, orientation: cost }
+        body drone on ground { mass: 1, inertia: [1, 1, 1], joint: free, orientation: dof2, position: q_ }
+        body cart on ground { mass: 1, joint: prismatic(x), coordinate: q__x }
+    }
+}
