@@ -106,7 +106,9 @@ impl<'g> Forms<'g> {
             (form(Basis::Recursive, pushed), dynamics)
         });
         let recursive: Vec<_> = recursive.collect();
-        let articulated = ways.iter().map(|&pushed| {
+        // where joints follow others, each does not give way by itself
+        let apart = if model.has_followers() { &[] } else { ways };
+        let articulated = apart.iter().map(|&pushed| {
             let accelerations = Dynamics::articulated(model, pushed);
             (form(Basis::Articulated, pushed), accelerations)
         });

@@ -5,7 +5,7 @@ use super::joint::Geometry;
 use crate::ast;
 use crate::error::Reported;
 use crate::expr::Normalizer;
-use crate::model::{Body, BodyId, Combination, CoordinateId, Heading};
+use crate::model::{Body, BodyId, Combination, Heading};
 use crate::screw::{Mat3, Twist, Vec3};
 
 /// How far the small normal forms of axes may grow.
@@ -19,9 +19,8 @@ impl<'g> Lower<'g> {
         bodies: &[Body<'g>],
         parent: Option<BodyId>,
         geometry: &Geometry<'g>,
-        coordinate: Option<CoordinateId>,
+        own: Combination,
     ) -> Result<(Heading<'g>, Combination), Reported> {
-        let own = coordinate.map(Combination::one).unwrap_or_default();
         let before = match parent {
             Some(parent) => bodies[parent].heading.clone(),
             None => Heading {

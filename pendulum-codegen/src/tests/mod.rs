@@ -9,6 +9,7 @@ mod gallery;
 mod limits;
 mod normal_form;
 mod places;
+mod robots;
 mod solids;
 mod units;
 
