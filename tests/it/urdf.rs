@@ -126,6 +126,7 @@ pinocchio! {
     finger_edu,
     hextilt_arm,
     kinova,
+    made_up,
     panda_with_hand,
     so100,
     ur3,

@@ -175,6 +175,8 @@ def main():
         robots[name] = reference(robot, random)
         note = f"Trimmed from {path} of example-robot-data 6.0.0; see README.md for source and licence."
         write(robot, f"{name}.urdf", note)
+    made_up = ET.parse("made_up.urdf").getroot()
+    robots["made_up"] = reference(made_up, random)
     lines = [f" {json.dumps(name)}: {json.dumps(robot)}" for name, robot in robots.items()]
     pathlib.Path("reference.json").write_text("{\n" + ",\n".join(lines) + "\n}\n")
 
