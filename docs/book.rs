@@ -28,4 +28,5 @@ pages! {
     stiff_friction: "src/recipes/stiff-friction.md",
     sweep: "src/recipes/sweep.md",
     units: "src/recipes/units.md",
+    urdf: "src/recipes/urdf.md",
 }

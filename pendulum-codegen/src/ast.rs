@@ -47,6 +47,8 @@ pub(crate) struct Items {
     pub inputs: Vec<Input>,
     /// Mass properties under a name.
     pub shapes: Vec<Shape>,
+    /// The robot that brings bodies of its own.
+    pub robot: Option<Robot>,
     /// Bodies.
     pub bodies: Vec<Body>,
     /// Points of bodies.
@@ -270,6 +272,8 @@ pub(crate) struct Properties {
 pub(crate) struct Inertia {
     /// One, three or six entries.
     pub entries: Vec<Expr>,
+    /// How the axes of the entries are turned against those of the body frame.
+    pub rpy: Option<Vector>,
     /// About the origin of the body frame rather than about the centre of mass.
     pub about_joint: bool,
     /// The text of the entries.
@@ -339,6 +343,19 @@ pub(crate) enum SolidKind {
         /// Its centre.
         at: Read<Vector>,
     },
+}
+
+/// `robot: urdf("path", limits, without dry_friction),`
+#[derive(Debug)]
+pub(crate) struct Robot {
+    /// Where its file is.
+    pub path: String,
+    /// Where that is written.
+    pub span: Span,
+    /// Whether the limits of its joints are stops.
+    pub limits: bool,
+    /// Whether its joints have no dry friction.
+    pub without_dry_friction: bool,
 }
 
 /// `body name on parent: shape { .. }`
@@ -573,6 +590,14 @@ impl Items {
         let is_time = |kind: &ExprKind| matches!(kind, ExprKind::Name(name) if name == "t");
         let motion = body.fields.motion.as_ref();
         motion.is_some_and(|motion| self.uses(motion, &is_time))
+    }
+
+    /// Whether the joint of a body has a motion in which a coordinate stands.
+    pub(crate) fn follows(&self, body: &Body) -> bool {
+        let coordinates = || self.bodies.iter().filter_map(|body| body.fields.coordinate.as_ref());
+        let is_coordinate = |kind: &ExprKind| matches!(kind, ExprKind::Name(name) if coordinates().any(|c| c == name));
+        let motion = body.fields.motion.as_ref();
+        motion.is_some_and(|motion| self.uses(motion, &is_coordinate))
     }
 
     /// Whether an operation stands in an expression, or in what its names stand for.

@@ -120,6 +120,10 @@ pub(crate) const ITEMS: &Synonyms = &[
         &["drive", "driver", "prescribed", "motor"],
         "a joint is driven by `motion: e(t)` in the braces of its body, in place of its coordinate",
     ),
+    (
+        &["urdf", "file", "import", "include"],
+        "write `robot: urdf(\"robot.urdf\"),`",
+    ),
     (&["g"], "gravity"),
     (
         &["def", "define", "var", "variable", "const", "set"],

@@ -22,6 +22,7 @@ pub(super) struct Link<'g> {
     /// The joint coordinate in the coordinates of the scene.
     pub(super) motion: Combination,
     /// The coordinate that the joint brings into the scene: `motion` holds it with factor 1 or -1, and coordinates of links below.
+    /// Where a joint follows others, it is one of theirs.
     pub(super) coordinate: CoordinateId,
     /// The force along the joint: friction, spring and torque.
     pub(super) force: Expr<'g>,
@@ -74,7 +75,9 @@ pub(super) fn links<'g>(model: &Model<'g>) -> Links<'g> {
             None => (None, Transform::identity(g)),
         };
         let joint = base * body.placement;
-        let (Some(screw), Some(coordinate)) = (body.screw, body.coordinate) else {
+        // a joint that follows others has the coordinate of one of them
+        let coordinate = body.coordinate.or_else(|| body.motion.terms().next().map(|(k, _)| k));
+        let (Some(screw), Some(coordinate)) = (body.screw, coordinate) else {
             if let Some(owner) = owner {
                 let carried = MassMoments::from(joint.inertia(&body.inertia));
                 links[owner].inertia = links[owner].inertia + carried;

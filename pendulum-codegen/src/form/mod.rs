@@ -109,9 +109,13 @@ impl<'g> Forms<'g> {
             (form(Basis::Recursive, pushed), dynamics)
         });
         let recursive: Vec<_> = recursive.collect();
-        // articulated bodies know nothing of closed loops
-        let open = ways.iter().filter(|_| model.dependents.is_empty());
-        let articulated = open.map(|&pushed| {
+        // where joints follow others, each does not give way by itself
+        let apart = if model.has_followers() || !model.dependents.is_empty() {
+            &[]
+        } else {
+            ways
+        };
+        let articulated = apart.iter().map(|&pushed| {
             let accelerations = Dynamics::articulated(model, pushed);
             (form(Basis::Articulated, pushed), accelerations)
         });

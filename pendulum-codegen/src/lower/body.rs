@@ -11,7 +11,7 @@ use super::written::written;
 use crate::ast;
 use crate::error::Reported;
 use crate::expr::Printer;
-use crate::model::{Body, BodyId, Coordinate, CoordinateId, Heading};
+use crate::model::{Body, BodyId, Combination, Coordinate, CoordinateId, Heading};
 use crate::screw::SpatialInertia;
 
 impl<'g> Lower<'g> {
@@ -29,7 +29,7 @@ impl<'g> Lower<'g> {
         for (n, parent) in order {
             let body = &declared[n];
             let parent = parent.and_then(|parent| parent.and_then(|parent| placed[parent]).transpose());
-            let motion = self.motions[n].transpose();
+            let motion = self.motions[n].clone().transpose();
             let lowered = match freedom(body) {
                 Some(slides) => self.free_bodies(body, slides, parent, &bodies, coordinates, shapes),
                 None => motion
@@ -57,9 +57,13 @@ impl<'g> Lower<'g> {
     ) -> Result<Body<'g>, Reported> {
         let named = body.fields.coordinate.as_ref();
         let named = named.and_then(|name| coordinates.iter().position(|c| name == &c.name));
-        let coordinate = match motion {
-            Some(Motion::Driven(k)) => Some(k),
-            _ => named.map(CoordinateId::new),
+        let (coordinate, own, start) = match &motion {
+            Some(Motion::Following(sum, start)) => (None, sum.clone(), Some(*start)),
+            Some(Motion::Driven(k)) => (Some(*k), Combination::one(*k), None),
+            _ => {
+                let own = named.map(CoordinateId::new);
+                (own, own.map(Combination::one).unwrap_or_default(), None)
+            }
         };
         // an error in one part is no reason to leave the others unread
         let mass = self.mass_of_body(body, shapes);
@@ -67,15 +71,17 @@ impl<'g> Lower<'g> {
         let moves = geometry.as_ref().is_ok_and(|geometry| geometry.screw.is_some());
         let geometry = geometry.map(|geometry| match motion {
             Some(Motion::Still(at)) => geometry.stopped(at),
+            Some(Motion::Following(_, start)) => geometry.moved(start),
             _ => geometry,
         });
         let heading = geometry.as_ref().map_err(|reported| *reported).and_then(|geometry| {
             self.require_no_freedom(body)?;
             self.require_coordinate(body, moves)?;
-            self.heading(body, bodies, parent?, geometry, coordinate)
+            self.heading(body, bodies, parent?, geometry, own)
         });
         let motion = heading.as_ref().map(|(_, motion)| motion.clone()).unwrap_or_default();
         let position = motion.of(self.graph, |k| coordinates[k].position);
+        let position = start.map_or(position, |start| position + start);
         let rate = motion.of(self.graph, |k| coordinates[k].rate);
         let forces = self.forces(body, position, rate);
         let law = self.law(body);

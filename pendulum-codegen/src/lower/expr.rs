@@ -41,8 +41,8 @@ pub(super) enum Only {
     Positions,
     /// The same, at the gap of a wall.
     Gap,
-    /// The time.
-    Time,
+    /// The time, or coordinates.
+    Motion,
 }
 
 impl Only {
@@ -50,7 +50,7 @@ impl Only {
         match kind {
             SymbolKind::Input(_) => self == Self::All,
             SymbolKind::Rate(_) | SymbolKind::PointRate(_) => matches!(self, Self::All | Self::State),
-            SymbolKind::Coordinate(_) | SymbolKind::Point(_) | SymbolKind::Following(_) => self != Self::Time,
+            SymbolKind::Point(_) | SymbolKind::Following(_) => self != Self::Motion,
             _ => true,
         }
     }
@@ -64,8 +64,8 @@ impl Only {
                  write what depends on rates or inputs as `force coordinate: e`, and what is lost as `dissipation: e`"
             }
             Self::Gap => "a gap is where bodies are: build it from coordinates, points, the time and parameters",
-            Self::Time => {
-                "a driven joint follows the time: build it from `t` and parameters; \
+            Self::Motion => {
+                "a driven joint follows the time, or other joints: build it from `t` and parameters, or from coordinates; \
                  a joint that moves by itself has a `coordinate`"
             }
         }

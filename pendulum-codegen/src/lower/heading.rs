@@ -4,7 +4,7 @@ use super::Lower;
 use super::joint::Geometry;
 use crate::ast;
 use crate::error::Reported;
-use crate::model::{Body, BodyId, Combination, CoordinateId, Heading, parallel};
+use crate::model::{Body, BodyId, Combination, Heading, parallel};
 use crate::screw::{Mat3, Twist};
 
 impl<'g> Lower<'g> {
@@ -15,9 +15,8 @@ impl<'g> Lower<'g> {
         bodies: &[Body<'g>],
         parent: Option<BodyId>,
         geometry: &Geometry<'g>,
-        coordinate: Option<CoordinateId>,
+        own: Combination,
     ) -> Result<(Heading<'g>, Combination), Reported> {
-        let own = coordinate.map(Combination::one).unwrap_or_default();
         let before = match parent {
             Some(parent) => bodies[parent].heading.clone(),
             None => Heading {

@@ -20,7 +20,24 @@ pub(super) struct Geometry<'g> {
     pub(super) screw: Option<Twist<'g>>,
 }
 
+/// The rotation by roll, pitch and yaw, about the fixed x, then y, then z.
+pub(super) fn rotation(Vec3(rpy): Vec3<'_>) -> Mat3<'_> {
+    let g = rpy[0].graph();
+    let [roll, pitch, yaw] = [0, 1, 2].map(|k| Mat3::rotation(Vec3::unit(g, k), rpy[k]));
+    yaw * (pitch * roll)
+}
+
 impl<'g> Geometry<'g> {
+    /// The joint with a coordinate that begins at a value of that of this one.
+    pub(super) fn moved(self, at: Expr<'g>) -> Self {
+        let screw = self.screw;
+        // a screw stays where it is when it moves
+        Self {
+            screw,
+            ..self.stopped(at)
+        }
+    }
+
     /// A fixed joint, where this one is at a value of its coordinate.
     pub(super) fn stopped(self, at: Expr<'g>) -> Self {
         let Some(Twist { angular: w, linear: v }) = self.screw else {
@@ -69,10 +86,9 @@ impl<'g> Lower<'g> {
             .as_ref()
             .map_or(Ok(zero), |v| self.vector(v, &place("angle", "rad")));
         let screw = self.screw(body, &joint.kind);
-        let (at, Vec3(rpy)) = (at?, rpy?);
-        let [roll, pitch, yaw] = [0, 1, 2].map(|k| Mat3::rotation(Vec3::unit(self.graph, k), rpy[k]));
+        let (at, rpy) = (at?, rpy?);
         let placement = Transform {
-            rotation: yaw * (pitch * roll),
+            rotation: rotation(rpy),
             translation: at,
         };
         Ok(Geometry {

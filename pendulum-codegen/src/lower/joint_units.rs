@@ -87,7 +87,7 @@ impl JointUnits {
 }
 
 /// Whether an expression is the number zero.
-fn is_zero(e: &Expr) -> bool {
+pub(super) fn is_zero(e: &Expr) -> bool {
     match &e.kind {
         ExprKind::Number(n) => n.is_zero(),
         ExprKind::Measured(measured) => measured.number.is_zero(),

@@ -5,6 +5,7 @@ use syn::Ident;
 
 use super::Lower;
 use super::expr::Place;
+use super::joint::rotation;
 use crate::ast::{Inertia, Properties};
 use crate::error::Reported;
 use crate::expr::Expr;
@@ -179,10 +180,16 @@ impl<'g> Lower<'g> {
         let entries: Vec<_> = inertia.entries.iter().map(|e| self.expr(e, place)).collect();
         let entries: Vec<_> = entries.into_iter().collect::<Result<_, _>>()?;
         let zero = self.graph.zero();
+        let rpy = inertia.rpy.as_ref().map(|rpy| {
+            let place = Place::fixed(format!("the angle of the inertia of `{owner}`")).in_unit("rad");
+            self.vector(rpy, &place)
+        });
+        let rotation = rpy.transpose()?.map(rotation);
+        let turned = |moments: Symmetric3<'g>| rotation.map_or(moments, |rotation| moments.rotated(rotation));
         match entries[..] {
             [about_axis] => Ok(Moments::AboutAxis(about_axis)),
-            [xx, yy, zz] => Ok(Moments::All(Symmetric3([xx, yy, zz, zero, zero, zero]))),
-            [xx, yy, zz, xy, xz, yz] => Ok(Moments::All(Symmetric3([xx, yy, zz, xy, xz, yz]))),
+            [xx, yy, zz] => Ok(Moments::All(turned(Symmetric3([xx, yy, zz, zero, zero, zero])))),
+            [xx, yy, zz, xy, xz, yz] => Ok(Moments::All(turned(Symmetric3([xx, yy, zz, xy, xz, yz])))),
             _ => {
                 let help = "give one number (planar scenes), `[ixx, iyy, izz]`, or `[ixx, iyy, izz, ixy, ixz, iyz]`";
                 Err(self.errors.on(

@@ -1,20 +1,24 @@
-//! Joints that are driven.
+//! Joints that are driven, or follow others.
+
+use num_traits::ToPrimitive;
 
 use super::Lower;
 use super::expr::{Only, Place};
-use super::joint_units::JointUnits;
+use super::joint_units::{JointUnits, is_zero};
 use crate::ast;
 use crate::error::Reported;
 use crate::expr::{Derivative, Expr, Level, SymbolKind};
-use crate::model::{Coordinate, CoordinateId, Drive};
+use crate::model::{Combination, Coordinate, CoordinateId, Drive};
 
 /// What a joint with a motion does.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Debug)]
 pub(super) enum Motion<'g> {
     /// It stays where it is.
     Still(Expr<'g>),
     /// It follows a drive.
     Driven(CoordinateId),
+    /// It follows other joints, from a place on.
+    Following(Combination, Expr<'g>),
 }
 
 impl<'g> Lower<'g> {
@@ -26,6 +30,10 @@ impl<'g> Lower<'g> {
                 let law = self.motion(body, motion)?;
                 if law.level() < Level::State {
                     return Ok(Motion::Still(law));
+                }
+                let coordinates = self.coordinates_of(law);
+                if !coordinates.is_empty() {
+                    return self.following(body, motion, law, &coordinates);
                 }
                 let n = dof + drives.len();
                 drives.push(self.drive(body, n, law));
@@ -56,7 +64,7 @@ impl<'g> Lower<'g> {
     fn motion(&mut self, body: &ast::Body, motion: &ast::Expr) -> Result<Expr<'g>, Reported> {
         let name = &body.name;
         let place = Place {
-            only: Only::Time,
+            only: Only::Motion,
             ..Place::moving(format!("the motion of `{name}`")).in_unit(JointUnits::of(body).coordinate())
         };
         let law = self.expr(motion, &place);
@@ -65,6 +73,9 @@ impl<'g> Lower<'g> {
                 format_args!("the joint of `{name}` has a motion, so `{coordinate}` is no coordinate of the state");
             let help = "give it either `coordinate: name`, to move by itself, or `motion: e`, to follow the time";
             self.errors.at(coordinate.span(), fact, help);
+        }
+        if law.as_ref().is_ok_and(|&law| !self.coordinates_of(law).is_empty()) {
+            return law;
         }
         if let Some(stop) = &body.fields.stop {
             let fact = format_args!("the joint of `{name}` is driven, so no stop can end its motion");
@@ -80,6 +91,67 @@ impl<'g> Lower<'g> {
         self.smooth(motion, law?, 2, &place, "acceleration")
     }
 
+    /// The coordinates of the state in a law.
+    fn coordinates_of(&self, law: Expr<'g>) -> Vec<(CoordinateId, Expr<'g>)> {
+        let all = self.graph.reachable(&[law]).into_iter().map(|id| self.graph.expr(id));
+        let of = all.filter_map(|x| match x.as_symbol()?.kind {
+            SymbolKind::Coordinate(k) => Some((CoordinateId::new(k), x)),
+            _ => None,
+        });
+        of.collect()
+    }
+
+    /// The law of a joint that follows others.
+    fn following(
+        &mut self,
+        body: &ast::Body,
+        motion: &ast::Expr,
+        law: Expr<'g>,
+        coordinates: &[(CoordinateId, Expr<'g>)],
+    ) -> Result<Motion<'g>, Reported> {
+        let fields = &body.fields;
+        let frictions = [&fields.dry_friction, &fields.static_friction].into_iter().flatten();
+        let mut hindered = frictions
+            .filter(|friction| !is_zero(friction))
+            .map(|friction| &friction.tokens);
+        if let Some(hindered) = hindered.next().or(fields.stop.as_ref().map(|stop| &stop.tokens)) {
+            let fact = format_args!(
+                "the joint of `{}` follows others, so it has neither dry friction nor stops",
+                body.name
+            );
+            self.errors.on(hindered, fact, "give them to a joint that it follows");
+        }
+        let mut sum = Combination::default();
+        for &(k, position) in coordinates {
+            let slope = Derivative::by(position).of(law);
+            let whole = slope
+                .as_number()
+                .filter(|slope| slope.is_integer())
+                .and_then(|slope| slope.to_i64());
+            let Some(factor) = whole else {
+                let fact = format_args!(
+                    "the motion of `{}` is no sum of coordinates with whole factors",
+                    body.name
+                );
+                let help =
+                    "a joint follows others as in `-a`, `2*a + 0.1` or `a - b`, where `a` and `b` are coordinates";
+                return Err(self.errors.on(motion, fact, help));
+            };
+            sum = sum.plus_scaled(factor, &Combination::one(k));
+        }
+        let zeros = coordinates
+            .iter()
+            .map(|&(_, position)| (position, self.graph.zero()))
+            .collect();
+        let start = self.graph.substitute(&[law], zeros)[0];
+        if start.level() >= Level::State {
+            let fact = format_args!("the motion of `{}` depends on the time and on other joints", body.name);
+            let help = "let it follow either; two bodies in a row, one without mass, do both";
+            return Err(self.errors.on(motion, fact, help));
+        }
+        Ok(Motion::Following(sum, start))
+    }
+
     /// Refuses an expression that has fewer continuous derivatives than are needed, for one of which it is taken.
     pub(super) fn smooth(
         &mut self,
@@ -90,7 +162,7 @@ impl<'g> Lower<'g> {
         what: &str,
     ) -> Result<Expr<'g>, Reported> {
         // what depends on the time alone may jump in a potential: its force is a derivative by coordinates
-        let by_time = place.only == Only::Time;
+        let by_time = place.only == Only::Motion;
         if value.continuous_derivatives(|kind| by_time || kind != SymbolKind::Time) >= needed {
             return Ok(value);
         }

@@ -218,7 +218,7 @@ fn moving(items: &ast::Items) -> Vec<bool> {
         let parent = body.parent.as_ref().ok()?;
         bodies.iter().position(|other| other.name == *parent)
     };
-    let own = |body: &ast::Body| body.fields.moves() || items.is_driven(body);
+    let own = |body: &ast::Body| body.fields.moves() || items.is_driven(body) || items.follows(body);
     let mut moves: Vec<bool> = bodies.iter().map(own).collect();
     // as often as the longest chain has bodies
     for _ in bodies {

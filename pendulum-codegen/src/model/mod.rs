@@ -320,6 +320,12 @@ where
 }
 
 impl<'g> Model<'g> {
+    /// Whether joints follow others.
+    pub(crate) fn has_followers(&self) -> bool {
+        let follows = |body: &Body<'g>| body.coordinate.is_none() && body.motion != Combination::default();
+        self.bodies.iter().any(follows)
+    }
+
     /// The number of degrees of freedom.
     pub(crate) fn dof(&self) -> usize {
         self.coordinates.len()

@@ -273,21 +273,26 @@ impl Parse for Inertia {
             }
         };
         let tokens = tokens.unwrap_or_else(|| entries[0].tokens.clone());
-        let mut about_joint = false;
-        if input.peek(Ident) && !starts_item(input) {
-            let about: Ident = input.parse()?;
+        let (mut rpy, mut about_joint) = (None, false);
+        while input.peek(Ident) && !starts_item(input) {
+            let word: Ident = input.parse()?;
+            if word == "rpy" {
+                once(&mut rpy, input.parse()?, &word)?;
+                continue;
+            }
             let joint: Option<Ident> = input.parse()?;
-            if about != "about" || joint.is_none_or(|word| word != "joint") {
+            if word != "about" || joint.is_none_or(|joint| joint != "joint") {
                 return Err(at(
-                    about.span(),
-                    format_args!("unexpected `{about}` after the inertia"),
-                    "write `about joint`, or nothing for the centre of mass",
+                    word.span(),
+                    format_args!("unexpected `{word}` after the inertia"),
+                    "write `rpy [roll, pitch, yaw]`, `about joint`, or nothing for the centre of mass",
                 ));
             }
             about_joint = true;
         }
         Ok(Self {
             entries,
+            rpy,
             about_joint,
             tokens,
         })

@@ -9,6 +9,7 @@ mod expr;
 mod foreign;
 mod joint;
 mod point;
+mod robot;
 mod solid;
 mod token;
 mod wall;
@@ -22,19 +23,20 @@ use syn::parse::{Parse, ParseStream, Parser};
 use syn::token::Brace;
 use syn::{Attribute, Expr, ExprLit, Ident, Lit, Meta, MetaNameValue, Token, Visibility, braced};
 
-use crate::ast::{Head, Items, Read, Scene};
+use crate::ast::{Body, Head, Items, Read, Scene};
 use crate::error::{Errors, Reported, at, on};
 use crate::words::{self, Advice, advice};
 use token::{brackets, colon, identifier, list, starts_known, unexpected};
 
 /// The items of a scene.
-const ITEMS: [&str; 18] = [
+const ITEMS: [&str; 19] = [
     "units",
     "params",
     "gravity",
     "let",
     "input",
     "shape",
+    "robot",
     "body",
     "point",
     "force",
@@ -99,6 +101,17 @@ pub(crate) fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
     .parse2(tokens);
     let scene = errors.keep(scene).ok();
     (scene, errors)
+}
+
+/// Reads the bodies of a robot.
+pub(crate) fn bodies(tokens: TokenStream, errors: &mut Errors) -> Result<Vec<Body>, Reported> {
+    let mut items = Items::default();
+    let read = |input: ParseStream| Ok(each(input, errors, |input, errors| item(input, &mut items, errors)));
+    let reported = read.parse2(tokens);
+    match errors.keep(reported)? {
+        Some(reported) => Err(reported),
+        None => Ok(items.bodies),
+    }
 }
 
 /// A bracket that stands in too many others: `syn` reads them by recursion.
@@ -282,6 +295,10 @@ fn item(input: ParseStream, items: &mut Items, errors: &mut Errors) -> syn::Resu
         "shape" => {
             items.shapes.push(body::shape(input, errors)?);
             return Ok(End::Braces);
+        }
+        "robot" => {
+            colon(input, &key, errors)?;
+            once(&mut items.robot, robot::robot(input)?, &key)?;
         }
         "body" => {
             items.bodies.push(body::body(input, errors)?);

@@ -10,6 +10,7 @@ mod limits;
 mod linkages;
 mod normal_form;
 mod places;
+mod robots;
 mod solids;
 mod units;
 

@@ -4,39 +4,59 @@ use pendulum_codegen::program::{Block, Coefficient, Let, Program, Shape, Term, U
 use pendulum_core::Real;
 
 /// A program with numbers for its parameters.
-pub(super) struct Evaluator<'p> {
+pub(crate) struct Evaluator<'p> {
     program: &'p Program,
     constants: Vec<f64>,
+    /// The friction that slips, of each constraint.
+    friction: Vec<f64>,
 }
 
 /// Where it is evaluated.
 #[derive(Clone, Debug)]
-pub(super) struct Place {
-    pub(super) t: f64,
+pub(crate) struct Place {
+    pub(crate) t: f64,
     /// Coordinates, then their rates.
-    pub(super) state: Vec<f64>,
-    pub(super) accelerations: Vec<f64>,
-    pub(super) inputs: Vec<f64>,
+    pub(crate) state: Vec<f64>,
+    pub(crate) accelerations: Vec<f64>,
+    pub(crate) inputs: Vec<f64>,
 }
 
 impl Place {
     /// All of it, one after the other.
-    pub(super) fn numbers(&self) -> Vec<f64> {
+    pub(crate) fn numbers(&self) -> Vec<f64> {
         [&[self.t], &self.state[..], &self.accelerations, &self.inputs].concat()
     }
 }
 
 impl<'p> Evaluator<'p> {
-    pub(super) fn new(program: &'p Program, parameters: &[f64]) -> Self {
+    pub(crate) fn new(program: &'p Program, parameters: &[f64]) -> Self {
         let constants = values(&program.constants, |variable| match variable {
             Variable::Parameter(n) => parameters[n],
             other => panic!("a constant reads {other:?}"),
         });
-        Self { program, constants }
+        let numbers = values(&program.laws, |variable| match variable {
+            Variable::Parameter(n) => parameters[n],
+            Variable::Constant(n) => constants[n],
+            other => panic!("a law reads {other:?}"),
+        });
+        let mut rest = numbers.iter();
+        let friction = program.constraints.iter().map(|constraint| {
+            let slipping = rest.next().copied().expect("a number");
+            // friction at rest, the numbers of impacts, and limits
+            let others = 3 + usize::from(constraint.low) + usize::from(constraint.high);
+            rest.nth(others - 1).expect("its other numbers");
+            slipping
+        });
+        let friction = friction.collect();
+        Self {
+            program,
+            constants,
+            friction,
+        }
     }
 
     /// The results of a routine, one list for each shape; of symmetric matrices all entries.
-    pub(super) fn routine(&self, name: &str, place: &Place) -> Option<Vec<Vec<f64>>> {
+    pub(crate) fn routine(&self, name: &str, place: &Place) -> Option<Vec<Vec<f64>>> {
         let routine = self.program.routine(name)?;
         let all = values(&routine.block, |variable| self.read(variable, place));
         let mut rest = &all[..];
@@ -56,14 +76,14 @@ impl<'p> Evaluator<'p> {
     }
 
     /// The results of all routines, one after the other.
-    pub(super) fn all(&self, place: &Place) -> Vec<f64> {
+    pub(crate) fn all(&self, place: &Place) -> Vec<f64> {
         let routines = self.program.routines.iter();
         let results = routines.flat_map(|routine| self.routine(&routine.name, place));
         results.flatten().flatten().collect()
     }
 
     /// The coefficients of the motion in powers of the time, from the state on.
-    pub(super) fn series(&self, place: &Place, order: usize) -> Option<Vec<Vec<f64>>> {
+    pub(crate) fn series(&self, place: &Place, order: usize) -> Option<Vec<Vec<f64>>> {
         let series = self.program.series.as_ref()?;
         let (length, products) = (self.program.layout.len(), series.products);
         let start = values(&series.start, |variable| self.read(variable, place));
@@ -98,6 +118,11 @@ impl<'p> Evaluator<'p> {
             Variable::Input(n) => place.inputs[n],
             Variable::Time => place.t,
             Variable::Constant(n) => self.constants[n],
+            Variable::Force(n) => {
+                let terms = self.program.constraints[n].rate.iter();
+                let rate: f64 = terms.map(|&(n, sign)| f64::from(sign) * place.state[n]).sum();
+                -self.friction[n] * Real::signum(rate)
+            }
             other => panic!("a routine reads {other:?}"),
         }
     }

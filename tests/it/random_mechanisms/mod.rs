@@ -6,7 +6,7 @@
 
 mod compare;
 mod declared;
-mod evaluate;
+pub(crate) mod evaluate;
 mod in_c;
 mod observe;
 

@@ -1,0 +1,43 @@
+//! A robot from a file.
+
+use syn::parse::ParseStream;
+use syn::{Ident, LitStr, Token};
+
+use super::token::{end_of, identifier, parentheses};
+use crate::ast::Robot;
+use crate::error::at;
+
+/// `urdf("path", words)`
+pub(super) fn robot(input: ParseStream) -> syn::Result<Robot> {
+    const FORM: &str = "robot: urdf(\"robot.urdf\")";
+    let help = format!("write `{FORM}`");
+    let word = identifier(input, "`urdf`", FORM)?;
+    if word != "urdf" {
+        return Err(at(word.span(), format_args!("unknown kind of robot `{word}`"), help));
+    }
+    let inner = parentheses(input)?.ok_or_else(|| at(word.span(), "`urdf` takes the path of a file", &help))?;
+    let path: LitStr = inner
+        .parse()
+        .map_err(|error| at(error.span(), "the path of a URDF file stands in quotes", &help))?;
+    let mut robot = Robot {
+        path: path.value(),
+        span: path.span(),
+        limits: false,
+        without_dry_friction: false,
+    };
+    while inner.parse::<Option<Token![,]>>()?.is_some() && !inner.is_empty() {
+        let word = identifier(&inner, "`limits`", "robot: urdf(\"robot.urdf\", limits)")?;
+        let what: Option<Ident> = inner.parse()?;
+        match (word.to_string().as_str(), what) {
+            ("limits", None) => robot.limits = true,
+            ("without", Some(what)) if what == "dry_friction" => robot.without_dry_friction = true,
+            _ => {
+                let help =
+                    "known here: `limits`, which makes stops of the limits of joints, and `without dry_friction`";
+                return Err(at(word.span(), format_args!("unknown word `{word}`"), help));
+            }
+        }
+    }
+    end_of(&inner)?;
+    Ok(robot)
+}

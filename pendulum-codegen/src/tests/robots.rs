@@ -1,0 +1,213 @@
+//! Robots from files, beside the same bodies written by hand.
+
+use std::path::Path;
+
+use crate::{expand, expand_in, program_in};
+
+/// `tests/robots`
+fn folder() -> std::path::PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/robots")
+}
+
+/// The code of a scene.
+fn code(items: &str) -> String {
+    let text = format!("pub Arm {{ gravity: [0, 0, -9.81], {items} }}");
+    let code = expand_in(&folder(), text.parse().expect("tokens")).to_string();
+    assert!(!code.contains("compile_error"), "{items}\n{code}");
+    code
+}
+
+/// The code of a scene with a robot, without what the documentation says of the file.
+fn from_file(items: &str) -> String {
+    let code = code(items);
+    let (before, note) = code
+        .split_once("# [doc = \"\"] # [doc = \" Links and joints from")
+        .expect("documentation");
+    let (_, after) = note.split_once("\"]").expect("its end");
+    format!("{before}{}", after.trim_start())
+}
+
+/// Asserts that a scene with the robot `arm.urdf`, and other bodies, is one of bodies written by hand.
+fn assert_same(robot: &str, by_hand: &str) {
+    assert!(from_file(robot) == code(by_hand), "{robot}\n{by_hand}");
+}
+
+const BASE: &str = "body base on ground { }";
+
+const UPPER: &str = "body upper_arm on base {
+    mass: 1, com: [0, 0, 0], inertia: [1, 1, 1], joint: revolute([0, 1, 0]) at [0, 0, 1], coordinate: shoulder,
+}";
+
+const FOREARM: &str = "body forearm on upper_arm {
+    mass: 1, com: [0, 0, 0], inertia: [1, 1, 1], joint: revolute(y) at [0, 0, -1], coordinate: elbow, friction: 0.1,
+}";
+
+#[test]
+fn a_robot_is_its_links() {
+    assert_same("robot: urdf(\"arm.urdf\"),", &format!("{BASE} {UPPER} {FOREARM}"));
+    // the order of items does not matter, but bodies of the scene come after those of the robot
+    let hand = "body hand on forearm { mass: 0.5, com: [0.1, 0.2, 0], joint: revolute(x), coordinate: wrist }";
+    let tip = "point tip on hand at [0, 0, 1], output tip: tip, force on tip: [1, 0, 0] in forearm, force elbow: 2,";
+    assert_same(
+        &format!("{hand} {tip} robot: urdf(\"arm.urdf\"),"),
+        &format!("{BASE} {UPPER} {FOREARM} {hand} {tip}"),
+    );
+}
+
+#[test]
+fn limits_are_stops_where_that_is_said() {
+    let stop = FOREARM.replace("friction", "stop: [-2, 2.5], friction");
+    assert_same("robot: urdf(\"arm.urdf\", limits),", &format!("{BASE} {UPPER} {stop}"));
+}
+
+#[test]
+fn dry_friction_is_that_of_the_file() {
+    let rusty = |name: &str| {
+        format!("body {name} on base {{ mass: 1, com: [0, 1, 0], joint: revolute(x), coordinate: {name}_joint")
+    };
+    let by_hand = |friction: &str| format!("body base on ground {{ }} {}, {friction} }}", rusty("lever"));
+    assert_same(
+        "robot: urdf(\"rusty.urdf\"),",
+        &by_hand("friction: 0.2, dry_friction: 0.3"),
+    );
+    assert_same(
+        "robot: urdf(\"rusty.urdf\", without dry_friction),",
+        &by_hand("friction: 0.2"),
+    );
+}
+
+#[test]
+fn a_body_of_the_name_of_a_link_changes_it() {
+    let same = |change: &str, upper: &str, forearm: &str| {
+        assert_same(
+            &format!("robot: urdf(\"arm.urdf\"), {change}"),
+            &format!("{BASE} {upper} {forearm}"),
+        );
+    };
+    let replaced = |from: &str, to: &str| {
+        assert!(FOREARM.contains(from));
+        FOREARM.replace(from, to)
+    };
+    same(
+        "body forearm on upper_arm { mass: 3, friction: 0, spring: (2, 0) }",
+        UPPER,
+        &replaced("mass: 1", "spring: (2, 0), mass: 3").replace("friction: 0.1,", "friction: 0,"),
+    );
+    same(
+        "body forearm on upper_arm { com: [0, 0, 0.5], inertia: [2, 2, 3] }",
+        UPPER,
+        &replaced("[0, 0, 0]", "[0, 0, 0.5]").replace("[1, 1, 1]", "[2, 2, 3]"),
+    );
+    same(
+        "body forearm on upper_arm { solids: [rod(1, [0, 0, 0], [0, 0, -1])] }",
+        UPPER,
+        &replaced(
+            "mass: 1, com: [0, 0, 0], inertia: [1, 1, 1]",
+            "solids: [rod(1, [0, 0, 0], [0, 0, -1])]",
+        ),
+    );
+    same(
+        "shape stick { mass: 2 } body upper_arm on base: stick { coordinate: s }",
+        "shape stick { mass: 2 } body upper_arm on base: stick { joint: revolute(y) at [0, 0, 1], coordinate: s }",
+        FOREARM,
+    );
+    // a joint without a place of its own stays where it is
+    same(
+        "body forearm on upper_arm { joint: prismatic(z), friction: 5 }",
+        UPPER,
+        &replaced("revolute(y)", "prismatic(z)").replace("0.1", "5"),
+    );
+    same(
+        "body forearm on upper_arm { joint: revolute(y) at [0, 0, -2] }",
+        UPPER,
+        &replaced("[0, 0, -1]", "[0, 0, -2]"),
+    );
+    let held = "body forearm on upper_arm { mass: 1, inertia: [1, 1, 1], joint: fixed at [0, 0, -1] }";
+    same("body forearm on upper_arm { joint: fixed }", UPPER, held);
+    let driven = replaced("coordinate: elbow, friction: 0.1", "motion: 2 rad/s*t");
+    same("body forearm on upper_arm { motion: 2 rad/s*t }", UPPER, &driven);
+}
+
+#[test]
+fn a_joint_that_mimics_follows() {
+    let finger = |name: &str, moves: &str| {
+        format!(
+            "body {name} on base {{ mass: 1, com: [1, 0, 0], joint: prismatic(y) at [0, 0, 1], {moves}, friction: 0.1 }}"
+        )
+    };
+    let left = finger("left", "coordinate: l");
+    let by_hand = |moves: &str| format!("{BASE} {left} {}", finger("right", moves));
+    assert_same("robot: urdf(\"gripper.urdf\"),", &by_hand("motion: 0.02 - 2*l"));
+    let free = "robot: urdf(\"gripper.urdf\"), body right on base { coordinate: r }";
+    assert_same(free, &by_hand("coordinate: r"));
+}
+
+/// The orientation of the inertia, and names that Rust does not have.
+#[test]
+fn what_a_file_may_have_is_read() {
+    assert_same(
+        "robot: urdf(\"turned.urdf\"),",
+        "body ground_ on ground { mass: 1, com: [0, 0, 0] }
+         body _2nd on ground_ {
+            mass: 0.25, com: [0, 0.5, 0], inertia: [1, 2, 2.5, 0.1, 0.2, 0.3] rpy [pi/2, 0.3, -3*pi/4],
+            joint: revolute([1, 0, 0]) rpy [0, 0, pi], coordinate: r#type,
+         }",
+    );
+}
+
+/// A factor of 0.5 is refused, but where the scene says how the joint moves.
+#[test]
+fn what_cannot_follow_may_be_replaced() {
+    let moves = "body right on forearm { coordinate: r } body third on forearm { joint: fixed }";
+    assert!(from_file(&format!("robot: urdf(\"mimic.urdf\"), {moves}")).contains("\"r\""));
+}
+
+#[test]
+fn the_documentation_names_what_is_left_out() {
+    let docs = |items: &str| {
+        let code = code(items);
+        let (_, note) = code
+            .split_once("[doc = \" Links and joints from ")
+            .expect("documentation");
+        note.split_once("\"]").expect("its end").0.to_owned()
+    };
+    assert_eq!(docs("robot: urdf(\"arm.urdf\"),"), "`arm.urdf`. Left out: `limit`.");
+    assert_eq!(docs("robot: urdf(\"arm.urdf\", limits),"), "`arm.urdf`.");
+    let rusty = docs("robot: urdf(\"rusty.urdf\", without dry_friction),");
+    assert_eq!(
+        rusty,
+        "`rusty.urdf`. Left out: `friction`, `gazebo`, `joint_properties`, `visual`."
+    );
+}
+
+#[test]
+fn cargo_builds_anew_when_the_file_changes() {
+    let scene = |path: &str| {
+        format!("pub Arm {{ robot: urdf(\"{path}\"), }}")
+            .parse()
+            .expect("tokens")
+    };
+    let path = "tests/robots/arm.urdf";
+    let tracked = "include_bytes ! (:: core :: concat ! (:: core :: env ! (\"CARGO_MANIFEST_DIR\") , \"/\" , \"tests/robots/arm.urdf\"))";
+    assert!(expand(scene(path)).to_string().contains(tracked));
+    // so that the message of a broken file goes away when it is mended
+    assert!(
+        expand(scene("tests/robots/loop.urdf"))
+            .to_string()
+            .contains("include_bytes")
+    );
+    assert!(
+        !expand(scene("tests/robots/none.urdf"))
+            .to_string()
+            .contains("include_bytes")
+    );
+    let absolute = folder().join("arm.urdf").display().to_string();
+    let code = expand(scene(&absolute)).to_string();
+    assert!(code.contains(&format!("include_bytes ! ({absolute:?})")), "{code}");
+    assert!(
+        !expand_in(&folder(), scene("arm.urdf"))
+            .to_string()
+            .contains("include_bytes")
+    );
+    assert!(program_in(&folder(), scene("arm.urdf")).is_ok());
+}

@@ -1,0 +1,116 @@
+//! Bodies of a scene that change bodies of its robot.
+
+use crate::ast::{Body, BodyFields, Joint, JointKind, Properties};
+use crate::error::Errors;
+
+/// The bodies of a scene: those of its robot, changed by those of the same name, and then the others.
+pub(super) fn merged(robot: Vec<Body>, own: Vec<Body>, errors: &mut Errors) -> Vec<Body> {
+    let mut bodies = robot;
+    let mut changed = vec![false; bodies.len()];
+    for body in own {
+        match bodies.iter().position(|link| link.name == body.name) {
+            // twice is an error of its own
+            Some(n) if n < changed.len() && !changed[n] => {
+                changed[n] = true;
+                change(&mut bodies[n], body, errors);
+            }
+            _ => bodies.push(body),
+        }
+    }
+    bodies
+}
+
+/// Replaces what `body` names in a link.
+fn change(link: &mut Body, body: Body, errors: &mut Errors) {
+    let Body {
+        name,
+        parent,
+        shape,
+        fields,
+        unread,
+    } = body;
+    if let (Ok(parent), Ok(carrier)) = (&parent, &link.parent)
+        && parent != carrier
+    {
+        let fact = format_args!("`{name}` hangs on `{carrier}` in the file of the robot");
+        let help = format_args!(
+            "write `body {name} on {carrier} {{ .. }}` to change it, or choose another name for a new body"
+        );
+        errors.at(parent.span(), fact, help);
+    }
+    link.name = name;
+    link.parent = parent;
+    link.unread = unread.or(link.unread);
+    let BodyFields {
+        properties,
+        joint,
+        coordinate,
+        orientation,
+        position,
+        absolute,
+        depends,
+        near,
+        motion,
+        friction,
+        spring,
+        torque,
+        dry_friction,
+        static_friction,
+        stop,
+    } = fields;
+    if shape.is_some() || properties.solids.is_some() {
+        link.shape = shape;
+        link.fields.properties = properties;
+    } else {
+        let Properties { mass, com, inertia, .. } = properties;
+        replace(&mut link.fields.properties.mass, mass);
+        replace(&mut link.fields.properties.com, com);
+        replace(&mut link.fields.properties.inertia, inertia);
+    }
+    let old = &mut link.fields;
+    if let Some(Joint { kind, at, rpy }) = joint {
+        if matches!(kind, Ok(JointKind::Fixed)) {
+            release(old);
+        }
+        let place = old.joint.take();
+        let (old_at, old_rpy) = place.map(|place| (place.at, place.rpy)).unwrap_or_default();
+        // a joint without a place of its own stays where it is
+        let stays = at.is_none() && rpy.is_none();
+        let (at, rpy) = if stays { (old_at, old_rpy) } else { (at, rpy) };
+        old.joint = Some(Joint { kind, at, rpy });
+    }
+    if motion.is_some() {
+        release(old);
+    }
+    if coordinate.is_some() {
+        old.motion = None;
+    }
+    replace(&mut old.orientation, orientation);
+    replace(&mut old.position, position);
+    replace(&mut old.depends, depends);
+    replace(&mut old.near, near);
+    replace(&mut old.coordinate, coordinate);
+    replace(&mut old.absolute, absolute);
+    replace(&mut old.motion, motion);
+    replace(&mut old.friction, friction);
+    replace(&mut old.spring, spring);
+    replace(&mut old.torque, torque);
+    replace(&mut old.dry_friction, dry_friction);
+    replace(&mut old.static_friction, static_friction);
+    replace(&mut old.stop, stop);
+}
+
+/// Forgets what a joint has that moves by itself.
+fn release(fields: &mut BodyFields) {
+    fields.coordinate = None;
+    fields.motion = None;
+    fields.friction = None;
+    fields.dry_friction = None;
+    fields.stop = None;
+}
+
+fn replace<T>(old: &mut Option<T>, new: Option<T>) {
+    if new.is_some() {
+        *old = new;
+    }
+}

@@ -1,0 +1,100 @@
+//! A robot from a URDF file, as bodies of the scene: what the file says is written in the language, and read as if it
+//! stood there.
+
+mod declare;
+mod merge;
+mod number;
+mod read;
+
+use std::io::ErrorKind;
+use std::path::Path;
+
+use proc_macro2::{Group, Span, TokenStream, TokenTree};
+use quote::quote;
+
+use crate::ast::{Body, BodyFields, Robot, Scene};
+use crate::error::{Errors, Reported};
+use crate::parse;
+
+/// Adds the bodies of the robot to a scene that has one. Its file is looked for in a folder.
+pub(crate) fn read(scene: &mut Scene, folder: &Path, errors: &mut Errors) -> Result<(), Reported> {
+    let Some(robot) = &scene.items.robot else { return Ok(()) };
+    let (name, span) = (robot.path.clone(), robot.span);
+    let text = std::fs::read_to_string(folder.join(&name)).map_err(|error| {
+        let fact = match error.kind() {
+            ErrorKind::NotFound => format!("there is no file `{name}`"),
+            _ => format!("`{name}` cannot be read: {error}"),
+        };
+        errors.at(span, fact, "the path begins at the folder in which `Cargo.toml` is")
+    })?;
+    let (mut found, mut wrong) = read::read(&text);
+    let declared = match wrong.is_empty() {
+        true => declare::declare(&found, robot, &replaced(&scene.items.bodies), &mut wrong),
+        false => String::new(),
+    };
+    let report = |wrong: read::Wrong| errors.at(span, format_args!("`{name}`: {}", wrong.fact), wrong.help);
+    if let Some(reported) = wrong.into_iter().map(report).last() {
+        return Err(reported);
+    }
+    if !robot.limits && found.joints.iter().any(|joint| joint.limits.is_some()) {
+        found.left_out.insert("limit".to_owned());
+    }
+    if robot.without_dry_friction && found.joints.iter().any(|joint| joint.friction.is_some()) {
+        found.left_out.insert("friction".to_owned());
+    }
+    let tokens: TokenStream = declared.parse().map_err(|error| {
+        let fact = format_args!("`{name}` has something that is no Rust: {error}");
+        errors.at(span, fact, "look for unusual names and numbers")
+    })?;
+    let links = parse::bodies(at(span, tokens), errors)?;
+    scene.head.docs.extend(docs(&name, &found));
+    let own = std::mem::take(&mut scene.items.bodies);
+    scene.items.bodies = merge::merged(links, own, errors);
+    Ok(())
+}
+
+/// The bodies whose joints are declared in the scene.
+fn replaced(own: &[Body]) -> Vec<String> {
+    let moves = |fields: &BodyFields| fields.joint.is_some() || fields.coordinate.is_some() || fields.motion.is_some();
+    let replaced = own.iter().filter(|body| moves(&body.fields));
+    replaced.map(|body| body.name.to_string()).collect()
+}
+
+/// What the documentation of the model says of its robot.
+fn docs(name: &str, robot: &read::Robot) -> Vec<String> {
+    let left: Vec<String> = robot.left_out.iter().map(|element| format!("`{element}`")).collect();
+    let left = match &left[..] {
+        [] => String::new(),
+        _ => format!(" Left out: {}.", left.join(", ")),
+    };
+    vec![String::new(), format!(" Links and joints from `{name}`.{left}")]
+}
+
+/// Tokens that stand on one place.
+fn at(span: Span, tokens: TokenStream) -> TokenStream {
+    let placed = |token| match token {
+        TokenTree::Group(group) => {
+            let mut group = Group::new(group.delimiter(), at(span, group.stream()));
+            group.set_span(span);
+            TokenTree::Group(group)
+        }
+        mut token => {
+            token.set_span(span);
+            token
+        }
+    };
+    tokens.into_iter().map(placed).collect()
+}
+
+/// An item by which cargo builds anew when the file of a robot changes. It names the manifest's folder as the compiler
+/// knows it, so that it is the same on every machine.
+pub(crate) fn tracked(robot: &Robot) -> TokenStream {
+    let name = &robot.path;
+    let path = match Path::new(name).is_absolute() {
+        true => quote!(#name),
+        false => quote!(::core::concat!(::core::env!("CARGO_MANIFEST_DIR"), "/", #name)),
+    };
+    quote!(
+        const _: &[u8] = ::core::include_bytes!(#path);
+    )
+}

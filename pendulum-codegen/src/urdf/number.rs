@@ -1,0 +1,129 @@
+//! Numbers of a URDF file as text of the language.
+
+use std::f64::consts::FRAC_PI_4;
+
+/// The least angle or length that a file can mean, in rad or m: exporters leave rounding of zeros behind.
+const DUST: f64 = 1e-12;
+
+/// How near to a multiple of 45 degrees an angle means that multiple, however many digits it has: some files have
+/// 1.570796325.
+const NEAR: f64 = 1e-8;
+
+/// The fewest decimals by which a multiple of 45 degrees is known.
+const FEWEST_DECIMALS: i32 = 4;
+
+/// A number, digit for digit.
+pub(super) fn number(text: &str) -> Option<String> {
+    let value: f64 = text.parse().ok().filter(|value: &f64| value.is_finite())?;
+    if value == 0.0 {
+        return Some("0".to_owned());
+    }
+    let (sign, digits) = match text.strip_prefix('-') {
+        Some(digits) => ("-", digits),
+        None => ("", text.strip_prefix('+').unwrap_or(text)),
+    };
+    // Rust has no `.5`, and takes the method `e3` in `1.e3`
+    let (mantissa, exponent) = digits.find(['e', 'E']).map_or((digits, ""), |at| digits.split_at(at));
+    let (whole, fraction) = mantissa.split_once('.').unwrap_or((mantissa, "0"));
+    let part = |digits: &str| {
+        if digits.is_empty() {
+            "0".to_owned()
+        } else {
+            digits.to_owned()
+        }
+    };
+    Some(format!("{sign}{}.{}{exponent}", part(whole), part(fraction)))
+}
+
+/// A length or a part of a direction.
+pub(super) fn length(text: &str) -> Option<String> {
+    let value: f64 = text.parse().ok()?;
+    if value.abs() < DUST {
+        Some("0".to_owned())
+    } else {
+        number(text)
+    }
+}
+
+/// An angle: a multiple of 45 degrees that was rounded or cut off is that multiple of pi. Its sine and cosine are exact
+/// then, and those that are zero cost nothing.
+pub(super) fn angle(text: &str) -> Option<String> {
+    let value: f64 = text.parse().ok()?;
+    let count = (value / FRAC_PI_4).round();
+    if count == 0.0 || (value - count * FRAC_PI_4).abs() > last_decimal(text).max(NEAR) {
+        return length(text);
+    }
+    let sign = if count < 0.0 { "-" } else { "" };
+    Some(match count.abs() {
+        1.0 => format!("{sign}pi/4"),
+        2.0 => format!("{sign}pi/2"),
+        4.0 => format!("{sign}pi"),
+        quarters => format!("{sign}{quarters}*pi/4"),
+    })
+}
+
+/// One unit of the last decimal of a number; 0 where it has so few that it says little.
+fn last_decimal(text: &str) -> f64 {
+    let (mantissa, exponent) = text.split_once(['e', 'E']).unwrap_or((text, "0"));
+    let fraction = mantissa.split_once('.').map_or("", |(_, fraction)| fraction);
+    let decimals = i32::try_from(fraction.len()).ok();
+    let decimals = decimals.and_then(|decimals| decimals.checked_sub(exponent.parse().ok()?));
+    match decimals {
+        Some(decimals) if decimals >= FEWEST_DECIMALS => 10.0_f64.powi(-decimals),
+        _ => 0.0,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{angle, number};
+
+    #[test]
+    fn numbers_keep_their_digits() {
+        let known = [
+            ("0.00666", "0.00666"),
+            ("-0.0", "0"),
+            (".5", "0.5"),
+            ("1.", "1.0"),
+            ("+2", "2.0"),
+            ("-1.5E-07", "-1.5E-07"),
+            ("1.e3", "1.0e3"),
+            ("5e-324", "5.0e-324"),
+        ];
+        for (text, ours) in known {
+            assert_eq!(number(text).as_deref(), Some(ours), "{text}");
+        }
+        for text in ["", "nan", "inf", "1e999", "1,5", "${m}", "0x1p3"] {
+            assert_eq!(number(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn rounded_multiples_of_45_degrees_are_exact() {
+        let known = [
+            ("1.57079632679", "pi/2"),
+            ("1.570796325", "pi/2"),
+            ("-1.5708", "-pi/2"),
+            ("1.57079", "pi/2"),
+            ("1.570796e0", "pi/2"),
+            ("3.14159", "pi"),
+            ("-3.1415926535897931", "-pi"),
+            ("-0.785398163397", "-pi/4"),
+            ("2.356194490192345", "3*pi/4"),
+            ("4.7124", "6*pi/4"),
+            // fewer decimals, or others, are another angle
+            ("1.571", "1.571"),
+            ("1.5703", "1.5703"),
+            ("1.57081234", "1.57081234"),
+            ("1.57", "1.57"),
+            ("2", "2.0"),
+            ("0.0001", "0.0001"),
+            // what is left of a zero
+            ("-6.12303176911189e-17", "0"),
+            ("0", "0"),
+        ];
+        for (text, ours) in known {
+            assert_eq!(angle(text).as_deref(), Some(ours), "{text}");
+        }
+    }
+}

@@ -1,0 +1,375 @@
+//! The links and joints of a URDF file, with their numbers as text of the language.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use roxmltree::{Document, Node};
+
+use super::number::{angle, length, number};
+
+/// What is wrong with a file, and what to do about it.
+#[derive(Debug)]
+pub(super) struct Wrong {
+    pub(super) fact: String,
+    pub(super) help: String,
+}
+
+/// A robot as its file describes it.
+#[derive(Debug, Default)]
+pub(super) struct Robot {
+    pub(super) links: Vec<Link>,
+    pub(super) joints: Vec<Joint>,
+    /// Elements that say nothing about the motion, and those that are not taken over.
+    pub(super) left_out: BTreeSet<String>,
+}
+
+/// A link.
+#[derive(Debug)]
+pub(super) struct Link {
+    pub(super) name: String,
+    pub(super) inertial: Option<Inertial>,
+}
+
+/// The mass properties of a link.
+#[derive(Debug)]
+pub(super) struct Inertial {
+    pub(super) origin: Origin,
+    pub(super) mass: String,
+    /// `[ixx, iyy, izz, ixy, ixz, iyz]`
+    pub(super) inertia: [String; 6],
+}
+
+/// A place and an orientation.
+#[derive(Debug)]
+pub(super) struct Origin {
+    pub(super) xyz: [String; 3],
+    pub(super) rpy: [String; 3],
+}
+
+/// A joint.
+#[derive(Debug)]
+pub(super) struct Joint {
+    pub(super) name: String,
+    pub(super) kind: Kind,
+    pub(super) origin: Origin,
+    pub(super) parent: String,
+    pub(super) child: String,
+    pub(super) axis: [String; 3],
+    /// The least and the largest coordinate.
+    pub(super) limits: Option<[String; 2]>,
+    /// Viscous and dry friction.
+    pub(super) damping: Option<String>,
+    pub(super) friction: Option<String>,
+    pub(super) mimic: Option<Mimic>,
+}
+
+/// How a joint moves.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Kind {
+    Fixed,
+    Turns,
+    Slides,
+}
+
+/// A joint that follows another.
+#[derive(Debug)]
+pub(super) struct Mimic {
+    pub(super) joint: String,
+    pub(super) multiplier: String,
+    pub(super) offset: String,
+}
+
+/// Elements that have nothing to do with the motion.
+const ELSEWHERE: [&str; 18] = [
+    "visual",
+    "collision",
+    "transmission",
+    "gazebo",
+    "material",
+    "sensor",
+    "contact",
+    "mujoco",
+    "ros2_control",
+    "safety_controller",
+    "calibration",
+    "self_collision_checking",
+    "collision_checking",
+    "self_filter",
+    "kinematic",
+    "gravity",
+    "surface",
+    "verbose",
+];
+
+/// The number of an attribute that is a zero.
+pub(super) const ZERO: &str = "0";
+
+/// That of the default multiplier.
+pub(super) const ONE: &str = "1.0";
+
+/// Reads a file. Whatever can be read is returned, beside all that is wrong.
+pub(super) fn read(text: &str) -> (Robot, Vec<Wrong>) {
+    let mut reader = Reader::default();
+    match Document::parse(text) {
+        Ok(document) => reader.robot(document.root_element()),
+        Err(error) => reader.wrong(format!("it is no XML: {error}"), "mend the file"),
+    }
+    (reader.robot, reader.wrong)
+}
+
+#[derive(Debug, Default)]
+struct Reader {
+    robot: Robot,
+    wrong: Vec<Wrong>,
+}
+
+impl Reader {
+    fn wrong(&mut self, fact: impl Into<String>, help: impl Into<String>) {
+        let (fact, help) = (fact.into(), help.into());
+        self.wrong.push(Wrong { fact, help });
+    }
+
+    fn robot(&mut self, root: Node<'_, '_>) {
+        let is_xacro = |node: &Node<'_, '_>| node.tag_name().namespace().is_some_and(|space| space.contains("xacro"));
+        if root.descendants().any(|node| is_xacro(&node)) {
+            return self.wrong(
+                "it is a xacro file, not yet a URDF file",
+                "expand it first: `xacro robot.urdf.xacro > robot.urdf`",
+            );
+        }
+        if !root.has_tag_name("robot") {
+            let fact = format!("it holds a `{}` in the place of a robot", root.tag_name().name());
+            return self.wrong(fact, "a URDF file is `<robot name=\"..\"> .. </robot>`");
+        }
+        for node in self.children(root, "the robot", &["link", "joint"]) {
+            match node.tag_name().name() {
+                "link" => self.link(node),
+                _ => self.joint(node),
+            }
+        }
+        self.repeated("link", |robot| {
+            robot.links.iter().map(|link| link.name.clone()).collect()
+        });
+        self.repeated("joint", |robot| {
+            robot.joints.iter().map(|joint| joint.name.clone()).collect()
+        });
+    }
+
+    fn repeated(&mut self, what: &str, names: fn(&Robot) -> Vec<String>) {
+        let mut seen = BTreeSet::new();
+        for name in names(&self.robot) {
+            if !seen.insert(name.clone()) {
+                self.wrong(format!("{what} `{name}` is there twice"), "rename one of the two");
+            }
+        }
+    }
+
+    fn link(&mut self, node: Node<'_, '_>) {
+        let Some(name) = self.text(node, "name", "a link") else {
+            return;
+        };
+        let owner = format!("link `{name}`");
+        let mut inertial = None;
+        for part in self.children(node, &owner, &["inertial"]) {
+            inertial = Some(self.inertial(part, &owner));
+        }
+        self.robot.links.push(Link {
+            name,
+            inertial: inertial.flatten(),
+        });
+    }
+
+    fn inertial(&mut self, node: Node<'_, '_>, owner: &str) -> Option<Inertial> {
+        let parts = self.by_name(node, owner, &["origin", "mass", "inertia"]);
+        let origin = self.origin(parts.get("origin").copied(), owner);
+        let (Some(&mass), Some(&inertia)) = (parts.get("mass"), parts.get("inertia")) else {
+            let missing = if parts.contains_key("mass") { "inertia" } else { "mass" };
+            self.wrong(
+                format!("the inertial of {owner} has no `{missing}`"),
+                "complete it, or remove `inertial` for a link without mass",
+            );
+            return None;
+        };
+        let mass = self.number(mass, "value", owner, None);
+        let entries = ["ixx", "iyy", "izz", "ixy", "ixz", "iyz"].map(|entry| self.number(inertia, entry, owner, None));
+        let zero = |x: &String| x == ZERO;
+        if mass == ZERO {
+            if !entries.iter().all(zero) {
+                self.wrong(
+                    format!("{owner} has an inertia, but its mass is 0"),
+                    "give it its mass in kg",
+                );
+            }
+            return None;
+        }
+        Some(Inertial {
+            origin,
+            mass,
+            inertia: entries,
+        })
+    }
+
+    fn joint(&mut self, node: Node<'_, '_>) {
+        let Some(name) = self.text(node, "name", "a joint") else {
+            return;
+        };
+        let owner = format!("joint `{name}`");
+        let known = ["origin", "parent", "child", "axis", "limit", "dynamics", "mimic"];
+        let parts = self.by_name(node, &owner, &known);
+        let word = self.text(node, "type", &owner);
+        let kind = word.and_then(|word| self.kind(&word, &owner));
+        let [parent, child] = ["parent", "child"].map(|end| match parts.get(end) {
+            Some(&part) => self.text(part, "link", &format!("the {end} of {owner}")),
+            None => {
+                self.wrong(format!("{owner} has no {end}"), format!("add `<{end} link=\"..\"/>`"));
+                None
+            }
+        });
+        let origin = self.origin(parts.get("origin").copied(), &owner);
+        let axis = parts
+            .get("axis")
+            .and_then(|&part| self.triple(part, "xyz", &owner, length));
+        let limits = parts
+            .get("limit")
+            .filter(|limit| limit.has_attribute("lower") || limit.has_attribute("upper"));
+        let limits = limits.map(|&limit| {
+            let as_place = if kind == Some(Kind::Turns) { angle } else { length };
+            ["lower", "upper"].map(|end| {
+                let text = limit.attribute(end).unwrap_or(ZERO);
+                self.parsed(text, end, &owner, as_place)
+            })
+        });
+        let [damping, friction] = ["damping", "friction"].map(|what| {
+            let part = parts.get("dynamics").filter(|part| part.has_attribute(what));
+            let number = part.map(|&part| self.number(part, what, &owner, None));
+            number.filter(|number| number != ZERO)
+        });
+        let mimic = parts.get("mimic").and_then(|&part| {
+            Some(Mimic {
+                joint: self.text(part, "joint", &format!("the mimic of {owner}"))?,
+                multiplier: self.number(part, "multiplier", &owner, Some(ONE)),
+                offset: self.number(part, "offset", &owner, Some(ZERO)),
+            })
+        });
+        let (Some(kind), Some(parent), Some(child)) = (kind, parent, child) else {
+            return;
+        };
+        self.robot.joints.push(Joint {
+            name,
+            kind,
+            origin,
+            parent,
+            child,
+            // that of the specification, where none is given
+            axis: axis.unwrap_or_else(|| ["1", ZERO, ZERO].map(str::to_owned)),
+            limits: limits.filter(|_| node.attribute("type") != Some("continuous")),
+            damping,
+            friction,
+            mimic,
+        });
+    }
+
+    fn kind(&mut self, word: &str, owner: &str) -> Option<Kind> {
+        let instead = match word {
+            "fixed" => return Some(Kind::Fixed),
+            "revolute" | "continuous" => return Some(Kind::Turns),
+            "prismatic" => return Some(Kind::Slides),
+            // a free joint would be one more kind, with its words in `declare`
+            "floating" => "fix the joint, or replace it by bodies without mass on sliding and turning joints",
+            "planar" => "write it as two prismatic joints and a revolute one, with links without mass between them",
+            _ => "known are fixed, revolute, continuous and prismatic",
+        };
+        self.wrong(format!("{owner} is `{word}`, which is not read"), instead);
+        None
+    }
+
+    fn origin(&mut self, node: Option<Node<'_, '_>>, owner: &str) -> Origin {
+        let mut of = |attribute: &str, read: fn(&str) -> Option<String>| {
+            let given = node.filter(|node| node.has_attribute(attribute));
+            let given = given.and_then(|node| self.triple(node, attribute, owner, read));
+            given.unwrap_or_else(|| [ZERO; 3].map(str::to_owned))
+        };
+        Origin {
+            xyz: of("xyz", length),
+            rpy: of("rpy", angle),
+        }
+    }
+
+    /// The child elements of known names. Those that belong elsewhere, or to a name space, are left out.
+    fn children<'a, 'i>(&mut self, node: Node<'a, 'i>, owner: &str, known: &[&str]) -> Vec<Node<'a, 'i>> {
+        let mut found = Vec::new();
+        for child in node.children().filter(Node::is_element) {
+            let name = child.tag_name();
+            if name.namespace().is_none() && known.contains(&name.name()) {
+                found.push(child);
+            } else if name.namespace().is_some() || name.name().contains(':') || ELSEWHERE.contains(&name.name()) {
+                self.robot.left_out.insert(name.name().to_owned());
+            } else {
+                let line = node.document().text_pos_at(child.range().start).row;
+                let fact = format!("unknown element `{}` in {owner}, line {line}", name.name());
+                let help = format!("remove it, or write what is meant; read are {}", known.join(", "));
+                self.wrong(fact, help);
+            }
+        }
+        found
+    }
+
+    /// The child elements, of which each name may stand once.
+    fn by_name<'a, 'i>(&mut self, node: Node<'a, 'i>, owner: &str, known: &[&str]) -> BTreeMap<&'a str, Node<'a, 'i>> {
+        let mut parts = BTreeMap::new();
+        for part in self.children(node, owner, known) {
+            let name = part.tag_name().name();
+            if parts.insert(name, part).is_some() {
+                self.wrong(format!("{owner} has two elements `{name}`"), "keep one of the two");
+            }
+        }
+        parts
+    }
+
+    fn text(&mut self, node: Node<'_, '_>, attribute: &str, owner: &str) -> Option<String> {
+        let text = node.attribute(attribute).map(str::trim).filter(|text| !text.is_empty());
+        if text.is_none() {
+            let line = node.document().text_pos_at(node.range().start).row;
+            self.wrong(format!("{owner} has no `{attribute}`, line {line}"), "add it");
+        }
+        text.map(str::to_owned)
+    }
+
+    /// The number of an attribute, or what holds where it is left out.
+    fn number(&mut self, node: Node<'_, '_>, attribute: &str, owner: &str, default: Option<&str>) -> String {
+        match node.attribute(attribute).or(default) {
+            Some(text) => self.parsed(text, attribute, owner, number),
+            None => {
+                let element = node.tag_name().name();
+                self.wrong(format!("`{element}` of {owner} has no `{attribute}`"), "add it");
+                ONE.to_owned()
+            }
+        }
+    }
+
+    fn parsed(&mut self, text: &str, attribute: &str, owner: &str, read: fn(&str) -> Option<String>) -> String {
+        read(text.trim()).unwrap_or_else(|| {
+            let fact = format!("`{attribute}` of {owner} is `{text}`, which is no number");
+            self.wrong(fact, "write a decimal number such as 0.25 or 1e-3");
+            // no zero, which may be an error of its own
+            ONE.to_owned()
+        })
+    }
+
+    fn triple(
+        &mut self,
+        node: Node<'_, '_>,
+        attribute: &str,
+        owner: &str,
+        read: fn(&str) -> Option<String>,
+    ) -> Option<[String; 3]> {
+        let text = node.attribute(attribute).unwrap_or_default();
+        let parts: Vec<&str> = text.split_whitespace().collect();
+        let Ok(parts) = <[&str; 3]>::try_from(parts) else {
+            let element = node.tag_name().name();
+            let fact = format!("`{attribute}` in `{element}` of {owner} is `{text}`");
+            self.wrong(fact, "write three numbers with spaces between them");
+            return None;
+        };
+        Some(parts.map(|part| self.parsed(part, attribute, owner, read)))
+    }
+}

@@ -1,0 +1,13 @@
+mechanism! {
+    pub Following {
+        body a on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: p }
+        body b on a { mass: 1, com: [0, -1, 0], joint: revolute(z), motion: p/2 }
+        body c on a { mass: 1, com: [0, -1, 0], joint: revolute(z), motion: p^2 }
+        body d on a { mass: 1, com: [0, -1, 0], joint: revolute(z), motion: p + 1 rad/s*t }
+        body e on a { mass: 1, com: [0, -1, 0], joint: revolute(z), motion: -p, dry_friction: 1 }
+        body f on a { mass: 1, com: [0, -1, 0], joint: revolute(z), motion: -p, stop: [-1, 1] }
+        body h on a { mass: 1, com: [0, -1, 0], joint: prismatic(z), motion: dot(p) }
+        body i on a { mass: 1, com: [0, -1, 0], joint: fixed, motion: p }
+        body j on a { mass: 1, com: [0, -1, 0], joint: revolute(z), motion: p, coordinate: x }
+    }
+}
