@@ -104,22 +104,20 @@ impl Items<'_> {
         Some(quote!(#system #jacobian))
     }
 
-    /// The methods of `System` that say what the state is, and that keep it so.
+    /// The method of `System` that returns the layout of the state.
     pub(super) fn layout(&self) -> TokenStream {
         let name = &self.head.name;
-        let project = self.project();
         quote! {
             #[inline]
             fn layout(&self) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
                 Some(&<#name>::LAYOUT)
             }
-            #project
         }
     }
 
     /// The method that makes quaternions of unit length again, and that ends a motion where a loop comes to its toggle: there other
     /// assemblies begin, and digits are lost. None where there is neither.
-    fn project(&self) -> Option<TokenStream> {
+    pub(super) fn project(&self) -> Option<TokenStream> {
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
         let normalised = self.program.layout.quaternions().map(|places| {
             let [w, x, y, z] = [0, 1, 2, 3].map(|n| count(places.start + n));
