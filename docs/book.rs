@@ -21,6 +21,7 @@ pages! {
     computed_torque: "src/recipes/computed-torque.md",
     flip_map: "src/recipes/flip-map.md",
     identification: "src/recipes/identification.md",
+    linkages: "src/recipes/linkages.md",
     magnets: "src/recipes/magnets.md",
     pictures: "src/recipes/pictures.md",
     poincare_section: "src/recipes/poincare-section.md",
