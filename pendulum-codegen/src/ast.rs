@@ -450,6 +450,13 @@ pub(crate) struct Joint {
     pub rpy: Option<Vector>,
 }
 
+impl Joint {
+    /// Whether it does not move.
+    pub(crate) fn is_fixed(&self) -> bool {
+        matches!(self.kind, Ok(JointKind::Fixed))
+    }
+}
+
 /// How a joint moves.
 #[derive(Debug)]
 pub(crate) enum JointKind {

@@ -138,6 +138,11 @@ fn a_joint_that_mimics_follows() {
     let left = finger("left", "coordinate: l");
     let by_hand = |moves: &str| format!("{BASE} {left} {}", finger("right", moves));
     assert_same("robot: urdf(\"gripper.urdf\"),", &by_hand("motion: 0.02 - 2*l"));
+    let renamed = "robot: urdf(\"gripper.urdf\"), body left on base { coordinate: grip }";
+    assert_same(
+        renamed,
+        &by_hand("motion: 0.02 - 2*grip").replace("coordinate: l", "coordinate: grip"),
+    );
     let free = "robot: urdf(\"gripper.urdf\"), body right on base { coordinate: r }";
     assert_same(free, &by_hand("coordinate: r"));
 }

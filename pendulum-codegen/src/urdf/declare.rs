@@ -6,9 +6,20 @@ use std::fmt::Write;
 use super::read::{Joint, Kind, Link, Mimic, Origin, Robot, Wrong, ZERO};
 use crate::ast;
 
+/// What a scene says of the joint of a link.
+#[derive(Debug)]
+pub(super) struct Replaced {
+    /// The body of the link.
+    pub(super) body: String,
+    /// The coordinate, where it has another name.
+    pub(super) coordinate: Option<String>,
+    /// Whether the joint is fixed, or driven.
+    pub(super) held: bool,
+}
+
 /// The bodies of a robot: one for each link, in the order of the joints that carry them; first the root, which stands
 /// on the ground. The joints of some links are `replaced`, so it does not matter what they follow.
-pub(super) fn declare(robot: &Robot, item: &ast::Robot, replaced: &[String], wrong: &mut Vec<Wrong>) -> String {
+pub(super) fn declare(robot: &Robot, item: &ast::Robot, replaced: &[Replaced], wrong: &mut Vec<Wrong>) -> String {
     let mut text = String::new();
     if !is_tree(robot, wrong) {
         return text;
@@ -23,11 +34,20 @@ pub(super) fn declare(robot: &Robot, item: &ast::Robot, replaced: &[String], wro
         let Some(link) = robot.links.iter().find(|link| link.name == joint.child) else {
             continue;
         };
+        let is_replaced = |link: &String| replaced.iter().find(|replaced| replaced.body == links[link]);
         let moving = match (joint.kind, &joint.mimic) {
             (Kind::Fixed, _) => String::new(),
             (_, None) => format!("coordinate: {},", joints[&joint.name]),
-            (_, Some(_)) if replaced.contains(&links[&link.name]) => String::new(),
-            (_, Some(mimic)) => followed(robot, joint, mimic, &joints, wrong),
+            (_, Some(_)) if is_replaced(&link.name).is_some() => String::new(),
+            (_, Some(mimic)) => {
+                let leader = robot.joints.iter().find(|other| other.name == mimic.joint);
+                let leader = leader.map(|leader| Leader {
+                    joint: leader,
+                    name: &joints[&leader.name],
+                    replaced: is_replaced(&leader.child),
+                });
+                followed(joint, mimic, leader, wrong)
+            }
         };
         let (body, parent) = (&links[&link.name], &links[&joint.parent]);
         let (mass, forces) = (mass(link), forces(joint, item));
@@ -166,38 +186,50 @@ fn placed(joint: &Joint) -> String {
     text
 }
 
+/// A joint that another one follows.
+struct Leader<'r> {
+    joint: &'r Joint,
+    name: &'r str,
+    replaced: Option<&'r Replaced>,
+}
+
 /// The motion of a joint that follows another.
-fn followed(
-    robot: &Robot,
-    joint: &Joint,
-    mimic: &Mimic,
-    names: &BTreeMap<&String, String>,
-    wrong: &mut Vec<Wrong>,
-) -> String {
-    let (name, multiplier) = (&joint.name, &mimic.multiplier);
-    let mut refuse = |why: String, help: String| {
-        let fact = format!("joint `{name}` mimics `{}`{why}", mimic.joint);
+fn followed(joint: &Joint, mimic: &Mimic, leader: Option<Leader<'_>>, wrong: &mut Vec<Wrong>) -> String {
+    let (body, parent) = (identifier(&joint.child), identifier(&joint.parent));
+    let mut refuse = |why: &str, help: &str| {
+        let fact = format!("joint `{}` mimics `{}`{why}", joint.name, mimic.joint);
+        let instead = format!(
+            "or write `body {body} on {parent} {{ joint: fixed }}` to hold it, `{{ coordinate: .. }}` to let it move"
+        );
+        let help = format!("{help}, {instead}");
         wrong.push(Wrong { fact, help });
         String::new()
     };
-    let another = || "let it mimic a joint that moves by itself".to_owned();
-    let Some(leader) = robot.joints.iter().find(|other| other.name == mimic.joint) else {
-        return refuse(", which is no joint".to_owned(), another());
+    let another = "let it mimic a joint that moves by itself";
+    let Some(Leader {
+        joint: leader,
+        name,
+        replaced,
+    }) = leader
+    else {
+        return refuse(", which is no joint", another);
     };
     if leader.kind == Kind::Fixed {
-        return refuse(", which is fixed".to_owned(), another());
+        return refuse(", which is fixed", another);
     }
     if leader.mimic.is_some() {
-        return refuse(", which itself mimics another".to_owned(), another());
+        return refuse(", which itself mimics another", another);
     }
+    if replaced.is_some_and(|replaced| replaced.held) {
+        return refuse(", which the scene holds or drives", another);
+    }
+    let multiplier = &mimic.multiplier;
     if multiplier.parse().is_ok_and(|factor: f64| factor.fract() != 0.0) {
-        let (body, parent) = (identifier(&joint.child), identifier(&joint.parent));
-        let help = format!(
-            "factors are whole numbers; hold it by `body {body} on {parent} {{ joint: fixed }}`, \
-             or let it move by itself by `coordinate: ..` there"
-        );
-        return refuse(format!(" by a factor of {multiplier}"), help);
+        return refuse(&format!(" by a factor of {multiplier}"), "let it be a whole number");
     }
+    let name = replaced
+        .and_then(|replaced| replaced.coordinate.as_deref())
+        .unwrap_or(name);
     let unit = match (joint.kind, leader.kind) {
         (Kind::Turns, Kind::Slides) => " * 1 rad/m",
         (Kind::Slides, Kind::Turns) => " * 1 m/rad",
@@ -207,7 +239,7 @@ fn followed(
         ZERO => String::new(),
         offset => format!(" + {offset}"),
     };
-    format!("motion: {multiplier} * {}{unit}{offset},", names[&leader.name])
+    format!("motion: {multiplier} * {name}{unit}{offset},")
 }
 
 /// What acts along a joint.

@@ -1,6 +1,6 @@
 //! Bodies of a scene that change bodies of its robot.
 
-use crate::ast::{Body, BodyFields, Joint, JointKind, Properties};
+use crate::ast::{Body, BodyFields, Joint, Properties};
 use crate::error::Errors;
 
 /// The bodies of a scene: those of its robot, changed by those of the same name, and then the others.
@@ -68,10 +68,10 @@ fn change(link: &mut Body, body: Body, errors: &mut Errors) {
         replace(&mut link.fields.properties.inertia, inertia);
     }
     let old = &mut link.fields;
+    if joint.as_ref().is_some_and(Joint::is_fixed) {
+        release(old);
+    }
     if let Some(Joint { kind, at, rpy }) = joint {
-        if matches!(kind, Ok(JointKind::Fixed)) {
-            release(old);
-        }
         let place = old.joint.take();
         let (old_at, old_rpy) = place.map(|place| (place.at, place.rpy)).unwrap_or_default();
         // a joint without a place of its own stays where it is

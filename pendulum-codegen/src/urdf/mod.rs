@@ -12,9 +12,10 @@ use std::path::Path;
 use proc_macro2::{Group, Span, TokenStream, TokenTree};
 use quote::quote;
 
-use crate::ast::{Body, BodyFields, Robot, Scene};
+use crate::ast::{Body, BodyFields, Joint, Robot, Scene};
 use crate::error::{Errors, Reported};
 use crate::parse;
+use declare::Replaced;
 
 /// Adds the bodies of the robot to a scene that has one. Its file is looked for in a folder.
 pub(crate) fn read(scene: &mut Scene, folder: &Path, errors: &mut Errors) -> Result<(), Reported> {
@@ -53,11 +54,16 @@ pub(crate) fn read(scene: &mut Scene, folder: &Path, errors: &mut Errors) -> Res
     Ok(())
 }
 
-/// The bodies whose joints are declared in the scene.
-fn replaced(own: &[Body]) -> Vec<String> {
+/// What a scene says of joints.
+fn replaced(own: &[Body]) -> Vec<Replaced> {
     let moves = |fields: &BodyFields| fields.joint.is_some() || fields.coordinate.is_some() || fields.motion.is_some();
     let replaced = own.iter().filter(|body| moves(&body.fields));
-    replaced.map(|body| body.name.to_string()).collect()
+    let replaced = replaced.map(|Body { name, fields, .. }| Replaced {
+        body: name.to_string(),
+        coordinate: fields.coordinate.as_ref().map(ToString::to_string),
+        held: fields.motion.is_some() || fields.joint.as_ref().is_some_and(Joint::is_fixed),
+    });
+    replaced.collect()
 }
 
 /// What the documentation of the model says of its robot.
