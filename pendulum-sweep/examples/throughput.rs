@@ -74,7 +74,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 [upper, lower, 0.0, 0.0],
             ))
         })
-        .shard(1 << 16)
+        .shard(3 << 13)
         .obey(arguments, "out/throughput.parquet")?;
     let (time, wall) = (processor_time()? - since, clock.elapsed().as_secs_f64());
     println!(

@@ -422,9 +422,12 @@ impl<const N: usize> Observer<f64, N> for Seen<'_, N> {
     }
 }
 
+/// A quantity along a trajectory.
+type Along<'s, const N: usize> = Box<dyn Fn(f64, &SVector<f64, N>) -> f64 + 's>;
+
 /// Where a quantity is largest so far.
 struct Extremum<'s, const N: usize> {
-    value: Box<dyn Fn(f64, &SVector<f64, N>) -> f64 + 's>,
+    value: Along<'s, N>,
     t: f64,
     most: f64,
     /// Between this place and those beside it at which the quantity was looked at.
@@ -436,7 +439,7 @@ struct Extremum<'s, const N: usize> {
 }
 
 impl<'s, const N: usize> Extremum<'s, N> {
-    fn new(value: Box<dyn Fn(f64, &SVector<f64, N>) -> f64 + 's>, t: f64, x: SVector<f64, N>) -> Self {
+    fn new(value: Along<'s, N>, t: f64, x: SVector<f64, N>) -> Self {
         let (most, about) = (value(t, &x), Solution::start(t, x));
         Self {
             value,
