@@ -578,7 +578,7 @@ k20 = -2*l
             Some(&<HeavyTop>::LAYOUT)
         }
         #[inline]
-        fn project(&self, _: T, x: &mut ::pendulum_core::nalgebra::SVector<T, 7>) {
+        fn project(&self, t: T, x: &mut ::pendulum_core::nalgebra::SVector<T, 7>) {
             let norm = (x[0] * x[0] + x[1] * x[1] + x[2] * x[2] + x[3] * x[3]).sqrt();
             x[0] /= norm;
             x[1] /= norm;

@@ -1,0 +1,1732 @@
+#[allow(non_snake_case)]
+mod __DoubleFourBar {
+    ///Parameters of [`DoubleFourBar`].
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct DoubleFourBarParams {
+        ///In kg.
+        pub m: f64,
+        ///In m.
+        pub l: f64,
+        ///In m/s^2.
+        pub g: f64,
+    }
+    impl ::core::default::Default for DoubleFourBarParams {
+        #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+        fn default() -> Self {
+            Self {
+                m: 1f64,
+                l: 1f64,
+                g: 9.81f64,
+            }
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl DoubleFourBarParams {
+        /// The names of the parameters, in the order of their declaration.
+        pub const NAMES: [&'static str; 3] = ["m", "l", "g"];
+        /// The values of the parameters, in the order of [`NAMES`](Self::NAMES).
+        pub const fn to_array(self) -> [f64; 3] {
+            [self.m, self.l, self.g]
+        }
+        /// The parameters with these values, in the order of [`NAMES`](Self::NAMES).
+        pub const fn from_array(values: [f64; 3]) -> Self {
+            let [v0, v1, v2] = values;
+            Self { m: v0, l: v1, g: v2 }
+        }
+    }
+    /// Five bars of length `l` and mass `m`.
+    ///
+    /**# Equations of motion
+
+```text
+A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints
+
+A[theta, theta] = 4/3*m*l^2 + m*l^2*slope_beam_theta*t0 + m*l^2*slope_second_theta*slope_other_theta*t2 + 1/3*m*l^2*slope_beam_theta^2 + 4/3*m*l^2*slope_second_theta^2 + 1/3*m*l^2*slope_other_theta^2 + 1/3*m*l^2*slope_third_theta^2
+b[theta] = 0.5*m*l^2*dot(theta)^2*slope_beam_theta*t1 + 1.5*m*l*g*sin(theta) + 0.5*m*l^2*dot(angle_second)^2*slope_other_theta*t3 + 1/3*m*l^2*slope_beam_theta*drift_beam + 0.5*m*l*g*slope_beam_theta*cos(angle_beam) + 4/3*m*l^2*slope_second_theta*drift_second + 1.5*m*l*g*slope_second_theta*sin(angle_second) + 0.5*m*l^2*slope_second_theta*drift_other*t2 + 0.5*m*l^2*drift_beam*t0 + 0.5*m*l^2*drift_second*slope_other_theta*t2 + 1/3*m*l^2*slope_other_theta*drift_other + 0.5*m*l*g*slope_other_theta*cos(angle_other) + 1/3*m*l^2*slope_third_theta*drift_third + 0.5*m*l*g*slope_third_theta*sin(angle_third) - 0.5*m*l^2*dot(angle_beam)^2*t1 - 0.5*m*l^2*slope_second_theta*dot(angle_other)^2*t3
+
+where
+angle_beam = atan2((0.5*l*cos(theta) - (l - l*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))/l, (0.5*(l - l*sin(theta)) + l*cos(theta)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))/l)
+angle_second = atan2((0.5*(l - l*sin(theta)) + l*cos(theta)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25) + l*sin(theta) - l)/l, (l*cos(theta) + (l - l*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25) - 0.5*l*cos(theta))/l)
+slope_beam_theta = -1*(l*cos(theta)*(l - l*sin(theta) - 0.5*(l - l*sin(theta)) - l*cos(theta)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25)) + l*sin(theta)*(l*cos(theta) + (l - l*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25) - 0.5*l*cos(theta)))/((2*l^2 - 2*l^2*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))
+slope_second_theta = 1*(l*cos(theta)*(0.5*(l - l*sin(theta)) + l*cos(theta)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25)) - l*sin(theta)*((l - l*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25) - 0.5*l*cos(theta)))/((2*l^2 - 2*l^2*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))
+drift_beam = -1*((l*cos(theta) + (l - l*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25) - 0.5*l*cos(theta))*(l*dot(theta)^2*cos(theta) - (0.5*l*cos(theta) - (l - l*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))*dot(angle_beam)^2 - (l*cos(theta) + (l - l*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25) - 0.5*l*cos(theta))*dot(angle_second)^2) - (l - l*sin(theta) - 0.5*(l - l*sin(theta)) - l*cos(theta)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))*(l*dot(theta)^2*sin(theta) + (0.5*(l - l*sin(theta)) + l*cos(theta)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))*dot(angle_beam)^2 + (l - l*sin(theta) - 0.5*(l - l*sin(theta)) - l*cos(theta)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))*dot(angle_second)^2))/((2*l^2 - 2*l^2*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))
+drift_second = -1*((0.5*(l - l*sin(theta)) + l*cos(theta)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))*(l*dot(theta)^2*sin(theta) + (0.5*(l - l*sin(theta)) + l*cos(theta)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))*dot(angle_beam)^2 + (l - l*sin(theta) - 0.5*(l - l*sin(theta)) - l*cos(theta)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))*dot(angle_second)^2) + ((l - l*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25) - 0.5*l*cos(theta))*(l*dot(theta)^2*cos(theta) - (0.5*l*cos(theta) - (l - l*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))*dot(angle_beam)^2 - (l*cos(theta) + (l - l*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25) - 0.5*l*cos(theta))*dot(angle_second)^2))/((2*l^2 - 2*l^2*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))
+angle_other = atan2((0.5*l*cos(angle_second) - (2*l - l - l*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))/l, (0.5*(2*l - l - l*sin(angle_second)) + l*cos(angle_second)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))/l)
+angle_third = atan2((0.5*(2*l - l - l*sin(angle_second)) + l*cos(angle_second)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25) + l + l*sin(angle_second) - 2*l)/l, (l*cos(angle_second) + (2*l - l - l*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25) - 0.5*l*cos(angle_second))/l)
+slope_other_theta = -1*(l*slope_second_theta*cos(angle_second)*(2*l - l - l*sin(angle_second) - 0.5*(2*l - l - l*sin(angle_second)) - l*cos(angle_second)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25)) + l*slope_second_theta*sin(angle_second)*(l*cos(angle_second) + (2*l - l - l*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25) - 0.5*l*cos(angle_second)))/((2*l^2 - 2*l^2*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))
+slope_third_theta = 1*(l*slope_second_theta*cos(angle_second)*(0.5*(2*l - l - l*sin(angle_second)) + l*cos(angle_second)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25)) - l*slope_second_theta*sin(angle_second)*((2*l - l - l*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25) - 0.5*l*cos(angle_second)))/((2*l^2 - 2*l^2*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))
+drift_other = -1*((2*l - l - l*sin(angle_second) - 0.5*(2*l - l - l*sin(angle_second)) - l*cos(angle_second)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))*(l*drift_second*cos(angle_second) - l*dot(angle_second)^2*sin(angle_second) - (0.5*(2*l - l - l*sin(angle_second)) + l*cos(angle_second)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))*dot(angle_other)^2 - (2*l - l - l*sin(angle_second) - 0.5*(2*l - l - l*sin(angle_second)) - l*cos(angle_second)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))*dot(angle_third)^2) + (l*cos(angle_second) + (2*l - l - l*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25) - 0.5*l*cos(angle_second))*(l*drift_second*sin(angle_second) + l*dot(angle_second)^2*cos(angle_second) - (0.5*l*cos(angle_second) - (2*l - l - l*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))*dot(angle_other)^2 - (l*cos(angle_second) + (2*l - l - l*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25) - 0.5*l*cos(angle_second))*dot(angle_third)^2))/((2*l^2 - 2*l^2*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))
+drift_third = 1*((0.5*(2*l - l - l*sin(angle_second)) + l*cos(angle_second)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))*(l*drift_second*cos(angle_second) - l*dot(angle_second)^2*sin(angle_second) - (0.5*(2*l - l - l*sin(angle_second)) + l*cos(angle_second)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))*dot(angle_other)^2 - (2*l - l - l*sin(angle_second) - 0.5*(2*l - l - l*sin(angle_second)) - l*cos(angle_second)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))*dot(angle_third)^2) - ((2*l - l - l*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25) - 0.5*l*cos(angle_second))*(l*drift_second*sin(angle_second) + l*dot(angle_second)^2*cos(angle_second) - (0.5*l*cos(angle_second) - (2*l - l - l*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))*dot(angle_other)^2 - (l*cos(angle_second) + (2*l - l - l*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25) - 0.5*l*cos(angle_second))*dot(angle_third)^2))/((2*l^2 - 2*l^2*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))
+t0 = sin(theta - angle_beam)
+t1 = cos(theta - angle_beam)
+t2 = sin(angle_second - angle_other)
+t3 = cos(angle_second - angle_other)
+```
+
+# Constants, computed by `new`
+
+```text
+k0 = l
+k1 = -l
+k2 = l^2
+k3 = 2*l
+k4 = 2*l^2
+k5 = m*l^2
+k6 = 0.5*m*l^2
+k7 = 1.5*m*l*g
+k8 = 0.5*m*l*g
+k9 = 2/3*m*l^2
+k10 = 1/6*m*l^2
+k11 = 1/l
+k12 = 2*l - l
+k13 = 1*0.5*m*g
+k14 = 1
+k15 = 0.5*l^2
+k16 = 1/sqrt(l^4)
+k17 = 0.5*l^2
+k18 = 1*0.5*m*l
+k19 = 1/sqrt(l^4)
+k20 = 1*2*l
+k21 = -1
+```
+*/
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct DoubleFourBar<T = f64> {
+        params: DoubleFourBarParams,
+        constants: [T; 22],
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl DoubleFourBar {
+        /// Builds the model: checks the parameters, and computes once whatever depends on them alone.
+        ///
+        /// # Errors
+        ///
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        pub fn new(
+            params: DoubleFourBarParams,
+        ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
+            #[inline]
+            fn rules<T: ::pendulum_core::real::Real>(given: [T; 3]) -> [T; 1] {
+                let [p_m, p_l, p_g] = given;
+                [p_m]
+            }
+            #[inline]
+            fn constants<T: ::pendulum_core::real::Real>(given: [T; 3]) -> [T; 22] {
+                let [p_m, p_l, p_g] = given;
+                let t0 = -p_l;
+                let t1 = p_l * (T::from_f64(0.5) * p_l);
+                let t2 = p_l * p_l;
+                let t3 = T::from_f64(0.5) * t2;
+                let t4 = T::from_f64(2.0) * p_l;
+                let t5 = t4 - p_l;
+                let t6 = T::from_f64(2.0) * t2;
+                let t7 = p_m * t2;
+                let t8 = T::from_f64(0.6666666666666666) * t7;
+                let t9 = T::from_f64(0.16666666666666666) * t7;
+                let t10 = T::from_f64(0.5) * t7;
+                let t11 = p_g * (p_m * p_l);
+                let t12 = T::from_f64(1.5) * t11;
+                let t13 = T::from_f64(0.5) * t11;
+                let t14 = T::from_f64(1.0) / p_l;
+                let t15 = t13 * t14;
+                let t16 = t10 * t14;
+                let t17 = t6 * t14;
+                let t18 = p_l * t14;
+                let t19 = -t18;
+                let t20 = p_l * p_l * p_l * p_l;
+                let t21 = T::from_f64(1.0) / t20.sqrt();
+                let t22 = T::from_f64(1.0) / t20.sqrt();
+                [
+                    p_l,
+                    t0,
+                    t2,
+                    t4,
+                    t6,
+                    t7,
+                    t10,
+                    t12,
+                    t13,
+                    t8,
+                    t9,
+                    t14,
+                    t5,
+                    t15,
+                    t18,
+                    t3,
+                    t21,
+                    t1,
+                    t16,
+                    t22,
+                    t17,
+                    t19,
+                ]
+            }
+            let given = params.to_array();
+            for (name, value) in DoubleFourBarParams::NAMES.into_iter().zip(given) {
+                if !value.is_finite() {
+                    return Err(
+                        ::pendulum_core::ParameterError::new(
+                            name,
+                            value,
+                            "a parameter must be finite",
+                            &[],
+                        ),
+                    );
+                }
+            }
+            let [r0] = rules(given);
+            if !(r0 > 0.0) {
+                return Err(
+                    ::pendulum_core::ParameterError::new(
+                        "m",
+                        r0,
+                        "the mass of a rod of `hanging` must be positive",
+                        &[],
+                    ),
+                );
+            }
+            let constants = constants(given);
+            let names: [&'static str; 22] = [
+                "l",
+                "-l",
+                "l^2",
+                "2*l",
+                "2*l^2",
+                "m*l^2",
+                "0.5*m*l^2",
+                "1.5*m*l*g",
+                "0.5*m*l*g",
+                "2/3*m*l^2",
+                "1/6*m*l^2",
+                "1/l",
+                "2*l - l",
+                "1*0.5*m*g",
+                "1",
+                "0.5*l^2",
+                "1/sqrt(l^4)",
+                "0.5*l^2",
+                "1*0.5*m*l",
+                "1/sqrt(l^4)",
+                "1*2*l",
+                "-1",
+            ];
+            for (name, value) in names.into_iter().zip(constants) {
+                if !value.is_finite() {
+                    let given: [_; 3] = ::core::array::from_fn(|n| (
+                        DoubleFourBarParams::NAMES[n],
+                        given[n],
+                    ));
+                    return Err(
+                        ::pendulum_core::ParameterError::new(
+                            name,
+                            value,
+                            "a constant of the equations is not finite: a coordinate has no inertia, a divisor is zero, or a number is too large",
+                            &given,
+                        ),
+                    );
+                }
+            }
+            Ok(Self { params, constants })
+        }
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
+        /// then rounded.
+        pub fn cast<T: ::pendulum_core::real::Real>(&self) -> DoubleFourBar<T> {
+            DoubleFourBar {
+                params: self.params,
+                constants: self.constants.map(T::from_f64),
+            }
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> DoubleFourBar<T> {
+        /// The parameters that the model was built from.
+        pub fn params(&self) -> &DoubleFourBarParams {
+            &self.params
+        }
+        /// The model with other parameters, in the same number type. Its constants are computed anew.
+        ///
+        /// # Errors
+        ///
+        /// Those of `new`.
+        pub fn with_params(
+            &self,
+            params: DoubleFourBarParams,
+        ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
+            Ok(<DoubleFourBar>::new(params)?.cast())
+        }
+    }
+    impl DoubleFourBar {
+        ///The place of `theta` in the state, where it stands in rad.
+        pub const THETA: usize = 0;
+        ///The place of `dot(theta)` in the state, where it stands in rad/s.
+        pub const DOT_THETA: usize = 1;
+        /// The number of degrees of freedom; the state has twice as many components.
+        pub const DOF: usize = 1;
+        /// The names of the coordinates, in the order in which they, and then their rates, stand in the state.
+        pub const COORDINATES: [&'static str; 1] = ["theta"];
+        /// Counted operations of each generated function, in the form that it has and in others.
+        pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::new(
+            &[
+                (
+                    "rhs",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of the state first, L^T D L",
+                            ::pendulum_core::Operations::new(57, 114, 5, 1, 2, 72),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first, L^T D L",
+                                    ::pendulum_core::Operations::new(57, 114, 5, 1, 2, 72),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded, L^T D L",
+                                    ::pendulum_core::Operations::new(57, 115, 5, 1, 2, 72),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "recursion, L^T D L",
+                                    ::pendulum_core::Operations::new(90, 129, 5, 1, 2, 79),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C, L^T D L",
+                                    ::pendulum_core::Operations::new(122, 153, 5, 1, 2, 79),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "loop_margins",
+                    ::pendulum_core::FunctionCost::new(
+                            "as declared",
+                            ::pendulum_core::Operations::new(7, 12, 3, 1, 2, 53),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(11, 14, 4, 1, 3, 49),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(11, 16, 4, 1, 3, 50),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(11, 16, 4, 1, 3, 51),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "jacobian",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of the state first, L^T D L, derived in the graph",
+                            ::pendulum_core::Operations::new(194, 332, 11, 1, 2, 94),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first, L^T D L, derived in the graph",
+                                    ::pendulum_core::Operations::new(194, 332, 11, 1, 2, 94),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded, L^T D L, derived in the graph",
+                                    ::pendulum_core::Operations::new(202, 362, 11, 1, 2, 99),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "recursion, L^T D L, derived in the graph",
+                                    ::pendulum_core::Operations::new(287, 396, 11, 1, 2, 108),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C, L^T D L, derived in the graph",
+                                    ::pendulum_core::Operations::new(346, 448, 11, 1, 2, 98),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "kinetic",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, expanded",
+                            ::pendulum_core::Operations::new(26, 54, 4, 1, 2, 61),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(26, 55, 4, 1, 2, 61),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(26, 56, 4, 1, 2, 61),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "recursion",
+                                    ::pendulum_core::Operations::new(42, 70, 4, 1, 2, 66),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C",
+                                    ::pendulum_core::Operations::new(67, 86, 4, 1, 2, 66),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "potential",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of the state first",
+                            ::pendulum_core::Operations::new(16, 18, 2, 1, 2, 54),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(16, 18, 2, 1, 2, 54),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(16, 18, 2, 1, 2, 55),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C",
+                                    ::pendulum_core::Operations::new(18, 19, 2, 1, 2, 57),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "recursion",
+                                    ::pendulum_core::Operations::new(18, 19, 2, 1, 2, 57),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "parallel",
+                    ::pendulum_core::FunctionCost::new(
+                            "as declared",
+                            ::pendulum_core::Operations::new(31, 44, 2, 2, 6, 65),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(31, 44, 2, 2, 6, 65),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(31, 44, 2, 2, 6, 65),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(31, 44, 2, 2, 6, 65),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "parallel_rate",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of the state first",
+                            ::pendulum_core::Operations::new(22, 36, 4, 1, 2, 56),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(22, 36, 4, 1, 2, 56),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(22, 36, 4, 1, 2, 56),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "as declared",
+                                    ::pendulum_core::Operations::new(24, 36, 4, 1, 2, 56),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "parallel_and_jacobian",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of the state first",
+                            ::pendulum_core::Operations::new(39, 60, 4, 2, 6, 65),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(39, 60, 4, 2, 6, 65),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(39, 60, 4, 2, 6, 65),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "as declared",
+                                    ::pendulum_core::Operations::new(40, 60, 4, 2, 6, 65),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "margins",
+                    ::pendulum_core::FunctionCost::new(
+                            "as declared",
+                            ::pendulum_core::Operations::new(7, 12, 3, 1, 2, 53),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(7, 12, 3, 1, 2, 53),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(7, 12, 3, 1, 2, 53),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(7, 12, 3, 1, 2, 53),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "margins_rate",
+                    ::pendulum_core::FunctionCost::new(
+                            "as declared",
+                            ::pendulum_core::Operations::new(12, 33, 7, 1, 2, 56),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(18, 35, 6, 1, 3, 52),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(18, 36, 6, 1, 3, 53),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(18, 37, 6, 1, 3, 53),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "margins_and_jacobian",
+                    ::pendulum_core::FunctionCost::new(
+                            "as declared",
+                            ::pendulum_core::Operations::new(12, 34, 7, 1, 2, 54),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(20, 38, 7, 1, 4, 52),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(20, 39, 7, 1, 4, 52),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(20, 40, 7, 1, 4, 53),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "outputs",
+                    ::pendulum_core::FunctionCost::new(
+                            "as declared",
+                            ::pendulum_core::Operations::new(31, 48, 2, 2, 6, 65),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(31, 48, 2, 2, 6, 65),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(31, 48, 2, 2, 6, 65),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(31, 48, 2, 2, 6, 65),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "output_rates",
+                    ::pendulum_core::FunctionCost::new(
+                            "as declared",
+                            ::pendulum_core::Operations::new(26, 55, 8, 1, 2, 57),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(32, 57, 8, 1, 4, 56),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(32, 59, 8, 1, 4, 56),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(33, 59, 8, 1, 4, 56),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "outputs_and_jacobian",
+                    ::pendulum_core::FunctionCost::new(
+                            "as declared",
+                            ::pendulum_core::Operations::new(42, 79, 8, 2, 6, 65),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(49, 81, 8, 2, 8, 65),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(49, 83, 8, 2, 8, 65),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(50, 83, 8, 2, 8, 65),
+                                ),
+                            ],
+                        ),
+                ),
+            ],
+        );
+        /// What each part of the state is.
+        pub const LAYOUT: ::pendulum_core::StateLayout = ::pendulum_core::StateLayout::new(
+                &[
+                    ::pendulum_core::Slot::new(
+                            "theta",
+                            ::pendulum_core::SlotKind::Angle,
+                            0..1,
+                            1..2,
+                        )
+                        .periodic(),
+                ],
+            )
+            .autonomous();
+        /// The equations of motion as text.
+        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[theta, theta] = 4/3*m*l^2 + m*l^2*slope_beam_theta*t0 + m*l^2*slope_second_theta*slope_other_theta*t2 + 1/3*m*l^2*slope_beam_theta^2 + 4/3*m*l^2*slope_second_theta^2 + 1/3*m*l^2*slope_other_theta^2 + 1/3*m*l^2*slope_third_theta^2\nb[theta] = 0.5*m*l^2*dot(theta)^2*slope_beam_theta*t1 + 1.5*m*l*g*sin(theta) + 0.5*m*l^2*dot(angle_second)^2*slope_other_theta*t3 + 1/3*m*l^2*slope_beam_theta*drift_beam + 0.5*m*l*g*slope_beam_theta*cos(angle_beam) + 4/3*m*l^2*slope_second_theta*drift_second + 1.5*m*l*g*slope_second_theta*sin(angle_second) + 0.5*m*l^2*slope_second_theta*drift_other*t2 + 0.5*m*l^2*drift_beam*t0 + 0.5*m*l^2*drift_second*slope_other_theta*t2 + 1/3*m*l^2*slope_other_theta*drift_other + 0.5*m*l*g*slope_other_theta*cos(angle_other) + 1/3*m*l^2*slope_third_theta*drift_third + 0.5*m*l*g*slope_third_theta*sin(angle_third) - 0.5*m*l^2*dot(angle_beam)^2*t1 - 0.5*m*l^2*slope_second_theta*dot(angle_other)^2*t3\n\nwhere\nangle_beam = atan2((0.5*l*cos(theta) - (l - l*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))/l, (0.5*(l - l*sin(theta)) + l*cos(theta)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))/l)\nangle_second = atan2((0.5*(l - l*sin(theta)) + l*cos(theta)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25) + l*sin(theta) - l)/l, (l*cos(theta) + (l - l*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25) - 0.5*l*cos(theta))/l)\nslope_beam_theta = -1*(l*cos(theta)*(l - l*sin(theta) - 0.5*(l - l*sin(theta)) - l*cos(theta)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25)) + l*sin(theta)*(l*cos(theta) + (l - l*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25) - 0.5*l*cos(theta)))/((2*l^2 - 2*l^2*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))\nslope_second_theta = 1*(l*cos(theta)*(0.5*(l - l*sin(theta)) + l*cos(theta)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25)) - l*sin(theta)*((l - l*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25) - 0.5*l*cos(theta)))/((2*l^2 - 2*l^2*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))\ndrift_beam = -1*((l*cos(theta) + (l - l*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25) - 0.5*l*cos(theta))*(l*dot(theta)^2*cos(theta) - (0.5*l*cos(theta) - (l - l*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))*dot(angle_beam)^2 - (l*cos(theta) + (l - l*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25) - 0.5*l*cos(theta))*dot(angle_second)^2) - (l - l*sin(theta) - 0.5*(l - l*sin(theta)) - l*cos(theta)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))*(l*dot(theta)^2*sin(theta) + (0.5*(l - l*sin(theta)) + l*cos(theta)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))*dot(angle_beam)^2 + (l - l*sin(theta) - 0.5*(l - l*sin(theta)) - l*cos(theta)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))*dot(angle_second)^2))/((2*l^2 - 2*l^2*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))\ndrift_second = -1*((0.5*(l - l*sin(theta)) + l*cos(theta)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))*(l*dot(theta)^2*sin(theta) + (0.5*(l - l*sin(theta)) + l*cos(theta)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))*dot(angle_beam)^2 + (l - l*sin(theta) - 0.5*(l - l*sin(theta)) - l*cos(theta)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))*dot(angle_second)^2) + ((l - l*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25) - 0.5*l*cos(theta))*(l*dot(theta)^2*cos(theta) - (0.5*l*cos(theta) - (l - l*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))*dot(angle_beam)^2 - (l*cos(theta) + (l - l*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25) - 0.5*l*cos(theta))*dot(angle_second)^2))/((2*l^2 - 2*l^2*sin(theta))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(theta)) - 0.25))\nangle_other = atan2((0.5*l*cos(angle_second) - (2*l - l - l*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))/l, (0.5*(2*l - l - l*sin(angle_second)) + l*cos(angle_second)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))/l)\nangle_third = atan2((0.5*(2*l - l - l*sin(angle_second)) + l*cos(angle_second)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25) + l + l*sin(angle_second) - 2*l)/l, (l*cos(angle_second) + (2*l - l - l*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25) - 0.5*l*cos(angle_second))/l)\nslope_other_theta = -1*(l*slope_second_theta*cos(angle_second)*(2*l - l - l*sin(angle_second) - 0.5*(2*l - l - l*sin(angle_second)) - l*cos(angle_second)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25)) + l*slope_second_theta*sin(angle_second)*(l*cos(angle_second) + (2*l - l - l*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25) - 0.5*l*cos(angle_second)))/((2*l^2 - 2*l^2*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))\nslope_third_theta = 1*(l*slope_second_theta*cos(angle_second)*(0.5*(2*l - l - l*sin(angle_second)) + l*cos(angle_second)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25)) - l*slope_second_theta*sin(angle_second)*((2*l - l - l*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25) - 0.5*l*cos(angle_second)))/((2*l^2 - 2*l^2*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))\ndrift_other = -1*((2*l - l - l*sin(angle_second) - 0.5*(2*l - l - l*sin(angle_second)) - l*cos(angle_second)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))*(l*drift_second*cos(angle_second) - l*dot(angle_second)^2*sin(angle_second) - (0.5*(2*l - l - l*sin(angle_second)) + l*cos(angle_second)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))*dot(angle_other)^2 - (2*l - l - l*sin(angle_second) - 0.5*(2*l - l - l*sin(angle_second)) - l*cos(angle_second)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))*dot(angle_third)^2) + (l*cos(angle_second) + (2*l - l - l*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25) - 0.5*l*cos(angle_second))*(l*drift_second*sin(angle_second) + l*dot(angle_second)^2*cos(angle_second) - (0.5*l*cos(angle_second) - (2*l - l - l*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))*dot(angle_other)^2 - (l*cos(angle_second) + (2*l - l - l*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25) - 0.5*l*cos(angle_second))*dot(angle_third)^2))/((2*l^2 - 2*l^2*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))\ndrift_third = 1*((0.5*(2*l - l - l*sin(angle_second)) + l*cos(angle_second)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))*(l*drift_second*cos(angle_second) - l*dot(angle_second)^2*sin(angle_second) - (0.5*(2*l - l - l*sin(angle_second)) + l*cos(angle_second)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))*dot(angle_other)^2 - (2*l - l - l*sin(angle_second) - 0.5*(2*l - l - l*sin(angle_second)) - l*cos(angle_second)*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))*dot(angle_third)^2) - ((2*l - l - l*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25) - 0.5*l*cos(angle_second))*(l*drift_second*sin(angle_second) + l*dot(angle_second)^2*cos(angle_second) - (0.5*l*cos(angle_second) - (2*l - l - l*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))*dot(angle_other)^2 - (l*cos(angle_second) + (2*l - l - l*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25) - 0.5*l*cos(angle_second))*dot(angle_third)^2))/((2*l^2 - 2*l^2*sin(angle_second))*sqrt(1*l^2/(2*l^2 - 2*l^2*sin(angle_second)) - 0.25))\nt0 = sin(theta - angle_beam)\nt1 = cos(theta - angle_beam)\nt2 = sin(angle_second - angle_other)\nt3 = cos(angle_second - angle_other)\n";
+        ///The names of the components of all outputs.
+        pub const OUTPUTS: [&'static str; 6] = [
+            "parallel[0]",
+            "parallel[1]",
+            "parallel[2]",
+            "parallel[3]",
+            "margins[0]",
+            "margins[1]",
+        ];
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::System<T, 2>
+    for DoubleFourBar<T> {
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn rhs(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
+            let [q_theta, qd_theta] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k2 = self.constants[2];
+            let k4 = self.constants[4];
+            let k5 = self.constants[5];
+            let k7 = self.constants[7];
+            let k8 = self.constants[8];
+            let k11 = self.constants[11];
+            let k12 = self.constants[12];
+            let t0 = qd_theta * qd_theta;
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t1 = k0 * sin_theta;
+            let t2 = k0 - t1;
+            let t3 = k0 * cos_theta;
+            let t4 = k4 - k4 * sin_theta;
+            let t5 = (k2 * (T::from_f64(1.0) / t4) - T::from_f64(0.25)).sqrt();
+            let t6 = T::from_f64(1.0) / (t4 * t5);
+            let t7 = T::from_f64(0.5) * t2 + t3 * t5;
+            let t8 = t2 * t5 - T::from_f64(0.5) * t3;
+            let t9 = t2 - t7;
+            let t10 = k11 * t9;
+            let t11 = t6 * (t3 * t7 - t1 * t8);
+            let t12 = k0 * t10;
+            let t13 = k12 + t12;
+            let t14 = t3 + t8;
+            let t15 = k11 * t14;
+            let t16 = k0 * t15;
+            let t17 = k4 + k4 * t10;
+            let t18 = (k2 * (T::from_f64(1.0) / t17) - T::from_f64(0.25)).sqrt();
+            let t19 = T::from_f64(1.0) / (t17 * t18);
+            let t20 = T::from_f64(0.5) * t13 + t16 * t18;
+            let t21 = t13 * t18 - T::from_f64(0.5) * t16;
+            let t22 = t13 - t20;
+            let t23 = t11 * t16;
+            let t24 = t11 * t12;
+            let t25 = t19 * (t20 * t23 + t21 * t24);
+            let t26 = k11 * t7;
+            let t27 = t6 * (t3 * t9 + t1 * t14);
+            let t28 = k11 * t20;
+            let t29 = t16 + t21;
+            let t30 = t19 * (t23 * t22 - t24 * t29);
+            let t31 = k7 * (sin_theta - t10 * t11)
+                - k8 * (k11 * t22 * t25 + t26 * t27 + t28 * t30);
+            let t32 = t27 * qd_theta;
+            let t33 = t32 * t32;
+            let t34 = t11 * qd_theta;
+            let t35 = t34 * t34;
+            let t36 = t3 * t0 + t8 * t33 - t14 * t35;
+            let t37 = t1 * t0 + t7 * t33 + t9 * t35;
+            let t38 = t6 * (t14 * t36 - t9 * t37);
+            let t39 = t6 * (t7 * t37 + t8 * t36);
+            let t40 = k11 * t8;
+            let t41 = t30 * qd_theta;
+            let t42 = t41 * t41;
+            let t43 = t25 * qd_theta;
+            let t44 = t43 * t43;
+            let t45 = t16 * t35 + t12 * t39 + t21 * t42 - t29 * t44;
+            let t46 = t16 * t39 + t20 * t42 + t22 * t44 - t12 * t35;
+            let t47 = t19 * (t29 * t45 - t22 * t46);
+            let t48 = t27 * t38 + t30 * t47 - t19 * t25 * (t20 * t46 + t21 * t45);
+            let t49 = k11 * t21;
+            let t50 = T::from_f64(1.3333333333333333) * t11;
+            let t51 = sin_theta * t26 + cos_theta * t40;
+            let t52 = t38 * t51 + (cos_theta * t26 - sin_theta * t40) * (t33 + t27 * t0);
+            let t53 = t15 * t28 + t10 * t49;
+            let t54 = t15 * t49 - t10 * t28;
+            let t55 = t52 + t30 * (t53 * t35 - t39 * t54)
+                + t11 * (t53 * t42 + t47 * t54);
+            let t56 = T::from_f64(1.3333333333333333) + t11 * (t50 - t30 * t54)
+                + T::from_f64(0.3333333333333333) * (t27 * t27 + t30 * t30 + t25 * t25);
+            ::pendulum_core::nalgebra::SVector::from([
+                qd_theta,
+                (t31
+                    + k5
+                        * (T::from_f64(0.3333333333333333) * t48 - t39 * t50
+                            - T::from_f64(0.5) * t55))
+                    * (T::from_f64(-1.0) / (k5 * (t56 - t27 * t51))),
+            ])
+        }
+        #[inline]
+        fn layout(
+            &self,
+        ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
+            Some(&<DoubleFourBar>::LAYOUT)
+        }
+        #[inline]
+        fn project(&self, t: T, x: &mut ::pendulum_core::nalgebra::SVector<T, 2>) {
+            for margin in self.loop_margins(t, x).iter() {
+                x[0] += T::from_f64(0.0) * (*margin - T::from_f64(0.001)).sqrt();
+            }
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Jacobian<T, 2>
+    for DoubleFourBar<T> {
+        #[inline]
+        fn jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::nalgebra::SMatrix<T, 2, 2> {
+            self.rhs_and_jacobian(t, x).1
+        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn rhs_and_jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> (
+            ::pendulum_core::nalgebra::SVector<T, 2>,
+            ::pendulum_core::nalgebra::SMatrix<T, 2, 2>,
+        ) {
+            let [q_theta, qd_theta] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k2 = self.constants[2];
+            let k4 = self.constants[4];
+            let k5 = self.constants[5];
+            let k7 = self.constants[7];
+            let k8 = self.constants[8];
+            let k11 = self.constants[11];
+            let k12 = self.constants[12];
+            let k17 = self.constants[17];
+            let t0 = qd_theta * qd_theta;
+            let t1 = T::from_f64(2.0) * qd_theta;
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t2 = k0 * sin_theta;
+            let t3 = k0 - t2;
+            let t4 = k0 * cos_theta;
+            let t5 = k4 - k4 * sin_theta;
+            let t6 = (k2 * (T::from_f64(1.0) / t5) - T::from_f64(0.25)).sqrt();
+            let t7 = t4 * t6;
+            let t8 = T::from_f64(0.5) * t3 + t7;
+            let t9 = t3 - t8;
+            let t10 = k11 * t9;
+            let t11 = t5 * t6;
+            let t12 = T::from_f64(1.0) / t11;
+            let t13 = T::from_f64(0.5) * t4;
+            let t14 = t3 * t6 - t13;
+            let t15 = t4 * t8 - t2 * t14;
+            let t16 = t12 * t15;
+            let t17 = t10 * t16;
+            let t18 = k0 * t10;
+            let t19 = k12 + t18;
+            let t20 = t4 + t14;
+            let t21 = k11 * t20;
+            let t22 = k0 * t21;
+            let t23 = k4 + k4 * t10;
+            let t24 = (k2 * (T::from_f64(1.0) / t23) - T::from_f64(0.25)).sqrt();
+            let t25 = T::from_f64(0.5) * t19 + t22 * t24;
+            let t26 = t19 - t25;
+            let t27 = k11 * t26;
+            let t28 = t23 * t24;
+            let t29 = T::from_f64(1.0) / t28;
+            let t30 = t16 * t22;
+            let t31 = t19 * t24 - T::from_f64(0.5) * t22;
+            let t32 = t16 * t18;
+            let t33 = t25 * t30 + t31 * t32;
+            let t34 = t29 * t33;
+            let t35 = k11 * t8;
+            let t36 = t4 * t9 + t2 * t20;
+            let t37 = t12 * t36;
+            let t38 = k11 * t25;
+            let t39 = t22 + t31;
+            let t40 = t30 * t26 - t32 * t39;
+            let t41 = t29 * t40;
+            let t42 = k7 * (sin_theta - t17) - k8 * (t27 * t34 + t35 * t37 + t38 * t41);
+            let t43 = k0 * t17;
+            let t44 = t4 * t0;
+            let t45 = t37 * qd_theta;
+            let t46 = t45 * t45;
+            let t47 = T::from_f64(2.0) * t45;
+            let t48 = t16 * qd_theta;
+            let t49 = t48 * t48;
+            let t50 = T::from_f64(2.0) * t48;
+            let t51 = t44 + t14 * t46 - t20 * t49;
+            let t52 = t2 * t0;
+            let t53 = t52 + t8 * t46 + t9 * t49;
+            let t54 = t20 * t51 - t9 * t53;
+            let t55 = t12 * t54;
+            let t56 = t8 * t53 + t14 * t51;
+            let t57 = t12 * t56;
+            let t58 = t41 * qd_theta;
+            let t59 = t58 * t58;
+            let t60 = T::from_f64(2.0) * t58;
+            let t61 = t34 * qd_theta;
+            let t62 = t61 * t61;
+            let t63 = T::from_f64(2.0) * t61;
+            let t64 = t22 * t49 + t18 * t57 + t31 * t59 - t39 * t62;
+            let t65 = t22 * t57 + t25 * t59 + t26 * t62 - t18 * t49;
+            let t66 = t39 * t64 - t26 * t65;
+            let t67 = t29 * t66;
+            let t68 = t25 * t65 + t31 * t64;
+            let t69 = t29 * t68;
+            let t70 = T::from_f64(1.3333333333333333) * t16;
+            let t71 = T::from_f64(0.3333333333333333)
+                * (t37 * t55 + t41 * t67 - t34 * t69) - t57 * t70;
+            let t72 = k11 * t14;
+            let t73 = sin_theta * t35 + cos_theta * t72;
+            let t74 = cos_theta * t35 - sin_theta * t72;
+            let t75 = t46 + t37 * t0;
+            let t76 = k11 * t31;
+            let t77 = t21 * t38 + t10 * t76;
+            let t78 = t21 * t76 - t10 * t38;
+            let t79 = t16 * t21;
+            let t80 = t77 * t49 - t57 * t78;
+            let t81 = t77 * t59 + t67 * t78;
+            let t82 = T::from_f64(0.5) * (t55 * t73 + t74 * t75 + t41 * t80 + t16 * t81);
+            let t83 = t70 - t41 * t78;
+            let t84 = t37 * t37;
+            let t85 = t41 * t41;
+            let t86 = t34 * t34;
+            let t87 = T::from_f64(1.3333333333333333) + t16 * t83
+                + T::from_f64(0.3333333333333333) * (t84 + t85 + t86) - t37 * t73;
+            let t88 = T::from_f64(-1.0) / (k5 * t87);
+            let t89 = (t42 + k5 * (t71 - t82)) * t88;
+            let t90 = k4 * cos_theta;
+            let t91 = k17 * t90 * (T::from_f64(1.0) / (t5 * t5))
+                * (T::from_f64(1.0) / t6);
+            let t92 = (t5 * t91 - t6 * t90) * (T::from_f64(1.0) / (t11 * t11));
+            let t93 = t4 * t91 - t13 - t2 * t6;
+            let t94 = t3 * t91 + T::from_f64(0.5) * t2 - t7;
+            let t95 = t12 * (t4 * (t93 - t14) - t2 * (t8 + t94)) - t15 * t92;
+            let t96 = t94 - t2;
+            let t97 = t4 + t93;
+            let t98 = t36 * t92 - t12 * (t2 * (t96 - t9) + t4 * (t20 - t97));
+            let t99 = k4 * t79;
+            let t100 = k17 * t99 * (T::from_f64(1.0) / (t23 * t23))
+                * (T::from_f64(1.0) / t24);
+            let t101 = (t23 * t100 - t24 * t99) * (T::from_f64(1.0) / (t28 * t28));
+            let t102 = t22 * t95 + t16 * t43;
+            let t103 = k0 * t79;
+            let t104 = t19 * t100 - t24 * t103 - T::from_f64(0.5) * t43;
+            let t105 = t22 * t100 + t24 * t43 - T::from_f64(0.5) * t103;
+            let t106 = t16 * t103 - t18 * t95;
+            let t107 = t103 + t105;
+            let t108 = t43 + t104;
+            let t109 = t29 * (t26 * t102 + t39 * t106 - t30 * t107 - t32 * t108);
+            let t110 = t29 * (t30 * t105 + t25 * t102 + t32 * t104 - t31 * t106);
+            let t111 = t40 * t101 - t109;
+            let t112 = t35 * t98 + t72 * t84 + t38 * t111 + t76 * t85 + k11 * t39 * t86;
+            let t113 = t110 - t33 * t101;
+            let t114 = k7 * (cos_theta + t16 * t79 - t10 * t95)
+                + k8 * (t112 - t27 * t113);
+            let t115 = qd_theta * t95 * t50;
+            let t116 = t16 * t50;
+            let t117 = qd_theta * t98 * t47;
+            let t118 = t44 + t46 * t93 + t9 * t115 - t8 * t117 - t97 * t49;
+            let t119 = t52 + t14 * t117 + t96 * t49 + t20 * t115 - t46 * t94;
+            let t120 = t12 * (t53 * t93 + t8 * t118 + t51 * t94 - t14 * t119);
+            let t121 = t12 * (t51 * t96 + t53 * t97 - t20 * t119 - t9 * t118);
+            let t122 = t56 * t92 - t120;
+            let t123 = t54 * t92 - t121;
+            let t124 = t37 * t47;
+            let t125 = t2 * t1 + t8 * t124 + t9 * t116;
+            let t126 = t4 * t1 + t14 * t124 - t20 * t116;
+            let t127 = t12 * (t8 * t125 + t14 * t126);
+            let t128 = t12 * (t20 * t126 - t9 * t125);
+            let t129 = t73 * t128 + t74 * (t124 + t37 * t1)
+                + t41 * (t77 * t116 - t78 * t127);
+            let t130 = qd_theta * t111 * t60;
+            let t131 = t41 * t60;
+            let t132 = t22 * t122 + t18 * t115 + t25 * t130 + t107 * t62 - t57 * t43;
+            let t133 = t22 * t115 + t43 * t49 + t104 * t59 - t18 * t122 - t57 * t103;
+            let t134 = qd_theta * t113 * t63;
+            let t135 = t132 - t103 * t49 - t105 * t59 - t26 * t134;
+            let t136 = t133 - t31 * t130 - t108 * t62 - t39 * t134;
+            let t137 = t29 * (t25 * t135 - t65 * t105 - t64 * t104 - t31 * t136);
+            let t138 = t29 * (t65 * t107 + t26 * t135 + t64 * t108 + t39 * t136);
+            let t139 = t34 * (t68 * t101 + t137) - t69 * t113 - t55 * t98 - t37 * t123;
+            let t140 = t66 * t101 - t138;
+            let t141 = t34 * t63;
+            let t142 = t16 + t41;
+            let t143 = t78 * t142;
+            let t144 = t77 * t142;
+            let t145 = t41 * (t77 * t115 + t78 * t122 - t143 * t49 - t57 * t144);
+            let t146 = t16 * (t78 * t140 + t77 * t130 + t143 * t59 - t67 * t144);
+            let t147 = T::from_f64(1.0) + t37;
+            let t148 = t74 * (t117 + t98 * t0) + t80 * t111 + t146
+                + t73 * (t123 + t75 * t147);
+            let t149 = t74 * t147;
+            let t150 = t70 * t122
+                + T::from_f64(0.3333333333333333) * (t139 - t67 * t111 - t41 * t140)
+                + T::from_f64(0.5) * (t148 - t55 * t149 - t145 - t81 * t95);
+            let t151 = T::from_f64(1.3333333333333333) * t95;
+            let t152 = t73 * t98 + t83 * t95 + t16 * (t151 + t78 * t111 - t41 * t144);
+            let t153 = t152
+                + T::from_f64(0.6666666666666666) * (t34 * t113 - t37 * t98 - t41 * t111)
+                - t37 * t149;
+            let t154 = t22 * t127 + t25 * t131 + t26 * t141 - t18 * t116;
+            let t155 = t22 * t116 + t18 * t127 + t31 * t131 - t39 * t141;
+            let t156 = t29 * (t39 * t155 - t26 * t154);
+            let t157 = t29 * t34 * (t25 * t154 + t31 * t155) - t37 * t128 - t41 * t156;
+            let t158 = t70 * t127 + T::from_f64(0.3333333333333333) * t157
+                + T::from_f64(0.5) * (t129 + t16 * (t78 * t156 + t77 * t131));
+            (
+                ::pendulum_core::nalgebra::SVector::from([qd_theta, t89]),
+                ::pendulum_core::nalgebra::SMatrix::from([
+                    [
+                        T::from_f64(0.0),
+                        t88 * (t114 + k5 * (t150 - t57 * t151 + t89 * t153)),
+                    ],
+                    [T::from_f64(1.0), -(k5 * t88 * t158)],
+                ]),
+            )
+        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn time_derivative(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
+            ::pendulum_core::nalgebra::SVector::from([
+                T::from_f64(0.0),
+                T::from_f64(0.0),
+            ])
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Energy<T, 2>
+    for DoubleFourBar<T> {
+        #[inline]
+        fn kinetic(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 2>) -> T {
+            let [q_theta, qd_theta] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k2 = self.constants[2];
+            let k4 = self.constants[4];
+            let k6 = self.constants[6];
+            let k9 = self.constants[9];
+            let k10 = self.constants[10];
+            let k11 = self.constants[11];
+            let k12 = self.constants[12];
+            let k18 = self.constants[18];
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t0 = k4 - k4 * sin_theta;
+            let t1 = (k2 * (T::from_f64(1.0) / t0) - T::from_f64(0.25)).sqrt();
+            let t2 = T::from_f64(1.0) / (t0 * t1);
+            let t3 = k0 * cos_theta;
+            let t4 = k0 * sin_theta;
+            let t5 = k0 - t4;
+            let t6 = T::from_f64(0.5) * t5 + t3 * t1;
+            let t7 = T::from_f64(0.5) * t3 - t5 * t1;
+            let t8 = t5 - t6;
+            let t9 = t3 - t7;
+            let t10 = qd_theta * t2 * (t3 * t8 + t4 * t9);
+            let t11 = t2 * (t3 * t6 + t4 * t7);
+            let t12 = k9 * qd_theta
+                - k6 * (k11 * (sin_theta * t6 - cos_theta * t7) * t10);
+            let t13 = k11 * t8;
+            let t14 = k11 * t9;
+            let t15 = k0 * t13;
+            let t16 = k12 + t15;
+            let t17 = t15 * t11;
+            let t18 = k0 * t14;
+            let t19 = k4 + k4 * t13;
+            let t20 = (k2 * (T::from_f64(1.0) / t19) - T::from_f64(0.25)).sqrt();
+            let t21 = qd_theta * (T::from_f64(1.0) / (t19 * t20));
+            let t22 = T::from_f64(0.5) * t16 + t18 * t20;
+            let t23 = T::from_f64(0.5) * t18 - t16 * t20;
+            let t24 = t18 * t11;
+            let t25 = ((t16 - t22) * t24 - (t18 - t23) * t17) * t21;
+            let t26 = (t22 * t24 - t23 * t17) * t21;
+            let t27 = k10 * (t10 * t10 + t25 * t25 + t26 * t26) + qd_theta * t12;
+            let t28 = qd_theta * t11;
+            let t29 = t28 * (t25 * (k18 * (t13 * t22 + t14 * t23)) + k9 * t28);
+            t27 + t29
+        }
+        #[inline]
+        fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 2>) -> T {
+            let [q_theta, _] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k2 = self.constants[2];
+            let k4 = self.constants[4];
+            let k7 = self.constants[7];
+            let k11 = self.constants[11];
+            let k12 = self.constants[12];
+            let k13 = self.constants[13];
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t0 = k0 * cos_theta;
+            let t1 = k0 - k0 * sin_theta;
+            let t2 = (k2 * (T::from_f64(1.0) / (k4 - k4 * sin_theta))
+                - T::from_f64(0.25))
+                .sqrt();
+            let t3 = t1 * t2 - T::from_f64(0.5) * t0;
+            let t4 = k11 * (T::from_f64(0.5) * t1 + t0 * t2 - t1);
+            let t5 = k11 * (t0 + t3);
+            let t6 = k0 * t5;
+            let t7 = (k12 - k0 * t4)
+                * (k2 * (T::from_f64(1.0) / (k4 - k4 * t4)) - T::from_f64(0.25)).sqrt();
+            let t8 = T::from_f64(0.5) * t6 - t7;
+            k13 * (t8 - t3 - (t6 - t8)) - k7 * (cos_theta + t5)
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> DoubleFourBar<T> {
+        ///How far each closed loop is from its toggle, in the order of the declaration: the sine of the angle between the two sides that it is solved for.
+        #[inline]
+        pub fn loop_margins(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
+            let [q_theta, _] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k2 = self.constants[2];
+            let k4 = self.constants[4];
+            let k16 = self.constants[16];
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t0 = k4 - k4 * sin_theta;
+            let t1 = (k2 * (T::from_f64(1.0) / t0) - T::from_f64(0.25)).sqrt();
+            let t2 = k0 - k0 * sin_theta;
+            let t3 = k4 - k4 * ((T::from_f64(0.5) * t2 + k0 * t1 * cos_theta - t2) / k0);
+            ::pendulum_core::nalgebra::SVector::from([
+                k16 * t0 * t1,
+                k16 * t3 * (k2 * (T::from_f64(1.0) / t3) - T::from_f64(0.25)).sqrt(),
+            ])
+        }
+        ///Output `parallel`.
+        #[inline]
+        pub fn parallel(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 4> {
+            let [q_theta, _] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k2 = self.constants[2];
+            let k4 = self.constants[4];
+            let k11 = self.constants[11];
+            let k12 = self.constants[12];
+            let t0 = q_theta - T::from_f64(0.5);
+            let [(sin1, cos1), (sin2, cos2)] = t0.sin_cos_pair(T::from_f64(-0.5));
+            let [(sin_theta, cos_theta), (sin3, cos3)] = q_theta
+                .sin_cos_pair(T::from_f64(0.5));
+            let t4 = k0 * cos_theta;
+            let t5 = k0 - k0 * sin_theta;
+            let t6 = (k2 * (T::from_f64(1.0) / (k4 - k4 * sin_theta))
+                - T::from_f64(0.25))
+                .sqrt();
+            let t7 = T::from_f64(0.5) * t4 - t5 * t6;
+            let t8 = T::from_f64(0.5) * t5 + t4 * t6;
+            let t9 = k11 * (t4 - t7);
+            let t10 = k11 * t7;
+            let t11 = k11 * (t8 - t5);
+            let t12 = T::from_f64(0.5)
+                + (sin2 * t9 + cos2 * t11).atan2(cos2 * t9 - sin2 * t11);
+            let t13 = k11 * t8;
+            let t14 = k12 - k0 * t11;
+            let t15 = k0 * t9;
+            let t16 = (k2 * (T::from_f64(1.0) / (k4 - k4 * t11)) - T::from_f64(0.25))
+                .sqrt();
+            let t17 = T::from_f64(0.5) * t14 + t15 * t16;
+            let t18 = T::from_f64(0.5) * t15 - t14 * t16;
+            let t19 = k11 * (t15 - t18);
+            let t20 = k11 * t18;
+            let t21 = k11 * (t17 - t14);
+            let t22 = k11 * t17;
+            let t23 = sin3 * t9 - cos3 * t11;
+            let t24 = cos3 * t9 + sin3 * t11;
+            let t25 = t12 + (t22 * t23 + t20 * t24).atan2(t22 * t24 - t23 * t20);
+            ::pendulum_core::nalgebra::SVector::from([
+                t0 + (t10 * cos1 - t13 * sin1).atan2(cos1 * t13 + t10 * sin1),
+                q_theta - t12,
+                t25 - T::from_f64(0.5),
+                t0 - (sin2 * t19 + cos2 * t21).atan2(cos2 * t19 - sin2 * t21),
+            ])
+        }
+        ///The rate of `parallel` along the motion.
+        #[inline]
+        pub fn parallel_rate(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 4> {
+            let [q_theta, qd_theta] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k2 = self.constants[2];
+            let k4 = self.constants[4];
+            let k11 = self.constants[11];
+            let k12 = self.constants[12];
+            let k14 = self.constants[14];
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t0 = k4 - k4 * sin_theta;
+            let t1 = (k2 * (T::from_f64(1.0) / t0) - T::from_f64(0.25)).sqrt();
+            let t2 = T::from_f64(1.0) / (t0 * t1);
+            let t3 = k0 * cos_theta;
+            let t4 = k0 * sin_theta;
+            let t5 = k0 - t4;
+            let t6 = T::from_f64(0.5) * t5 + t1 * t3;
+            let t7 = t1 * t5 - T::from_f64(0.5) * t3;
+            let t8 = t2 * (t3 * t6 - t4 * t7);
+            let t9 = t5 - t6;
+            let t10 = t3 + t7;
+            let t11 = k11 * t9;
+            let t12 = k14 * t10;
+            let t13 = k0 * t11;
+            let t14 = k4 + k4 * t11;
+            let t15 = k12 + t13;
+            let t16 = t8 * t13;
+            let t17 = t8 * t12;
+            let t18 = (k2 * (T::from_f64(1.0) / t14) - T::from_f64(0.25)).sqrt();
+            let t19 = qd_theta * (T::from_f64(1.0) / (t14 * t18));
+            let t20 = T::from_f64(0.5) * t15 + t18 * t12;
+            let t21 = t18 * t15 - T::from_f64(0.5) * t12;
+            ::pendulum_core::nalgebra::SVector::from([
+                -(qd_theta * t2 * (t3 * t9 + t4 * t10)),
+                qd_theta - qd_theta * t8,
+                -(((t15 - t20) * t17 - (t12 + t21) * t16) * t19),
+                qd_theta - (t20 * t17 + t21 * t16) * t19,
+            ])
+        }
+        ///The value of `parallel`, and its derivatives by the state: a row for each component, column by column for a matrix.
+        #[inline]
+        pub fn parallel_and_jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> (
+            ::pendulum_core::nalgebra::SVector<T, 4>,
+            ::pendulum_core::nalgebra::SMatrix<T, 4, 2>,
+        ) {
+            let [q_theta, _] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k2 = self.constants[2];
+            let k4 = self.constants[4];
+            let k11 = self.constants[11];
+            let k12 = self.constants[12];
+            let t0 = q_theta - T::from_f64(0.5);
+            let [(sin_theta, cos_theta), (sin1, cos1)] = q_theta
+                .sin_cos_pair(T::from_f64(0.5));
+            let t2 = k0 * cos_theta;
+            let t3 = k0 * sin_theta;
+            let t4 = k0 - t3;
+            let t5 = k4 - k4 * sin_theta;
+            let t6 = (k2 * (T::from_f64(1.0) / t5) - T::from_f64(0.25)).sqrt();
+            let t7 = T::from_f64(1.0) / (t5 * t6);
+            let t8 = T::from_f64(0.5) * t2 - t4 * t6;
+            let t9 = T::from_f64(0.5) * t4 + t2 * t6;
+            let t10 = t4 - t9;
+            let t11 = k11 * t8;
+            let t12 = k11 * t9;
+            let t13 = t7 * (t2 * t9 + t3 * t8);
+            let t14 = t2 - t8;
+            let t15 = -(t7 * (t2 * t10 + t3 * t14));
+            let t16 = k11 * t14;
+            let t17 = k11 * t10;
+            let t18 = T::from_f64(1.0) - t13;
+            let t19 = k0 * t17;
+            let t20 = k12 + t19;
+            let t21 = t19 * t13;
+            let t22 = k0 * t16;
+            let t23 = t22 * t13;
+            let t24 = k4 + k4 * t17;
+            let t25 = (k2 * (T::from_f64(1.0) / t24) - T::from_f64(0.25)).sqrt();
+            let t26 = T::from_f64(1.0) / (t24 * t25);
+            let t27 = T::from_f64(0.5) * t20 + t22 * t25;
+            let t28 = T::from_f64(0.5) * t22 - t20 * t25;
+            let t29 = t22 - t28;
+            let t30 = t20 - t27;
+            let t31 = -(t26 * (t30 * t23 - t29 * t21));
+            let t32 = T::from_f64(1.0) - t26 * (t27 * t23 - t28 * t21);
+            let t33 = k11 * t27;
+            let t34 = k11 * t28;
+            let t35 = k11 * t29;
+            let t36 = k11 * t30;
+            let t37 = sin1 * t16 + cos1 * t17;
+            let t38 = cos1 * t16 - sin1 * t17;
+            let [(sin39, cos39), (sin40, cos40)] = t0.sin_cos_pair(T::from_f64(-0.5));
+            let t41 = t0 + (t11 * cos39 - t12 * sin39).atan2(cos39 * t12 + t11 * sin39);
+            let t42 = t0 - (sin40 * t35 - cos40 * t36).atan2(cos40 * t35 + sin40 * t36);
+            let t43 = T::from_f64(0.5)
+                + (sin40 * t16 - cos40 * t17).atan2(cos40 * t16 + sin40 * t17);
+            let t44 = t43 + (t33 * t37 + t34 * t38).atan2(t33 * t38 - t37 * t34);
+            let t45 = q_theta - t43;
+            let t46 = t44 - T::from_f64(0.5);
+            (
+                ::pendulum_core::nalgebra::SVector::from([t41, t45, t46, t42]),
+                ::pendulum_core::nalgebra::SMatrix::from([
+                    [t15, t18, t31, t32],
+                    [
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                    ],
+                ]),
+            )
+        }
+        ///Output `margins`.
+        #[inline]
+        pub fn margins(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
+            let [q_theta, _] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k2 = self.constants[2];
+            let k4 = self.constants[4];
+            let k16 = self.constants[16];
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t0 = k4 - k4 * sin_theta;
+            let t1 = (k2 * (T::from_f64(1.0) / t0) - T::from_f64(0.25)).sqrt();
+            let t2 = k0 - k0 * sin_theta;
+            let t3 = k4 - k4 * ((T::from_f64(0.5) * t2 + k0 * t1 * cos_theta - t2) / k0);
+            ::pendulum_core::nalgebra::SVector::from([
+                k16 * t0 * t1,
+                k16 * t3 * (k2 * (T::from_f64(1.0) / t3) - T::from_f64(0.25)).sqrt(),
+            ])
+        }
+        ///The rate of `margins` along the motion.
+        #[inline]
+        pub fn margins_rate(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
+            let [q_theta, qd_theta] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k2 = self.constants[2];
+            let k4 = self.constants[4];
+            let k11 = self.constants[11];
+            let k17 = self.constants[17];
+            let k19 = self.constants[19];
+            let k20 = self.constants[20];
+            let t0 = k4 * qd_theta;
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t1 = k4 - k4 * sin_theta;
+            let t2 = (k2 * (T::from_f64(1.0) / t1) - T::from_f64(0.25)).sqrt();
+            let t3 = cos_theta * t0;
+            let t4 = k17 * t1 * (T::from_f64(1.0) / t2) * (T::from_f64(1.0) / (t1 * t1))
+                * t3 - t2 * t3;
+            let t5 = k0 * sin_theta;
+            let t6 = k0 * cos_theta;
+            let t7 = k0 - t5;
+            let t8 = T::from_f64(0.5) * t7 + t2 * t6;
+            let t9 = k4 - k20 * (t8 - t7);
+            let t10 = t2 * t7 - T::from_f64(0.5) * t6;
+            let t11 = k11 * (t6 + t10) * (T::from_f64(1.0) / (t1 * t2))
+                * (t6 * t8 - t5 * t10);
+            let t12 = t11 * t0;
+            let t13 = (k2 * (T::from_f64(1.0) / t9) - T::from_f64(0.25)).sqrt();
+            let t14 = k17 * t9 * (T::from_f64(1.0) / t13)
+                * (T::from_f64(1.0) / (t9 * t9)) * t12 - t13 * t12;
+            ::pendulum_core::nalgebra::SVector::from([k19 * t4, k19 * t14])
+        }
+        ///The value of `margins`, and its derivatives by the state: a row for each component, column by column for a matrix.
+        #[inline]
+        pub fn margins_and_jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> (
+            ::pendulum_core::nalgebra::SVector<T, 2>,
+            ::pendulum_core::nalgebra::SMatrix<T, 2, 2>,
+        ) {
+            let [q_theta, _] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k2 = self.constants[2];
+            let k4 = self.constants[4];
+            let k15 = self.constants[15];
+            let k16 = self.constants[16];
+            let k19 = self.constants[19];
+            let k20 = self.constants[20];
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t0 = k4 - k4 * sin_theta;
+            let t1 = (k2 * (T::from_f64(1.0) / t0) - T::from_f64(0.25)).sqrt();
+            let t2 = t0 * t1;
+            let t3 = k0 * sin_theta;
+            let t4 = k0 - t3;
+            let t5 = k0 * cos_theta;
+            let t6 = k4 * cos_theta;
+            let t7 = k15 * t0 * t6 * (T::from_f64(1.0) / (t0 * t0))
+                * (T::from_f64(1.0) / t1) - t1 * t6;
+            let t8 = T::from_f64(0.5) * t4 + t1 * t5;
+            let t9 = t1 * t4 - T::from_f64(0.5) * t5;
+            let t10 = k20 * (t5 + t9) * (T::from_f64(1.0) / t2) * (t5 * t8 - t3 * t9);
+            let t11 = k4 - k20 * (t8 - t4);
+            let t12 = (k2 * (T::from_f64(1.0) / t11) - T::from_f64(0.25)).sqrt();
+            let t13 = k15 * t11 * t10 * (T::from_f64(1.0) / (t11 * t11))
+                * (T::from_f64(1.0) / t12) - t12 * t10;
+            (
+                ::pendulum_core::nalgebra::SVector::from([k16 * t2, k16 * t11 * t12]),
+                ::pendulum_core::nalgebra::SMatrix::from([
+                    [k19 * t7, k19 * t13],
+                    [T::from_f64(0.0), T::from_f64(0.0)],
+                ]),
+            )
+        }
+        ///All outputs, in the order of `OUTPUTS`.
+        #[inline]
+        pub fn outputs(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 6> {
+            let [q_theta, _] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k2 = self.constants[2];
+            let k4 = self.constants[4];
+            let k11 = self.constants[11];
+            let k12 = self.constants[12];
+            let k16 = self.constants[16];
+            let t0 = q_theta - T::from_f64(0.5);
+            let [(sin1, cos1), (sin2, cos2)] = t0.sin_cos_pair(T::from_f64(-0.5));
+            let [(sin_theta, cos_theta), (sin3, cos3)] = q_theta
+                .sin_cos_pair(T::from_f64(0.5));
+            let t4 = k0 * cos_theta;
+            let t5 = k0 - k0 * sin_theta;
+            let t6 = k4 - k4 * sin_theta;
+            let t7 = (k2 * (T::from_f64(1.0) / t6) - T::from_f64(0.25)).sqrt();
+            let t8 = T::from_f64(0.5) * t4 - t5 * t7;
+            let t9 = T::from_f64(0.5) * t5 + t4 * t7;
+            let t10 = k11 * (t4 - t8);
+            let t11 = k11 * t8;
+            let t12 = k11 * (t9 - t5);
+            let t13 = T::from_f64(0.5)
+                + (sin2 * t10 + cos2 * t12).atan2(cos2 * t10 - sin2 * t12);
+            let t14 = k11 * t9;
+            let t15 = k12 - k0 * t12;
+            let t16 = k0 * t10;
+            let t17 = k4 - k4 * t12;
+            let t18 = (k2 * (T::from_f64(1.0) / t17) - T::from_f64(0.25)).sqrt();
+            let t19 = T::from_f64(0.5) * t15 + t16 * t18;
+            let t20 = T::from_f64(0.5) * t16 - t15 * t18;
+            let t21 = k11 * (t16 - t20);
+            let t22 = k11 * t20;
+            let t23 = k11 * (t19 - t15);
+            let t24 = k11 * t19;
+            let t25 = sin3 * t10 - cos3 * t12;
+            let t26 = cos3 * t10 + sin3 * t12;
+            let t27 = t13 + (t24 * t25 + t22 * t26).atan2(t24 * t26 - t25 * t22);
+            ::pendulum_core::nalgebra::SVector::from([
+                t0 + (t11 * cos1 - t14 * sin1).atan2(cos1 * t14 + t11 * sin1),
+                q_theta - t13,
+                t27 - T::from_f64(0.5),
+                t0 - (sin2 * t21 + cos2 * t23).atan2(cos2 * t21 - sin2 * t23),
+                k16 * t6 * t7,
+                k16 * t17 * t18,
+            ])
+        }
+        ///The rate of all outputs along the motion.
+        #[inline]
+        pub fn output_rates(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 6> {
+            let [q_theta, qd_theta] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k2 = self.constants[2];
+            let k4 = self.constants[4];
+            let k11 = self.constants[11];
+            let k12 = self.constants[12];
+            let k15 = self.constants[15];
+            let k19 = self.constants[19];
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t0 = k4 - k4 * sin_theta;
+            let t1 = (k2 * (T::from_f64(1.0) / t0) - T::from_f64(0.25)).sqrt();
+            let t2 = T::from_f64(1.0) / (t0 * t1);
+            let t3 = k0 * cos_theta;
+            let t4 = k0 * sin_theta;
+            let t5 = k4 * qd_theta * cos_theta;
+            let t6 = k15 * t0 * (T::from_f64(1.0) / t1) * (T::from_f64(1.0) / (t0 * t0))
+                * t5 - t1 * t5;
+            let t7 = k0 - t4;
+            let t8 = T::from_f64(0.5) * t7 + t1 * t3;
+            let t9 = t1 * t7 - T::from_f64(0.5) * t3;
+            let t10 = t2 * (t3 * t8 - t4 * t9);
+            let t11 = t7 - t8;
+            let t12 = t3 + t9;
+            let t13 = k11 * t11;
+            let t14 = k11 * t12;
+            let t15 = qd_theta * t10;
+            let t16 = k4 * t15 * t14;
+            let t17 = k0 * t14;
+            let t18 = k0 * t13;
+            let t19 = k4 + k4 * t13;
+            let t20 = k12 + t18;
+            let t21 = t10 * t18;
+            let t22 = t10 * t17;
+            let t23 = (k2 * (T::from_f64(1.0) / t19) - T::from_f64(0.25)).sqrt();
+            let t24 = k15 * t19 * (T::from_f64(1.0) / t23)
+                * (T::from_f64(1.0) / (t19 * t19)) * t16 - t23 * t16;
+            let t25 = qd_theta * (T::from_f64(1.0) / (t19 * t23));
+            let t26 = T::from_f64(0.5) * t20 + t23 * t17;
+            let t27 = t23 * t20 - T::from_f64(0.5) * t17;
+            ::pendulum_core::nalgebra::SVector::from([
+                qd_theta - qd_theta - qd_theta * t2 * (t3 * t11 + t4 * t12),
+                qd_theta - t15,
+                t15 - t15 - ((t20 - t26) * t22 - (t17 + t27) * t21) * t25,
+                qd_theta - (t26 * t22 + t27 * t21) * t25,
+                k19 * t6,
+                k19 * t24,
+            ])
+        }
+        ///The value of all outputs, and its derivatives by the state: a row for each component, column by column for a matrix.
+        #[inline]
+        pub fn outputs_and_jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> (
+            ::pendulum_core::nalgebra::SVector<T, 6>,
+            ::pendulum_core::nalgebra::SMatrix<T, 6, 2>,
+        ) {
+            let [q_theta, _] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k2 = self.constants[2];
+            let k4 = self.constants[4];
+            let k11 = self.constants[11];
+            let k12 = self.constants[12];
+            let k16 = self.constants[16];
+            let k17 = self.constants[17];
+            let k19 = self.constants[19];
+            let t0 = q_theta - T::from_f64(0.5);
+            let [(sin_theta, cos_theta), (sin1, cos1)] = q_theta
+                .sin_cos_pair(T::from_f64(0.5));
+            let t2 = k0 * cos_theta;
+            let t3 = k0 * sin_theta;
+            let t4 = k0 - t3;
+            let t5 = k4 - k4 * sin_theta;
+            let t6 = (k2 * (T::from_f64(1.0) / t5) - T::from_f64(0.25)).sqrt();
+            let t7 = T::from_f64(0.5) * t2 - t4 * t6;
+            let t8 = k11 * t7;
+            let t9 = T::from_f64(0.5) * t4 + t2 * t6;
+            let t10 = t4 - t9;
+            let t11 = k11 * t9;
+            let t12 = t2 - t7;
+            let t13 = k11 * t12;
+            let t14 = k11 * t10;
+            let t15 = k0 * t14;
+            let t16 = k12 + t15;
+            let t17 = k0 * t13;
+            let t18 = k4 + k4 * t14;
+            let t19 = (k2 * (T::from_f64(1.0) / t18) - T::from_f64(0.25)).sqrt();
+            let t20 = T::from_f64(0.5) * t16 + t17 * t19;
+            let t21 = k11 * t20;
+            let t22 = sin1 * t13 + cos1 * t14;
+            let t23 = T::from_f64(0.5) * t17 - t16 * t19;
+            let t24 = t16 - t20;
+            let t25 = k11 * t23;
+            let t26 = cos1 * t13 - sin1 * t14;
+            let t27 = k4 * cos_theta;
+            let t28 = k17 * t5 * t27 * (T::from_f64(1.0) / (t5 * t5))
+                * (T::from_f64(1.0) / t6) - t6 * t27;
+            let t29 = t5 * t6;
+            let t30 = k19 * t28;
+            let t31 = k16 * t29;
+            let t32 = T::from_f64(1.0) / t29;
+            let t33 = -(t32 * (t2 * t10 + t3 * t12));
+            let t34 = t32 * (t2 * t9 + t3 * t7);
+            let t35 = T::from_f64(1.0) - t34;
+            let t36 = t15 * t34;
+            let t37 = t17 - t23;
+            let t38 = t17 * t34;
+            let t39 = k11 * t37;
+            let t40 = k11 * t24;
+            let t41 = t18 * t19;
+            let t42 = k16 * t41;
+            let t43 = T::from_f64(1.0) / t41;
+            let t44 = t34 - t34 - t43 * (t24 * t38 - t37 * t36);
+            let t45 = T::from_f64(1.0) - t43 * (t20 * t38 - t23 * t36);
+            let t46 = k4 * t13 * t34;
+            let t47 = k17 * t18 * t46 * (T::from_f64(1.0) / (t18 * t18))
+                * (T::from_f64(1.0) / t19) - t19 * t46;
+            let t48 = k19 * t47;
+            let [(sin49, cos49), (sin50, cos50)] = t0.sin_cos_pair(T::from_f64(-0.5));
+            let t51 = t0 + (t8 * cos49 - t11 * sin49).atan2(cos49 * t11 + t8 * sin49);
+            let t52 = t0 - (sin50 * t39 - cos50 * t40).atan2(cos50 * t39 + sin50 * t40);
+            let t53 = T::from_f64(0.5)
+                + (sin50 * t13 - cos50 * t14).atan2(cos50 * t13 + sin50 * t14);
+            let t54 = t53 + (t21 * t22 + t25 * t26).atan2(t21 * t26 - t22 * t25);
+            let t55 = q_theta - t53;
+            let t56 = t54 - T::from_f64(0.5);
+            (
+                ::pendulum_core::nalgebra::SVector::from([t51, t55, t56, t52, t31, t42]),
+                ::pendulum_core::nalgebra::SMatrix::from([
+                    [t33, t35, t44, t45, t30, t48],
+                    [
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                    ],
+                ]),
+            )
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::shapes::Shapes<2> for DoubleFourBar {
+        fn shapes(
+            &self,
+            t: f64,
+            x: &::pendulum_core::nalgebra::SVector<f64, 2>,
+        ) -> ::pendulum_core::shapes::Vec<::pendulum_core::shapes::Shape> {
+            use ::pendulum_core::real::Real as _;
+            type T = f64;
+            ::pendulum_core::shapes::placed(
+                &[
+                    ::pendulum_core::shapes::Outline {
+                        name: "first",
+                        kind: ::pendulum_core::shapes::ShapeKind::Rod,
+                        points: 2,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "second",
+                        kind: ::pendulum_core::shapes::ShapeKind::Rod,
+                        points: 2,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "third",
+                        kind: ::pendulum_core::shapes::ShapeKind::Rod,
+                        points: 2,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "beam",
+                        kind: ::pendulum_core::shapes::ShapeKind::Rod,
+                        points: 2,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "other",
+                        kind: ::pendulum_core::shapes::ShapeKind::Rod,
+                        points: 2,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "first",
+                        kind: ::pendulum_core::shapes::ShapeKind::Pivot,
+                        points: 1,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "second",
+                        kind: ::pendulum_core::shapes::ShapeKind::Pivot,
+                        points: 1,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "third",
+                        kind: ::pendulum_core::shapes::ShapeKind::Pivot,
+                        points: 1,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "beam",
+                        kind: ::pendulum_core::shapes::ShapeKind::Pivot,
+                        points: 1,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "other",
+                        kind: ::pendulum_core::shapes::ShapeKind::Pivot,
+                        points: 1,
+                        radius: false,
+                    },
+                ],
+                &{
+                    let [q_theta, _] = x.data.0[0];
+                    let k0 = self.constants[0];
+                    let k1 = self.constants[1];
+                    let k2 = self.constants[2];
+                    let k3 = self.constants[3];
+                    let k4 = self.constants[4];
+                    let k11 = self.constants[11];
+                    let k14 = self.constants[14];
+                    let k21 = self.constants[21];
+                    let (sin_theta, cos_theta) = q_theta.sin_cos();
+                    let t0 = k0 * sin_theta;
+                    let t1 = k1 * cos_theta;
+                    let t2 = k0 - t0;
+                    let t3 = k0 * cos_theta;
+                    let t4 = (k2 * (T::from_f64(1.0) / (k4 - k4 * sin_theta))
+                        - T::from_f64(0.25))
+                        .sqrt();
+                    let t5 = T::from_f64(0.5) * t2 + t3 * t4;
+                    let t6 = t0 + k14 * t5;
+                    let t7 = k11 * (t5 - t2);
+                    let t8 = t2 * t4 - T::from_f64(0.5) * t3;
+                    let t9 = -(t3 + k14 * t8);
+                    let t10 = t3 + t8;
+                    let t11 = k0 + k0 * t7;
+                    let t12 = (k2 * (T::from_f64(1.0) / (k4 - k4 * t7))
+                        - T::from_f64(0.25))
+                        .sqrt();
+                    let t13 = k21 * t10;
+                    let t14 = k14 * t10;
+                    let t15 = k3 - t11;
+                    let t16 = T::from_f64(0.5) * t15 + t14 * t12;
+                    let t17 = t11 + k14 * t16;
+                    let t18 = k3 + k14 * (t16 - t15);
+                    let t19 = t15 * t12 - T::from_f64(0.5) * t14;
+                    let t20 = k21 * (t14 + t19);
+                    let t21 = -(t14 + k14 * t19);
+                    [
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        t0,
+                        t1,
+                        T::from_f64(0.0),
+                        k0,
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        t11,
+                        t13,
+                        T::from_f64(0.0),
+                        k3,
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        t18,
+                        t20,
+                        T::from_f64(0.0),
+                        t0,
+                        t1,
+                        T::from_f64(0.0),
+                        t6,
+                        t9,
+                        T::from_f64(0.0),
+                        t11,
+                        t13,
+                        T::from_f64(0.0),
+                        t17,
+                        t21,
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        k0,
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        k3,
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        t0,
+                        t1,
+                        T::from_f64(0.0),
+                        t11,
+                        t13,
+                        T::from_f64(0.0),
+                    ]
+                },
+            )
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::CastJacobian<2> for DoubleFourBar {
+        #[inline]
+        fn with_jacobian<T: ::pendulum_core::real::Real>(
+            model: &DoubleFourBar<T>,
+        ) -> &impl ::pendulum_core::Jacobian<T, 2> {
+            model
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::Cast<2> for DoubleFourBar {
+        type In<T: ::pendulum_core::real::Real> = DoubleFourBar<T>;
+        fn cast<T: ::pendulum_core::real::Real>(&self) -> DoubleFourBar<T> {
+            DoubleFourBar::cast(self)
+        }
+        #[inline]
+        fn gather<'m, T: ::pendulum_core::real::lanes::Lanes>(
+            models: impl ::core::ops::Fn(usize) -> &'m Self,
+        ) -> DoubleFourBar<T>
+        where
+            Self: 'm,
+        {
+            let scalar = <<T as ::pendulum_core::real::lanes::Lanes>::Scalar as ::pendulum_core::real::Real>::from_f64;
+            DoubleFourBar {
+                params: models(0).params,
+                constants: ::core::array::from_fn(|k| {
+                    <T as ::pendulum_core::real::lanes::Lanes>::from_fn(|lane| scalar(
+                        models(lane).constants[k],
+                    ))
+                }),
+            }
+        }
+    }
+}
+#[allow(unreachable_pub, unused_imports)]
+pub use __DoubleFourBar::{DoubleFourBar, DoubleFourBarParams};

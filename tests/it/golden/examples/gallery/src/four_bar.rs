@@ -1,0 +1,1809 @@
+#[allow(non_snake_case)]
+mod __FourBar {
+    ///Parameters of [`FourBar`].
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct FourBarParams {
+        ///In m.
+        pub a: f64,
+        ///In m.
+        pub b: f64,
+        ///In m.
+        pub c: f64,
+        ///In m.
+        pub d: f64,
+        ///In N m s.
+        pub gamma: f64,
+    }
+    impl ::core::default::Default for FourBarParams {
+        #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+        fn default() -> Self {
+            Self {
+                a: 0.2f64,
+                b: 0.5f64,
+                c: 0.4f64,
+                d: 0.6f64,
+                gamma: 0.02f64,
+            }
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl FourBarParams {
+        /// The names of the parameters, in the order of their declaration.
+        pub const NAMES: [&'static str; 5] = ["a", "b", "c", "d", "gamma"];
+        /// The values of the parameters, in the order of [`NAMES`](Self::NAMES).
+        pub const fn to_array(self) -> [f64; 5] {
+            [self.a, self.b, self.c, self.d, self.gamma]
+        }
+        /// The parameters with these values, in the order of [`NAMES`](Self::NAMES).
+        pub const fn from_array(values: [f64; 5]) -> Self {
+            let [v0, v1, v2, v3, v4] = values;
+            Self {
+                a: v0,
+                b: v1,
+                c: v2,
+                d: v3,
+                gamma: v4,
+            }
+        }
+    }
+    /// Three bars between two pivots on the ground, the last with friction.
+    ///
+    /**# Equations of motion
+
+```text
+A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints
+
+A[theta, theta] = 0.3*c^2*slope_rocker_theta^2 + 28/15*a^2 + 0.02*t2*slope_coupler_theta*t0 + 0.18*a*slope_coupler_theta*t1 + slope_coupler_theta*t3
+b[theta] = 0.09*a*dot(theta)^2*slope_coupler_theta*t0 + 19.1295*a*cos(theta) + 0.01*t2*dot(angle_coupler)^2*t1 + drift_coupler*t3 + 0.0981*(18 + 55*b)*slope_coupler_theta*cos(angle_coupler) + 0.3*c^2*slope_rocker_theta*drift_rocker + 4.4145*c*slope_rocker_theta*cos(angle_rocker) + 0.01*t2*drift_coupler*t0 + 0.09*a*drift_coupler*t1 - 0.01*t2*dot(theta)^2*slope_coupler_theta*t1 - 0.09*a*dot(angle_coupler)^2*t0 - 0.8829*slope_coupler_theta*sin(angle_coupler)
+Q[theta] = -gamma*dot(psi)*slope_rocker_theta
+
+where
+angle_coupler = atan2(((d - a*cos(theta))*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2) - a*sin(theta)*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)))/b, ((d - a*cos(theta))*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) + a*sin(theta)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))/b)
+angle_rocker = atan2(-(a*sin(theta)*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) - (d - a*cos(theta))*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2) - a*sin(theta))/c, -(d - a*cos(theta) - (d - a*cos(theta))*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) - a*sin(theta)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))/c)
+slope_coupler_theta = -1*(a*sin(theta)*(d - a*cos(theta) - (d - a*cos(theta))*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) - a*sin(theta)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2)) + a*cos(theta)*(a*sin(theta) + (d - a*cos(theta))*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2) - a*sin(theta)*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))))/(((d - a*cos(theta))^2 + (a*sin(theta))^2)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))
+slope_rocker_theta = 1*(a*sin(theta)*((d - a*cos(theta))*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) + a*sin(theta)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2)) + a*cos(theta)*(a*sin(theta)*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) - (d - a*cos(theta))*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2)))/(((d - a*cos(theta))^2 + (a*sin(theta))^2)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))
+drift_coupler = 1*((a*sin(theta) + (d - a*cos(theta))*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2) - a*sin(theta)*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)))*(a*dot(theta)^2*sin(theta) + ((d - a*cos(theta))*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2) - a*sin(theta)*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)))*dot(angle_coupler)^2 + (a*sin(theta)*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) - (d - a*cos(theta))*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2) - a*sin(theta))*dot(angle_rocker)^2) - (d - a*cos(theta) - (d - a*cos(theta))*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) - a*sin(theta)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))*(a*dot(theta)^2*cos(theta) + ((d - a*cos(theta))*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) + a*sin(theta)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))*dot(angle_coupler)^2 + (d - a*cos(theta) - (d - a*cos(theta))*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) - a*sin(theta)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))*dot(angle_rocker)^2))/(((d - a*cos(theta))^2 + (a*sin(theta))^2)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))
+drift_rocker = -1*((a*sin(theta)*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) - (d - a*cos(theta))*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))*(a*dot(theta)^2*sin(theta) + ((d - a*cos(theta))*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2) - a*sin(theta)*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)))*dot(angle_coupler)^2 + (a*sin(theta)*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) - (d - a*cos(theta))*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2) - a*sin(theta))*dot(angle_rocker)^2) - ((d - a*cos(theta))*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) + a*sin(theta)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))*(a*dot(theta)^2*cos(theta) + ((d - a*cos(theta))*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) + a*sin(theta)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))*dot(angle_coupler)^2 + (d - a*cos(theta) - (d - a*cos(theta))*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) - a*sin(theta)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))*dot(angle_rocker)^2))/(((d - a*cos(theta))^2 + (a*sin(theta))^2)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))
+psi = 1.6 + atan2(sin(psi - 1.6), cos(psi - 1.6))
+t0 = cos(theta - angle_coupler)
+t1 = sin(theta - angle_coupler)
+t2 = 18*a + 55*a*b
+t3 = 1/750*(54 + 275*b^2)*slope_coupler_theta
+```
+
+# Constants, computed by `new`
+
+```text
+k0 = a
+k1 = b
+k2 = c
+k3 = d
+k4 = gamma
+k5 = b^2
+k6 = 0.5*(b^2 - c^2)
+k7 = 0.02*(18*a + 55*a*b)
+k8 = 0.18*a
+k9 = 1/750*(54 + 275*b^2)
+k10 = 28/15*a^2
+k11 = 0.3*c^2
+k12 = 0.09*a
+k13 = 0.01*(18*a + 55*a*b)
+k14 = 0.0981*(18 + 55*b)
+k15 = 4.4145*c
+k16 = 14/15*a^2
+k17 = 1/1500*(54 + 275*b^2)
+k18 = 0.15*c^2
+k19 = 19.1295*a
+k20 = 1/b
+k21 = a*d
+k22 = a^2*sqrt(b^2*c^2)/(b^2*c^2) + d^2*sqrt(b^2*c^2)/(b^2*c^2)
+k23 = 2*a*d*sqrt(b^2*c^2)/(b^2*c^2)
+k24 = 0.5*a^2 + 0.5*d^2
+k25 = 0.125*b^2*c^2 - 0.0625*b^4 - 0.0625*c^4
+k26 = 0.25*b^2 + 0.25*c^2
+k27 = 1/c
+k28 = 1*4.4145
+k29 = 1*0.0981*(18 + 55*b)/b
+k30 = 1*0.8829/b
+k31 = 1
+k32 = 1
+k33 = -1
+```
+*/
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct FourBar<T = f64> {
+        params: FourBarParams,
+        constants: [T; 34],
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl FourBar {
+        /// Builds the model: checks the parameters, and computes once whatever depends on them alone.
+        ///
+        /// # Errors
+        ///
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        pub fn new(
+            params: FourBarParams,
+        ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
+            #[inline]
+            fn rules<T: ::pendulum_core::real::Real>(given: [T; 5]) -> [T; 1] {
+                let [p_a, p_b, p_c, p_d, p_gamma] = given;
+                [p_gamma]
+            }
+            #[inline]
+            fn constants<T: ::pendulum_core::real::Real>(given: [T; 5]) -> [T; 34] {
+                let [p_a, p_b, p_c, p_d, p_gamma] = given;
+                let t0 = T::from_f64(0.18) * p_a;
+                let t1 = T::from_f64(0.09) * p_a;
+                let t2 = T::from_f64(19.1295) * p_a;
+                let t3 = p_a * p_d;
+                let t4 = p_b * p_b;
+                let t5 = p_c * p_c;
+                let t6 = T::from_f64(0.5) * (t4 - t5);
+                let t7 = T::from_f64(0.3) * t5;
+                let t8 = T::from_f64(0.15) * t5;
+                let t9 = t5 * (T::from_f64(0.125) * t4)
+                    - T::from_f64(0.0625) * (p_b * p_b * p_b * p_b)
+                    - T::from_f64(0.0625) * (p_c * p_c * p_c * p_c);
+                let t10 = T::from_f64(0.25) * t4 + T::from_f64(0.25) * t5;
+                let t11 = (t5 * t4).sqrt();
+                let t12 = T::from_f64(54.0) + T::from_f64(275.0) * t4;
+                let t13 = T::from_f64(0.0013333333333333333) * t12;
+                let t14 = T::from_f64(0.0006666666666666666) * t12;
+                let t15 = T::from_f64(18.0) * p_a + p_b * (T::from_f64(55.0) * p_a);
+                let t16 = T::from_f64(0.02) * t15;
+                let t17 = T::from_f64(0.01) * t15;
+                let t18 = p_a * p_a;
+                let t19 = T::from_f64(1.8666666666666667) * t18;
+                let t20 = T::from_f64(0.9333333333333333) * t18;
+                let t21 = T::from_f64(0.0981)
+                    * (T::from_f64(18.0) + T::from_f64(55.0) * p_b);
+                let t22 = T::from_f64(4.4145) * p_c;
+                let t23 = T::from_f64(1.0) / p_b;
+                let t24 = t21 * t23;
+                let t25 = T::from_f64(0.8829) * t23;
+                let t26 = p_b * t23;
+                let t27 = T::from_f64(1.0) / (p_c * p_c);
+                let t28 = T::from_f64(1.0) / (p_b * p_b);
+                let t29 = T::from_f64(2.0) * (t11 * (p_d * (p_a * t28 * t27)));
+                let t30 = p_d * p_d;
+                let t31 = t11 * (t27 * (t18 * t28)) + t11 * (t30 * (t28 * t27));
+                let t32 = T::from_f64(0.5) * t18 + T::from_f64(0.5) * t30;
+                let t33 = T::from_f64(1.0) / p_c;
+                let t34 = t22 * t33;
+                let t35 = p_c * t33;
+                let t36 = -t35;
+                [
+                    p_a,
+                    p_b,
+                    p_c,
+                    p_d,
+                    p_gamma,
+                    t4,
+                    t6,
+                    t16,
+                    t0,
+                    t13,
+                    t19,
+                    t7,
+                    t1,
+                    t17,
+                    t21,
+                    t22,
+                    t20,
+                    t14,
+                    t8,
+                    t2,
+                    t23,
+                    t3,
+                    t31,
+                    t29,
+                    t32,
+                    t9,
+                    t10,
+                    t33,
+                    t34,
+                    t24,
+                    t25,
+                    t26,
+                    t35,
+                    t36,
+                ]
+            }
+            let given = params.to_array();
+            for (name, value) in FourBarParams::NAMES.into_iter().zip(given) {
+                if !value.is_finite() {
+                    return Err(
+                        ::pendulum_core::ParameterError::new(
+                            name,
+                            value,
+                            "a parameter must be finite",
+                            &[],
+                        ),
+                    );
+                }
+            }
+            let [r0] = rules(given);
+            if !(r0 >= 0.0) {
+                return Err(
+                    ::pendulum_core::ParameterError::new(
+                        "gamma",
+                        r0,
+                        "the friction of `rocker` must not be negative",
+                        &[],
+                    ),
+                );
+            }
+            let constants = constants(given);
+            let names: [&'static str; 34] = [
+                "a",
+                "b",
+                "c",
+                "d",
+                "gamma",
+                "b^2",
+                "0.5*(b^2 - c^2)",
+                "0.02*(18*a + 55*a*b)",
+                "0.18*a",
+                "1/750*(54 + 275*b^2)",
+                "28/15*a^2",
+                "0.3*c^2",
+                "0.09*a",
+                "0.01*(18*a + 55*a*b)",
+                "0.0981*(18 + 55*b)",
+                "4.4145*c",
+                "14/15*a^2",
+                "1/1500*(54 + 275*b^2)",
+                "0.15*c^2",
+                "19.1295*a",
+                "1/b",
+                "a*d",
+                "a^2*sqrt(b^2*c^2)/(b^2*c^2) + d^2*sqrt(b^2*c^2)/(b^2*c^2)",
+                "2*a*d*sqrt(b^2*c^2)/(b^2*c^2)",
+                "0.5*a^2 + 0.5*d^2",
+                "0.125*b^2*c^2 - 0.0625*b^4 - 0.0625*c^4",
+                "0.25*b^2 + 0.25*c^2",
+                "1/c",
+                "1*4.4145",
+                "1*0.0981*(18 + 55*b)/b",
+                "1*0.8829/b",
+                "1",
+                "1",
+                "-1",
+            ];
+            for (name, value) in names.into_iter().zip(constants) {
+                if !value.is_finite() {
+                    let given: [_; 5] = ::core::array::from_fn(|n| (
+                        FourBarParams::NAMES[n],
+                        given[n],
+                    ));
+                    return Err(
+                        ::pendulum_core::ParameterError::new(
+                            name,
+                            value,
+                            "a constant of the equations is not finite: a coordinate has no inertia, a divisor is zero, or a number is too large",
+                            &given,
+                        ),
+                    );
+                }
+            }
+            Ok(Self { params, constants })
+        }
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
+        /// then rounded.
+        pub fn cast<T: ::pendulum_core::real::Real>(&self) -> FourBar<T> {
+            FourBar {
+                params: self.params,
+                constants: self.constants.map(T::from_f64),
+            }
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> FourBar<T> {
+        /// The parameters that the model was built from.
+        pub fn params(&self) -> &FourBarParams {
+            &self.params
+        }
+        /// The model with other parameters, in the same number type. Its constants are computed anew.
+        ///
+        /// # Errors
+        ///
+        /// Those of `new`.
+        pub fn with_params(
+            &self,
+            params: FourBarParams,
+        ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
+            Ok(<FourBar>::new(params)?.cast())
+        }
+    }
+    impl FourBar {
+        ///The place of `theta` in the state, where it stands in rad.
+        pub const THETA: usize = 0;
+        ///The place of `dot(theta)` in the state, where it stands in rad/s.
+        pub const DOT_THETA: usize = 1;
+        /// The number of degrees of freedom; the state has twice as many components.
+        pub const DOF: usize = 1;
+        /// The names of the coordinates, in the order in which they, and then their rates, stand in the state.
+        pub const COORDINATES: [&'static str; 1] = ["theta"];
+        /// Counted operations of each generated function, in the form that it has and in others.
+        pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::new(
+            &[
+                (
+                    "rhs",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, expanded, L^T D L",
+                            ::pendulum_core::Operations::new(33, 65, 4, 1, 1, 57),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first, L^T D L",
+                                    ::pendulum_core::Operations::new(34, 66, 4, 1, 1, 58),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first, L^T D L",
+                                    ::pendulum_core::Operations::new(34, 66, 4, 1, 1, 58),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "recursion, L^T D L",
+                                    ::pendulum_core::Operations::new(49, 70, 4, 1, 1, 59),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C, L^T D L",
+                                    ::pendulum_core::Operations::new(61, 83, 4, 1, 1, 59),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "loop_margins",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of the state first",
+                            ::pendulum_core::Operations::new(4, 6, 2, 1, 1, 35),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(4, 6, 2, 1, 1, 35),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(4, 6, 2, 1, 1, 35),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "as declared",
+                                    ::pendulum_core::Operations::new(4, 8, 2, 1, 1, 41),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "jacobian",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of the state first, L^T D L, derived in the graph",
+                            ::pendulum_core::Operations::new(107, 184, 6, 1, 1, 75),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first, L^T D L, derived in the graph",
+                                    ::pendulum_core::Operations::new(107, 184, 6, 1, 1, 76),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded, L^T D L, derived in the graph",
+                                    ::pendulum_core::Operations::new(114, 200, 6, 1, 1, 73),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "recursion, L^T D L, derived in the graph",
+                                    ::pendulum_core::Operations::new(143, 203, 6, 1, 1, 78),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C, L^T D L, derived in the graph",
+                                    ::pendulum_core::Operations::new(168, 219, 6, 1, 1, 76),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "kinetic",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of the state first",
+                            ::pendulum_core::Operations::new(16, 34, 2, 1, 1, 47),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(16, 34, 2, 1, 1, 47),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(16, 34, 2, 1, 1, 47),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "recursion",
+                                    ::pendulum_core::Operations::new(26, 41, 2, 1, 1, 53),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C",
+                                    ::pendulum_core::Operations::new(35, 48, 3, 1, 1, 54),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "potential",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of the state first",
+                            ::pendulum_core::Operations::new(10, 15, 2, 1, 1, 46),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(10, 15, 2, 1, 1, 46),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(10, 15, 2, 1, 1, 46),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C",
+                                    ::pendulum_core::Operations::new(12, 16, 2, 1, 1, 45),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "recursion",
+                                    ::pendulum_core::Operations::new(12, 16, 2, 1, 1, 45),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "follow",
+                    ::pendulum_core::FunctionCost::new(
+                            "as declared",
+                            ::pendulum_core::Operations::new(16, 23, 1, 2, 3, 53),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(16, 23, 1, 2, 3, 53),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(16, 23, 1, 2, 3, 53),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(16, 23, 1, 2, 3, 53),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "follow_rate",
+                    ::pendulum_core::FunctionCost::new(
+                            "as declared",
+                            ::pendulum_core::Operations::new(12, 19, 2, 1, 1, 44),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(12, 19, 2, 1, 1, 44),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(12, 19, 2, 1, 1, 44),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(12, 19, 2, 1, 1, 44),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "follow_and_jacobian",
+                    ::pendulum_core::FunctionCost::new(
+                            "as declared",
+                            ::pendulum_core::Operations::new(19, 30, 2, 2, 3, 53),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(19, 30, 2, 2, 3, 53),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(19, 30, 2, 2, 3, 53),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(19, 30, 2, 2, 3, 53),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "gap",
+                    ::pendulum_core::FunctionCost::new(
+                            "as declared",
+                            ::pendulum_core::Operations::new(12, 15, 1, 1, 1, 42),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(12, 15, 1, 1, 1, 42),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(12, 15, 1, 1, 1, 42),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(12, 15, 1, 1, 1, 42),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "gap_rate",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of the state first",
+                            ::pendulum_core::Operations::new(14, 30, 2, 1, 1, 47),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(14, 30, 2, 1, 1, 47),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(14, 30, 2, 1, 1, 47),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "as declared",
+                                    ::pendulum_core::Operations::new(14, 30, 2, 1, 1, 48),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "gap_and_jacobian",
+                    ::pendulum_core::FunctionCost::new(
+                            "as declared",
+                            ::pendulum_core::Operations::new(18, 30, 2, 1, 1, 45),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(18, 32, 2, 1, 1, 46),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(18, 32, 2, 1, 1, 46),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(18, 32, 2, 1, 1, 46),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "rocking",
+                    ::pendulum_core::FunctionCost::new(
+                            "as declared",
+                            ::pendulum_core::Operations::new(7, 16, 2, 1, 1, 43),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(7, 16, 2, 1, 1, 43),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(7, 16, 2, 1, 1, 43),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(7, 16, 2, 1, 1, 43),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "rocking_rate",
+                    ::pendulum_core::FunctionCost::new(
+                        "as declared",
+                        ::pendulum_core::Operations::new(39, 71, 4, 1, 1, 56),
+                    ),
+                ),
+                (
+                    "rocking_and_jacobian",
+                    ::pendulum_core::FunctionCost::new(
+                            "as declared",
+                            ::pendulum_core::Operations::new(20, 41, 5, 1, 1, 50),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(45, 68, 6, 1, 2, 58),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(44, 71, 6, 1, 2, 58),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(54, 299, 6, 1, 2, 74),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "outputs",
+                    ::pendulum_core::FunctionCost::new(
+                            "as declared",
+                            ::pendulum_core::Operations::new(21, 32, 2, 2, 3, 53),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(21, 32, 2, 2, 3, 53),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(21, 32, 2, 2, 3, 53),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(21, 32, 2, 2, 3, 53),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "output_rates",
+                    ::pendulum_core::FunctionCost::new(
+                        "as declared",
+                        ::pendulum_core::Operations::new(45, 82, 3, 1, 1, 56),
+                    ),
+                ),
+                (
+                    "outputs_and_jacobian",
+                    ::pendulum_core::FunctionCost::new(
+                            "as declared",
+                            ::pendulum_core::Operations::new(40, 64, 5, 2, 3, 53),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(65, 93, 6, 2, 4, 58),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(64, 96, 6, 2, 4, 58),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(78, 320, 10, 2, 4, 74),
+                                ),
+                            ],
+                        ),
+                ),
+            ],
+        );
+        /// What each part of the state is.
+        pub const LAYOUT: ::pendulum_core::StateLayout = ::pendulum_core::StateLayout::new(
+                &[
+                    ::pendulum_core::Slot::new(
+                            "theta",
+                            ::pendulum_core::SlotKind::Angle,
+                            0..1,
+                            1..2,
+                        )
+                        .periodic(),
+                ],
+            )
+            .autonomous();
+        /// The equations of motion as text.
+        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[theta, theta] = 0.3*c^2*slope_rocker_theta^2 + 28/15*a^2 + 0.02*t2*slope_coupler_theta*t0 + 0.18*a*slope_coupler_theta*t1 + slope_coupler_theta*t3\nb[theta] = 0.09*a*dot(theta)^2*slope_coupler_theta*t0 + 19.1295*a*cos(theta) + 0.01*t2*dot(angle_coupler)^2*t1 + drift_coupler*t3 + 0.0981*(18 + 55*b)*slope_coupler_theta*cos(angle_coupler) + 0.3*c^2*slope_rocker_theta*drift_rocker + 4.4145*c*slope_rocker_theta*cos(angle_rocker) + 0.01*t2*drift_coupler*t0 + 0.09*a*drift_coupler*t1 - 0.01*t2*dot(theta)^2*slope_coupler_theta*t1 - 0.09*a*dot(angle_coupler)^2*t0 - 0.8829*slope_coupler_theta*sin(angle_coupler)\nQ[theta] = -gamma*dot(psi)*slope_rocker_theta\n\nwhere\nangle_coupler = atan2(((d - a*cos(theta))*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2) - a*sin(theta)*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)))/b, ((d - a*cos(theta))*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) + a*sin(theta)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))/b)\nangle_rocker = atan2(-(a*sin(theta)*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) - (d - a*cos(theta))*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2) - a*sin(theta))/c, -(d - a*cos(theta) - (d - a*cos(theta))*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) - a*sin(theta)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))/c)\nslope_coupler_theta = -1*(a*sin(theta)*(d - a*cos(theta) - (d - a*cos(theta))*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) - a*sin(theta)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2)) + a*cos(theta)*(a*sin(theta) + (d - a*cos(theta))*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2) - a*sin(theta)*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))))/(((d - a*cos(theta))^2 + (a*sin(theta))^2)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))\nslope_rocker_theta = 1*(a*sin(theta)*((d - a*cos(theta))*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) + a*sin(theta)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2)) + a*cos(theta)*(a*sin(theta)*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) - (d - a*cos(theta))*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2)))/(((d - a*cos(theta))^2 + (a*sin(theta))^2)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))\ndrift_coupler = 1*((a*sin(theta) + (d - a*cos(theta))*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2) - a*sin(theta)*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)))*(a*dot(theta)^2*sin(theta) + ((d - a*cos(theta))*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2) - a*sin(theta)*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)))*dot(angle_coupler)^2 + (a*sin(theta)*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) - (d - a*cos(theta))*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2) - a*sin(theta))*dot(angle_rocker)^2) - (d - a*cos(theta) - (d - a*cos(theta))*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) - a*sin(theta)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))*(a*dot(theta)^2*cos(theta) + ((d - a*cos(theta))*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) + a*sin(theta)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))*dot(angle_coupler)^2 + (d - a*cos(theta) - (d - a*cos(theta))*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) - a*sin(theta)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))*dot(angle_rocker)^2))/(((d - a*cos(theta))^2 + (a*sin(theta))^2)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))\ndrift_rocker = -1*((a*sin(theta)*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) - (d - a*cos(theta))*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))*(a*dot(theta)^2*sin(theta) + ((d - a*cos(theta))*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2) - a*sin(theta)*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)))*dot(angle_coupler)^2 + (a*sin(theta)*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) - (d - a*cos(theta))*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2) - a*sin(theta))*dot(angle_rocker)^2) - ((d - a*cos(theta))*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) + a*sin(theta)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))*(a*dot(theta)^2*cos(theta) + ((d - a*cos(theta))*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) + a*sin(theta)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))*dot(angle_coupler)^2 + (d - a*cos(theta) - (d - a*cos(theta))*(0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2)) - a*sin(theta)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))*dot(angle_rocker)^2))/(((d - a*cos(theta))^2 + (a*sin(theta))^2)*sqrt(1*b^2/((d - a*cos(theta))^2 + (a*sin(theta))^2) - (0.5 + 0.5*1*(b^2 - c^2)/((d - a*cos(theta))^2 + (a*sin(theta))^2))^2))\npsi = 1.6 + atan2(sin(psi - 1.6), cos(psi - 1.6))\nt0 = cos(theta - angle_coupler)\nt1 = sin(theta - angle_coupler)\nt2 = 18*a + 55*a*b\nt3 = 1/750*(54 + 275*b^2)*slope_coupler_theta\n";
+        ///The names of the components of all outputs.
+        pub const OUTPUTS: [&'static str; 5] = [
+            "follow[0]",
+            "follow[1]",
+            "gap[0]",
+            "gap[1]",
+            "rocking",
+        ];
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::System<T, 2> for FourBar<T> {
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn rhs(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
+            let [q_theta, qd_theta] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k2 = self.constants[2];
+            let k3 = self.constants[3];
+            let k4 = self.constants[4];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let k7 = self.constants[7];
+            let k8 = self.constants[8];
+            let k9 = self.constants[9];
+            let k10 = self.constants[10];
+            let k11 = self.constants[11];
+            let k12 = self.constants[12];
+            let k13 = self.constants[13];
+            let k14 = self.constants[14];
+            let k15 = self.constants[15];
+            let k19 = self.constants[19];
+            let k20 = self.constants[20];
+            let t0 = qd_theta * qd_theta;
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t1 = k0 * cos_theta;
+            let t2 = k3 - t1;
+            let t3 = k0 * sin_theta;
+            let t4 = t2 * t2 + t3 * t3;
+            let t5 = T::from_f64(1.0) / t4;
+            let t6 = T::from_f64(0.5) + k6 * t5;
+            let t7 = (k5 * t5 - t6 * t6).sqrt();
+            let t8 = T::from_f64(1.0) / (t4 * t7);
+            let t9 = t2 * t7 - t3 * t6;
+            let t10 = t2 * t6 + t3 * t7;
+            let t11 = t2 - t10;
+            let t12 = t3 + t9;
+            let t13 = t8 * (t3 * t11 + t1 * t12);
+            let t14 = qd_theta * t13;
+            let t15 = t14 * t14;
+            let t16 = t8 * (t3 * t10 - t1 * t9);
+            let t17 = qd_theta * t16;
+            let t18 = t17 * t17;
+            let t19 = t3 * t0 + t9 * t15 - t12 * t18;
+            let t20 = t1 * t0 + t10 * t15 + t11 * t18;
+            let t21 = k11 * t16;
+            let t22 = k20 * t9;
+            let t23 = k20 * t10;
+            let t24 = sin_theta * t23 - cos_theta * t22;
+            let t25 = cos_theta * t23 + sin_theta * t22;
+            let t26 = k13 * t24 - k12 * t25;
+            let t27 = k19 * cos_theta + t8 * (t9 * t19 + t10 * t20) * t21
+                + t13
+                    * (T::from_f64(0.8829) * t22 + qd_theta * (qd_theta * t26)
+                        - k14 * t23);
+            let t28 = k9 * t13;
+            let t29 = t8 * (t12 * t19 - t11 * t20) * (k12 * t24 + k13 * t25 - t28);
+            let t30 = t27 + t29 + t14 * (t14 * t26)
+                + t16 * (k4 * t17 - k15 * (t11 / k2));
+            let t31 = k10 + t16 * t21 + t13 * (t28 - k7 * t25 - k8 * t24);
+            ::pendulum_core::nalgebra::SVector::from([
+                qd_theta,
+                t30 * (T::from_f64(-1.0) / t31),
+            ])
+        }
+        #[inline]
+        fn layout(
+            &self,
+        ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
+            Some(&<FourBar>::LAYOUT)
+        }
+        #[inline]
+        fn project(&self, t: T, x: &mut ::pendulum_core::nalgebra::SVector<T, 2>) {
+            for margin in self.loop_margins(t, x).iter() {
+                x[0] += T::from_f64(0.0) * (*margin - T::from_f64(0.001)).sqrt();
+            }
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Jacobian<T, 2> for FourBar<T> {
+        #[inline]
+        fn jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::nalgebra::SMatrix<T, 2, 2> {
+            self.rhs_and_jacobian(t, x).1
+        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn rhs_and_jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> (
+            ::pendulum_core::nalgebra::SVector<T, 2>,
+            ::pendulum_core::nalgebra::SMatrix<T, 2, 2>,
+        ) {
+            let [q_theta, qd_theta] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k3 = self.constants[3];
+            let k4 = self.constants[4];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let k7 = self.constants[7];
+            let k8 = self.constants[8];
+            let k9 = self.constants[9];
+            let k10 = self.constants[10];
+            let k11 = self.constants[11];
+            let k12 = self.constants[12];
+            let k13 = self.constants[13];
+            let k14 = self.constants[14];
+            let k19 = self.constants[19];
+            let k20 = self.constants[20];
+            let k28 = self.constants[28];
+            let t0 = qd_theta * qd_theta;
+            let t1 = T::from_f64(2.0) * qd_theta;
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t2 = k0 * cos_theta;
+            let t3 = k3 - t2;
+            let t4 = k0 * sin_theta;
+            let t5 = t3 * t3 + t4 * t4;
+            let t6 = T::from_f64(1.0) / t5;
+            let t7 = T::from_f64(0.5) + k6 * t6;
+            let t8 = (k5 * t6 - t7 * t7).sqrt();
+            let t9 = t4 * t8;
+            let t10 = t3 * t7 + t9;
+            let t11 = k20 * t10;
+            let t12 = t4 * t7;
+            let t13 = t12 - t3 * t8;
+            let t14 = k20 * t13;
+            let t15 = sin_theta * t11 + cos_theta * t14;
+            let t16 = t5 * t8;
+            let t17 = T::from_f64(1.0) / t16;
+            let t18 = t3 - t10;
+            let t19 = t4 - t13;
+            let t20 = t4 * t18 + t2 * t19;
+            let t21 = t17 * t20;
+            let t22 = qd_theta * t21;
+            let t23 = t22 * t22;
+            let t24 = T::from_f64(2.0) * t22;
+            let t25 = t4 * t0;
+            let t26 = t4 * t10 + t2 * t13;
+            let t27 = t17 * t26;
+            let t28 = qd_theta * t27;
+            let t29 = t28 * t28;
+            let t30 = t25 - t13 * t23 - t19 * t29;
+            let t31 = t2 * t0;
+            let t32 = t31 + t10 * t23 + t18 * t29;
+            let t33 = t19 * t30 - t18 * t32;
+            let t34 = t17 * t33;
+            let t35 = cos_theta * t11 - sin_theta * t14;
+            let t36 = k13 * (t15 * t23 + t34 * t35)
+                + (k19 * cos_theta + k12 * (t15 * t34 - t35 * t23));
+            let t37 = t13 * t30 - t10 * t32;
+            let t38 = k11 * t17;
+            let t39 = k4 * t28 - t37 * t38 - k28 * t18;
+            let t40 = T::from_f64(2.0) * t28;
+            let t41 = qd_theta * (k12 * t35 - k13 * t15);
+            let t42 = k9 * t34 + T::from_f64(0.8829) * t14 + k14 * t11 + qd_theta * t41;
+            let t43 = k11 * t27;
+            let t44 = k7 * t35 + k8 * t15 - k9 * t21;
+            let t45 = T::from_f64(-1.0) / (k10 + t27 * t43 - t21 * t44);
+            let t46 = (t36 + t27 * t39 - t21 * t42) * t45;
+            let t47 = t4 * (T::from_f64(2.0) * (t2 + t3));
+            let t48 = t47 * (T::from_f64(1.0) / (t5 * t5));
+            let t49 = k6 * t48;
+            let t50 = T::from_f64(0.5) * (T::from_f64(2.0) * t7 * t49 - k5 * t48)
+                * (T::from_f64(1.0) / t8);
+            let t51 = (t8 * t47 + t5 * t50) * (T::from_f64(1.0) / (t16 * t16));
+            let t52 = t2 * t7 - t4 * t49 - (t9 + t3 * t50);
+            let t53 = t12 + t2 * t8 + t4 * t50 - t3 * t49;
+            let t54 = t17 * (t2 * (t10 + t52) + t4 * (t53 - t13)) - t26 * t51;
+            let t55 = t2 - t52;
+            let t56 = t4 - t53;
+            let t57 = t20 * t51 - t17 * (t2 * (t18 + t55) + t4 * (t56 - t19));
+            let t58 = T::from_f64(1.0) + t21;
+            let t59 = t35 * t58;
+            let t60 = t15 * t58;
+            let t61 = t44 * t57 + t54 * (t43 + t43)
+                - t21 * (k9 * t57 + k8 * t59 - k7 * t60);
+            let t62 = qd_theta * t57 * t24;
+            let t63 = t21 * t24;
+            let t64 = qd_theta * t54;
+            let t65 = t64 * t40;
+            let t66 = t31 + t13 * t62 - t52 * t23 - t55 * t29 - t19 * t65;
+            let t67 = t53 * t23 + t56 * t29 + t18 * t65 - t25 - t10 * t62;
+            let t68 = t17 * (t30 * t55 + t19 * t66 - t32 * t56 - t18 * t67);
+            let t69 = t17 * (t30 * t52 + t13 * t66 - t32 * t53 - t10 * t67);
+            let t70 = k4 * t64 + k11 * (t37 * t51 - t69) - k28 * t19 * t27;
+            let t71 = t68 - t33 * t51;
+            let t72 = k9 * t71 + t21 * (T::from_f64(0.8829) * t11 - k14 * t14)
+                - (k12 * t60 + k13 * t59) * t0;
+            let t73 = t27 * t40;
+            let t74 = t4 * t1 - t13 * t63 - t19 * t73;
+            let t75 = t2 * t1 + t10 * t63 + t18 * t73;
+            let t76 = t17 * (t19 * t74 - t18 * t75);
+            let t77 = k13 * (t15 * t63 + t35 * t76) + k12 * (t15 * t76 - t35 * t63);
+            let t78 = t77 + t27 * (k4 * t27 - (t13 * t74 - t10 * t75) * t38);
+            let t79 = k13 * (t59 * t23 + t35 * t71 - t15 * t62 - t34 * t60);
+            let t80 = k12 * (t15 * t71 + t34 * t59 + t35 * t62 + t60 * t23);
+            let t81 = t42 * t57 + t79 + (t80 - k19 * sin_theta) + t39 * t54 + t27 * t70;
+            (
+                ::pendulum_core::nalgebra::SVector::from([qd_theta, t46]),
+                ::pendulum_core::nalgebra::SMatrix::from([
+                    [T::from_f64(0.0), t45 * (t81 + t46 * t61 - t21 * t72)],
+                    [
+                        T::from_f64(1.0),
+                        t45 * (t78 - t21 * (k9 * t76 + T::from_f64(2.0) * t41)),
+                    ],
+                ]),
+            )
+        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn time_derivative(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
+            ::pendulum_core::nalgebra::SVector::from([
+                T::from_f64(0.0),
+                T::from_f64(0.0),
+            ])
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Energy<T, 2> for FourBar<T> {
+        #[inline]
+        fn kinetic(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 2>) -> T {
+            let [q_theta, qd_theta] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k3 = self.constants[3];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let k12 = self.constants[12];
+            let k13 = self.constants[13];
+            let k16 = self.constants[16];
+            let k17 = self.constants[17];
+            let k18 = self.constants[18];
+            let k20 = self.constants[20];
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t0 = k0 * sin_theta;
+            let t1 = k0 * cos_theta;
+            let t2 = k3 - t1;
+            let t3 = t2 * t2 + t0 * t0;
+            let t4 = T::from_f64(1.0) / t3;
+            let t5 = T::from_f64(0.5) + k6 * t4;
+            let t6 = (k5 * t4 - t5 * t5).sqrt();
+            let t7 = qd_theta * (T::from_f64(1.0) / (t3 * t6));
+            let t8 = t2 * t5 + t0 * t6;
+            let t9 = t0 * t5 - t2 * t6;
+            let t10 = (t0 * (t2 - t8) + t1 * (t0 - t9)) * t7;
+            let t11 = (t0 * t8 + t1 * t9) * t7;
+            let t12 = k20 * t8;
+            let t13 = k20 * t9;
+            let t14 = k13 * (cos_theta * t12 - sin_theta * t13)
+                + k12 * (sin_theta * t12 + cos_theta * t13);
+            k17 * t10 * t10 + k18 * t11 * t11 + qd_theta * (k16 * qd_theta - t10 * t14)
+        }
+        #[inline]
+        fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 2>) -> T {
+            let [q_theta, _] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k2 = self.constants[2];
+            let k3 = self.constants[3];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let k15 = self.constants[15];
+            let k19 = self.constants[19];
+            let k29 = self.constants[29];
+            let k30 = self.constants[30];
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t0 = k3 - k0 * cos_theta;
+            let t1 = k0 * sin_theta;
+            let t2 = T::from_f64(1.0) / (t0 * t0 + t1 * t1);
+            let t3 = T::from_f64(0.5) + k6 * t2;
+            let t4 = (k5 * t2 - t3 * t3).sqrt();
+            let t5 = t1 * t3 - t0 * t4;
+            let t6 = k19 * sin_theta + k30 * (t0 * t3 + t1 * t4)
+                - k15 * ((t5 - t1) / k2);
+            t6 - k29 * t5
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> FourBar<T> {
+        ///How far each closed loop is from its toggle, in the order of the declaration: the sine of the angle between the two sides that it is solved for.
+        #[inline]
+        pub fn loop_margins(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 1> {
+            let [q_theta, _] = x.data.0[0];
+            let k21 = self.constants[21];
+            let k22 = self.constants[22];
+            let k23 = self.constants[23];
+            let k24 = self.constants[24];
+            let k25 = self.constants[25];
+            let k26 = self.constants[26];
+            let (_, cos_theta) = q_theta.sin_cos();
+            let t0 = k21 * cos_theta - k24;
+            let t1 = (k25 * (T::from_f64(1.0) / (t0 * t0))
+                - k26 * (T::from_f64(1.0) / t0) - T::from_f64(0.25))
+                .sqrt();
+            ::pendulum_core::nalgebra::SVector::from([t1 * (k22 - k23 * cos_theta)])
+        }
+        ///Output `follow`.
+        #[inline]
+        pub fn follow(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
+            let [q_theta, _] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k3 = self.constants[3];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let k20 = self.constants[20];
+            let k27 = self.constants[27];
+            let t0 = q_theta - T::from_f64(0.3);
+            let [(sin_theta, cos_theta), (sin1, cos1)] = q_theta.sin_cos_pair(t0);
+            let t2 = k3 - k0 * cos_theta;
+            let t3 = k0 * sin_theta;
+            let t4 = T::from_f64(1.0) / (t2 * t2 + t3 * t3);
+            let t5 = T::from_f64(0.5) + k6 * t4;
+            let t6 = (k5 * t4 - t5 * t5).sqrt();
+            let t7 = t2 * t6 - t3 * t5;
+            let t8 = t2 * t5 + t3 * t6;
+            let t9 = k27 * (t3 + t7);
+            let t10 = k20 * t7;
+            let t11 = k27 * (t2 - t8);
+            let t12 = (T::from_f64(-0.029199522301288815) * t9
+                - T::from_f64(-0.9995736030415051) * t11)
+                .atan2(
+                    -(T::from_f64(-0.9995736030415051) * t9
+                        + T::from_f64(-0.029199522301288815) * t11),
+                );
+            let t13 = k20 * t8;
+            ::pendulum_core::nalgebra::SVector::from([
+                (t10 * cos1 - t13 * sin1).atan2(cos1 * t13 + t10 * sin1)
+                    - T::from_f64(0.3),
+                T::from_f64(1.6) + t12,
+            ])
+        }
+        ///The rate of `follow` along the motion.
+        #[inline]
+        pub fn follow_rate(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
+            let [q_theta, qd_theta] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k3 = self.constants[3];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t0 = k0 * sin_theta;
+            let t1 = k0 * cos_theta;
+            let t2 = k3 - t1;
+            let t3 = t2 * t2 + t0 * t0;
+            let t4 = T::from_f64(1.0) / t3;
+            let t5 = T::from_f64(0.5) + k6 * t4;
+            let t6 = (k5 * t4 - t5 * t5).sqrt();
+            let t7 = qd_theta * (T::from_f64(1.0) / (t3 * t6));
+            let t8 = t2 * t5 + t0 * t6;
+            let t9 = t0 * t5 - t2 * t6;
+            ::pendulum_core::nalgebra::SVector::from([
+                -(qd_theta + (t0 * (t2 - t8) + t1 * (t0 - t9)) * t7),
+                (t0 * t8 + t1 * t9) * t7,
+            ])
+        }
+        ///The value of `follow`, and its derivatives by the state: a row for each component, column by column for a matrix.
+        #[inline]
+        pub fn follow_and_jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> (
+            ::pendulum_core::nalgebra::SVector<T, 2>,
+            ::pendulum_core::nalgebra::SMatrix<T, 2, 2>,
+        ) {
+            let [q_theta, _] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k3 = self.constants[3];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let k20 = self.constants[20];
+            let k27 = self.constants[27];
+            let t0 = q_theta - T::from_f64(0.3);
+            let [(sin_theta, cos_theta), (sin1, cos1)] = q_theta.sin_cos_pair(t0);
+            let t2 = k0 * cos_theta;
+            let t3 = k0 * sin_theta;
+            let t4 = k3 - t2;
+            let t5 = t4 * t4 + t3 * t3;
+            let t6 = T::from_f64(1.0) / t5;
+            let t7 = T::from_f64(0.5) + k6 * t6;
+            let t8 = (k5 * t6 - t7 * t7).sqrt();
+            let t9 = T::from_f64(1.0) / (t5 * t8);
+            let t10 = t4 * t8 - t3 * t7;
+            let t11 = t4 * t7 + t3 * t8;
+            let t12 = t3 + t10;
+            let t13 = k20 * t10;
+            let t14 = k27 * t12;
+            let t15 = t4 - t11;
+            let t16 = k20 * t11;
+            let t17 = k27 * t15;
+            let t18 = (T::from_f64(-0.029199522301288815) * t14
+                - T::from_f64(-0.9995736030415051) * t17)
+                .atan2(
+                    -(T::from_f64(-0.9995736030415051) * t14
+                        + T::from_f64(-0.029199522301288815) * t17),
+                );
+            (
+                ::pendulum_core::nalgebra::SVector::from([
+                    (t13 * cos1 - t16 * sin1).atan2(cos1 * t16 + t13 * sin1)
+                        - T::from_f64(0.3),
+                    T::from_f64(1.6) + t18,
+                ]),
+                ::pendulum_core::nalgebra::SMatrix::from([
+                    [
+                        T::from_f64(-1.0) - t9 * (t3 * t15 + t2 * t12),
+                        t9 * (t3 * t11 - t2 * t10),
+                    ],
+                    [T::from_f64(0.0), T::from_f64(0.0)],
+                ]),
+            )
+        }
+        ///Output `gap`.
+        #[inline]
+        pub fn gap(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
+            let [q_theta, _] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k3 = self.constants[3];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let k31 = self.constants[31];
+            let k32 = self.constants[32];
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t0 = k0 * sin_theta;
+            let t1 = k0 * cos_theta - k3;
+            let t2 = T::from_f64(1.0) / (t1 * t1 + t0 * t0);
+            let t3 = T::from_f64(0.5) + k6 * t2;
+            let t4 = (k5 * t2 - t3 * t3).sqrt();
+            let t5 = t0 * t4 - t1 * t3;
+            let t6 = t1 * t4 + t0 * t3;
+            ::pendulum_core::nalgebra::SVector::from([
+                k31 * t5 + t1 - k32 * (t1 + t5),
+                t0 + k32 * (t6 - t0) - k31 * t6,
+            ])
+        }
+        ///The rate of `gap` along the motion.
+        #[inline]
+        pub fn gap_rate(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
+            let [q_theta, qd_theta] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k1 = self.constants[1];
+            let k2 = self.constants[2];
+            let k3 = self.constants[3];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let k20 = self.constants[20];
+            let k27 = self.constants[27];
+            let t0 = k0 * qd_theta;
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t1 = k0 * sin_theta;
+            let t2 = k0 * cos_theta;
+            let t3 = k3 - t2;
+            let t4 = t3 * t3 + t1 * t1;
+            let t5 = T::from_f64(1.0) / t4;
+            let t6 = T::from_f64(0.5) + k6 * t5;
+            let t7 = (k5 * t5 - t6 * t6).sqrt();
+            let t8 = qd_theta * (T::from_f64(1.0) / (t4 * t7));
+            let t9 = t3 * t7 - t1 * t6;
+            let t10 = t3 * t6 + t1 * t7;
+            let t11 = t3 - t10;
+            let t12 = k27 * (k2 * (t1 * t10 - t2 * t9) * t8);
+            let t13 = t1 + t9;
+            let t14 = k20 * (k1 * (t1 * t11 + t2 * t13) * t8);
+            ::pendulum_core::nalgebra::SVector::from([
+                t13 * t12 - (sin_theta * t0 - t9 * t14),
+                t0 * cos_theta + t11 * t12 - t10 * t14,
+            ])
+        }
+        ///The value of `gap`, and its derivatives by the state: a row for each component, column by column for a matrix.
+        #[inline]
+        pub fn gap_and_jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> (
+            ::pendulum_core::nalgebra::SVector<T, 2>,
+            ::pendulum_core::nalgebra::SMatrix<T, 2, 2>,
+        ) {
+            let [q_theta, _] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k1 = self.constants[1];
+            let k2 = self.constants[2];
+            let k3 = self.constants[3];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let k20 = self.constants[20];
+            let k27 = self.constants[27];
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t0 = k0 * sin_theta;
+            let t1 = k0 * cos_theta;
+            let t2 = t1 - k3;
+            let t3 = t2 * t2 + t0 * t0;
+            let t4 = T::from_f64(1.0) / t3;
+            let t5 = T::from_f64(0.5) + k6 * t4;
+            let t6 = (k5 * t4 - t5 * t5).sqrt();
+            let t7 = T::from_f64(1.0) / (t3 * t6);
+            let t8 = t0 * t6 - t2 * t5;
+            let t9 = t2 * t6 + t0 * t5;
+            let t10 = t2 + t8;
+            let t11 = k1 * (k20 * t8);
+            let t12 = t7 * (t0 * t8 + t1 * t9);
+            let t13 = k2 * (k27 * t10);
+            let t14 = k1 * (k20 * t9);
+            let t15 = t0 - t9;
+            let t16 = t7 * (t1 * t15 - t0 * t10);
+            let t17 = k2 * (k27 * t15);
+            (
+                ::pendulum_core::nalgebra::SVector::from([
+                    t11 + t2 - t13,
+                    t0 - t14 - t17,
+                ]),
+                ::pendulum_core::nalgebra::SMatrix::from([
+                    [t17 * t12 - (t0 + t14 * t16), t1 - t11 * t16 - t13 * t12],
+                    [T::from_f64(0.0), T::from_f64(0.0)],
+                ]),
+            )
+        }
+        ///Output `rocking`.
+        #[inline]
+        pub fn rocking(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 2>) -> T {
+            let [q_theta, qd_theta] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k3 = self.constants[3];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t0 = k0 * cos_theta;
+            let t1 = k0 * sin_theta;
+            let t2 = k3 - t0;
+            let t3 = t2 * t2 + t1 * t1;
+            let t4 = T::from_f64(1.0) / t3;
+            let t5 = T::from_f64(0.5) + t4 * k6;
+            let t6 = (k5 * t4 - t5 * t5).sqrt();
+            let t7 = t1 * (t2 * t5 + t1 * t6) + t0 * (t1 * t5 - t2 * t6);
+            qd_theta * (T::from_f64(1.0) / (t3 * t6) * t7)
+        }
+        ///The rate of `rocking` along the motion.
+        #[inline]
+        pub fn rocking_rate(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> T {
+            let [q_theta, qd_theta] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k2 = self.constants[2];
+            let k3 = self.constants[3];
+            let k4 = self.constants[4];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let k7 = self.constants[7];
+            let k8 = self.constants[8];
+            let k9 = self.constants[9];
+            let k10 = self.constants[10];
+            let k11 = self.constants[11];
+            let k12 = self.constants[12];
+            let k13 = self.constants[13];
+            let k14 = self.constants[14];
+            let k15 = self.constants[15];
+            let k19 = self.constants[19];
+            let k20 = self.constants[20];
+            let t0 = qd_theta * qd_theta;
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t1 = k0 * cos_theta;
+            let t2 = k3 - t1;
+            let t3 = k0 * sin_theta;
+            let t4 = t2 * t2 + t3 * t3;
+            let t5 = T::from_f64(1.0) / t4;
+            let t6 = T::from_f64(0.5) + k6 * t5;
+            let t7 = (k5 * t5 - t6 * t6).sqrt();
+            let t8 = T::from_f64(1.0) / (t4 * t7);
+            let t9 = t2 * t6 + t3 * t7;
+            let t10 = t3 * t6 - t2 * t7;
+            let t11 = t2 - t9;
+            let t12 = t8 * (t3 * t9 + t1 * t10);
+            let t13 = t12 * qd_theta;
+            let t14 = k20 * t9;
+            let t15 = k20 * t10;
+            let t16 = sin_theta * t14 + cos_theta * t15;
+            let t17 = cos_theta * t14 - sin_theta * t15;
+            let t18 = k13 * t16 - k12 * t17;
+            let t19 = t3 - t10;
+            let t20 = t3 * t11 + t1 * t19;
+            let t21 = t3 * t0;
+            let t22 = t1 * t0;
+            let t23 = t8 * t20;
+            let t24 = t8 * qd_theta * t20;
+            let t25 = t24 * t24;
+            let t26 = qd_theta * t23;
+            let t27 = t26 * t26;
+            let t28 = t12 * (k4 * t13 - k15 * (t11 / k2)) + t18 * t27
+                + t23 * (t18 * t0 - T::from_f64(0.8829) * t15 - k14 * t14);
+            let t29 = t13 * t13;
+            let t30 = t19 * t29;
+            let t31 = t11 * t29;
+            let t32 = t10 * (t21 - t10 * t25 - t30) - t9 * (t22 + t9 * t25 + t31);
+            let t33 = t21 - t10 * t27 - t30;
+            let t34 = t31 + t22 + t9 * t27;
+            let t35 = k9 * t23;
+            let t36 = (t19 * t33 - t11 * t34) * (k12 * t16 + k13 * t17 - t35);
+            let t37 = k11 * t12;
+            let t38 = t28 + k19 * cos_theta + t8 * (t36 + t37 * (t9 * t34 - t10 * t33));
+            let t39 = k10 + t12 * t37 + t23 * (t35 - k7 * t17 - k8 * t16);
+            t12 * t38 * (T::from_f64(-1.0) / t39) - t8 * t32
+        }
+        ///The value of `rocking`, and its derivatives by the state: a row for each component, column by column for a matrix.
+        #[inline]
+        pub fn rocking_and_jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> (T, ::pendulum_core::nalgebra::SMatrix<T, 1, 2>) {
+            let [q_theta, qd_theta] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k3 = self.constants[3];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t0 = k0 * cos_theta;
+            let t1 = k0 * sin_theta;
+            let t2 = k3 - t0;
+            let t3 = t2 * t2 + t1 * t1;
+            let t4 = T::from_f64(1.0) / t3;
+            let t5 = T::from_f64(0.5) + k6 * t4;
+            let t6 = (k5 * t4 - t5 * t5).sqrt();
+            let t7 = t3 * t6;
+            let t8 = T::from_f64(1.0) / t7;
+            let t9 = t1 * t6;
+            let t10 = t2 * t5 + t9;
+            let t11 = t1 * t5;
+            let t12 = t11 - t2 * t6;
+            let t13 = t1 * t10 + t0 * t12;
+            let t14 = t8 * t13;
+            let t15 = t1 * (T::from_f64(2.0) * (t0 + t2));
+            let t16 = t15 * (T::from_f64(1.0) / (t3 * t3));
+            let t17 = k6 * t16;
+            let t18 = T::from_f64(0.5) * (T::from_f64(2.0) * t5 * t17 - k5 * t16)
+                * (T::from_f64(1.0) / t6);
+            let t19 = t0 * (t10 + (t0 * t5 - t9 - t1 * t17 - t2 * t18));
+            let t20 = t1 * (t11 + t0 * t6 + t1 * t18 - t2 * t17 - t12);
+            let t21 = t8 * (t19 + t20)
+                - t13 * (t6 * t15 + t3 * t18) * (T::from_f64(1.0) / (t7 * t7));
+            (
+                qd_theta * t14,
+                ::pendulum_core::nalgebra::SMatrix::from([[qd_theta * t21], [t14]]),
+            )
+        }
+        ///All outputs, in the order of `OUTPUTS`.
+        #[inline]
+        pub fn outputs(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 5> {
+            let [q_theta, qd_theta] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k1 = self.constants[1];
+            let k2 = self.constants[2];
+            let k3 = self.constants[3];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let k20 = self.constants[20];
+            let k27 = self.constants[27];
+            let t0 = q_theta - T::from_f64(0.3);
+            let [(sin_theta, cos_theta), (sin1, cos1)] = q_theta.sin_cos_pair(t0);
+            let t2 = k0 * cos_theta;
+            let t3 = k0 * sin_theta;
+            let t4 = k3 - t2;
+            let t5 = t4 * t4 + t3 * t3;
+            let t6 = T::from_f64(1.0) / t5;
+            let t7 = T::from_f64(0.5) + k6 * t6;
+            let t8 = (k5 * t6 - t7 * t7).sqrt();
+            let t9 = t4 * t8 - t3 * t7;
+            let t10 = t4 * t7 + t3 * t8;
+            let t11 = k27 * (t3 + t9);
+            let t12 = k20 * t9;
+            let t13 = k27 * (t4 - t10);
+            let t14 = (T::from_f64(-0.029199522301288815) * t11
+                - T::from_f64(-0.9995736030415051) * t13)
+                .atan2(
+                    -(T::from_f64(-0.9995736030415051) * t11
+                        + T::from_f64(-0.029199522301288815) * t13),
+                );
+            let t15 = k20 * t10;
+            ::pendulum_core::nalgebra::SVector::from([
+                (t12 * cos1 - t15 * sin1).atan2(cos1 * t15 + t12 * sin1)
+                    - T::from_f64(0.3),
+                T::from_f64(1.6) + t14,
+                k1 * t15 + k2 * t13 - t4,
+                t3 + k1 * t12 - k2 * t11,
+                qd_theta * (T::from_f64(1.0) / (t5 * t8)) * (t3 * t10 - t2 * t9),
+            ])
+        }
+        ///The rate of all outputs along the motion.
+        #[inline]
+        pub fn output_rates(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 5> {
+            let [q_theta, qd_theta] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k1 = self.constants[1];
+            let k2 = self.constants[2];
+            let k3 = self.constants[3];
+            let k4 = self.constants[4];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let k7 = self.constants[7];
+            let k8 = self.constants[8];
+            let k9 = self.constants[9];
+            let k10 = self.constants[10];
+            let k11 = self.constants[11];
+            let k12 = self.constants[12];
+            let k13 = self.constants[13];
+            let k14 = self.constants[14];
+            let k15 = self.constants[15];
+            let k19 = self.constants[19];
+            let k20 = self.constants[20];
+            let k27 = self.constants[27];
+            let t0 = k0 * qd_theta;
+            let t1 = qd_theta * qd_theta;
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t2 = k0 * cos_theta;
+            let t3 = k3 - t2;
+            let t4 = k0 * sin_theta;
+            let t5 = t3 * t3 + t4 * t4;
+            let t6 = T::from_f64(1.0) / t5;
+            let t7 = T::from_f64(0.5) + k6 * t6;
+            let t8 = (k5 * t6 - t7 * t7).sqrt();
+            let t9 = T::from_f64(1.0) / (t5 * t8);
+            let t10 = t3 * t7 + t4 * t8;
+            let t11 = t4 * t7 - t3 * t8;
+            let t12 = t3 - t10;
+            let t13 = t4 - t11;
+            let t14 = t4 * t12 + t2 * t13;
+            let t15 = qd_theta * t9 * t14;
+            let t16 = t9 * t14;
+            let t17 = t9 * (t4 * t10 + t2 * t11);
+            let t18 = t4 * t1;
+            let t19 = t2 * t1;
+            let t20 = qd_theta * t17;
+            let t21 = k2 * t20;
+            let t22 = k20 * t11;
+            let t23 = k1 * t15;
+            let t24 = t15 * t15;
+            let t25 = k27 * t12;
+            let t26 = k20 * t10;
+            let t27 = sin_theta * t26 + cos_theta * t22;
+            let t28 = cos_theta * t26 - sin_theta * t22;
+            let t29 = k13 * t27 - k12 * t28;
+            let t30 = qd_theta * t16;
+            let t31 = t30 * t30;
+            let t32 = t17 * (k4 * t20 - k15 * t25) + t29 * t31
+                + t16 * (t29 * t1 - T::from_f64(0.8829) * t22 - k14 * t26);
+            let t33 = t20 * t20;
+            let t34 = t13 * t33;
+            let t35 = t12 * t33;
+            let t36 = t11 * (t18 - t11 * t24 - t34) - t10 * (t19 + t10 * t24 + t35);
+            let t37 = t18 - t11 * t31 - t34;
+            let t38 = t35 + t19 + t10 * t31;
+            let t39 = k9 * t16;
+            let t40 = (t13 * t37 - t12 * t38) * (k12 * t27 + k13 * t28 - t39);
+            let t41 = k11 * t17;
+            let t42 = t32 + k19 * cos_theta + t9 * (t40 + t41 * (t10 * t38 - t11 * t37));
+            let t43 = k10 + t17 * t41 + t16 * (t39 - k7 * t28 - k8 * t27);
+            ::pendulum_core::nalgebra::SVector::from([
+                -(qd_theta + t15),
+                t20,
+                k27 * t13 * t21 - (sin_theta * t0 + t22 * t23),
+                cos_theta * t0 + t25 * t21 - t26 * t23,
+                t17 * t42 * (T::from_f64(-1.0) / t43) - t9 * t36,
+            ])
+        }
+        ///The value of all outputs, and its derivatives by the state: a row for each component, column by column for a matrix.
+        #[inline]
+        pub fn outputs_and_jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> (
+            ::pendulum_core::nalgebra::SVector<T, 5>,
+            ::pendulum_core::nalgebra::SMatrix<T, 5, 2>,
+        ) {
+            let [q_theta, qd_theta] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k1 = self.constants[1];
+            let k2 = self.constants[2];
+            let k3 = self.constants[3];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let k20 = self.constants[20];
+            let k27 = self.constants[27];
+            let t0 = q_theta - T::from_f64(0.3);
+            let [(sin_theta, cos_theta), (sin1, cos1)] = q_theta.sin_cos_pair(t0);
+            let t2 = k0 * cos_theta;
+            let t3 = k3 - t2;
+            let t4 = k0 * sin_theta;
+            let t5 = t3 * t3 + t4 * t4;
+            let t6 = T::from_f64(1.0) / t5;
+            let t7 = T::from_f64(0.5) + k6 * t6;
+            let t8 = (k5 * t6 - t7 * t7).sqrt();
+            let t9 = t4 * t7;
+            let t10 = t3 * t8 - t9;
+            let t11 = k20 * t10;
+            let t12 = t4 * t8;
+            let t13 = t3 * t7 + t12;
+            let t14 = k20 * t13;
+            let t15 = (t11 * cos1 - t14 * sin1).atan2(cos1 * t14 + t11 * sin1)
+                - T::from_f64(0.3);
+            let t16 = k1 * t14;
+            let t17 = k1 * t11;
+            let t18 = t4 + t10;
+            let t19 = k27 * t18;
+            let t20 = t3 - t13;
+            let t21 = k27 * t20;
+            let t22 = (T::from_f64(-0.029199522301288815) * t19
+                - T::from_f64(-0.9995736030415051) * t21)
+                .atan2(
+                    -(T::from_f64(-0.9995736030415051) * t19
+                        + T::from_f64(-0.029199522301288815) * t21),
+                );
+            let t23 = T::from_f64(1.6) + t22;
+            let t24 = k2 * t21;
+            let t25 = t16 + t24 - t3;
+            let t26 = k2 * t19;
+            let t27 = t4 + t17 - t26;
+            let t28 = t5 * t8;
+            let t29 = T::from_f64(1.0) / t28;
+            let t30 = t29 * (t4 * t20 + t2 * t18);
+            let t31 = T::from_f64(-1.0) - t30;
+            let t32 = t4 * t13 - t2 * t10;
+            let t33 = t29 * t32;
+            let t34 = t26 * t33 - (t4 - t17 * t30);
+            let t35 = t2 + t24 * t33 - t16 * t30;
+            let t36 = qd_theta * t33;
+            let t37 = t4 * (T::from_f64(2.0) * (t2 + t3));
+            let t38 = t37 * (T::from_f64(1.0) / (t5 * t5));
+            let t39 = k6 * t38;
+            let t40 = T::from_f64(0.5) * (T::from_f64(2.0) * t7 * t39 - k5 * t38)
+                * (T::from_f64(1.0) / t8);
+            let t41 = t2 * (t13 + (t2 * t7 - t12 - t4 * t39 - t3 * t40));
+            let t42 = t4 * (t10 + (t9 + t2 * t8 + t4 * t40 - t3 * t39));
+            let t43 = t29 * (t41 + t42)
+                - t32 * (t8 * t37 + t5 * t40) * (T::from_f64(1.0) / (t28 * t28));
+            let t44 = qd_theta * t43;
+            (
+                ::pendulum_core::nalgebra::SVector::from([t15, t23, t25, t27, t36]),
+                ::pendulum_core::nalgebra::SMatrix::from([
+                    [t31, t33, t34, t35, t44],
+                    [
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        t33,
+                    ],
+                ]),
+            )
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::shapes::Shapes<2> for FourBar {
+        fn shapes(
+            &self,
+            t: f64,
+            x: &::pendulum_core::nalgebra::SVector<f64, 2>,
+        ) -> ::pendulum_core::shapes::Vec<::pendulum_core::shapes::Shape> {
+            use ::pendulum_core::real::Real as _;
+            type T = f64;
+            ::pendulum_core::shapes::placed(
+                &[
+                    ::pendulum_core::shapes::Outline {
+                        name: "crank",
+                        kind: ::pendulum_core::shapes::ShapeKind::Rod,
+                        points: 2,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "rocker",
+                        kind: ::pendulum_core::shapes::ShapeKind::Rod,
+                        points: 2,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "coupler",
+                        kind: ::pendulum_core::shapes::ShapeKind::Rod,
+                        points: 2,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "coupler",
+                        kind: ::pendulum_core::shapes::ShapeKind::Rod,
+                        points: 2,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "crank",
+                        kind: ::pendulum_core::shapes::ShapeKind::Pivot,
+                        points: 1,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "rocker",
+                        kind: ::pendulum_core::shapes::ShapeKind::Pivot,
+                        points: 1,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "coupler",
+                        kind: ::pendulum_core::shapes::ShapeKind::Pivot,
+                        points: 1,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "tip",
+                        kind: ::pendulum_core::shapes::ShapeKind::Point,
+                        points: 1,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "end",
+                        kind: ::pendulum_core::shapes::ShapeKind::Point,
+                        points: 1,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "other",
+                        kind: ::pendulum_core::shapes::ShapeKind::Point,
+                        points: 1,
+                        radius: false,
+                    },
+                ],
+                &{
+                    let [q_theta, _] = x.data.0[0];
+                    let k0 = self.constants[0];
+                    let k1 = self.constants[1];
+                    let k3 = self.constants[3];
+                    let k5 = self.constants[5];
+                    let k6 = self.constants[6];
+                    let k20 = self.constants[20];
+                    let k32 = self.constants[32];
+                    let k33 = self.constants[33];
+                    let (sin_theta, cos_theta) = q_theta.sin_cos();
+                    let t0 = k0 * cos_theta;
+                    let t1 = k0 * sin_theta;
+                    let t2 = k3 - t0;
+                    let t3 = T::from_f64(1.0) / (t2 * t2 + t1 * t1);
+                    let t4 = T::from_f64(0.5) + k6 * t3;
+                    let t5 = (k5 * t3 - t4 * t4).sqrt();
+                    let t6 = t2 * t4 + t1 * t5;
+                    let t7 = t1 * t4 - t2 * t5;
+                    let t8 = k3 - k32 * (t2 - t6);
+                    let t9 = k20 * t6;
+                    let t10 = k33 * (t7 - t1);
+                    let t11 = k20 * t7;
+                    let t12 = t0 + k1 * t9;
+                    let t13 = T::from_f64(0.3) * t9;
+                    let t14 = t0 + t13;
+                    let t15 = t1 - k1 * t11;
+                    let t16 = T::from_f64(0.3) * t11;
+                    let t17 = t1 - t16;
+                    let t18 = t14 + t16;
+                    let t19 = t13 + t17;
+                    [
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        t0,
+                        t1,
+                        T::from_f64(0.0),
+                        k3,
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        t8,
+                        t10,
+                        T::from_f64(0.0),
+                        t0,
+                        t1,
+                        T::from_f64(0.0),
+                        t12,
+                        t15,
+                        T::from_f64(0.0),
+                        t14,
+                        t17,
+                        T::from_f64(0.0),
+                        t18,
+                        t19,
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        k3,
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        t0,
+                        t1,
+                        T::from_f64(0.0),
+                        t18,
+                        t19,
+                        T::from_f64(0.0),
+                        t12,
+                        t15,
+                        T::from_f64(0.0),
+                        t8,
+                        t10,
+                        T::from_f64(0.0),
+                    ]
+                },
+            )
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::CastJacobian<2> for FourBar {
+        #[inline]
+        fn with_jacobian<T: ::pendulum_core::real::Real>(
+            model: &FourBar<T>,
+        ) -> &impl ::pendulum_core::Jacobian<T, 2> {
+            model
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::Cast<2> for FourBar {
+        type In<T: ::pendulum_core::real::Real> = FourBar<T>;
+        fn cast<T: ::pendulum_core::real::Real>(&self) -> FourBar<T> {
+            FourBar::cast(self)
+        }
+        #[inline]
+        fn gather<'m, T: ::pendulum_core::real::lanes::Lanes>(
+            models: impl ::core::ops::Fn(usize) -> &'m Self,
+        ) -> FourBar<T>
+        where
+            Self: 'm,
+        {
+            let scalar = <<T as ::pendulum_core::real::lanes::Lanes>::Scalar as ::pendulum_core::real::Real>::from_f64;
+            FourBar {
+                params: models(0).params,
+                constants: ::core::array::from_fn(|k| {
+                    <T as ::pendulum_core::real::lanes::Lanes>::from_fn(|lane| scalar(
+                        models(lane).constants[k],
+                    ))
+                }),
+            }
+        }
+    }
+}
+#[allow(unreachable_pub, unused_imports)]
+pub use __FourBar::{FourBar, FourBarParams};
