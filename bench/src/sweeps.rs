@@ -1,4 +1,4 @@
-//! Sweeps over many starts, beside heyoka's ensembles and Numba's parallel loops.
+//! Sweeps over many starts, beside heyoka's batches and Numba's parallel loops.
 
 use std::error::Error;
 use std::fmt::Debug;

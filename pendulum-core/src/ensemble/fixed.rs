@@ -5,7 +5,7 @@ use std::array;
 use nalgebra::SVector;
 
 use super::adaptive::outcome as outcome_of;
-use super::check::{first_not_finite, in_lane};
+use super::check::{first_not_finite, in_lane, sum};
 use super::together::Together;
 use super::watch::{Unwatched, Watch, Watched, show_lane};
 use super::{
@@ -189,12 +189,17 @@ where
             let scheme = self.method.family.stages::<V>(&system, None, false)?;
             let x = SVector::from_fn(|k, _| V::from_fn(|lane| states[member(lane)][k]));
             let ends = march(&system, scheme, x, self.grid);
+            let all_are_finite = ends
+                .as_ref()
+                .is_ok_and(|(x, slope)| sum(x, slope.as_ref()).all_finite());
             for (lane, state) in states.iter_mut().enumerate() {
                 if failed[refused.clone()].contains(&(first + lane)) {
                     continue;
                 }
                 match &ends {
-                    Ok((x, slope)) if first_not_finite(x, slope.as_ref(), lane).is_none() => *state = in_lane(x, lane),
+                    Ok((x, slope)) if all_are_finite || first_not_finite(x, slope.as_ref(), lane).is_none() => {
+                        *state = in_lane(x, lane);
+                    }
                     _ => failed.push(first + lane),
                 }
             }
