@@ -64,6 +64,21 @@ impl<'g> Chosen<'g> {
     }
 }
 
+impl<'g> Chosen<'g> {
+    /// The same, with the operations of the kinematics counted as well, where there are any.
+    fn counted(mut self, model: &Model<'g>) -> Self {
+        if model.has_orientations() {
+            let whole = Operations::of(model.graph, &self.roots);
+            let own = std::mem::replace(&mut self.operations, whole);
+            for (_, other) in &mut self.others {
+                other.additions += whole.additions.saturating_sub(own.additions);
+                other.multiplications += whole.multiplications.saturating_sub(own.multiplications);
+            }
+        }
+        self
+    }
+}
+
 /// A form of a function, and what it computes.
 type Candidate<'g> = (Form, Vec<Expr<'g>>);
 

@@ -10,18 +10,21 @@ use crate::model::Model;
 /// The rates of the positions, and the accelerations.
 pub(crate) fn rhs<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let chosen = forms.accelerations();
-    chosen.with(|accelerations| [model.kinematics(), accelerations].concat())
+    chosen
+        .with(|accelerations| [model.kinematics(), accelerations].concat())
+        .counted(model)
 }
 
 /// The right-hand side, and after it its derivatives by the state, column by column.
 pub(crate) fn jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let state = model.state();
     let chosen = forms.jacobian(model, &state, true);
-    chosen.with(|mut accelerations| {
+    let chosen = chosen.with(|mut accelerations| {
         let columns = accelerations.split_off(model.dof());
         let columns = on_top(model, &model.kinematics(), &state, &columns);
         [model.kinematics(), accelerations, columns].concat()
-    })
+    });
+    chosen.counted(model)
 }
 
 /// How far each closed loop is from its toggle.

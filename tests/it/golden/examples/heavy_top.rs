@@ -275,21 +275,21 @@ k20 = -2*l
                     "rhs",
                     ::pendulum_core::FunctionCost::new(
                             "recursion, L^T D L",
-                            ::pendulum_core::Operations::new(4, 10, 0, 0, 0, 4),
+                            ::pendulum_core::Operations::new(13, 26, 0, 0, 0, 4),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of the state first, L^T D L",
-                                    ::pendulum_core::Operations::new(4, 11, 0, 0, 0, 5),
+                                    ::pendulum_core::Operations::new(13, 27, 0, 0, 0, 5),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of parameters first, L^T D L",
-                                    ::pendulum_core::Operations::new(4, 11, 0, 0, 0, 5),
+                                    ::pendulum_core::Operations::new(13, 27, 0, 0, 0, 5),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded, L^T D L",
-                                    ::pendulum_core::Operations::new(4, 11, 0, 0, 0, 5),
+                                    ::pendulum_core::Operations::new(13, 27, 0, 0, 0, 5),
                                 ),
                             ],
                         ),
@@ -298,21 +298,21 @@ k20 = -2*l
                     "jacobian",
                     ::pendulum_core::FunctionCost::new(
                             "closed form, factors of the state first, L^T D L, derived and expanded",
-                            ::pendulum_core::Operations::new(4, 22, 0, 0, 0, 5),
+                            ::pendulum_core::Operations::new(19, 41, 0, 0, 0, 5),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of parameters first, L^T D L, derived and expanded",
-                                    ::pendulum_core::Operations::new(4, 22, 0, 0, 0, 5),
+                                    ::pendulum_core::Operations::new(19, 41, 0, 0, 0, 5),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded, L^T D L, derived and expanded",
-                                    ::pendulum_core::Operations::new(4, 22, 0, 0, 0, 5),
+                                    ::pendulum_core::Operations::new(19, 41, 0, 0, 0, 5),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "recursion, L^T D L, derived in the graph",
-                                    ::pendulum_core::Operations::new(5, 28, 0, 0, 0, 4),
+                                    ::pendulum_core::Operations::new(20, 47, 0, 0, 0, 4),
                                 ),
                             ],
                         ),
