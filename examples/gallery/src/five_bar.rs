@@ -14,22 +14,14 @@ mechanism! {
         gravity: [0, -9.81, 0],
         let first = 2.2 + 0.35*sin(w*t),
         let second = 0.9 + 0.35*cos(2*w*t),
-        body left_crank on ground {
-            solids: [rod(0.4, [0, 0, 0], [a, 0, 0])],
-            joint: revolute(z), coordinate: q1 near 2.2, torque: k*(first - q) - c*qd,
-        }
-        body left_bar on left_crank {
-            solids: [rod(0.3, [0, 0, 0], [b, 0, 0])],
-            joint: revolute(z) at [a, 0, 0], coordinate: p1 depends near -1.6,
-        }
-        body right_crank on ground {
-            solids: [rod(0.4, [0, 0, 0], [a, 0, 0])],
-            joint: revolute(z) at [d, 0, 0], coordinate: q2 near 0.9, torque: k*(second - q) - c*qd,
-        }
-        body right_bar on right_crank {
-            solids: [rod(0.3, [0, 0, 0], [b, 0, 0])],
-            joint: revolute(z) at [a, 0, 0], coordinate: p2 depends near 1.6,
-        }
+        body left_crank on ground { solids: [rod(0.4, [0, 0, 0], [a, 0, 0])],
+            joint: revolute(z), coordinate: q1 near 2.2, torque: k*(first - q) - c*qd }
+        body left_bar on left_crank { solids: [rod(0.3, [0, 0, 0], [b, 0, 0])],
+            joint: revolute(z) at [a, 0, 0], coordinate: p1 depends near -1.6 }
+        body right_crank on ground { solids: [rod(0.4, [0, 0, 0], [a, 0, 0])],
+            joint: revolute(z) at [d, 0, 0], coordinate: q2 near 0.9, torque: k*(second - q) - c*qd }
+        body right_bar on right_crank { solids: [rod(0.3, [0, 0, 0], [b, 0, 0])],
+            joint: revolute(z) at [a, 0, 0], coordinate: p2 depends near 1.6 }
         close left_bar at [b, 0, 0] to right_bar at [b, 0, 0]: revolute(z),
         point hand on left_bar at [b, 0, 0], point other on right_bar at [b, 0, 0],
         output hand: [hand.x, hand.y],

@@ -227,6 +227,7 @@ impl<'g> Lower<'g> {
         for (closure, span) in closures {
             loops.push(Loop::new(model, closure).map_err(|why| self.no_plane(*span, &why))?);
         }
+        model.closures = closures.iter().map(|(closure, _)| *closure).collect();
         model::close(model, &loops, declared, near).map_err(|open| {
             let ends = |n: usize| items.closures[n].ends.each_ref().map(|end| end.body.to_string());
             let at = |n: usize| closures[n].1;

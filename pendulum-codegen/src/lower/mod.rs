@@ -183,6 +183,7 @@ impl<'g> Lower<'g> {
             coordinates,
             drives,
             dependents: Vec::new(),
+            closures: Vec::new(),
             following: Following::default(),
             margins: Vec::new(),
             time: self.time,

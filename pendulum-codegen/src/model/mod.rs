@@ -55,6 +55,8 @@ pub(crate) struct Model<'g> {
     pub drives: Vec<Drive<'g>>,
     /// Coordinates that follow from those before, behind which they are numbered.
     pub dependents: Vec<Dependent<'g>>,
+    /// The joints that close loops.
+    pub closures: Vec<Closure<'g>>,
     /// What the symbols of all that follows stand for.
     pub following: Following<'g>,
     /// For each closed loop the sine of the angle between the two sides that it is solved for: zero at its toggle.

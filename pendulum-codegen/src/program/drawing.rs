@@ -57,17 +57,17 @@ impl<'g> Sketch<'g> {
                 show(&body.name, figure.kind, points, figure.radius);
             }
         }
-        // of a body without solids, where it reaches the joints that it carries
-        for body in &model.bodies {
-            let is_bare = |parent: &Body<'g>| parent.figures.iter().all(|figure| figure.kind == FigureKind::Mass);
-            let parent = body.parent.filter(|&parent| !model.bodies[parent].figures.is_empty());
-            let Some(parent) = parent.filter(|&parent| is_bare(&model.bodies[parent])) else {
-                continue;
-            };
-            let at = body.placement.translation;
-            if body.screw.is_some() && !at.is_zero() {
-                let points = [Vec3::zero(model.graph), at].map(|point| poses.point(Some(parent), point));
-                show(&model.bodies[parent].name, FigureKind::Rod, points.into(), None);
+        // of a body without solids, where it reaches the joints that it carries, and those that close loops
+        let moving = model.bodies.iter().filter(|body| body.screw.is_some());
+        let carried = moving.map(|body| (body.parent, body.placement.translation));
+        let closing = || model.closures.iter().flat_map(|closure| &closure.ends);
+        for (owner, at) in carried.chain(closing().map(|end| (end.body, end.at))) {
+            let is_bare = |owner: &Body<'g>| owner.figures.iter().all(|figure| figure.kind == FigureKind::Mass);
+            let owner = owner.filter(|&owner| !model.bodies[owner].figures.is_empty());
+            let owner = owner.filter(|&owner| is_bare(&model.bodies[owner]) && !at.is_zero());
+            if let Some(owner) = owner {
+                let points = [Vec3::zero(model.graph), at].map(|point| poses.point(Some(owner), point));
+                show(&model.bodies[owner].name, FigureKind::Rod, points.into(), None);
             }
         }
         for (n, body) in model.bodies() {
@@ -77,6 +77,11 @@ impl<'g> Sketch<'g> {
             };
             let at = screw.angular.cross(screw.linear);
             show(&body.name, FigureKind::Pivot, vec![poses.point(Some(n), at)], None);
+        }
+        for closure in &model.closures {
+            let [end, _] = &closure.ends;
+            let pivot = vec![poses.point(end.body, end.at)];
+            show(name_of(model, end.body), FigureKind::Pivot, pivot, None);
         }
         for action in &model.actions {
             let Action::Between { ends, potential, .. } = action else {

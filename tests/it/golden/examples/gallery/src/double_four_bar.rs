@@ -1605,6 +1605,18 @@ k21 = -1
                         points: 1,
                         radius: false,
                     },
+                    ::pendulum_core::shapes::Outline {
+                        name: "beam",
+                        kind: ::pendulum_core::shapes::ShapeKind::Pivot,
+                        points: 1,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "other",
+                        kind: ::pendulum_core::shapes::ShapeKind::Pivot,
+                        points: 1,
+                        radius: false,
+                    },
                 ],
                 &{
                     let [q_theta, _] = x.data.0[0];
@@ -1625,24 +1637,24 @@ k21 = -1
                         - T::from_f64(0.25))
                         .sqrt();
                     let t5 = T::from_f64(0.5) * t2 + t3 * t4;
-                    let t6 = t0 + k14 * t5;
+                    let t6 = t2 * t4 - T::from_f64(0.5) * t3;
                     let t7 = k11 * (t5 - t2);
-                    let t8 = t2 * t4 - T::from_f64(0.5) * t3;
-                    let t9 = -(t3 + k14 * t8);
-                    let t10 = t3 + t8;
-                    let t11 = k0 + k0 * t7;
-                    let t12 = (k2 * (T::from_f64(1.0) / (k4 - k4 * t7))
+                    let t8 = t0 + k14 * t5;
+                    let t9 = k0 + k0 * t7;
+                    let t10 = (k2 * (T::from_f64(1.0) / (k4 - k4 * t7))
                         - T::from_f64(0.25))
                         .sqrt();
-                    let t13 = k21 * t10;
-                    let t14 = k14 * t10;
-                    let t15 = k3 - t11;
-                    let t16 = T::from_f64(0.5) * t15 + t14 * t12;
-                    let t17 = t11 + k14 * t16;
-                    let t18 = k3 + k14 * (t16 - t15);
-                    let t19 = t15 * t12 - T::from_f64(0.5) * t14;
-                    let t20 = k21 * (t14 + t19);
-                    let t21 = -(t14 + k14 * t19);
+                    let t11 = t3 + t6;
+                    let t12 = -(t3 + k14 * t6);
+                    let t13 = k21 * t11;
+                    let t14 = k14 * t11;
+                    let t15 = k3 - t9;
+                    let t16 = T::from_f64(0.5) * t15 + t14 * t10;
+                    let t17 = k3 + k14 * (t16 - t15);
+                    let t18 = t15 * t10 - T::from_f64(0.5) * t14;
+                    let t19 = t9 + k14 * t16;
+                    let t20 = k21 * (t14 + t18);
+                    let t21 = -(t14 + k14 * t18);
                     [
                         T::from_f64(0.0),
                         T::from_f64(0.0),
@@ -1653,25 +1665,25 @@ k21 = -1
                         k0,
                         T::from_f64(0.0),
                         T::from_f64(0.0),
-                        t11,
+                        t9,
                         t13,
                         T::from_f64(0.0),
                         k3,
                         T::from_f64(0.0),
                         T::from_f64(0.0),
-                        t18,
+                        t17,
                         t20,
                         T::from_f64(0.0),
                         t0,
                         t1,
                         T::from_f64(0.0),
-                        t6,
-                        t9,
+                        t8,
+                        t12,
                         T::from_f64(0.0),
-                        t11,
+                        t9,
                         t13,
                         T::from_f64(0.0),
-                        t17,
+                        t19,
                         t21,
                         T::from_f64(0.0),
                         T::from_f64(0.0),
@@ -1686,8 +1698,14 @@ k21 = -1
                         t0,
                         t1,
                         T::from_f64(0.0),
-                        t11,
+                        t9,
                         t13,
+                        T::from_f64(0.0),
+                        t8,
+                        t12,
+                        T::from_f64(0.0),
+                        t19,
+                        t21,
                         T::from_f64(0.0),
                     ]
                 },

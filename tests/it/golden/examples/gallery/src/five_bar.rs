@@ -1547,6 +1547,12 @@ k35 = 1
                         radius: false,
                     },
                     ::pendulum_core::shapes::Outline {
+                        name: "left_bar",
+                        kind: ::pendulum_core::shapes::ShapeKind::Pivot,
+                        points: 1,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
                         name: "hand",
                         kind: ::pendulum_core::shapes::ShapeKind::Point,
                         points: 1,
@@ -1617,6 +1623,9 @@ k35 = 1
                         T::from_f64(0.0),
                         t2,
                         t3,
+                        T::from_f64(0.0),
+                        t8,
+                        t12,
                         T::from_f64(0.0),
                         t8,
                         t12,

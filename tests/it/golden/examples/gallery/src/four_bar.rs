@@ -1674,6 +1674,12 @@ k33 = -1
                         radius: false,
                     },
                     ::pendulum_core::shapes::Outline {
+                        name: "coupler",
+                        kind: ::pendulum_core::shapes::ShapeKind::Pivot,
+                        points: 1,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
                         name: "tip",
                         kind: ::pendulum_core::shapes::ShapeKind::Point,
                         points: 1,
@@ -1756,6 +1762,9 @@ k33 = -1
                         T::from_f64(0.0),
                         t0,
                         t1,
+                        T::from_f64(0.0),
+                        t12,
+                        t15,
                         T::from_f64(0.0),
                         t18,
                         t19,

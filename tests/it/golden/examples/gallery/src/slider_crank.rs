@@ -1126,6 +1126,12 @@ k17 = 1
                         points: 1,
                         radius: false,
                     },
+                    ::pendulum_core::shapes::Outline {
+                        name: "rod",
+                        kind: ::pendulum_core::shapes::ShapeKind::Pivot,
+                        points: 1,
+                        radius: false,
+                    },
                 ],
                 &{
                     let [q_theta, _] = x.data.0[0];
@@ -1137,11 +1143,11 @@ k17 = 1
                     let t1 = T::from_f64(0.1) * sin_theta;
                     let t2 = k0 * cos_theta;
                     let t3 = k0 * sin_theta;
-                    let t4 = t3 - k17 * t3;
-                    let t5 = t2 + (k5 - t3 * t3).sqrt();
-                    let t6 = t2 + k17 * (t5 - t2);
-                    let t7 = T::from_f64(0.08) + t5;
-                    let t8 = t5 - T::from_f64(0.02);
+                    let t4 = t2 + (k5 - t3 * t3).sqrt();
+                    let t5 = t2 + k17 * (t4 - t2);
+                    let t6 = t3 - k17 * t3;
+                    let t7 = T::from_f64(0.08) + t4;
+                    let t8 = t4 - T::from_f64(0.02);
                     [
                         T::from_f64(0.0),
                         T::from_f64(0.0),
@@ -1182,14 +1188,17 @@ k17 = 1
                         t2,
                         t3,
                         T::from_f64(0.0),
+                        t5,
                         t6,
-                        t4,
                         T::from_f64(0.0),
                         T::from_f64(0.0),
                         T::from_f64(0.0),
                         T::from_f64(0.0),
                         t2,
                         t3,
+                        T::from_f64(0.0),
+                        t5,
+                        t6,
                         T::from_f64(0.0),
                     ]
                 },

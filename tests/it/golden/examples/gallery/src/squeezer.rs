@@ -294,70 +294,70 @@ t9 = 1/(1 - 16917000/24006277*t0 - 3001400/24006277*t1)
                         ),
                 ),
                 (
-                    "gaps",
+                    "gap",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first",
-                            ::pendulum_core::Operations::new(26, 20, 2, 1, 2, 56),
+                            "as declared",
+                            ::pendulum_core::Operations::new(21, 20, 2, 1, 2, 57),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(23, 20, 2, 1, 2, 57),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(26, 20, 2, 1, 2, 56),
+                                    ::pendulum_core::Operations::new(23, 20, 2, 1, 2, 57),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
-                                    ::pendulum_core::Operations::new(26, 20, 2, 1, 2, 56),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "as declared",
-                                    ::pendulum_core::Operations::new(30, 20, 2, 1, 2, 57),
+                                    ::pendulum_core::Operations::new(23, 20, 2, 1, 2, 57),
                                 ),
                             ],
                         ),
                 ),
                 (
-                    "gaps_rate",
+                    "gap_rate",
                     ::pendulum_core::FunctionCost::new(
                             "closed form, factors of the state first",
-                            ::pendulum_core::Operations::new(45, 70, 4, 1, 2, 64),
+                            ::pendulum_core::Operations::new(32, 50, 4, 1, 2, 63),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(45, 70, 4, 1, 2, 64),
+                                    ::pendulum_core::Operations::new(32, 50, 4, 1, 2, 63),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
-                                    ::pendulum_core::Operations::new(45, 70, 4, 1, 2, 64),
+                                    ::pendulum_core::Operations::new(32, 50, 4, 1, 2, 63),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "as declared",
-                                    ::pendulum_core::Operations::new(45, 72, 4, 1, 2, 64),
+                                    ::pendulum_core::Operations::new(32, 50, 4, 1, 2, 64),
                                 ),
                             ],
                         ),
                 ),
                 (
-                    "gaps_and_jacobian",
+                    "gap_and_jacobian",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first",
-                            ::pendulum_core::Operations::new(50, 64, 4, 1, 2, 63),
+                            "as declared",
+                            ::pendulum_core::Operations::new(33, 42, 4, 1, 2, 64),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(36, 45, 4, 1, 2, 63),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(50, 64, 4, 1, 2, 63),
+                                    ::pendulum_core::Operations::new(36, 45, 4, 1, 2, 63),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
-                                    ::pendulum_core::Operations::new(50, 64, 4, 1, 2, 63),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "as declared",
-                                    ::pendulum_core::Operations::new(53, 63, 4, 1, 2, 64),
+                                    ::pendulum_core::Operations::new(36, 45, 4, 1, 2, 63),
                                 ),
                             ],
                         ),
@@ -435,21 +435,21 @@ t9 = 1/(1 - 16917000/24006277*t0 - 3001400/24006277*t1)
                     "outputs",
                     ::pendulum_core::FunctionCost::new(
                             "closed form, factors of the state first",
-                            ::pendulum_core::Operations::new(42, 42, 2, 1, 5, 70),
+                            ::pendulum_core::Operations::new(41, 42, 2, 1, 5, 70),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(42, 42, 2, 1, 5, 70),
+                                    ::pendulum_core::Operations::new(41, 42, 2, 1, 5, 70),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
-                                    ::pendulum_core::Operations::new(42, 42, 2, 1, 5, 70),
+                                    ::pendulum_core::Operations::new(41, 42, 2, 1, 5, 70),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "as declared",
-                                    ::pendulum_core::Operations::new(44, 42, 2, 1, 5, 71),
+                                    ::pendulum_core::Operations::new(40, 42, 2, 1, 5, 71),
                                 ),
                             ],
                         ),
@@ -457,22 +457,22 @@ t9 = 1/(1 - 16917000/24006277*t0 - 3001400/24006277*t1)
                 (
                     "output_rates",
                     ::pendulum_core::FunctionCost::new(
-                            "as declared",
-                            ::pendulum_core::Operations::new(46, 72, 4, 1, 2, 64),
+                            "closed form, factors of the state first",
+                            ::pendulum_core::Operations::new(41, 60, 4, 1, 2, 63),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(47, 72, 4, 1, 2, 64),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(47, 72, 4, 1, 2, 64),
+                                    ::pendulum_core::Operations::new(41, 60, 4, 1, 2, 63),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
-                                    ::pendulum_core::Operations::new(47, 72, 4, 1, 2, 64),
+                                    ::pendulum_core::Operations::new(41, 60, 4, 1, 2, 63),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "as declared",
+                                    ::pendulum_core::Operations::new(41, 60, 4, 1, 2, 64),
                                 ),
                             ],
                         ),
@@ -480,22 +480,22 @@ t9 = 1/(1 - 16917000/24006277*t0 - 3001400/24006277*t1)
                 (
                     "outputs_and_jacobian",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first",
-                            ::pendulum_core::Operations::new(63, 85, 4, 1, 5, 70),
+                            "as declared",
+                            ::pendulum_core::Operations::new(55, 73, 4, 1, 5, 71),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(58, 76, 4, 1, 5, 70),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(63, 85, 4, 1, 5, 70),
+                                    ::pendulum_core::Operations::new(58, 76, 4, 1, 5, 70),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
-                                    ::pendulum_core::Operations::new(63, 85, 4, 1, 5, 70),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "as declared",
-                                    ::pendulum_core::Operations::new(67, 82, 4, 1, 5, 71),
+                                    ::pendulum_core::Operations::new(58, 76, 4, 1, 5, 70),
                                 ),
                             ],
                         ),
@@ -518,13 +518,9 @@ t9 = 1/(1 - 16917000/24006277*t0 - 3001400/24006277*t1)
         /// The equations of motion as text.
         pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q all other forces\n\nA[beta, beta] = 3011821/1250000000000 + 401690073/500000000000000*slope_k5_beta^2 + 401690073/500000000000000*slope_k7_beta^2 + 204387/62500000000*slope_k5_beta*slope_k4_beta*t4 + 646805897/40000000000000*slope_k3_beta^2 + 8306967/125000000000*slope_k4_beta^2 + 3981529833/100000000000000*slope_k6_beta^2 + 73897/80000000000*slope_k2_beta^2 - 204387/62500000000*slope_k7_beta*slope_k6_beta*t6 - 11753/20000000000*slope_k2_beta*t2\nb[beta] = 401690073/500000000000000*slope_k5_beta*drift_k5 + 401690073/500000000000000*slope_k7_beta*drift_k7 + 73897/80000000000*slope_k2_beta*drift_k2 + 646805897/40000000000000*slope_k3_beta*drift_k3 + 8306967/125000000000*slope_k4_beta*drift_k4 + 3981529833/100000000000000*slope_k6_beta*drift_k6 + 11753/40000000000*dot(beta)^2*slope_k2_beta*t3 + 204387/125000000000*dot(angle_k5)^2*slope_k4_beta*t5 + 204387/125000000000*slope_k5_beta*drift_k4*t4 + 204387/125000000000*slope_k4_beta*drift_k5*t4 + 204387/125000000000*dot(angle_k6)^2*slope_k7_beta*t7 - 11753/40000000000*drift_k2*t2 - 11753/40000000000*dot(angle_k2)^2*t3 - 204387/125000000000*dot(angle_k4)^2*slope_k5_beta*t5 - 204387/125000000000*dot(angle_k7)^2*slope_k6_beta*t7 - 204387/125000000000*slope_k7_beta*drift_k6*t6 - 204387/125000000000*slope_k6_beta*drift_k7*t6\nQ[beta] = 7.663401*slope_k3_beta*t1 + 10584752247/480125540*slope_k3_beta*t0*t8*t9 - 1.3596342*slope_k3_beta*t0 - 11931915357/96025108*slope_k3_beta*t1*t8*t9 + 0.033\n\nwhere\nangle_k2 = atan2(250/7*((0.007*sin(beta) - 0.03273)*(0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta))) + (0.03635 + 0.007*cos(beta))*sqrt(1*0.000784/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)) - (0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)))^2)), -250/7*((0.007*sin(beta) - 0.03273)*sqrt(1*0.000784/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)) - (0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)))^2) - (0.03635 + 0.007*cos(beta))*(0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)))))\nslope_k2_beta = -1*(0.007*sin(beta)*((0.03635 + 0.007*cos(beta))*(0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta))) - (0.007*sin(beta) - 0.03273)*sqrt(1*0.000784/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)) - (0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)))^2) - 0.03635 - 0.007*cos(beta)) + 0.007*cos(beta)*(0.007*sin(beta) - 0.03273 - (0.007*sin(beta) - 0.03273)*(0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta))) - (0.03635 + 0.007*cos(beta))*sqrt(1*0.000784/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)) - (0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)))^2)))/((0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta))*sqrt(1*0.000784/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)) - (0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)))^2))\nslope_k3_beta = 1*(0.007*sin(beta)*((0.007*sin(beta) - 0.03273)*sqrt(1*0.000784/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)) - (0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)))^2) - (0.03635 + 0.007*cos(beta))*(0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)))) + 0.007*cos(beta)*((0.007*sin(beta) - 0.03273)*(0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta))) + (0.03635 + 0.007*cos(beta))*sqrt(1*0.000784/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)) - (0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)))^2)))/((0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta))*sqrt(1*0.000784/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)) - (0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)))^2))\ndrift_k2 = -1*(((0.03635 + 0.007*cos(beta))*(0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta))) - (0.007*sin(beta) - 0.03273)*sqrt(1*0.000784/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)) - (0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)))^2) - 0.03635 - 0.007*cos(beta))*(0.007*dot(beta)^2*cos(beta) + ((0.007*sin(beta) - 0.03273)*sqrt(1*0.000784/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)) - (0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)))^2) - (0.03635 + 0.007*cos(beta))*(0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta))))*dot(angle_k2)^2 + ((0.03635 + 0.007*cos(beta))*(0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta))) - (0.007*sin(beta) - 0.03273)*sqrt(1*0.000784/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)) - (0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)))^2) - 0.03635 - 0.007*cos(beta))*dot(angle_k3)^2) + (0.007*sin(beta) - 0.03273 - (0.007*sin(beta) - 0.03273)*(0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta))) - (0.03635 + 0.007*cos(beta))*sqrt(1*0.000784/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)) - (0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)))^2))*(((0.007*sin(beta) - 0.03273)*(0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta))) + (0.03635 + 0.007*cos(beta))*sqrt(1*0.000784/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)) - (0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)))^2))*dot(angle_k2)^2 - 0.007*dot(beta)^2*sin(beta) - ((0.007*sin(beta) - 0.03273)*(0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta))) + (0.03635 + 0.007*cos(beta))*sqrt(1*0.000784/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)) - (0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)))^2) + 0.03273 - 0.007*sin(beta))*dot(angle_k3)^2))/((0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta))*sqrt(1*0.000784/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)) - (0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)))^2))\ndrift_k3 = 1*(((0.007*sin(beta) - 0.03273)*sqrt(1*0.000784/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)) - (0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)))^2) - (0.03635 + 0.007*cos(beta))*(0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta))))*(0.007*dot(beta)^2*cos(beta) + ((0.007*sin(beta) - 0.03273)*sqrt(1*0.000784/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)) - (0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)))^2) - (0.03635 + 0.007*cos(beta))*(0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta))))*dot(angle_k2)^2 + ((0.03635 + 0.007*cos(beta))*(0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta))) - (0.007*sin(beta) - 0.03273)*sqrt(1*0.000784/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)) - (0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)))^2) - 0.03635 - 0.007*cos(beta))*dot(angle_k3)^2) + ((0.007*sin(beta) - 0.03273)*(0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta))) + (0.03635 + 0.007*cos(beta))*sqrt(1*0.000784/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)) - (0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)))^2))*(((0.007*sin(beta) - 0.03273)*(0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta))) + (0.03635 + 0.007*cos(beta))*sqrt(1*0.000784/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)) - (0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)))^2))*dot(angle_k2)^2 - 0.007*dot(beta)^2*sin(beta) - ((0.007*sin(beta) - 0.03273)*(0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta))) + (0.03635 + 0.007*cos(beta))*sqrt(1*0.000784/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)) - (0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)))^2) + 0.03273 - 0.007*sin(beta))*dot(angle_k3)^2))/((0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta))*sqrt(1*0.000784/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)) - (0.5 - 1*0.0002205/(0.0024415754 + 0.0005089*cos(beta) - 0.00045822*sin(beta)))^2))\nangle_k5 = atan2(50*((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2)), 50*((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) - (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))))\nangle_k4 = atan2(-25*((0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + 0.028*sin(angle_k2) - (0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) - 0.00227 - 0.007*sin(beta)), -25*((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) + 0.028*cos(angle_k2) - 0.06934 - 0.007*cos(beta)))\nslope_k5_beta = -1*(((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) + 0.028*cos(angle_k2) - 0.06934 - 0.007*cos(beta))*(0.028*slope_k2_beta*sin(angle_k2) - 0.007*sin(beta)) - (0.00227 + 0.007*sin(beta) + (0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) - 0.028*sin(angle_k2) - (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)))*(0.007*cos(beta) - 0.028*slope_k2_beta*cos(angle_k2)))/(((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2))\nslope_k4_beta = -1*(((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2))*(0.028*slope_k2_beta*sin(angle_k2) - 0.007*sin(beta)) + ((0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) - (0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2))*(0.007*cos(beta) - 0.028*slope_k2_beta*cos(angle_k2)))/(((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2))\ndrift_k5 = -1*(((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) + 0.028*cos(angle_k2) - 0.06934 - 0.007*cos(beta))*(0.028*drift_k2*sin(angle_k2) + 0.028*dot(angle_k2)^2*cos(angle_k2) + ((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2))*dot(angle_k5)^2 - 0.007*dot(beta)^2*cos(beta) - ((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) + 0.028*cos(angle_k2) - 0.06934 - 0.007*cos(beta))*dot(angle_k4)^2) - (0.00227 + 0.007*sin(beta) + (0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) - 0.028*sin(angle_k2) - (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)))*(0.028*dot(angle_k2)^2*sin(angle_k2) - 0.028*drift_k2*cos(angle_k2) - 0.007*dot(beta)^2*sin(beta) - ((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) - (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)))*dot(angle_k5)^2 - ((0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + 0.028*sin(angle_k2) - (0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) - 0.00227 - 0.007*sin(beta))*dot(angle_k4)^2))/(((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2))\ndrift_k4 = -1*(((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2))*(0.028*drift_k2*sin(angle_k2) + 0.028*dot(angle_k2)^2*cos(angle_k2) + ((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2))*dot(angle_k5)^2 - 0.007*dot(beta)^2*cos(beta) - ((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) + 0.028*cos(angle_k2) - 0.06934 - 0.007*cos(beta))*dot(angle_k4)^2) + ((0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) - (0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2))*(0.028*dot(angle_k2)^2*sin(angle_k2) - 0.028*drift_k2*cos(angle_k2) - 0.007*dot(beta)^2*sin(beta) - ((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) - (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)))*dot(angle_k5)^2 - ((0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + 0.028*sin(angle_k2) - (0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) - 0.00227 - 0.007*sin(beta))*dot(angle_k4)^2))/(((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2))\nangle_k7 = atan2(50*((0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + (0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2)), -50*((0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) - (0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))))\nangle_k6 = atan2(25*(0.06934 + 0.007*cos(beta) + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) - 0.028*cos(angle_k2) - (0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))), 25*((0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + (0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) + 0.028*sin(angle_k2) - 0.00227 - 0.007*sin(beta)))\nslope_k7_beta = 1*((0.028*slope_k2_beta*sin(angle_k2) - 0.007*sin(beta))*((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + 0.028*cos(angle_k2) - (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) - 0.06934 - 0.007*cos(beta)) - (0.007*cos(beta) - 0.028*slope_k2_beta*cos(angle_k2))*(0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2) - (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) - (0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2)))/(((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2))\nslope_k6_beta = -1*((0.028*slope_k2_beta*sin(angle_k2) - 0.007*sin(beta))*((0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) - (0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))) - (0.007*cos(beta) - 0.028*slope_k2_beta*cos(angle_k2))*((0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + (0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2)))/(((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2))\ndrift_k7 = 1*(((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + 0.028*cos(angle_k2) - (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) - 0.06934 - 0.007*cos(beta))*(0.028*drift_k2*sin(angle_k2) + 0.028*dot(angle_k2)^2*cos(angle_k2) - 0.007*dot(beta)^2*cos(beta) - ((0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) - (0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)))*dot(angle_k7)^2 - ((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + 0.028*cos(angle_k2) - (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) - 0.06934 - 0.007*cos(beta))*dot(angle_k6)^2) - (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2) - (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) - (0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2))*(0.028*dot(angle_k2)^2*sin(angle_k2) + ((0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + (0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2))*dot(angle_k7)^2 - 0.028*drift_k2*cos(angle_k2) - 0.007*dot(beta)^2*sin(beta) - ((0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + (0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) + 0.028*sin(angle_k2) - 0.00227 - 0.007*sin(beta))*dot(angle_k6)^2))/(((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2))\ndrift_k6 = -1*(((0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) - (0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)))*(0.028*drift_k2*sin(angle_k2) + 0.028*dot(angle_k2)^2*cos(angle_k2) - 0.007*dot(beta)^2*cos(beta) - ((0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) - (0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)))*dot(angle_k7)^2 - ((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + 0.028*cos(angle_k2) - (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) - 0.06934 - 0.007*cos(beta))*dot(angle_k6)^2) - ((0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + (0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2))*(0.028*dot(angle_k2)^2*sin(angle_k2) + ((0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + (0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2))*dot(angle_k7)^2 - 0.028*drift_k2*cos(angle_k2) - 0.007*dot(beta)^2*sin(beta) - ((0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))*(0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)) + (0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2) + 0.028*sin(angle_k2) - 0.00227 - 0.007*sin(beta))*dot(angle_k6)^2))/(((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2)*sqrt(1*0.0004/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2) - (0.5 - 1*0.0006/((0.06934 + 0.007*cos(beta) - 0.028*cos(angle_k2))^2 + (0.00227 + 0.007*sin(beta) - 0.028*sin(angle_k2))^2))^2))\nt0 = sin(angle_k3)\nt1 = cos(angle_k3)\nt2 = cos(beta - angle_k2)\nt3 = sin(beta - angle_k2)\nt4 = sin(angle_k5 - angle_k4)\nt5 = cos(angle_k5 - angle_k4)\nt6 = sin(angle_k7 - angle_k6)\nt7 = cos(angle_k7 - angle_k6)\nt8 = sqrt(0.0048012554 - 0.0033834*t0 - 0.00060028*t1)\nt9 = 1/(1 - 16917000/24006277*t0 - 3001400/24006277*t1)\n";
         ///The names of the components of all outputs.
-        pub const OUTPUTS: [&'static str; 9] = [
-            "gaps[0]",
-            "gaps[1]",
-            "gaps[2]",
-            "gaps[3]",
-            "gaps[4]",
-            "gaps[5]",
+        pub const OUTPUTS: [&'static str; 5] = [
+            "gap[0]",
+            "gap[1]",
             "follow[0]",
             "follow[1]",
             "follow[2]",
@@ -1231,53 +1227,40 @@ t9 = 1/(1 - 16917000/24006277*t0 - 3001400/24006277*t1)
                 t13,
             ])
         }
-        ///Output `gaps`.
+        ///Output `gap`.
         #[inline]
-        pub fn gaps(
+        pub fn gap(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 6> {
+        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
             let [q_beta, _] = x.data.0[0];
             let (sin_beta, cos_beta) = q_beta.sin_cos();
-            let t0 = T::from_f64(0.007) * sin_beta;
-            let t1 = t0 - T::from_f64(0.03273);
+            let t0 = T::from_f64(0.007) * cos_beta;
+            let t1 = T::from_f64(0.007) * sin_beta;
             let t2 = T::from_f64(1.0)
                 / (T::from_f64(0.0024415754) + T::from_f64(0.0005089) * cos_beta
                     - T::from_f64(0.00045822) * sin_beta);
-            let t3 = T::from_f64(0.007) * cos_beta;
+            let t3 = t1 - T::from_f64(0.03273);
             let t4 = T::from_f64(0.5) - T::from_f64(0.0002205) * t2;
             let t5 = (T::from_f64(0.000784) * t2 - t4 * t4).sqrt();
-            let t6 = T::from_f64(0.03635) + t3;
-            let t7 = T::from_f64(0.06934) + t3 - (t4 * t6 - t1 * t5);
-            let t8 = t1 * t4 + t6 * t5;
-            let t9 = t1 + t8;
-            let t10 = T::from_f64(0.00227) + t0 - t8;
-            let t11 = T::from_f64(1.0) / (t7 * t7 + t10 * t10);
-            let t12 = T::from_f64(0.5) - T::from_f64(0.0006) * t11;
-            let t13 = (T::from_f64(0.0004) * t11 - t12 * t12).sqrt();
-            let t14 = t7 * t12;
-            let t15 = t10 + (t7 * t13 + t10 * t12);
-            let t16 = t10 * t13;
-            let t17 = t15 - t15;
-            let t18 = t7 + (t14 + t16);
-            let t19 = t7 + (t14 - t16);
-            ::pendulum_core::nalgebra::SVector::from([
-                T::from_f64(0.0),
-                t9 - t9,
-                t18 - t18,
-                t17,
-                t19 - t19,
-                t17,
-            ])
+            let t6 = T::from_f64(0.03635) + t0;
+            let t7 = T::from_f64(0.06934) + (t0 + t3 * t5 - t6 * t4);
+            let t8 = T::from_f64(0.00227) + (t1 - t4 * t3 - t6 * t5);
+            let t9 = T::from_f64(1.0) / (t7 * t7 + t8 * t8);
+            let t10 = T::from_f64(0.5) - T::from_f64(0.0006) * t9;
+            let t11 = (T::from_f64(0.0004) * t9 - t10 * t10).sqrt();
+            let t12 = t7 + (t7 * t10 - t8 * t11);
+            let t13 = t8 + (t8 * t10 + t7 * t11);
+            ::pendulum_core::nalgebra::SVector::from([t12 - t12, t13 - t13])
         }
-        ///The rate of `gaps` along the motion.
+        ///The rate of `gap` along the motion.
         #[inline]
-        pub fn gaps_rate(
+        pub fn gap_rate(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 6> {
+        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
             let [q_beta, qd_beta] = x.data.0[0];
             let t0 = T::from_f64(0.007) * qd_beta;
             let (sin_beta, cos_beta) = q_beta.sin_cos();
@@ -1285,148 +1268,87 @@ t9 = 1/(1 - 16917000/24006277*t0 - 3001400/24006277*t1)
             let t2 = t1 - T::from_f64(0.03273);
             let t3 = T::from_f64(0.0024415754) + T::from_f64(0.0005089) * cos_beta
                 - T::from_f64(0.00045822) * sin_beta;
-            let t4 = T::from_f64(1.0) / t3;
-            let t5 = T::from_f64(0.5) - T::from_f64(0.0002205) * t4;
-            let t6 = (T::from_f64(0.000784) * t4 - t5 * t5).sqrt();
-            let t7 = T::from_f64(1.0) / (t3 * t6);
-            let t8 = T::from_f64(0.007) * cos_beta;
-            let t9 = T::from_f64(0.03635) + t8;
-            let t10 = t2 * t5 + t9 * t6;
-            let t11 = t5 * t9 - t2 * t6;
-            let t12 = t2 - t10;
-            let t13 = t9 - t11;
-            let t14 = t7 * (t8 * t12 - t1 * t13);
-            let t15 = T::from_f64(28.571428571428573)
-                * (T::from_f64(0.035) * qd_beta * t7 * (t8 * t10 - t1 * t11));
+            let t4 = T::from_f64(0.007) * cos_beta;
+            let t5 = T::from_f64(1.0) / t3;
+            let t6 = T::from_f64(0.5) - T::from_f64(0.0002205) * t5;
+            let t7 = (T::from_f64(0.000784) * t5 - t6 * t6).sqrt();
+            let t8 = T::from_f64(0.03635) + t4;
+            let t9 = t2 * t6 + t8 * t7;
+            let t10 = t6 * t8 - t2 * t7;
+            let t11 = T::from_f64(1.0) / (t3 * t7) * (t1 * (t10 - t8) + t4 * (t2 - t9));
+            let t12 = T::from_f64(0.00227) + t1 - t9;
+            let t13 = t1 + t9 * t11;
+            let t14 = T::from_f64(0.06934) + t4 - t10;
+            let t15 = t4 + t10 * t11;
             let t16 = T::from_f64(35.714285714285715)
-                * (T::from_f64(0.028) * qd_beta * t14);
-            let t17 = sin_beta * t0 + t10 * t16;
-            let t18 = t0 * cos_beta + t11 * t16;
-            let t19 = T::from_f64(0.00227) + t1 - t10;
-            let t20 = t1 + t10 * t14;
-            let t21 = t8 + t11 * t14;
-            let t22 = T::from_f64(0.06934) + t8 - t11;
-            let t23 = t22 * t22 + t19 * t19;
-            let t24 = T::from_f64(1.0) / t23;
-            let t25 = T::from_f64(0.5) - T::from_f64(0.0006) * t24;
-            let t26 = (T::from_f64(0.0004) * t24 - t25 * t25).sqrt();
-            let t27 = qd_beta * (T::from_f64(1.0) / (t23 * t26));
-            let t28 = t19 * t25;
-            let t29 = t22 * t25;
-            let t30 = t22 * t26;
-            let t31 = t19 * t26;
-            let t32 = t28 - t30;
-            let t33 = t28 + t30;
-            let t34 = t29 + t31;
-            let t35 = t29 - t31;
-            let t36 = t34 - t22;
-            let t37 = t22 - t35;
-            let t38 = t19 - t32;
-            let t39 = t19 - t33;
-            let t40 = T::from_f64(0.02) * t27;
-            let t41 = T::from_f64(50.0) * ((t20 * t36 + t21 * t38) * t40);
-            let t42 = T::from_f64(50.0) * ((t21 * t39 - t20 * t37) * t40);
-            let t43 = T::from_f64(0.04) * t27;
-            let t44 = T::from_f64(25.0) * ((t32 * t21 - t34 * t20) * t43);
-            let t45 = T::from_f64(25.0) * ((t21 * t33 - t20 * t35) * t43);
+                * (T::from_f64(0.028) * qd_beta * t11);
+            let t17 = t14 * t14 + t12 * t12;
+            let t18 = T::from_f64(1.0) / t17;
+            let t19 = T::from_f64(0.5) - T::from_f64(0.0006) * t18;
+            let t20 = (T::from_f64(0.0004) * t18 - t19 * t19).sqrt();
+            let t21 = qd_beta * (T::from_f64(1.0) / (t17 * t20));
+            let t22 = t12 * t19 + t14 * t20;
+            let t23 = t14 * t19 - t12 * t20;
+            let t24 = t12 - t22;
+            let t25 = T::from_f64(25.0)
+                * (T::from_f64(0.04) * (t22 * t15 - t13 * t23) * t21);
+            let t26 = t14 - t23;
+            let t27 = T::from_f64(50.0)
+                * (T::from_f64(0.02) * (t15 * t24 - t13 * t26) * t21);
             ::pendulum_core::nalgebra::SVector::from([
-                t12 * t15 - t17,
-                t18 - t13 * t15,
-                t32 * t41 - t17 - t38 * t44,
-                t18 - t34 * t41 - t36 * t44,
-                t39 * t45 - (t17 + t33 * t42),
-                t18 + t35 * t42 - t37 * t45,
+                t24 * t25 - (sin_beta * t0 + t9 * t16 + t22 * t27),
+                t0 * cos_beta + t10 * t16 + t23 * t27 - t26 * t25,
             ])
         }
-        ///The value of `gaps`, and its derivatives by the state: a row for each component, column by column for a matrix.
+        ///The value of `gap`, and its derivatives by the state: a row for each component, column by column for a matrix.
         #[inline]
-        pub fn gaps_and_jacobian(
+        pub fn gap_and_jacobian(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
         ) -> (
-            ::pendulum_core::nalgebra::SVector<T, 6>,
-            ::pendulum_core::nalgebra::SMatrix<T, 6, 2>,
+            ::pendulum_core::nalgebra::SVector<T, 2>,
+            ::pendulum_core::nalgebra::SMatrix<T, 2, 2>,
         ) {
             let [q_beta, _] = x.data.0[0];
             let (sin_beta, cos_beta) = q_beta.sin_cos();
-            let t0 = T::from_f64(0.007) * sin_beta;
-            let t1 = t0 - T::from_f64(0.03273);
+            let t0 = T::from_f64(0.007) * cos_beta;
+            let t1 = T::from_f64(0.03635) + t0;
             let t2 = T::from_f64(0.0024415754) + T::from_f64(0.0005089) * cos_beta
                 - T::from_f64(0.00045822) * sin_beta;
-            let t3 = T::from_f64(0.007) * cos_beta;
+            let t3 = T::from_f64(0.007) * sin_beta;
             let t4 = T::from_f64(1.0) / t2;
             let t5 = T::from_f64(0.5) - T::from_f64(0.0002205) * t4;
             let t6 = (T::from_f64(0.000784) * t4 - t5 * t5).sqrt();
-            let t7 = T::from_f64(1.0) / (t2 * t6);
-            let t8 = T::from_f64(0.03635) + t3;
-            let t9 = t1 * t5 + t8 * t6;
-            let t10 = t5 * t8 - t1 * t6;
-            let t11 = t1 - t9;
-            let t12 = t11 - t11;
-            let t13 = t8 - t10;
-            let t14 = T::from_f64(0.06934) + t3 - t10;
-            let t15 = T::from_f64(0.00227) + t0 - t9;
-            let t16 = t14 * t14 + t15 * t15;
-            let t17 = T::from_f64(1.0) / t16;
-            let t18 = T::from_f64(0.5) - T::from_f64(0.0006) * t17;
-            let t19 = (T::from_f64(0.0004) * t17 - t18 * t18).sqrt();
-            let t20 = T::from_f64(1.0) / (t16 * t19);
-            let t21 = t14 * t18;
-            let t22 = t15 * t18;
-            let t23 = t15 * t19;
-            let t24 = t14 * t19;
-            let t25 = t21 + t23;
-            let t26 = t21 - t23;
-            let t27 = t14 - t25;
-            let t28 = t27 - t27;
-            let t29 = t14 - t26;
-            let t30 = t29 - t29;
-            let t31 = t24 - t22;
-            let t32 = t24 + t22;
-            let t33 = t15 + t31;
-            let t34 = t33 - t33;
-            let t35 = t15 - t32;
-            let t36 = t35 - t35;
-            let t37 = T::from_f64(28.571428571428573)
-                * (T::from_f64(0.035) * t7 * (t3 * t9 - t0 * t10));
-            let t38 = t7 * (t3 * t11 - t0 * t13);
-            let t39 = T::from_f64(35.714285714285715) * (T::from_f64(0.028) * t38);
-            let t40 = t0 + t9 * t39;
-            let t41 = t11 * t37 - t40;
-            let t42 = t0 + t9 * t38;
-            let t43 = t3 + t10 * t39;
-            let t44 = t43 - t13 * t37;
-            let t45 = t3 + t10 * t38;
-            let t46 = T::from_f64(0.04) * t20;
-            let t47 = T::from_f64(0.02) * t20;
-            let t48 = T::from_f64(25.0) * ((t31 * t45 + t25 * t42) * t46);
-            let t49 = T::from_f64(25.0) * ((t32 * t45 - t42 * t26) * t46);
-            let t50 = T::from_f64(50.0) * ((t33 * t45 - t42 * t27) * t47);
-            let t51 = t33 * t48 - t40 - t31 * t50;
-            let t52 = t43 - t25 * t50 - t27 * t48;
-            let t53 = T::from_f64(50.0) * ((t45 * t35 - t42 * t29) * t47);
-            let t54 = t35 * t49 - (t40 + t32 * t53);
-            let t55 = t43 + t26 * t53 - t29 * t49;
+            let t7 = t3 - T::from_f64(0.03273);
+            let t8 = t1 * t5 - t7 * t6;
+            let t9 = t5 * t7 + t1 * t6;
+            let t10 = T::from_f64(1.0) / (t2 * t6) * (t3 * (t8 - t1) + t0 * (t7 - t9));
+            let t11 = T::from_f64(0.06934) + (t0 - t8);
+            let t12 = t0 + t8 * t10;
+            let t13 = t3 + t9 * t10;
+            let t14 = T::from_f64(0.00227) + (t3 - t9);
+            let t15 = t11 * t11 + t14 * t14;
+            let t16 = T::from_f64(1.0) / t15;
+            let t17 = T::from_f64(0.5) - T::from_f64(0.0006) * t16;
+            let t18 = (T::from_f64(0.0004) * t16 - t17 * t17).sqrt();
+            let t19 = T::from_f64(1.0) / (t15 * t18);
+            let t20 = t11 * t17 - t14 * t18;
+            let t21 = t14 * t17 + t11 * t18;
+            let t22 = t11 - t20;
+            let t23 = t14 - t21;
+            let t24 = T::from_f64(25.0)
+                * (T::from_f64(0.04) * (t19 * (t21 * t12 - t13 * t20)));
+            let t25 = T::from_f64(50.0)
+                * (T::from_f64(0.02) * (t19 * (t12 * t23 - t13 * t22)));
             (
-                ::pendulum_core::nalgebra::SVector::from([
-                    T::from_f64(0.0),
-                    t12,
-                    t28,
-                    t34,
-                    t30,
-                    t36,
-                ]),
+                ::pendulum_core::nalgebra::SVector::from([t22 - t22, t23 - t23]),
                 ::pendulum_core::nalgebra::SMatrix::from([
-                    [t41, t44, t51, t52, t54, t55],
                     [
-                        T::from_f64(0.0),
-                        T::from_f64(0.0),
-                        T::from_f64(0.0),
-                        T::from_f64(0.0),
-                        T::from_f64(0.0),
-                        T::from_f64(0.0),
+                        t23 * t24 - (t13 + t21 * t25),
+                        t0 + t10 * t8 + t20 * t25 - t22 * t24,
                     ],
+                    [T::from_f64(0.0), T::from_f64(0.0)],
                 ]),
             )
         }
@@ -1608,76 +1530,60 @@ t9 = 1/(1 - 16917000/24006277*t0 - 3001400/24006277*t1)
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 9> {
+        ) -> ::pendulum_core::nalgebra::SVector<T, 5> {
             let [q_beta, _] = x.data.0[0];
             let [(sin_beta, cos_beta), (sin0, cos0)] = q_beta
                 .sin_cos_pair(T::from_f64(-0.223));
-            let t1 = T::from_f64(0.007) * sin_beta;
-            let t2 = t1 - T::from_f64(0.03273);
+            let t1 = T::from_f64(0.007) * cos_beta;
+            let t2 = T::from_f64(0.03635) + t1;
             let t3 = T::from_f64(1.0)
                 / (T::from_f64(0.0024415754) + T::from_f64(0.0005089) * cos_beta
                     - T::from_f64(0.00045822) * sin_beta);
             let t4 = T::from_f64(0.5) - T::from_f64(0.0002205) * t3;
             let t5 = (T::from_f64(0.000784) * t3 - t4 * t4).sqrt();
-            let t6 = T::from_f64(0.007) * cos_beta;
-            let t7 = T::from_f64(0.03635) + t6;
-            let t8 = t2 * t4 + t7 * t5;
-            let t9 = t4 * t7 - t2 * t5;
-            let t10 = t2 - t8;
-            let t11 = T::from_f64(0.00227) + t1 - t8;
-            let t12 = t10 - t10;
-            let t13 = T::from_f64(0.06934) + t6 - t9;
-            let t14 = T::from_f64(28.571428571428573) * (t7 - t9);
-            let t15 = T::from_f64(28.571428571428573) * t10;
-            let t16 = (T::from_f64(0.8982610281785611) * t14
-                - T::from_f64(-0.43946231380585327) * t15)
+            let t6 = T::from_f64(0.007) * sin_beta;
+            let t7 = t6 - T::from_f64(0.03273);
+            let t8 = t2 * t4 - t7 * t5;
+            let t9 = t4 * t7 + t2 * t5;
+            let t10 = t8 - (T::from_f64(0.06934) + t1);
+            let t11 = T::from_f64(28.571428571428573) * (t2 - t8);
+            let t12 = t9 - (T::from_f64(0.00227) + t6);
+            let t13 = T::from_f64(28.571428571428573) * (t9 - t7);
+            let t14 = T::from_f64(1.0) / (t10 * t10 + t12 * t12);
+            let t15 = T::from_f64(0.5) - T::from_f64(0.0006) * t14;
+            let t16 = (T::from_f64(0.0004) * t14 - t15 * t15).sqrt();
+            let t17 = t12 * t16;
+            let t18 = t10 * t16;
+            let t19 = t10 * t15;
+            let t20 = t12 * t15;
+            let t21 = t17 - t19;
+            let t22 = t19 + t17;
+            let t23 = T::from_f64(25.0) * (t10 - t22);
+            let t24 = T::from_f64(50.0) * t22;
+            let t25 = t20 + t18;
+            let t26 = t18 - t20;
+            let t27 = T::from_f64(25.0) * (t12 + t26);
+            let t28 = (-(T::from_f64(-0.46797677575091534) * t23
+                + T::from_f64(0.8837407636619335) * t27))
                 .atan2(
-                    -(T::from_f64(0.8982610281785611) * t15
-                        + T::from_f64(-0.43946231380585327) * t14),
+                    T::from_f64(-0.46797677575091534) * t27
+                        - T::from_f64(0.8837407636619335) * t23,
                 );
-            let t17 = T::from_f64(0.455) + t16;
-            let t18 = T::from_f64(1.0) / (t13 * t13 + t11 * t11);
-            let t19 = T::from_f64(0.5) - T::from_f64(0.0006) * t18;
-            let t20 = (T::from_f64(0.0004) * t18 - t19 * t19).sqrt();
-            let t21 = t13 * t19;
-            let t22 = t11 * t19;
-            let t23 = t11 * t20;
-            let t24 = t13 * t20;
-            let t25 = t21 + t23;
-            let t26 = t13 + (t21 - t23);
-            let t27 = t26 - t26;
-            let t28 = t13 - t25;
-            let t29 = t28 - t28;
-            let t30 = T::from_f64(25.0) * t28;
-            let t31 = T::from_f64(50.0) * t25;
-            let t32 = t24 - t22;
-            let t33 = t11 + (t24 + t22);
-            let t34 = t33 - t33;
-            let t35 = t11 + t32;
-            let t36 = t35 - t35;
-            let t37 = T::from_f64(25.0) * t35;
-            let t38 = T::from_f64(0.487)
-                + (T::from_f64(-0.46797677575091534) * t30
-                    + T::from_f64(0.8837407636619335) * t37)
-                    .atan2(
-                        T::from_f64(0.8837407636619335) * t30
-                            - T::from_f64(-0.46797677575091534) * t37,
-                    );
-            let t39 = T::from_f64(50.0) * t32;
-            let t40 = sin0 * t39 + cos0 * t31;
-            let t41 = cos0 * t39 - sin0 * t31;
-            let t42 = T::from_f64(0.223)
-                + (t30 * t40 - t37 * t41).atan2(t30 * t41 + t37 * t40);
+            let t29 = T::from_f64(50.0) * t26;
+            let t30 = sin0 * t24 - cos0 * t29;
+            let t31 = sin0 * t29 + cos0 * t24;
             ::pendulum_core::nalgebra::SVector::from([
-                T::from_f64(0.0),
-                t12,
-                t29,
-                t36,
-                t27,
-                t34,
-                t17,
-                t38,
-                t42,
+                t10 + t21 - t21 - t10,
+                t12 + t25 - t25 - t12,
+                T::from_f64(0.455)
+                    + (T::from_f64(-0.43946231380585327) * t13
+                        + T::from_f64(0.8982610281785611) * t11)
+                        .atan2(
+                            T::from_f64(0.8982610281785611) * t13
+                                - T::from_f64(-0.43946231380585327) * t11,
+                        ),
+                T::from_f64(0.487) + t28,
+                T::from_f64(0.223) + (t27 * t30 + t23 * t31).atan2(t27 * t31 - t23 * t30),
             ])
         }
         ///The rate of all outputs along the motion.
@@ -1686,7 +1592,7 @@ t9 = 1/(1 - 16917000/24006277*t0 - 3001400/24006277*t1)
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 9> {
+        ) -> ::pendulum_core::nalgebra::SVector<T, 5> {
             let [q_beta, qd_beta] = x.data.0[0];
             let t0 = T::from_f64(0.007) * qd_beta;
             let (sin_beta, cos_beta) = q_beta.sin_cos();
@@ -1694,69 +1600,47 @@ t9 = 1/(1 - 16917000/24006277*t0 - 3001400/24006277*t1)
             let t2 = t1 - T::from_f64(0.03273);
             let t3 = T::from_f64(0.0024415754) + T::from_f64(0.0005089) * cos_beta
                 - T::from_f64(0.00045822) * sin_beta;
-            let t4 = T::from_f64(1.0) / t3;
-            let t5 = T::from_f64(0.5) - T::from_f64(0.0002205) * t4;
-            let t6 = (T::from_f64(0.000784) * t4 - t5 * t5).sqrt();
-            let t7 = T::from_f64(1.0) / (t3 * t6);
-            let t8 = T::from_f64(0.007) * cos_beta;
-            let t9 = T::from_f64(0.03635) + t8;
-            let t10 = t2 * t5 + t9 * t6;
-            let t11 = t5 * t9 - t2 * t6;
-            let t12 = t2 - t10;
-            let t13 = t9 - t11;
-            let t14 = qd_beta * t7 * (t8 * t10 - t1 * t11);
-            let t15 = T::from_f64(28.571428571428573) * (T::from_f64(0.035) * t14);
-            let t16 = t7 * (t8 * t12 - t1 * t13);
+            let t4 = T::from_f64(0.007) * cos_beta;
+            let t5 = T::from_f64(1.0) / t3;
+            let t6 = T::from_f64(0.5) - T::from_f64(0.0002205) * t5;
+            let t7 = (T::from_f64(0.000784) * t5 - t6 * t6).sqrt();
+            let t8 = T::from_f64(1.0) / (t3 * t7);
+            let t9 = T::from_f64(0.03635) + t4;
+            let t10 = t2 * t6 + t9 * t7;
+            let t11 = t6 * t9 - t2 * t7;
+            let t12 = t8 * (t1 * (t11 - t9) + t4 * (t2 - t10));
+            let t13 = T::from_f64(0.00227) + t1 - t10;
+            let t14 = t1 + t10 * t12;
+            let t15 = T::from_f64(0.06934) + t4 - t11;
+            let t16 = t4 + t11 * t12;
             let t17 = T::from_f64(35.714285714285715)
-                * (T::from_f64(0.028) * (qd_beta * t16));
-            let t18 = sin_beta * t0 + t10 * t17;
-            let t19 = cos_beta * t0 + t11 * t17;
-            let t20 = t12 * t15 - t18;
-            let t21 = t19 - t13 * t15;
-            let t22 = T::from_f64(0.00227) + t1 - t10;
-            let t23 = t1 + t10 * t16;
-            let t24 = t8 + t11 * t16;
-            let t25 = T::from_f64(0.06934) + t8 - t11;
-            let t26 = t25 * t25 + t22 * t22;
-            let t27 = T::from_f64(1.0) / t26;
-            let t28 = T::from_f64(0.5) - T::from_f64(0.0006) * t27;
-            let t29 = (T::from_f64(0.0004) * t27 - t28 * t28).sqrt();
-            let t30 = qd_beta * (T::from_f64(1.0) / (t26 * t29));
-            let t31 = t25 * t29;
-            let t32 = t22 * t29;
-            let t33 = t22 * t28;
-            let t34 = t25 * t28;
-            let t35 = t31 - t33;
-            let t36 = t31 + t33;
-            let t37 = t22 + t35;
-            let t38 = t22 - t36;
-            let t39 = t34 + t32;
-            let t40 = t34 - t32;
-            let t41 = (t35 * t24 + t39 * t23) * t30;
-            let t42 = T::from_f64(25.0) * (T::from_f64(0.04) * t41);
-            let t43 = t39 - t25;
-            let t44 = t25 - t40;
-            let t45 = (t43 * t23 + t37 * t24) * t30;
-            let t46 = t45 - t41;
-            let t47 = T::from_f64(50.0) * (T::from_f64(0.02) * t45);
-            let t48 = t37 * t42 - (t18 + t35 * t47);
-            let t49 = t19 + t43 * t42 - t39 * t47;
-            let t50 = T::from_f64(25.0)
-                * (T::from_f64(0.04) * ((t24 * t36 - t23 * t40) * t30));
-            let t51 = T::from_f64(50.0)
-                * (T::from_f64(0.02) * ((t24 * t38 - t23 * t44) * t30));
-            let t52 = t38 * t50 - (t18 + t36 * t51);
-            let t53 = t19 + t40 * t51 - t44 * t50;
+                * (T::from_f64(0.028) * qd_beta * t12);
+            let t18 = t15 * t15 + t13 * t13;
+            let t19 = T::from_f64(1.0) / t18;
+            let t20 = T::from_f64(0.5) - T::from_f64(0.0006) * t19;
+            let t21 = (T::from_f64(0.0004) * t19 - t20 * t20).sqrt();
+            let t22 = qd_beta * (T::from_f64(1.0) / (t18 * t21));
+            let t23 = t13 * t20;
+            let t24 = t15 * t20;
+            let t25 = t15 * t21;
+            let t26 = t13 * t21;
+            let t27 = t23 + t25;
+            let t28 = t23 - t25;
+            let t29 = t13 - t27;
+            let t30 = t24 - t26;
+            let t31 = t24 + t26;
+            let t32 = (t16 * t28 - t14 * t31) * t22;
+            let t33 = T::from_f64(25.0)
+                * (T::from_f64(0.04) * (t27 * t16 - t14 * t30) * t22);
+            let t34 = t15 - t30;
+            let t35 = T::from_f64(50.0)
+                * (T::from_f64(0.02) * (t16 * t29 - t14 * t34) * t22);
             ::pendulum_core::nalgebra::SVector::from([
-                t20,
-                t21,
-                t48,
-                t49,
-                t52,
-                t53,
-                t14,
-                t41,
-                t46,
+                t29 * t33 - (sin_beta * t0 + t10 * t17 + t27 * t35),
+                t0 * cos_beta + t11 * t17 + t30 * t35 - t34 * t33,
+                qd_beta * t8 * (t4 * t10 - t1 * t11),
+                -t32,
+                t32 + (t14 * (t31 - t15) + t16 * (t13 - t28)) * t22,
             ])
         }
         ///The value of all outputs, and its derivatives by the state: a row for each component, column by column for a matrix.
@@ -1766,116 +1650,89 @@ t9 = 1/(1 - 16917000/24006277*t0 - 3001400/24006277*t1)
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
         ) -> (
-            ::pendulum_core::nalgebra::SVector<T, 9>,
-            ::pendulum_core::nalgebra::SMatrix<T, 9, 2>,
+            ::pendulum_core::nalgebra::SVector<T, 5>,
+            ::pendulum_core::nalgebra::SMatrix<T, 5, 2>,
         ) {
             let [q_beta, _] = x.data.0[0];
             let [(sin_beta, cos_beta), (sin0, cos0)] = q_beta
                 .sin_cos_pair(T::from_f64(-0.223));
-            let t1 = T::from_f64(0.007) * sin_beta;
-            let t2 = t1 - T::from_f64(0.03273);
+            let t1 = T::from_f64(0.007) * cos_beta;
+            let t2 = T::from_f64(0.03635) + t1;
             let t3 = T::from_f64(0.0024415754) + T::from_f64(0.0005089) * cos_beta
                 - T::from_f64(0.00045822) * sin_beta;
             let t4 = T::from_f64(1.0) / t3;
             let t5 = T::from_f64(0.5) - T::from_f64(0.0002205) * t4;
             let t6 = (T::from_f64(0.000784) * t4 - t5 * t5).sqrt();
             let t7 = T::from_f64(1.0) / (t3 * t6);
-            let t8 = T::from_f64(0.007) * cos_beta;
-            let t9 = T::from_f64(0.03635) + t8;
-            let t10 = t2 * t5 + t9 * t6;
-            let t11 = t5 * t9 - t2 * t6;
+            let t8 = T::from_f64(0.007) * sin_beta;
+            let t9 = t8 - T::from_f64(0.03273);
+            let t10 = t2 * t5 - t9 * t6;
+            let t11 = t5 * t9 + t2 * t6;
             let t12 = t2 - t10;
-            let t13 = t12 - t12;
-            let t14 = t9 - t11;
-            let t15 = T::from_f64(0.06934) + t8 - t11;
-            let t16 = T::from_f64(0.00227) + t1 - t10;
-            let t17 = t15 * t15 + t16 * t16;
-            let t18 = T::from_f64(1.0) / t17;
-            let t19 = T::from_f64(0.5) - T::from_f64(0.0006) * t18;
-            let t20 = (T::from_f64(0.0004) * t18 - t19 * t19).sqrt();
-            let t21 = T::from_f64(1.0) / (t17 * t20);
-            let t22 = t15 * t19;
-            let t23 = t16 * t19;
-            let t24 = t16 * t20;
-            let t25 = t15 * t20;
-            let t26 = t22 + t24;
-            let t27 = t22 - t24;
-            let t28 = t15 - t26;
-            let t29 = t28 - t28;
-            let t30 = t15 - t27;
-            let t31 = t30 - t30;
-            let t32 = t25 - t23;
-            let t33 = t25 + t23;
-            let t34 = t16 + t32;
-            let t35 = t34 - t34;
-            let t36 = t16 - t33;
-            let t37 = t36 - t36;
-            let t38 = T::from_f64(28.571428571428573) * t14;
-            let t39 = t7 * (t8 * t12 - t1 * t14);
-            let t40 = T::from_f64(28.571428571428573) * t12;
-            let t41 = t7 * (t8 * t10 - t1 * t11);
-            let t42 = T::from_f64(0.035) * t41;
-            let t43 = (T::from_f64(0.8982610281785611) * t38
-                - T::from_f64(-0.43946231380585327) * t40)
+            let t13 = t9 - t11;
+            let t14 = t7 * (t1 * t11 - t8 * t10);
+            let t15 = t7 * (t1 * t13 - t8 * t12);
+            let t16 = T::from_f64(28.571428571428573) * t12;
+            let t17 = T::from_f64(28.571428571428573) * t13;
+            let t18 = (T::from_f64(0.8982610281785611) * t16
+                - T::from_f64(-0.43946231380585327) * t17)
                 .atan2(
-                    -(T::from_f64(0.8982610281785611) * t40
-                        + T::from_f64(-0.43946231380585327) * t38),
+                    -(T::from_f64(0.8982610281785611) * t17
+                        + T::from_f64(-0.43946231380585327) * t16),
                 );
-            let t44 = T::from_f64(0.455) + t43;
-            let t45 = T::from_f64(25.0) * t28;
-            let t46 = T::from_f64(25.0) * t34;
-            let t47 = T::from_f64(0.487)
-                + (T::from_f64(-0.46797677575091534) * t45
-                    + T::from_f64(0.8837407636619335) * t46)
-                    .atan2(
-                        T::from_f64(0.8837407636619335) * t45
-                            - T::from_f64(-0.46797677575091534) * t46,
-                    );
-            let t48 = T::from_f64(50.0) * t32;
-            let t49 = T::from_f64(50.0) * t26;
-            let t50 = sin0 * t48 + cos0 * t49;
-            let t51 = cos0 * t48 - sin0 * t49;
-            let t52 = T::from_f64(0.223)
-                + (t45 * t50 - t46 * t51).atan2(t45 * t51 + t46 * t50);
-            let t53 = T::from_f64(35.714285714285715) * (T::from_f64(0.028) * t39);
-            let t54 = t1 + t10 * t53;
-            let t55 = t40 * t42 - t54;
-            let t56 = t1 + t10 * t39;
-            let t57 = t8 + t11 * t53;
-            let t58 = t57 - t38 * t42;
-            let t59 = t8 + t11 * t39;
-            let t60 = t21 * (t32 * t59 + t26 * t56);
-            let t61 = t21 * (t34 * t59 - t28 * t56);
-            let t62 = t61 - t60;
-            let t63 = T::from_f64(0.04) * t60;
-            let t64 = T::from_f64(0.02) * t61;
-            let t65 = t46 * t63 - t54 - t48 * t64;
-            let t66 = t57 - t49 * t64 - t45 * t63;
-            let t67 = T::from_f64(25.0)
-                * (T::from_f64(0.04) * t21 * (t33 * t59 - t56 * t27));
-            let t68 = T::from_f64(50.0)
-                * (T::from_f64(0.02) * t21 * (t59 * t36 - t56 * t30));
-            let t69 = t36 * t67 - (t54 + t33 * t68);
-            let t70 = t57 + t27 * t68 - t30 * t67;
+            let t19 = T::from_f64(0.455) + t18;
+            let t20 = T::from_f64(0.06934) + (t1 - t10);
+            let t21 = T::from_f64(0.00227) + (t8 - t11);
+            let t22 = t8 + t11 * t15;
+            let t23 = t20 * t20 + t21 * t21;
+            let t24 = T::from_f64(1.0) / t23;
+            let t25 = T::from_f64(0.5) - T::from_f64(0.0006) * t24;
+            let t26 = (T::from_f64(0.0004) * t24 - t25 * t25).sqrt();
+            let t27 = T::from_f64(1.0) / (t23 * t26);
+            let t28 = t20 * t25;
+            let t29 = t21 * t25;
+            let t30 = t21 * t26;
+            let t31 = t20 * t26;
+            let t32 = t28 - t30;
+            let t33 = t28 + t30;
+            let t34 = t20 - t32;
+            let t35 = t34 - t34;
+            let t36 = t33 - t20;
+            let t37 = t29 + t31;
+            let t38 = t29 - t31;
+            let t39 = t21 - t37;
+            let t40 = t39 - t39;
+            let t41 = t21 - t38;
+            let t42 = T::from_f64(25.0) * t41;
+            let t43 = T::from_f64(25.0) * t36;
+            let t44 = (T::from_f64(0.8837407636619335) * t42
+                - T::from_f64(-0.46797677575091534) * t43)
+                .atan2(
+                    -(T::from_f64(-0.46797677575091534) * t42
+                        + T::from_f64(0.8837407636619335) * t43),
+                );
+            let t45 = T::from_f64(0.487) + t44;
+            let t46 = T::from_f64(50.0) * t38;
+            let t47 = T::from_f64(50.0) * t33;
+            let t48 = cos0 * t46 + sin0 * t47;
+            let t49 = cos0 * t47 - sin0 * t46;
+            let t50 = T::from_f64(0.223)
+                + (t42 * t48 - t43 * t49).atan2(t43 * t48 + t42 * t49);
+            let t51 = t1 + t10 * t15;
+            let t52 = t27 * (t38 * t51 - t33 * t22);
+            let t53 = t52 + t27 * (t36 * t22 + t51 * t41);
+            let t54 = -t52;
+            let t55 = T::from_f64(0.04)
+                * (T::from_f64(25.0) * (t27 * (t37 * t51 - t22 * t32)));
+            let t56 = T::from_f64(0.02)
+                * (T::from_f64(50.0) * (t27 * (t51 * t39 - t22 * t34)));
+            let t57 = t1 + t15 * t10 + t32 * t56 - t34 * t55;
+            let t58 = t39 * t55 - (t22 + t37 * t56);
             (
-                ::pendulum_core::nalgebra::SVector::from([
-                    T::from_f64(0.0),
-                    t13,
-                    t29,
-                    t35,
-                    t31,
-                    t37,
-                    t44,
-                    t47,
-                    t52,
-                ]),
+                ::pendulum_core::nalgebra::SVector::from([t35, t40, t19, t45, t50]),
                 ::pendulum_core::nalgebra::SMatrix::from([
-                    [t55, t58, t65, t66, t69, t70, t41, t60, t62],
+                    [t58, t57, t14, t54, t53],
                     [
-                        T::from_f64(0.0),
-                        T::from_f64(0.0),
-                        T::from_f64(0.0),
-                        T::from_f64(0.0),
                         T::from_f64(0.0),
                         T::from_f64(0.0),
                         T::from_f64(0.0),
@@ -1958,6 +1815,42 @@ t9 = 1/(1 - 16917000/24006277*t0 - 3001400/24006277*t1)
                         radius: false,
                     },
                     ::pendulum_core::shapes::Outline {
+                        name: "k2",
+                        kind: ::pendulum_core::shapes::ShapeKind::Rod,
+                        points: 2,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "k3",
+                        kind: ::pendulum_core::shapes::ShapeKind::Rod,
+                        points: 2,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "k2",
+                        kind: ::pendulum_core::shapes::ShapeKind::Rod,
+                        points: 2,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "k5",
+                        kind: ::pendulum_core::shapes::ShapeKind::Rod,
+                        points: 2,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "k2",
+                        kind: ::pendulum_core::shapes::ShapeKind::Rod,
+                        points: 2,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "k7",
+                        kind: ::pendulum_core::shapes::ShapeKind::Rod,
+                        points: 2,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
                         name: "k1",
                         kind: ::pendulum_core::shapes::ShapeKind::Pivot,
                         points: 1,
@@ -2000,20 +1893,38 @@ t9 = 1/(1 - 16917000/24006277*t0 - 3001400/24006277*t1)
                         radius: false,
                     },
                     ::pendulum_core::shapes::Outline {
+                        name: "k2",
+                        kind: ::pendulum_core::shapes::ShapeKind::Pivot,
+                        points: 1,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "k2",
+                        kind: ::pendulum_core::shapes::ShapeKind::Pivot,
+                        points: 1,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
+                        name: "k2",
+                        kind: ::pendulum_core::shapes::ShapeKind::Pivot,
+                        points: 1,
+                        radius: false,
+                    },
+                    ::pendulum_core::shapes::Outline {
                         name: "k3",
                         kind: ::pendulum_core::shapes::ShapeKind::Spring,
                         points: 2,
                         radius: false,
                     },
                     ::pendulum_core::shapes::Outline {
-                        name: "d",
-                        kind: ::pendulum_core::shapes::ShapeKind::Point,
+                        name: "c",
+                        kind: ::pendulum_core::shapes::ShapeKind::Anchor,
                         points: 1,
                         radius: false,
                     },
                     ::pendulum_core::shapes::Outline {
-                        name: "c",
-                        kind: ::pendulum_core::shapes::ShapeKind::Anchor,
+                        name: "d",
+                        kind: ::pendulum_core::shapes::ShapeKind::Point,
                         points: 1,
                         radius: false,
                     },
@@ -2024,19 +1935,7 @@ t9 = 1/(1 - 16917000/24006277*t0 - 3001400/24006277*t1)
                         radius: false,
                     },
                     ::pendulum_core::shapes::Outline {
-                        name: "of_3",
-                        kind: ::pendulum_core::shapes::ShapeKind::Point,
-                        points: 1,
-                        radius: false,
-                    },
-                    ::pendulum_core::shapes::Outline {
-                        name: "of_5",
-                        kind: ::pendulum_core::shapes::ShapeKind::Point,
-                        points: 1,
-                        radius: false,
-                    },
-                    ::pendulum_core::shapes::Outline {
-                        name: "of_7",
+                        name: "f",
                         kind: ::pendulum_core::shapes::ShapeKind::Point,
                         points: 1,
                         radius: false,
@@ -2173,6 +2072,42 @@ t9 = 1/(1 - 16917000/24006277*t0 - 3001400/24006277*t1)
                         t48,
                         t51,
                         T::from_f64(0.0),
+                        t5,
+                        t2,
+                        T::from_f64(0.0),
+                        t16,
+                        t19,
+                        T::from_f64(0.0),
+                        T::from_f64(-0.03635),
+                        T::from_f64(0.03273),
+                        T::from_f64(0.0),
+                        t21,
+                        t22,
+                        T::from_f64(0.0),
+                        t5,
+                        t2,
+                        T::from_f64(0.0),
+                        t16,
+                        t19,
+                        T::from_f64(0.0),
+                        t42,
+                        t45,
+                        T::from_f64(0.0),
+                        t44,
+                        t47,
+                        T::from_f64(0.0),
+                        t5,
+                        t2,
+                        T::from_f64(0.0),
+                        t16,
+                        t19,
+                        T::from_f64(0.0),
+                        t48,
+                        t51,
+                        T::from_f64(0.0),
+                        t50,
+                        t53,
+                        T::from_f64(0.0),
                         T::from_f64(0.0),
                         T::from_f64(0.0),
                         T::from_f64(0.0),
@@ -2194,26 +2129,29 @@ t9 = 1/(1 - 16917000/24006277*t0 - 3001400/24006277*t1)
                         t48,
                         t51,
                         T::from_f64(0.0),
-                        t54,
-                        t55,
-                        T::from_f64(0.0),
-                        T::from_f64(0.014),
-                        T::from_f64(0.072),
-                        T::from_f64(0.0),
-                        t54,
-                        t55,
-                        T::from_f64(0.0),
-                        T::from_f64(0.014),
-                        T::from_f64(0.072),
+                        t16,
+                        t19,
                         T::from_f64(0.0),
                         t16,
                         t19,
                         T::from_f64(0.0),
-                        t21,
-                        t22,
+                        t16,
+                        t19,
                         T::from_f64(0.0),
-                        t44,
-                        t47,
+                        t54,
+                        t55,
+                        T::from_f64(0.0),
+                        T::from_f64(0.014),
+                        T::from_f64(0.072),
+                        T::from_f64(0.0),
+                        T::from_f64(0.014),
+                        T::from_f64(0.072),
+                        T::from_f64(0.0),
+                        t54,
+                        t55,
+                        T::from_f64(0.0),
+                        t16,
+                        t19,
                         T::from_f64(0.0),
                         t50,
                         t53,
