@@ -37,9 +37,6 @@ pub(crate) struct Pace<T> {
 
 /// The least step in ulps of the time.
 const LEAST_ULPS: f64 = 4.0;
-/// How many least steps the last attempt takes that arrives where the system has no values. So a motion that comes there ends: in shorter
-/// steps it would come nearer by less than rounding, without end.
-const OUTSIDE: f64 = 65_536.0;
 /// The last step may be longer than planned by this factor.
 const STRETCH: f64 = 1.01;
 /// The most by which a proposed step may be longer than the last one. No longer than the way since a jump of the
@@ -171,11 +168,10 @@ impl<T: Float> StepControl<T> {
             factor
         };
         let h = (t_new - t).abs() * T::from_f64(factor);
-        let arrives = T::from_f64(if mean_square.to_f64().is_nan() { OUTSIDE } else { 1.0 });
         Judged {
             is_accepted,
             h: if is_accepted { h.min(self.h_max) } else { h },
-            is_hopeless: !is_accepted & (h < arrives * self.least(t)),
+            is_hopeless: !is_accepted & (h < self.least(t)),
         }
     }
 
