@@ -260,20 +260,15 @@ fn loops_move_as_with_multipliers() {
                     .filter(|(symbol, _)| symbol.as_symbol().is_some_and(|s| s.name == name));
                 values(&closed, &[known.next().expect("it follows").0], &state)[0]
             };
-            let whole = |name: &String| {
-                free.contains(name)
-                    .then(|| state(name))
-                    .unwrap_or_else(|| follows(name))
+            let whole = |name: String| {
+                if state(&name).is_nan() {
+                    follows(&name)
+                } else {
+                    state(&name)
+                }
             };
-            let whole_q: Vec<f64> = all.iter().map(whole).collect();
-            let whole_qd: Vec<f64> = all
-                .iter()
-                .map(|name| {
-                    free.contains(name)
-                        .then(|| state(&format!("dot({name})")))
-                        .unwrap_or_else(|| follows(&format!("dot({name})")))
-                })
-                .collect();
+            let whole_q: Vec<f64> = all.iter().map(|name| whole(name.clone())).collect();
+            let whole_qd: Vec<f64> = all.iter().map(|name| whole(format!("dot({name})"))).collect();
             let open_state = state_of(&all, &whole_q, &whole_qd);
             let gaps = values(&open, &open.outputs[0].values, &open_state);
             assert_near("gaps", &gaps, &vec![0.0; gaps.len()], 1e-15);
@@ -312,7 +307,8 @@ fn assert_derivatives<'g>(closed: &Model<'g>, forms: &mut Forms<'g>, free: &[Str
     let n = q.len();
     let columns = forms.jacobian(closed, &closed.state(), false).roots;
     let columns = values(closed, &columns, &state_of(free, q, qd));
-    let along = |direction: &[f64], of: &dyn Fn(&[f64], &[f64]) -> Vec<f64>| -> Vec<f64> {
+    type OfState<'a> = &'a dyn Fn(&[f64], &[f64]) -> Vec<f64>;
+    let along = |direction: &[f64], of: OfState<'_>| -> Vec<f64> {
         let at = |steps: f64| {
             let moved: Vec<f64> = x.iter().zip(direction).map(|(x, d)| x + steps * STEP * d).collect();
             of(&moved[..n], &moved[n..])
