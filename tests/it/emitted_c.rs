@@ -232,6 +232,37 @@ fn balls_are_the_same() {
     });
 }
 
+mechanism! {
+    /// A crank that turns all the way, in a closed loop.
+    pub Looped {
+        gravity: [0, -9.81, 0],
+        generate: [rhs, jacobian, energy, mass_matrix, taylor],
+        body crank on ground { mass: 0.5, com: [0.1, 0, 0], inertia: 0.002, joint: revolute(z), coordinate: theta near 0.8 }
+        body coupler on crank {
+            mass: 1.1, com: [0.25, 0, 0], inertia: 0.02,
+            joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends near -0.3,
+        }
+        body rocker on ground {
+            mass: 0.9, com: [0.2, 0, 0], inertia: 0.01, joint: revolute(z) at [0.6, 0, 0], coordinate: psi depends near 1.6,
+        }
+        close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: revolute(z),
+    }
+}
+
+#[test]
+fn closed_loops_are_the_same() {
+    let model = Looped::new(LoopedParams {}).expect("physical");
+    same(OWN, "Looped", 0.0, |t, x, _| {
+        let x = SVector::<f64, 2>::from_column_slice(x);
+        let mut all = model.rhs(t, &x).as_slice().to_vec();
+        all.extend(&model.loop_margins(t, &x));
+        all.extend(motion(&model, t, &x).into_iter().skip(2));
+        all.extend(&model.mass_matrix(t, &x));
+        all.extend(series(&model, t, &x));
+        all
+    });
+}
+
 #[test]
 fn what_hinders_a_motion_is_the_same() {
     let model = Hindered::new(HinderedParams::default()).expect("physical");
