@@ -412,15 +412,19 @@ impl BodyFields {
     /// The names of the coordinates that the joint brings into the state, as the layout of the state has them, each with
     /// the word it is named after.
     pub(crate) fn slots(&self) -> Vec<(&Ident, String)> {
-        let free = self.coordinate.iter().filter(|_| self.depends.is_none());
-        let plain = free.chain(&self.orientation);
+        let plain = self.state_coordinate().into_iter().chain(&self.orientation);
         let axes = ["x", "y", "z"];
         let position = self.position.iter();
         let of_position = position.flat_map(|p| axes.map(|axis| (p, format!("{p}.{axis}"))));
         of_position.chain(plain.map(|name| (name, name.to_string()))).collect()
     }
 
-    /// Whether the joint brings coordinates into the state.
+    /// The coordinate, unless it follows from closed loops.
+    pub(crate) fn state_coordinate(&self) -> Option<&Ident> {
+        self.coordinate.as_ref().filter(|_| self.depends.is_none())
+    }
+
+    /// Whether the joint has coordinates.
     pub(crate) fn moves(&self) -> bool {
         self.coordinate.is_some() || self.orientation.is_some() || self.position.is_some()
     }
@@ -572,20 +576,7 @@ pub(crate) enum Operator {
     Div,
 }
 
-impl Body {
-    /// The coordinate that its joint brings into the state, if it brings one.
-    pub(crate) fn state_coordinate(&self) -> Option<&Ident> {
-        let depends = self.fields.depends.is_some();
-        self.fields.coordinate.as_ref().filter(|_| !depends)
-    }
-}
-
 impl Items {
-    /// The coordinates of the state.
-    pub(crate) fn state_coordinates(&self) -> impl Iterator<Item = &Ident> {
-        self.bodies.iter().filter_map(Body::state_coordinate)
-    }
-
     /// Whether something may hold the motion: dry friction, a stop, or a wall.
     pub(crate) fn is_hybrid(&self) -> bool {
         let hinders = |body: &Body| body.fields.dry_friction.is_some() || body.fields.stop.is_some();

@@ -198,3 +198,76 @@ fn a_motion_ends_at_a_toggle() {
     let (t, x) = ended.last();
     assert!((rocking.margin(t, &x) - 0.1).abs() < 1e-12);
 }
+
+mechanism! {
+    /// A linkage on a body that moves freely, beside a driven joint and one that follows what follows.
+    pub Flying {
+        gravity: [0, 0.5, -9.81],
+        body craft on ground {
+            mass: 3, com: [0.1, 0.1, -0.1], inertia: [0.3, 0.25, 0.2], joint: free, orientation: o, position: p,
+        }
+        body crank on craft {
+            mass: 0.5, com: [0.1, 0, 0], inertia: [0.001, 0.002, 0.002],
+            joint: revolute(z) at [0.1, 0, 0.2], coordinate: theta near 0.8,
+        }
+        body coupler on crank {
+            mass: 1.1, com: [0.25, 0, 0], inertia: [0.01, 0.02, 0.02],
+            joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends near -0.3,
+        }
+        body rocker on craft {
+            mass: 0.9, com: [0.2, 0, 0], inertia: [0.01, 0.01, 0.012],
+            joint: revolute(z) at [0.7, 0, 0.2], coordinate: psi depends near 1.6,
+        }
+        body rotor on craft {
+            mass: 0.3, com: [0.02, 0, 0], inertia: [0.001, 0.001, 0.002], joint: revolute(x) at [0, 0.3, 0], motion: 4 rad/s * t,
+        }
+        body gear on craft {
+            mass: 0.2, com: [0.05, 0, 0], inertia: [0.001, 0.001, 0.001], joint: revolute(y) at [0, 0, 0.4], motion: 2*psi,
+        }
+        close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: revolute(z),
+        force theta: 0.7,
+        output following: psi,
+        output turned: rotation(gear),
+        output craft: rotation(craft),
+        generate: [rhs, energy, drive_forces],
+    }
+}
+
+#[test]
+fn a_linkage_flies() {
+    let model = Flying::new(FlyingParams {}).expect("the parameters are physical");
+    let start = SVector::from([
+        0.1, 0.2, 0.3, 0.8, 0.0, 0.6, 0.0, 0.9, 0.3, -0.2, 0.1, 0.5, -0.4, 0.8, 2.0,
+    ]);
+    // what the state is in the order of its layout, and the energy against the work of the force and of the drive
+    assert_eq!(
+        (Flying::P_X, Flying::O, Flying::THETA, Flying::DOT_THETA),
+        (0, 3, 7, 14)
+    );
+    let power = |t: f64, x: &SVector<f64, 15>| 0.7 * x[Flying::DOT_THETA] + 4.0 * model.drive_forces(t, x)[0];
+    const STEP: f64 = 2.5e-4;
+    let method = Vern9::new().rtol(1e-13).atol(1e-13);
+    let mut state = start;
+    for n in 0..20 {
+        let t = 0.05 * f64::from(n);
+        let energies = [-2.0, -1.0, 1.0, 2.0].map(|steps| {
+            let moved = method
+                .solve(&model, t, t + steps * STEP, state)
+                .expect("it moves")
+                .end();
+            model.energy(t + steps * STEP, &moved)
+        });
+        let [a, b, c, d] = energies;
+        let rate = (a - 8.0 * b + 8.0 * c - d) / (12.0 * STEP);
+        assert!(
+            (rate - power(t, &state)).abs() < 1e-8 * rate.abs().max(1.0),
+            "{t}: {rate} instead of {}",
+            power(t, &state)
+        );
+        // the gear turns twice as far as the rocker
+        let relative = model.craft(t, &state).transpose() * model.turned(t, &state);
+        let (sine, cosine) = (2.0 * model.following(t, &state)).sin_cos();
+        assert!((relative[(0, 0)] - cosine).abs() < 1e-12 && (relative[(0, 2)] - sine).abs() < 1e-12);
+        state = method.solve(&model, t, t + 0.05, state).expect("it moves").end();
+    }
+}

@@ -62,9 +62,7 @@ impl<'g> Chosen<'g> {
             ..self
         }
     }
-}
 
-impl<'g> Chosen<'g> {
     /// The same, with the operations of the kinematics counted as well, where there are any.
     fn counted(mut self, model: &Model<'g>) -> Self {
         if model.has_orientations() {
@@ -124,8 +122,9 @@ impl<'g> Forms<'g> {
             (form(Basis::Recursive, pushed), dynamics)
         });
         let recursive: Vec<_> = recursive.collect();
-        // where joints follow others, each does not give way by itself
-        let apart = if model.has_followers() || !model.dependents.is_empty() {
+        // where joints follow others, each does not give way by itself; with orientations only what is made of one mass matrix and one
+        // bias: see `dynamics::recursive`
+        let apart = if model.has_followers() || !model.dependents.is_empty() || has_orientations {
             &[]
         } else {
             ways
@@ -134,8 +133,7 @@ impl<'g> Forms<'g> {
             let accelerations = Dynamics::articulated(model, pushed);
             (form(Basis::Articulated, pushed), accelerations)
         });
-        // with orientations only what is made of one mass matrix and one bias: see `dynamics::recursive`
-        let articulated: Vec<Candidate<'g>> = articulated.filter(|_| !has_orientations).collect();
+        let articulated: Vec<Candidate<'g>> = articulated.collect();
         let lopsided = is_lopsided(&model.bodies);
         let (mut forms, mut exact) = (Vec::new(), Vec::new());
         if let Ok(closed) = Closed::new(&mut normalizer, dynamics) {

@@ -22,19 +22,11 @@ impl<'g> Rows<'g> {
         let values = model.constraint_values();
         let gradients = derived(&values, &model.positions());
         let rates = model.constraint_rates();
-        let of_state = model.coordinates.iter().map(|c| (c.position, c.rate));
-        let driven = model.drives.iter().map(|drive| &drive.coordinate);
-        let driven = driven.flat_map(|c| [(c.position, c.rate), (c.rate, c.acceleration)]);
-        let first = model.dof() + model.drives.len();
-        let dependent = model.dependents.iter().enumerate().flat_map(|(n, dependent)| {
-            let (c, drift) = (
-                &dependent.coordinate,
-                model.driven_acceleration(CoordinateId::new(first + n)),
-            );
-            [(c.position, c.rate), (c.rate, drift)]
+        let directions = model.all_coordinates().enumerate().flat_map(|(k, c)| {
+            let still = model.driven_acceleration(CoordinateId::new(k));
+            [(c.position, c.rate), (c.rate, still)]
         });
-        let time = [(model.time, model.graph.one())];
-        let mut along = Derivative::along(of_state.chain(driven).chain(dependent).chain(time));
+        let mut along = Derivative::along(directions.chain([(model.time, model.graph.one())]));
         let drifts: Vec<Expr<'g>> = rates.into_iter().map(|rate| along.of(rate)).collect();
         let gradient = |n: usize| gradients.iter().map(|column| column[n]).collect::<Vec<_>>();
         Self {

@@ -164,14 +164,21 @@ impl<'g> Lower<'g> {
 
     /// A coordinate of the state; none for one that follows from closed loops.
     fn coordinate(&mut self, name: &Ident, items: &ast::Items) -> Result<Option<CoordinateId>, Reported> {
-        if let Some(k) = items.state_coordinates().position(|known| name == known) {
-            return Ok(Some(CoordinateId::new(k)));
+        let own = items
+            .bodies
+            .iter()
+            .find(|body| body.fields.coordinate.as_ref() == Some(name));
+        if let Some(body) = own {
+            // numbers are in order of declaration, those of orientations among them
+            let value = self.names.value(&name.to_string()).map(|quantity| quantity.value);
+            let number = match value.and_then(Expr::as_symbol).map(|symbol| symbol.kind) {
+                Some(SymbolKind::Coordinate(k)) => Some(CoordinateId::new(k)),
+                _ => None,
+            };
+            return Ok(number.filter(|_| body.fields.depends.is_none()));
         }
         let coordinates = items.bodies.iter().filter_map(|body| body.fields.coordinate.as_ref());
         let coordinates: Vec<String> = coordinates.map(Ident::to_string).collect();
-        if coordinates.iter().any(|known| name == known) {
-            return Ok(None);
-        }
         if self.points.contains_key(&name.to_string()) {
             let fact = format_args!("`{name}` is a point, not a coordinate");
             return Err(self

@@ -41,18 +41,27 @@ impl<'g> Lower<'g> {
         let solved = self.count(items).and_then(|()| {
             let closures = closures.into_iter().collect::<Result<Vec<_>, _>>()?;
             let near = near.into_iter().collect::<Result<Vec<_>, _>>()?;
-            let bodies = || items.bodies.iter().zip(near.iter().copied());
-            let of_state = bodies().filter(|(body, _)| body.state_coordinate().is_some());
-            let of_state: Vec<Expr<'g>> = of_state.map(|(_, near)| near).collect();
-            let following = bodies().filter(|(body, _)| body.fields.depends.is_some());
-            let following = declared.iter().cloned().zip(following);
-            let following: Vec<Declared<'g>> = following
-                .map(|(coordinate, (_, near))| Declared { coordinate, near })
-                .collect();
+            // orientations and positions have no guess: loops do not depend on where they are carried
+            let near = |coordinate: &Coordinate<'g>| {
+                let mut bodies = items.bodies.iter().zip(&near);
+                let own = |body: &ast::Body| {
+                    body.fields
+                        .coordinate
+                        .as_ref()
+                        .is_some_and(|own| *own == coordinate.name)
+                };
+                bodies.find(|(body, _)| own(body)).map_or(zero, |(_, near)| *near)
+            };
+            let of_state: Vec<Expr<'g>> = model.coordinates.iter().map(near).collect();
+            let following = declared.iter().cloned().map(|coordinate| Declared {
+                near: near(&coordinate),
+                coordinate,
+            });
+            let following: Vec<Declared<'g>> = following.collect();
             self.solve(items, model, &closures, &following, &of_state)
         });
         let Ok(closed) = solved else { return };
-        let first = model.dof() + model.drives.len();
+        let first = model.independent();
         let in_new = |sum: &Combination| {
             sum.terms().fold(Combination::default(), |new, (k, factor)| {
                 match usize::from(k).checked_sub(first) {

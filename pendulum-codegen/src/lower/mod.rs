@@ -142,6 +142,7 @@ impl<'g> Lower<'g> {
         self.lets(&items.lets);
         let gravity = self.gravity(items.gravity.as_ref());
         let drives = self.drives(&items.bodies, coordinates.len());
+        self.number_behind(coordinates.len(), drives.len());
         let shapes = self.shapes(&items.shapes);
         let all: Vec<Coordinate<'g>> = coordinates
             .iter()

@@ -44,6 +44,19 @@ impl<'g> Lower<'g> {
         drives
     }
 
+    /// What follows from closed loops is numbered behind the drives, of which only now is known how many there are.
+    pub(super) fn number_behind(&mut self, dof: usize, drives: usize) {
+        let behind = |k: CoordinateId| match usize::from(k) {
+            k if k < dof => CoordinateId::new(k),
+            k => CoordinateId::new(k + drives),
+        };
+        for motion in &mut self.motions {
+            if let Some(Ok(Motion::Following(sum, _))) = motion {
+                *sum = sum.renumbered(behind);
+            }
+        }
+    }
+
     fn drive(&self, body: &ast::Body, n: usize, law: Expr<'g>) -> Drive<'g> {
         let name = body.name.to_string();
         let symbol = |form: &str, kind: fn(usize) -> SymbolKind| self.graph.symbol(&form.replace('_', &name), kind(n));

@@ -45,6 +45,11 @@ impl Combination {
         Self(self.terms().filter(|(k, _)| keeps(*k)).collect())
     }
 
+    /// The same sum where coordinates have other numbers, in the same order.
+    pub(crate) fn renumbered(&self, number: impl Fn(CoordinateId) -> CoordinateId) -> Self {
+        Self(self.terms().map(|(k, factor)| (number(k), factor)).collect())
+    }
+
     /// `factor * self`
     #[must_use]
     pub(crate) fn scaled(&self, factor: i64) -> Self {

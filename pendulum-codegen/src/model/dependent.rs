@@ -124,7 +124,7 @@ impl<'g> Following<'g> {
 impl<'g> Model<'g> {
     /// The derivatives of a coordinate by those of the state, if it follows from them.
     pub(crate) fn slopes(&self, k: CoordinateId) -> Option<&[Expr<'g>]> {
-        let n = usize::from(k).checked_sub(self.dof() + self.drives.len())?;
+        let n = usize::from(k).checked_sub(self.independent())?;
         Some(&self.dependents[n].slopes[..self.dof()])
     }
 

@@ -13,15 +13,20 @@ pub(crate) struct Drive<'g> {
 }
 
 impl<'g> Model<'g> {
+    /// How many coordinates follow from no others: those of the state and of the drives. The others are numbered behind them.
+    pub(crate) fn independent(&self) -> usize {
+        self.dof() + self.drives.len()
+    }
+
     /// A coordinate of the state, of a drive, or one that follows from these.
     pub(crate) fn coordinate(&self, k: CoordinateId) -> &Coordinate<'g> {
-        let (dof, drives, k) = (self.dof(), self.drives.len(), usize::from(k));
+        let (dof, independent, k) = (self.dof(), self.independent(), usize::from(k));
         if k < dof {
             &self.coordinates[k]
-        } else if k < dof + drives {
+        } else if k < independent {
             &self.drives[k - dof].coordinate
         } else {
-            &self.dependents[k - dof - drives].coordinate
+            &self.dependents[k - independent].coordinate
         }
     }
 
@@ -40,7 +45,7 @@ impl<'g> Model<'g> {
 
     /// Whether a coordinate is that of a drive.
     pub(crate) fn is_driven(&self, k: CoordinateId) -> bool {
-        (self.dof()..self.dof() + self.drives.len()).contains(&usize::from(k))
+        (self.dof()..self.independent()).contains(&usize::from(k))
     }
 
     /// The second rate of a combination of coordinates where those of the state do not accelerate.
@@ -50,15 +55,14 @@ impl<'g> Model<'g> {
 
     /// The second rate of a coordinate where those of the state do not accelerate.
     pub(crate) fn driven_acceleration(&self, k: CoordinateId) -> Expr<'g> {
-        let (dof, drives) = (self.dof(), &self.drives);
         if self.is_free(k) {
             return self.graph.zero();
         }
-        let Some(n) = usize::from(k).checked_sub(dof + drives.len()) else {
+        let Some(n) = usize::from(k).checked_sub(self.independent()) else {
             return self.coordinate(k).acceleration;
         };
         let Dependent { slopes, drift, .. } = &self.dependents[n];
-        let of_drives = slopes[dof..].iter().zip(drives);
+        let of_drives = slopes[self.dof()..].iter().zip(&self.drives);
         of_drives.fold(*drift, |sum, (&slope, drive)| {
             sum + slope * drive.coordinate.acceleration
         })

@@ -143,14 +143,9 @@ impl<'g, 'm> Solver<'g, 'm> {
         solver
     }
 
-    /// How many coordinates do not follow from others: those of the state, and of the drives.
-    fn free(&self) -> usize {
-        self.model.dof() + self.model.drives.len()
-    }
-
     /// The place among the declared coordinates, of one of them.
     fn declared_as(&self, k: CoordinateId) -> Option<usize> {
-        usize::from(k).checked_sub(self.free())
+        usize::from(k).checked_sub(self.model.independent())
     }
 
     fn is_unknown(&self, k: CoordinateId) -> bool {
@@ -260,7 +255,7 @@ impl<'g, 'm> Solver<'g, 'm> {
             Miss::Short(by) => Open::TooShort(number, by),
             Miss::Undecided => Open::Undecided(number),
         })?;
-        let free = self.free();
+        let free = self.model.independent();
         for (n, side) in triangle.sides.iter().enumerate() {
             let place = usize::from(places[n].0);
             self.assembled[place] = solution.assembled[n];
@@ -303,7 +298,7 @@ impl<'g, 'm> Solver<'g, 'm> {
 
     /// The symbols of the unknown of a side.
     fn unknown(&self, place: usize, side: &Side<'g>) -> Coordinate<'g> {
-        let declared = &self.declared[place - self.free()].coordinate;
+        let declared = &self.declared[place - self.model.independent()].coordinate;
         let body = match side {
             Side::Sliding(..) => return declared.clone(),
             Side::Turning(_, pieces) => pieces.iter().find_map(|piece| piece.body),
