@@ -223,13 +223,15 @@ pub(crate) struct Closure {
     pub joint: Read<JointKind>,
 }
 
-/// `body at [x, y, z]`
+/// `body at [x, y, z] rpy [x, y, z]`
 #[derive(Debug)]
 pub(crate) struct End {
     /// The body, or `ground`.
     pub body: Ident,
     /// Where in its frame; at its origin if left out.
     pub at: Option<Read<Vector>>,
+    /// How the frame of the joint is turned in that of the body.
+    pub rpy: Option<Read<Vector>>,
 }
 
 /// `[low, high] restitution(e, slow)`
@@ -409,19 +411,14 @@ pub(crate) struct BodyFields {
 }
 
 impl BodyFields {
-    /// The names of the coordinates that the joint brings into the state, as the layout of the state has them, each with
+    /// The names of the coordinates that the joint may bring into the state, as the layout of the state has them, each with
     /// the word it is named after.
     pub(crate) fn slots(&self) -> Vec<(&Ident, String)> {
-        let plain = self.state_coordinate().into_iter().chain(&self.orientation);
+        let plain = self.coordinate.iter().chain(&self.orientation);
         let axes = ["x", "y", "z"];
         let position = self.position.iter();
         let of_position = position.flat_map(|p| axes.map(|axis| (p, format!("{p}.{axis}"))));
         of_position.chain(plain.map(|name| (name, name.to_string()))).collect()
-    }
-
-    /// The coordinate, unless it follows from closed loops.
-    pub(crate) fn state_coordinate(&self) -> Option<&Ident> {
-        self.coordinate.as_ref().filter(|_| self.depends.is_none())
     }
 
     /// Whether the joint has coordinates.

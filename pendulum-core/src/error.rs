@@ -25,9 +25,30 @@ macro_rules! debug_as_display {
 pub(crate) use debug_as_display;
 
 debug_as_display! {
+    [] NotAssembled;
     [] ParameterError;
     [] Reason;
 }
+
+/// No state near a guess closes the loops of a mechanism.
+#[derive(Clone, Copy, PartialEq)]
+pub struct NotAssembled {
+    /// The last correction of Newton's method, in rad or m; NaN where the equations are singular.
+    pub left: f64,
+}
+
+impl fmt::Display for NotAssembled {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(
+            f,
+            "the loops do not close near this state: Newton's method still moves a coordinate by {:.1e}; \
+             check lengths and places, or guess the coordinates that follow more closely",
+            self.left
+        )
+    }
+}
+
+impl Error for NotAssembled {}
 
 /// A parameter, or several together, that no mechanism can have.
 #[derive(Clone, PartialEq)]

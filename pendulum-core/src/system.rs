@@ -4,10 +4,13 @@
 //! declaration and in SI units (m, rad, s). `N` is the length of the state, twice the number of degrees of freedom, and one
 //! more for each orientation: its position is a unit quaternion, its rate the angular velocity along the axes of the body.
 
+mod assembly;
 mod differences;
 mod function;
 mod state;
 
+#[doc(hidden)]
+pub use assembly::assemble;
 pub use differences::Differences;
 pub(crate) use differences::{by_number, by_state};
 pub use function::{FnSystem, WithJacobian};
@@ -42,7 +45,7 @@ pub trait System<T: Real, const N: usize> {
     }
 
     /// Puts a state back onto the constraints that the equations preserve, but rounding and truncation do not: a
-    /// quaternion is of unit length. By default there are none, which costs nothing.
+    /// quaternion is of unit length, a loop is closed. By default there are none, which costs nothing.
     ///
     /// Methods call it at the start and after each step, so that no error across the constraints adds up. States within
     /// a step, by dense output, are as exact as that is.

@@ -93,6 +93,22 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// A loop in space, which is no triangle.
+    pub Coupled {
+        gravity: [0, 1, -9.81],
+        generate: [rhs, jacobian, energy, taylor],
+        body crank on ground { mass: 2, com: [0.01, 0, 0], inertia: 0.1, joint: revolute(z), coordinate: theta near 0.8 }
+        body yoke on crank { mass: 0.1, inertia: 0.001, joint: revolute(z) at [0.06, 0, 0.02], coordinate: alpha depends near 0.1 }
+        body rod on yoke { mass: 0.4, com: [0.4, 0, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(y), coordinate: beta depends near -0.7 }
+        body rocker on ground {
+            mass: 0.9, com: [0, 0.3, 0.1], inertia: 0.02,
+            joint: revolute([1, 0, 0.02]) at [0.4, 0, 0.1], coordinate: gamma depends near 0.6, friction: 0.3,
+        }
+        close rod at [0.815, 0, 0] to rocker at [0, 0.7, 0.1]: ball,
+    }
+}
+
 /// The declarations of this file.
 const OWN: &str = include_str!("emitted_c.rs");
 
@@ -258,6 +274,20 @@ fn closed_loops_are_the_same() {
         all.extend(&model.loop_margins(t, &x));
         all.extend(motion(&model, t, &x).into_iter().skip(2));
         all.extend(&model.mass_matrix(t, &x));
+        all.extend(series(&model, t, &x));
+        all
+    });
+}
+
+#[test]
+fn coupled_loops_are_the_same() {
+    let model = Coupled::new(CoupledParams {}).expect("physical");
+    same(OWN, "Coupled", 0.0, |t, x, _| {
+        let x = SVector::<f64, 5>::from_column_slice(x);
+        let mut all = model.rhs(t, &x).as_slice().to_vec();
+        all.extend(&model.loop_margins(t, &x));
+        all.extend(&model.loop_corrections(t, &x));
+        all.extend(motion(&model, t, &x).into_iter().skip(5));
         all.extend(series(&model, t, &x));
         all
     });

@@ -7,6 +7,7 @@ mod canonical;
 mod closed_loops;
 mod compile_errors;
 mod controlled;
+mod coupled_loops;
 mod double_pendulum;
 mod drives;
 mod emitted_c;

@@ -2,3 +2,6 @@
 
 pub(crate) mod c;
 pub(crate) mod rust;
+
+/// How often Newton's method corrects the coordinates that follow from closed loops after a step.
+const CORRECTIONS: usize = 3;

@@ -65,7 +65,7 @@ impl<'g> Chosen<'g> {
 
     /// The same, with the operations of the kinematics counted as well, where there are any.
     fn counted(mut self, model: &Model<'g>) -> Self {
-        if model.has_orientations() {
+        if model.has_more_positions() {
             let whole = Operations::of(model.graph, &self.roots);
             let own = std::mem::replace(&mut self.operations, whole);
             for (_, other) in &mut self.others {
@@ -198,10 +198,19 @@ impl<'g> Forms<'g> {
 
     /// The shortest code for the accelerations.
     pub(crate) fn accelerations(&self) -> Chosen<'g> {
-        self.solved.get_or_init(|| self.solve()).clone()
+        self.solved.get_or_init(|| self.solve(&[])).clone()
     }
 
-    fn solve(&self) -> Chosen<'g> {
+    /// The shortest code for the accelerations, and for what is computed beside them.
+    fn accelerations_and(&self, beside: &[Expr<'g>]) -> Chosen<'g> {
+        if beside.is_empty() {
+            self.accelerations()
+        } else {
+            self.solve(beside)
+        }
+    }
+
+    fn solve(&self, beside: &[Expr<'g>]) -> Chosen<'g> {
         let mut candidates = Vec::new();
         for (own, dynamics, determinant) in &self.forms {
             for (factored, solver) in factorings(dynamics, *determinant) {
@@ -211,20 +220,24 @@ impl<'g> Forms<'g> {
         }
         candidates.extend(self.exact.iter().cloned());
         candidates.extend(self.articulated.iter().cloned());
+        for (_, roots) in &mut candidates {
+            roots.extend(beside);
+        }
         self.choose(candidates)
     }
 
     /// The shortest code for the derivatives of the accelerations by some symbols: column by column, and before them the accelerations
-    /// themselves if these are wanted too.
+    /// themselves if these are wanted too. After them comes what is computed beside them.
     pub(crate) fn jacobian(
         &mut self,
         model: &Model<'g>,
         variables: &[Expr<'g>],
         with_accelerations: bool,
+        beside: &[Expr<'g>],
     ) -> Chosen<'g> {
         self.solutions(model, variables, |way| {
             let accelerations = way.accelerations.iter().filter(|_| with_accelerations);
-            accelerations.chain(way.columns).copied().collect()
+            accelerations.chain(way.columns).chain(beside).copied().collect()
         })
     }
 

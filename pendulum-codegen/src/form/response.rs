@@ -20,7 +20,11 @@ pub(super) struct Rows<'g> {
 impl<'g> Rows<'g> {
     pub(super) fn new(model: &Model<'g>) -> Self {
         let values = model.constraint_values();
-        let gradients = derived(&values, &model.positions());
+        let along = |k: usize| {
+            let mut along = model.along(CoordinateId::new(k));
+            values.iter().map(|&value| along.of(value)).collect()
+        };
+        let gradients: Vec<Vec<Expr<'g>>> = (0..model.dof()).map(along).collect();
         let rates = model.constraint_rates();
         let directions = model.all_coordinates().enumerate().flat_map(|(k, c)| {
             let still = model.driven_acceleration(CoordinateId::new(k));
@@ -134,7 +138,7 @@ pub(crate) fn response_derivative<'g>(forms: &mut Forms<'g>, model: &Model<'g>) 
     forms.solutions(model, &variables, |way: &Way<'_, 'g>| {
         let own = bases.iter().find(|(basis, _)| *basis == way.form.basis);
         let (_, rows) = own.unwrap_or(&bases[0]);
-        let rates = on_top(model, &model.kinematics(), &variables, way.columns);
+        let rates = on_top(model, &derived(&model.kinematics(), &variables), &[], way.columns);
         let known: FxHashMap<_, _> = symbols.iter().copied().zip(way.accelerations.iter().copied()).collect();
         // at fixed accelerations, and by those
         let fixed = derived(&rows.accelerations(&symbols), &variables);

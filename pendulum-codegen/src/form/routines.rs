@@ -9,20 +9,35 @@ use crate::model::Model;
 
 /// The rates of the positions, and the accelerations.
 pub(crate) fn rhs<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
-    let chosen = forms.accelerations();
+    let (known, following) = kinematics(model);
+    let chosen = forms.accelerations_and(&following);
     chosen
-        .with(|accelerations| [model.kinematics(), accelerations].concat())
+        .with(|mut accelerations| {
+            let following = accelerations.split_off(model.dof());
+            [known, following, accelerations].concat()
+        })
         .counted(model)
+}
+
+/// How the positions change: those that are known by the rates of the state, and those that follow from others.
+fn kinematics<'g>(model: &Model<'g>) -> (Vec<Expr<'g>>, Vec<Expr<'g>>) {
+    let mut known = model.kinematics();
+    let following = known.split_off(known.len() - model.in_state().count());
+    (known, following)
 }
 
 /// The right-hand side, and after it its derivatives by the state, column by column.
 pub(crate) fn jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let state = model.state();
-    let chosen = forms.jacobian(model, &state, true);
+    let (known, following) = kinematics(model);
+    let beside = [following.clone(), derived(&following, &state).concat()].concat();
+    let chosen = forms.jacobian(model, &state, true, &beside);
     let chosen = chosen.with(|mut accelerations| {
-        let columns = accelerations.split_off(model.dof());
-        let columns = on_top(model, &model.kinematics(), &state, &columns);
-        [model.kinematics(), accelerations, columns].concat()
+        let mut columns = accelerations.split_off(model.dof());
+        let mut following = columns.split_off(state.len() * model.dof());
+        let of_following = following.split_off(following.len() / (1 + state.len()));
+        let columns = on_top(model, &derived(&known, &state), &of_following, &columns);
+        [known, following, accelerations, columns].concat()
     });
     chosen.counted(model)
 }
@@ -30,6 +45,11 @@ pub(crate) fn jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'
 /// How far each closed loop is from its toggle.
 pub(crate) fn loop_margins<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     super::values(forms, model, &model.margins)
+}
+
+/// What Newton's method adds to the coordinates that follow, in the state.
+pub(crate) fn loop_corrections<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
+    super::values(forms, model, &model.corrections)
 }
 
 /// The derivative of the right-hand side by the time.
@@ -43,8 +63,12 @@ pub(crate) fn input_jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Ch
 }
 
 fn by<'g>(forms: &mut Forms<'g>, model: &Model<'g>, variables: &[Expr<'g>]) -> Chosen<'g> {
-    let chosen = forms.jacobian(model, variables, false);
-    chosen.with(|columns| on_top(model, &model.kinematics(), variables, &columns))
+    let (known, following) = kinematics(model);
+    let chosen = forms.jacobian(model, variables, false, &derived(&following, variables).concat());
+    chosen.with(|mut columns| {
+        let of_following = columns.split_off(variables.len() * model.dof());
+        on_top(model, &derived(&known, variables), &of_following, &columns)
+    })
 }
 
 /// The derivatives of the accelerations by the parameters, column by column: with the forces along constraints that the
@@ -124,19 +148,26 @@ pub(crate) fn canonical_jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -
     let chosen = forms.canonical_jacobian(model);
     chosen.with(|mut momenta| {
         let rates = momenta.split_off(state.len() * model.dof());
-        let momenta = on_top(model, &model.positions(), &state, &momenta);
-        [momenta, on_top(model, &model.kinematics(), &state, &rates)].concat()
+        let [positions, kinematics] = [model.positions(), model.kinematics()].map(|rows| derived(&rows, &state));
+        [
+            on_top(model, &positions, &[], &momenta),
+            on_top(model, &kinematics, &[], &rates),
+        ]
+        .concat()
     })
 }
 
-/// The derivatives of some rows by some variables on top of the columns of others.
+/// Columns on top of columns, on top of those with a row for each degree of freedom.
 pub(super) fn on_top<'g>(
     model: &Model<'g>,
-    rows: &[Expr<'g>],
-    variables: &[Expr<'g>],
+    above: &[Vec<Expr<'g>>],
+    between: &[Expr<'g>],
     columns: &[Expr<'g>],
 ) -> Vec<Expr<'g>> {
-    let above = derived(rows, variables);
-    let pairs = above.into_iter().zip(columns.chunks(model.dof()));
-    pairs.flat_map(|(above, below)| [&above, below].concat()).collect()
+    let length = between.len() / above.len().max(1);
+    let whole = |(n, (above, below)): (usize, (&Vec<Expr<'g>>, &[Expr<'g>]))| {
+        [above, &between[n * length..(n + 1) * length], below].concat()
+    };
+    let pairs = above.iter().zip(columns.chunks(model.dof()));
+    pairs.enumerate().flat_map(whole).collect()
 }

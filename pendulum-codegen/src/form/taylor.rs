@@ -104,7 +104,7 @@ fn hindered<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
 fn slots<'g>(model: &Model<'g>, symbols: &mut Symbols<'g>, dynamics: &Dynamics<'g>, rows: &[Expr<'g>]) -> usize {
     let mut recurrences = Recurrences::new(model, symbols);
     balance(model, &mut recurrences, dynamics);
-    for &row in model.kinematics().iter().chain(rows) {
+    for &row in model.written_out(&model.kinematics()).iter().chain(rows) {
         recurrences.coefficient(row);
     }
     recurrences.sides();
@@ -146,7 +146,7 @@ fn code<'g>(
         recurrences.set(unknown, solved);
     }
     let rows: Vec<Expr<'g>> = rows.iter().map(|&row| recurrences.coefficient(row)).collect();
-    let kinematics = model.kinematics();
+    let kinematics = model.written_out(&model.kinematics());
     let kinematics: Vec<Expr<'g>> = kinematics.iter().map(|&rate| recurrences.coefficient(rate)).collect();
     order.splice(0..0, kinematics);
     let [left, right] = recurrences.sides();
@@ -212,7 +212,7 @@ impl<'g> Taylor<'g> {
 
     /// The same with the rates of the positions before the accelerations of order 0, as they are in the others.
     fn with_kinematics(mut self, model: &Model<'g>) -> Self {
-        self.start.splice(0..0, model.kinematics());
+        self.start.splice(0..0, model.written_out(&model.kinematics()));
         self
     }
 }

@@ -3,12 +3,14 @@
 use proc_macro2::Span;
 
 use super::Lower;
+use super::constraint::hindering;
 use super::expr::Place;
+use super::joint::rotation;
 use super::joint_units::JointUnits;
 use crate::ast::{self, ExprKind, JointKind};
 use crate::error::Reported;
 use crate::expr::{Expr, Level, SymbolKind};
-use crate::model::{self, BodyId, Closure, Combination, Coordinate, Declared, Loop, Model, NoPlane, Open};
+use crate::model::{self, BodyId, Closure, Combination, Coordinate, Declared, Loop, Model, NoPlane, Open, Tie};
 use crate::screw::Vec3;
 
 /// How many coordinates follow from a loop in a plane.
@@ -36,30 +38,33 @@ impl<'g> Lower<'g> {
             coordinate,
             slopes: Vec::new(),
             drift: zero,
+            in_state: false,
         });
         model.dependents = unsolved.collect();
-        let solved = self.count(items).and_then(|()| {
-            let closures = closures.into_iter().collect::<Result<Vec<_>, _>>()?;
-            let near = near.into_iter().collect::<Result<Vec<_>, _>>()?;
-            // orientations and positions have no guess: loops do not depend on where they are carried
-            let near = |coordinate: &Coordinate<'g>| {
-                let mut bodies = items.bodies.iter().zip(&near);
-                let own = |body: &ast::Body| {
-                    body.fields
-                        .coordinate
-                        .as_ref()
-                        .is_some_and(|own| *own == coordinate.name)
+        let solved = closures
+            .into_iter()
+            .collect::<Result<Vec<_>, _>>()
+            .and_then(|closures| {
+                let near = near.into_iter().collect::<Result<Vec<_>, _>>()?;
+                // orientations and positions have no guess: loops do not depend on where they are carried
+                let near = |coordinate: &Coordinate<'g>| {
+                    let mut bodies = items.bodies.iter().zip(&near);
+                    let own = |body: &ast::Body| {
+                        body.fields
+                            .coordinate
+                            .as_ref()
+                            .is_some_and(|own| *own == coordinate.name)
+                    };
+                    bodies.find(|(body, _)| own(body)).map_or(zero, |(_, near)| *near)
                 };
-                bodies.find(|(body, _)| own(body)).map_or(zero, |(_, near)| *near)
-            };
-            let of_state: Vec<Expr<'g>> = model.coordinates.iter().map(near).collect();
-            let following = declared.iter().cloned().map(|coordinate| Declared {
-                near: near(&coordinate),
-                coordinate,
+                let of_state: Vec<Expr<'g>> = model.coordinates.iter().map(near).collect();
+                let following = declared.iter().cloned().map(|coordinate| Declared {
+                    near: near(&coordinate),
+                    coordinate,
+                });
+                let following: Vec<Declared<'g>> = following.collect();
+                self.solve(items, model, &closures, &following, &of_state)
             });
-            let following: Vec<Declared<'g>> = following.collect();
-            self.solve(items, model, &closures, &following, &of_state)
-        });
         let Ok(closed) = solved else { return };
         let first = model.independent();
         let in_new = |sum: &Combination| {
@@ -81,6 +86,27 @@ impl<'g> Lower<'g> {
             model.following.set(*symbol, margin);
         }
         model.margins = closed.margins;
+        model.closings = closed.closings;
+        model.corrections = closed.corrections;
+        if model.in_state().next().is_some() {
+            self.refuse_in_state(items);
+        }
+    }
+
+    /// What is not known where positions that follow are in the state.
+    fn refuse_in_state(&mut self, items: &ast::Items) {
+        let words = items.generate.iter().flat_map(|(_, list)| list);
+        if let Some(word) = words.into_iter().find(|word| **word == "canonical") {
+            let fact = "a scene with loops that are no triangles has no canonical equations: more positions than momenta are in its state";
+            let help = "leave out `canonical`, or let other coordinates depend; explicit methods, `Rodas5P` and `Taylor` keep the loops closed";
+            self.errors.at(word.span(), fact, help);
+        }
+        if let Some(first) = hindering(items).first() {
+            let fact = "dry friction, stops and walls are not supported in a scene with loops that are no triangles";
+            let help = "let other coordinates depend, so that the loops are triangles, or write smooth laws: viscous friction, and a `potential` \
+                        in the place of a stop or a wall";
+            self.errors.on(first, fact, help);
+        }
     }
 
     /// Declares what stands for the margin of each loop until the loops are closed.
@@ -151,15 +177,14 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// Each loop in a plane determines two coordinates.
-    fn count(&mut self, items: &ast::Items) -> Result<(), Reported> {
+    /// So many coordinates must depend.
+    fn count(&mut self, items: &ast::Items, needed: usize, at: Span) -> Result<(), Reported> {
         let depending: Vec<&ast::Body> = items
             .bodies
             .iter()
             .filter(|body| body.fields.depends.is_some())
             .collect();
-        let (loops, given) = (items.closures.len(), depending.len());
-        let needed = FOLLOW * loops;
+        let given = depending.len();
         if given > needed {
             let word = depending
                 .into_iter()
@@ -172,9 +197,8 @@ impl<'g> Lower<'g> {
         }
         if given < needed {
             let fact = format!("closed loops determine {needed} coordinates; those that depend: {given}");
-            let help = "a loop in a plane determines two: write `coordinate: phi depends near 0.3`, \
+            let help = "a loop in a plane determines two, and one in space up to six: write `coordinate: phi depends near 0.3`, \
                         where the number says in which assembly";
-            let at = items.closures[given / FOLLOW].word.span();
             return Err(self.errors.at(at, fact, help));
         }
         Ok(())
@@ -194,20 +218,33 @@ impl<'g> Lower<'g> {
                 at: at?,
             })
         });
+        let axes = closure.ends.each_ref().map(|end| {
+            let place = Place::fixed(format!("the angle of the end on `{}`", end.body)).in_unit("rad");
+            let rpy = end.rpy.as_ref().map_or(Ok(Vec3::zero(self.graph)), |rpy| {
+                let rpy = self.read(rpy)?;
+                self.vector(rpy, &place)
+            });
+            rpy.map(rotation)
+        });
         let owner = &closure.ends[0].body;
-        let axis = match self.read(&closure.joint)? {
-            JointKind::Revolute(axis) => self.axis(owner, axis),
+        let tie = match self.read(&closure.joint)? {
+            JointKind::Revolute(axis) => Tie::Revolute(self.axis(owner, axis)?),
+            JointKind::Prismatic(axis) => Tie::Prismatic(self.axis(owner, axis)?),
+            JointKind::Ball => Tie::Ball,
+            JointKind::Fixed => Tie::Fixed,
             _ => {
-                let fact = "a loop is closed by a joint that turns";
-                let help = "write `revolute(z)`; what slides is a joint of a body of its own";
-                Err(self.errors.at(closure.word.span(), fact, help))
+                let fact = "no joint of this kind closes a loop";
+                let help = "write `revolute(z)`, `prismatic(x)`, `ball` or `fixed`";
+                return Err(self.errors.at(closure.word.span(), fact, help));
             }
         };
         let closure_span = closure.word.span();
+        let ([first, second], [a, b]) = ([first?, second?], axes);
         Ok((
             Closure {
-                ends: [first?, second?],
-                axis: axis?,
+                ends: [first, second],
+                axes: [a?, b?],
+                tie,
             },
             closure_span,
         ))
@@ -232,54 +269,70 @@ impl<'g> Lower<'g> {
         if !self.errors.is_empty() {
             return Err(self.errors.noted());
         }
-        let mut loops = Vec::new();
-        for (closure, span) in closures {
-            loops.push(Loop::new(model, closure).map_err(|why| self.no_plane(*span, &why))?);
+        let planes: Vec<Result<Loop<'g>, NoPlane>> =
+            closures.iter().map(|(closure, _)| Loop::new(model, closure)).collect();
+        let (first, loops) = (
+            closures.first().map_or(Span::call_site(), |(_, span)| *span),
+            planes.len(),
+        );
+        if planes.iter().all(Result::is_ok) {
+            let at = closures.get(declared.len() / FOLLOW).map_or(first, |(_, span)| *span);
+            self.count(items, FOLLOW * loops, at)?;
         }
         model.closures = closures.iter().map(|(closure, _)| *closure).collect();
-        model::close(model, &loops, declared, near).map_err(|open| {
+        let vectors: Vec<Option<Loop<'g>>> = planes.iter().map(|plane| plane.clone().ok()).collect();
+        model::close(model, &vectors, declared, near).map_err(|open| {
             let ends = |n: usize| items.closures[n].ends.each_ref().map(|end| end.body.to_string());
             let at = |n: usize| closures[n].1;
             match open {
-                Open::NoTriangle(left) => {
-                    let n = left[0];
+                Open::TooShort(n, by, unit) => {
                     let [a, b] = ends(n);
-                    let fact = format!("the loop from `{a}` to `{b}` is no triangle of two unknown sides");
-                    let help = "a loop is solved in closed form where two of its joints are unknown once the loops before it are: \
-                                choose other coordinates to depend, or close other loops of the same mechanism";
-                    self.errors.at(at(n), fact, help)
-                }
-                Open::TooShort(n, by) => {
-                    let [a, b] = ends(n);
-                    let fact = format!("the loop from `{a}` to `{b}` cannot close: it misses by {by:.3e} m where it is assembled");
-                    let help = "check lengths and places, or say where the mechanism can be assembled: `coordinate: theta near 0.5`";
+                    let fact = format!(
+                        "the loop from `{a}` to `{b}` cannot close: it misses by {by:.3e} {unit} where it is assembled"
+                    );
+                    let help = planes[n].as_ref().err().map_or(ASSEMBLED, |why| why.help());
                     self.errors.at(at(n), fact, help)
                 }
                 Open::Undecided(n) => {
                     let [a, b] = ends(n);
-                    let fact = format!("the loop from `{a}` to `{b}` can be assembled in two ways, and the guess is as near to both");
+                    let fact = format!(
+                        "the loop from `{a}` to `{b}` can be assembled in two ways, and the guess is as near to both"
+                    );
                     let help = "say in which: `coordinate: phi depends near 0.3`";
                     self.errors.at(at(n), fact, help)
                 }
+                Open::Determine(n, needed) => match self.count(items, needed, at(n)) {
+                    Err(reported) => reported,
+                    Ok(()) => self.others(at(n), ends(n)),
+                },
+                Open::Others(n) => self.others(at(n), ends(n)),
             }
         })
     }
 
-    fn no_plane(&mut self, span: Span, why: &NoPlane) -> Reported {
-        let (fact, help) = match why {
-            NoPlane::Axes => (
-                "the bodies of the loop do not turn about one axis",
-                "loops in space are not supported yet: all joints of a loop turn about parallel axes, or slide across them",
-            ),
-            NoPlane::Joint => (
-                "the joint that closes the loop turns about another axis than its bodies",
-                "give it the axis of the others",
-            ),
-            NoPlane::Apart => (
-                "the ends of the loop do not lie in one plane",
-                "check the places along the axis of the joints, and in which directions they slide",
-            ),
-        };
-        self.errors.at(span, fact, help)
+    /// A loop determines other coordinates than those that depend.
+    fn others(&mut self, at: Span, [a, b]: [String; 2]) -> Reported {
+        let fact = format!("the loop from `{a}` to `{b}` does not determine the coordinates that depend");
+        let help = "let coordinates of the joints in the loop depend, and assemble it away from its toggle: `coordinate: phi depends near 0.3`";
+        self.errors.at(at, fact, help)
+    }
+}
+
+/// What to do about a loop that does not close.
+const ASSEMBLED: &str =
+    "check lengths and places, or say where the mechanism can be assembled: `coordinate: theta near 0.5`";
+
+impl NoPlane {
+    /// What to do about a loop in space that does not close: it may be meant to lie in a plane.
+    fn help(&self) -> &'static str {
+        match self {
+            Self::Axes => ASSEMBLED,
+            Self::Joint => {
+                "give the joint that closes the loop the axis of the others, or say where the mechanism can be assembled: `coordinate: theta near 0.5`"
+            }
+            Self::Apart => {
+                "check the places along the axis of the joints, and in which directions they slide: the ends do not lie in one plane"
+            }
+        }
     }
 }

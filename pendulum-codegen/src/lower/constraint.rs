@@ -1,6 +1,6 @@
 //! What hinders the motion: dry friction, stops and walls.
 
-use proc_macro2::Span;
+use proc_macro2::{Span, TokenStream};
 use quote::ToTokens;
 use syn::Ident;
 
@@ -26,17 +26,22 @@ pub(super) struct Wall<'g> {
     law: Law<'g>,
 }
 
+/// What hinders the motion of a scene, as it is written: joints, then walls.
+pub(super) fn hindering(items: &ast::Items) -> Vec<TokenStream> {
+    // of joints that turn freely it has been refused
+    let bodies = items.bodies.iter().filter(|body| freedom(body).is_none());
+    let of_joints = bodies.filter_map(|body| {
+        let stop = body.fields.stop.as_ref().map(|stop| &stop.tokens);
+        body.fields.dry_friction.as_ref().map(|e| &e.tokens).or(stop)
+    });
+    let walls = items.walls.iter().map(|wall| wall.name.to_token_stream());
+    of_joints.cloned().chain(walls).collect()
+}
+
 impl<'g> Lower<'g> {
     /// Refuses more joints and walls that hinder the motion than the core takes, and any in a scene with orientations.
     pub(super) fn check_conditions(&mut self, items: &ast::Items, has_orientations: bool) {
-        // of joints that turn freely they have been refused
-        let bodies = items.bodies.iter().filter(|body| freedom(body).is_none());
-        let of_joints = bodies.filter_map(|body| {
-            let stop = body.fields.stop.as_ref().map(|stop| &stop.tokens);
-            body.fields.dry_friction.as_ref().map(|e| &e.tokens).or(stop)
-        });
-        let walls = items.walls.iter().map(|wall| wall.name.to_token_stream());
-        let hindering: Vec<_> = of_joints.cloned().chain(walls).collect();
+        let hindering = hindering(items);
         if let (Some(first), true) = (hindering.first(), has_orientations) {
             let fact = "dry friction, stops and walls are not supported in a scene with ball or free joints";
             let help = "write smooth laws: viscous friction, and a `potential` in the place of a stop or a wall";

@@ -187,6 +187,8 @@ impl<'g> Lower<'g> {
             closures: Vec::new(),
             following: Following::default(),
             margins: Vec::new(),
+            closings: Vec::new(),
+            corrections: Vec::new(),
             time: self.time,
             gravity,
             lets,

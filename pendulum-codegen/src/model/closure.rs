@@ -1,16 +1,32 @@
-//! Closed loops as vectors of a plane that add up to zero.
+//! Joints that close loops: as vectors of a plane that add up to zero, and as equations in space.
 
+use super::pose::between;
 use super::{BodyId, Combination, CoordinateId, Heading, Model, Place};
 use crate::expr::{Expr, Normalizer};
 use crate::screw::{Mat3, Vec2, Vec3};
 
-/// A joint that closes a loop: two places coincide, and one may turn against the other.
+/// A joint that closes a loop.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Closure<'g> {
-    /// The places.
+    /// The origins of its two frames.
     pub ends: [Place<'g>; 2],
-    /// The axis of the joint, in the frame of the first.
-    pub axis: Vec3<'g>,
+    /// The axes of its frames in those of the bodies, as columns.
+    pub axes: [Mat3<'g>; 2],
+    /// How the frames are tied.
+    pub tie: Tie<'g>,
+}
+
+/// How two frames are tied.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Tie<'g> {
+    /// One turns against the other about this axis, which stands still in both.
+    Revolute(Vec3<'g>),
+    /// One slides against the other along this axis.
+    Prismatic(Vec3<'g>),
+    /// Their origins coincide.
+    Ball,
+    /// They coincide.
+    Fixed,
 }
 
 /// Why a joint cannot close its loop in a plane.
@@ -52,6 +68,36 @@ struct Step<'g> {
 /// How far normal forms of constants may grow.
 const BUDGET: usize = 100_000;
 
+impl<'g> Closure<'g> {
+    /// What vanishes where the loop is closed, with its unit: where places coincide, and the cosines of angles that are right ones. The
+    /// loop moves as one with the bodies that carry it, so they do not occur.
+    pub(super) fn equations(&self, model: &Model<'g>) -> Vec<(Expr<'g>, &'static str)> {
+        let frames = between(model, self.ends.map(|end| end.body));
+        let [(a, p), (b, r)] = [0, 1].map(|n| {
+            let frame = frames[n];
+            (frame.rotation * self.axes[n], frame.point(self.ends[n].at))
+        });
+        let apart = p - r;
+        let aligned = |[i, j]: [Vec3<'g>; 2]| (a * i).dot(b * j);
+        let of_frames = || {
+            let [x, y, z] = [0, 1, 2].map(|n| Vec3::unit(model.graph, n));
+            [[x, y], [y, z], [z, x]].map(aligned)
+        };
+        let across = |axis: Vec3<'g>| {
+            let Mat3([u, v, _]) = Mat3::with_third_column(axis).transpose();
+            [u, v]
+        };
+        let (lengths, angles) = match self.tie {
+            Tie::Ball => (apart.0.to_vec(), Vec::new()),
+            Tie::Revolute(axis) => (apart.0.to_vec(), across(axis).map(|u| aligned([u, axis])).to_vec()),
+            Tie::Prismatic(axis) => (across(axis).map(|u| (a * u).dot(apart)).to_vec(), of_frames().to_vec()),
+            Tie::Fixed => (apart.0.to_vec(), of_frames().to_vec()),
+        };
+        let lengths = lengths.into_iter().map(|row| (row, "m"));
+        lengths.chain(angles.into_iter().map(|row| (row, "rad"))).collect()
+    }
+}
+
 impl<'g> Loop<'g> {
     /// The loop that a joint closes.
     pub(crate) fn new(model: &Model<'g>, closure: &Closure<'g>) -> Result<Self, NoPlane> {
@@ -77,11 +123,18 @@ impl<'g> Loop<'g> {
                 });
             }
         }
-        let of_joint = match first.body {
-            Some(body) if first.body != frame => model.bodies[body].heading.rest * closure.axis,
-            _ => closure.axis,
-        };
-        parallel(axis, of_joint).ok_or(NoPlane::Joint)?;
+        match closure.tie {
+            Tie::Ball => {}
+            Tie::Revolute(of_joint) => {
+                let of_joint = closure.axes[0] * of_joint;
+                let of_joint = match first.body {
+                    Some(body) if first.body != frame => model.bodies[body].heading.rest * of_joint,
+                    _ => of_joint,
+                };
+                parallel(axis, of_joint).ok_or(NoPlane::Joint)?;
+            }
+            Tie::Prismatic(_) | Tie::Fixed => return Err(NoPlane::Joint),
+        }
         let basis = Mat3::with_third_column(axis).transpose();
         let mut height = model.graph.zero();
         let mut pieces = Vec::new();

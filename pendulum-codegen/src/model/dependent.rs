@@ -3,7 +3,7 @@
 use rustc_hash::FxHashMap;
 
 use super::{Coordinate, CoordinateId, Model};
-use crate::expr::{Binary, Expr, Graph, Node, Normalizer, Unary};
+use crate::expr::{Binary, Derivative, Expr, Graph, Node, Normalizer, Unary};
 
 /// A coordinate that follows from those of the state and of the drives.
 #[derive(Clone, Debug)]
@@ -14,6 +14,8 @@ pub(crate) struct Dependent<'g> {
     pub slopes: Vec<Expr<'g>>,
     /// Its second rate where none of these accelerates.
     pub drift: Expr<'g>,
+    /// Whether its position is a component of the state: no closed form of it is known, only its rate.
+    pub in_state: bool,
 }
 
 /// What follows from the state: symbols that stand in expressions until these are written out.
@@ -122,6 +124,14 @@ impl<'g> Following<'g> {
 }
 
 impl<'g> Model<'g> {
+    /// The derivative by a coordinate of the state, where all that follows from it moves along.
+    pub(crate) fn along(&self, k: CoordinateId) -> Derivative<'g> {
+        let own = self.coordinate(k).changes.iter().copied();
+        let in_state = self.dependents.iter().filter(|dependent| dependent.in_state);
+        let following = in_state.map(|dependent| (dependent.coordinate.position, dependent.slopes[usize::from(k)]));
+        Derivative::along(own.chain(following))
+    }
+
     /// The derivatives of a coordinate by those of the state, if it follows from them.
     pub(crate) fn slopes(&self, k: CoordinateId) -> Option<&[Expr<'g>]> {
         let n = usize::from(k).checked_sub(self.independent())?;

@@ -1,6 +1,7 @@
 //! The typed scene: what a declaration means, without its text.
 
 mod action;
+mod close;
 mod closure;
 mod combination;
 mod constraint;
@@ -11,14 +12,14 @@ mod index;
 mod output;
 mod point;
 mod pose;
-mod triangle;
 
 use std::collections::BTreeSet;
 
 use rustc_hash::FxHashMap;
 
 pub(crate) use action::{Action, Place, Push};
-pub(crate) use closure::{Closure, Loop, NoPlane, parallel};
+pub(crate) use close::{Closed, Declared, Open, close};
+pub(crate) use closure::{Closure, Loop, NoPlane, Tie, parallel};
 pub(crate) use combination::Combination;
 pub(crate) use constraint::{Constraint, Law};
 pub(crate) use dependent::{Dependent, Following};
@@ -30,7 +31,6 @@ pub(crate) use index::{BodyId, CoordinateId};
 pub(crate) use output::{Event, Output, OutputShape};
 pub(crate) use point::{Point, along_motion};
 pub(crate) use pose::Poses;
-pub(crate) use triangle::{Closed, Declared, Open, close};
 
 use crate::expr::{BaseAngles, Definition, Derivative, Expr, Formula, Graph, Level, ratio};
 use crate::screw::{Mat3, SpatialInertia, Transform, Twist, Vec3};
@@ -59,8 +59,13 @@ pub(crate) struct Model<'g> {
     pub closures: Vec<Closure<'g>>,
     /// What the symbols of all that follows stand for.
     pub following: Following<'g>,
-    /// For each closed loop the sine of the angle between the two sides that it is solved for: zero at its toggle.
+    /// For each closed loop how far it is from its toggle, where it is zero: the sine of the angle between the two sides of a triangle;
+    /// of loops that are solved together the volume that the directions of the coordinates that follow span.
     pub margins: Vec<Expr<'g>>,
+    /// What vanishes where loops are closed that have no closed form.
+    pub closings: Vec<Expr<'g>>,
+    /// What Newton's method adds to the coordinates that follow and whose positions are in the state.
+    pub corrections: Vec<Expr<'g>>,
     /// The symbol of time.
     pub time: Expr<'g>,
     /// Acceleration of gravity in the ground frame.
@@ -344,17 +349,35 @@ impl<'g> Model<'g> {
         self.positions().into_iter().chain(rates).collect()
     }
 
-    /// The positions: of orientations the four components of their quaternions, of other coordinates themselves.
+    /// The positions: of orientations the four components of their quaternions, of other coordinates themselves. Behind them those
+    /// that follow by their rates.
     pub(crate) fn positions(&self) -> Vec<Expr<'g>> {
-        changes(self.coordinates.iter()).into_iter().map(|(x, _)| x).collect()
+        self.changes().into_iter().map(|(x, _)| x).collect()
     }
 
     /// How the positions change: the kinematic part of the right-hand side.
     pub(crate) fn kinematics(&self) -> Vec<Expr<'g>> {
-        changes(self.coordinates.iter())
-            .into_iter()
-            .map(|(_, rate)| rate)
-            .collect()
+        self.changes().into_iter().map(|(_, rate)| rate).collect()
+    }
+
+    fn changes(&self) -> Vec<(Expr<'g>, Expr<'g>)> {
+        changes(
+            self.coordinates
+                .iter()
+                .chain(self.in_state().map(|(_, coordinate)| coordinate)),
+        )
+    }
+
+    /// The coordinates that follow from others by their rates, so that their positions are in the state.
+    pub(crate) fn in_state(&self) -> impl Iterator<Item = (CoordinateId, &Coordinate<'g>)> {
+        let numbered = (self.independent()..).map(CoordinateId::new).zip(&self.dependents);
+        let in_state = numbered.filter(|(_, dependent)| dependent.in_state);
+        in_state.map(|(k, dependent)| (k, &dependent.coordinate))
+    }
+
+    /// Whether positions outnumber rates.
+    pub(crate) fn has_more_positions(&self) -> bool {
+        self.has_orientations() || self.in_state().next().is_some()
     }
 
     /// Whether it has orientations: then positions outnumber rates.

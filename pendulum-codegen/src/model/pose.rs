@@ -66,6 +66,50 @@ impl<'g> Poses<'g> {
     }
 }
 
+/// Where two bodies are in the frame of the last body that carries both, or that is one of them.
+///
+/// Where they turn about one axis, that body included, its own turn is taken off the sums of angles, so it does not occur.
+pub(super) fn between<'g>(model: &Model<'g>, bodies: [Option<BodyId>; 2]) -> [Transform<'g>; 2] {
+    let below = |body: Option<BodyId>| std::iter::successors(body, |&body| model.bodies[body].parent);
+    let [first, second] = bodies;
+    let carrier = below(first).find(|&body| below(second).any(|other| other == body));
+    bodies.map(|body| in_frame_of(model, carrier, body))
+}
+
+/// Where a body is in the frame of one that carries it.
+fn in_frame_of<'g>(model: &Model<'g>, carrier: Option<BodyId>, body: Option<BodyId>) -> Transform<'g> {
+    let Some(at) = body.filter(|_| body != carrier) else {
+        return Transform::identity(model.graph);
+    };
+    let own = &model.bodies[at];
+    let base = in_frame_of(model, carrier, own.parent);
+    let carried = carrier.map(|carrier| &model.bodies[carrier].heading);
+    let mut heading = own.heading.clone();
+    let before = match carried {
+        // all turn in the frame of a body below
+        Some(carried) if carried.station == heading.station => {
+            heading.turn = heading.turn.plus_scaled(-1, &carried.turn);
+            Some(carried.rest.transpose())
+        }
+        _ => {
+            let station = heading.station.filter(|_| heading.station != carrier);
+            station.map(|station| in_frame_of(model, carrier, Some(station)).rotation)
+        }
+    };
+    let turned = orientation(&heading, model.position_of(&heading.turn));
+    let rotation = before.map_or(turned, |before| before * turned);
+    let joint = base * own.placement;
+    let translation = match own.screw {
+        None => joint.translation,
+        Some(screw) if !screw.turns() => joint.point(model.position_of(&own.motion) * screw.linear),
+        Some(Twist { angular: w, linear: v }) => {
+            let (pitch, arm) = (w.dot(v), w.cross(v));
+            joint.point(arm + (pitch * model.position_of(&own.motion)) * w) - rotation * arm
+        }
+    };
+    Transform { rotation, translation }
+}
+
 fn orientation<'g>(heading: &Heading<'g>, angle: Expr<'g>) -> Mat3<'g> {
     match heading.axis {
         None => heading.rest,

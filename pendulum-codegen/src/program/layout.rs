@@ -27,7 +27,7 @@ pub struct Slot {
     pub kind: SlotKind,
     /// Where its position stands in the state.
     pub positions: Range<usize>,
-    /// Where its rate stands in the state.
+    /// Where its rate stands in the state: nowhere, if it follows from those of others.
     pub rates: Range<usize>,
     /// The constants that hold the two places, for a coordinate of one component: `THETA1` and `DOT_THETA1`.
     pub constants: [String; 2],
@@ -101,6 +101,20 @@ impl StateLayout {
             });
             (position, k) = (position + symbols.len(), k + count);
         }
+        for (id, coordinate) in model.in_state() {
+            let name = coordinate.name.trim_start_matches("r#");
+            let (kind, symbol) = (kind(model, id), coordinate.position);
+            slots.push(Slot {
+                name: name.to_owned(),
+                kind,
+                positions: position..position + 1,
+                rates: first_rate + k..first_rate + k,
+                constants: places(name),
+                periodic: !controlled && returns(model, id) && repeats(g, &nodes, roots, symbol),
+                cyclic: !controlled && !occurs(symbol),
+            });
+            position += 1;
+        }
         Self {
             slots,
             autonomous: !controlled && !occurs(model.time),
@@ -128,14 +142,22 @@ impl StateLayout {
             SlotKind::Quaternion => axes.iter().map(|axis| format!("{}.{axis}", slot.name)).collect(),
             _ => vec![slot.name.clone()],
         };
-        let of = |axes: &[&str]| self.slots.iter().flat_map(|slot| names(slot, axes)).collect();
-        [of(&["w", "x", "y", "z"]), of(&["x", "y", "z"])]
+        let rated = self.slots.iter().filter(|slot| !slot.rates.is_empty());
+        let positions = self.slots.iter().flat_map(|slot| names(slot, &["w", "x", "y", "z"]));
+        let rates = rated.flat_map(|slot| names(slot, &["x", "y", "z"]));
+        [positions.collect(), rates.collect()]
     }
 
     /// Where the quaternions stand in the state.
     pub fn quaternions(&self) -> impl Iterator<Item = Range<usize>> {
         let slots = self.slots.iter().filter(|slot| slot.kind == SlotKind::Quaternion);
         slots.map(|slot| slot.positions.clone())
+    }
+
+    /// Where the coordinates stand in the state that follow from others, and so have no rates there.
+    pub fn following(&self) -> impl Iterator<Item = usize> {
+        let slots = self.slots.iter().filter(|slot| slot.rates.is_empty());
+        slots.map(|slot| slot.positions.start)
     }
 
     /// The number of degrees of freedom: of rates.

@@ -91,6 +91,8 @@ pub(crate) enum Length {
     Constraints,
     /// The closed loops.
     Loops,
+    /// The coordinates that follow and are in the state.
+    Following,
 }
 
 /// What a routine is called, takes and gives.
@@ -163,6 +165,7 @@ impl Length {
             Self::Drives => model.drives.len(),
             Self::Constraints => model.constraints.len(),
             Self::Loops => model.margins.len(),
+            Self::Following => model.corrections.len(),
         }
     }
 }
@@ -251,7 +254,7 @@ pub(crate) struct Row {
 const ASKED: fn(&Request<'_>, &str) -> bool = |scene, word| scene.asks(word);
 
 use Argument::{Accelerations, Forces, Inputs};
-use Length::{Constraints, Drives, Freedom, Loops, Parameters, State};
+use Length::{Constraints, Drives, Following, Freedom, Loops, Parameters, State};
 use Shape::{Matrix, Scalar, Symmetric, Vector};
 
 /// What a response holds.
@@ -277,12 +280,20 @@ pub(crate) const ROUTINES: &[Row] = &[
     Row {
         word: "rhs",
         name: "loop_margins",
-        doc: "How far each closed loop is from its toggle, in the order of the declaration: the sine of the angle between \
-              the two sides that it is solved for.",
+        doc: "How far each closed loop is from its toggle, in the order of the declaration: 0 there, and at most 1.",
         arguments: &[],
         shapes: &[Vector(Loops)],
         wanted: |scene, _| scene.rhs() && !scene.model.margins.is_empty(),
         form: form::loop_margins,
+    },
+    Row {
+        word: "rhs",
+        name: "loop_corrections",
+        doc: "What a step of Newton's method adds to the coordinates that follow and are in the state, to close their loops.",
+        arguments: &[],
+        shapes: &[Vector(Following)],
+        wanted: |scene, _| scene.rhs() && !scene.model.corrections.is_empty(),
+        form: form::loop_corrections,
     },
     Row {
         word: "rhs",

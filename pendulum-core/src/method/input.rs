@@ -45,7 +45,8 @@ where
     let mut x = *given;
     system.project(t, &mut x);
     for (&x, &given) in x.iter().zip(given.iter()) {
-        let rule = "the state must be close to the constraints of the system: a quaternion has unit length";
+        let rule = "the state must be close to the constraints of the system: a quaternion has unit length, \
+                    and loops are closed, as `assemble` makes them";
         require((x - given).abs() <= T::from_f64(FAR), "x0", given.to_f64(), rule)?;
     }
     Ok(x)

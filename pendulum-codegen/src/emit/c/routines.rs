@@ -1,10 +1,9 @@
 //! Routines and the power series as functions.
 
-use std::ops::Range;
-
 use super::Scene;
 use super::block::{Calls, Piece, statements};
 use super::template::lines;
+use crate::emit::CORRECTIONS;
 use crate::expr::Precedence;
 use crate::program::{Argument, Routine, Series, Shape};
 
@@ -18,7 +17,10 @@ impl Scene<'_> {
         let routines: String = self.program.routines.iter().map(declaration).collect();
         let series = self.program.series.iter();
         routines
-            + &self.projection(|_| ";".to_owned())
+            + &self
+                .projection()
+                .map(|[docs, prototype]| self.fill(&format!("\n/// {docs}\n{prototype};"), &[]))
+                .unwrap_or_default()
             + &series
                 .map(|_| self.fill(include_str!("templates/series.h"), &[]))
                 .collect::<String>()
@@ -29,31 +31,65 @@ impl Scene<'_> {
         let routines = self.program.routines.iter();
         let routines: String = routines.map(|routine| self.routine(routine, calls)).collect();
         let series = self.program.series.as_ref();
-        let projection = self.projection(|places| {
+        let projection = self.projection().map(|[_, prototype]| {
+            let body = self.fill(&self.projected(calls), &[]);
+            self.fill(&format!("\n{prototype} {{\n    @body@\n}}"), &[("body", body)])
+        });
+        let projection = projection.unwrap_or_default();
+        routines + &projection + &series.map(|series| self.series(series, calls)).unwrap_or_default()
+    }
+
+    /// The function that puts a state back onto its constraints, if there are any, and its documentation: it makes quaternions of unit
+    /// length again, and closes loops.
+    fn projection(&self) -> Option<[String; 2]> {
+        let closes = self.program.routine("loop_corrections").is_some();
+        let turns = self.program.layout.quaternions().next().is_some();
+        let docs = match (turns, closes) {
+            (false, false) => return None,
+            (true, false) => "Makes the quaternions of a state of unit length: call it after each step.",
+            (false, true) => {
+                "Closes the loops of a state: call it after each step, and on a guess until nothing changes."
+            }
+            (true, true) => {
+                "Makes the quaternions of a state of unit length and closes its loops: call it after each step, and on a guess until nothing \
+                 changes."
+            }
+        };
+        let model = if closes {
+            "const @name@_model *model, double t, "
+        } else {
+            ""
+        };
+        let prototype = format!("void @name@_project({model}double x[@length@])");
+        Some([docs.to_owned(), prototype])
+    }
+
+    /// What that function does.
+    fn projected(&self, calls: &mut Calls) -> String {
+        let mut body = String::new();
+        let norms = self.program.layout.quaternions().map(|places| {
             calls.insert("PENDULUM_SQRT".to_owned());
             let square = places.clone().map(|n| format!("x[{n}] * x[{n}]"));
             let norm = format!("norm = PENDULUM_SQRT({});\n", square.collect::<Vec<_>>().join(" + "));
             norm + &lines(places.map(|n| format!("x[{n}] /= norm;")))
         });
-        routines + &projection + &series.map(|series| self.series(series, calls)).unwrap_or_default()
-    }
-
-    /// The function that makes quaternions of unit length again, if there are any: its prototype where `body` gives a
-    /// semicolon, else with the statements for each.
-    fn projection(&self, body: impl FnMut(Range<usize>) -> String) -> String {
-        let bodies: Vec<String> = self.program.layout.quaternions().map(body).collect();
-        let prototype = "void @name@_project(double x[@length@])";
-        match bodies.first().map(String::as_str) {
-            None => String::new(),
-            Some(";") => {
-                let docs = "/// Makes the quaternions of a state of unit length: call it after each step.";
-                self.fill(&format!("\n{docs}\n{prototype};"), &[])
-            }
-            Some(_) => {
-                let values = [("body", format!("double norm;\n{}", bodies.concat()))];
-                self.fill(&format!("\n{prototype} {{\n    @body@\n}}"), &values)
-            }
+        let norms: String = norms.collect();
+        if !norms.is_empty() {
+            body += &format!("double norm;\n{norms}");
         }
+        let places: Vec<usize> = self.program.layout.following().collect();
+        if !places.is_empty() {
+            let corrected = places
+                .iter()
+                .enumerate()
+                .map(|(n, place)| format!("    x[{place}] += correction[{n}];"));
+            body += &format!(
+                "double correction[{}];\nint n;\nfor (n = 0; n < {CORRECTIONS}; n++) {{\n    @name@_loop_corrections(model, t, x, correction);\n{}}}\n",
+                places.len(),
+                lines(corrected)
+            );
+        }
+        body
     }
 
     pub(super) fn routine(&self, routine: &Routine, calls: &mut Calls) -> String {

@@ -26,7 +26,12 @@ impl Items<'_> {
         let layout = layout(&program.layout);
         let places = program.layout.slots.iter().map(places);
         let has_quaternions = program.layout.quaternions().next().is_some();
-        let (about_freedom, about_names) = if has_quaternions {
+        let (about_freedom, about_names) = if program.layout.following().next().is_some() {
+            (
+                " The number of degrees of freedom, and of rates. The state also holds the coordinates that follow from closed loops.",
+                " The names of the coordinates that do not follow from others, in the order in which their rates stand in the state.",
+            )
+        } else if has_quaternions {
             (
                 " The number of degrees of freedom, and of rates; a quaternion has one component more.",
                 " The names of the coordinates, in the order in which their rates stand in the state; of an orientation \
@@ -96,11 +101,16 @@ fn places(slot: &Slot) -> TokenStream {
         });
     let (position, rate) = (format_ident!("{position}"), format_ident!("{rate}"));
     let (first, first_rate) = (count(positions.start), count(rates.start));
+    let of_rate = (!rates.is_empty()).then(|| {
+        quote! {
+            #[doc = #dot]
+            pub const #rate: usize = #first_rate;
+        }
+    });
     quote! {
         #[doc = #own]
         pub const #position: usize = #first;
-        #[doc = #dot]
-        pub const #rate: usize = #first_rate;
+        #of_rate
     }
 }
 

@@ -8,6 +8,7 @@ use quote::{ToTokens, format_ident, quote};
 use super::block::{Piece, local, number};
 use super::lanes::inlined_into_lanes;
 use super::{Items, allowed, count};
+use crate::emit::CORRECTIONS;
 use crate::program::{Argument, Block, Routine, Shape, Variable};
 
 /// The traits that have routines as their methods. Every other routine is a method of its own.
@@ -23,6 +24,9 @@ const TRAITS: [(&str, &[&str]); 7] = [
 
 /// The least sine of the angle between two sides of a triangle that a state may have: its square is what rounding is divided by.
 const LEAST_MARGIN: f64 = 1e-3;
+
+/// How short the last correction by Newton's method must be. The next one would be its square.
+const LAST_CORRECTION: f64 = 1e-6;
 
 /// Whether a routine is a method of the type itself.
 pub(super) fn is_inherent(name: &str) -> bool {
@@ -115,8 +119,8 @@ impl Items<'_> {
         }
     }
 
-    /// The method that makes quaternions of unit length again, and that ends a motion where a loop comes to its toggle: there other
-    /// assemblies begin, and digits are lost. None where there is neither.
+    /// The method that makes quaternions of unit length again, that closes loops, and that ends a motion where a loop comes to its
+    /// toggle: there other assemblies begin, and digits are lost. None where there is neither.
     pub(super) fn project(&self) -> Option<TokenStream> {
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
         let normalised = self.program.layout.quaternions().map(|places| {
@@ -129,6 +133,28 @@ impl Items<'_> {
                 x[#z] /= norm;
             }
         });
+        let closed = self.program.routine("loop_corrections").map(|_| {
+            let (zero, least) = (number(0.0), number(LAST_CORRECTION * LAST_CORRECTION));
+            let before = count(CORRECTIONS - 1);
+            let places = self.program.layout.following().zip(0..);
+            let corrected: Vec<TokenStream> = places
+                .map(|(place, n)| {
+                    let (place, n) = (count(place), count(n));
+                    quote!(x[#place] += corrections[#n];)
+                })
+                .collect();
+            quote! {
+                for _ in 0..#before {
+                    let corrections = self.loop_corrections(t, x);
+                    #(#corrected)*
+                }
+                let corrections = self.loop_corrections(t, x);
+                #(#corrected)*
+                for correction in corrections.iter() {
+                    x[0] += #zero * (#least - *correction * *correction).sqrt();
+                }
+            }
+        });
         let ended = self.program.routine("loop_margins").map(|_| {
             let (zero, least) = (number(0.0), number(LEAST_MARGIN));
             quote! {
@@ -138,7 +164,7 @@ impl Items<'_> {
                 }
             }
         });
-        let statements: Vec<TokenStream> = normalised.chain(ended).collect();
+        let statements: Vec<TokenStream> = normalised.chain(closed).chain(ended).collect();
         (!statements.is_empty()).then(|| {
             quote! {
                 #[inline]
@@ -266,8 +292,31 @@ impl Items<'_> {
             let (doc, function) = (&routine.doc, self.function(&format_ident!("{}", routine.name), routine));
             quote!(#[doc = #doc] #[inline] pub #function)
         });
-        let methods: TokenStream = methods.chain(self.events()).collect();
+        let methods: TokenStream = methods.chain(self.assemble()).chain(self.events()).collect();
         (!methods.is_empty()).then(|| self.implement(None, &methods))
+    }
+
+    /// The method that closes loops for a state to start from, where positions that follow are in the state.
+    fn assemble(&self) -> Option<TokenStream> {
+        self.program.routine("loop_corrections")?;
+        let (length, vector) = (self.length(), self.shape(Shape::Vector(self.program.layout.len())));
+        let places = self.program.layout.following().map(count);
+        Some(quote! {
+            /// A state whose loops are closed, from one in which the coordinates that follow are guesses.
+            ///
+            /// # Errors
+            /// If Newton's method finds no such state near the guess.
+            pub fn assemble(
+                &self,
+                t: T,
+                near: impl ::pendulum_core::IntoState<T, #length>,
+            ) -> ::core::result::Result<#vector, ::pendulum_core::NotAssembled>
+            where
+                T: ::pendulum_core::Float,
+            {
+                ::pendulum_core::system::assemble(near.into_state(), [#(#places),*], |x| self.loop_corrections(t, x))
+            }
+        })
     }
 
     /// The events, each by its name, and all of them.

@@ -28,7 +28,8 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
     let orientations = items.bodies.iter().filter(|body| body.fields.orientation.is_some());
     // an orientation has three rates, and four components
     let orientations = orientations.count();
-    let freedom = slots().count() + 2 * orientations;
+    let following = items.bodies.iter().filter(|body| body.fields.depends.is_some()).count();
+    let freedom = slots().count() + 2 * orientations - following;
     let dof = count(freedom);
     let of_coordinates = slots().flat_map(|(_, slot)| places(&slot));
     // by mistake a place may have the name of another, or of a fact
@@ -36,8 +37,9 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
     places.retain(|place| !FACTS.contains(&place.as_str()));
     let places = places.iter().map(|place| format_ident!("{place}"));
     let given = count(items.params.len());
-    // the length of the state tells a law of inputs its types; without any coordinate, the length was not read
-    let (length, any_length) = if freedom > 0 {
+    // the length of the state tells a law of inputs its types; without any coordinate it was not read, and what follows from closed loops
+    // may be part of it
+    let (length, any_length) = if freedom > 0 && items.closures.is_empty() {
         (count(2 * freedom + orientations).into_token_stream(), None)
     } else {
         (quote!(N), Some(quote!(, const N: usize)))
@@ -68,6 +70,7 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             Length::Parameters => count(items.params.len()).into_token_stream(),
             Length::Constraints => count(0).into_token_stream(),
             Length::Loops => count(items.closures.len()).into_token_stream(),
+            Length::Following => count(following).into_token_stream(),
             Length::Drives => count(outputs::drives(items)).into_token_stream(),
         };
         let results = row.shapes.iter().map(|shape| match shape.map(length) {
@@ -87,7 +90,18 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             }
         }
     });
-    let own = own.chain([outputs::functions(items, &inputs)]);
+    let assemble = (following > 0).then(|| {
+        quote! {
+            pub fn assemble<const N: usize>(
+                &self,
+                _: T,
+                near: impl ::pendulum_core::IntoState<T, N>,
+            ) -> ::core::result::Result<#vector, ::pendulum_core::NotAssembled> {
+                Ok(near.into_state())
+            }
+        }
+    });
+    let own = own.chain(assemble).chain([outputs::functions(items, &inputs)]);
     // either trait has what hinders the motion, and a name must not be found in both
     let is_hybrid = items.is_hybrid() && items.inputs.is_empty();
     let controlled = (!is_hybrid).then(|| {

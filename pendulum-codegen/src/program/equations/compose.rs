@@ -45,6 +45,7 @@ pub(crate) fn equations<'g>(
     }
     Equations {
         hindrances: composer.hindrances(),
+        closings: composer.closings(),
         coordinates: model.coordinate_names().into_iter().map(str::to_owned).collect(),
         driven: !model.drives.is_empty(),
         acted: !model.actions.is_empty(),
@@ -96,6 +97,13 @@ impl<'g> Composer<'_, 'g> {
             Some(entries) if !is_endless(&entries) => self.listing(&entries, false, false),
             _ => best(self.named(&self.recursion, &force, false, RECURSIVE)),
         }
+    }
+
+    /// What vanishes where loops are closed.
+    fn closings(&mut self) -> Vec<Formula> {
+        let rows = self.shorter(&self.model.with_drives(&self.model.closings));
+        let printer = Printer::new(self.model.graph);
+        rows.into_iter().map(|row| printer.short(row.id())).collect()
     }
 
     /// What hinders the motion, and how.

@@ -26,6 +26,8 @@ pub struct Equations {
     pub short: Listing,
     /// The same equations, in which torques are multiplied out.
     pub full: Listing,
+    /// What vanishes where loops are closed that have no closed form.
+    pub closings: Vec<Formula>,
     /// What hinders the motion.
     pub hindrances: Vec<Hindrance>,
 }
@@ -109,6 +111,12 @@ impl Display for Equations {
         writeln!(f, "A qdd + b = Q, where A is symmetric, b holds {b}, Q {q}\n")?;
         let listing = if f.alternate() { &self.full } else { &self.short };
         Display::fmt(listing, f)?;
+        if !self.closings.is_empty() {
+            writeln!(f, "\nwith {FOLLOWING}")?;
+        }
+        for closing in &self.closings {
+            writeln!(f, "0 = {closing}")?;
+        }
         if !self.hindrances.is_empty() {
             f.write_str("\nand along what hinders the motion\n")?;
         }
@@ -119,6 +127,10 @@ impl Display for Equations {
         Ok(())
     }
 }
+
+/// What the names stand for that follow from closed loops.
+const FOLLOWING: &str =
+    "slope_y_x, the derivative of y by x, and drift_y, the second rate of y where no x accelerates, from";
 
 impl Equations {
     /// What stands on the two sides.
@@ -147,6 +159,12 @@ impl Equations {
             text.push_str("where\n");
         }
         text.push_str(&latex_definitions(&self.short.definitions));
+        if !self.closings.is_empty() {
+            text.push_str(&format!("with {}:\n", FOLLOWING.replace('_', "\\_")));
+        }
+        for closing in &self.closings {
+            text.push_str(&closing.latex_equation(&Formula::sum(Vec::new())));
+        }
         for Hindrance { force, law } in &self.hindrances {
             let law = law
                 .iter()

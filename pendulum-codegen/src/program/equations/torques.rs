@@ -118,7 +118,14 @@ fn points(model: &Model<'_>) -> Vec<Definition> {
             formula: printer.short(drive.law[0].id()),
         });
     }
-    definitions.extend(model.following.definitions().map(|(symbol, value)| Definition {
+    let in_state = model.dependents.iter().filter(|dependent| dependent.in_state);
+    let solved = in_state.flat_map(|dependent| dependent.slopes.iter().chain([&dependent.drift]));
+    let solved: FxHashSet<Expr<'_>> = solved.copied().collect();
+    let following = model
+        .following
+        .definitions()
+        .filter(|(symbol, _)| !solved.contains(symbol));
+    definitions.extend(following.map(|(symbol, value)| Definition {
         name: printer.print(symbol.id()),
         formula: printer.short(value.id()),
     }));

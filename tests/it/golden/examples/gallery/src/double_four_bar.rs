@@ -1038,7 +1038,7 @@ k21 = -1
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> DoubleFourBar<T> {
-        ///How far each closed loop is from its toggle, in the order of the declaration: the sine of the angle between the two sides that it is solved for.
+        ///How far each closed loop is from its toggle, in the order of the declaration: 0 there, and at most 1.
         #[inline]
         pub fn loop_margins(
             &self,

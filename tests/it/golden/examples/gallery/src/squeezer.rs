@@ -1196,7 +1196,7 @@ t9 = 1/(1 - 16917000/24006277*t0 - 3001400/24006277*t1)
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> Squeezer<T> {
-        ///How far each closed loop is from its toggle, in the order of the declaration: the sine of the angle between the two sides that it is solved for.
+        ///How far each closed loop is from its toggle, in the order of the declaration: 0 there, and at most 1.
         #[inline]
         pub fn loop_margins(
             &self,

@@ -5,48 +5,18 @@
 //! is `a m + h m'`, `h = +-sqrt(r1^2 / L - a^2)`, where `m'` is `m` after a quarter of a turn. A side that slides ends where a line meets
 //! a circle. Rates follow by Cramer's rule from two equations, whose determinant vanishes where the triangle is flat: at its toggle.
 
-use super::closure::{Loop, Piece};
-use super::{Combination, Coordinate, CoordinateId, Dependent, Following, Model};
-use crate::expr::{Binary, Expr, Graph, Level, Normalizer, Symbol, SymbolKind, ratio};
+use super::{Open, Solver};
+use crate::expr::{Expr, SymbolKind, ratio};
+use crate::model::closure::{Loop, Piece};
+use crate::model::{Combination, Coordinate, CoordinateId, Dependent};
 use crate::screw::Vec2;
 
-/// A coordinate that shall follow, as it is declared.
-#[derive(Clone, Debug)]
-pub(crate) struct Declared<'g> {
-    /// Its name and symbols.
-    pub coordinate: Coordinate<'g>,
-    /// Its value where the loops are assembled.
-    pub near: Expr<'g>,
-}
-
-/// Why loops cannot be closed.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Open {
-    /// None of these loops is a triangle.
-    NoTriangle(Vec<usize>),
-    /// Where the loop is assembled, it misses closing by this length.
-    TooShort(usize, f64),
-    /// The guess is as near to one assembly of the loop as to the other.
-    Undecided(usize),
-}
-
-/// What closed loops make of the coordinates that are declared to follow.
-#[derive(Clone, Debug)]
-pub(crate) struct Closed<'g> {
-    /// The coordinates that follow: absolute angles of sides, and lengths.
-    pub dependents: Vec<Dependent<'g>>,
-    /// Each declared coordinate in those of the state, of the drives, and those.
-    pub combinations: Vec<Combination>,
-    /// The values of all symbols.
-    pub following: Following<'g>,
-    /// For each loop the sine of the angle between the unknown sides of its triangle: zero at its toggle.
-    pub margins: Vec<Expr<'g>>,
-}
-
 /// Two unknown sides, and what is known. If one of them slides, it is the first.
-struct Triangle<'g> {
+pub(super) struct Triangle<'g> {
     sides: [Side<'g>; 2],
     known: Vec<Piece<'g>>,
+    /// The two declared coordinates that it determines, each in the unknowns of the two sides. These take their numbers.
+    places: [(CoordinateId, Combination); 2],
 }
 
 #[derive(Clone)]
@@ -83,93 +53,18 @@ impl<'g> Solution<'g> {
     }
 }
 
-/// Loops while they are solved.
-struct Solver<'g, 'm> {
-    graph: &'g Graph,
-    model: &'m Model<'g>,
-    declared: &'m [Declared<'g>],
-    dependents: Vec<Option<Dependent<'g>>>,
-    combinations: Vec<Option<Combination>>,
-    following: Following<'g>,
-    margins: Vec<Expr<'g>>,
-    /// All coordinates where the loops are assembled.
-    assembled: Vec<f64>,
-}
-
-/// Solves the loops in an order in which each is a triangle. Near `near` the coordinates of the state assemble them.
-pub(crate) fn close<'g>(
-    model: &Model<'g>,
-    loops: &[Loop<'g>],
-    declared: &[Declared<'g>],
-    near: &[Expr<'g>],
-) -> Result<Closed<'g>, Open> {
-    let mut solver = Solver::new(model, loops.len(), declared, near);
-    let mut left: Vec<usize> = (0..loops.len()).collect();
-    while !left.is_empty() {
-        let (at, triangle) = solver.next(loops, &left).ok_or(Open::NoTriangle(left.clone()))?;
-        solver.solve(left[at], &triangle)?;
-        left.remove(at);
-    }
-    Ok(Closed {
-        dependents: solver.dependents.into_iter().flatten().collect(),
-        combinations: solver.combinations.into_iter().flatten().collect(),
-        following: solver.following,
-        margins: solver.margins,
-    })
-}
-
-impl<'g, 'm> Solver<'g, 'm> {
-    fn new(model: &'m Model<'g>, loops: usize, declared: &'m [Declared<'g>], near: &[Expr<'g>]) -> Self {
-        let mut solver = Self {
-            graph: model.graph,
-            model,
-            declared,
-            dependents: vec![None; declared.len()],
-            combinations: vec![None; declared.len()],
-            following: Following::default(),
-            margins: vec![model.graph.one(); loops],
-            assembled: Vec::new(),
-        };
-        for drive in &model.drives {
-            let change = (model.time, drive.law[1]);
-            model.graph.set_changes(drive.coordinate.position, &[change], false);
-        }
-        let laws = model.drives.iter().map(|drive| drive.law[0]);
-        let guesses = declared.iter().map(|declared| declared.near);
-        for value in near.iter().copied().chain(laws).chain(guesses) {
-            let value = solver.number(value);
-            solver.assembled.push(value);
-        }
-        solver
-    }
-
-    /// The place among the declared coordinates, of one of them.
-    fn declared_as(&self, k: CoordinateId) -> Option<usize> {
-        usize::from(k).checked_sub(self.model.independent())
-    }
-
-    fn is_unknown(&self, k: CoordinateId) -> bool {
-        self.declared_as(k).is_some_and(|n| self.dependents[n].is_none())
-    }
-
-    /// A sum of declared coordinates, with what is solved in the place of them.
-    fn rebased(&self, sum: &Combination) -> Combination {
-        sum.terms().fold(Combination::default(), |sum, (k, factor)| {
-            let own = self.declared_as(k).and_then(|n| self.combinations[n].clone());
-            sum.plus_scaled(factor, &own.unwrap_or(Combination::one(k)))
-        })
-    }
-
-    fn unknown_part(&self, sum: &Combination) -> Combination {
-        sum.filtered(|k| self.is_unknown(k))
-    }
-
+impl<'g> Solver<'g, '_> {
     /// A triangle among the loops that are left, or among sums and differences of two of them, and which of them it closes.
-    fn next(&self, loops: &[Loop<'g>], left: &[usize]) -> Option<(usize, Triangle<'g>)> {
-        let alone = left.iter().enumerate().map(|(at, &n)| (at, loops[n].clone()));
-        let pairs = left.iter().enumerate().flat_map(|(at, &n)| {
-            let others = left[..at].iter().flat_map(|&m| [(m, 1), (m, -1)]);
-            others.map(move |(m, sign)| (at, loops[n].joined(&loops[m], sign)))
+    pub(super) fn next(&self, loops: &[Option<Loop<'g>>], left: &[usize]) -> Option<(usize, Triangle<'g>)> {
+        let in_plane = left
+            .iter()
+            .enumerate()
+            .filter_map(|(at, &n)| Some((at, loops[n].as_ref()?)));
+        let in_plane: Vec<(usize, &Loop<'g>)> = in_plane.collect();
+        let alone = in_plane.iter().map(|&(at, own)| (at, own.clone()));
+        let pairs = in_plane.iter().enumerate().flat_map(|(n, &(at, own))| {
+            let others = in_plane[..n].iter().flat_map(|&(_, other)| [(other, 1), (other, -1)]);
+            others.map(move |(other, sign)| (at, own.joined(other, sign)))
         });
         alone
             .chain(pairs)
@@ -208,13 +103,13 @@ impl<'g, 'm> Solver<'g, 'm> {
             [Side::Turning(..), Side::Turning(..)] => true,
             _ => false,
         };
-        let triangle = Triangle { sides, known };
-        (fits && self.in_unknowns(&triangle).is_some()).then_some(triangle)
+        let places = self.in_unknowns(&sides).filter(|_| fits)?;
+        Some(Triangle { sides, known, places })
     }
 
-    /// The two declared coordinates that a triangle determines, each in the unknowns of the two sides. These take their numbers.
-    fn in_unknowns(&self, triangle: &Triangle<'g>) -> Option<[(CoordinateId, Combination); 2]> {
-        let sums = triangle.sides.each_ref().map(|side| match side {
+    /// The two declared coordinates that a triangle of these sides determines.
+    fn in_unknowns(&self, sides: &[Side<'g>; 2]) -> Option<[(CoordinateId, Combination); 2]> {
+        let sums = sides.each_ref().map(|side| match side {
             Side::Turning(angle, _) => angle.clone(),
             Side::Sliding(k, _) => Combination::one(*k),
         });
@@ -240,10 +135,8 @@ impl<'g, 'm> Solver<'g, 'm> {
     }
 
     /// Closes a loop by its triangle.
-    fn solve(&mut self, number: usize, triangle: &Triangle<'g>) -> Result<(), Open> {
-        let Some(places) = self.in_unknowns(triangle) else {
-            return Err(Open::NoTriangle(vec![number]));
-        };
+    pub(super) fn solve(&mut self, number: usize, triangle: &Triangle<'g>) -> Result<(), Open> {
+        let places = &triangle.places;
         let guesses = triangle.sides.each_ref().map(|side| match side {
             Side::Turning(angle, _) => angle
                 .terms()
@@ -252,7 +145,7 @@ impl<'g, 'm> Solver<'g, 'm> {
             Side::Sliding(k, _) => self.assembled[usize::from(*k)],
         });
         let solution = self.solution(triangle, guesses).map_err(|miss| match miss {
-            Miss::Short(by) => Open::TooShort(number, by),
+            Miss::Short(by) => Open::TooShort(number, by, "m"),
             Miss::Undecided => Open::Undecided(number),
         })?;
         let free = self.model.independent();
@@ -273,9 +166,10 @@ impl<'g, 'm> Solver<'g, 'm> {
                 coordinate,
                 slopes,
                 drift,
+                in_state: false,
             });
         }
-        for (k, combination) in &places {
+        for (k, combination) in places {
             self.combinations[usize::from(*k) - free] = Some(combination.clone());
         }
         // at fixed unknowns, the end moves with all else
@@ -283,13 +177,20 @@ impl<'g, 'm> Solver<'g, 'm> {
         let slopes: Vec<[Expr<'g>; 2]> = pushes.map(|push| solution.answers(push)).collect();
         let columns = [0, 1].map(|n| slopes.iter().map(|slope| slope[n]).collect::<Vec<_>>());
         for ((k, _), column) in places.iter().zip(columns) {
-            self.set_slopes(usize::from(*k) - free, column);
+            let n = usize::from(*k) - free;
+            let slopes = column.into_iter().enumerate();
+            let named = slopes
+                .map(|(j, slope)| self.named(&self.slope_name(n, j), slope))
+                .collect();
+            self.set_slopes(n, named);
         }
         let bend = self.velocity(triangle, &solution, |k| self.drift(k), true);
         for ((k, _), drift) in places.iter().zip(solution.answers(bend)) {
-            self.set_drift(usize::from(*k) - free, drift);
+            let n = usize::from(*k) - free;
+            let named = self.named(&self.drift_name(n), drift);
+            self.set_drift(n, named);
         }
-        for (k, _) in &places {
+        for (k, _) in places {
             self.set_declared(usize::from(*k) - free);
         }
         self.margins[number] = self.model.with_drives(&[solution.margin])[0];
@@ -312,128 +213,6 @@ impl<'g, 'm> Solver<'g, 'm> {
         Coordinate::plain(name, [position, rate, self.graph.zero()])
     }
 
-    /// A symbol for a value that follows from the state.
-    fn follow(&mut self, symbol: Expr<'g>, value: Expr<'g>) {
-        let value = self.model.with_drives(&[value])[0];
-        self.graph.set_changes(symbol, &[(value, self.graph.one())], false);
-        self.following.set(symbol, value);
-    }
-
-    fn named(&mut self, name: &str, value: Expr<'g>) -> Expr<'g> {
-        if value.level() < Level::State || value.as_symbol().is_some() {
-            return value;
-        }
-        let symbol = self.graph.symbol(name, SymbolKind::Following(0));
-        self.follow(symbol, value);
-        symbol
-    }
-
-    /// The slopes of an unknown give it its rate.
-    fn set_slopes(&mut self, n: usize, slopes: Vec<Expr<'g>>) {
-        let Some(Dependent { coordinate, .. }) = self.dependents[n].clone() else {
-            return;
-        };
-        let mut named = Vec::new();
-        for (j, slope) in slopes.into_iter().enumerate() {
-            let by = bare(&self.model.coordinate(CoordinateId::new(j)).name);
-            named.push(self.named(&format!("slope_{}_{by}", bare(&coordinate.name)), slope));
-        }
-        let (dof, drives) = (self.model.dof(), &self.model.drives);
-        let of_state = self.model.coordinates.iter().zip(&named);
-        let of_drives = named[dof..]
-            .iter()
-            .zip(drives)
-            .map(|(&slope, drive)| slope * drive.law[1]);
-        let of_time = self.graph.sum(of_drives.collect::<Vec<_>>());
-        let rate = of_state.clone().fold(of_time, |sum, (c, &slope)| sum + slope * c.rate);
-        let acceleration = of_state.clone().map(|(c, &slope)| slope * c.acceleration);
-        let driven = named[dof..]
-            .iter()
-            .zip(drives)
-            .map(|(&slope, drive)| slope * drive.coordinate.acceleration);
-        let acceleration = self.graph.sum(acceleration.chain(driven).collect::<Vec<_>>());
-        let changes = of_state
-            .map(|(c, &slope)| (c.position, slope))
-            .chain([(self.model.time, of_time)]);
-        self.graph
-            .set_changes(coordinate.position, &changes.collect::<Vec<_>>(), false);
-        self.follow(coordinate.rate, rate);
-        let coordinate = Coordinate {
-            acceleration,
-            ..coordinate
-        };
-        self.dependents[n] = Some(Dependent {
-            coordinate,
-            slopes: named,
-            drift: self.graph.zero(),
-        });
-    }
-
-    fn set_drift(&mut self, n: usize, drift: Expr<'g>) {
-        let Some(mut dependent) = self.dependents[n].clone() else {
-            return;
-        };
-        dependent.drift = self.named(&format!("drift_{}", bare(&dependent.coordinate.name)), drift);
-        dependent.coordinate.acceleration += dependent.drift;
-        self.dependents[n] = Some(dependent);
-    }
-
-    /// Says what a declared coordinate is, now that the unknowns are known.
-    fn set_declared(&mut self, n: usize) {
-        let Declared { coordinate, near } = self.declared[n].clone();
-        let Some(sum) = self.combinations[n].clone() else {
-            return;
-        };
-        let list = |part: fn(&Coordinate<'g>) -> Expr<'g>| -> Vec<(Expr<'g>, i64)> {
-            sum.terms()
-                .map(|(k, factor)| (part(self.coordinate(k)), factor))
-                .collect()
-        };
-        let (positions, rates) = (list(|c| c.position), list(|c| c.rate));
-        if positions.iter().any(|(position, _)| *position == coordinate.position) {
-            return;
-        }
-        let factors = |list: &[(Expr<'g>, i64)]| -> Vec<(Expr<'g>, Expr<'g>)> {
-            list.iter().map(|&(x, n)| (x, self.graph.integer(n))).collect()
-        };
-        self.graph.set_changes(coordinate.position, &factors(&positions), true);
-        self.graph.set_changes(coordinate.rate, &factors(&rates), true);
-        let rate = self.graph.sum(rates.iter().map(|&(x, n)| n * x).collect::<Vec<_>>());
-        let in_time = |&(x, n): &(Expr<'g>, i64)| (self.model.with_drives(&[x])[0], n);
-        self.following
-            .set_sum(coordinate.position, positions.iter().map(in_time).collect());
-        self.following.set(coordinate.rate, self.model.with_drives(&[rate])[0]);
-        let beside = coordinate.position - near;
-        let beside = beside.sin().combine(Binary::Atan2, beside.cos());
-        self.following
-            .set(coordinate.position, self.model.with_drives(&[near + beside])[0]);
-    }
-
-    /// A coordinate of the state, of a drive, or an unknown that was found.
-    fn coordinate(&self, k: CoordinateId) -> &Coordinate<'g> {
-        let own = self.declared_as(k);
-        let found = own.and_then(|n| self.dependents[n].as_ref().map(|dependent| &dependent.coordinate));
-        match (own, found) {
-            (_, Some(found)) => found,
-            (Some(n), None) => &self.declared[n].coordinate,
-            (None, None) => self.model.coordinate(k),
-        }
-    }
-
-    /// The derivative of a coordinate by that of number `j`; zero for what is just being solved.
-    fn slope(&self, k: CoordinateId, j: usize) -> Expr<'g> {
-        match self.declared_as(k).and_then(|n| self.dependents[n].as_ref()) {
-            Some(dependent) => dependent.slopes[j],
-            None => self.graph.integer(i64::from(usize::from(k) == j)),
-        }
-    }
-
-    /// The second rate of a coordinate where nothing accelerates by itself.
-    fn drift(&self, k: CoordinateId) -> Expr<'g> {
-        let dependent = self.declared_as(k).and_then(|n| self.dependents[n].as_ref());
-        dependent.map_or(self.graph.zero(), |dependent| dependent.drift)
-    }
-
     /// The vector of a piece, without the length by which it slides.
     fn direction(&self, piece: &Piece<'g>) -> Vec2<'g> {
         let turn = self.rebased(&piece.turn);
@@ -442,7 +221,7 @@ impl<'g, 'm> Solver<'g, 'm> {
     }
 
     /// The vector of a piece.
-    fn vector(&self, piece: &Piece<'g>) -> Vec2<'g> {
+    pub(super) fn vector(&self, piece: &Piece<'g>) -> Vec2<'g> {
         let direction = self.direction(piece);
         piece
             .slide
@@ -536,7 +315,7 @@ impl<'g, 'm> Solver<'g, 'm> {
 
     /// Two sides that turn: where two circles meet.
     fn circles(&self, m: Vec2<'g>, [a, b]: [Vec2<'g>; 2], guesses: [f64; 2]) -> Result<Solution<'g>, Miss> {
-        let [to, first, second] = [m, a, b].map(|v| self.numbers(v));
+        let [to, first, second] = [m, a, b].map(|v| self.numbers(v.0));
         let (length, radii) = (norm(to), [norm(first), norm(second)]);
         let miss = (length - radii[0] - radii[1]).max((radii[0] - radii[1]).abs() - length);
         let share = 0.5 + (radii[0].powi(2) - radii[1].powi(2)) / (2.0 * length.powi(2));
@@ -575,7 +354,7 @@ impl<'g, 'm> Solver<'g, 'm> {
 
     /// A side `a` that turns, and a known direction to slide along: where a line meets a circle.
     fn slide_beside(&self, m: Vec2<'g>, e: Vec2<'g>, a: Vec2<'g>, guesses: [f64; 2]) -> Result<Solution<'g>, Miss> {
-        let [to, along, side] = [m, e, a].map(|v| self.numbers(v));
+        let [to, along, side] = [m, e, a].map(|v| self.numbers(v.0));
         let (off, radius) = (cross(to, along), norm(side));
         let height = (radius.powi(2) - off.powi(2)).max(0.0).sqrt();
         let assembled = |sign: f64| {
@@ -606,7 +385,7 @@ impl<'g, 'm> Solver<'g, 'm> {
 
     /// A side `a + s e` that turns, and whose length changes with `s`.
     fn slide_on_side(&self, m: Vec2<'g>, e: Vec2<'g>, a: Vec2<'g>, guesses: [f64; 2]) -> Result<Solution<'g>, Miss> {
-        let [to, along, base] = [m, e, a].map(|v| self.numbers(v));
+        let [to, along, base] = [m, e, a].map(|v| self.numbers(v.0));
         let (off, radius) = (cross(base, along), norm(to));
         let height = (radius.powi(2) - off.powi(2)).max(0.0).sqrt();
         let assembled = |sign: f64| {
@@ -645,12 +424,7 @@ impl<'g, 'm> Solver<'g, 'm> {
     ) -> Result<(f64, [f64; 2]), Miss> {
         /// The least difference that says anything.
         const LEAST: f64 = 1e-6;
-        let is_known = self
-            .model
-            .parameters
-            .iter()
-            .all(|parameter| parameter.default.is_some());
-        if is_known && miss > 0.0 {
+        if self.is_known() && miss > 0.0 {
             return Err(Miss::Short(miss));
         }
         let both = [1.0, -1.0].map(|sign| (sign, assembled(sign)));
@@ -661,41 +435,12 @@ impl<'g, 'm> Solver<'g, 'm> {
             Err(Miss::Undecided)
         }
     }
-
-    /// The expression, or its normal form where that is shorter.
-    fn shorter(&self, x: Expr<'g>) -> Expr<'g> {
-        /// How far the normal form may grow.
-        const BUDGET: usize = 10_000;
-        let mut normalizer = Normalizer::with_angles(self.graph, BUDGET, self.model.base_angles());
-        let normal = normalizer.normal(x).map(|normal| normalizer.to_expr(&normal));
-        normal.ok().filter(|normal| normal.length() < x.length()).unwrap_or(x)
-    }
-
-    /// The value of an expression where the loops are assembled: parameters without a default count as 1.
-    fn number(&self, x: Expr<'g>) -> f64 {
-        let x = self.following.written_out(self.graph, &self.model.with_drives(&[x]));
-        let value = |symbol: &Symbol| match symbol.kind {
-            SymbolKind::Parameter(n) => self.model.parameters[n].default.unwrap_or(1.0),
-            SymbolKind::Coordinate(k) => self.assembled[k],
-            _ => 0.0,
-        };
-        self.graph.evaluate(&x, value)[0]
-    }
-
-    fn numbers(&self, v: Vec2<'g>) -> [f64; 2] {
-        v.0.map(|x| self.number(x))
-    }
 }
 
 /// Why a triangle has no assembly that a guess tells.
 enum Miss {
     Short(f64),
     Undecided,
-}
-
-/// The name of a body or coordinate, without the word before it and the mark of a raw identifier.
-fn bare(name: &str) -> &str {
-    name.trim_start_matches("angle_").trim_start_matches("r#")
 }
 
 fn norm([x, y]: [f64; 2]) -> f64 {

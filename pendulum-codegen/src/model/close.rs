@@ -1,0 +1,328 @@
+//! What closed loops make of the coordinates that are declared to depend on others.
+//!
+//! Loops are solved one after the other as long as one is a [triangle]; what is left is solved together, [by linear equations].
+//!
+//! [triangle]: triangle
+//! [by linear equations]: equations
+
+mod equations;
+mod triangle;
+
+use super::closure::Loop;
+use super::{Combination, Coordinate, CoordinateId, Dependent, Following, Model};
+use crate::expr::{Binary, Expr, Graph, Level, Normalizer, Symbol, SymbolKind};
+
+/// A coordinate that shall follow, as it is declared.
+#[derive(Clone, Debug)]
+pub(crate) struct Declared<'g> {
+    /// Its name and symbols.
+    pub coordinate: Coordinate<'g>,
+    /// Its value where the loops are assembled.
+    pub near: Expr<'g>,
+}
+
+/// Why loops cannot be closed.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Open {
+    /// Where the loop is assembled, it misses closing by this length, or angle.
+    TooShort(usize, f64, &'static str),
+    /// The guess is as near to one assembly of the loop as to the other.
+    Undecided(usize),
+    /// Loops, this one among them, determine so many coordinates where they are assembled.
+    Determine(usize, usize),
+    /// Loops, this one among them, do not determine the coordinates that depend, but others.
+    Others(usize),
+}
+
+/// What closed loops make of the coordinates that are declared to follow.
+#[derive(Clone, Debug)]
+pub(crate) struct Closed<'g> {
+    /// The coordinates that follow: absolute angles of sides, and lengths.
+    pub dependents: Vec<Dependent<'g>>,
+    /// Each declared coordinate in those of the state, of the drives, and those.
+    pub combinations: Vec<Combination>,
+    /// The values of all symbols.
+    pub following: Following<'g>,
+    /// For each loop how far it is from its toggle: see [`Model::margins`].
+    pub margins: Vec<Expr<'g>>,
+    /// What vanishes where those loops are closed that are solved together.
+    pub closings: Vec<Expr<'g>>,
+    /// What Newton's method adds to the coordinates whose positions are in the state.
+    pub corrections: Vec<Expr<'g>>,
+}
+
+/// Loops while they are solved.
+struct Solver<'g, 'm> {
+    graph: &'g Graph,
+    model: &'m Model<'g>,
+    declared: &'m [Declared<'g>],
+    dependents: Vec<Option<Dependent<'g>>>,
+    combinations: Vec<Option<Combination>>,
+    following: Following<'g>,
+    margins: Vec<Expr<'g>>,
+    closings: Vec<Expr<'g>>,
+    corrections: Vec<Expr<'g>>,
+    /// All coordinates where the loops are assembled.
+    assembled: Vec<f64>,
+}
+
+/// Closes the loops, each with its vectors if it lies in a plane. Near `near` the coordinates of the state assemble them.
+pub(crate) fn close<'g>(
+    model: &Model<'g>,
+    loops: &[Option<Loop<'g>>],
+    declared: &[Declared<'g>],
+    near: &[Expr<'g>],
+) -> Result<Closed<'g>, Open> {
+    let mut solver = Solver::new(model, loops.len(), declared, near);
+    let mut left: Vec<usize> = (0..loops.len()).collect();
+    while let Some((at, triangle)) = solver.next(loops, &left) {
+        solver.solve(left[at], &triangle)?;
+        left.remove(at);
+    }
+    if !left.is_empty() {
+        solver.solve_together(loops, &left)?;
+    }
+    Ok(Closed {
+        dependents: solver.dependents.into_iter().flatten().collect(),
+        combinations: solver.combinations.into_iter().flatten().collect(),
+        following: solver.following,
+        margins: solver.margins,
+        closings: solver.closings,
+        corrections: solver.corrections,
+    })
+}
+
+impl<'g, 'm> Solver<'g, 'm> {
+    fn new(model: &'m Model<'g>, loops: usize, declared: &'m [Declared<'g>], near: &[Expr<'g>]) -> Self {
+        let mut solver = Self {
+            graph: model.graph,
+            model,
+            declared,
+            dependents: vec![None; declared.len()],
+            combinations: vec![None; declared.len()],
+            following: Following::default(),
+            margins: vec![model.graph.one(); loops],
+            closings: Vec::new(),
+            corrections: Vec::new(),
+            assembled: Vec::new(),
+        };
+        for drive in &model.drives {
+            let change = (model.time, drive.law[1]);
+            model.graph.set_changes(drive.coordinate.position, &[change], false);
+        }
+        let laws = model.drives.iter().map(|drive| drive.law[0]);
+        let guesses = declared.iter().map(|declared| declared.near);
+        for value in near.iter().copied().chain(laws).chain(guesses) {
+            let value = solver.number(value);
+            solver.assembled.push(value);
+        }
+        solver
+    }
+
+    /// The place among the declared coordinates, of one of them.
+    fn declared_as(&self, k: CoordinateId) -> Option<usize> {
+        usize::from(k).checked_sub(self.model.independent())
+    }
+
+    fn is_unknown(&self, k: CoordinateId) -> bool {
+        self.declared_as(k).is_some_and(|n| self.dependents[n].is_none())
+    }
+
+    /// A sum of declared coordinates, with what is solved in the place of them.
+    fn rebased(&self, sum: &Combination) -> Combination {
+        sum.terms().fold(Combination::default(), |sum, (k, factor)| {
+            let own = self.declared_as(k).and_then(|n| self.combinations[n].clone());
+            sum.plus_scaled(factor, &own.unwrap_or(Combination::one(k)))
+        })
+    }
+
+    fn unknown_part(&self, sum: &Combination) -> Combination {
+        sum.filtered(|k| self.is_unknown(k))
+    }
+
+    /// A symbol for a value that follows from the state.
+    fn follow(&mut self, symbol: Expr<'g>, value: Expr<'g>) {
+        let value = self.model.with_drives(&[value])[0];
+        self.graph.set_changes(symbol, &[(value, self.graph.one())], false);
+        self.following.set(symbol, value);
+    }
+
+    /// A symbol for a value, unless that is a constant, or a symbol already.
+    fn named(&mut self, name: &str, value: Expr<'g>) -> Expr<'g> {
+        if value.level() < Level::State || value.as_symbol().is_some() {
+            return value;
+        }
+        let symbol = self.graph.symbol(name, SymbolKind::Following(0));
+        self.follow(symbol, value);
+        symbol
+    }
+
+    /// What the derivative of an unknown by the coordinate of number `j` is called.
+    fn slope_name(&self, n: usize, j: usize) -> String {
+        let own = self.dependents[n].as_ref().map_or("", |d| &d.coordinate.name);
+        let by = &self.model.coordinate(CoordinateId::new(j)).name;
+        format!("slope_{}_{}", bare(own), bare(by))
+    }
+
+    /// The slopes of an unknown, which are symbols or constants, give it its rate.
+    fn set_slopes(&mut self, n: usize, named: Vec<Expr<'g>>) {
+        let Some(Dependent {
+            coordinate, in_state, ..
+        }) = self.dependents[n].clone()
+        else {
+            return;
+        };
+        let (dof, drives) = (self.model.dof(), &self.model.drives);
+        let of_state = self.model.coordinates.iter().zip(&named);
+        let of_drives = named[dof..]
+            .iter()
+            .zip(drives)
+            .map(|(&slope, drive)| slope * drive.law[1]);
+        let of_time = self.graph.sum(of_drives.collect::<Vec<_>>());
+        let rate = of_state.clone().fold(of_time, |sum, (c, &slope)| sum + slope * c.rate);
+        let acceleration = of_state.clone().map(|(c, &slope)| slope * c.acceleration);
+        let driven = named[dof..]
+            .iter()
+            .zip(drives)
+            .map(|(&slope, drive)| slope * drive.coordinate.acceleration);
+        let acceleration = self.graph.sum(acceleration.chain(driven).collect::<Vec<_>>());
+        if !in_state {
+            let changes = of_state
+                .map(|(c, &slope)| (c.position, slope))
+                .chain([(self.model.time, of_time)]);
+            self.graph
+                .set_changes(coordinate.position, &changes.collect::<Vec<_>>(), false);
+        }
+        self.follow(coordinate.rate, rate);
+        let coordinate = Coordinate {
+            acceleration,
+            ..coordinate
+        };
+        self.dependents[n] = Some(Dependent {
+            coordinate,
+            slopes: named,
+            drift: self.graph.zero(),
+            in_state,
+        });
+    }
+
+    /// What the second rate of an unknown is called where no coordinate accelerates.
+    fn drift_name(&self, n: usize) -> String {
+        let own = self.dependents[n].as_ref().map_or("", |d| &d.coordinate.name);
+        format!("drift_{}", bare(own))
+    }
+
+    /// Sets that second rate, which is a symbol or a constant.
+    fn set_drift(&mut self, n: usize, named: Expr<'g>) {
+        if let Some(dependent) = &mut self.dependents[n] {
+            dependent.drift = named;
+            dependent.coordinate.acceleration += named;
+        }
+    }
+
+    /// Says what a declared coordinate is, now that the unknowns are known.
+    fn set_declared(&mut self, n: usize) {
+        let Declared { coordinate, near } = self.declared[n].clone();
+        let Some(sum) = self.combinations[n].clone() else {
+            return;
+        };
+        let list = |part: fn(&Coordinate<'g>) -> Expr<'g>| -> Vec<(Expr<'g>, i64)> {
+            sum.terms()
+                .map(|(k, factor)| (part(self.coordinate(k)), factor))
+                .collect()
+        };
+        let (positions, rates) = (list(|c| c.position), list(|c| c.rate));
+        if positions.iter().any(|(position, _)| *position == coordinate.position) {
+            return;
+        }
+        let factors = |list: &[(Expr<'g>, i64)]| -> Vec<(Expr<'g>, Expr<'g>)> {
+            list.iter().map(|&(x, n)| (x, self.graph.integer(n))).collect()
+        };
+        self.graph.set_changes(coordinate.position, &factors(&positions), true);
+        self.graph.set_changes(coordinate.rate, &factors(&rates), true);
+        let rate = self.graph.sum(rates.iter().map(|&(x, n)| n * x).collect::<Vec<_>>());
+        let in_time = |&(x, n): &(Expr<'g>, i64)| (self.model.with_drives(&[x])[0], n);
+        self.following
+            .set_sum(coordinate.position, positions.iter().map(in_time).collect());
+        self.following.set(coordinate.rate, self.model.with_drives(&[rate])[0]);
+        let beside = coordinate.position - near;
+        let beside = beside.sin().combine(Binary::Atan2, beside.cos());
+        self.following
+            .set(coordinate.position, self.model.with_drives(&[near + beside])[0]);
+    }
+
+    /// A coordinate of the state, of a drive, or an unknown that was found.
+    fn coordinate(&self, k: CoordinateId) -> &Coordinate<'g> {
+        let own = self.declared_as(k);
+        let found = own.and_then(|n| self.dependents[n].as_ref().map(|dependent| &dependent.coordinate));
+        match (own, found) {
+            (_, Some(found)) => found,
+            (Some(n), None) => &self.declared[n].coordinate,
+            (None, None) => self.model.coordinate(k),
+        }
+    }
+
+    /// The derivative of a coordinate by that of number `j`; zero for what is just being solved.
+    fn slope(&self, k: CoordinateId, j: usize) -> Expr<'g> {
+        match self.declared_as(k).and_then(|n| self.dependents[n].as_ref()) {
+            Some(dependent) => dependent.slopes[j],
+            None => self.graph.integer(i64::from(usize::from(k) == j)),
+        }
+    }
+
+    /// The second rate of a coordinate where nothing accelerates by itself.
+    fn drift(&self, k: CoordinateId) -> Expr<'g> {
+        let dependent = self.declared_as(k).and_then(|n| self.dependents[n].as_ref());
+        dependent.map_or(self.graph.zero(), |dependent| dependent.drift)
+    }
+
+    /// The expression, or its normal form where that is shorter.
+    fn shorter(&self, x: Expr<'g>) -> Expr<'g> {
+        /// How far the normal form may grow.
+        const BUDGET: usize = 10_000;
+        let mut normalizer = Normalizer::with_angles(self.graph, BUDGET, self.model.base_angles());
+        let normal = normalizer.normal(x).map(|normal| normalizer.to_expr(&normal));
+        normal.ok().filter(|normal| normal.length() < x.length()).unwrap_or(x)
+    }
+
+    /// The value of an expression where the loops are assembled.
+    fn number(&self, x: Expr<'g>) -> f64 {
+        self.numbers([x])[0]
+    }
+
+    /// The values of expressions where the loops are assembled: parameters without a default count as 1.
+    fn numbers<const N: usize>(&self, values: [Expr<'g>; N]) -> [f64; N] {
+        let all = self.numbers_of(&values);
+        std::array::from_fn(|n| all[n])
+    }
+
+    fn numbers_of(&self, values: &[Expr<'g>]) -> Vec<f64> {
+        let values = self.following.written_out(self.graph, &self.model.with_drives(values));
+        // declared symbols are numbered before it is known how many drives there are
+        let number = |symbol: &Symbol| {
+            let mut names = self.model.all_coordinates().map(|c| c.name.trim_start_matches("r#"));
+            names.position(|name| name == symbol.name)
+        };
+        let value = |symbol: &Symbol| match symbol.kind {
+            SymbolKind::Parameter(n) => self.model.parameters[n].default.unwrap_or(1.0),
+            // orientations are those of the frames that they are relative to
+            SymbolKind::Coordinate(_) if symbol.name.ends_with(".w") => 1.0,
+            SymbolKind::Coordinate(_) => number(symbol).map_or(0.0, |k| self.assembled[k]),
+            _ => 0.0,
+        };
+        self.graph.evaluate(&values, value)
+    }
+
+    /// Whether all parameters have values, so that the loops can be assembled.
+    fn is_known(&self) -> bool {
+        self.model
+            .parameters
+            .iter()
+            .all(|parameter| parameter.default.is_some())
+    }
+}
+
+/// The name of a body or coordinate, without the word before it and the mark of a raw identifier.
+fn bare(name: &str) -> &str {
+    name.trim_start_matches("angle_").trim_start_matches("r#")
+}

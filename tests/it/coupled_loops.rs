@@ -1,0 +1,223 @@
+//! Closed loops that are no triangles: positions in the state that follow by their rates.
+
+use nalgebra::SVector;
+use pendulum_core::prelude::*;
+use pendulum_core::{Reason, SlotKind};
+
+mechanism! {
+    /// Three rods hold a plate, one of them on a crank.
+    pub Plate {
+        gravity: [0, -9.81, 0],
+        body crank on ground { solids: [rod(0.5, [0, 0, 0], [0.15, 0, 0])], joint: revolute(z), coordinate: theta near 0.8 }
+        body rod on crank {
+            solids: [rod(0.3, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.15, 0, 0], coordinate: alpha depends near 0.2,
+        }
+        body left on ground {
+            solids: [rod(0.4, [0, 0, 0], [0.5, 0, 0])], joint: revolute(z) at [-0.45, 0, 0], coordinate: beta depends near 1.8,
+        }
+        body plate on left {
+            solids: [rod(1, [0, 0, 0], [1.45, -0.04, 0])], joint: revolute(z) at [0.5, 0, 0], coordinate: gamma depends near -1.7,
+        }
+        body right on ground {
+            solids: [rod(0.9, [0, 0, 0], [0.5, 0, 0])], joint: revolute(z) at [0.7, 0.1, 0], coordinate: delta depends near 1.4,
+        }
+        close plate at [0.95, -0.15, 0] to rod at [0.4, 0, 0]: revolute(z),
+        close plate at [1.45, -0.04, 0] to right at [0.5, 0, 0]: revolute(z),
+        point p on plate at [0.95, -0.15, 0], point o on rod at [0.4, 0, 0],
+        point r on plate at [1.45, -0.04, 0], point s on right at [0.5, 0, 0],
+        output gaps: [p.x - o.x, p.y - o.y, r.x - s.x, r.y - s.y],
+        output margin: margin(plate, rod),
+        output rates: [dot(alpha), dot(delta)],
+        generate: [rhs, jacobian, energy, taylor],
+    }
+}
+
+mechanism! {
+    /// Two cranks about axes at an angle, and a rod between ball joints, one of which is a yoke.
+    pub Spatial {
+        params { length: m = 0.815 }
+        gravity: [0, 1, -9.81],
+        body crank on ground { solids: [disk(40, 0.15, [0, 0, 0]), rod(0.5, [0, 0, 0], [0.06, 0, 0.02])], joint: revolute(z), coordinate: theta near 0.8 }
+        body yoke on crank { mass: 0.1, inertia: [0.001, 0.002, 0.002], joint: revolute(z) at [0.06, 0, 0.02], coordinate: alpha depends near -0.5 }
+        body rod on yoke { mass: 0.4, com: [0.4, 0, 0], inertia: [0.001, 0.01, 0.01], joint: revolute(y), coordinate: beta depends near -0.6 }
+        body rocker on ground {
+            mass: 0.9, com: [0, 0.3, 0.1], inertia: [0.02, 0.01, 0.01],
+            joint: revolute([1, 0, 0.02]) at [0.4, 0, 0.1], coordinate: gamma depends near 0.7, spring: (2, 0.4),
+        }
+        close rod at [length, 0, 0] to rocker at [0, 0.7, 0.1]: ball,
+        point p on rod at [length, 0, 0], point r on rocker at [0, 0.7, 0.1],
+        output gaps: [p.x - r.x, p.y - r.y, p.z - r.z],
+        output margin: margin(rod, rocker),
+        event flat: margin(rod, rocker) - 0.01,
+        generate: [rhs, jacobian, energy, taylor],
+    }
+}
+
+mechanism! {
+    /// Bennett's linkage: four hinges in space that move, though three equations would do for what five say.
+    pub Bennett {
+        params { l: m = 1, skew: rad = 0.4, other: rad = 0.8928089789005025 }
+        gravity: [0, 1, -9.81],
+        body first on ground {
+            solids: [rod(0.5, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.8, 0, 0] rpy [other, 0, 0], coordinate: theta near 2,
+        }
+        body second on first {
+            solids: [rod(0.7, [0, 0, 0], [0.8, 0, 0])], joint: revolute(z) at [0.4, 0, 0] rpy [skew, 0, 0], coordinate: phi depends near 2,
+        }
+        body third on second {
+            solids: [rod(0.5, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.8, 0, 0] rpy [other, 0, 0], coordinate: psi depends near -2,
+        }
+        close third at [0.4, 0, 0] rpy [skew, 0, 0] to ground: revolute(z),
+        point p on third at [0.4, 0, 0], point r on third at [0.4, -l*sin(skew), l*cos(skew)],
+        output gaps: [p.x, p.y, p.z, r.x, r.y],
+        output margin: margin(third, ground),
+        generate: [rhs, jacobian, energy, taylor],
+    }
+}
+
+fn plate() -> Plate {
+    Plate::new(PlateParams {}).expect("the parameters are physical")
+}
+
+/// Energy and closure along runs by methods of every kind.
+macro_rules! moves {
+    ($($test:ident: $model:ident of $n:literal, from $start:expr, for $time:expr, within $margin:expr;)*) => {$(
+        #[test]
+        fn $test() {
+            let model = $model::new(Default::default()).expect("the parameters are physical");
+            let start = model.assemble(0.0, $start).expect("it closes");
+            assert!(model.gaps(0.0, &start).amax() < 4e-16, "{}", model.gaps(0.0, &start));
+            let energy = model.energy(0.0, &start);
+            let end = Vern9::new().rtol(1e-13).atol(1e-13).solve(&model, 0.0, $time, start).expect("it moves").end();
+            let mut least: f64 = 1.0;
+            let mut check = |solution: &pendulum_core::Solution<f64, $n>, tolerance: f64| {
+                for (t, x) in solution.points() {
+                    assert!(model.gaps(t, x).amax() < 5e-15, "{t}: {}", model.gaps(t, x));
+                    let drift = (model.energy(t, x) - energy).abs();
+                    assert!(drift < tolerance * energy.abs().max(1.0), "{t}: {drift:e}");
+                    least = least.min(model.margin(t, x));
+                }
+                assert!((solution.end() - end).amax() < 1e3 * tolerance, "{}", solution.end() - end);
+            };
+            check(&Vern9::new().rtol(1e-11).atol(1e-11).solve(&model, 0.0, $time, start).expect("it moves"), 1e-10);
+            check(&Tsit5::new().rtol(1e-10).atol(1e-10).solve(&model, 0.0, $time, start).expect("it moves"), 1e-8);
+            check(&Rodas5P::new().rtol(1e-9).atol(1e-9).solve(&model, 0.0, $time, start).expect("it moves"), 1e-6);
+            check(&Radau5::new().rtol(1e-9).atol(1e-9).solve(&model, 0.0, $time, start).expect("it moves"), 1e-6);
+            check(&Taylor::new().rtol(1e-13).atol(1e-13).solve(&model, 0.0, $time, start).expect("it moves"), 1e-11);
+            check(&Rk4::new(5e-4).solve(&model, 0.0, $time, start).expect("it moves"), 1e-6);
+            assert!($margin.contains(&least), "{least}");
+        }
+    )*};
+}
+
+moves! {
+    the_plate_moves: Plate of 6, from [0.8, 0.2, 1.8, -1.7, 1.4, 0.5], for 1.0, within 0.05..0.15;
+    the_rod_in_space_moves: Spatial of 5, from [0.8, 0.1, -0.7, 0.6, 6.0], for 2.0, within 0.05..0.12;
+    bennett_moves: Bennett of 4, from [2.0, 2.0, -2.0, 1.0], for 2.0, within 0.01..0.99;
+}
+
+/// The Jacobian of the equations against differences: off the constraint as well, where no equation is redundant.
+#[test]
+fn jacobians() {
+    fn check<M: Jacobian<f64, N> + System<f64, N>, const N: usize>(model: &M, x: SVector<f64, N>) {
+        let ours = model.jacobian(0.0, &x);
+        let differences = pendulum_core::system::Differences(model).jacobian(0.0, &x);
+        let size = ours.amax();
+        assert!((ours - differences).amax() < 1e-7 * size, "{ours}{differences}");
+    }
+    check(&plate(), SVector::from([0.8, 0.2, 1.8, -1.7, 1.4, 0.5]));
+    let spatial = Spatial::new(SpatialParams::default()).expect("the parameters are physical");
+    check(&spatial, SVector::from([0.8, 0.1, -0.7, 0.6, 3.0]));
+    let bennett = Bennett::new(BennettParams::default()).expect("the parameters are physical");
+    check(
+        &bennett,
+        bennett.assemble(0.0, [2.0, 2.0, -2.0, 1.0]).expect("it closes"),
+    );
+}
+
+#[test]
+fn the_state_holds_what_follows_behind() {
+    let names = "theta alpha beta gamma delta dot(theta)";
+    assert_eq!(Plate::LAYOUT.components().join(" "), names);
+    assert_eq!((Plate::DOF, Plate::DELTA, Plate::DOT_THETA), (1, 4, 5));
+    assert!(
+        Plate::LAYOUT
+            .slots
+            .iter()
+            .all(|slot| slot.kind == SlotKind::Angle && slot.periodic)
+    );
+    let model = plate();
+    let x = model.assemble(0.0, [0.8, 0.2, 1.8, -1.7, 1.4, 0.5]).expect("it closes");
+    let rates = model.rhs(0.0, &x);
+    assert_eq!(model.rates(0.0, &x).as_slice(), [rates[1], rates[4]]);
+}
+
+/// A guess that closes nothing, lengths that do not reach, and a state that is open.
+#[test]
+fn what_does_not_close_is_refused() {
+    let short = Spatial::new(SpatialParams { length: 0.1 }).expect("the parameters are physical");
+    let error = short
+        .assemble(0.0, [0.8, 0.1, -0.7, 0.6, 3.0])
+        .expect_err("it is too short");
+    assert!(
+        error.to_string().starts_with("the loops do not close near this state"),
+        "{error}"
+    );
+    let open = Vern9::new()
+        .solve(&plate(), 0.0, 1.0, [0.8, 0.2, 1.8, -1.7, 1.4, 0.5])
+        .expect_err("it is open");
+    let Reason::InvalidInput { what: "x0", .. } = open.reason else {
+        panic!("{open}")
+    };
+    assert!(open.to_string().contains("as `assemble` makes them"), "{open}");
+}
+
+/// The motion ends at a toggle, and jumps to no other assembly.
+#[test]
+fn a_motion_ends_at_a_toggle() {
+    let model = Spatial::new(SpatialParams { length: 0.88 }).expect("the parameters are physical");
+    let start = model.assemble(0.0, [3.0, -2.07, 0.29, -0.6, 6.0]).expect("it closes");
+    let flat = model.flat_event().terminal();
+    let ended = Vern9::new()
+        .solve_with(&model, 0.0, 5.0, start, &[flat])
+        .expect("the event ends it");
+    let (t, x) = ended.last();
+    assert!(
+        (model.margin(t, &x) - 0.01).abs() < 1e-12,
+        "{t} {}",
+        model.margin(t, &x)
+    );
+    for method in [Vern9::new().rtol(1e-6).atol(1e-6), Vern9::new().rtol(1e-10).atol(1e-10)] {
+        let error = method
+            .max_steps(10_000)
+            .solve(&model, 0.0, 5.0, start)
+            .expect_err("it comes to its toggle");
+        let (t, x) = error.solution.last();
+        let left = model.margin(t, &x);
+        assert!(
+            (1e-3..0.01).contains(&left) && model.gaps(t, &x).amax() < 1e-14,
+            "stopped {left:e} before the toggle: {error}"
+        );
+    }
+}
+
+/// Lanes take the steps of single ones, bit for bit.
+#[test]
+fn lanes_close_the_same_loops() {
+    let model = plate();
+    let starts: Vec<SVector<f64, 6>> = (0..5)
+        .map(|n| {
+            let rate = 0.3 * f64::from(n);
+            model
+                .assemble(0.0, [0.8, 0.2, 1.8, -1.7, 1.4, rate])
+                .expect("it closes")
+        })
+        .collect();
+    let method = Tsit5::new().rtol(1e-8).atol(1e-8);
+    let ends = method.ensemble(&[model], 0.0, 1.0, &starts).expect("they move");
+    for (start, end) in starts.iter().zip(ends) {
+        let alone = method.solve(&model, 0.0, 1.0, *start).expect("it moves").end();
+        assert_eq!(alone, end);
+        assert!(model.gaps(1.0, &end).amax() < 5e-15);
+    }
+}
