@@ -5,7 +5,7 @@ use pendulum_core::method::{Fixed, Rosenbrock};
 use pendulum_core::prelude::*;
 use pendulum_core::real::Real;
 use pendulum_core::real::lanes::Isa;
-use pendulum_core::stability::{Lyapunov, Shooting, StabilityError, equilibria, equilibrium};
+use pendulum_core::stability::{Complex, Lyapunov, Shooting, Stability, StabilityError, equilibria, equilibrium};
 use pendulum_core::tableau::Steinebach5;
 use pendulum_core::{Cast, Reason, SlotKind};
 use testbed::dual::Dual;
@@ -555,13 +555,64 @@ fn exponents_leave_out_the_length_of_a_quaternion() {
     assert!(matches!(all, Err(StabilityError::Integration(_))), "{all:?}");
 }
 
+/// A ball pendulum hangs, turned about the vertical by any angle, or stands: its modes are those of two swings and of a spin.
 #[test]
-fn what_needs_a_rest_in_all_directions_is_refused() {
+fn a_ball_hangs_and_stands() {
     let spherical = Spherical::new(SphericalParams::default()).expect("physical");
     let x0 = motion("spherical_pendulum_with_friction").x0;
-    let refused = |result: Option<StabilityError>| assert_eq!(result, Some(StabilityError::Orientations));
-    refused(equilibrium(&spherical, x0).err());
-    refused(equilibria(&spherical, [x0]).err());
+    let (friction, weight) = (0.02, 1.3 * 9.81 * 0.6);
+    let about = [0.04 + 1.3 * 0.36, 0.07 + 1.3 * 0.36];
+    let turned = |sine: f64, rates: [f64; 3]| {
+        let [a, b, c] = rates;
+        SVector::from([(1.0 - sine * sine).sqrt(), sine, 0.0, 0.0, a, b, c])
+    };
+    for (seed, sign) in [(SVector::from(x0), 1.0), (turned(0.98, [0.0; 3]), -1.0)] {
+        let found = equilibrium(&spherical, seed).expect("it is near");
+        assert!(spherical.rhs(0.0, &found.x).amax() < 1e-13 && (found.x.fixed_rows::<4>(0).norm() - 1.0).abs() < 1e-15);
+        // roots of I s^2 + c s +- m g l, and those of the spin
+        let mut expected: Vec<Complex<f64>> = about
+            .iter()
+            .flat_map(|inertia| {
+                let half = friction / (2.0 * inertia);
+                let root = Complex::from(half * half - sign * weight / inertia).sqrt();
+                [-half + root, -half - root]
+            })
+            .chain([Complex::from(0.0), Complex::from(-friction / 0.05)])
+            .collect();
+        let modes = found.spectrum.modes();
+        assert_eq!(modes.len(), 6);
+        for mode in modes {
+            let near = |a: &Complex<f64>| (a - mode.eigenvalue).norm();
+            let nearest = (0..expected.len()).min_by(|&a, &b| near(&expected[a]).total_cmp(&near(&expected[b])));
+            let nearest = expected.swap_remove(nearest.expect("as many"));
+            assert!(
+                (nearest - mode.eigenvalue).norm() < 1e-9,
+                "{nearest} {}",
+                mode.eigenvalue
+            );
+            let image = found.jacobian.map(Complex::from) * mode.shape - mode.shape * mode.eigenvalue;
+            assert!(image.norm() < 1e-9 * found.jacobian.norm(), "{image}");
+        }
+        let stability = if sign > 0.0 {
+            Stability::Undecided
+        } else {
+            Stability::Unstable
+        };
+        assert_eq!(found.stability(), stability);
+    }
+    // the same orientation by the opposite quaternion is no other state of rest
+    let hanging = equilibrium(&spherical, x0).expect("it is near").x;
+    let mut opposite = hanging;
+    opposite.fixed_rows_mut::<4>(0).neg_mut();
+    let both = equilibria(&spherical, [hanging, opposite]).expect("it does not depend on time");
+    assert_eq!(both.len(), 1);
+}
+
+#[test]
+fn periodic_orbits_of_balls_are_refused() {
+    let spherical = Spherical::new(SphericalParams::default()).expect("physical");
+    let x0 = motion("spherical_pendulum_with_friction").x0;
+    let refused = |result: Option<StabilityError>| assert_eq!(result, Some(StabilityError::MorePositions));
     refused(Shooting::new().autonomous(&spherical, x0, 1.0).err());
     refused(Shooting::new().forced(&spherical, x0, 1.0).err());
 }

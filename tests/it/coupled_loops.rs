@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 use pendulum_core::prelude::*;
+use pendulum_core::stability::{Lyapunov, equilibrium};
 use pendulum_core::{Reason, SlotKind};
 
 mechanism! {
@@ -199,6 +200,58 @@ fn a_motion_ends_at_a_toggle() {
             "stopped {left:e} before the toggle: {error}"
         );
     }
+}
+
+/// States of rest and their modes, against the energies along the coordinate that is free.
+#[test]
+fn coupled_loops_come_to_rest() {
+    const STEP: f64 = 1e-3;
+    let model = plate();
+    let start = model.assemble(0.0, [0.8, 0.2, 1.8, -1.7, 1.4, 0.0]).expect("it closes");
+    let found = equilibrium(&model, start).expect("it hangs somewhere");
+    let at_rest = found.x;
+    assert!(model.rhs(0.0, &at_rest).amax() < 1e-12 && model.gaps(0.0, &at_rest).amax() < 1e-15);
+    let moved = |by: f64| {
+        let mut x = at_rest;
+        x[Plate::THETA] += by;
+        model.assemble(0.0, x).expect("it is near")
+    };
+    let potential = |by: f64| model.potential(0.0, &moved(by));
+    let [a, b, c, d, e] = [-2.0, -1.0, 0.0, 1.0, 2.0].map(|n| potential(n * STEP));
+    let stiffness = (16.0 * (b + d) - a - e - 30.0 * c) / (12.0 * STEP * STEP);
+    let mut unit = at_rest;
+    unit[Plate::DOT_THETA] = 1.0;
+    let inertia = 2.0 * model.kinetic(0.0, &unit);
+    let [first, second] = found.spectrum.modes() else {
+        panic!("two modes of one degree of freedom")
+    };
+    let squares = [first, second].map(|mode| mode.eigenvalue * mode.eigenvalue);
+    for square in squares {
+        assert!(
+            (square.re * inertia / -stiffness - 1.0).abs() < 1e-7,
+            "{square} {stiffness} {inertia}"
+        );
+    }
+    // what follows is part of the shape
+    let by = moved(STEP) - moved(-STEP);
+    let along = first.shape / first.shape[Plate::THETA];
+    for n in 1..5 {
+        let expected = by[n] / (2.0 * STEP);
+        assert!((along[n].re - expected).abs() < 1e-5, "{n}: {} {expected}", along[n]);
+    }
+}
+
+/// Exponents along the loop only: they add up to the loss of a friction that brakes the crank.
+#[test]
+fn exponents_keep_to_the_loop() {
+    let model = plate();
+    let start = model.assemble(0.0, [0.8, 0.2, 1.8, -1.7, 1.4, 3.0]).expect("it closes");
+    let lyapunov = Lyapunov::new().duration(20.0);
+    let exponents = lyapunov.exponents::<2, 6>(&model, start).expect("it moves");
+    let sum: f64 = exponents.values.iter().sum();
+    // the flow keeps volumes of coordinates and momenta, of which the rates are a bounded factor
+    assert!(sum.abs() < 0.2, "{:?}", exponents.values);
+    assert!(lyapunov.exponents::<3, 6>(&model, start).is_err());
 }
 
 /// Lanes take the steps of single ones, bit for bit.

@@ -4,6 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
+use super::directions::{dimension, directions};
 use super::frictionless::Frictionless;
 use super::least_squares::shortest_step;
 use super::{Spectrum, StabilityError};
@@ -52,7 +53,10 @@ impl<const N: usize> Equilibrium<N> {
         S: Jacobian<f64, N> + ?Sized,
     {
         let jacobian = system.jacobian(0.0, &x);
-        let spectrum = Spectrum::of(&jacobian)?;
+        let spectrum = match directions(system, &jacobian) {
+            Some(basis) => Spectrum::along(&jacobian, &basis)?,
+            None => Spectrum::of(&jacobian)?,
+        };
         Ok(Self { x, jacobian, spectrum })
     }
 
@@ -71,10 +75,12 @@ impl<const N: usize> Equilibrium<N> {
 /// Optimization", 2nd ed. (2006), 11.2). Where that leads into a valley without a zero, the motion itself is followed with implicit Euler steps,
 /// which brake it, until it hangs (C. T. Kelley, D. E. Keyes, SIAM J. Numer. Anal. 35 (1998) 508). Where equilibria are
 /// not isolated, as for a cart on a level track, it is one nearby. Of a [hybrid](crate::hybrid) system it is that without
-/// dry friction and contacts; [`resting`](super::resting) tells where these hold it.
+/// dry friction and contacts; [`resting`](super::resting) tells where these hold it. Where positions outnumber rates, as
+/// those of quaternions and of loops that are closed by [`System::project`] do, the search and the modes keep to the
+/// directions in which a state can move.
 ///
 /// # Errors
-/// [`StabilityError::TimeDependent`] and [`StabilityError::Orientations`] if the layout says that time may occur, or that there are quaternions, [`StabilityError::NotFinite`] where the right-hand side is not
+/// [`StabilityError::TimeDependent`] if the layout says that time may occur, [`StabilityError::NotFinite`] where the right-hand side is not
 /// finite, and [`StabilityError::NoConvergence`] if no zero of it is found.
 pub fn equilibrium<S, const N: usize>(
     system: &S,
@@ -84,7 +90,9 @@ where
     S: Jacobian<f64, N> + ?Sized,
 {
     require_autonomous(system)?;
-    Equilibrium::at(system, settle(system, seed.into_state())?)
+    let mut seed = seed.into_state();
+    system.project(0.0, &mut seed);
+    Equilibrium::at(system, settle(system, seed)?)
 }
 
 /// Where the search from `x` comes to rest.
@@ -127,7 +135,7 @@ where
 {
     let (mut rhs, mut jacobian) = evaluate(system, &x)?;
     for _ in 0..ITERATIONS {
-        let step = within_reach(newton_step(&jacobian, &rhs)?, &x);
+        let step = within_reach(newton_step(system, &jacobian, &jacobian, &rhs)?, &x);
         let settled = step.norm() <= SETTLED * (1.0 + x.norm());
         let Some(next) = descend(system, &x, &step, rhs.norm()) else {
             // Rounding errors are all that is left, or a valley.
@@ -157,7 +165,8 @@ where
     let mut h = 1.0 / (f64::MIN_POSITIVE + jacobian.norm());
     for _ in 0..ITERATIONS {
         let matrix = SMatrix::<f64, N, N>::identity() / h - jacobian;
-        x += within_reach(newton_step(&-matrix, &rhs)?, &x);
+        x += within_reach(newton_step(system, &-matrix, &jacobian, &rhs)?, &x);
+        system.project(0.0, &mut x);
         let before = rhs.norm();
         (rhs, jacobian) = evaluate(system, &x)?;
         h *= (before / rhs.norm()).clamp(0.5, 2.0);
@@ -180,7 +189,7 @@ fn within_reach<const N: usize>(step: SVector<f64, N>, x: &SVector<f64, N>) -> S
 /// Seeds that lead nowhere are passed over.
 ///
 /// # Errors
-/// [`StabilityError::TimeDependent`] and [`StabilityError::Orientations`] if the layout says that time may occur, or that there are quaternions.
+/// [`StabilityError::TimeDependent`] if the layout says that time may occur.
 pub fn equilibria<S, const N: usize>(
     system: &S,
     seeds: impl IntoIterator<Item = SVector<f64, N>>,
@@ -191,12 +200,16 @@ where
     require_autonomous(system)?;
     let angles = angles(system);
     let slots = system.layout().map_or(&[][..], |layout| layout.slots);
-    let turnable = slots.iter().filter(|slot| slot.periodic && !slot.cyclic);
+    // what follows from closed loops turns with the rest
+    let turnable = slots
+        .iter()
+        .filter(|slot| slot.periodic && !slot.cyclic && !slot.rates.is_empty());
     let turnable: Vec<usize> = turnable.flat_map(|slot| slot.positions.clone()).collect();
     let mut found: Vec<Equilibrium<N>> = Vec::new();
     let mut seeds: Vec<_> = seeds.into_iter().collect();
     seeds.reverse();
-    while let Some(seed) = seeds.pop() {
+    while let Some(mut seed) = seeds.pop() {
+        system.project(0.0, &mut seed);
         let Ok(mut x) = settle(system, seed) else {
             continue;
         };
@@ -207,6 +220,12 @@ where
             let mut apart = other.x - x;
             for &angle in &angles {
                 apart[angle] = within_a_turn(apart[angle]);
+            }
+            for places in system.layout().into_iter().flat_map(StateLayout::quaternions) {
+                // the opposite quaternion is the same orientation
+                if places.clone().map(|n| other.x[n] * x[n]).sum::<f64>() < 0.0 {
+                    places.for_each(|n| apart[n] = other.x[n] + x[n]);
+                }
             }
             apart.norm() <= SAME * (1.0 + x.norm())
         };
@@ -249,13 +268,22 @@ where
     }
 }
 
-/// The shortest `step` with the least `|rhs + jacobian step|`.
+/// The shortest `step` with the least `|rhs + matrix step|`, both as far as a state with this `jacobian` can move.
 fn newton_step<const N: usize>(
+    system: &(impl System<f64, N> + ?Sized),
+    matrix: &SMatrix<f64, N, N>,
     jacobian: &SMatrix<f64, N, N>,
     rhs: &SVector<f64, N>,
 ) -> Result<SVector<f64, N>, StabilityError> {
-    let matrix = DMatrix::from_column_slice(N, N, jacobian.as_slice());
-    let step = shortest_step(matrix, &DVector::from_column_slice(rhs.as_slice()), SINGULAR)?;
+    let rhs = DVector::from_column_slice(rhs.as_slice());
+    let matrix = DMatrix::from_column_slice(N, N, matrix.as_slice());
+    let step = match directions(system, jacobian) {
+        Some(basis) => {
+            let along = basis.transpose();
+            &basis * shortest_step(&along * matrix * &basis, &(along * rhs), SINGULAR)?
+        }
+        None => shortest_step(matrix, &rhs, SINGULAR)?,
+    };
     Ok(SVector::from_column_slice(step.as_slice()))
 }
 
@@ -271,7 +299,8 @@ where
 {
     let mut part = 1.0;
     while part > 1e-9 {
-        let next = x + step * part;
+        let mut next = x + step * part;
+        system.project(0.0, &mut next);
         if system.rhs(0.0, &next).norm() < (1.0 - 1e-4 * part) * size {
             return Some(next);
         }
@@ -285,25 +314,24 @@ pub(super) fn angles<const N: usize>(system: &(impl System<f64, N> + ?Sized)) ->
     system.layout().into_iter().flat_map(StateLayout::angles).collect()
 }
 
-/// Refuses a system with quaternions, and one in which time may occur, as far as its layout says.
+/// Refuses a system in which time may occur, as far as its layout says.
 pub(super) fn require_autonomous<const N: usize>(
     system: &(impl System<f64, N> + ?Sized),
 ) -> Result<(), StabilityError> {
-    require_no_orientations(system)?;
     match system.layout() {
         Some(layout) if !layout.autonomous => Err(StabilityError::TimeDependent),
         _ => Ok(()),
     }
 }
 
-/// Refuses a system with quaternions.
-pub(super) fn require_no_orientations<const N: usize>(
+/// Refuses a system whose positions outnumber its rates.
+pub(super) fn require_as_many_rates<const N: usize>(
     system: &(impl System<f64, N> + ?Sized),
 ) -> Result<(), StabilityError> {
-    match system.layout().and_then(|layout| layout.quaternions().next()) {
-        Some(_) => Err(StabilityError::Orientations),
-        None => Ok(()),
+    if dimension(system) < N {
+        return Err(StabilityError::MorePositions);
     }
+    Ok(())
 }
 
 /// The angle in (-pi, pi]; just above -pi counts as pi.

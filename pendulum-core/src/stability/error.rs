@@ -24,9 +24,9 @@ pub enum StabilityError {
     },
     /// An analysis of systems that do not depend on time was asked of one that does.
     TimeDependent,
-    /// Equilibria and periodic orbits were asked of a system with orientations, whose quaternions have a direction in which
-    /// nothing moves.
-    Orientations,
+    /// An analysis was asked of a system whose positions outnumber its rates, as those of quaternions and of some closed
+    /// loops do, that does not keep to the directions in which such a state can move.
+    MorePositions,
     /// What was to be a periodic orbit is, or shrank to, a state of rest, which is periodic with any period.
     AtRest,
     /// A family of systems has no member at the parameter asked for.
@@ -50,10 +50,10 @@ impl fmt::Display for StabilityError {
                 "the right-hand side depends on time, so the system has neither equilibria nor orbits of a period of their own; \
                  search for motions with the period of the drive by `Shooting::forced`"
             ),
-            Self::Orientations => write!(
+            Self::MorePositions => write!(
                 f,
-                "equilibria and periodic orbits of systems with quaternions are not supported: \
-                 write three turns in a row in place of a ball"
+                "periodic orbits and families of systems with quaternions, or with coordinates in the state that follow from closed loops, \
+                 are not supported: write three turns in a row in place of a ball, or let coordinates depend so that loops are triangles"
             ),
             Self::AtRest => write!(
                 f,
@@ -69,7 +69,7 @@ impl Error for StabilityError {
         match self {
             Self::Integration(reason) => Some(reason),
             Self::Build(error) => Some(error),
-            Self::NotFinite | Self::NoConvergence { .. } | Self::TimeDependent | Self::Orientations | Self::AtRest => {
+            Self::NotFinite | Self::NoConvergence { .. } | Self::TimeDependent | Self::MorePositions | Self::AtRest => {
                 None
             }
         }

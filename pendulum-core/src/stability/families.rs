@@ -3,7 +3,7 @@
 use nalgebra::{DMatrix, DVector, SVector};
 
 use super::curve::{Curve, Growth, Linear};
-use super::equilibrium::within_a_turn;
+use super::equilibrium::{require_as_many_rates, within_a_turn};
 use super::orbit::NOISE;
 use super::shooting::{Lap, after, check_period, direction};
 use super::{BifurcationKind, Equilibrium, Mode, Multiplier, PeriodicOrbit, StabilityError};
@@ -61,7 +61,9 @@ where
 
     fn linearize(&self, u: &DVector<f64>) -> Result<Linear, StabilityError> {
         let (x, parameter) = (state(u), self.family.parameter(u[N]));
-        let (rhs, jacobian) = (self.family.member)(parameter)?.rhs_and_jacobian(0.0, &x);
+        let system = (self.family.member)(parameter)?;
+        require_as_many_rates(&system)?;
+        let (rhs, jacobian) = system.rhs_and_jacobian(0.0, &x);
         let slope = self
             .family
             .slope(parameter, libm::cbrt(f64::EPSILON), |_, system| Ok(system.rhs(0.0, &x)))?;

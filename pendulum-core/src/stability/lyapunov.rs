@@ -1,13 +1,11 @@
 //! Lyapunov exponents: at what rate neighbouring trajectories part.
 
-use core::ops::Range;
-
 use nalgebra::SVector;
 
 use super::StabilityError;
+use super::directions::{dimension, directions};
 use super::transition::flow;
 use crate::error::Reason;
-use crate::layout::StateLayout;
 use crate::method::{Method, require};
 use crate::system::{IntoState, Jacobian};
 
@@ -125,8 +123,8 @@ impl Lyapunov {
         self.exponents(system, x0)
     }
 
-    /// The `K` largest exponents of the trajectory from `x0` at the time 0; all of them for `K = N`, less 1 for each
-    /// quaternion, whose length is kept.
+    /// The `K` largest exponents of the trajectory from `x0` at the time 0; all of them for `K = N`, or where
+    /// positions outnumber rates, as those of quaternions do, for twice the number of rates.
     ///
     /// # Errors
     /// [`StabilityError::Integration`] if a setting is out of its range, or if the trajectory comes to an end before its time.
@@ -139,20 +137,19 @@ impl Lyapunov {
         self.check()?;
         let end = self.transient + self.duration;
         // where all stands still a step might pass over the whole duration
-        let quaternions = || system.layout().into_iter().flat_map(StateLayout::quaternions);
-        let rule = "of the N exponents each quaternion has one less, for its length is kept";
-        require(K + quaternions().count() <= N, "K", K as f64, rule)?;
+        let rule = "there are no more exponents than directions: a quaternion keeps its length, and loops stay closed";
+        require(K <= dimension(system), "K", K as f64, rule)?;
         let flow = flow::<K>(self.tolerance).h_max(self.duration / PARTS as f64);
         let mut stepper = flow.stepper(system, 0.0, end, x0)?;
         stepper.scheme_mut().tangents = oblique();
         // what is held from the start holds these as well
         let (t, x) = (stepper.t(), stepper.x());
         stepper.restart(t, x)?;
-        keep_lengths(quaternions(), &x, &mut stepper.scheme_mut().tangents);
+        keep_to_directions(system, (t, &x), &mut stepper.scheme_mut().tangents);
         orthonormalize(&mut stepper.scheme_mut().tangents);
         let mut growth = Growth::new(self.transient, end);
         while let Some(step) = stepper.step()? {
-            keep_lengths(quaternions(), &step.x1, &mut stepper.scheme_mut().tangents);
+            keep_to_directions(system, (step.t1, &step.x1), &mut stepper.scheme_mut().tangents);
             let lengths = orthonormalize(&mut stepper.scheme_mut().tangents);
             growth.count((step.t0, step.h), lengths);
         }
@@ -255,17 +252,20 @@ fn oblique<const K: usize, const N: usize>() -> [SVector<f64, N>; K] {
     vectors
 }
 
-/// Takes off tangents what would change the length of a quaternion: no motion does, and rounding errors in it would stay
-/// where all else decays.
-fn keep_lengths<const K: usize, const N: usize>(
-    quaternions: impl Iterator<Item = Range<usize>>,
-    x: &SVector<f64, N>,
+/// Takes off tangents what no motion does, as a change of the length of a quaternion: rounding errors in it would stay where all
+/// else decays.
+fn keep_to_directions<const K: usize, const N: usize>(
+    system: &(impl Jacobian<f64, N> + ?Sized),
+    (t, x): (f64, &SVector<f64, N>),
     vectors: &mut [SVector<f64, N>; K],
 ) {
-    for places in quaternions {
-        for vector in vectors.iter_mut() {
-            let along: f64 = places.clone().map(|n| x[n] * vector[n]).sum();
-            places.clone().for_each(|n| vector[n] -= along * x[n]);
+    if dimension(system) == N {
+        return;
+    }
+    if let Some(basis) = directions(system, &system.jacobian(t, x)) {
+        for vector in vectors {
+            let within = &basis * (basis.transpose() * *vector);
+            *vector = SVector::from_column_slice(within.as_slice());
         }
     }
 }

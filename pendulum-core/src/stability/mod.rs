@@ -38,6 +38,7 @@
 mod branch;
 mod continuation;
 mod curve;
+mod directions;
 mod equilibrium;
 mod error;
 mod families;

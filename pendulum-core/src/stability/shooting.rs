@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
-use super::equilibrium::{angles, require_autonomous, require_no_orientations, within_a_turn};
+use super::equilibrium::{angles, require_as_many_rates, require_autonomous, within_a_turn};
 use super::least_squares::shortest_step;
 use super::orbit::{NOISE, PeriodicOrbit};
 use super::transition::flow;
@@ -85,7 +85,8 @@ impl Shooting {
     ///
     /// # Errors
     /// [`StabilityError::Integration`] if a setting or the guess of the period makes no sense, or if a trajectory comes to an end;
-    /// [`StabilityError::TimeDependent`] if the layout says that time may occur, [`StabilityError::AtRest`] if the search ends at an equilibrium,
+    /// [`StabilityError::TimeDependent`] if the layout says that time may occur, [`StabilityError::MorePositions`] if positions outnumber rates,
+    /// [`StabilityError::AtRest`] if the search ends at an equilibrium,
     /// and [`StabilityError::NoConvergence`] if it finds no orbit.
     pub fn autonomous<const N: usize>(
         &self,
@@ -101,8 +102,8 @@ impl Shooting {
     /// multiple of it; of a conservative system, any that it has.
     ///
     /// # Errors
-    /// [`StabilityError::Integration`] if a setting or the period makes no sense, or if a trajectory comes to an end, and
-    /// [`StabilityError::NoConvergence`] if the search finds no orbit.
+    /// [`StabilityError::Integration`] if a setting or the period makes no sense, or if a trajectory comes to an end,
+    /// [`StabilityError::MorePositions`] if positions outnumber rates, and [`StabilityError::NoConvergence`] if the search finds no orbit.
     pub fn forced<const N: usize>(
         &self,
         system: &(impl Jacobian<f64, N> + ?Sized),
@@ -121,7 +122,6 @@ impl Shooting {
     where
         S: Jacobian<f64, N> + ?Sized,
     {
-        require_no_orientations(system)?;
         check_period(period)?;
         let angles = angles(system);
         let mut lap = Lap::run(system, (x, period), self.tolerance, &angles)?;
@@ -211,6 +211,7 @@ impl<const N: usize> Lap<N> {
     where
         S: Jacobian<f64, N> + ?Sized,
     {
+        require_as_many_rates(system)?;
         let (end, monodromy) = transition(system, 0.0, period, x, tolerance)?;
         let (gap, turns) = gap(&x, &end, angles);
         Ok(Self {

@@ -1,7 +1,7 @@
 //! Eigenvalues and modes of a real matrix.
 
 use nalgebra::linalg::balancing::balance_parlett_reinsch;
-use nalgebra::{Complex, DMatrix, SMatrix, SVector, Schur};
+use nalgebra::{Complex, DMatrix, DVector, SMatrix, SVector, Schur};
 
 use super::StabilityError;
 
@@ -35,20 +35,19 @@ impl<const N: usize> Spectrum<N> {
     /// [`StabilityError::NotFinite`] if an entry is not finite, and [`StabilityError::NoConvergence`] if the algorithm does not come to
     /// its end.
     pub fn of(matrix: &SMatrix<f64, N, N>) -> Result<Self, StabilityError> {
-        if matrix.iter().any(|entry| !entry.is_finite()) {
-            return Err(StabilityError::NotFinite);
-        }
-        let mut upper = eigenvalues(matrix)?;
-        upper.retain(|eigenvalue| eigenvalue.im >= 0.0);
-        upper.sort_by(|a, b| b.re.total_cmp(&a.re).then(b.im.total_cmp(&a.im)));
-        let mut modes: Vec<Mode<N>> = Vec::with_capacity(N);
-        for &eigenvalue in &upper {
-            let mode = mode(matrix, eigenvalue, &modes);
-            modes.push(mode);
-            if eigenvalue.im > 0.0 {
-                modes.push(mode.conjugate());
-            }
-        }
+        let modes = modes(&DMatrix::from_column_slice(N, N, matrix.as_slice()))?;
+        let modes = modes.into_iter().map(|mode| mode.placed(|shape| shape)).collect();
+        Ok(Self { modes })
+    }
+
+    /// The same of small motions along the columns of `basis`, which are orthonormal and which the matrix does not leave.
+    pub(super) fn along(matrix: &SMatrix<f64, N, N>, basis: &DMatrix<f64>) -> Result<Self, StabilityError> {
+        let lifted = basis.map(Complex::from);
+        let modes = modes(&(basis.transpose() * (matrix * basis)))?;
+        let modes = modes
+            .into_iter()
+            .map(|mode| mode.placed(|shape| &lifted * shape))
+            .collect();
         Ok(Self { modes })
     }
 
@@ -65,15 +64,6 @@ impl<const N: usize> Spectrum<N> {
 }
 
 impl<const N: usize> Mode<N> {
-    /// The other one of the pair.
-    fn conjugate(&self) -> Self {
-        Self {
-            eigenvalue: self.eigenvalue.conj(),
-            shape: self.shape.map(|component| component.conj()),
-            ..*self
-        }
-    }
-
     /// The real part of the eigenvalue, in 1/s for a Jacobian: the mode grows as `exp(growth_rate t)`, or decays where that is negative.
     #[must_use]
     pub fn growth_rate(&self) -> f64 {
@@ -94,10 +84,55 @@ impl<const N: usize> Mode<N> {
     }
 }
 
-fn eigenvalues<const N: usize>(matrix: &SMatrix<f64, N, N>) -> Result<Vec<Complex<f64>>, StabilityError> {
-    let mut balanced = DMatrix::from_column_slice(N, N, matrix.as_slice());
+/// An eigenvalue with its eigenvector, whose length is any.
+#[derive(Clone, Debug)]
+struct Pair {
+    eigenvalue: Complex<f64>,
+    shape: DVector<Complex<f64>>,
+    condition: f64,
+    uncertainty: f64,
+}
+
+impl Pair {
+    /// The mode whose shape is that of the pair at another place.
+    fn placed<const N: usize>(self, place: impl FnOnce(DVector<Complex<f64>>) -> DVector<Complex<f64>>) -> Mode<N> {
+        let shape: SVector<Complex<f64>, N> = SVector::from_column_slice(place(self.shape).as_slice());
+        let largest = shape[shape.map(Complex::norm).imax()];
+        Mode {
+            eigenvalue: self.eigenvalue,
+            shape: shape.map(|component| component / largest),
+            condition: self.condition,
+            uncertainty: self.uncertainty,
+        }
+    }
+}
+
+/// The modes in their order.
+fn modes(matrix: &DMatrix<f64>) -> Result<Vec<Pair>, StabilityError> {
+    if matrix.iter().any(|entry| !entry.is_finite()) {
+        return Err(StabilityError::NotFinite);
+    }
+    let mut upper = eigenvalues(matrix)?;
+    upper.retain(|eigenvalue| eigenvalue.im >= 0.0);
+    upper.sort_by(|a, b| b.re.total_cmp(&a.re).then(b.im.total_cmp(&a.im)));
+    let mut modes: Vec<Pair> = Vec::new();
+    for &eigenvalue in &upper {
+        let pair = pair(matrix, eigenvalue, &modes);
+        let conjugate = (eigenvalue.im > 0.0).then(|| Pair {
+            eigenvalue: eigenvalue.conj(),
+            shape: pair.shape.map(|component| component.conj()),
+            ..pair
+        });
+        modes.push(pair);
+        modes.extend(conjugate);
+    }
+    Ok(modes)
+}
+
+fn eigenvalues(matrix: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, StabilityError> {
+    let mut balanced = matrix.clone();
     balance_parlett_reinsch(&mut balanced);
-    let iterations = 100 * N;
+    let iterations = 100 * matrix.nrows();
     // An entry below the diagonal is zero beside its neighbours when it is an ulp of them. Rounding may hold it at some
     // more, for ever.
     let within = |ulps: f64| Schur::try_new(balanced.clone(), ulps * f64::EPSILON, iterations);
@@ -111,7 +146,7 @@ fn eigenvalues<const N: usize>(matrix: &SMatrix<f64, N, N>) -> Result<Vec<Comple
 }
 
 /// The mode of an eigenvalue, beside those that are known.
-fn mode<const N: usize>(matrix: &SMatrix<f64, N, N>, eigenvalue: Complex<f64>, known: &[Mode<N>]) -> Mode<N> {
+fn pair(matrix: &DMatrix<f64>, eigenvalue: Complex<f64>, known: &[Pair]) -> Pair {
     // More than the rounding errors of all steps of the algorithm.
     let noise = 8.0 * f64::EPSILON * matrix.norm();
     // Eigenvalues no further apart are equal.
@@ -120,38 +155,38 @@ fn mode<const N: usize>(matrix: &SMatrix<f64, N, N>, eigenvalue: Complex<f64>, k
         let shift = if i == j { eigenvalue } else { Complex::ZERO };
         Complex::from(matrix[(i, j)]) - shift
     };
-    let shifted = DMatrix::from_fn(N, N, entry);
-    let left: Vec<SVector<_, N>> = kernel(shifted.clone(), same);
+    let shifted = DMatrix::from_fn(matrix.nrows(), matrix.nrows(), entry);
+    let left = kernel(shifted.clone(), same);
     let right = kernel(shifted.adjoint(), same);
     // Any vector of the null space is an eigenvector.
-    let met: Vec<SVector<Complex<f64>, N>> = known
+    let met: Vec<DVector<Complex<f64>>> = known
         .iter()
         .filter(|mode| (mode.eigenvalue - eigenvalue).norm() <= same)
         .map(|mode| mode.shape.normalize())
         .collect();
-    let vector = beside(&met, &right).unwrap_or(right[0]);
+    let vector = beside(&met, &right).unwrap_or_else(|| right[0].clone());
     // Rounding makes pairs of equal real eigenvalues, too: of their vectors each pair of orthogonal real ones gives a
     // vector and its conjugate that are independent. Those of a slow oscillation are such a pair.
     let first = real(&vector);
-    let second = beside(&[&met[..], &[first]].concat(), &right).filter(|_| (1e-300..=same).contains(&eigenvalue.im));
+    let second = beside(&[&met[..], std::slice::from_ref(&first)].concat(), &right)
+        .filter(|_| (1e-300..=same).contains(&eigenvalue.im));
     let vector = match second.map(|second| real(&second) * Complex::I) {
-        Some(second) => [first + second, first - second]
+        Some(second) => [&first + &second, &first - &second]
             .map(|vector| vector.normalize())
             .into_iter()
             .max_by(|a, b| a.dotc(&vector).norm().total_cmp(&b.dotc(&vector).norm()))
             .unwrap_or(vector),
         None => vector,
     };
-    let largest = vector[vector.map(Complex::norm).imax()];
     // One over the part of the vector that lies in the left null space is the condition number of the eigenvalue.
     let product = left
         .iter()
         .map(|left| left.dotc(&vector).norm_sqr())
         .sum::<f64>()
         .sqrt();
-    Mode {
+    Pair {
         eigenvalue,
-        shape: vector.map(|component| component / largest),
+        shape: vector,
         condition: 1.0 / product,
         // A double eigenvalue moves by the root of the errors.
         uncertainty: (noise / product).min((noise * matrix.norm()).sqrt()),
@@ -159,31 +194,26 @@ fn mode<const N: usize>(matrix: &SMatrix<f64, N, N>, eigenvalue: Complex<f64>, k
 }
 
 /// The first direction in the null space of which the vectors that are known leave something, orthogonal to them.
-fn beside<const N: usize>(
-    known: &[SVector<Complex<f64>, N>],
-    null: &[SVector<Complex<f64>, N>],
-) -> Option<SVector<Complex<f64>, N>> {
-    let remainder = |vector| {
-        known
-            .iter()
-            .fold(vector, |rest, known| rest - known * known.dotc(&rest))
+fn beside(known: &[DVector<Complex<f64>>], null: &[DVector<Complex<f64>>]) -> Option<DVector<Complex<f64>>> {
+    let remainder = |vector: DVector<Complex<f64>>| {
+        known.iter().fold(vector, |rest, known| {
+            let share = known.dotc(&rest);
+            rest - known * share
+        })
     };
-    let mut remainders = null.iter().copied().map(remainder);
+    let mut remainders = null.iter().cloned().map(remainder);
     let remainder = remainders.find(|remainder| remainder.norm() > 0.1)?;
     Some(remainder.normalize())
 }
 
 /// The real part of a vector or its imaginary part, whichever is longer, at length 1.
-fn real<const N: usize>(vector: &SVector<Complex<f64>, N>) -> SVector<Complex<f64>, N> {
+fn real(vector: &DVector<Complex<f64>>) -> DVector<Complex<f64>> {
     let parts = [
         vector.map(|component| component.re),
         vector.map(|component| component.im),
     ];
-    let longer = if parts[0].norm() < parts[1].norm() {
-        parts[1]
-    } else {
-        parts[0]
-    };
+    let [re, im] = parts;
+    let longer = if re.norm() < im.norm() { im } else { re };
     longer.normalize().map(Complex::from)
 }
 
@@ -192,10 +222,11 @@ fn real<const N: usize>(vector: &SVector<Complex<f64>, N>) -> SVector<Complex<f6
 ///
 /// By a factorisation `Q R` with pivots (Golub and Van Loan, 5.4.2): the rows of `R` that are zero leave these columns
 /// of `Q`. The left singular vectors of nalgebra are good to some per cent only where singular values are equal.
-fn kernel<const N: usize>(matrix: DMatrix<Complex<f64>>, least: f64) -> Vec<SVector<Complex<f64>, N>> {
+fn kernel(matrix: DMatrix<Complex<f64>>, least: f64) -> Vec<DVector<Complex<f64>>> {
+    let n = matrix.nrows();
     let factors = matrix.col_piv_qr();
     let (q, r) = (factors.q(), factors.r());
-    let least = least.max(r[(N - 1, N - 1)].norm());
-    let null = (0..N).rev().take_while(|&k| r[(k, k)].norm() <= least);
-    null.map(|k| SVector::from_fn(|i, _| q[(i, k)])).collect()
+    let least = least.max(r[(n - 1, n - 1)].norm());
+    let null = (0..n).rev().take_while(|&k| r[(k, k)].norm() <= least);
+    null.map(|k| q.column(k).into_owned()).collect()
 }
