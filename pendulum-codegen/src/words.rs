@@ -418,4 +418,16 @@ pub(crate) const ROUTINES: &Synonyms = &[
         "write `event name: e,`: what is declared is generated",
     ),
     (&["motor", "drive", "drives", "driveforce"], "drive_forces"),
+    (
+        &[
+            "loopforces",
+            "loopforce",
+            "reaction",
+            "reactions",
+            "constraintforces",
+            "multipliers",
+            "wrenches",
+        ],
+        "loop_wrenches",
+    ),
 ];

@@ -72,7 +72,34 @@ mechanism! {
         point p on third at [0.4, 0, 0], point r on third at [0.4, -l*sin(skew), l*cos(skew)],
         output gaps: [p.x, p.y, p.z, r.x, r.y],
         output margin: margin(third, ground),
-        generate: [rhs, jacobian, energy, taylor],
+        generate: [rhs, jacobian, energy, loop_wrenches, taylor],
+    }
+}
+
+mechanism! {
+    /// The same bodies without the last hinge: a force on its place, and a moment as couples in the frame of the body.
+    pub Cut {
+        params { skew: rad = 0.4, other: rad = 0.8928089789005025 }
+        input fx: N, input fy: N, input fz: N, input mx: N m, input my: N m, input mz: N m,
+        gravity: [0, 1, -9.81],
+        body first on ground {
+            solids: [rod(0.5, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.8, 0, 0] rpy [other, 0, 0], coordinate: theta,
+        }
+        body second on first {
+            solids: [rod(0.7, [0, 0, 0], [0.8, 0, 0])], joint: revolute(z) at [0.4, 0, 0] rpy [skew, 0, 0], coordinate: phi,
+        }
+        body third on second {
+            solids: [rod(0.5, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.8, 0, 0] rpy [other, 0, 0], coordinate: psi,
+        }
+        point p on third at [0.4, 0, 0],
+        point xp on third at [0.9, 0, 0], point xm on third at [-0.1, 0, 0],
+        point yp on third at [0.4, 0.5, 0], point ym on third at [0.4, -0.5, 0],
+        point zp on third at [0.4, 0, 0.5], point zm on third at [0.4, 0, -0.5],
+        force on p: [fx, fy, fz],
+        force on xp: [0, mz/1 m, 0] in third, force on xm: [0, -mz/1 m, 0] in third,
+        force on yp: [0, 0, mx/1 m] in third, force on ym: [0, 0, -mx/1 m] in third,
+        force on zp: [my/1 m, 0, 0] in third, force on zm: [-my/1 m, 0, 0] in third,
+        output turned: rotation(third),
     }
 }
 
@@ -272,5 +299,35 @@ fn lanes_close_the_same_loops() {
         let alone = method.solve(&model, 0.0, 1.0, *start).expect("it moves").end();
         assert_eq!(alone, end);
         assert!(model.gaps(1.0, &end).amax() < 5e-15);
+    }
+}
+
+/// In the place of the last hinge its wrench makes the open chain move as the closed one.
+#[test]
+fn wrenches_hold_the_loop() {
+    let closed = Bennett::new(BennettParams::default()).expect("the parameters are physical");
+    let cut = Cut::new(CutParams::default()).expect("the parameters are physical");
+    let x = closed.assemble(0.3, [2.0, 2.0, -2.0, 1.5]).expect("it closes");
+    let (rates, jacobian) = closed.rhs_and_jacobian(0.3, &x);
+    let seconds = jacobian * rates;
+    let wrench = -closed.loop_wrenches(0.3, &x).column(0);
+    let state = SVector::from([x[0], x[1], x[2], rates[0], rates[1], rates[2]]);
+    let force = wrench.fixed_rows::<3>(3);
+    assert!(force.norm() > 1.0 && wrench.fixed_rows::<3>(0).norm() > 0.1, "{wrench}");
+    let moment = cut.turned(0.3, &state).transpose() * wrench.fixed_rows::<3>(0);
+    let inputs = CutInputs {
+        fx: force[0],
+        fy: force[1],
+        fz: force[2],
+        mx: moment[0],
+        my: moment[1],
+        mz: moment[2],
+    };
+    let moved = cut.rhs_with(0.3, &state, &inputs);
+    for (k, expected) in [rates[3], seconds[1], seconds[2]].into_iter().enumerate() {
+        assert!(
+            (moved[3 + k] - expected).abs() < 1e-12 * seconds.amax(),
+            "{moved} beside {seconds}"
+        );
     }
 }

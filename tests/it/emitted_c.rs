@@ -252,7 +252,7 @@ mechanism! {
     /// A crank that turns all the way, in a closed loop.
     pub Looped {
         gravity: [0, -9.81, 0],
-        generate: [rhs, jacobian, energy, mass_matrix, taylor],
+        generate: [rhs, jacobian, energy, mass_matrix, loop_wrenches, taylor],
         body crank on ground { mass: 0.5, com: [0.1, 0, 0], inertia: 0.002, joint: revolute(z), coordinate: theta near 0.8 }
         body coupler on crank {
             mass: 1.1, com: [0.25, 0, 0], inertia: 0.02,
@@ -274,6 +274,7 @@ fn closed_loops_are_the_same() {
         all.extend(&model.loop_margins(t, &x));
         all.extend(motion(&model, t, &x).into_iter().skip(2));
         all.extend(&model.mass_matrix(t, &x));
+        all.extend(&model.loop_wrenches(t, &x));
         all.extend(series(&model, t, &x));
         all
     });

@@ -49,6 +49,12 @@ impl<'g> AlongJoints<'g> {
             self.mass_matrix.iter().copied().flat_map(mirrored),
         );
         let [apart, force] = forces(model);
+        let held = match &self.pushed {
+            _ if !model.generate.contains("loop_wrenches") => Vec::new(),
+            Some([_, pushed]) => self.held(model, pushed, &apart),
+            None => self.held(model, &self.inertial_forces(model), &force),
+        };
+        let [apart, force] = [apart, force].map(|along| free(model, along));
         let bias = self.pulled(model, &self.bias);
         let (residual, mut balance) = match (&self.pushed, &self.inertial) {
             (Some(pushed), _) => pushed
@@ -78,12 +84,31 @@ impl<'g> AlongJoints<'g> {
             residual: residual[..n].to_vec(),
             balance,
             drive,
+            held,
             tangent,
             momentum,
             kinetic,
             potential,
         };
         dynamics.with_drives(model)
+    }
+
+    /// What `along` the joints, less forces along all coordinates, leaves to be supplied along those that follow.
+    fn held(&self, model: &Model<'g>, along: &[Expr<'g>], force: &[Expr<'g>]) -> Vec<Expr<'g>> {
+        let all = pull_back(model, self.motions.iter().zip(along.iter().copied()));
+        less(&all, force).split_off(model.independent())
+    }
+
+    /// `A qdd + bias`
+    fn inertial_forces(&self, model: &Model<'g>) -> Vec<Expr<'g>> {
+        if let Some(inertial) = &self.inertial {
+            return inertial.forces.clone();
+        }
+        let mut forces = self.bias.clone();
+        for (i, j, entry) in self.mass_matrix.iter().copied().flat_map(mirrored) {
+            forces[i] += entry * model.own_acceleration_of(&self.motions[j]);
+        }
+        forces
     }
 
     fn pulled(&self, model: &Model<'g>, along: &[Expr<'g>]) -> Vec<Expr<'g>> {
@@ -116,7 +141,7 @@ fn forces<'g>(model: &Model<'g>) -> [Vec<Expr<'g>>; 2] {
     let sum = |a: &[Expr<'g>], b: &[Expr<'g>]| -> Vec<Expr<'g>> { a.iter().zip(b).map(|(&a, &b)| a + b).collect() };
     let apart = sum(&of_joints, &along_coordinates(model, &others));
     let all = sum(&apart, &along_coordinates(model, &as_wrenches));
-    [free(model, apart), free(model, all)]
+    [apart, all]
 }
 
 fn less<'g>(a: &[Expr<'g>], b: &[Expr<'g>]) -> Vec<Expr<'g>> {

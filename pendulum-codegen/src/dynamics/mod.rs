@@ -11,6 +11,7 @@ mod jacobian;
 mod joints;
 mod kinematics;
 mod links;
+mod loops;
 mod motion;
 mod recursive;
 mod solve;
@@ -22,6 +23,7 @@ pub(crate) use canonical::{momentum_partials, momentum_rates};
 pub(crate) use coefficients::Coefficients;
 pub(crate) use jacobian::{derived, partials, partials_by_recursion};
 pub(crate) use kinematics::Kinematics;
+pub(crate) use loops::loop_wrenches;
 pub(crate) use solve::{Factored, Solver};
 
 use crate::expr::Expr;
@@ -43,6 +45,8 @@ pub(crate) struct Dynamics<'g> {
     pub balance: Vec<Expr<'g>>,
     /// The forces that the drives supply along their joints, for these accelerations.
     pub drive: Vec<Expr<'g>>,
+    /// The forces that closed loops supply along the coordinates that follow, for these accelerations, where they are asked for.
+    pub held: Vec<Expr<'g>>,
     /// Derivatives of `A qdd + bias`, where they are known in a form of their own.
     pub tangent: Option<Tangent<'g>>,
     /// Momenta of the coordinates: `A qd`, the derivatives of the kinetic energy by the rates.
@@ -180,6 +184,7 @@ impl<'g> Dynamics<'g> {
             &mut self.residual,
             &mut self.balance,
             &mut self.drive,
+            &mut self.held,
             &mut self.momentum,
         ];
         let tangent = self

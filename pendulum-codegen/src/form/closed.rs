@@ -79,6 +79,7 @@ impl<'g> Closed<'g> {
             residual,
             balance,
             drive: Vec::new(),
+            held: Vec::new(),
             tangent: None,
             momentum,
             kinetic,

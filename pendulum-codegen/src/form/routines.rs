@@ -3,7 +3,7 @@
 use rustc_hash::FxHashMap;
 
 use super::{Chosen, Forms};
-use crate::dynamics::derived;
+use crate::dynamics::{self, Dynamics, derived};
 use crate::expr::Expr;
 use crate::model::Model;
 
@@ -123,12 +123,28 @@ pub(crate) fn inverse_dynamics<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> 
     forms.part(|dynamics| model.graph.substitute(&dynamics.balance, without.clone()))
 }
 
-/// The forces that the drives supply: with the forces along constraints that the right-hand side has by itself.
+/// The forces that the drives supply.
 pub(crate) fn drive_forces<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
+    along_motion(forms, model, |dynamics| dynamics.drive.clone())
+}
+
+/// The wrenches of the joints that close loops.
+pub(crate) fn loop_wrenches<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
+    along_motion(forms, model, |dynamics| {
+        dynamics::loop_wrenches(model, dynamics.held.clone())
+    })
+}
+
+/// Forces for the accelerations of the right-hand side: with the forces along constraints that it has by itself.
+fn along_motion<'g>(
+    forms: &mut Forms<'g>,
+    model: &Model<'g>,
+    forces: impl Fn(&Dynamics<'g>) -> Vec<Expr<'g>>,
+) -> Chosen<'g> {
     let symbols = model.coordinates.iter().map(|c| c.acceleration);
     let solved: FxHashMap<_, _> = symbols.zip(forms.accelerations().roots).collect();
     forms.part_of_graphs(|dynamics| {
-        let forces = model.graph.substitute(&dynamics.drive, solved.clone());
+        let forces = model.graph.substitute(&forces(dynamics), solved.clone());
         model.with_friction(&forces)
     })
 }

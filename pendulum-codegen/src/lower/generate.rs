@@ -14,6 +14,7 @@ pub(super) struct Has {
     pub(super) parameters: bool,
     pub(super) inputs: bool,
     pub(super) drives: bool,
+    pub(super) loops: bool,
     pub(super) orientations: bool,
 }
 
@@ -49,6 +50,12 @@ impl Lower<'_> {
                     ident.span(),
                     "no joint is driven by the time",
                     "write a motion with `t`, such as `motion: a*sin(w*t)`, or leave it out",
+                );
+            } else if word == "loop_wrenches" && !has.loops {
+                self.errors.at(
+                    ident.span(),
+                    "no loop is closed",
+                    "tie two bodies by `close a at [..] to b at [..]: revolute(z)`, or leave it out",
                 );
             } else if word == "canonical" && has.orientations {
                 self.errors.at(

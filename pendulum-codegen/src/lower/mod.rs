@@ -165,6 +165,7 @@ impl<'g> Lower<'g> {
             parameters: !parameters.is_empty(),
             inputs: !inputs.is_empty(),
             drives: has_drives,
+            loops: !items.closures.is_empty(),
             orientations: has_orientations,
         };
         let generate = self.generate(generate, has);

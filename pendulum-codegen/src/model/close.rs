@@ -6,7 +6,10 @@
 //! [by linear equations]: equations
 
 mod equations;
+mod orthogonal;
 mod triangle;
+
+pub(crate) use orthogonal::Orthogonal;
 
 use super::closure::Loop;
 use super::{Combination, Coordinate, CoordinateId, Dependent, Following, Model};

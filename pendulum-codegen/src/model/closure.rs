@@ -1,9 +1,9 @@
 //! Joints that close loops: as vectors of a plane that add up to zero, and as equations in space.
 
-use super::pose::between;
+use super::pose::{between, carrier};
 use super::{BodyId, Combination, CoordinateId, Heading, Model, Place};
 use crate::expr::{Expr, Normalizer};
-use crate::screw::{Mat3, Vec2, Vec3};
+use crate::screw::{Mat3, Vec2, Vec3, Wrench};
 
 /// A joint that closes a loop.
 #[derive(Clone, Copy, Debug)]
@@ -27,6 +27,16 @@ pub(crate) enum Tie<'g> {
     Ball,
     /// They coincide.
     Fixed,
+}
+
+/// What vanishes where a loop is closed.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Row<'g> {
+    pub value: Expr<'g>,
+    pub unit: &'static str,
+    /// What acts on the first end about the origin of the second one, and on the second in return, where a unit of force along `value`
+    /// keeps it at zero: in the frame of the [carrier](Closure::carrier).
+    pub wrench: Wrench<'g>,
 }
 
 /// Why a joint cannot close its loop in a plane.
@@ -69,32 +79,47 @@ struct Step<'g> {
 const BUDGET: usize = 100_000;
 
 impl<'g> Closure<'g> {
-    /// What vanishes where the loop is closed, with its unit: where places coincide, and the cosines of angles that are right ones. The
-    /// loop moves as one with the bodies that carry it, so they do not occur.
-    pub(super) fn equations(&self, model: &Model<'g>) -> Vec<(Expr<'g>, &'static str)> {
+    /// The last body that carries both ends; the loop moves as one with it.
+    pub(crate) fn carrier(&self, model: &Model<'g>) -> Option<BodyId> {
+        carrier(model, self.ends.map(|end| end.body))
+    }
+
+    /// What vanishes where the loop is closed: where places coincide, and the cosines of angles that are right ones. The bodies that carry
+    /// the loop do not occur.
+    pub(crate) fn equations(&self, model: &Model<'g>) -> Vec<Row<'g>> {
         let frames = between(model, self.ends.map(|end| end.body));
         let [(a, p), (b, r)] = [0, 1].map(|n| {
             let frame = frames[n];
             (frame.rotation * self.axes[n], frame.point(self.ends[n].at))
         });
         let apart = p - r;
-        let aligned = |[i, j]: [Vec3<'g>; 2]| (a * i).dot(b * j);
-        let of_frames = || {
-            let [x, y, z] = [0, 1, 2].map(|n| Vec3::unit(model.graph, n));
-            [[x, y], [y, z], [z, x]].map(aligned)
+        let zero = Vec3::zero(model.graph);
+        let [x, y, z] = [0, 1, 2].map(|n| Vec3::unit(model.graph, n));
+        let along = |force: Vec3<'g>| Row {
+            value: force.dot(apart),
+            unit: "m",
+            wrench: Wrench { moment: zero, force },
+        };
+        let aligned = |[i, j]: [Vec3<'g>; 2]| Row {
+            value: (a * i).dot(b * j),
+            unit: "rad",
+            wrench: Wrench {
+                moment: (a * i).cross(b * j),
+                force: zero,
+            },
         };
         let across = |axis: Vec3<'g>| {
             let Mat3([u, v, _]) = Mat3::with_third_column(axis).transpose();
             [u, v]
         };
-        let (lengths, angles) = match self.tie {
-            Tie::Ball => (apart.0.to_vec(), Vec::new()),
-            Tie::Revolute(axis) => (apart.0.to_vec(), across(axis).map(|u| aligned([u, axis])).to_vec()),
-            Tie::Prismatic(axis) => (across(axis).map(|u| (a * u).dot(apart)).to_vec(), of_frames().to_vec()),
-            Tie::Fixed => (apart.0.to_vec(), of_frames().to_vec()),
+        let (forces, moments) = match self.tie {
+            Tie::Ball => (vec![x, y, z], Vec::new()),
+            Tie::Revolute(axis) => (vec![x, y, z], across(axis).map(|u| [u, axis]).to_vec()),
+            Tie::Prismatic(axis) => (across(axis).map(|u| a * u).to_vec(), vec![[x, y], [y, z], [z, x]]),
+            Tie::Fixed => (vec![x, y, z], vec![[x, y], [y, z], [z, x]]),
         };
-        let lengths = lengths.into_iter().map(|row| (row, "m"));
-        lengths.chain(angles.into_iter().map(|row| (row, "rad"))).collect()
+        let forces = forces.into_iter().map(along);
+        forces.chain(moments.into_iter().map(aligned)).collect()
     }
 }
 

@@ -68,6 +68,19 @@ impl<'g> Model<'g> {
         })
     }
 
+    /// The second rate of a combination of coordinates where only those of the state accelerate.
+    pub(crate) fn own_acceleration_of(&self, combination: &Combination) -> Expr<'g> {
+        combination.of(self.graph, |k| match self.slopes(k) {
+            Some(slopes) => {
+                let terms = slopes.iter().zip(&self.coordinates);
+                self.graph
+                    .sum(terms.map(|(&slope, c)| slope * c.acceleration).collect::<Vec<_>>())
+            }
+            None if self.is_free(k) => self.coordinate(k).acceleration,
+            None => self.graph.zero(),
+        })
+    }
+
     /// Expressions in which the laws of the drives stand in the place of their symbols.
     pub(crate) fn with_drives(&self, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
         if self.drives.is_empty() {

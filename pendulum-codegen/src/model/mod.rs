@@ -18,8 +18,8 @@ use std::collections::BTreeSet;
 use rustc_hash::FxHashMap;
 
 pub(crate) use action::{Action, Place, Push};
-pub(crate) use close::{Closed, Declared, Open, close};
-pub(crate) use closure::{Closure, Loop, NoPlane, Tie, parallel};
+pub(crate) use close::{Closed, Declared, Open, Orthogonal, close};
+pub(crate) use closure::{Closure, Loop, NoPlane, Row, Tie, parallel};
 pub(crate) use combination::Combination;
 pub(crate) use constraint::{Constraint, Law};
 pub(crate) use dependent::{Dependent, Following};

@@ -70,10 +70,14 @@ impl<'g> Poses<'g> {
 ///
 /// Where they turn about one axis, that body included, its own turn is taken off the sums of angles, so it does not occur.
 pub(super) fn between<'g>(model: &Model<'g>, bodies: [Option<BodyId>; 2]) -> [Transform<'g>; 2] {
-    let below = |body: Option<BodyId>| std::iter::successors(body, |&body| model.bodies[body].parent);
-    let [first, second] = bodies;
-    let carrier = below(first).find(|&body| below(second).any(|other| other == body));
+    let carrier = carrier(model, bodies);
     bodies.map(|body| in_frame_of(model, carrier, body))
+}
+
+/// The last body that carries both, or that is one of them; none for ground.
+pub(super) fn carrier(model: &Model<'_>, [first, second]: [Option<BodyId>; 2]) -> Option<BodyId> {
+    let below = |body: Option<BodyId>| std::iter::successors(body, |&body| model.bodies[body].parent);
+    below(first).find(|&body| below(second).any(|other| other == body))
 }
 
 /// Where a body is in the frame of one that carries it.

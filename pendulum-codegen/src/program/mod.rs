@@ -21,7 +21,7 @@ pub use equations::{Equations, Hindrance, Listing, Row, RowKind};
 pub use layout::{Slot, SlotKind, StateLayout};
 pub(crate) use output::{functions_of_event, functions_of_output, is_function};
 pub use routine::{Argument, Cost, Routine, Shape};
-pub(crate) use routine::{Length, ROUTINES, words};
+pub(crate) use routine::{Length, ROUTINES, WRENCH, words};
 pub use series::Series;
 
 pub use crate::expr::{Binary, Definition, Formula, Summand, Unary};

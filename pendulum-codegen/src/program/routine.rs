@@ -93,6 +93,8 @@ pub(crate) enum Length {
     Loops,
     /// The coordinates that follow and are in the state.
     Following,
+    /// The components of a wrench.
+    Wrench,
 }
 
 /// What a routine is called, takes and gives.
@@ -155,6 +157,9 @@ impl Routine {
     }
 }
 
+/// The components of a wrench.
+pub(crate) const WRENCH: usize = 6;
+
 impl Length {
     fn of(self, model: &Model<'_>) -> usize {
         match self {
@@ -166,6 +171,7 @@ impl Length {
             Self::Constraints => model.constraints.len(),
             Self::Loops => model.margins.len(),
             Self::Following => model.corrections.len(),
+            Self::Wrench => WRENCH,
         }
     }
 }
@@ -456,6 +462,16 @@ pub(crate) const ROUTINES: &[Row] = &[
         shapes: &[Vector(Drives)],
         wanted: ASKED,
         form: form::drive_forces,
+    },
+    Row {
+        word: "loop_wrenches",
+        name: "loop_wrenches",
+        doc: "For each `close a .. to b ..`, in the order of the declaration, the wrench with which `a` acts on `b`, about the place on `b`: \
+              the moment in N m and the force in N, both in the ground frame.",
+        arguments: &[Inputs],
+        shapes: &[Matrix(Length::Wrench, Loops)],
+        wanted: ASKED,
+        form: form::loop_wrenches,
     },
     Row {
         word: "parameter_jacobian",

@@ -1,12 +1,13 @@
 //! Closed loops against the same trees with their loops open, held together by multipliers.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
 use super::{model, numbers};
 use crate::dynamics::{Dynamics, derived};
 use crate::expr::{Expr, Graph, Symbol, SymbolKind};
-use crate::form::{Forms, drive_forces};
-use crate::model::Model;
+use crate::form::{Forms, drive_forces, loop_wrenches};
+use crate::model::{Model, Poses};
+use crate::screw::Vec3;
 
 /// Scenes whose output `gaps` are the ends of their loops apart.
 const SCENES: [&str; 12] = [
@@ -290,8 +291,12 @@ fn loops_move_as_with_multipliers() {
     for (seed, text) in SCENES.iter().enumerate() {
         let open_text = opened(text);
         let (graph, open_graph) = (Graph::new(), Graph::new());
-        let (closed, open) = (model(&graph, text), model(&open_graph, &open_text));
+        let text_with = text.replacen('{', "{ generate: [rhs, jacobian, energy, loop_wrenches],", 1);
+        let (closed, open) = (model(&graph, &text_with), model(&open_graph, &open_text));
         let mut forms = Forms::new(&closed, &Dynamics::new(&closed));
+        let chosen = forms.accelerations().roots;
+        let drives = drive_forces(&mut forms, &closed).roots;
+        let wrenches = loop_wrenches(&mut forms, &closed).roots;
         let dynamics = [
             Dynamics::new(&closed),
             Dynamics::recursive(&closed, Dynamics::new(&closed).potential, false),
@@ -331,6 +336,8 @@ fn loops_move_as_with_multipliers() {
             let gaps = values(&open, &open.outputs[0].values, &open_state);
             assert_near("gaps", &gaps, &vec![0.0; gaps.len()], 2e-15);
             let (expected, drive) = by_multipliers(&open, &whole_q, &whole_qd);
+            let wrenches = values(&closed, &wrenches, &state);
+            assert_supplied(&closed, &open, &wrenches, &expected, &open_state);
             let of_free: Vec<f64> = free
                 .iter()
                 .map(|name| expected[all.iter().position(|own| own == name).expect("in both")])
@@ -346,13 +353,49 @@ fn loops_move_as_with_multipliers() {
                 let own = values(&closed, &[dynamics.kinetic, dynamics.potential], &state);
                 assert_near("energies", &own, &energies, 1e-13);
             }
-            let chosen = drive_forces(&mut forms, &closed).roots;
-            assert_near("forces of drives", &values(&closed, &chosen, &state), &drive, 1e-11);
-            let chosen = forms.accelerations().roots;
+            assert_near("forces of drives", &values(&closed, &drives, &state), &drive, 1e-11);
             assert_near("chosen form", &values(&closed, &chosen, &state), &of_free, 1e-11);
             assert_derivatives(&closed, &mut forms, &of_state, &q, &qd);
         }
     }
+}
+
+/// The wrenches between the ends of loops are what the open tree lacks for accelerations that keep the loops closed.
+fn assert_supplied(
+    closed: &Model<'_>,
+    open: &Model<'_>,
+    wrenches: &[f64],
+    accelerations: &DVector<f64>,
+    state: &impl Fn(&str) -> f64,
+) {
+    let (graph, poses) = (open.graph, Poses::new(open));
+    let symbols = open.coordinates.iter().map(|c| c.acceleration);
+    let known = symbols.zip(accelerations.iter().map(|&x| number(graph, x)));
+    let lacking = graph.substitute(&Dynamics::new(open).balance, known.collect());
+    let mut supplied = vec![0.0; open.dof()];
+    for (closure, wrench) in closed.closures.iter().zip(wrenches.chunks(6)) {
+        let [moment, force] = [0, 3].map(|n| Vector3::from_column_slice(&wrench[n..n + 3]));
+        let [first, second] = closure.ends.each_ref().map(|end| end.body);
+        let at = values(closed, &closure.ends[1].at.0, state);
+        let at = poses.point(second, Vec3([0, 1, 2].map(|n| number(graph, at[n]))));
+        let at = values(open, &at.0, state);
+        for (body, sign) in [(first, -1.0), (second, 1.0)] {
+            let (axes, origin) = (poses.rotation(body), poses.point(body, Vec3::zero(graph)));
+            let entries = [axes.0.map(|row| row.0).concat(), origin.0.to_vec()].concat();
+            let pose = values(open, &entries, state);
+            let turned = Matrix3::from_row_slice(&pose[..9]);
+            let arm = Vector3::from_column_slice(&at) - Vector3::from_column_slice(&pose[9..]);
+            let columns = derived(&entries, &open.positions());
+            for (column, supplied) in columns.iter().zip(&mut supplied) {
+                let column = values(open, column, state);
+                let spin = Matrix3::from_row_slice(&column[..9]) * turned.transpose();
+                let spin = Vector3::new(spin[(2, 1)], spin[(0, 2)], spin[(1, 0)]);
+                let velocity = Vector3::from_column_slice(&column[9..]) + spin.cross(&arm);
+                *supplied += sign * (force.dot(&velocity) + moment.dot(&spin));
+            }
+        }
+    }
+    assert_near("wrenches", &supplied, &values(open, &lacking, state), 1e-11);
 }
 
 /// The Jacobian, and the rates of the momenta, against differences.

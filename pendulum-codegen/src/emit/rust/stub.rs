@@ -11,7 +11,7 @@ use super::routines::is_inherent;
 use super::{allowed, count, in_own_module};
 use crate::ast::Scene;
 use crate::model::{FACTS, places};
-use crate::program::{Argument, Length, ROUTINES, Shape};
+use crate::program::{Argument, Length, ROUTINES, Shape, WRENCH};
 
 /// Types that have everything a declaration could ask for, for states of any length, and that are never run.
 pub(crate) fn stub(scene: &Scene) -> TokenStream {
@@ -71,6 +71,7 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             Length::Constraints => count(0).into_token_stream(),
             Length::Loops => count(items.closures.len()).into_token_stream(),
             Length::Following => count(following).into_token_stream(),
+            Length::Wrench => count(WRENCH).into_token_stream(),
             Length::Drives => count(outputs::drives(items)).into_token_stream(),
         };
         let results = row.shapes.iter().map(|shape| match shape.map(length) {

@@ -6,9 +6,9 @@
 //! solved in the sense of least squares, which is exact where they agree. The positions are components of the state, and Newton's method
 //! with the same factors closes what rounding and truncation open.
 
-use super::{Open, Solver};
+use super::{Open, Orthogonal, Solver};
 use crate::expr::{Derivative, Expr, Level, Normalizer, SymbolKind};
-use crate::model::closure::Loop;
+use crate::model::closure::{Loop, Row};
 use crate::model::{Combination, CoordinateId, Dependent, changes};
 
 /// How far normal forms of equations may grow.
@@ -26,72 +26,6 @@ impl Equation<'_> {
     fn miss(&self, by: f64) -> Open {
         Open::TooShort(self.number, by.abs(), self.unit)
     }
-}
-
-/// A matrix as orthogonal columns `Q` times `R`, an upper triangle with ones on its diagonal.
-struct Orthogonal<'g> {
-    /// `Q`
-    columns: Vec<Vec<Expr<'g>>>,
-    /// One over the squared lengths of these.
-    inverses: Vec<Expr<'g>>,
-    /// `R` above its diagonal: row by row what the columns on the right have of each.
-    shares: Vec<Vec<Expr<'g>>>,
-}
-
-impl<'g> Orthogonal<'g> {
-    fn new(columns: &[Vec<Expr<'g>>]) -> Self {
-        let mut rest = columns.to_vec();
-        let (mut inverses, mut shares) = (Vec::new(), Vec::new());
-        for k in 0..rest.len() {
-            let (done, right) = rest.split_at_mut(k + 1);
-            let own = &done[k];
-            let inverse = dot(own, own).recip();
-            shares.push(right.iter_mut().map(|other| take_off(other, own, inverse)).collect());
-            inverses.push(inverse);
-        }
-        Self {
-            columns: rest,
-            inverses,
-            shares,
-        }
-    }
-
-    /// The `x` for which the columns times `x` come nearest to `b`.
-    fn solve(&self, mut b: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
-        let own = self.columns.iter().zip(&self.inverses);
-        let mut x: Vec<Expr<'g>> = own.map(|(own, &inverse)| take_off(&mut b, own, inverse)).collect();
-        for k in (0..x.len()).rev() {
-            let (before, after) = x.split_at_mut(k + 1);
-            for (&share, &known) in self.shares[k].iter().zip(&*after) {
-                before[k] -= share * known;
-            }
-        }
-        x
-    }
-
-    /// The volume of what `columns` span over the product of their lengths: 1 where they are at right angles, 0 where one is a sum of
-    /// others.
-    fn volume(&self, columns: &[Vec<Expr<'g>>]) -> Expr<'g> {
-        let squares = columns.iter().map(|column| dot(column, column));
-        let ratios = squares.zip(&self.inverses).map(|(square, &inverse)| square * inverse);
-        ratios
-            .reduce(|product, ratio| product * ratio)
-            .map_or_else(|| columns[0][0].graph().one(), |product| product.sqrt().recip())
-    }
-}
-
-fn dot<'g>(a: &[Expr<'g>], b: &[Expr<'g>]) -> Expr<'g> {
-    let products: Vec<Expr<'g>> = a.iter().zip(b).map(|(&a, &b)| a * b).collect();
-    a[0].graph().sum(products)
-}
-
-/// Takes off a vector what it has of another, and returns how much.
-fn take_off<'g>(vector: &mut [Expr<'g>], of: &[Expr<'g>], inverse: Expr<'g>) -> Expr<'g> {
-    let share = dot(of, vector) * inverse;
-    for (entry, &part) in vector.iter_mut().zip(of) {
-        *entry -= share * part;
-    }
-    share
 }
 
 impl<'g> Solver<'g, '_> {
@@ -150,13 +84,16 @@ impl<'g> Solver<'g, '_> {
     fn equations(&self, loops: &[Option<Loop<'g>>], left: &[usize]) -> Vec<Equation<'g>> {
         let mut all = Vec::new();
         for &number in left {
-            let rows = match &loops[number] {
+            let rows: Vec<(Expr<'g>, &str)> = match &loops[number] {
                 Some(around) => {
                     let pieces = around.0.iter().map(|piece| self.vector(piece));
                     let sum = pieces.reduce(|sum, piece| sum + piece);
                     sum.into_iter().flat_map(|sum| sum.0).map(|row| (row, "m")).collect()
                 }
-                None => self.model.closures[number].equations(self.model),
+                None => {
+                    let rows = self.model.closures[number].equations(self.model);
+                    rows.into_iter().map(|Row { value, unit, .. }| (value, unit)).collect()
+                }
             };
             let always = |row: Expr<'g>| Normalizer::new(self.graph, BUDGET).is_zero(row) == Ok(true);
             let equation = |(row, unit)| {
