@@ -1,0 +1,5 @@
+mechanism! {
+    pub Hand {
+        robot: urdf("tests/robots/mimic_fractions.urdf"),
+    }
+}
