@@ -127,6 +127,7 @@ pinocchio! {
     double_pendulum,
     finger_edu,
     flying,
+    geared,
     hextilt_arm,
     kinova,
     made_up,

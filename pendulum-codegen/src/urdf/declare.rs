@@ -72,7 +72,7 @@ pub(super) fn declare(robot: &Robot, item: &ast::Robot, replaced: &[Replaced], w
                             joint: leader,
                             replaced: is_replaced(&leader.child),
                         });
-                        followed(joint, mimic, leader, wrong)
+                        followed(joint, mimic, leader, item, wrong)
                     }
                 };
                 let word = if kind == Kind::Turns { "revolute" } else { "prismatic" };
@@ -124,7 +124,7 @@ fn require_bare(joint: &Joint, item: &ast::Robot, wrong: &mut Vec<Wrong>) {
     } else {
         ("floating", "write drag as `force on point: ..`".to_owned())
     };
-    let dry = joint.friction.as_ref().filter(|_| !item.without_dry_friction);
+    let dry = dry_friction(joint, item);
     for (attribute, force) in [("damping", joint.damping.as_ref()), ("friction", dry)] {
         if force.is_some() {
             refuse(
@@ -288,7 +288,13 @@ struct Leader<'r> {
 }
 
 /// The motion of a joint that follows another.
-fn followed(joint: &Joint, mimic: &Mimic, leader: Option<Leader<'_>>, wrong: &mut Vec<Wrong>) -> String {
+fn followed(
+    joint: &Joint,
+    mimic: &Mimic,
+    leader: Option<Leader<'_>>,
+    item: &ast::Robot,
+    wrong: &mut Vec<Wrong>,
+) -> String {
     let (body, parent) = (identifier(&joint.child), identifier(&joint.parent));
     let mut refuse = |why: &str, help: &str| {
         let fact = format!("joint `{}` mimics `{}`{why}", joint.name, mimic.joint);
@@ -319,16 +325,19 @@ fn followed(joint: &Joint, mimic: &Mimic, leader: Option<Leader<'_>>, wrong: &mu
     if replaced.is_some_and(|replaced| replaced.held) {
         return refuse(", which the scene holds, drives or sets free", another);
     }
+    if dry_friction(joint, item).is_some() {
+        let help = "give it to the joint that leads, or leave all out by `urdf(\"..\", without dry_friction)`";
+        return refuse(", so it has no dry `friction` of its own", help);
+    }
     let multiplier = &mimic.multiplier;
     let name = replaced
         .and_then(|replaced| replaced.coordinate.clone())
         .unwrap_or_else(|| identifier(&leader.name));
-    if multiplier.parse().is_ok_and(|factor: f64| factor.fract() != 0.0) {
-        let turned = turned_round(joint, mimic, leader);
-        let help = format!("{turned}make it a whole number");
-        return refuse(&format!(" by a factor of {multiplier}"), &help);
-    }
-    let unit = unit_of(joint, leader);
+    let unit = match (joint.kind, leader.kind) {
+        (Kind::Turns, Kind::Slides) => " * 1 rad/m",
+        (Kind::Slides, Kind::Turns) => " * 1 m/rad",
+        _ => "",
+    };
     let offset = match mimic.offset.as_str() {
         ZERO => String::new(),
         offset => format!(" + {offset}"),
@@ -336,37 +345,9 @@ fn followed(joint: &Joint, mimic: &Mimic, leader: Option<Leader<'_>>, wrong: &mu
     format!("motion: {multiplier} * {name}{unit}{offset},")
 }
 
-/// The unit of the factor by which a joint follows another.
-fn unit_of(joint: &Joint, leader: &Joint) -> &'static str {
-    match (joint.kind, leader.kind) {
-        (Kind::Turns, Kind::Slides) => " * 1 rad/m",
-        (Kind::Slides, Kind::Turns) => " * 1 m/rad",
-        _ => "",
-    }
-}
-
-/// How a scene lets the leader follow, where it does so by a whole factor: what mimics by a half leads by two.
-fn turned_round(joint: &Joint, mimic: &Mimic, leader: &Joint) -> String {
-    let [multiplier, offset] = [&mimic.multiplier, &mimic.offset].map(|number| number.parse::<f64>());
-    let (Ok(multiplier), Ok(offset)) = (multiplier, offset) else {
-        return String::new();
-    };
-    let factor = multiplier.recip();
-    if factor.fract() != 0.0 {
-        return String::new();
-    }
-    let name = identifier(&joint.name);
-    let start = match -factor * offset {
-        0.0 => String::new(),
-        start if start < 0.0 => format!(" - {}", -start),
-        start => format!(" + {start}"),
-    };
-    let follows = format!("motion: {factor}*{name}{}{start}", unit_of(leader, joint));
-    let [own, led] = [joint, leader].map(|joint| [&joint.child, &joint.parent].map(|link| identifier(link)));
-    format!(
-        "let `{}` follow it, by `body {} on {} {{ coordinate: {name} }} body {} on {} {{ {follows} }}`, or ",
-        leader.name, own[0], own[1], led[0], led[1]
-    )
+/// The dry friction of a joint, unless it is left out.
+fn dry_friction<'j>(joint: &'j Joint, item: &ast::Robot) -> Option<&'j String> {
+    joint.friction.as_ref().filter(|_| !item.without_dry_friction)
 }
 
 /// What acts along a joint.
@@ -375,7 +356,7 @@ fn forces(joint: &Joint, item: &ast::Robot) -> String {
     if joint.kind == Kind::Fixed || joint.kind.has_many() {
         return text;
     }
-    let dry = joint.friction.as_ref().filter(|_| !item.without_dry_friction);
+    let dry = dry_friction(joint, item);
     for (word, force) in [("friction", joint.damping.as_ref()), ("dry_friction", dry)] {
         if let Some(force) = force {
             write!(text, "{word}: {force}, ").expect("memory");

@@ -267,6 +267,7 @@ def main():
     for name, (path, root) in FREE.items():
         robots[name] = freely(flying(trimmed(name, path), root), random)
     robots["flying"] = freely(ET.parse("flying.urdf").getroot(), random)
+    robots["geared"] = reference(ET.parse("geared.urdf").getroot(), random)
     lines = [f" {json.dumps(name)}: {json.dumps(robot)}" for name, robot in robots.items()]
     pathlib.Path("reference.json").write_text("{\n" + ",\n".join(lines) + "\n}\n")
 

@@ -1,5 +1,0 @@
-mechanism! {
-    pub Hand {
-        robot: urdf("tests/robots/mimic_fractions.urdf"),
-    }
-}
