@@ -456,6 +456,11 @@ impl Joint {
     pub(crate) fn is_fixed(&self) -> bool {
         matches!(self.kind, Ok(JointKind::Fixed))
     }
+
+    /// Whether it turns about all axes, so that it has an orientation and no coordinate.
+    pub(crate) fn turns_freely(&self) -> bool {
+        matches!(self.kind, Ok(JointKind::Ball | JointKind::Free))
+    }
 }
 
 /// How a joint moves.

@@ -3,6 +3,7 @@
 use pendulum_codegen::program::SlotKind::{self, Angle, Length};
 
 /// What is expected of a coordinate: its kind, whether it is periodic, whether it is cyclic.
+#[derive(Clone, Copy)]
 struct Coordinate(SlotKind, bool, bool);
 
 fn check(scene: &str, autonomous: bool, expected: &[Coordinate]) {
@@ -38,6 +39,19 @@ fn pendulum(joint: &str, more: &str) -> String {
             joint: {joint}, coordinate: theta, friction: k * pitch, {more}
          }}"
     )
+}
+
+#[test]
+fn a_turn_that_leads_half_a_turn_is_no_period() {
+    for (factor, expected) in [("2", SWINGS), ("1/2", COUNTS_TURNS), ("-1.5", COUNTS_TURNS)] {
+        let weight =
+            format!("body weight on ground {{ mass: 1, com: [0, -1, 0], joint: revolute(z), motion: {factor}*theta }}");
+        check(&format!("{} {weight}", pendulum("revolute(z)", "")), true, &[expected]);
+        // what turns round its center is seen by outputs alone
+        let wheel =
+            format!("body wheel on ground {{ inertia: 1, mass: 1, joint: revolute(z), motion: {factor}*theta }}");
+        check(&format!("{} {wheel}", pendulum("revolute(z)", "")), true, &[expected]);
+    }
 }
 
 #[test]

@@ -1,49 +1,172 @@
 //! Joints that follow others, beside the same scene in which they move by themselves.
 
+use std::f64::consts::FRAC_PI_2;
+
 use nalgebra::{DMatrix, DVector};
 use pendulum_codegen::program;
 
 use crate::random_mechanisms::evaluate::{Evaluator, Place};
 
-/// A scene in which some of the bodies follow. `{name}` stands for how a joint moves.
-const SCENE: &str = "pub Arm {
+/// A scene in space. `{name}` stands for how a joint moves.
+const ARM: &str = "pub Arm {
     gravity: [1, -2, -9.81],
     generate: [rhs, jacobian, energy, mass_matrix, bias, momentum],
     point tip on d at [0.1, 0.2, 0.3],
     output tip: tip,
     force on tip: [0, 2, 1],
     body a on ground { mass: 2, com: [0.1, 0.2, 0.3], inertia: [0.3, 0.4, 0.5, 0.01, 0.02, 0.03],
-        joint: revolute([1, 2, -1]) at [0.1, 0, 0.4], coordinate: a, friction: 0.1 }
+        joint: revolute([1, 2, -1]) at [0.1, 0, 0.4], {a}, friction: 0.1 }
     body b on a { mass: 1.5, com: [0, -0.3, 0.1], inertia: [0.2, 0.3, 0.25, -0.02, 0.01, 0],
         joint: revolute([1, 2, -1]) at [0.3, 0.1, 0], {b}, spring: (3, 0.5) }
     body c on b { mass: 0.7, com: [0.2, 0, 0], inertia: [0.1, 0.1, 0.1],
-        joint: helical([0.3, 0, 1], 0.2) at [0, 0, 0.5] rpy [0.4, -0.7, 1.1], coordinate: c }
+        joint: helical([0.3, 0, 1], 0.2) at [0, 0, 0.5] rpy [0.4, -0.7, 1.1], {c} }
     body d on c { mass: 0.5, com: [0, 0.1, 0.2], inertia: [0.05, 0.06, 0.07, 0.01, 0, 0.02],
         joint: prismatic([1, 1, 0]) rpy [0, 0.3, 0], {d}, torque: 1 - 2 N/m*q - 0.3 N s/m*qd }
     body e on b { mass: 0.3, com: [0, 0.1, 0.2], inertia: [0.05, 0.06, 0.07],
         joint: revolute(-y) at [0, 0.2, 0], {e}, friction: 0.2 }
 }";
 
-fn scene(b: &str, d: &str, e: &str) -> String {
-    SCENE.replace("{b}", b).replace("{d}", d).replace("{e}", e)
-}
+/// A scene in a plane, whose equations are written out.
+const PLANE: &str = "pub Plane {
+    gravity: [0, -9.81, 0],
+    generate: [rhs, jacobian, energy, mass_matrix, bias, momentum],
+    point tip on c at [0.4, 0.1, 0],
+    output tip: tip,
+    force on tip: [0, 2, 0],
+    body a on ground { mass: 2, com: [0.3, 0.1, 0], inertia: 0.2, joint: revolute(z), {a}, friction: 0.1 }
+    body b on a { mass: 1.5, com: [0.2, 0, 0], inertia: 0.1, joint: revolute(z) at [0.7, 0, 0], {b}, spring: (3, 0.5) }
+    body c on b { mass: 0.7, com: [0.1, -0.2, 0], inertia: 0.1, joint: revolute(z) at [0.5, 0, 0], {c} }
+    body d on ground { mass: 0.4, com: [0, 0.1, 0], joint: prismatic([1, 1, 0]), {d}, torque: -2 N/m*q }
+}";
 
-/// With `q = T p + q0` the mass matrix is `T^T A T`, and a force `T^T tau`, since `T` is constant.
 #[test]
 fn joints_that_follow_move_by_the_equations_of_those_that_do_not() {
-    let free = scene("coordinate: b", "coordinate: d", "coordinate: e");
-    let following = scene("motion: 0.3 - 2*a", "motion: c * 1 m - 0.1", "motion: a + 3*c + 90 deg");
+    equals_free(
+        ARM,
+        &[
+            ("a", "coordinate: a", [1.0, 0.0], 0.0),
+            ("b", "motion: 0.3 - 2*a", [-2.0, 0.0], 0.3),
+            ("c", "coordinate: c", [0.0, 1.0], 0.0),
+            ("d", "motion: c * 1 m - 0.1", [0.0, 1.0], -0.1),
+            ("e", "motion: a + 3*c + 90 deg", [1.0, 3.0], FRAC_PI_2),
+        ],
+    );
+}
+
+#[test]
+fn they_follow_by_parts_of_turns() {
+    equals_free(
+        ARM,
+        &[
+            ("a", "coordinate: a", [1.0, 0.0], 0.0),
+            ("b", "motion: 0.3 - 0.5*a", [-0.5, 0.0], 0.3),
+            ("c", "coordinate: c", [0.0, 1.0], 0.0),
+            ("d", "motion: c * 0.25 m - 0.1", [0.0, 0.25], -0.1),
+            ("e", "motion: 0.77384*a + 2*c/3", [0.77384, 2.0 / 3.0], 0.0),
+        ],
+    );
+    // an angle that follows a length
+    equals_free(
+        ARM,
+        &[
+            ("a", "coordinate: a", [1.0, 0.0], 0.0),
+            ("b", "motion: 1.5*d * 1 rad/m", [0.0, 1.5], 0.0),
+            ("c", "motion: -a/4", [-0.25, 0.0], 0.0),
+            ("d", "coordinate: d", [0.0, 1.0], 0.0),
+            ("e", "motion: 2.5*d * 1 rad/m - 0.3", [0.0, 2.5], -0.3),
+        ],
+    );
+    for (factor, turns) in [("0.5", 0.5), ("-1.5", -1.5), ("0.125", 0.125), ("0.333", 0.333)] {
+        equals_free(
+            PLANE,
+            &[
+                ("a", "coordinate: a", [1.0, 0.0], 0.0),
+                ("b", &format!("motion: {factor}*a"), [turns, 0.0], 0.0),
+                ("c", "coordinate: c", [0.0, 1.0], 0.0),
+                ("d", &format!("motion: {factor} m*(a - c)"), [turns, -turns], 0.0),
+            ],
+        );
+    }
+}
+
+#[test]
+fn they_follow_joints_above_them() {
+    for (factor, turns) in [
+        ("1", 1.0),
+        ("-1", -1.0),
+        ("2", 2.0),
+        ("-3", -3.0),
+        ("0.5", 0.5),
+        ("-0.5", -0.5),
+    ] {
+        equals_free(
+            PLANE,
+            &[
+                ("a", &format!("motion: {factor}*b + 0.2"), [turns, 0.0], 0.2),
+                ("b", "coordinate: b", [1.0, 0.0], 0.0),
+                ("c", "coordinate: c", [0.0, 1.0], 0.0),
+                ("d", "motion: 0.1 m*c", [0.0, 0.1], 0.0),
+            ],
+        );
+    }
+}
+
+/// Who follows by a half leads by two: cranks of a linkage with five bars, and wheels one on the other.
+#[test]
+fn what_follows_by_a_half_leads_by_two() {
+    let five_bars = "pub FiveBars {
+        gravity: [0, -9.81, 0],
+        generate: [rhs, energy],
+        shape bar { mass: 1, com: [0.15, 0, 0], inertia: 0.01 }
+        body a on ground: bar { joint: revolute(z), {a} }
+        body b on ground: bar { joint: revolute(z) at [0.5, 0, 0], {b}, friction: 0.1 }
+        body c on a: bar { joint: revolute(z) at [0.3, 0, 0], coordinate: phi depends near 0.55 }
+        body d on b: bar { joint: revolute(z) at [0.3, 0, 0], coordinate: psi depends near 0.86, spring: (2, 0.3) }
+        close c at [0.4, 0, 0] to d at [0.4, 0, 0]: revolute(z),
+    }";
+    let half_first = five_bars
+        .replace("{a}", "coordinate: p near 0.8")
+        .replace("{b}", "motion: 0.5*p + 1");
+    let whole_first = five_bars
+        .replace("{a}", "motion: 2*p - 2")
+        .replace("{b}", "coordinate: p near 1.4");
+    let [half, whole] = [half_first, whole_first].map(|text| program(text.parse().expect("tokens")).expect("a scene"));
+    let [half, whole] = [&half, &whole].map(|program| Evaluator::new(program, &[]));
+    for (p, rate) in [(0.8, 0.3), (0.6, -1.2), (1.1, 2.0)] {
+        let place = |state: Vec<f64>| Place {
+            t: 0.0,
+            state,
+            accelerations: Vec::new(),
+            inputs: Vec::new(),
+        };
+        let (first, second) = (place(vec![p, rate]), place(vec![0.5 * p + 1.0, 0.5 * rate]));
+        let of =
+            |model: &Evaluator<'_>, what: &str, place: &Place| model.routine(what, place).expect("a routine").concat();
+        for what in ["kinetic", "potential"] {
+            let [a, b] = [of(&half, what, &first)[0], of(&whole, what, &second)[0]];
+            assert!((a - b).abs() < 1e-12 * b.abs(), "{what}: {a} {b}");
+        }
+        let [a, b] = [of(&half, "rhs", &first)[1], 2.0 * of(&whole, "rhs", &second)[1]];
+        assert!((a - b).abs() < 1e-11 * b.abs(), "acceleration: {a} {b}");
+    }
+}
+
+/// Asserts that a scene, whose joints move as `joints` say, moves by the equations of those that move by themselves: with
+/// `q = T p + q0` the mass matrix is `T^T A T`, and a force `T^T tau`, since `T` is constant. Of each joint the row of `T` and
+/// its part of `q0` are given.
+fn equals_free(scene: &str, joints: &[(&str, &str, [f64; 2], f64)]) {
+    let with = |moves: &dyn Fn(&str, &str) -> String| {
+        joints.iter().fold(scene.to_owned(), |text, (name, own, ..)| {
+            text.replace(&format!("{{{name}}}"), &moves(name, own))
+        })
+    };
+    let free = with(&|name, _| format!("coordinate: {name}"));
+    let following = with(&|_, own| own.to_owned());
     let [free, following] = [free, following].map(|text| program(text.parse().expect("tokens")).expect("a scene"));
     let [all, ours] = [&free, &following].map(|program| Evaluator::new(program, &[]));
-    #[rustfmt::skip]
-    let t = DMatrix::from_row_slice(5, 2, &[
-        1.0, 0.0,
-        -2.0, 0.0,
-        0.0, 1.0,
-        0.0, 1.0,
-        1.0, 3.0,
-    ]);
-    let start = DVector::from_vec(vec![0.0, 0.3, 0.0, -0.1, std::f64::consts::FRAC_PI_2]);
+    let m = joints.len();
+    let t = DMatrix::from_fn(m, 2, |row, column| joints[row].2[column]);
+    let start = DVector::from_fn(m, |row, _| joints[row].3);
     for n in 0..4 {
         let p = DVector::from_fn(2, |k, _| (f64::from(n) + 1.7 * k as f64).sin());
         let pd = DVector::from_fn(2, |k, _| (2.3 * f64::from(n) - k as f64).cos());
@@ -58,10 +181,10 @@ fn joints_that_follow_move_by_the_equations_of_those_that_do_not() {
             DVector::from_vec(model.routine(routine, place).expect("a routine").concat())
         };
         let close = |what: &str, a: &DMatrix<f64>, b: &DMatrix<f64>| {
-            assert!((a - b).amax() < 1e-12 * b.amax(), "{what}: {a} {b}");
+            assert!((a - b).amax() < 1e-12 * b.amax(), "{joints:?} {what}: {a} {b}");
         };
         let square = |n: usize, entries: DVector<f64>| entries.reshape_generic(nalgebra::Dyn(n), nalgebra::Dyn(n));
-        let matrix = square(5, of(&all, "mass_matrix", &large));
+        let matrix = square(m, of(&all, "mass_matrix", &large));
         let reduced = t.transpose() * &matrix * &t;
         close("mass matrix", &square(2, of(&ours, "mass_matrix", &small)), &reduced);
         let column = |v: DVector<f64>| DMatrix::from_column_slice(v.len(), 1, v.as_slice());
@@ -77,7 +200,7 @@ fn joints_that_follow_move_by_the_equations_of_those_that_do_not() {
             close(what, &column(of(&ours, what, &small)), &column(of(&all, what, &large)));
         }
         // the forces along the joints are what accelerates them
-        let force = &matrix * of(&all, "rhs", &large).rows(5, 5) + &bias;
+        let force = &matrix * of(&all, "rhs", &large).rows(m, m) + &bias;
         let rest = t.transpose() * (force - bias);
         let accelerations = reduced.lu().solve(&rest).expect("a regular matrix");
         let (_, jacobian) = split(&of(&ours, "jacobian", &small));

@@ -35,7 +35,7 @@ const DEEPEST_CONSTANT: usize = 50;
 /// The most terms of a constant of which a power is written out.
 const LONGEST_BASE: usize = 3;
 
-/// What each coordinate is, as a sum of base angles with integer factors.
+/// What each coordinate is, as a sum of base angles.
 pub(crate) type BaseAngles<'g> = FxHashMap<Expr<'g>, Vec<(Expr<'g>, Rational)>>;
 
 /// Turns expressions of one graph into normal form, and remembers each.
@@ -284,11 +284,10 @@ impl<'g> Normalizer<'g> {
                 }
             }
         }
-        let splits = turns
-            .iter()
-            .all(|(_, n)| n.is_integer() && n.abs() <= ratio(MOST_TURNS, 1));
-        if !splits {
-            (turns, rest) = (Vec::new(), angle.clone());
+        // a part of a turn stands for itself
+        let splits = |n: &Rational| n.is_integer() && n.abs() <= ratio(MOST_TURNS, 1);
+        for (base, n) in turns.extract_if(.., |(_, n)| !splits(n)) {
+            rest.add_scaled(&*self.normal(base)?, &n);
         }
         if !rest.is_empty() {
             turns.push((self.written(&rest)?, Rational::one()));

@@ -26,6 +26,13 @@ macro_rules! operators {
                 other.graph().number(self).$method(other)
             }
         }
+
+        impl<'g> $operator<Expr<'g>> for &Rational {
+            type Output = Expr<'g>;
+            fn $method(self, other: Expr<'g>) -> Expr<'g> {
+                self.clone().$method(other)
+            }
+        }
     )*};
 }
 

@@ -70,8 +70,8 @@ impl<'g> Lower<'g> {
         let in_new = |sum: &Combination| {
             sum.terms().fold(Combination::default(), |new, (k, factor)| {
                 match usize::from(k).checked_sub(first) {
-                    Some(n) => new.plus_scaled(factor, &closed.combinations[n]),
-                    None => new.plus_scaled(factor, &Combination::one(k)),
+                    Some(n) => new.plus_multiple(factor, &closed.combinations[n]),
+                    None => new.plus_multiple(factor, &Combination::one(k)),
                 }
             })
         };

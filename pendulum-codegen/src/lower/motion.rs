@@ -1,7 +1,5 @@
 //! Joints that are driven, or follow others.
 
-use num_traits::ToPrimitive;
-
 use super::Lower;
 use super::expr::{Only, Place};
 use super::joint_units::{JointUnits, is_zero};
@@ -33,7 +31,7 @@ impl<'g> Lower<'g> {
                 }
                 let coordinates = self.coordinates_of(law);
                 if !coordinates.is_empty() {
-                    return self.following(body, motion, law, &coordinates);
+                    return self.following(body, motion, law, &coordinates, dof);
                 }
                 let n = dof + drives.len();
                 drives.push(self.drive(body, n, law));
@@ -121,6 +119,7 @@ impl<'g> Lower<'g> {
         motion: &ast::Expr,
         law: Expr<'g>,
         coordinates: &[(CoordinateId, Expr<'g>)],
+        dof: usize,
     ) -> Result<Motion<'g>, Reported> {
         let fields = &body.fields;
         let frictions = [&fields.dry_friction, &fields.static_friction].into_iter().flatten();
@@ -137,20 +136,26 @@ impl<'g> Lower<'g> {
         let mut sum = Combination::default();
         for &(k, position) in coordinates {
             let slope = Derivative::by(position).of(law);
-            let whole = slope
-                .as_number()
-                .filter(|slope| slope.is_integer())
-                .and_then(|slope| slope.to_i64());
-            let Some(factor) = whole else {
+            let Some(factor) = slope.as_number() else {
                 let fact = format_args!(
-                    "the motion of `{}` is no sum of coordinates with whole factors",
+                    "the motion of `{}` is no sum of coordinates with numbers as factors",
                     body.name
                 );
                 let help =
-                    "a joint follows others as in `-a`, `2*a + 0.1` or `a - b`, where `a` and `b` are coordinates";
+                    "a joint follows others as in `-a`, `0.5*a + 0.1` or `a - b`, where `a` and `b` are coordinates";
                 return Err(self.errors.on(motion, fact, help));
             };
-            sum = sum.plus_scaled(factor, &Combination::one(k));
+            // what follows from loops is known but for whole turns
+            if usize::from(k) >= dof && !factor.is_integer() {
+                let leader = position.as_symbol().map_or("", |symbol| &symbol.name);
+                let fact = format_args!(
+                    "`{}` follows `{leader}`, which depends, by a factor of {factor}",
+                    body.name
+                );
+                let help = "let the factor be a whole number, or let it follow a coordinate without `depends`";
+                return Err(self.errors.on(motion, fact, help));
+            }
+            sum = sum.plus_multiple(factor, &Combination::one(k));
         }
         let zeros = coordinates
             .iter()

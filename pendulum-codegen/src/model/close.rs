@@ -13,7 +13,7 @@ pub(crate) use orthogonal::Orthogonal;
 
 use super::closure::Loop;
 use super::{Combination, Coordinate, CoordinateId, Dependent, Following, Model};
-use crate::expr::{Binary, Expr, Graph, Level, Normalizer, Symbol, SymbolKind};
+use crate::expr::{Binary, Expr, Graph, Level, Normalizer, Rational, Symbol, SymbolKind};
 
 /// A coordinate that shall follow, as it is declared.
 #[derive(Clone, Debug)]
@@ -135,7 +135,7 @@ impl<'g, 'm> Solver<'g, 'm> {
     fn rebased(&self, sum: &Combination) -> Combination {
         sum.terms().fold(Combination::default(), |sum, (k, factor)| {
             let own = self.declared_as(k).and_then(|n| self.combinations[n].clone());
-            sum.plus_scaled(factor, &own.unwrap_or(Combination::one(k)))
+            sum.plus_multiple(factor, &own.unwrap_or(Combination::one(k)))
         })
     }
 
@@ -229,22 +229,22 @@ impl<'g, 'm> Solver<'g, 'm> {
         let Some(sum) = self.combinations[n].clone() else {
             return;
         };
-        let list = |part: fn(&Coordinate<'g>) -> Expr<'g>| -> Vec<(Expr<'g>, i64)> {
+        let list = |part: fn(&Coordinate<'g>) -> Expr<'g>| -> Vec<(Expr<'g>, Rational)> {
             sum.terms()
-                .map(|(k, factor)| (part(self.coordinate(k)), factor))
+                .map(|(k, factor)| (part(self.coordinate(k)), factor.clone()))
                 .collect()
         };
         let (positions, rates) = (list(|c| c.position), list(|c| c.rate));
         if positions.iter().any(|(position, _)| *position == coordinate.position) {
             return;
         }
-        let factors = |list: &[(Expr<'g>, i64)]| -> Vec<(Expr<'g>, Expr<'g>)> {
-            list.iter().map(|&(x, n)| (x, self.graph.integer(n))).collect()
+        let factors = |list: &[(Expr<'g>, Rational)]| -> Vec<(Expr<'g>, Expr<'g>)> {
+            list.iter().map(|(x, n)| (*x, self.graph.number(n.clone()))).collect()
         };
         self.graph.set_changes(coordinate.position, &factors(&positions), true);
         self.graph.set_changes(coordinate.rate, &factors(&rates), true);
-        let rate = self.graph.sum(rates.iter().map(|&(x, n)| n * x).collect::<Vec<_>>());
-        let in_time = |&(x, n): &(Expr<'g>, i64)| (self.model.with_drives(&[x])[0], n);
+        let rate = self.graph.sum(rates.iter().map(|(x, n)| n * *x).collect::<Vec<_>>());
+        let in_time = |(x, n): &(Expr<'g>, Rational)| (self.model.with_drives(&[*x])[0], n.clone());
         self.following
             .set_sum(coordinate.position, positions.iter().map(in_time).collect());
         self.following.set(coordinate.rate, self.model.with_drives(&[rate])[0]);

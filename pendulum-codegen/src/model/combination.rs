@@ -1,36 +1,44 @@
 //! Sums of coordinates.
 
-use super::CoordinateId;
-use crate::expr::{Expr, Graph};
+use std::collections::BTreeMap;
 
-/// A sum of coordinates with integer factors.
+use num_traits::{One, Signed, Zero};
+
+use super::CoordinateId;
+use crate::expr::{Expr, Graph, Rational, ratio};
+
+/// A sum of coordinates with numbers as factors.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Combination(
     /// Pairs of coordinate and factor, sorted by coordinate; no factor is zero.
-    Vec<(CoordinateId, i64)>,
+    Vec<(CoordinateId, Rational)>,
 );
 
 impl Combination {
     /// The coordinate itself.
     pub(crate) fn one(coordinate: CoordinateId) -> Self {
-        Self(vec![(coordinate, 1)])
+        Self(vec![(coordinate, Rational::one())])
     }
 
     /// The coordinates and their factors, sorted by coordinate.
-    pub(crate) fn terms(&self) -> impl Iterator<Item = (CoordinateId, i64)> {
-        self.0.iter().copied()
+    pub(crate) fn terms(&self) -> impl Iterator<Item = (CoordinateId, &Rational)> {
+        self.0.iter().map(|(k, factor)| (*k, factor))
     }
 
-    /// The factor of the first coordinate; 0 for the empty sum.
-    pub(crate) fn leading(&self) -> i64 {
-        self.0.first().map_or(0, |(_, factor)| *factor)
+    /// The sign of the first coordinate; 0 for the empty sum.
+    pub(crate) fn leading_sign(&self) -> i64 {
+        match self.0.first() {
+            None => 0,
+            Some((_, factor)) if factor.is_negative() => -1,
+            Some(_) => 1,
+        }
     }
 
     /// The factor of a coordinate; 0 where it does not occur.
-    pub(crate) fn factor(&self, coordinate: CoordinateId) -> i64 {
+    pub(crate) fn factor(&self, coordinate: CoordinateId) -> Rational {
         self.0
             .binary_search_by_key(&coordinate, |term| term.0)
-            .map_or(0, |at| self.0[at].1)
+            .map_or(Rational::zero(), |at| self.0[at].1.clone())
     }
 
     /// The sum without one of its coordinates.
@@ -42,12 +50,12 @@ impl Combination {
     /// The sum of some of its coordinates.
     #[must_use]
     pub(crate) fn filtered(&self, keeps: impl Fn(CoordinateId) -> bool) -> Self {
-        Self(self.terms().filter(|(k, _)| keeps(*k)).collect())
+        Self(self.0.iter().filter(|(k, _)| keeps(*k)).cloned().collect())
     }
 
     /// The same sum where coordinates have other numbers, in the same order.
     pub(crate) fn renumbered(&self, number: impl Fn(CoordinateId) -> CoordinateId) -> Self {
-        Self(self.terms().map(|(k, factor)| (number(k), factor)).collect())
+        Self(self.terms().map(|(k, factor)| (number(k), factor.clone())).collect())
     }
 
     /// `factor * self`
@@ -59,11 +67,17 @@ impl Combination {
     /// `self + factor * other`
     #[must_use]
     pub(crate) fn plus_scaled(&self, factor: i64, other: &Self) -> Self {
-        let mut sum: std::collections::BTreeMap<CoordinateId, i64> = self.terms().collect();
+        self.plus_multiple(&ratio(factor, 1), other)
+    }
+
+    /// The same for any number.
+    #[must_use]
+    pub(crate) fn plus_multiple(&self, factor: &Rational, other: &Self) -> Self {
+        let mut sum: BTreeMap<CoordinateId, Rational> = self.0.iter().cloned().collect();
         for (k, f) in other.terms() {
             *sum.entry(k).or_default() += factor * f;
         }
-        Self(sum.into_iter().filter(|(_, f)| *f != 0).collect())
+        Self(sum.into_iter().filter(|(_, f)| !f.is_zero()).collect())
     }
 
     /// The value of the sum, for example of positions or of rates.

@@ -1,7 +1,9 @@
 //! What hinders the motion: dry friction and stops of joints, and walls.
 
+use num_traits::ToPrimitive;
+
 use super::{Combination, CoordinateId, Model};
-use crate::expr::{Expr, Unary};
+use crate::expr::{Expr, Rational, Unary};
 
 /// Something that hinders the motion: a value that the state determines, with friction against its rate, or limits.
 #[derive(Clone, Debug)]
@@ -51,9 +53,14 @@ impl<'g> Constraint<'g> {
     pub(crate) fn rate(&self, model: &Model<'g>) -> Vec<(usize, i8)> {
         let Some(own) = self.coordinate else { return Vec::new() };
         let rate = self.motion.without(own);
-        let terms = rate.terms().chain([(own, self.motion.factor(own))]);
-        let component = |(k, factor): (CoordinateId, i64)| {
-            let sign = i8::try_from(factor).ok().filter(|sign| sign.abs() == 1)?;
+        let own_factor = self.motion.factor(own);
+        let terms = rate.terms().chain([(own, &own_factor)]);
+        let component = |(k, factor): (CoordinateId, &Rational)| {
+            let sign = factor
+                .is_integer()
+                .then(|| factor.to_i8())
+                .flatten()
+                .filter(|sign| sign.abs() == 1)?;
             model.is_free(k).then_some((model.dof() + usize::from(k), sign))
         };
         terms.map(component).collect::<Option<_>>().unwrap_or_default()

@@ -1,9 +1,10 @@
 //! Coordinates that follow from others, where loops are closed.
 
+use num_traits::ToPrimitive;
 use rustc_hash::FxHashMap;
 
 use super::{Coordinate, CoordinateId, Model};
-use crate::expr::{Binary, Derivative, Expr, Graph, Node, Normalizer, Unary};
+use crate::expr::{Binary, Derivative, Expr, Graph, Node, Normalizer, Rational, Unary};
 
 /// A coordinate that follows from those of the state and of the drives.
 #[derive(Clone, Debug)]
@@ -28,8 +29,8 @@ pub(crate) struct Following<'g> {
     values: FxHashMap<Expr<'g>, Expr<'g>>,
     /// Cosine and sine of angles, in the state.
     turns: FxHashMap<Expr<'g>, [Expr<'g>; 2]>,
-    /// Angles as sums of others with integer factors.
-    sums: FxHashMap<Expr<'g>, Vec<(Expr<'g>, i64)>>,
+    /// Angles as sums of others, with whole factors where these have a turn.
+    sums: FxHashMap<Expr<'g>, Vec<(Expr<'g>, Rational)>>,
     /// What each symbol stands for, as it was given.
     definitions: Vec<(Expr<'g>, Expr<'g>)>,
 }
@@ -53,7 +54,7 @@ impl<'g> Following<'g> {
     }
 
     /// Says which sum an angle is.
-    pub(super) fn set_sum(&mut self, angle: Expr<'g>, sum: Vec<(Expr<'g>, i64)>) {
+    pub(super) fn set_sum(&mut self, angle: Expr<'g>, sum: Vec<(Expr<'g>, Rational)>) {
         self.sums.insert(angle, sum);
     }
 
@@ -89,25 +90,24 @@ impl<'g> Following<'g> {
         }
         let whole = normalizer.normal(angle).ok()?;
         let mut rest = (*whole).clone();
-        let mut parts: Vec<(Expr<'g>, i64)> = Vec::new();
+        let mut parts: Vec<(Expr<'g>, Rational)> = Vec::new();
         for (monomial, factor) in whole.terms() {
             let &[(symbol, 1)] = monomial.powers() else { continue };
             let symbol = graph.expr(symbol);
             if !follows(&symbol) {
                 continue;
             }
-            let factor = i64::try_from(factor.is_integer().then(|| factor.to_integer())?).ok()?;
             rest.remove(monomial);
             match self.sums.get(&symbol) {
-                Some(sum) => parts.extend(sum.iter().map(|&(part, n)| (part, n * factor))),
-                None => parts.push((symbol, factor)),
+                Some(sum) => parts.extend(sum.iter().map(|(part, n)| (*part, n * factor))),
+                None => parts.push((symbol, factor.clone())),
             }
         }
         let mut rest = normalizer.to_expr(&rest);
         let mut turns: Vec<([Expr<'g>; 2], i64)> = Vec::new();
         for (part, n) in parts {
             match self.turns.get(&part) {
-                Some(&turn) => turns.push((turn, n)),
+                Some(&turn) => turns.push((turn, n.is_integer().then(|| n.to_i64()).flatten()?)),
                 None => rest += n * part,
             }
         }

@@ -15,7 +15,7 @@ mod pose;
 
 use std::collections::BTreeSet;
 
-use rustc_hash::FxHashMap;
+use num_traits::{One, Signed, Zero};
 
 pub(crate) use action::{Action, Place, Push};
 pub(crate) use close::{Closed, Declared, Open, Orthogonal, close};
@@ -426,25 +426,32 @@ impl<'g> Model<'g> {
 
     /// What each turning coordinate is in base angles: the absolute angles of parallel joints within their station.
     pub(crate) fn base_angles(&self) -> BaseAngles<'g> {
-        let mut angles = FxHashMap::default();
+        let mut angles = BaseAngles::default();
         for body in &self.bodies {
             let Some(own) = body.coordinate.filter(|&own| self.is_free(own)) else {
                 continue;
             };
             let turn = body.heading.turn.filtered(|k| !self.is_driven(k));
             let factor = turn.factor(own);
-            if factor == 0 {
+            // a body below may follow the coordinate: then it is its own base
+            if !factor.abs().is_one() {
                 continue;
             }
             // turn = factor * own + others, where the others are the turn of the parent, or none for an absolute coordinate
-            let mut shares = Vec::new();
-            for (combination, sign) in [(turn.clone(), factor), (turn.without(own), -factor)] {
-                let leading = combination.leading().signum();
-                if leading != 0 {
-                    let angle = self.position_of(&combination.scaled(leading));
-                    shares.push((angle, ratio(sign * leading, 1)));
+            let sign = turn.leading_sign();
+            let mut shares = vec![(self.position_of(&turn.scaled(sign)), &factor * ratio(sign, 1))];
+            for (k, n) in turn.without(own).terms() {
+                let other = self.coordinate(k).position;
+                let itself = [(other, ratio(1, 1))];
+                for (base, share) in angles.get(&other).map_or(&itself[..], |shares| shares) {
+                    let share = -&factor * n * share;
+                    match shares.iter_mut().find(|(known, _)| known == base) {
+                        Some((_, sum)) => *sum += share,
+                        None => shares.push((*base, share)),
+                    }
                 }
             }
+            shares.retain(|(_, share)| !share.is_zero());
             angles.insert(self.coordinates[own].position, shares);
         }
         angles

@@ -2,13 +2,13 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use num_traits::{One, Signed, ToPrimitive};
+use num_traits::{Signed, Zero};
 use rustc_hash::{FxHashMap, FxHashSet};
 
-use crate::expr::{Expr, Graph, Level, Node, Normalizer, Rational, SymbolKind, Unary};
+use crate::expr::{Expr, Graph, Level, Node, Normalizer, Rational, SymbolKind, Unary, ratio};
 
 /// An angle as a combination of coordinates, and of what else it depends on: pairs of expression and factor.
-type Angle<'g> = BTreeMap<Expr<'g>, i64>;
+type Angle<'g> = BTreeMap<Expr<'g>, Rational>;
 
 /// What the normal forms of all angles together may take.
 const BUDGET: usize = 100_000;
@@ -27,7 +27,7 @@ pub(crate) fn lower<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
     let mut angles: Vec<(Angle<'g>, Expr<'g>)> = angles
         .filter_map(|x| Some((combination(&mut normalizer, x)?, x)))
         .collect();
-    angles.sort_by_key(|(angle, x)| (angle.values().map(|n| n.abs()).sum::<i64>(), *x));
+    angles.sort_by_key(|(angle, x)| (angle.values().map(Signed::abs).sum::<Rational>(), *x));
     let mut available = Available::default();
     let mut replaced = FxHashMap::default();
     for (angle, x) in angles {
@@ -87,15 +87,15 @@ impl<'g> Available<'g> {
 }
 
 fn scaled_sum<'g>(a: &Angle<'g>, first: i64, b: &Angle<'g>, second: i64) -> Angle<'g> {
-    let mut sum: Angle<'g> = a.iter().map(|(&k, n)| (k, n * first)).collect();
+    let mut sum: Angle<'g> = a.iter().map(|(&k, n)| (k, n * ratio(first, 1))).collect();
     for (&k, n) in b {
-        *sum.entry(k).or_default() += n * second;
+        *sum.entry(k).or_default() += n * ratio(second, 1);
     }
-    sum.retain(|_, n| *n != 0);
+    sum.retain(|_, n| !n.is_zero());
     sum
 }
 
-/// The angle as a combination, if it is one with integer factors. What is not a coordinate, such as the angle of a drive, is one part of it.
+/// The angle as a combination, if it is one with factors that are not large. What is not a coordinate, such as the angle of a drive, is one part of it.
 fn combination<'g>(normalizer: &mut Normalizer<'g>, x: Expr<'g>) -> Option<Angle<'g>> {
     if x.level() != Level::State {
         return None;
@@ -112,16 +112,15 @@ fn combination<'g>(normalizer: &mut Normalizer<'g>, x: Expr<'g>) -> Option<Angle
         if !is_coordinate {
             continue;
         }
-        let small: &Rational = factor;
-        if !small.denom().is_one() || small.abs() > Rational::from_integer(16.into()) {
+        if factor.abs() > ratio(16, 1) {
             return None;
         }
-        angle.insert(symbol, small.numer().to_i64()?);
+        angle.insert(symbol, factor.clone());
         rest.remove(monomial);
     }
     if let Some((_, leading)) = rest.terms().next() {
         let sign = leading.signum();
-        angle.insert(normalizer.to_expr(&rest.scaled(&sign)), sign.to_integer().to_i64()?);
+        angle.insert(normalizer.to_expr(&rest.scaled(&sign)), sign);
     }
     Some(angle)
 }

@@ -175,12 +175,14 @@ fn kind(model: &Model<'_>, coordinate: CoordinateId) -> SlotKind {
     }
 }
 
-/// Whether a full turn of the coordinate brings each body back to its place: every joint that it moves turns without sliding.
+/// Whether a full turn of the coordinate brings each body back to its place: every joint that it moves turns without sliding,
+/// by whole turns.
 fn returns(model: &Model<'_>, coordinate: CoordinateId) -> bool {
-    let moved = model.bodies.iter().filter(|body| body.motion.factor(coordinate) != 0);
-    moved
-        .filter_map(|body| body.screw)
-        .all(|screw| turns_only(model.graph, &screw))
+    let moves = model.bodies.iter().map(|body| (body.motion.factor(coordinate), body));
+    moves
+        .filter(|(factor, _)| !factor.is_zero())
+        .filter_map(|(factor, body)| Some((factor, body.screw?)))
+        .all(|(factor, screw)| factor.is_integer() && turns_only(model.graph, &screw))
 }
 
 /// Whether a normalised screw is a rotation: it has no component along its axis.

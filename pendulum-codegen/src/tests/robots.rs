@@ -147,6 +147,110 @@ fn a_joint_that_mimics_follows() {
     assert_same(free, &by_hand("coordinate: r"));
 }
 
+/// A floating and a planar one, with limits and dynamics that say nothing.
+#[test]
+fn joints_of_more_coordinates_are_written_in_the_language() {
+    let world = "body world on ground { }";
+    let hull = "mass: 3, com: [0, 0, 0.1], inertia: [0.1, 0.2, 0.25],";
+    let flies = "joint: free at [0, 0, 1] rpy [0, 0, pi/2], orientation: base_orientation, position: base_position";
+    let hull_on_world = format!("body hull on world {{ {hull} {flies} }}");
+    let slides = "
+        body table_x on hull { joint: prismatic(x) at [0, 0, 0.2] rpy [0.5, 0, 0], coordinate: table_x }
+        body table_y on table_x { joint: prismatic(y), coordinate: table_y }";
+    let puck = "body puck on table_y { mass: 0.5, com: [0.1, 0, 0], inertia: [1e-3, 1e-3, 2e-3],";
+    let turns = "joint: revolute([0, 0, -1]), coordinate: table_turn }";
+    let lid = "
+        body r#type_y on puck { joint: prismatic(y), coordinate: r#type_y }
+        body type_z on type_y { joint: prismatic(z), coordinate: type_z }
+        body lid on type_z { mass: 0.2, com: [0, 0, 0], inertia: [1e-3, 1e-3, 1e-3], joint: revolute(x), coordinate: type_turn }";
+    let lid = lid.replace("r#", "");
+    let all = |hull: &str, slides: &str, puck: &str| format!("{world} {hull} {slides} {puck} {lid}");
+    let same = |changes: &str, by_hand: &str| {
+        let brief = "generate: [rhs],";
+        assert_same(
+            &format!("robot: urdf(\"floating.urdf\"), {brief} {changes}"),
+            &format!("{brief} {by_hand}"),
+        );
+    };
+    let moves = format!("{puck} {turns}");
+    same("", &all(&hull_on_world, slides, &moves));
+    // names
+    let renamed = "body hull on world { orientation: o, position: p } body table_y on table_x { coordinate: along }";
+    let hull_named = hull_on_world
+        .replace("base_orientation", "o")
+        .replace("base_position", "p");
+    let slides_named = slides.replace("coordinate: table_y", "coordinate: along");
+    same(renamed, &all(&hull_named, &slides_named, &moves));
+    // other joints
+    let stays = "at [0, 0, 1] rpy [0, 0, pi/2]";
+    for (joint, names) in [
+        ("fixed", ""),
+        ("revolute(x)", "coordinate: lean, friction: 0.1"),
+        ("ball", "friction: 0.1"),
+        ("prismatic(x)", "motion: 0.1 m/s*t"),
+    ] {
+        let orientation = if joint == "ball" {
+            ", orientation: base_orientation"
+        } else {
+            ""
+        };
+        let hull = format!("body hull on world {{ {hull} joint: {joint} {stays}, {names} {orientation} }}");
+        let change = format!("body hull on world {{ joint: {joint}, {names} }}");
+        same(&change, &all(&hull, slides, &moves));
+    }
+    // parts that act, are driven, or are held
+    let changes = "
+        body table_x on hull { spring: (3, 0), stop: [-1, 1] }
+        body table_y on table_x { motion: 0.2 m*sin(1 rad/s*t) }
+        body puck on table_y { joint: fixed }";
+    let without = "body hull on world { joint: fixed }";
+    let hull = format!("body hull on world {{ {hull} joint: fixed {stays} }}");
+    let slides = slides
+        .replace(
+            "coordinate: table_x",
+            "coordinate: table_x, spring: (3, 0), stop: [-1, 1]",
+        )
+        .replace("coordinate: table_y", "motion: 0.2 m*sin(1 rad/s*t)");
+    same(
+        &format!("{without} {changes}"),
+        &all(&hull, &slides, &format!("{puck} joint: fixed }}")),
+    );
+}
+
+/// A joint of the file with one axis may get an orientation, and the root may be set free.
+#[test]
+fn a_joint_may_be_set_free() {
+    let flies = "joint: free, orientation: o, position: p";
+    let on_ground = format!("body base on ground {{ mass: 1, inertia: [1, 1, 1], {flies} }}");
+    let change = on_ground.clone();
+    assert_same(
+        &format!("robot: urdf(\"arm.urdf\"), {change}"),
+        &format!("{on_ground} {UPPER} {FOREARM}"),
+    );
+    let freed = FOREARM
+        .replace("revolute(y)", "free")
+        .replace("coordinate: elbow, friction: 0.1", "orientation: o, position: p");
+    assert_same(
+        &format!("robot: urdf(\"arm.urdf\", limits), body forearm on upper_arm {{ {flies} }}"),
+        &format!("{BASE} {UPPER} {freed}"),
+    );
+}
+
+/// Planar parts in a closed loop: a slider-crank whose slider is the planar joint of the file.
+#[test]
+fn parts_of_a_planar_joint_close_loops() {
+    let crank = "body crank on ground { mass: 1, com: [0.1, 0, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(z), coordinate: theta near 0.5 }";
+    let close = "close crank at [0.2, 0, 0] to puck at [0, 0, 0]: revolute(z),";
+    let hull = "body hull on world { joint: fixed at [0, 0, 0] } ";
+    let held = "body type_y on puck { joint: fixed } body type_z on type_y { joint: fixed } body lid on type_z { joint: fixed }";
+    let changes = "body table_x on hull { joint: prismatic(x) at [0, 0, 0], coordinate: table_x depends near 0.2 }
+        body table_y on table_x { coordinate: table_y depends near 0.1 }";
+    let text = from_file(&format!(
+        "robot: urdf(\"floating.urdf\"), {hull} {changes} {held} {crank} {close}"
+    ));
+    assert!(text.contains("\"theta\"") && text.contains("\"table_turn\""));
+}
+
 /// The orientation of the inertia, and names that Rust does not have.
 #[test]
 fn what_a_file_may_have_is_read() {
@@ -160,7 +264,34 @@ fn what_a_file_may_have_is_read() {
     );
 }
 
-/// A factor of 0.5 is refused, but where the scene says how the joint moves.
+/// Angles and lengths follow each other by any number.
+#[test]
+fn joints_follow_by_fractions() {
+    let part = |name: &str, moves: &str| {
+        format!("body {name} on palm {{ mass: 1, com: [0, 0, 0], inertia: [1, 1, 1], joint: {moves} }}")
+    };
+    let bodies = [
+        part("wheel", "revolute(x), coordinate: w"),
+        part("rack", "prismatic(x), motion: 0.02 - w/8 * 1 m/rad"),
+        part("thumb", "revolute(x), motion: 3*w/2"),
+    ];
+    let by_hand = format!("body palm on ground {{ }} {}", bodies.concat());
+    assert_same("robot: urdf(\"mimic_fractions.urdf\"),", &by_hand);
+    let moves = "body wheel on palm { joint: prismatic(x) } body rack on palm { joint: fixed }";
+    let slides = [
+        part("wheel", "prismatic(x), coordinate: w"),
+        part("rack", "fixed"),
+        part("thumb", "revolute(x), motion: 3*w/2 * 1 rad/m"),
+    ];
+    let by_hand = format!("body palm on ground {{ }} {}", slides.concat());
+    let thumb = "body thumb on palm { motion: 1.5*w * 1 rad/m }";
+    assert_same(
+        &format!("robot: urdf(\"mimic_fractions.urdf\"), {moves} {thumb}"),
+        &by_hand,
+    );
+}
+
+/// Dry friction of what follows is refused, but where the scene says how the joint moves.
 #[test]
 fn what_cannot_follow_may_be_replaced() {
     let moves = "body right on forearm { coordinate: r } body third on forearm { joint: fixed }";
@@ -178,6 +309,9 @@ fn the_documentation_names_what_is_left_out() {
     };
     assert_eq!(docs("robot: urdf(\"arm.urdf\"),"), "`arm.urdf`. Left out: `limit`.");
     assert_eq!(docs("robot: urdf(\"arm.urdf\", limits),"), "`arm.urdf`.");
+    // of joints with more than one coordinate they are left out in any case
+    let floating = "`floating.urdf`. Left out: `limit`.";
+    assert_eq!(docs("robot: urdf(\"floating.urdf\", limits),"), floating);
     let rusty = docs("robot: urdf(\"rusty.urdf\", without dry_friction),");
     assert_eq!(
         rusty,

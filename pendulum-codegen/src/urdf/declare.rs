@@ -13,7 +13,7 @@ pub(super) struct Replaced {
     pub(super) body: String,
     /// The coordinate, where it has another name.
     pub(super) coordinate: Option<String>,
-    /// Whether the joint is fixed, or driven.
+    /// Whether the joint is fixed, driven, or has an orientation, so that it has no coordinate.
     pub(super) held: bool,
 }
 
@@ -24,37 +24,123 @@ pub(super) fn declare(robot: &Robot, item: &ast::Robot, replaced: &[Replaced], w
     if !is_tree(robot, wrong) {
         return text;
     }
-    let links = named(robot.links.iter().map(|link| &link.name), "link", wrong);
-    let joints = named(robot.joints.iter().map(|joint| &joint.name), "joint", wrong);
+    check_names(robot, wrong);
     let is_root = |link: &&Link| carried_by(robot, &link.name).next().is_none();
     for link in robot.links.iter().filter(is_root) {
-        writeln!(text, "body {} on ground {{ {} }}", links[&link.name], mass(link)).expect("memory");
+        writeln!(text, "body {} on ground {{ {} }}", identifier(&link.name), mass(link)).expect("memory");
     }
+    let is_replaced = |link: &String| {
+        let link = identifier(link);
+        replaced.iter().find(|replaced| replaced.body == link)
+    };
     for joint in &robot.joints {
         let Some(link) = robot.links.iter().find(|link| link.name == joint.child) else {
             continue;
         };
-        let is_replaced = |link: &String| replaced.iter().find(|replaced| replaced.body == links[link]);
+        let (body, mut parent) = (identifier(&link.name), identifier(&joint.parent));
+        let own = is_replaced(&link.name);
+        if joint.kind == Kind::Planar || joint.kind == Kind::Floats && own.is_none() {
+            require_bare(joint, item, wrong);
+        }
+        let mut place = place(&joint.origin);
         let moving = match (joint.kind, &joint.mimic) {
-            (Kind::Fixed, _) => String::new(),
-            (_, None) => format!("coordinate: {},", joints[&joint.name]),
-            (_, Some(_)) if is_replaced(&link.name).is_some() => String::new(),
-            (_, Some(mimic)) => {
-                let leader = robot.joints.iter().find(|other| other.name == mimic.joint);
-                let leader = leader.map(|leader| Leader {
-                    joint: leader,
-                    name: &joints[&leader.name],
-                    replaced: is_replaced(&leader.child),
-                });
-                followed(joint, mimic, leader, wrong)
+            (Kind::Fixed, _) => "joint: fixed".to_owned(),
+            (Kind::Floats, _) => {
+                let [position, orientation] = ["position", "orientation"].map(|part| part_of(joint, part));
+                format!("position: {position}, orientation: {orientation}, joint: free")
+            }
+            (Kind::Planar, _) => {
+                for axis in in_plane(joint) {
+                    let slide = part_of(joint, axis);
+                    let moving = format!("coordinate: {slide}, joint: prismatic({axis})");
+                    writeln!(text, "body {slide} on {parent} {{ {moving} {place}, }}").expect("memory");
+                    (parent, place) = (slide, String::new());
+                }
+                format!(
+                    "coordinate: {}, joint: revolute({})",
+                    part_of(joint, TURN),
+                    list(&joint.axis)
+                )
+            }
+            (kind, mimic) => {
+                let moves = match mimic {
+                    None => format!("coordinate: {},", identifier(&joint.name)),
+                    Some(_) if own.is_some() => String::new(),
+                    Some(mimic) => {
+                        let leader = robot.joints.iter().find(|other| other.name == mimic.joint);
+                        let leader = leader.map(|leader| Leader {
+                            joint: leader,
+                            replaced: is_replaced(&leader.child),
+                        });
+                        followed(joint, mimic, leader, item, wrong)
+                    }
+                };
+                let word = if kind == Kind::Turns { "revolute" } else { "prismatic" };
+                format!("{moves} joint: {word}({})", list(&joint.axis))
             }
         };
-        let (body, parent) = (&links[&link.name], &links[&joint.parent]);
         let (mass, forces) = (mass(link), forces(joint, item));
-        let joint = placed(joint);
-        writeln!(text, "body {body} on {parent} {{ {mass} {joint} {moving} {forces} }}").expect("memory");
+        writeln!(text, "body {body} on {parent} {{ {mass} {moving} {place}, {forces} }}").expect("memory");
     }
     text
+}
+
+/// The angle of a planar joint.
+const TURN: &str = "turn";
+
+/// The name of a part of a joint that has more than one coordinate.
+fn part_of(joint: &Joint, part: &str) -> String {
+    identifier(&format!("{}_{part}", joint.name))
+}
+
+/// The axes along which a planar joint slides; any where its own is none of the three.
+fn in_plane(joint: &Joint) -> [&'static str; 2] {
+    match joint.axis.each_ref().map(|number| number == ZERO) {
+        [false, ..] => ["y", "z"],
+        [_, false, _] => ["x", "z"],
+        _ => ["x", "y"],
+    }
+}
+
+/// Refuses what a joint of more than one coordinate cannot have.
+fn require_bare(joint: &Joint, item: &ast::Robot, wrong: &mut Vec<Wrong>) {
+    let Joint { name, kind, axis, .. } = joint;
+    let mut refuse = |fact: String, help: String| wrong.push(Wrong { fact, help });
+    let is_planar = *kind == Kind::Planar;
+    if is_planar && axis.iter().filter(|number| *number == ZERO).count() != 2 {
+        refuse(
+            format!(
+                "joint `{name}` is `planar`, and its axis {} is none of those of its frame",
+                list(axis)
+            ),
+            "let it be `1 0 0`, `0 1 0` or `0 0 1`, and turn the frame by the `rpy` of `origin`".to_owned(),
+        );
+    }
+    let (word, instead) = if is_planar {
+        let [first, second] = in_plane(joint).map(|axis| part_of(joint, axis));
+        let body = identifier(&joint.child);
+        let instead = format!("give a `friction` to the bodies `{first}`, `{second}` and `{body}` of the scene");
+        ("planar", instead)
+    } else {
+        ("floating", "write drag as `force on point: ..`".to_owned())
+    };
+    let dry = dry_friction(joint, item);
+    for (attribute, force) in [("damping", joint.damping.as_ref()), ("friction", dry)] {
+        if force.is_some() {
+            refuse(
+                format!(
+                    "joint `{name}` is `{word}`, and its `{attribute}` one number for ways that slide and that turn"
+                ),
+                format!("remove it, and {instead}"),
+            );
+        }
+    }
+    if let Some(mimic) = &joint.mimic {
+        refuse(
+            format!("joint `{name}` is `{word}`, so it cannot mimic `{}`", mimic.joint),
+            "remove `mimic`, or let the joint turn about an axis or slide along one".to_owned(),
+        );
+    }
 }
 
 /// The joints that carry a link.
@@ -114,25 +200,40 @@ fn is_tree(robot: &Robot, wrong: &mut Vec<Wrong>) -> bool {
     is_tree
 }
 
-/// Identifiers for names. Two names that have the same one are an error.
-fn named<'r>(
-    names: impl Iterator<Item = &'r String>,
-    what: &str,
-    wrong: &mut Vec<Wrong>,
-) -> BTreeMap<&'r String, String> {
-    let mut taken: BTreeMap<String, &String> = BTreeMap::new();
-    let mut named = BTreeMap::new();
-    for name in names {
-        let identifier = identifier(name);
-        if let Some(other) = taken.insert(identifier.clone(), name).filter(|other| *other != name) {
+/// Two links or two joints that have one name here are an error, be it that of a part.
+fn check_names(robot: &Robot, wrong: &mut Vec<Wrong>) {
+    let planar = robot.joints.iter().filter(|joint| joint.kind == Kind::Planar);
+    let slides = planar.flat_map(|joint| in_plane(joint).map(|axis| (joint, part_of(joint, axis))));
+    let slides = slides.map(|(joint, slide)| (("joint", &joint.name), slide));
+    let links = robot.links.iter();
+    let bodies = links.map(|link| (("link", &link.name), identifier(&link.name)));
+    let coordinates = robot.joints.iter().flat_map(|joint| {
+        let parts = match joint.kind {
+            Kind::Floats => vec!["position", "orientation"],
+            Kind::Planar => [&in_plane(joint)[..], &[TURN]].concat(),
+            _ => return vec![(("joint", &joint.name), identifier(&joint.name))],
+        };
+        let parts = parts
+            .into_iter()
+            .map(|part| (("joint", &joint.name), part_of(joint, part)));
+        parts.collect()
+    });
+    for names in [bodies.chain(slides).collect::<Vec<_>>(), coordinates.collect()] {
+        let mut taken = BTreeMap::new();
+        for (owner, name) in names {
+            let Some(other) = taken.insert(name.clone(), owner).filter(|other| *other != owner) else {
+                continue;
+            };
+            let both = match (other, owner) {
+                ((what, a), (also, b)) if what == also => format!("the {what}s `{a}` and `{b}`"),
+                ((what, a), (other, b)) => format!("the {what} `{a}` and the {other} `{b}`"),
+            };
             wrong.push(Wrong {
-                fact: format!("the {what}s `{other}` and `{name}` have one name here, `{identifier}`"),
+                fact: format!("{both} have one name here, `{name}`"),
                 help: "rename one of the two".to_owned(),
             });
         }
-        named.insert(name, identifier);
     }
-    named
 }
 
 /// Names that mean something else, and keywords that no raw identifier has.
@@ -169,32 +270,31 @@ fn mass(link: &Link) -> String {
     text
 }
 
-fn placed(joint: &Joint) -> String {
-    let axis = list(&joint.axis);
-    let mut text = match joint.kind {
-        Kind::Fixed => "joint: fixed".to_owned(),
-        Kind::Turns => format!("joint: revolute({axis})"),
-        Kind::Slides => format!("joint: prismatic({axis})"),
-    };
-    let Origin { xyz, rpy } = &joint.origin;
-    for (word, numbers) in [("at", xyz), ("rpy", rpy)] {
+/// What stands behind the kind of a joint.
+fn place(origin: &Origin) -> String {
+    let mut text = String::new();
+    for (word, numbers) in [("at", &origin.xyz), ("rpy", &origin.rpy)] {
         if !is_zero(numbers) {
             write!(text, " {word} {}", list(numbers)).expect("memory");
         }
     }
-    text.push(',');
     text
 }
 
 /// A joint that another one follows.
 struct Leader<'r> {
     joint: &'r Joint,
-    name: &'r str,
     replaced: Option<&'r Replaced>,
 }
 
 /// The motion of a joint that follows another.
-fn followed(joint: &Joint, mimic: &Mimic, leader: Option<Leader<'_>>, wrong: &mut Vec<Wrong>) -> String {
+fn followed(
+    joint: &Joint,
+    mimic: &Mimic,
+    leader: Option<Leader<'_>>,
+    item: &ast::Robot,
+    wrong: &mut Vec<Wrong>,
+) -> String {
     let (body, parent) = (identifier(&joint.child), identifier(&joint.parent));
     let mut refuse = |why: &str, help: &str| {
         let fact = format!("joint `{}` mimics `{}`{why}", joint.name, mimic.joint);
@@ -208,7 +308,6 @@ fn followed(joint: &Joint, mimic: &Mimic, leader: Option<Leader<'_>>, wrong: &mu
     let another = "let it mimic a joint that moves by itself";
     let Some(Leader {
         joint: leader,
-        name,
         replaced,
     }) = leader
     else {
@@ -217,19 +316,23 @@ fn followed(joint: &Joint, mimic: &Mimic, leader: Option<Leader<'_>>, wrong: &mu
     if leader.kind == Kind::Fixed {
         return refuse(", which is fixed", another);
     }
+    if leader.kind.has_many() {
+        return refuse(", which has more than one coordinate", another);
+    }
     if leader.mimic.is_some() {
         return refuse(", which itself mimics another", another);
     }
     if replaced.is_some_and(|replaced| replaced.held) {
-        return refuse(", which the scene holds or drives", another);
+        return refuse(", which the scene holds, drives or sets free", another);
+    }
+    if dry_friction(joint, item).is_some() {
+        let help = "give it to the joint that leads, or leave all out by `urdf(\"..\", without dry_friction)`";
+        return refuse(", so it has no dry `friction` of its own", help);
     }
     let multiplier = &mimic.multiplier;
-    if multiplier.parse().is_ok_and(|factor: f64| factor.fract() != 0.0) {
-        return refuse(&format!(" by a factor of {multiplier}"), "let it be a whole number");
-    }
     let name = replaced
-        .and_then(|replaced| replaced.coordinate.as_deref())
-        .unwrap_or(name);
+        .and_then(|replaced| replaced.coordinate.clone())
+        .unwrap_or_else(|| identifier(&leader.name));
     let unit = match (joint.kind, leader.kind) {
         (Kind::Turns, Kind::Slides) => " * 1 rad/m",
         (Kind::Slides, Kind::Turns) => " * 1 m/rad",
@@ -242,13 +345,18 @@ fn followed(joint: &Joint, mimic: &Mimic, leader: Option<Leader<'_>>, wrong: &mu
     format!("motion: {multiplier} * {name}{unit}{offset},")
 }
 
+/// The dry friction of a joint, unless it is left out.
+fn dry_friction<'j>(joint: &'j Joint, item: &ast::Robot) -> Option<&'j String> {
+    joint.friction.as_ref().filter(|_| !item.without_dry_friction)
+}
+
 /// What acts along a joint.
 fn forces(joint: &Joint, item: &ast::Robot) -> String {
     let mut text = String::new();
-    if joint.kind == Kind::Fixed {
+    if joint.kind == Kind::Fixed || joint.kind.has_many() {
         return text;
     }
-    let dry = joint.friction.as_ref().filter(|_| !item.without_dry_friction);
+    let dry = dry_friction(joint, item);
     for (word, force) in [("friction", joint.damping.as_ref()), ("dry_friction", dry)] {
         if let Some(force) = force {
             write!(text, "{word}: {force}, ").expect("memory");

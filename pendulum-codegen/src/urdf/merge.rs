@@ -1,6 +1,6 @@
 //! Bodies of a scene that change bodies of its robot.
 
-use crate::ast::{Body, BodyFields, Joint, Properties};
+use crate::ast::{Body, BodyFields, Joint, JointKind, Properties};
 use crate::error::Errors;
 
 /// The bodies of a scene: those of its robot, changed by those of the same name, and then the others.
@@ -68,8 +68,16 @@ fn change(link: &mut Body, body: Body, errors: &mut Errors) {
         replace(&mut link.fields.properties.inertia, inertia);
     }
     let old = &mut link.fields;
-    if joint.as_ref().is_some_and(Joint::is_fixed) {
-        release(old);
+    if let Some(joint) = &joint {
+        if joint.is_fixed() || joint.turns_freely() {
+            release(old);
+        }
+        if joint.kind.is_ok() && !joint.turns_freely() {
+            old.orientation = None;
+        }
+        if matches!(&joint.kind, Ok(kind) if !matches!(kind, JointKind::Free)) {
+            old.position = None;
+        }
     }
     if let Some(Joint { kind, at, rpy }) = joint {
         let place = old.joint.take();
@@ -100,7 +108,7 @@ fn change(link: &mut Body, body: Body, errors: &mut Errors) {
     replace(&mut old.stop, stop);
 }
 
-/// Forgets what a joint has that moves by itself.
+/// Forgets what a joint of one coordinate has that moves by itself.
 fn release(fields: &mut BodyFields) {
     fields.coordinate = None;
     fields.motion = None;

@@ -12,7 +12,7 @@ use std::path::Path;
 use proc_macro2::{Group, Span, TokenStream, TokenTree};
 use quote::quote;
 
-use crate::ast::{Body, BodyFields, Joint, Robot, Scene};
+use crate::ast::{Body, BodyFields, Robot, Scene};
 use crate::error::{Errors, Reported};
 use crate::parse;
 use declare::Replaced;
@@ -37,7 +37,9 @@ pub(crate) fn read(scene: &mut Scene, folder: &Path, errors: &mut Errors) -> Res
     if let Some(reported) = wrong.into_iter().map(report).last() {
         return Err(reported);
     }
-    if !robot.limits && found.joints.iter().any(|joint| joint.limits.is_some()) {
+    // a stop is one of a single coordinate
+    let is_left = |joint: &read::Joint| joint.limits.is_some() && (!robot.limits || joint.kind.has_many());
+    if found.joints.iter().any(is_left) {
         found.left_out.insert("limit".to_owned());
     }
     if robot.without_dry_friction && found.joints.iter().any(|joint| joint.friction.is_some()) {
@@ -61,7 +63,11 @@ fn replaced(own: &[Body]) -> Vec<Replaced> {
     let replaced = replaced.map(|Body { name, fields, .. }| Replaced {
         body: name.to_string(),
         coordinate: fields.coordinate.as_ref().map(ToString::to_string),
-        held: fields.motion.is_some() || fields.joint.as_ref().is_some_and(Joint::is_fixed),
+        held: fields.motion.is_some()
+            || fields
+                .joint
+                .as_ref()
+                .is_some_and(|joint| joint.is_fixed() || joint.turns_freely()),
     });
     replaced.collect()
 }

@@ -68,6 +68,17 @@ pub(super) enum Kind {
     Fixed,
     Turns,
     Slides,
+    /// It moves in all ways.
+    Floats,
+    /// It moves in the plane across its axis.
+    Planar,
+}
+
+impl Kind {
+    /// Whether it has more than one coordinate.
+    pub(super) fn has_many(self) -> bool {
+        matches!(self, Self::Floats | Self::Planar)
+    }
 }
 
 /// A joint that follows another.
@@ -269,17 +280,18 @@ impl Reader {
     }
 
     fn kind(&mut self, word: &str, owner: &str) -> Option<Kind> {
-        let instead = match word {
-            "fixed" => return Some(Kind::Fixed),
-            "revolute" | "continuous" => return Some(Kind::Turns),
-            "prismatic" => return Some(Kind::Slides),
-            // a free joint would be one more kind, with its words in `declare`
-            "floating" => "fix the joint, or replace it by bodies without mass on sliding and turning joints",
-            "planar" => "write it as two prismatic joints and a revolute one, with links without mass between them",
-            _ => "known are fixed, revolute, continuous and prismatic",
-        };
-        self.wrong(format!("{owner} is `{word}`, which is not read"), instead);
-        None
+        Some(match word {
+            "fixed" => Kind::Fixed,
+            "revolute" | "continuous" => Kind::Turns,
+            "prismatic" => Kind::Slides,
+            "floating" => Kind::Floats,
+            "planar" => Kind::Planar,
+            _ => {
+                let known = "known are fixed, revolute, continuous, prismatic, floating and planar";
+                self.wrong(format!("{owner} is `{word}`, which is not read"), known);
+                return None;
+            }
+        })
     }
 
     fn origin(&mut self, node: Option<Node<'_, '_>>, owner: &str) -> Origin {

@@ -8,6 +8,10 @@ As the generator does, the script takes an angle that was rounded from a multipl
 one, for that multiple, and angles and lengths below 1e-12 for zero, in what it hands to Pinocchio. The files here keep
 what they have.
 
+Robots in `FREE` have a root that flies, as the test declares it; `flying.urdf` has joints of more than one coordinate in
+the file. Their rates are not those of Pinocchio, which has linear ones along the axes of the body: `v = S r + ..` with
+ours `r`, so the matrix is `S^T A S`, the bias `S^T (b + A S' r)`, and `r' = S^-1 (v' - S' r)`, where `v'` is by `aba`.
+
 `mass_matrix` and `bias` (velocity terms and gravity) are Pinocchio's, the energies follow from its matrix and its
 frames. The acceleration is `A^-1 (Q - b)`, where Q is the friction of the joints: `-damping v - friction sign(v)`.
 Coordinates are in the order of the joints in the file; those that mimic others have none. The potential energy leaves
@@ -37,6 +41,7 @@ FILES = {
     "ur10": "ur_description/urdf/ur10_robot.urdf",
     "xarm7": "xarm_description/urdf/xarm7.urdf",
 }
+FREE = {"solo12": ("solo_description/robots/solo12.urdf", "base_link")}
 KEPT = {
     "robot": ["link", "joint"],
     "link": ["inertial"],
@@ -134,6 +139,85 @@ def reference(robot, random):
     return {"coordinates": names, "samples": samples}
 
 
+def freely(robot, random):
+    """A robot that flies, or has joints of more than one coordinate. None of them has friction."""
+    model = pin.buildModelFromXML(ET.tostring(meant(robot), encoding="unicode"))
+    data = model.createData()
+    moving = [joint for joint in robot.iter("joint") if joint.get("type") not in (None, "fixed")]
+    assert all(joint.find("mimic") is None for joint in moving)
+    assert all(coefficients(joint, what) == 0 for joint in moving for what in ("damping", "friction"))
+    number = lambda: round(random.uniform(-2, 2), 3)
+    names, samples = [], []
+    for _ in range(SAMPLES):
+        names, ours, rates = [], [], []
+        q = np.zeros(model.nq)
+        # rates of Pinocchio by ours, and their drift
+        slopes, drift = np.zeros((model.nv, model.nv)), np.zeros(model.nv)
+        for joint in moving:
+            name, kind = joint.get("name"), joint.get("type")
+            known = model.joints[model.getJointId(name)]
+            i, j, n = known.idx_q, known.idx_v, len(rates)
+            if kind == "floating":
+                place, turn = [number() for _ in range(3)], np.array([number() for _ in range(4)])
+                turn /= np.linalg.norm(turn)
+                w, x, y, z = turn.tolist()
+                velocity, spin = np.array([number() for _ in range(3)]), np.array([number() for _ in range(3)])
+                back = pin.Quaternion(w, x, y, z).toRotationMatrix().T
+                names += [f"{name}_position.{axis}" for axis in "xyz"] + [f"{name}_orientation"]
+                ours += place + [w, x, y, z]
+                rates += velocity.tolist() + spin.tolist()
+                q[i : i + 7] = place + [x, y, z, w]
+                slopes[j : j + 3, n : n + 3], slopes[j + 3 : j + 6, n + 3 : n + 6] = back, np.eye(3)
+                drift[j : j + 3] = -np.cross(spin, back @ velocity)
+            elif kind == "planar":
+                # Pinocchio knows no other plane
+                assert joint.find("axis").get("xyz") == "0 0 1"
+                x, y, angle, turn = [number() for _ in range(4)]
+                velocity = np.array([number(), number()])
+                back = np.array([[math.cos(angle), math.sin(angle)], [-math.sin(angle), math.cos(angle)]])
+                names += [f"{name}_{part}" for part in ("x", "y", "turn")]
+                ours += [x, y, angle]
+                rates += velocity.tolist() + [turn]
+                q[i : i + 4] = [x, y, math.cos(angle), math.sin(angle)]
+                slopes[j : j + 2, n : n + 2], slopes[j + 2, n + 2] = back, 1
+                drift[j : j + 2] = turn * np.array([[0, 1], [-1, 0]]) @ back @ velocity
+            else:
+                angle, rate = number(), number()
+                names.append(name)
+                ours.append(angle)
+                rates.append(rate)
+                q[i : i + known.nq] = [angle] if known.nq == 1 else [math.cos(angle), math.sin(angle)]
+                slopes[j, n] = 1
+        v = slopes @ rates
+        matrix = pin.crba(model, data, q)
+        matrix = np.triu(matrix) + np.triu(matrix, 1).T
+        bias = pin.nonLinearEffects(model, data, q, v)
+        acceleration = pin.aba(model, data, q, v, np.zeros(model.nv))
+        in_ours = slopes.T @ matrix @ slopes
+        samples.append(
+            {
+                "q": ours,
+                "qd": rates,
+                "kinetic": v @ matrix @ v / 2,
+                "potential": potential(model, data, q),
+                "mass_matrix": [row[: n + 1].tolist() for n, row in enumerate(in_ours)],
+                "bias": (slopes.T @ (bias + matrix @ drift)).tolist(),
+                "acceleration": np.linalg.solve(slopes, acceleration - drift).tolist(),
+            }
+        )
+    return {"coordinates": names, "samples": samples}
+
+
+def flying(robot, root):
+    """The robot on a world, against which its root moves freely."""
+    flown = ET.fromstring(ET.tostring(robot))
+    joint = ET.Element("joint", name="base", type="floating")
+    ET.SubElement(joint, "parent", link="world")
+    ET.SubElement(joint, "child", link=root)
+    flown[:0] = [ET.Element("link", name="world"), joint]
+    return flown
+
+
 def declared(robot):
     """The URDF file of a robot of robots.json."""
     root = ET.Element("robot", name=robot["name"])
@@ -169,14 +253,21 @@ def main():
         write(declared(robot), f"declared/{robot['name']}.urdf", "The numbers of ../robots.json, by reference.py.")
     random = np.random.default_rng(2026)
     robots = {}
-    for name, path in FILES.items():
+    def trimmed(name, path):
         robot = ET.parse(ROBOTS / path).getroot()
         trim(robot)
-        robots[name] = reference(robot, random)
         note = f"Trimmed from {path} of example-robot-data 6.0.0; see README.md for source and licence."
         write(robot, f"{name}.urdf", note)
+        return robot
+
+    for name, path in FILES.items():
+        robots[name] = reference(trimmed(name, path), random)
     made_up = ET.parse("made_up.urdf").getroot()
     robots["made_up"] = reference(made_up, random)
+    for name, (path, root) in FREE.items():
+        robots[name] = freely(flying(trimmed(name, path), root), random)
+    robots["flying"] = freely(ET.parse("flying.urdf").getroot(), random)
+    robots["geared"] = reference(ET.parse("geared.urdf").getroot(), random)
     lines = [f" {json.dumps(name)}: {json.dumps(robot)}" for name, robot in robots.items()]
     pathlib.Path("reference.json").write_text("{\n" + ",\n".join(lines) + "\n}\n")
 

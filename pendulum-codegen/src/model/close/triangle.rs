@@ -5,8 +5,10 @@
 //! is `a m + h m'`, `h = +-sqrt(r1^2 / L - a^2)`, where `m'` is `m` after a quarter of a turn. A side that slides ends where a line meets
 //! a circle. Rates follow by Cramer's rule from two equations, whose determinant vanishes where the triangle is flat: at its toggle.
 
+use num_traits::{One, Signed, ToPrimitive};
+
 use super::{Open, Solver};
-use crate::expr::{Expr, SymbolKind, ratio};
+use crate::expr::{Expr, Rational, SymbolKind, ratio};
 use crate::model::closure::{Loop, Piece};
 use crate::model::{Combination, Coordinate, CoordinateId, Dependent};
 use crate::screw::Vec2;
@@ -121,8 +123,8 @@ impl<'g> Solver<'g, '_> {
         }
         let &[first, second] = &numbers[..] else { return None };
         let [[a, b], [c, d]] = sums.each_ref().map(|sum| [first, second].map(|k| sum.factor(k)));
-        let determinant = a * d - b * c;
-        if determinant.abs() != 1 {
+        let determinant = &a * &d - &b * &c;
+        if !determinant.abs().is_one() {
             return None;
         }
         // unknown - what is known in it = factors . declared
@@ -130,7 +132,10 @@ impl<'g> Solver<'g, '_> {
             Combination::one(k).plus_scaled(-1, &sum.filtered(|k| !self.is_unknown(k)))
         };
         let (u, v) = (bare(first, &sums[0]), bare(second, &sums[1]));
-        let of = |p: i64, q: i64| u.scaled(p * determinant).plus_scaled(q * determinant, &v);
+        let of = |p: Rational, q: Rational| {
+            let with_u = Combination::default().plus_multiple(&(p * &determinant), &u);
+            with_u.plus_multiple(&(q * &determinant), &v)
+        };
         Some([(first, of(d, -b)), (second, of(-c, a))])
     }
 
@@ -140,7 +145,7 @@ impl<'g> Solver<'g, '_> {
         let guesses = triangle.sides.each_ref().map(|side| match side {
             Side::Turning(angle, _) => angle
                 .terms()
-                .map(|(k, n)| n as f64 * self.assembled[usize::from(k)])
+                .map(|(k, n)| n.to_f64().unwrap_or(f64::NAN) * self.assembled[usize::from(k)])
                 .sum(),
             Side::Sliding(k, _) => self.assembled[usize::from(*k)],
         });

@@ -1,9 +1,10 @@
 //! Torques as they were written.
 
+use num_traits::{One, Signed};
 use rustc_hash::FxHashSet;
 
 use crate::dynamics::Dynamics;
-use crate::expr::{Definition, Expr, Formula, Normalizer, Printer, Summand, ratio};
+use crate::expr::{Definition, Expr, Formula, Normalizer, Printer, Summand};
 use crate::form::expanded;
 use crate::model::{Action, Model, Poses};
 use crate::pass::Preference;
@@ -44,12 +45,12 @@ impl<'g> Torques<'g> {
                 passive[k] += factor * body.passive;
                 let Some(torque) = torque.clone() else { continue };
                 let size = factor.abs();
-                let scaled = if size == 1 {
+                let scaled = if size.is_one() {
                     torque
                 } else {
-                    Formula::Product(vec![Formula::Number(ratio(size, 1)), torque])
+                    Formula::Product(vec![Formula::Number(size), torque])
                 };
-                rows[k].extend(scaled.into_terms(factor < 0));
+                rows[k].extend(scaled.into_terms(factor.is_negative()));
             }
             // along what follows from closed loops, times its slopes
             for (slopes, factor) in body

@@ -1,7 +1,8 @@
 mechanism! {
     pub Following {
+        params { k: 1 = 2 }
         body a on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: p }
-        body b on a { mass: 1, com: [0, -1, 0], joint: revolute(z), motion: p/2 }
+        body b on a { mass: 1, com: [0, -1, 0], joint: revolute(z), motion: k*p }
         body c on a { mass: 1, com: [0, -1, 0], joint: revolute(z), motion: p^2 }
         body d on a { mass: 1, com: [0, -1, 0], joint: revolute(z), motion: p + 1 rad/s*t }
         body e on a { mass: 1, com: [0, -1, 0], joint: revolute(z), motion: -p, dry_friction: 1 }
