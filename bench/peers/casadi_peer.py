@@ -13,7 +13,7 @@ FREE = {cs.OP_CONST, cs.OP_INPUT, cs.OP_OUTPUT, cs.OP_PARAMETER}
 
 def write(folder, robots, pendulum):
     for robot in robots:
-        add(folder, robot.name, robot_forms(robot))
+        add(folder, robot.name, flying_forms(robot) if robot.flies else robot_forms(robot))
         if robot.point:
             add(folder, robot.name, point_forms(robot), "point")
     add(folder, "eq22", pendulum_forms(pendulum))
@@ -30,6 +30,22 @@ def robot_forms(robot):
         return featherstone.inverse_dynamics(robot, links, x[count:], qdd)
 
     return forms(x, rows, torques, none, featherstone.articulated(robot, links, x[count:], none))
+
+
+def flying_forms(robot):
+    """The state as the generated code has it, with place and speed along the axes of the ground."""
+    joints = len(robot.bodies) - 1
+    x = cs.SX.sym("x", 13 + 2 * joints)
+    q, v = x[3 : 7 + joints], cs.vertcat(cs.SX(3, 1), x[10 + joints :])
+    links = featherstone.links(robot, q)
+    none = cs.SX.zeros(6 + joints)
+
+    def in_ground(qdd):
+        return cs.vertcat(links[0].turn @ qdd[:3], qdd[3:])
+
+    yield "ABA", x, in_ground(featherstone.articulated(robot, links, v, none)), None
+    lacking = -featherstone.inverse_dynamics(robot, links, v, none)
+    yield "CRBA + LDLt", x, in_ground(featherstone.Factor(featherstone.mass_matrix(links)).solve(lacking)), None
 
 
 def point_forms(robot):

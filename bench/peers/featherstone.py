@@ -2,7 +2,7 @@
 
 After R. Featherstone, Rigid Body Dynamics Algorithms (2008), chapters 5 to 8. The PyPI wheel of Pinocchio has no bindings
 to CasADi, so the graphs are built here. All quantities are in the frame of their body, as in Pinocchio, and all joints are
-revolute.
+revolute, but that of a first body that moves freely: it has a quaternion, and rates in its own frame.
 """
 
 import casadi as cs
@@ -40,12 +40,16 @@ class Link:
 
     def __init__(self, body, q):
         self.parent = body.parent
-        self.axis = vector(body.axis)
+        self.flies = body.axis is None
         self.at = vector(body.at)
         self.mass = body.mass
         com = cs.DM(body.com)
         self.moment = cs.SX(body.mass * com)
         self.inertia = cs.SX(cs.DM(body.inertia) + body.mass * (cs.dot(com, com) * cs.DM.eye(3) - com @ com.T))
+        if self.flies:
+            self.turn = of_quaternion(q)
+            return
+        self.axis = vector(body.axis)
         s, c = cs.sin(q), cs.cos(q)
         turn = c * cs.SX.eye(3) + s * skew(self.axis) + (1 - c) * (self.axis @ self.axis.T)
         # About a coordinate axis, `c + (1 - c)` would stay in the graph.
@@ -55,8 +59,22 @@ class Link:
         self.turn = vector(body.turn) @ turn
 
 
+def of_quaternion(q):
+    """The rotation from the frame of a body, by its unit quaternion, the scalar part first."""
+    w, x, y, z = (q[n] for n in range(4))
+    return cs.vertcat(
+        cs.horzcat(1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)),
+        cs.horzcat(2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)),
+        cs.horzcat(2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)),
+    )
+
+
 def links(robot, q):
-    return [Link(body, q[n]) for n, body in enumerate(robot.bodies)]
+    """The positions are those of the joints, behind the quaternion of a body that flies."""
+    if not robot.flies:
+        return [Link(body, q[n]) for n, body in enumerate(robot.bodies)]
+    first, *others = robot.bodies
+    return [Link(first, q[:4])] + [Link(body, q[4 + n]) for n, body in enumerate(others)]
 
 
 def frames(links):
@@ -80,10 +98,28 @@ def carried(links, point):
     return point
 
 
+def rates_of(links, v):
+    """Those of each joint; the first body that flies has two vectors, along and about its axes."""
+    if not links[0].flies:
+        return [v[n] for n in range(len(links))]
+    return [(v[:3], v[3:6])] + [v[6 + n] for n in range(len(links) - 1)]
+
+
+def whirl_of(rate, turning):
+    """The acceleration of a point at `p` is that of the origin and `whirl p`."""
+    return skew(turning) + (rate @ rate.T - cs.dot(rate, rate) * cs.SX.eye(3))
+
+
 def inverse_dynamics(robot, links, qd, qdd):
     """Newton and Euler's recursion (RNEA): the torques of the joints."""
     motions = []
+    qd, qdd = rates_of(links, qd), rates_of(links, qdd)
     for n, link in enumerate(links):
+        if link.flies:
+            # its speed changes nothing
+            rate, turning, pull = qd[n][1], qdd[n][1], qdd[n][0] - link.turn.T @ vector(robot.gravity)
+            motions.append((rate, turning, pull, whirl_of(rate, turning)))
+            continue
         if link.parent < 0:
             rate, turning, pull = cs.SX(3, 1), cs.SX(3, 1), -vector(robot.gravity)
         else:
@@ -94,9 +130,7 @@ def inverse_dynamics(robot, links, qd, qdd):
         spin = link.axis * qd[n]
         turning = turning + link.axis * qdd[n] + cs.cross(rate, spin)
         rate = rate + spin
-        # Acceleration of a point at `p` is `pull + whirl p`.
-        whirl = skew(turning) + (rate @ rate.T - cs.dot(rate, rate) * cs.SX.eye(3))
-        motions.append((rate, turning, pull, whirl))
+        motions.append((rate, turning, pull, whirl_of(rate, turning)))
     wrenches = []
     for link, (rate, turning, pull, whirl) in zip(links, motions):
         momentum = link.inertia @ rate
@@ -106,7 +140,7 @@ def inverse_dynamics(robot, links, qd, qdd):
     for n in reversed(range(len(links))):
         link = links[n]
         torque, force = wrenches[n]
-        torques[n] = cs.dot(link.axis, torque)
+        torques[n] = cs.vertcat(force, torque) if link.flies else cs.dot(link.axis, torque)
         if link.parent >= 0:
             force = link.turn @ force
             wrenches[link.parent][0] += link.turn @ torque + cs.cross(link.at, force)
@@ -118,18 +152,28 @@ def mass_matrix(links):
     """Composite rigid bodies (CRBA): the lower triangle as rows."""
     count = len(links)
     composite = [[link.mass, link.moment, link.inertia] for link in links]
-    rows = [[cs.SX(0)] * count for _ in links]
+    before = 5 if links[0].flies else 0
+    rows = [[cs.SX(0)] * (count + before) for _ in range(count + before)]
     for n in reversed(range(count)):
         link = links[n]
         mass, moment, inertia = composite[n]
+        if link.flies:
+            block = cs.blockcat([[mass * cs.SX.eye(3), -skew(moment)], [skew(moment), inertia]])
+            for i in range(6):
+                rows[i][: i + 1] = [block[i, j] for j in range(i + 1)]
+            continue
         torque, force = inertia @ link.axis, cs.cross(link.axis, moment)
-        rows[n][n] = cs.dot(link.axis, torque)
+        rows[n + before][n + before] = cs.dot(link.axis, torque)
         at = n
         while links[at].parent >= 0:
             force = links[at].turn @ force
             torque = links[at].turn @ torque + cs.cross(links[at].at, force)
             at = links[at].parent
-            rows[n][at] = cs.dot(links[at].axis, torque)
+            if links[at].flies:
+                both = cs.vertcat(force, torque)
+                rows[n + before][:6] = [both[j] for j in range(6)]
+            else:
+                rows[n + before][at + before] = cs.dot(links[at].axis, torque)
         if link.parent >= 0:
             onto = composite[link.parent]
             turned = link.turn @ moment
@@ -151,6 +195,8 @@ class Factor:
         for k in reversed(range(len(rows))):
             self.inverse[k] = 1 / rows[k][k]
             for i in reversed(range(k)):
+                if rows[k][i].is_zero():
+                    continue
                 quotient = scaled(self.inverse[k], rows[k][i])
                 for j in range(i + 1):
                     rows[i][j] = rows[i][j] - quotient * rows[k][j]
@@ -172,8 +218,10 @@ def articulated(robot, links, qd, tau):
     """Articulated bodies (ABA): the accelerations of the joints. Inertias are blocks: turning, mixed, shifting."""
     count = len(links)
     rates, drifts, inertias, biases = [], [], [], []
+    qd = rates_of(links, qd)
     for n, link in enumerate(links):
-        spin = link.axis * qd[n]
+        # the speed of a body that flies changes nothing
+        spin = qd[n][1] if link.flies else link.axis * qd[n]
         rate, speed = spin, cs.SX(3, 1)
         if link.parent >= 0:
             turning, shifting = rates[link.parent]
@@ -189,6 +237,11 @@ def articulated(robot, links, qd, tau):
     for n in reversed(range(count)):
         link = links[n]
         (turning, mixed, shifting), (torque, force) = inertias[n], biases[n]
+        if link.flies:
+            block = cs.blockcat([[shifting, mixed.T], [mixed, turning]])
+            factor = Factor([[block[i, j] for j in range(6)] for i in range(6)])
+            pivots[n] = factor.solve(-cs.vertcat(force, torque))
+            continue
         u, v = turning @ link.axis, mixed.T @ link.axis
         inverse = 1 / cs.dot(link.axis, u)
         rest = tau[n] - cs.dot(link.axis, torque)
@@ -217,6 +270,11 @@ def articulated(robot, links, qd, tau):
     qdd, accelerations = [], []
     for n, link in enumerate(links):
         turning, pull = cs.SX(3, 1), -vector(robot.gravity)
+        if link.flies:
+            pull, turning = pivots[n][:3], pivots[n][3:]
+            qdd.append(cs.vertcat(pull + link.turn.T @ vector(robot.gravity), turning))
+            accelerations.append((turning, pull))
+            continue
         if link.parent >= 0:
             turning, pull = accelerations[link.parent]
             pull = pull + cs.cross(turning, link.at)

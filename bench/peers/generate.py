@@ -1,4 +1,4 @@
-"""Writes the code of all peers that are installed: `generate.py ROBOTS PENDULUM FOLDER`.
+"""Writes the code of all peers that are installed: `generate.py ROBOTS PENDULUM FLYING FOLDER`.
 
 The folder then holds C and C++ files and their list, `candidates.json`, with a note for each peer that is missing.
 """
@@ -20,8 +20,9 @@ PEERS = [
 
 
 def main():
-    robots_file, pendulum_file, path = (Path(argument) for argument in sys.argv[1:])
+    robots_file, pendulum_file, flying_file, path = (Path(argument) for argument in sys.argv[1:])
     robots, pendulum = robot.read(robots_file), json.loads(pendulum_file.read_text())
+    flying = robot.flying(flying_file)
     folder = Folder(path)
     found = {}
     for module, package, what in PEERS:
@@ -31,7 +32,7 @@ def main():
     if found["casadi"]:
         import casadi_peer
 
-        casadi_peer.write(folder, robots, pendulum)
+        casadi_peer.write(folder, [*robots, flying], pendulum)
         folder.version("casadi")
     if found["sympy"]:
         import sympy_peer

@@ -1,9 +1,10 @@
-"""Open chains of revolute joints, read from the tests' reference data, so that all sides hold the same numbers."""
+"""Open chains and trees of revolute joints, read from the tests' reference data, so that all sides hold the same numbers."""
 
 import json
 from dataclasses import dataclass
 from fractions import Fraction
 from math import cos, pi, sin
+from xml.etree import ElementTree
 
 
 @dataclass
@@ -25,6 +26,7 @@ class Robot:
     gravity: list
     bodies: list
     point: list | None = None  # in the frame of the last body
+    flies: bool = False  # whether the first body moves freely
 
 
 # The points whose positions and Jacobians are asked for, as in `src/peers/flange.rs`.
@@ -46,6 +48,72 @@ def robot(data):
         shape = body["mass"], body["com"], body["inertia"]
         bodies.append(Body(body["parent"], joint["axis"], joint["at"], turn, *shape))
     return Robot(data["name"], data["gravity"], bodies, POINTS.get(data["name"]))
+
+
+def flying(path):
+    """The robot of a URDF file, whose root moves freely; links that are fixed are part of what carries them."""
+    root = ElementTree.parse(path).getroot()
+    links = {link.get("name"): link for link in root.iter("link")}
+    joints = list(root.iter("joint"))
+    numbers = lambda element, what, default: [float(x) for x in (element.get(what) if element is not None else default).split()]
+    moved = {joint.find("child").get("link") for joint in joints}
+    first = next(name for name in links if name not in moved)
+    bodies, places = [], {first: (0, [0, 0, 0], IDENTITY)}
+
+    def add(name, parent, axis, at, turn):
+        bodies.append(Body(parent, axis, at, turn, 0.0, [0, 0, 0], [[0] * 3 for _ in range(3)]))
+
+    add(first, -1, None, [0, 0, 0], IDENTITY)
+    for joint in joints:
+        parent, name = joint.find("parent").get("link"), joint.find("child").get("link")
+        carrier, place, turned = places[parent]
+        origin = joint.find("origin")
+        at = plus(place, times(turned, numbers(origin, "xyz", "0 0 0")))
+        if any(numbers(origin, "rpy", "0 0 0")):
+            raise ValueError(f"{name}: only joints that are not turned are known here")
+        if joint.get("type") == "fixed":
+            places[name] = carrier, at, turned
+        else:
+            axis = [int(x) for x in numbers(joint.find("axis"), "xyz", "1 0 0")]
+            add(name, carrier, axis, at, turned)
+            places[name] = len(bodies) - 1, [0, 0, 0], IDENTITY
+    for name, (carrier, place, _) in places.items():
+        inertial = links[name].find("inertial")
+        if inertial is not None:
+            entries = inertial.find("inertia")
+            xx, xy, xz, yy, yz, zz = (float(entries.get(f"i{what}")) for what in ("xx", "xy", "xz", "yy", "yz", "zz"))
+            com = plus(place, numbers(inertial.find("origin"), "xyz", "0 0 0"))
+            mass = float(inertial.find("mass").get("value"))
+            join(bodies[carrier], mass, com, [[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    return Robot(root.get("name"), [0, 0, -9.81], bodies, flies=True)
+
+
+IDENTITY = [[1, 0, 0], [0, 1, 0], [0, 0, 1]]
+
+
+def plus(a, b):
+    return [x + y for x, y in zip(a, b)]
+
+
+def times(matrix, v):
+    return [sum(x * y for x, y in zip(row, v)) for row in matrix]
+
+
+def join(body, mass, com, inertia):
+    """Adds a mass with its inertia about its own centre."""
+    total = body.mass + mass
+    centre = [(body.mass * a + mass * b) / total for a, b in zip(body.com, com)]
+    parts = [(body.mass, body.com, body.inertia), (mass, com, inertia)]
+
+    def entry(i, j):
+        def about(m, at, own):
+            d = [a - b for a, b in zip(at, centre)]
+            return own[i][j] + m * ((sum(x * x for x in d) if i == j else 0) - d[i] * d[j])
+
+        return sum(about(*part) for part in parts)
+
+    body.inertia = [[entry(i, j) for j in range(3)] for i in range(3)]
+    body.mass, body.com = total, centre
 
 
 def double_pendulum(p):

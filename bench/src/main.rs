@@ -5,6 +5,7 @@ mod compile;
 mod generated;
 mod lanes;
 mod library;
+mod linkages;
 mod machine;
 mod methods;
 mod peers;
@@ -22,13 +23,14 @@ use std::process::ExitCode;
 type Measurement = fn() -> Result<(), Box<dyn Error>>;
 
 /// What can be measured: `cargo run --release -- NAME`.
-const MEASUREMENTS: [(&str, Measurement); 6] = [
+const MEASUREMENTS: [(&str, Measurement); 7] = [
     ("peers", peers::measure),
     ("lanes", lanes::measure),
     ("scaling", scaling::measure),
     ("weights", weights::measure),
     ("methods", methods::measure),
     ("sweeps", sweeps::measure),
+    ("linkages", linkages::measure),
 ];
 
 fn main() -> ExitCode {

@@ -28,8 +28,8 @@ fn largest(candidates: &[Candidate], model: &str, function: Function) -> Result<
     };
     // Accelerations alone must be those that come with the Jacobian.
     let whole = match function {
-        Function::Rhs => Function::Jacobian,
-        Function::Jacobian | Function::Point => function,
+        Function::Rhs if Function::of(model).contains(&Function::Jacobian) => Function::Jacobian,
+        _ => function,
     };
     let what = function.title();
     let reference = of(whole)

@@ -10,10 +10,11 @@ use crate::library::Program;
 pub(crate) const OURS: &str = "pendulum";
 
 /// The models, as the peers' files call them, and as people do.
-pub(crate) const MODELS: [(&str, &str); 3] = [
+pub(crate) const MODELS: [(&str, &str); 4] = [
     ("eq22", "Double pendulum, Eq. 22"),
     ("ur5", "UR5, six joints"),
     ("panda", "Panda, seven joints"),
+    ("solo", "Solo 12 in flight, twelve joints"),
 ];
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize)]
@@ -32,6 +33,7 @@ impl Function {
     pub(crate) fn of(model: &str) -> &'static [Self] {
         match model {
             "ur5" => &[Self::Rhs, Self::Jacobian, Self::Point],
+            "solo" => &[Self::Rhs],
             _ => &[Self::Rhs, Self::Jacobian],
         }
     }

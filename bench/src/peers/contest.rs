@@ -8,6 +8,7 @@ use pendulum_core::real::Real;
 
 use super::candidate::{Candidate, Function, OURS};
 use super::entrants;
+use super::ours::Solo;
 use super::results::Row;
 use crate::library::Program;
 use crate::timing::{Times, in_turns};
@@ -22,11 +23,19 @@ const FINAL: Duration = Duration::from_secs(20);
 /// Forms of a peer slower than its best one by no more than this factor may just have been disturbed, and run again.
 const CLOSE: f64 = 1.3;
 
-/// Coordinates within a turn, rates within 3 rad/s; the length of a state, and that many of them.
+/// Coordinates within a turn, rates within 3 rad/s, orientations of unit length; the length of a state, and that many of them.
 pub(crate) fn states(model: &str, count: usize) -> Result<(usize, Vec<f64>), String> {
     let (length, _) = entrants::sizes(model, Function::Rhs)?;
     let mut random = Random::new(22);
-    Ok((length, (0..length * count).map(|_| random.between(-3.0, 3.0)).collect()))
+    let mut states: Vec<f64> = (0..length * count).map(|_| random.between(-3.0, 3.0)).collect();
+    if model == "solo" {
+        for state in states.chunks_exact_mut(length) {
+            let orientation = &mut state[Solo::O..Solo::O + 4];
+            let size = orientation.iter().map(|x| x * x).sum::<f64>().sqrt();
+            orientation.iter_mut().for_each(|x| *x /= size);
+        }
+    }
+    Ok((length, states))
 }
 
 /// The rows of one function of one model: the best of each peer, in the order of their times, and the forms that lost.

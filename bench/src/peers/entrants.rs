@@ -121,14 +121,16 @@ fn load(source: &Source, library: &Path) -> Result<Program, Box<dyn Error>> {
 
 /// The lengths of the state, and of what a peer's function writes.
 pub(crate) fn sizes(model: &str, function: Function) -> Result<(usize, usize), String> {
-    let dof = match model {
-        "eq22" => 2,
-        "ur5" => 6,
-        "panda" => 7,
+    let (dof, more) = match model {
+        "eq22" => (2, 0),
+        "ur5" => (6, 0),
+        "panda" => (7, 0),
+        // a quaternion has one number more than there are rates
+        "solo" => (18, 1),
         _ => return Err(format!("the peers have a model that is not known here: {model}")),
     };
     let (values, by) = function.shape(dof);
-    Ok((2 * dof, values * (1 + by)))
+    Ok((2 * dof + more, values * (1 + by)))
 }
 
 /// The same function with hardly any sine and cosine. For C only: Pinocchio's headers have more in them by these names.

@@ -63,7 +63,8 @@ pub(crate) fn generate(root: &Path, folder: &Path) -> Result<Generated, Box<dyn 
     let data = root.join("../testbed/data/robots.json");
     let output = Command::new(&python)
         .arg(root.join("peers/generate.py"))
-        .args([&data, &root.join("peers/double_pendulum.json"), folder])
+        .args([&data, &root.join("peers/double_pendulum.json")])
+        .args([&root.join("../testbed/data/urdf/solo12.urdf"), folder])
         .output();
     let output = match output {
         Ok(output) => output,

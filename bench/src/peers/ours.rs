@@ -20,6 +20,16 @@ use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 /// code of those peers that hold numbers instead of parameters.
 pub(crate) const PENDULUM: &str = include_str!("../../peers/double_pendulum.json");
 
+mechanism! {
+    /// Solo 12 with its trunk in the air.
+    pub(super) Solo {
+        robot: urdf("../testbed/data/urdf/solo12.urdf"),
+        gravity: [0, 0, -9.81],
+        body base_link on ground { joint: free, orientation: o, position: p }
+        generate: [rhs],
+    }
+}
+
 #[derive(Deserialize)]
 struct Pendulum {
     m: f64,
@@ -78,7 +88,38 @@ pub(crate) fn candidates() -> Result<Vec<Candidate>, Box<dyn Error>> {
     all.push(flange()?);
     let panda = Panda::new(PandaParams::default())?;
     add::<_, _, 14>(&mut all, "panda", OURS, panda, panda.cast::<Cheap>(), Some(Panda::COST));
+    let solo = Solo::new(SoloParams {})?;
+    add_rhs::<_, _, 37>(&mut all, "solo", OURS, solo, solo.cast::<Cheap>(), Some(Solo::COST));
     Ok(all)
+}
+
+/// The right-hand side.
+fn add_rhs<S, C, const N: usize>(
+    all: &mut Vec<Candidate>,
+    model: &str,
+    peer: &str,
+    system: S,
+    cheap: C,
+    cost: Option<Cost>,
+) where
+    S: System<f64, N> + Clone + 'static,
+    C: System<Cheap, N> + Clone + 'static,
+{
+    let cost = cost.map(|cost| cost["rhs"]);
+    all.push(Candidate {
+        model: model.to_owned(),
+        function: Function::Rhs,
+        peer: peer.to_owned(),
+        form: format!("rhs{}", form(cost)),
+        operations: cost.map(|cost| cost.operations),
+        program: program(move |x| system.rhs(0.0, x), |xdot| accelerations(&xdot)),
+        cheap: Some(program(move |x| cheap.rhs(Cheap(0.0), x), |_| Vec::new())),
+        job: None,
+    });
+}
+
+fn form(cost: Option<FunctionCost>) -> String {
+    cost.map_or(String::new(), |cost| format!(": {}", cost.form))
 }
 
 /// The right-hand side, and with it the Jacobian.
@@ -87,38 +128,21 @@ where
     S: Jacobian<f64, N> + Clone + 'static,
     C: Jacobian<Cheap, N> + Clone + 'static,
 {
-    let [rhs, jacobian] = ["rhs", "jacobian"].map(|name| cost.map(|cost| cost[name]));
-    let form = |cost: Option<FunctionCost>| cost.map_or(String::new(), |cost| format!(": {}", cost.form));
-    let mut push = |function, form: &str, operations, program, cheap| {
-        all.push(Candidate {
-            model: model.to_owned(),
-            function,
-            peer: peer.to_owned(),
-            form: form.to_owned(),
-            operations,
-            program,
-            cheap: Some(cheap),
-            job: None,
-        });
-    };
-    let (s, c) = (system.clone(), cheap.clone());
-    push(
-        Function::Rhs,
-        &format!("rhs{}", form(rhs)),
-        rhs.map(|cost| cost.operations),
-        program(move |x| s.rhs(0.0, x), |xdot| accelerations(&xdot)),
-        program(move |x| c.rhs(Cheap(0.0), x), |_| Vec::new()),
-    );
-    push(
-        Function::Jacobian,
-        &format!("rhs_and_jacobian{}", form(jacobian)),
-        jacobian.map(|cost| cost.operations),
-        program(
+    add_rhs(all, model, peer, system.clone(), cheap.clone(), cost);
+    let cost = cost.map(|cost| cost["jacobian"]);
+    all.push(Candidate {
+        model: model.to_owned(),
+        function: Function::Jacobian,
+        peer: peer.to_owned(),
+        form: format!("rhs_and_jacobian{}", form(cost)),
+        operations: cost.map(|cost| cost.operations),
+        program: program(
             move |x| system.rhs_and_jacobian(0.0, x),
             |(xdot, jacobian)| [accelerations(&xdot), blocks(&jacobian)].concat(),
         ),
-        program(move |x| cheap.rhs_and_jacobian(Cheap(0.0), x), |_| Vec::new()),
-    );
+        cheap: Some(program(move |x| cheap.rhs_and_jacobian(Cheap(0.0), x), |_| Vec::new())),
+        job: None,
+    });
 }
 
 /// The position of the flange, and its Jacobian.
@@ -169,7 +193,8 @@ where
 }
 
 fn accelerations<const N: usize>(xdot: &SVector<f64, N>) -> Vec<f64> {
-    xdot.as_slice()[N / 2..].to_vec()
+    // of positions there may be one more than of rates
+    xdot.as_slice()[N.div_ceil(2)..].to_vec()
 }
 
 /// The lower half, column by column: the derivatives of the accelerations by coordinates and rates.
