@@ -85,6 +85,20 @@ fn a_motion_becomes_a_picture_and_an_animation() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+/// Carelessly rounded, the last place of the trail is past the end in the first span, that of the shadows in the second, and that of the
+/// animation in the third.
+#[test]
+fn rounding_does_not_pass_the_end() -> Result<(), Box<dyn Error>> {
+    let zoo = Zoo::new(ZooParams::default())?;
+    for (start, end) in [(0.1, 0.3), (0.0, 0.8), (0.3, 0.9)] {
+        let solution = Rk45::new().solve(&zoo, start, end, [0.5, 0.0])?;
+        let drawing = Drawing::new(&zoo, &solution).ghosts(3).speed(5.0);
+        drawing.picture(&stem("end"))?;
+        drawing.animation(&stem("end"))?;
+    }
+    Ok(())
+}
+
 #[test]
 fn what_cannot_be_drawn_is_an_error() -> Result<(), Box<dyn Error>> {
     let (zoo, solution) = zoo()?;
