@@ -99,6 +99,27 @@ fn rounding_does_not_pass_the_end() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+mechanism! {
+    /// A ball joint and a free one.
+    Loose {
+        body arm on ground { solids: [sphere(1, 0.1, [0, 0, -1])], joint: ball, orientation: a }
+        body stone on ground { solids: [sphere(1, 0.1, [0, 0, 0])], joint: free, orientation: b, position: p }
+        generate: [rhs, shapes],
+    }
+}
+
+#[test]
+fn what_moves_freely_has_no_pivot() -> Result<(), Box<dyn Error>> {
+    let mut x = SVector::from([0.0; 20]);
+    (x[Loose::A], x[Loose::B], x[Loose::P_X]) = (1.0, 1.0, 2.0);
+    let shapes = Loose::new(LooseParams {})?.shapes(0.0, &x);
+    let seen: Vec<_> = shapes.iter().map(|shape| (shape.name, shape.kind)).collect();
+    let (sphere, pivot) = (ShapeKind::Sphere, ShapeKind::Pivot);
+    assert_eq!(seen, [("arm", sphere), ("stone", sphere), ("arm", pivot)]);
+    assert!((shapes[1].points[0].x - 2.0).abs() < 1e-15);
+    Ok(())
+}
+
 #[test]
 fn what_cannot_be_drawn_is_an_error() -> Result<(), Box<dyn Error>> {
     let (zoo, solution) = zoo()?;
