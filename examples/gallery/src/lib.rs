@@ -6,7 +6,7 @@ use std::error::Error;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use nalgebra::SVector;
+use nalgebra::{Quaternion, Rotation3, SVector, UnitQuaternion};
 use pendulum_core::dual::Dual;
 use pendulum_core::prelude::*;
 use pendulum_core::shapes::Shapes;
@@ -15,7 +15,9 @@ use pendulum_draw::Drawing;
 
 pub mod arm;
 pub mod asymmetric;
+pub mod ball_pendulum;
 pub mod bars_and_squares;
+pub mod bennett;
 pub mod bouncing_ball;
 pub mod cart_pole;
 pub mod coupled_pendulums;
@@ -30,6 +32,7 @@ pub mod leg;
 pub mod magnets;
 mod page;
 pub mod point_masses;
+pub mod quadruped;
 pub mod rocking_block;
 pub mod rods_and_wall;
 pub mod slider_crank;
@@ -37,6 +40,7 @@ pub mod spring_suspended;
 pub mod squeezer;
 pub mod stick_slip;
 pub mod triple;
+pub mod tumbling_body;
 pub mod two_bodies;
 
 pub use page::page;
@@ -80,11 +84,15 @@ pub const SYSTEMS: &[System] = systems![
     cart_pole,
     furuta,
     arm,
+    tumbling_body,
+    ball_pendulum,
+    quadruped,
     four_bar,
     slider_crank,
     five_bar,
     double_four_bar,
     squeezer,
+    bennett,
     stick_slip,
     bouncing_ball,
     rocking_block,
@@ -237,6 +245,11 @@ where
         );
     }
     Ok(residual / largest)
+}
+
+/// The rotation from body to parent of the orientation at a place in a state.
+fn orientation<const N: usize>(x: &SVector<f64, N>, at: usize) -> Rotation3<f64> {
+    UnitQuaternion::from_quaternion(Quaternion::new(x[at], x[at + 1], x[at + 2], x[at + 3])).to_rotation_matrix()
 }
 
 /// The impacts of a motion: their times, and the states before and after.
