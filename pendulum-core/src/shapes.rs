@@ -64,7 +64,7 @@ pub enum ShapeKind {
     Cylinder,
     /// A sphere: its centre, and a point of its surface.
     Sphere,
-    /// The joint of a body that turns: its place.
+    /// The joint of a body that turns: its place. A body that moves freely has none.
     Pivot,
     /// A spring between two points.
     Spring,

@@ -99,14 +99,13 @@ impl<'a, M: Shapes<N>, const N: usize> Drawing<'a, M, N> {
     ///
     /// Where a file cannot be written, or where the directions of the view are parallel.
     pub fn picture(&self, stem: &Path) -> Result<[PathBuf; 2], Box<dyn Error>> {
-        let (start, end) = self.span();
         let trails = self.trails()?;
         let bounds = Bounds::of(&trails)?;
         let at = |n: usize| match self.ghosts {
-            0 => end,
-            ghosts => start + (end - start) * n as f64 / ghosts as f64,
+            0 => 1.0,
+            ghosts => n as f64 / ghosts as f64,
         };
-        let bodies = (0..=self.ghosts).map(|n| self.frame(at(n)));
+        let bodies = (0..=self.ghosts).map(|n| self.frame(self.time(at(n))));
         let bodies = bodies.collect::<Result<Vec<_>, _>>()?;
         Still::new(&trails, bodies, bounds).save(stem)
     }
@@ -123,7 +122,8 @@ impl<'a, M: Shapes<N>, const N: usize> Drawing<'a, M, N> {
             return Err(format!("the speed is {}: it must be positive", self.speed).into());
         }
         let count = ((end - start) / step).floor() as usize + 1;
-        let frames = (0..count).map(|n| self.frame(start + step * n as f64));
+        let part = |n: usize| (step * n as f64 / (end - start)).min(1.0);
+        let frames = (0..count).map(|n| self.frame(self.time(part(n))));
         let frames = frames.collect::<Result<Vec<_>, _>>()?;
         let trails = self.trails()?;
         let bounds = Bounds::of(&trails)?;
@@ -140,9 +140,15 @@ impl<'a, M: Shapes<N>, const N: usize> Drawing<'a, M, N> {
 
     fn trails(&self) -> Result<Vec<Frame>, Box<dyn Error>> {
         let ((start, end), (rate, fewest, most)) = (self.span(), TRAIL);
-        let count = ((end - start).abs() * rate).clamp(fewest, most);
-        let times = (0..=count as usize).map(|n| start + (end - start) * n as f64 / count.floor());
+        let count = ((end - start).abs() * rate).clamp(fewest, most).floor();
+        let times = (0..=count as usize).map(|n| self.time(n as f64 / count));
         times.map(|t| self.frame(t)).collect()
+    }
+
+    /// The time at a part of the motion, from 0 to 1; at 1 it is the end itself, which rounding must not pass.
+    fn time(&self, part: f64) -> f64 {
+        let (start, end) = self.span();
+        (1.0 - part) * start + part * end
     }
 
     /// What is seen at a time.

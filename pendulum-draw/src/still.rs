@@ -141,8 +141,10 @@ impl<'a> Still<'a> {
                 .iter()
                 .map(|frame| self.place(frame.parts[n].points[0]))
                 .collect();
-            let color = colors.next().unwrap_or(VERMILION);
-            page.draw(&PathElement::new(trail, color.mix(0.45).stroke_width(width(1.2))))?;
+            let color = on_white(colors.next().unwrap_or(VERMILION), 0.45);
+            for piece in pieces(&trail) {
+                page.draw(&PathElement::new(piece, color.stroke_width(width(1.2))))?;
+            }
         }
         Ok(())
     }
@@ -229,6 +231,29 @@ impl Picture for Still<'_> {
 fn is_solid(kind: ShapeKind) -> bool {
     use ShapeKind::{Cuboid, Cylinder, Disk, Mass, Plate, Rod, Sphere};
     matches!(kind, Mass | Rod | Disk | Plate | Cuboid | Cylinder | Sphere)
+}
+
+/// The colour that a part of another gives on white.
+fn on_white(RGBColor(red, green, blue): RGBColor, part: f64) -> RGBColor {
+    let [red, green, blue] = [red, green, blue].map(|of| (255.0 - part * (255.0 - f64::from(of))).round() as u8);
+    RGBColor(red, green, blue)
+}
+
+/// The pieces of a line, of which none turns back: bitmaps have no line where it covers itself.
+fn pieces(line: &[(i32, i32)]) -> Vec<&[(i32, i32)]> {
+    let (mut pieces, mut from, mut ahead) = (Vec::new(), 0, (0, 0));
+    for n in 1..line.len() {
+        let step = (line[n].0 - line[n - 1].0, line[n].1 - line[n - 1].1);
+        if ahead == (0, 0) {
+            ahead = step;
+        }
+        if i64::from(step.0) * i64::from(ahead.0) + i64::from(step.1) * i64::from(ahead.1) < 0 {
+            pieces.push(&line[from..n]);
+            (from, ahead) = (n - 1, step);
+        }
+    }
+    pieces.push(&line[from..]);
+    pieces
 }
 
 /// A line that is bent to and fro between two ends.

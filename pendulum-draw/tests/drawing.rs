@@ -85,6 +85,94 @@ fn a_motion_becomes_a_picture_and_an_animation() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
+/// Carelessly rounded, the last place of the trail is past the end in the first span, that of the shadows in the second, and that of the
+/// animation in the third.
+#[test]
+fn rounding_does_not_pass_the_end() -> Result<(), Box<dyn Error>> {
+    let zoo = Zoo::new(ZooParams::default())?;
+    for (start, end) in [(0.1, 0.3), (0.0, 0.8), (0.3, 0.9)] {
+        let solution = Rk45::new().solve(&zoo, start, end, [0.5, 0.0])?;
+        let drawing = Drawing::new(&zoo, &solution).ghosts(3).speed(5.0);
+        drawing.picture(&stem("end"))?;
+        drawing.animation(&stem("end"))?;
+    }
+    Ok(())
+}
+
+mechanism! {
+    /// A wheel that turns at its rate.
+    Wheel {
+        body wheel on ground { solids: [disk(1, 1, [0, 0, 0])], joint: revolute(z), coordinate: theta }
+        point rim on wheel at [1, 0, 0],
+        generate: [rhs, shapes],
+    }
+}
+
+/// Bitmaps are filled where a line covers itself once, not twice: the trail of a wheel that turns and turns comes in pieces.
+#[test]
+fn trails_cover_themselves() -> Result<(), Box<dyn Error>> {
+    let wheel = Wheel::new(WheelParams {})?;
+    let solution = Rk45::new().solve(&wheel, 0.0, 3.0, [0.3, std::f64::consts::TAU])?;
+    let [svg, _] = Drawing::new(&wheel, &solution).ghosts(0).picture(&stem("wheel"))?;
+    let svg = fs::read_to_string(svg)?;
+    let mut pieces: Vec<Vec<[f64; 2]>> = Vec::new();
+    for line in svg
+        .split("<polyline ")
+        .skip(1)
+        .filter(|line| line.contains("fill=\"none\""))
+    {
+        let places = line.split("points=\"").nth(1).and_then(|rest| rest.split('"').next());
+        let places = places.ok_or("no points")?.split_whitespace();
+        let place = |place: &str| {
+            let (x, y) = place.split_once(',').ok_or("no pair")?;
+            Ok::<_, Box<dyn Error>>([x.parse()?, y.parse()?])
+        };
+        pieces.push(places.map(place).collect::<Result<_, _>>()?);
+    }
+    // those of the trail come first; the last line is the spoke of the disk
+    pieces.pop();
+    assert!((5..=20).contains(&pieces.len()), "{}", pieces.len());
+    let step = |pair: &[[f64; 2]]| [pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]];
+    let mut length = 0.0;
+    for piece in &pieces {
+        let ahead = step(piece);
+        for pair in piece.windows(2) {
+            let [x, y] = step(pair);
+            length += x.hypot(y);
+            assert!(x * ahead[0] + y * ahead[1] >= 0.0, "turns back at {pair:?}");
+        }
+    }
+    for pair in pieces.windows(2) {
+        assert_eq!(pair[0].last(), pair[1].first());
+    }
+    let across = pieces.iter().flatten().map(|place| place[0]);
+    let (low, high) = across.fold((f64::MAX, f64::MIN), |(low, high), x| (low.min(x), high.max(x)));
+    let turns = length / (std::f64::consts::PI * (high - low));
+    assert!((turns - 3.0).abs() < 0.01, "{turns} turns");
+    Ok(())
+}
+
+mechanism! {
+    /// A ball joint and a free one.
+    Loose {
+        body arm on ground { solids: [sphere(1, 0.1, [0, 0, -1])], joint: ball, orientation: a }
+        body stone on ground { solids: [sphere(1, 0.1, [0, 0, 0])], joint: free, orientation: b, position: p }
+        generate: [rhs, shapes],
+    }
+}
+
+#[test]
+fn what_moves_freely_has_no_pivot() -> Result<(), Box<dyn Error>> {
+    let mut x = SVector::from([0.0; 20]);
+    (x[Loose::A], x[Loose::B], x[Loose::P_X]) = (1.0, 1.0, 2.0);
+    let shapes = Loose::new(LooseParams {})?.shapes(0.0, &x);
+    let seen: Vec<_> = shapes.iter().map(|shape| (shape.name, shape.kind)).collect();
+    let (sphere, pivot) = (ShapeKind::Sphere, ShapeKind::Pivot);
+    assert_eq!(seen, [("arm", sphere), ("stone", sphere), ("arm", pivot)]);
+    assert!((shapes[1].points[0].x - 2.0).abs() < 1e-15);
+    Ok(())
+}
+
 #[test]
 fn what_cannot_be_drawn_is_an_error() -> Result<(), Box<dyn Error>> {
     let (zoo, solution) = zoo()?;

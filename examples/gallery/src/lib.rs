@@ -6,7 +6,7 @@ use std::error::Error;
 use std::fmt;
 use std::path::{Path, PathBuf};
 
-use nalgebra::SVector;
+use nalgebra::{Quaternion, Rotation3, SVector, UnitQuaternion};
 use pendulum_core::dual::Dual;
 use pendulum_core::prelude::*;
 use pendulum_core::shapes::Shapes;
@@ -15,7 +15,9 @@ use pendulum_draw::Drawing;
 
 pub mod arm;
 pub mod asymmetric;
+pub mod ball_pendulum;
 pub mod bars_and_squares;
+pub mod bennett;
 pub mod bouncing_ball;
 pub mod cart_pole;
 pub mod coupled_pendulums;
@@ -30,6 +32,7 @@ pub mod leg;
 pub mod magnets;
 mod page;
 pub mod point_masses;
+pub mod quadruped;
 pub mod rocking_block;
 pub mod rods_and_wall;
 pub mod slider_crank;
@@ -37,6 +40,7 @@ pub mod spring_suspended;
 pub mod squeezer;
 pub mod stick_slip;
 pub mod triple;
+pub mod tumbling_body;
 pub mod two_bodies;
 
 pub use page::page;
@@ -80,11 +84,15 @@ pub const SYSTEMS: &[System] = systems![
     cart_pole,
     furuta,
     arm,
+    tumbling_body,
+    ball_pendulum,
+    quadruped,
     four_bar,
     slider_crank,
     five_bar,
     double_four_bar,
     squeezer,
+    bennett,
     stick_slip,
     bouncing_ball,
     rocking_block,
@@ -194,7 +202,8 @@ fn larger(a: f64, b: f64) -> f64 {
     if b > a || b.is_nan() { b } else { a }
 }
 
-/// What is left of d(energy)/dt less the powers, at its largest along a motion, in the largest term of either.
+/// What is left of d(energy)/dt less the powers, at its largest along a motion, in the largest term of either: the share of each
+/// component of the state in d(energy)/dt is one, so that a body which keeps its energy has terms as well.
 fn balance<M, const N: usize>(
     model: &M,
     solution: &Solution<f64, N>,
@@ -210,25 +219,37 @@ where
     let (start, end) = (solution.t()[0], solution.last().0);
     let (mut residual, mut largest) = (0.0_f64, 0.0_f64);
     for n in 0..=SAMPLES {
-        let t = start + (end - start) * n as f64 / SAMPLES as f64;
-        let x = solution.at(t)?;
+        let part = n as f64 / SAMPLES as f64;
+        let t = (1.0 - part) * start + part * end;
+        let mut x = solution.at(t)?;
+        // between the steps it is as far from there as the dense output is from the motion
+        model.project(t, &mut x);
         let rate = model.rhs(t, &x);
-        let along = |value: f64, slope: f64| Dual { value, slopes: [slope] };
-        let state = SVector::from_fn(|k, _| along(x[k], rate[k]));
-        let changes = [
-            dual.kinetic(along(t, 1.0), &state),
-            dual.potential(along(t, 1.0), &state),
-        ];
-        let changes = changes.map(|energy| energy.slopes[0]);
+        // that of the time is the last
+        let share = |of: usize| {
+            let along = |k: usize, value: f64, slope: f64| Dual {
+                value,
+                slopes: [if k == of { slope } else { 0.0 }],
+            };
+            let state = SVector::from_fn(|k, _| along(k, x[k], rate[k]));
+            let t = along(N, t, 1.0);
+            (dual.kinetic(t, &state) + dual.potential(t, &state)).slopes[0]
+        };
+        let shares: Vec<f64> = (0..=N).map(share).collect();
         let powers = powers(t, &x);
-        let terms = changes.iter().chain(&powers);
+        let terms = shares.iter().chain(&powers);
         largest = terms.fold(largest, |largest, term| larger(largest, term.abs()));
         residual = larger(
             residual,
-            (changes.iter().sum::<f64>() - powers.iter().sum::<f64>()).abs(),
+            (shares.iter().sum::<f64>() - powers.iter().sum::<f64>()).abs(),
         );
     }
     Ok(residual / largest)
+}
+
+/// The rotation from body to parent of the orientation at a place in a state.
+fn orientation<const N: usize>(x: &SVector<f64, N>, at: usize) -> Rotation3<f64> {
+    UnitQuaternion::from_quaternion(Quaternion::new(x[at], x[at + 1], x[at + 2], x[at + 3])).to_rotation_matrix()
 }
 
 /// The impacts of a motion: their times, and the states before and after.

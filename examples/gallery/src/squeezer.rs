@@ -65,5 +65,5 @@ pub fn run() -> Result<Run, Box<dyn std::error::Error>> {
         crate::jacobian_by_differences(&model, 0.0, [0.7, 30.0]),
     ];
     let powers = |_: f64, x: &SVector<f64, 2>| vec![0.033 * x[1]];
-    Run::new(checks, model, solution, powers, |drawing| drawing)
+    Run::new(checks, model, solution, powers, |drawing| drawing.speed(0.01))
 }

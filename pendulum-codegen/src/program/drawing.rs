@@ -70,9 +70,14 @@ impl<'g> Sketch<'g> {
                 show(&model.bodies[owner].name, FigureKind::Rod, points.into(), None);
             }
         }
+        // what moves freely hangs on nothing; the slides of its joint have its name
+        let is_free = |body: &Body<'g>| {
+            let parts = model.bodies.iter().filter(|part| part.name == body.name);
+            parts.filter_map(|part| part.screw).any(|screw| !screw.turns())
+        };
         for (n, body) in model.bodies() {
             let turning = body.screw.filter(Twist::turns);
-            let Some(screw) = turning.filter(|_| !body.figures.is_empty()) else {
+            let Some(screw) = turning.filter(|_| !body.figures.is_empty() && !is_free(body)) else {
                 continue;
             };
             let at = screw.angular.cross(screw.linear);
