@@ -3,7 +3,8 @@
 use super::actions::{along_coordinates, is_wrench};
 use super::{Dynamics, Tangent, balance, tangent};
 use crate::expr::{Expr, ratio};
-use crate::model::{Action, Combination, Model, index_types};
+use crate::model::{Action, Combination, Floating, Model, index_types};
+use crate::screw::Vec3;
 
 index_types! {
     /// A joint: of a body, or of a link.
@@ -27,6 +28,8 @@ pub(super) struct AlongJoints<'g> {
     pub(super) inertial: Option<Inertial<'g>>,
     /// The bias, and `A qdd + bias`, less the wrenches that act on the links.
     pub(super) pushed: Option<[Vec<Expr<'g>>; 2]>,
+    /// The bodies along whose axes the forces of their slides are.
+    pub(super) floating: Vec<Floating<'g>>,
 }
 
 /// What a recursion knows along the joints without a mass matrix.
@@ -48,7 +51,7 @@ impl<'g> AlongJoints<'g> {
             &self.motions,
             self.mass_matrix.iter().copied().flat_map(mirrored),
         );
-        let [apart, force] = forces(model);
+        let [apart, force] = forces(model).map(|along| self.of_bodies(along));
         let held = match &self.pushed {
             _ if !model.generate.contains("loop_wrenches") => Vec::new(),
             Some([_, pushed]) => self.held(model, pushed, &apart),
@@ -91,6 +94,16 @@ impl<'g> AlongJoints<'g> {
             potential,
         };
         dynamics.with_drives(model)
+    }
+
+    /// Forces along all coordinates, with those of slides along the axes of floating bodies.
+    fn of_bodies(&self, mut along: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
+        for joint in &self.floating {
+            let own = joint.coordinates();
+            let turned = joint.of_body(Vec3(own.map(|k| along[k])));
+            own.into_iter().zip(turned.0).for_each(|(k, force)| along[k] = force);
+        }
+        along
     }
 
     /// What `along` the joints, less forces along all coordinates, leaves to be supplied along those that follow.

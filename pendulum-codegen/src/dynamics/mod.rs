@@ -27,7 +27,7 @@ pub(crate) use loops::loop_wrenches;
 pub(crate) use solve::{Factored, Solver};
 
 use crate::expr::Expr;
-use crate::model::{Action, BodyId, Coordinate, Model};
+use crate::model::{Action, BodyId, Coordinate, Floating, Model};
 use joints::{AlongJoints, JointId};
 
 /// `mass_matrix * qdd + bias = force`, in the coordinates of the scene.
@@ -116,6 +116,7 @@ impl<'g> Dynamics<'g> {
             momenta,
             inertial: None,
             pushed: None,
+            floating: Vec::new(),
         };
         along.in_coordinates(model, potential)
     }
@@ -123,7 +124,27 @@ impl<'g> Dynamics<'g> {
     /// The same dynamics by recursion over links in base parameters; `potential` is the potential energy. Where `pushed`, forces at
     /// points are wrenches on the links.
     pub(crate) fn recursive(model: &Model<'g>, potential: Expr<'g>, pushed: bool) -> Self {
-        recursive::along_joints(model, pushed).in_coordinates(model, potential)
+        recursive::along_joints(model, pushed, &[]).in_coordinates(model, potential)
+    }
+
+    /// What the accelerations are solved from, with those of `floating` bodies along their own axes: of this the mass matrix, the
+    /// residual and the balance alone.
+    pub(crate) fn along_bodies(model: &Model<'g>, floating: &[Floating<'g>]) -> Self {
+        let zero = model.graph.zero();
+        let whole = recursive::along_joints(model, false, floating).in_coordinates(model, zero);
+        Self {
+            mass_matrix: whole.mass_matrix,
+            residual: whole.residual,
+            balance: whole.balance,
+            bias: Vec::new(),
+            force: Vec::new(),
+            drive: Vec::new(),
+            held: Vec::new(),
+            tangent: None,
+            momentum: Vec::new(),
+            kinetic: zero,
+            potential: zero,
+        }
     }
 
     /// The accelerations by articulated bodies: without a mass matrix. Where `pushed`, forces at points are wrenches on the links.

@@ -18,16 +18,16 @@ pub(super) struct Motion<'g> {
     pub(super) field: Mat3<'g>,
 }
 
-/// How the links move, for second rates along their joints.
+/// How the links move, for second rates along their joints, with the gravity of each link.
 pub(super) fn motions<'g>(
     links: &[Link<'g>],
     frames: &[Frame<'g>],
-    gravity: Vec3<'g>,
+    gravity: &[Vec3<'g>],
     second_rates: &[Expr<'g>],
 ) -> Vec<Motion<'g>> {
     let mut motions: Vec<Motion<'g>> = Vec::new();
-    let still = Vec3::zero(gravity[0].graph());
-    for ((link, frame), &second_rate) in links.iter().zip(frames).zip(second_rates) {
+    for (((link, frame), &gravity), &second_rate) in links.iter().zip(frames).zip(gravity).zip(second_rates) {
+        let still = Vec3::zero(second_rate.graph());
         let arriving = match link.parent.map(|parent| motions[parent]) {
             Some(Motion { w, alpha, a, field }) => [w, alpha, a + field * frame.offset],
             None => [still, still, -gravity],

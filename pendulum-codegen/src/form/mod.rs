@@ -11,8 +11,6 @@ mod taylor;
 
 use std::cell::OnceCell;
 
-use rustc_hash::FxHashMap;
-
 pub(crate) use closed::Closed;
 pub(crate) use kind::{Basis, Derivatives, Form};
 pub(crate) use output::{rates, values, values_and_jacobian};
@@ -21,11 +19,12 @@ pub(crate) use routines::*;
 pub(crate) use taylor::Taylor;
 
 use crate::dynamics::{
-    Dynamics, Factored, Solver, derived, momentum_partials, momentum_rates, partials, partials_by_recursion,
+    Dynamics, Factored, Solver, balance, derived, momentum_partials, momentum_rates, partials, partials_by_recursion,
 };
-use crate::expr::{Expr, Graph, Normalizer};
-use crate::model::{Body, Following, Model};
+use crate::expr::{Expr, Graph, Level, Normalizer};
+use crate::model::{Body, Floating, Following, Model};
 use crate::pass::{Operations, Preference, constants, factor, share, trig};
+use crate::screw::Vec3;
 
 /// How many products of terms the closed form of a scene may take. Larger scenes keep the shared graph.
 const BUDGET: usize = 20_000;
@@ -89,11 +88,16 @@ struct Way<'a, 'g> {
     columns: &'a [Expr<'g>],
 }
 
+/// Dynamics in some form and, where it is known in a better form, the determinant of the mass matrix.
+type Written<'g> = (Form, Dynamics<'g>, Option<Expr<'g>>);
+
 /// All forms of the dynamics of a scene.
 #[derive(Debug)]
 pub(crate) struct Forms<'g> {
-    /// Dynamics and, where it is known in a better form, the determinant of the mass matrix.
-    forms: Vec<(Form, Dynamics<'g>, Option<Expr<'g>>)>,
+    forms: Vec<Written<'g>>,
+    /// What the accelerations are solved from, where these are along the axes of floating bodies.
+    along_bodies: Vec<Written<'g>>,
+    floating: Vec<Floating<'g>>,
     /// The accelerations of two coordinates with all that cancels gone.
     exact: Vec<Candidate<'g>>,
     /// The accelerations by articulated bodies.
@@ -145,17 +149,34 @@ impl<'g> Forms<'g> {
                 forms.push((Form::of(Basis::Closed(preference)), factored, determinant));
             }
         }
-        // constants that are zero, or equal, for a reason that shows in their normal form only
         let shared = (!has_orientations).then(|| (Form::of(Basis::Shared), dynamics.clone()));
         for (form, dynamics) in shared.into_iter().chain(recursive) {
-            let folded = constants::fold(g, &dynamics.entries());
-            forms.push((form, dynamics.with_entries(folded), None));
+            forms.push(folded(g, form, dynamics));
+        }
+        // the same for all, so that the Jacobian is that of the right-hand side where a quaternion is not of unit length
+        let floating = model.floating();
+        let mut along_bodies = Vec::new();
+        if !floating.is_empty() {
+            let dynamics = Dynamics::along_bodies(model, &floating);
+            let divided = divided(model, &dynamics);
+            for dynamics in [dynamics].into_iter().chain(divided) {
+                if let Ok(closed) = Closed::new(&mut normalizer, &dynamics) {
+                    let written = Preference::ALL.map(|preference| {
+                        let factored = closed.factored(g, &model.coordinates, preference);
+                        (Form::of(Basis::Closed(preference)), factored, None)
+                    });
+                    along_bodies.extend(written);
+                }
+                along_bodies.push(folded(g, Form::of(Basis::Recursive), dynamics));
+            }
         }
         let articulated = articulated.into_iter();
         let articulated = articulated.map(|(form, accelerations)| (form, constants::fold(g, &accelerations)));
         let articulated = articulated.collect();
         Self {
             forms,
+            along_bodies,
+            floating,
             exact,
             articulated,
             solved: OnceCell::new(),
@@ -212,10 +233,11 @@ impl<'g> Forms<'g> {
 
     fn solve(&self, beside: &[Expr<'g>]) -> Chosen<'g> {
         let mut candidates = Vec::new();
-        for (own, dynamics, determinant) in &self.forms {
+        for (own, dynamics, determinant) in solved_from(&self.floating, &self.along_bodies, &self.forms) {
             for (factored, solver) in factorings(dynamics, *determinant) {
                 let form = own.solved_by(solver);
-                candidates.push((form, factored.solve_negated(&dynamics.residual)));
+                let solved = factored.solve_negated(&dynamics.residual);
+                candidates.push((form, of_coordinates(&self.floating, solved)));
             }
         }
         candidates.extend(self.exact.iter().cloned());
@@ -249,11 +271,15 @@ impl<'g> Forms<'g> {
         roots: impl Fn(&Way<'_, 'g>) -> Vec<Expr<'g>>,
     ) -> Chosen<'g> {
         let mut candidates = Vec::new();
-        let sizes = self.forms.iter();
+        let symbols: Vec<Expr<'g>> = model.coordinates.iter().map(|c| c.acceleration).collect();
+        // how the accelerations change where what is solved for stays as it is
+        let beside = derived(&of_coordinates(&self.floating, symbols.clone()), variables);
+        let forms = solved_from(&self.floating, &self.along_bodies, &self.forms);
+        let sizes = forms.iter();
         let sizes = sizes.map(|(_, dynamics, _)| variables.len() * model.graph.reachable(&dynamics.entries()).len());
         let sizes: Vec<usize> = sizes.collect();
         let least = sizes.iter().copied().min().unwrap_or(0);
-        for ((own, dynamics, determinant), size) in self.forms.iter().zip(sizes) {
+        for ((own, dynamics, determinant), size) in forms.iter().zip(sizes) {
             let is_large = size > MOST_DERIVED;
             if is_large && HOPELESS[1] * size > HOPELESS[0] * least {
                 continue;
@@ -274,16 +300,17 @@ impl<'g> Forms<'g> {
                         .map(|(_, accelerations)| (form.exactly(), accelerations.clone())),
                 );
                 for (derivatives, columns) in &columns {
-                    let solved = columns.iter().flat_map(|column| factored.solve_negated(column));
+                    let solved = columns.iter().zip(&beside).flat_map(|(column, beside)| {
+                        turned(&self.floating, factored.solve_negated(column), beside)
+                    });
                     let solved: Vec<Expr<'g>> = solved.collect();
                     for (form, accelerations) in &ways {
-                        let symbols = model.coordinates.iter().map(|c| c.acceleration);
-                        let known: FxHashMap<_, _> = symbols.zip(accelerations.iter().copied()).collect();
-                        let columns = model.graph.substitute(&solved, known);
+                        let known = symbols.iter().copied().zip(accelerations.iter().copied());
+                        let columns = model.graph.substitute(&solved, known.collect());
                         let way = Way {
                             form: form.derived_by(*derivatives),
                             factored: &factored,
-                            accelerations,
+                            accelerations: &of_coordinates(&self.floating, accelerations.clone()),
                             columns: &columns,
                         };
                         candidates.push((way.form, roots(&way)));
@@ -330,6 +357,61 @@ impl<'g> Forms<'g> {
         let written_out = |(form, roots): Candidate<'g>| (form, self.following.written_out(graph, &roots));
         choose(graph, candidates.into_iter().map(written_out).collect())
     }
+}
+
+/// The forms that the accelerations are solved from.
+fn solved_from<'a, 'g>(
+    floating: &[Floating<'g>],
+    along_bodies: &'a [Written<'g>],
+    forms: &'a [Written<'g>],
+) -> &'a [Written<'g>] {
+    if floating.is_empty() { forms } else { along_bodies }
+}
+
+/// The dynamics with a mass matrix that does not depend on the state divided out.
+fn divided<'g>(model: &Model<'g>, dynamics: &Dynamics<'g>) -> Option<Dynamics<'g>> {
+    let mut entries = dynamics.mass_matrix.iter().flatten();
+    if entries.any(|entry| entry.level() >= Level::State) {
+        return None;
+    }
+    let g = model.graph;
+    let solved = Factored::new(Solver::Ldl, &dynamics.mass_matrix, None).solve_negated(&dynamics.residual);
+    let residual: Vec<Expr<'g>> = solved.into_iter().map(|x| -x).collect();
+    let n = residual.len();
+    let unit = |i: usize| (0..n).map(|j| g.integer(i64::from(i == j))).collect();
+    let mass_matrix: Vec<Vec<Expr<'g>>> = (0..n).map(unit).collect();
+    Some(Dynamics {
+        balance: balance(&model.coordinates, &mass_matrix, &residual),
+        mass_matrix,
+        residual,
+        ..dynamics.clone()
+    })
+}
+
+/// The accelerations of the coordinates, from what is solved for.
+fn of_coordinates<'g>(floating: &[Floating<'g>], mut solved: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
+    for joint in floating {
+        let own = joint.coordinates();
+        let acceleration = joint.acceleration(Vec3(own.map(|k| solved[k])));
+        own.into_iter().zip(acceleration.0).for_each(|(k, x)| solved[k] = x);
+    }
+    solved
+}
+
+/// The derivatives of the accelerations, from those of what is solved for, and `beside` these.
+fn turned<'g>(floating: &[Floating<'g>], mut column: Vec<Expr<'g>>, beside: &[Expr<'g>]) -> Vec<Expr<'g>> {
+    for joint in floating {
+        let own = joint.coordinates();
+        let of_joint = joint.rotation * Vec3(own.map(|k| column[k])) + Vec3(own.map(|k| beside[k]));
+        own.into_iter().zip(of_joint.0).for_each(|(k, x)| column[k] = x);
+    }
+    column
+}
+
+/// Dynamics with constants that are zero, or equal, for a reason that shows in their normal form only.
+fn folded<'g>(g: &'g Graph, form: Form, dynamics: Dynamics<'g>) -> Written<'g> {
+    let folded = constants::fold(g, &dynamics.entries());
+    (form, dynamics.with_entries(folded), None)
 }
 
 /// Columns of derivatives as they are, and in closed form where that is the basis.

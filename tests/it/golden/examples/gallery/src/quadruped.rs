@@ -477,9 +477,25 @@ k4 = 0.5*k
                 (
                     "rhs",
                     ::pendulum_core::FunctionCost::new(
-                        "recursion, L^T D L",
-                        ::pendulum_core::Operations::new(806, 887, 14, 9, 0, 125),
-                    ),
+                            "recursion, L^T D L",
+                            ::pendulum_core::Operations::new(694, 743, 14, 9, 0, 145),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first, L^T D L",
+                                    ::pendulum_core::Operations::new(797, 944, 10, 9, 0, 116),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first, L^T D L",
+                                    ::pendulum_core::Operations::new(810, 958, 10, 9, 0, 116),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded, L^T D L",
+                                    ::pendulum_core::Operations::new(894, 1052, 10, 9, 0, 170),
+                                ),
+                            ],
+                        ),
                 ),
                 (
                     "kinetic",
@@ -963,144 +979,149 @@ k4 = 0.5*k
                 t5,
                 t6,
                 t7,
-                t10,
-                t15,
+                t14,
+                t16,
+                t20,
                 t21,
-                t22,
-                t24,
                 t25,
-                t26,
+                t27,
                 t31,
                 t32,
                 t37,
-                t42,
+                t39,
+                t40,
+                t43,
                 t45,
                 t49,
-                t52,
+                t50,
+                t54,
                 t56,
-                t59,
-                t63,
+                t60,
+                t61,
                 t67,
-                t68,
                 t69,
-                t70,
                 t71,
                 t72,
-                t77,
-                t81,
+                t75,
+                t76,
+                t78,
                 t83,
+                t84,
+                t85,
+                t86,
                 t87,
+                t88,
+                t89,
                 t90,
                 t91,
                 t92,
                 t93,
                 t94,
+                t95,
                 t96,
                 t97,
+                t98,
                 t99,
-                t100,
+                sin100,
                 t102,
-                t103,
+                t104,
                 t105,
                 t106,
+                t107,
                 t108,
                 t109,
+                t110,
                 t111,
-                t112,
+                t113,
                 t114,
                 t115,
                 t117,
                 t118,
+                t119,
+                t120,
+                t121,
                 t122,
                 t123,
                 t124,
                 t125,
-                sin126,
+                t126,
+                t127,
                 t128,
                 t129,
                 t130,
-                t132,
-                t133,
+                t131,
                 t134,
                 t135,
-                t136,
+                sin136,
                 t137,
-                t138,
                 t139,
                 t140,
+                t141,
                 t142,
                 t143,
                 t144,
+                t145,
                 t146,
                 t147,
                 t148,
-                t149,
                 t150,
-                t151,
-                t152,
-                t153,
-                t154,
                 t155,
                 t156,
-                t157,
                 t158,
                 t159,
                 t160,
                 t161,
                 t162,
-                t163,
                 t164,
                 t165,
+                t166,
                 t167,
                 t168,
-                t169,
-                sin170,
+                t170,
                 t171,
                 t172,
                 t173,
+                t174,
                 t175,
                 t176,
                 t177,
                 t178,
-                t179,
                 t180,
                 t181,
                 t182,
                 t183,
+                t184,
                 t185,
+                t186,
+                t187,
+                t189,
                 t190,
                 t191,
                 t192,
                 t193,
                 t195,
-                t196,
                 t197,
                 t198,
                 t199,
                 t201,
                 t202,
                 t203,
+                t204,
                 t205,
-                t206,
                 t207,
                 t208,
-                t209,
-                t210,
                 t211,
                 t212,
-                t213,
                 t214,
                 t215,
                 t216,
                 t217,
                 t218,
-                t219,
                 t220,
                 t221,
                 t222,
                 t223,
                 t224,
-                t225,
                 t226,
                 t227,
                 t228,
@@ -1109,30 +1130,26 @@ k4 = 0.5*k
                 t231,
                 t232,
                 t233,
-                sin234,
-                cos234,
-                sin_hip3,
-                cos_hip3,
-                t235,
+                t234,
                 t236,
                 t237,
+                t238,
                 t239,
                 t240,
                 t241,
+                t242,
                 t243,
                 t244,
                 t245,
-                t246,
-                t247,
-                t248,
-                t249,
                 t250,
-                t251,
                 t252,
                 t253,
                 t254,
                 t255,
-                t256,
+                sin_hip4,
+                cos_hip4,
+                sin_hip2,
+                cos_hip2,
             ) = {
                 let t0 = T::from_f64(0.5) * qx_o;
                 let t1 = T::from_f64(0.5) * qy_o;
@@ -1142,400 +1159,412 @@ k4 = 0.5*k
                 let t5 = qdx_o * t4 - qdy_o * t2 + qdz_o * t1;
                 let t6 = qdx_o * t2 + qdy_o * t4 - qdz_o * t0;
                 let t7 = qdy_o * t0 - qdx_o * t1 + qdz_o * t4;
-                let t8 = qx_o * qz_o;
-                let t9 = qy_o * qw_o;
-                let t10 = T::from_f64(2.0) * (t8 + t9);
-                let t11 = t8 - t9;
-                let t12 = q_hip4 + q_knee4;
-                let t13 = qy_o * qy_o;
-                let t14 = qz_o * qz_o;
-                let t15 = T::from_f64(1.0) - T::from_f64(2.0) * (t13 + t14);
-                let t16 = q_hip3 + q_knee3;
-                let t17 = q_hip2 + q_knee2;
-                let t18 = q_hip1 + q_knee1;
-                let t19 = qx_o * qy_o;
-                let t20 = qz_o * qw_o;
-                let t21 = T::from_f64(2.0) * (t19 - t20);
-                let t22 = T::from_f64(2.0) * (t19 + t20);
-                let t23 = qx_o * qx_o;
-                let t24 = T::from_f64(1.0) - T::from_f64(2.0) * (t13 + t23);
-                let t25 = T::from_f64(1.0) - T::from_f64(2.0) * (t14 + t23);
-                let t26 = T::from_f64(2.0) * t11;
-                let t27 = T::from_f64(19.62) * t11;
-                let t28 = qz_o * qy_o;
-                let t29 = qx_o * qw_o;
-                let t30 = t28 + t29;
-                let t31 = T::from_f64(2.0) * (t28 - t29);
-                let t32 = T::from_f64(2.0) * t30;
-                let t33 = T::from_f64(19.62) * t30;
-                let t34 = qdz_o * qdz_o;
-                let t35 = qdy_o + qd_hip1;
-                let t36 = t35 * t35;
-                let t37 = t34 + t36;
-                let t38 = t35 + qd_knee1;
-                let t39 = t38 * t38;
-                let t40 = qd_knee1 + t38;
-                let t41 = t34 + t39;
-                let t42 = qdz_o * qdx_o;
-                let t43 = qdy_o + qd_hip3;
-                let t44 = t43 * t43;
-                let t45 = t34 + t44;
-                let t46 = t43 + qd_knee3;
-                let t47 = t46 * t46;
-                let t48 = qd_knee3 + t46;
-                let t49 = t34 + t47;
-                let t50 = qdy_o + qd_hip2;
-                let t51 = t50 * t50;
-                let t52 = t34 + t51;
-                let t53 = t50 + qd_knee2;
-                let t54 = t53 * t53;
-                let t55 = qd_knee2 + t53;
-                let t56 = t34 + t54;
-                let t57 = qdy_o + qd_hip4;
-                let t58 = t57 * t57;
-                let t59 = t34 + t58;
-                let t60 = t57 + qd_knee4;
-                let t61 = t60 * t60;
-                let t62 = qd_knee4 + t60;
-                let t63 = t34 + t61;
-                let t64 = qdx_o * qdx_o;
-                let t65 = t36 + t64;
-                let t66 = t39 + t64;
-                let t67 = t51 + t64;
-                let t68 = t54 + t64;
-                let t69 = t58 + t64;
-                let t70 = t61 + t64;
-                let t71 = t44 + t64;
-                let t72 = t47 + t64;
-                let t73 = T::from_f64(0.1) * (t34 + t64);
-                let t74 = T::from_f64(0.2) * (t34 + qdy_o * qdy_o);
-                let t75 = T::from_f64(9.81) * t24;
-                let t76 = T::from_f64(0.2) * t42;
-                let t77 = qdz_o * qdy_o;
-                let t78 = T::from_f64(0.1) * t77;
-                let t79 = t76 + t78;
-                let t80 = t76 - t78;
-                let t81 = t75 - t79;
-                let t82 = t75 + t79;
-                let t83 = qdy_o * qdx_o;
-                let t84 = T::from_f64(0.1) * t83;
-                let t85 = t74 - t84;
-                let t86 = t74 + t84;
-                let t87 = t27 + t85;
-                let t88 = t27 - t85;
-                let (sin89, _) = (k3 * t).sin_cos();
-                let t90 = k2 * sin89;
-                let t91 = t75 - t80;
-                let t92 = t75 + t80;
-                let t93 = t27 + t86;
-                let t94 = t27 - t86;
-                let t95 = qdx_o * qd_hip4;
-                let t96 = t95 + qdx_o * t57;
-                let t97 = t95 + qdx_o * t62;
-                let t98 = qdz_o * qd_hip4;
-                let t99 = t98 + qdz_o * t57;
-                let t100 = t98 + qdz_o * t62;
-                let t101 = qdx_o * qd_hip3;
-                let t102 = t101 + qdx_o * t43;
-                let t103 = t101 + qdx_o * t48;
-                let t104 = qdz_o * qd_hip3;
-                let t105 = t104 + qdz_o * t43;
-                let t106 = t104 + qdz_o * t48;
-                let t107 = qdx_o * qd_hip2;
-                let t108 = t107 + qdx_o * t50;
-                let t109 = t107 + qdx_o * t55;
-                let t110 = qdz_o * qd_hip2;
-                let t111 = t110 + qdz_o * t50;
-                let t112 = t110 + qdz_o * t55;
-                let t113 = qd_hip1 * qdx_o;
-                let t114 = t113 + t35 * qdx_o;
-                let t115 = t113 + qdx_o * t40;
-                let t116 = qdz_o * qd_hip1;
-                let t117 = t116 + qdz_o * t35;
-                let t118 = t116 + qdz_o * t40;
-                let t119 = T::from_f64(0.2) * t83;
-                let t120 = t73 - t119;
-                let t121 = t73 + t119;
-                let t122 = t33 + t120;
-                let t123 = t33 - t120;
-                let t124 = t33 - t121;
-                let t125 = t33 + t121;
-                let [(sin126, cos126), (sin127, cos127)] = t17.sin_cos_pair(t18);
-                let t128 = T::from_f64(0.015) * sin126;
-                let t129 = T::from_f64(0.015) * cos126;
-                let t130 = t10 * t128 - t15 * t129;
-                let t131 = T::from_f64(0.002) * cos126;
-                let t132 = cos126 * t131;
-                let t133 = sin126 * t131;
-                let t134 = T::from_f64(0.002) - t132;
-                let t135 = t132 + t134;
-                let t136 = T::from_f64(-1.0) / t135;
-                let t137 = t130 * t136;
-                let t138 = T::from_f64(0.015) * sin127;
-                let t139 = T::from_f64(0.015) * cos127;
-                let t140 = t10 * t138 - t15 * t139;
-                let t141 = T::from_f64(0.002) * cos127;
-                let t142 = cos127 * t141;
-                let t143 = sin127 * t141;
-                let t144 = T::from_f64(0.002) - t142;
-                let t145 = t142 + t144;
-                let t146 = T::from_f64(-1.0) / t145;
-                let t147 = t140 * t146;
-                let t148 = T::from_f64(0.0015) * cos127;
-                let t149 = t146 * t148;
-                let t150 = T::from_f64(0.0015) * cos126;
-                let t151 = t136 * t150;
-                let t152 = T::from_f64(0.0015) * sin127;
-                let t153 = t146 * t152;
-                let t154 = T::from_f64(0.0015) * sin126;
-                let t155 = t136 * t154;
-                let t156 = t128 * t24 - t129 * t26;
-                let t157 = t136 * t156;
-                let t158 = t138 * t24 - t139 * t26;
-                let t159 = t146 * t158;
-                let t160 = t128 * t31 - t129 * t22;
-                let t161 = t136 * t160;
-                let t162 = t138 * t31 - t139 * t22;
-                let t163 = t146 * t162;
-                let t164 = t138 * t41 - t139 * t42;
-                let t165 = t128 * t56 - t129 * t42;
-                let t166 = t139 * t66 - t138 * t42;
-                let t167 = t129 * t68 - t128 * t42;
-                let t168 = t129 * t112 + t128 * t109;
-                let t169 = t139 * t118 + t138 * t115;
-                let [(sin170, cos170), (sin_hip1, cos_hip1)] = t12.sin_cos_pair(q_hip1);
-                let t171 = T::from_f64(0.015) * sin170;
-                let t172 = T::from_f64(0.015) * cos170;
-                let t173 = t10 * t171 - t15 * t172;
-                let t174 = T::from_f64(0.002) * cos170;
-                let t175 = cos170 * t174;
-                let t176 = sin170 * t174;
-                let t177 = T::from_f64(0.002) - t175;
-                let t178 = t175 + t177;
-                let t179 = T::from_f64(-1.0) / t178;
-                let t180 = t173 * t179;
-                let t181 = T::from_f64(0.06) * sin_hip1;
-                let t182 = t138 + t181;
-                let t183 = T::from_f64(0.2) * cos_hip1;
-                let t184 = t139 * t183;
-                let t185 = T::from_f64(0.2) * sin_hip1;
-                let t186 = t138 * (t82 + t183 * t65 - t185 * t42) + t143 * (t66 - t41);
-                let t187 = t186 + t42 * (t142 - t144)
-                    - t139 * (t88 + t185 * t37 - t183 * t42);
-                let t188 = t138 * t185;
-                let t189 = t145 + t184 + t188;
-                let t190 = t146 * t189;
-                let t191 = T::from_f64(0.06) * cos_hip1;
-                let t192 = t139 + t191;
-                let t193 = t10 * t182 + t140 * t190 - t15 * t192;
-                let t194 = T::from_f64(0.01) * cos_hip1;
-                let t195 = cos_hip1 * t194;
-                let t196 = t142 + t195 + T::from_f64(2.0) * t184;
-                let t197 = sin_hip1 * t194;
-                let t198 = T::from_f64(0.01) - t195;
-                let t199 = t144 + t198 + T::from_f64(2.0) * t188;
-                let t200 = t187 + t181 * t82 + t197 * (t65 - t37) + t185 * t166
-                    + t42 * (t195 - t198);
-                let t201 = t191 * t65 + t166 - t181 * t42;
-                let t202 = t200 - t191 * t88 - t183 * t164;
-                let t203 = k1 * qd_knee1 + k0 * (T::from_f64(1.0) + q_knee1) + t187;
-                let t204 = t196 + t199;
-                let t205 = T::from_f64(-1.0) / (t204 + t189 * t190);
-                let t206 = t189 - T::from_f64(0.003) * sin127;
-                let t207 = t204 + t190 * t206 - T::from_f64(0.2) * t182;
-                let t208 = t193 * t205;
-                let t209 = T::from_f64(0.1) * t192;
-                let t210 = t209 + t190 * t148;
-                let t211 = t205 * t210;
-                let t212 = T::from_f64(0.0015) * cos170;
-                let t213 = t179 * t212;
-                let t214 = t146 * t206;
-                let t215 = t205 * t207;
-                let t216 = T::from_f64(0.1) * t182;
-                let t217 = t216 + t190 * t152;
-                let t218 = t205 * t217;
-                let t219 = T::from_f64(0.0015) * sin170;
-                let t220 = t179 * t219;
-                let t221 = t171 * t24 - t172 * t26;
-                let t222 = t179 * t221;
-                let t223 = t182 * t24 + t190 * t158 - t192 * t26;
-                let t224 = t205 * t223;
-                let t225 = t171 * t31 - t172 * t22;
-                let t226 = t179 * t225;
-                let t227 = t182 * t31 + t190 * t162 - t192 * t22;
-                let t228 = t205 * t227;
-                let t229 = t171 * t63 - t172 * t42;
-                let t230 = t172 * t70 - t171 * t42;
-                let t231 = t202 + k1 * qd_hip1 + k0 * (q_hip1 - T::from_f64(0.5))
-                    + t190 * t203 - t90;
-                let t232 = t172 * t100 + t171 * t97;
-                let t233 = t123 - t183 * t117 - t185 * t114;
-                let [(sin234, cos234), (sin_hip3, cos_hip3)] = t16.sin_cos_pair(q_hip3);
-                let t235 = T::from_f64(0.015) * sin234;
-                let t236 = T::from_f64(0.015) * cos234;
-                let t237 = t10 * t235 - t15 * t236;
-                let t238 = T::from_f64(0.002) * cos234;
-                let t239 = cos234 * t238;
-                let t240 = sin234 * t238;
-                let t241 = T::from_f64(0.002) - t239;
-                let t242 = t239 + t241;
-                let t243 = T::from_f64(-1.0) / t242;
-                let t244 = t237 * t243;
-                let t245 = T::from_f64(0.06) * sin_hip3;
-                let t246 = t235 + t245;
-                let t247 = T::from_f64(0.2) * cos_hip3;
-                let t248 = t236 * t247;
-                let t249 = T::from_f64(0.2) * sin_hip3;
-                let t250 = t235 * t249;
-                let t251 = t242 + t248 + t250;
-                let t252 = t243 * t251;
-                let t253 = T::from_f64(0.06) * cos_hip3;
-                let t254 = t236 + t253;
-                let t255 = t10 * t246 + t237 * t252 - t15 * t254;
-                let t256 = T::from_f64(0.01) * cos_hip3;
+                let t8 = q_hip4 + q_knee4;
+                let t9 = q_hip3 + q_knee3;
+                let t10 = q_hip2 + q_knee2;
+                let t11 = q_hip1 + q_knee1;
+                let t12 = qdx_o * qd_hip4;
+                let t13 = qdy_o + qd_hip4;
+                let t14 = t12 + qdx_o * t13;
+                let t15 = qdz_o * qd_hip4;
+                let t16 = t15 + qdz_o * t13;
+                let t17 = t13 + qd_knee4;
+                let t18 = t13 * t13;
+                let t19 = qd_knee4 + t17;
+                let t20 = t15 + qdz_o * t19;
+                let t21 = t12 + qdx_o * t19;
+                let t22 = t17 * t17;
+                let t23 = qdx_o * qd_hip3;
+                let t24 = qdy_o + qd_hip3;
+                let t25 = t23 + qdx_o * t24;
+                let t26 = qdz_o * qd_hip3;
+                let t27 = t26 + qdz_o * t24;
+                let t28 = t24 + qd_knee3;
+                let t29 = t24 * t24;
+                let t30 = qd_knee3 + t28;
+                let t31 = t26 + qdz_o * t30;
+                let t32 = t23 + qdx_o * t30;
+                let t33 = t28 * t28;
+                let t34 = qdx_o * qdx_o;
+                let t35 = qdz_o * qdz_o;
+                let t36 = T::from_f64(0.1) * (t34 + t35);
+                let t37 = qdx_o * qdy_o;
+                let t38 = T::from_f64(0.2) * t37;
+                let t39 = t36 + t38;
+                let t40 = t36 - t38;
+                let t41 = qdx_o * qd_hip2;
+                let t42 = qdy_o + qd_hip2;
+                let t43 = t41 + qdx_o * t42;
+                let t44 = qdz_o * qd_hip2;
+                let t45 = t44 + qdz_o * t42;
+                let t46 = t42 + qd_knee2;
+                let t47 = t42 * t42;
+                let t48 = qd_knee2 + t46;
+                let t49 = t44 + qdz_o * t48;
+                let t50 = t41 + qdx_o * t48;
+                let t51 = t46 * t46;
+                let t52 = qdx_o * qd_hip1;
+                let t53 = qdy_o + qd_hip1;
+                let t54 = t52 + qdx_o * t53;
+                let t55 = qd_hip1 * qdz_o;
+                let t56 = t55 + t53 * qdz_o;
+                let t57 = t53 + qd_knee1;
+                let t58 = t53 * t53;
+                let t59 = qd_knee1 + t57;
+                let t60 = t55 + qdz_o * t59;
+                let t61 = t52 + qdx_o * t59;
+                let t62 = t57 * t57;
+                let t63 = t34 + t33;
+                let t64 = t33 + t35;
+                let t65 = t34 + t29;
+                let t66 = t29 + t35;
+                let t67 = qdx_o * qdz_o;
+                let t68 = T::from_f64(0.2) * t67;
+                let t69 = qdy_o * qdz_o;
+                let t70 = T::from_f64(0.1) * t69;
+                let t71 = t68 - t70;
+                let t72 = t68 + t70;
+                let t73 = T::from_f64(0.2) * (t35 + qdy_o * qdy_o);
+                let t74 = T::from_f64(0.1) * t37;
+                let t75 = t73 + t74;
+                let t76 = t73 - t74;
+                let (sin77, _) = (k3 * t).sin_cos();
+                let t78 = k2 * sin77;
+                let t79 = t34 + t62;
+                let t80 = t62 + t35;
+                let t81 = t34 + t58;
+                let t82 = t58 + t35;
+                let t83 = t22 + t35;
+                let t84 = t34 + t22;
+                let t85 = t18 + t35;
+                let t86 = t34 + t18;
+                let t87 = t51 + t35;
+                let t88 = t47 + t35;
+                let t89 = t34 + t51;
+                let t90 = t34 + t47;
+                let t91 = qy_o * qy_o;
+                let t92 = qz_o * qz_o;
+                let t93 = qx_o * qz_o;
+                let t94 = qy_o * qw_o;
+                let t95 = qx_o * qy_o;
+                let t96 = qz_o * qw_o;
+                let t97 = qx_o * qx_o;
+                let t98 = qz_o * qy_o;
+                let t99 = qx_o * qw_o;
+                let [(sin100, cos100), (sin101, cos101)] = t10.sin_cos_pair(t11);
+                let t102 = T::from_f64(0.015) * cos100;
+                let t103 = T::from_f64(0.002) * cos100;
+                let t104 = cos100 * t103;
+                let t105 = sin100 * t103;
+                let t106 = T::from_f64(0.002) - t104;
+                let t107 = t104 + t106;
+                let t108 = T::from_f64(-1.0) / t107;
+                let t109 = t108 * t102;
+                let t110 = T::from_f64(0.015) * sin100;
+                let t111 = T::from_f64(0.015) * cos101;
+                let t112 = T::from_f64(0.002) * cos101;
+                let t113 = cos101 * t112;
+                let t114 = sin101 * t112;
+                let t115 = T::from_f64(0.002) - t113;
+                let t116 = t113 + t115;
+                let t117 = T::from_f64(-1.0) / t116;
+                let t118 = t117 * t111;
+                let t119 = T::from_f64(0.015) * sin101;
+                let t120 = T::from_f64(0.0015) * cos100;
+                let t121 = t108 * t120;
+                let t122 = T::from_f64(0.0015) * cos101;
+                let t123 = t117 * t122;
+                let t124 = T::from_f64(0.0015) * sin100;
+                let t125 = t108 * t124;
+                let t126 = T::from_f64(0.0015) * sin101;
+                let t127 = t117 * t126;
+                let t128 = t110 * t108;
+                let t129 = t119 * t117;
+                let t130 = t102 * t49 + t110 * t50;
+                let t131 = t111 * t60 + t119 * t61;
+                let t132 = t111 * t79 - t119 * t67;
+                let t133 = t119 * t80 - t111 * t67;
+                let t134 = t110 * t87 - t102 * t67;
+                let t135 = t102 * t89 - t110 * t67;
+                let [(sin136, cos136), (sin_hip1, cos_hip1)] = t8.sin_cos_pair(q_hip1);
+                let t137 = T::from_f64(0.015) * cos136;
+                let t138 = T::from_f64(0.002) * cos136;
+                let t139 = cos136 * t138;
+                let t140 = sin136 * t138;
+                let t141 = T::from_f64(0.002) - t139;
+                let t142 = t139 + t141;
+                let t143 = T::from_f64(-1.0) / t142;
+                let t144 = t143 * t137;
+                let t145 = T::from_f64(0.015) * sin136;
+                let t146 = T::from_f64(0.06) * cos_hip1;
+                let t147 = t111 + t146;
+                let t148 = T::from_f64(0.2) * cos_hip1;
+                let t149 = t148 * t111;
+                let t150 = T::from_f64(0.2) * sin_hip1;
+                let t151 = t114 * (t79 - t80) + t119 * (t72 + t148 * t81 - t150 * t67);
+                let t152 = t151 + t67 * (t113 - t115)
+                    - t111 * (t150 * t82 - t76 - t148 * t67);
+                let t153 = t119 * t150;
+                let t154 = t116 + t149 + t153;
+                let t155 = t117 * t154;
+                let t156 = t147 + t111 * t155;
+                let t157 = T::from_f64(0.01) * cos_hip1;
+                let t158 = cos_hip1 * t157;
+                let t159 = t113 + t158 + T::from_f64(2.0) * t149;
+                let t160 = sin_hip1 * t157;
+                let t161 = T::from_f64(0.01) - t158;
+                let t162 = t115 + t161 + T::from_f64(2.0) * t153;
+                let t163 = t159 + t162;
+                let t164 = T::from_f64(-1.0) / (t163 + t154 * t155);
+                let t165 = t154 - T::from_f64(0.003) * sin101;
+                let t166 = t164 * t156;
+                let t167 = T::from_f64(0.0015) * cos136;
+                let t168 = t143 * t167;
+                let t169 = T::from_f64(0.1) * t147;
+                let t170 = t169 + t155 * t122;
+                let t171 = t164 * t170;
+                let t172 = T::from_f64(0.06) * sin_hip1;
+                let t173 = t119 + t172;
+                let t174 = t163 + t155 * t165 - T::from_f64(0.2) * t173;
+                let t175 = t117 * t165;
+                let t176 = t164 * t174;
+                let t177 = T::from_f64(0.0015) * sin136;
+                let t178 = t143 * t177;
+                let t179 = T::from_f64(0.1) * t173;
+                let t180 = t179 + t155 * t126;
+                let t181 = t164 * t180;
+                let t182 = t173 + t119 * t155;
+                let t183 = t145 * t143;
+                let t184 = t182 * t164;
+                let t185 = t137 * t20 + t145 * t21;
+                let t186 = t40 + t148 * t56 + t150 * t54;
+                let t187 = k1 * qd_knee1 + k0 * (T::from_f64(1.0) + q_knee1) + t152;
+                let t188 = t152 + t160 * (t81 - t82) + t172 * t72 + t146 * t76
+                    + t150 * t132;
+                let t189 = t146 * t81 + t132 - t172 * t67;
+                let t190 = t188 + t67 * (t158 - t161) - t148 * t133;
+                let t191 = t190 + k1 * qd_hip1 + k0 * (q_hip1 - T::from_f64(0.5))
+                    + t155 * t187 - t78;
+                let t192 = t145 * t83 - t137 * t67;
+                let t193 = t137 * t84 - t145 * t67;
+                let [(sin194, cos194), (sin_hip3, cos_hip3)] = t9.sin_cos_pair(q_hip3);
+                let t195 = T::from_f64(0.015) * cos194;
+                let t196 = T::from_f64(0.002) * cos194;
+                let t197 = cos194 * t196;
+                let t198 = sin194 * t196;
+                let t199 = T::from_f64(0.002) - t197;
+                let t200 = t197 + t199;
+                let t201 = T::from_f64(-1.0) / t200;
+                let t202 = t201 * t195;
+                let t203 = T::from_f64(0.06) * cos_hip3;
+                let t204 = t195 + t203;
+                let t205 = T::from_f64(0.2) * cos_hip3;
+                let t206 = t205 * t195;
+                let t207 = T::from_f64(0.015) * sin194;
+                let t208 = T::from_f64(0.2) * sin_hip3;
+                let t209 = t207 * t208;
+                let t210 = t200 + t206 + t209;
+                let t211 = t201 * t210;
+                let t212 = t204 + t195 * t211;
+                let t213 = T::from_f64(0.01) * cos_hip3;
+                let t214 = cos_hip3 * t213;
+                let t215 = t197 + t214 + T::from_f64(2.0) * t206;
+                let t216 = sin_hip3 * t213;
+                let t217 = T::from_f64(0.01) - t214;
+                let t218 = t199 + t217 + T::from_f64(2.0) * t209;
+                let t219 = t215 + t218;
+                let t220 = T::from_f64(-1.0) / (t219 + t210 * t211);
+                let t221 = t210 + T::from_f64(0.003) * sin194;
+                let t222 = t220 * t212;
+                let t223 = T::from_f64(0.0015) * cos194;
+                let t224 = t201 * t223;
+                let t225 = T::from_f64(0.1) * t204;
+                let t226 = t225 + t211 * t223;
+                let t227 = t220 * t226;
+                let t228 = T::from_f64(0.06) * sin_hip3;
+                let t229 = T::from_f64(0.0015) * sin194;
+                let t230 = t207 + t228;
+                let t231 = t219 + T::from_f64(0.2) * t230 + t211 * t221;
+                let t232 = t225 + t169 + t224 * t221 + t227 * t231 + t123 * t165
+                    + t171 * t174;
+                let t233 = t201 * t221;
+                let t234 = t220 * t231;
+                let t235 = T::from_f64(0.1) * t230;
+                let t236 = t235 + t211 * t229;
+                let t237 = t235 + t179 + t233 * t229 + t234 * t236 + t175 * t126
+                    + t176 * t180;
+                let t238 = t201 * t229;
+                let t239 = t220 * t236;
+                let t240 = t230 + t207 * t211;
+                let t241 = t207 * t224 + t240 * t227 + t119 * t123 + t182 * t171
+                    - t145 * t168;
+                let t242 = t207 * t201;
+                let t243 = t240 * t220;
+                let t244 = t195 * t31 + t207 * t32;
+                let t245 = t39 + t205 * t27 + t208 * t25;
+                let t246 = t198 * (t63 - t64) + t207 * (t205 * t65 - t71 - t208 * t67);
+                let t247 = t246 + t67 * (t197 - t199)
+                    - t195 * (t75 + t208 * t66 - t205 * t67);
+                let t248 = t195 * t63 - t207 * t67;
+                let t249 = t207 * t64 - t195 * t67;
+                let t250 = t249 + t228 * t66 - t203 * t67
+                    + (t133 + t172 * t82 - t146 * t67);
+                let t251 = t247 + t216 * (t65 - t66) + t208 * t248 + t67 * (t214 - t217);
+                let t252 = t251 - t228 * t71 - t203 * t75 - t205 * t249;
+                let t253 = t203 * t65 + t248 - t228 * t67;
+                let t254 = k1 * qd_knee3 + k0 * (T::from_f64(1.0) + q_knee3) + t247;
+                let t255 = t78 + k1 * qd_hip3 + k0 * (q_hip3 - T::from_f64(0.5)) + t252
+                    + t211 * t254;
+                let [(sin_hip4, cos_hip4), (sin_hip2, cos_hip2)] = q_hip4
+                    .sin_cos_pair(q_hip2);
                 (
                     t3,
                     t5,
                     t6,
                     t7,
-                    t10,
-                    t15,
+                    t14,
+                    t16,
+                    t20,
                     t21,
-                    t22,
-                    t24,
                     t25,
-                    t26,
+                    t27,
                     t31,
                     t32,
                     t37,
-                    t42,
+                    t39,
+                    t40,
+                    t43,
                     t45,
                     t49,
-                    t52,
+                    t50,
+                    t54,
                     t56,
-                    t59,
-                    t63,
+                    t60,
+                    t61,
                     t67,
-                    t68,
                     t69,
-                    t70,
                     t71,
                     t72,
-                    t77,
-                    t81,
+                    t75,
+                    t76,
+                    t78,
                     t83,
+                    t84,
+                    t85,
+                    t86,
                     t87,
+                    t88,
+                    t89,
                     t90,
                     t91,
                     t92,
                     t93,
                     t94,
+                    t95,
                     t96,
                     t97,
+                    t98,
                     t99,
-                    t100,
+                    sin100,
                     t102,
-                    t103,
+                    t104,
                     t105,
                     t106,
+                    t107,
                     t108,
                     t109,
+                    t110,
                     t111,
-                    t112,
+                    t113,
                     t114,
                     t115,
                     t117,
                     t118,
+                    t119,
+                    t120,
+                    t121,
                     t122,
                     t123,
                     t124,
                     t125,
-                    sin126,
+                    t126,
+                    t127,
                     t128,
                     t129,
                     t130,
-                    t132,
-                    t133,
+                    t131,
                     t134,
                     t135,
-                    t136,
+                    sin136,
                     t137,
-                    t138,
                     t139,
                     t140,
+                    t141,
                     t142,
                     t143,
                     t144,
+                    t145,
                     t146,
                     t147,
                     t148,
-                    t149,
                     t150,
-                    t151,
-                    t152,
-                    t153,
-                    t154,
                     t155,
                     t156,
-                    t157,
                     t158,
                     t159,
                     t160,
                     t161,
                     t162,
-                    t163,
                     t164,
                     t165,
+                    t166,
                     t167,
                     t168,
-                    t169,
-                    sin170,
+                    t170,
                     t171,
                     t172,
                     t173,
+                    t174,
                     t175,
                     t176,
                     t177,
                     t178,
-                    t179,
                     t180,
                     t181,
                     t182,
                     t183,
+                    t184,
                     t185,
+                    t186,
+                    t187,
+                    t189,
                     t190,
                     t191,
                     t192,
                     t193,
                     t195,
-                    t196,
                     t197,
                     t198,
                     t199,
                     t201,
                     t202,
                     t203,
+                    t204,
                     t205,
-                    t206,
                     t207,
                     t208,
-                    t209,
-                    t210,
                     t211,
                     t212,
-                    t213,
                     t214,
                     t215,
                     t216,
                     t217,
                     t218,
-                    t219,
                     t220,
                     t221,
                     t222,
                     t223,
                     t224,
-                    t225,
                     t226,
                     t227,
                     t228,
@@ -1544,539 +1573,322 @@ k4 = 0.5*k
                     t231,
                     t232,
                     t233,
-                    sin234,
-                    cos234,
-                    sin_hip3,
-                    cos_hip3,
-                    t235,
+                    t234,
                     t236,
                     t237,
+                    t238,
                     t239,
                     t240,
                     t241,
+                    t242,
                     t243,
                     t244,
                     t245,
-                    t246,
-                    t247,
-                    t248,
-                    t249,
                     t250,
-                    t251,
                     t252,
                     t253,
                     t254,
                     t255,
-                    t256,
+                    sin_hip4,
+                    cos_hip4,
+                    sin_hip2,
+                    cos_hip2,
                 )
             };
             let (
-                t263,
-                t266,
-                t269,
-                t272,
-                t274,
-                t275,
-                t276,
-                t280,
-                t282,
-                t284,
-                t286,
-                t288,
-                t297,
-                t298,
-                t312,
-                t328,
-                t330,
-                t332,
-                t345,
-                t366,
-                t368,
-                t369,
-                t374,
-                t379,
-                t382,
-                t384,
-                t385,
-                t386,
-                t388,
-                t390,
-                t392,
-                t399,
-                t400,
-                t420,
-                t424,
-                t425,
-                t426,
-                t429,
-                t431,
-                t433,
-                t436,
-                t440,
-                t443,
                 t448,
-                t454,
-                t455,
-                t457,
+                t449,
+                t453,
                 t458,
                 t459,
-                t461,
-                t470,
-                t472,
-                t473,
-                t479,
-                t481,
-                t482,
-                t483,
-                t487,
-                t491,
-                t495,
-                t497,
-                t505,
-                t506,
-                t509,
-                t511,
+                t460,
+                t462,
+                t463,
+                t464,
+                t465,
+                t467,
+                t468,
+                t469,
+                t471,
             ) = {
-                let t257 = cos_hip3 * t256;
-                let t258 = t239 + t257 + T::from_f64(2.0) * t248;
-                let t259 = sin_hip3 * t256;
-                let t260 = T::from_f64(0.01) - t257;
-                let t261 = t241 + t260 + T::from_f64(2.0) * t250;
-                let t262 = t258 + t261;
-                let t263 = T::from_f64(-1.0) / (t262 + t251 * t252);
-                let t264 = t251 + T::from_f64(0.003) * sin234;
-                let t265 = t262 + T::from_f64(0.2) * t246 + t252 * t264;
-                let t266 = t255 * t263;
-                let t267 = T::from_f64(0.0015) * cos234;
-                let t268 = T::from_f64(0.0015) * sin234;
-                let t269 = t243 * t267;
-                let t270 = T::from_f64(0.1) * t254;
-                let t271 = t270 + t252 * t267;
-                let t272 = t263 * t271;
-                let t273 = t270 + t209 + t269 * t264 + t272 * t265 + t149 * t206
-                    + t211 * t207;
-                let t274 = t243 * t264;
-                let t275 = t263 * t265;
-                let t276 = t243 * t268;
-                let t277 = T::from_f64(0.1) * t246;
-                let t278 = t277 + t252 * t268;
-                let t279 = t277 + t216 + t274 * t268 + t275 * t278 + t214 * t152
-                    + t215 * t217;
-                let t280 = t263 * t278;
-                let t281 = t235 * t24 - t236 * t26;
-                let t282 = t243 * t281;
-                let t283 = t246 * t24 + t252 * t281 - t254 * t26;
-                let t284 = t263 * t283;
-                let t285 = t235 * t31 - t236 * t22;
-                let t286 = t243 * t285;
-                let t287 = t246 * t31 + t252 * t285 - t254 * t22;
-                let t288 = t263 * t287;
-                let t289 = t235 * t49 - t236 * t42;
-                let t290 = t181 * t37 + t164 - t191 * t42
-                    + (t245 * t45 + t289 - t253 * t42);
-                let t291 = t235 * (t91 + t247 * t71 - t249 * t42) + t240 * (t72 - t49);
-                let t292 = t236 * t72 - t235 * t42;
-                let t293 = t291 + t42 * (t239 - t241)
-                    - t236 * (t93 + t249 * t45 - t247 * t42);
-                let t294 = t293 + t245 * t91 + t259 * (t71 - t45) + t249 * t292
-                    + t42 * (t257 - t260);
-                let t295 = t294 - t253 * t93 - t247 * t289;
-                let t296 = t253 * t71 + t292 - t245 * t42;
-                let t297 = k1 * qd_knee3 + k0 * (T::from_f64(1.0) + q_knee3) + t293;
-                let t298 = t90 + k1 * qd_hip3 + k0 * (q_hip3 - T::from_f64(0.5)) + t295
-                    + t252 * t297;
-                let t299 = t236 * t106 + t235 * t103;
-                let t300 = t124 - t247 * t105 - t249 * t102;
-                let [(sin_hip4, cos_hip4), (sin_hip2, cos_hip2)] = q_hip4
-                    .sin_cos_pair(q_hip2);
-                let t301 = T::from_f64(0.06) * sin_hip4;
-                let t302 = t171 + t301;
-                let t303 = t302 + t246;
-                let t304 = T::from_f64(0.2) * cos_hip4;
-                let t305 = t172 * t304;
-                let t306 = T::from_f64(0.2) * sin_hip4;
-                let t307 = t171 * (t81 + t304 * t69 - t306 * t42) + t176 * (t70 - t63);
-                let t308 = t307 + t42 * (t175 - t177)
-                    - t172 * (t87 + t306 * t59 - t304 * t42);
-                let t309 = t171 * t306;
-                let t310 = t178 + t305 + t309;
-                let t311 = t310 + T::from_f64(0.003) * sin170;
-                let t312 = t179 * t310;
-                let t313 = T::from_f64(0.06) * cos_hip4;
-                let t314 = t172 + t313;
-                let t315 = t314 + t254;
-                let t316 = t10 * t302 + t173 * t312 - t15 * t314;
-                let t317 = T::from_f64(0.01) * cos_hip4;
-                let t318 = cos_hip4 * t317;
-                let t319 = t175 + t318 + T::from_f64(2.0) * t305;
-                let t320 = sin_hip4 * t317;
-                let t321 = T::from_f64(0.01) - t318;
-                let t322 = t177 + t321 + T::from_f64(2.0) * t309;
-                let t323 = t308 + t301 * t81 + t320 * (t69 - t59) + t306 * t230
-                    + t42 * (t318 - t321);
-                let t324 = t313 * t69 + t230 - t301 * t42;
-                let t325 = t323 - t313 * t87 - t304 * t229;
-                let t326 = t321 * t96 + t320 * t99 + t177 * t97 + t176 * t100
-                    + t306 * t232;
-                let t327 = t326 + t260 * t102 + t259 * t105 + t241 * t103 + t240 * t106;
-                let t328 = k1 * qd_knee4 + k0 * (T::from_f64(1.0) + q_knee4) + t308;
-                let t329 = t319 + t322;
-                let t330 = T::from_f64(-1.0) / (t329 + t310 * t312);
-                let t331 = t329 + T::from_f64(0.2) * t302 + t312 * t311;
-                let t332 = t316 * t330;
-                let t333 = T::from_f64(5.8) + t173 * t180 + t316 * t332 + t237 * t244
-                    + t255 * t266;
-                let t334 = T::from_f64(0.06) * sin_hip2;
-                let t335 = t128 + t334;
-                let t336 = t335 + t182;
-                let t337 = T::from_f64(0.2) * cos_hip2;
-                let t338 = t129 * t337;
-                let t339 = T::from_f64(0.2) * sin_hip2;
-                let t340 = t128 * (t92 + t337 * t67 - t339 * t42) + t133 * (t68 - t56);
-                let t341 = t340 + t42 * (t132 - t134)
-                    - t129 * (t94 + t339 * t52 - t337 * t42);
-                let t342 = t128 * t339;
-                let t343 = t135 + t338 + t342;
-                let t344 = t343 - T::from_f64(0.003) * sin126;
-                let t345 = t136 * t343;
-                let t346 = T::from_f64(0.06) * cos_hip2;
-                let t347 = t334 * t52 + t165 - t346 * t42
-                    + (t301 * t59 + t229 - t313 * t42);
-                let t348 = t129 + t346;
-                let t349 = t348 + t192;
-                let t350 = t10 * t335 + t130 * t345 - t15 * t348;
-                let t351 = T::from_f64(0.01) * cos_hip2;
-                let t352 = cos_hip2 * t351;
-                let t353 = sin_hip2 * t351;
-                let t354 = t132 + t352 + T::from_f64(2.0) * t338;
-                let t355 = T::from_f64(0.01) - t352;
-                let t356 = t341 + t334 * t92 + t353 * (t67 - t52) + t339 * t167
-                    + t42 * (t352 - t355);
-                let t357 = t356 - t346 * t94 - t337 * t165;
-                let t358 = t346 * t67 + t167 - t334 * t42;
-                let t359 = t134 + t355 + T::from_f64(2.0) * t342;
-                let t360 = T::from_f64(0.13653333333333334) + t322 + t261 + t359 + t199
-                    + T::from_f64(0.4) * (t303 - t336);
-                let t361 = t327 + t249 * t299 + t355 * t108 + t353 * t111 + t134 * t109;
-                let t362 = t303 + t336;
-                let t363 = t361 + t133 * t112 + t339 * t168 + t198 * t114 + t197 * t117;
-                let t364 = t363 + t144 * t115 + t143 * t118 + t185 * t169 + t269 * t297;
-                let t365 = t354 + t359;
-                let t366 = T::from_f64(-1.0) / (t365 + t343 * t345);
-                let t367 = t365 + t345 * t344 - T::from_f64(0.2) * t335;
-                let t368 = k1 * qd_knee2 + k0 * (T::from_f64(1.0) + q_knee2) + t341;
-                let t369 = t350 * t366;
-                let t370 = t333 + t130 * t137 + t350 * t369 + t140 * t147 + t193 * t208;
-                let t371 = t237 * t269 + t255 * t272 + t140 * t149 + t193 * t211
-                    - t21 * t362;
-                let t372 = T::from_f64(0.1) * t314;
-                let t373 = t372 + t312 * t212;
-                let t374 = t330 * t373;
-                let t375 = T::from_f64(0.024533333333333334) + t360 + t212 * t213
-                    + t373 * t374 + t267 * t269 + t271 * t272;
-                let t376 = T::from_f64(0.1) * t348;
-                let t377 = t273 - t372 - t376 - t213 * t311 - t374 * t331 - t151 * t344;
-                let t378 = t376 + t345 * t150;
-                let t379 = t366 * t378;
-                let t380 = t375 + t150 * t151 + t378 * t379 + t148 * t149 + t210 * t211;
-                let t381 = t371 - t173 * t213 - t316 * t374 - t130 * t151 - t350 * t379;
-                let t382 = T::from_f64(-1.0) / t380;
-                let t383 = t377 - t379 * t367;
-                let t384 = t381 * t382;
-                let t385 = t179 * t311;
-                let t386 = t330 * t331;
-                let t387 = t10 * t362 + t173 * t385 + t316 * t386 + t237 * t274
-                    + t255 * t275;
-                let t388 = t136 * t344;
-                let t389 = t311 * t385 + t331 * t386 + t264 * t274 + t265 * t275
-                    + t344 * t388;
-                let t390 = t366 * t367;
-                let t391 = t387 + t130 * t388 + t350 * t390 + t140 * t214 + t193 * t215;
-                let t392 = t382 * t383;
-                let t393 = t389 + t367 * t390 + t206 * t214 + t207 * t215 + t383 * t392;
-                let t394 = t315 + t349;
-                let t395 = t391 + t381 * t392 - t15 * t394;
-                let t396 = t360 - T::from_f64(0.024533333333333334);
-                let t397 = T::from_f64(0.024533333333333334) + t396;
-                let t398 = T::from_f64(0.0021333333333333334) + t319 + t258 + t354 + t196
-                    + t397;
-                let t399 = T::from_f64(-1.0) / (t393 + t398);
-                let t400 = t395 * t399;
-                let t401 = t21 * t394 + t237 * t276 + t255 * t280 + t140 * t153
-                    + t193 * t218;
-                let t402 = T::from_f64(0.1) * t302;
-                let t403 = t402 + t312 * t219;
-                let t404 = t213 * t219 + t374 * t403 + t269 * t268 + t272 * t278
-                    + t151 * t154;
-                let t405 = T::from_f64(0.1) * t335;
-                let t406 = t405 + t345 * t154;
-                let t407 = t404 + t379 * t406 + t149 * t152 + t211 * t217
-                    + T::from_f64(0.2) * (t349 - t315);
-                let t408 = t407 - t320 - t176 - t171 * t304 - t172 * t306 - t259 - t240;
-                let t409 = t408 - t235 * t247 - t236 * t249 - t353 - t133 - t128 * t337;
-                let t410 = t409 - t129 * t339 - t197 - t143 - t138 * t183 - t139 * t185;
-                let t411 = t279 + t392 * t410 - t402 - t405 - t385 * t219 - t386 * t403;
-                let t412 = t411 - t388 * t154 - t390 * t406;
-                let t413 = t122 - t304 * t99 - t306 * t96;
-                let t414 = t313 * t122 + t172 * t413 + t253 * t124 + t236 * t300
-                    + t346 * t125;
-                let t415 = t313 * t99 + t301 * t96 + t232
-                    + (t253 * t105 + t245 * t102 + t299);
-                let t416 = t191 * t117 + t181 * t114 + t169
-                    + (t346 * t111 + t334 * t108 + t168);
-                let t417 = t364 + t272 * t298 + t149 * t203 + t211 * t231
-                    + T::from_f64(0.2) * (t415 - t416);
-                let t418 = t417 + T::from_f64(0.1) * (t347 - t290)
-                    + T::from_f64(0.112) * t83 - t301 * t122 - t171 * t413;
-                let t419 = t290 + t347;
-                let t420 = t416 + t415;
-                let t421 = t125 - t337 * t111 - t339 * t108;
-                let t422 = t418 - t245 * t124 - t235 * t300 - t334 * t125 - t128 * t421;
-                let t423 = t414 + t129 * t421 + t191 * t123 + t139 * t233 + t276 * t297;
-                let t424 = t382 * t410;
-                let t425 = t399 * t412;
-                let t426 = t330 * t403;
-                let t427 = t360 + t219 * t220 + t403 * t426 + t268 * t276 + t278 * t280;
-                let t428 = t401 + t381 * t424 + t395 * t425 - t173 * t220 - t316 * t426;
-                let t429 = t366 * t406;
-                let t430 = t427 + t154 * t155 + t406 * t429 + t152 * t153 + t217 * t218;
-                let t431 = T::from_f64(-1.0)
-                    / (t430 + t410 * t424 + t412 * t425 + t398 - t396 - t397);
-                let t432 = t428 - t130 * t155 - t350 * t429;
-                let t433 = t432 * t431;
-                let t434 = t302 * t24 + t312 * t221 - t314 * t26;
-                let t435 = t302 * t31 + t312 * t225 - t314 * t22;
-                let t436 = t330 * t434;
-                let t437 = t173 * t222 + t316 * t436 + t237 * t282 + t255 * t284
-                    + t130 * t157;
-                let t438 = t335 * t24 + t345 * t156 - t348 * t26;
-                let t439 = t335 * t31 + t345 * t160 - t348 * t22;
-                let t440 = t366 * t438;
-                let t441 = t269 * t281 + t272 * t283 + t149 * t158 + t211 * t223
-                    - t362 * t32;
-                let t442 = t441 - t213 * t221 - t374 * t434 - t151 * t156 - t379 * t438;
-                let t443 = t382 * t442;
-                let t444 = t437 + t350 * t440 + t140 * t159 + t193 * t224 + t381 * t443;
-                let t445 = t362 * t24 + t385 * t221 + t386 * t434 + t274 * t281
-                    + t275 * t283;
-                let t446 = t445 + t388 * t156 + t390 * t438 + t214 * t158 + t215 * t223;
-                let t447 = t446 + t392 * t442 - t394 * t26;
-                let t448 = t399 * t447;
-                let t449 = t394 * t32 + t276 * t281 + t280 * t283 + t153 * t158
-                    + t218 * t223;
-                let t450 = T::from_f64(5.8) + t221 * t222 + t434 * t436 + t281 * t282
-                    + t283 * t284;
-                let t451 = t449 + t424 * t442 + t425 * t447 - t220 * t221 - t426 * t434;
-                let t452 = t450 + t156 * t157 + t438 * t440 + t158 * t159 + t223 * t224;
-                let t453 = t451 - t155 * t156 - t429 * t438;
-                let t454 = t431 * t453;
-                let t455 = T::from_f64(-1.0)
-                    / (t452 + t442 * t443 + t447 * t448 + t453 * t454);
-                let t456 = t444 + t395 * t448 + t432 * t454;
-                let t457 = t456 * t455;
-                let t458 = t370 + t381 * t384 + t395 * t400 + t432 * t433 + t456 * t457;
-                let t459 = t330 * t435;
-                let t460 = t173 * t226 + t316 * t459 + t237 * t286 + t255 * t288
-                    + t130 * t161;
-                let t461 = t366 * t439;
-                let t462 = t269 * t285 + t272 * t287 + t149 * t162 + t211 * t227
-                    - t362 * t25;
-                let t463 = t462 - t213 * t225 - t374 * t435 - t151 * t160 - t379 * t439;
-                let t464 = t362 * t31 + t385 * t225 + t386 * t435 + t274 * t285
-                    + t275 * t287;
-                let t465 = t464 + t388 * t160 + t390 * t439 + t214 * t162 + t215 * t227;
-                let t466 = t465 + t392 * t463 - t394 * t22;
-                let t467 = t394 * t25 + t276 * t285 + t280 * t287 + t153 * t162
-                    + t218 * t227;
-                let t468 = t467 + t424 * t463 + t425 * t466 - t220 * t225 - t426 * t435;
-                let t469 = t468 - t155 * t160 - t429 * t439;
-                let t470 = t382 * t463;
-                let t471 = t460 + t350 * t461 + t140 * t163 + t193 * t228 + t381 * t470;
-                let t472 = t399 * t466;
-                let t473 = t431 * t469;
-                let t474 = t222 * t225 + t436 * t435 + t282 * t285 + t284 * t287
-                    + t157 * t160;
-                let t475 = T::from_f64(5.8) + t225 * t226 + t435 * t459 + t285 * t286
-                    + t287 * t288;
-                let t476 = t475 + t160 * t161 + t439 * t461 + t162 * t163 + t227 * t228;
-                let t477 = t474 + t440 * t439 + t159 * t162 + t224 * t227 + t443 * t463;
-                let t478 = t477 + t448 * t466 + t454 * t469;
-                let t479 = t455 * t478;
-                let t480 = t476 + t463 * t470 + t466 * t472 + t469 * t473 + t478 * t479;
-                let t481 = t471 + t395 * t472 + t432 * t473 + t456 * t479;
-                let t482 = T::from_f64(-1.0) / t480;
-                let t483 = t481 * t482;
-                let t484 = t201 + t358;
-                let t485 = t324 + t296;
-                let t486 = t484 + t485;
-                let t487 = t325 + k1 * qd_hip4 + k0 * (q_hip4 - T::from_f64(0.5))
-                    + t312 * t328 - t90;
-                let t488 = t422 - t181 * t123 - t138 * t233 - t213 * t328 - t374 * t487;
-                let t489 = t325 + t295 + t357 + t202 + t385 * t328 + t386 * t487
-                    + t274 * t297;
-                let t490 = t15 * t419 + t10 * t486 + t180 * t328 + t332 * t487
-                    + t244 * t297;
-                let t491 = t90 + k1 * qd_hip2 + k0 * (q_hip2 - T::from_f64(0.5)) + t357
-                    + t345 * t368;
-                let t492 = T::from_f64(56.898) + t26 * t419 + t24 * t486 + t222 * t328
-                    + t436 * t487;
-                let t493 = t22 * t419 + t31 * t486 + t226 * t328 + t459 * t487
-                    + t286 * t297;
-                let t494 = t490 + t266 * t298 + t137 * t368 + t369 * t491 + t147 * t203;
-                let t495 = t488 - t151 * t368 - t379 * t491;
-                let t496 = t489 + t275 * t298 + t388 * t368 + t390 * t491 + t214 * t203;
-                let t497 = t496 + t215 * t231 + t392 * t495
-                    + T::from_f64(0.2) * (t485 - t484) + T::from_f64(-0.1344) * t42;
-                let t498 = t423 + t280 * t298 + t153 * t203 + t218 * t231 + t424 * t495;
-                let t499 = t498 + t425 * t497
-                    + T::from_f64(0.1) * (t201 + t296 - t358 - t324)
-                    + T::from_f64(0.0224) * t77;
-                let t500 = t499 - t318 * t99 - t320 * t96 - t175 * t100 - t176 * t97;
-                let t501 = t500 - t304 * t232 - t257 * t105 - t259 * t102 - t239 * t106;
-                let t502 = t501 - t240 * t103 - t247 * t299 - t352 * t111 - t353 * t108;
-                let t503 = t502 - t132 * t112 - t133 * t109 - t337 * t168 - t195 * t117;
-                let t504 = t503 - t197 * t114 - t142 * t118 - t143 * t115 - t183 * t169;
-                let t505 = t504 - t220 * t328 - t426 * t487 - t155 * t368 - t429 * t491;
-                let t506 = t494 + t208 * t231 + t384 * t495 + t400 * t497 + t433 * t505;
-                let t507 = t492 + t282 * t297 + t284 * t298 + t157 * t368 + t440 * t491;
-                let t508 = t507 + t159 * t203 + t224 * t231 + t443 * t495 + t448 * t497;
-                let t509 = t508 + t454 * t505 - t32 * t420;
-                let t510 = t493 + t288 * t298 + t161 * t368 + t461 * t491 + t163 * t203;
-                let t511 = t510 + t228 * t231 + t470 * t495 + t472 * t497 + t473 * t505;
+                let t256 = T::from_f64(0.06) * cos_hip4;
+                let t257 = t137 + t256;
+                let t258 = t257 + t204;
+                let t259 = T::from_f64(0.2) * cos_hip4;
+                let t260 = t259 * t137;
+                let t261 = T::from_f64(0.2) * sin_hip4;
+                let t262 = t140 * (t84 - t83) + t145 * (t259 * t86 - t261 * t67 - t72);
+                let t263 = t262 + t67 * (t139 - t141)
+                    - t137 * (t76 + t261 * t85 - t259 * t67);
+                let t264 = t145 * t261;
+                let t265 = t142 + t260 + t264;
+                let t266 = t265 + T::from_f64(0.003) * sin136;
+                let t267 = t143 * t265;
+                let t268 = t257 + t137 * t267;
+                let t269 = T::from_f64(0.1) * t257;
+                let t270 = T::from_f64(0.01) * cos_hip4;
+                let t271 = cos_hip4 * t270;
+                let t272 = t139 + t271 + T::from_f64(2.0) * t260;
+                let t273 = sin_hip4 * t270;
+                let t274 = T::from_f64(0.01) - t271;
+                let t275 = t141 + t274 + T::from_f64(2.0) * t264;
+                let t276 = t274 * t14 + t273 * t16 + t261 * t185 + t141 * t21
+                    + t140 * t20;
+                let t277 = t276 + t217 * t25 + t216 * t27 + t208 * t244 + t199 * t32;
+                let t278 = t263 + t273 * (t86 - t85) + t261 * t193 + t67 * (t271 - t274);
+                let t279 = k1 * qd_knee4 + k0 * (T::from_f64(1.0) + q_knee4) + t263;
+                let t280 = t272 + t275;
+                let t281 = T::from_f64(-1.0) / (t280 + t265 * t267);
+                let t282 = t281 * t268;
+                let t283 = T::from_f64(5.8) + t137 * t144 + t268 * t282 + t195 * t202
+                    + t212 * t222;
+                let t284 = T::from_f64(0.06) * cos_hip2;
+                let t285 = t102 + t284;
+                let t286 = t285 + t147;
+                let t287 = T::from_f64(0.2) * cos_hip2;
+                let t288 = t287 * t102;
+                let t289 = T::from_f64(0.2) * sin_hip2;
+                let t290 = t105 * (t89 - t87) + t110 * (t71 + t287 * t90 - t289 * t67);
+                let t291 = t290 + t67 * (t104 - t106)
+                    - t102 * (t289 * t88 - t75 - t287 * t67);
+                let t292 = t110 * t289;
+                let t293 = t107 + t288 + t292;
+                let t294 = t293 - T::from_f64(0.003) * sin100;
+                let t295 = t108 * t293;
+                let t296 = t285 + t102 * t295;
+                let t297 = T::from_f64(0.1) * t285;
+                let t298 = T::from_f64(0.01) * cos_hip2;
+                let t299 = cos_hip2 * t298;
+                let t300 = t104 + t299 + T::from_f64(2.0) * t288;
+                let t301 = sin_hip2 * t298;
+                let t302 = T::from_f64(0.01) - t299;
+                let t303 = t106 + t302 + T::from_f64(2.0) * t292;
+                let t304 = t277 + t198 * t31 + t207 * t245 + t302 * t43 + t301 * t45;
+                let t305 = t304 + t289 * t130 + t106 * t50 + t105 * t49 + t161 * t54;
+                let t306 = t305 + t160 * t56 + t172 * t40 + t150 * t131 + t115 * t61;
+                let t307 = t306 + t114 * t60 + t119 * t186 + t224 * t254 + t227 * t255;
+                let t308 = t300 + t303;
+                let t309 = T::from_f64(-1.0) / (t308 + t293 * t295);
+                let t310 = t309 * t296;
+                let t311 = t283 + t102 * t109 + t296 * t310 + t111 * t118 + t156 * t166;
+                let t312 = t269 + t267 * t167;
+                let t313 = t281 * t312;
+                let t314 = t297 + t295 * t120;
+                let t315 = t309 * t314;
+                let t316 = t137 * t168 + t313 * t268 + t102 * t121 + t315 * t296
+                    - t195 * t224;
+                let t317 = t316 - t227 * t212 - t111 * t123 - t171 * t156;
+                let t318 = T::from_f64(0.06) * sin_hip4;
+                let t319 = T::from_f64(0.06) * sin_hip2;
+                let t320 = t278 - t256 * t76 - t318 * t72 - t259 * t192;
+                let t321 = t192 + t318 * t85 - t256 * t67
+                    + (t134 + t319 * t88 - t284 * t67);
+                let t322 = t291 + t301 * (t90 - t88) + t284 * t75 + t319 * t71
+                    + t289 * t135;
+                let t323 = t322 + t67 * (t299 - t302) - t287 * t134;
+                let t324 = t256 * t86 + t193 - t318 * t67;
+                let t325 = t284 * t90 + t135 - t319 * t67;
+                let t326 = t284 * t45 + t319 * t43 + t130
+                    + (t131 + t146 * t56 + t172 * t54);
+                let t327 = k1 * qd_knee2 + k0 * (T::from_f64(1.0) + q_knee2) + t291;
+                let t328 = t145 + t318;
+                let t329 = t328 + t230;
+                let t330 = t280 + T::from_f64(0.2) * t328 + t267 * t266;
+                let t331 = t232 - t269 - t297 - t168 * t266 - t313 * t330 - t121 * t294;
+                let t332 = t110 + t319;
+                let t333 = t332 + t173;
+                let t334 = T::from_f64(0.13653333333333334) + t275 + t218 + t303 + t162
+                    + T::from_f64(0.4) * (t329 - t333);
+                let t335 = T::from_f64(0.024533333333333334) + t334 + t167 * t168
+                    + t312 * t313 + t223 * t224 + t226 * t227;
+                let t336 = t335 + t120 * t121 + t314 * t315 + t122 * t123 + t170 * t171;
+                let t337 = t329 + t333;
+                let t338 = T::from_f64(-1.0) / t336;
+                let t339 = t308 + t295 * t294 - T::from_f64(0.2) * t332;
+                let t340 = t331 - t315 * t339;
+                let t341 = t338 * t317;
+                let t342 = t338 * t340;
+                let t343 = t258 + t286;
+                let t344 = t143 * t266;
+                let t345 = t281 * t330;
+                let t346 = t342 * t317 - t343 - t137 * t344 - t345 * t268 - t195 * t233;
+                let t347 = t108 * t294;
+                let t348 = t266 * t344 + t330 * t345 + t221 * t233 + t231 * t234
+                    + t294 * t347;
+                let t349 = t309 * t339;
+                let t350 = t348 + t339 * t349 + t165 * t175 + t174 * t176 + t340 * t342;
+                let t351 = t346 - t234 * t212 - t102 * t347 - t349 * t296 - t111 * t175;
+                let t352 = t351 - t176 * t156;
+                let t353 = t334 - T::from_f64(0.024533333333333334);
+                let t354 = T::from_f64(0.024533333333333334) + t353;
+                let t355 = T::from_f64(0.0021333333333333334) + t272 + t215 + t300 + t159
+                    + t354;
+                let t356 = T::from_f64(-1.0) / (t350 + t355);
+                let t357 = t356 * t352;
+                let t358 = T::from_f64(0.1) * t328;
+                let t359 = t328 + t145 * t267;
+                let t360 = t358 + t267 * t177;
+                let t361 = t281 * t360;
+                let t362 = t334 + t177 * t178 + t360 * t361 + t229 * t238 + t236 * t239;
+                let t363 = t168 * t177 + t313 * t360 + t224 * t229 + t227 * t236
+                    + t121 * t124;
+                let t364 = T::from_f64(0.1) * t332;
+                let t365 = t332 + t110 * t295;
+                let t366 = t241 - t359 * t313 - t110 * t121 - t365 * t315;
+                let t367 = t364 + t295 * t124;
+                let t368 = t363 + t315 * t367 + t123 * t126 + t171 * t180
+                    + T::from_f64(0.2) * (t286 - t258);
+                let t369 = t368 - t273 - t140 - t145 * t259 - t137 * t261 - t216 - t198;
+                let t370 = t369 - t207 * t205 - t195 * t208 - t301 - t105 - t110 * t287;
+                let t371 = t370 - t102 * t289 - t160 - t114 - t119 * t148 - t111 * t150;
+                let t372 = t237 + t342 * t371 - t358 - t364 - t344 * t177 - t345 * t360;
+                let t373 = t372 - t347 * t124 - t349 * t367;
+                let t374 = t40 - t259 * t16 - t261 * t14;
+                let t375 = t39 - t287 * t45 - t289 * t43;
+                let t376 = t309 * t367;
+                let t377 = t362 + t124 * t125 + t367 * t376 + t126 * t127 + t180 * t181;
+                let t378 = t338 * t371;
+                let t379 = t137 * t178 + t361 * t268 + t102 * t125 + t376 * t296
+                    + t378 * t317;
+                let t380 = t356 * t373;
+                let t381 = T::from_f64(-1.0)
+                    / (t377 + t371 * t378 + t373 * t380 + t355 - t353 - t354);
+                let t382 = t379 + t380 * t352 - t195 * t238 - t239 * t212 - t111 * t127;
+                let t383 = t382 - t181 * t156;
+                let t384 = t381 * t383;
+                let t385 = t366 * t338;
+                let t386 = t337 + t145 * t344 + t359 * t345 + t207 * t233 + t240 * t234;
+                let t387 = t386 + t110 * t347 + t365 * t349 + t119 * t175 + t182 * t176;
+                let t388 = t387 + t366 * t342;
+                let t389 = t388 * t356;
+                let t390 = t207 * t238 + t240 * t239 + t119 * t127 + t182 * t181
+                    + t366 * t378;
+                let t391 = t390 + t388 * t380 - t145 * t178 - t359 * t361 - t110 * t125;
+                let t392 = t391 - t365 * t376;
+                let t393 = t392 * t381;
+                let t394 = t359 * t281;
+                let t395 = T::from_f64(5.8) + t145 * t183 + t359 * t394 + t207 * t242
+                    + t240 * t243;
+                let t396 = t385 * t317 + t389 * t352 + t393 * t383 - t183 * t137
+                    - t394 * t268;
+                let t397 = t256 * t40 + t137 * t374 + t102 * t375 + t238 * t254
+                    + t239 * t255;
+                let t398 = t256 * t16 + t318 * t14 + t185
+                    + (t203 * t27 + t228 * t25 + t244);
+                let t399 = t307 + t123 * t187 + t171 * t191
+                    + T::from_f64(0.2) * (t398 - t326)
+                    + T::from_f64(0.1) * (t321 - t250);
+                let t400 = t399 + T::from_f64(0.112) * t37 + t39 * (t228 - t319)
+                    - t318 * t40 - t145 * t374;
+                let t401 = t365 * t309;
+                let t402 = t396 - t242 * t195 - t243 * t212 - t128 * t102 - t401 * t296;
+                let t403 = t395 + t110 * t128 + t365 * t401 + t119 * t129 + t182 * t184;
+                let t404 = T::from_f64(-1.0)
+                    / (t403 + t366 * t385 + t388 * t389 + t392 * t393);
+                let t405 = t402 - t129 * t111 - t184 * t156;
+                let t406 = t404 * t405;
+                let t407 = t311 + t317 * t341 + t352 * t357 + t383 * t384 + t405 * t406;
+                let t408 = t337 * t342;
+                let t409 = t343 - t337 * t378 - t380 * t408;
+                let t410 = t381 * t409;
+                let t411 = t393 * t409 - t385 * t337 - t389 * t408;
+                let t412 = t404 * t411;
+                let t413 = t338 * t337;
+                let t414 = t356 * t408;
+                let t415 = t383 * t410 + t405 * t412 - t317 * t413 - t352 * t414;
+                let t416 = T::from_f64(5.8) + t337 * t413 + t408 * t414 + t409 * t410
+                    + t411 * t412;
+                let t417 = T::from_f64(-1.0) / t416;
+                let t418 = t415 * t417;
+                let t419 = t320 + k1 * qd_hip4 + k0 * (q_hip4 - T::from_f64(0.5))
+                    + t267 * t279 - t78;
+                let t420 = t400 - t110 * t375 - t168 * t279 - t313 * t419 - t121 * t327;
+                let t421 = t320 + t252 + t323 + t190 + t344 * t279 + t345 * t419
+                    + t233 * t254;
+                let t422 = t78 + k1 * qd_hip2 + k0 * (q_hip2 - T::from_f64(0.5)) + t323
+                    + t295 * t327;
+                let t423 = t420 - t315 * t422;
+                let t424 = t421 + t234 * t255 + t347 * t327 + t349 * t422 + t175 * t187;
+                let t425 = t324 + t253;
+                let t426 = t189 + t325;
+                let t427 = t424 + t176 * t191 + t342 * t423
+                    + T::from_f64(0.2) * (t425 - t426) + T::from_f64(-0.1344) * t67;
+                let t428 = t397 + t127 * t187 + t181 * t191 + t378 * t423 + t380 * t427;
+                let t429 = t428 + T::from_f64(0.1) * (t189 + t253 - t325 - t324)
+                    + T::from_f64(0.0224) * t69 + t39 * (t284 - t203);
+                let t430 = t429 - t271 * t16 - t273 * t14 - t139 * t20 - t140 * t21;
+                let t431 = t430 - t259 * t185 - t214 * t27 - t216 * t25 - t205 * t244;
+                let t432 = t431 - t197 * t31 - t198 * t32 - t195 * t245 - t299 * t45;
+                let t433 = t432 - t301 * t43 - t104 * t49 - t105 * t50 - t287 * t130;
+                let t434 = t433 - t146 * t40 - t158 * t56 - t160 * t54 - t111 * t186;
+                let t435 = t434 - t113 * t60 - t114 * t61 - t148 * t131 - t178 * t279;
+                let t436 = t435 - t361 * t419 - t125 * t327 - t376 * t422;
+                let t437 = t183 * t279 + t394 * t419 + t242 * t254 + t243 * t255
+                    + t128 * t327;
+                let t438 = t437 + t401 * t422 + t129 * t187 + t184 * t191 + t385 * t423;
+                let t439 = t438 + t389 * t427 + t393 * t436 + t426 + t425;
+                let t440 = t436 * t410 + t439 * t412 - t423 * t413 - t427 * t414 - t398;
+                let t441 = t440 - t326;
+                let t442 = t423 * t341 + t427 * t357 + t436 * t384 + t439 * t406
+                    + t418 * t441;
+                let t443 = t442 + t321 + t250 - t279 * t144 - t419 * t282 - t254 * t202;
+                let t444 = t443 - t255 * t222 - t327 * t109 - t422 * t310 - t187 * t118;
+                let t445 = T::from_f64(-1.0) / (t407 + t415 * t418)
+                    * (t444 - t191 * t166);
+                let t446 = t417 * t441 + t418 * t445;
+                let t447 = t404 * t439 + t406 * t445 + t412 * t446;
+                let t448 = t381 * t436 + t384 * t445 + t410 * t446 + t393 * t447;
+                let t449 = t356 * t427 + t357 * t445 + t389 * t447 + t380 * t448
+                    - t414 * t446;
+                let t450 = t338 * t423 + t341 * t445 + t385 * t447 + t378 * t448
+                    + t342 * t449;
+                let t451 = t309 * t422 + t401 * t447 + t349 * t449 - t310 * t445
+                    - t376 * t448;
+                let t452 = t281 * t419 + t394 * t447 + t345 * t449 - t282 * t445
+                    - t361 * t448;
+                let t453 = t450 - t413 * t446;
+                let t454 = t164 * t191 + t184 * t447 + t181 * t448 + t176 * t449
+                    + t171 * t453;
+                let t455 = t117 * t187 + t129 * t447 + t127 * t448 + t175 * t449
+                    + t123 * t453;
+                let t456 = t220 * t255 + t243 * t447 + t239 * t448 + t234 * t449
+                    + t227 * t453;
+                let t457 = t201 * t254 + t242 * t447 + t238 * t448 + t233 * t449
+                    + t224 * t453;
+                let t458 = t454 - t166 * t445;
+                let t459 = t455 + t155 * t458 - t118 * t445;
+                let t460 = t451 - t315 * t453;
+                let t461 = t108 * t327 + t128 * t447 + t347 * t449 + t295 * t460
+                    - t109 * t445;
+                let t462 = t461 - t125 * t448 - t121 * t453;
+                let t463 = t456 - t222 * t445;
+                let t464 = t457 + t211 * t463 - t202 * t445;
+                let t465 = t452 - t313 * t453;
+                let t466 = t143 * t279 + t183 * t447 + t344 * t449 + t267 * t465
+                    - t144 * t445;
+                let t467 = t466 - t178 * t448 - t168 * t453;
+                let t468 = t445 * (T::from_f64(1.0) - T::from_f64(2.0) * (t91 + t92))
+                    + T::from_f64(2.0) * ((t93 + t94) * t447 + t446 * (t95 - t96));
+                let t469 = t446 * (T::from_f64(1.0) - T::from_f64(2.0) * (t92 + t97))
+                    + T::from_f64(2.0) * (t447 * (t98 - t99) + t445 * (t95 + t96));
+                let t470 = t447 * (T::from_f64(1.0) - T::from_f64(2.0) * (t91 + t97))
+                    + T::from_f64(2.0) * (t445 * (t93 - t94) + t446 * (t98 + t99));
+                let t471 = t470 - T::from_f64(9.81);
                 (
-                    t263,
-                    t266,
-                    t269,
-                    t272,
-                    t274,
-                    t275,
-                    t276,
-                    t280,
-                    t282,
-                    t284,
-                    t286,
-                    t288,
-                    t297,
-                    t298,
-                    t312,
-                    t328,
-                    t330,
-                    t332,
-                    t345,
-                    t366,
-                    t368,
-                    t369,
-                    t374,
-                    t379,
-                    t382,
-                    t384,
-                    t385,
-                    t386,
-                    t388,
-                    t390,
-                    t392,
-                    t399,
-                    t400,
-                    t420,
-                    t424,
-                    t425,
-                    t426,
-                    t429,
-                    t431,
-                    t433,
-                    t436,
-                    t440,
-                    t443,
                     t448,
-                    t454,
-                    t455,
-                    t457,
+                    t449,
+                    t453,
                     t458,
                     t459,
-                    t461,
-                    t470,
-                    t472,
-                    t473,
-                    t479,
-                    t481,
-                    t482,
-                    t483,
-                    t487,
-                    t491,
-                    t495,
-                    t497,
-                    t505,
-                    t506,
-                    t509,
-                    t511,
-                )
-            };
-            let (
-                t513,
-                t514,
-                t515,
-                t516,
-                t517,
-                t527,
-                t528,
-                t529,
-                t530,
-                t531,
-                t532,
-                t533,
-                t534,
-                t535,
-            ) = {
-                let t512 = t511 + t479 * t509 - t25 * t420;
-                let t513 = T::from_f64(-1.0) / (t458 + t481 * t483)
-                    * (t506 + t457 * t509 + t483 * t512 - t21 * t420);
-                let t514 = t482 * t512 + t483 * t513;
-                let t515 = t455 * t509 + t457 * t513 + t479 * t514;
-                let t516 = t431 * t505 + t433 * t513 + t473 * t514 + t454 * t515;
-                let t517 = t399 * t497 + t400 * t513 + t472 * t514 + t448 * t515
-                    + t425 * t516;
-                let t518 = t382 * t495 + t384 * t513 + t470 * t514 + t443 * t515
-                    + t424 * t516;
-                let t519 = t205 * t231 + t208 * t513 + t228 * t514 + t224 * t515
-                    + t218 * t516;
-                let t520 = t146 * t203 + t147 * t513 + t163 * t514 + t159 * t515
-                    + t153 * t516;
-                let t521 = t366 * t491 + t369 * t513 + t461 * t514 + t440 * t515
-                    + t390 * t517;
-                let t522 = t136 * t368 + t137 * t513 + t161 * t514 + t157 * t515
-                    + t388 * t517;
-                let t523 = t263 * t298 + t266 * t513 + t288 * t514 + t284 * t515
-                    + t280 * t516;
-                let t524 = t243 * t297 + t244 * t513 + t286 * t514 + t282 * t515
-                    + t276 * t516;
-                let t525 = t330 * t487 + t332 * t513 + t459 * t514 + t436 * t515
-                    + t386 * t517;
-                let t526 = t179 * t328 + t180 * t513 + t226 * t514 + t222 * t515
-                    + t385 * t517;
-                let t527 = t518 + t392 * t517;
-                let t528 = t519 + t215 * t517 + t211 * t527;
-                let t529 = t520 + t214 * t517 + t149 * t527 + t190 * t528;
-                let t530 = t521 - t429 * t516 - t379 * t527;
-                let t531 = t522 + t345 * t530 - t155 * t516 - t151 * t527;
-                let t532 = t523 + t275 * t517 + t272 * t527;
-                let t533 = t524 + t274 * t517 + t269 * t527 + t252 * t532;
-                let t534 = t525 - t426 * t516 - t374 * t527;
-                let t535 = t526 + t312 * t534 - t220 * t516 - t213 * t527;
-                (
-                    t513,
-                    t514,
-                    t515,
-                    t516,
-                    t517,
-                    t527,
-                    t528,
-                    t529,
-                    t530,
-                    t531,
-                    t532,
-                    t533,
-                    t534,
-                    t535,
+                    t460,
+                    t462,
+                    t463,
+                    t464,
+                    t465,
+                    t467,
+                    t468,
+                    t469,
+                    t471,
                 )
             };
             ::pendulum_core::nalgebra::SVector::from([
@@ -2095,20 +1907,20 @@ k4 = 0.5*k
                 qd_knee3,
                 qd_hip4,
                 qd_knee4,
-                t513,
-                t514,
-                t515,
-                t516,
-                t517,
-                t527,
-                t528,
-                t529,
-                t530,
-                t531,
-                t532,
-                t533,
-                t534,
-                t535,
+                t468,
+                t469,
+                t471,
+                t448,
+                t449,
+                t453,
+                t458,
+                t459,
+                t460,
+                t462,
+                t463,
+                t464,
+                t465,
+                t467,
             ])
         }
         #[inline]

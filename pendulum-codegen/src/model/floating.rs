@@ -1,0 +1,73 @@
+//! Bodies that move freely against the ground.
+
+use super::{Body, BodyId, CoordinateId, Model, Poses};
+use crate::screw::{Mat3, Vec3};
+
+/// A free joint on the ground, or on what is fixed to it.
+///
+/// The acceleration of its position is `gravity + rotation a`. What is solved for is `a`, along the axes of the body: in these the mass
+/// matrix does not depend on the orientation, nor on gravity what the acceleration takes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Floating<'g> {
+    /// The first of its three slides, and of its three turns.
+    pub slide: BodyId,
+    pub turn: BodyId,
+    /// The coordinate of the first slide; those of the others follow.
+    pub coordinate: CoordinateId,
+    /// From the axes of the body to those of the position.
+    pub rotation: Mat3<'g>,
+    /// Along the axes of the position.
+    pub gravity: Vec3<'g>,
+}
+
+impl<'g> Floating<'g> {
+    /// The coordinates of the position.
+    pub(crate) fn coordinates(&self) -> [CoordinateId; 3] {
+        let first = usize::from(self.coordinate);
+        [0, 1, 2].map(|n| CoordinateId::new(first + n))
+    }
+
+    /// A vector along the axes of the position, along those of the body.
+    pub(crate) fn of_body(&self, v: Vec3<'g>) -> Vec3<'g> {
+        self.rotation.transpose() * v
+    }
+
+    /// The acceleration of the position, for `a`.
+    pub(crate) fn acceleration(&self, a: Vec3<'g>) -> Vec3<'g> {
+        self.gravity + self.rotation * a
+    }
+}
+
+impl<'g> Model<'g> {
+    /// The free joints on the ground, unless a loop ties one of them to something else.
+    pub(crate) fn floating(&self) -> Vec<Floating<'g>> {
+        let bodies: Vec<(BodyId, &Body<'g>)> = self.bodies().collect();
+        let of = |joint: &[(BodyId, &Body<'g>)]| {
+            let &[(slide, first), (_, second), (_, third), (turn, turning)] = joint else {
+                return None;
+            };
+            let slides = |body: &Body<'g>| body.name == turning.name && body.screw.is_some_and(|screw| !screw.turns());
+            let is_free = turning.spin.is_some() && [first, second, third].into_iter().all(slides);
+            let below = std::iter::successors(first.parent, |&body| self.bodies[body].parent);
+            let on_ground = below.into_iter().all(|body| self.bodies[body].screw.is_none());
+            let coordinate = first.coordinate.filter(|_| is_free && on_ground)?;
+            let ground = Poses::new(self).rotation(Some(slide));
+            Some(Floating {
+                slide,
+                turn,
+                coordinate,
+                rotation: turning.placement.rotation,
+                gravity: ground.transpose() * self.gravity,
+            })
+        };
+        let floating: Vec<Floating<'g>> = bodies.windows(4).filter_map(of).collect();
+        let is_tied = |joint: &Floating<'g>| {
+            let slopes = self.dependents.iter().map(|dependent| &dependent.slopes);
+            slopes.into_iter().any(|slopes| !joint.coordinates().into_iter().all(|k| slopes[k].is_zero()))
+        };
+        if floating.iter().any(is_tied) {
+            return Vec::new();
+        }
+        floating
+    }
+}
