@@ -300,9 +300,10 @@ impl<'g> Forms<'g> {
                         .map(|(_, accelerations)| (form.exactly(), accelerations.clone())),
                 );
                 for (derivatives, columns) in &columns {
-                    let solved = columns.iter().zip(&beside).flat_map(|(column, beside)| {
-                        turned(&self.floating, factored.solve_negated(column), beside)
-                    });
+                    let solved = columns
+                        .iter()
+                        .zip(&beside)
+                        .flat_map(|(column, beside)| turned(&self.floating, factored.solve_negated(column), beside));
                     let solved: Vec<Expr<'g>> = solved.collect();
                     for (form, accelerations) in &ways {
                         let known = symbols.iter().copied().zip(accelerations.iter().copied());

@@ -63,7 +63,9 @@ impl<'g> Model<'g> {
         let floating: Vec<Floating<'g>> = bodies.windows(4).filter_map(of).collect();
         let is_tied = |joint: &Floating<'g>| {
             let slopes = self.dependents.iter().map(|dependent| &dependent.slopes);
-            slopes.into_iter().any(|slopes| !joint.coordinates().into_iter().all(|k| slopes[k].is_zero()))
+            slopes
+                .into_iter()
+                .any(|slopes| !joint.coordinates().into_iter().all(|k| slopes[k].is_zero()))
         };
         if floating.iter().any(is_tied) {
             return Vec::new();

@@ -4,6 +4,7 @@ mod base_parameters;
 mod coefficients;
 mod equations;
 mod equations_text;
+mod floating;
 mod forms;
 mod gallery;
 mod limits;
