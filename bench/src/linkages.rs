@@ -10,6 +10,7 @@ use std::time::Instant;
 use nalgebra::SVector;
 use pendulum_core::Reason;
 use pendulum_core::prelude::*;
+use pendulum_core::taylor::MAX_ORDER;
 use serde::Deserialize;
 use serde_json::{Value, json};
 use testbed::linkages::{Andrews, AndrewsParams, FourBar, FourBarParams};
@@ -273,10 +274,12 @@ fn top() -> Result<Scene, Box<dyn Error>> {
     let (motion, all) = ((end, reference.x0), [0, 1, 2, 3, 4, 5, 6]);
     let mut ours = Vec::new();
     for tolerance in TOP_TOLERANCES {
-        let (taylor, vern9) = (Taylor::new(), Vern9::new());
-        let taylor = follow(&taylor.rtol(tolerance).atol(tolerance), &model, motion, gap)?;
+        let (taylor, vern9) = (Taylor::new().rtol(tolerance).atol(tolerance), Vern9::new());
+        let highest = follow(&taylor.order(MAX_ORDER), &model, motion, gap)?;
+        let taylor = follow(&taylor, &model, motion, gap)?;
         let vern9 = follow(&vern9.rtol(tolerance).atol(tolerance), &model, motion, gap)?;
         ours.push(taylor.measured("Taylor", tolerance, &all));
+        ours.push(highest.measured("Taylor, order 24", tolerance, &all));
         ours.push(vern9.measured("Vern9", tolerance, &all));
     }
     Ok(Scene {

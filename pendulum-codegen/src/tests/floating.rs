@@ -98,7 +98,7 @@ fn what_flies_moves_as_along_its_position() {
         let floating = [1, 2, 0, 0];
         assert_eq!(model.floating().len(), floating[n], "{text}");
         let dynamics = Dynamics::new(&model);
-        let mut forms = Forms::new(&model, &dynamics);
+        let forms = Forms::new(&model, &dynamics);
         let accelerations = forms.accelerations().roots;
         let known = model.coordinates.iter().map(|c| c.acceleration).zip(accelerations);
         let left = graph.substitute(&dynamics.balance, known.collect());
