@@ -22,6 +22,7 @@ pages! {
     flip_map: "src/recipes/flip-map.md",
     identification: "src/recipes/identification.md",
     linkages: "src/recipes/linkages.md",
+    quadrotor: "src/recipes/quadrotor.md",
     magnets: "src/recipes/magnets.md",
     pictures: "src/recipes/pictures.md",
     poincare_section: "src/recipes/poincare-section.md",

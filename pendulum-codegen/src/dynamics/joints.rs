@@ -59,17 +59,18 @@ impl<'g> AlongJoints<'g> {
         };
         let [apart, force] = [apart, force].map(|along| free(model, along));
         let bias = self.pulled(model, &self.bias);
+        let of_matrix = |residual: Vec<Expr<'g>>| {
+            let balance = balance(&model.coordinates, &matrix, &residual);
+            (residual, balance)
+        };
         let (residual, mut balance) = match (&self.pushed, &self.inertial) {
-            (Some(pushed), _) => pushed
+            (Some([left, _]), None) => of_matrix(less(&self.pulled(model, left), &apart)),
+            (Some(pushed), Some(_)) => pushed
                 .each_ref()
                 .map(|left| less(&self.pulled(model, left), &apart))
                 .into(),
             (None, Some(inertial)) => (less(&bias, &force), less(&self.pulled(model, &inertial.forces), &force)),
-            (None, None) => {
-                let residual = less(&bias, &force);
-                let balance = balance(&model.coordinates, &matrix, &residual);
-                (residual, balance)
-            }
+            (None, None) => of_matrix(less(&bias, &force)),
         };
         let drive = balance.split_off(n);
         let (momentum, kinetic) = self.momentum_and_energy(model, &matrix);

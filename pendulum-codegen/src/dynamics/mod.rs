@@ -128,10 +128,10 @@ impl<'g> Dynamics<'g> {
     }
 
     /// What the accelerations are solved from, with those of `floating` bodies along their own axes: of this the mass matrix, the
-    /// residual and the balance alone.
-    pub(crate) fn along_bodies(model: &Model<'g>, floating: &[Floating<'g>]) -> Self {
+    /// residual and the balance alone. Where `pushed`, forces at points are wrenches on the links.
+    pub(crate) fn along_bodies(model: &Model<'g>, pushed: bool, floating: &[Floating<'g>]) -> Self {
         let zero = model.graph.zero();
-        let whole = recursive::along_joints(model, false, floating).in_coordinates(model, zero);
+        let whole = recursive::along_joints(model, pushed, floating).in_coordinates(model, zero);
         Self {
             mass_matrix: whole.mass_matrix,
             residual: whole.residual,

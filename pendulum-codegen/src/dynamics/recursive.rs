@@ -69,7 +69,7 @@ pub(super) fn along_joints<'g>(model: &Model<'g>, pushed: bool, floating: &[Floa
         bias,
         momenta: Some(momenta),
         inertial: agrees.then_some(inertial),
-        pushed: pushed.filter(|_| agrees),
+        pushed,
         floating: floating.to_vec(),
     }
 }

@@ -95,8 +95,10 @@ type Written<'g> = (Form, Dynamics<'g>, Option<Expr<'g>>);
 #[derive(Debug)]
 pub(crate) struct Forms<'g> {
     forms: Vec<Written<'g>>,
-    /// What the accelerations are solved from, where these are along the axes of floating bodies.
-    along_bodies: Vec<Written<'g>>,
+    /// In place of them what the accelerations are solved from, where bodies have orientations: one matrix and one residual, so that
+    /// the Jacobian is that of the right-hand side where a quaternion is not of unit length.
+    oriented: Vec<Written<'g>>,
+    /// The bodies along whose axes these accelerations are.
     floating: Vec<Floating<'g>>,
     /// The accelerations of two coordinates with all that cancels gone.
     exact: Vec<Candidate<'g>>,
@@ -153,21 +155,20 @@ impl<'g> Forms<'g> {
         for (form, dynamics) in shared.into_iter().chain(recursive) {
             forms.push(folded(g, form, dynamics));
         }
-        // the same for all, so that the Jacobian is that of the right-hand side where a quaternion is not of unit length
-        let floating = model.floating();
-        let mut along_bodies = Vec::new();
-        if !floating.is_empty() {
-            let dynamics = Dynamics::along_bodies(model, &floating);
+        let (floating, pushed) = (model.floating(), Dynamics::has_wrenches(model));
+        let mut oriented = Vec::new();
+        if has_orientations && (pushed || !floating.is_empty()) {
+            let dynamics = Dynamics::along_bodies(model, pushed, &floating);
             let divided = divided(model, &dynamics);
             for dynamics in [dynamics].into_iter().chain(divided) {
                 if let Ok(closed) = Closed::new(&mut normalizer, &dynamics) {
                     let written = Preference::ALL.map(|preference| {
                         let factored = closed.factored(g, &model.coordinates, preference);
-                        (Form::of(Basis::Closed(preference)), factored, None)
+                        (form(Basis::Closed(preference), pushed), factored, None)
                     });
-                    along_bodies.extend(written);
+                    oriented.extend(written);
                 }
-                along_bodies.push(folded(g, Form::of(Basis::Recursive), dynamics));
+                oriented.push(folded(g, form(Basis::Recursive, pushed), dynamics));
             }
         }
         let articulated = articulated.into_iter();
@@ -175,7 +176,7 @@ impl<'g> Forms<'g> {
         let articulated = articulated.collect();
         Self {
             forms,
-            along_bodies,
+            oriented,
             floating,
             exact,
             articulated,
@@ -233,7 +234,7 @@ impl<'g> Forms<'g> {
 
     fn solve(&self, beside: &[Expr<'g>]) -> Chosen<'g> {
         let mut candidates = Vec::new();
-        for (own, dynamics, determinant) in solved_from(&self.floating, &self.along_bodies, &self.forms) {
+        for (own, dynamics, determinant) in solved_from(&self.oriented, &self.forms) {
             for (factored, solver) in factorings(dynamics, *determinant) {
                 let form = own.solved_by(solver);
                 let solved = factored.solve_negated(&dynamics.residual);
@@ -274,7 +275,7 @@ impl<'g> Forms<'g> {
         let symbols: Vec<Expr<'g>> = model.coordinates.iter().map(|c| c.acceleration).collect();
         // how the accelerations change where what is solved for stays as it is
         let beside = derived(&of_coordinates(&self.floating, symbols.clone()), variables);
-        let forms = solved_from(&self.floating, &self.along_bodies, &self.forms);
+        let forms = solved_from(&self.oriented, &self.forms);
         let sizes = forms.iter();
         let sizes = sizes.map(|(_, dynamics, _)| variables.len() * model.graph.reachable(&dynamics.entries()).len());
         let sizes: Vec<usize> = sizes.collect();
@@ -300,10 +301,9 @@ impl<'g> Forms<'g> {
                         .map(|(_, accelerations)| (form.exactly(), accelerations.clone())),
                 );
                 for (derivatives, columns) in &columns {
-                    let solved = columns
-                        .iter()
-                        .zip(&beside)
-                        .flat_map(|(column, beside)| turned(&self.floating, factored.solve_negated(column), beside));
+                    let solved = columns.iter().zip(&beside).flat_map(|(column, beside)| {
+                        derivatives_of_coordinates(&self.floating, factored.solve_negated(column), beside)
+                    });
                     let solved: Vec<Expr<'g>> = solved.collect();
                     for (form, accelerations) in &ways {
                         let known = symbols.iter().copied().zip(accelerations.iter().copied());
@@ -361,12 +361,8 @@ impl<'g> Forms<'g> {
 }
 
 /// The forms that the accelerations are solved from.
-fn solved_from<'a, 'g>(
-    floating: &[Floating<'g>],
-    along_bodies: &'a [Written<'g>],
-    forms: &'a [Written<'g>],
-) -> &'a [Written<'g>] {
-    if floating.is_empty() { forms } else { along_bodies }
+fn solved_from<'a, 'g>(oriented: &'a [Written<'g>], forms: &'a [Written<'g>]) -> &'a [Written<'g>] {
+    if oriented.is_empty() { forms } else { oriented }
 }
 
 /// The dynamics with a mass matrix that does not depend on the state divided out.
@@ -400,7 +396,11 @@ fn of_coordinates<'g>(floating: &[Floating<'g>], mut solved: Vec<Expr<'g>>) -> V
 }
 
 /// The derivatives of the accelerations, from those of what is solved for, and `beside` these.
-fn turned<'g>(floating: &[Floating<'g>], mut column: Vec<Expr<'g>>, beside: &[Expr<'g>]) -> Vec<Expr<'g>> {
+fn derivatives_of_coordinates<'g>(
+    floating: &[Floating<'g>],
+    mut column: Vec<Expr<'g>>,
+    beside: &[Expr<'g>],
+) -> Vec<Expr<'g>> {
     for joint in floating {
         let own = joint.coordinates();
         let of_joint = joint.rotation * Vec3(own.map(|k| column[k])) + Vec3(own.map(|k| beside[k]));

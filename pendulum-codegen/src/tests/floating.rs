@@ -38,6 +38,8 @@ const SCENES: [&str; 4] = [
         gravity: [0.1, 0.4, -9.81],
         body carrier on ground { mass: 1, com: [0.3, 0, -0.4], inertia: [0.1, 0.1, 0.1], joint: revolute(x), coordinate: r }
         body rider on carrier { mass: 2, com: [0.1, 0.2, 0.1], inertia: [0.1, 0.2, 0.25], joint: free at [0.1, 0, 0], orientation: o, position: p }
+        point a on rider at [0.1, 0.2, 0.3], point b on carrier at [0, 0, 1], point c on ground at [1, 1, 1],
+        spring between a and b: (3, 0.1), damper between a and c: 0.2, force on a: [0.1, 0.2*dot(o).x, p.x] in rider,
     }",
     // as is what a loop ties to the ground
     "pub Tied {
