@@ -17,9 +17,18 @@ pub(crate) fn check(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'_>) -
         && let Some(n) = model.bodies.iter().position(|body| body.coordinate == Some(k))
     {
         let (body, coordinate) = (&model.bodies[n], &model.coordinates[k].name);
-        let fact = format!("coordinate `{coordinate}` has no inertia, so the mass matrix is singular in every state");
+        let fact = match coordinate.split_once('.').filter(|_| body.spin.is_some()) {
+            Some((orientation, axis)) => format!(
+                "the orientation `{orientation}` has no inertia about {axis}, so the mass matrix is singular in every state"
+            ),
+            None => format!("coordinate `{coordinate}` has no inertia, so the mass matrix is singular in every state"),
+        };
         let name = &body.name;
-        let help = if body.inertia.mass.is_zero() {
+        let help = if body.spin.is_some() {
+            format!(
+                "give `{name}` an `inertia` about all axes, or solids that have one: a point has none, and a rod none along itself"
+            )
+        } else if body.inertia.mass.is_zero() {
             format!("give `{name}` mass or make the joint `fixed`")
         } else {
             format!(

@@ -555,6 +555,41 @@ fn exponents_leave_out_the_length_of_a_quaternion() {
     assert!(matches!(all, Err(StabilityError::Integration(_))), "{all:?}");
 }
 
+mechanism! {
+    /// A bob on three hinges in the place of a ball.
+    pub Gimbal {
+        gravity: [0, 0, -9.81],
+        body outer on ground { joint: revolute(x), coordinate: u, friction: 0.1 }
+        body inner on outer { joint: revolute(y), coordinate: v, friction: 0.1 }
+        body bob on inner {
+            mass: 1, com: [0, 0, -0.5], inertia: [0.01, 0.02, 0.02], joint: revolute(z), coordinate: w, friction: 0.1,
+        }
+    }
+}
+
+/// The error says which orientation, in what measure.
+#[test]
+fn a_quaternion_of_another_length_is_refused() {
+    let model = Balls::new(BallsParams::default()).expect("physical");
+    let start = SVector::from_element(0.5) * 2.0;
+    let error = Vern9::new().solve(&model, 0.0, 1.0, start).expect_err("it is too long");
+    let text = error.to_string();
+    assert!(
+        text.contains("`length of a quaternion in x0` is 2.0: it must be 1"),
+        "{text}"
+    );
+}
+
+/// The search ends where the right-hand side is exactly zero.
+#[test]
+fn a_bob_on_hinges_hangs() {
+    let model = Gimbal::new(GimbalParams {}).expect("physical");
+    for start in [[0.1, 0.1, 0.0, 0.0, 0.0, 0.0], [0.01, 0.01, 0.3, 0.0, 0.0, 0.0]] {
+        let rest = equilibrium(&model, start).expect("it hangs");
+        assert!(rest.x[0].abs() < 1e-12 && rest.x[1].abs() < 1e-12, "{}", rest.x);
+    }
+}
+
 /// A ball pendulum hangs, turned about the vertical by any angle, or stands: its modes are those of two swings and of a spin.
 #[test]
 fn a_ball_hangs_and_stands() {

@@ -271,3 +271,56 @@ fn a_linkage_flies() {
         state = method.solve(&model, t, t + 0.05, state).expect("it moves").end();
     }
 }
+
+mechanism! {
+    /// A four-bar that drives a slider beside it, with forces on what follows.
+    pub Lengths {
+        params { a: m = 0.2, b: m = 0.5, c: m = 0.4, d: m = 0.6, l: m = 0.9, k: N/m = 30, m: kg = 1.1 }
+        gravity: [0, -9.81, 0],
+        body crank on ground { solids: [rod(0.5, [0, 0, 0], [a, 0, 0])], joint: revolute(z), coordinate: theta near 0.8 }
+        body coupler on crank {
+            solids: [rod(m, [0, 0, 0], [b, 0, 0])], joint: revolute(z) at [a, 0, 0], coordinate: phi depends near -0.3,
+        }
+        body rocker on ground {
+            solids: [rod(0.9, [0, 0, 0], [c, 0, 0])], joint: revolute(z) at [d, 0, 0], coordinate: psi depends near 1.6, friction: 0.05,
+        }
+        body rod on rocker {
+            solids: [rod(0.3, [0, 0, 0], [l, 0, 0])], joint: revolute(z) at [c, 0, 0], coordinate: chi depends near -2,
+        }
+        body slider on ground {
+            solids: [point(0.4, [0, 0, 0])], joint: prismatic(x), coordinate: s depends near 1.3, spring: (k, 1),
+        }
+        close coupler at [b, 0, 0] to rocker at [c, 0, 0]: revolute(z),
+        close rod at [l, 0, 0] to slider: revolute(z),
+        potential: 0.2*(phi - psi)^2 * 1 N m,
+        generate: [rhs, parameter_jacobian],
+    }
+}
+
+/// What follows does so by the parameters as well.
+#[test]
+fn loops_are_derived_by_their_lengths() {
+    let params = LengthsParams::default();
+    let model = Lengths::new(params).expect("the parameters are physical");
+    for x in [[0.8, 12.0], [2.5, -3.0], [-1.2, 0.0]] {
+        let x = SVector::from(x);
+        let jacobian = model.parameter_jacobian(0.0, &x);
+        let size = jacobian.amax();
+        for n in 0..LengthsParams::NAMES.len() {
+            let at = |step: f64| {
+                let mut all = params.to_array();
+                all[n] += step;
+                let moved = Lengths::new(LengthsParams::from_array(all)).expect("the parameters are physical");
+                moved.rhs(0.0, &x)[1]
+            };
+            const STEP: f64 = 1e-4;
+            let difference = (at(-2.0 * STEP) - 8.0 * at(-STEP) + 8.0 * at(STEP) - at(2.0 * STEP)) / (12.0 * STEP);
+            assert!(
+                (jacobian[n] - difference).abs() < 1e-9 * size,
+                "{}: {} and not {difference}",
+                LengthsParams::NAMES[n],
+                jacobian[n]
+            );
+        }
+    }
+}

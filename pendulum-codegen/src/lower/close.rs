@@ -227,6 +227,11 @@ impl<'g> Lower<'g> {
             rpy.map(rotation)
         });
         let owner = &closure.ends[0].body;
+        if *owner == closure.ends[1].body {
+            let fact = format_args!("`{owner}` is tied to itself");
+            let help = "name two bodies: `close coupler at [b, 0, 0] to rocker at [c, 0, 0]: revolute(z)`";
+            return Err(self.errors.at(closure.ends[1].body.span(), fact, help));
+        }
         let tie = match self.read(&closure.joint)? {
             JointKind::Revolute(axis) => Tie::Revolute(self.axis(owner, axis)?),
             JointKind::Prismatic(axis) => Tie::Prismatic(self.axis(owner, axis)?),
@@ -285,6 +290,13 @@ impl<'g> Lower<'g> {
             let ends = |n: usize| items.closures[n].ends.each_ref().map(|end| end.body.to_string());
             let at = |n: usize| closures[n].1;
             match open {
+                Open::TooShort(n, by, _) if by.is_nan() || by < FLAT => {
+                    let [a, b] = ends(n);
+                    let fact = format!("the loop from `{a}` to `{b}` is at its toggle where it is assembled");
+                    let help =
+                        "there what depends does not follow: assemble it elsewhere, as by `coordinate: theta near 0.5`";
+                    self.errors.at(at(n), fact, help)
+                }
                 Open::TooShort(n, by, unit) => {
                     let [a, b] = ends(n);
                     let fact = format!(
@@ -319,6 +331,9 @@ impl<'g> Lower<'g> {
 }
 
 /// What to do about a loop that does not close.
+/// A loop that misses by no more than rounding is closed; it is just not known how.
+const FLAT: f64 = 1e-9;
+
 const ASSEMBLED: &str =
     "check lengths and places, or say where the mechanism can be assembled: `coordinate: theta near 0.5`";
 
@@ -326,7 +341,10 @@ impl NoPlane {
     /// What to do about a loop in space that does not close: it may be meant to lie in a plane.
     fn help(&self) -> &'static str {
         match self {
-            Self::Axes => ASSEMBLED,
+            Self::Axes => {
+                "check lengths, places and axes, and say near which values of all coordinates of the loop it can be assembled; where these are \
+                 right, more of them must depend"
+            }
             Self::Joint => {
                 "give the joint that closes the loop the axis of the others, or say where the mechanism can be assembled: `coordinate: theta near 0.5`"
             }

@@ -135,6 +135,11 @@ impl<'g> Lower<'g> {
         }
         let mut sum = Combination::default();
         for &(k, position) in coordinates {
+            if let Some(name) = self.orientation_of(position).map(str::to_owned) {
+                let fact = format_args!("the motion of `{}` follows the orientation `{name}`", body.name);
+                let help = "the components of a quaternion are no coordinates of joints: let it follow a joint that turns about one axis";
+                return Err(self.errors.on(motion, fact, help));
+            }
             let slope = Derivative::by(position).of(law);
             let Some(factor) = slope.as_number() else {
                 let fact = format_args!(

@@ -151,6 +151,14 @@ impl<'g> Lower<'g> {
         })
     }
 
+    /// The name of the orientation that has a component.
+    pub(super) fn orientation_of(&self, component: Expr<'g>) -> Option<&str> {
+        let mut all = self.components.iter();
+        let found = all
+            .find(|(_, own)| own.kind == Kind::Orientation && own.values.iter().any(|(_, value)| *value == component));
+        found.map(|(name, _)| name.as_str())
+    }
+
     /// `dot(o).x`
     pub(super) fn rate_component(
         &mut self,
@@ -258,7 +266,7 @@ impl<'g> Lower<'g> {
             (
                 fields.torque.as_ref().map(|e| &e.tokens),
                 "has no scalar torque",
-                "write `force on point: [fx, fy, fz] in body,`; two of them make a moment",
+                "write `force on tip: [fx, fy, fz] in arm,`, a force on a point along the axes of a body; two of them make a moment",
             ),
             (
                 friction.map(|e| &e.tokens),

@@ -167,8 +167,22 @@ impl<'g, 'm> Solver<'g, 'm> {
         format!("slope_{}_{}", bare(own), bare(by))
     }
 
-    /// The slopes of an unknown, which are symbols or constants, give it its rate.
-    fn set_slopes(&mut self, n: usize, named: Vec<Expr<'g>>) {
+    /// The same by a parameter.
+    fn slope_name_of(&self, n: usize, parameter: Expr<'g>) -> String {
+        let own = self.dependents[n].as_ref().map_or("", |d| &d.coordinate.name);
+        let by = parameter.as_symbol().map_or("", |symbol| &symbol.name);
+        format!("slope_{}_{}", bare(own), bare(by))
+    }
+
+    /// The parameters, where anything is derived by them.
+    fn parameters(&self) -> Vec<Expr<'g>> {
+        let derived = self.model.generate.contains("parameter_jacobian");
+        let parameters = self.model.parameters.iter().filter(|_| derived);
+        parameters.map(|parameter| parameter.symbol).collect()
+    }
+
+    /// The slopes of an unknown, which are symbols or constants, give it its rate; those by parameters belong to its position.
+    fn set_slopes(&mut self, n: usize, named: Vec<Expr<'g>>, of_parameters: Vec<(Expr<'g>, Expr<'g>)>) {
         let Some(Dependent {
             coordinate, in_state, ..
         }) = self.dependents[n].clone()
@@ -192,7 +206,8 @@ impl<'g, 'm> Solver<'g, 'm> {
         if !in_state {
             let changes = of_state
                 .map(|(c, &slope)| (c.position, slope))
-                .chain([(self.model.time, of_time)]);
+                .chain([(self.model.time, of_time)])
+                .chain(of_parameters);
             self.graph
                 .set_changes(coordinate.position, &changes.collect::<Vec<_>>(), false);
         }

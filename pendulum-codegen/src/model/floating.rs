@@ -1,5 +1,7 @@
 //! Bodies that move freely against the ground.
 
+use num_traits::Zero;
+
 use super::{Body, BodyId, CoordinateId, Model, Poses};
 use crate::screw::{Mat3, Vec3};
 
@@ -39,7 +41,8 @@ impl<'g> Floating<'g> {
 }
 
 impl<'g> Model<'g> {
-    /// The free joints on the ground, unless a loop ties one of them to something else.
+    /// The free joints on the ground; none where a loop ties one of them to something else, or where a joint follows its position: these
+    /// move along the axes of the position.
     pub(crate) fn floating(&self) -> Vec<Floating<'g>> {
         let bodies: Vec<(BodyId, &Body<'g>)> = self.bodies().collect();
         let of = |joint: &[(BodyId, &Body<'g>)]| {
@@ -61,12 +64,12 @@ impl<'g> Model<'g> {
             })
         };
         let floating: Vec<Floating<'g>> = bodies.windows(4).filter_map(of).collect();
-        let is_tied = |joint: &Floating<'g>| {
-            let slopes = self.dependents.iter().map(|dependent| &dependent.slopes);
-            slopes
-                .into_iter()
-                .any(|slopes| !joint.coordinates().into_iter().all(|k| slopes[k].is_zero()))
+        let is_followed = |k: CoordinateId| {
+            let mut followers = self.bodies.iter().filter(|body| body.coordinate != Some(k));
+            let of_loops = self.dependents.iter().any(|dependent| !dependent.slopes[k].is_zero());
+            of_loops || followers.any(|body| !body.motion.factor(k).is_zero())
         };
+        let is_tied = |joint: &Floating<'g>| joint.coordinates().into_iter().any(is_followed);
         if floating.iter().any(is_tied) {
             return Vec::new();
         }

@@ -14,7 +14,7 @@ mod solid;
 mod token;
 mod wall;
 
-pub(crate) use token::starts_item;
+pub(crate) use token::{is_identifier, starts_item};
 
 use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
 use quote::ToTokens;

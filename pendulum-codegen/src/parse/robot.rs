@@ -31,6 +31,10 @@ pub(super) fn robot(input: ParseStream) -> syn::Result<Robot> {
         match (word.to_string().as_str(), what) {
             ("limits", None) => robot.limits = true,
             ("without", Some(what)) if what == "dry_friction" => robot.without_dry_friction = true,
+            ("without", Some(what)) if what == "limits" => {
+                let help = "leave it out: limits are stops only where `limits` stands behind the path";
+                return Err(at(what.span(), "limits are left out anyway", help));
+            }
             _ => {
                 let help =
                     "known here: `limits`, which makes stops of the limits of joints, and `without dry_friction`";

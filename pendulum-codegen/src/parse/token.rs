@@ -12,8 +12,12 @@ use crate::error::{Errors, at};
 /// A name has one spelling: the mark of a raw identifier stays only on keywords.
 pub(super) fn identifier(input: ParseStream, what: &str, form: &str) -> syn::Result<Ident> {
     if let Ok(ident) = input.parse::<Ident>() {
-        let plain = syn::parse_str::<Ident>(&ident.unraw().to_string());
-        return Ok(plain.map_or(ident.clone(), |plain| Ident::new(&plain.to_string(), ident.span())));
+        let (text, plain) = (ident.to_string(), ident.unraw().to_string());
+        return match (is_identifier(&text), is_identifier(&plain)) {
+            (true, true) => Ok(Ident::new(&plain, ident.span())),
+            (true, false) => Ok(ident),
+            (false, _) => Err(is_keyword(&ident)),
+        };
     }
     if let Ok(keyword) = input.call(Ident::parse_any) {
         return Err(is_keyword(&keyword));
@@ -23,6 +27,11 @@ pub(super) fn identifier(input: ParseStream, what: &str, form: &str) -> syn::Res
         format_args!("expected {what}"),
         format_args!("write `{form}`"),
     ))
+}
+
+/// Whether a name may stand as it is. `gen` is a keyword since the edition of 2024, which `syn` does not count.
+pub(crate) fn is_identifier(text: &str) -> bool {
+    text != "gen" && syn::parse_str::<Ident>(text).is_ok()
 }
 
 /// A keyword where a name should be.

@@ -8,7 +8,7 @@ use crate::expr::{Expr, Graph, Symbol};
 use crate::form::{Forms, jacobian, rhs};
 use crate::model::Model;
 
-const SCENES: [&str; 4] = [
+const SCENES: [&str; 5] = [
     // one body off its centre of mass, on a frame that is turned
     "pub Stone {
         params { g: m/s^2, c: m, k: N/m }
@@ -41,7 +41,13 @@ const SCENES: [&str; 4] = [
         point a on rider at [0.1, 0.2, 0.3], point b on carrier at [0, 0, 1], point c on ground at [1, 1, 1],
         spring between a and b: (3, 0.1), damper between a and c: 0.2, force on a: [0.1, 0.2*dot(o).x, p.x] in rider,
     }",
-    // as is what a loop ties to the ground
+    // as is what has a follower
+    "pub Followed {
+        gravity: [0.1, 0.4, -9.81],
+        body stone on ground { mass: 1, com: [0.1, 0.2, 0.1], inertia: [0.1, 0.2, 0.25], joint: free, orientation: o, position: p }
+        body arm on stone { mass: 0.5, com: [0.3, 0, 0], inertia: [0.01, 0.02, 0.02], joint: revolute(z), motion: 2*p.x - p.z }
+    }",
+    // and what a loop ties to the ground
     "pub Tied {
         gravity: [0.1, 0.4, -9.81],
         body stone on ground { mass: 2, com: [0.1, 0.2, 0.1], inertia: [0.1, 0.2, 0.25], joint: free, orientation: o, position: p }
@@ -97,7 +103,7 @@ fn what_flies_moves_as_along_its_position() {
     for (n, text) in SCENES.iter().enumerate() {
         let graph = Graph::new();
         let model = model(&graph, text);
-        let floating = [1, 2, 0, 0];
+        let floating = [1, 2, 0, 0, 0];
         assert_eq!(model.floating().len(), floating[n], "{text}");
         let dynamics = Dynamics::new(&model);
         let forms = Forms::new(&model, &dynamics);

@@ -5,6 +5,7 @@ use std::fmt::Write;
 
 use super::read::{Joint, Kind, Link, Mimic, Origin, Robot, Wrong, ZERO};
 use crate::ast;
+use crate::parse::is_identifier;
 
 /// What a scene says of the joint of a link.
 #[derive(Debug)]
@@ -241,14 +242,13 @@ const TAKEN: [&str; 5] = ["ground", "self", "Self", "super", "crate"];
 
 /// A name as an identifier: whatever cannot stand in one becomes `_`.
 fn identifier(name: &str) -> String {
-    let is_name = |text: &str| syn::parse_str::<syn::Ident>(text).is_ok();
-    let plain = |c: char| if is_name(&format!("_{c}")) { c } else { '_' };
+    let plain = |c: char| if is_identifier(&format!("_{c}")) { c } else { '_' };
     let mut identifier: String = name.chars().map(plain).collect();
     if TAKEN.contains(&identifier.as_str()) {
         identifier.push('_');
-    } else if is_name(&format!("r#{identifier}")) && !is_name(&identifier) {
+    } else if is_identifier(&format!("r#{identifier}")) && !is_identifier(&identifier) {
         identifier.insert_str(0, "r#");
-    } else if !is_name(&identifier) {
+    } else if !is_identifier(&identifier) {
         identifier.insert(0, '_');
     }
     identifier

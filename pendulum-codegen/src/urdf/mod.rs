@@ -37,8 +37,9 @@ pub(crate) fn read(scene: &mut Scene, folder: &Path, errors: &mut Errors) -> Res
     if let Some(reported) = wrong.into_iter().map(report).last() {
         return Err(reported);
     }
-    // a stop is one of a single coordinate
-    let is_left = |joint: &read::Joint| joint.limits.is_some() && (!robot.limits || joint.kind.has_many());
+    // a stop is one of a single coordinate of the state
+    let has_stop = |joint: &read::Joint| robot.limits && !joint.kind.has_many() && joint.mimic.is_none();
+    let is_left = |joint: &read::Joint| joint.limits.is_some() && !has_stop(joint);
     if found.joints.iter().any(is_left) {
         found.left_out.insert("limit".to_owned());
     }

@@ -111,6 +111,17 @@ const ELSEWHERE: [&str; 18] = [
     "verbose",
 ];
 
+/// The attributes of the elements that say how the robot is built. In practice `dynamics` and `limit` have more.
+const ATTRIBUTES: [(&str, &[&str]); 7] = [
+    ("origin", &["xyz", "rpy"]),
+    ("mass", &["value"]),
+    ("inertia", &["ixx", "ixy", "ixz", "iyy", "iyz", "izz"]),
+    ("parent", &["link"]),
+    ("child", &["link"]),
+    ("axis", &["xyz"]),
+    ("mimic", &["joint", "multiplier", "offset"]),
+];
+
 /// The number of an attribute that is a zero.
 pub(super) const ZERO: &str = "0";
 
@@ -179,14 +190,9 @@ impl Reader {
             return;
         };
         let owner = format!("link `{name}`");
-        let mut inertial = None;
-        for part in self.children(node, &owner, &["inertial"]) {
-            inertial = Some(self.inertial(part, &owner));
-        }
-        self.robot.links.push(Link {
-            name,
-            inertial: inertial.flatten(),
-        });
+        let parts = self.by_name(node, &owner, &["inertial"]);
+        let inertial = parts.get("inertial").and_then(|&part| self.inertial(part, &owner));
+        self.robot.links.push(Link { name, inertial });
     }
 
     fn inertial(&mut self, node: Node<'_, '_>, owner: &str) -> Option<Inertial> {
@@ -333,8 +339,25 @@ impl Reader {
             if parts.insert(name, part).is_some() {
                 self.wrong(format!("{owner} has two elements `{name}`"), "keep one of the two");
             }
+            self.check_attributes(part, owner);
         }
         parts
+    }
+
+    /// A misspelt attribute would pass for one that is left out.
+    fn check_attributes(&mut self, part: Node<'_, '_>, owner: &str) {
+        let element = part.tag_name().name();
+        let Some((_, known)) = ATTRIBUTES.iter().find(|(name, _)| *name == element) else {
+            return;
+        };
+        for attribute in part.attributes() {
+            if !known.contains(&attribute.name()) {
+                self.wrong(
+                    format!("`{element}` of {owner} has an unknown attribute `{}`", attribute.name()),
+                    format!("known here: {}", known.join(", ")),
+                );
+            }
+        }
     }
 
     fn text(&mut self, node: Node<'_, '_>, attribute: &str, owner: &str) -> Option<String> {

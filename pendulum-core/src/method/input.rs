@@ -3,6 +3,7 @@
 use nalgebra::SVector;
 
 use crate::error::Reason;
+use crate::layout::StateLayout;
 use crate::real::Float;
 use crate::system::System;
 
@@ -42,12 +43,25 @@ where
     T: Float,
 {
     check_state(given)?;
+    for orientation in system.layout().into_iter().flat_map(StateLayout::quaternions) {
+        let size = orientation.map(|n| given[n].to_f64() * given[n].to_f64()).sum::<f64>();
+        let size = libm::sqrt(size);
+        let rule = "it must be 1, to three digits";
+        require((size - 1.0).abs() <= FAR, "length of a quaternion in x0", size, rule)?;
+    }
     let mut x = *given;
     system.project(t, &mut x);
-    for (&x, &given) in x.iter().zip(given.iter()) {
-        let rule = "the state must be close to the constraints of the system: a quaternion has unit length, \
-                    and loops are closed, as `assemble` makes them";
-        require((x - given).abs() <= T::from_f64(FAR), "x0", given.to_f64(), rule)?;
+    let moved = x
+        .iter()
+        .zip(given.iter())
+        .map(|(&x, &given)| (x - given).abs().to_f64());
+    for by in moved {
+        let rule = if by.is_nan() {
+            "the loops do not close from here: start nearer to where they do, as by `assemble`, and not at a toggle position"
+        } else {
+            "it must be at most 1e-3: quaternions have unit length, and `assemble` closes loops"
+        };
+        require(by <= FAR, "distance of x0 from the constraints", by, rule)?;
     }
     Ok(x)
 }

@@ -169,6 +169,9 @@ where
         system.project(0.0, &mut x);
         let before = rhs.norm();
         (rhs, jacobian) = evaluate(system, &x)?;
+        if rhs.norm() == 0.0 {
+            break;
+        }
         h *= (before / rhs.norm()).clamp(0.5, 2.0);
     }
     Ok(x)

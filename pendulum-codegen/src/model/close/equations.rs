@@ -68,7 +68,7 @@ impl<'g> Solver<'g, '_> {
             slopes.iter_mut().zip(solved).for_each(|(row, slope)| row.push(slope));
         }
         for (&n, row) in unknown.iter().zip(slopes) {
-            self.set_slopes(n, row);
+            self.set_slopes(n, row, Vec::new());
         }
         let bend = self.bend(&rows);
         let names = unknown.iter().map(|&n| self.drift_name(n)).collect();
@@ -200,10 +200,8 @@ impl<'g> Solver<'g, '_> {
     fn variables(&self) -> Vec<(String, Expr<'g>)> {
         let in_state = self.dependents.iter().flatten().filter(|dependent| dependent.in_state);
         let in_state = in_state.map(|dependent| dependent.coordinate.position);
-        let parameters = self.model.parameters.iter().map(|parameter| parameter.symbol);
-        let parameters = parameters.filter(|_| self.model.generate.contains("parameter_jacobian"));
         let symbols = self.model.state().into_iter().chain(in_state);
-        let symbols = symbols.chain(parameters).chain([self.model.time]);
+        let symbols = symbols.chain(self.parameters()).chain([self.model.time]);
         let named = |symbol: Expr<'g>| {
             let name = symbol.as_symbol()?.name.replace(['.', '('], "_").replace(')', "");
             Some((name, symbol))

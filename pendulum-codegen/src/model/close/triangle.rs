@@ -8,7 +8,7 @@
 use num_traits::{One, Signed, ToPrimitive};
 
 use super::{Open, Solver};
-use crate::expr::{Expr, Rational, SymbolKind, ratio};
+use crate::expr::{Derivative, Expr, Rational, SymbolKind, ratio};
 use crate::model::closure::{Loop, Piece};
 use crate::model::{Combination, Coordinate, CoordinateId, Dependent};
 use crate::screw::Vec2;
@@ -181,13 +181,24 @@ impl<'g> Solver<'g, '_> {
         let pushes = (0..free).map(|j| self.velocity(triangle, &solution, |k| self.slope(k, j), false));
         let slopes: Vec<[Expr<'g>; 2]> = pushes.map(|push| solution.answers(push)).collect();
         let columns = [0, 1].map(|n| slopes.iter().map(|slope| slope[n]).collect::<Vec<_>>());
-        for ((k, _), column) in places.iter().zip(columns) {
+        let of_parameters = self
+            .pushes_of_parameters(triangle)
+            .into_iter()
+            .map(|(parameter, push)| (parameter, solution.answers(push)));
+        let of_parameters: Vec<(Expr<'g>, [Expr<'g>; 2])> = of_parameters.collect();
+        for (side, ((k, _), column)) in places.iter().zip(columns).enumerate() {
             let n = usize::from(*k) - free;
+            let of_parameters = of_parameters
+                .iter()
+                .map(|&(parameter, answers)| (parameter, answers[side]));
+            let of_parameters: Vec<(Expr<'g>, Expr<'g>)> = of_parameters
+                .map(|(parameter, slope)| (parameter, self.named(&self.slope_name_of(n, parameter), slope)))
+                .collect();
             let slopes = column.into_iter().enumerate();
             let named = slopes
                 .map(|(j, slope)| self.named(&self.slope_name(n, j), slope))
                 .collect();
-            self.set_slopes(n, named);
+            self.set_slopes(n, named, of_parameters);
         }
         let bend = self.velocity(triangle, &solution, |k| self.drift(k), true);
         for ((k, _), drift) in places.iter().zip(solution.answers(bend)) {
@@ -200,6 +211,19 @@ impl<'g> Solver<'g, '_> {
         }
         self.margins[number] = self.model.with_drives(&[solution.margin])[0];
         Ok(())
+    }
+
+    /// How the end moves with each parameter that is derived by, at fixed unknowns.
+    fn pushes_of_parameters(&self, triangle: &Triangle<'g>) -> Vec<(Expr<'g>, Vec2<'g>)> {
+        let of_sides = triangle.sides.iter().flat_map(|side| match side {
+            Side::Turning(_, pieces) => &pieces[..],
+            Side::Sliding(_, piece) => std::slice::from_ref(piece),
+        });
+        let vectors = triangle.known.iter().chain(of_sides).map(|piece| self.vector(piece));
+        let sum = vectors.fold(Vec2::zero(self.graph), |sum, vector| sum + vector);
+        let parameters = self.parameters().into_iter();
+        let push = |parameter| (parameter, Vec2(sum.0.map(|x| Derivative::by(parameter).of(x))));
+        parameters.map(push).collect()
     }
 
     /// The symbols of the unknown of a side.

@@ -12,3 +12,10 @@ mechanism! {
         body j on a { mass: 1, com: [0, -1, 0], joint: revolute(z), motion: p, coordinate: x }
     }
 }
+
+mechanism! {
+    pub Turned {
+        body a on ground { mass: 1, com: [0, 0, 0.2], inertia: [0.1, 0.2, 0.25], joint: ball, orientation: o }
+        body b on a { mass: 1, com: [0, -1, 0], inertia: [0.1, 0.1, 0.1], joint: revolute(z), motion: 2*o.x }
+    }
+}

@@ -79,3 +79,29 @@ mechanism! {
         close coupler at [0.5 kg, 0, 0] to rokcer at [0.4, 0, 0]: revolute(z),
     }
 }
+
+mechanism! {
+    pub Flat {
+        shape bar { mass: 1, com: [0.1, 0, 0], inertia: 0.1 }
+        body crank on ground: bar { joint: revolute(z), coordinate: theta depends near 0 }
+        body rod on crank: bar { joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends near 0 }
+        body slider on ground: bar { joint: prismatic(x), coordinate: s near 0.7 }
+        close rod at [0.5, 0, 0] to slider: revolute(z),
+    }
+}
+
+mechanism! {
+    pub Itself {
+        shape bar { mass: 1, com: [0.1, 0, 0], inertia: 0.1 }
+        body crank on ground: bar { joint: revolute(z), coordinate: theta }
+        body rod on crank: bar { joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends near 0 }
+        body end on rod: bar { joint: revolute(z) at [0.2, 0, 0], coordinate: psi depends near 0 }
+        close end at [0.5, 0, 0] to end: revolute(z),
+    }
+}
+
+mechanism! {
+    pub Weightless {
+        body stone on ground { mass: 1, com: [0, 0, 0.1], joint: ball, orientation: o }
+    }
+}

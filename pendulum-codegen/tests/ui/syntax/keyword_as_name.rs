@@ -8,3 +8,10 @@ mechanism! {
         shape const { mass: 1 }
     }
 }
+
+mechanism! {
+    pub New {
+        params { gen: kg = 1 }
+        body a on ground { mass: gen, com: [0, -1, 0], joint: revolute(z), coordinate: theta }
+    }
+}
