@@ -215,15 +215,18 @@ impl<'g> Solver<'g, '_> {
 
     /// How the end moves with each parameter that is derived by, at fixed unknowns.
     fn pushes_of_parameters(&self, triangle: &Triangle<'g>) -> Vec<(Expr<'g>, Vec2<'g>)> {
+        let parameters = self.parameters();
+        if parameters.is_empty() {
+            return Vec::new();
+        }
         let of_sides = triangle.sides.iter().flat_map(|side| match side {
             Side::Turning(_, pieces) => &pieces[..],
             Side::Sliding(_, piece) => std::slice::from_ref(piece),
         });
         let vectors = triangle.known.iter().chain(of_sides).map(|piece| self.vector(piece));
         let sum = vectors.fold(Vec2::zero(self.graph), |sum, vector| sum + vector);
-        let parameters = self.parameters().into_iter();
         let push = |parameter| (parameter, Vec2(sum.0.map(|x| Derivative::by(parameter).of(x))));
-        parameters.map(push).collect()
+        parameters.into_iter().map(push).collect()
     }
 
     /// The symbols of the unknown of a side.
