@@ -5,12 +5,14 @@
 use std::ops::{Add, Mul};
 
 use super::actions::{along_coordinates, is_wrench, wrenches};
+use super::flight::Flights;
 use super::frames::{Frame, frames};
 use super::joints::JointId;
 use super::links::{Link, links};
 use super::motion::{acceleration_field, inertial_moment};
+use super::solve::{Factored, Inverse, Solver};
 use crate::expr::Expr;
-use crate::model::{Action, Model};
+use crate::model::{Action, Floating, Model};
 use crate::screw::{MassMoments, Mat3, Symmetric3, Twist, Vec3, Wrench};
 
 /// The inertia of a link whose outer joints give way: `moment = rotation alpha + coupling a`, `force = coupling^T alpha + translation a`.
@@ -28,108 +30,233 @@ struct Joint<'g> {
     momentum: Wrench<'g>,
     /// One over the inertia along the joint.
     mobility: Expr<'g>,
-    /// The force along the joint that is left to accelerate it.
-    force: Expr<'g>,
 }
 
-/// The accelerations of the coordinates of a scene; with what acts on it as wrenches on the links, where `pushed`.
-pub(super) fn accelerations<'g>(model: &Model<'g>, pushed: bool) -> Vec<Expr<'g>> {
+/// A scene whose joints give way: what its mass matrix is elsewhere.
+///
+/// The joints of a ball give way one after the other, in one frame: together they are a block of three.
+#[derive(Debug)]
+pub(crate) struct Articulation<'g> {
+    links: Vec<Link<'g>>,
+    frames: Vec<Frame<'g>>,
+    flights: Flights<'g>,
+    /// The joints that give way; drives do not, nor by themselves the slides of flights.
+    joints: Vec<Option<Joint<'g>>>,
+    /// What each link is when its joint has given way.
+    carried: Vec<Articulated<'g>>,
+    /// What each flight gives way by, along the axes of the body: for the link that it begins with.
+    floating: Vec<Option<Factored<'g>>>,
+    drives: usize,
+}
+
+/// What acts on links, and how they move.
+#[derive(Debug)]
+struct Load<'g> {
+    /// Forces along the joints.
+    along: Vec<Expr<'g>>,
+    /// What each link takes when nothing gives way and no joint accelerates.
+    wrenches: Vec<Wrench<'g>>,
+    /// The acceleration of each link against the one below, then.
+    drifts: Vec<Twist<'g>>,
+    /// The acceleration of ground.
+    ground: Twist<'g>,
+    /// The second rates of the drives.
+    drives: Vec<Expr<'g>>,
+}
+
+/// The accelerations of the coordinates of a scene, and what gave way for them; with what acts on it as wrenches on the links, where
+/// `pushed`. The accelerations of what is `floating` are along its axes.
+pub(super) fn accelerations<'g>(
+    model: &Model<'g>,
+    pushed: bool,
+    floating: &[Floating<'g>],
+) -> (Vec<Expr<'g>>, Articulation<'g>) {
     let g = model.graph;
     let links = links(model);
     let frames = frames(model, &links.links);
+    let flights = Flights::new(&links, &frames, floating);
     let (as_wrenches, others): (Vec<&Action<'g>>, Vec<_>) =
         model.actions.iter().partition(|action| pushed && is_wrench(action));
     let given = wrenches(model, &links, &frames, &as_wrenches);
-    let mut links = links.links;
-    along_links(&mut links, along_coordinates(model, &others));
+    let links = links.links;
     let spins = spins(&links, &frames);
-    let mut inertias: Vec<Articulated<'g>> = Vec::new();
-    let mut wrenches: Vec<Wrench<'g>> = Vec::new();
-    for (frame, &w) in frames.iter().zip(&spins) {
-        inertias.push(Articulated::rigid(&frame.inertia));
+    let own = frames.iter().zip(&spins).map(|(frame, &w)| {
         let field = acceleration_field(w, Vec3::zero(g));
-        wrenches.push(Wrench {
+        Wrench {
             moment: inertial_moment(&field, frame.inertia.second),
             force: field * frame.inertia.first,
-        });
-    }
-    for (wrench, given) in wrenches.iter_mut().zip(given) {
-        *wrench = *wrench - given;
-    }
-    let drifts: Vec<Twist<'g>> = JointId::all(links.len())
-        .map(|k| drift(&links[k], &frames[k], spins[k], &spins))
-        .collect();
-    let is_driven = |link: &Link<'g>| model.is_driven(link.coordinate);
-    // along a driven joint, of which the coordinate is the drive alone
-    let second_rate = |link: &Link<'g>| model.driven_acceleration_of(&link.motion);
-    let mut joints: Vec<Option<Joint<'g>>> = Vec::new();
-    for k in JointId::all(links.len()).rev() {
-        let (link, frame) = (&links[k], &frames[k]);
-        let joint = (!is_driven(link)).then(|| inertias[k].give_way(link, &wrenches[k]));
-        joints.push(joint);
-        let Some(parent) = link.parent else { continue };
-        let (carried, wrench) = match joint {
-            Some(joint) => {
-                let carried = inertias[k].without(link, &joint);
-                let left = joint.force * (joint.mobility * joint.momentum);
-                (carried, wrenches[k] + carried * drifts[k] + left)
+        }
+    });
+    let mut forces = along_coordinates(model, &others);
+    floating.iter().for_each(|joint| joint.turn_forces(&mut forces));
+    let forces = along_joints(&links, forces);
+    let load = Load {
+        along: links
+            .iter()
+            .zip(forces)
+            .map(|(link, force)| link.force + force)
+            .collect(),
+        wrenches: own.zip(given).map(|(own, given)| own - given).collect(),
+        drifts: JointId::all(links.len())
+            .map(|k| drift(&links[k], &frames[k], spins[k], &spins))
+            .collect(),
+        ground: Twist {
+            angular: Vec3::zero(g),
+            linear: -model.gravity,
+        },
+        drives: model.drives.iter().map(|drive| drive.coordinate.acceleration).collect(),
+    };
+    let articulation = Articulation::new(model, links, frames, flights);
+    (articulation.accelerations(load), articulation)
+}
+
+impl<'g> Articulation<'g> {
+    fn new(model: &Model<'g>, links: Vec<Link<'g>>, frames: Vec<Frame<'g>>, flights: Flights<'g>) -> Self {
+        let mut carried: Vec<Articulated<'g>> = frames.iter().map(|frame| Articulated::rigid(&frame.inertia)).collect();
+        let mut joints: Vec<Option<Joint<'g>>> = vec![None; links.len()];
+        let mut floating: Vec<Option<Factored<'g>>> = links.iter().map(|_| None).collect();
+        for k in JointId::all(links.len()).rev() {
+            let link = &links[k];
+            if flights.is_slide(k) {
+                continue;
             }
-            // a drive does not give way: what it carries is accelerated as it prescribes
-            None => (
-                inertias[k],
-                wrenches[k] + inertias[k] * (drifts[k] + second_rate(link) * link.screw),
-            ),
-        };
-        wrenches[parent] = wrenches[parent] + frame.wrench_to_parent(&wrench);
-        inertias[parent] = inertias[parent] + carried.to_parent(frame);
+            if !model.is_driven(link.coordinate) {
+                let joint = carried[k].give_way(link);
+                joints[k] = Some(joint);
+                carried[k] = carried[k].without(link, &joint);
+            }
+            if let Some(flight) = flights.from(k) {
+                let matrix = flight.mass_matrix(carried[k].translation);
+                floating[k] = Some(Factored::new(Solver::Ldl, &matrix, None));
+            } else if let Some(parent) = link.parent {
+                carried[parent] = carried[parent] + carried[k].to_parent(&frames[k]);
+            }
+        }
+        Self {
+            links,
+            frames,
+            flights,
+            joints,
+            carried,
+            floating,
+            drives: model.drives.len(),
+        }
     }
-    joints.reverse();
-    let mut accelerations = vec![g.zero(); model.dof() + model.drives.len()];
-    let mut motions: Vec<Twist<'g>> = Vec::new();
-    for (k, (link, joint)) in JointId::all(links.len()).zip(links.iter().zip(&joints)) {
-        let frame = &frames[k];
-        let below = match link.parent.map(|parent| motions[parent]) {
+
+    fn accelerations(&self, mut load: Load<'g>) -> Vec<Expr<'g>> {
+        let g = load.ground.linear[0].graph();
+        let zero = g.zero();
+        let dof = self.joints.iter().flatten().count() + 3 * self.floating.iter().flatten().count();
+        let mut accelerations = vec![zero; dof];
+        accelerations.append(&mut load.drives);
+        // of a joint that is driven the coordinate is the drive alone
+        let driven = |link: &Link<'g>, accelerations: &[Expr<'g>]| link.motion.of(g, |k| accelerations[k]);
+        // from the outermost link on: what is left along each joint to accelerate it
+        let mut left = vec![zero; self.links.len()];
+        for k in JointId::all(self.links.len()).rev() {
+            if self.flights.is_slide(k) {
+                continue;
+            }
+            let (link, wrench, carried) = (&self.links[k], load.wrenches[k], self.carried[k]);
+            let wrench = match &self.joints[k] {
+                Some(joint) => {
+                    left[k] = load.along[k] - wrench.power(&link.screw);
+                    wrench + carried * load.drifts[k] + left[k] * (joint.mobility * joint.momentum)
+                }
+                // a drive does not give way: what it carries is accelerated as it prescribes
+                None => wrench + carried * (load.drifts[k] + driven(link, &accelerations) * link.screw),
+            };
+            if let (Some(flight), Some(matrix)) = (self.flights.from(k), &self.floating[k]) {
+                let taken = flight.slides.into_iter().zip(flight.along_axes(wrench.force));
+                let taken: Vec<Expr<'g>> = taken.map(|(slide, taken)| taken - load.along[slide]).collect();
+                let solved = matrix.solve_negated(&taken);
+                flight
+                    .slides
+                    .into_iter()
+                    .zip(solved)
+                    .for_each(|(slide, a)| left[slide] = a);
+            } else if let Some(parent) = link.parent {
+                load.wrenches[parent] = load.wrenches[parent] + self.frames[k].wrench_to_parent(&wrench);
+            }
+        }
+        let mut motions: Vec<Twist<'g>> = Vec::new();
+        for (k, link) in JointId::all(self.links.len()).zip(&self.links) {
+            if self.flights.is_slide(k) {
+                accelerations[link.coordinate] = left[k];
+                motions.push(load.ground);
+                continue;
+            }
+            let arriving = self.arriving(k, &motions, load.ground, &left) + load.drifts[k];
+            let Some(joint) = &self.joints[k] else {
+                motions.push(arriving + driven(link, &accelerations) * link.screw);
+                continue;
+            };
+            let second_rate = (left[k] - joint.momentum.power(&arriving)) * joint.mobility;
+            motions.push(arriving + second_rate * link.screw);
+            // q_k = factor * own + others, where the others are coordinates of links below
+            let others = link.motion.without(link.coordinate);
+            let own = others
+                .terms()
+                .fold(second_rate, |own, (other, factor)| own - factor * accelerations[other]);
+            accelerations[link.coordinate] = link.motion.factor(link.coordinate) * own;
+        }
+        accelerations.truncate(dof);
+        accelerations
+    }
+
+    /// How what carries a link accelerates it.
+    fn arriving(&self, k: JointId, motions: &[Twist<'g>], ground: Twist<'g>, left: &[Expr<'g>]) -> Twist<'g> {
+        if let Some(flight) = self.flights.from(k) {
+            return Twist {
+                angular: ground.angular,
+                linear: flight.of_axes(flight.slides.map(|slide| left[slide])),
+            };
+        }
+        let frame = &self.frames[k];
+        let below = match self.links[k].parent.map(|parent| motions[parent]) {
             Some(below) => Twist {
                 angular: below.angular,
                 linear: below.linear + below.angular.cross(frame.offset),
             },
-            None => Twist {
-                angular: Vec3::zero(g),
-                linear: -model.gravity,
-            },
+            None => ground,
         };
-        let arriving = Twist {
+        Twist {
             angular: frame.of_parent(below.angular),
             linear: frame.of_parent(below.linear),
-        };
-        let arriving = arriving + drifts[k];
-        let Some(joint) = joint else {
-            motions.push(arriving + second_rate(link) * link.screw);
-            accelerations[link.coordinate] = model.coordinate(link.coordinate).acceleration;
-            continue;
-        };
-        let second_rate = (joint.force - joint.momentum.power(&arriving)) * joint.mobility;
-        motions.push(arriving + second_rate * link.screw);
-        // q_k = factor * own + others, where the others are coordinates of links below
-        let others = link.motion.without(link.coordinate);
-        let own = others
-            .terms()
-            .fold(second_rate, |own, (other, factor)| own - factor * accelerations[other]);
-        accelerations[link.coordinate] = link.motion.factor(link.coordinate) * own;
+        }
     }
-    accelerations.truncate(model.dof());
-    accelerations
 }
 
-/// Adds forces along the coordinates to those along the joints: with `q = T theta`, `T^T tau = Q` is solved from the outermost link on.
-fn along_links<'g>(links: &mut [Link<'g>], mut forces: Vec<Expr<'g>>) {
-    for link in links.iter_mut().rev() {
+impl<'g> Inverse<'g> for Articulation<'g> {
+    fn solve_negated(&self, r: &[Expr<'g>]) -> Vec<Expr<'g>> {
+        let zero = r[0].graph().zero();
+        let still = Vec3([zero; 3]);
+        let (force, moment, angular, linear) = (still, still, still, still);
+        let (twist, n) = (Twist { angular, linear }, self.links.len());
+        let drives = vec![zero; self.drives];
+        let forces = r.iter().map(|&x| -x).chain(drives.iter().copied()).collect();
+        self.accelerations(Load {
+            along: along_joints(&self.links, forces),
+            wrenches: vec![Wrench { moment, force }; n],
+            drifts: vec![twist; n],
+            ground: twist,
+            drives,
+        })
+    }
+}
+
+/// Forces along the coordinates, as those along the joints: with `q = T theta`, `T^T tau = Q` is solved from the outermost link on.
+fn along_joints<'g>(links: &[Link<'g>], mut forces: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
+    let along = links.iter().rev().map(|link| {
         let along = link.motion.factor(link.coordinate) * forces[link.coordinate];
         for (k, factor) in link.motion.terms() {
             forces[k] += -factor * along;
         }
-        link.force += along;
-    }
+        along
+    });
+    let mut along: Vec<Expr<'g>> = along.collect();
+    along.reverse();
+    along
 }
 
 /// The angular velocity of each link, in its frame.
@@ -169,13 +296,11 @@ impl<'g> Articulated<'g> {
         }
     }
 
-    fn give_way(&self, link: &Link<'g>, wrench: &Wrench<'g>) -> Joint<'g> {
+    fn give_way(&self, link: &Link<'g>) -> Joint<'g> {
         let momentum = *self * link.screw;
-        let (inertia, taken) = (momentum.power(&link.screw), wrench.power(&link.screw));
         Joint {
             momentum,
-            mobility: inertia.recip(),
-            force: link.force - taken,
+            mobility: momentum.power(&link.screw).recip(),
         }
     }
 

@@ -4,7 +4,6 @@ use super::actions::{along_coordinates, is_wrench};
 use super::{Dynamics, Tangent, balance, tangent};
 use crate::expr::{Expr, ratio};
 use crate::model::{Action, Combination, Floating, Model, index_types};
-use crate::screw::Vec3;
 
 index_types! {
     /// A joint: of a body, or of a link.
@@ -37,8 +36,8 @@ pub(super) struct AlongJoints<'g> {
 pub(super) struct Inertial<'g> {
     /// `A qdd + bias`.
     pub(super) forces: Vec<Expr<'g>>,
-    /// Its derivatives.
-    pub(super) tangent: tangent::Tangent<'g>,
+    /// Its derivatives, where these are known too.
+    pub(super) tangent: Option<tangent::Tangent<'g>>,
 }
 
 impl<'g> AlongJoints<'g> {
@@ -75,8 +74,8 @@ impl<'g> AlongJoints<'g> {
         let drive = balance.split_off(n);
         let (momentum, kinetic) = self.momentum_and_energy(model, &matrix);
         // how what follows changes is no part of that tangent
-        let inertial = self.inertial.filter(|_| model.dependents.is_empty());
-        let tangent = inertial.map(|Inertial { tangent, .. }| {
+        let tangent = self.inertial.and_then(|inertial| inertial.tangent);
+        let tangent = tangent.filter(|_| model.dependents.is_empty()).map(|tangent| {
             let [by_position, by_rate] = [tangent.by_position, tangent.by_rate]
                 .map(|entries| of_state(model, &pull_back_matrix(model, &self.motions, entries)));
             Tangent { by_position, by_rate }
@@ -99,11 +98,7 @@ impl<'g> AlongJoints<'g> {
 
     /// Forces along all coordinates, with those of slides along the axes of floating bodies.
     fn of_bodies(&self, mut along: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
-        for joint in &self.floating {
-            let own = joint.coordinates();
-            let turned = joint.of_body(Vec3(own.map(|k| along[k])));
-            own.into_iter().zip(turned.0).for_each(|(k, force)| along[k] = force);
-        }
+        self.floating.iter().for_each(|joint| joint.turn_forces(&mut along));
         along
     }
 

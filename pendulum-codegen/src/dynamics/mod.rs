@@ -6,6 +6,7 @@ mod articulated;
 mod base;
 mod canonical;
 mod coefficients;
+mod flight;
 mod frames;
 mod jacobian;
 mod joints;
@@ -17,6 +18,7 @@ mod recursive;
 mod solve;
 mod tangent;
 
+pub(crate) use articulated::Articulation;
 #[cfg(test)]
 pub(crate) use base::base_parameters;
 pub(crate) use canonical::{momentum_partials, momentum_rates};
@@ -24,7 +26,7 @@ pub(crate) use coefficients::Coefficients;
 pub(crate) use jacobian::{derived, partials, partials_by_recursion};
 pub(crate) use kinematics::Kinematics;
 pub(crate) use loops::loop_wrenches;
-pub(crate) use solve::{Factored, Solver};
+pub(crate) use solve::{Factored, Inverse, Solver};
 
 use crate::expr::Expr;
 use crate::model::{Action, BodyId, Coordinate, Floating, Model};
@@ -124,14 +126,16 @@ impl<'g> Dynamics<'g> {
     /// The same dynamics by recursion over links in base parameters; `potential` is the potential energy. Where `pushed`, forces at
     /// points are wrenches on the links.
     pub(crate) fn recursive(model: &Model<'g>, potential: Expr<'g>, pushed: bool) -> Self {
-        recursive::along_joints(model, pushed, &[]).in_coordinates(model, potential)
+        // off the unit sphere of a quaternion one matrix and one bias must do
+        let by_recursion = !model.has_orientations();
+        recursive::along_joints(model, pushed, &[], by_recursion).in_coordinates(model, potential)
     }
 
     /// What the accelerations are solved from, with those of `floating` bodies along their own axes: of this the mass matrix, the
     /// residual and the balance alone. Where `pushed`, forces at points are wrenches on the links.
     pub(crate) fn along_bodies(model: &Model<'g>, pushed: bool, floating: &[Floating<'g>]) -> Self {
-        let zero = model.graph.zero();
-        let whole = recursive::along_joints(model, pushed, floating).in_coordinates(model, zero);
+        let along = recursive::along_joints(model, pushed, floating, false);
+        let whole = along.in_coordinates(model, model.graph.zero());
         Self {
             mass_matrix: whole.mass_matrix,
             residual: whole.residual,
@@ -142,14 +146,15 @@ impl<'g> Dynamics<'g> {
             held: Vec::new(),
             tangent: None,
             momentum: Vec::new(),
-            kinetic: zero,
-            potential: zero,
+            kinetic: model.graph.zero(),
+            potential: model.graph.zero(),
         }
     }
 
-    /// The accelerations by articulated bodies: without a mass matrix. Where `pushed`, forces at points are wrenches on the links.
-    pub(crate) fn articulated(model: &Model<'g>, pushed: bool) -> Vec<Expr<'g>> {
-        model.with_drives(&articulated::accelerations(model, pushed))
+    /// What [`articulated`] bodies are in balance by: zero at their accelerations for quaternions of any length.
+    pub(crate) fn balance_of_links(model: &Model<'g>, pushed: bool, floating: &[Floating<'g>]) -> Vec<Expr<'g>> {
+        let along = recursive::along_joints(model, pushed, floating, true);
+        along.in_coordinates(model, model.graph.zero()).balance
     }
 
     /// The forces along the coordinates of what acts on a scene, but for those that were written along a coordinate.
@@ -215,6 +220,17 @@ impl<'g> Dynamics<'g> {
         let rows = self.mass_matrix.iter_mut().chain(lists).chain(tangent);
         rows.flatten().chain([&mut self.kinetic, &mut self.potential]).collect()
     }
+}
+
+/// The accelerations by articulated bodies, those of `floating` ones along their own axes, and what gave way for them: without a mass
+/// matrix. Where `pushed`, forces at points are wrenches on the links.
+pub(crate) fn articulated<'g>(
+    model: &Model<'g>,
+    pushed: bool,
+    floating: &[Floating<'g>],
+) -> (Vec<Expr<'g>>, Articulation<'g>) {
+    let (accelerations, articulation) = articulated::accelerations(model, pushed, floating);
+    (model.with_drives(&accelerations), articulation)
 }
 
 /// `A qdd + residual`, written out.

@@ -1,6 +1,8 @@
 //! How links move.
 
+use super::flight::Flights;
 use super::frames::Frame;
+use super::joints::JointId;
 use super::links::Link;
 use crate::expr::Expr;
 use crate::screw::{Mat3, Symmetric3, Twist, Vec3};
@@ -18,21 +20,29 @@ pub(super) struct Motion<'g> {
     pub(super) field: Mat3<'g>,
 }
 
-/// How the links move, for second rates along their joints, with the gravity of each link.
+/// How the links move, for second rates along their joints. What floats falls by itself.
 pub(super) fn motions<'g>(
     links: &[Link<'g>],
     frames: &[Frame<'g>],
-    gravity: &[Vec3<'g>],
+    flights: &Flights<'g>,
+    gravity: Vec3<'g>,
     second_rates: &[Expr<'g>],
 ) -> Vec<Motion<'g>> {
     let mut motions: Vec<Motion<'g>> = Vec::new();
-    for (((link, frame), &gravity), &second_rate) in links.iter().zip(frames).zip(gravity).zip(second_rates) {
-        let still = Vec3::zero(second_rate.graph());
-        let arriving = match link.parent.map(|parent| motions[parent]) {
-            Some(Motion { w, alpha, a, field }) => [w, alpha, a + field * frame.offset],
-            None => [still, still, -gravity],
+    let still = Vec3::zero(gravity.0[0].graph());
+    for n in JointId::all(links.len()) {
+        let (link, frame, second_rate) = (&links[n], &frames[n], second_rates[n]);
+        let [w, alpha, a] = match (flights.from(n), link.parent.map(|parent| motions[parent])) {
+            (Some(flight), _) => [
+                still,
+                still,
+                flight.of_axes(flight.slides.map(|slide| second_rates[slide])),
+            ],
+            (None, Some(Motion { w, alpha, a, field })) => {
+                [w, alpha, a + field * frame.offset].map(|v| frame.of_parent(v))
+            }
+            (None, None) => [still, still, frame.of_parent(-gravity)],
         };
-        let [w, alpha, a] = arriving.map(|v| frame.of_parent(v));
         let Twist { angular, linear } = frame.velocity;
         let joint = second_rate * link.screw;
         let alpha = alpha + w.cross(angular) + joint.angular;

@@ -16,6 +16,12 @@ pub(crate) enum Solver {
     Ldl,
 }
 
+/// A mass matrix in a form that equations with it are solved from.
+pub(crate) trait Inverse<'g> {
+    /// `-A^-1 r`
+    fn solve_negated(&self, r: &[Expr<'g>]) -> Vec<Expr<'g>>;
+}
+
 /// A factored matrix.
 #[derive(Debug)]
 pub(crate) struct Factored<'g> {
@@ -79,9 +85,10 @@ impl<'g> Factored<'g> {
         }
         self.pivots.push(pivot);
     }
+}
 
-    /// `-A^-1 r`
-    pub(crate) fn solve_negated(&self, r: &[Expr<'g>]) -> Vec<Expr<'g>> {
+impl<'g> Inverse<'g> for Factored<'g> {
+    fn solve_negated(&self, r: &[Expr<'g>]) -> Vec<Expr<'g>> {
         let mut x = r.to_vec();
         for Pivot { coordinates, .. } in &self.pivots {
             for j in 0..coordinates.start {

@@ -19,12 +19,12 @@ pub(crate) use routines::*;
 pub(crate) use taylor::Taylor;
 
 use crate::dynamics::{
-    Dynamics, Factored, Solver, balance, derived, momentum_partials, momentum_rates, partials, partials_by_recursion,
+    Articulation, Dynamics, Factored, Inverse, Solver, articulated, balance, derived, momentum_partials,
+    momentum_rates, partials, partials_by_recursion,
 };
 use crate::expr::{Expr, Graph, Level, Normalizer};
 use crate::model::{Body, Floating, Following, Model};
 use crate::pass::{Operations, Preference, constants, factor, share, trig};
-use crate::screw::Vec3;
 
 /// How many products of terms the closed form of a scene may take. Larger scenes keep the shared graph.
 const BUDGET: usize = 20_000;
@@ -39,6 +39,9 @@ const MOST_DERIVED: usize = 50_000;
 
 /// How much longer than the shortest the code may be that loses no digits to cancellation: by one part in this many.
 const WORTH_OF_DIGITS: usize = 8;
+
+/// Articulated bodies with orientations are taken where what is solved by a mass matrix is longer: by one part in this many at least.
+const WORTH_OF_LINKS: usize = 8;
 
 /// The code of the least weight that was found for one function.
 #[derive(Clone, Debug)]
@@ -82,7 +85,7 @@ type Candidate<'g> = (Form, Vec<Expr<'g>>);
 /// A way to solve for the accelerations and for their derivatives.
 struct Way<'a, 'g> {
     form: Form,
-    factored: &'a Factored<'g>,
+    inverse: &'a dyn Inverse<'g>,
     accelerations: &'a [Expr<'g>],
     /// The derivatives, column by column.
     columns: &'a [Expr<'g>],
@@ -91,6 +94,15 @@ struct Way<'a, 'g> {
 /// Dynamics in some form and, where it is known in a better form, the determinant of the mass matrix.
 type Written<'g> = (Form, Dynamics<'g>, Option<Expr<'g>>);
 
+/// Articulated bodies with orientations, and what they are in balance by.
+#[derive(Debug)]
+struct ByLinks<'g> {
+    form: Form,
+    accelerations: Vec<Expr<'g>>,
+    balance: Vec<Expr<'g>>,
+    articulation: Articulation<'g>,
+}
+
 /// All forms of the dynamics of a scene.
 #[derive(Debug)]
 pub(crate) struct Forms<'g> {
@@ -98,6 +110,8 @@ pub(crate) struct Forms<'g> {
     /// In place of them what the accelerations are solved from, where bodies have orientations: one matrix and one residual, so that
     /// the Jacobian is that of the right-hand side where a quaternion is not of unit length.
     oriented: Vec<Written<'g>>,
+    /// In place of both, where it is shorter.
+    by_links: Option<ByLinks<'g>>,
     /// The bodies along whose axes these accelerations are.
     floating: Vec<Floating<'g>>,
     /// The accelerations of two coordinates with all that cancels gone.
@@ -128,15 +142,11 @@ impl<'g> Forms<'g> {
             (form(Basis::Recursive, pushed), dynamics)
         });
         let recursive: Vec<_> = recursive.collect();
-        // where joints follow others, each does not give way by itself; with orientations only what is made of one mass matrix and one
-        // bias: see `dynamics::recursive`
-        let apart = if model.has_followers() || !model.dependents.is_empty() || has_orientations {
-            &[]
-        } else {
-            ways
-        };
+        // where joints follow others, each does not give way by itself
+        let give_way = !model.has_followers() && model.dependents.is_empty();
+        let apart = if give_way && !has_orientations { ways } else { &[] };
         let articulated = apart.iter().map(|&pushed| {
-            let accelerations = Dynamics::articulated(model, pushed);
+            let (accelerations, _) = articulated(model, pushed, &[]);
             (form(Basis::Articulated, pushed), accelerations)
         });
         let articulated: Vec<Candidate<'g>> = articulated.collect();
@@ -174,15 +184,39 @@ impl<'g> Forms<'g> {
         let articulated = articulated.into_iter();
         let articulated = articulated.map(|(form, accelerations)| (form, constants::fold(g, &accelerations)));
         let articulated = articulated.collect();
-        Self {
+        let mut forms = Self {
             forms,
             oriented,
+            by_links: None,
             floating,
             exact,
             articulated,
             solved: OnceCell::new(),
             following: model.following.clone(),
             normalizer,
+        };
+        if give_way && has_orientations {
+            forms.weigh_links(model, pushed);
+        }
+        forms
+    }
+
+    /// Takes articulated bodies where these are much shorter: a little is lost again in the Jacobian.
+    fn weigh_links(&mut self, model: &Model<'g>, pushed: bool) {
+        let (accelerations, articulation) = articulated(model, pushed, &self.floating);
+        let by_matrix = self.accelerations();
+        self.by_links = Some(ByLinks {
+            form: Form::of(Basis::Articulated).with_wrenches(pushed),
+            accelerations: constants::fold(model.graph, &accelerations),
+            balance: Dynamics::balance_of_links(model, pushed, &self.floating),
+            articulation,
+        });
+        let by_links = self.solve(&[]);
+        let [links, matrix] = [&by_links, &by_matrix].map(|chosen| chosen.operations.weight());
+        if matrix < links + links / WORTH_OF_LINKS {
+            self.by_links = None;
+        } else {
+            self.solved = OnceCell::from(by_links);
         }
     }
 
@@ -234,7 +268,11 @@ impl<'g> Forms<'g> {
 
     fn solve(&self, beside: &[Expr<'g>]) -> Chosen<'g> {
         let mut candidates = Vec::new();
-        for (own, dynamics, determinant) in solved_from(&self.oriented, &self.forms) {
+        if let Some(by_links) = &self.by_links {
+            let solved = by_links.accelerations.clone();
+            candidates.push((by_links.form, of_coordinates(&self.floating, solved)));
+        }
+        for (own, dynamics, determinant) in solved_from(&self.by_links, &self.oriented, &self.forms) {
             for (factored, solver) in factorings(dynamics, *determinant) {
                 let form = own.solved_by(solver);
                 let solved = factored.solve_negated(&dynamics.residual);
@@ -271,11 +309,42 @@ impl<'g> Forms<'g> {
         variables: &[Expr<'g>],
         roots: impl Fn(&Way<'_, 'g>) -> Vec<Expr<'g>>,
     ) -> Chosen<'g> {
-        let mut candidates = Vec::new();
         let symbols: Vec<Expr<'g>> = model.coordinates.iter().map(|c| c.acceleration).collect();
         // how the accelerations change where what is solved for stays as it is
         let beside = derived(&of_coordinates(&self.floating, symbols.clone()), variables);
-        let forms = solved_from(&self.oriented, &self.forms);
+        let floating = self.floating.clone();
+        // the columns that an inverse leaves, for each way to the accelerations
+        let derive = |inverse: &dyn Inverse<'g>,
+                      ways: &[Candidate<'g>],
+                      (derivatives, columns): &(Derivatives, Vec<Vec<Expr<'g>>>)| {
+            let solved = columns.iter().zip(&beside).flat_map(|(column, beside)| {
+                let mut column = inverse.solve_negated(column);
+                floating
+                    .iter()
+                    .for_each(|joint| joint.differentiate(&mut column, beside));
+                column
+            });
+            let solved = model.with_drives(&solved.collect::<Vec<_>>());
+            let candidate = |(form, accelerations): &Candidate<'g>| {
+                let known = symbols.iter().copied().zip(accelerations.iter().copied());
+                let columns = model.graph.substitute(&solved, known.collect());
+                let way = Way {
+                    form: form.derived_by(*derivatives),
+                    inverse,
+                    accelerations: &of_coordinates(&floating, accelerations.clone()),
+                    columns: &columns,
+                };
+                (way.form, roots(&way))
+            };
+            ways.iter().map(candidate).collect::<Vec<_>>()
+        };
+        let mut candidates = Vec::new();
+        if let Some(by_links) = &self.by_links {
+            let ways = [(by_links.form, by_links.accelerations.clone())];
+            let columns = (Derivatives::Graph, derived(&by_links.balance, variables));
+            candidates.extend(derive(&by_links.articulation, &ways, &columns));
+        }
+        let forms = solved_from(&self.by_links, &self.oriented, &self.forms);
         let sizes = forms.iter();
         let sizes = sizes.map(|(_, dynamics, _)| variables.len() * model.graph.reachable(&dynamics.entries()).len());
         let sizes: Vec<usize> = sizes.collect();
@@ -300,22 +369,8 @@ impl<'g> Forms<'g> {
                         .clone()
                         .map(|(_, accelerations)| (form.exactly(), accelerations.clone())),
                 );
-                for (derivatives, columns) in &columns {
-                    let solved = columns.iter().zip(&beside).flat_map(|(column, beside)| {
-                        derivatives_of_coordinates(&self.floating, factored.solve_negated(column), beside)
-                    });
-                    let solved: Vec<Expr<'g>> = solved.collect();
-                    for (form, accelerations) in &ways {
-                        let known = symbols.iter().copied().zip(accelerations.iter().copied());
-                        let columns = model.graph.substitute(&solved, known.collect());
-                        let way = Way {
-                            form: form.derived_by(*derivatives),
-                            factored: &factored,
-                            accelerations: &of_coordinates(&self.floating, accelerations.clone()),
-                            columns: &columns,
-                        };
-                        candidates.push((way.form, roots(&way)));
-                    }
+                for columns in &columns {
+                    candidates.extend(derive(&factored, &ways, columns));
                 }
             }
         }
@@ -360,11 +415,6 @@ impl<'g> Forms<'g> {
     }
 }
 
-/// The forms that the accelerations are solved from.
-fn solved_from<'a, 'g>(oriented: &'a [Written<'g>], forms: &'a [Written<'g>]) -> &'a [Written<'g>] {
-    if oriented.is_empty() { forms } else { oriented }
-}
-
 /// The dynamics with a mass matrix that does not depend on the state divided out.
 fn divided<'g>(model: &Model<'g>, dynamics: &Dynamics<'g>) -> Option<Dynamics<'g>> {
     let mut entries = dynamics.mass_matrix.iter().flatten();
@@ -385,28 +435,23 @@ fn divided<'g>(model: &Model<'g>, dynamics: &Dynamics<'g>) -> Option<Dynamics<'g
     })
 }
 
-/// The accelerations of the coordinates, from what is solved for.
-fn of_coordinates<'g>(floating: &[Floating<'g>], mut solved: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
-    for joint in floating {
-        let own = joint.coordinates();
-        let acceleration = joint.acceleration(Vec3(own.map(|k| solved[k])));
-        own.into_iter().zip(acceleration.0).for_each(|(k, x)| solved[k] = x);
+/// The forms with a mass matrix that the accelerations are solved from.
+fn solved_from<'a, 'g>(
+    by_links: &Option<ByLinks<'g>>,
+    oriented: &'a [Written<'g>],
+    forms: &'a [Written<'g>],
+) -> &'a [Written<'g>] {
+    match (by_links, oriented) {
+        (Some(_), _) => &[],
+        (None, []) => forms,
+        (None, oriented) => oriented,
     }
-    solved
 }
 
-/// The derivatives of the accelerations, from those of what is solved for, and `beside` these.
-fn derivatives_of_coordinates<'g>(
-    floating: &[Floating<'g>],
-    mut column: Vec<Expr<'g>>,
-    beside: &[Expr<'g>],
-) -> Vec<Expr<'g>> {
-    for joint in floating {
-        let own = joint.coordinates();
-        let of_joint = joint.rotation * Vec3(own.map(|k| column[k])) + Vec3(own.map(|k| beside[k]));
-        own.into_iter().zip(of_joint.0).for_each(|(k, x)| column[k] = x);
-    }
-    column
+/// The accelerations of the coordinates, from what is solved for.
+fn of_coordinates<'g>(floating: &[Floating<'g>], mut solved: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
+    floating.iter().for_each(|joint| joint.accelerate(&mut solved));
+    solved
 }
 
 /// Dynamics with constants that are zero, or equal, for a reason that shows in their normal form only.

@@ -4,7 +4,7 @@ use rustc_hash::FxHashMap;
 
 use super::routines::on_top;
 use super::{Basis, Candidate, Chosen, Forms, Preference, Way, expanded, factorings};
-use crate::dynamics::{Factored, derived};
+use crate::dynamics::{Inverse, derived};
 use crate::expr::{Derivative, Expr, Normalizer};
 use crate::model::{CoordinateId, Model};
 
@@ -59,11 +59,11 @@ impl<'g> Rows<'g> {
 
     /// For accelerations under some forces the right-hand side, the second derivatives of the constraints, what a
     /// unit of each force adds to the right-hand side, and what it adds to them, as an upper triangle.
-    fn response(&self, model: &Model<'g>, factored: &Factored<'g>, accelerations: &[Expr<'g>]) -> Vec<Expr<'g>> {
+    fn response(&self, model: &Model<'g>, inverse: &dyn Inverse<'g>, accelerations: &[Expr<'g>]) -> Vec<Expr<'g>> {
         let still = vec![model.graph.zero(); model.dof()];
         let column = |gradient: &Vec<Expr<'g>>| {
             let against: Vec<Expr<'g>> = gradient.iter().map(|&x| -x).collect();
-            factored.solve_negated(&against)
+            inverse.solve_negated(&against)
         };
         let columns: Vec<Vec<Expr<'g>>> = self.gradients.iter().map(column).collect();
         let mut roots = [&model.kinematics(), accelerations].concat();
@@ -155,7 +155,7 @@ pub(crate) fn response_derivative<'g>(forms: &mut Forms<'g>, model: &Model<'g>) 
             .pop()
             .map_or_else(still, |of_rows| [by_time, &of_rows].concat());
         let gradients = (0..rows.drifts.len()).flat_map(|row| changes.iter().map(move |column| column[row]));
-        let mut roots = rows.response(model, way.factored, way.accelerations);
+        let mut roots = rows.response(model, way.inverse, way.accelerations);
         roots.extend(by_state.iter().copied().chain(gradients).chain(by_time));
         roots
     })

@@ -5,7 +5,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use super::response::Rows;
 use super::series::{Recurrences, Symbols};
 use super::{Form, Forms, factorings};
-use crate::dynamics::{Dynamics, Factored};
+use crate::dynamics::{Dynamics, Factored, Inverse};
 use crate::expr::{Expr, Graph, Level};
 use crate::model::Model;
 use crate::pass::{Operations, share, trig};

@@ -3,6 +3,7 @@
 use num_traits::Zero;
 
 use super::{Body, BodyId, CoordinateId, Model, Poses};
+use crate::expr::Expr;
 use crate::screw::{Mat3, Vec3};
 
 /// A free joint on the ground, or on what is fixed to it.
@@ -24,19 +25,35 @@ pub(crate) struct Floating<'g> {
 
 impl<'g> Floating<'g> {
     /// The coordinates of the position.
-    pub(crate) fn coordinates(&self) -> [CoordinateId; 3] {
+    fn coordinates(&self) -> [CoordinateId; 3] {
         let first = usize::from(self.coordinate);
         [0, 1, 2].map(|n| CoordinateId::new(first + n))
     }
 
-    /// A vector along the axes of the position, along those of the body.
-    pub(crate) fn of_body(&self, v: Vec3<'g>) -> Vec3<'g> {
-        self.rotation.transpose() * v
+    /// Turns forces along the position to the axes of the body, within forces along all coordinates.
+    pub(crate) fn turn_forces(&self, along: &mut [Expr<'g>]) {
+        let forces = self.rotation.transpose() * self.of(along);
+        self.set(along, forces);
     }
 
-    /// The acceleration of the position, for `a`.
-    pub(crate) fn acceleration(&self, a: Vec3<'g>) -> Vec3<'g> {
-        self.gravity + self.rotation * a
+    /// Puts the acceleration of the position in place of `a`, within accelerations.
+    pub(crate) fn accelerate(&self, solved: &mut [Expr<'g>]) {
+        let acceleration = self.gravity + self.rotation * self.of(solved);
+        self.set(solved, acceleration);
+    }
+
+    /// Puts a derivative of that in place of one of `a`; `beside` is the derivative where `a` stays as it is.
+    pub(crate) fn differentiate(&self, column: &mut [Expr<'g>], beside: &[Expr<'g>]) {
+        let derivative = self.rotation * self.of(column) + self.of(beside);
+        self.set(column, derivative);
+    }
+
+    fn of(&self, all: &[Expr<'g>]) -> Vec3<'g> {
+        Vec3(self.coordinates().map(|k| all[k]))
+    }
+
+    fn set(&self, all: &mut [Expr<'g>], own: Vec3<'g>) {
+        self.coordinates().into_iter().zip(own.0).for_each(|(k, x)| all[k] = x);
     }
 }
 

@@ -5,10 +5,10 @@ use std::collections::BTreeMap;
 use super::{model, numbers};
 use crate::dynamics::Dynamics;
 use crate::expr::{Expr, Graph, Symbol};
-use crate::form::{Forms, jacobian, rhs};
+use crate::form::{Basis, Forms, jacobian, rhs};
 use crate::model::Model;
 
-const SCENES: [&str; 5] = [
+const SCENES: [&str; 7] = [
     // one body off its centre of mass, on a frame that is turned
     "pub Stone {
         params { g: m/s^2, c: m, k: N/m }
@@ -56,7 +56,33 @@ const SCENES: [&str; 5] = [
         body rod on coupler { mass: 1.1, com: [0.2, 0.1, 0], inertia: [0.02, 0.01, 0.02], joint: prismatic(y) at [0.2, 0, 0], coordinate: c depends near 0.78 }
         close rod to ground at [0.05, 0.87, 0.1]: ball,
     }",
+    // balls in a row give way one by one
+    "pub Chain {
+        params { g: m/s^2, c: m, k: N*m*s }
+        gravity: [0.3*g, g, -9.81],
+        body a on ground { mass: 1, com: [0.01, c, -0.2], inertia: [0.1, 0.2, 0.15, 0.01, 0.02, -0.01], joint: ball at [0.1, 0, 0] rpy [0, 0.4, 0.1], orientation: o, friction: k }
+        body b on a { mass: 0.5, com: [0.1, 0, 0], inertia: [0.02, 0.03, 0.04], joint: ball at [0.1, 0, -0.5], orientation: u }
+        body c on b { mass: 0.3, com: [0, 0.1, -0.2], inertia: [0.01, 0.02, 0.015], joint: ball at [0, 0.1, -0.4] rpy [0.2, 0, 0.3], orientation: v }
+        point x on c at [0.1, 0, -1], point y on ground at [0.1, 0, 0],
+        spring between x and y: (3, 0.1), force on x: [0.1, 0.2*dot(u).x, 0.3] in c, potential: 0.3*o.x*v.y,
+    }",
+    // as they do in flight, with a slide and a drive between them
+    "pub Tail {
+        gravity: [0.1, 0.4, -9.81],
+        body post on ground { joint: fixed at [1, 2, 3] rpy [0.3, -0.2, 0.5] }
+        body head on post { mass: 1, com: [0.01, 0.1, -0.2], inertia: [0.1, 0.2, 0.15], joint: free at [0, 1, 0] rpy [0, 0.4, 0.1], orientation: o, position: p }
+        body a on head { mass: 0.5, com: [0.1, 0, 0], inertia: [0.02, 0.03, 0.04], joint: ball at [0.1, 0, -0.5], orientation: u }
+        body b on a { mass: 0.2, com: [0.1, 0, 0.1], inertia: [0.01, 0.02, 0.015], joint: prismatic(z), motion: 0.3*sin(t) }
+        body c on b { mass: 0.3, com: [0, 0.1, -0.2], inertia: [0.01, 0.02, 0.015], joint: ball at [0, 0.1, -0.4] rpy [0.2, 0, 0.3], orientation: v }
+        body d on c { mass: 0.3, com: [0, 0.1, -0.2], inertia: [0.01, 0.02, 0.015], joint: revolute(x) at [0, 0.1, 0], coordinate: r, friction: 0.3 }
+        body e on d { mass: 0.1, com: [0, 0.1, -0.2], inertia: [0.01, 0.02, 0.015], joint: helical(x, 0.1) at [0, 0.1, 0], coordinate: s }
+        point x on e at [0.1, 0, -1], point y on ground at [0.1, 0, 0],
+        spring between x and y: (3, 0.1), force on x: [0.1, 0.2*p.x, 0.3] in e,
+    }",
 ];
+
+/// Those of the scenes that are solved by articulated bodies.
+const BY_LINKS: [bool; 7] = [false, false, false, false, false, true, true];
 
 /// Random values of the symbols of a scene, near where its loops are assembled, with orientations of this length.
 fn values_of(model: &Model<'_>, text: &str, seed: u32, length: f64) -> BTreeMap<String, f64> {
@@ -78,7 +104,7 @@ fn values_of(model: &Model<'_>, text: &str, seed: u32, length: f64) -> BTreeMap<
         (name, value)
     };
     let mut values: BTreeMap<String, f64> = names.map(value).collect();
-    for orientation in ["o", "u"] {
+    for orientation in ["o", "u", "v"] {
         let names = ["w", "x", "y", "z"].map(|axis| format!("{orientation}.{axis}"));
         let squares = names.iter().filter_map(|name| values.get(name)).map(|x| x * x);
         let size = squares.sum::<f64>().sqrt();
@@ -103,11 +129,13 @@ fn what_flies_moves_as_along_its_position() {
     for (n, text) in SCENES.iter().enumerate() {
         let graph = Graph::new();
         let model = model(&graph, text);
-        let floating = [1, 2, 0, 0, 0];
+        let floating = [1, 2, 0, 0, 0, 0, 1];
         assert_eq!(model.floating().len(), floating[n], "{text}");
         let dynamics = Dynamics::new(&model);
         let forms = Forms::new(&model, &dynamics);
-        let accelerations = forms.accelerations().roots;
+        let solved = forms.accelerations();
+        assert_eq!(solved.form.basis == Basis::Articulated, BY_LINKS[n], "{text}");
+        let accelerations = solved.roots;
         let known = model.coordinates.iter().map(|c| c.acceleration).zip(accelerations);
         let left = graph.substitute(&dynamics.balance, known.collect());
         for seed in 0..5 {
@@ -170,4 +198,35 @@ fn a_rigid_body_in_flight_divides_nothing() {
         [rhs, jacobian].map(|operations| (operations.additions + operations.multiplications, operations.divisions));
     assert!(counted[0].0 <= 80 && counted[1].0 <= 178, "{counted:?}");
     assert_eq!(counted.map(|(_, divisions)| divisions), [0, 0]);
+}
+
+/// Without a mass matrix each ball adds about as much as the one before.
+#[test]
+fn balls_in_a_row_take_as_many_operations_each() {
+    /// With a mass matrix the fifth takes more than twice as many.
+    const EACH: usize = 550;
+    let additions_and_multiplications = |balls: usize| {
+        let body = |k: usize| {
+            let on = k
+                .checked_sub(1)
+                .map_or("ground".to_owned(), |below| format!("b{below}"));
+            format!(
+                "body b{k} on {on} {{ mass: {}, com: [0.01, 0.02, -0.25], inertia: [0.1, 0.2, 0.15],
+                    joint: ball at [0.1, 0, -0.5], orientation: o{k} }}\n",
+                k + 1
+            )
+        };
+        let bodies: String = (0..balls).map(body).collect();
+        let graph = Graph::new();
+        let model = model(&graph, &format!("pub Chain {{ gravity: [0, 0, -9.81], {bodies} }}"));
+        let mut forms = Forms::new(&model, &Dynamics::new(&model));
+        let operations = rhs(&mut forms, &model).operations;
+        operations.additions + operations.multiplications
+    };
+    let counts = [3, 4, 5].map(additions_and_multiplications);
+    let [three, four, five] = counts;
+    assert!(
+        four - three <= EACH && five - four <= EACH && five <= 4 * EACH,
+        "{counts:?}"
+    );
 }

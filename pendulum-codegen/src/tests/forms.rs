@@ -1,7 +1,7 @@
 //! Every form of the dynamics has the values of A, B and C.
 
 use super::{dynamics, numbers};
-use crate::dynamics::{Dynamics, partials, partials_by_recursion};
+use crate::dynamics::{Dynamics, articulated, partials, partials_by_recursion};
 use crate::expr::{Expr, Graph};
 
 const SCENES: [&str; 11] = [
@@ -178,7 +178,7 @@ fn articulated_bodies_move_by_a_b_and_c() {
             continue;
         }
         for pushed in WAYS {
-            let accelerations = Dynamics::articulated(&model, pushed);
+            let (accelerations, _) = articulated(&model, pushed, &[]);
             let symbols = model.coordinates.iter().map(|c| c.acceleration);
             let known = symbols.zip(accelerations).collect();
             let left = graph.substitute(&dynamics.balance, known);

@@ -469,7 +469,7 @@ k57 = 77343750000000/1998607065841*l^2*k
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "articulated bodies",
-                                    ::pendulum_core::Operations::new(52, 91, 6, 2, 4, 53),
+                                    ::pendulum_core::Operations::new(52, 91, 6, 2, 4, 52),
                                 ),
                             ],
                         ),

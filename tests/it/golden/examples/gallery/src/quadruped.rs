@@ -1948,49 +1948,49 @@ k4 = 0.5*k
             qd_hip1, qd_knee1, qd_hip2, qd_knee2, qd_hip3, qd_knee3, qd_hip4, qd_knee4,
             ] = x.data.0[0];
             let t0 = q_hip4 + q_knee4;
-            let t1 = qdy_o + qd_hip4;
-            let t2 = qx_o * qx_o;
-            let t3 = qy_o * qy_o;
-            let t4 = T::from_f64(1.0) - T::from_f64(2.0) * (t2 + t3);
-            let t5 = qx_o * qz_o;
-            let t6 = qy_o * qw_o;
-            let t7 = T::from_f64(2.0) * (t5 + t6);
-            let t8 = T::from_f64(2.0) * (t5 - t6);
-            let t9 = qy_o * qz_o;
-            let t10 = qx_o * qw_o;
-            let t11 = T::from_f64(2.0) * (t9 - t10);
-            let t12 = T::from_f64(2.0) * (t9 + t10);
-            let t13 = qdz_p * t4 + qdx_p * t7 + qdy_p * t11;
-            let t14 = T::from_f64(0.2) * qdy_o;
-            let t15 = T::from_f64(0.1) * qdx_o;
-            let t16 = t14 - t15;
-            let t17 = t14 + t15;
-            let t18 = t13 + t16;
-            let t19 = t13 - t16;
-            let t20 = qd_knee4 + t1;
-            let t21 = T::from_f64(0.1) * qdz_o;
-            let t22 = qz_o * qz_o;
-            let t23 = T::from_f64(1.0) - T::from_f64(2.0) * (t3 + t22);
-            let t24 = T::from_f64(1.0) - T::from_f64(2.0) * (t2 + t22);
-            let t25 = qx_o * qy_o;
-            let t26 = qz_o * qw_o;
-            let t27 = T::from_f64(2.0) * (t25 + t26);
-            let t28 = T::from_f64(2.0) * (t25 - t26);
-            let t29 = qdz_p * t8 + qdx_p * t23 + qdy_p * t27;
-            let t30 = t21 + t29;
-            let t31 = t29 - t21;
+            let t1 = qx_o * qx_o;
+            let t2 = qy_o * qy_o;
+            let t3 = T::from_f64(1.0) - T::from_f64(2.0) * (t1 + t2);
+            let t4 = qx_o * qz_o;
+            let t5 = qy_o * qw_o;
+            let t6 = T::from_f64(2.0) * (t4 + t5);
+            let t7 = T::from_f64(2.0) * (t4 - t5);
+            let t8 = qy_o * qz_o;
+            let t9 = qx_o * qw_o;
+            let t10 = T::from_f64(2.0) * (t8 - t9);
+            let t11 = T::from_f64(2.0) * (t8 + t9);
+            let t12 = qdz_p * t3 + qdx_p * t6 + qdy_p * t10;
+            let t13 = T::from_f64(0.2) * qdy_o;
+            let t14 = T::from_f64(0.1) * qdx_o;
+            let t15 = t13 - t14;
+            let t16 = t13 + t14;
+            let t17 = t12 + t15;
+            let t18 = t12 - t15;
+            let t19 = qdy_o + qd_hip4;
+            let t20 = qd_knee4 + t19;
+            let t21 = qz_o * qz_o;
+            let t22 = T::from_f64(1.0) - T::from_f64(2.0) * (t2 + t21);
+            let t23 = T::from_f64(1.0) - T::from_f64(2.0) * (t1 + t21);
+            let t24 = qx_o * qy_o;
+            let t25 = qz_o * qw_o;
+            let t26 = T::from_f64(2.0) * (t24 + t25);
+            let t27 = T::from_f64(2.0) * (t24 - t25);
+            let t28 = qdz_p * t7 + qdx_p * t22 + qdy_p * t26;
+            let t29 = T::from_f64(0.1) * qdz_o;
+            let t30 = t28 + t29;
+            let t31 = t28 - t29;
             let t32 = q_hip3 + q_knee3;
-            let t33 = qdy_o + qd_hip3;
-            let t34 = t13 + t17;
-            let t35 = t13 - t17;
-            let t36 = qd_knee3 + t33;
+            let t33 = t12 + t16;
+            let t34 = t12 - t16;
+            let t35 = qdy_o + qd_hip3;
+            let t36 = qd_knee3 + t35;
             let t37 = q_hip2 + q_knee2;
             let t38 = q_hip1 + q_knee1;
             let t39 = qdy_o + qd_hip2;
             let t40 = qd_knee2 + t39;
             let t41 = qdy_o + qd_hip1;
             let t42 = qd_knee1 + t41;
-            let t43 = qdz_p * t12 + qdx_p * t28 + qdy_p * t24;
+            let t43 = qdz_p * t11 + qdx_p * t27 + qdy_p * t23;
             let t44 = T::from_f64(0.2) * qdz_o;
             let t45 = t43 - t44;
             let t46 = t43 + t44;
@@ -2021,13 +2021,13 @@ k4 = 0.5*k
             let t72 = t66 * t20;
             let t73 = T::from_f64(0.2) * sin_hip1;
             let t74 = T::from_f64(0.2) * cos_hip1;
-            let t75 = t56 * (t73 * t41 + t19) + t42 * (t58 + t59)
+            let t75 = t56 * (t18 + t73 * t41) + t42 * (t58 + t59)
                 - t60 * (t31 - t41 * t74);
             let t76 = T::from_f64(0.06) * sin_hip1;
             let t77 = T::from_f64(0.01) * cos_hip1;
             let t78 = cos_hip1 * t77;
             let t79 = T::from_f64(0.01) - t78;
-            let t80 = t75 + t19 * t76 + t74 * t61 + t73 * t62 + t41 * (t78 + t79);
+            let t80 = t75 + t18 * t76 + t74 * t61 + t73 * t62 + t41 * (t78 + t79);
             let t81 = t62 + t41 * t76;
             let t82 = T::from_f64(0.06) * cos_hip1;
             let t83 = t80 - t31 * t82;
@@ -2041,18 +2041,18 @@ k4 = 0.5*k
             let t91 = T::from_f64(0.002) - t90;
             let t92 = T::from_f64(0.015) * cos86;
             let t93 = T::from_f64(0.2) * cos_hip3;
-            let t94 = t87 * (t88 * t33 + t34) + t36 * (t90 + t91)
-                - t92 * (t31 - t33 * t93);
+            let t94 = t87 * (t33 + t88 * t35) + t36 * (t90 + t91)
+                - t92 * (t31 - t35 * t93);
             let t95 = T::from_f64(0.06) * sin_hip3;
             let t96 = t92 * t36;
             let t97 = t87 * t36;
             let t98 = T::from_f64(0.01) * cos_hip3;
             let t99 = cos_hip3 * t98;
             let t100 = T::from_f64(0.01) - t99;
-            let t101 = t94 + t34 * t95 + t93 * t96 + t88 * t97 + t33 * (t99 + t100);
-            let t102 = t97 + t33 * t95;
+            let t101 = t94 + t33 * t95 + t93 * t96 + t88 * t97 + t35 * (t99 + t100);
+            let t102 = t97 + t35 * t95;
             let t103 = T::from_f64(0.06) * cos_hip3;
-            let t104 = t96 + t33 * t103 + (t61 + t41 * t82);
+            let t104 = t96 + t35 * t103 + (t61 + t41 * t82);
             let t105 = t101 - t31 * t103;
             let t106 = qdx_o * t92 - qdz_o * t87;
             let t107 = t45 + qdx_o * t93 - qdz_o * t88;
@@ -2060,19 +2060,19 @@ k4 = 0.5*k
                 .sin_cos_pair(q_hip2);
             let t108 = T::from_f64(0.2) * sin_hip4;
             let t109 = T::from_f64(0.2) * cos_hip4;
-            let t110 = t66 * (t108 * t1 + t18) + t20 * (t68 + t69)
-                - t70 * (t30 - t1 * t109);
+            let t110 = t66 * (t17 + t108 * t19) + t20 * (t68 + t69)
+                - t70 * (t30 - t19 * t109);
             let t111 = T::from_f64(0.06) * sin_hip4;
             let t112 = T::from_f64(0.01) * cos_hip4;
             let t113 = cos_hip4 * t112;
             let t114 = T::from_f64(0.01) - t113;
-            let t115 = t110 + t18 * t111 + t109 * t71 + t108 * t72 + t1 * (t113 + t114);
-            let t116 = t72 + t1 * t111;
+            let t115 = t110 + t17 * t111 + t109 * t71 + t108 * t72 + t19 * (t113 + t114);
+            let t116 = t72 + t19 * t111;
             let t117 = T::from_f64(0.06) * cos_hip4;
             let t118 = t115 - t30 * t117;
             let t119 = T::from_f64(0.2) * sin_hip2;
             let t120 = T::from_f64(0.2) * cos_hip2;
-            let t121 = t49 * (t119 * t39 + t35) + t40 * (t51 + t52)
+            let t121 = t49 * (t34 + t119 * t39) + t40 * (t51 + t52)
                 - t53 * (t30 - t39 * t120);
             let t122 = qd_knee4 * t110 + qd_hip4 * t118 + qd_knee3 * t94 + qd_hip3 * t105
                 + qd_knee2 * t121;
@@ -2085,11 +2085,11 @@ k4 = 0.5*k
             let t128 = T::from_f64(0.02666666666666667) + t68 + t113 + t90 + t99 + t51
                 + t127 + t58 + t78;
             let t129 = T::from_f64(0.06) * cos_hip2;
-            let t130 = t71 + t1 * t117 + (t54 + t39 * t129);
+            let t130 = t71 + t19 * t117 + (t54 + t39 * t129);
             let t131 = T::from_f64(0.01) - t127;
             let t132 = T::from_f64(0.16106666666666666) + t69 + t114 + t91 + t100 + t52
                 + t131 + t59 + t79;
-            let t133 = t121 + t35 * t123 + t120 * t54 + t119 * t55 + t39 * (t127 + t131);
+            let t133 = t121 + t34 * t123 + t120 * t54 + t119 * t55 + t39 * (t127 + t131);
             let t134 = t133 - t30 * t129;
             let t135 = t55 + t39 * t123;
             let t136 = t63 + qdx_o * t129 - qdz_o * t123
@@ -2097,14 +2097,14 @@ k4 = 0.5*k
             let t137 = t84 + qdx_o * t117 - qdz_o * t111
                 + (t106 + qdx_o * t103 - qdz_o * t95);
             let t138 = t45 + qdx_o * t109 - t108 * qdz_o;
-            let t139 = t109 * t84 + t70 * t138 + t93 * t106 + t92 * t107 + t120 * t63;
-            let t140 = qdz_o * t132 + T::from_f64(0.2) * (t136 - t137)
+            let t139 = qdz_o * t132 + T::from_f64(0.2) * (t136 - t137)
                 + T::from_f64(0.1) * (t104 - t130) - t66 * t138;
-            let t141 = t137 + t136;
-            let t142 = t130 + t104;
-            let t143 = t46 + qdx_o * t120 - qdz_o * t119;
-            let t144 = t140 - t108 * t84 - t87 * t107 - t88 * t106 - t49 * t143;
-            let t145 = t139 + t53 * t143 + t74 * t64 + t60 * t85 + qdx_o * t128;
+            let t140 = t137 + t136;
+            let t141 = t130 + t104;
+            let t142 = t46 + qdx_o * t120 - qdz_o * t119;
+            let t143 = t70 * t138 + t109 * t84 + t92 * t107 + t93 * t106 + t53 * t142;
+            let t144 = t139 - t108 * t84 - t87 * t107 - t88 * t106 - t49 * t142;
+            let t145 = t143 + t120 * t63 + t60 * t85 + t74 * t64 + qdx_o * t128;
             let t146 = t144 - t119 * t63 - t56 * t85 - t73 * t64 - qdx_o * t126;
             let t147 = t122 + qd_hip2 * t134 + qd_knee1 * t75 + qd_hip1 * t83
                 + qdz_o * (t146 - t45 * (t111 + t95) - t46 * (t123 + t76));
@@ -2118,11 +2118,11 @@ k4 = 0.5*k
                 + qdx_o * (t148 + t46 * (t129 + t82) - qdz_o * t126);
             let t153 = t149 + t150;
             let t154 = qdz_p
-                * (t12 * t141 + t4 * t153 + T::from_f64(5.8) * qdz_p - t8 * t142);
+                * (T::from_f64(5.8) * qdz_p + t11 * t140 + t3 * t153 - t7 * t141);
             let t155 = qdx_p
-                * (t28 * t141 + t7 * t153 + T::from_f64(5.8) * qdx_p - t23 * t142);
+                * (T::from_f64(5.8) * qdx_p + t27 * t140 + t6 * t153 - t22 * t141);
             let t156 = qdy_p
-                * (t24 * t141 + t11 * t153 + T::from_f64(5.8) * qdy_p - t27 * t142);
+                * (T::from_f64(5.8) * qdy_p + t23 * t140 + t10 * t153 - t26 * t141);
             T::from_f64(0.5) * (t152 + t154 + t155 + t156)
         }
         #[inline]
