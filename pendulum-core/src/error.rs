@@ -7,6 +7,11 @@ mod solve;
 use core::error::Error;
 use core::fmt;
 
+use nalgebra::SVector;
+
+use crate::real::Float;
+use crate::system::System;
+
 #[cfg(feature = "std")]
 pub use solve::SolveError;
 
@@ -118,6 +123,13 @@ pub enum Reason {
         /// a reset.
         h: Option<f64>,
     },
+    /// A closed loop comes to its toggle, where it is flat: the motion cannot go on there.
+    Toggle {
+        /// The two bodies that close it.
+        bodies: [&'static str; 2],
+        /// How far it is from its toggle still, as `margin` in the declaration.
+        margin: f64,
+    },
     /// The tolerance requires a step shorter than the minimum, or shorter than the resolution of the time.
     StepUnderflow {
         /// The length of the step required.
@@ -171,6 +183,31 @@ pub enum Reason {
     },
 }
 
+/// Where the equations of a scene end while one of its loops is nearer to its toggle, that is why.
+const NEAR_TOGGLE: f64 = 0.1;
+
+impl Reason {
+    /// The same, or the toggle that is behind it: for a step from `(t, x)`.
+    #[cold]
+    pub(crate) fn at<S, T, const N: usize>(self, system: &S, t: T, x: &SVector<T, N>) -> Self
+    where
+        S: System<T, N> + ?Sized,
+        T: Float,
+    {
+        if !matches!(self, Self::NonFinite { h: Some(_), .. }) {
+            return self;
+        }
+        let (mut reason, mut least) = (self, NEAR_TOGGLE);
+        system.margins(t, x, &mut |bodies, margin| {
+            let margin = margin.to_f64();
+            if margin < least {
+                (reason, least) = (Self::Toggle { bodies, margin }, margin);
+            }
+        });
+        reason
+    }
+}
+
 impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
@@ -183,8 +220,12 @@ impl fmt::Display for Reason {
             Self::NonFinite { component, h: Some(h) } => write!(
                 f,
                 "component {component} of the state or its derivative is not finite after a step of {h:.3e}; \
-                 if the step is fixed, try a shorter one; else the right-hand side is singular or undefined there, \
-                 as where a closed loop is flat"
+                 if the step is fixed, try a shorter one; else the right-hand side is singular or undefined there"
+            ),
+            Self::Toggle { bodies: [a, b], margin } => write!(
+                f,
+                "the loop that `{a}` and `{b}` close comes to its toggle: its margin is {margin:.1e}; end the motion \
+                 before with an event on `margin({a}, {b})`, or let another coordinate depend, if it is to pass"
             ),
             Self::StepUnderflow { h, least } => write!(
                 f,

@@ -71,6 +71,10 @@ pub trait Controlled<T: Real, const N: usize, const M: usize> {
     #[inline(always)]
     fn project(&self, _t: T, _x: &mut SVector<T, N>) {}
 
+    /// Tells how far each closed loop is from its toggle, as [`System::margins`].
+    #[cold]
+    fn margins(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&'static str; 2], T)) {}
+
     /// What hinders the motion, as [`Hybrid::constraints`]: nothing by default. Where something does, all that follows
     /// is required as well, and with a law for its inputs the model is a [`Hybrid`].
     #[inline(always)]
@@ -278,6 +282,10 @@ where
     #[inline(always)]
     fn project(&self, t: T, x: &mut SVector<T, N>) {
         self.system.project(t, x);
+    }
+
+    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], T)) {
+        self.system.margins(t, x, tell);
     }
 
     #[inline(always)]

@@ -74,6 +74,11 @@ pub trait System<T: Real, const N: usize> {
     #[inline(always)]
     fn project(&self, _t: T, _x: &mut SVector<T, N>) {}
 
+    /// Tells how far each closed loop is from its toggle, with the names of the two bodies that close it, where there are any: what
+    /// [`Reason::Toggle`](crate::Reason::Toggle) is made of.
+    #[cold]
+    fn margins(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&'static str; 2], T)) {}
+
     /// What switches between the modes of a [hybrid] system; `None`, as by default, where the equations
     /// are always the same.
     #[inline(always)]

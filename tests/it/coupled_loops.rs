@@ -217,6 +217,14 @@ fn a_motion_ends_at_a_toggle() {
             .max_steps(10_000)
             .solve(&model, 0.0, 5.0, start)
             .expect_err("it comes to its toggle");
+        let told = matches!(
+            error.reason,
+            Reason::Toggle {
+                bodies: ["rod", "rocker"],
+                ..
+            }
+        );
+        assert!(told, "{error}");
         let (t, x) = error.solution.last();
         let left = model.margin(t, &x);
         assert!(

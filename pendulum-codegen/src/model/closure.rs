@@ -79,6 +79,12 @@ struct Step<'g> {
 const BUDGET: usize = 100_000;
 
 impl<'g> Closure<'g> {
+    /// The names of the two bodies.
+    pub(crate) fn bodies(&self, model: &Model<'g>) -> [String; 2] {
+        let name = |end: &Place<'g>| end.body.map_or("ground", |body| &model.bodies[body].name).to_owned();
+        self.ends.each_ref().map(name)
+    }
+
     /// The last body that carries both ends; the loop moves as one with it.
     pub(crate) fn carrier(&self, model: &Model<'g>) -> Option<BodyId> {
         carrier(model, self.ends.map(|end| end.body))

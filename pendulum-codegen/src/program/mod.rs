@@ -64,6 +64,8 @@ pub struct Program {
     pub outputs: Vec<String>,
     /// The names of the events.
     pub events: Vec<String>,
+    /// The bodies that close each loop.
+    pub loops: Vec<[String; 2]>,
     /// The bodies whose joints are driven.
     pub drives: Vec<String>,
     /// What hinders the motion.
@@ -194,6 +196,7 @@ impl Program {
             routines: routines.collect::<Result<_, _>>()?,
             outputs: model.outputs.iter().flat_map(Output::labels).collect(),
             events: model.events.iter().map(|event| event.name.clone()).collect(),
+            loops: model.closures.iter().map(|closure| closure.bodies(model)).collect(),
             drives: model.drives.iter().map(|drive| drive.coordinate.name.clone()).collect(),
             constraints: model.constraints.iter().map(|c| Constraint::new(model, c)).collect(),
             laws: block(g, &laws, &known)?,

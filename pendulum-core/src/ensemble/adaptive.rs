@@ -331,8 +331,9 @@ where
         if !members.judge(control, &mean_squares, F::Stages::<V>::PROPOSES) {
             for (lane, index) in members.busy(V::LANES) {
                 let (h, step) = (members.h[lane], (members.t[lane], members.t_new[lane]));
-                if !members.is_accepted(lane) && h < control.least(step.0) {
-                    let reason = control.hopeless(outcome(lane), step, h);
+                let outcome = outcome(lane);
+                if !members.is_accepted(lane) && control.is_too_short(h, step.0, outcome.is_err()) {
+                    let reason = control.hopeless(outcome, step, h);
                     self.stop(members, (lane, index), in_lane(x, lane), reason);
                 }
             }
@@ -440,6 +441,7 @@ where
         reason: Reason,
     ) {
         let t = members.t[lane];
+        let reason = reason.at(&model_of(self.models, index).cast::<T>(), t, &x);
         self.stopped.push(Stopped { index, t, reason });
         self.leave(members, (lane, index), x);
     }

@@ -281,6 +281,7 @@ where
                     if let Err(failure) = outcome {
                         busy[lane] = false;
                         let reason = failure.reason((t_new - t).to_f64());
+                        let reason = reason.at(&model_of(self.models, index).cast::<T>(), t, &before);
                         self.end(index, before, Some((t, reason)));
                         continue;
                     }

@@ -124,6 +124,10 @@ impl<M: Cast<N>, T: Real, const N: usize> System<T, N> for Expanded<M, T, N> {
         self.0.project(t, x);
     }
 
+    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], T)) {
+        self.0.margins(t, x, tell);
+    }
+
     #[inline(always)]
     fn hybrid(&self) -> Option<&dyn Hybrid<T, N>> {
         self.0.hybrid()

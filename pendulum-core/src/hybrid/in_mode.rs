@@ -86,6 +86,10 @@ impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for InMode<
     fn project(&self, t: T, x: &mut SVector<T, N>) {
         self.system.project(t, x);
     }
+
+    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], T)) {
+        self.system.margins(t, x, tell);
+    }
 }
 
 impl<S: Jacobian<T, N> + ?Sized, T: Lanes, const N: usize> Jacobian<T, N> for InMode<'_, S, T> {

@@ -37,6 +37,8 @@ pub(crate) struct Pace<T> {
 
 /// The least step in ulps of the time.
 const LEAST_ULPS: f64 = 4.0;
+/// The least step in ulps of the time after one that arrived nowhere.
+const CREEPING_ULPS: f64 = 512.0;
 /// The last step may be longer than planned by this factor.
 const STRETCH: f64 = 1.01;
 /// The most by which a proposed step may be longer than the last one. No longer than the way since a jump of the
@@ -171,8 +173,17 @@ impl<T: Float> StepControl<T> {
         Judged {
             is_accepted,
             h: if is_accepted { h.min(self.h_max) } else { h },
-            is_hopeless: !is_accepted & (h < self.least(t)),
+            is_hopeless: !is_accepted & self.is_too_short(h, t, mean_square.to_f64().is_nan()),
         }
+    }
+
+    /// Whether there is no point in an attempt of this length at the time `t`. After one that arrived nowhere that is sooner: steps of
+    /// a few ulps of the time would creep to where the equations end without ever moving the state there.
+    #[inline(always)]
+    pub(crate) fn is_too_short(&self, h: T, t: T, arrived_nowhere: bool) -> bool {
+        let least = self.least(t);
+        let creeping = T::from_f64(CREEPING_ULPS) * T::EPSILON * t.abs();
+        h < if arrived_nowhere { least.max(creeping) } else { least }
     }
 
     /// The reason to give up after an attempt from `t` to `t_new`, since the next one would be as short as `h`.

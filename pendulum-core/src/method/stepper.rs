@@ -231,7 +231,10 @@ where
             Steps::Equal(grid) => self.step_on_grid(grid),
             Steps::Controlled { control, pace } => self.step_within_tolerance(&control, pace),
         }
-        .inspect_err(|_| self.last = Step::at_rest(self.t(), self.x()))?;
+        .map_err(|reason| {
+            self.last = Step::at_rest(self.t(), self.x());
+            reason.at(self.system, self.t(), &self.x())
+        })?;
         self.statistics.accepted += 1;
         self.look_for_the_end_of_the_mode()
             .inspect_err(|_| self.last = Step::at_rest(self.last.t0, self.last.x0))?;

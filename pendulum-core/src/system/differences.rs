@@ -48,6 +48,10 @@ impl<T: Real, S: System<T, N>, const N: usize> System<T, N> for Differences<S> {
     fn project(&self, t: T, x: &mut SVector<T, N>) {
         self.0.project(t, x);
     }
+
+    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], T)) {
+        self.0.margins(t, x, tell);
+    }
 }
 
 impl<T: Lanes, S: System<T, N>, const N: usize> Jacobian<T, N> for Differences<S> {

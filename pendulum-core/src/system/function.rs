@@ -104,6 +104,10 @@ impl<T: Real, F: System<T, N>, J, const N: usize> System<T, N> for WithJacobian<
     fn project(&self, t: T, x: &mut SVector<T, N>) {
         self.function.project(t, x);
     }
+
+    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], T)) {
+        self.function.margins(t, x, tell);
+    }
 }
 
 impl<T, F, J, const N: usize> Jacobian<T, N> for WithJacobian<F, J>

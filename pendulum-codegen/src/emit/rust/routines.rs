@@ -119,8 +119,23 @@ impl Items<'_> {
         }
     }
 
+    /// The method that tells how far each closed loop is from its toggle, where there are any.
+    fn margins(&self) -> Option<TokenStream> {
+        self.program.routine("loop_margins")?;
+        let vector = self.shape(Shape::Vector(self.program.layout.len()));
+        let loops = self.program.loops.iter().map(|[a, b]| quote!([#a, #b]));
+        Some(quote! {
+            fn margins(&self, t: T, x: &#vector, tell: &mut dyn FnMut([&'static str; 2], T)) {
+                let margins = self.loop_margins(t, x);
+                for (bodies, margin) in [#(#loops),*].into_iter().zip(margins.iter()) {
+                    tell(bodies, *margin);
+                }
+            }
+        })
+    }
+
     /// The method that makes quaternions of unit length again, that closes loops, and that ends a motion where a loop comes to its
-    /// toggle: there other assemblies begin, and digits are lost. None where there is neither.
+    /// toggle: there other assemblies begin, and digits are lost. Beside it that which tells of toggles. None where there is neither.
     pub(super) fn project(&self) -> Option<TokenStream> {
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
         let normalised = self.program.layout.quaternions().map(|places| {
@@ -165,12 +180,14 @@ impl Items<'_> {
             }
         });
         let statements: Vec<TokenStream> = normalised.chain(closed).chain(ended).collect();
+        let margins = self.margins();
         (!statements.is_empty()).then(|| {
             quote! {
                 #[inline]
                 fn project(&self, t: T, x: &mut #vector) {
                     #(#statements)*
                 }
+                #margins
             }
         })
     }
