@@ -1,9 +1,9 @@
 //! Closed loops that are no triangles: positions in the state that follow by their rates.
 
 use nalgebra::SVector;
-use pendulum_core::SlotKind;
 use pendulum_core::prelude::*;
 use pendulum_core::stability::{Lyapunov, equilibrium};
+use pendulum_core::{Reason, SlotKind};
 
 mechanism! {
     /// Three rods hold a plate, one of them on a crank.

@@ -4,7 +4,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::response::Rows;
 use super::series::{Recurrences, Symbols};
-use super::{Form, Forms, factorings};
+use super::{Form, Forms, factorings, of_coordinates};
 use crate::dynamics::{Dynamics, Factored, Inverse};
 use crate::expr::{Expr, Graph, Level};
 use crate::model::Model;
@@ -41,16 +41,33 @@ impl<'g> Forms<'g> {
     pub(crate) fn taylor(&self, model: &Model<'g>) -> Taylor<'g> {
         let mut symbols = Symbols::new(model);
         let rows = hindered(model);
-        let mut candidates: Vec<(Form, Dynamics<'g>, Option<Expr<'g>>, usize)> = Vec::new();
-        for (form, dynamics, determinant) in &self.forms {
-            let dynamics = dynamics.clone().with_entries(model.written_out(&dynamics.entries()));
+        let unknowns: Vec<Expr<'g>> = model.coordinates.iter().map(|c| c.acceleration).collect();
+        let in_flight = model.written_out(&of_coordinates(&self.floating, unknowns.clone()));
+        let mut candidates: Vec<(Form, Unknown<'g>, Option<Expr<'g>>, usize)> = Vec::new();
+        let forms = self.forms.iter().map(|form| (form, &unknowns));
+        for ((form, dynamics, determinant), accelerations) in
+            forms.chain(self.oriented.iter().map(|form| (form, &in_flight)))
+        {
+            let unknown = Unknown {
+                dynamics: dynamics.clone().with_entries(model.written_out(&dynamics.entries())),
+                accelerations: accelerations.clone(),
+            };
             let determinant = determinant.map(|determinant| model.written_out(&[determinant])[0]);
-            let slots = slots(model, &mut symbols, &dynamics, &rows);
-            candidates.push((*form, dynamics, determinant, slots));
+            let slots = slots(model, &mut symbols, &unknown, &rows);
+            candidates.push((*form, unknown, determinant, slots));
         }
         let fewest = candidates.iter().map(|(.., slots)| *slots).min().unwrap_or(0);
         let mut counted: Vec<Taylor<'g>> = Vec::new();
-        for (form, dynamics, determinant, slots_before) in candidates {
+        for (
+            form,
+            Unknown {
+                dynamics,
+                accelerations,
+            },
+            determinant,
+            slots_before,
+        ) in candidates
+        {
             let mut ways = vec![dynamics];
             if HOPELESS[1] * slots_before <= HOPELESS[0] * fewest {
                 for factor in [false, true] {
@@ -58,9 +75,15 @@ impl<'g> Forms<'g> {
                 }
             }
             for dynamics in ways {
-                for (factored, solver) in factorings(&dynamics, determinant) {
+                let factorings = factorings(&dynamics, determinant);
+                let accelerations = accelerations.clone();
+                let unknown = Unknown {
+                    dynamics,
+                    accelerations,
+                };
+                for (factored, solver) in factorings {
                     let form = form.solved_by(solver);
-                    counted.push(code(model, symbols.clone(), form, (&dynamics, &factored), &rows));
+                    counted.push(code(model, symbols.clone(), form, (&unknown, &factored), &rows));
                 }
             }
         }
@@ -76,6 +99,13 @@ impl<'g> Forms<'g> {
         best.shorten(model.graph);
         best.with_kinematics(model)
     }
+}
+
+/// What is solved for at every order, and the accelerations of the coordinates by that: themselves, but of what flies.
+#[derive(Clone, Debug)]
+struct Unknown<'g> {
+    dynamics: Dynamics<'g>,
+    accelerations: Vec<Expr<'g>>,
 }
 
 /// The dynamics with common parts of the mass matrix and the residual shared.
@@ -101,10 +131,11 @@ fn hindered<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
 }
 
 /// How many products of series the dynamics take.
-fn slots<'g>(model: &Model<'g>, symbols: &mut Symbols<'g>, dynamics: &Dynamics<'g>, rows: &[Expr<'g>]) -> usize {
+fn slots<'g>(model: &Model<'g>, symbols: &mut Symbols<'g>, unknown: &Unknown<'g>, rows: &[Expr<'g>]) -> usize {
     let mut recurrences = Recurrences::new(model, symbols);
-    balance(model, &mut recurrences, dynamics);
-    for &row in model.written_out(&model.kinematics()).iter().chain(rows) {
+    balance(model, &mut recurrences, &unknown.dynamics);
+    let kinematics = model.written_out(&model.kinematics());
+    for &row in kinematics.iter().chain(&unknown.accelerations).chain(rows) {
         recurrences.coefficient(row);
     }
     recurrences.sides();
@@ -134,17 +165,22 @@ fn code<'g>(
     model: &Model<'g>,
     mut symbols: Symbols<'g>,
     form: Form,
-    (dynamics, factored): (&Dynamics<'g>, &Factored<'g>),
+    (unknown, factored): (&Unknown<'g>, &Factored<'g>),
     rows: &[Expr<'g>],
 ) -> Taylor<'g> {
     let g = model.graph;
+    let Unknown {
+        dynamics,
+        accelerations,
+    } = unknown;
     let mut recurrences = Recurrences::new(model, &mut symbols);
     let balance = balance(model, &mut recurrences, dynamics);
-    let mut order = factored.solve_negated(&balance);
     let unknowns: Vec<Expr<'g>> = model.coordinates.iter().map(|c| c.acceleration).collect();
-    for (&unknown, &solved) in unknowns.iter().zip(&order) {
+    for (&unknown, solved) in unknowns.iter().zip(factored.solve_negated(&balance)) {
         recurrences.set(unknown, solved);
     }
+    let of_order = |&acceleration: &Expr<'g>| recurrences.coefficient(acceleration);
+    let mut order: Vec<Expr<'g>> = accelerations.iter().map(of_order).collect();
     let rows: Vec<Expr<'g>> = rows.iter().map(|&row| recurrences.coefficient(row)).collect();
     let kinematics = model.written_out(&model.kinematics());
     let kinematics: Vec<Expr<'g>> = kinematics.iter().map(|&rate| recurrences.coefficient(rate)).collect();
@@ -164,9 +200,9 @@ fn code<'g>(
         names.insert(value, Symbols::of_list(g, &mut symbols.kept, "kept", n));
     }
     let order = g.substitute(&order, names);
-    let mut start = factored.solve_negated(&dynamics.residual);
-    let solved = unknowns.into_iter().zip(start.iter().copied()).collect();
-    start.extend(g.substitute(&kept, solved));
+    let solved = factored.solve_negated(&dynamics.residual);
+    let solved = unknowns.into_iter().zip(solved).collect();
+    let start = g.substitute(&[&accelerations[..], &kept].concat(), solved);
     symbols.sums.truncate(slots);
     symbols.kept.truncate(kept.len());
     Taylor {

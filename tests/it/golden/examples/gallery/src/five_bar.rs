@@ -706,6 +706,20 @@ k35 = 1
                 x[0] += T::from_f64(0.0) * (*margin - T::from_f64(0.001)).sqrt();
             }
         }
+        fn margins(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 4>,
+            tell: &mut dyn FnMut([&'static str; 2], T),
+        ) {
+            let margins = self.loop_margins(t, x);
+            for (bodies, margin) in [["left_bar", "right_bar"]]
+                .into_iter()
+                .zip(margins.iter())
+            {
+                tell(bodies, *margin);
+            }
+        }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> ::pendulum_core::Jacobian<T, 4> for FiveBar<T> {

@@ -666,6 +666,20 @@ t9 = 1/(1 - 16917000/24006277*t0 - 3001400/24006277*t1)
                 x[0] += T::from_f64(0.0) * (*margin - T::from_f64(0.001)).sqrt();
             }
         }
+        fn margins(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+            tell: &mut dyn FnMut([&'static str; 2], T),
+        ) {
+            let margins = self.loop_margins(t, x);
+            for (bodies, margin) in [["k2", "k3"], ["k2", "k5"], ["k2", "k7"]]
+                .into_iter()
+                .zip(margins.iter())
+            {
+                tell(bodies, *margin);
+            }
+        }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> ::pendulum_core::Jacobian<T, 2>
