@@ -2,7 +2,7 @@
 
 use num_traits::Zero;
 
-use super::{Body, BodyId, CoordinateId, Model, Poses};
+use super::{BodyId, CoordinateId, Model, Poses};
 use crate::expr::Expr;
 use crate::screw::{Mat3, Vec3};
 
@@ -61,26 +61,7 @@ impl<'g> Model<'g> {
     /// The free joints on the ground; none where a loop ties one of them to something else, or where a joint follows its position: these
     /// move along the axes of the position.
     pub(crate) fn floating(&self) -> Vec<Floating<'g>> {
-        let bodies: Vec<(BodyId, &Body<'g>)> = self.bodies().collect();
-        let of = |joint: &[(BodyId, &Body<'g>)]| {
-            let &[(slide, first), (_, second), (_, third), (turn, turning)] = joint else {
-                return None;
-            };
-            let slides = |body: &Body<'g>| body.name == turning.name && body.screw.is_some_and(|screw| !screw.turns());
-            let is_free = turning.spin.is_some() && [first, second, third].into_iter().all(slides);
-            let below = std::iter::successors(first.parent, |&body| self.bodies[body].parent);
-            let on_ground = below.into_iter().all(|body| self.bodies[body].screw.is_none());
-            let coordinate = first.coordinate.filter(|_| is_free && on_ground)?;
-            let ground = Poses::new(self).rotation(Some(slide));
-            Some(Floating {
-                slide,
-                turn,
-                coordinate,
-                rotation: turning.placement.rotation,
-                gravity: ground.transpose() * self.gravity,
-            })
-        };
-        let floating: Vec<Floating<'g>> = bodies.windows(4).filter_map(of).collect();
+        let floating: Vec<Floating<'g>> = self.bodies().filter_map(|(turn, _)| self.floating_from(turn)).collect();
         let is_followed = |k: CoordinateId| {
             let mut followers = self.bodies.iter().filter(|body| body.coordinate != Some(k));
             let of_loops = self.dependents.iter().any(|dependent| !dependent.slopes[k].is_zero());
@@ -91,5 +72,30 @@ impl<'g> Model<'g> {
             return Vec::new();
         }
         floating
+    }
+
+    /// The free joint whose turns begin with a body, if it is on the ground.
+    fn floating_from(&self, turn: BodyId) -> Option<Floating<'g>> {
+        let turning = &self.bodies[turn];
+        turning.spin?;
+        let below: Vec<BodyId> = std::iter::successors(turning.parent, |&body| self.bodies[body].parent).collect();
+        let (slides, ground) = below.split_at_checked(3)?;
+        // those of one declaration have one name
+        let is_slide = |&body: &BodyId| {
+            let body = &self.bodies[body];
+            body.name == turning.name && body.screw.is_some_and(|screw| !screw.turns())
+        };
+        let is_fixed = |&body: &BodyId| self.bodies[body].screw.is_none();
+        if !slides.iter().all(is_slide) || !ground.iter().all(is_fixed) {
+            return None;
+        }
+        let slide = slides[2];
+        Some(Floating {
+            slide,
+            turn,
+            coordinate: self.bodies[slide].coordinate?,
+            rotation: turning.placement.rotation,
+            gravity: Poses::new(self).rotation(Some(slide)).transpose() * self.gravity,
+        })
     }
 }
