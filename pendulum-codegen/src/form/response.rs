@@ -3,7 +3,9 @@
 use rustc_hash::FxHashMap;
 
 use super::routines::on_top;
-use super::{Basis, Candidate, Chosen, Forms, Preference, Way, expanded, factorings};
+use super::solved::Way;
+use super::written::Written;
+use super::{Basis, Candidate, Chosen, Forms, Preference, expanded};
 use crate::dynamics::{Inverse, derived};
 use crate::expr::{Derivative, Expr, Normalizer};
 use crate::model::{CoordinateId, Model};
@@ -103,10 +105,13 @@ pub(crate) fn measure_derivatives<'g>(forms: &mut Forms<'g>, model: &Model<'g>) 
 pub(crate) fn response<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let rows = Rows::new(model);
     let mut candidates: Vec<Candidate<'g>> = Vec::new();
-    for (own, dynamics, determinant) in &forms.forms {
+    for written in &forms.forms {
+        let Written {
+            form: own, dynamics, ..
+        } = written;
         let rows = rows.on(&mut forms.normalizer, own.basis);
         let exact = forms.exact.iter().filter(|(form, _)| form.basis == own.basis);
-        for (factored, solver) in factorings(dynamics, *determinant) {
+        for (factored, solver) in written.factorings() {
             let form = own.solved_by(solver);
             let mut solved = vec![(form, factored.solve_negated(&dynamics.residual))];
             solved.extend(
@@ -138,7 +143,7 @@ pub(crate) fn response_derivative<'g>(forms: &mut Forms<'g>, model: &Model<'g>) 
     forms.solutions(model, &variables, |way: &Way<'_, 'g>| {
         let own = bases.iter().find(|(basis, _)| *basis == way.form.basis);
         let (_, rows) = own.unwrap_or(&bases[0]);
-        let rates = on_top(model, &derived(&model.kinematics(), &variables), &[], way.columns);
+        let rates = on_top(model, &derived(&model.kinematics(), &variables), &[], &way.columns);
         let known: FxHashMap<_, _> = symbols.iter().copied().zip(way.accelerations.iter().copied()).collect();
         // at fixed accelerations, and by those
         let fixed = derived(&rows.accelerations(&symbols), &variables);
@@ -155,7 +160,7 @@ pub(crate) fn response_derivative<'g>(forms: &mut Forms<'g>, model: &Model<'g>) 
             .pop()
             .map_or_else(still, |of_rows| [by_time, &of_rows].concat());
         let gradients = (0..rows.drifts.len()).flat_map(|row| changes.iter().map(move |column| column[row]));
-        let mut roots = rows.response(model, way.inverse, way.accelerations);
+        let mut roots = rows.response(model, way.inverse, &way.accelerations);
         roots.extend(by_state.iter().copied().chain(gradients).chain(by_time));
         roots
     })
@@ -164,7 +169,7 @@ pub(crate) fn response_derivative<'g>(forms: &mut Forms<'g>, model: &Model<'g>) 
 impl<'g> Forms<'g> {
     /// Whether the time occurs in the equations of motion.
     fn has_time(&self, model: &Model<'g>) -> bool {
-        let form = self.forms.first().map(|(_, dynamics, _)| dynamics.entries());
+        let form = self.forms.first().map(|written| written.dynamics.entries());
         form.is_some_and(|entries| model.graph.reachable(&entries).contains(&model.time.id()))
     }
 }

@@ -4,7 +4,9 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::response::Rows;
 use super::series::{Recurrences, Symbols};
-use super::{Form, Forms, factorings, of_coordinates};
+use super::solved::of_coordinates;
+use super::written::Written;
+use super::{Form, Forms};
 use crate::dynamics::{Dynamics, Factored, Inverse};
 use crate::expr::{Expr, Graph, Level};
 use crate::model::Model;
@@ -43,46 +45,29 @@ impl<'g> Forms<'g> {
         let rows = hindered(model);
         let unknowns: Vec<Expr<'g>> = model.coordinates.iter().map(|c| c.acceleration).collect();
         let in_flight = model.written_out(&of_coordinates(&self.floating, unknowns.clone()));
-        let mut candidates: Vec<(Form, Unknown<'g>, Option<Expr<'g>>, usize)> = Vec::new();
-        let forms = self.forms.iter().map(|form| (form, &unknowns));
-        for ((form, dynamics, determinant), accelerations) in
-            forms.chain(self.oriented.iter().map(|form| (form, &in_flight)))
-        {
+        let forms = self.forms.iter().map(|written| (written, &unknowns));
+        let forms = forms.chain(self.oriented.iter().map(|written| (written, &in_flight)));
+        let mut candidates: Vec<(Unknown<'g>, usize)> = Vec::new();
+        for (written, accelerations) in forms {
             let unknown = Unknown {
-                dynamics: dynamics.clone().with_entries(model.written_out(&dynamics.entries())),
+                written: written.written_out(model),
                 accelerations: accelerations.clone(),
             };
-            let determinant = determinant.map(|determinant| model.written_out(&[determinant])[0]);
             let slots = slots(model, &mut symbols, &unknown, &rows);
-            candidates.push((*form, unknown, determinant, slots));
+            candidates.push((unknown, slots));
         }
-        let fewest = candidates.iter().map(|(.., slots)| *slots).min().unwrap_or(0);
+        let fewest = candidates.iter().map(|(_, slots)| *slots).min().unwrap_or(0);
         let mut counted: Vec<Taylor<'g>> = Vec::new();
-        for (
-            form,
-            Unknown {
-                dynamics,
-                accelerations,
-            },
-            determinant,
-            slots_before,
-        ) in candidates
-        {
-            let mut ways = vec![dynamics];
+        for (unknown, slots_before) in candidates {
+            let mut ways = vec![unknown];
             if HOPELESS[1] * slots_before <= HOPELESS[0] * fewest {
                 for factor in [false, true] {
-                    ways.push(shared(model.graph, &ways[0], factor));
+                    ways.push(ways[0].shared(model.graph, factor));
                 }
             }
-            for dynamics in ways {
-                let factorings = factorings(&dynamics, determinant);
-                let accelerations = accelerations.clone();
-                let unknown = Unknown {
-                    dynamics,
-                    accelerations,
-                };
-                for (factored, solver) in factorings {
-                    let form = form.solved_by(solver);
+            for unknown in ways {
+                for (factored, solver) in unknown.written.factorings() {
+                    let form = unknown.written.form.solved_by(solver);
                     counted.push(code(model, symbols.clone(), form, (&unknown, &factored), &rows));
                 }
             }
@@ -104,20 +89,23 @@ impl<'g> Forms<'g> {
 /// What is solved for at every order, and the accelerations of the coordinates by that: themselves, but of what flies.
 #[derive(Clone, Debug)]
 struct Unknown<'g> {
-    dynamics: Dynamics<'g>,
+    written: Written<'g>,
     accelerations: Vec<Expr<'g>>,
 }
 
-/// The dynamics with common parts of the mass matrix and the residual shared.
-fn shared<'g>(g: &'g Graph, dynamics: &Dynamics<'g>, factor: bool) -> Dynamics<'g> {
-    let n = dynamics.residual.len();
-    let mut roots: Vec<Expr<'g>> = dynamics.mass_matrix.concat();
-    roots.extend(&dynamics.residual);
-    let roots = share(g, &roots, factor);
-    let mut dynamics = dynamics.clone();
-    dynamics.mass_matrix = roots[..n * n].chunks(n).map(<[Expr<'g>]>::to_vec).collect();
-    dynamics.residual = roots[n * n..].to_vec();
-    dynamics
+impl<'g> Unknown<'g> {
+    /// The same with common parts of the mass matrix and the residual shared.
+    fn shared(&self, g: &'g Graph, factor: bool) -> Self {
+        let mut shared = self.clone();
+        let Dynamics {
+            mass_matrix, residual, ..
+        } = &mut shared.written.dynamics;
+        let n = residual.len();
+        let roots = share(g, &[&mass_matrix.concat()[..], residual].concat(), factor);
+        *mass_matrix = roots[..n * n].chunks(n).map(<[Expr<'g>]>::to_vec).collect();
+        *residual = roots[n * n..].to_vec();
+        shared
+    }
 }
 
 /// The second derivatives of what hinders the motion, for the accelerations as symbols.
@@ -133,7 +121,7 @@ fn hindered<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
 /// How many products of series the dynamics take.
 fn slots<'g>(model: &Model<'g>, symbols: &mut Symbols<'g>, unknown: &Unknown<'g>, rows: &[Expr<'g>]) -> usize {
     let mut recurrences = Recurrences::new(model, symbols);
-    balance(model, &mut recurrences, &unknown.dynamics);
+    balance(model, &mut recurrences, &unknown.written.dynamics);
     let kinematics = model.written_out(&model.kinematics());
     for &row in kinematics.iter().chain(&unknown.accelerations).chain(rows) {
         recurrences.coefficient(row);
@@ -170,7 +158,7 @@ fn code<'g>(
 ) -> Taylor<'g> {
     let g = model.graph;
     let Unknown {
-        dynamics,
+        written: Written { dynamics, .. },
         accelerations,
     } = unknown;
     let mut recurrences = Recurrences::new(model, &mut symbols);

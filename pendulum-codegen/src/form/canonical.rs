@@ -1,0 +1,39 @@
+//! The momenta in place of the rates.
+
+use super::written::Written;
+use super::{Chosen, Forms, ways};
+use crate::dynamics::{derived, momentum_partials, momentum_rates};
+use crate::model::Model;
+
+impl<'g> Forms<'g> {
+    /// The shortest code for the momenta and, behind them, their rates.
+    pub(crate) fn canonical(&mut self, model: &Model<'g>) -> Chosen<'g> {
+        let mut candidates = Vec::new();
+        for Written { form, dynamics, .. } in &self.forms {
+            let rates = vec![momentum_rates(dynamics, model)];
+            for (derivatives, rates) in ways(&mut self.normalizer, form.basis, rates) {
+                let roots = dynamics.momentum.iter().copied().chain(rates.into_iter().flatten());
+                candidates.push((form.derived_by(derivatives), roots.collect()));
+            }
+        }
+        self.choose(candidates)
+    }
+
+    /// The shortest code for the derivatives of the momenta by the state, column by column, and behind them those of their rates.
+    pub(crate) fn canonical_jacobian(&mut self, model: &Model<'g>) -> Chosen<'g> {
+        let state = model.state();
+        let mut candidates = Vec::new();
+        for Written { form, dynamics, .. } in &self.forms {
+            let rates = vec![momentum_rates(dynamics, model)];
+            let momenta = momentum_partials(dynamics, &model.coordinates);
+            for (_, rates) in ways(&mut self.normalizer, form.basis, rates) {
+                let columns = momenta.iter().cloned().chain(derived(&rates[0], &state)).collect();
+                for (derivatives, columns) in ways(&mut self.normalizer, form.basis, columns) {
+                    let roots = columns.into_iter().flatten().collect();
+                    candidates.push((form.derived_by(derivatives), roots));
+                }
+            }
+        }
+        self.choose(candidates)
+    }
+}

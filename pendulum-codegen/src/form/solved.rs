@@ -1,0 +1,199 @@
+//! The accelerations, and what is made of their derivatives.
+
+use super::chosen::{Candidate, Chosen, HOPELESS};
+use super::written::Written;
+use super::{Derivatives, Form, Forms, ways};
+use crate::dynamics::{Articulation, Inverse, derived, partials, partials_by_recursion};
+use crate::expr::Expr;
+use crate::model::{Floating, Model};
+
+/// Where derivatives take more operations on nodes, graphs that are longer than another by that ratio are not derived,
+/// and none is whose derivatives are known by recursion.
+const MOST_DERIVED: usize = 50_000;
+
+/// Articulated bodies with orientations, and what they are in balance by.
+#[derive(Debug)]
+pub(super) struct ByLinks<'g> {
+    pub(super) form: Form,
+    pub(super) accelerations: Vec<Expr<'g>>,
+    pub(super) balance: Vec<Expr<'g>>,
+    pub(super) articulation: Articulation<'g>,
+}
+
+/// A way to solve for the accelerations and for their derivatives.
+pub(super) struct Way<'a, 'g> {
+    pub(super) form: Form,
+    pub(super) inverse: &'a dyn Inverse<'g>,
+    pub(super) accelerations: Vec<Expr<'g>>,
+    /// The derivatives, column by column.
+    pub(super) columns: Vec<Expr<'g>>,
+}
+
+/// What makes derivatives of the accelerations of those of a balance.
+struct Derived<'a, 'g> {
+    model: &'a Model<'g>,
+    floating: &'a [Floating<'g>],
+    /// The accelerations as symbols.
+    symbols: Vec<Expr<'g>>,
+    /// How the accelerations change where what is solved for stays as it is, by each variable.
+    beside: Vec<Vec<Expr<'g>>>,
+}
+
+impl<'g> Forms<'g> {
+    /// The shortest code for the accelerations.
+    pub(crate) fn accelerations(&self) -> Chosen<'g> {
+        self.solved.get_or_init(|| self.solve(&[])).clone()
+    }
+
+    /// The shortest code for the accelerations, and for what is computed beside them.
+    pub(super) fn accelerations_and(&self, beside: &[Expr<'g>]) -> Chosen<'g> {
+        if beside.is_empty() {
+            self.accelerations()
+        } else {
+            self.solve(beside)
+        }
+    }
+
+    pub(super) fn solve(&self, beside: &[Expr<'g>]) -> Chosen<'g> {
+        let of_coordinates = |solved| of_coordinates(&self.floating, solved);
+        let mut candidates: Vec<Candidate<'g>> = Vec::new();
+        if let Some(by_links) = &self.by_links {
+            candidates.push((by_links.form, of_coordinates(by_links.accelerations.clone())));
+        }
+        for written in solved_from(&self.by_links, &self.oriented, &self.forms) {
+            for (factored, solver) in written.factorings() {
+                let solved = factored.solve_negated(&written.dynamics.residual);
+                candidates.push((written.form.solved_by(solver), of_coordinates(solved)));
+            }
+        }
+        candidates.extend(self.exact.iter().cloned());
+        candidates.extend(self.articulated.iter().cloned());
+        for (_, roots) in &mut candidates {
+            roots.extend(beside);
+        }
+        self.choose(candidates)
+    }
+
+    /// The shortest code for the derivatives of the accelerations by some symbols: column by column, and before them the accelerations
+    /// themselves if these are wanted too. After them comes what is computed beside them.
+    pub(crate) fn jacobian(
+        &mut self,
+        model: &Model<'g>,
+        variables: &[Expr<'g>],
+        with_accelerations: bool,
+        beside: &[Expr<'g>],
+    ) -> Chosen<'g> {
+        self.solutions(model, variables, |way| {
+            let accelerations = way.accelerations.iter().filter(|_| with_accelerations);
+            accelerations.chain(&way.columns).chain(beside).copied().collect()
+        })
+    }
+
+    /// The shortest code for something that is made of the accelerations, and of their derivatives by some symbols.
+    pub(super) fn solutions(
+        &mut self,
+        model: &Model<'g>,
+        variables: &[Expr<'g>],
+        roots: impl Fn(&Way<'_, 'g>) -> Vec<Expr<'g>>,
+    ) -> Chosen<'g> {
+        let floating = self.floating.clone();
+        let derived_from = Derived::new(model, &floating, variables);
+        let mut candidates: Vec<Candidate<'g>> = Vec::new();
+        let candidate = |way: Way<'_, 'g>| (way.form, roots(&way));
+        if let Some(by_links) = &self.by_links {
+            let solved = [(by_links.form, by_links.accelerations.clone())];
+            let columns = (Derivatives::Graph, derived(&by_links.balance, variables));
+            let ways = derived_from.ways(&by_links.articulation, &solved, &columns);
+            candidates.extend(ways.map(candidate));
+        }
+        let forms = solved_from(&self.by_links, &self.oriented, &self.forms);
+        let sizes = forms.iter();
+        let sizes = sizes.map(|written| variables.len() * model.graph.reachable(&written.dynamics.entries()).len());
+        let sizes: Vec<usize> = sizes.collect();
+        let least = sizes.iter().copied().min().unwrap_or(0);
+        for (written, size) in forms.iter().zip(sizes) {
+            let Written {
+                form: own, dynamics, ..
+            } = written;
+            let is_large = size > MOST_DERIVED;
+            if is_large && HOPELESS[1] * size > HOPELESS[0] * least {
+                continue;
+            }
+            let by_recursion = partials_by_recursion(dynamics, &model.coordinates, variables);
+            let mut columns = Vec::new();
+            if !is_large || by_recursion.is_none() {
+                columns = ways(&mut self.normalizer, own.basis, partials(dynamics, variables));
+            }
+            columns.extend(by_recursion.map(|columns| (Derivatives::Recursion, columns)));
+            let exact = self.exact.iter().filter(|(form, _)| form.basis == own.basis);
+            for (factored, solver) in written.factorings() {
+                let form = own.solved_by(solver);
+                let exact = exact
+                    .clone()
+                    .map(|(_, accelerations)| (form.exactly(), accelerations.clone()));
+                let own = (form, factored.solve_negated(&dynamics.residual));
+                let solved: Vec<Candidate<'g>> = [own].into_iter().chain(exact).collect();
+                for columns in &columns {
+                    candidates.extend(derived_from.ways(&factored, &solved, columns).map(candidate));
+                }
+            }
+        }
+        self.choose(candidates)
+    }
+}
+
+impl<'a, 'g> Derived<'a, 'g> {
+    fn new(model: &'a Model<'g>, floating: &'a [Floating<'g>], variables: &[Expr<'g>]) -> Self {
+        let symbols: Vec<Expr<'g>> = model.coordinates.iter().map(|c| c.acceleration).collect();
+        Self {
+            model,
+            floating,
+            beside: derived(&of_coordinates(floating, symbols.clone()), variables),
+            symbols,
+        }
+    }
+
+    /// What an inverse leaves of columns of derivatives, for each form of what is solved for.
+    fn ways<'w>(
+        &'w self,
+        inverse: &'w dyn Inverse<'g>,
+        solved: &'w [Candidate<'g>],
+        (derivatives, columns): &'w (Derivatives, Vec<Vec<Expr<'g>>>),
+    ) -> impl Iterator<Item = Way<'w, 'g>> {
+        let of_coordinate = columns.iter().zip(&self.beside).flat_map(|(column, beside)| {
+            let mut column = inverse.solve_negated(column);
+            let joints = self.floating.iter();
+            joints.for_each(|joint| joint.differentiate(&mut column, beside));
+            column
+        });
+        let columns = self.model.with_drives(&of_coordinate.collect::<Vec<_>>());
+        solved.iter().map(move |(form, solved)| {
+            let known = self.symbols.iter().copied().zip(solved.iter().copied());
+            Way {
+                form: form.derived_by(*derivatives),
+                inverse,
+                columns: self.model.graph.substitute(&columns, known.collect()),
+                accelerations: of_coordinates(self.floating, solved.clone()),
+            }
+        })
+    }
+}
+
+/// The forms with a mass matrix that the accelerations are solved from.
+fn solved_from<'a, 'g>(
+    by_links: &Option<ByLinks<'g>>,
+    oriented: &'a [Written<'g>],
+    forms: &'a [Written<'g>],
+) -> &'a [Written<'g>] {
+    match (by_links, oriented) {
+        (Some(_), _) => &[],
+        (None, []) => forms,
+        (None, oriented) => oriented,
+    }
+}
+
+/// The accelerations of the coordinates, from what is solved for.
+pub(super) fn of_coordinates<'g>(floating: &[Floating<'g>], mut solved: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
+    floating.iter().for_each(|joint| joint.accelerate(&mut solved));
+    solved
+}
