@@ -63,6 +63,8 @@ pub(crate) struct Items {
     pub walls: Vec<Wall>,
     /// Joints that close loops.
     pub closures: Vec<Closure>,
+    /// Whether there are more, which could not be read.
+    pub unread_closures: bool,
     /// The word `generate`, and what to generate.
     pub generate: Option<(Ident, Vec<Ident>)>,
 }
@@ -358,6 +360,8 @@ pub(crate) struct Robot {
     pub limits: bool,
     /// Whether its joints have no dry friction.
     pub without_dry_friction: bool,
+    /// What was wrong with the file: some of its bodies may be missing.
+    pub unread: Option<Reported>,
 }
 
 /// `body name on parent: shape { .. }`

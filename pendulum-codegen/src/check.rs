@@ -9,9 +9,13 @@ use crate::lower::Spans;
 use crate::model::{CoordinateId, Model};
 
 /// Refuses a scene whose mass matrix is singular in every state, for all parameters, or that has numbers which change
-/// nothing.
-pub(crate) fn check(model: &Model<'_>, spans: &Spans, dynamics: &Dynamics<'_>) -> Result<(), Errors> {
-    let mut errors = Errors::default();
+/// nothing. To `errors` it adds.
+pub(crate) fn check(
+    model: &Model<'_>,
+    spans: &Spans,
+    dynamics: &Dynamics<'_>,
+    mut errors: Errors,
+) -> Result<(), Errors> {
     if needs_inertia(model)
         && let Some(k) = vanishing_pivot(&dynamics.mass_matrix).map(CoordinateId::new)
         && let Some(n) = model.bodies.iter().position(|body| body.coordinate == Some(k))

@@ -7,7 +7,11 @@ use crate::words::{Advice, Synonyms, advice};
 
 /// The errors found so far, in the order of their places in the source.
 #[derive(Debug, Default)]
-pub struct Errors(Vec<syn::Error>);
+pub struct Errors {
+    all: Vec<syn::Error>,
+    /// A file, and the place on which errors are errors in it.
+    file: Option<(Span, String)>,
+}
 
 /// Proof that an error has been noted: whoever gets one in place of a value need not report again.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,7 +20,7 @@ pub struct Reported(());
 impl Errors {
     /// One error on one place.
     pub fn one(span: Span, fact: impl std::fmt::Display, help: impl std::fmt::Display) -> Self {
-        Self(vec![at(span, fact, help)])
+        Self::from(at(span, fact, help))
     }
 
     /// Notes an error on a whole syntax node: what is wrong, and what to do about it.
@@ -47,10 +51,51 @@ impl Errors {
             let start = error.span().start();
             (start.line, start.column)
         };
+        let error = match &self.file {
+            Some((span, name)) if self.is_in_file(error.span()) => {
+                let (message, start) = (error.to_string(), format!("`{name}`"));
+                // what is wrong with the file itself says so
+                let known = message.contains(&start);
+                if known {
+                    error
+                } else {
+                    syn::Error::new(*span, format!("{start}: {message}"))
+                }
+            }
+            _ => error,
+        };
         // after those that were found on the same place
-        let at = self.0.partition_point(|other| place(other) <= place(&error));
-        self.0.insert(at, error);
+        let at = self.all.partition_point(|other| place(other) <= place(&error));
+        self.all.insert(at, error);
         Reported(())
+    }
+
+    /// Says that what stands on a place comes from a file.
+    pub(crate) fn read_from(&mut self, span: Span, name: &str) {
+        self.file = Some((span, name.to_owned()));
+    }
+
+    /// No errors yet, with the same file.
+    pub(crate) fn afresh(&self) -> Self {
+        Self {
+            all: Vec::new(),
+            file: self.file.clone(),
+        }
+    }
+
+    /// Whether a syntax node comes from a file.
+    pub(crate) fn is_from_file(&self, node: impl ToTokens) -> bool {
+        let mut tokens = node.into_token_stream().into_iter();
+        tokens.any(|token| self.is_in_file(token.span()))
+    }
+
+    /// Whether what stands on a place comes from a file.
+    fn is_in_file(&self, span: Span) -> bool {
+        let ends = |span: Span| {
+            let [start, end] = [span.start(), span.end()];
+            [start.line, start.column, end.line, end.column]
+        };
+        self.file.as_ref().is_some_and(|(file, _)| ends(*file) == ends(span))
     }
 
     /// Keeps the value, or notes the error.
@@ -60,23 +105,23 @@ impl Errors {
 
     /// Whether there are none.
     pub fn is_empty(&self) -> bool {
-        self.0.is_empty()
+        self.all.is_empty()
     }
 
     /// The errors, in the order of their places in the source.
     pub fn iter(&self) -> impl Iterator<Item = &syn::Error> {
-        self.0.iter()
+        self.all.iter()
     }
 
     /// That an error has been noted, where one must have been.
     pub(crate) fn noted(&self) -> Reported {
-        debug_assert!(!self.0.is_empty(), "no error has been noted");
+        debug_assert!(!self.all.is_empty(), "no error has been noted");
         Reported(())
     }
 
     /// Ends a phase: the value, or all errors.
     pub fn finish<T>(self, value: T) -> Result<T, Self> {
-        if self.0.is_empty() { Ok(value) } else { Err(self) }
+        if self.all.is_empty() { Ok(value) } else { Err(self) }
     }
 
     /// The errors as `compile_error!` items.
@@ -87,9 +132,9 @@ impl Errors {
 
 impl std::fmt::Display for Errors {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        for (n, error) in self.0.iter().enumerate() {
+        for (n, error) in self.all.iter().enumerate() {
             let start = error.span().start();
-            let end = if n + 1 < self.0.len() { "\n" } else { "" };
+            let end = if n + 1 < self.all.len() { "\n" } else { "" };
             write!(f, "{}:{}: {error}{end}", start.line, start.column + 1)?;
         }
         Ok(())
@@ -100,7 +145,10 @@ impl std::error::Error for Errors {}
 
 impl From<syn::Error> for Errors {
     fn from(error: syn::Error) -> Self {
-        Self(vec![error])
+        Self {
+            all: vec![error],
+            file: None,
+        }
     }
 }
 

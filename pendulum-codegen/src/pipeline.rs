@@ -22,8 +22,8 @@ pub fn expand(tokens: TokenStream) -> TokenStream {
     let folder = manifest_folder();
     let (scene, mut items) = expanded(&folder, tokens);
     let robot = scene.and_then(|scene| scene.items.robot);
-    // that a file is not there has been reported; without a manifest there is no cargo, which would build anew
-    if let Some(robot) = robot.filter(|robot| env::var_os(MANIFEST).is_some() && folder.join(&robot.path).exists()) {
+    // that it is no file, or not there, has been reported; without a manifest there is no cargo, which would build anew
+    if let Some(robot) = robot.filter(|robot| env::var_os(MANIFEST).is_some() && folder.join(&robot.path).is_file()) {
         items.extend(urdf::tracked(&robot));
     }
     items
@@ -75,10 +75,11 @@ fn compile(scene: &mut Scene, folder: &Path, mut errors: Errors) -> Result<Progr
     if urdf::read(scene, folder, &mut errors).is_err() {
         return Err(errors);
     }
+    let later = errors.afresh();
     let graph = Graph::new();
     let Lowered { model, spans } = lower::lower(&graph, scene, errors)?;
     let dynamics = Dynamics::new(&model);
-    check::check(&model, &spans, &dynamics)?;
+    check::check(&model, &spans, &dynamics, later)?;
     Program::new(&model, &dynamics).map_err(|NotFinite(constant)| {
         let fact = format!("the constant `{constant}` has no finite value in double precision");
         let help = "choose other units or other numbers: it overflows, or divides by something that vanishes";

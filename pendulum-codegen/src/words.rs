@@ -114,7 +114,8 @@ pub(crate) const ITEMS: &Synonyms = &[
     (&["rayleigh", "loss", "losses"], "dissipation"),
     (
         &["torque", "moment"],
-        "write `torque: e` in the braces of a body, or `force theta: e` for a force along a coordinate",
+        "write `torque: e` in the braces of a body, or `force theta: e` for a force along a coordinate; \
+         a moment `m` about the x axis of a body with the orientation `o` is `dissipation: -m*dot(o).x,`",
     ),
     (
         &["drive", "driver", "prescribed", "motor"],
@@ -276,14 +277,44 @@ pub(crate) const JOINTS: &Synonyms = &[
         "revolute",
     ),
     (
-        &["slider", "slide", "sliding", "linear", "translational", "p"],
+        &[
+            "slider",
+            "slide",
+            "sliding",
+            "linear",
+            "translation",
+            "translational",
+            "p",
+        ],
         "prismatic",
     ),
     (&["weld", "welded", "rigid", "none", "static"], "fixed"),
     (&["helix"], "helical"),
     (
-        &["cylindrical", "universal", "planar", "gimbal"],
-        "write it as bodies without mass, one after the other, each with one joint",
+        &["planar"],
+        "write it as three: two bodies without mass that slide, `joint: prismatic(x)` and on that `joint: prismatic(y)`, \
+         and on the second the body itself with `joint: revolute(z)`",
+    ),
+    (
+        &["cylindrical", "cylinder"],
+        "write it as two: a body without mass with `joint: prismatic(z)`, and on it the body itself with `joint: revolute(z)`",
+    ),
+    (
+        &["universal", "cardan", "hooke", "u"],
+        "write it as two: a body without mass with `joint: revolute(x)`, and on it the body itself with `joint: revolute(y)`",
+    ),
+    (
+        &["gimbal", "euler"],
+        "write it as three: bodies without mass with `joint: revolute(x)` and on that `joint: revolute(y)`, \
+         and on the second the body itself with `joint: revolute(z)`; `ball` turns about all axes as well",
+    ),
+    (
+        &["gear", "gears", "rack", "rackandpinion", "pulley", "belt", "mimic"],
+        "a joint that follows another has a motion: `joint: revolute(z), motion: 0.5*theta`",
+    ),
+    (
+        &["distance", "rope", "cable", "link", "tether"],
+        "a rod is a body between two hinges or balls; a cable is `spring between a and b: (k, l)`, between two points",
     ),
     (
         &["spherical", "balljoint", "socket", "ballandsocket", "quaternion", "s"],

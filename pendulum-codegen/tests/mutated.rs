@@ -246,7 +246,9 @@ impl std::fmt::Display for Answers {
 
 /// All declarations, as their tokens: brackets are tokens of their own.
 struct Corpus {
-    declarations: Vec<Vec<String>>,
+    right: Vec<Vec<String>>,
+    /// Those of the cases of errors.
+    wrong: Vec<Vec<String>>,
     /// Every token that occurs.
     words: Vec<String>,
 }
@@ -254,8 +256,9 @@ struct Corpus {
 impl Corpus {
     fn read() -> Self {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-        let mut declarations = Vec::new();
+        let [mut right, mut wrong] = [const { Vec::new() }; 2];
         for folder in FOLDERS {
+            let declarations = if folder.ends_with("ui") { &mut wrong } else { &mut right };
             for file in sources(&root.join(folder)) {
                 let text = fs::read_to_string(file).expect("a file");
                 for declaration in self::declarations(text.parse().expect("tokens")) {
@@ -265,22 +268,31 @@ impl Corpus {
                 }
             }
         }
-        declarations.retain(|tokens| tokens.iter().map(|token| token.len() + 1).sum::<usize>() <= LONGEST);
-        declarations.retain(|tokens| !tokens.is_empty());
-        assert!(declarations.len() > 100, "{} declarations", declarations.len());
+        for declarations in [&mut right, &mut wrong] {
+            declarations.retain(|tokens: &Vec<String>| {
+                let length: usize = tokens.iter().map(|token| token.len() + 1).sum();
+                (1..=LONGEST).contains(&length)
+            });
+            assert!(declarations.len() > 50, "{} declarations", declarations.len());
+        }
         let mut counts: BTreeMap<&String, usize> = BTreeMap::new();
-        declarations
-            .iter()
-            .flatten()
-            .for_each(|token| *counts.entry(token).or_default() += 1);
+        for token in right.iter().chain(&wrong).flatten() {
+            *counts.entry(token).or_default() += 1;
+        }
         let words = counts.into_keys().cloned().collect();
-        Self { declarations, words }
+        Self { right, wrong, words }
+    }
+
+    /// A declaration: as often a right one as a wrong one, however many there are of each.
+    fn some(&self, random: &mut Random) -> &Vec<String> {
+        let from = [&self.right, &self.wrong][random.below(2)];
+        random.of(from)
     }
 
     /// One of the declarations, with some changes.
     fn mutated(&self, seed: u64) -> String {
         let mut random = Random::new(seed.wrapping_mul(0x9E37_79B9_7F4A_7C15));
-        let mut tokens = random.of(&self.declarations).clone();
+        let mut tokens = self.some(&mut random).clone();
         for _ in 0..[1, 1, 1, 1, 2, 2, 3, 5][random.below(8)] {
             self.change(&mut tokens, &mut random);
         }
@@ -329,7 +341,7 @@ impl Corpus {
             }
             13 => {
                 // a part of another declaration
-                let from = random.of(&self.declarations);
+                let from = self.some(random);
                 let start = random.below(from.len());
                 let end = (start + 1 + random.below(25)).min(from.len());
                 tokens.splice(at..at, from[start..end].iter().cloned());

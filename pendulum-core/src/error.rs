@@ -149,6 +149,20 @@ pub enum Reason {
         /// The time at which it is.
         t: f64,
     },
+    /// An event resets the state to one that is not finite, or that breaks the constraints of the system: its
+    /// quaternions have no unit length, or its loops are open.
+    BadReset {
+        /// The index of the event among those given.
+        event: usize,
+        /// The time at which it is.
+        t: f64,
+        /// What of the new state breaks a rule.
+        what: &'static str,
+        /// Its value.
+        value: f64,
+        /// The rule.
+        rule: &'static str,
+    },
     /// An event resets the state repeatedly within the resolution of the time, like the rebounds of a ball that comes
     /// to rest, or a thousand times in a row in so short times that it would never end.
     EventsAccumulate {
@@ -214,8 +228,8 @@ impl fmt::Display for Reason {
             Self::InvalidInput { what, value, rule } => write!(f, "`{what}` is {value:?}: {rule}"),
             Self::NonFinite { component, h: None } => write!(
                 f,
-                "component {component} of the state or its derivative is not finite where the integration starts; \
-                 check the parameters, the initial state, and the state that a reset returns"
+                "component {component} of the state or its derivative is not finite where the integration starts, or \
+                 goes on after a reset; check the parameters, the initial state, and the state that a reset returns"
             ),
             Self::NonFinite { component, h: Some(h) } => write!(
                 f,
@@ -241,6 +255,16 @@ impl fmt::Display for Reason {
                 f,
                 "the function of event {event} is not finite at t = {t}; \
                  extend its domain or end the integration earlier"
+            ),
+            Self::BadReset {
+                event,
+                t,
+                what,
+                value,
+                rule,
+            } => write!(
+                f,
+                "event {event} resets the state at t = {t:?} to one that cannot be: {what} is {value:?}; {rule}"
             ),
             Self::EventsAccumulate { event } => write!(
                 f,

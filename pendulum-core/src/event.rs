@@ -93,6 +93,10 @@ impl<'e, T, const N: usize> Event<'e, T, N> {
 
     /// Continues from the state `reset(t, x)`, where `x` is the state before.
     ///
+    /// The new state must be finite, and on the constraints of the system: with quaternions of unit length and closed
+    /// loops, as `assemble` of a generated model closes them. Off by up to 1e-3 it is put back there, and otherwise the
+    /// integration ends in [`BadReset`](crate::Reason::BadReset).
+    ///
     /// Zeros that functions cross in the reset itself are not events.
     #[must_use]
     pub fn reset(mut self, reset: impl Fn(T, &SVector<T, N>) -> SVector<T, N> + 'e) -> Self {

@@ -28,7 +28,25 @@ mechanism! {
     }
 }
 
+mechanism! {
+    pub Top {
+        body top on ground { mass: 1, com: [0, 0, 1], inertia: [1, 1, 1], joint: ball, orientation: o depends }
+    }
+}
+
+mechanism! {
+    pub Arm {
+        robot: urdf("../pendulum-codegen/tests/robots/bad_number.urdf"),
+        body load on hand { mass: 1, joint: revolute(x), coordinate: swing }
+    }
+}
+
 fn main() {
+    let top = Top::new(TopParams {}).unwrap();
+    let spun = Vern9::new().solve(&top, 0.0, 1.0, [1.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0]).unwrap();
+    let arm = Arm::new(ArmParams {}).unwrap();
+    let swung = Rodas5P::new().solve(&arm, 0.0, 1.0, [0.0; 4]).unwrap();
+    println!("{} {} {}", spun.end()[Top::O], swung.end()[Arm::WRIST], swung.end()[Arm::DOT_SWING]);
     let rusty = Rusty::new(RustyParams {}).unwrap();
     let stuck = Rodas5P::new().solve(&rusty, 0.0, 1.0, [0.0, 0.0]).unwrap();
     let (_, mode) = stuck.modes()[0];

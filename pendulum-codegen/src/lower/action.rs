@@ -7,6 +7,7 @@ use super::Lower;
 use super::expr::{Only, Place};
 use super::joint_units::JointUnits;
 use super::point::{Declared, square_of};
+use super::scope::Kind;
 use super::written::written;
 use crate::ast::{self, ActionKind, Read};
 use crate::error::Reported;
@@ -83,6 +84,7 @@ impl<'g> Lower<'g> {
         force: &Read<ast::Expr>,
         items: &ast::Items,
     ) -> Result<Action<'g>, Reported> {
+        self.require_one_number(coordinate, items)?;
         let place = Place::moving(format!("the force along `{coordinate}`"));
         let own = |body: &&ast::Body| body.fields.coordinate.as_ref() == Some(coordinate);
         let place = place.in_unit(
@@ -99,6 +101,26 @@ impl<'g> Lower<'g> {
             Some(k) => Action::Along(k, value, written(force, None)),
             None => Action::Press(value, self.name(coordinate, &Place::moving(""))?.value),
         })
+    }
+
+    /// Refuses a force along an orientation or a position: one number says too little.
+    fn require_one_number(&mut self, name: &Ident, items: &ast::Items) -> Result<(), Reported> {
+        let kind = self.names.kind(&name.to_string());
+        let is_own = |own: &Option<Ident>| own.as_ref() == Some(name);
+        let mut bodies = items.bodies.iter();
+        let body = bodies.find(|body| is_own(&body.fields.orientation) || is_own(&body.fields.position));
+        let (Some(kind @ (Kind::Orientation | Kind::Position)), Some(body)) = (kind, body) else {
+            return Ok(());
+        };
+        let (fact, body) = (format!("`{name}` is {}, not a coordinate", kind.one()), &body.name);
+        let help = match kind {
+            Kind::Orientation => format!(
+                "write `dissipation: -m*dot({name}).x` for a moment `m`, such as `2 N m`, about the x axis of `{body}`; \
+                 the others are those of `dot({name}).y` and `dot({name}).z`"
+            ),
+            _ => format!("push a point: `point middle on {body},` and `force on middle: [fx, fy, fz]`"),
+        };
+        Err(self.errors.at(name.span(), fact, help))
     }
 
     /// The force on a point, and the number of the body in whose frame it is given.

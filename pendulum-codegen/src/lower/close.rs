@@ -1,6 +1,6 @@
 //! Closed loops, and the coordinates that follow from them.
 
-use proc_macro2::Span;
+use proc_macro2::{Ident, Span};
 
 use super::Lower;
 use super::constraint::hindering;
@@ -11,6 +11,7 @@ use crate::ast::{self, ExprKind, JointKind};
 use crate::error::Reported;
 use crate::expr::{Expr, Level, SymbolKind};
 use crate::model::{self, BodyId, Closure, Combination, Coordinate, Declared, Loop, Model, NoPlane, Open, Tie};
+use crate::parse::HINGES;
 use crate::screw::Vec3;
 
 /// How many coordinates follow from a loop in a plane.
@@ -105,6 +106,7 @@ impl<'g> Lower<'g> {
             let fact = "dry friction, stops and walls are not supported in a scene with loops that are no triangles";
             let help = "let other coordinates depend, so that the loops are triangles, or write smooth laws: viscous friction, and a `potential` \
                         in the place of a stop or a wall";
+            let help = self.left_out(first, help);
             self.errors.on(first, fact, help);
         }
     }
@@ -136,6 +138,9 @@ impl<'g> Lower<'g> {
             |ends: &[String; 2]| names == *ends || (names.len() == 2 && names[0] == ends[1] && names[1] == ends[0]);
         if let Some(&(_, symbol)) = self.margins.iter().find(|(ends, _)| closes(ends)) {
             return self.permit(symbol, expr.span(), place);
+        }
+        if !self.has_all_loops {
+            return Err(self.errors.noted());
         }
         let fact = "`margin` takes the two bodies that close a loop";
         let known: Vec<String> = self
@@ -190,15 +195,35 @@ impl<'g> Lower<'g> {
                 .into_iter()
                 .filter_map(|body| body.fields.depends.as_ref())
                 .nth(needed);
-            let fact = format!("coordinates that depend: {given}; closed loops determine {needed}");
+            let many = if needed == 0 {
+                "none".to_owned()
+            } else {
+                needed.to_string()
+            };
+            let fact = format!("{}, but closed loops determine {many}", depend(given));
             let help = "leave out `depends` where a joint moves by itself, or close another loop: `close a at [..] to b at [..]: revolute(z)`";
             let at = word.map_or(Span::call_site(), proc_macro2::Ident::span);
             return Err(self.errors.at(at, fact, help));
         }
         if given < needed {
-            let fact = format!("closed loops determine {needed} coordinates; those that depend: {given}");
-            let help = "a loop in a plane determines two, and one in space up to six: write `coordinate: phi depends near 0.3`, \
-                        where the number says in which assembly";
+            let many = if needed == 1 { "coordinate" } else { "coordinates" };
+            let fact = match given {
+                0 => format!("closed loops determine {needed} {many}, but none depends"),
+                _ => format!("closed loops determine {needed} {many}, but only {}", depend(given)),
+            };
+            // orientations do not depend, so other joints are missing
+            let coordinates = items
+                .bodies
+                .iter()
+                .filter(|body| body.fields.coordinate.is_some())
+                .count();
+            let has_orientations = items.bodies.iter().any(|body| body.fields.orientation.is_some());
+            let help = if coordinates < needed && has_orientations {
+                HINGES
+            } else {
+                "a loop in a plane determines two, and one in space up to six: write `coordinate: phi depends near 0.3`, \
+                 where the number says in which assembly"
+            };
             return Err(self.errors.at(at, fact, help));
         }
         Ok(())
@@ -300,9 +325,13 @@ impl<'g> Lower<'g> {
                 Open::TooShort(n, by, unit) => {
                     let [a, b] = ends(n);
                     let fact = format!(
-                        "the loop from `{a}` to `{b}` cannot close: it misses by {by:.3e} {unit} where it is assembled"
+                        "the loop from `{a}` to `{b}` cannot close: it misses by {} {unit} where it is assembled",
+                        readable(by)
                     );
-                    let help = planes[n].as_ref().err().map_or(ASSEMBLED, |why| why.help());
+                    let help = match &planes[n] {
+                        Err(_) if has_orientation(&items.closures[n], &items.bodies) => HINGES,
+                        plane => plane.as_ref().err().map_or(ASSEMBLED, NoPlane::help),
+                    };
                     self.errors.at(at(n), fact, help)
                 }
                 Open::Undecided(n) => {
@@ -330,10 +359,42 @@ impl<'g> Lower<'g> {
     }
 }
 
-/// What to do about a loop that does not close.
+/// Whether a body between the ends of a loop has an orientation, which does not follow.
+fn has_orientation(closure: &ast::Closure, bodies: &[ast::Body]) -> bool {
+    let [first, second] = closure.ends.each_ref().map(|end| {
+        let named = |name: &Ident| bodies.iter().position(|body| body.name == *name);
+        let carrier = |n: &usize| bodies[*n].parent.as_ref().ok().and_then(named);
+        // as many as there are, should they carry one another
+        let chain = std::iter::successors(named(&end.body), carrier).take(bodies.len());
+        chain.collect::<Vec<usize>>()
+    });
+    let own = first.iter().filter(|n| !second.contains(n));
+    let mut between = own.chain(second.iter().filter(|n| !first.contains(n)));
+    between.any(|n| bodies[*n].fields.orientation.is_some())
+}
+
+/// How many coordinates depend, in words.
+fn depend(count: usize) -> String {
+    match count {
+        1 => "1 coordinate depends".to_owned(),
+        _ => format!("{count} coordinates depend"),
+    }
+}
+
+/// Three digits of a positive number, with an exponent where many zeros would stand before or behind them.
+fn readable(number: f64) -> String {
+    let rounded = format!("{number:.2e}");
+    let exponent = rounded.split_once('e').and_then(|(_, exponent)| exponent.parse().ok());
+    match exponent {
+        Some(exponent @ -4..=5) => format!("{number:.*}", usize::try_from(2 - exponent).unwrap_or(0)),
+        _ => rounded,
+    }
+}
+
 /// A loop that misses by no more than rounding is closed; it is just not known how.
 const FLAT: f64 = 1e-9;
 
+/// What to do about a loop that does not close.
 const ASSEMBLED: &str =
     "check lengths and places, or say where the mechanism can be assembled: `coordinate: theta near 0.5`";
 

@@ -45,6 +45,7 @@ impl<'g> Lower<'g> {
         if let (Some(first), true) = (hindering.first(), has_orientations) {
             let fact = "dry friction, stops and walls are not supported in a scene with ball or free joints";
             let help = "write smooth laws: viscous friction, and a `potential` in the place of a stop or a wall";
+            let help = self.left_out(first, help);
             self.errors.on(first, fact, help);
         }
         if let Some(ninth) = hindering.get(MOST) {
@@ -52,8 +53,18 @@ impl<'g> Lower<'g> {
                 "{} joints with dry friction or a stop and walls hinder the motion: at most {MOST} in all are possible",
                 hindering.len()
             );
-            self.errors.on(ninth, fact, "leave some out, or write smooth laws");
+            let help = self.left_out(ninth, "leave some out, or write smooth laws");
+            self.errors.on(ninth, fact, help);
         }
+    }
+
+    /// What to do about what hinders the motion; where a file says so, it can be left out as a whole.
+    pub(super) fn left_out(&self, hinders: &TokenStream, help: &str) -> String {
+        if self.errors.is_from_file(hinders) {
+            let words = "leave out `limits` behind the path of the robot, or write `without dry_friction` there";
+            return format!("{words}; or else {help}");
+        }
+        help.to_owned()
     }
 
     /// Dry friction and the stop of a joint; none where there is neither.
@@ -119,11 +130,16 @@ impl<'g> Lower<'g> {
         let fact = format!("{owner} leaves no way to go: it begins at {from} and ends at {to}");
         let rule = format!("{owner} must end above where it begins");
         let checked = (high - low, Requirement::Positive);
-        self.obeys(
-            &stop.tokens,
-            checked,
-            [&fact, "write `stop: [low, high]`, the lower limit first", &rule],
-        )?;
+        let help = if self.errors.is_from_file(&stop.tokens) {
+            format!(
+                "let `lower` be less than `upper` in the `limit` of its joint, where 0 stands for one that is left out, \
+                 or write `stop: [low, high]` in a `body {}` of the scene",
+                body.name
+            )
+        } else {
+            "write `stop: [low, high]`, the lower limit first".to_owned()
+        };
+        self.obeys(&stop.tokens, checked, [&fact, &help, &rule])?;
         (law.low, law.high) = (Some(low), Some(high));
         Ok(())
     }

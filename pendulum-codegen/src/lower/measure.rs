@@ -216,8 +216,17 @@ impl<'g> Lower<'g> {
     pub(super) fn not_degrees(&mut self, e: &ast::Expr, given: Quantity<'g>, what: &str) {
         let number = given.value.as_number().and_then(ToPrimitive::to_f64);
         if let (Measure::Number, Some(angle)) = (given.measure, number.filter(|angle| angle.abs() > TAU)) {
-            let fact = format_args!("{what} is more than a turn: angles are in rad");
-            let help = format_args!("write `{angle} deg` for degrees, or `{angle} rad` if it is meant");
+            let (fact, help) = if self.errors.is_from_file(e) {
+                let radians = (angle.to_radians() * 1e4).round() / 1e4;
+                let help = format!(
+                    "write {radians} there for {angle} degrees; where {angle} rad are meant, write `{angle} rad` in the scene, \
+                     in a `body` of this name, which changes that of the file"
+                );
+                (format!("{what} is {angle}, more than a turn: angles are in rad"), help)
+            } else {
+                let help = format!("write `{angle} deg` for degrees, or `{angle} rad` if it is meant");
+                (format!("{what} is more than a turn: angles are in rad"), help)
+            };
             self.errors.on(e, fact, help);
         }
     }

@@ -95,6 +95,8 @@ struct Lower<'g> {
     bodies: Vec<Option<BodyId>>,
     /// For each closed loop the bodies that it ties, and what stands for its margin.
     margins: Vec<([String; 2], Expr<'g>)>,
+    /// Whether all closed loops could be read.
+    has_all_loops: bool,
     /// The derivative along the motion of what depends on places and the time.
     along_motion: Derivative<'g>,
 }
@@ -119,6 +121,7 @@ pub(crate) fn lower<'g>(graph: &'g Graph, scene: &Scene, errors: Errors) -> Resu
         motions: Vec::new(),
         bodies: Vec::new(),
         margins: Vec::new(),
+        has_all_loops: !scene.items.unread_closures,
         along_motion: Derivative::along([]),
     };
     lower.scene(scene)

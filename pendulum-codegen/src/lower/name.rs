@@ -91,6 +91,12 @@ impl<'g> Lower<'g> {
             let help = format_args!("write `dot({coordinate})` for the rate of `{coordinate}`");
             return Err(self.errors.at(name.span(), fact, help));
         }
+        if self.body_names.contains(&text) {
+            let help = format_args!(
+                "a body is no number: declare a point, `point {text}_end on {text} at [x, y, z],`, or write `rotation({text})`"
+            );
+            return Err(self.errors.at(name.span(), fact, help));
+        }
         if functions().any(|function| function == text) {
             return Err(self.errors.at(name.span(), fact, format_args!("write `{text}(x)`")));
         }

@@ -14,6 +14,7 @@ use crate::ast::{self, JointKind};
 use crate::error::Reported;
 use crate::expr::{Expr, SymbolKind};
 use crate::model::{Body, BodyId, Combination, Coordinate, CoordinateId, Heading, Requirement};
+use crate::parse::HINGES;
 use crate::screw::{Mat3, SpatialInertia, Transform, Twist, Vec3};
 
 /// What stands behind the dot of an orientation or of a position.
@@ -211,8 +212,11 @@ impl<'g> Lower<'g> {
         ];
         let given = names.into_iter().find_map(|(name, what)| Some((name.as_ref()?, what)));
         let Some((name, what)) = given else { return Ok(()) };
-        if body.fields.joint.as_ref().is_some_and(|joint| joint.kind.is_err()) {
-            return Ok(());
+        match (&body.fields.joint, body.unread) {
+            (Some(joint), _) if joint.kind.is_err() => return Ok(()),
+            // the joint may be what could not be read
+            (None, Some(reported)) => return Err(reported),
+            _ => {}
         }
         let fact = format_args!("the joint of `{}` does not {what}", body.name);
         let help =
@@ -226,7 +230,10 @@ impl<'g> Lower<'g> {
         let kind = if slides { "free" } else { "ball" };
         let mut first = Ok(());
         let mut refuse = |reported: Reported| first = first.and(Err(reported));
-        if let Some(coordinate) = &fields.coordinate {
+        if let Some(depends) = &fields.depends {
+            let fact = format_args!("the {kind} joint of `{name}` has an orientation, which cannot depend");
+            refuse(self.errors.at(depends.span(), fact, HINGES));
+        } else if let Some(coordinate) = &fields.coordinate {
             let help = if slides {
                 "write `orientation: o, position: p`; components are `o.w` and `p.x`"
             } else {
@@ -250,6 +257,11 @@ impl<'g> Lower<'g> {
             }
             _ => {}
         }
+        let orientation = fields.orientation.as_ref().map_or("o".to_owned(), ToString::to_string);
+        let moment = format!(
+            "write `dissipation: -m*dot({orientation}).x,` for a moment `m` about the x axis of the body, \
+             or `force on tip: [fx, fy, fz] in {name},` for a force on a point of it, along its axes"
+        );
         let spring = fields.spring.as_ref().map(|(stiffness, _)| &stiffness.tokens);
         let friction = fields.friction.as_ref().filter(|_| slides);
         let refused = [
@@ -266,7 +278,7 @@ impl<'g> Lower<'g> {
             (
                 fields.torque.as_ref().map(|e| &e.tokens),
                 "has no scalar torque",
-                "write `force on tip: [fx, fy, fz] in arm,`, a force on a point along the axes of a body; two of them make a moment",
+                &moment,
             ),
             (
                 friction.map(|e| &e.tokens),

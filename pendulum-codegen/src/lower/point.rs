@@ -110,10 +110,34 @@ impl<'g> Lower<'g> {
         if let Some(n) = bodies.iter().position(|body| body.name == *name) {
             return Ok(Some(n));
         }
+        let text = name.to_string();
+        if let (Some(kind), Some(owner)) = (self.names.kind(&text), self.owner(name, bodies)) {
+            let fact = format_args!("`{name}` is {}, not a body", kind.one());
+            return Err(self
+                .errors
+                .at(name.span(), fact, format_args!("write `{owner}`, to which it belongs")));
+        }
         let known: Vec<String> = bodies.iter().map(|body| body.name.to_string()).collect();
         let known = known.iter().map(String::as_str).chain(["ground"]);
         let fact = format_args!("no body named `{name}`");
         Err(self.errors.unknown(name, fact, known, &[]))
+    }
+
+    /// The body to which a point belongs, or what its joint has: a coordinate, an orientation or a position.
+    fn owner(&self, name: &Ident, bodies: &[ast::Body]) -> Option<String> {
+        if let Some(point) = self.points.get(&name.to_string()) {
+            return Some(point.body.map_or("ground".to_owned(), |n| bodies[n].name.to_string()));
+        }
+        let has = |body: &&ast::Body| {
+            let ast::BodyFields {
+                coordinate,
+                orientation,
+                position,
+                ..
+            } = &body.fields;
+            [coordinate, orientation, position].contains(&&Some(name.clone()))
+        };
+        bodies.iter().find(has).map(|body| body.name.to_string())
     }
 
     /// A declared point.

@@ -1,7 +1,7 @@
 //! What acts on a scene beside its joints: forces, springs and dampers between points, potentials.
 
 use syn::parse::ParseStream;
-use syn::{Ident, Token};
+use syn::{Ident, Token, token};
 
 use super::token::{colon, identifier, list, parentheses};
 use super::{read, skip_to};
@@ -31,6 +31,12 @@ fn force(input: ParseStream, errors: &mut Errors) -> syn::Result<ActionKind> {
     let form = "force on tip: [fx, fy, fz]";
     let name = identifier(input, "`on` and a point, or a coordinate", form)?;
     if name != "on" {
+        if input.peek(Token![.]) || name == "dot" && input.peek(token::Paren) {
+            let fact = "a force acts along a coordinate, or on a point";
+            let help = "write `force theta: e`, or `force on tip: [fx, fy, fz]`; \
+                        a moment `m` about the x axis of a body with the orientation `o` is `dissipation: -m*dot(o).x`";
+            return Err(at(name.span(), fact, help));
+        }
         colon(input, &name, errors)?;
         return Ok(ActionKind::Along {
             coordinate: name,
@@ -38,6 +44,11 @@ fn force(input: ParseStream, errors: &mut Errors) -> syn::Result<ActionKind> {
         });
     }
     let point = identifier(input, "the point that it acts on", form)?;
+    let next = input.fork().parse::<Ident>();
+    if next.is_ok_and(|next| next == "at") {
+        let help = format!("declare the point: `point tip on {point} at [x, y, z],` and write `{form}`");
+        return Err(at(input.span(), "a force acts on a point by its name", help));
+    }
     if !input.peek(Token![:]) {
         let fact = format_args!("expected a colon after `{point}`");
         return Err(at(

@@ -52,11 +52,23 @@ const BODY_FIELDS: [Row<BodyFields>; 11] = [
     ("motion", |field, body| field.value(&mut body.motion)),
     ("friction", |field, body| field.value(&mut body.friction)),
     ("spring", |field, body| field.spring(body)),
-    ("torque", |field, body| field.value(&mut body.torque)),
+    ("torque", |field, body| {
+        if field.input.peek(Bracket) {
+            let help = "along a joint acts one number; a moment `m` about the x axis of a body with the orientation `o` is \
+                        `dissipation: -m*dot(o).x,` among the items of the scene";
+            return Err(at(field.key.span(), "a torque is no list", help));
+        }
+        field.value(&mut body.torque)
+    }),
     ("dry_friction", |field, body| field.value(&mut body.dry_friction)),
     ("static_friction", |field, body| field.value(&mut body.static_friction)),
     ("stop", |field, body| field.value(&mut body.stop)),
 ];
+
+/// How a ball joint is written that follows from a closed loop.
+pub(crate) const HINGES: &str = "of the ball joints of a loop let one close it, `close a at [..] to b at [..]: ball`; \
+                                 write each other as hinges whose coordinates depend, on bodies without mass: \
+                                 `joint: revolute(x), coordinate: u depends near 0.3`, then one about y, and one about z";
 
 /// Whether bodies have a field of this name.
 pub(super) fn is_field(name: &str) -> bool {
@@ -219,10 +231,39 @@ impl Field<'_> {
     fn name(&self, place: &mut Option<Ident>, what: &str, form: &str) -> syn::Result<()> {
         if self.input.peek(Bracket) {
             let fact = format_args!("the {} of a joint that moves freely is a name", self.key);
-            let help = words::synonym(&self.key.to_string(), words::FIELDS).unwrap_or(form);
+            let place = if self.key == "position" {
+                "at [x, y, z]"
+            } else {
+                "rpy [roll, pitch, yaw]"
+            };
+            let help = format!(
+                "write `{form}`: the state to start from is given where the scene is solved; \
+                 a joint frame that sits elsewhere is `joint: .. {place}`"
+            );
             return Err(at(self.key.span(), fact, help));
         }
         let name = identifier(self.input, &format!("the name of {what}"), form)?;
+        if self.input.peek(Ident) && !starts_item(self.input) {
+            let word: Ident = self.input.parse()?;
+            // so that its uses are no errors of their own
+            once(place, name, self.key)?;
+            return Err(match word.to_string().as_str() {
+                "depends" if self.key == "position" => {
+                    let help = "write slides in its place, on bodies without mass, and hinges for the orientation: \
+                                `joint: prismatic(x), coordinate: u depends near 0.3`, and so on";
+                    at(word.span(), format_args!("{what} cannot depend"), help)
+                }
+                "depends" => at(word.span(), format_args!("{what} cannot depend"), HINGES),
+                "near" => {
+                    let help = "leave it out: loops are assembled wherever they are carried";
+                    at(word.span(), format_args!("{what} has no guess"), help)
+                }
+                _ => {
+                    let fact = format_args!("unexpected `{word}` after the {}", self.key);
+                    at(word.span(), fact, format_args!("write `{form}`, and a comma"))
+                }
+            });
+        }
         once(place, name, self.key)
     }
 

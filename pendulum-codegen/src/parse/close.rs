@@ -1,32 +1,63 @@
 //! Joints that close loops.
 
+use proc_macro2::TokenTree;
 use syn::parse::ParseStream;
+use syn::token::Bracket;
 use syn::{Ident, Token};
 
-use super::token::{colon, identifier};
-use super::{joint, once, read};
+use super::token::{colon, identifier, starts_item};
+use super::{joint, once};
 use crate::ast::{Closure, End, Vector};
 use crate::error::{Errors, at};
 
 const FORM: &str = "close coupler at [b, 0, 0] to rocker at [c, 0, 0]: revolute(z)";
+
+/// The joints that close loops.
+const CLOSING: [&str; 4] = ["revolute", "prismatic", "ball", "fixed"];
 
 /// `body at [x, y, z] rpy [x, y, z] to body at [x, y, z] rpy [x, y, z]: revolute(z)`, after the word `close`
 pub(super) fn close(input: ParseStream, word: Ident, errors: &mut Errors) -> syn::Result<Closure> {
     let first = end(input)?;
     let to: Option<Ident> = input.parse()?;
     if to.as_ref().is_none_or(|to| to != "to") {
+        no_place(input, &first)?;
         let span = to.map_or(input.span(), |to| to.span());
         let fact = format_args!("expected `to`, and what `{}` is tied to", first.body);
         return Err(at(span, fact, format_args!("write `{FORM}`")));
     }
     let second = end(input)?;
+    no_place(input, &second)?;
+    if !input.peek(Token![:]) && !input.peek(Token![=]) {
+        let fact = format_args!(
+            "expected a colon and the joint that ties `{}` and `{}`",
+            first.body, second.body
+        );
+        return Err(at(input.span(), fact, format_args!("write `{FORM}`")));
+    }
     colon(input, &second.body, errors)?;
-    let joint = joint::kind(input, &second.body, FORM)?;
+    let joint = joint::kind(input, &second.body, FORM, &CLOSING)?;
+    if input.peek(Ident) && !starts_item(input) {
+        let fact = "the joint of a loop has no place of its own";
+        return Err(at(
+            input.span(),
+            fact,
+            format_args!("the places stand behind the bodies: write `{FORM}`"),
+        ));
+    }
     Ok(Closure {
         word,
         ends: [first, second],
         joint,
     })
+}
+
+/// Refuses a place without the word `at`.
+fn no_place(input: ParseStream, end: &End) -> syn::Result<()> {
+    if input.peek(Bracket) {
+        let fact = format_args!("expected `at` before the place on `{}`", end.body);
+        return Err(at(input.span(), fact, format_args!("write `{FORM}`")));
+    }
+    Ok(())
 }
 
 /// `body at [x, y, z] rpy [roll, pitch, yaw]`
@@ -37,7 +68,16 @@ fn end(input: ParseStream) -> syn::Result<End> {
         at: None,
         rpy: None,
     };
-    let at_end = |input: ParseStream| input.peek(Token![:]) || input.peek(Ident);
+    // a word before the colon would begin an item elsewhere
+    let at_end = |input: ParseStream| {
+        let word = input.cursor().ident().map(|(word, _)| word);
+        let is_next = word.is_some_and(|word| ["to", "at", "rpy"].iter().any(|next| word == next));
+        is_next || input.peek(Token![:]) || input.peek(Token![,])
+    };
+    let vector = |input: ParseStream| {
+        let read = input.parse::<Vector>();
+        read.inspect_err(|_| while !at_end(input) && input.parse::<TokenTree>().is_ok() {})
+    };
     loop {
         let ahead = input.fork().parse::<Ident>().map(|word| word.to_string());
         let place = match ahead.as_deref() {
@@ -46,6 +86,6 @@ fn end(input: ParseStream) -> syn::Result<End> {
             _ => return Ok(end),
         };
         let word: Ident = input.parse()?;
-        once(place, read::<Vector>(input, at_end), &word)?;
+        once(place, vector(input), &word)?;
     }
 }

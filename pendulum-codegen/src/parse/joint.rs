@@ -1,6 +1,7 @@
 //! Joints.
 
 use syn::parse::{Parse, ParseStream};
+use syn::token::Bracket;
 use syn::{Ident, Token};
 
 use super::argument::Argument;
@@ -26,10 +27,15 @@ const JOINTS: [Row; 7] = [
     ("fixed", "fixed", |_| Some(JointKind::Fixed)),
 ];
 
+/// The words of all joints.
+fn all() -> [&'static str; 7] {
+    JOINTS.map(|(word, ..)| word)
+}
+
 /// `kind(arguments) at point rpy angles`
 pub(super) fn joint(input: ParseStream, body: &Ident) -> syn::Result<Joint> {
     let mut joint = Joint {
-        kind: kind(input, body, "joint: revolute(z) at [0, 0, 0]")?,
+        kind: kind(input, body, "joint: revolute(z) at [0, 0, 0]", &all())?,
         at: None,
         rpy: None,
     };
@@ -49,8 +55,17 @@ pub(super) fn joint(input: ParseStream, body: &Ident) -> syn::Result<Joint> {
     Ok(joint)
 }
 
-/// `kind(arguments)`, which stands in the text as in `form`
-pub(super) fn kind(input: ParseStream, owner: &Ident, form: &str) -> syn::Result<Read<JointKind>> {
+/// `kind(arguments)`, which stands in the text as in `form`; an unknown word means one of the `known` ones
+pub(super) fn kind(
+    input: ParseStream,
+    owner: &Ident,
+    form: &str,
+    known: &[&'static str],
+) -> syn::Result<Read<JointKind>> {
+    if input.peek(Bracket) {
+        let help = "more axes are more bodies, one on the other and without mass; `ball` turns about all axes";
+        return Err(at(input.span(), "a body has one joint, and not a list", help));
+    }
     let word = identifier(input, "a joint", form)?;
     let form = JOINTS.into_iter().find(|(known, ..)| word == known);
     let form = form.map_or("revolute(z)", |(_, form, _)| form);
@@ -58,13 +73,24 @@ pub(super) fn kind(input: ParseStream, owner: &Ident, form: &str) -> syn::Result
         Some(inner) => list(&inner, form, JointArgument::parse)?,
         None => Vec::new(),
     };
-    Ok(of_arguments(owner, &word, arguments))
+    Ok(of_arguments(owner, &word, arguments, known))
 }
 
-fn of_arguments(body: &Ident, word: &Ident, arguments: Vec<JointArgument>) -> Read<JointKind> {
+/// The error of a word that is no joint.
+fn unknown(word: &Ident, known: &[&'static str]) -> syn::Error {
+    let text = word.to_string();
+    let meant = words::synonym(&text, words::JOINTS).filter(|meant| all().contains(meant) && !known.contains(meant));
+    let Advice { help, .. } = match meant {
+        // where only some may stand, another one is no advice
+        Some(_) => advice("", known.iter().copied(), &[]),
+        None => advice(&text, known.iter().copied(), words::JOINTS),
+    };
+    at(word.span(), format_args!("unknown joint `{word}`"), help)
+}
+
+fn of_arguments(body: &Ident, word: &Ident, arguments: Vec<JointArgument>, known: &[&'static str]) -> Read<JointKind> {
     let Some((_, form, read)) = JOINTS.into_iter().find(|(known, ..)| word == known) else {
-        let Advice { help, .. } = advice(&word.to_string(), JOINTS.map(|(known, ..)| known), words::JOINTS);
-        return Err(at(word.span(), format_args!("unknown joint `{word}`"), help));
+        return Err(unknown(word, known));
     };
     let mut arguments = Arguments {
         body,

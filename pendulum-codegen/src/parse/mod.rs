@@ -14,6 +14,7 @@ mod solid;
 mod token;
 mod wall;
 
+pub(crate) use body::HINGES;
 pub(crate) use token::{is_identifier, starts_item};
 
 use proc_macro2::{Delimiter, Span, TokenStream, TokenTree};
@@ -106,7 +107,12 @@ pub(crate) fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
 /// Reads the bodies of a robot.
 pub(crate) fn bodies(tokens: TokenStream, errors: &mut Errors) -> Result<Vec<Body>, Reported> {
     let mut items = Items::default();
-    let read = |input: ParseStream| Ok(each(input, errors, |input, errors| item(input, &mut items, errors)));
+    let read = |whole: ParseStream| {
+        // as in `parse`
+        let input = &whole.fork();
+        whole.parse::<TokenStream>()?;
+        Ok(each(input, errors, |input, errors| item(input, &mut items, errors)))
+    };
     let reported = read.parse2(tokens);
     match errors.keep(reported)? {
         Some(reported) => Err(reported),
@@ -311,7 +317,11 @@ fn item(input: ParseStream, items: &mut Items, errors: &mut Errors) -> syn::Resu
             items.walls.push(wall::wall(input, errors)?);
             return Ok(End::Braces);
         }
-        "close" => items.closures.push(close::close(input, key, errors)?),
+        "close" => {
+            let closure = close::close(input, key, errors);
+            items.unread_closures |= closure.is_err();
+            items.closures.push(closure?);
+        }
         "force" | "spring" | "damper" | "potential" | "dissipation" => {
             items.actions.push(action::action(input, key, errors)?);
         }
@@ -338,9 +348,12 @@ fn item_key(input: ParseStream, errors: &mut Errors) -> syn::Result<Ident> {
         return Ok(key);
     }
     if body::is_field(&text) {
-        let between = match is_item {
-            true => ", or `spring between a and b: (stiffness, length)` for one between two points",
-            false => "",
+        let between = match text.as_str() {
+            "spring" => ", or `spring between a and b: (stiffness, length)` for one between two points",
+            "torque" => {
+                "; a moment `m` about the x axis of a body with the orientation `o` is `dissipation: -m*dot(o).x,`"
+            }
+            _ => "",
         };
         let help = format!("write it in the braces of a body: `body name on ground {{ {text}: .. }}`{between}");
         return Err(at(key.span(), format_args!("`{text}` is a field of a body"), help));

@@ -24,6 +24,7 @@ pub(super) fn robot(input: ParseStream) -> syn::Result<Robot> {
         span: path.span(),
         limits: false,
         without_dry_friction: false,
+        unread: None,
     };
     while inner.parse::<Option<Token![,]>>()?.is_some() && !inner.is_empty() {
         let word = identifier(&inner, "`limits`", "robot: urdf(\"robot.urdf\", limits)")?;

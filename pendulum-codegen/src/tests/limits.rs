@@ -3,6 +3,7 @@
 use super::parse;
 use crate::check::check;
 use crate::dynamics::Dynamics;
+use crate::error::Errors;
 use crate::expr::{Graph, MOST_POWER, Unary, ratio};
 use crate::lower::{Lowered, lower};
 use crate::program::Program;
@@ -21,7 +22,7 @@ fn expand(declaration: &str) -> Result<(Program, usize), String> {
     };
     let Lowered { model, spans } = lower(&graph, &scene, errors).map_err(|errors| errors.to_string())?;
     let dynamics = Dynamics::new(&model);
-    check(&model, &spans, &dynamics).map_err(|errors| errors.to_string())?;
+    check(&model, &spans, &dynamics, Errors::default()).map_err(|errors| errors.to_string())?;
     let program = Program::new(&model, &dynamics).map_err(|constant| constant.0)?;
     Ok((program, graph.len()))
 }

@@ -55,6 +55,26 @@ fn a_robot_is_its_links() {
 }
 
 #[test]
+fn elements_in_the_name_space_of_the_file_are_its_own() {
+    assert_same(
+        "robot: urdf(\"name_space.urdf\"),",
+        &format!("{BASE} {UPPER} {FOREARM}"),
+    );
+}
+
+#[test]
+fn a_scene_may_turn_by_more_than_a_turn() {
+    let robot = "robot: urdf(\"degrees.urdf\", limits),";
+    let turned =
+        "inertia: [1, 1, 1.5] rpy [0, -45 rad, 0], joint: revolute(x) rpy [90 rad, 0, 0], stop: [-90 rad, 1 turn]";
+    let by_hand = "body base on ground { } body a on base { mass: 1, com: [0, 0, 0], coordinate: j,";
+    assert_same(
+        &format!("{robot} body a on base {{ {turned} }}"),
+        &format!("{by_hand} {turned} }}"),
+    );
+}
+
+#[test]
 fn limits_are_stops_where_that_is_said() {
     let stop = FOREARM.replace("friction", "stop: [-2, 2.5], friction");
     assert_same("robot: urdf(\"arm.urdf\", limits),", &format!("{BASE} {UPPER} {stop}"));

@@ -1,23 +1,54 @@
 //! Bodies of a scene that change bodies of its robot.
 
 use crate::ast::{Body, BodyFields, Joint, JointKind, Properties};
-use crate::error::Errors;
+use crate::error::{Errors, Reported};
+use crate::words;
 
 /// The bodies of a scene: those of its robot, changed by those of the same name, and then the others.
 pub(super) fn merged(robot: Vec<Body>, own: Vec<Body>, errors: &mut Errors) -> Vec<Body> {
     let mut bodies = robot;
     let mut changed = vec![false; bodies.len()];
-    for body in own {
+    for mut body in own {
         match bodies.iter().position(|link| link.name == body.name) {
             // twice is an error of its own
             Some(n) if n < changed.len() && !changed[n] => {
                 changed[n] = true;
                 change(&mut bodies[n], body, errors);
             }
-            _ => bodies.push(body),
+            Some(_) => bodies.push(body),
+            None => {
+                body.unread = body.unread.or(check_new(&body, &bodies[..changed.len()], errors));
+                bodies.push(body);
+            }
         }
     }
     bodies
+}
+
+/// Refuses a new body that seems to mean a link: one without a joint, beside the link whose name or whose joint's it
+/// almost has.
+fn check_new(body: &Body, links: &[Body], errors: &mut Errors) -> Option<Reported> {
+    let (name, Ok(parent), None) = (&body.name, &body.parent, &body.fields.joint) else {
+        return None;
+    };
+    let mut siblings = links
+        .iter()
+        .filter(|link| link.parent.as_ref().is_ok_and(|carrier| carrier == parent));
+    let names: Vec<String> = siblings.clone().map(|link| link.name.to_string()).collect();
+    let near = words::advice(&name.to_string(), names.iter().map(String::as_str), &[]).meant;
+    let of_joint = siblings.find(|link| link.fields.coordinate.as_ref() == Some(name));
+    let (fact, meant) = match (of_joint, near) {
+        (Some(link), _) => (
+            format!("`{name}` is a joint of the robot, not a link"),
+            link.name.to_string(),
+        ),
+        (None, Some(near)) => (format!("the robot has no link `{name}`"), near.to_owned()),
+        (None, None) => return None,
+    };
+    let help = format_args!(
+        "write `body {meant} on {parent} {{ .. }}` to change that link; a new body here has a joint: `joint: fixed`"
+    );
+    Some(errors.at(name.span(), fact, help))
 }
 
 /// Replaces what `body` names in a link.

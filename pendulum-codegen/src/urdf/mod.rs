@@ -19,22 +19,30 @@ use declare::Replaced;
 
 /// Adds the bodies of the robot to a scene that has one. Its file is looked for in a folder.
 pub(crate) fn read(scene: &mut Scene, folder: &Path, errors: &mut Errors) -> Result<(), Reported> {
+    let added = add(scene, folder, errors);
+    if let Some(robot) = &mut scene.items.robot {
+        robot.unread = added.err();
+    }
+    added
+}
+
+fn add(scene: &mut Scene, folder: &Path, errors: &mut Errors) -> Result<(), Reported> {
     let Some(robot) = &scene.items.robot else { return Ok(()) };
     let (name, span) = (robot.path.clone(), robot.span);
-    let text = std::fs::read_to_string(folder.join(&name)).map_err(|error| {
-        let fact = match error.kind() {
-            ErrorKind::NotFound => format!("there is no file `{name}`"),
-            _ => format!("`{name}` cannot be read: {error}"),
-        };
-        errors.at(span, fact, "the path begins at the folder in which `Cargo.toml` is")
-    })?;
+    let text = text_of(&name, folder).map_err(|(fact, help)| errors.at(span, fact, help))?;
     let (mut found, mut wrong) = read::read(&text);
-    let declared = match wrong.is_empty() {
-        true => declare::declare(&found, robot, &replaced(&scene.items.bodies), &mut wrong),
-        false => String::new(),
-    };
+    // what it is that cannot be declared is of interest where all could be read
+    let mut ignored = Vec::new();
+    let undeclared = if wrong.is_empty() { &mut wrong } else { &mut ignored };
+    let declared = declare::declare(&found, robot, &replaced(&scene.items.bodies), undeclared);
     let report = |wrong: read::Wrong| errors.at(span, format_args!("`{name}`: {}", wrong.fact), wrong.help);
     if let Some(reported) = wrong.into_iter().map(report).last() {
+        // uses of the coordinates that are known are no errors of their own
+        let links = declared
+            .parse()
+            .map_or(Ok(Vec::new()), |tokens| parse::bodies(tokens, &mut Errors::default()));
+        let own = std::mem::take(&mut scene.items.bodies);
+        scene.items.bodies = merge::merged(links.unwrap_or_default(), own, &mut Errors::default());
         return Err(reported);
     }
     // a stop is one of a single coordinate of the state
@@ -50,11 +58,34 @@ pub(crate) fn read(scene: &mut Scene, folder: &Path, errors: &mut Errors) -> Res
         let fact = format_args!("`{name}` has something that is no Rust: {error}");
         errors.at(span, fact, "look for unusual names and numbers")
     })?;
+    errors.read_from(span, &name);
     let links = parse::bodies(at(span, tokens), errors)?;
     scene.head.docs.extend(docs(&name, &found));
     let own = std::mem::take(&mut scene.items.bodies);
     scene.items.bodies = merge::merged(links, own, errors);
     Ok(())
+}
+
+/// The text of a file, or what is wrong and what to do about it.
+fn text_of(name: &str, folder: &Path) -> Result<String, (String, &'static str)> {
+    let begins = "the path begins at the folder in which `Cargo.toml` is";
+    if name.trim().is_empty() {
+        let help =
+            "write that of a file, as in `urdf(\"src/robot.urdf\")`; it begins at the folder in which `Cargo.toml` is";
+        return Err(("the path of the robot is empty".to_owned(), help));
+    }
+    let path = folder.join(name);
+    if path.is_dir() {
+        return Err((format!("`{name}` is a folder"), "name the URDF file in it"));
+    }
+    std::fs::read_to_string(path).map_err(|error| match error.kind() {
+        ErrorKind::NotFound | ErrorKind::NotADirectory => (format!("there is no file `{name}`"), begins),
+        ErrorKind::InvalidData => (
+            format!("`{name}` is not in UTF-8"),
+            "save it in that encoding, which is the usual one",
+        ),
+        _ => (format!("`{name}` cannot be read: {error}"), begins),
+    })
 }
 
 /// What a scene says of joints.

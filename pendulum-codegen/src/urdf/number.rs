@@ -5,6 +5,10 @@ use std::f64::consts::FRAC_PI_4;
 /// The least angle or length that a file can mean, in rad or m: exporters leave rounding of zeros behind.
 const DUST: f64 = 1e-12;
 
+/// The least and the largest number of the language.
+const LEAST: f64 = 1e-300;
+const MOST: f64 = 1e300;
+
 /// How near to a multiple of 45 degrees an angle means that multiple, however many digits it has: some files have
 /// 1.570796325.
 const NEAR: f64 = 1e-8;
@@ -33,6 +37,12 @@ pub(super) fn number(text: &str) -> Option<String> {
         }
     };
     Some(format!("{sign}{}.{}{exponent}", part(whole), part(fraction)))
+}
+
+/// Whether the language has a number of this size.
+pub(super) fn is_in_range(text: &str) -> bool {
+    let size = text.trim().parse().map_or(f64::NAN, f64::abs);
+    (LEAST..=MOST).contains(&size)
 }
 
 /// A length or a part of a direction.

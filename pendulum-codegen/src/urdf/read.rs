@@ -2,9 +2,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use roxmltree::{Document, Node};
+use roxmltree::{Document, Error, Node};
 
-use super::number::{angle, length, number};
+use super::number::{angle, is_in_range, length, number};
 
 /// What is wrong with a file, and what to do about it.
 #[derive(Debug)]
@@ -122,6 +122,8 @@ const ATTRIBUTES: [(&str, &[&str]); 7] = [
     ("mimic", &["joint", "multiplier", "offset"]),
 ];
 
+const ROBOT: &str = "a URDF file is `<robot name=\"..\"> .. </robot>`";
+
 /// The number of an attribute that is a zero.
 pub(super) const ZERO: &str = "0";
 
@@ -133,7 +135,15 @@ pub(super) fn read(text: &str) -> (Robot, Vec<Wrong>) {
     let mut reader = Reader::default();
     match Document::parse(text) {
         Ok(document) => reader.robot(document.root_element()),
-        Err(error) => reader.wrong(format!("it is no XML: {error}"), "mend the file"),
+        Err(Error::DtdDetected) => reader.wrong(
+            "it has a document type, `<!DOCTYPE ..>`, which is not read",
+            "remove it, and write out the entities that it declares",
+        ),
+        Err(Error::NoRootNode) => reader.wrong("it has no element", ROBOT),
+        Err(error) => reader.wrong(
+            format!("it is no XML: {error}"),
+            "mend it at this line and column, or write it anew",
+        ),
     }
     (reader.robot, reader.wrong)
 }
@@ -160,7 +170,7 @@ impl Reader {
         }
         if !root.has_tag_name("robot") {
             let fact = format!("it holds a `{}` in the place of a robot", root.tag_name().name());
-            return self.wrong(fact, "a URDF file is `<robot name=\"..\"> .. </robot>`");
+            return self.wrong(fact, ROBOT);
         }
         for node in self.children(root, "the robot", &["link", "joint"]) {
             match node.tag_name().name() {
@@ -315,11 +325,14 @@ impl Reader {
     /// The child elements of known names. Those that belong elsewhere, or to a name space, are left out.
     fn children<'a, 'i>(&mut self, node: Node<'a, 'i>, owner: &str, known: &[&str]) -> Vec<Node<'a, 'i>> {
         let mut found = Vec::new();
+        // that of all elements without a prefix, if there is one
+        let own = node.document().root_element().tag_name().namespace();
         for child in node.children().filter(Node::is_element) {
             let name = child.tag_name();
-            if name.namespace().is_none() && known.contains(&name.name()) {
+            let is_own = name.namespace() == own;
+            if is_own && known.contains(&name.name()) {
                 found.push(child);
-            } else if name.namespace().is_some() || name.name().contains(':') || ELSEWHERE.contains(&name.name()) {
+            } else if !is_own || name.name().contains(':') || ELSEWHERE.contains(&name.name()) {
                 self.robot.left_out.insert(name.name().to_owned());
             } else {
                 let line = node.document().text_pos_at(child.range().start).row;
@@ -382,12 +395,14 @@ impl Reader {
     }
 
     fn parsed(&mut self, text: &str, attribute: &str, owner: &str, read: fn(&str) -> Option<String>) -> String {
-        read(text.trim()).unwrap_or_else(|| {
-            let fact = format!("`{attribute}` of {owner} is `{text}`, which is no number");
-            self.wrong(fact, "write a decimal number such as 0.25 or 1e-3");
-            // no zero, which may be an error of its own
-            ONE.to_owned()
-        })
+        let (what, help) = match read(text.trim()) {
+            Some(read) if read == ZERO || is_in_range(text) => return read,
+            Some(_) => ("out of range", "write a number between 1e-300 and 1e300, or 0"),
+            None => ("no number", "write a decimal number such as 0.25 or 1e-3"),
+        };
+        self.wrong(format!("`{attribute}` of {owner} is `{text}`, which is {what}"), help);
+        // no zero, which may be an error of its own
+        ONE.to_owned()
     }
 
     fn triple(

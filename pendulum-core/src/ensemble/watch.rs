@@ -179,7 +179,10 @@ impl<O: Observer<T, N>, T: Float, const N: usize> Watch<T, N> for Watched<'_, '_
     fn see(&mut self, index: usize, dense: &Dense<'_, T, N>) -> Result<Option<SVector<T, N>>, Reason> {
         let observer = &mut self.observers[index];
         match &mut self.searches[index] {
-            Some(search) if !self.events[index].is_empty() => Ok(see(search, dense, observer)?.map(|stop| stop.x)),
+            Some(search) if !self.events[index].is_empty() => {
+                // trajectories with resets go alone
+                Ok(see(search, dense, observer, |_, x| Ok(*x))?.map(|stop| stop.x))
+            }
             _ => {
                 observer.step(dense);
                 Ok(None)

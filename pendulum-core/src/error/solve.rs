@@ -47,7 +47,8 @@ impl<T: Float, const N: usize> SolveError<T, N> {
 impl<T: Float, const N: usize> fmt::Display for SolveError<T, N> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self.reason {
-            Reason::InvalidInput { .. } => self.reason.fmt(f),
+            // one of an input happened before, the other says when
+            Reason::InvalidInput { .. } | Reason::BadReset { .. } => self.reason.fmt(f),
             _ => write!(f, "stopped at t = {:?}: {}", self.t().to_f64(), self.reason),
         }
     }

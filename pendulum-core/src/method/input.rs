@@ -36,6 +36,32 @@ pub(super) fn check_start<T: Float, const N: usize>(t0: T, t1: T, x0: &SVector<T
 /// A state to start from that is this far from the constraints of its system is an error, not one of rounding.
 const FAR: f64 = 1e-3;
 
+/// What may be wrong with a state to start from, and how it is called in one that a reset returns.
+const COMPONENT: [&str; 2] = ["x0", "a component"];
+const QUATERNION: [&str; 2] = ["length of a quaternion in x0", "the length of a quaternion"];
+const DISTANCE: [&str; 2] = [
+    "distance of x0 from the constraints",
+    "its distance from the constraints",
+];
+
+/// Why a state that an event returned at the time `t` is none to go on from.
+#[cfg(feature = "std")]
+pub(crate) fn of_reset(reason: Reason, event: usize, t: f64) -> Reason {
+    let Reason::InvalidInput { what, value, rule } = reason else {
+        return reason;
+    };
+    let known = [COMPONENT, QUATERNION, DISTANCE]
+        .into_iter()
+        .find(|[start, _]| *start == what);
+    Reason::BadReset {
+        event,
+        t,
+        what: known.map_or(what, |[_, reset]| reset),
+        value,
+        rule,
+    }
+}
+
 /// A state to start from on the constraints of its system, close to the one that is given.
 pub(crate) fn place<S, T, const N: usize>(system: &S, t: T, given: &SVector<T, N>) -> Result<SVector<T, N>, Reason>
 where
@@ -47,7 +73,7 @@ where
         let size = orientation.map(|n| given[n].to_f64() * given[n].to_f64()).sum::<f64>();
         let size = libm::sqrt(size);
         let rule = "it must be 1, to three digits";
-        require((size - 1.0).abs() <= FAR, "length of a quaternion in x0", size, rule)?;
+        require((size - 1.0).abs() <= FAR, QUATERNION[0], size, rule)?;
     }
     let mut x = *given;
     system.project(t, &mut x);
@@ -61,7 +87,7 @@ where
         } else {
             "it must be at most 1e-3: quaternions have unit length, and `assemble` closes loops"
         };
-        require(by <= FAR, "distance of x0 from the constraints", by, rule)?;
+        require(by <= FAR, DISTANCE[0], by, rule)?;
     }
     Ok(x)
 }
@@ -69,8 +95,7 @@ where
 /// Checks a state to start from.
 pub(crate) fn check_state<T: Float, const N: usize>(x: &SVector<T, N>) -> Result<(), Reason> {
     for x in x.iter() {
-        let rule = "the initial state must be finite";
-        require(x.is_finite(), "x0", x.to_f64(), rule)?;
+        require(x.is_finite(), COMPONENT[0], x.to_f64(), "the state must be finite")?;
     }
     Ok(())
 }

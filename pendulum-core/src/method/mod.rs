@@ -112,7 +112,8 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
     /// time.
     ///
     /// # Errors
-    /// Those of [`solve`](Self::solve), [`Reason::EventNotFinite`], and [`Reason::EventsAccumulate`].
+    /// Those of [`solve`](Self::solve), [`Reason::EventNotFinite`], [`Reason::EventsAccumulate`], and
+    /// [`Reason::BadReset`].
     #[cfg(feature = "std")]
     fn solve_with(
         &self,

@@ -447,6 +447,12 @@ where
         })
     }
 
+    /// What moves.
+    #[cfg(feature = "std")]
+    pub(super) fn system(&self) -> &'s S {
+        self.system
+    }
+
     /// Evaluates the point reached: the derivative there.
     fn begin(&mut self) -> Result<SVector<T, N>, Reason> {
         let (t, x) = (self.t(), self.x());

@@ -7,7 +7,8 @@ use crate::error::{Reason, SolveError};
 use crate::event::{Event, Occurrence};
 use crate::hybrid::{Impact, Mode};
 use crate::method::Stepper;
-use crate::method::scheme::{NonFinite, Scheme};
+use crate::method::input::{of_reset, place};
+use crate::method::scheme::Scheme;
 use crate::method::search::{Found, Search, What};
 use crate::real::Float;
 use crate::solution::{Observer, Solution};
@@ -65,6 +66,8 @@ where
     if observer.keeps_all() {
         stepper.check_to_keep()?;
     }
+    let system = stepper.system();
+    let placed = |t: T, x: &SVector<T, N>| place(system, t, x);
     let mut search = Search::new(events, stepper.t(), &stepper.x())?;
     let mut reached = Reached::start(stepper, from(stepper, x0), observer);
     while let Some(step) = stepper.step()? {
@@ -79,7 +82,7 @@ where
             }
             continue;
         }
-        let Some(stop) = see(&mut search, &stepper.dense(), observer)? else {
+        let Some(stop) = see(&mut search, &stepper.dense(), observer, placed)? else {
             continue;
         };
         if stop.is_the_end {
@@ -92,11 +95,13 @@ where
     Ok(stepper.x())
 }
 
-/// Looks for events in a step, which an observer then sees, up to where one acts: what there is to do then.
+/// Looks for events in a step, which an observer then sees, up to where one acts: what there is to do then. `place` puts
+/// the state that a reset returns onto the constraints of the system.
 pub(crate) fn see<T: Float, const N: usize>(
     search: &mut Search<'_, '_, T, N>,
     dense: &Dense<'_, T, N>,
     observer: &mut impl Observer<T, N>,
+    place: impl Fn(T, &SVector<T, N>) -> Result<SVector<T, N>, Reason>,
 ) -> Result<Option<Stop<T, N>>, Reason> {
     let found = search.look(dense);
     if found.is_empty() {
@@ -119,7 +124,7 @@ pub(crate) fn see<T: Float, const N: usize>(
         if found.theta > cut && !stop.is_simultaneous(dense.time(found.theta)) {
             break;
         }
-        stop.act(found, found.occurrence(dense)?, search, observer)?;
+        stop.act(found, found.occurrence(dense)?, search, observer, &place)?;
     }
     Ok(Some(stop))
 }
@@ -252,6 +257,7 @@ impl<T: Float, const N: usize> Stop<T, N> {
         mut occurrence: Occurrence<T, N>,
         search: &Search<'_, '_, T, N>,
         observer: &mut impl Observer<T, N>,
+        place: impl Fn(T, &SVector<T, N>) -> Result<SVector<T, N>, Reason>,
     ) -> Result<(), Reason> {
         let event = search.event(&found);
         if found.theta >= self.theta {
@@ -267,8 +273,8 @@ impl<T: Float, const N: usize> Stop<T, N> {
         search.check_progress(found.index, self.t, self.resolution())?;
         self.is_the_end |= event.terminal;
         if let Some(reset) = &event.reset {
-            self.x = reset(self.t, &self.x);
-            NonFinite::check(&self.x).map_err(NonFinite::at_start)?;
+            let placed = place(self.t, &reset(self.t, &self.x));
+            self.x = placed.map_err(|reason| of_reset(reason, found.index, self.t.to_f64()))?;
             observer.jump(self.t, self.x);
         }
         Ok(())

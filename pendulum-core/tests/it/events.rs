@@ -221,8 +221,61 @@ fn undefined_events_are_errors_with_what_was_reached() {
     let nonsense = Event::new(|_t, x: &SVector<f64, 1>| x[0] - 1.0).reset(|_t, _x| SVector::from([f64::NAN]));
     let error = Rk45::new().solve_with(&clock(), 0.0, 5.0, [0.0], &[nonsense]);
     let error = error.expect_err("a bad reset");
-    assert!(matches!(error.reason, Reason::NonFinite { component: 0, .. }));
+    assert!(matches!(error.reason, Reason::BadReset { event: 0, .. }));
     assert_abs_diff_eq!(error.t(), 1.0, epsilon = 1e-15);
+    let said =
+        "event 0 resets the state at t = 1.0 to one that cannot be: a component is NaN; the state must be finite";
+    assert_eq!(error.to_string(), said);
+}
+
+/// A point that goes round a circle of radius 1.
+struct Round;
+
+impl System<f64, 2> for Round {
+    fn rhs(&self, _t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
+        SVector::from([-x[1], x[0]])
+    }
+
+    fn project(&self, _t: f64, x: &mut SVector<f64, 2>) {
+        *x /= x.norm();
+    }
+}
+
+#[test]
+fn a_reset_stays_on_the_constraints() {
+    let half = |size: f64| {
+        Event::new(|_t, x: &SVector<f64, 2>| x[1])
+            .falling()
+            .reset(move |_t, _x| SVector::from([0.0, -size]))
+    };
+    // what is near is put onto them, as it is seen too
+    let solution = Rk45::new().solve_with(&Round, 0.0, 4.0, [1.0, 0.0], &[half(1.0005)]);
+    let solution = solution.expect("near");
+    let after = solution.at(solution.events()[0].t).expect("within");
+    assert_eq!(after, SVector::from([0.0, -1.0]));
+    for terminal in [false, true] {
+        let far = half(1.25);
+        let far = if terminal { far.terminal() } else { far };
+        // states within steps are as close to the circle as the method is exact
+        let method = Vern9::new().rtol(1e-12).atol(1e-12);
+        let error = method.solve_with(&Round, 0.0, 4.0, [1.0, 0.0], &[far]);
+        let error = error.expect_err("far off");
+        let Reason::BadReset { event: 0, t, value, .. } = error.reason else {
+            panic!("{error}");
+        };
+        assert_abs_diff_eq!(t, PI, epsilon = 1e-9);
+        assert_eq!(value, 0.25);
+        // the state before it, and not the one that breaks them
+        assert_eq!(error.t(), t);
+        assert_abs_diff_eq!(error.x().norm(), 1.0, epsilon = 1e-9);
+        assert!(error.x()[0] < -0.9, "{}", error.x());
+        assert!(
+            error
+                .to_string()
+                .contains("its distance from the constraints is 0.25; it must be"),
+            "{error}"
+        );
+    }
 }
 
 #[test]

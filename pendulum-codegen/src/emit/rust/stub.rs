@@ -38,8 +38,9 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
     let places = places.iter().map(|place| format_ident!("{place}"));
     let given = count(items.params.len());
     // the length of the state tells a law of inputs its types; without any coordinate it was not read, and what follows from closed loops
-    // may be part of it
-    let (length, any_length) = if freedom > 0 && items.closures.is_empty() {
+    // may be part of it, as may be what was not read of a robot
+    let is_whole = items.robot.as_ref().is_none_or(|robot| robot.unread.is_none());
+    let (length, any_length) = if freedom > 0 && items.closures.is_empty() && is_whole {
         (count(2 * freedom + orientations).into_token_stream(), None)
     } else {
         (quote!(N), Some(quote!(, const N: usize)))

@@ -71,3 +71,42 @@ mechanism! {
         body cart on ground { mass: 1, joint: prismatic(x), coordinate: q__x }
     }
 }
+
+mechanism! {
+    pub Depending {
+        body turned on ground { mass: 1, inertia: [1, 1, 1], joint: ball, orientation: o depends near 0.3 }
+        body guessed on ground { mass: 1, inertia: [1, 1, 1], joint: ball, orientation: r near 0.3 }
+        body placed on ground { mass: 1, inertia: [1, 1, 1], joint: free, orientation: s, position: p depends }
+        body named on ground { mass: 1, inertia: [1, 1, 1], joint: ball, coordinate: phi depends }
+        body other on ground { mass: 1, inertia: [1, 1, 1], joint: ball, orientation: u absolute }
+        body far on ground { mass: 1, inertia: [1, 1, 1], joint: ball at 0.5, orientation: v }
+        body twisted on ground { mass: 1, inertia: [1, 1, 1], joint: ball, orientation: w, torque: [0, 0, 1] }
+    }
+}
+
+mechanism! {
+    pub Forced {
+        force o: [1, 0, 0],
+        force p: 3,
+        force o.x: 3,
+        force dot(o).x: 3,
+        force on drone at [0, 0, 1]: [1, 0, 0],
+        torque on drone: [1, 0, 0],
+        moment on drone: [1, 0, 0],
+        point tip on o at [0, 0, 1],
+        output all: drone,
+        body drone on ground { mass: 1, inertia: [1, 1, 1], joint: free, orientation: o, position: p }
+    }
+}
+
+mechanism! {
+    pub OtherJoints {
+        body a on ground { mass: 1, inertia: [1, 1, 1], joint: planar(z), coordinate: s1 }
+        body b on ground { mass: 1, inertia: [1, 1, 1], joint: cylindrical(z), coordinate: s2 }
+        body c on ground { mass: 1, inertia: [1, 1, 1], joint: cardan, coordinate: s3 }
+        body d on ground { mass: 1, inertia: [1, 1, 1], joint: gimbal, coordinate: s4 }
+        body e on ground { mass: 1, inertia: [1, 1, 1], joint: gear, coordinate: s5 }
+        body f on ground { mass: 1, inertia: [1, 1, 1], joint: rope, coordinate: s6 }
+        body g on ground { mass: 1, inertia: [1, 1, 1], joint: [revolute(x), revolute(y)], coordinate: s7 }
+    }
+}

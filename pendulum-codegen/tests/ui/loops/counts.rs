@@ -42,3 +42,30 @@ mechanism! {
         close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: revolute(z),
     }
 }
+
+mechanism! {
+    pub None {
+        shape bar { solids: [rod(1, [0, 0, 0], [0.5, 0, 0])] }
+        body crank on ground: bar { joint: revolute(z), coordinate: theta near 0.8 }
+        body coupler on crank: bar { joint: revolute(z) at [0.2, 0, 0], coordinate: phi }
+        body rocker on ground: bar { joint: revolute(z) at [0.6, 0, 0], coordinate: psi }
+        close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: revolute(z),
+    }
+}
+
+mechanism! {
+    pub Balls {
+        body stone on ground { mass: 1, inertia: [1, 1, 1], joint: ball, orientation: o }
+        close stone at [0.5, 0, 0] to ground at [0.5, 0, 0]: ball,
+    }
+}
+
+mechanism! {
+    pub BallInLoop {
+        shape bar { solids: [cuboid(1, [0.5, 0.1, 0.1], [0.2, 0, 0])] }
+        body crank on ground: bar { joint: revolute(z), coordinate: theta near 0.3 }
+        body link on crank: bar { joint: ball at [0.2, 0, 0], orientation: o }
+        body rocker on ground: bar { joint: revolute(x) at [0.6, 0, 0], coordinate: psi depends near 0.3 }
+        close link at [0.7, 0, 0] to rocker at [0, 0.5, 0]: ball,
+    }
+}

@@ -105,3 +105,13 @@ mechanism! {
         body stone on ground { mass: 1, com: [0, 0, 0.1], joint: ball, orientation: o }
     }
 }
+
+mechanism! {
+    pub FarAway {
+        shape bar { solids: [rod(1, [0, 0, 0], [0.5, 0, 0])] }
+        body crank on ground: bar { joint: revolute(z), coordinate: theta near 0.8 }
+        body coupler on crank: bar { joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends }
+        body rocker on ground: bar { joint: revolute(z) at [6 km, 0, 0], coordinate: psi depends }
+        close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: revolute(z),
+    }
+}

@@ -32,3 +32,32 @@ mechanism! {
         output m: margin(rod, ground),
     }
 }
+
+mechanism! {
+    pub Closing {
+        shape bar { solids: [rod(1, [0, 0, 0], [0.5, 0, 0])] }
+        body crank on ground: bar { joint: revolute(z), coordinate: theta near 0.8 }
+        body coupler on crank: bar { joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends near -0.3 }
+        body rocker on ground: bar { joint: revolute(z) at [0.6, 0, 0], coordinate: psi depends near 1.6 }
+        point tip on coupler at [0.5, 0, 0],
+        close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: hinge(z),
+        close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: floating,
+        close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: distance(0.1),
+        close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0] rpy 90 deg: revolute(z),
+        close tip to rocker at [0.4, 0, 0]: revolute(z),
+    }
+}
+
+mechanism! {
+    pub Places {
+        shape bar { solids: [rod(1, [0, 0, 0], [0.5, 0, 0])] }
+        body crank on ground: bar { joint: revolute(z), coordinate: theta near 0.8 }
+        body coupler on crank: bar { joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends near -0.3 }
+        body rocker on ground: bar { joint: revolute(z) at [0.6, 0, 0], coordinate: psi depends near 1.6 }
+        close coupler [0.5, 0, 0] to rocker at [0.4, 0, 0]: revolute(z),
+        close coupler at [0.5, 0, 0] to rocker [0.4, 0, 0]: revolute(z),
+        close coupler to rocker: revolute(z) at [0.4, 0, 0],
+        close coupler to rocker,
+        output m: margin(coupler, rocker),
+    }
+}
