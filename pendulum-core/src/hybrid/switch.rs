@@ -4,7 +4,7 @@ use nalgebra::SVector;
 
 use super::complementarity::{Factored, depends, impulses, independent, subsets};
 use super::functions::{BACKWARD, FORWARD, Fired, UPPER, sizes};
-use super::held::{add, pin};
+use super::held::{add, called, pin};
 use super::mode::{Hold, Mode, Status, bits, set_of};
 use super::watch::Watch;
 use super::{Hybrid, Law, MOST, Response};
@@ -122,7 +122,17 @@ pub(crate) fn switch<T: Float, const N: usize>(
     settling.settle(&watch.reach)
 }
 
+/// How a constraint leaves its limit, and how fast it falls back.
+#[derive(Clone, Copy, Debug)]
+struct Rebound<T> {
+    /// The constraint.
+    of: usize,
+    rate: T,
+    fall: T,
+}
+
 /// A state on its way to the next mode.
+#[derive(Clone, Copy)]
 struct Settling<'a, T, const N: usize> {
     system: &'a dyn Hybrid<T, N>,
     laws: [Law<T>; MOST],
@@ -194,21 +204,11 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
             self.stand();
             let (mode, hold, accelerations) = self.next_mode();
             // a rebound too low to be followed, of its own or where another contact was hit
-            let low = bits(thrown_off & !self.resting).find_map(|n| {
-                let (law, rate) = (
-                    &self.laws[n],
-                    self.away(n) * self.system.measures(self.t, &self.x)[n][1],
-                );
-                let fall = -self.away(n) * accelerations[n];
-                let (zero, two) = (T::default(), T::from_f64(2.0));
-                let least = T::from_f64(LEAST_REBOUND) * reach[n].max(sizes[n]);
-                let is_low = fall > zero && rate * rate <= two * fall * least;
-                // where no energy is lost there is no limit
-                let lost = T::from_f64(1.0) - law.restitution;
-                let rest = if lost > zero { two * rate / (fall * lost) } else { zero };
-                is_low.then_some((n, rest))
+            let low = self.rebounds(thrown_off, &accelerations).find(|rebound| {
+                let least = T::from_f64(LEAST_REBOUND) * reach[rebound.of].max(sizes[rebound.of]);
+                rebound.rate * rebound.rate <= T::from_f64(2.0) * rebound.fall * least
             });
-            let Some((n, rest)) = low else {
+            let Some(low) = low else {
                 return Settled {
                     x: self.x,
                     mode,
@@ -217,8 +217,8 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
                     impulses: self.impulses,
                 };
             };
-            delay = delay.max(rest);
-            self.resting |= 1 << n;
+            delay = delay.max(self.lasting(&low, hold));
+            self.resting |= 1 << low.of;
             let stopped = self.resting & self.touched();
             let response = self.system.response(self.t, &self.x, &[T::default(); MOST]);
             let rates = self.system.measures(self.t, &self.x).map(|[_, rate]| rate);
@@ -229,6 +229,46 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
                 &Factored::of(&response.matrix, solved).solve_negated(&rates),
             );
         }
+    }
+
+    /// How those of some constraints rebound that fall back.
+    fn rebounds(&self, thrown_off: u8, accelerations: &[T; MOST]) -> impl Iterator<Item = Rebound<T>> {
+        let measures = self.system.measures(self.t, &self.x);
+        bits(thrown_off & !self.resting).filter_map(move |n| {
+            let (rate, fall) = (self.away(n) * measures[n][1], -self.away(n) * accelerations[n]);
+            (fall > T::default()).then_some(Rebound { of: n, rate, fall })
+        })
+    }
+
+    /// How long a rebound lasts with all those that follow it, so low that nothing else changes meanwhile. From one time that the same
+    /// contact is hit to the next, whatever others are hit between, they shrink in a fixed ratio: a geometric series.
+    fn lasting(&self, first: &Rebound<T>, mut hold: Hold<T>) -> T {
+        let (zero, two) = (T::default(), T::from_f64(2.0));
+        let (mut after, mut rebound, mut lasted) = (*self, *first, zero);
+        for _ in 0..MOST {
+            let falls_back = two * rebound.rate / rebound.fall;
+            lasted += falls_back;
+            let rates = called::rhs(self.system, &hold, self.t, &after.x);
+            for k in N / 2..N {
+                after.x[k] += falls_back * rates[k];
+            }
+            let thrown_off = after.collide();
+            after.stand();
+            let (_, next, accelerations) = after.next_mode();
+            let Some(again) = after
+                .rebounds(thrown_off, &accelerations)
+                .find(|again| again.rate > zero)
+            else {
+                return lasted;
+            };
+            if again.of == first.of {
+                // where no energy is lost there is no limit
+                let lost = T::from_f64(1.0) - again.rate / first.rate;
+                return if lost > zero { lasted / lost } else { zero };
+            }
+            (rebound, hold) = (again, next);
+        }
+        lasted
     }
 
     /// The constraints that touch a limit.

@@ -182,8 +182,11 @@ impl<T: Float> StepControl<T> {
     #[inline(always)]
     pub(crate) fn is_too_short(&self, h: T, t: T, arrived_nowhere: bool) -> bool {
         let least = self.least(t);
-        let creeping = T::from_f64(CREEPING_ULPS) * T::EPSILON * t.abs();
-        h < if arrived_nowhere { least.max(creeping) } else { least }
+        if arrived_nowhere {
+            h < least.max(T::from_f64(CREEPING_ULPS) * T::EPSILON * t.abs())
+        } else {
+            h < least
+        }
     }
 
     /// The reason to give up after an attempt from `t` to `t_new`, since the next one would be as short as `h`.
