@@ -10,7 +10,7 @@ use super::joint_units::JointUnits;
 use crate::ast::{self, ExprKind, JointKind};
 use crate::error::Reported;
 use crate::expr::{Expr, Level, SymbolKind};
-use crate::model::{self, BodyId, Closure, Combination, Coordinate, Declared, Loop, Model, NoPlane, Open, Tie};
+use crate::model::{self, BodyId, Cause, Closure, Combination, Coordinate, Declared, Loop, Model, NoPlane, Open, Tie};
 use crate::screw::Vec3;
 
 /// How many coordinates follow from a loop in a plane.
@@ -286,54 +286,64 @@ impl<'g> Lower<'g> {
         }
         model.closures = closures.iter().map(|(closure, _)| *closure).collect();
         let vectors: Vec<Option<Loop<'g>>> = planes.iter().map(|plane| plane.clone().ok()).collect();
-        model::close(model, &vectors, declared, near).map_err(|open| {
-            let ends = |n: usize| items.closures[n].ends.each_ref().map(|end| end.body.to_string());
-            let at = |n: usize| closures[n].1;
-            match open {
-                Open::TooShort(n, by, _) if by.is_nan() || by < FLAT => {
-                    let [a, b] = ends(n);
-                    let fact = format!("the loop from `{a}` to `{b}` is at its toggle where it is assembled");
-                    let help =
-                        "there what depends does not follow: assemble it elsewhere, as by `coordinate: theta near 0.5`";
-                    self.errors.at(at(n), fact, help)
-                }
-                Open::TooShort(n, by, unit) => {
-                    let [a, b] = ends(n);
-                    let fact = format!(
-                        "the loop from `{a}` to `{b}` cannot close: it misses by {by:.3e} {unit} where it is assembled"
-                    );
-                    let help = planes[n].as_ref().err().map_or(ASSEMBLED, |why| why.help());
-                    self.errors.at(at(n), fact, help)
-                }
-                Open::Undecided(n) => {
-                    let [a, b] = ends(n);
-                    let fact = format!(
-                        "the loop from `{a}` to `{b}` can be assembled in two ways, and the guess is as near to both"
-                    );
-                    let help = "say in which: `coordinate: phi depends near 0.3`";
-                    self.errors.at(at(n), fact, help)
-                }
-                Open::Determine(n, needed) => match self.count(items, needed, at(n)) {
-                    Err(reported) => reported,
-                    Ok(()) => self.others(at(n), ends(n)),
-                },
-                Open::Others(n) => self.others(at(n), ends(n)),
-            }
+        model::close(model, &vectors, declared, near).map_err(|Open { number, cause }| {
+            let plane = planes[number].as_ref().err();
+            self.open(items, number, &cause, plane, closures[number].1)
         })
     }
 
-    /// A loop determines other coordinates than those that depend.
-    fn others(&mut self, at: Span, [a, b]: [String; 2]) -> Reported {
-        let fact = format!("the loop from `{a}` to `{b}` does not determine the coordinates that depend");
-        let help = "let coordinates of the joints in the loop depend, and assemble it away from its toggle: `coordinate: phi depends near 0.3`";
-        self.errors.at(at, fact, help)
+    /// Reports what keeps a loop open.
+    fn open(
+        &mut self,
+        items: &ast::Items,
+        number: usize,
+        cause: &Cause,
+        no_plane: Option<&NoPlane>,
+        at: Span,
+    ) -> Reported {
+        if let Cause::Determines(needed) = *cause
+            && let Err(reported) = self.count(items, needed, at)
+        {
+            return reported;
+        }
+        let [a, b] = items.closures[number].ends.each_ref().map(|end| &end.body);
+        let help = no_plane.map_or(ASSEMBLED, NoPlane::help);
+        let (what, help) = match *cause {
+            Cause::TooShort { by } => (
+                format!("cannot close: where it is assembled, its sides miss each other by {by:.3e} m"),
+                help,
+            ),
+            Cause::AtToggle => (
+                "is at its toggle where it is assembled".to_owned(),
+                "there what depends does not follow: assemble it elsewhere, as by `coordinate: theta near 0.5`",
+            ),
+            Cause::Undecided => (
+                "can be assembled in two ways, and the guess is as near to both".to_owned(),
+                "say in which: `coordinate: phi depends near 0.3`",
+            ),
+            Cause::AlwaysOpen { by, unit } => (
+                format!("cannot close: its ends are {by:.3e} {unit} apart wherever it moves"),
+                help,
+            ),
+            Cause::ClosedByChance => (
+                "closes for the default values of the parameters alone".to_owned(),
+                "give both ends one parameter where they must agree in order to close",
+            ),
+            Cause::NotAssembled { by, unit } => (
+                format!("cannot be assembled near the guess: its ends stay {by:.3e} {unit} apart"),
+                help,
+            ),
+            Cause::Determines(_) | Cause::DeterminesOthers => (
+                "does not determine the coordinates that depend".to_owned(),
+                "let coordinates of the joints in the loop depend, and assemble it away from its toggle: `coordinate: phi depends near 0.3`",
+            ),
+        };
+        self.errors
+            .at(at, format_args!("the loop from `{a}` to `{b}` {what}"), help)
     }
 }
 
-/// What to do about a loop that does not close.
-/// A loop that misses by no more than rounding is closed; it is just not known how.
-const FLAT: f64 = 1e-9;
-
+/// What to do about a loop in a plane that does not close.
 const ASSEMBLED: &str =
     "check lengths and places, or say where the mechanism can be assembled: `coordinate: theta near 0.5`";
 

@@ -11,9 +11,11 @@ mod triangle;
 
 pub(crate) use orthogonal::Orthogonal;
 
+use rustc_hash::FxHashMap;
+
 use super::closure::Loop;
 use super::{Combination, Coordinate, CoordinateId, Dependent, Following, Model};
-use crate::expr::{Binary, Expr, Graph, Level, Normalizer, Rational, Symbol, SymbolKind};
+use crate::expr::{Binary, Expr, ExprId, Graph, Level, Normalizer, Rational, Symbol, SymbolKind};
 
 /// A coordinate that shall follow, as it is declared.
 #[derive(Clone, Debug)]
@@ -26,16 +28,35 @@ pub(crate) struct Declared<'g> {
 
 /// Why loops cannot be closed.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Open {
-    /// Where the loop is assembled, it misses closing by this length, or angle.
-    TooShort(usize, f64, &'static str),
-    /// The guess is as near to one assembly of the loop as to the other.
-    Undecided(usize),
-    /// Loops, this one among them, determine so many coordinates where they are assembled.
-    Determine(usize, usize),
-    /// Loops, this one among them, do not determine the coordinates that depend, but others.
-    Others(usize),
+pub(crate) struct Open {
+    /// The number of a loop that cannot.
+    pub number: usize,
+    pub cause: Cause,
 }
+
+/// What keeps a loop open where it is assembled.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Cause {
+    /// The sides of its triangle are by this length too short to meet, or one of them too long.
+    TooShort { by: f64 },
+    /// It is at its toggle.
+    AtToggle,
+    /// Its guess is as near to one assembly as to the other.
+    Undecided,
+    /// Its ends are so far apart in all states.
+    AlwaysOpen { by: f64, unit: &'static str },
+    /// It would be open in all states for other parameters.
+    ClosedByChance,
+    /// Its ends stay so far apart near the guess.
+    NotAssembled { by: f64, unit: &'static str },
+    /// It and others determine so many coordinates.
+    Determines(usize),
+    /// It and others do not determine the coordinates that depend.
+    DeterminesOthers,
+}
+
+/// A loop that misses by no more than this is closed, up to rounding.
+const ROUNDING: f64 = 1e-9;
 
 /// What closed loops make of the coordinates that are declared to follow.
 #[derive(Clone, Debug)]
@@ -160,18 +181,24 @@ impl<'g, 'm> Solver<'g, 'm> {
         symbol
     }
 
+    /// The name of an unknown.
+    fn name(&self, n: usize) -> &str {
+        self.dependents[n].as_ref().map_or("", |d| &d.coordinate.name)
+    }
+
     /// What the derivative of an unknown by the coordinate of number `j` is called.
     fn slope_name(&self, n: usize, j: usize) -> String {
-        let own = self.dependents[n].as_ref().map_or("", |d| &d.coordinate.name);
-        let by = &self.model.coordinate(CoordinateId::new(j)).name;
-        format!("slope_{}_{}", bare(own), bare(by))
+        format!(
+            "slope_{}_{}",
+            self.name(n),
+            self.model.coordinate(CoordinateId::new(j)).name
+        )
     }
 
     /// The same by a parameter.
     fn slope_name_of(&self, n: usize, parameter: Expr<'g>) -> String {
-        let own = self.dependents[n].as_ref().map_or("", |d| &d.coordinate.name);
         let by = parameter.as_symbol().map_or("", |symbol| &symbol.name);
-        format!("slope_{}_{}", bare(own), bare(by))
+        format!("slope_{}_{by}", self.name(n))
     }
 
     /// The parameters, where anything is derived by them.
@@ -226,8 +253,7 @@ impl<'g, 'm> Solver<'g, 'm> {
 
     /// What the second rate of an unknown is called where no coordinate accelerates.
     fn drift_name(&self, n: usize) -> String {
-        let own = self.dependents[n].as_ref().map_or("", |d| &d.coordinate.name);
-        format!("drift_{}", bare(own))
+        format!("drift_{}", self.name(n))
     }
 
     /// Sets that second rate, which is a symbol or a constant.
@@ -316,19 +342,19 @@ impl<'g, 'm> Solver<'g, 'm> {
 
     fn numbers_of(&self, values: &[Expr<'g>]) -> Vec<f64> {
         let values = self.following.written_out(self.graph, &self.model.with_drives(values));
-        // declared symbols are numbered before it is known how many drives there are
-        let number = |symbol: &Symbol| {
-            let mut names = self.model.all_coordinates().map(|c| c.name.trim_start_matches("r#"));
-            names.position(|name| name == symbol.name)
-        };
-        let value = |symbol: &Symbol| match symbol.kind {
+        let assembled = self.model.all_coordinates().zip(&self.assembled);
+        let assembled: FxHashMap<ExprId, f64> = assembled
+            .map(|(coordinate, &value)| match &coordinate.changes[..] {
+                // orientations are those of the frames that they are relative to: the scalar part is first
+                [(scalar, _), _, ..] => (scalar.id(), 1.0),
+                _ => (coordinate.position.id(), value),
+            })
+            .collect();
+        let value = |id: ExprId, symbol: &Symbol| match symbol.kind {
             SymbolKind::Parameter(n) => self.model.parameters[n].default.unwrap_or(1.0),
-            // orientations are those of the frames that they are relative to
-            SymbolKind::Coordinate(_) if symbol.name.ends_with(".w") => 1.0,
-            SymbolKind::Coordinate(_) => number(symbol).map_or(0.0, |k| self.assembled[k]),
-            _ => 0.0,
+            _ => assembled.get(&id).copied().unwrap_or(0.0),
         };
-        self.graph.evaluate(&values, value)
+        self.graph.evaluate_at(&values, value)
     }
 
     /// Whether all parameters have values, so that the loops can be assembled.
@@ -338,9 +364,4 @@ impl<'g, 'm> Solver<'g, 'm> {
             .iter()
             .all(|parameter| parameter.default.is_some())
     }
-}
-
-/// The name of a body or coordinate, without the word before it and the mark of a raw identifier.
-fn bare(name: &str) -> &str {
-    name.trim_start_matches("angle_").trim_start_matches("r#")
 }

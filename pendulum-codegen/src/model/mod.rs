@@ -19,7 +19,7 @@ use std::collections::BTreeSet;
 use num_traits::{One, Signed, Zero};
 
 pub(crate) use action::{Action, Place, Push};
-pub(crate) use close::{Closed, Declared, Open, Orthogonal, close};
+pub(crate) use close::{Cause, Closed, Declared, Open, Orthogonal, close};
 pub(crate) use closure::{Closure, Loop, NoPlane, Row, Tie, parallel};
 pub(crate) use combination::Combination;
 pub(crate) use constraint::{Constraint, Law};

@@ -18,7 +18,7 @@ mod wrench;
 pub(crate) use inertia::SpatialInertia;
 pub(crate) use matrix::Mat3;
 pub(crate) use moments::MassMoments;
-pub(crate) use plane::Vec2;
+pub(crate) use plane::{Scalar, Vec2};
 pub(crate) use symmetric::Symmetric3;
 pub(crate) use transform::Transform;
 pub(crate) use turn::Turn;

@@ -57,17 +57,17 @@ mod __SliderCrank {
 ```text
 A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints
 
-A[theta, theta] = m3*slope_s_theta^2 + 0.005*m1 + 1/30*r^2 + r^2*m2 + r*l*m2*slope_rod_theta*cos(theta - angle_rod) + 1/3*l^2*m2*slope_rod_theta^2
-b[theta] = m3*slope_s_theta*drift_s + 0.4905*(r + 20*r*m2)*cos(theta) + 0.5*r*l*m2*dot(angle_rod)^2*sin(theta - angle_rod) + 1/3*l^2*m2*slope_rod_theta*drift_rod + 4.905*l*m2*slope_rod_theta*cos(angle_rod) + 0.5*r*l*m2*drift_rod*cos(theta - angle_rod) - 0.5*r*l*m2*dot(theta)^2*slope_rod_theta*sin(theta - angle_rod)
+A[theta, theta] = m3*slope_s_theta^2 + 0.005*m1 + 1/30*r^2 + r^2*m2 + r*l*m2*slope_angle_rod_theta*cos(theta - angle_rod) + 1/3*l^2*m2*slope_angle_rod_theta^2
+b[theta] = m3*slope_s_theta*drift_s + 0.4905*(r + 20*r*m2)*cos(theta) + 0.5*r*l*m2*dot(angle_rod)^2*sin(theta - angle_rod) + 1/3*l^2*m2*slope_angle_rod_theta*drift_angle_rod + 4.905*l*m2*slope_angle_rod_theta*cos(angle_rod) + 0.5*r*l*m2*drift_angle_rod*cos(theta - angle_rod) - 0.5*r*l*m2*dot(theta)^2*slope_angle_rod_theta*sin(theta - angle_rod)
 Q[theta] = -gamma*dot(s)*slope_s_theta
 
 where
 s = r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2)
 angle_rod = atan2(-r*sin(theta)/l, (r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2) - r*cos(theta))/l)
 slope_s_theta = -1*(r*sin(theta)*(r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2) - r*cos(theta)) + r^2*cos(theta)*sin(theta))/sqrt(l^2 - (r*sin(theta))^2)
-slope_rod_theta = -1*r*cos(theta)/sqrt(l^2 - (r*sin(theta))^2)
+slope_angle_rod_theta = -1*r*cos(theta)/sqrt(l^2 - (r*sin(theta))^2)
 drift_s = -1*((r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2) - r*cos(theta))*(r*dot(theta)^2*cos(theta) + (r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2) - r*cos(theta))*dot(angle_rod)^2) + r*sin(theta)*(r*sin(theta)*dot(angle_rod)^2 - r*dot(theta)^2*sin(theta)))/sqrt(l^2 - (r*sin(theta))^2)
-drift_rod = -1*(r*sin(theta)*dot(angle_rod)^2 - r*dot(theta)^2*sin(theta))/sqrt(l^2 - (r*sin(theta))^2)
+drift_angle_rod = -1*(r*sin(theta)*dot(angle_rod)^2 - r*dot(theta)^2*sin(theta))/sqrt(l^2 - (r*sin(theta))^2)
 ```
 
 # Constants, computed by `new`
@@ -609,7 +609,7 @@ k17 = 1
             )
             .autonomous();
         /// The equations of motion as text.
-        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[theta, theta] = m3*slope_s_theta^2 + 0.005*m1 + 1/30*r^2 + r^2*m2 + r*l*m2*slope_rod_theta*cos(theta - angle_rod) + 1/3*l^2*m2*slope_rod_theta^2\nb[theta] = m3*slope_s_theta*drift_s + 0.4905*(r + 20*r*m2)*cos(theta) + 0.5*r*l*m2*dot(angle_rod)^2*sin(theta - angle_rod) + 1/3*l^2*m2*slope_rod_theta*drift_rod + 4.905*l*m2*slope_rod_theta*cos(angle_rod) + 0.5*r*l*m2*drift_rod*cos(theta - angle_rod) - 0.5*r*l*m2*dot(theta)^2*slope_rod_theta*sin(theta - angle_rod)\nQ[theta] = -gamma*dot(s)*slope_s_theta\n\nwhere\ns = r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2)\nangle_rod = atan2(-r*sin(theta)/l, (r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2) - r*cos(theta))/l)\nslope_s_theta = -1*(r*sin(theta)*(r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2) - r*cos(theta)) + r^2*cos(theta)*sin(theta))/sqrt(l^2 - (r*sin(theta))^2)\nslope_rod_theta = -1*r*cos(theta)/sqrt(l^2 - (r*sin(theta))^2)\ndrift_s = -1*((r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2) - r*cos(theta))*(r*dot(theta)^2*cos(theta) + (r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2) - r*cos(theta))*dot(angle_rod)^2) + r*sin(theta)*(r*sin(theta)*dot(angle_rod)^2 - r*dot(theta)^2*sin(theta)))/sqrt(l^2 - (r*sin(theta))^2)\ndrift_rod = -1*(r*sin(theta)*dot(angle_rod)^2 - r*dot(theta)^2*sin(theta))/sqrt(l^2 - (r*sin(theta))^2)\n";
+        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[theta, theta] = m3*slope_s_theta^2 + 0.005*m1 + 1/30*r^2 + r^2*m2 + r*l*m2*slope_angle_rod_theta*cos(theta - angle_rod) + 1/3*l^2*m2*slope_angle_rod_theta^2\nb[theta] = m3*slope_s_theta*drift_s + 0.4905*(r + 20*r*m2)*cos(theta) + 0.5*r*l*m2*dot(angle_rod)^2*sin(theta - angle_rod) + 1/3*l^2*m2*slope_angle_rod_theta*drift_angle_rod + 4.905*l*m2*slope_angle_rod_theta*cos(angle_rod) + 0.5*r*l*m2*drift_angle_rod*cos(theta - angle_rod) - 0.5*r*l*m2*dot(theta)^2*slope_angle_rod_theta*sin(theta - angle_rod)\nQ[theta] = -gamma*dot(s)*slope_s_theta\n\nwhere\ns = r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2)\nangle_rod = atan2(-r*sin(theta)/l, (r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2) - r*cos(theta))/l)\nslope_s_theta = -1*(r*sin(theta)*(r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2) - r*cos(theta)) + r^2*cos(theta)*sin(theta))/sqrt(l^2 - (r*sin(theta))^2)\nslope_angle_rod_theta = -1*r*cos(theta)/sqrt(l^2 - (r*sin(theta))^2)\ndrift_s = -1*((r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2) - r*cos(theta))*(r*dot(theta)^2*cos(theta) + (r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2) - r*cos(theta))*dot(angle_rod)^2) + r*sin(theta)*(r*sin(theta)*dot(angle_rod)^2 - r*dot(theta)^2*sin(theta)))/sqrt(l^2 - (r*sin(theta))^2)\ndrift_angle_rod = -1*(r*sin(theta)*dot(angle_rod)^2 - r*dot(theta)^2*sin(theta))/sqrt(l^2 - (r*sin(theta))^2)\n";
         ///The names of the components of all outputs.
         pub const OUTPUTS: [&'static str; 2] = ["stroke", "speed"];
     }
