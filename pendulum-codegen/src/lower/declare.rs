@@ -1,10 +1,10 @@
 //! What a scene declares: parameters, inputs, named expressions and coordinates.
 
 use super::Lower;
+use super::components::Unrated;
 use super::expr::Place;
 use super::joint_units::JointUnits;
 use super::measure::Measure;
-use super::orientation::Unrated;
 use super::scope::Kind;
 use super::written::written;
 use crate::ast::{self, ExprKind, Read};

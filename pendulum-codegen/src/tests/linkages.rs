@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
-use super::{model, numbers};
+use super::{model, near, numbers};
 use crate::dynamics::{Dynamics, derived};
 use crate::expr::{Expr, Graph, Symbol, SymbolKind};
 use crate::form::{Forms, drive_forces, loop_wrenches};
@@ -177,20 +177,6 @@ fn opened(text: &str) -> String {
     lines.map(without_guess).collect::<String>().replace(" depends", "")
 }
 
-/// Where a scene says that a coordinate is assembled.
-fn near(text: &str, coordinate: &str) -> f64 {
-    let after = text
-        .split(&format!("coordinate: {coordinate}"))
-        .nth(1)
-        .expect("declared");
-    let field = after.split([',', '}']).next().expect("a field");
-    let number = field
-        .split("near ")
-        .nth(1)
-        .map_or(Ok(0.0), |number| number.trim().parse());
-    number.expect("a number")
-}
-
 /// The values of expressions, where coordinates and rates have values by their names.
 fn values<'g>(model: &Model<'g>, roots: &[Expr<'g>], state: &impl Fn(&str) -> f64) -> Vec<f64> {
     let roots = model.written_out(&model.with_drives(roots));
@@ -307,7 +293,10 @@ fn loops_move_as_with_multipliers() {
         let of_state: Vec<String> = free.iter().cloned().chain(in_state).collect();
         let mut random = numbers(seed as u32);
         for _ in 0..4 {
-            let mut q: Vec<f64> = of_state.iter().map(|name| near(text, name) + 0.1 * random()).collect();
+            let mut q: Vec<f64> = of_state
+                .iter()
+                .map(|name| near(text, name).unwrap_or(0.0) + 0.1 * random())
+                .collect();
             let qd: Vec<f64> = free.iter().map(|_| random()).collect();
             for _ in 0..20 {
                 let corrections = values(&closed, &closed.corrections, &state_of(&of_state, &q, &qd));
