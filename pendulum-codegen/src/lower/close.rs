@@ -1,4 +1,4 @@
-//! Closed loops, and the coordinates that follow from them.
+//! Closed loops, and the coordinates that depend on others because of them.
 
 use proc_macro2::Span;
 
@@ -13,11 +13,11 @@ use crate::expr::{Expr, Level, SymbolKind};
 use crate::model::{self, BodyId, Cause, Closure, Combination, Coordinate, Declared, Loop, Model, NoPlane, Open, Tie};
 use crate::screw::Vec3;
 
-/// How many coordinates follow from a loop in a plane.
-const FOLLOW: usize = 2;
+/// How many coordinates a loop in a plane determines.
+const IN_PLANE: usize = 2;
 
 impl<'g> Lower<'g> {
-    /// Closes the loops of a model: coordinates that depend become symbols that follow from the state.
+    /// Closes the loops of a model: coordinates that depend become symbols with values in the state.
     pub(super) fn close(&mut self, items: &ast::Items, model: &mut Model<'g>, declared: Vec<Coordinate<'g>>) {
         let near: Vec<Result<Expr<'g>, Reported>> = items.bodies.iter().map(|body| self.near(body)).collect();
         let closures = items.closures.iter().map(|closure| self.closure(closure, items));
@@ -58,12 +58,12 @@ impl<'g> Lower<'g> {
                     bodies.find(|(body, _)| own(body)).map_or(zero, |(_, near)| *near)
                 };
                 let of_state: Vec<Expr<'g>> = model.coordinates.iter().map(near).collect();
-                let following = declared.iter().cloned().map(|coordinate| Declared {
+                let dependents = declared.iter().cloned().map(|coordinate| Declared {
                     near: near(&coordinate),
                     coordinate,
                 });
-                let following: Vec<Declared<'g>> = following.collect();
-                self.solve(items, model, &closures, &following, &of_state)
+                let dependents: Vec<Declared<'g>> = dependents.collect();
+                self.solve(items, model, &closures, &dependents, &of_state)
             });
         let Ok(closed) = solved else { return };
         let first = model.independent();
@@ -93,7 +93,7 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// What is not known where positions that follow are in the state.
+    /// What is not known where dependent coordinates are in the state.
     fn refuse_in_state(&mut self, items: &ast::Items) {
         let words = items.generate.iter().flat_map(|(_, list)| list);
         if let Some(word) = words.into_iter().find(|word| **word == "canonical") {
@@ -115,7 +115,7 @@ impl<'g> Lower<'g> {
             let [a, b] = closure.ends.each_ref().map(|end| end.body.to_string());
             let symbol = self
                 .graph
-                .symbol(&format!("margin({a}, {b})"), SymbolKind::Following(n));
+                .symbol(&format!("margin({a}, {b})"), SymbolKind::Dependent(n));
             self.margins.push(([a, b], symbol));
         }
     }
@@ -163,7 +163,7 @@ impl<'g> Lower<'g> {
         self.expr(near, &place)
     }
 
-    /// What follows from closed loops has no friction that holds it, and no stop.
+    /// A dependent coordinate has no friction that holds it, and no stop.
     fn refuse_to_hold(&mut self, body: &ast::Body) {
         let (fields, name) = (&body.fields, &body.name);
         let friction = fields.dry_friction.as_ref().map(|e| &e.tokens);
@@ -281,8 +281,8 @@ impl<'g> Lower<'g> {
             planes.len(),
         );
         if planes.iter().all(Result::is_ok) {
-            let at = closures.get(declared.len() / FOLLOW).map_or(first, |(_, span)| *span);
-            self.count(items, FOLLOW * loops, at)?;
+            let at = closures.get(declared.len() / IN_PLANE).map_or(first, |(_, span)| *span);
+            self.count(items, IN_PLANE * loops, at)?;
         }
         model.closures = closures.iter().map(|(closure, _)| *closure).collect();
         let vectors: Vec<Option<Loop<'g>>> = planes.iter().map(|plane| plane.clone().ok()).collect();
@@ -315,7 +315,7 @@ impl<'g> Lower<'g> {
             ),
             Cause::AtToggle => (
                 "is at its toggle where it is assembled".to_owned(),
-                "there what depends does not follow: assemble it elsewhere, as by `coordinate: theta near 0.5`",
+                "there it does not determine what depends: assemble it elsewhere, as by `coordinate: theta near 0.5`",
             ),
             Cause::Undecided => (
                 "can be assembled in two ways, and the guess is as near to both".to_owned(),

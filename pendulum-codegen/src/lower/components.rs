@@ -177,7 +177,8 @@ fn listed(axes: impl DoubleEndedIterator<Item = &'static str>, form: impl Fn(&st
     format!("{} or {last}", names.join(", "))
 }
 
-/// The first of the three coordinates of an orientation or of a position. By mistake one may have the name of the other.
+/// The first of the three coordinates of an orientation or of a position. By mistake one may have the name of the
+/// other.
 pub(super) fn first_of(coordinates: &[Coordinate<'_>], name: &Ident, kind: Kind) -> Option<usize> {
     let turns = kind == Kind::Orientation;
     let name = format!("{name}.x");

@@ -129,7 +129,7 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// The coordinates of the state, or those that follow from closed loops; the first of them is number `first`.
+    /// The coordinates of the state, or the dependent ones; the first of them is number `first`.
     pub(super) fn coordinates(&mut self, bodies: &[ast::Body], first: usize, depend: bool) -> Vec<Coordinate<'g>> {
         let mut coordinates = Vec::new();
         for body in bodies.iter().filter(|body| body.fields.depends.is_some() == depend) {

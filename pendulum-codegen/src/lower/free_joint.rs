@@ -19,8 +19,8 @@ use crate::model::{Body, BodyId, Combination, Coordinate, CoordinateId, Heading,
 use crate::screw::{Mat3, SpatialInertia, Transform, Twist, Vec3};
 
 impl<'g> Lower<'g> {
-    /// The bodies of a joint that turns about all axes: three turns in a row on bodies without mass, of which the first is turned by
-    /// the quaternion, and before them three slides where the joint moves freely.
+    /// The bodies of a joint that turns about all axes: three turns in a row on bodies without mass, of which the first
+    /// is turned by the quaternion, and before them three slides where the joint moves freely.
     pub(super) fn free_bodies(
         &mut self,
         body: &ast::Body,

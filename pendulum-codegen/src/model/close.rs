@@ -1,11 +1,13 @@
 //! What closed loops make of the coordinates that are declared to depend on others.
 //!
-//! Loops are solved one after the other as long as one is a [triangle]; what is left is solved together, [by linear equations].
+//! Loops are solved one after the other as long as one is a [triangle]; what is left is solved together, [by linear
+//! equations].
 //!
 //! [triangle]: triangle
 //! [by linear equations]: equations
 
 mod equations;
+mod meeting;
 mod orthogonal;
 mod triangle;
 
@@ -17,7 +19,7 @@ use super::closure::Loop;
 use super::{Combination, Coordinate, CoordinateId, Dependent, Following, Model};
 use crate::expr::{Binary, Expr, ExprId, Graph, Level, Normalizer, Rational, Symbol, SymbolKind};
 
-/// A coordinate that shall follow, as it is declared.
+/// A dependent coordinate as it is declared.
 #[derive(Clone, Debug)]
 pub(crate) struct Declared<'g> {
     /// Its name and symbols.
@@ -58,10 +60,10 @@ pub(crate) enum Cause {
 /// A loop that misses by no more than this is closed, up to rounding.
 const ROUNDING: f64 = 1e-9;
 
-/// What closed loops make of the coordinates that are declared to follow.
+/// What closed loops make of the dependent coordinates.
 #[derive(Clone, Debug)]
 pub(crate) struct Closed<'g> {
-    /// The coordinates that follow: absolute angles of sides, and lengths.
+    /// What they determine: absolute angles of sides, and lengths.
     pub dependents: Vec<Dependent<'g>>,
     /// Each declared coordinate in those of the state, of the drives, and those.
     pub combinations: Vec<Combination>,
@@ -90,7 +92,8 @@ struct Solver<'g, 'm> {
     assembled: Vec<f64>,
 }
 
-/// Closes the loops, each with its vectors if it lies in a plane. Near `near` the coordinates of the state assemble them.
+/// Closes the loops, each with its vectors if it lies in a plane. Near `near` the coordinates of the state assemble
+/// them.
 pub(crate) fn close<'g>(
     model: &Model<'g>,
     loops: &[Option<Loop<'g>>],
@@ -164,8 +167,8 @@ impl<'g, 'm> Solver<'g, 'm> {
         sum.filtered(|k| self.is_unknown(k))
     }
 
-    /// A symbol for a value that follows from the state.
-    fn follow(&mut self, symbol: Expr<'g>, value: Expr<'g>) {
+    /// Gives a symbol its value.
+    fn define(&mut self, symbol: Expr<'g>, value: Expr<'g>) {
         let value = self.model.with_drives(&[value])[0];
         self.graph.set_changes(symbol, &[(value, self.graph.one())], false);
         self.following.set(symbol, value);
@@ -176,8 +179,8 @@ impl<'g, 'm> Solver<'g, 'm> {
         if value.level() < Level::State || value.as_symbol().is_some() {
             return value;
         }
-        let symbol = self.graph.symbol(name, SymbolKind::Following(0));
-        self.follow(symbol, value);
+        let symbol = self.graph.symbol(name, SymbolKind::Dependent(0));
+        self.define(symbol, value);
         symbol
     }
 
@@ -208,7 +211,8 @@ impl<'g, 'm> Solver<'g, 'm> {
         parameters.map(|parameter| parameter.symbol).collect()
     }
 
-    /// The slopes of an unknown, which are symbols or constants, give it its rate; those by parameters belong to its position.
+    /// The slopes of an unknown, which are symbols or constants, give it its rate; those by parameters belong to its
+    /// position.
     fn set_slopes(&mut self, n: usize, named: Vec<Expr<'g>>, of_parameters: Vec<(Expr<'g>, Expr<'g>)>) {
         let Some(Dependent {
             coordinate, in_state, ..
@@ -238,7 +242,7 @@ impl<'g, 'm> Solver<'g, 'm> {
             self.graph
                 .set_changes(coordinate.position, &changes.collect::<Vec<_>>(), false);
         }
-        self.follow(coordinate.rate, rate);
+        self.define(coordinate.rate, rate);
         let coordinate = Coordinate {
             acceleration,
             ..coordinate

@@ -34,8 +34,8 @@ pub(crate) enum Tie<'g> {
 pub(crate) struct Row<'g> {
     pub value: Expr<'g>,
     pub unit: &'static str,
-    /// What acts on the first end about the origin of the second one, and on the second in return, where a unit of force along `value`
-    /// keeps it at zero: in the frame of the [carrier](Closure::carrier).
+    /// What acts on the first end about the origin of the second one, and on the second in return, where a unit of
+    /// force along `value` keeps it at zero: in the frame of the [carrier](Closure::carrier).
     pub wrench: Wrench<'g>,
 }
 
@@ -84,8 +84,8 @@ impl<'g> Closure<'g> {
         carrier(model, self.ends.map(|end| end.body))
     }
 
-    /// What vanishes where the loop is closed: where places coincide, and the cosines of angles that are right ones. The bodies that carry
-    /// the loop do not occur.
+    /// What vanishes where the loop is closed: where places coincide, and the cosines of angles that are right ones.
+    /// The bodies that carry the loop do not occur.
     pub(crate) fn equations(&self, model: &Model<'g>) -> Vec<Row<'g>> {
         let frames = between(model, self.ends.map(|end| end.body));
         let [(a, p), (b, r)] = [0, 1].map(|n| {
@@ -193,7 +193,8 @@ fn common_frame(model: &Model<'_>, closure: &Closure<'_>) -> Option<Option<BodyI
     }
 }
 
-/// The steps from the origin of a frame to the first end, and those from there by the second end back, as turns about one axis.
+/// The steps from the origin of a frame to the first end, and those from there by the second end back, as turns about
+/// one axis.
 fn steps_around<'g>(
     model: &Model<'g>,
     closure: &Closure<'g>,
@@ -285,7 +286,8 @@ fn steps_to<'g>(model: &Model<'g>, place: &Place<'g>, frame: Option<BodyId>) -> 
     steps
 }
 
-/// Whether two unit vectors are equal for all parameters: 1, or -1 if they are opposite; none where that cannot be proved.
+/// Whether two unit vectors are equal for all parameters: 1, or -1 if they are opposite; none where that cannot be
+/// proved.
 pub(crate) fn parallel<'g>(a: Vec3<'g>, b: Vec3<'g>) -> Option<i64> {
     let vanish = |v: Vec3<'g>| v.0.into_iter().all(vanishes);
     if vanish(a - b) {

@@ -4,7 +4,8 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use crate::expr::{Expr, Graph};
 
-/// A vector of a plane, of expressions or of numbers. The second axis of the plane is the first after a quarter of a turn.
+/// A vector of a plane, of expressions or of numbers. The second axis of the plane is the first after a quarter of a
+/// turn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct Vec2<T>(pub [T; 2]);
 

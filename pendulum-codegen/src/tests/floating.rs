@@ -110,7 +110,8 @@ fn what_flies_moves_as_along_its_position() {
     }
 }
 
-/// Where stages of methods are, off the unit length of quaternions, the Jacobian is that of the right-hand side as well.
+/// Where stages of methods are, off the unit length of quaternions, the Jacobian is that of the right-hand side as
+/// well.
 #[test]
 fn the_jacobian_of_what_flies_is_that_of_its_right_hand_side() {
     /// Differences of fourth order lose some five digits of sixteen.

@@ -1,10 +1,11 @@
-//! Loops that are no triangles: positions that follow by their rates, and rates by linear equations.
+//! Loops that are no triangles: dependent coordinates known by their rates, and these by linear equations.
 //!
-//! The equations `f(q) = 0` of all that is left are derived: `J v = -K u`, where `v` are the rates that follow and `u` the others. `J` is
-//! factored once into orthogonal columns, `J = Q R`, by the modified method of Gram and Schmidt without roots, which no order of the
-//! columns and no choice of rows breaks down. There may be more equations than unknowns, of which then some are redundant: they are
-//! solved in the sense of least squares, which is exact where they agree. The positions are components of the state, and Newton's method
-//! with the same factors closes what rounding and truncation open.
+//! The equations `f(q) = 0` of all that is left are derived: `J v = -K u`, where `v` are the dependent rates and `u`
+//! the others. `J` is factored once into orthogonal columns, `J = Q R`, by the modified method of Gram and Schmidt
+//! without roots, which no order of the columns and no choice of rows breaks down. There may be more equations than
+//! unknowns, of which then some are redundant: they are solved in the sense of least squares, which is exact where they
+//! agree. The positions are components of the state, and Newton's method with the same factors closes what rounding and
+//! truncation open.
 
 use super::orthogonal::rank;
 use super::{Cause, Open, Orthogonal, ROUNDING, Solver};
@@ -150,8 +151,9 @@ impl<'g> Solver<'g, '_> {
     fn column(&self, rows: &[Expr<'g>], k: usize) -> Vec<Expr<'g>> {
         let own = self.coordinate(CoordinateId::new(k)).changes.iter().copied();
         let solved = self.dependents.iter().flatten().filter(|dependent| !dependent.in_state);
-        let following = solved.filter_map(|dependent| Some((dependent.coordinate.position, *dependent.slopes.get(k)?)));
-        let mut along = Derivative::along(own.chain(following));
+        let dependents =
+            solved.filter_map(|dependent| Some((dependent.coordinate.position, *dependent.slopes.get(k)?)));
+        let mut along = Derivative::along(own.chain(dependents));
         let column: Vec<Expr<'g>> = rows.iter().map(|&row| along.of(row)).collect();
         self.model.with_drives(&column)
     }
@@ -164,18 +166,18 @@ impl<'g> Solver<'g, '_> {
             .coordinates
             .iter()
             .chain(self.model.drives.iter().map(|drive| &drive.coordinate));
-        let following: Vec<&Dependent<'g>> = self.dependents.iter().flatten().collect();
+        let dependents: Vec<&Dependent<'g>> = self.dependents.iter().flatten().collect();
         let all = of_others
             .clone()
-            .chain(following.iter().map(|dependent| &dependent.coordinate));
+            .chain(dependents.iter().map(|dependent| &dependent.coordinate));
         let velocities = changes(all);
         let mut along = Derivative::along(velocities.clone());
         let rates: Vec<Expr<'g>> = rows.iter().map(|&row| along.of(row)).collect();
         let of_rates = of_others.map(|coordinate| (coordinate.rate, zero));
-        let of_following = following
+        let of_dependents = dependents
             .iter()
             .map(|dependent| (dependent.coordinate.rate, dependent.drift));
-        let mut along = Derivative::along(velocities.into_iter().chain(of_rates).chain(of_following));
+        let mut along = Derivative::along(velocities.into_iter().chain(of_rates).chain(of_dependents));
         let bends: Vec<Expr<'g>> = rates.iter().map(|&rate| along.of(rate)).collect();
         self.model.with_drives(&bends)
     }
@@ -214,7 +216,7 @@ impl<'g> Solver<'g, '_> {
         for (&symbol, changes) in symbols.iter().zip(&changes) {
             if symbol
                 .as_symbol()
-                .is_some_and(|symbol| matches!(symbol.kind, SymbolKind::Following(_)))
+                .is_some_and(|symbol| matches!(symbol.kind, SymbolKind::Dependent(_)))
             {
                 self.graph.set_changes(symbol, changes, false);
             }

@@ -63,8 +63,8 @@ impl<'g> Orthogonal<'g> {
         x
     }
 
-    /// The volume of what `columns` span over the product of their lengths: 1 where they are at right angles, 0 where one is a sum of
-    /// others.
+    /// The volume of what `columns` span over the product of their lengths: 1 where they are at right angles, 0 where
+    /// one is a sum of others.
     pub(super) fn volume(&self, columns: &[Vec<Expr<'g>>]) -> Expr<'g> {
         let squares = columns.iter().map(|column| dot(column, column));
         let ratios = squares.zip(&self.inverses).map(|(square, &inverse)| square * inverse);
@@ -101,7 +101,8 @@ fn dot<T: Scalar>(a: &[T], b: &[T]) -> T {
     products.into_iter().reduce(Add::add).expect("an entry")
 }
 
-/// Takes off a vector what it has of another, where `inverse` is one over the square of its length, and returns how much.
+/// Takes off a vector what it has of another, where `inverse` is one over the square of its length, and returns how
+/// much.
 fn take_off<T: Scalar>(vector: &mut [T], of: &[T], inverse: T) -> T {
     let share = dot(of, vector) * inverse;
     for (entry, &part) in vector.iter_mut().zip(of) {
