@@ -2,9 +2,9 @@
 //!
 //! ```sh
 //! cargo run --example emitted                         # the code for the double pendulum of the paper, formatted
-//! cargo run --example emitted -- src/lib.rs           # for every declaration of a file, in its functions and modules as well
-//! cargo run --example emitted -- --latex src/lib.rs   # their equations of motion in LaTeX, for documents that load amsmath
-//! cargo run --example emitted -- --c src/lib.rs       # C: a header and a source for each, in out/emitted/ or in a folder named last
+//! cargo run --example emitted -- src/lib.rs           # for every declaration of a file, wherever it stands there
+//! cargo run --example emitted -- --latex src/lib.rs   # their equations of motion in LaTeX, which needs amsmath
+//! cargo run --example emitted -- --c src/lib.rs out   # C: a header and a source for each, in a folder
 //! ```
 
 use std::collections::BTreeSet;

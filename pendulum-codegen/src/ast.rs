@@ -394,7 +394,7 @@ pub(crate) struct BodyFields {
     pub position: Option<Ident>,
     /// Whether the coordinate is measured from ground: the word `absolute`.
     pub absolute: Option<Ident>,
-    /// Whether the coordinate follows from closed loops: the word `depends`.
+    /// Whether closed loops determine the coordinate: the word `depends`.
     pub depends: Option<Ident>,
     /// The coordinate where the loops are assembled.
     pub near: Option<Expr>,
@@ -415,8 +415,8 @@ pub(crate) struct BodyFields {
 }
 
 impl BodyFields {
-    /// The names of the coordinates that the joint may bring into the state, as the layout of the state has them, each with
-    /// the word it is named after.
+    /// The names of the coordinates that the joint may bring into the state, as the layout of the state has them, each
+    /// with the word it is named after.
     pub(crate) fn slots(&self) -> Vec<(&Ident, String)> {
         let plain = self.coordinate.iter().chain(&self.orientation);
         let axes = ["x", "y", "z"];

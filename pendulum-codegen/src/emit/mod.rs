@@ -3,5 +3,5 @@
 pub(crate) mod c;
 pub(crate) mod rust;
 
-/// How often Newton's method corrects the coordinates that follow from closed loops after a step.
+/// How often Newton's method corrects the dependent coordinates of closed loops after a step.
 const CORRECTIONS: usize = 3;

@@ -4,11 +4,12 @@ use rustc_hash::FxHashMap;
 
 use super::{Binary, Expr, Node, Unary};
 
-/// The derivative by one symbol, or along a direction. It remembers what it has derived, so shared parts are derived once.
+/// The derivative by one symbol, or along a direction. It remembers what it has derived, so shared parts are derived
+/// once.
 #[derive(Debug)]
 pub(crate) struct Derivative<'g> {
     by: Option<Expr<'g>>,
-    /// Whether what follows from others keeps its value.
+    /// Whether what depends on others keeps its value.
     alone: bool,
     known: FxHashMap<Expr<'g>, Expr<'g>>,
 }
@@ -23,7 +24,7 @@ impl<'g> Derivative<'g> {
         }
     }
 
-    /// The same, where what follows from others keeps its value.
+    /// The same, where what depends on others keeps its value.
     #[must_use]
     pub(crate) fn alone(self) -> Self {
         Self { alone: true, ..self }

@@ -7,9 +7,18 @@ use super::{ExprId, Graph, Node, Rational, Symbol};
 impl Graph {
     /// The values of `roots`, in their order, where `value` gives that of each symbol.
     pub fn evaluate(&self, roots: &[impl Into<ExprId> + Copy], mut value: impl FnMut(&Symbol) -> f64) -> Vec<f64> {
+        self.evaluate_at(roots, |_, symbol| value(symbol))
+    }
+
+    /// The same, where `value` is also told which expression a symbol is: others may have its name.
+    pub(crate) fn evaluate_at(
+        &self,
+        roots: &[impl Into<ExprId> + Copy],
+        mut value: impl FnMut(ExprId, &Symbol) -> f64,
+    ) -> Vec<f64> {
         let mut values = vec![f64::NAN; self.len()];
         for id in self.reachable(roots) {
-            values[id.index()] = self.value_of(self.node(id), |x| values[x.index()], &mut value);
+            values[id.index()] = self.value_of(self.node(id), |x| values[x.index()], |symbol| value(id, symbol));
         }
         roots.iter().map(|&root| values[root.into().index()]).collect()
     }

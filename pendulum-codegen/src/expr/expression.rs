@@ -5,8 +5,8 @@ use std::hash::{Hash, Hasher};
 
 use super::{ExprId, Graph, Level, Node, Rational, Symbol, Unary, ratio};
 
-/// An expression of a graph. Its operators and functions build other expressions of the same graph, simplified where that is
-/// always right and never longer.
+/// An expression of a graph. Its operators and functions build other expressions of the same graph, simplified where
+/// that is always right and never longer.
 ///
 /// Two expressions are equal exactly when they are the same node. They are ordered by when they were built.
 #[derive(Clone, Copy)]
@@ -110,7 +110,8 @@ impl<'g> Expr<'g> {
         self.power(ratio(1, 2))
     }
 
-    /// The number of its operations if it is written out, with nothing shared; the most that can be counted where it is longer.
+    /// The number of its operations if it is written out, with nothing shared; the most that can be counted where it is
+    /// longer.
     pub fn length(self) -> u64 {
         self.graph.length(self.id)
     }

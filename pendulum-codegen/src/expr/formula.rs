@@ -1,7 +1,7 @@
 //! Formulas as a person writes them: the tree that is printed as text and as LaTeX.
 //!
-//! A formula is a way of writing, not a value: `a + b` and `b + a` are two formulas. It comes from an expression of the graph
-//! by a [`Printer`](super::Printer), or from the text of a declaration as it stands there.
+//! A formula is a way of writing, not a value: `a + b` and `b + a` are two formulas. It comes from an expression of the
+//! graph by a [`Printer`](super::Printer), or from the text of a declaration as it stands there.
 
 use super::Rational;
 
@@ -136,5 +136,22 @@ impl Formula {
             }
             None
         })
+    }
+
+    /// What is defined elsewhere: names, and rates such as `dot(theta)`.
+    pub(crate) fn mentions(&self) -> Vec<String> {
+        match self {
+            Self::Name(name) => vec![name.clone()],
+            Self::Call(function, _) if function == "dot" => vec![self.to_string()],
+            _ => self.parts().into_iter().flat_map(Self::mentions).collect(),
+        }
+    }
+}
+
+impl Definition {
+    /// The left side: a name or a rate.
+    pub fn left(&self) -> Formula {
+        let rate = self.name.strip_prefix("dot(").and_then(|name| name.strip_suffix(')'));
+        rate.map_or_else(|| Formula::name(&self.name), Formula::rate)
     }
 }

@@ -54,8 +54,8 @@ pub enum SymbolKind {
     PointRate(usize),
     /// A quantity of one order of a power series in time.
     Coefficient(usize),
-    /// A quantity that follows from others: where loops are closed.
-    Following(usize),
+    /// A quantity that depends on others: where loops are closed.
+    Dependent(usize),
 }
 
 /// A named symbol.
@@ -78,7 +78,8 @@ pub enum Level {
     State,
 }
 
-/// A node: an operation on operands, or a leaf. The graph keeps operands by their ids; [`Expr::node`] gives them as expressions.
+/// A node: an operation on operands, or a leaf. The graph keeps operands by their ids; [`Expr::node`] gives them as
+/// expressions.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Node<Operand = ExprId, Number = Rational> {
     /// An exact number.
@@ -95,7 +96,7 @@ pub enum Node<Operand = ExprId, Number = Rational> {
     Power(Operand, Number),
 }
 
-/// How a symbol changes that follows from others.
+/// How a symbol changes that depends on others.
 #[derive(Clone, Debug)]
 struct Changes {
     /// Whether it is another name for a sum, and not only held by a condition.
@@ -110,7 +111,7 @@ pub struct Graph {
     nodes: FrozenVec<Box<Stored>>,
     ids: RefCell<FxHashMap<Node, ExprId>>,
     symbols: FrozenVec<Box<Symbol>>,
-    /// Of symbols that follow from others: how they change with these.
+    /// Of symbols that depend on others: how they change with these.
     changes: RefCell<FxHashMap<ExprId, Changes>>,
 }
 
@@ -206,7 +207,7 @@ impl Graph {
         self.changes.borrow_mut().insert(symbol.id(), Changes { is_sum, terms });
     }
 
-    /// How a symbol changes with expressions, if it follows from them; of sums only, if `alone`.
+    /// How a symbol changes with expressions, if it depends on them; of sums only, if `alone`.
     pub fn changes<'g>(&'g self, symbol: Expr<'g>, alone: bool) -> Vec<(Expr<'g>, Expr<'g>)> {
         let changes = self.changes.borrow();
         let changes = changes.get(&symbol.id()).filter(|changes| changes.is_sum || !alone);

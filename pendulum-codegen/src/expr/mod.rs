@@ -3,8 +3,9 @@
 //! Arithmetic is exact: numbers are rationals of any size, roots and the sines of constants stay symbols until code is
 //! emitted. Two expressions are the same exactly when they are the same node.
 //!
-//! An [`Expr`] is a node and its graph: the value that physics, forms and passes compute with, take and return. An [`ExprId`] is
-//! the bare number of a node: operands in the graph, atoms of polynomials, items of passes, and what printers look up in tables.
+//! An [`Expr`] is a node and its graph: the value that physics, forms and passes compute with, take and return. An
+//! [`ExprId`] is the bare number of a node: operands in the graph, atoms of polynomials, items of passes, and what
+//! printers look up in tables.
 
 mod build;
 mod derivative;

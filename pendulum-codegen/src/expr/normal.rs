@@ -1,8 +1,8 @@
 //! The normal form: a polynomial in which two expressions are equal exactly when they print the same.
 //!
 //! Angles are split by the addition theorems into sines and cosines of base angles, and `cos^2` becomes `1 - sin^2`, so
-//! what is left are independent atoms. Roots obey `root(x)^k = x`. The form is canonical for polynomials in symbols, sines,
-//! cosines and roots; a quotient by a sum, and functions that have no algebraic rule, stand as atoms.
+//! what is left are independent atoms. Roots obey `root(x)^k = x`. The form is canonical for polynomials in symbols,
+//! sines, cosines and roots; a quotient by a sum, and functions that have no algebraic rule, stand as atoms.
 
 use std::collections::BTreeMap;
 use std::rc::Rc;
@@ -65,8 +65,8 @@ impl<'g> Normalizer<'g> {
         }
     }
 
-    /// A normaliser in which `angles` says what each coordinate is in base angles. Any unimodular choice gives a canonical
-    /// form; the absolute angles of parallel joints give the shortest one.
+    /// A normaliser in which `angles` says what each coordinate is in base angles. Any unimodular choice gives a
+    /// canonical form; the absolute angles of parallel joints give the shortest one.
     pub(crate) fn with_angles(graph: &'g Graph, budget: usize, angles: BaseAngles<'g>) -> Self {
         Self {
             angles,
@@ -108,8 +108,8 @@ impl<'g> Normalizer<'g> {
         Ok(self.normal(x)?.is_empty())
     }
 
-    /// Whether a constant is a sum or a product of so many terms, or a value of parameters so deep, that nothing is gained
-    /// by writing it out.
+    /// Whether a constant is a sum or a product of so many terms, or a value of parameters so deep, that nothing is
+    /// gained by writing it out.
     fn is_long_constant(&self, id: ExprId) -> bool {
         let terms = |x: ExprId| self.known[&x].len();
         match self.graph.level(id) {

@@ -1,6 +1,6 @@
 //! Expressions as formulas, as a person would write them: flat sums and products, numbers and parameters first.
 
-use num_traits::{One, Signed, Zero};
+use num_traits::{One, Signed, ToPrimitive, Zero};
 use rustc_hash::FxHashMap;
 
 use super::formula::Summand;
@@ -13,6 +13,8 @@ pub(crate) struct Printer<'g> {
     names: FxHashMap<ExprId, Formula>,
     /// The most operations that are written out; of what is longer, the parts that are have dots in their place.
     most: u64,
+    /// Whether numbers are multiplied and added up.
+    computes: bool,
 }
 
 /// Constants of more operations are written as numbers.
@@ -28,6 +30,15 @@ impl<'g> Printer<'g> {
             graph,
             names: FxHashMap::default(),
             most: u64::MAX,
+            computes: false,
+        }
+    }
+
+    /// A printer that multiplies and adds up numbers: for people who read, not for what tells how something is computed.
+    pub(crate) fn that_computes(graph: &'g Graph) -> Self {
+        Self {
+            computes: true,
+            ..Self::new(graph)
         }
     }
 
@@ -47,6 +58,7 @@ impl<'g> Printer<'g> {
             graph: self.graph,
             names: self.names.clone(),
             most: LONGEST_TEXT,
+            computes: self.computes,
         };
         short.definition(x)
     }
@@ -103,9 +115,10 @@ impl<'g> Printer<'g> {
     fn sum(&self, x: ExprId) -> Formula {
         let mut terms = Vec::new();
         self.gather_terms(x, true, false, &mut terms);
+        let mut terms = if self.computes { with_one_number(terms) } else { terms };
         // a leading minus is easily overlooked
         terms.sort_by_key(|term| term.negative);
-        Formula::Sum(terms)
+        Formula::sum(terms)
     }
 
     fn gather_terms(&self, x: ExprId, top: bool, negative: bool, terms: &mut Vec<Summand>) {
@@ -135,7 +148,7 @@ impl<'g> Printer<'g> {
 
     fn product(&self, x: ExprId) -> Formula {
         let mut factors = Vec::new();
-        let negative = self.gather_factors(x, true, ratio(1, 1), &mut factors);
+        let mut negative = self.gather_factors(x, true, ratio(1, 1), &mut factors);
         // numbers, then parameters, then the state, each in the order of declaration
         factors.sort_by_key(|&(id, _)| (self.graph.as_number(id).is_none(), self.graph.level(id), id));
         let mut merged: Vec<(ExprId, Rational)> = Vec::new();
@@ -146,13 +159,28 @@ impl<'g> Printer<'g> {
             }
         }
         merged.retain(|(_, power)| !power.is_zero());
-        let (below, above): (Vec<_>, Vec<_>) = merged.into_iter().partition(|(_, power)| power.is_negative());
-        let write = |list: Vec<(ExprId, Rational)>| {
-            let factors = list.into_iter().map(|(id, power)| self.factor(id, power.abs()));
-            Formula::product(factors.collect())
+        let number = if self.computes {
+            self.take_number(&mut merged)
+        } else {
+            Rational::one()
         };
-        let above = write(above).unwrap_or(Formula::Number(Rational::one()));
-        let product = match write(below) {
+        negative ^= number.is_negative();
+        let number = Some(number.abs())
+            .filter(|number| !number.is_one())
+            .map(Formula::Number);
+        let (below, above): (Vec<_>, Vec<_>) = merged.into_iter().partition(|(_, power)| power.is_negative());
+        let mut write = |number: Option<Formula>, list: Vec<(ExprId, Rational)>| {
+            let factors = list.into_iter().map(|(id, power)| match self.factor(id, power.abs()) {
+                Formula::Neg(factor) if self.computes => {
+                    negative = !negative;
+                    *factor
+                }
+                factor => factor,
+            });
+            Formula::product(number.into_iter().chain(factors).collect())
+        };
+        let above = write(number, above).unwrap_or(Formula::Number(Rational::one()));
+        let product = match write(None, below) {
             None => above,
             Some(below) => Formula::Quotient(Box::new(above), Box::new(below)),
         };
@@ -161,6 +189,20 @@ impl<'g> Printer<'g> {
         } else {
             product
         }
+    }
+
+    /// Takes the numbers that multiply out of factors: their product.
+    fn take_number(&self, factors: &mut Vec<(ExprId, Rational)>) -> Rational {
+        let mut product = Rational::one();
+        factors.retain(|(id, power)| {
+            let power = power.to_i32().filter(|n| *n > 0 && power.is_integer());
+            let (Some(number), Some(power)) = (self.graph.as_number(*id), power) else {
+                return true;
+            };
+            product *= number.pow(power);
+            false
+        });
+        product
     }
 
     fn gather_factors(&self, x: ExprId, top: bool, power: Rational, factors: &mut Vec<(ExprId, Rational)>) -> bool {
@@ -202,4 +244,25 @@ impl<'g> Printer<'g> {
         }
         Formula::Power(Box::new(self.formula(x)), Box::new(Formula::Number(power)))
     }
+}
+
+/// The terms of a sum, with the sum of all numbers in the place of the first of them.
+fn with_one_number(terms: Vec<Summand>) -> Vec<Summand> {
+    let value = |term: &Summand| match &term.formula {
+        Formula::Number(n) if term.negative => Some(-n),
+        Formula::Number(n) => Some(n.clone()),
+        _ => None,
+    };
+    if terms.iter().filter_map(value).count() < 2 {
+        return terms;
+    }
+    let mut sum = Some(terms.iter().filter_map(value).sum::<Rational>());
+    let kept = terms.into_iter().filter_map(|term| match value(&term) {
+        None => Some(term),
+        Some(_) => sum.take().filter(|sum| !sum.is_zero()).map(|sum| Summand {
+            negative: sum.is_negative(),
+            formula: Formula::Number(sum.abs()),
+        }),
+    });
+    kept.collect()
 }

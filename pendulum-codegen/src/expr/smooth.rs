@@ -12,9 +12,9 @@ const SMOOTH: i64 = 16;
 const MOST: usize = 1000;
 
 impl<'g> Expr<'g> {
-    /// How many continuous derivatives an expression is known to have by the symbols of some kinds: 0 for a corner, as `abs` has
-    /// at zero, -1 for a jump, and many for what is smooth wherever it has a value. Places where the argument of a root, a quotient or an
-    /// angle vanishes are not looked for.
+    /// How many continuous derivatives an expression is known to have by the symbols of some kinds: 0 for a corner, as
+    /// `abs` has at zero, -1 for a jump, and many for what is smooth wherever it has a value. Places where the argument
+    /// of a root, a quotient or an angle vanishes are not looked for.
     pub(crate) fn continuous_derivatives(self, by: impl Fn(SymbolKind) -> bool) -> i64 {
         let mut known: FxHashMap<Self, i64> = FxHashMap::default();
         let mut varying: FxHashSet<Self> = FxHashSet::default();
@@ -40,7 +40,8 @@ impl<'g> Expr<'g> {
     }
 }
 
-/// Of a product: each `|u|^p u^n` in it has one continuous derivative less than `p + n`, rounded up, unless `p` is even.
+/// Of a product: each `|u|^p u^n` in it has one continuous derivative less than `p + n`, rounded up, unless `p` is
+/// even.
 fn of_product<'g>(product: Expr<'g>, known: &FxHashMap<Expr<'g>, i64>) -> i64 {
     let mut factors: Vec<(Expr<'g>, Rational, Rational)> = Vec::new();
     collect(product, &ratio(1, 1), &mut factors, &mut { MOST });

@@ -184,7 +184,7 @@ impl<'g> Lower<'g> {
         Ok(coefficient? * approach / square_of_distance(&ends))
     }
 
-    /// A coordinate of the state; none for one that follows from closed loops.
+    /// A coordinate of the state; none for a dependent one.
     fn coordinate(&mut self, name: &Ident, items: &ast::Items) -> Result<Option<CoordinateId>, Reported> {
         let own = items
             .bodies

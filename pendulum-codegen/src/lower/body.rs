@@ -3,10 +3,10 @@
 use std::collections::BTreeMap;
 
 use super::Lower;
+use super::freedom::freedom;
 use super::mass::{Mass, Turns};
 use super::motion::Motion;
 use super::order::Hung;
-use super::orientation::freedom;
 use super::written::written;
 use crate::ast;
 use crate::error::Reported;

@@ -1,4 +1,4 @@
-//! Closed loops, and the coordinates that follow from them.
+//! Closed loops, and the coordinates that depend on others because of them.
 
 use proc_macro2::{Ident, Span};
 
@@ -10,15 +10,15 @@ use super::joint_units::JointUnits;
 use crate::ast::{self, ExprKind, JointKind};
 use crate::error::Reported;
 use crate::expr::{Expr, Level, SymbolKind};
-use crate::model::{self, BodyId, Closure, Combination, Coordinate, Declared, Loop, Model, NoPlane, Open, Tie};
+use crate::model::{self, BodyId, Cause, Closure, Combination, Coordinate, Declared, Loop, Model, NoPlane, Open, Tie};
 use crate::parse::HINGES;
 use crate::screw::Vec3;
 
-/// How many coordinates follow from a loop in a plane.
-const FOLLOW: usize = 2;
+/// How many coordinates a loop in a plane determines.
+const IN_PLANE: usize = 2;
 
 impl<'g> Lower<'g> {
-    /// Closes the loops of a model: coordinates that depend become symbols that follow from the state.
+    /// Closes the loops of a model: coordinates that depend become symbols with values in the state.
     pub(super) fn close(&mut self, items: &ast::Items, model: &mut Model<'g>, declared: Vec<Coordinate<'g>>) {
         let near: Vec<Result<Expr<'g>, Reported>> = items.bodies.iter().map(|body| self.near(body)).collect();
         let closures = items.closures.iter().map(|closure| self.closure(closure, items));
@@ -59,12 +59,12 @@ impl<'g> Lower<'g> {
                     bodies.find(|(body, _)| own(body)).map_or(zero, |(_, near)| *near)
                 };
                 let of_state: Vec<Expr<'g>> = model.coordinates.iter().map(near).collect();
-                let following = declared.iter().cloned().map(|coordinate| Declared {
+                let dependents = declared.iter().cloned().map(|coordinate| Declared {
                     near: near(&coordinate),
                     coordinate,
                 });
-                let following: Vec<Declared<'g>> = following.collect();
-                self.solve(items, model, &closures, &following, &of_state)
+                let dependents: Vec<Declared<'g>> = dependents.collect();
+                self.solve(items, model, &closures, &dependents, &of_state)
             });
         let Ok(closed) = solved else { return };
         let first = model.independent();
@@ -94,7 +94,7 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// What is not known where positions that follow are in the state.
+    /// What is not known where dependent coordinates are in the state.
     fn refuse_in_state(&mut self, items: &ast::Items) {
         let words = items.generate.iter().flat_map(|(_, list)| list);
         if let Some(word) = words.into_iter().find(|word| **word == "canonical") {
@@ -117,7 +117,7 @@ impl<'g> Lower<'g> {
             let [a, b] = closure.ends.each_ref().map(|end| end.body.to_string());
             let symbol = self
                 .graph
-                .symbol(&format!("margin({a}, {b})"), SymbolKind::Following(n));
+                .symbol(&format!("margin({a}, {b})"), SymbolKind::Dependent(n));
             self.margins.push(([a, b], symbol));
         }
     }
@@ -168,7 +168,7 @@ impl<'g> Lower<'g> {
         self.expr(near, &place)
     }
 
-    /// What follows from closed loops has no friction that holds it, and no stop.
+    /// A dependent coordinate has no friction that holds it, and no stop.
     fn refuse_to_hold(&mut self, body: &ast::Body) {
         let (fields, name) = (&body.fields, &body.name);
         let friction = fields.dry_friction.as_ref().map(|e| &e.tokens);
@@ -306,60 +306,81 @@ impl<'g> Lower<'g> {
             planes.len(),
         );
         if planes.iter().all(Result::is_ok) {
-            let at = closures.get(declared.len() / FOLLOW).map_or(first, |(_, span)| *span);
-            self.count(items, FOLLOW * loops, at)?;
+            let at = closures.get(declared.len() / IN_PLANE).map_or(first, |(_, span)| *span);
+            self.count(items, IN_PLANE * loops, at)?;
         }
         model.closures = closures.iter().map(|(closure, _)| *closure).collect();
         let vectors: Vec<Option<Loop<'g>>> = planes.iter().map(|plane| plane.clone().ok()).collect();
-        model::close(model, &vectors, declared, near).map_err(|open| {
-            let ends = |n: usize| items.closures[n].ends.each_ref().map(|end| end.body.to_string());
-            let at = |n: usize| closures[n].1;
-            match open {
-                Open::TooShort(n, by, _) if by.is_nan() || by < FLAT => {
-                    let [a, b] = ends(n);
-                    let fact = format!("the loop from `{a}` to `{b}` is at its toggle where it is assembled");
-                    let help =
-                        "there what depends does not follow: assemble it elsewhere, as by `coordinate: theta near 0.5`";
-                    self.errors.at(at(n), fact, help)
-                }
-                Open::TooShort(n, by, unit) => {
-                    let [a, b] = ends(n);
-                    let fact = format!(
-                        "the loop from `{a}` to `{b}` cannot close: it misses by {} {unit} where it is assembled",
-                        readable(by)
-                    );
-                    let help = match &planes[n] {
-                        Err(_) if has_orientation(&items.closures[n], &items.bodies) => HINGES,
-                        plane => plane.as_ref().err().map_or(ASSEMBLED, NoPlane::help),
-                    };
-                    self.errors.at(at(n), fact, help)
-                }
-                Open::Undecided(n) => {
-                    let [a, b] = ends(n);
-                    let fact = format!(
-                        "the loop from `{a}` to `{b}` can be assembled in two ways, and the guess is as near to both"
-                    );
-                    let help = "say in which: `coordinate: phi depends near 0.3`";
-                    self.errors.at(at(n), fact, help)
-                }
-                Open::Determine(n, needed) => match self.count(items, needed, at(n)) {
-                    Err(reported) => reported,
-                    Ok(()) => self.others(at(n), ends(n)),
-                },
-                Open::Others(n) => self.others(at(n), ends(n)),
-            }
+        model::close(model, &vectors, declared, near).map_err(|Open { number, cause }| {
+            let plane = planes[number].as_ref().err();
+            self.open(items, number, &cause, plane, closures[number].1)
         })
     }
 
-    /// A loop determines other coordinates than those that depend.
-    fn others(&mut self, at: Span, [a, b]: [String; 2]) -> Reported {
-        let fact = format!("the loop from `{a}` to `{b}` does not determine the coordinates that depend");
-        let help = "let coordinates of the joints in the loop depend, and assemble it away from its toggle: `coordinate: phi depends near 0.3`";
-        self.errors.at(at, fact, help)
+    /// Reports what keeps a loop open.
+    fn open(
+        &mut self,
+        items: &ast::Items,
+        number: usize,
+        cause: &Cause,
+        no_plane: Option<&NoPlane>,
+        at: Span,
+    ) -> Reported {
+        if let Cause::Determines(needed) = *cause
+            && let Err(reported) = self.count(items, needed, at)
+        {
+            return reported;
+        }
+        let [a, b] = items.closures[number].ends.each_ref().map(|end| &end.body);
+        let help = match no_plane {
+            Some(_) if has_orientation(&items.closures[number], &items.bodies) => HINGES,
+            no_plane => no_plane.map_or(ASSEMBLED, NoPlane::help),
+        };
+        let (what, help) = match *cause {
+            Cause::TooShort { by } => (
+                format!(
+                    "cannot close: where it is assembled, its sides miss each other by {} m",
+                    readable(by)
+                ),
+                help,
+            ),
+            Cause::AtToggle => (
+                "is at its toggle where it is assembled".to_owned(),
+                "there it does not determine what depends: assemble it elsewhere, as by `coordinate: theta near 0.5`",
+            ),
+            Cause::Undecided => (
+                "can be assembled in two ways, and the guess is as near to both".to_owned(),
+                "say in which: `coordinate: phi depends near 0.3`",
+            ),
+            Cause::AlwaysOpen { by, unit } => (
+                format!(
+                    "cannot close: its ends are {} {unit} apart wherever it moves",
+                    readable(by)
+                ),
+                help,
+            ),
+            Cause::ClosedByChance => (
+                "closes for the default values of the parameters alone".to_owned(),
+                "give both ends one parameter where they must agree in order to close",
+            ),
+            Cause::NotAssembled { by, unit } => (
+                format!(
+                    "cannot be assembled near the guess: its ends stay {} {unit} apart",
+                    readable(by)
+                ),
+                help,
+            ),
+            Cause::Determines(_) | Cause::DeterminesOthers => (
+                "does not determine the coordinates that depend".to_owned(),
+                "let coordinates of the joints in the loop depend, and assemble it away from its toggle: `coordinate: phi depends near 0.3`",
+            ),
+        };
+        self.errors
+            .at(at, format_args!("the loop from `{a}` to `{b}` {what}"), help)
     }
 }
 
-/// Whether a body between the ends of a loop has an orientation, which does not follow.
+/// Whether a body between the ends of a loop has an orientation, which cannot depend.
 fn has_orientation(closure: &ast::Closure, bodies: &[ast::Body]) -> bool {
     let [first, second] = closure.ends.each_ref().map(|end| {
         let named = |name: &Ident| bodies.iter().position(|body| body.name == *name);
@@ -391,10 +412,7 @@ fn readable(number: f64) -> String {
     }
 }
 
-/// A loop that misses by no more than rounding is closed; it is just not known how.
-const FLAT: f64 = 1e-9;
-
-/// What to do about a loop that does not close.
+/// What to do about a loop in a plane that does not close.
 const ASSEMBLED: &str =
     "check lengths and places, or say where the mechanism can be assembled: `coordinate: theta near 0.5`";
 

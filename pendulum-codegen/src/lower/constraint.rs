@@ -6,9 +6,9 @@ use syn::Ident;
 
 use super::Lower;
 use super::expr::{Only, Place};
+use super::freedom::freedom;
 use super::joint_units::JointUnits;
 use super::measure::Measure;
-use super::orientation::freedom;
 use super::written::written;
 use crate::ast::{self, ExprKind};
 use crate::error::Reported;

@@ -1,10 +1,10 @@
 //! What a scene declares: parameters, inputs, named expressions and coordinates.
 
 use super::Lower;
+use super::components::Unrated;
 use super::expr::Place;
 use super::joint_units::JointUnits;
 use super::measure::Measure;
-use super::orientation::Unrated;
 use super::scope::Kind;
 use super::written::written;
 use crate::ast::{self, ExprKind, Read};
@@ -129,7 +129,7 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// The coordinates of the state, or those that follow from closed loops; the first of them is number `first`.
+    /// The coordinates of the state, or the dependent ones; the first of them is number `first`.
     pub(super) fn coordinates(&mut self, bodies: &[ast::Body], first: usize, depend: bool) -> Vec<Coordinate<'g>> {
         let mut coordinates = Vec::new();
         for body in bodies.iter().filter(|body| body.fields.depends.is_some() == depend) {

@@ -50,7 +50,7 @@ impl Only {
         match kind {
             SymbolKind::Input(_) => self == Self::All,
             SymbolKind::Rate(_) | SymbolKind::PointRate(_) => matches!(self, Self::All | Self::State),
-            SymbolKind::Point(_) | SymbolKind::Following(_) => self != Self::Motion,
+            SymbolKind::Point(_) | SymbolKind::Dependent(_) => self != Self::Motion,
             _ => true,
         }
     }

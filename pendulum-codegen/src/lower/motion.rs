@@ -13,14 +13,15 @@ use crate::model::{Combination, Coordinate, CoordinateId, Drive};
 pub(super) enum Motion<'g> {
     /// It stays where it is.
     Still(Expr<'g>),
-    /// It follows a drive.
+    /// It is driven.
     Driven(CoordinateId),
     /// It follows other joints, from a place on.
     Following(Combination, Expr<'g>),
 }
 
 impl<'g> Lower<'g> {
-    /// The drives of a scene with `dof` coordinates, numbered behind them. Also records what each joint with a motion does.
+    /// The drives of a scene with `dof` coordinates, numbered behind them. Also records what each joint with a motion
+    /// does.
     pub(super) fn drives(&mut self, bodies: &[ast::Body], dof: usize) -> Vec<Drive<'g>> {
         let mut drives: Vec<Drive<'g>> = Vec::new();
         for body in bodies {
@@ -42,7 +43,7 @@ impl<'g> Lower<'g> {
         drives
     }
 
-    /// What follows from closed loops is numbered behind the drives, of which only now is known how many there are.
+    /// Dependent coordinates are numbered behind the drives, of which only now is known how many there are.
     pub(super) fn number_behind(&mut self, dof: usize, drives: usize) {
         let behind = |k: CoordinateId| match usize::from(k) {
             k if k < dof => CoordinateId::new(k),
@@ -150,7 +151,7 @@ impl<'g> Lower<'g> {
                     "a joint follows others as in `-a`, `0.5*a + 0.1` or `a - b`, where `a` and `b` are coordinates";
                 return Err(self.errors.on(motion, fact, help));
             };
-            // what follows from loops is known but for whole turns
+            // dependent angles are known but for whole turns
             if usize::from(k) >= dof && !factor.is_integer() {
                 let leader = position.as_symbol().map_or("", |symbol| &symbol.name);
                 let fact = format_args!(

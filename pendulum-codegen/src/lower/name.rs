@@ -275,7 +275,7 @@ impl<'g> Lower<'g> {
         let without_rate = symbols.find(|symbol| {
             matches!(
                 symbol.kind,
-                SymbolKind::Rate(_) | SymbolKind::PointRate(_) | SymbolKind::Input(_) | SymbolKind::Following(_)
+                SymbolKind::Rate(_) | SymbolKind::PointRate(_) | SymbolKind::Input(_) | SymbolKind::Dependent(_)
             )
         });
         if let Some(symbol) = without_rate {

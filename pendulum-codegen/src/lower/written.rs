@@ -3,8 +3,8 @@
 use crate::ast::{Expr, ExprKind, Operator};
 use crate::expr::{Formula, Summand};
 
-/// The formula of an expression as it stands in the declaration, in which `q` and `qd` are written as the position and the rate of the
-/// joint.
+/// The formula of an expression as it stands in the declaration, in which `q` and `qd` are written as the position and
+/// the rate of the joint.
 pub(super) fn written(expr: &Expr, joint: Option<&[Formula; 2]>) -> Formula {
     let part = |expr: &Expr| written(expr, joint);
     let boxed = |expr: &Expr| Box::new(part(expr));

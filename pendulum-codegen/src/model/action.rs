@@ -37,8 +37,8 @@ pub(crate) enum Action<'g> {
     Press(Expr<'g>, Expr<'g>),
     /// A force at a place.
     Push(Push<'g>),
-    /// A spring or a damper between two places `a` and `b`: the force `factor (b - a)` on the first, and its opposite on the
-    /// second.
+    /// A spring or a damper between two places `a` and `b`: the force `factor (b - a)` on the first, and its opposite
+    /// on the second.
     Between {
         /// The two places.
         ends: [Place<'g>; 2],

@@ -1,21 +1,25 @@
 //! What closed loops make of the coordinates that are declared to depend on others.
 //!
-//! Loops are solved one after the other as long as one is a [triangle]; what is left is solved together, [by linear equations].
+//! Loops are solved one after the other as long as one is a [triangle]; what is left is solved together, [by linear
+//! equations].
 //!
 //! [triangle]: triangle
 //! [by linear equations]: equations
 
 mod equations;
+mod meeting;
 mod orthogonal;
 mod triangle;
 
 pub(crate) use orthogonal::Orthogonal;
 
+use rustc_hash::FxHashMap;
+
 use super::closure::Loop;
 use super::{Combination, Coordinate, CoordinateId, Dependent, Following, Model};
-use crate::expr::{Binary, Expr, Graph, Level, Normalizer, Rational, Symbol, SymbolKind};
+use crate::expr::{Binary, Expr, ExprId, Graph, Level, Normalizer, Rational, Symbol, SymbolKind};
 
-/// A coordinate that shall follow, as it is declared.
+/// A dependent coordinate as it is declared.
 #[derive(Clone, Debug)]
 pub(crate) struct Declared<'g> {
     /// Its name and symbols.
@@ -26,21 +30,40 @@ pub(crate) struct Declared<'g> {
 
 /// Why loops cannot be closed.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) enum Open {
-    /// Where the loop is assembled, it misses closing by this length, or angle.
-    TooShort(usize, f64, &'static str),
-    /// The guess is as near to one assembly of the loop as to the other.
-    Undecided(usize),
-    /// Loops, this one among them, determine so many coordinates where they are assembled.
-    Determine(usize, usize),
-    /// Loops, this one among them, do not determine the coordinates that depend, but others.
-    Others(usize),
+pub(crate) struct Open {
+    /// The number of a loop that cannot.
+    pub number: usize,
+    pub cause: Cause,
 }
 
-/// What closed loops make of the coordinates that are declared to follow.
+/// What keeps a loop open where it is assembled.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) enum Cause {
+    /// The sides of its triangle are by this length too short to meet, or one of them too long.
+    TooShort { by: f64 },
+    /// It is at its toggle.
+    AtToggle,
+    /// Its guess is as near to one assembly as to the other.
+    Undecided,
+    /// Its ends are so far apart in all states.
+    AlwaysOpen { by: f64, unit: &'static str },
+    /// It would be open in all states for other parameters.
+    ClosedByChance,
+    /// Its ends stay so far apart near the guess.
+    NotAssembled { by: f64, unit: &'static str },
+    /// It and others determine so many coordinates.
+    Determines(usize),
+    /// It and others do not determine the coordinates that depend.
+    DeterminesOthers,
+}
+
+/// A loop that misses by no more than this is closed, up to rounding.
+const ROUNDING: f64 = 1e-9;
+
+/// What closed loops make of the dependent coordinates.
 #[derive(Clone, Debug)]
 pub(crate) struct Closed<'g> {
-    /// The coordinates that follow: absolute angles of sides, and lengths.
+    /// What they determine: absolute angles of sides, and lengths.
     pub dependents: Vec<Dependent<'g>>,
     /// Each declared coordinate in those of the state, of the drives, and those.
     pub combinations: Vec<Combination>,
@@ -69,7 +92,8 @@ struct Solver<'g, 'm> {
     assembled: Vec<f64>,
 }
 
-/// Closes the loops, each with its vectors if it lies in a plane. Near `near` the coordinates of the state assemble them.
+/// Closes the loops, each with its vectors if it lies in a plane. Near `near` the coordinates of the state assemble
+/// them.
 pub(crate) fn close<'g>(
     model: &Model<'g>,
     loops: &[Option<Loop<'g>>],
@@ -143,8 +167,8 @@ impl<'g, 'm> Solver<'g, 'm> {
         sum.filtered(|k| self.is_unknown(k))
     }
 
-    /// A symbol for a value that follows from the state.
-    fn follow(&mut self, symbol: Expr<'g>, value: Expr<'g>) {
+    /// Gives a symbol its value.
+    fn define(&mut self, symbol: Expr<'g>, value: Expr<'g>) {
         let value = self.model.with_drives(&[value])[0];
         self.graph.set_changes(symbol, &[(value, self.graph.one())], false);
         self.following.set(symbol, value);
@@ -155,23 +179,29 @@ impl<'g, 'm> Solver<'g, 'm> {
         if value.level() < Level::State || value.as_symbol().is_some() {
             return value;
         }
-        let symbol = self.graph.symbol(name, SymbolKind::Following(0));
-        self.follow(symbol, value);
+        let symbol = self.graph.symbol(name, SymbolKind::Dependent(0));
+        self.define(symbol, value);
         symbol
+    }
+
+    /// The name of an unknown.
+    fn name(&self, n: usize) -> &str {
+        self.dependents[n].as_ref().map_or("", |d| &d.coordinate.name)
     }
 
     /// What the derivative of an unknown by the coordinate of number `j` is called.
     fn slope_name(&self, n: usize, j: usize) -> String {
-        let own = self.dependents[n].as_ref().map_or("", |d| &d.coordinate.name);
-        let by = &self.model.coordinate(CoordinateId::new(j)).name;
-        format!("slope_{}_{}", bare(own), bare(by))
+        format!(
+            "slope_{}_{}",
+            self.name(n),
+            self.model.coordinate(CoordinateId::new(j)).name
+        )
     }
 
     /// The same by a parameter.
     fn slope_name_of(&self, n: usize, parameter: Expr<'g>) -> String {
-        let own = self.dependents[n].as_ref().map_or("", |d| &d.coordinate.name);
         let by = parameter.as_symbol().map_or("", |symbol| &symbol.name);
-        format!("slope_{}_{}", bare(own), bare(by))
+        format!("slope_{}_{by}", self.name(n))
     }
 
     /// The parameters, where anything is derived by them.
@@ -181,7 +211,8 @@ impl<'g, 'm> Solver<'g, 'm> {
         parameters.map(|parameter| parameter.symbol).collect()
     }
 
-    /// The slopes of an unknown, which are symbols or constants, give it its rate; those by parameters belong to its position.
+    /// The slopes of an unknown, which are symbols or constants, give it its rate; those by parameters belong to its
+    /// position.
     fn set_slopes(&mut self, n: usize, named: Vec<Expr<'g>>, of_parameters: Vec<(Expr<'g>, Expr<'g>)>) {
         let Some(Dependent {
             coordinate, in_state, ..
@@ -211,7 +242,7 @@ impl<'g, 'm> Solver<'g, 'm> {
             self.graph
                 .set_changes(coordinate.position, &changes.collect::<Vec<_>>(), false);
         }
-        self.follow(coordinate.rate, rate);
+        self.define(coordinate.rate, rate);
         let coordinate = Coordinate {
             acceleration,
             ..coordinate
@@ -226,8 +257,7 @@ impl<'g, 'm> Solver<'g, 'm> {
 
     /// What the second rate of an unknown is called where no coordinate accelerates.
     fn drift_name(&self, n: usize) -> String {
-        let own = self.dependents[n].as_ref().map_or("", |d| &d.coordinate.name);
-        format!("drift_{}", bare(own))
+        format!("drift_{}", self.name(n))
     }
 
     /// Sets that second rate, which is a symbol or a constant.
@@ -316,19 +346,19 @@ impl<'g, 'm> Solver<'g, 'm> {
 
     fn numbers_of(&self, values: &[Expr<'g>]) -> Vec<f64> {
         let values = self.following.written_out(self.graph, &self.model.with_drives(values));
-        // declared symbols are numbered before it is known how many drives there are
-        let number = |symbol: &Symbol| {
-            let mut names = self.model.all_coordinates().map(|c| c.name.trim_start_matches("r#"));
-            names.position(|name| name == symbol.name)
-        };
-        let value = |symbol: &Symbol| match symbol.kind {
+        let assembled = self.model.all_coordinates().zip(&self.assembled);
+        let assembled: FxHashMap<ExprId, f64> = assembled
+            .map(|(coordinate, &value)| match &coordinate.changes[..] {
+                // orientations are those of the frames that they are relative to: the scalar part is first
+                [(scalar, _), _, ..] => (scalar.id(), 1.0),
+                _ => (coordinate.position.id(), value),
+            })
+            .collect();
+        let value = |id: ExprId, symbol: &Symbol| match symbol.kind {
             SymbolKind::Parameter(n) => self.model.parameters[n].default.unwrap_or(1.0),
-            // orientations are those of the frames that they are relative to
-            SymbolKind::Coordinate(_) if symbol.name.ends_with(".w") => 1.0,
-            SymbolKind::Coordinate(_) => number(symbol).map_or(0.0, |k| self.assembled[k]),
-            _ => 0.0,
+            _ => assembled.get(&id).copied().unwrap_or(0.0),
         };
-        self.graph.evaluate(&values, value)
+        self.graph.evaluate_at(&values, value)
     }
 
     /// Whether all parameters have values, so that the loops can be assembled.
@@ -338,9 +368,4 @@ impl<'g, 'm> Solver<'g, 'm> {
             .iter()
             .all(|parameter| parameter.default.is_some())
     }
-}
-
-/// The name of a body or coordinate, without the word before it and the mark of a raw identifier.
-fn bare(name: &str) -> &str {
-    name.trim_start_matches("angle_").trim_start_matches("r#")
 }

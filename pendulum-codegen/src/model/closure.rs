@@ -34,8 +34,8 @@ pub(crate) enum Tie<'g> {
 pub(crate) struct Row<'g> {
     pub value: Expr<'g>,
     pub unit: &'static str,
-    /// What acts on the first end about the origin of the second one, and on the second in return, where a unit of force along `value`
-    /// keeps it at zero: in the frame of the [carrier](Closure::carrier).
+    /// What acts on the first end about the origin of the second one, and on the second in return, where a unit of
+    /// force along `value` keeps it at zero: in the frame of the [carrier](Closure::carrier).
     pub wrench: Wrench<'g>,
 }
 
@@ -56,7 +56,7 @@ pub(crate) struct Piece<'g> {
     /// The angle by which it is turned.
     pub(super) turn: Combination,
     /// The vector before; a unit vector where it slides.
-    pub(super) vector: Vec2<'g>,
+    pub(super) vector: Vec2<Expr<'g>>,
     /// The coordinate along which it slides.
     pub(super) slide: Option<CoordinateId>,
     /// The body in whose frame it stands still; none for the frame of the plane.
@@ -90,8 +90,8 @@ impl<'g> Closure<'g> {
         carrier(model, self.ends.map(|end| end.body))
     }
 
-    /// What vanishes where the loop is closed: where places coincide, and the cosines of angles that are right ones. The bodies that carry
-    /// the loop do not occur.
+    /// What vanishes where the loop is closed: where places coincide, and the cosines of angles that are right ones.
+    /// The bodies that carry the loop do not occur.
     pub(crate) fn equations(&self, model: &Model<'g>) -> Vec<Row<'g>> {
         let frames = between(model, self.ends.map(|end| end.body));
         let [(a, p), (b, r)] = [0, 1].map(|n| {
@@ -132,40 +132,16 @@ impl<'g> Closure<'g> {
 impl<'g> Loop<'g> {
     /// The loop that a joint closes.
     pub(crate) fn new(model: &Model<'g>, closure: &Closure<'g>) -> Result<Self, NoPlane> {
-        let [first, second] = &closure.ends;
-        let station = |place: &Place<'g>| place.body.and_then(|body| model.bodies[body].heading.station);
-        // an end may be the body in whose frame the others turn
-        let frame = match [first, second].map(station) {
-            [a, b] if a == b => a,
-            [a, b] if first.body == b && a != b => b,
-            [a, b] if second.body == a && a != b => a,
-            _ => return Err(NoPlane::Axes),
-        };
-        let axes = [first, second].map(|place| axis_in(model, place, frame));
+        let frame = common_frame(model, closure).ok_or(NoPlane::Axes)?;
+        let axes = closure.ends.each_ref().map(|end| axis_in(model, end, frame));
         let axis = axes.into_iter().flatten().next().ok_or(NoPlane::Axes)?;
-        let mut steps = Vec::new();
-        for (place, own, towards) in [(first, axes[0], 1), (second, axes[1], -1)] {
-            let sign = own.map_or(Some(1), |own| parallel(axis, own)).ok_or(NoPlane::Axes)?;
-            for step in steps_to(model, place, frame) {
-                steps.push(Step {
-                    turn: step.turn.scaled(sign),
-                    vector: towards * step.vector,
-                    ..step
-                });
-            }
-        }
-        match closure.tie {
-            Tie::Ball => {}
-            Tie::Revolute(of_joint) => {
-                let of_joint = closure.axes[0] * of_joint;
-                let of_joint = match first.body {
-                    Some(body) if first.body != frame => model.bodies[body].heading.rest * of_joint,
-                    _ => of_joint,
-                };
-                parallel(axis, of_joint).ok_or(NoPlane::Joint)?;
-            }
-            Tie::Prismatic(_) | Tie::Fixed => return Err(NoPlane::Joint),
-        }
+        let steps = steps_around(model, closure, frame, axis, axes)?;
+        check_joint(model, closure, frame, axis)?;
+        Self::flat(model, axis, steps)
+    }
+
+    /// The loop of steps that stay in one plane across an axis.
+    fn flat(model: &Model<'g>, axis: Vec3<'g>, steps: Vec<Step<'g>>) -> Result<Self, NoPlane> {
         let basis = Mat3::with_third_column(axis).transpose();
         let mut height = model.graph.zero();
         let mut pieces = Vec::new();
@@ -194,7 +170,7 @@ impl<'g> Loop<'g> {
     /// The loop around both.
     pub(super) fn joined(&self, other: &Self, sign: i64) -> Self {
         let signed = other.0.iter().map(|piece| Piece {
-            vector: piece.vector.0[0].graph().integer(sign) * piece.vector,
+            vector: piece.vector.times(piece.vector.0[0].graph().integer(sign)),
             ..piece.clone()
         });
         let mut joined = Self(Vec::new());
@@ -209,6 +185,58 @@ impl<'g> Loop<'g> {
         joined.0.retain(|piece| !piece.vector.0.into_iter().all(vanishes));
         joined
     }
+}
+
+/// The frame in which both ends of a loop turn about one axis; an end may be the body in whose frame the other turns.
+fn common_frame(model: &Model<'_>, closure: &Closure<'_>) -> Option<Option<BodyId>> {
+    let [first, second] = closure.ends.each_ref().map(|end| end.body);
+    let station = |body: Option<BodyId>| body.and_then(|body| model.bodies[body].heading.station);
+    match [first, second].map(station) {
+        [a, b] if a == b => Some(a),
+        [a, b] if first == b && a != b => Some(b),
+        [a, b] if second == a && a != b => Some(a),
+        _ => None,
+    }
+}
+
+/// The steps from the origin of a frame to the first end, and those from there by the second end back, as turns about
+/// one axis.
+fn steps_around<'g>(
+    model: &Model<'g>,
+    closure: &Closure<'g>,
+    frame: Option<BodyId>,
+    axis: Vec3<'g>,
+    axes: [Option<Vec3<'g>>; 2],
+) -> Result<Vec<Step<'g>>, NoPlane> {
+    let mut steps = Vec::new();
+    for ((end, own), towards) in closure.ends.iter().zip(axes).zip([1, -1]) {
+        let sign = own.map_or(Some(1), |own| parallel(axis, own)).ok_or(NoPlane::Axes)?;
+        steps.extend(steps_to(model, end, frame).into_iter().map(|step| Step {
+            turn: step.turn.scaled(sign),
+            vector: towards * step.vector,
+            ..step
+        }));
+    }
+    Ok(steps)
+}
+
+/// The joint that closes a loop must let it turn about the axis of the others.
+fn check_joint<'g>(
+    model: &Model<'g>,
+    closure: &Closure<'g>,
+    frame: Option<BodyId>,
+    axis: Vec3<'g>,
+) -> Result<(), NoPlane> {
+    let own = match closure.tie {
+        Tie::Ball => return Ok(()),
+        Tie::Prismatic(_) | Tie::Fixed => return Err(NoPlane::Joint),
+        Tie::Revolute(own) => closure.axes[0] * own,
+    };
+    let own = match closure.ends[0].body.filter(|_| closure.ends[0].body != frame) {
+        Some(body) => model.bodies[body].heading.rest * own,
+        None => own,
+    };
+    parallel(axis, own).map(|_| ()).ok_or(NoPlane::Joint)
 }
 
 /// The axis about which a body turns in a frame, if it turns there.
@@ -264,7 +292,8 @@ fn steps_to<'g>(model: &Model<'g>, place: &Place<'g>, frame: Option<BodyId>) -> 
     steps
 }
 
-/// Whether two unit vectors are equal for all parameters: 1, or -1 if they are opposite; none where that cannot be proved.
+/// Whether two unit vectors are equal for all parameters: 1, or -1 if they are opposite; none where that cannot be
+/// proved.
 pub(crate) fn parallel<'g>(a: Vec3<'g>, b: Vec3<'g>) -> Option<i64> {
     let vanish = |v: Vec3<'g>| v.0.into_iter().all(vanishes);
     if vanish(a - b) {

@@ -1,4 +1,4 @@
-//! Coordinates that follow from others, where loops are closed.
+//! Coordinates that depend on others, where loops are closed.
 
 use num_traits::ToPrimitive;
 use rustc_hash::FxHashMap;
@@ -6,7 +6,7 @@ use rustc_hash::FxHashMap;
 use super::{Coordinate, CoordinateId, Model};
 use crate::expr::{Binary, Derivative, Expr, Graph, Node, Normalizer, Rational, Unary};
 
-/// A coordinate that follows from those of the state and of the drives.
+/// A coordinate that depends on those of the state and of the drives.
 #[derive(Clone, Debug)]
 pub(crate) struct Dependent<'g> {
     /// The symbols of the coordinate and of its rate, and its second rate in those of the others.
@@ -19,7 +19,7 @@ pub(crate) struct Dependent<'g> {
     pub in_state: bool,
 }
 
-/// What follows from the state: symbols that stand in expressions until these are written out.
+/// What dependent coordinates are in the state: symbols that stand in expressions until these are written out.
 ///
 /// Between, they are as good as variables: forms are expanded in them, and derivatives know how they
 /// change. What they stand for has roots and quotients that no form could be expanded in.
@@ -60,7 +60,18 @@ impl<'g> Following<'g> {
 
     /// What each symbol stands for, in the state and in symbols before it.
     pub(crate) fn definitions(&self) -> impl Iterator<Item = (Expr<'g>, Expr<'g>)> {
-        self.definitions.iter().copied()
+        self.definitions
+            .iter()
+            .map(|&(symbol, value)| match self.sums.get(&symbol) {
+                None => (symbol, value),
+                // but for whole turns it is that sum, in the value too
+                Some(sum) => {
+                    let graph = symbol.graph();
+                    let sum = graph.sum(sum.iter().map(|(part, n)| n * *part));
+                    let known = FxHashMap::from_iter([(symbol, sum)]);
+                    (symbol, graph.substitute(&[value], known)[0])
+                }
+            })
     }
 
     /// The expressions in the state alone.
@@ -80,12 +91,12 @@ impl<'g> Following<'g> {
         graph.substitute(roots, known)
     }
 
-    /// Cosine and sine of an angle, where angles that follow are part of it.
+    /// Cosine and sine of an angle, where dependent angles are part of it.
     fn turn(&self, angle: Expr<'g>) -> Option<[Expr<'g>; 2]> {
         let graph = angle.graph();
         let mut normalizer = Normalizer::new(graph, BUDGET);
-        let follows = |x: &Expr<'g>| self.turns.contains_key(x) || self.sums.contains_key(x);
-        if !graph.reachable(&[angle]).into_iter().any(|id| follows(&graph.expr(id))) {
+        let depends = |x: &Expr<'g>| self.turns.contains_key(x) || self.sums.contains_key(x);
+        if !graph.reachable(&[angle]).into_iter().any(|id| depends(&graph.expr(id))) {
             return None;
         }
         let whole = normalizer.normal(angle).ok()?;
@@ -94,7 +105,7 @@ impl<'g> Following<'g> {
         for (monomial, factor) in whole.terms() {
             let &[(symbol, 1)] = monomial.powers() else { continue };
             let symbol = graph.expr(symbol);
-            if !follows(&symbol) {
+            if !depends(&symbol) {
                 continue;
             }
             rest.remove(monomial);
@@ -124,21 +135,21 @@ impl<'g> Following<'g> {
 }
 
 impl<'g> Model<'g> {
-    /// The derivative by a coordinate of the state, where all that follows from it moves along.
+    /// The derivative by a coordinate of the state, where all that depends on it moves along.
     pub(crate) fn along(&self, k: CoordinateId) -> Derivative<'g> {
         let own = self.coordinate(k).changes.iter().copied();
         let in_state = self.dependents.iter().filter(|dependent| dependent.in_state);
-        let following = in_state.map(|dependent| (dependent.coordinate.position, dependent.slopes[usize::from(k)]));
-        Derivative::along(own.chain(following))
+        let dependents = in_state.map(|dependent| (dependent.coordinate.position, dependent.slopes[usize::from(k)]));
+        Derivative::along(own.chain(dependents))
     }
 
-    /// The derivatives of a coordinate by those of the state, if it follows from them.
+    /// The derivatives of a coordinate by those of the state, if it depends on them.
     pub(crate) fn slopes(&self, k: CoordinateId) -> Option<&[Expr<'g>]> {
         let n = usize::from(k).checked_sub(self.independent())?;
         Some(&self.dependents[n].slopes[..self.dof()])
     }
 
-    /// Expressions in which what follows from the state is written out.
+    /// Expressions in which dependent coordinates are written out.
     pub(crate) fn written_out(&self, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
         self.following.written_out(self.graph, roots)
     }

@@ -13,12 +13,13 @@ pub(crate) struct Drive<'g> {
 }
 
 impl<'g> Model<'g> {
-    /// How many coordinates follow from no others: those of the state and of the drives. The others are numbered behind them.
+    /// How many coordinates depend on no others: those of the state and of the drives. The others are numbered behind
+    /// them.
     pub(crate) fn independent(&self) -> usize {
         self.dof() + self.drives.len()
     }
 
-    /// A coordinate of the state, of a drive, or one that follows from these.
+    /// A coordinate of the state, of a drive, or one that depends on these.
     pub(crate) fn coordinate(&self, k: CoordinateId) -> &Coordinate<'g> {
         let (dof, independent, k) = (self.dof(), self.independent(), usize::from(k));
         if k < dof {
@@ -30,7 +31,7 @@ impl<'g> Model<'g> {
         }
     }
 
-    /// The coordinates of the state, then those of the drives, then those that follow.
+    /// The coordinates of the state, then those of the drives, then the dependent ones.
     pub(crate) fn all_coordinates(&self) -> impl Iterator<Item = &Coordinate<'g>> {
         self.coordinates
             .iter()

@@ -19,7 +19,7 @@ use std::collections::BTreeSet;
 use num_traits::{One, Signed, Zero};
 
 pub(crate) use action::{Action, Place, Push};
-pub(crate) use close::{Closed, Declared, Open, Orthogonal, close};
+pub(crate) use close::{Cause, Closed, Declared, Open, Orthogonal, close};
 pub(crate) use closure::{Closure, Loop, NoPlane, Row, Tie, parallel};
 pub(crate) use combination::Combination;
 pub(crate) use constraint::{Constraint, Law};
@@ -55,18 +55,19 @@ pub(crate) struct Model<'g> {
     pub coordinates: Vec<Coordinate<'g>>,
     /// Joints that are driven: their coordinates are numbered behind those of the state.
     pub drives: Vec<Drive<'g>>,
-    /// Coordinates that follow from those before, behind which they are numbered.
+    /// Coordinates that depend on those before, behind which they are numbered.
     pub dependents: Vec<Dependent<'g>>,
     /// The joints that close loops.
     pub closures: Vec<Closure<'g>>,
-    /// What the symbols of all that follows stand for.
+    /// What the symbols of these stand for.
     pub following: Following<'g>,
-    /// For each closed loop how far it is from its toggle, where it is zero: the sine of the angle between the two sides of a triangle;
-    /// of loops that are solved together the volume that the directions of the coordinates that follow span.
+    /// For each closed loop how far it is from its toggle, where it is zero: the sine of the angle between the two
+    /// sides of a triangle; of loops that are solved together the volume that the directions of the dependent
+    /// coordinates span.
     pub margins: Vec<Expr<'g>>,
     /// What vanishes where loops are closed that have no closed form.
     pub closings: Vec<Expr<'g>>,
-    /// What Newton's method adds to the coordinates that follow and whose positions are in the state.
+    /// What Newton's method adds to the dependent coordinates in the state.
     pub corrections: Vec<Expr<'g>>,
     /// The symbol of time.
     pub time: Expr<'g>,
@@ -125,7 +126,8 @@ pub(crate) struct Input<'g> {
 pub(crate) struct Coordinate<'g> {
     /// Name.
     pub name: String,
-    /// The coordinate; the number 0 for a component of the angular velocity of an [orientation](Self::is_of_orientation).
+    /// The coordinate; the number 0 for a component of the angular velocity of an
+    /// [orientation](Self::is_of_orientation).
     pub position: Expr<'g>,
     /// The components of the state that a unit of its rate changes, and how fast: a column of `K` in `q' = K(q) v`.
     pub changes: Vec<(Expr<'g>, Expr<'g>)>,
@@ -147,8 +149,8 @@ impl<'g> Coordinate<'g> {
         }
     }
 
-    /// The component of the angular velocity of a body along one of its axes, for the unit quaternion from body to parent,
-    /// `q' = q (0, w) / 2`. It is the rate of no coordinate, but its screw is that of a joint that turns.
+    /// The component of the angular velocity of a body along one of its axes, for the unit quaternion from body to
+    /// parent, `q' = q (0, w) / 2`. It is the rate of no coordinate, but its screw is that of a joint that turns.
     pub(crate) fn turn(
         name: String,
         quaternion: [Expr<'g>; 4],
@@ -197,8 +199,8 @@ pub(crate) const FACTS: [&str; 8] = [
     "DRIVES",
 ];
 
-/// The constants for the places of a coordinate and of its rate in the state: `THETA1` and `DOT_THETA1`, of `p.x` `P_X` and
-/// `DOT_P_X`, and of an orientation the first of them.
+/// The constants for the places of a coordinate and of its rate in the state: `THETA1` and `DOT_THETA1`, of `p.x` `P_X`
+/// and `DOT_P_X`, and of an orientation the first of them.
 pub(crate) fn places(coordinate: &str) -> [String; 2] {
     let name = coordinate.trim_start_matches("r#").replace('.', "_").to_uppercase();
     [name.clone(), format!("DOT_{name}")]
@@ -215,8 +217,8 @@ pub(crate) struct Body<'g> {
     pub placement: Transform<'g>,
     /// The joint's screw axis in the joint frame, normalised; none for a fixed joint.
     pub screw: Option<Twist<'g>>,
-    /// Of the three joints of an orientation, in a row on bodies without mass, the angular velocity that each adds: all of
-    /// it by the first, whose placement is turned by the quaternion, and none by the others.
+    /// Of the three joints of an orientation, in a row on bodies without mass, the angular velocity that each adds: all
+    /// of it by the first, whose placement is turned by the quaternion, and none by the others.
     pub spin: Option<Vec3<'g>>,
     /// The coordinate that this joint brings into the scene; a driven one has one too.
     pub coordinate: Option<CoordinateId>,
@@ -351,8 +353,8 @@ impl<'g> Model<'g> {
         self.positions().into_iter().chain(rates).collect()
     }
 
-    /// The positions: of orientations the four components of their quaternions, of other coordinates themselves. Behind them those
-    /// that follow by their rates.
+    /// The positions: of orientations the four components of their quaternions, of other coordinates themselves. Behind
+    /// them those of dependent coordinates that are known by their rates alone.
     pub(crate) fn positions(&self) -> Vec<Expr<'g>> {
         self.changes().into_iter().map(|(x, _)| x).collect()
     }
@@ -370,7 +372,7 @@ impl<'g> Model<'g> {
         )
     }
 
-    /// The coordinates that follow from others by their rates, so that their positions are in the state.
+    /// The dependent coordinates that are known by their rates alone, so that their positions are in the state.
     pub(crate) fn in_state(&self) -> impl Iterator<Item = (CoordinateId, &Coordinate<'g>)> {
         let numbered = (self.independent()..).map(CoordinateId::new).zip(&self.dependents);
         let in_state = numbered.filter(|(_, dependent)| dependent.in_state);
@@ -439,7 +441,8 @@ impl<'g> Model<'g> {
             if !factor.abs().is_one() {
                 continue;
             }
-            // turn = factor * own + others, where the others are the turn of the parent, or none for an absolute coordinate
+            // turn = factor * own + others, where the others are the turn of the parent, or none for an absolute
+            // coordinate
             let sign = turn.leading_sign();
             let mut shares = vec![(self.position_of(&turn.scaled(sign)), &factor * ratio(sign, 1))];
             for (k, n) in turn.without(own).terms() {

@@ -68,7 +68,8 @@ impl<'g> Poses<'g> {
 
 /// Where two bodies are in the frame of the last body that carries both, or that is one of them.
 ///
-/// Where they turn about one axis, that body included, its own turn is taken off the sums of angles, so it does not occur.
+/// Where they turn about one axis, that body included, its own turn is taken off the sums of angles, so it does not
+/// occur.
 pub(super) fn between<'g>(model: &Model<'g>, bodies: [Option<BodyId>; 2]) -> [Transform<'g>; 2] {
     let carrier = carrier(model, bodies);
     bodies.map(|body| in_frame_of(model, carrier, body))

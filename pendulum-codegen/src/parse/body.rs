@@ -279,7 +279,7 @@ impl Field<'_> {
                 _ => {
                     let fact = format_args!("unexpected `{word}` after the coordinate");
                     let help = "it is relative to the parent, or measured from ground with the word `absolute`; \
-                                `depends near 0.3` is for one that follows from closed loops";
+                                `depends near 0.3` is for one that closed loops determine";
                     return Err(at(word.span(), fact, help));
                 }
             }

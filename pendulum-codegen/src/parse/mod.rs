@@ -70,8 +70,8 @@ pub(crate) fn parse(tokens: TokenStream) -> (Option<Scene>, Errors) {
         return (None, errors);
     }
     let scene = (|whole: ParseStream| {
-        // syn reports what is left in brackets when a stream ends, but not when a copy of it does; here every mistake has
-        // an error of its own
+        // syn reports what is left in brackets when a stream ends, but not when a copy of it does; here every mistake
+        // has an error of its own
         let input = &whole.fork();
         whole.parse::<TokenStream>()?;
         let head = head(input)?;

@@ -12,8 +12,8 @@ const MOST_TERMS: usize = 200;
 /// Nor is one with a product of the sines and cosines of more angles.
 const MOST_ANGLES: usize = 16;
 
-/// Rewrites a normal form with sums and differences of its angles wherever that leaves fewer terms. The result is equal in
-/// value, and shorter, but no longer canonical.
+/// Rewrites a normal form with sums and differences of its angles wherever that leaves fewer terms. The result is equal
+/// in value, and shorter, but no longer canonical.
 pub(crate) fn collect(normalizer: &mut Normalizer<'_>, poly: &Poly) -> Result<Poly, TooLarge> {
     if is_large(normalizer.graph(), poly) {
         return Err(TooLarge);

@@ -7,8 +7,8 @@ use rustc_hash::FxHashMap;
 
 use crate::expr::{CostKind, Expr, ExprId, Graph, Level, Node, Unary};
 
-/// How many operations an evaluation takes. What depends on parameters alone is computed when the model is built, and is
-/// not counted.
+/// How many operations an evaluation takes. What depends on parameters alone is computed when the model is built, and
+/// is not counted.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Operations {
     /// Additions, subtractions and negations.
@@ -21,8 +21,8 @@ pub struct Operations {
     pub sincos: usize,
     /// Other functions, square roots included.
     pub functions: usize,
-    /// The longest chain of operations that wait for each other, in additions: a division counts 4, a sine-cosine pair 20,
-    /// another function 10.
+    /// The longest chain of operations that wait for each other, in additions: a division counts 4, a sine-cosine pair
+    /// 20, another function 10.
     pub chain: usize,
 }
 
@@ -66,10 +66,11 @@ impl Operations {
 
     /// One number to choose by: the time of an evaluation, in multiples of an addition among many.
     ///
-    /// Work keeps a processor busy, and a chain of operations that wait for each other keeps it waiting; the less of the two hides behind
-    /// the other. A processor that looks ahead beyond a short function does other work meanwhile. The weights are rounded from
-    /// the times of generated functions (`bench/`, measurements `weights` and `scaling`): among others a division takes 5 to 10 additions,
-    /// a sine-cosine pair 56 to 81, another function 30 to 70; an addition that is waited for takes as long as some twelve.
+    /// Work keeps a processor busy, and a chain of operations that wait for each other keeps it waiting; the less of
+    /// the two hides behind the other. A processor that looks ahead beyond a short function does other work meanwhile.
+    /// The weights are rounded from the times of generated functions (`bench/`, measurements `weights` and `scaling`):
+    /// among others a division takes 5 to 10 additions, a sine-cosine pair 56 to 81, another function 30 to 70; an
+    /// addition that is waited for takes as long as some twelve.
     pub fn weight(&self) -> usize {
         /// An addition that is waited for.
         const WAIT: usize = 12;

@@ -30,8 +30,8 @@ impl Preference {
     pub(crate) const ALL: [Self; 3] = [Self::State, Self::Parameter, Self::Expanded];
 }
 
-/// The terms of a polynomial, one for each product of state quantities. What multiplies it becomes one constant, up to a
-/// rational factor, so that equal combinations of parameters are the same constant everywhere.
+/// The terms of a polynomial, one for each product of state quantities. What multiplies it becomes one constant, up to
+/// a rational factor, so that equal combinations of parameters are the same constant everywhere.
 pub(crate) fn terms<'g>(normalizer: &Normalizer<'g>, poly: &Poly) -> Vec<Term<'g>> {
     let g = normalizer.graph();
     normalizer
@@ -58,7 +58,8 @@ pub(crate) fn terms<'g>(normalizer: &Normalizer<'g>, poly: &Poly) -> Vec<Term<'g
         .collect()
 }
 
-/// The number to draw out of a sum: its sign, and the common factor of its coefficients unless one of them is 1 already.
+/// The number to draw out of a sum: its sign, and the common factor of its coefficients unless one of them is 1
+/// already.
 fn content(poly: &Poly) -> Rational {
     let coefficients = || poly.terms().map(|(_, coefficient)| coefficient);
     let negative = coefficients().next().is_some_and(Signed::is_negative);
@@ -121,7 +122,8 @@ pub(crate) fn factor<'g>(g: &'g Graph, terms: &[Term<'g>], preference: Preferenc
     common * inside + rest
 }
 
-/// The factor that stands in most terms, if it stands in two or more. Terms without state cost nothing, so they do not count.
+/// The factor that stands in most terms, if it stands in two or more. Terms without state cost nothing, so they do not
+/// count.
 fn most_frequent<'g>(terms: &[Term<'g>], preference: Preference) -> Option<Expr<'g>> {
     let mut counts: BTreeMap<Expr<'g>, usize> = BTreeMap::new();
     for term in terms {

@@ -1,7 +1,8 @@
 //! Sums written with the sums that they contain.
 //!
-//! Recursions over the links of a chain add a little to a sum from link to link. Where some of that cancels, or comes in another order,
-//! the chain of sums no longer shows. Here every sum becomes a list of its terms, and then the longest sum that it contains, and the rest.
+//! Recursions over the links of a chain add a little to a sum from link to link. Where some of that cancels, or comes
+//! in another order, the chain of sums no longer shows. Here every sum becomes a list of its terms, and then the
+//! longest sum that it contains, and the rest.
 
 use std::collections::BTreeSet;
 
@@ -11,7 +12,8 @@ use rustc_hash::FxHashMap;
 use super::flat::{Flat, Linear, add_scaled};
 use crate::expr::{Binary, Expr, Graph, Level, Node, Rational};
 
-/// The roots, in which each sum is written with the longest sum that it contains; as they are, if their sums are too long.
+/// The roots, in which each sum is written with the longest sum that it contains; as they are, if their sums are too
+/// long.
 pub(crate) fn nest<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
     let Some((flat, flat_roots)) = Flat::new(g, roots) else {
         return roots.to_vec();
@@ -107,8 +109,8 @@ impl<'g> Nested<'g> {
     }
 }
 
-/// The sign with which all terms of one sum stand in another. Of terms that do not vary, it is enough that both have some: they are
-/// easily mended.
+/// The sign with which all terms of one sum stand in another. Of terms that do not vary, it is enough that both have
+/// some: they are easily mended.
 fn contained<'g>(part: &Linear<'g>, whole: &Linear<'g>) -> Option<Rational> {
     let varies = |atom: &Expr<'g>| atom.level() == Level::State;
     let fixed = |linear: &Linear<'g>| linear.keys().any(|atom| !varies(atom));

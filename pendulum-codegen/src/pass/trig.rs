@@ -13,8 +13,8 @@ type Angle<'g> = BTreeMap<Expr<'g>, Rational>;
 /// What the normal forms of all angles together may take.
 const BUDGET: usize = 100_000;
 
-/// Replaces sines and cosines of sums of coordinates by products of others that are there anyway. A call costs as much as
-/// dozens of multiplications, the addition theorem three operations.
+/// Replaces sines and cosines of sums of coordinates by products of others that are there anyway. A call costs as much
+/// as dozens of multiplications, the addition theorem three operations.
 pub(crate) fn lower<'g>(g: &'g Graph, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
     let mut needed: BTreeSet<Expr<'g>> = BTreeSet::new();
     for id in g.reachable(roots) {
@@ -95,7 +95,8 @@ fn scaled_sum<'g>(a: &Angle<'g>, first: i64, b: &Angle<'g>, second: i64) -> Angl
     sum
 }
 
-/// The angle as a combination, if it is one with factors that are not large. What is not a coordinate, such as the angle of a drive, is one part of it.
+/// The angle as a combination, if it is one with factors that are not large. What is not a coordinate, such as the
+/// angle of a drive, is one part of it.
 fn combination<'g>(normalizer: &mut Normalizer<'g>, x: Expr<'g>) -> Option<Angle<'g>> {
     if x.level() != Level::State {
         return None;

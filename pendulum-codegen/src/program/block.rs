@@ -46,7 +46,8 @@ pub struct SinCos {
     pub cosine: Option<Local>,
 }
 
-/// An expression within a statement. Operations are computed as they stand: a printer keeps their order and their brackets.
+/// An expression within a statement. Operations are computed as they stand: a printer keeps their order and their
+/// brackets.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Term {
     /// A finite number.

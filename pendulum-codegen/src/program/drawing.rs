@@ -14,7 +14,8 @@ use crate::screw::{Twist, Vec3};
 pub struct Drawing {
     /// What there is.
     pub outlines: Vec<Outline>,
-    /// The points of each outline one after the other, each as three coordinates in the ground frame, and after them the radius.
+    /// The points of each outline one after the other, each as three coordinates in the ground frame, and after them
+    /// the radius.
     pub block: Block,
 }
 

@@ -27,7 +27,7 @@ pub struct Slot {
     pub kind: SlotKind,
     /// Where its position stands in the state.
     pub positions: Range<usize>,
-    /// Where its rate stands in the state: nowhere, if it follows from those of others.
+    /// Where its rate stands in the state: nowhere, if it depends on those of others.
     pub rates: Range<usize>,
     /// The constants that hold the two places, for a coordinate of one component: `THETA1` and `DOT_THETA1`.
     pub constants: [String; 2],
@@ -154,8 +154,8 @@ impl StateLayout {
         slots.map(|slot| slot.positions.clone())
     }
 
-    /// Where the coordinates stand in the state that follow from others, and so have no rates there.
-    pub fn following(&self) -> impl Iterator<Item = usize> {
+    /// Where the dependent coordinates stand in the state, which have no rates there.
+    pub fn dependents(&self) -> impl Iterator<Item = usize> {
         let slots = self.slots.iter().filter(|slot| slot.rates.is_empty());
         slots.map(|slot| slot.positions.start)
     }
@@ -175,8 +175,8 @@ fn kind(model: &Model<'_>, coordinate: CoordinateId) -> SlotKind {
     }
 }
 
-/// Whether a full turn of the coordinate brings each body back to its place: every joint that it moves turns without sliding,
-/// by whole turns.
+/// Whether a full turn of the coordinate brings each body back to its place: every joint that it moves turns without
+/// sliding, by whole turns.
 fn returns(model: &Model<'_>, coordinate: CoordinateId) -> bool {
     let moves = model.bodies.iter().map(|body| (body.motion.factor(coordinate), body));
     moves
@@ -199,8 +199,9 @@ const BUDGET: usize = 100_000;
 
 /// Whether the roots are the same after a full turn of the coordinate.
 ///
-/// For each node, operands first, this finds the turns by which it grows: 1 for the coordinate itself, 0 for the sine of anything that grows
-/// by whole turns and for what is computed from such sines. `None` is for growth that depends on the state or on parameters.
+/// For each node, operands first, this finds the turns by which it grows: 1 for the coordinate itself, 0 for the sine
+/// of anything that grows by whole turns and for what is computed from such sines. `None` is for growth that depends on
+/// the state or on parameters.
 fn repeats(g: &Graph, nodes: &[ExprId], roots: &[Expr<'_>], coordinate: Expr<'_>) -> bool {
     let zero = ratio(0, 1);
     let mut growths: FxHashMap<ExprId, Option<Rational>> = FxHashMap::default();

@@ -91,8 +91,8 @@ pub(crate) enum Length {
     Constraints,
     /// The closed loops.
     Loops,
-    /// The coordinates that follow and are in the state.
-    Following,
+    /// The dependent coordinates in the state.
+    Dependents,
     /// The components of a wrench.
     Wrench,
 }
@@ -170,7 +170,7 @@ impl Length {
             Self::Drives => model.drives.len(),
             Self::Constraints => model.constraints.len(),
             Self::Loops => model.margins.len(),
-            Self::Following => model.corrections.len(),
+            Self::Dependents => model.corrections.len(),
             Self::Wrench => WRENCH,
         }
     }
@@ -260,7 +260,7 @@ pub(crate) struct Row {
 const ASKED: fn(&Request<'_>, &str) -> bool = |scene, word| scene.asks(word);
 
 use Argument::{Accelerations, Forces, Inputs};
-use Length::{Constraints, Drives, Following, Freedom, Loops, Parameters, State};
+use Length::{Constraints, Dependents, Drives, Freedom, Loops, Parameters, State};
 use Shape::{Matrix, Scalar, Symmetric, Vector};
 
 /// What a response holds.
@@ -271,8 +271,8 @@ const RESPONSE: &[Shape<Length>] = &[
     Symmetric(Constraints),
 ];
 
-/// Every routine that can be generated. What is read from here: the code, its documentation and costs, and the stand-in for a
-/// scene with errors.
+/// Every routine that can be generated. What is read from here: the code, its documentation and costs, and the stand-in
+/// for a scene with errors.
 pub(crate) const ROUTINES: &[Row] = &[
     Row {
         word: "rhs",
@@ -297,7 +297,7 @@ pub(crate) const ROUTINES: &[Row] = &[
         name: "loop_corrections",
         doc: "What a step of Newton's method adds to the coordinates that follow and are in the state, to close their loops.",
         arguments: &[],
-        shapes: &[Vector(Following)],
+        shapes: &[Vector(Dependents)],
         wanted: |scene, _| scene.rhs() && !scene.model.corrections.is_empty(),
         form: form::loop_corrections,
     },

@@ -15,8 +15,9 @@ pub(super) struct Step {
     pub(super) is_result: bool,
 }
 
-/// An order that keeps few values alive: of the steps whose needs are met the next is the one behind which the fewest values are
-/// waiting, the first of equals in the given order. A processor has 16 or 32 registers; every value beyond waits in memory.
+/// An order that keeps few values alive: of the steps whose needs are met the next is the one behind which the fewest
+/// values are waiting, the first of equals in the given order. A processor has 16 or 32 registers; every value beyond
+/// waits in memory.
 pub(super) fn schedule(steps: &[Step]) -> Vec<usize> {
     let mut users: FxHashMap<usize, Vec<usize>> = FxHashMap::default();
     for (n, step) in steps.iter().enumerate() {

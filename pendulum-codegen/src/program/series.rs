@@ -9,7 +9,8 @@ use crate::expr::ExprId;
 use crate::form::Taylor;
 use crate::model::Model;
 
-/// Code for the coefficients of a motion in powers of time: order 0 from the state, then each order from those before it.
+/// Code for the coefficients of a motion in powers of time: order 0 from the state, then each order from those before
+/// it.
 #[derive(Clone, Debug)]
 pub struct Series {
     /// The number of products of series.

@@ -59,7 +59,8 @@ impl<'g> Mat3<'g> {
             // any coordinate axis at a right angle will do
             Some(k) => Vec3::unit(g, (k + 1) % 3),
             None => {
-                // the part of a coordinate axis that is at a right angle to z, normalised; the axis where z is zero is best
+                // the part of a coordinate axis that is at a right angle to z, normalised; the axis where z is zero is
+                // best
                 let k = (0..3).find(|&k| z[k].is_zero()).unwrap_or(0);
                 let across = Vec3::unit(g, k) - z[k] * z;
                 across.dot(across).power(ratio(-1, 2)) * across

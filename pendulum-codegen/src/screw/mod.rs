@@ -1,8 +1,8 @@
 //! Screws over symbolic expressions: vectors and rotations, twists and wrenches, spatial inertia, transforms.
 //!
-//! Right-handed frames. A twist is `(angular; linear)` with the linear part the velocity of the point at the origin of the
-//! frame it is written in; a wrench is `(moment; force)` about that origin. Structural zeros vanish in the constructors
-//! of the graph, so a planar scene written in these terms comes out planar.
+//! Right-handed frames. A twist is `(angular; linear)` with the linear part the velocity of the point at the origin of
+//! the frame it is written in; a wrench is `(moment; force)` about that origin. Structural zeros vanish in the
+//! constructors of the graph, so a planar scene written in these terms comes out planar.
 
 mod inertia;
 mod matrix;
@@ -18,7 +18,7 @@ mod wrench;
 pub(crate) use inertia::SpatialInertia;
 pub(crate) use matrix::Mat3;
 pub(crate) use moments::MassMoments;
-pub(crate) use plane::Vec2;
+pub(crate) use plane::{Scalar, Vec2};
 pub(crate) use symmetric::Symmetric3;
 pub(crate) use transform::Transform;
 pub(crate) use turn::Turn;

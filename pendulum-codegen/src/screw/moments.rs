@@ -7,8 +7,8 @@ use crate::expr::{Expr, Graph, ratio};
 
 /// Mass, first moment `integral r dm` and second moments `integral r r^T dm` about the origin of a frame.
 ///
-/// The second moments hold what the rotational inertia `J = tr(S) 1 - S` holds, in a form that a displacement and the inertial
-/// moment of a motion treat more simply.
+/// The second moments hold what the rotational inertia `J = tr(S) 1 - S` holds, in a form that a displacement and the
+/// inertial moment of a motion treat more simply.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) struct MassMoments<'g> {
     /// Mass.

@@ -4,26 +4,27 @@ use std::ops::{Add, Mul, Neg, Sub};
 
 use crate::expr::{Expr, Graph};
 
-/// A vector of a plane, whose second axis follows the first by a quarter of a turn.
+/// A vector of a plane, of expressions or of numbers. The second axis of the plane is the first after a quarter of a
+/// turn.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Vec2<'g>(pub [Expr<'g>; 2]);
+pub(crate) struct Vec2<T>(pub [T; 2]);
 
-impl<'g> Vec2<'g> {
-    /// The zero vector.
-    pub(crate) fn zero(g: &'g Graph) -> Self {
-        Self([g.zero(); 2])
-    }
-
+impl<T: Scalar> Vec2<T> {
     /// The scalar product.
-    pub(crate) fn dot(self, other: Self) -> Expr<'g> {
+    pub(crate) fn dot(self, other: Self) -> T {
         let (Self([a, b]), Self([c, d])) = (self, other);
         a * c + b * d
     }
 
     /// What of the product of two vectors stands across the plane.
-    pub(crate) fn cross(self, other: Self) -> Expr<'g> {
+    pub(crate) fn cross(self, other: Self) -> T {
         let (Self([a, b]), Self([c, d])) = (self, other);
         a * d - b * c
+    }
+
+    /// The vector, so many times as long.
+    pub(crate) fn times(self, factor: T) -> Self {
+        Self(self.0.map(|x| factor * x))
     }
 
     /// The vector after a quarter of a turn.
@@ -33,9 +34,21 @@ impl<'g> Vec2<'g> {
     }
 
     /// The vector after the turn of this cosine and sine.
-    pub(crate) fn turned(self, [cosine, sine]: [Expr<'g>; 2]) -> Self {
+    pub(crate) fn turned(self, [cosine, sine]: [T; 2]) -> Self {
         let Self([x, y]) = self;
         Self([cosine * x - sine * y, sine * x + cosine * y])
+    }
+}
+
+impl<'g> Vec2<Expr<'g>> {
+    /// The zero vector.
+    pub(crate) fn zero(g: &'g Graph) -> Self {
+        Self([g.zero(); 2])
+    }
+
+    /// The sum of vectors, from the first to the last.
+    pub(crate) fn sum(g: &'g Graph, vectors: impl IntoIterator<Item = Self>) -> Self {
+        vectors.into_iter().fold(Self::zero(g), Add::add)
     }
 
     /// Cosine and sine of the turn that takes the vector to another one of its length.
@@ -52,7 +65,29 @@ impl<'g> Vec2<'g> {
     }
 }
 
-impl<'g> Add for Vec2<'g> {
+impl Vec2<f64> {
+    /// The length.
+    pub(crate) fn norm(self) -> f64 {
+        self.0[0].hypot(self.0[1])
+    }
+
+    /// The angle from the vector to another.
+    pub(crate) fn angle_to(self, other: Self) -> f64 {
+        self.cross(other).atan2(self.dot(other))
+    }
+}
+
+/// What vectors are made of.
+pub(crate) trait Scalar:
+    Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Neg<Output = Self>
+{
+}
+
+impl Scalar for Expr<'_> {}
+
+impl Scalar for f64 {}
+
+impl<T: Scalar> Add for Vec2<T> {
     type Output = Self;
     fn add(self, Self([c, d]): Self) -> Self {
         let Self([a, b]) = self;
@@ -60,24 +95,16 @@ impl<'g> Add for Vec2<'g> {
     }
 }
 
-impl<'g> Sub for Vec2<'g> {
+impl<T: Scalar> Sub for Vec2<T> {
     type Output = Self;
     fn sub(self, other: Self) -> Self {
         self + -other
     }
 }
 
-impl<'g> Neg for Vec2<'g> {
+impl<T: Scalar> Neg for Vec2<T> {
     type Output = Self;
     fn neg(self) -> Self {
-        let Self([a, b]) = self;
-        Self([-a, -b])
-    }
-}
-
-impl<'g> Mul<Vec2<'g>> for Expr<'g> {
-    type Output = Vec2<'g>;
-    fn mul(self, Vec2([a, b]): Vec2<'g>) -> Vec2<'g> {
-        Vec2([self * a, self * b])
+        Self(self.0.map(Neg::neg))
     }
 }

@@ -1,4 +1,5 @@
-//! The number of base parameters is the rank of the regressor: the matrix that takes all inertial parameters to the forces of a motion.
+//! The number of base parameters is the rank of the regressor: the matrix that takes all inertial parameters to the
+//! forces of a motion.
 
 use rustc_hash::FxHashMap;
 
@@ -11,7 +12,8 @@ use crate::expr::Graph;
 /// Where a joint sits, and how it moves.
 type Joint = (&'static str, Option<usize>);
 
-/// The least singular value that counts, over the largest. Those of rounding are some 1e-16, those that matter above 1e-6 here.
+/// The least singular value that counts, over the largest. Those of rounding are some 1e-16, those that matter above
+/// 1e-6 here.
 const RANK: f64 = 1e-10;
 
 /// A scene whose bodies have ten inertial parameters each.
@@ -44,7 +46,8 @@ fn counts(gravity: &str, joints: &[Joint]) -> (usize, usize) {
         let mut forces = |moved: Option<&str>| {
             model.graph.evaluate(&dynamics.balance, |symbol| {
                 if names.contains(&symbol.name) {
-                    // the forces are linear in the ten parameters, so a difference is a derivative; a mass must not be zero
+                    // the forces are linear in the ten parameters, so a difference is a derivative; a mass must not be
+                    // zero
                     let base = if symbol.name.starts_with('m') { 1.0 } else { 0.0 };
                     return base + if moved == Some(&symbol.name) { 1.0 } else { 0.0 };
                 }

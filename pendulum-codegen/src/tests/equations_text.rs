@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use rustc_hash::FxHashMap;
 
-use super::dynamics;
+use super::{dynamics, linkages, model, near};
 use crate::ast::{Expr, ExprKind, Operator};
 use crate::dynamics::Dynamics;
 use crate::expr::{Definition, Formula, Graph, SymbolKind};
@@ -79,7 +79,8 @@ const BALL: &str = "pub Ball {
     body arm on bob { mass: 1, com: [0, l, 0], inertia: [0.05, 0.05, 0.1], joint: revolute(z) at [0, 0, -l], coordinate: q1 }
 }";
 
-/// Links of one shape on parallel joints; `absolute` is put after the names of coordinates, and a letter for a number is a parameter.
+/// Links of one shape on parallel joints; `absolute` is put after the names of coordinates, and a letter for a number
+/// is a parameter.
 fn chain(n: usize, link: &str, mass: &str, length: &str, absolute: &str) -> String {
     let body = |k: usize| {
         let parent = if k == 0 {
@@ -144,7 +145,8 @@ fn written<'g>(graph: &'g Graph, declaration: &str) -> (Model<'g>, Dynamics<'g>,
 
 /// Lines `name = formula` by their names, in which entries have names as well: `A[x, y]` becomes `A__x__y`.
 fn lines(text: &str) -> BTreeMap<String, Expr> {
-    let lines = text
+    let whole = text.replace("\n    ", " ");
+    let lines = whole
         .lines()
         .skip(1)
         .filter_map(|line| plain(line).split_once(" = ").map(|(l, r)| (l.to_owned(), r.to_owned())));
@@ -195,7 +197,10 @@ fn value(expr: &Expr, symbols: &FxHashMap<String, f64>, lines: &BTreeMap<String,
                         ..
                     },
                 ],
-            ) => symbols[&format!("dot({name})")],
+            ) => {
+                let name = format!("dot({name})");
+                lines.get(&name).map_or_else(|| symbols[&name], of)
+            }
             ("sin", [x]) => of(x).sin(),
             ("cos", [x]) => of(x).cos(),
             ("sqrt", [x]) => of(x).sqrt(),
@@ -223,26 +228,35 @@ fn value(expr: &Expr, symbols: &FxHashMap<String, f64>, lines: &BTreeMap<String,
 fn checked(declaration: &str) -> String {
     let graph = Graph::new();
     let (model, dynamics, equations) = written(&graph, declaration);
-    assert_true(&model, &dynamics, &equations);
+    assert_true(declaration, &model, &dynamics, &equations);
     assert_ordered(&equations);
     assert_well_formed(&equations.latex());
     equations.to_string()
 }
 
-/// Every entry has the value that it has in the dynamics from A, B and C.
-fn assert_true(model: &Model<'_>, dynamics: &Dynamics<'_>, equations: &Equations) {
+/// Every entry has the value that it has in the dynamics from A, B and C, near where loops are assembled.
+fn assert_true(declaration: &str, model: &Model<'_>, dynamics: &Dynamics<'_>, equations: &Equations) {
     let g = model.graph;
     let mut next = 0.0_f64;
-    let symbols: FxHashMap<String, f64> = g
+    let mut symbols: FxHashMap<String, f64> = g
         .symbols()
         .map(|symbol| {
             // numbers without a pattern: a Weyl sequence
             next += 0.618_033_988_749_895;
             let value = next.fract() * 2.0 - 1.0;
-            let is_fixed = matches!(symbol.kind, SymbolKind::Parameter(_));
-            (symbol.name.clone(), if is_fixed { value.abs() + 0.5 } else { value })
+            let value = match (near(declaration, &symbol.name), symbol.kind) {
+                (Some(near), _) => near + 0.01 * value,
+                (None, SymbolKind::Parameter(n)) => model.parameters[n].default.unwrap_or(value.abs() + 0.5),
+                (None, _) => value,
+            };
+            (symbol.name.clone(), value)
         })
         .collect();
+    let dependents = model.following.definitions();
+    let dependents: BTreeSet<&str> = dependents
+        .filter_map(|(symbol, _)| Some(symbol.as_symbol()?.name.as_str()))
+        .collect();
+    symbols.retain(|name, _| !dependents.contains(name.as_str()));
     let names = model.coordinate_names().into_iter().map(|name| name.replace('.', "_"));
     let names: Vec<String> = names.collect();
     let mut entries = Vec::new();
@@ -254,7 +268,7 @@ fn assert_true(model: &Model<'_>, dynamics: &Dynamics<'_>, equations: &Equations
         entries.push((format!("Q__{first}"), dynamics.force[i]));
     }
     let roots: Vec<_> = entries.iter().map(|(_, id)| *id).collect();
-    let values = g.evaluate(&roots, |symbol| symbols[&symbol.name]);
+    let values = g.evaluate(&model.written_out(&roots), |symbol| symbols[&symbol.name]);
     for text in [format!("{equations}"), format!("{equations:#}")] {
         let lines = lines(&text);
         for ((name, _), expected) in entries.iter().zip(&values) {
@@ -277,10 +291,10 @@ fn assert_ordered(equations: &Equations) {
         for (n, Definition { name, formula }) in definitions.iter().enumerate() {
             let later = definitions[n..]
                 .iter()
-                .find(|later| formula.names().any(|name| name == later.name));
+                .find(|later| formula.mentions().contains(&later.name));
             assert!(later.is_none(), "{name} uses {later:?} in\n{equations}");
             assert!(
-                formulas.iter().any(|formula| formula.names().any(|own| own == *name)),
+                formulas.iter().any(|formula| formula.mentions().contains(name)),
                 "{name} is unused"
             );
         }
@@ -345,6 +359,21 @@ fn what_is_printed_is_the_equation() {
     for declaration in [MAGNET, CUBIC, ABSOLUTE, ACTED, BALL, &spatial(3), &spatial(4)] {
         checked(declaration);
     }
+}
+
+/// What loops determine is defined in terms of the state, line by line.
+#[test]
+fn loops_in_closed_form_are_printed_with_all_that_they_determine() {
+    let mut count = 0;
+    for declaration in linkages::SCENES {
+        if model(&Graph::new(), declaration).closings.is_empty() {
+            let text = checked(declaration);
+            assert!([" 1*", "(1*", "*1*"].iter().all(|one| !text.contains(one)), "{text}");
+            assert!(text.lines().all(|line| line.len() <= 120), "{text}");
+            count += 1;
+        }
+    }
+    assert!(count > 5, "{count}");
 }
 
 #[test]
@@ -430,7 +459,7 @@ fn names_do_not_clash() {
     let distinct: BTreeSet<&str> = definitions.iter().map(|definition| definition.name.as_str()).collect();
     assert_eq!(distinct.len(), definitions.len());
     assert!(distinct.is_disjoint(&own), "{equations}");
-    assert_true(&model, &dynamics, &equations);
+    assert_true(&declaration, &model, &dynamics, &equations);
 }
 
 #[test]

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{model, numbers};
+use super::{model, near, numbers};
 use crate::dynamics::Dynamics;
 use crate::expr::{Expr, Graph, Symbol};
 use crate::form::{Basis, Forms, jacobian, rhs};
@@ -87,32 +87,23 @@ const BY_LINKS: [bool; 7] = [false, false, false, false, false, true, true];
 /// Random values of the symbols of a scene, near where its loops are assembled, with orientations of this length.
 fn values_of(model: &Model<'_>, text: &str, seed: u32, length: f64) -> BTreeMap<String, f64> {
     let mut next = numbers(seed);
+    let mut value = |name: &str| near(text, name).map_or_else(&mut next, |near| near + 0.01);
     let symbols = model.state().into_iter().chain([model.time]);
     let symbols = symbols.chain(model.parameters.iter().map(|parameter| parameter.symbol));
-    let names = symbols.map(|symbol| symbol.as_symbol().expect("a symbol").name.clone());
-    let value = |name: String| {
-        let near = text.split(&format!("coordinate: {name} ")).nth(1);
-        let near = near.and_then(|rest| {
-            rest.split("near ")
-                .nth(1)?
-                .split([' ', ','])
-                .next()?
-                .parse::<f64>()
-                .ok()
-        });
-        let value = near.map_or_else(&mut next, |near| near + 0.01);
-        (name, value)
-    };
-    let mut values: BTreeMap<String, f64> = names.map(value).collect();
-    for orientation in ["o", "u", "v"] {
-        let names = ["w", "x", "y", "z"].map(|axis| format!("{orientation}.{axis}"));
-        let squares = names.iter().filter_map(|name| values.get(name)).map(|x| x * x);
-        let size = squares.sum::<f64>().sqrt();
-        for name in names {
+    let mut values: BTreeMap<String, f64> = symbols.map(|x| (name(x), value(&name(x)))).collect();
+    for coordinate in model.coordinates.iter().filter(|c| c.is_of_orientation()) {
+        let quaternion = coordinate.changes.iter().map(|&(component, _)| name(component));
+        let quaternion: Vec<String> = quaternion.collect();
+        let size = quaternion.iter().map(|name| values[name].powi(2)).sum::<f64>().sqrt();
+        for name in quaternion {
             values.entry(name).and_modify(|x| *x *= length / size);
         }
     }
     values
+}
+
+fn name(symbol: Expr<'_>) -> String {
+    symbol.as_symbol().expect("a symbol").name.clone()
 }
 
 fn evaluated(model: &Model<'_>, roots: &[Expr<'_>], values: &BTreeMap<String, f64>) -> Vec<f64> {
@@ -147,7 +138,8 @@ fn what_flies_moves_as_along_its_position() {
     }
 }
 
-/// Where stages of methods are, off the unit length of quaternions, the Jacobian is that of the right-hand side as well.
+/// Where stages of methods are, off the unit length of quaternions, the Jacobian is that of the right-hand side as
+/// well.
 #[test]
 fn the_jacobian_of_what_flies_is_that_of_its_right_hand_side() {
     /// Differences of fourth order lose some five digits of sixteen.

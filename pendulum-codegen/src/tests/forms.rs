@@ -19,7 +19,8 @@ const SCENES: [&str; 11] = [
         body e on d { mass: 0.5, com: [0, 0.1, 0.2], inertia: [0.05, 0.06, 0.07],
             joint: revolute(y) at [0.1, 0.2, 0.3], coordinate: q5 }
     }",
-    // branches in and out of a group of parallel axes, opposite ones, constant turns between them, bodies fixed in between
+    // branches in and out of a group of parallel axes, opposite ones, constant turns between them, bodies fixed in
+    // between
     "pub Tree {
         gravity: [0, 3, -9.81],
         body base on ground { mass: 1, com: [0.1, 0, 0], joint: fixed rpy [0.2, 0, 0] }

@@ -11,7 +11,8 @@ use crate::program::Program;
 /// The stack of the threads that compilers expand macros on, at least.
 const STACK: usize = 8 << 20;
 
-/// The program of a declaration, whose units do not matter, and the number of nodes that were built for it, or its errors.
+/// The program of a declaration, whose units do not matter, and the number of nodes that were built for it, or its
+/// errors.
 fn expand(declaration: &str) -> Result<(Program, usize), String> {
     let declaration = declaration.replacen('{', "{ units: none,", 1);
     let tokens = declaration.parse().expect("the declaration is made of tokens");

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
-use super::{model, numbers};
+use super::{model, near, numbers};
 use crate::dynamics::{Dynamics, derived};
 use crate::expr::{Expr, Graph, Symbol, SymbolKind};
 use crate::form::{Forms, drive_forces, loop_wrenches};
@@ -10,8 +10,8 @@ use crate::model::{Model, Poses};
 use crate::screw::Vec3;
 
 /// Scenes whose output `gaps` are the ends of their loops apart.
-const SCENES: [&str; 12] = [
-    // forces of every kind on what follows, in parameters
+pub(super) const SCENES: [&str; 12] = [
+    // forces of every kind on what depends, in parameters
     "pub FourBar {
         params { a: m = 0.2, b: m = 0.5, c: m = 0.4, k: N m = 3 }
         gravity: [1, -9.81, 0],
@@ -57,7 +57,7 @@ const SCENES: [&str; 12] = [
         point p on left_bar at [0.35, 0, 0], point r on right_bar at [0.35, 0, 0],
         output gaps: [p.x - r.x, p.y - r.y],
     }",
-    // on a carrier that turns about another axis, and a body that hangs on what follows
+    // on a carrier that turns about another axis, and a body that hangs on what depends
     "pub Carried {
         gravity: [0, 1, -9.81],
         body carrier on ground { mass: 2, com: [0.1, 0.2, 0.1], inertia: [0.3, 0.4, 0.5], joint: revolute(z), coordinate: q1 }
@@ -136,7 +136,7 @@ const SCENES: [&str; 12] = [
         force on p: [0.2, 0.1, 0.3],
         output gaps: [p.x - r.x, p.y - r.y, p.z - r.z],
     }",
-    // Bennett's linkage: of five equations two follow from the others
+    // Bennett's linkage: of five equations two are sums of the others
     "pub Bennett {
         gravity: [0, 1, -9.81],
         body first on ground { mass: 0.5, com: [0.2, 0.01, 0], inertia: [0.001, 0.02, 0.02], joint: revolute(z) at [0.8, 0, 0] rpy [0.8928089789005025, 0, 0], coordinate: q1 near 2 }
@@ -175,20 +175,6 @@ fn opened(text: &str) -> String {
         None => line.to_owned(),
     };
     lines.map(without_guess).collect::<String>().replace(" depends", "")
-}
-
-/// Where a scene says that a coordinate is assembled.
-fn near(text: &str, coordinate: &str) -> f64 {
-    let after = text
-        .split(&format!("coordinate: {coordinate}"))
-        .nth(1)
-        .expect("declared");
-    let field = after.split([',', '}']).next().expect("a field");
-    let number = field
-        .split("near ")
-        .nth(1)
-        .map_or(Ok(0.0), |number| number.trim().parse());
-    number.expect("a number")
 }
 
 /// The values of expressions, where coordinates and rates have values by their names.
@@ -307,25 +293,28 @@ fn loops_move_as_with_multipliers() {
         let of_state: Vec<String> = free.iter().cloned().chain(in_state).collect();
         let mut random = numbers(seed as u32);
         for _ in 0..4 {
-            let mut q: Vec<f64> = of_state.iter().map(|name| near(text, name) + 0.1 * random()).collect();
+            let mut q: Vec<f64> = of_state
+                .iter()
+                .map(|name| near(text, name).unwrap_or(0.0) + 0.1 * random())
+                .collect();
             let qd: Vec<f64> = free.iter().map(|_| random()).collect();
             for _ in 0..20 {
                 let corrections = values(&closed, &closed.corrections, &state_of(&of_state, &q, &qd));
-                let following = q[free.len()..].iter_mut();
-                following.zip(corrections).for_each(|(q, correction)| *q += correction);
+                let dependents = q[free.len()..].iter_mut();
+                dependents.zip(corrections).for_each(|(q, correction)| *q += correction);
             }
             let state = state_of(&of_state, &q, &qd);
-            // what follows, by its symbols
-            let follows = |name: &str| {
+            // what depends, by its symbols
+            let dependent = |name: &str| {
                 let mut known = closed
                     .following
                     .definitions()
                     .filter(|(symbol, _)| symbol.as_symbol().is_some_and(|s| s.name == name));
-                values(&closed, &[known.next().expect("it follows").0], &state)[0]
+                values(&closed, &[known.next().expect("it depends").0], &state)[0]
             };
             let whole = |name: String| {
                 if state(&name).is_nan() {
-                    follows(&name)
+                    dependent(&name)
                 } else {
                     state(&name)
                 }

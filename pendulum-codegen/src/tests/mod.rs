@@ -126,3 +126,10 @@ fn numbers(seed: u32) -> impl FnMut() -> f64 {
         (at * 0.618_033_988_749_895).fract() * 2.0 - 1.0
     }
 }
+
+/// Where a scene says that a coordinate is assembled.
+fn near(text: &str, coordinate: &str) -> Option<f64> {
+    let (_, after) = text.split_once(&format!("coordinate: {coordinate} "))?;
+    let (_, number) = after.split([',', '}']).next()?.split_once("near ")?;
+    Some(number.trim().parse().expect("a number"))
+}

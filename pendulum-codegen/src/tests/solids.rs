@@ -1,5 +1,5 @@
-//! Mass, centre of mass and inertia of solids: against sums over many small masses, and against each other. Which plates
-//! are refused, and what is drawn.
+//! Mass, centre of mass and inertia of solids: against sums over many small masses, and against each other. Which
+//! plates are refused, and what is drawn.
 
 use super::{dynamics, model, parse};
 use crate::expr::Graph;

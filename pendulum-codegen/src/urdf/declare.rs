@@ -30,60 +30,92 @@ pub(super) fn declare(robot: &Robot, item: &ast::Robot, replaced: &[Replaced], w
     for link in robot.links.iter().filter(is_root) {
         writeln!(text, "body {} on ground {{ {} }}", identifier(&link.name), mass(link)).expect("memory");
     }
-    let is_replaced = |link: &String| {
-        let link = identifier(link);
-        replaced.iter().find(|replaced| replaced.body == link)
-    };
     for joint in &robot.joints {
         let Some(link) = robot.links.iter().find(|link| link.name == joint.child) else {
             continue;
         };
-        let (body, mut parent) = (identifier(&link.name), identifier(&joint.parent));
-        let own = is_replaced(&link.name);
-        if joint.kind == Kind::Planar || joint.kind == Kind::Floats && own.is_none() {
+        let is_replaced = find(replaced, &link.name).is_some();
+        if joint.kind == Kind::Planar || joint.kind == Kind::Floats && !is_replaced {
             require_bare(joint, item, wrong);
         }
-        let mut place = place(&joint.origin);
-        let moving = match (joint.kind, &joint.mimic) {
-            (Kind::Fixed, _) => "joint: fixed".to_owned(),
-            (Kind::Floats, _) => {
-                let [position, orientation] = ["position", "orientation"].map(|part| part_of(joint, part));
-                format!("position: {position}, orientation: {orientation}, joint: free")
+        let mut carrier = Carrier {
+            body: identifier(&joint.parent),
+            place: place(&joint.origin),
+        };
+        let moving = match joint.kind {
+            Kind::Fixed => "joint: fixed".to_owned(),
+            Kind::Floats => floats(joint),
+            Kind::Planar => {
+                slides_in_plane(joint, &mut carrier, &mut text);
+                turns_in_plane(joint)
             }
-            (Kind::Planar, _) => {
-                for axis in in_plane(joint) {
-                    let slide = part_of(joint, axis);
-                    let moving = format!("coordinate: {slide}, joint: prismatic({axis})");
-                    writeln!(text, "body {slide} on {parent} {{ {moving} {place}, }}").expect("memory");
-                    (parent, place) = (slide, String::new());
-                }
-                format!(
-                    "coordinate: {}, joint: revolute({})",
-                    part_of(joint, TURN),
-                    list(&joint.axis)
-                )
-            }
-            (kind, mimic) => {
-                let moves = match mimic {
+            Kind::Turns | Kind::Slides => {
+                let moves = match &joint.mimic {
                     None => format!("coordinate: {},", identifier(&joint.name)),
-                    Some(_) if own.is_some() => String::new(),
+                    Some(_) if is_replaced => String::new(),
                     Some(mimic) => {
                         let leader = robot.joints.iter().find(|other| other.name == mimic.joint);
                         let leader = leader.map(|leader| Leader {
                             joint: leader,
-                            replaced: is_replaced(&leader.child),
+                            replaced: find(replaced, &leader.child),
                         });
                         followed(joint, mimic, leader, item, wrong)
                     }
                 };
-                let word = if kind == Kind::Turns { "revolute" } else { "prismatic" };
+                let word = if joint.kind == Kind::Turns {
+                    "revolute"
+                } else {
+                    "prismatic"
+                };
                 format!("{moves} joint: {word}({})", list(&joint.axis))
             }
         };
-        let (mass, forces) = (mass(link), forces(joint, item));
+        let (body, mass, forces) = (identifier(&link.name), mass(link), forces(joint, item));
+        let Carrier { body: parent, place } = carrier;
         writeln!(text, "body {body} on {parent} {{ {mass} {moving} {place}, {forces} }}").expect("memory");
     }
     text
+}
+
+/// What the scene says of the joint of a link.
+fn find<'r>(replaced: &'r [Replaced], link: &str) -> Option<&'r Replaced> {
+    let link = identifier(link);
+    replaced.iter().find(|replaced| replaced.body == link)
+}
+
+/// The body that carries a joint, and where.
+struct Carrier {
+    body: String,
+    place: String,
+}
+
+/// The names and the joint of a body that moves freely.
+fn floats(joint: &Joint) -> String {
+    let [position, orientation] = ["position", "orientation"].map(|part| part_of(joint, part));
+    format!("position: {position}, orientation: {orientation}, joint: free")
+}
+
+/// Declares the bodies without mass that slide in the plane of a joint; the last of them carries what turns there.
+fn slides_in_plane(joint: &Joint, carrier: &mut Carrier, text: &mut String) {
+    for axis in in_plane(joint) {
+        let slide = part_of(joint, axis);
+        let moving = format!("coordinate: {slide}, joint: prismatic({axis})");
+        let Carrier { body, place } = &carrier;
+        writeln!(text, "body {slide} on {body} {{ {moving} {place}, }}").expect("memory");
+        *carrier = Carrier {
+            body: slide,
+            place: String::new(),
+        };
+    }
+}
+
+/// The coordinate and the joint of what turns in a plane.
+fn turns_in_plane(joint: &Joint) -> String {
+    format!(
+        "coordinate: {}, joint: revolute({})",
+        part_of(joint, TURN),
+        list(&joint.axis)
+    )
 }
 
 /// The angle of a planar joint.
@@ -106,42 +138,44 @@ fn in_plane(joint: &Joint) -> [&'static str; 2] {
 /// Refuses what a joint of more than one coordinate cannot have.
 fn require_bare(joint: &Joint, item: &ast::Robot, wrong: &mut Vec<Wrong>) {
     let Joint { name, kind, axis, .. } = joint;
-    let mut refuse = |fact: String, help: String| wrong.push(Wrong { fact, help });
     let is_planar = *kind == Kind::Planar;
     if is_planar && axis.iter().filter(|number| *number == ZERO).count() != 2 {
-        refuse(
-            format!(
+        wrong.push(Wrong {
+            fact: format!(
                 "joint `{name}` is `planar`, and its axis {} is none of those of its frame",
                 list(axis)
             ),
-            "let it be `1 0 0`, `0 1 0` or `0 0 1`, and turn the frame by the `rpy` of `origin`".to_owned(),
-        );
+            help: "let it be `1 0 0`, `0 1 0` or `0 0 1`, and turn the frame by the `rpy` of `origin`".to_owned(),
+        });
     }
-    let (word, instead) = if is_planar {
-        let [first, second] = in_plane(joint).map(|axis| part_of(joint, axis));
-        let body = identifier(&joint.child);
-        let instead = format!("give a `friction` to the bodies `{first}`, `{second}` and `{body}` of the scene");
-        ("planar", instead)
-    } else {
-        ("floating", "write drag as `force on point: ..`".to_owned())
-    };
+    let word = if is_planar { "planar" } else { "floating" };
     let dry = dry_friction(joint, item);
     for (attribute, force) in [("damping", joint.damping.as_ref()), ("friction", dry)] {
         if force.is_some() {
-            refuse(
-                format!(
+            wrong.push(Wrong {
+                fact: format!(
                     "joint `{name}` is `{word}`, and its `{attribute}` one number for ways that slide and that turn"
                 ),
-                format!("remove it, and {instead}"),
-            );
+                help: format!("remove it, and {}", instead_of_friction(joint)),
+            });
         }
     }
     if let Some(mimic) = &joint.mimic {
-        refuse(
-            format!("joint `{name}` is `{word}`, so it cannot mimic `{}`", mimic.joint),
-            "remove `mimic`, or let the joint turn about an axis or slide along one".to_owned(),
-        );
+        wrong.push(Wrong {
+            fact: format!("joint `{name}` is `{word}`, so it cannot mimic `{}`", mimic.joint),
+            help: "remove `mimic`, or let the joint turn about an axis or slide along one".to_owned(),
+        });
     }
+}
+
+/// What to write in place of the friction of a joint of more than one coordinate.
+fn instead_of_friction(joint: &Joint) -> String {
+    if joint.kind != Kind::Planar {
+        return "write drag as `force on point: ..`".to_owned();
+    }
+    let [first, second] = in_plane(joint).map(|axis| part_of(joint, axis));
+    let body = identifier(&joint.child);
+    format!("give a `friction` to the bodies `{first}`, `{second}` and `{body}` of the scene")
 }
 
 /// The joints that carry a link.
@@ -151,54 +185,77 @@ fn carried_by<'r>(robot: &'r Robot, link: &str) -> impl Iterator<Item = &'r Join
 
 /// Whether each link hangs on one joint at most, and all of them on one root.
 fn is_tree(robot: &Robot, wrong: &mut Vec<Wrong>) -> bool {
+    let before = wrong.len();
+    wrong.extend(unknown_ends(robot));
+    wrong.extend(loops(robot));
+    wrong.extend(roots(robot));
+    wrong.len() == before
+}
+
+/// Ends of joints that are no links.
+fn unknown_ends(robot: &Robot) -> Vec<Wrong> {
+    let known = |end: &str| robot.links.iter().any(|link| link.name == end);
     let mut found = Vec::new();
-    let mut push = |fact: String, help: &str| {
-        let help = help.to_owned();
-        found.push(Wrong { fact, help });
-    };
-    let known: BTreeSet<&str> = robot.links.iter().map(|link| link.name.as_str()).collect();
     for joint in &robot.joints {
-        for end in [&joint.parent, &joint.child] {
-            if !known.contains(end.as_str()) {
-                let fact = format!("joint `{}` is tied to `{end}`, which is no link", joint.name);
-                push(fact, &format!("add `<link name=\"{end}\"/>`, or mend the name"));
-            }
+        for end in [&joint.parent, &joint.child].into_iter().filter(|end| !known(end)) {
+            found.push(Wrong {
+                fact: format!("joint `{}` is tied to `{end}`, which is no link", joint.name),
+                help: format!("add `<link name=\"{end}\"/>`, or mend the name"),
+            });
         }
     }
-    let mut roots: BTreeSet<&str> = BTreeSet::new();
-    for link in &robot.links {
-        let parents: Vec<&str> = carried_by(robot, &link.name)
-            .map(|joint| joint.parent.as_str())
-            .collect();
-        if parents.is_empty() {
-            roots.insert(&link.name);
-        } else if parents.len() > 1 {
-            let fact = format!("link `{}` hangs on `{}`: a loop", link.name, parents.join("` and on `"));
-            push(fact, "a URDF file describes a tree: remove all but one of its joints");
+    found
+}
+
+/// Links that hang on more than one joint.
+fn loops(robot: &Robot) -> Vec<Wrong> {
+    let mut found = Vec::new();
+    for Link { name, .. } in &robot.links {
+        let parents: Vec<&str> = carried_by(robot, name).map(|joint| joint.parent.as_str()).collect();
+        if parents.len() > 1 {
+            found.push(Wrong {
+                fact: format!("link `{name}` hangs on `{}`: a loop", parents.join("` and on `")),
+                help: "a URDF file describes a tree: remove all but one of its joints".to_owned(),
+            });
         }
     }
-    if known.is_empty() {
-        push("it has no link".to_owned(), "add `<link name=\"..\"/>`");
+    found
+}
+
+/// More roots than one, or none, or links that hang on none.
+fn roots(robot: &Robot) -> Option<Wrong> {
+    let known: BTreeSet<&str> = robot.links.iter().map(|link| link.name.as_str()).collect();
+    let is_root = |link: &&str| carried_by(robot, link).next().is_none();
+    let roots: BTreeSet<&str> = known.iter().copied().filter(is_root).collect();
+    let (fact, help) = if known.is_empty() {
+        ("it has no link".to_owned(), "add `<link name=\"..\"/>`")
     } else if let (Some(root), Some(other)) = (roots.first(), roots.iter().nth(1)) {
-        let fact = format!("both `{root}` and `{other}` hang on nothing, so there is more than one root");
-        push(fact, "hang one of them on another link, by a joint of type `fixed`");
+        (
+            format!("both `{root}` and `{other}` hang on nothing, so there is more than one root"),
+            "hang one of them on another link, by a joint of type `fixed`",
+        )
     } else {
-        let mut reached = roots;
-        let next = |reached: &BTreeSet<&str>| {
-            let leads_on = |joint: &&Joint| reached.contains(&*joint.parent) && !reached.contains(&*joint.child);
-            robot.joints.iter().find(leads_on)
-        };
-        while let Some(joint) = next(&reached) {
-            reached.insert(&joint.child);
-        }
-        if let Some(link) = known.difference(&reached).next() {
-            let fact = format!("link `{link}` hangs on itself, by way of the links that carry it");
-            push(fact, "follow the parents: each chain must end on one root");
-        }
+        let reached = reached(robot, roots);
+        let link = known.difference(&reached).next()?;
+        (
+            format!("link `{link}` hangs on itself, by way of the links that carry it"),
+            "follow the parents: each chain must end on one root",
+        )
+    };
+    let help = help.to_owned();
+    Some(Wrong { fact, help })
+}
+
+/// The links that hang on some, and these.
+fn reached<'r>(robot: &'r Robot, mut reached: BTreeSet<&'r str>) -> BTreeSet<&'r str> {
+    let next = |reached: &BTreeSet<&str>| {
+        let leads_on = |joint: &&Joint| reached.contains(&*joint.parent) && !reached.contains(&*joint.child);
+        robot.joints.iter().find(leads_on)
+    };
+    while let Some(joint) = next(&reached) {
+        reached.insert(&joint.child);
     }
-    let is_tree = found.is_empty();
-    wrong.append(&mut found);
-    is_tree
+    reached
 }
 
 /// Two links or two joints that have one name here are an error, be it that of a part.

@@ -60,7 +60,8 @@ impl Scene<'_> {
         }
     }
 
-    /// The statements of a block, and its results. Whatever it reads is copied first, so results may be stored in the same place.
+    /// The statements of a block, and its results. Whatever it reads is copied first, so results may be stored in the
+    /// same place.
     pub(super) fn code(&self, block: &Block, calls: &mut Calls) -> (String, Vec<Piece>) {
         let reads = block.reads().into_iter().filter(|read| *read != Variable::Time);
         let reads = reads.map(|read| self.variable(read));

@@ -1,4 +1,5 @@
-//! A program as C99: a header and a source without heap, and without any library but for the functions that the header names.
+//! A program as C99: a header and a source without heap, and without any library but for the functions that the header
+//! names.
 
 mod block;
 mod model;

@@ -20,8 +20,8 @@ pub(super) fn identifiers<'a>(names: impl IntoIterator<Item = &'a String>) -> Ve
     names.into_iter().map(identifier).collect()
 }
 
-/// The name of a type as the start of names of functions and files: `DoublePendulum` as `double_pendulum`. No file takes the place of
-/// a header of the standard library.
+/// The name of a type as the start of names of functions and files: `DoublePendulum` as `double_pendulum`. No file
+/// takes the place of a header of the standard library.
 pub(super) fn snake_case(name: &str) -> String {
     let text = ascii(name).to_snake_case();
     let is_header = WORDS

@@ -39,8 +39,8 @@ impl Scene<'_> {
         routines + &projection + &series.map(|series| self.series(series, calls)).unwrap_or_default()
     }
 
-    /// The function that puts a state back onto its constraints, if there are any, and its documentation: it makes quaternions of unit
-    /// length again, and closes loops.
+    /// The function that puts a state back onto its constraints, if there are any, and its documentation: it makes
+    /// quaternions of unit length again, and closes loops.
     fn projection(&self) -> Option<[String; 2]> {
         let closes = self.program.routine("loop_corrections").is_some();
         let turns = self.program.layout.quaternions().next().is_some();
@@ -77,7 +77,7 @@ impl Scene<'_> {
         if !norms.is_empty() {
             body += &format!("double norm;\n{norms}");
         }
-        let places: Vec<usize> = self.program.layout.following().collect();
+        let places: Vec<usize> = self.program.layout.dependents().collect();
         if !places.is_empty() {
             let corrected = places
                 .iter()

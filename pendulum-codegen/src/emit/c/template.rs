@@ -1,7 +1,7 @@
 //! C with holes.
 
-/// A template with values for its `@keys@`. A key that ends a line, after nothing but spaces or the mark of a comment, takes any number of
-/// lines, each after the same.
+/// A template with values for its `@keys@`. A key that ends a line, after nothing but spaces or the mark of a comment,
+/// takes any number of lines, each after the same.
 pub(super) fn fill(template: &str, values: &[(&str, String)]) -> String {
     let filled = template.lines().map(|line| {
         let ends = |(key, value): &'_ (&str, String)| {

@@ -26,7 +26,7 @@ impl Items<'_> {
         let layout = layout(&program.layout);
         let places = program.layout.slots.iter().map(places);
         let has_quaternions = program.layout.quaternions().next().is_some();
-        let (about_freedom, about_names) = if program.layout.following().next().is_some() {
+        let (about_freedom, about_names) = if program.layout.dependents().next().is_some() {
             (
                 " The number of degrees of freedom, and of rates. The state also holds the coordinates that follow from closed loops.",
                 " The names of the coordinates that do not follow from others, in the order in which their rates stand in the state.",

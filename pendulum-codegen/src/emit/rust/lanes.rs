@@ -5,8 +5,8 @@ use quote::quote;
 
 use super::{Items, allowed, count};
 
-/// The attributes of a function that must be inlined into code for an instruction set, since it is compiled for all machines otherwise.
-/// Without optimisation it would fill the stack, as no two of its temporaries share a place.
+/// The attributes of a function that must be inlined into code for an instruction set, since it is compiled for all
+/// machines otherwise. Without optimisation it would fill the stack, as no two of its temporaries share a place.
 pub(super) fn inlined_into_lanes() -> TokenStream {
     quote!(#[cfg_attr(debug_assertions, inline)] #[cfg_attr(not(debug_assertions), inline(always))])
 }

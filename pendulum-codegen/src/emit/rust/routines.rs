@@ -22,7 +22,8 @@ const TRAITS: [(&str, &[&str]); 7] = [
     ("HybridJacobian", &["response_derivative", "measure_derivatives"]),
 ];
 
-/// The least sine of the angle between two sides of a triangle that a state may have: its square is what rounding is divided by.
+/// The least sine of the angle between two sides of a triangle that a state may have: its square is what rounding is
+/// divided by.
 const LEAST_MARGIN: f64 = 1e-3;
 
 /// How short the last correction by Newton's method must be. The next one would be its square.
@@ -134,8 +135,9 @@ impl Items<'_> {
         })
     }
 
-    /// The method that makes quaternions of unit length again, that closes loops, and that ends a motion where a loop comes to its
-    /// toggle: there other assemblies begin, and digits are lost. Beside it that which tells of toggles. None where there is neither.
+    /// The method that makes quaternions of unit length again, that closes loops, and that ends a motion where a loop
+    /// comes to its toggle: there other assemblies begin, and digits are lost. Beside it that which tells of toggles.
+    /// None where there is neither.
     pub(super) fn project(&self) -> Option<TokenStream> {
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
         let normalised = self.program.layout.quaternions().map(|places| {
@@ -151,7 +153,7 @@ impl Items<'_> {
         let closed = self.program.routine("loop_corrections").map(|_| {
             let (zero, least) = (number(0.0), number(LAST_CORRECTION * LAST_CORRECTION));
             let before = count(CORRECTIONS - 1);
-            let places = self.program.layout.following().zip(0..);
+            let places = self.program.layout.dependents().zip(0..);
             let corrected: Vec<TokenStream> = places
                 .map(|(place, n)| {
                     let (place, n) = (count(place), count(n));
@@ -313,11 +315,11 @@ impl Items<'_> {
         (!methods.is_empty()).then(|| self.implement(None, &methods))
     }
 
-    /// The method that closes loops for a state to start from, where positions that follow are in the state.
+    /// The method that closes loops for a state to start from, where dependent coordinates are in the state.
     fn assemble(&self) -> Option<TokenStream> {
         self.program.routine("loop_corrections")?;
         let (length, vector) = (self.length(), self.shape(Shape::Vector(self.program.layout.len())));
-        let places = self.program.layout.following().map(count);
+        let places = self.program.layout.dependents().map(count);
         Some(quote! {
             /// A state whose loops are closed, from one in which the coordinates that follow are guesses.
             ///

@@ -28,8 +28,8 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
     let orientations = items.bodies.iter().filter(|body| body.fields.orientation.is_some());
     // an orientation has three rates, and four components
     let orientations = orientations.count();
-    let following = items.bodies.iter().filter(|body| body.fields.depends.is_some()).count();
-    let freedom = slots().count() + 2 * orientations - following;
+    let dependents = items.bodies.iter().filter(|body| body.fields.depends.is_some()).count();
+    let freedom = slots().count() + 2 * orientations - dependents;
     let dof = count(freedom);
     let of_coordinates = slots().flat_map(|(_, slot)| places(&slot));
     // by mistake a place may have the name of another, or of a fact
@@ -37,8 +37,8 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
     places.retain(|place| !FACTS.contains(&place.as_str()));
     let places = places.iter().map(|place| format_ident!("{place}"));
     let given = count(items.params.len());
-    // the length of the state tells a law of inputs its types; without any coordinate it was not read, and what follows from closed loops
-    // may be part of it, as may be what was not read of a robot
+    // the length of the state tells a law of inputs its types; without any coordinate it was not read, and what depends
+    // in closed loops may be part of it, as may be what was not read of a robot
     let is_whole = items.robot.as_ref().is_none_or(|robot| robot.unread.is_none());
     let (length, any_length) = if freedom > 0 && items.closures.is_empty() && is_whole {
         (count(2 * freedom + orientations).into_token_stream(), None)
@@ -71,7 +71,7 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             Length::Parameters => count(items.params.len()).into_token_stream(),
             Length::Constraints => count(0).into_token_stream(),
             Length::Loops => count(items.closures.len()).into_token_stream(),
-            Length::Following => count(following).into_token_stream(),
+            Length::Dependents => count(dependents).into_token_stream(),
             Length::Wrench => count(WRENCH).into_token_stream(),
             Length::Drives => count(outputs::drives(items)).into_token_stream(),
         };
@@ -92,7 +92,7 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             }
         }
     });
-    let assemble = (following > 0).then(|| {
+    let assemble = (dependents > 0).then(|| {
         quote! {
             pub fn assemble<const N: usize>(
                 &self,

@@ -61,8 +61,8 @@ impl Formula {
 /// Definitions as displayed equations, short ones side by side.
 pub(crate) fn latex_definitions(definitions: &[Definition]) -> String {
     let (mut text, mut line, mut room) = (String::new(), Vec::new(), LINE);
-    for Definition { name, formula } in definitions {
-        let left = Formula::name(name);
+    for definition in definitions {
+        let (left, formula) = (definition.left(), &definition.formula);
         let width = left.width() + formula.width() + 8;
         if width > room && !line.is_empty() {
             text.push_str(&side_by_side(&line));
@@ -93,7 +93,8 @@ struct Piece {
     width: usize,
 }
 
-/// The formula in pieces between which a line may end: before the signs of sums, in brackets too where what they hold is wide.
+/// The formula in pieces between which a line may end: before the signs of sums, in brackets too where what they hold
+/// is wide.
 fn pieces(formula: &Formula, wide: usize) -> Vec<Piece> {
     let whole = || {
         vec![Piece {

@@ -1,14 +1,16 @@
-//! Loops that are no triangles: positions that follow by their rates, and rates by linear equations.
+//! Loops that are no triangles: dependent coordinates known by their rates, and these by linear equations.
 //!
-//! The equations `f(q) = 0` of all that is left are derived: `J v = -K u`, where `v` are the rates that follow and `u` the others. `J` is
-//! factored once into orthogonal columns, `J = Q R`, by the modified method of Gram and Schmidt without roots, which no order of the
-//! columns and no choice of rows breaks down. There may be more equations than unknowns, of which then some are redundant: they are
-//! solved in the sense of least squares, which is exact where they agree. The positions are components of the state, and Newton's method
-//! with the same factors closes what rounding and truncation open.
+//! The equations `f(q) = 0` of all that is left are derived: `J v = -K u`, where `v` are the dependent rates and `u`
+//! the others. `J` is factored once into orthogonal columns, `J = Q R`, by the modified method of Gram and Schmidt
+//! without roots, which no order of the columns and no choice of rows breaks down. There may be more equations than
+//! unknowns, of which then some are redundant: they are solved in the sense of least squares, which is exact where they
+//! agree. The positions are components of the state, and Newton's method with the same factors closes what rounding and
+//! truncation open.
 
-use super::{Open, Orthogonal, Solver};
+use super::orthogonal::rank;
+use super::{Cause, Open, Orthogonal, ROUNDING, Solver};
 use crate::expr::{Derivative, Expr, Level, Normalizer, SymbolKind};
-use crate::model::closure::{Loop, Row};
+use crate::model::closure::Loop;
 use crate::model::{Combination, CoordinateId, Dependent, changes};
 
 /// How far normal forms of equations may grow.
@@ -22,10 +24,12 @@ struct Equation<'g> {
     unit: &'static str,
 }
 
-impl Equation<'_> {
-    fn miss(&self, by: f64) -> Open {
-        Open::TooShort(self.number, by.abs(), self.unit)
-    }
+/// The derivatives of all equations.
+struct Jacobian<'g> {
+    /// A column for each coordinate that depends.
+    unknown: Vec<Vec<Expr<'g>>>,
+    /// A column for each of the others.
+    others: Vec<Vec<Expr<'g>>>,
 }
 
 impl<'g> Solver<'g, '_> {
@@ -34,73 +38,93 @@ impl<'g> Solver<'g, '_> {
         let free = self.model.independent();
         let equations = self.equations(loops, left);
         let rows: Vec<Expr<'g>> = equations.iter().map(|equation| equation.value).collect();
+        let unknown = self.take_unknown();
+        let jacobian = Jacobian {
+            unknown: unknown.iter().map(|&n| self.column(&rows, free + n)).collect(),
+            others: (0..free).map(|j| self.column(&rows, j)).collect(),
+        };
+        let values = self.model.with_drives(&rows);
+        self.check_equations(&equations)?;
+        let of_first = |cause| Open { number: left[0], cause };
+        jacobian.check_columns().map_err(of_first)?;
+        let factored = Orthogonal::new(&jacobian.unknown);
+        self.corrections = factored.solve(values.iter().map(|&value| -value).collect());
+        self.closings = rows.clone();
+        let margin = factored.volume(&jacobian.unknown);
+        left.iter().for_each(|&n| self.margins[n] = margin);
+        self.assemble(&unknown, &equations)?;
+        self.check_rank(&jacobian).map_err(of_first)?;
+        self.set_rates_together(&unknown, &rows, &jacobian, &factored);
+        Ok(())
+    }
+
+    /// The places of the coordinates that are left. Their positions are in the state from now on.
+    fn take_unknown(&mut self) -> Vec<usize> {
+        let free = self.model.independent();
         let unknown: Vec<usize> = (0..self.declared.len())
             .filter(|&n| self.dependents[n].is_none())
             .collect();
         for &n in &unknown {
-            let coordinate = self.declared[n].coordinate.clone();
             self.combinations[n] = Some(Combination::one(CoordinateId::new(free + n)));
             self.dependents[n] = Some(Dependent {
-                coordinate,
+                coordinate: self.declared[n].coordinate.clone(),
                 slopes: vec![self.graph.zero(); free],
                 drift: self.graph.zero(),
                 in_state: true,
             });
         }
-        let of_unknown: Vec<Vec<Expr<'g>>> = unknown.iter().map(|&n| self.column(&rows, free + n)).collect();
-        let of_others: Vec<Vec<Expr<'g>>> = (0..free).map(|j| self.column(&rows, j)).collect();
-        let values = self.model.with_drives(&rows);
-        self.check_equations(&equations)?;
-        self.check_columns(left[0], [&of_unknown, &of_others])?;
-        let factored = Orthogonal::new(&of_unknown);
-        self.corrections = factored.solve(values.iter().map(|&value| -value).collect());
-        self.closings = rows.clone();
-        let margin = factored.volume(&of_unknown);
-        left.iter().for_each(|&n| self.margins[n] = margin);
-        self.assemble(&unknown, &equations)?;
-        self.check_rank(left[0], [&of_unknown, &of_others])?;
+        unknown
+    }
 
+    /// Gives the unknowns their rates and second rates.
+    fn set_rates_together(
+        &mut self,
+        unknown: &[usize],
+        rows: &[Expr<'g>],
+        jacobian: &Jacobian<'g>,
+        factored: &Orthogonal<'g>,
+    ) {
         let mut slopes: Vec<Vec<Expr<'g>>> = vec![Vec::new(); unknown.len()];
-        for (j, column) in of_others.iter().enumerate() {
+        for (j, column) in jacobian.others.iter().enumerate() {
             let names = unknown.iter().map(|&n| self.slope_name(n, j)).collect();
             let push = column.iter().map(|&x| -x).collect();
-            let solved = self.solved(&factored, &of_unknown, names, push);
+            let solved = self.solved(factored, &jacobian.unknown, names, push);
             slopes.iter_mut().zip(solved).for_each(|(row, slope)| row.push(slope));
         }
         for (&n, row) in unknown.iter().zip(slopes) {
             self.set_slopes(n, row, Vec::new());
         }
-        let bend = self.bend(&rows);
+        let bend = self.bend(rows);
         let names = unknown.iter().map(|&n| self.drift_name(n)).collect();
         let push = bend.into_iter().map(|x| -x).collect();
-        let drifts = self.solved(&factored, &of_unknown, names, push);
+        let drifts = self.solved(factored, &jacobian.unknown, names, push);
         for (&n, drift) in unknown.iter().zip(drifts) {
             self.set_drift(n, drift);
         }
-        Ok(())
     }
 
-    /// What vanishes where the loops are closed, each with the number of its loop. What does so anyway is left out.
+    /// What vanishes where the loops are closed. What does so anyway is left out.
     fn equations(&self, loops: &[Option<Loop<'g>>], left: &[usize]) -> Vec<Equation<'g>> {
         let mut all = Vec::new();
         for &number in left {
-            let rows: Vec<(Expr<'g>, &str)> = match &loops[number] {
+            let equation = |value, unit| Equation { number, value, unit };
+            let rows: Vec<Equation<'g>> = match &loops[number] {
                 Some(around) => {
-                    let pieces = around.0.iter().map(|piece| self.vector(piece));
-                    let sum = pieces.reduce(|sum, piece| sum + piece);
-                    sum.into_iter().flat_map(|sum| sum.0).map(|row| (row, "m")).collect()
+                    let sum = around.0.iter().map(|piece| self.vector(piece)).reduce(|a, b| a + b);
+                    let rows = sum.into_iter().flat_map(|sum| sum.0);
+                    rows.map(|row| equation(row, "m")).collect()
                 }
                 None => {
                     let rows = self.model.closures[number].equations(self.model);
-                    rows.into_iter().map(|Row { value, unit, .. }| (value, unit)).collect()
+                    rows.into_iter().map(|row| equation(row.value, row.unit)).collect()
                 }
             };
-            let always = |row: Expr<'g>| Normalizer::new(self.graph, BUDGET).is_zero(row) == Ok(true);
-            let equation = |(row, unit)| {
-                let value = self.shorter(row);
-                (!always(value)).then_some(Equation { number, value, unit })
-            };
-            all.extend(rows.into_iter().filter_map(equation));
+            for mut equation in rows {
+                equation.value = self.shorter(equation.value);
+                if !vanishes(equation.value) {
+                    all.push(equation);
+                }
+            }
         }
         all
     }
@@ -110,22 +134,26 @@ impl<'g> Solver<'g, '_> {
         let constant = equations
             .iter()
             .filter(|equation| equation.value.level() < Level::State);
-        let missing = constant.filter(|equation| self.is_known() || equation.value.constant().is_some());
-        match missing
-            .map(|equation| equation.miss(self.number(equation.value)))
-            .next()
-        {
-            Some(open) => Err(open),
-            None => Ok(()),
-        }
+        let mut missing = constant.filter(|equation| self.is_known() || equation.value.constant().is_some());
+        let Some(&Equation { number, value, unit }) = missing.next() else {
+            return Ok(());
+        };
+        let by = self.number(value).abs();
+        let cause = if by < ROUNDING {
+            Cause::ClosedByChance
+        } else {
+            Cause::AlwaysOpen { by, unit }
+        };
+        Err(Open { number, cause })
     }
 
     /// The derivatives by a coordinate where those that are left stand still.
     fn column(&self, rows: &[Expr<'g>], k: usize) -> Vec<Expr<'g>> {
         let own = self.coordinate(CoordinateId::new(k)).changes.iter().copied();
         let solved = self.dependents.iter().flatten().filter(|dependent| !dependent.in_state);
-        let following = solved.filter_map(|dependent| Some((dependent.coordinate.position, *dependent.slopes.get(k)?)));
-        let mut along = Derivative::along(own.chain(following));
+        let dependents =
+            solved.filter_map(|dependent| Some((dependent.coordinate.position, *dependent.slopes.get(k)?)));
+        let mut along = Derivative::along(own.chain(dependents));
         let column: Vec<Expr<'g>> = rows.iter().map(|&row| along.of(row)).collect();
         self.model.with_drives(&column)
     }
@@ -138,18 +166,18 @@ impl<'g> Solver<'g, '_> {
             .coordinates
             .iter()
             .chain(self.model.drives.iter().map(|drive| &drive.coordinate));
-        let following: Vec<&Dependent<'g>> = self.dependents.iter().flatten().collect();
+        let dependents: Vec<&Dependent<'g>> = self.dependents.iter().flatten().collect();
         let all = of_others
             .clone()
-            .chain(following.iter().map(|dependent| &dependent.coordinate));
+            .chain(dependents.iter().map(|dependent| &dependent.coordinate));
         let velocities = changes(all);
         let mut along = Derivative::along(velocities.clone());
         let rates: Vec<Expr<'g>> = rows.iter().map(|&row| along.of(row)).collect();
         let of_rates = of_others.map(|coordinate| (coordinate.rate, zero));
-        let of_following = following
+        let of_dependents = dependents
             .iter()
             .map(|dependent| (dependent.coordinate.rate, dependent.drift));
-        let mut along = Derivative::along(velocities.into_iter().chain(of_rates).chain(of_following));
+        let mut along = Derivative::along(velocities.into_iter().chain(of_rates).chain(of_dependents));
         let bends: Vec<Expr<'g>> = rates.iter().map(|&rate| along.of(rate)).collect();
         self.model.with_drives(&bends)
     }
@@ -188,7 +216,7 @@ impl<'g> Solver<'g, '_> {
         for (&symbol, changes) in symbols.iter().zip(&changes) {
             if symbol
                 .as_symbol()
-                .is_some_and(|symbol| matches!(symbol.kind, SymbolKind::Following(_)))
+                .is_some_and(|symbol| matches!(symbol.kind, SymbolKind::Dependent(_)))
             {
                 self.graph.set_changes(symbol, changes, false);
             }
@@ -209,86 +237,85 @@ impl<'g> Solver<'g, '_> {
         symbols.filter_map(named).collect()
     }
 
-    /// Each coordinate that depends must move a loop.
-    fn check_columns(&self, at: usize, [of_unknown, of_others]: [&[Vec<Expr<'g>>]; 2]) -> Result<(), Open> {
-        let moves = |column: &&Vec<Expr<'g>>| !column.iter().all(|entry| entry.is_zero());
-        let moving = of_unknown.iter().filter(moves).count();
-        if of_unknown.first().is_none_or(|column| column.len() < of_unknown.len()) {
-            let rows = of_unknown.iter().chain(of_others).map(Vec::len).max();
-            return Err(Open::Determine(at, rows.unwrap_or(0)));
-        }
-        if moving < of_unknown.len() {
-            return Err(Open::Others(at));
-        }
-        Ok(())
-    }
-
     /// Newton's method from the guess.
     fn assemble(&mut self, unknown: &[usize], equations: &[Equation<'g>]) -> Result<(), Open> {
-        /// How often a correction is made, and the longest of them.
-        const MOST: (usize, f64) = (100, 0.3);
-        /// The corrections that are rounding, and how far the loops may then be open.
-        const LEAST: (f64, f64) = (1e-12, 1e-9);
+        /// How often a correction is made.
+        const CORRECTIONS: usize = 100;
+        /// The longest correction.
+        const LONGEST: f64 = 0.3;
+        /// A correction that is rounding.
+        const SHORTEST: f64 = 1e-12;
         if !self.is_known() {
             return Ok(());
         }
         let free = self.model.independent();
-        for _ in 0..MOST.0 {
+        for _ in 0..CORRECTIONS {
             let corrections = self.numbers_of(&self.corrections);
             let size = corrections.iter().fold(0.0, |size: f64, x| size.max(x.abs()));
-            let factor = (MOST.1 / size).min(1.0);
+            let factor = (LONGEST / size).min(1.0);
             for (&n, correction) in unknown.iter().zip(corrections) {
                 self.assembled[free + n] += factor * correction;
             }
-            if size < LEAST.0 {
+            if size < SHORTEST {
                 break;
             }
         }
         let rows: Vec<Expr<'g>> = equations.iter().map(|equation| equation.value).collect();
-        let misses = equations.iter().zip(self.numbers_of(&rows));
-        let worst = misses.max_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
-        match worst.filter(|(_, by)| by.is_nan() || by.abs() > LEAST.1) {
-            Some((equation, by)) => Err(equation.miss(by)),
-            None => Ok(()),
+        let misses = self.numbers_of(&rows).into_iter().map(f64::abs);
+        let worst = equations.iter().zip(misses).max_by(|(_, a), (_, b)| a.total_cmp(b));
+        match worst {
+            Some((&Equation { number, unit, .. }, by)) if by.is_nan() || by > ROUNDING => {
+                let cause = match by.is_nan() {
+                    // no correction exists where the loop is flat
+                    true => Cause::AtToggle,
+                    false => Cause::NotAssembled { by, unit },
+                };
+                Err(Open { number, cause })
+            }
+            _ => Ok(()),
         }
     }
 
     /// Where they are assembled the loops must determine those coordinates that depend, and no more.
-    fn check_rank(&self, at: usize, [of_unknown, of_others]: [&[Vec<Expr<'g>>]; 2]) -> Result<(), Open> {
+    fn check_rank(&self, jacobian: &Jacobian<'g>) -> Result<(), Cause> {
         if !self.is_known() {
             return Ok(());
         }
         let numbers = |columns: &[Vec<Expr<'g>>]| columns.iter().map(|column| self.numbers_of(column)).collect();
-        let own: Vec<Vec<f64>> = numbers(of_unknown);
-        let others: Vec<Vec<f64>> = numbers(of_others);
+        let own: Vec<Vec<f64>> = numbers(&jacobian.unknown);
+        let others: Vec<Vec<f64>> = numbers(&jacobian.others);
         let all = rank([&own[..], &others].concat());
         if all != own.len() {
-            return Err(Open::Determine(at, all));
+            return Err(Cause::Determines(all));
         }
-        if rank(own) < of_unknown.len() {
-            return Err(Open::Others(at));
+        if rank(own) < all {
+            return Err(Cause::DeterminesOthers);
         }
         Ok(())
     }
 }
 
-/// How many of the columns are no sums of others, up to rounding.
-fn rank(mut columns: Vec<Vec<f64>>) -> usize {
-    const ROUNDING: f64 = 1e-9;
-    let square = |column: &[f64]| column.iter().map(|x| x * x).sum::<f64>();
-    let largest = columns.iter().map(|column| square(column)).fold(0.0, f64::max);
-    let mut rank = 0;
-    while let Some(at) = (0..columns.len()).max_by(|&a, &b| square(&columns[a]).total_cmp(&square(&columns[b]))) {
-        let own = columns.swap_remove(at);
-        let size = square(&own);
-        if size <= ROUNDING * ROUNDING * largest || size == 0.0 {
-            break;
+impl Jacobian<'_> {
+    /// Each coordinate that depends must move a loop.
+    fn check_columns(&self) -> Result<(), Cause> {
+        if self
+            .unknown
+            .first()
+            .is_none_or(|column| column.len() < self.unknown.len())
+        {
+            let rows = self.unknown.iter().chain(&self.others).map(Vec::len).max();
+            return Err(Cause::Determines(rows.unwrap_or(0)));
         }
-        rank += 1;
-        for column in &mut columns {
-            let share = own.iter().zip(&*column).map(|(a, b)| a * b).sum::<f64>() / size;
-            column.iter_mut().zip(&own).for_each(|(x, y)| *x -= share * y);
+        let stands_still = |column: &Vec<Expr<'_>>| column.iter().all(|entry| entry.is_zero());
+        if self.unknown.iter().any(stands_still) {
+            return Err(Cause::DeterminesOthers);
         }
+        Ok(())
     }
-    rank
+}
+
+/// Whether a value is zero in all states, be it only up to rounding where it is one number.
+fn vanishes(value: Expr<'_>) -> bool {
+    value.constant().is_some_and(|x| x.abs() < ROUNDING)
+        || Normalizer::new(value.graph(), BUDGET).is_zero(value) == Ok(true)
 }

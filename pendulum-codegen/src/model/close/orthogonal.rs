@@ -1,6 +1,9 @@
 //! Orthogonal columns.
 
+use std::ops::Add;
+
 use crate::expr::Expr;
+use crate::screw::Scalar;
 
 /// A matrix as orthogonal columns `Q` times `R`, an upper triangle with ones on its diagonal.
 pub(crate) struct Orthogonal<'g> {
@@ -60,8 +63,8 @@ impl<'g> Orthogonal<'g> {
         x
     }
 
-    /// The volume of what `columns` span over the product of their lengths: 1 where they are at right angles, 0 where one is a sum of
-    /// others.
+    /// The volume of what `columns` span over the product of their lengths: 1 where they are at right angles, 0 where
+    /// one is a sum of others.
     pub(super) fn volume(&self, columns: &[Vec<Expr<'g>>]) -> Expr<'g> {
         let squares = columns.iter().map(|column| dot(column, column));
         let ratios = squares.zip(&self.inverses).map(|(square, &inverse)| square * inverse);
@@ -71,16 +74,39 @@ impl<'g> Orthogonal<'g> {
     }
 }
 
-fn dot<'g>(a: &[Expr<'g>], b: &[Expr<'g>]) -> Expr<'g> {
-    let products: Vec<Expr<'g>> = a.iter().zip(b).map(|(&a, &b)| a * b).collect();
-    a[0].graph().sum(products)
+/// How many of the columns are no sums of others, up to rounding.
+pub(super) fn rank(mut columns: Vec<Vec<f64>>) -> usize {
+    /// What is left of a column that is a sum of others, of the size of the largest.
+    const ROUNDING: f64 = 1e-9;
+    let square = |column: &[f64]| dot(column, column);
+    let largest = columns.iter().map(|column| square(column)).fold(0.0, f64::max);
+    let mut rank = 0;
+    while let Some(at) = (0..columns.len()).max_by(|&a, &b| square(&columns[a]).total_cmp(&square(&columns[b]))) {
+        let own = columns.swap_remove(at);
+        let size = square(&own);
+        if size <= ROUNDING * ROUNDING * largest || size == 0.0 {
+            break;
+        }
+        rank += 1;
+        for column in &mut columns {
+            take_off(column, &own, size.recip());
+        }
+    }
+    rank
 }
 
-/// Takes off a vector what it has of another, and returns how much.
-fn take_off<'g>(vector: &mut [Expr<'g>], of: &[Expr<'g>], inverse: Expr<'g>) -> Expr<'g> {
+/// The scalar product of vectors that are not empty.
+fn dot<T: Scalar>(a: &[T], b: &[T]) -> T {
+    let products: Vec<T> = a.iter().zip(b).map(|(&a, &b)| a * b).collect();
+    products.into_iter().reduce(Add::add).expect("an entry")
+}
+
+/// Takes off a vector what it has of another, where `inverse` is one over the square of its length, and returns how
+/// much.
+fn take_off<T: Scalar>(vector: &mut [T], of: &[T], inverse: T) -> T {
     let share = dot(of, vector) * inverse;
     for (entry, &part) in vector.iter_mut().zip(of) {
-        *entry -= share * part;
+        *entry = *entry - share * part;
     }
     share
 }

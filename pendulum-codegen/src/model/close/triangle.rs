@@ -1,14 +1,14 @@
-//! Loops that fall apart into triangles: what follows from the state, in closed form.
+//! Loops that fall apart into triangles: what they determine, in closed form.
 //!
-//! A loop with two unknown angles, or with an angle and a length, is a triangle of two unknown sides `r1 + r2 = m`, where `-m` is the sum of
-//! all that is known. Sides of known lengths meet where two circles do: with `L = m . m` and `a = 1/2 + (r1^2 - r2^2) / (2 L)` the first
-//! is `a m + h m'`, `h = +-sqrt(r1^2 / L - a^2)`, where `m'` is `m` after a quarter of a turn. A side that slides ends where a line meets
-//! a circle. Rates follow by Cramer's rule from two equations, whose determinant vanishes where the triangle is flat: at its toggle.
+//! A loop with two unknown angles, or with an angle and a length, is a triangle of two unknown sides `r1 + r2 = m`, where
+//! `-m` is the sum of all that is known. Rates are solved for by Cramer's rule from two equations, whose determinant
+//! vanishes where the triangle is flat: at its toggle.
 
 use num_traits::{One, Signed, ToPrimitive};
 
-use super::{Open, Solver};
-use crate::expr::{Derivative, Expr, Rational, SymbolKind, ratio};
+use super::meeting::{Solution, Solved, Unknown};
+use super::{Cause, Open, Solver};
+use crate::expr::{Derivative, Expr, Rational, SymbolKind};
 use crate::model::closure::{Loop, Piece};
 use crate::model::{Combination, Coordinate, CoordinateId, Dependent};
 use crate::screw::Vec2;
@@ -17,11 +17,11 @@ use crate::screw::Vec2;
 pub(super) struct Triangle<'g> {
     sides: [Side<'g>; 2],
     known: Vec<Piece<'g>>,
-    /// The two declared coordinates that it determines, each in the unknowns of the two sides. These take their numbers.
+    /// The two declared coordinates that it determines, each in the unknowns of the two sides. These take their
+    /// numbers.
     places: [(CoordinateId, Combination); 2],
 }
 
-#[derive(Clone)]
 enum Side<'g> {
     /// Pieces that turn together, by the unknown angle of the first of them.
     Turning(Combination, Vec<Piece<'g>>),
@@ -29,34 +29,35 @@ enum Side<'g> {
     Sliding(CoordinateId, Piece<'g>),
 }
 
-/// A triangle that is solved.
-struct Solution<'g> {
-    /// The sides, with the lengths by which they slide.
-    sides: [Vec2<'g>; 2],
-    /// Cosine and sine of the angle of a side that turns.
-    turns: [Option<[Expr<'g>; 2]>; 2],
-    /// How far a side slides.
-    length: Option<Expr<'g>>,
-    /// What each unknown moves the end by, for each unit.
-    columns: [Vec2<'g>; 2],
-    /// One over what the columns span.
-    inverse: Expr<'g>,
-    /// The sine of the angle between the columns.
-    margin: Expr<'g>,
-    /// The unknowns where the loop is assembled.
-    assembled: [f64; 2],
+/// A vector that moves.
+struct Moving<'g> {
+    turn: Combination,
+    slide: Option<CoordinateId>,
+    /// The unit vector along which it slides.
+    direction: Vec2<Expr<'g>>,
+    vector: Vec2<Expr<'g>>,
 }
 
-impl<'g> Solution<'g> {
-    /// The rates of the unknowns that bring the end back, where all else moves it by `push`.
-    fn answers(&self, push: Vec2<'g>) -> [Expr<'g>; 2] {
-        let [first, second] = self.columns;
-        [-(push.cross(second) * self.inverse), push.cross(first) * self.inverse]
+impl<'g> Side<'g> {
+    fn pieces(&self) -> &[Piece<'g>] {
+        match self {
+            Self::Turning(_, pieces) => pieces,
+            Self::Sliding(_, piece) => std::slice::from_ref(piece),
+        }
+    }
+
+    /// The unknown, and what is known in it.
+    fn unknown(&self) -> Combination {
+        match self {
+            Self::Turning(angle, _) => angle.clone(),
+            Self::Sliding(k, _) => Combination::one(*k),
+        }
     }
 }
 
 impl<'g> Solver<'g, '_> {
-    /// A triangle among the loops that are left, or among sums and differences of two of them, and which of them it closes.
+    /// A triangle among the loops that are left, or among sums and differences of two of them, and which of them it
+    /// closes.
     pub(super) fn next(&self, loops: &[Option<Loop<'g>>], left: &[usize]) -> Option<(usize, Triangle<'g>)> {
         let in_plane = left
             .iter()
@@ -111,10 +112,7 @@ impl<'g> Solver<'g, '_> {
 
     /// The two declared coordinates that a triangle of these sides determines.
     fn in_unknowns(&self, sides: &[Side<'g>; 2]) -> Option<[(CoordinateId, Combination); 2]> {
-        let sums = sides.each_ref().map(|side| match side {
-            Side::Turning(angle, _) => angle.clone(),
-            Side::Sliding(k, _) => Combination::one(*k),
-        });
+        let sums = sides.each_ref().map(Side::unknown);
         let mut numbers: Vec<CoordinateId> = Vec::new();
         for (k, _) in sums.iter().flat_map(Combination::terms) {
             if self.is_unknown(k) && !numbers.contains(&k) {
@@ -128,10 +126,10 @@ impl<'g> Solver<'g, '_> {
             return None;
         }
         // unknown - what is known in it = factors . declared
-        let bare = |k: CoordinateId, sum: &Combination| {
+        let alone = |k: CoordinateId, sum: &Combination| {
             Combination::one(k).plus_scaled(-1, &sum.filtered(|k| !self.is_unknown(k)))
         };
-        let (u, v) = (bare(first, &sums[0]), bare(second, &sums[1]));
+        let (u, v) = (alone(first, &sums[0]), alone(second, &sums[1]));
         let of = |p: Rational, q: Rational| {
             let with_u = Combination::default().plus_multiple(&(p * &determinant), &u);
             with_u.plus_multiple(&(q * &determinant), &v)
@@ -141,90 +139,92 @@ impl<'g> Solver<'g, '_> {
 
     /// Closes a loop by its triangle.
     pub(super) fn solve(&mut self, number: usize, triangle: &Triangle<'g>) -> Result<(), Open> {
-        let places = &triangle.places;
-        let guesses = triangle.sides.each_ref().map(|side| match side {
-            Side::Turning(angle, _) => angle
+        let guesses = triangle.sides.each_ref().map(|side| {
+            let terms = side.unknown();
+            let guess = terms
                 .terms()
-                .map(|(k, n)| n.to_f64().unwrap_or(f64::NAN) * self.assembled[usize::from(k)])
-                .sum(),
-            Side::Sliding(k, _) => self.assembled[usize::from(*k)],
+                .map(|(k, n)| n.to_f64().unwrap_or(f64::NAN) * self.assembled[usize::from(k)]);
+            guess.sum::<f64>()
         });
-        let solution = self.solution(triangle, guesses).map_err(|miss| match miss {
-            Miss::Short(by) => Open::TooShort(number, by, "m"),
-            Miss::Undecided => Open::Undecided(number),
-        })?;
-        let free = self.model.independent();
-        for (n, side) in triangle.sides.iter().enumerate() {
-            let place = usize::from(places[n].0);
-            self.assembled[place] = solution.assembled[n];
-            let coordinate = self.unknown(place, side);
-            if let Some(turn) = solution.turns[n] {
-                let turn = turn.map(|x| self.model.with_drives(&[x])[0]);
-                self.following.set_turn(coordinate.position, turn);
-            }
-            if let (Side::Sliding(..), Some(length)) = (side, solution.length) {
-                self.following
-                    .set(coordinate.position, self.model.with_drives(&[length])[0]);
-            }
-            let (slopes, drift) = (vec![self.graph.zero(); free], self.graph.zero());
-            self.dependents[place - free] = Some(Dependent {
-                coordinate,
-                slopes,
-                drift,
-                in_state: false,
-            });
-        }
-        for (k, combination) in places {
-            self.combinations[usize::from(*k) - free] = Some(combination.clone());
-        }
-        // at fixed unknowns, the end moves with all else
-        let pushes = (0..free).map(|j| self.velocity(triangle, &solution, |k| self.slope(k, j), false));
-        let slopes: Vec<[Expr<'g>; 2]> = pushes.map(|push| solution.answers(push)).collect();
-        let columns = [0, 1].map(|n| slopes.iter().map(|slope| slope[n]).collect::<Vec<_>>());
-        let of_parameters = self
-            .pushes_of_parameters(triangle)
-            .into_iter()
-            .map(|(parameter, push)| (parameter, solution.answers(push)));
-        let of_parameters: Vec<(Expr<'g>, [Expr<'g>; 2])> = of_parameters.collect();
-        for (side, ((k, _), column)) in places.iter().zip(columns).enumerate() {
-            let n = usize::from(*k) - free;
-            let of_parameters = of_parameters
-                .iter()
-                .map(|&(parameter, answers)| (parameter, answers[side]));
-            let of_parameters: Vec<(Expr<'g>, Expr<'g>)> = of_parameters
-                .map(|(parameter, slope)| (parameter, self.named(&self.slope_name_of(n, parameter), slope)))
-                .collect();
-            let slopes = column.into_iter().enumerate();
-            let named = slopes
-                .map(|(j, slope)| self.named(&self.slope_name(n, j), slope))
-                .collect();
-            self.set_slopes(n, named, of_parameters);
-        }
-        let bend = self.velocity(triangle, &solution, |k| self.drift(k), true);
-        for ((k, _), drift) in places.iter().zip(solution.answers(bend)) {
-            let n = usize::from(*k) - free;
-            let named = self.named(&self.drift_name(n), drift);
-            self.set_drift(n, named);
-        }
-        for (k, _) in places {
-            self.set_declared(usize::from(*k) - free);
+        let solution = self.solution(triangle, guesses);
+        let solution = solution.map_err(|cause| Open { number, cause })?;
+        self.set_unknowns(triangle, &solution);
+        self.set_rates(triangle, &solution);
+        for (k, _) in &triangle.places {
+            self.set_declared(usize::from(*k) - self.model.independent());
         }
         self.margins[number] = self.model.with_drives(&[solution.margin])[0];
         Ok(())
     }
 
+    /// Gives the unknowns their symbols, and these their values.
+    fn set_unknowns(&mut self, triangle: &Triangle<'g>, solution: &Solution<'g>) {
+        let free = self.model.independent();
+        for ((side, solved), (k, combination)) in triangle.sides.iter().zip(&solution.sides).zip(&triangle.places) {
+            let place = usize::from(*k);
+            self.assembled[place] = solved.assembled;
+            let coordinate = self.unknown(place, side);
+            match solved.unknown {
+                Unknown::Turn(turn) => {
+                    let turn = turn.map(|x| self.model.with_drives(&[x])[0]);
+                    self.following.set_turn(coordinate.position, turn);
+                }
+                Unknown::Length(length) => {
+                    let length = self.model.with_drives(&[length])[0];
+                    self.following.set(coordinate.position, length);
+                }
+            }
+            self.dependents[place - free] = Some(Dependent {
+                coordinate,
+                slopes: vec![self.graph.zero(); free],
+                drift: self.graph.zero(),
+                in_state: false,
+            });
+            self.combinations[place - free] = Some(combination.clone());
+        }
+    }
+
+    /// Gives the unknowns their rates and second rates: at fixed unknowns the end moves with all else, and they bring
+    /// it back.
+    fn set_rates(&mut self, triangle: &Triangle<'g>, solution: &Solution<'g>) {
+        let free = self.model.independent();
+        let numbers = triangle.places.each_ref().map(|(k, _)| usize::from(*k) - free);
+        let pushes = (0..free).map(|j| self.velocity(triangle, solution, |k| self.slope(k, j), false));
+        let slopes: Vec<[Expr<'g>; 2]> = pushes.map(|push| solution.answers(push)).collect();
+        let pushes = self.pushes_of_parameters(triangle).into_iter();
+        let of_parameters: Vec<(Expr<'g>, [Expr<'g>; 2])> = pushes
+            .map(|(parameter, push)| (parameter, solution.answers(push)))
+            .collect();
+        for (side, n) in numbers.into_iter().enumerate() {
+            let mut named_of_parameters = Vec::new();
+            for &(parameter, slopes) in &of_parameters {
+                let name = self.slope_name_of(n, parameter);
+                named_of_parameters.push((parameter, self.named(&name, slopes[side])));
+            }
+            let slopes = slopes.iter().enumerate();
+            let named = slopes
+                .map(|(j, slopes)| self.named(&self.slope_name(n, j), slopes[side]))
+                .collect();
+            self.set_slopes(n, named, named_of_parameters);
+        }
+        let bend = self.velocity(triangle, solution, |k| self.drift(k), true);
+        for (n, drift) in numbers.into_iter().zip(solution.answers(bend)) {
+            let named = self.named(&self.drift_name(n), drift);
+            self.set_drift(n, named);
+        }
+    }
+
     /// How the end moves with each parameter that is derived by, at fixed unknowns.
-    fn pushes_of_parameters(&self, triangle: &Triangle<'g>) -> Vec<(Expr<'g>, Vec2<'g>)> {
+    fn pushes_of_parameters(&self, triangle: &Triangle<'g>) -> Vec<(Expr<'g>, Vec2<Expr<'g>>)> {
         let parameters = self.parameters();
         if parameters.is_empty() {
             return Vec::new();
         }
-        let of_sides = triangle.sides.iter().flat_map(|side| match side {
-            Side::Turning(_, pieces) => &pieces[..],
-            Side::Sliding(_, piece) => std::slice::from_ref(piece),
-        });
-        let vectors = triangle.known.iter().chain(of_sides).map(|piece| self.vector(piece));
-        let sum = vectors.fold(Vec2::zero(self.graph), |sum, vector| sum + vector);
+        let pieces = triangle
+            .known
+            .iter()
+            .chain(triangle.sides.iter().flat_map(Side::pieces));
+        let sum = Vec2::sum(self.graph, pieces.map(|piece| self.vector(piece)));
         let push = |parameter| (parameter, Vec2(sum.0.map(|x| Derivative::by(parameter).of(x))));
         parameters.into_iter().map(push).collect()
     }
@@ -246,83 +246,103 @@ impl<'g> Solver<'g, '_> {
     }
 
     /// The vector of a piece, without the length by which it slides.
-    fn direction(&self, piece: &Piece<'g>) -> Vec2<'g> {
+    fn direction(&self, piece: &Piece<'g>) -> Vec2<Expr<'g>> {
         let turn = self.rebased(&piece.turn);
         let angle = turn.of(self.graph, |k| self.coordinate(k).position);
         piece.vector.turned([angle.cos(), angle.sin()])
     }
 
     /// The vector of a piece.
-    pub(super) fn vector(&self, piece: &Piece<'g>) -> Vec2<'g> {
-        let direction = self.direction(piece);
-        piece
-            .slide
-            .map_or(direction, |k| self.coordinate(k).position * direction)
+    pub(super) fn vector(&self, piece: &Piece<'g>) -> Vec2<Expr<'g>> {
+        self.slid(piece, self.direction(piece))
     }
 
-    /// The sum of the changes of all pieces where coordinates change by `by`; with the terms in products of rates if `bends`.
+    /// A vector along which a piece slides, so many times as long.
+    fn slid(&self, piece: &Piece<'g>, direction: Vec2<Expr<'g>>) -> Vec2<Expr<'g>> {
+        piece
+            .slide
+            .map_or(direction, |k| direction.times(self.coordinate(k).position))
+    }
+
+    /// The sum of the changes of all pieces where coordinates change by `by`; with the terms in products of rates if
+    /// `bends`.
     fn velocity(
         &self,
         triangle: &Triangle<'g>,
         solution: &Solution<'g>,
         by: impl Fn(CoordinateId) -> Expr<'g>,
         bends: bool,
-    ) -> Vec2<'g> {
+    ) -> Vec2<Expr<'g>> {
         let mut sum = Vec2::zero(self.graph);
-        let rate = |turn: &Combination| turn.of(self.graph, |k| self.coordinate(k).rate);
-        let mut add = |turn: &Combination, slide: Option<CoordinateId>, direction: Vec2<'g>, vector: Vec2<'g>| {
-            let turn = self.rebased(turn);
-            sum = sum + turn.of(self.graph, &by) * vector.quarter();
-            if let Some(k) = slide {
-                sum = sum + by(k) * direction;
-            }
-            if bends {
-                let turns = rate(&turn);
-                sum = sum - turns.powi(2) * vector;
-                if let Some(k) = slide {
-                    sum = sum + (2 * turns * self.coordinate(k).rate) * direction.quarter();
-                }
-            }
+        let mut add = |moving: Moving<'g>| sum = self.with_change(sum, &moving, &by, bends);
+        let moving = |piece: &Piece<'g>, vector: Vec2<Expr<'g>>| Moving {
+            turn: self.rebased(&piece.turn),
+            slide: piece.slide,
+            direction: self.direction(piece),
+            vector,
         };
         for piece in &triangle.known {
-            add(&piece.turn, piece.slide, self.direction(piece), self.vector(piece));
+            add(moving(piece, self.vector(piece)));
         }
-        for (side, &vector) in triangle.sides.iter().zip(&solution.sides) {
+        for (side, &Solved { vector, .. }) in triangle.sides.iter().zip(&solution.sides) {
             match side {
-                Side::Sliding(_, piece) => add(&piece.turn, piece.slide, self.direction(piece), vector),
-                Side::Turning(_, pieces) => match &pieces[..] {
-                    // one vector that is known, or pieces that move on the side
-                    [first, others @ ..]
-                        if others
-                            .iter()
-                            .chain([first])
-                            .all(|piece| piece.turn == first.turn && piece.slide.is_none()) =>
-                    {
-                        add(&first.turn, None, vector, vector);
-                    }
-                    _ => {
-                        for piece in pieces {
-                            add(&piece.turn, piece.slide, self.direction(piece), self.vector(piece));
-                        }
-                    }
-                },
+                Side::Sliding(_, piece) => add(moving(piece, vector)),
+                Side::Turning(_, pieces) if moves_as_one(pieces) => add(Moving {
+                    turn: self.rebased(&pieces[0].turn),
+                    slide: None,
+                    direction: vector,
+                    vector,
+                }),
+                Side::Turning(_, pieces) => pieces.iter().for_each(|piece| add(moving(piece, self.vector(piece)))),
+            }
+        }
+        sum
+    }
+
+    /// A sum, and the change of a vector on top.
+    fn with_change(
+        &self,
+        mut sum: Vec2<Expr<'g>>,
+        moving: &Moving<'g>,
+        by: impl Fn(CoordinateId) -> Expr<'g>,
+        bends: bool,
+    ) -> Vec2<Expr<'g>> {
+        let Moving {
+            turn,
+            slide,
+            direction,
+            vector,
+        } = moving;
+        let turned = turn.of(self.graph, &by);
+        sum = sum + vector.quarter().times(turned);
+        if let Some(k) = *slide {
+            sum = sum + direction.times(by(k));
+        }
+        if bends {
+            let turns = turn.of(self.graph, |k| self.coordinate(k).rate);
+            sum = sum - vector.times(turns.powi(2));
+            if let Some(k) = *slide {
+                let twice = 2 * turns * self.coordinate(k).rate;
+                sum = sum + direction.quarter().times(twice);
             }
         }
         sum
     }
 
     /// The triangle in closed form, in the assembly that is nearest to the guesses.
-    fn solution(&self, triangle: &Triangle<'g>, guesses: [f64; 2]) -> Result<Solution<'g>, Miss> {
+    fn solution(&self, triangle: &Triangle<'g>, guesses: [f64; 2]) -> Result<Solution<'g>, Cause> {
         let known = triangle.known.iter().map(|piece| self.vector(piece));
-        let target = -known.fold(Vec2::zero(self.graph), |sum, piece| sum + piece);
+        let target = -Vec2::sum(self.graph, known);
         match &triangle.sides {
             [Side::Sliding(_, piece), Side::Turning(angle, pieces)] => {
                 let side = self.on_side(angle, pieces);
-                if self.rebased(&piece.turn) == *angle {
-                    self.slide_on_side(target, piece.vector, side, guesses)
+                let slides_on_side = self.rebased(&piece.turn) == *angle;
+                let along = if slides_on_side {
+                    piece.vector
                 } else {
-                    self.slide_beside(target, self.direction(piece), side, guesses)
-                }
+                    self.direction(piece)
+                };
+                self.slide(target, along, side, slides_on_side, guesses)
             }
             sides => {
                 let sides = sides.each_ref().map(|side| match side {
@@ -335,160 +355,22 @@ impl<'g> Solver<'g, '_> {
     }
 
     /// The sum of pieces in the frame that turns by an angle.
-    fn on_side(&self, angle: &Combination, pieces: &[Piece<'g>]) -> Vec2<'g> {
+    fn on_side(&self, angle: &Combination, pieces: &[Piece<'g>]) -> Vec2<Expr<'g>> {
         let pieces = pieces.iter().map(|piece| {
             let beside = self.rebased(&piece.turn).plus_scaled(-1, angle);
             let beside = beside.of(self.graph, |k| self.coordinate(k).position);
-            let vector = piece.vector.turned([beside.cos(), beside.sin()]);
-            piece.slide.map_or(vector, |k| self.coordinate(k).position * vector)
+            self.slid(piece, piece.vector.turned([beside.cos(), beside.sin()]))
         });
-        pieces.fold(Vec2::zero(self.graph), |sum, piece| sum + piece)
-    }
-
-    /// Two sides that turn: where two circles meet.
-    fn circles(&self, m: Vec2<'g>, [a, b]: [Vec2<'g>; 2], guesses: [f64; 2]) -> Result<Solution<'g>, Miss> {
-        let [to, first, second] = [m, a, b].map(|v| self.numbers(v.0));
-        let (length, radii) = (norm(to), [norm(first), norm(second)]);
-        let miss = (length - radii[0] - radii[1]).max((radii[0] - radii[1]).abs() - length);
-        let share = 0.5 + (radii[0].powi(2) - radii[1].powi(2)) / (2.0 * length.powi(2));
-        let height = ((radii[0] / length).powi(2) - share.powi(2)).max(0.0).sqrt();
-        let assembled = |sign: f64| {
-            let one = [
-                share * to[0] - sign * height * to[1],
-                share * to[1] + sign * height * to[0],
-            ];
-            [between(first, one), between(second, [to[0] - one[0], to[1] - one[1]])]
-        };
-        let (sign, assembled) = self.nearest(miss, assembled, |one| {
-            one.iter()
-                .zip(guesses)
-                .map(|(angle, guess)| turned_by(angle - guess))
-                .sum()
-        })?;
-        let l = self.shorter(m.dot(m));
-        let [a2, b2] = [a, b].map(|v| self.shorter(v.dot(v)));
-        let over = l.recip();
-        let share = ratio(1, 2) + (ratio(1, 2) * (a2 - b2)) * over;
-        let height = (a2 * over - share.powi(2)).sqrt();
-        let signed = if sign < 0.0 { -height } else { height };
-        let one = share * m + signed * m.quarter();
-        let two = m - one;
-        Ok(Solution {
-            sides: [one, two],
-            turns: [Some(a.turn_to(one)), Some(b.turn_to(two))],
-            length: None,
-            columns: [one.quarter(), two.quarter()],
-            inverse: -(signed * l).recip(),
-            margin: height * l / (a2 * b2).sqrt(),
-            assembled,
-        })
-    }
-
-    /// A side `a` that turns, and a known direction to slide along: where a line meets a circle.
-    fn slide_beside(&self, m: Vec2<'g>, e: Vec2<'g>, a: Vec2<'g>, guesses: [f64; 2]) -> Result<Solution<'g>, Miss> {
-        let [to, along, side] = [m, e, a].map(|v| self.numbers(v.0));
-        let (off, radius) = (cross(to, along), norm(side));
-        let height = (radius.powi(2) - off.powi(2)).max(0.0).sqrt();
-        let assembled = |sign: f64| {
-            let length = to[0] * along[0] + to[1] * along[1] + sign * height;
-            [
-                length,
-                between(side, [to[0] - length * along[0], to[1] - length * along[1]]),
-            ]
-        };
-        let (sign, assembled) = self.nearest(off.abs() - radius, assembled, |[length, angle]| {
-            (length - guesses[0]).abs() / radius + turned_by(angle - guesses[1])
-        })?;
-        let a2 = self.shorter(a.dot(a));
-        let root = (a2 - m.cross(e).powi(2)).sqrt();
-        let signed = if sign < 0.0 { -root } else { root };
-        let length = m.dot(e) + signed;
-        let turning = m - length * e;
-        Ok(Solution {
-            sides: [length * e, turning],
-            turns: [None, Some(a.turn_to(turning))],
-            length: Some(length),
-            columns: [e, turning.quarter()],
-            inverse: -signed.recip(),
-            margin: root / a2.sqrt(),
-            assembled,
-        })
-    }
-
-    /// A side `a + s e` that turns, and whose length changes with `s`.
-    fn slide_on_side(&self, m: Vec2<'g>, e: Vec2<'g>, a: Vec2<'g>, guesses: [f64; 2]) -> Result<Solution<'g>, Miss> {
-        let [to, along, base] = [m, e, a].map(|v| self.numbers(v.0));
-        let (off, radius) = (cross(base, along), norm(to));
-        let height = (radius.powi(2) - off.powi(2)).max(0.0).sqrt();
-        let assembled = |sign: f64| {
-            let length = sign * height - (base[0] * along[0] + base[1] * along[1]);
-            [
-                length,
-                between([base[0] + length * along[0], base[1] + length * along[1]], to),
-            ]
-        };
-        let (sign, assembled) = self.nearest(off.abs() - radius, assembled, |[length, angle]| {
-            (length - guesses[0]).abs() / radius + turned_by(angle - guesses[1])
-        })?;
-        let m2 = self.shorter(m.dot(m));
-        let root = (m2 - a.cross(e).powi(2)).sqrt();
-        let signed = if sign < 0.0 { -root } else { root };
-        let length = signed - a.dot(e);
-        let whole = a + length * e;
-        let turn = [whole.dot(m) / m2, whole.cross(m) / m2];
-        Ok(Solution {
-            sides: [length * e.turned(turn), a.turned(turn)],
-            turns: [None, Some(turn)],
-            length: Some(length),
-            columns: [e.turned(turn), m.quarter()],
-            inverse: signed.recip(),
-            margin: root / m2.sqrt(),
-            assembled,
-        })
-    }
-
-    /// The sign of the assembly that is nearer to a guess, if both exist.
-    fn nearest(
-        &self,
-        miss: f64,
-        assembled: impl Fn(f64) -> [f64; 2],
-        distance: impl Fn([f64; 2]) -> f64,
-    ) -> Result<(f64, [f64; 2]), Miss> {
-        /// The least difference that says anything.
-        const LEAST: f64 = 1e-6;
-        if self.is_known() && miss > 0.0 {
-            return Err(Miss::Short(miss));
-        }
-        let both = [1.0, -1.0].map(|sign| (sign, assembled(sign)));
-        let [first, second] = both.map(|(_, unknowns)| distance(unknowns));
-        if (first - second).abs() > LEAST {
-            Ok(both[usize::from(second < first)])
-        } else {
-            Err(Miss::Undecided)
-        }
+        Vec2::sum(self.graph, pieces)
     }
 }
 
-/// Why a triangle has no assembly that a guess tells.
-enum Miss {
-    Short(f64),
-    Undecided,
-}
-
-fn norm([x, y]: [f64; 2]) -> f64 {
-    x.hypot(y)
-}
-
-fn cross([a, b]: [f64; 2], [c, d]: [f64; 2]) -> f64 {
-    a * d - b * c
-}
-
-/// The angle from one vector to another.
-fn between(a: [f64; 2], b: [f64; 2]) -> f64 {
-    cross(a, b).atan2(a[0] * b[0] + a[1] * b[1])
-}
-
-/// How far an angle is from a whole number of turns.
-fn turned_by(angle: f64) -> f64 {
-    angle.sin().atan2(angle.cos()).abs()
+/// Whether the pieces of a side keep their places on it.
+fn moves_as_one(pieces: &[Piece<'_>]) -> bool {
+    let first = pieces.first();
+    first.is_some_and(|first| {
+        pieces
+            .iter()
+            .all(|piece| piece.turn == first.turn && piece.slide.is_none())
+    })
 }

@@ -1,12 +1,16 @@
 //! The equations of a model in their shortest form.
 
 use std::collections::BTreeSet;
+use std::iter::{repeat, repeat_n};
+
+use num_traits::Zero;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::names::name_parts;
 use super::torques::Torques;
 use super::{Equations, Hindrance, Listing, Row, RowKind};
 use crate::dynamics::Dynamics;
-use crate::expr::{Expr, Formula, Normalizer, Printer, Summand};
+use crate::expr::{Definition, Expr, Formula, Normalizer, Printer, Summand};
 use crate::form::expanded;
 use crate::model::{Constraint, Law, Model};
 use crate::pass::{Preference, nest};
@@ -20,8 +24,8 @@ const SHORT: usize = 2_000;
 /// Longer equations are hardly read, so a form of up to this many characters is taken where there is one.
 const PAGE: usize = 4_800;
 
-/// What a character counts for in each form: terms that are written out say more than nested ones, and a closed form says more than
-/// a recursion.
+/// What a character counts for in each form: terms that are written out say more than nested ones, and a closed form
+/// says more than a recursion.
 const EXPANDED: usize = 24;
 const FACTORED: usize = 27;
 const RECURSIVE: usize = 40;
@@ -71,9 +75,10 @@ impl<'g> Composer<'_, 'g> {
         let mut candidates = Vec::new();
         if let Some(closed) = self.closed.clone() {
             let entries = [&closed[..], &force].concat();
-            if !is_endless(&entries) {
+            if !self.is_endless(&entries) {
                 let flat = Candidate::new(self.listing(&entries, false, true), EXPANDED);
-                if flat.length <= SHORT {
+                // what loops determine is hardly read where it is written out
+                if flat.length <= SHORT && self.model.dependents.is_empty() {
                     return flat.listing;
                 }
                 candidates.push(flat);
@@ -94,7 +99,7 @@ impl<'g> Composer<'_, 'g> {
         let force = self.shorter(force);
         let entries = self.closed.as_ref().map(|closed| [closed, &force[..]].concat());
         match entries {
-            Some(entries) if !is_endless(&entries) => self.listing(&entries, false, false),
+            Some(entries) if !self.is_endless(&entries) => self.listing(&entries, false, false),
             _ => best(self.named(&self.recursion, &force, false, RECURSIVE)),
         }
     }
@@ -102,14 +107,14 @@ impl<'g> Composer<'_, 'g> {
     /// What vanishes where loops are closed.
     fn closings(&mut self) -> Vec<Formula> {
         let rows = self.shorter(&self.model.with_drives(&self.model.closings));
-        let printer = Printer::new(self.model.graph);
+        let printer = Printer::that_computes(self.model.graph);
         rows.into_iter().map(|row| printer.short(row.id())).collect()
     }
 
     /// What hinders the motion, and how.
     fn hindrances(&mut self) -> Vec<Hindrance> {
         let values = self.shorter(&self.model.with_drives(&self.model.constraint_values()));
-        let printer = Printer::new(self.model.graph);
+        let printer = Printer::that_computes(self.model.graph);
         let formula = |x: Expr<'g>| printer.short(x.id());
         let hindrance = |(constraint, value): (&Constraint<'g>, Expr<'g>)| {
             let Law {
@@ -153,8 +158,8 @@ impl<'g> Composer<'_, 'g> {
             .unwrap_or_else(|| force.to_vec())
     }
 
-    /// Forces written out; where something acts beside the joints only if that is shorter, as a quotient by a sum would stand in every
-    /// term.
+    /// Forces written out; where something acts beside the joints only if that is shorter, as a quotient by a sum would
+    /// stand in every term.
     fn shorter(&mut self, force: &[Expr<'g>]) -> Vec<Expr<'g>> {
         if self.model.actions.is_empty() {
             return self.forces(force);
@@ -182,35 +187,38 @@ impl<'g> Composer<'_, 'g> {
         columns.into_iter().next()
     }
 
-    /// Entries as formulas, in which common parts may be named, and to whose forces torques may be added as they were written.
+    /// Entries as formulas, in which common parts may be named, and to whose forces torques may be added as they were
+    /// written.
     fn listing(&self, entries: &[Expr<'g>], named: bool, with_torques: bool) -> Listing {
         let places = places(&self.model.coordinate_names());
-        let labels = places
+        let rows = places
             .iter()
             .map(|(kind, indices)| Formula::Entry(kind.letter(), indices.clone()));
-        let labelled: Vec<(Formula, Expr<'g>)> = labels.zip(entries.iter().copied()).collect();
+        let mut labelled: Vec<(Formula, Expr<'g>)> = rows.zip(entries.iter().copied()).collect();
+        labelled.extend(self.dependents(entries, with_torques));
         let (printer, parts) = if named {
             name_parts(self.model, &labelled, &self.taken())
         } else {
-            (Printer::new(self.model.graph), Vec::new())
+            (Printer::that_computes(self.model.graph), Vec::new())
         };
         let mut known = BTreeSet::new();
-        let mut listing = Listing::default();
-        for (n, ((kind, indices), &id)) in places.into_iter().zip(entries).enumerate() {
-            let first = known.insert(id);
-            let own = if id.is_zero() {
-                Vec::new()
-            } else if first {
-                printer.definition(id.id()).into_terms(false)
-            } else {
-                printer.formula(id.id()).into_terms(false)
+        let mut formulas = labelled.into_iter().map(|(label, x)| {
+            let formula = match known.insert(x) {
+                true => printer.definition(x.id()),
+                false => printer.formula(x.id()),
             };
-            let row = (n + self.model.dof()).checked_sub(entries.len());
-            let torque = row
-                .filter(|_| with_torques)
-                .map(|row| self.torques.rows[row].clone())
-                .unwrap_or_default();
-            let terms = joined(own, torque);
+            (label, formula)
+        });
+        let torques = self.torques.rows.iter().filter(|_| with_torques);
+        let forces = places.len() - self.model.dof();
+        let torques = repeat_n(None, forces).chain(torques.map(Some)).chain(repeat(None));
+        let mut listing = Listing::default();
+        for (((kind, indices), (_, own)), torque) in places.into_iter().zip(&mut formulas).zip(torques) {
+            let own = match own {
+                Formula::Number(zero) if zero.is_zero() => Vec::new(),
+                own => own.into_terms(false),
+            };
+            let terms = joined(own, torque.cloned().unwrap_or_default());
             if !terms.is_empty() {
                 listing.rows.push(Row {
                     kind,
@@ -219,19 +227,65 @@ impl<'g> Composer<'_, 'g> {
                 });
             }
         }
+        let dependents = formulas.map(|(label, formula)| Definition {
+            name: label.to_string(),
+            formula,
+        });
+        let dependents: Vec<Definition> = dependents.collect();
         if with_torques {
-            listing.definitions = self
-                .torques
-                .definitions(self.model, listing.rows.iter().map(|row| &row.formula));
+            let rows = listing.rows.iter().map(|row| &row.formula);
+            listing.definitions = self.torques.definitions(self.model, rows);
         }
+        listing.definitions.extend(dependents);
         listing.definitions.extend(parts);
+        listing.definitions = in_order(listing.definitions);
         listing
+    }
+
+    /// Whether an entry, or what closed loops determine, is too long to be written without names for what repeats in it.
+    fn is_endless(&self, entries: &[Expr<'g>]) -> bool {
+        /// The most operations that are written out.
+        const MOST: u64 = 10_000;
+        let dependents = self.model.following.definitions().map(|(_, value)| value);
+        entries.iter().copied().chain(dependents).any(|x| x.length() > MOST)
+    }
+
+    /// What closed loops determine and entries mention, or their torques: names, and their values.
+    fn dependents(&self, entries: &[Expr<'g>], with_torques: bool) -> Vec<(Formula, Expr<'g>)> {
+        let names_of = |roots: &[Expr<'g>]| self.model.graph.symbols_of(roots).map(|symbol| symbol.name.clone());
+        let mut mentioned: FxHashSet<String> = names_of(entries).collect();
+        if with_torques {
+            let rows: Vec<Formula> = self.torques.rows.iter().map(|row| Formula::sum(row.clone())).collect();
+            let definitions = self.torques.definitions(self.model, &rows);
+            let formulas = rows
+                .iter()
+                .chain(definitions.iter().map(|definition| &definition.formula));
+            mentioned.extend(formulas.flat_map(Formula::mentions));
+        }
+        let of_state = self.model.dependents.iter().filter(|dependent| dependent.in_state);
+        let solved = of_state.flat_map(|dependent| dependent.slopes.iter().chain([&dependent.drift]));
+        // these are known by linear equations alone
+        let solved: FxHashSet<Expr<'g>> = solved.copied().collect();
+        let printer = Printer::that_computes(self.model.graph);
+        let mut found = Vec::new();
+        let definitions: Vec<(Expr<'g>, Expr<'g>)> = self.model.following.definitions().collect();
+        for (symbol, value) in definitions.into_iter().rev() {
+            let label = printer.formula(symbol.id());
+            if mentioned.contains(&label.to_string()) && !solved.contains(&symbol) {
+                mentioned.extend(names_of(&[value]));
+                found.push((label, value));
+            }
+        }
+        found.reverse();
+        found
     }
 
     /// Names that no part may have.
     fn taken(&self) -> BTreeSet<String> {
         let mut taken = self.model.names();
         taken.extend(self.torques.named.iter().map(|torque| torque.name.clone()));
+        let dependents = self.model.following.definitions();
+        taken.extend(dependents.filter_map(|(symbol, _)| Some(symbol.as_symbol()?.name.clone())));
         taken
     }
 }
@@ -254,13 +308,6 @@ impl Candidate {
             weight,
         }
     }
-}
-
-/// Whether some expression is too long to be written without names for what repeats in it.
-fn is_endless(entries: &[Expr<'_>]) -> bool {
-    /// The most operations that are written out.
-    const MOST: u64 = 10_000;
-    entries.iter().any(|x| x.length() > MOST)
 }
 
 /// The candidate of the least weight, of those that fit on a page if there are any.
@@ -313,4 +360,30 @@ fn joined(mut first: Vec<Summand>, second: Vec<Summand>) -> Vec<Summand> {
     } else {
         first.into_iter().chain(second).collect()
     }
+}
+
+/// Definitions, each behind those that it needs, and otherwise as they are.
+fn in_order(definitions: Vec<Definition>) -> Vec<Definition> {
+    let names = definitions.iter().map(|definition| definition.name.clone());
+    let places: FxHashMap<String, usize> = names.zip(0..).collect();
+    let mut left: Vec<Option<Definition>> = definitions.into_iter().map(Some).collect();
+    let mut order = Vec::new();
+    (0..left.len()).for_each(|n| put_behind(n, &places, &mut left, &mut order));
+    order
+}
+
+/// Takes a definition behind those that it needs, unless it was taken.
+fn put_behind(
+    n: usize,
+    places: &FxHashMap<String, usize>,
+    left: &mut [Option<Definition>],
+    order: &mut Vec<Definition>,
+) {
+    let Some(definition) = left[n].take() else { return };
+    let mentions = definition.formula.mentions();
+    let needed: BTreeSet<usize> = mentions.iter().filter_map(|name| places.get(name).copied()).collect();
+    for m in needed {
+        put_behind(m, places, left, order);
+    }
+    order.push(definition);
 }

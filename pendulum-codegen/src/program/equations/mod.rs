@@ -1,19 +1,22 @@
 //! The equations of motion, for people to read.
 
 mod compose;
+mod lines;
 mod names;
 mod torques;
 
 use std::fmt::{Display, Formatter, Result};
 
 pub(crate) use compose::equations;
+use lines::wrapped;
 
 use crate::expr::{Definition, Formula, latex_definitions};
 
 /// The equations of motion of a scene: `A qdd + b = Q`.
 ///
-/// `{}` prints them as short as they are found, with the names of the declaration; `{:#}` prints every `let` and every torque in full.
-/// Both are read back by the language of declarations, line by line.
+/// `{}` prints them as short as they are found, with the names of the declaration; `{:#}` prints every `let` and every
+/// torque in full. Both are read back by the language of declarations, line by line; a line that starts with spaces
+/// continues the one before.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Equations {
     /// The names of the coordinates.
@@ -93,13 +96,13 @@ impl Row {
 impl Display for Listing {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         for row in &self.rows {
-            writeln!(f, "{} = {}", row.entry(), row.formula)?;
+            writeln!(f, "{}", wrapped(&format!("{} = {}", row.entry(), row.formula)))?;
         }
         if !self.definitions.is_empty() {
             f.write_str("\nwhere\n")?;
         }
         for Definition { name, formula } in &self.definitions {
-            writeln!(f, "{name} = {formula}")?;
+            writeln!(f, "{}", wrapped(&format!("{name} = {formula}")))?;
         }
         Ok(())
     }
@@ -108,28 +111,29 @@ impl Display for Listing {
 impl Display for Equations {
     fn fmt(&self, f: &mut Formatter<'_>) -> Result {
         let [b, q] = self.sides();
-        writeln!(f, "A qdd + b = Q, where A is symmetric, b holds {b}, Q {q}\n")?;
+        let heading = format!("A qdd + b = Q, where A is symmetric, b holds {b}, Q {q}");
+        writeln!(f, "{}\n", wrapped(&heading))?;
         let listing = if f.alternate() { &self.full } else { &self.short };
         Display::fmt(listing, f)?;
         if !self.closings.is_empty() {
-            writeln!(f, "\nwith {FOLLOWING}")?;
+            writeln!(f, "\nwith {SOLVED}")?;
         }
         for closing in &self.closings {
-            writeln!(f, "0 = {closing}")?;
+            writeln!(f, "{}", wrapped(&format!("0 = {closing}")))?;
         }
         if !self.hindrances.is_empty() {
             f.write_str("\nand along what hinders the motion\n")?;
         }
         for Hindrance { force, law } in &self.hindrances {
             let law = law.iter().map(|(words, formula)| format!("{words} {formula}"));
-            writeln!(f, "{force}: {}", law.collect::<String>())?;
+            writeln!(f, "{}", wrapped(&format!("{force}: {}", law.collect::<String>())))?;
         }
         Ok(())
     }
 }
 
-/// What the names stand for that follow from closed loops.
-const FOLLOWING: &str =
+/// What the names stand for that closed loops determine by linear equations.
+const SOLVED: &str =
     "slope_y_x, the derivative of y by x, and drift_y, the second rate of y where no x accelerates, from";
 
 impl Equations {
@@ -160,7 +164,7 @@ impl Equations {
         }
         text.push_str(&latex_definitions(&self.short.definitions));
         if !self.closings.is_empty() {
-            text.push_str(&format!("with {}:\n", FOLLOWING.replace('_', "\\_")));
+            text.push_str(&format!("with {}:\n", SOLVED.replace('_', "\\_")));
         }
         for closing in &self.closings {
             text.push_str(&closing.latex_equation(&Formula::sum(Vec::new())));

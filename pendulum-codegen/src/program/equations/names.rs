@@ -12,8 +12,8 @@ use crate::model::Model;
 /// The most operations of an expression that is plain without a name.
 const LONGEST_PLAIN: u64 = 100;
 
-/// A printer in which what repeats among the entries has a name, and what the names stand for. Two equal entries are written once:
-/// the second refers to the first, as does an entry that contains another.
+/// A printer in which what repeats among the entries has a name, and what the names stand for. Two equal entries are
+/// written once: the second refers to the first, as does an entry that contains another.
 pub(super) fn name_parts<'g>(
     model: &Model<'g>,
     entries: &[(Formula, Expr<'g>)],
@@ -25,7 +25,7 @@ pub(super) fn name_parts<'g>(
     let uses = uses(g, &reachable, &roots);
     let mut names = Names {
         graph: g,
-        printer: Printer::new(g),
+        printer: Printer::that_computes(g),
         suffixes: suffixes(model),
         combinations: combinations(g, &reachable),
         adds_up: false,
@@ -142,7 +142,8 @@ impl Names<'_> {
         true
     }
 
-    /// Whether a person would name the expression in any case: sines and cosines that repeat, and angles that add up along a chain.
+    /// Whether a person would name the expression in any case: sines and cosines that repeat, and angles that add up
+    /// along a chain.
     fn is_customary(&self, id: ExprId, count: usize) -> bool {
         match self.sum_of_symbols(id) {
             Some(_) => self.adds_up,
@@ -162,7 +163,8 @@ impl Names<'_> {
         }
     }
 
-    /// The order of definitions: angles, each with its sine and cosine, then rates, then the rest. None needs one after it.
+    /// The order of definitions: angles, each with its sine and cosine, then rates, then the rest. None needs one after
+    /// it.
     fn order(&self, id: ExprId) -> (u8, ExprId, ExprId) {
         match *self.graph.node(id) {
             Node::Unary(Unary::Sin | Unary::Cos, angle) if self.suffix_of_angle(angle).is_some() => (0, angle, id),
@@ -184,8 +186,9 @@ impl Names<'_> {
         }
     }
 
-    /// `s12` and `c12` for the sine and the cosine of an angle of the coordinates `q1` and `q2`, `w12` for the rate of their sum. Where
-    /// angles add up along a chain, `a4` and `w4` for the angle and the rate that sum up to that of `q4`.
+    /// `s12` and `c12` for the sine and the cosine of an angle of the coordinates `q1` and `q2`, `w12` for the rate of
+    /// their sum. Where angles add up along a chain, `a4` and `w4` for the angle and the rate that sum up to that of
+    /// `q4`.
     fn meaning(&self, id: ExprId) -> Option<String> {
         let g = self.graph;
         if let Node::Unary(op @ (Unary::Sin | Unary::Cos), angle) = *g.node(id) {

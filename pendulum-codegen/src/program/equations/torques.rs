@@ -27,7 +27,7 @@ impl<'g> Torques<'g> {
     pub(super) fn new(model: &Model<'g>) -> Self {
         let mut passive = Dynamics::scene_forces(model);
         let mut rows: Vec<Vec<Summand>> = vec![Vec::new(); model.dof()];
-        let (mut named, printer) = (Vec::new(), Printer::new(model.graph));
+        let (mut named, printer) = (Vec::new(), Printer::that_computes(model.graph));
         for body in &model.bodies {
             let name = format!("torque_{}", body.name.trim_start_matches("r#"));
             let torque = body.torque.as_ref().map(|torque| {
@@ -52,7 +52,7 @@ impl<'g> Torques<'g> {
                 };
                 rows[k].extend(scaled.into_terms(factor.is_negative()));
             }
-            // along what follows from closed loops, times its slopes
+            // along dependent coordinates, times their slopes
             for (slopes, factor) in body
                 .motion
                 .terms()
@@ -63,8 +63,11 @@ impl<'g> Torques<'g> {
                     let Some(torque) = torque.clone().filter(|_| !slope.is_zero()) else {
                         continue;
                     };
-                    let scaled = Formula::Product(vec![printer.formula((factor * slope).id()), torque]);
-                    row.extend(scaled.into_terms(false));
+                    let (negative, slope) = match printer.formula((factor * slope).id()) {
+                        Formula::Neg(slope) => (true, *slope),
+                        slope => (false, slope),
+                    };
+                    row.extend(Formula::Product(vec![slope, torque]).into_terms(negative));
                 }
             }
         }
@@ -81,7 +84,8 @@ impl<'g> Torques<'g> {
         }
     }
 
-    /// What the names in formulas stand for: each `let` that is used, in the order of the declaration, and then the torques.
+    /// What the names in formulas stand for: each `let` that is used, in the order of the declaration, and then the
+    /// torques.
     pub(super) fn definitions<'f>(
         &self,
         model: &Model<'_>,
@@ -111,7 +115,7 @@ fn points(model: &Model<'_>) -> Vec<Definition> {
     /// How far the normal form of a position may grow.
     const BUDGET: usize = 20_000;
     let mut normalizer = Normalizer::with_angles(model.graph, BUDGET, model.base_angles());
-    let (printer, poses) = (Printer::new(model.graph), Poses::new(model));
+    let (printer, poses) = (Printer::that_computes(model.graph), Poses::new(model));
     let mut definitions = Vec::new();
     for drive in &model.drives {
         definitions.push(Definition {
@@ -119,17 +123,6 @@ fn points(model: &Model<'_>) -> Vec<Definition> {
             formula: printer.short(drive.law[0].id()),
         });
     }
-    let in_state = model.dependents.iter().filter(|dependent| dependent.in_state);
-    let solved = in_state.flat_map(|dependent| dependent.slopes.iter().chain([&dependent.drift]));
-    let solved: FxHashSet<Expr<'_>> = solved.copied().collect();
-    let following = model
-        .following
-        .definitions()
-        .filter(|(symbol, _)| !solved.contains(symbol));
-    definitions.extend(following.map(|(symbol, value)| Definition {
-        name: printer.print(symbol.id()),
-        formula: printer.short(value.id()),
-    }));
     for point in &model.points {
         let position = model.with_drives(&poses.point(point.place.body, point.place.at).0);
         let short = expanded(&mut normalizer, std::slice::from_ref(&position), Preference::Expanded);

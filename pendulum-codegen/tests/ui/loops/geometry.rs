@@ -10,6 +10,28 @@ mechanism! {
 }
 
 mechanism! {
+    pub Stretched {
+        params { b: m = 0.4, c: m = 0.3999999999999 }
+        shape bar { mass: 1, com: [0.1, 0, 0], inertia: 0.1 }
+        body crank on ground: bar { joint: revolute(z), coordinate: theta near 3.141592653589793 }
+        body coupler on crank: bar { joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends near -0.3 }
+        body rocker on ground: bar { joint: revolute(z) at [0.6, 0, 0], coordinate: psi depends near 1.6 }
+        close coupler at [b, 0, 0] to rocker at [c, 0, 0]: revolute(z),
+    }
+}
+
+mechanism! {
+    pub ByChance {
+        params { height: m = 0.1, lift: m = 0.1 }
+        shape bar { mass: 1, com: [0.1, 0, 0], inertia: [0.1, 0.1, 0.1] }
+        body crank on ground: bar { joint: revolute(z), coordinate: theta near 0.8 }
+        body coupler on crank: bar { joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends near -0.3 }
+        body rocker on ground: bar { joint: revolute(z) at [0.6, 0, height], coordinate: psi depends near 1.6 }
+        close coupler at [0.5, 0, lift] to rocker at [0.4, 0, 0]: revolute(z),
+    }
+}
+
+mechanism! {
     pub Undecided {
         shape bar { mass: 1, com: [0.1, 0, 0], inertia: 0.1 }
         body crank on ground: bar { joint: revolute(z), coordinate: theta }

@@ -62,11 +62,15 @@ mod __DoublePendulum {
 ```text
 A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints
 
-A[theta1, theta1] = 1/3*m*w*top^3/(w*l + w*top) + 1/3*m*w*l^3/(w*l + w*top) + 1/3*m*w^3*top/(w*l + w*top) + 1/3*m*w^3*l/(w*l + w*top) + m*d^2
+A[theta1, theta1] = 1/3*m*w*top^3/(w*l + w*top) + 1/3*m*w*l^3/(w*l + w*top) + 1/3*m*w^3*top/(w*l + w*top)
+    + 1/3*m*w^3*l/(w*l + w*top) + m*d^2
 A[theta1, theta2] = -0.5*(m*w*top^2*d/(w*l + w*top) - m*w*l^2*d/(w*l + w*top))*cos(theta1 - theta2)
-A[theta2, theta2] = 1/3*(m*w*top^3/(w*l + w*top) + m*w*l^3/(w*l + w*top) + m*w^3*top/(w*l + w*top) + m*w^3*l/(w*l + w*top))
-b[theta1] = -(0.5*(m*w*top^2*d/(w*l + w*top) - m*w*l^2*d/(w*l + w*top))*dot(theta2)^2*sin(theta1 - theta2) + 4.905*(m*w*top^2/(w*l + w*top) - m*w*l^2/(w*l + w*top) - 2*m*d)*sin(theta1))
-b[theta2] = 0.5*(m*w*top^2*d/(w*l + w*top) - m*w*l^2*d/(w*l + w*top))*dot(theta1)^2*sin(theta1 - theta2) - 4.905*(m*w*top^2/(w*l + w*top) - m*w*l^2/(w*l + w*top))*sin(theta2)
+A[theta2, theta2] = 1/3*(m*w*top^3/(w*l + w*top) + m*w*l^3/(w*l + w*top) + m*w^3*top/(w*l + w*top)
+    + m*w^3*l/(w*l + w*top))
+b[theta1] = -(0.5*(m*w*top^2*d/(w*l + w*top) - m*w*l^2*d/(w*l + w*top))*dot(theta2)^2*sin(theta1 - theta2)
+    + 4.905*(m*w*top^2/(w*l + w*top) - m*w*l^2/(w*l + w*top) - 2*m*d)*sin(theta1))
+b[theta2] = 0.5*(m*w*top^2*d/(w*l + w*top) - m*w*l^2*d/(w*l + w*top))*dot(theta1)^2*sin(theta1 - theta2)
+    - 4.905*(m*w*top^2/(w*l + w*top) - m*w*l^2/(w*l + w*top))*sin(theta2)
 Q[theta1] = gamma*dot(theta2) - 2*gamma*dot(theta1)
 Q[theta2] = gamma*dot(theta1) - gamma*dot(theta2)
 ```
@@ -352,7 +356,7 @@ k14 = -0.5*(m*w*top^2*d/(w*l + w*top) - m*w*l^2*d/(w*l + w*top))/(1/3*(m*w*top^3
             )
             .autonomous();
         /// The equations of motion as text.
-        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[theta1, theta1] = 1/3*m*w*top^3/(w*l + w*top) + 1/3*m*w*l^3/(w*l + w*top) + 1/3*m*w^3*top/(w*l + w*top) + 1/3*m*w^3*l/(w*l + w*top) + m*d^2\nA[theta1, theta2] = -0.5*(m*w*top^2*d/(w*l + w*top) - m*w*l^2*d/(w*l + w*top))*cos(theta1 - theta2)\nA[theta2, theta2] = 1/3*(m*w*top^3/(w*l + w*top) + m*w*l^3/(w*l + w*top) + m*w^3*top/(w*l + w*top) + m*w^3*l/(w*l + w*top))\nb[theta1] = -(0.5*(m*w*top^2*d/(w*l + w*top) - m*w*l^2*d/(w*l + w*top))*dot(theta2)^2*sin(theta1 - theta2) + 4.905*(m*w*top^2/(w*l + w*top) - m*w*l^2/(w*l + w*top) - 2*m*d)*sin(theta1))\nb[theta2] = 0.5*(m*w*top^2*d/(w*l + w*top) - m*w*l^2*d/(w*l + w*top))*dot(theta1)^2*sin(theta1 - theta2) - 4.905*(m*w*top^2/(w*l + w*top) - m*w*l^2/(w*l + w*top))*sin(theta2)\nQ[theta1] = gamma*dot(theta2) - 2*gamma*dot(theta1)\nQ[theta2] = gamma*dot(theta1) - gamma*dot(theta2)\n";
+        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[theta1, theta1] = 1/3*m*w*top^3/(w*l + w*top) + 1/3*m*w*l^3/(w*l + w*top) + 1/3*m*w^3*top/(w*l + w*top)\n    + 1/3*m*w^3*l/(w*l + w*top) + m*d^2\nA[theta1, theta2] = -0.5*(m*w*top^2*d/(w*l + w*top) - m*w*l^2*d/(w*l + w*top))*cos(theta1 - theta2)\nA[theta2, theta2] = 1/3*(m*w*top^3/(w*l + w*top) + m*w*l^3/(w*l + w*top) + m*w^3*top/(w*l + w*top)\n    + m*w^3*l/(w*l + w*top))\nb[theta1] = -(0.5*(m*w*top^2*d/(w*l + w*top) - m*w*l^2*d/(w*l + w*top))*dot(theta2)^2*sin(theta1 - theta2)\n    + 4.905*(m*w*top^2/(w*l + w*top) - m*w*l^2/(w*l + w*top) - 2*m*d)*sin(theta1))\nb[theta2] = 0.5*(m*w*top^2*d/(w*l + w*top) - m*w*l^2*d/(w*l + w*top))*dot(theta1)^2*sin(theta1 - theta2)\n    - 4.905*(m*w*top^2/(w*l + w*top) - m*w*l^2/(w*l + w*top))*sin(theta2)\nQ[theta1] = gamma*dot(theta2) - 2*gamma*dot(theta1)\nQ[theta2] = gamma*dot(theta1) - gamma*dot(theta2)\n";
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> ::pendulum_core::System<T, 4>

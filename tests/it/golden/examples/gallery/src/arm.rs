@@ -39,9 +39,15 @@ A[q1, q3] = 0.0175*sin(q2 + q3)
 A[q2, q2] = 0.308525 + 0.14*cos(q3)
 A[q2, q3] = 4927/120000 + 0.07*cos(q3)
 A[q3, q3] = 4927/120000
-b[q1] = 0.08*dot(q2)^2*cos(q2) + 0.035*dot(q2)*dot(q3)*cos(q2 + q3) + 0.0175*dot(q2)^2*cos(q2 + q3) + 0.0175*dot(q3)^2*cos(q2 + q3) - 997/1875*dot(q1)*dot(q2)*sin(q2)*cos(q2) - 4873/60000*dot(q1)*dot(q2)*sin(q2 + q3)*cos(q2 + q3) - 0.14*dot(q1)*dot(q2)*sin(q3 + 2*q2) - 0.14*dot(q1)*dot(q3)*cos(q2)*sin(q2 + q3) - 4873/60000*dot(q1)*dot(q3)*sin(q2 + q3)*cos(q2 + q3)
-b[q2] = 997/3750*dot(q1)^2*sin(q2)*cos(q2) + 4873/120000*dot(q1)^2*sin(q2 + q3)*cos(q2 + q3) + 0.07*dot(q1)^2*sin(q3 + 2*q2) - 0.14*dot(q2)*dot(q3)*sin(q3) - 0.07*dot(q3)^2*sin(q3) - 7.848*cos(q2) - 1.71675*cos(q2 + q3)
-b[q3] = 0.07*dot(q2)^2*sin(q3) + 4873/120000*dot(q1)^2*sin(q2 + q3)*cos(q2 + q3) + 0.07*dot(q1)^2*cos(q2)*sin(q2 + q3) - 1.71675*cos(q2 + q3)
+b[q1] = 0.08*dot(q2)^2*cos(q2) + 0.035*dot(q2)*dot(q3)*cos(q2 + q3) + 0.0175*dot(q2)^2*cos(q2 + q3)
+    + 0.0175*dot(q3)^2*cos(q2 + q3) - 997/1875*dot(q1)*dot(q2)*sin(q2)*cos(q2)
+    - 4873/60000*dot(q1)*dot(q2)*sin(q2 + q3)*cos(q2 + q3) - 0.14*dot(q1)*dot(q2)*sin(q3 + 2*q2)
+    - 0.14*dot(q1)*dot(q3)*cos(q2)*sin(q2 + q3) - 4873/60000*dot(q1)*dot(q3)*sin(q2 + q3)*cos(q2 + q3)
+b[q2] = 997/3750*dot(q1)^2*sin(q2)*cos(q2) + 4873/120000*dot(q1)^2*sin(q2 + q3)*cos(q2 + q3)
+    + 0.07*dot(q1)^2*sin(q3 + 2*q2) - 0.14*dot(q2)*dot(q3)*sin(q3) - 0.07*dot(q3)^2*sin(q3) - 7.848*cos(q2)
+    - 1.71675*cos(q2 + q3)
+b[q3] = 0.07*dot(q2)^2*sin(q3) + 4873/120000*dot(q1)^2*sin(q2 + q3)*cos(q2 + q3) + 0.07*dot(q1)^2*cos(q2)*sin(q2 + q3)
+    - 1.71675*cos(q2 + q3)
 Q[q1] = -(0.4*dot(q1) + push*(sin(q1)*(0.4*cos(q2) + 0.35*cos(q2 + q3)) + 0.1*cos(q1)))
 Q[q2] = -(0.4*dot(q2) + push*cos(q1)*(0.4*sin(q2) + 0.35*sin(q2 + q3)))
 Q[q3] = -(0.2*dot(q3) + 0.35*push*cos(q1)*sin(q2 + q3))
@@ -541,7 +547,7 @@ k2 = 0.1*push
             )
             .autonomous();
         /// The equations of motion as text.
-        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q all other forces\n\nA[q1, q1] = 0.343925 + 0.14*cos(q2)*cos(q2 + q3) - 997/3750*sin(q2)^2 - 4873/120000*sin(q2 + q3)^2\nA[q1, q2] = 0.0175*sin(q2 + q3) + 0.08*sin(q2)\nA[q1, q3] = 0.0175*sin(q2 + q3)\nA[q2, q2] = 0.308525 + 0.14*cos(q3)\nA[q2, q3] = 4927/120000 + 0.07*cos(q3)\nA[q3, q3] = 4927/120000\nb[q1] = 0.08*dot(q2)^2*cos(q2) + 0.035*dot(q2)*dot(q3)*cos(q2 + q3) + 0.0175*dot(q2)^2*cos(q2 + q3) + 0.0175*dot(q3)^2*cos(q2 + q3) - 997/1875*dot(q1)*dot(q2)*sin(q2)*cos(q2) - 4873/60000*dot(q1)*dot(q2)*sin(q2 + q3)*cos(q2 + q3) - 0.14*dot(q1)*dot(q2)*sin(q3 + 2*q2) - 0.14*dot(q1)*dot(q3)*cos(q2)*sin(q2 + q3) - 4873/60000*dot(q1)*dot(q3)*sin(q2 + q3)*cos(q2 + q3)\nb[q2] = 997/3750*dot(q1)^2*sin(q2)*cos(q2) + 4873/120000*dot(q1)^2*sin(q2 + q3)*cos(q2 + q3) + 0.07*dot(q1)^2*sin(q3 + 2*q2) - 0.14*dot(q2)*dot(q3)*sin(q3) - 0.07*dot(q3)^2*sin(q3) - 7.848*cos(q2) - 1.71675*cos(q2 + q3)\nb[q3] = 0.07*dot(q2)^2*sin(q3) + 4873/120000*dot(q1)^2*sin(q2 + q3)*cos(q2 + q3) + 0.07*dot(q1)^2*cos(q2)*sin(q2 + q3) - 1.71675*cos(q2 + q3)\nQ[q1] = -(0.4*dot(q1) + push*(sin(q1)*(0.4*cos(q2) + 0.35*cos(q2 + q3)) + 0.1*cos(q1)))\nQ[q2] = -(0.4*dot(q2) + push*cos(q1)*(0.4*sin(q2) + 0.35*sin(q2 + q3)))\nQ[q3] = -(0.2*dot(q3) + 0.35*push*cos(q1)*sin(q2 + q3))\n";
+        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q all other forces\n\nA[q1, q1] = 0.343925 + 0.14*cos(q2)*cos(q2 + q3) - 997/3750*sin(q2)^2 - 4873/120000*sin(q2 + q3)^2\nA[q1, q2] = 0.0175*sin(q2 + q3) + 0.08*sin(q2)\nA[q1, q3] = 0.0175*sin(q2 + q3)\nA[q2, q2] = 0.308525 + 0.14*cos(q3)\nA[q2, q3] = 4927/120000 + 0.07*cos(q3)\nA[q3, q3] = 4927/120000\nb[q1] = 0.08*dot(q2)^2*cos(q2) + 0.035*dot(q2)*dot(q3)*cos(q2 + q3) + 0.0175*dot(q2)^2*cos(q2 + q3)\n    + 0.0175*dot(q3)^2*cos(q2 + q3) - 997/1875*dot(q1)*dot(q2)*sin(q2)*cos(q2)\n    - 4873/60000*dot(q1)*dot(q2)*sin(q2 + q3)*cos(q2 + q3) - 0.14*dot(q1)*dot(q2)*sin(q3 + 2*q2)\n    - 0.14*dot(q1)*dot(q3)*cos(q2)*sin(q2 + q3) - 4873/60000*dot(q1)*dot(q3)*sin(q2 + q3)*cos(q2 + q3)\nb[q2] = 997/3750*dot(q1)^2*sin(q2)*cos(q2) + 4873/120000*dot(q1)^2*sin(q2 + q3)*cos(q2 + q3)\n    + 0.07*dot(q1)^2*sin(q3 + 2*q2) - 0.14*dot(q2)*dot(q3)*sin(q3) - 0.07*dot(q3)^2*sin(q3) - 7.848*cos(q2)\n    - 1.71675*cos(q2 + q3)\nb[q3] = 0.07*dot(q2)^2*sin(q3) + 4873/120000*dot(q1)^2*sin(q2 + q3)*cos(q2 + q3) + 0.07*dot(q1)^2*cos(q2)*sin(q2 + q3)\n    - 1.71675*cos(q2 + q3)\nQ[q1] = -(0.4*dot(q1) + push*(sin(q1)*(0.4*cos(q2) + 0.35*cos(q2 + q3)) + 0.1*cos(q1)))\nQ[q2] = -(0.4*dot(q2) + push*cos(q1)*(0.4*sin(q2) + 0.35*sin(q2 + q3)))\nQ[q3] = -(0.2*dot(q3) + 0.35*push*cos(q1)*sin(q2 + q3))\n";
         ///The names of the components of all outputs.
         pub const OUTPUTS: [&'static str; 12] = [
             "hand.x",

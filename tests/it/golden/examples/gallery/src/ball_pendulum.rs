@@ -31,13 +31,13 @@ mod __BallPendulum {
 A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints
 
 A[a.x, a.x] = t26 + t27 + t29 + t28 - t26 - t29
-A[a.x, a.y] = -(2*1/50000*t2*t5 + 0.00196*t3*t6 + 2*0.06096*t4*t7)
-A[a.x, a.z] = -(0.12*t4 + 2*1/50000*t2*t8 + 2*0.00196*t3*t9 + 0.06096*t4*t10)
+A[a.x, a.y] = -(1/25000*t2*t5 + 0.00196*t3*t6 + 0.12192*t4*t7)
+A[a.x, a.z] = -(0.12*t4 + 1/25000*t2*t8 + 0.00392*t3*t9 + 0.06096*t4*t10)
 A[a.x, b.x] = 0.03146*t2 + 0.06*t6
 A[a.x, b.y] = 0.061*t3 - 0.12*t5
 A[a.x, b.z] = 0.002*t4
 A[a.y, a.y] = t28 + t29
-A[a.y, a.z] = -(0.12*t7 + 2*1/25000*t5*t8 + 2*0.00098*t6*t9 + 0.06096*t7*t10)
+A[a.y, a.z] = -(0.12*t7 + 1/12500*t5*t8 + 0.00196*t6*t9 + 0.06096*t7*t10)
 A[a.y, b.x] = 0.06292*t5 - 0.12*t3
 A[a.y, b.y] = 0.0305*t6 + 0.06*t2
 A[a.y, b.z] = 0.002*t7
@@ -48,8 +48,10 @@ A[a.z, b.z] = 0.001*t10
 A[b.x, b.x] = 0.03146
 A[b.y, b.y] = 0.0305
 A[b.z, b.z] = 0.001
-b[a.x] = 9.81*t1 + 1/12500*dot(a).y*dot(a).z + t2*b[b.x] + 2*t3*b[b.y] + 2*t4*b[b.z] + 0.5*(2*t7*t25 - 0.12*t6*t23 - 2*0.12*t5*t24) - 13/60*dot(a).y*dot(a).z
-b[a.y] = 13/60*dot(a).x*dot(a).z + 2*t5*b[b.x] + t6*b[b.y] + 2*t7*b[b.z] - 1/12500*dot(a).x*dot(a).z - 9.81*t0 - 0.5*(2*t4*t25 - 2*0.12*t3*t23 - 0.12*t2*t24)
+b[a.x] = 9.81*t1 + 1/12500*dot(a).y*dot(a).z + t2*b[b.x] + 2*t3*b[b.y] + 2*t4*b[b.z]
+    + 0.5*(2*t7*t25 - 0.12*t6*t23 - 0.24*t5*t24) - 13/60*dot(a).y*dot(a).z
+b[a.y] = 13/60*dot(a).x*dot(a).z + 2*t5*b[b.x] + t6*b[b.y] + 2*t7*b[b.z] - 1/12500*dot(a).x*dot(a).z - 9.81*t0
+    - 0.5*(2*t4*t25 - 0.24*t3*t23 - 0.12*t2*t24)
 b[a.z] = 2*t8*b[b.x] + 2*t9*b[b.y] + t10*b[b.z]
 b[b.x] = 0.12*(2*t9*t13 + 2*t3*t11 + t6*t12) + 0.00098*(t19 + t20*t21) - 0.03048*t23
 b[b.y] = 0.03048*t24 - 1/50000*(t21*t22 - t17) - 0.12*(2*t8*t13 + t2*t11 + 2*t5*t12)
@@ -82,9 +84,9 @@ t22 = dot(b).x + t16
 t23 = t20*t21 - t19
 t24 = t17 + t21*t22
 t25 = 0.12*(t20^2 + t22^2)
-t26 = 1/12500 + 1/50000*t2^2 + 2*0.00196*t3^2 + 2*0.06096*t4^2
-t27 = 1/12500 + 2*1/25000*t5^2 + 0.00098*t6^2 + 2*0.06096*t7^2
-t28 = 13/60 + 0.12*t10 + 2*1/25000*t8^2 + 2*0.00196*t9^2 + 0.03048*t10^2
+t26 = 1/12500 + 1/50000*t2^2 + 0.00392*t3^2 + 0.12192*t4^2
+t27 = 1/12500 + 1/12500*t5^2 + 0.00098*t6^2 + 0.12192*t7^2
+t28 = 13/60 + 0.12*t10 + 1/12500*t8^2 + 0.00392*t9^2 + 0.03048*t10^2
 t29 = t27 + t26 - t27
 ```
 */
@@ -253,7 +255,7 @@ t29 = t27 + t26 - t27
             )
             .autonomous();
         /// The equations of motion as text.
-        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[a.x, a.x] = t26 + t27 + t29 + t28 - t26 - t29\nA[a.x, a.y] = -(2*1/50000*t2*t5 + 0.00196*t3*t6 + 2*0.06096*t4*t7)\nA[a.x, a.z] = -(0.12*t4 + 2*1/50000*t2*t8 + 2*0.00196*t3*t9 + 0.06096*t4*t10)\nA[a.x, b.x] = 0.03146*t2 + 0.06*t6\nA[a.x, b.y] = 0.061*t3 - 0.12*t5\nA[a.x, b.z] = 0.002*t4\nA[a.y, a.y] = t28 + t29\nA[a.y, a.z] = -(0.12*t7 + 2*1/25000*t5*t8 + 2*0.00098*t6*t9 + 0.06096*t7*t10)\nA[a.y, b.x] = 0.06292*t5 - 0.12*t3\nA[a.y, b.y] = 0.0305*t6 + 0.06*t2\nA[a.y, b.z] = 0.002*t7\nA[a.z, a.z] = t26 + t27\nA[a.z, b.x] = 0.06292*t8\nA[a.z, b.y] = 0.061*t9\nA[a.z, b.z] = 0.001*t10\nA[b.x, b.x] = 0.03146\nA[b.y, b.y] = 0.0305\nA[b.z, b.z] = 0.001\nb[a.x] = 9.81*t1 + 1/12500*dot(a).y*dot(a).z + t2*b[b.x] + 2*t3*b[b.y] + 2*t4*b[b.z] + 0.5*(2*t7*t25 - 0.12*t6*t23 - 2*0.12*t5*t24) - 13/60*dot(a).y*dot(a).z\nb[a.y] = 13/60*dot(a).x*dot(a).z + 2*t5*b[b.x] + t6*b[b.y] + 2*t7*b[b.z] - 1/12500*dot(a).x*dot(a).z - 9.81*t0 - 0.5*(2*t4*t25 - 2*0.12*t3*t23 - 0.12*t2*t24)\nb[a.z] = 2*t8*b[b.x] + 2*t9*b[b.y] + t10*b[b.z]\nb[b.x] = 0.12*(2*t9*t13 + 2*t3*t11 + t6*t12) + 0.00098*(t19 + t20*t21) - 0.03048*t23\nb[b.y] = 0.03048*t24 - 1/50000*(t21*t22 - t17) - 0.12*(2*t8*t13 + t2*t11 + 2*t5*t12)\nb[b.z] = 1/50000*(t18 + t20*t22) - 0.00098*(t20*t22 - t18)\n\nwhere\nt0 = a.x*a.z - a.y*a.w\nt1 = a.y*a.z + a.x*a.w\nt2 = 1 - 2*(b.y^2 + b.z^2)\nt3 = b.x*b.y - b.z*b.w\nt4 = b.x*b.z + b.y*b.w\nt5 = b.x*b.y + b.z*b.w\nt6 = 1 - 2*(b.x^2 + b.z^2)\nt7 = b.y*b.z - b.x*b.w\nt8 = b.x*b.z - b.y*b.w\nt9 = b.y*b.z + b.x*b.w\nt10 = 1 - 2*(b.x^2 + b.y^2)\nt11 = 19.62*t0 - 0.5*dot(a).x*dot(a).z\nt12 = 19.62*t1 - 0.5*dot(a).y*dot(a).z\nt13 = 9.81*(1 - 2*(a.x^2 + a.y^2)) + 0.5*(dot(a).y^2 + dot(a).x^2)\nt14 = 2*dot(a).z*t9 + 2*dot(a).x*t3 + dot(a).y*t6\nt15 = dot(a).z*t10 + 2*dot(a).x*t4 + 2*dot(a).y*t7\nt16 = 2*dot(a).z*t8 + dot(a).x*t2 + 2*dot(a).y*t5\nt17 = dot(b).x*t15 - dot(b).z*t16\nt18 = dot(b).y*t16 - dot(b).x*t14\nt19 = dot(b).z*t14 - dot(b).y*t15\nt20 = dot(b).y + t14\nt21 = dot(b).z + t15\nt22 = dot(b).x + t16\nt23 = t20*t21 - t19\nt24 = t17 + t21*t22\nt25 = 0.12*(t20^2 + t22^2)\nt26 = 1/12500 + 1/50000*t2^2 + 2*0.00196*t3^2 + 2*0.06096*t4^2\nt27 = 1/12500 + 2*1/25000*t5^2 + 0.00098*t6^2 + 2*0.06096*t7^2\nt28 = 13/60 + 0.12*t10 + 2*1/25000*t8^2 + 2*0.00196*t9^2 + 0.03048*t10^2\nt29 = t27 + t26 - t27\n";
+        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[a.x, a.x] = t26 + t27 + t29 + t28 - t26 - t29\nA[a.x, a.y] = -(1/25000*t2*t5 + 0.00196*t3*t6 + 0.12192*t4*t7)\nA[a.x, a.z] = -(0.12*t4 + 1/25000*t2*t8 + 0.00392*t3*t9 + 0.06096*t4*t10)\nA[a.x, b.x] = 0.03146*t2 + 0.06*t6\nA[a.x, b.y] = 0.061*t3 - 0.12*t5\nA[a.x, b.z] = 0.002*t4\nA[a.y, a.y] = t28 + t29\nA[a.y, a.z] = -(0.12*t7 + 1/12500*t5*t8 + 0.00196*t6*t9 + 0.06096*t7*t10)\nA[a.y, b.x] = 0.06292*t5 - 0.12*t3\nA[a.y, b.y] = 0.0305*t6 + 0.06*t2\nA[a.y, b.z] = 0.002*t7\nA[a.z, a.z] = t26 + t27\nA[a.z, b.x] = 0.06292*t8\nA[a.z, b.y] = 0.061*t9\nA[a.z, b.z] = 0.001*t10\nA[b.x, b.x] = 0.03146\nA[b.y, b.y] = 0.0305\nA[b.z, b.z] = 0.001\nb[a.x] = 9.81*t1 + 1/12500*dot(a).y*dot(a).z + t2*b[b.x] + 2*t3*b[b.y] + 2*t4*b[b.z]\n    + 0.5*(2*t7*t25 - 0.12*t6*t23 - 0.24*t5*t24) - 13/60*dot(a).y*dot(a).z\nb[a.y] = 13/60*dot(a).x*dot(a).z + 2*t5*b[b.x] + t6*b[b.y] + 2*t7*b[b.z] - 1/12500*dot(a).x*dot(a).z - 9.81*t0\n    - 0.5*(2*t4*t25 - 0.24*t3*t23 - 0.12*t2*t24)\nb[a.z] = 2*t8*b[b.x] + 2*t9*b[b.y] + t10*b[b.z]\nb[b.x] = 0.12*(2*t9*t13 + 2*t3*t11 + t6*t12) + 0.00098*(t19 + t20*t21) - 0.03048*t23\nb[b.y] = 0.03048*t24 - 1/50000*(t21*t22 - t17) - 0.12*(2*t8*t13 + t2*t11 + 2*t5*t12)\nb[b.z] = 1/50000*(t18 + t20*t22) - 0.00098*(t20*t22 - t18)\n\nwhere\nt0 = a.x*a.z - a.y*a.w\nt1 = a.y*a.z + a.x*a.w\nt2 = 1 - 2*(b.y^2 + b.z^2)\nt3 = b.x*b.y - b.z*b.w\nt4 = b.x*b.z + b.y*b.w\nt5 = b.x*b.y + b.z*b.w\nt6 = 1 - 2*(b.x^2 + b.z^2)\nt7 = b.y*b.z - b.x*b.w\nt8 = b.x*b.z - b.y*b.w\nt9 = b.y*b.z + b.x*b.w\nt10 = 1 - 2*(b.x^2 + b.y^2)\nt11 = 19.62*t0 - 0.5*dot(a).x*dot(a).z\nt12 = 19.62*t1 - 0.5*dot(a).y*dot(a).z\nt13 = 9.81*(1 - 2*(a.x^2 + a.y^2)) + 0.5*(dot(a).y^2 + dot(a).x^2)\nt14 = 2*dot(a).z*t9 + 2*dot(a).x*t3 + dot(a).y*t6\nt15 = dot(a).z*t10 + 2*dot(a).x*t4 + 2*dot(a).y*t7\nt16 = 2*dot(a).z*t8 + dot(a).x*t2 + 2*dot(a).y*t5\nt17 = dot(b).x*t15 - dot(b).z*t16\nt18 = dot(b).y*t16 - dot(b).x*t14\nt19 = dot(b).z*t14 - dot(b).y*t15\nt20 = dot(b).y + t14\nt21 = dot(b).z + t15\nt22 = dot(b).x + t16\nt23 = t20*t21 - t19\nt24 = t17 + t21*t22\nt25 = 0.12*(t20^2 + t22^2)\nt26 = 1/12500 + 1/50000*t2^2 + 0.00392*t3^2 + 0.12192*t4^2\nt27 = 1/12500 + 1/12500*t5^2 + 0.00098*t6^2 + 0.12192*t7^2\nt28 = 13/60 + 0.12*t10 + 1/12500*t8^2 + 0.00392*t9^2 + 0.03048*t10^2\nt29 = t27 + t26 - t27\n";
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> ::pendulum_core::System<T, 14>

@@ -73,8 +73,14 @@ A[theta1, theta1] = 1/3*m*l^2
 A[theta2, theta2] = 1/3*m*l^2
 b[theta1] = 4.905*m*l*sin(theta1)
 b[theta2] = 4.905*m*l*sin(theta2)
-Q[theta1] = moment*sin(w*t)*cos(theta1) + k*(1 - apart/sqrt((apart + 0.5*l*sin(theta2) - 0.5*l*sin(theta1))^2 + (0.5*l*cos(theta1) - 0.5*l*cos(theta2))^2))*(0.5*l*cos(theta1)*(apart + 0.5*l*sin(theta2) - 0.5*l*sin(theta1)) + 0.5*l*sin(theta1)*(0.5*l*cos(theta1) - 0.5*l*cos(theta2))) - gamma*dot(theta1)
-Q[theta2] = -(gamma*dot(theta2) + moment*sin(w*t)*cos(theta2) + k*(1 - apart/sqrt((apart + 0.5*l*sin(theta2) - 0.5*l*sin(theta1))^2 + (0.5*l*cos(theta1) - 0.5*l*cos(theta2))^2))*(0.5*l*cos(theta2)*(apart + 0.5*l*sin(theta2) - 0.5*l*sin(theta1)) + 0.5*l*sin(theta2)*(0.5*l*cos(theta1) - 0.5*l*cos(theta2))))
+Q[theta1] = moment*sin(w*t)*cos(theta1) + k*(1
+    - apart/sqrt((apart + 0.5*l*sin(theta2) - 0.5*l*sin(theta1))^2
+    + (0.5*l*cos(theta1) - 0.5*l*cos(theta2))^2))*(0.5*l*cos(theta1)*(apart + 0.5*l*sin(theta2) - 0.5*l*sin(theta1))
+    + 0.5*l*sin(theta1)*(0.5*l*cos(theta1) - 0.5*l*cos(theta2))) - gamma*dot(theta1)
+Q[theta2] = -(gamma*dot(theta2) + moment*sin(w*t)*cos(theta2)
+    + k*(1 - apart/sqrt((apart + 0.5*l*sin(theta2) - 0.5*l*sin(theta1))^2
+    + (0.5*l*cos(theta1) - 0.5*l*cos(theta2))^2))*(0.5*l*cos(theta2)*(apart + 0.5*l*sin(theta2) - 0.5*l*sin(theta1))
+    + 0.5*l*sin(theta2)*(0.5*l*cos(theta1) - 0.5*l*cos(theta2))))
 ```
 
 # Constants, computed by `new`
@@ -506,7 +512,7 @@ k31 = 0.5*k
             ],
         );
         /// The equations of motion as text.
-        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q all other forces\n\nA[theta1, theta1] = 1/3*m*l^2\nA[theta2, theta2] = 1/3*m*l^2\nb[theta1] = 4.905*m*l*sin(theta1)\nb[theta2] = 4.905*m*l*sin(theta2)\nQ[theta1] = moment*sin(w*t)*cos(theta1) + k*(1 - apart/sqrt((apart + 0.5*l*sin(theta2) - 0.5*l*sin(theta1))^2 + (0.5*l*cos(theta1) - 0.5*l*cos(theta2))^2))*(0.5*l*cos(theta1)*(apart + 0.5*l*sin(theta2) - 0.5*l*sin(theta1)) + 0.5*l*sin(theta1)*(0.5*l*cos(theta1) - 0.5*l*cos(theta2))) - gamma*dot(theta1)\nQ[theta2] = -(gamma*dot(theta2) + moment*sin(w*t)*cos(theta2) + k*(1 - apart/sqrt((apart + 0.5*l*sin(theta2) - 0.5*l*sin(theta1))^2 + (0.5*l*cos(theta1) - 0.5*l*cos(theta2))^2))*(0.5*l*cos(theta2)*(apart + 0.5*l*sin(theta2) - 0.5*l*sin(theta1)) + 0.5*l*sin(theta2)*(0.5*l*cos(theta1) - 0.5*l*cos(theta2))))\n";
+        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q all other forces\n\nA[theta1, theta1] = 1/3*m*l^2\nA[theta2, theta2] = 1/3*m*l^2\nb[theta1] = 4.905*m*l*sin(theta1)\nb[theta2] = 4.905*m*l*sin(theta2)\nQ[theta1] = moment*sin(w*t)*cos(theta1) + k*(1\n    - apart/sqrt((apart + 0.5*l*sin(theta2) - 0.5*l*sin(theta1))^2\n    + (0.5*l*cos(theta1) - 0.5*l*cos(theta2))^2))*(0.5*l*cos(theta1)*(apart + 0.5*l*sin(theta2) - 0.5*l*sin(theta1))\n    + 0.5*l*sin(theta1)*(0.5*l*cos(theta1) - 0.5*l*cos(theta2))) - gamma*dot(theta1)\nQ[theta2] = -(gamma*dot(theta2) + moment*sin(w*t)*cos(theta2)\n    + k*(1 - apart/sqrt((apart + 0.5*l*sin(theta2) - 0.5*l*sin(theta1))^2\n    + (0.5*l*cos(theta1) - 0.5*l*cos(theta2))^2))*(0.5*l*cos(theta2)*(apart + 0.5*l*sin(theta2) - 0.5*l*sin(theta1))\n    + 0.5*l*sin(theta2)*(0.5*l*cos(theta1) - 0.5*l*cos(theta2))))\n";
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> ::pendulum_core::System<T, 4> for Coupled<T> {

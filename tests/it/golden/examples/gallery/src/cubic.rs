@@ -55,8 +55,9 @@ A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q all o
 
 A[x1, x1] = m1
 A[x2, x2] = m2
-Q[x1] = -(0.5*k*(2*x1 - 2*(x2 - x1)) + 0.25*k3*(4*x1^3 - 4*(x2 - x1)^3) + 0.25*c3*(4*dot(x1)^3 - 4*(dot(x2) - dot(x1))^3))
-Q[x2] = -(0.5*2*k*(x2 - x1) + 4*0.25*k3*(x2 - x1)^3 + 4*0.25*c3*(dot(x2) - dot(x1))^3)
+Q[x1] = -(0.5*k*(2*x1 - 2*(x2 - x1)) + 0.25*k3*(4*x1^3 - 4*(x2 - x1)^3)
+    + 0.25*c3*(4*dot(x1)^3 - 4*(dot(x2) - dot(x1))^3))
+Q[x2] = -(k*(x2 - x1) + k3*(x2 - x1)^3 + c3*(dot(x2) - dot(x1))^3)
 ```
 
 # Constants, computed by `new`
@@ -326,7 +327,7 @@ k9 = -0.25*c3/m2
             )
             .autonomous();
         /// The equations of motion as text.
-        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q all other forces\n\nA[x1, x1] = m1\nA[x2, x2] = m2\nQ[x1] = -(0.5*k*(2*x1 - 2*(x2 - x1)) + 0.25*k3*(4*x1^3 - 4*(x2 - x1)^3) + 0.25*c3*(4*dot(x1)^3 - 4*(dot(x2) - dot(x1))^3))\nQ[x2] = -(0.5*2*k*(x2 - x1) + 4*0.25*k3*(x2 - x1)^3 + 4*0.25*c3*(dot(x2) - dot(x1))^3)\n";
+        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q all other forces\n\nA[x1, x1] = m1\nA[x2, x2] = m2\nQ[x1] = -(0.5*k*(2*x1 - 2*(x2 - x1)) + 0.25*k3*(4*x1^3 - 4*(x2 - x1)^3)\n    + 0.25*c3*(4*dot(x1)^3 - 4*(dot(x2) - dot(x1))^3))\nQ[x2] = -(k*(x2 - x1) + k3*(x2 - x1)^3 + c3*(dot(x2) - dot(x1))^3)\n";
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> ::pendulum_core::System<T, 4> for Cubic<T> {

@@ -93,13 +93,17 @@ mod __DrivenPivot {
     /**# Equations of motion
 
 ```text
-A qdd + b = Q, where A is symmetric, b holds velocity terms, gravity and the inertia forces of the drives, Q the forces of the joints
+A qdd + b = Q, where A is symmetric, b holds velocity terms, gravity and the inertia forces of the drives,
+    Q the forces of the joints
 
 A[theta1, theta1] = 1/3*m1*l1^2 + m2*l1^2
 A[theta1, theta2] = 0.5*m2*l1*l2*cos(theta1 - theta2)
 A[theta2, theta2] = 1/3*m2*l2^2
-b[theta1] = 0.5*m2*l1*l2*dot(theta2)^2*sin(theta1 - theta2) + 4.905*(m1*l1 + 2*m2*l1)*sin(theta1) - (0.5*m1*l1*b*w^2*ny^2 + m2*l1*b*w^2*ny^2)*sin(theta1)*sin(w*ny*t) - (0.5*m1*l1*a*w^2*nx^2 + m2*l1*a*w^2*nx^2)*cos(theta1)*cos(w*nx*t)
-b[theta2] = 4.905*m2*l2*sin(theta2) - 0.5*m2*l1*l2*dot(theta1)^2*sin(theta1 - theta2) - 0.5*m2*l2*b*w^2*ny^2*sin(theta2)*sin(w*ny*t) - 0.5*m2*l2*a*w^2*nx^2*cos(theta2)*cos(w*nx*t)
+b[theta1] = 0.5*m2*l1*l2*dot(theta2)^2*sin(theta1 - theta2) + 4.905*(m1*l1 + 2*m2*l1)*sin(theta1)
+    - (0.5*m1*l1*b*w^2*ny^2 + m2*l1*b*w^2*ny^2)*sin(theta1)*sin(w*ny*t)
+    - (0.5*m1*l1*a*w^2*nx^2 + m2*l1*a*w^2*nx^2)*cos(theta1)*cos(w*nx*t)
+b[theta2] = 4.905*m2*l2*sin(theta2) - 0.5*m2*l1*l2*dot(theta1)^2*sin(theta1 - theta2)
+    - 0.5*m2*l2*b*w^2*ny^2*sin(theta2)*sin(w*ny*t) - 0.5*m2*l2*a*w^2*nx^2*cos(theta2)*cos(w*nx*t)
 Q[theta1] = gamma*dot(theta2) - 2*gamma*dot(theta1)
 Q[theta2] = gamma*dot(theta1) - gamma*dot(theta2)
 ```
@@ -614,7 +618,7 @@ k43 = b*w^2*ny^2*(m1 + m2)
             ],
         );
         /// The equations of motion as text.
-        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms, gravity and the inertia forces of the drives, Q the forces of the joints\n\nA[theta1, theta1] = 1/3*m1*l1^2 + m2*l1^2\nA[theta1, theta2] = 0.5*m2*l1*l2*cos(theta1 - theta2)\nA[theta2, theta2] = 1/3*m2*l2^2\nb[theta1] = 0.5*m2*l1*l2*dot(theta2)^2*sin(theta1 - theta2) + 4.905*(m1*l1 + 2*m2*l1)*sin(theta1) - (0.5*m1*l1*b*w^2*ny^2 + m2*l1*b*w^2*ny^2)*sin(theta1)*sin(w*ny*t) - (0.5*m1*l1*a*w^2*nx^2 + m2*l1*a*w^2*nx^2)*cos(theta1)*cos(w*nx*t)\nb[theta2] = 4.905*m2*l2*sin(theta2) - 0.5*m2*l1*l2*dot(theta1)^2*sin(theta1 - theta2) - 0.5*m2*l2*b*w^2*ny^2*sin(theta2)*sin(w*ny*t) - 0.5*m2*l2*a*w^2*nx^2*cos(theta2)*cos(w*nx*t)\nQ[theta1] = gamma*dot(theta2) - 2*gamma*dot(theta1)\nQ[theta2] = gamma*dot(theta1) - gamma*dot(theta2)\n";
+        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms, gravity and the inertia forces of the drives,\n    Q the forces of the joints\n\nA[theta1, theta1] = 1/3*m1*l1^2 + m2*l1^2\nA[theta1, theta2] = 0.5*m2*l1*l2*cos(theta1 - theta2)\nA[theta2, theta2] = 1/3*m2*l2^2\nb[theta1] = 0.5*m2*l1*l2*dot(theta2)^2*sin(theta1 - theta2) + 4.905*(m1*l1 + 2*m2*l1)*sin(theta1)\n    - (0.5*m1*l1*b*w^2*ny^2 + m2*l1*b*w^2*ny^2)*sin(theta1)*sin(w*ny*t)\n    - (0.5*m1*l1*a*w^2*nx^2 + m2*l1*a*w^2*nx^2)*cos(theta1)*cos(w*nx*t)\nb[theta2] = 4.905*m2*l2*sin(theta2) - 0.5*m2*l1*l2*dot(theta1)^2*sin(theta1 - theta2)\n    - 0.5*m2*l2*b*w^2*ny^2*sin(theta2)*sin(w*ny*t) - 0.5*m2*l2*a*w^2*nx^2*cos(theta2)*cos(w*nx*t)\nQ[theta1] = gamma*dot(theta2) - 2*gamma*dot(theta1)\nQ[theta2] = gamma*dot(theta1) - gamma*dot(theta2)\n";
         ///The bodies whose joints are driven.
         pub const DRIVES: [&'static str; 2] = ["across", "pivot"];
     }

@@ -33,8 +33,11 @@ A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the f
 A[phi, phi] = 0.06227 - 0.00642*sin(theta)*cos(theta) - 0.006075*sin(theta)^2
 A[phi, theta] = 0.00167*cos(theta) - 0.001595*sin(theta)
 A[theta, theta] = 0.033955
-b[phi] = 0.01284*dot(phi)*dot(theta)*sin(theta)^2 - 0.00642*dot(phi)*dot(theta) - 0.01215*dot(phi)*dot(theta)*sin(theta)*cos(theta) - 0.00167*dot(theta)^2*sin(theta) - 0.001595*dot(theta)^2*cos(theta)
-b[theta] = 0.20601*sin(theta) + 0.00321*dot(phi)^2 + 0.006075*dot(phi)^2*sin(theta)*cos(theta) - 0.00642*dot(phi)^2*sin(theta)^2 - 0.014715*cos(theta)
+b[phi] = 0.01284*dot(phi)*dot(theta)*sin(theta)^2 - 0.00642*dot(phi)*dot(theta)
+    - 0.01215*dot(phi)*dot(theta)*sin(theta)*cos(theta) - 0.00167*dot(theta)^2*sin(theta)
+    - 0.001595*dot(theta)^2*cos(theta)
+b[theta] = 0.20601*sin(theta) + 0.00321*dot(phi)^2 + 0.006075*dot(phi)^2*sin(theta)*cos(theta)
+    - 0.00642*dot(phi)^2*sin(theta)^2 - 0.014715*cos(theta)
 Q[phi] = -0.003*dot(phi)
 Q[theta] = -0.001*dot(theta)
 ```
@@ -388,7 +391,7 @@ Q[theta] = -0.001*dot(theta)
             )
             .autonomous();
         /// The equations of motion as text.
-        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[phi, phi] = 0.06227 - 0.00642*sin(theta)*cos(theta) - 0.006075*sin(theta)^2\nA[phi, theta] = 0.00167*cos(theta) - 0.001595*sin(theta)\nA[theta, theta] = 0.033955\nb[phi] = 0.01284*dot(phi)*dot(theta)*sin(theta)^2 - 0.00642*dot(phi)*dot(theta) - 0.01215*dot(phi)*dot(theta)*sin(theta)*cos(theta) - 0.00167*dot(theta)^2*sin(theta) - 0.001595*dot(theta)^2*cos(theta)\nb[theta] = 0.20601*sin(theta) + 0.00321*dot(phi)^2 + 0.006075*dot(phi)^2*sin(theta)*cos(theta) - 0.00642*dot(phi)^2*sin(theta)^2 - 0.014715*cos(theta)\nQ[phi] = -0.003*dot(phi)\nQ[theta] = -0.001*dot(theta)\n";
+        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[phi, phi] = 0.06227 - 0.00642*sin(theta)*cos(theta) - 0.006075*sin(theta)^2\nA[phi, theta] = 0.00167*cos(theta) - 0.001595*sin(theta)\nA[theta, theta] = 0.033955\nb[phi] = 0.01284*dot(phi)*dot(theta)*sin(theta)^2 - 0.00642*dot(phi)*dot(theta)\n    - 0.01215*dot(phi)*dot(theta)*sin(theta)*cos(theta) - 0.00167*dot(theta)^2*sin(theta)\n    - 0.001595*dot(theta)^2*cos(theta)\nb[theta] = 0.20601*sin(theta) + 0.00321*dot(phi)^2 + 0.006075*dot(phi)^2*sin(theta)*cos(theta)\n    - 0.00642*dot(phi)^2*sin(theta)^2 - 0.014715*cos(theta)\nQ[phi] = -0.003*dot(phi)\nQ[theta] = -0.001*dot(theta)\n";
         ///The names of the components of all outputs.
         pub const OUTPUTS: [&'static str; 3] = ["tip.x", "tip.y", "tip.z"];
     }

@@ -51,7 +51,8 @@ mod __Kapitza {
     /**# Equations of motion
 
 ```text
-A qdd + b = Q, where A is symmetric, b holds velocity terms, gravity and the inertia forces of the drives, Q the forces of the joints
+A qdd + b = Q, where A is symmetric, b holds velocity terms, gravity and the inertia forces of the drives,
+    Q the forces of the joints
 
 A[theta, theta] = m*l^2
 b[theta] = 9.81*m*l*sin(theta) - m*l*a*w^2*cos(w*t)*sin(theta)
@@ -420,7 +421,7 @@ k16 = m*a*w^2
             ],
         );
         /// The equations of motion as text.
-        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms, gravity and the inertia forces of the drives, Q the forces of the joints\n\nA[theta, theta] = m*l^2\nb[theta] = 9.81*m*l*sin(theta) - m*l*a*w^2*cos(w*t)*sin(theta)\nQ[theta] = -gamma*dot(theta)\n";
+        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms, gravity and the inertia forces of the drives,\n    Q the forces of the joints\n\nA[theta, theta] = m*l^2\nb[theta] = 9.81*m*l*sin(theta) - m*l*a*w^2*cos(w*t)*sin(theta)\nQ[theta] = -gamma*dot(theta)\n";
         ///The bodies whose joints are driven.
         pub const DRIVES: [&'static str; 1] = ["pivot"];
     }

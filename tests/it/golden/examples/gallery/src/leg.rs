@@ -72,13 +72,18 @@ mod __Leg {
     /**# Equations of motion
 
 ```text
-A qdd + b = Q, where A is symmetric, b holds velocity terms, gravity and the inertia forces of the drives, Q the forces of the joints
+A qdd + b = Q, where A is symmetric, b holds velocity terms, gravity and the inertia forces of the drives,
+    Q the forces of the joints
 
 A[theta1, theta1] = 223237/4386000*m1 + m2*d^2
 A[theta1, theta2] = 17/12050*m2*d*sin(theta1 - theta2) + 3334/18075*m2*d*cos(theta1 - theta2)
 A[theta2, theta2] = 258847/4820000*m2
-b[theta1] = 578463/7310000*m1*cos(theta1) + 327/14620000*(75001*m1 + 438600*m2*d)*sin(theta1) + 3334/18075*m2*d*dot(theta2)^2*sin(theta1 - theta2) - 17/12050*m2*d*dot(theta2)^2*cos(theta1 - theta2) - (75001/438600*m1*rise*w^2 + m2*d*rise*w^2)*sin(w*t)*sin(theta1) - 1769/219300*m1*rise*w^2*sin(w*t)*cos(theta1)
-b[theta2] = 17/12050*m2*d*dot(theta1)^2*cos(theta1 - theta2) + 545109/301250*m2*sin(theta2) + 16677/1205000*m2*cos(theta2) - 3334/18075*m2*d*dot(theta1)^2*sin(theta1 - theta2) - 3334/18075*m2*rise*w^2*sin(w*t)*sin(theta2) - 17/12050*m2*rise*w^2*sin(w*t)*cos(theta2)
+b[theta1] = 578463/7310000*m1*cos(theta1) + 327/14620000*(75001*m1 + 438600*m2*d)*sin(theta1)
+    + 3334/18075*m2*d*dot(theta2)^2*sin(theta1 - theta2) - 17/12050*m2*d*dot(theta2)^2*cos(theta1 - theta2)
+    - (75001/438600*m1*rise*w^2 + m2*d*rise*w^2)*sin(w*t)*sin(theta1) - 1769/219300*m1*rise*w^2*sin(w*t)*cos(theta1)
+b[theta2] = 17/12050*m2*d*dot(theta1)^2*cos(theta1 - theta2) + 545109/301250*m2*sin(theta2)
+    + 16677/1205000*m2*cos(theta2) - 3334/18075*m2*d*dot(theta1)^2*sin(theta1 - theta2)
+    - 3334/18075*m2*rise*w^2*sin(w*t)*sin(theta2) - 17/12050*m2*rise*w^2*sin(w*t)*cos(theta2)
 Q[theta1] = gamma*dot(theta2) + 0.3*knee + knee*theta2 - knee*theta1 - 2*gamma*dot(theta1) - force(theta2)
 Q[theta2] = force(theta2) + gamma*dot(theta1) + knee*theta1 - 0.3*knee - knee*theta2 - gamma*dot(theta2)
 
@@ -648,7 +653,7 @@ k57 = rise*w^2*(m1 + m2)
             ],
         );
         /// The equations of motion as text.
-        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms, gravity and the inertia forces of the drives, Q the forces of the joints\n\nA[theta1, theta1] = 223237/4386000*m1 + m2*d^2\nA[theta1, theta2] = 17/12050*m2*d*sin(theta1 - theta2) + 3334/18075*m2*d*cos(theta1 - theta2)\nA[theta2, theta2] = 258847/4820000*m2\nb[theta1] = 578463/7310000*m1*cos(theta1) + 327/14620000*(75001*m1 + 438600*m2*d)*sin(theta1) + 3334/18075*m2*d*dot(theta2)^2*sin(theta1 - theta2) - 17/12050*m2*d*dot(theta2)^2*cos(theta1 - theta2) - (75001/438600*m1*rise*w^2 + m2*d*rise*w^2)*sin(w*t)*sin(theta1) - 1769/219300*m1*rise*w^2*sin(w*t)*cos(theta1)\nb[theta2] = 17/12050*m2*d*dot(theta1)^2*cos(theta1 - theta2) + 545109/301250*m2*sin(theta2) + 16677/1205000*m2*cos(theta2) - 3334/18075*m2*d*dot(theta1)^2*sin(theta1 - theta2) - 3334/18075*m2*rise*w^2*sin(w*t)*sin(theta2) - 17/12050*m2*rise*w^2*sin(w*t)*cos(theta2)\nQ[theta1] = gamma*dot(theta2) + 0.3*knee + knee*theta2 - knee*theta1 - 2*gamma*dot(theta1) - force(theta2)\nQ[theta2] = force(theta2) + gamma*dot(theta1) + knee*theta1 - 0.3*knee - knee*theta2 - gamma*dot(theta2)\n\nand along what hinders the motion\nforce(theta2): stops at -2.4 and -0.02, restitution 0.2\n";
+        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms, gravity and the inertia forces of the drives,\n    Q the forces of the joints\n\nA[theta1, theta1] = 223237/4386000*m1 + m2*d^2\nA[theta1, theta2] = 17/12050*m2*d*sin(theta1 - theta2) + 3334/18075*m2*d*cos(theta1 - theta2)\nA[theta2, theta2] = 258847/4820000*m2\nb[theta1] = 578463/7310000*m1*cos(theta1) + 327/14620000*(75001*m1 + 438600*m2*d)*sin(theta1)\n    + 3334/18075*m2*d*dot(theta2)^2*sin(theta1 - theta2) - 17/12050*m2*d*dot(theta2)^2*cos(theta1 - theta2)\n    - (75001/438600*m1*rise*w^2 + m2*d*rise*w^2)*sin(w*t)*sin(theta1) - 1769/219300*m1*rise*w^2*sin(w*t)*cos(theta1)\nb[theta2] = 17/12050*m2*d*dot(theta1)^2*cos(theta1 - theta2) + 545109/301250*m2*sin(theta2)\n    + 16677/1205000*m2*cos(theta2) - 3334/18075*m2*d*dot(theta1)^2*sin(theta1 - theta2)\n    - 3334/18075*m2*rise*w^2*sin(w*t)*sin(theta2) - 17/12050*m2*rise*w^2*sin(w*t)*cos(theta2)\nQ[theta1] = gamma*dot(theta2) + 0.3*knee + knee*theta2 - knee*theta1 - 2*gamma*dot(theta1) - force(theta2)\nQ[theta2] = force(theta2) + gamma*dot(theta1) + knee*theta1 - 0.3*knee - knee*theta2 - gamma*dot(theta2)\n\nand along what hinders the motion\nforce(theta2): stops at -2.4 and -0.02, restitution 0.2\n";
         ///The bodies whose joints are driven.
         pub const DRIVES: [&'static str; 2] = ["carried", "hip"];
     }

@@ -54,8 +54,11 @@ A[theta1, theta2] = 1/3*m*l^2 + 0.5*m*l^2*c2
 A[theta2, theta2] = 1/3*m*l^2
 b[theta1] = 4.905*m*l*s12 + 14.715*m*l*s1 - 0.5*m*l^2*dot(theta2)^2*s2 - m*l^2*dot(theta1)*dot(theta2)*s2
 b[theta2] = 0.5*m*l^2*dot(theta1)^2*s2 + 4.905*m*l*s12
-Q[theta1] = -(gamma*dot(theta1) + k*(1.5*(2*l*cos(theta1)*t7 + 2*l*s1*t8)*sqrt(t9)/t9^3 + 1.5*(2*l*s1*t8 + 2*l*cos(theta1)*t10)*sqrt(t11)/t11^3 - 1.5*(2*t1*t2 + 2*t0*t3)*sqrt(t4)/t4^3 - 1.5*(2*t0*t3 + 2*t1*t5)*sqrt(t6)/t6^3))
-Q[theta2] = k*(1.5*sqrt(t4)*(2*l*cos(theta1 + theta2)*t2 + 2*l*s12*t3)/t4^3 + 1.5*sqrt(t6)*(2*l*s12*t3 + 2*l*cos(theta1 + theta2)*t5)/t6^3) - gamma*dot(theta2)
+Q[theta1] = -(gamma*dot(theta1) + k*(1.5*(2*l*cos(theta1)*t7 + 2*l*s1*t8)*sqrt(t9)/t9^3
+    + 1.5*(2*l*s1*t8 + 2*l*cos(theta1)*t10)*sqrt(t11)/t11^3 - 1.5*(2*t1*t2 + 2*t0*t3)*sqrt(t4)/t4^3
+    - 1.5*(2*t0*t3 + 2*t1*t5)*sqrt(t6)/t6^3))
+Q[theta2] = k*(1.5*sqrt(t4)*(2*l*cos(theta1 + theta2)*t2 + 2*l*s12*t3)/t4^3
+    + 1.5*sqrt(t6)*(2*l*s12*t3 + 2*l*cos(theta1 + theta2)*t5)/t6^3) - gamma*dot(theta2)
 
 where
 s1 = sin(theta1)
@@ -578,7 +581,7 @@ k57 = 77343750000000/1998607065841*l^2*k
             )
             .autonomous();
         /// The equations of motion as text.
-        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q all other forces\n\nA[theta1, theta1] = 5/3*m*l^2 + m*l^2*c2\nA[theta1, theta2] = 1/3*m*l^2 + 0.5*m*l^2*c2\nA[theta2, theta2] = 1/3*m*l^2\nb[theta1] = 4.905*m*l*s12 + 14.715*m*l*s1 - 0.5*m*l^2*dot(theta2)^2*s2 - m*l^2*dot(theta1)*dot(theta2)*s2\nb[theta2] = 0.5*m*l^2*dot(theta1)^2*s2 + 4.905*m*l*s12\nQ[theta1] = -(gamma*dot(theta1) + k*(1.5*(2*l*cos(theta1)*t7 + 2*l*s1*t8)*sqrt(t9)/t9^3 + 1.5*(2*l*s1*t8 + 2*l*cos(theta1)*t10)*sqrt(t11)/t11^3 - 1.5*(2*t1*t2 + 2*t0*t3)*sqrt(t4)/t4^3 - 1.5*(2*t0*t3 + 2*t1*t5)*sqrt(t6)/t6^3))\nQ[theta2] = k*(1.5*sqrt(t4)*(2*l*cos(theta1 + theta2)*t2 + 2*l*s12*t3)/t4^3 + 1.5*sqrt(t6)*(2*l*s12*t3 + 2*l*cos(theta1 + theta2)*t5)/t6^3) - gamma*dot(theta2)\n\nwhere\ns1 = sin(theta1)\nc2 = cos(theta2)\ns2 = sin(theta2)\ns12 = sin(theta1 + theta2)\nt0 = l*s1 + l*s12\nt1 = l*cos(theta1) + l*cos(theta1 + theta2)\nt2 = -0.15 - t0\nt3 = t1 - 0.66\nt4 = t2^2 + t3^2\nt5 = 0.2 - t0\nt6 = t3^2 + t5^2\nt7 = -0.15 - l*s1\nt8 = l*cos(theta1) - 0.66\nt9 = t7^2 + t8^2\nt10 = 0.2 - l*s1\nt11 = t8^2 + t10^2\n";
+        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q all other forces\n\nA[theta1, theta1] = 5/3*m*l^2 + m*l^2*c2\nA[theta1, theta2] = 1/3*m*l^2 + 0.5*m*l^2*c2\nA[theta2, theta2] = 1/3*m*l^2\nb[theta1] = 4.905*m*l*s12 + 14.715*m*l*s1 - 0.5*m*l^2*dot(theta2)^2*s2 - m*l^2*dot(theta1)*dot(theta2)*s2\nb[theta2] = 0.5*m*l^2*dot(theta1)^2*s2 + 4.905*m*l*s12\nQ[theta1] = -(gamma*dot(theta1) + k*(1.5*(2*l*cos(theta1)*t7 + 2*l*s1*t8)*sqrt(t9)/t9^3\n    + 1.5*(2*l*s1*t8 + 2*l*cos(theta1)*t10)*sqrt(t11)/t11^3 - 1.5*(2*t1*t2 + 2*t0*t3)*sqrt(t4)/t4^3\n    - 1.5*(2*t0*t3 + 2*t1*t5)*sqrt(t6)/t6^3))\nQ[theta2] = k*(1.5*sqrt(t4)*(2*l*cos(theta1 + theta2)*t2 + 2*l*s12*t3)/t4^3\n    + 1.5*sqrt(t6)*(2*l*s12*t3 + 2*l*cos(theta1 + theta2)*t5)/t6^3) - gamma*dot(theta2)\n\nwhere\ns1 = sin(theta1)\nc2 = cos(theta2)\ns2 = sin(theta2)\ns12 = sin(theta1 + theta2)\nt0 = l*s1 + l*s12\nt1 = l*cos(theta1) + l*cos(theta1 + theta2)\nt2 = -0.15 - t0\nt3 = t1 - 0.66\nt4 = t2^2 + t3^2\nt5 = 0.2 - t0\nt6 = t3^2 + t5^2\nt7 = -0.15 - l*s1\nt8 = l*cos(theta1) - 0.66\nt9 = t7^2 + t8^2\nt10 = 0.2 - l*s1\nt11 = t8^2 + t10^2\n";
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> ::pendulum_core::System<T, 4> for Magnets<T> {

@@ -57,17 +57,26 @@ mod __SliderCrank {
 ```text
 A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints
 
-A[theta, theta] = m3*slope_s_theta^2 + 0.005*m1 + 1/30*r^2 + r^2*m2 + r*l*m2*slope_rod_theta*cos(theta - angle_rod) + 1/3*l^2*m2*slope_rod_theta^2
-b[theta] = m3*slope_s_theta*drift_s + 0.4905*(r + 20*r*m2)*cos(theta) + 0.5*r*l*m2*dot(angle_rod)^2*sin(theta - angle_rod) + 1/3*l^2*m2*slope_rod_theta*drift_rod + 4.905*l*m2*slope_rod_theta*cos(angle_rod) + 0.5*r*l*m2*drift_rod*cos(theta - angle_rod) - 0.5*r*l*m2*dot(theta)^2*slope_rod_theta*sin(theta - angle_rod)
+A[theta, theta] = 0.005*m1 + 1/30*r^2 + r^2*m2 + r*l*m2*slope_angle_rod_theta*t3 + m3*slope_s_theta^2
+    + 1/3*l^2*m2*slope_angle_rod_theta^2
+b[theta] = m3*slope_s_theta*drift_s + r*(0.4905 + 9.81*m2)*cos(theta) + 0.5*r*l*m2*dot(angle_rod)^2*t4
+    + 1/3*l^2*m2*slope_angle_rod_theta*drift_angle_rod + 4.905*l*m2*slope_angle_rod_theta*cos(angle_rod)
+    + 0.5*r*l*m2*drift_angle_rod*t3 - 0.5*r*l*m2*dot(theta)^2*slope_angle_rod_theta*t4
 Q[theta] = -gamma*dot(s)*slope_s_theta
 
 where
-s = r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2)
-angle_rod = atan2(-r*sin(theta)/l, (r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2) - r*cos(theta))/l)
-slope_s_theta = -1*(r*sin(theta)*(r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2) - r*cos(theta)) + r^2*cos(theta)*sin(theta))/sqrt(l^2 - (r*sin(theta))^2)
-slope_rod_theta = -1*r*cos(theta)/sqrt(l^2 - (r*sin(theta))^2)
-drift_s = -1*((r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2) - r*cos(theta))*(r*dot(theta)^2*cos(theta) + (r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2) - r*cos(theta))*dot(angle_rod)^2) + r*sin(theta)*(r*sin(theta)*dot(angle_rod)^2 - r*dot(theta)^2*sin(theta)))/sqrt(l^2 - (r*sin(theta))^2)
-drift_rod = -1*(r*sin(theta)*dot(angle_rod)^2 - r*dot(theta)^2*sin(theta))/sqrt(l^2 - (r*sin(theta))^2)
+t0 = sqrt(l^2 - (r*sin(theta))^2)
+t1 = r*cos(theta) + t0 - r*cos(theta)
+angle_rod = atan2(-r*sin(theta)/l, t1/l)
+slope_s_theta = -(r*sin(theta)*t1 + r^2*cos(theta)*sin(theta))/t0
+dot(s) = dot(theta)*slope_s_theta
+slope_angle_rod_theta = -r*cos(theta)/t0
+dot(angle_rod) = dot(theta)*slope_angle_rod_theta
+t2 = r*sin(theta)*dot(angle_rod)^2 - r*dot(theta)^2*sin(theta)
+drift_s = -(t1*(r*dot(theta)^2*cos(theta) + t1*dot(angle_rod)^2) + r*sin(theta)*t2)/t0
+drift_angle_rod = -t2/t0
+t3 = cos(theta - angle_rod)
+t4 = sin(theta - angle_rod)
 ```
 
 # Constants, computed by `new`
@@ -609,7 +618,7 @@ k17 = 1
             )
             .autonomous();
         /// The equations of motion as text.
-        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[theta, theta] = m3*slope_s_theta^2 + 0.005*m1 + 1/30*r^2 + r^2*m2 + r*l*m2*slope_rod_theta*cos(theta - angle_rod) + 1/3*l^2*m2*slope_rod_theta^2\nb[theta] = m3*slope_s_theta*drift_s + 0.4905*(r + 20*r*m2)*cos(theta) + 0.5*r*l*m2*dot(angle_rod)^2*sin(theta - angle_rod) + 1/3*l^2*m2*slope_rod_theta*drift_rod + 4.905*l*m2*slope_rod_theta*cos(angle_rod) + 0.5*r*l*m2*drift_rod*cos(theta - angle_rod) - 0.5*r*l*m2*dot(theta)^2*slope_rod_theta*sin(theta - angle_rod)\nQ[theta] = -gamma*dot(s)*slope_s_theta\n\nwhere\ns = r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2)\nangle_rod = atan2(-r*sin(theta)/l, (r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2) - r*cos(theta))/l)\nslope_s_theta = -1*(r*sin(theta)*(r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2) - r*cos(theta)) + r^2*cos(theta)*sin(theta))/sqrt(l^2 - (r*sin(theta))^2)\nslope_rod_theta = -1*r*cos(theta)/sqrt(l^2 - (r*sin(theta))^2)\ndrift_s = -1*((r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2) - r*cos(theta))*(r*dot(theta)^2*cos(theta) + (r*cos(theta) + sqrt(l^2 - (r*sin(theta))^2) - r*cos(theta))*dot(angle_rod)^2) + r*sin(theta)*(r*sin(theta)*dot(angle_rod)^2 - r*dot(theta)^2*sin(theta)))/sqrt(l^2 - (r*sin(theta))^2)\ndrift_rod = -1*(r*sin(theta)*dot(angle_rod)^2 - r*dot(theta)^2*sin(theta))/sqrt(l^2 - (r*sin(theta))^2)\n";
+        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[theta, theta] = 0.005*m1 + 1/30*r^2 + r^2*m2 + r*l*m2*slope_angle_rod_theta*t3 + m3*slope_s_theta^2\n    + 1/3*l^2*m2*slope_angle_rod_theta^2\nb[theta] = m3*slope_s_theta*drift_s + r*(0.4905 + 9.81*m2)*cos(theta) + 0.5*r*l*m2*dot(angle_rod)^2*t4\n    + 1/3*l^2*m2*slope_angle_rod_theta*drift_angle_rod + 4.905*l*m2*slope_angle_rod_theta*cos(angle_rod)\n    + 0.5*r*l*m2*drift_angle_rod*t3 - 0.5*r*l*m2*dot(theta)^2*slope_angle_rod_theta*t4\nQ[theta] = -gamma*dot(s)*slope_s_theta\n\nwhere\nt0 = sqrt(l^2 - (r*sin(theta))^2)\nt1 = r*cos(theta) + t0 - r*cos(theta)\nangle_rod = atan2(-r*sin(theta)/l, t1/l)\nslope_s_theta = -(r*sin(theta)*t1 + r^2*cos(theta)*sin(theta))/t0\ndot(s) = dot(theta)*slope_s_theta\nslope_angle_rod_theta = -r*cos(theta)/t0\ndot(angle_rod) = dot(theta)*slope_angle_rod_theta\nt2 = r*sin(theta)*dot(angle_rod)^2 - r*dot(theta)^2*sin(theta)\ndrift_s = -(t1*(r*dot(theta)^2*cos(theta) + t1*dot(angle_rod)^2) + r*sin(theta)*t2)/t0\ndrift_angle_rod = -t2/t0\nt3 = cos(theta - angle_rod)\nt4 = sin(theta - angle_rod)\n";
         ///The names of the components of all outputs.
         pub const OUTPUTS: [&'static str; 2] = ["stroke", "speed"];
     }

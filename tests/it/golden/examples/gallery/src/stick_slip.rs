@@ -51,10 +51,11 @@ mod __StickSlip {
     /**# Equations of motion
 
 ```text
-A qdd + b = Q, where A is symmetric, b holds velocity terms, gravity and the inertia forces of the drives, Q all other forces
+A qdd + b = Q, where A is symmetric, b holds velocity terms, gravity and the inertia forces of the drives,
+    Q all other forces
 
 A[s, s] = m
-Q[s] = force(s) - k*(s + v*t + 0.3 - 0.06)*(1 - 0.24/sqrt((s + v*t + 0.3 - 0.06)^2))
+Q[s] = force(s) - k*(0.24 + s + v*t)*(1 - 0.24/sqrt((0.24 + s + v*t)^2))
 
 and along what hinders the motion
 force(s): dry friction of slipping, at rest up to sticking
@@ -391,7 +392,7 @@ k11 = -k
             ],
         );
         /// The equations of motion as text.
-        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms, gravity and the inertia forces of the drives, Q all other forces\n\nA[s, s] = m\nQ[s] = force(s) - k*(s + v*t + 0.3 - 0.06)*(1 - 0.24/sqrt((s + v*t + 0.3 - 0.06)^2))\n\nand along what hinders the motion\nforce(s): dry friction of slipping, at rest up to sticking\n";
+        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms, gravity and the inertia forces of the drives,\n    Q all other forces\n\nA[s, s] = m\nQ[s] = force(s) - k*(0.24 + s + v*t)*(1 - 0.24/sqrt((0.24 + s + v*t)^2))\n\nand along what hinders the motion\nforce(s): dry friction of slipping, at rest up to sticking\n";
         ///The bodies whose joints are driven.
         pub const DRIVES: [&'static str; 1] = ["belt"];
     }

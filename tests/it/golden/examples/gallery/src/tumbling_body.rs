@@ -42,9 +42,15 @@ A[p.z, o.z] = 0.008*o.x*o.w + 0.008*o.y*o.z
 A[o.x, o.x] = 0.0010125
 A[o.y, o.y] = 277/1200000
 A[o.z, o.z] = 367/300000
-b[p.x] = 0.008*o.x*o.y*dot(o).x*dot(o).y + 0.008*o.x*o.z*dot(o).x*dot(o).z + 0.008*o.y*o.w*dot(o).x*dot(o).z + 0.008*o.y^2*dot(o).y^2 + 0.008*o.y^2*dot(o).z^2 + 0.008*o.z^2*dot(o).y^2 + 0.008*o.z^2*dot(o).z^2 - 0.008*o.z*o.w*dot(o).x*dot(o).y - 0.004*dot(o).y^2 - 0.004*dot(o).z^2
-b[p.y] = 0.004*dot(o).x*dot(o).y + 0.008*o.y*o.z*dot(o).x*dot(o).z - 0.008*o.x*o.y*dot(o).y^2 - 0.008*o.x*o.y*dot(o).z^2 - 0.008*o.x*o.w*dot(o).x*dot(o).z - 0.008*o.x^2*dot(o).x*dot(o).y - 0.008*o.z*o.w*dot(o).y^2 - 0.008*o.z*o.w*dot(o).z^2 - 0.008*o.z^2*dot(o).x*dot(o).y
-b[p.z] = 0.004*dot(o).x*dot(o).z + 0.008*o.x*o.w*dot(o).x*dot(o).y + 0.008*o.y*o.z*dot(o).x*dot(o).y + 0.008*o.y*o.w*dot(o).y^2 + 0.008*o.y*o.w*dot(o).z^2 - 0.008*o.x*o.z*dot(o).y^2 - 0.008*o.x*o.z*dot(o).z^2 - 0.008*o.x^2*dot(o).x*dot(o).z - 0.008*o.y^2*dot(o).x*dot(o).z
+b[p.x] = 0.008*o.x*o.y*dot(o).x*dot(o).y + 0.008*o.x*o.z*dot(o).x*dot(o).z + 0.008*o.y*o.w*dot(o).x*dot(o).z
+    + 0.008*o.y^2*dot(o).y^2 + 0.008*o.y^2*dot(o).z^2 + 0.008*o.z^2*dot(o).y^2 + 0.008*o.z^2*dot(o).z^2
+    - 0.008*o.z*o.w*dot(o).x*dot(o).y - 0.004*dot(o).y^2 - 0.004*dot(o).z^2
+b[p.y] = 0.004*dot(o).x*dot(o).y + 0.008*o.y*o.z*dot(o).x*dot(o).z - 0.008*o.x*o.y*dot(o).y^2 - 0.008*o.x*o.y*dot(o).z^2
+    - 0.008*o.x*o.w*dot(o).x*dot(o).z - 0.008*o.x^2*dot(o).x*dot(o).y - 0.008*o.z*o.w*dot(o).y^2
+    - 0.008*o.z*o.w*dot(o).z^2 - 0.008*o.z^2*dot(o).x*dot(o).y
+b[p.z] = 0.004*dot(o).x*dot(o).z + 0.008*o.x*o.w*dot(o).x*dot(o).y + 0.008*o.y*o.z*dot(o).x*dot(o).y
+    + 0.008*o.y*o.w*dot(o).y^2 + 0.008*o.y*o.w*dot(o).z^2 - 0.008*o.x*o.z*dot(o).y^2 - 0.008*o.x*o.z*dot(o).z^2
+    - 0.008*o.x^2*dot(o).x*dot(o).z - 0.008*o.y^2*dot(o).x*dot(o).z
 b[o.x] = 0.0009925*dot(o).y*dot(o).z
 b[o.y] = -253/1200000*dot(o).x*dot(o).z
 b[o.z] = -469/600000*dot(o).x*dot(o).y
@@ -456,7 +462,7 @@ b[o.z] = -469/600000*dot(o).x*dot(o).y
             )
             .autonomous();
         /// The equations of motion as text.
-        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[p.x, p.x] = 0.4\nA[p.x, o.y] = -(0.008*o.x*o.z + 0.008*o.y*o.w)\nA[p.x, o.z] = 0.008*o.x*o.y - 0.008*o.z*o.w\nA[p.y, p.y] = 0.4\nA[p.y, o.y] = 0.008*o.x*o.w - 0.008*o.y*o.z\nA[p.y, o.z] = 0.004 - 0.008*o.x^2 - 0.008*o.z^2\nA[p.z, p.z] = 0.4\nA[p.z, o.y] = 0.008*o.x^2 + 0.008*o.y^2 - 0.004\nA[p.z, o.z] = 0.008*o.x*o.w + 0.008*o.y*o.z\nA[o.x, o.x] = 0.0010125\nA[o.y, o.y] = 277/1200000\nA[o.z, o.z] = 367/300000\nb[p.x] = 0.008*o.x*o.y*dot(o).x*dot(o).y + 0.008*o.x*o.z*dot(o).x*dot(o).z + 0.008*o.y*o.w*dot(o).x*dot(o).z + 0.008*o.y^2*dot(o).y^2 + 0.008*o.y^2*dot(o).z^2 + 0.008*o.z^2*dot(o).y^2 + 0.008*o.z^2*dot(o).z^2 - 0.008*o.z*o.w*dot(o).x*dot(o).y - 0.004*dot(o).y^2 - 0.004*dot(o).z^2\nb[p.y] = 0.004*dot(o).x*dot(o).y + 0.008*o.y*o.z*dot(o).x*dot(o).z - 0.008*o.x*o.y*dot(o).y^2 - 0.008*o.x*o.y*dot(o).z^2 - 0.008*o.x*o.w*dot(o).x*dot(o).z - 0.008*o.x^2*dot(o).x*dot(o).y - 0.008*o.z*o.w*dot(o).y^2 - 0.008*o.z*o.w*dot(o).z^2 - 0.008*o.z^2*dot(o).x*dot(o).y\nb[p.z] = 0.004*dot(o).x*dot(o).z + 0.008*o.x*o.w*dot(o).x*dot(o).y + 0.008*o.y*o.z*dot(o).x*dot(o).y + 0.008*o.y*o.w*dot(o).y^2 + 0.008*o.y*o.w*dot(o).z^2 - 0.008*o.x*o.z*dot(o).y^2 - 0.008*o.x*o.z*dot(o).z^2 - 0.008*o.x^2*dot(o).x*dot(o).z - 0.008*o.y^2*dot(o).x*dot(o).z\nb[o.x] = 0.0009925*dot(o).y*dot(o).z\nb[o.y] = -253/1200000*dot(o).x*dot(o).z\nb[o.z] = -469/600000*dot(o).x*dot(o).y\n";
+        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[p.x, p.x] = 0.4\nA[p.x, o.y] = -(0.008*o.x*o.z + 0.008*o.y*o.w)\nA[p.x, o.z] = 0.008*o.x*o.y - 0.008*o.z*o.w\nA[p.y, p.y] = 0.4\nA[p.y, o.y] = 0.008*o.x*o.w - 0.008*o.y*o.z\nA[p.y, o.z] = 0.004 - 0.008*o.x^2 - 0.008*o.z^2\nA[p.z, p.z] = 0.4\nA[p.z, o.y] = 0.008*o.x^2 + 0.008*o.y^2 - 0.004\nA[p.z, o.z] = 0.008*o.x*o.w + 0.008*o.y*o.z\nA[o.x, o.x] = 0.0010125\nA[o.y, o.y] = 277/1200000\nA[o.z, o.z] = 367/300000\nb[p.x] = 0.008*o.x*o.y*dot(o).x*dot(o).y + 0.008*o.x*o.z*dot(o).x*dot(o).z + 0.008*o.y*o.w*dot(o).x*dot(o).z\n    + 0.008*o.y^2*dot(o).y^2 + 0.008*o.y^2*dot(o).z^2 + 0.008*o.z^2*dot(o).y^2 + 0.008*o.z^2*dot(o).z^2\n    - 0.008*o.z*o.w*dot(o).x*dot(o).y - 0.004*dot(o).y^2 - 0.004*dot(o).z^2\nb[p.y] = 0.004*dot(o).x*dot(o).y + 0.008*o.y*o.z*dot(o).x*dot(o).z - 0.008*o.x*o.y*dot(o).y^2 - 0.008*o.x*o.y*dot(o).z^2\n    - 0.008*o.x*o.w*dot(o).x*dot(o).z - 0.008*o.x^2*dot(o).x*dot(o).y - 0.008*o.z*o.w*dot(o).y^2\n    - 0.008*o.z*o.w*dot(o).z^2 - 0.008*o.z^2*dot(o).x*dot(o).y\nb[p.z] = 0.004*dot(o).x*dot(o).z + 0.008*o.x*o.w*dot(o).x*dot(o).y + 0.008*o.y*o.z*dot(o).x*dot(o).y\n    + 0.008*o.y*o.w*dot(o).y^2 + 0.008*o.y*o.w*dot(o).z^2 - 0.008*o.x*o.z*dot(o).y^2 - 0.008*o.x*o.z*dot(o).z^2\n    - 0.008*o.x^2*dot(o).x*dot(o).z - 0.008*o.y^2*dot(o).x*dot(o).z\nb[o.x] = 0.0009925*dot(o).y*dot(o).z\nb[o.y] = -253/1200000*dot(o).x*dot(o).z\nb[o.z] = -469/600000*dot(o).x*dot(o).y\n";
         ///The names of the components of all outputs.
         pub const OUTPUTS: [&'static str; 3] = ["tip.x", "tip.y", "tip.z"];
         ///The names of the events.

@@ -104,8 +104,10 @@ A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the f
 A[theta1, theta1] = i1 + m1*side^2 + m1*c1^2 + m2*d^2
 A[theta1, theta2] = m2*c2*d*cos(theta1 - theta2) - m2*d*side*sin(theta1 - theta2)
 A[theta2, theta2] = i2 + m2*side^2 + m2*c2^2
-b[theta1] = m1*side*g*cos(theta1) + (m1*c1*g + m2*d*g)*sin(theta1) + m2*d*side*dot(theta2)^2*cos(theta1 - theta2) + m2*c2*d*dot(theta2)^2*sin(theta1 - theta2)
-b[theta2] = m2*c2*g*sin(theta2) - m2*d*side*dot(theta1)^2*cos(theta1 - theta2) - m2*c2*d*dot(theta1)^2*sin(theta1 - theta2) - m2*side*g*cos(theta2)
+b[theta1] = m1*side*g*cos(theta1) + (m1*c1*g + m2*d*g)*sin(theta1) + m2*d*side*dot(theta2)^2*cos(theta1 - theta2)
+    + m2*c2*d*dot(theta2)^2*sin(theta1 - theta2)
+b[theta2] = m2*c2*g*sin(theta2) - m2*d*side*dot(theta1)^2*cos(theta1 - theta2)
+    - m2*c2*d*dot(theta1)^2*sin(theta1 - theta2) - m2*side*g*cos(theta2)
 Q[theta1] = gamma2*dot(theta2) - (gamma1 + gamma2)*dot(theta1)
 Q[theta2] = gamma2*dot(theta1) - gamma2*dot(theta2)
 ```
@@ -520,7 +522,7 @@ k27 = -m2*d*side/(i2 + m2*side^2 + m2*c2^2)
             )
             .autonomous();
         /// The equations of motion as text.
-        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[theta1, theta1] = i1 + m1*side^2 + m1*c1^2 + m2*d^2\nA[theta1, theta2] = m2*c2*d*cos(theta1 - theta2) - m2*d*side*sin(theta1 - theta2)\nA[theta2, theta2] = i2 + m2*side^2 + m2*c2^2\nb[theta1] = m1*side*g*cos(theta1) + (m1*c1*g + m2*d*g)*sin(theta1) + m2*d*side*dot(theta2)^2*cos(theta1 - theta2) + m2*c2*d*dot(theta2)^2*sin(theta1 - theta2)\nb[theta2] = m2*c2*g*sin(theta2) - m2*d*side*dot(theta1)^2*cos(theta1 - theta2) - m2*c2*d*dot(theta1)^2*sin(theta1 - theta2) - m2*side*g*cos(theta2)\nQ[theta1] = gamma2*dot(theta2) - (gamma1 + gamma2)*dot(theta1)\nQ[theta2] = gamma2*dot(theta1) - gamma2*dot(theta2)\n";
+        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[theta1, theta1] = i1 + m1*side^2 + m1*c1^2 + m2*d^2\nA[theta1, theta2] = m2*c2*d*cos(theta1 - theta2) - m2*d*side*sin(theta1 - theta2)\nA[theta2, theta2] = i2 + m2*side^2 + m2*c2^2\nb[theta1] = m1*side*g*cos(theta1) + (m1*c1*g + m2*d*g)*sin(theta1) + m2*d*side*dot(theta2)^2*cos(theta1 - theta2)\n    + m2*c2*d*dot(theta2)^2*sin(theta1 - theta2)\nb[theta2] = m2*c2*g*sin(theta2) - m2*d*side*dot(theta1)^2*cos(theta1 - theta2)\n    - m2*c2*d*dot(theta1)^2*sin(theta1 - theta2) - m2*side*g*cos(theta2)\nQ[theta1] = gamma2*dot(theta2) - (gamma1 + gamma2)*dot(theta1)\nQ[theta2] = gamma2*dot(theta1) - gamma2*dot(theta2)\n";
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> ::pendulum_core::System<T, 4> for TwoBodies<T> {

@@ -1,0 +1,209 @@
+//! The names of orientations and positions, and of their components: `o.w`, `p.x`, `dot(o).x`.
+
+use syn::Ident;
+
+use super::Lower;
+use super::expr::Place;
+use super::measure::{Measure, Quantity};
+use super::scope::Kind;
+use crate::ast;
+use crate::error::Reported;
+use crate::expr::{Expr, SymbolKind};
+use crate::model::Coordinate;
+
+/// What stands behind the dot of an orientation or of a position.
+#[derive(Clone, Debug)]
+pub(super) struct Components<'g> {
+    kind: Kind,
+    values: Vec<(&'static str, Expr<'g>)>,
+    rates: Vec<(&'static str, Expr<'g>)>,
+}
+
+const AXES: [&str; 3] = ["x", "y", "z"];
+
+impl Components<'_> {
+    fn measures(&self) -> [Measure; 2] {
+        match self.kind {
+            Kind::Position => [Measure::of("m"), Measure::of("m/s")],
+            _ => [Measure::ONE, Measure::of("rad/s")],
+        }
+    }
+}
+
+impl<'g> Lower<'g> {
+    /// The coordinates of the orientations and positions of a body, behind those that are known. Their rates are known
+    /// only later, so their names come with them.
+    pub(super) fn freedom_coordinates(&mut self, body: &ast::Body, coordinates: &mut Vec<Unrated<'g>>) {
+        if let Some(ident) = &body.fields.position {
+            let measure = Measure::of("m");
+            self.names
+                .declare(&mut self.errors, Kind::Position, ident, (measure, None));
+            for axis in AXES {
+                let name = format!("{ident}.{axis}");
+                let position = self.graph.symbol(&name, SymbolKind::Coordinate(coordinates.len()));
+                coordinates.push(Unrated {
+                    rate: format!("dot({name})"),
+                    name,
+                    position,
+                    turns: None,
+                });
+            }
+        }
+        if let Some(ident) = &body.fields.orientation {
+            self.names
+                .declare(&mut self.errors, Kind::Orientation, ident, (Measure::ONE, None));
+            let component =
+                |axis: &str, n: usize| self.graph.symbol(&format!("{ident}.{axis}"), SymbolKind::Coordinate(n));
+            let first = coordinates.len();
+            let [x, y, z] = [0, 1, 2].map(|n| component(AXES[n], first + n));
+            // the number of the scalar part is that of no other component of the same name
+            let quaternion = [component("w", first), x, y, z];
+            for (n, axis) in AXES.into_iter().enumerate() {
+                coordinates.push(Unrated {
+                    name: format!("{ident}.{axis}"),
+                    rate: format!("dot({ident}).{axis}"),
+                    position: self.graph.zero(),
+                    turns: Some((quaternion, n)),
+                });
+            }
+        }
+    }
+
+    /// Notes what stands behind the dots of the orientations and positions of a scene.
+    pub(super) fn name_components(&mut self, bodies: &[ast::Body], coordinates: &[Coordinate<'g>]) {
+        let of = |name: &Ident, kind| {
+            let first = first_of(coordinates, name, kind)?;
+            coordinates.get(first..first + 3)
+        };
+        for body in bodies {
+            let names = [
+                (&body.fields.position, Kind::Position),
+                (&body.fields.orientation, Kind::Orientation),
+            ];
+            for (name, kind) in names {
+                let Some((name, own)) = name.as_ref().and_then(|name| Some((name, of(name, kind)?))) else {
+                    continue;
+                };
+                let values = match kind {
+                    Kind::Orientation => {
+                        let quaternion = own[0].changes.iter().map(|(component, _)| *component);
+                        ["w", "x", "y", "z"].into_iter().zip(quaternion).collect()
+                    }
+                    _ => AXES.into_iter().zip(own.iter().map(|c| c.position)).collect(),
+                };
+                let components = Components {
+                    kind,
+                    values,
+                    rates: AXES.into_iter().zip(own.iter().map(|c| c.rate)).collect(),
+                };
+                self.components.insert(name.to_string(), components);
+            }
+        }
+    }
+
+    /// `o.w` or `p.x`; none where the name is neither that of an orientation nor of a position.
+    pub(super) fn component_of_joint(&mut self, name: &Ident, axis: &Ident) -> Option<Result<Quantity<'g>, Reported>> {
+        let components = self.components.get(&name.to_string())?.clone();
+        let found = components.values.iter().find(|(known, _)| axis == known);
+        let [measure, _] = components.measures();
+        Some(match found {
+            Some(&(_, value)) => Ok(Quantity { value, measure }),
+            None => {
+                let fact = format_args!("{} has no `{axis}`", components.kind.one());
+                let known = components.values.iter().map(|(axis, _)| *axis);
+                let help = format!("write {}", listed(known, |axis| format!("{name}.{axis}")));
+                Err(self.errors.at(axis.span(), fact, help))
+            }
+        })
+    }
+
+    /// The name of the orientation that has a component.
+    pub(super) fn orientation_of(&self, component: Expr<'g>) -> Option<&str> {
+        let mut all = self.components.iter();
+        let found = all
+            .find(|(_, own)| own.kind == Kind::Orientation && own.values.iter().any(|(_, value)| *value == component));
+        found.map(|(name, _)| name.as_str())
+    }
+
+    /// `dot(o).x`
+    pub(super) fn rate_component(
+        &mut self,
+        name: &Ident,
+        axis: &Ident,
+        place: &Place<'g>,
+    ) -> Result<Quantity<'g>, Reported> {
+        let Some(components) = self.components.get(&name.to_string()).cloned() else {
+            let fact = format_args!("`{name}` is no orientation, so its rate has no components");
+            let help = match self.names.kind(&name.to_string()) {
+                Some(Kind::Point) => format!("write `dot({name}.{axis})` for the rate of a component"),
+                Some(Kind::Coordinate) => format!("write `dot({name})`"),
+                _ => "name the `orientation` of a ball or free joint".to_owned(),
+            };
+            return Err(self.errors.at(name.span(), fact, help));
+        };
+        let found = components.rates.iter().find(|(known, _)| axis == known);
+        let [_, measure] = components.measures();
+        let Some(&(_, value)) = found else {
+            let fact = format_args!("the rate of {} has no `{axis}`", components.kind.one());
+            let help = format!(
+                "write {}",
+                listed(AXES.into_iter(), |axis| format!("dot({name}).{axis}"))
+            );
+            return Err(self.errors.at(axis.span(), fact, help));
+        };
+        let value = self.permit(value, name.span(), place)?;
+        Ok(Quantity { value, measure })
+    }
+
+    /// Says how to write a component where the name of all of them stands.
+    pub(super) fn not_a_number(&mut self, name: &Ident, is_rate: bool) -> Option<Reported> {
+        let components = self.components.get(&name.to_string())?.clone();
+        let fact = format_args!("`{name}` is {}, not a number", components.kind.one());
+        let help = if is_rate {
+            listed(AXES.into_iter(), |axis| format!("dot({name}).{axis}"))
+        } else {
+            listed(components.values.iter().map(|(axis, _)| *axis), |axis| {
+                format!("{name}.{axis}")
+            })
+        };
+        Some(self.errors.at(name.span(), fact, format!("write {help}")))
+    }
+}
+
+/// `o.w`, `o.x`, .. as a list in words, each between other text.
+fn listed(axes: impl DoubleEndedIterator<Item = &'static str>, form: impl Fn(&str) -> String) -> String {
+    let mut names: Vec<String> = axes.map(|axis| format!("`{}`", form(axis))).collect();
+    let last = names.pop().unwrap_or_default();
+    format!("{} or {last}", names.join(", "))
+}
+
+/// The first of the three coordinates of an orientation or of a position. By mistake one may have the name of the
+/// other.
+pub(super) fn first_of(coordinates: &[Coordinate<'_>], name: &Ident, kind: Kind) -> Option<usize> {
+    let turns = kind == Kind::Orientation;
+    let name = format!("{name}.x");
+    coordinates
+        .iter()
+        .position(|c| c.name == name && c.is_of_orientation() == turns)
+}
+
+/// A coordinate before its rate is known.
+#[derive(Clone, Debug)]
+pub(super) struct Unrated<'g> {
+    pub(super) name: String,
+    /// The name of its rate.
+    pub(super) rate: String,
+    pub(super) position: Expr<'g>,
+    /// Of an orientation its quaternion, and the axis of the body.
+    pub(super) turns: Option<([Expr<'g>; 4], usize)>,
+}
+
+impl<'g> Unrated<'g> {
+    /// The coordinate with its rate and its second rate.
+    pub(super) fn with_rates(self, rate: Expr<'g>, acceleration: Expr<'g>) -> Coordinate<'g> {
+        match self.turns {
+            None => Coordinate::plain(self.name, [self.position, rate, acceleration]),
+            Some((quaternion, axis)) => Coordinate::turn(self.name, quaternion, axis, [rate, acceleration]),
+        }
+    }
+}

@@ -1,0 +1,166 @@
+//! The bodies in a row that a joint is made of that turns about all axes.
+
+use std::collections::BTreeMap;
+use std::mem::replace;
+
+use syn::Ident;
+
+use super::Lower;
+use super::components::first_of;
+use super::expr::Place;
+use super::freedom::ORIENTATION;
+use super::joint_units::JointUnits;
+use super::mass::{Mass, Turns};
+use super::scope::Kind;
+use crate::ast;
+use crate::error::Reported;
+use crate::expr::Expr;
+use crate::model::{Body, BodyId, Combination, Coordinate, CoordinateId, Heading, Requirement};
+use crate::screw::{Mat3, SpatialInertia, Transform, Twist, Vec3};
+
+impl<'g> Lower<'g> {
+    /// The bodies of a joint that turns about all axes: three turns in a row on bodies without mass, of which the first
+    /// is turned by the quaternion, and before them three slides where the joint moves freely.
+    pub(super) fn free_bodies(
+        &mut self,
+        body: &ast::Body,
+        slides: bool,
+        parent: Result<Option<BodyId>, Reported>,
+        bodies: &[Body<'g>],
+        coordinates: &[Coordinate<'g>],
+        shapes: &BTreeMap<String, Result<Mass<'g>, Reported>>,
+    ) -> Result<Vec<Body<'g>>, Reported> {
+        // an error in one part is no reason to leave the others unread
+        let mass = self.mass_of_body(body, shapes);
+        let geometry = self.geometry(&body.name, body.fields.joint.as_ref());
+        let fits = self.check_freedom(body, slides);
+        let friction = self.friction_of_turns(body, slides);
+        let (mass, placement, friction, parent) = (mass?, geometry?.placement, friction?, parent?);
+        fits?;
+        let figures = mass.as_ref().map(|mass| mass.figures.clone()).unwrap_or_default();
+        let inertia = match mass {
+            None => SpatialInertia::zero(self.graph),
+            Some(mass) => mass.of_body(self, &body.name, Turns::Freely)?,
+        };
+        let first = |name: &Option<Ident>, kind| first_of(coordinates, name.as_ref()?, kind);
+        let Some(turning) = first(&body.fields.orientation, Kind::Orientation) else {
+            return Err(self.missing(body, ORIENTATION));
+        };
+        let mut row = Row {
+            name: body.name.to_string(),
+            behind: bodies.len(),
+            coordinates,
+            friction,
+            parent,
+            carried_by: parent.map(|parent| bodies[parent].heading.clone()),
+            placement,
+            bodies: Vec::new(),
+        };
+        if let Some(sliding) = first(&body.fields.position, Kind::Position) {
+            row.slide(sliding);
+        }
+        row.turn(turning);
+        let mut bodies = row.bodies;
+        if let Some(last) = bodies.last_mut() {
+            (last.inertia, last.figures) = (inertia, figures);
+        }
+        Ok(bodies)
+    }
+
+    /// The friction of a ball joint; nothing touches what moves freely.
+    fn friction_of_turns(&mut self, body: &ast::Body, slides: bool) -> Result<Expr<'g>, Reported> {
+        let place = Place::fixed(format!("the friction of `{}`", body.name)).in_unit(JointUnits::Turns.friction());
+        let friction = body.fields.friction.as_ref().filter(|_| !slides);
+        friction.map_or(Ok(self.graph.zero()), |e| {
+            self.positive(e, &place, Requirement::NonNegative)
+        })
+    }
+}
+
+/// Bodies without mass, each on the one before.
+struct Row<'c, 'g> {
+    name: String,
+    /// The number of the first of them.
+    behind: usize,
+    coordinates: &'c [Coordinate<'g>],
+    friction: Expr<'g>,
+    /// What carries the next of them, and how that is turned.
+    parent: Option<BodyId>,
+    carried_by: Option<Heading<'g>>,
+    /// Where the next joint is.
+    placement: Transform<'g>,
+    bodies: Vec<Body<'g>>,
+}
+
+impl<'g> Row<'_, 'g> {
+    /// Three slides, along the axes of the joint.
+    fn slide(&mut self, first: usize) {
+        let g = self.friction.graph();
+        for (n, k) in (0..3).zip(first..) {
+            let screw = Twist {
+                angular: Vec3::zero(g),
+                linear: Vec3::unit(g, n),
+            };
+            self.hang(k, screw, None, None);
+        }
+    }
+
+    /// Three turns, of which the first has the quaternion and all of the angular velocity.
+    fn turn(&mut self, first: usize) {
+        let g = self.friction.graph();
+        let rotation = Mat3::of_quaternion([0, 1, 2, 3].map(|n| self.coordinates[first].changes[n].0));
+        let mut turned = Some(rotation);
+        let mut spin = Vec3([0, 1, 2].map(|n| self.coordinates[first + n].rate));
+        for (n, k) in (0..3).zip(first..) {
+            let screw = Twist {
+                angular: Vec3::unit(g, n),
+                linear: Vec3::zero(g),
+            };
+            self.hang(k, screw, turned.take(), Some(spin));
+            spin = Vec3::zero(g);
+        }
+    }
+
+    /// Hangs a body on the last one, by a joint with the coordinate of number `k`.
+    fn hang(&mut self, k: usize, screw: Twist<'g>, turned: Option<Mat3<'g>>, spin: Option<Vec3<'g>>) {
+        let g = self.friction.graph();
+        let identity = Transform::identity(g);
+        let placement = replace(&mut self.placement, identity)
+            * Transform {
+                rotation: turned.unwrap_or(identity.rotation),
+                ..identity
+            };
+        let heading = match self.carried_by.take() {
+            Some(before) if turned.is_none() => Heading {
+                rest: before.rest * placement.rotation,
+                ..before
+            },
+            _ => Heading {
+                station: self.parent,
+                axis: None,
+                turn: Combination::default(),
+                rest: placement.rotation,
+            },
+        };
+        let force = spin.map_or(g.zero(), |_| -(self.friction * self.coordinates[k].rate));
+        let (own, k) = (BodyId::new(self.behind + self.bodies.len()), CoordinateId::new(k));
+        self.bodies.push(Body {
+            name: self.name.clone(),
+            parent: self.parent.replace(own),
+            placement,
+            screw: Some(screw),
+            spin,
+            coordinate: Some(k),
+            motion: Combination::one(k),
+            heading: heading.clone(),
+            inertia: SpatialInertia::zero(g),
+            figures: Vec::new(),
+            force,
+            passive: force,
+            torque: None,
+            potential: g.zero(),
+            law: None,
+        });
+        self.carried_by = Some(heading);
+    }
+}

@@ -1,0 +1,160 @@
+//! Joints that turn about all axes: what they must have, and what makes no sense there.
+
+use std::borrow::Cow;
+
+use proc_macro2::TokenStream;
+
+use super::Lower;
+use crate::ast::{self, JointKind};
+use crate::error::Reported;
+use crate::parse::HINGES;
+
+/// What a joint may lack, and what to do about it.
+pub(super) const ORIENTATION: [&str; 2] = ["orientation", "add `orientation: o`, the name of its unit quaternion"];
+const POSITION: [&str; 2] = ["position", "add `position: p`, the name of the place of its frame"];
+
+/// Whether the joint of a body turns about all axes, and whether it slides as well.
+pub(super) fn freedom(body: &ast::Body) -> Option<bool> {
+    match body.fields.joint.as_ref()?.kind {
+        Ok(JointKind::Ball) => Some(false),
+        Ok(JointKind::Free) => Some(true),
+        _ => None,
+    }
+}
+
+impl<'g> Lower<'g> {
+    /// Refuses names of orientations and positions where the joint has none.
+    pub(super) fn require_no_freedom(&mut self, body: &ast::Body) -> Result<(), Reported> {
+        let names = [
+            (&body.fields.orientation, "turn freely, so it has no orientation"),
+            (&body.fields.position, "move freely, so it has no position"),
+        ];
+        let given = names.into_iter().find_map(|(name, what)| Some((name.as_ref()?, what)));
+        let Some((name, what)) = given else { return Ok(()) };
+        match (&body.fields.joint, body.unread) {
+            (Some(joint), _) if joint.kind.is_err() => return Ok(()),
+            // the joint may be what could not be read
+            (None, Some(reported)) => return Err(reported),
+            _ => {}
+        }
+        let fact = format_args!("the joint of `{}` does not {what}", body.name);
+        let help =
+            "`joint: ball` has an `orientation`, `joint: free` a `position` too, and other joints a `coordinate`";
+        Err(self.errors.at(name.span(), fact, help))
+    }
+
+    /// What a joint that turns about all axes must have, and what makes no sense there.
+    pub(super) fn check_freedom(&mut self, body: &ast::Body, slides: bool) -> Result<(), Reported> {
+        let named = self.check_orientation(body, slides);
+        let placed = self.check_position(body, slides);
+        let kind = if slides { "free" } else { "ball" };
+        let mut fits = named.and(placed);
+        for (tokens, what, help) in senseless(body, slides) {
+            if let Some(tokens) = tokens {
+                let fact = format_args!("the {kind} joint of `{}` {what}", body.name);
+                fits = fits.and(Err(self.errors.on(tokens, fact, help)));
+            }
+        }
+        fits
+    }
+
+    fn check_orientation(&mut self, body: &ast::Body, slides: bool) -> Result<(), Reported> {
+        let (fields, name) = (&body.fields, &body.name);
+        if let Some(depends) = &fields.depends {
+            let kind = if slides { "free" } else { "ball" };
+            let fact = format_args!("the {kind} joint of `{name}` has an orientation, which cannot depend");
+            return Err(self.errors.at(depends.span(), fact, HINGES));
+        }
+        if let Some(coordinate) = &fields.coordinate {
+            let (kind, help) = if slides {
+                (
+                    "free",
+                    "write `orientation: o, position: p`; components are `o.w` and `p.x`",
+                )
+            } else {
+                (
+                    "ball",
+                    "write `orientation: o`; its components are `o.w`, `o.x`, `o.y` and `o.z`",
+                )
+            };
+            let fact = format_args!("the {kind} joint of `{name}` has an orientation, and not one coordinate");
+            return Err(self.errors.at(coordinate.span(), fact, help));
+        }
+        if fields.orientation.is_none() && fields.motion.is_none() {
+            return Err(self.missing(body, ORIENTATION));
+        }
+        Ok(())
+    }
+
+    fn check_position(&mut self, body: &ast::Body, slides: bool) -> Result<(), Reported> {
+        let fields = &body.fields;
+        match &fields.position {
+            Some(position) if !slides => {
+                let fact = format_args!(
+                    "the ball joint of `{}` stays where it is, so it has no position",
+                    body.name
+                );
+                let help = "leave it out, or make the joint `free`";
+                Err(self.errors.at(position.span(), fact, help))
+            }
+            None if slides && fields.coordinate.is_none() && fields.motion.is_none() => {
+                Err(self.missing(body, POSITION))
+            }
+            _ => Ok(()),
+        }
+    }
+
+    /// Reports what is missing, unless it may be what could not be read.
+    pub(super) fn missing(&mut self, body: &ast::Body, [what, help]: [&str; 2]) -> Reported {
+        body.unread.unwrap_or_else(|| {
+            let fact = format_args!("the joint of `{}` has no {what}", body.name);
+            self.errors.at(body.name.span(), fact, help)
+        })
+    }
+}
+
+/// What such a joint cannot have: where it is written, what is wrong, and what to do.
+fn senseless(body: &ast::Body, slides: bool) -> [(Option<&TokenStream>, &'static str, Cow<'static, str>); 7] {
+    fn tokens(e: &Option<ast::Expr>) -> Option<&TokenStream> {
+        e.as_ref().map(|e| &e.tokens)
+    }
+    let (fields, name) = (&body.fields, &body.name);
+    let orientation = fields.orientation.as_ref().map_or("o".to_owned(), ToString::to_string);
+    let moment = format!(
+        "write `dissipation: -m*dot({orientation}).x,` for a moment `m` about the x axis of the body, \
+         or `force on tip: [fx, fy, fz] in {name},` for a force on a point of it, along its axes"
+    );
+    [
+        (
+            tokens(&fields.motion),
+            "cannot follow a motion",
+            "drive joints with one coordinate each".into(),
+        ),
+        (
+            fields.spring.as_ref().map(|(stiffness, _)| &stiffness.tokens),
+            "has no spring",
+            "write `spring between a and b: (k, l),` between points, or a `potential`".into(),
+        ),
+        (tokens(&fields.torque), "has no scalar torque", moment.into()),
+        (
+            tokens(&fields.friction).filter(|_| slides),
+            "has no friction",
+            "nothing touches what moves freely: write drag as `force on point: ..`".into(),
+        ),
+        (
+            tokens(&fields.dry_friction),
+            "has no dry friction",
+            "write viscous friction, `friction: e`".into(),
+        ),
+        (
+            tokens(&fields.static_friction),
+            "has no dry friction",
+            "write viscous friction, `friction: e`".into(),
+        ),
+        (
+            fields.stop.as_ref().map(|stop| &stop.tokens),
+            "has no stop",
+            "write a `potential` that keeps it away".into(),
+        ),
+    ]
+}
