@@ -335,6 +335,7 @@ impl<T: Real, S: System<T, N> + ?Sized, const N: usize> System<T, N> for &S {
         rhs(t: T, x: &SVector<T, N>) -> SVector<T, N>;
         layout() -> Option<&'static StateLayout>;
         project(t: T, x: &mut SVector<T, N>);
+        margins(t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], T));
         hybrid() -> Option<&dyn Hybrid<T, N>>;
         rhs_under(t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> SVector<T, N>;
         rhs_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N>;

@@ -8,6 +8,7 @@ use super::directions::{dimension, directions};
 use super::frictionless::Frictionless;
 use super::least_squares::shortest_step;
 use super::{Spectrum, StabilityError};
+use crate::error::Reason;
 use crate::layout::StateLayout;
 use crate::system::{IntoState, Jacobian, System};
 
@@ -100,9 +101,16 @@ pub(super) fn settle<S, const N: usize>(system: &S, x: SVector<f64, N>) -> Resul
 where
     S: Jacobian<f64, N> + ?Sized,
 {
-    let found = match system.hybrid_jacobian() {
-        Some(hybrid) => come_to_rest(&Frictionless::new(hybrid), x),
-        None => come_to_rest(system, x),
+    let found = match (system.hybrid(), system.hybrid_jacobian()) {
+        (_, Some(hybrid)) => come_to_rest(&Frictionless::new(hybrid), x),
+        (None, None) => come_to_rest(system, x),
+        (Some(_), None) => {
+            return Err(StabilityError::Integration(Reason::InvalidInput {
+                what: "hybrid_jacobian",
+                value: f64::NAN,
+                rule: "a hybrid system must have its derivatives in each mode to be at rest in one",
+            }));
+        }
     };
     found.map_err(|(_, error)| error)
 }

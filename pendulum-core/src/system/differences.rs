@@ -3,6 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::{Energy, Jacobian, System};
+use crate::hybrid::{Hold, Hybrid, MOST};
 use crate::layout::StateLayout;
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
@@ -14,7 +15,8 @@ use crate::real::{Float, Real};
 /// respect to time where that may occur. The component `x` is moved by `cbrt(EPSILON) max(|x|, 1)` to either side, so
 /// where the function varies over changes of about 1, some 10 of its 16 digits are right, in `f32` 4 of 7. That is
 /// enough for the iteration of [`Radau5`](crate::Radau5); [`Rodas5P`](crate::Rodas5P) keeps its order down to about the
-/// same digits. Equilibria and exponents are as exact as the Jacobian.
+/// same digits. Equilibria and exponents are as exact as the Jacobian. Of a [hybrid](crate::hybrid) system each mode is
+/// derived; analyses that pass its changes need exact derivatives, and refuse it.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
@@ -52,12 +54,45 @@ impl<T: Real, S: System<T, N>, const N: usize> System<T, N> for Differences<S> {
     fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], T)) {
         self.0.margins(t, x, tell);
     }
+
+    #[inline(always)]
+    fn hybrid(&self) -> Option<&dyn Hybrid<T, N>> {
+        self.0.hybrid()
+    }
+
+    #[inline(always)]
+    fn rhs_under(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> SVector<T, N> {
+        self.0.rhs_under(t, x, forces)
+    }
+
+    #[inline(always)]
+    fn rhs_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N> {
+        self.0.rhs_in(hold, t, x)
+    }
 }
 
 impl<T: Lanes, S: System<T, N>, const N: usize> Jacobian<T, N> for Differences<S> {
     #[inline]
     fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
         by_state(x, |x| self.0.rhs(t, x))
+    }
+
+    #[inline]
+    fn jacobian_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
+        by_state(x, |x| self.0.rhs_in(hold, t, x))
+    }
+
+    #[inline]
+    fn rhs_and_jacobian_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
+        (self.0.rhs_in(hold, t, x), self.jacobian_in(hold, t, x))
+    }
+
+    #[inline]
+    fn time_derivative_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N> {
+        if self.layout().is_some_and(|layout| layout.autonomous) {
+            return SVector::from_element(T::default());
+        }
+        by_number(t, |t| self.0.rhs_in(hold, t, x))
     }
 }
 
