@@ -1,6 +1,8 @@
-//! Accelerations by articulated bodies (Featherstone 1983; 2008, Sec. 7.3): the form whose length grows with the number of joints only.
+//! Accelerations by articulated bodies (Featherstone 1983; 2008, Sec. 7.3): the form whose length grows with the number
+//! of joints only.
 //!
-//! The links above a joint answer a push through it as one body that gives way at its own joints. No mass matrix is formed.
+//! The links above a joint answer a push through it as one body that gives way at its own joints. No mass matrix is
+//! formed.
 
 use std::ops::{Add, Mul};
 
@@ -15,7 +17,8 @@ use crate::expr::Expr;
 use crate::model::{Action, Floating, Model};
 use crate::screw::{MassMoments, Mat3, Symmetric3, Twist, Vec3, Wrench};
 
-/// The inertia of a link whose outer joints give way: `moment = rotation alpha + coupling a`, `force = coupling^T alpha + translation a`.
+/// The inertia of a link whose outer joints give way: `moment = rotation alpha + coupling a`, `force = coupling^T alpha
+/// + translation a`.
 #[derive(Clone, Copy, Debug)]
 struct Articulated<'g> {
     rotation: Symmetric3<'g>,
@@ -64,8 +67,8 @@ struct Load<'g> {
     drives: Vec<Expr<'g>>,
 }
 
-/// The accelerations of the coordinates of a scene, and what gave way for them; with what acts on it as wrenches on the links, where
-/// `pushed`. The accelerations of what is `floating` are along its axes.
+/// The accelerations of the coordinates of a scene, and what gave way for them; with what acts on it as wrenches on the
+/// links, where `pushed`. The accelerations of what is `floating` are along its axes.
 pub(super) fn accelerations<'g>(
     model: &Model<'g>,
     pushed: bool,
@@ -245,7 +248,8 @@ impl<'g> Inverse<'g> for Articulation<'g> {
     }
 }
 
-/// Forces along the coordinates, as those along the joints: with `q = T theta`, `T^T tau = Q` is solved from the outermost link on.
+/// Forces along the coordinates, as those along the joints: with `q = T theta`, `T^T tau = Q` is solved from the
+/// outermost link on.
 fn along_joints<'g>(links: &[Link<'g>], mut forces: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
     let along = links.iter().rev().map(|link| {
         let along = link.motion.factor(link.coordinate) * forces[link.coordinate];

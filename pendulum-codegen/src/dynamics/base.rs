@@ -7,10 +7,10 @@ use crate::screw::{MassMoments, Symmetric3, Vec3};
 
 /// The base parameters of a model (Gautier and Khalil 1990), without those that are zero.
 ///
-/// A link that turns has seven: two components of its first moment and five of its second moments. Where all that turns below it turns
-/// about the same direction it has three, and one if nothing pushes it across that. A link that slides has its mass and its first
-/// moment. Their number is the least one where all joints turn; helical joints, and slides among parallel axes, may have
-/// combinations that are left standing.
+/// A link that turns has seven: two components of its first moment and five of its second moments. Where all that turns
+/// below it turns about the same direction it has three, and one if nothing pushes it across that. A link that slides
+/// has its mass and its first moment. Their number is the least one where all joints turn; helical joints, and slides
+/// among parallel axes, may have combinations that are left standing.
 pub(crate) fn base_parameters<'g>(model: &Model<'g>) -> Vec<Expr<'g>> {
     let links = links(model).links;
     let ground = Path {

@@ -1,8 +1,8 @@
 //! The motion in canonical variables: the coordinates and their momenta `p = A qd`.
 //!
-//! `dp/dt = A qdd + (dA/dt) qd`, and `A qdd` is what the forces leave of the bias. So there is nothing to solve and nothing to divide
-//! by. The right-hand side is `dL/dq + Q` of Lagrange's equations: half of `(dA/dt) qd` cancels against the bias, which a normal form
-//! sees.
+//! `dp/dt = A qdd + (dA/dt) qd`, and `A qdd` is what the forces leave of the bias. So there is nothing to solve and
+//! nothing to divide by. The right-hand side is `dL/dq + Q` of Lagrange's equations: half of `(dA/dt) qd` cancels
+//! against the bias, which a normal form sees.
 
 use crate::expr::Expr;
 use crate::model::{Coordinate, Model};

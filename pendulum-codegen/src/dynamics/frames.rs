@@ -1,7 +1,7 @@
 //! The frames in which links are computed.
 //!
-//! A link alone turns its own frame; parallel links in a row share the frame before the first of them, in which their angles add up
-//! and nothing has to be turned between them.
+//! A link alone turns its own frame; parallel links in a row share the frame before the first of them, in which their
+//! angles add up and nothing has to be turned between them.
 
 use super::joints::JointId;
 use super::links::Link;

@@ -1,15 +1,15 @@
 //! What the state Jacobian is solved from.
 //!
-//! With `r(x, qdd) = A qdd + bias - force` zero along the motion, `A d(qdd)/dx = -dr/dx` at fixed `qdd`: the same matrix as
-//! that of the right-hand side, so one factorisation serves both.
+//! With `r(x, qdd) = A qdd + bias - force` zero along the motion, `A d(qdd)/dx = -dr/dx` at fixed `qdd`: the same
+//! matrix as that of the right-hand side, so one factorisation serves both.
 
 use crate::expr::{Derivative, Expr};
 use crate::model::Coordinate;
 
 use super::Dynamics;
 
-/// The partial derivatives of `A qdd + bias - force` at fixed accelerations: one column of length `n` for each variable. The
-/// accelerations stand in it as the symbols of the coordinates.
+/// The partial derivatives of `A qdd + bias - force` at fixed accelerations: one column of length `n` for each
+/// variable. The accelerations stand in it as the symbols of the coordinates.
 pub(crate) fn partials<'g>(dynamics: &Dynamics<'g>, variables: &[Expr<'g>]) -> Vec<Vec<Expr<'g>>> {
     derived(&dynamics.balance, variables)
 }
@@ -23,8 +23,8 @@ pub(crate) fn derived<'g>(rows: &[Expr<'g>], symbols: &[Expr<'g>]) -> Vec<Vec<Ex
     symbols.iter().map(column).collect()
 }
 
-/// The [`partials`] by the state, from the derivatives of inverse dynamics that the recursion knows without deriving expressions; none
-/// where it does not, or by other variables.
+/// The [`partials`] by the state, from the derivatives of inverse dynamics that the recursion knows without deriving
+/// expressions; none where it does not, or by other variables.
 pub(crate) fn partials_by_recursion<'g>(
     dynamics: &Dynamics<'g>,
     coordinates: &[Coordinate<'g>],

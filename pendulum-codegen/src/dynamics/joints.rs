@@ -41,8 +41,8 @@ pub(super) struct Inertial<'g> {
 }
 
 impl<'g> AlongJoints<'g> {
-    /// The dynamics in the coordinates of the scene. With `q = T theta` the mass matrix becomes `T^T A T`, a force `T^T tau`. The
-    /// coordinates of drives stand behind the others until they are put apart.
+    /// The dynamics in the coordinates of the scene. With `q = T theta` the mass matrix becomes `T^T A T`, a force `T^T
+    /// tau`. The coordinates of drives stand behind the others until they are put apart.
     pub(super) fn in_coordinates(self, model: &Model<'g>, potential: Expr<'g>) -> Dynamics<'g> {
         let n = model.dof();
         let matrix = pull_back_matrix(
@@ -73,7 +73,7 @@ impl<'g> AlongJoints<'g> {
         };
         let drive = balance.split_off(n);
         let (momentum, kinetic) = self.momentum_and_energy(model, &matrix);
-        // how what follows changes is no part of that tangent
+        // how what depends changes is no part of that tangent
         let tangent = self.inertial.and_then(|inertial| inertial.tangent);
         let tangent = tangent.filter(|_| model.dependents.is_empty()).map(|tangent| {
             let [by_position, by_rate] = [tangent.by_position, tangent.by_rate]
@@ -102,7 +102,7 @@ impl<'g> AlongJoints<'g> {
         along
     }
 
-    /// What `along` the joints, less forces along all coordinates, leaves to be supplied along those that follow.
+    /// What `along` the joints, less forces along all coordinates, leaves to be supplied along those that depend.
     fn held(&self, model: &Model<'g>, along: &[Expr<'g>], force: &[Expr<'g>]) -> Vec<Expr<'g>> {
         let all = pull_back(model, self.motions.iter().zip(along.iter().copied()));
         less(&all, force).split_off(model.independent())
@@ -183,8 +183,8 @@ fn pull_back<'g, 'm>(
     pulled
 }
 
-/// Forces along all coordinates, as forces along those that do not follow from others: `tau + N^T tau'`, where `N` is how the others
-/// follow.
+/// Forces along all coordinates, as forces along those that do not depend on others: `tau + N^T tau'`, where `N` is how
+/// the others do.
 pub(super) fn free<'g>(model: &Model<'g>, mut along: Vec<Expr<'g>>) -> Vec<Expr<'g>> {
     let of_dependents = along.split_off(model.independent());
     for (dependent, force) in model.dependents.iter().zip(of_dependents) {

@@ -8,8 +8,8 @@ use crate::screw::{SpatialInertia, Transform, Twist, Vec3};
 
 /// Poses, screws and inertias of a model, each written in the station of its body.
 ///
-/// All scalars of the dynamics are invariant under a change of frame, so each may be computed where it is shortest. In a
-/// station, parallel joints turn by sums of angles and what lies below the station does not appear at all.
+/// All scalars of the dynamics are invariant under a change of frame, so each may be computed where it is shortest. In
+/// a station, parallel joints turn by sums of angles and what lies below the station does not appear at all.
 #[derive(Debug)]
 pub(crate) struct Kinematics<'g> {
     graph: &'g Graph,

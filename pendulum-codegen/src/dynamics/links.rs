@@ -1,7 +1,8 @@
 //! A model as a chain of links whose joints all turn about, or slide along, their own z axis.
 //!
-//! Fixed joints vanish, axes of any direction are turned to z once, in constants, and each joint lets its link hand down the
-//! part of its inertia that the joint cannot move (base parameters: Gautier and Khalil 1990; Khalil and Dombre, ch. 9).
+//! Fixed joints vanish, axes of any direction are turned to z once, in constants, and each joint lets its link hand
+//! down the part of its inertia that the joint cannot move (base parameters: Gautier and Khalil 1990; Khalil and
+//! Dombre, ch. 9).
 
 use super::joints::JointId;
 use crate::expr::Expr;
@@ -13,7 +14,8 @@ use crate::screw::{MassMoments, Mat3, Symmetric3, Transform, Twist, Vec3};
 pub(super) struct Link<'g> {
     /// The link that carries it; none for ground.
     pub(super) parent: Option<JointId>,
-    /// The joint frame at coordinate zero, in the frame of the parent: constant, but for the first joint of an orientation.
+    /// The joint frame at coordinate zero, in the frame of the parent: constant, but for the first joint of an
+    /// orientation.
     pub(super) placement: Transform<'g>,
     /// The joint's screw axis in the frame of the link: a turn about z that may slide along it, or a slide along z.
     pub(super) screw: Twist<'g>,
@@ -21,13 +23,13 @@ pub(super) struct Link<'g> {
     pub(super) inertia: MassMoments<'g>,
     /// The joint coordinate in the coordinates of the scene.
     pub(super) motion: Combination,
-    /// The coordinate that the joint brings into the scene: `motion` holds it with factor 1 or -1, and coordinates of links below.
-    /// Where a joint follows others, it is one of theirs.
+    /// The coordinate that the joint brings into the scene: `motion` holds it with factor 1 or -1, and coordinates of
+    /// links below. Where a joint follows others, it is one of theirs.
     pub(super) coordinate: CoordinateId,
     /// The force along the joint: friction, spring and torque.
     pub(super) force: Expr<'g>,
-    /// Of the three joints of an orientation the angular velocity that each adds, in the frame of the link: all of it by
-    /// the first, whose placement is turned, and none by the others.
+    /// Of the three joints of an orientation the angular velocity that each adds, in the frame of the link: all of it
+    /// by the first, whose placement is turned, and none by the others.
     pub(super) spin: Option<Vec3<'g>>,
 }
 
@@ -88,7 +90,8 @@ pub(super) fn links<'g>(model: &Model<'g>) -> Links<'g> {
         let turns = screw.turns();
         let mut direction = if turns { screw.angular } else { screw.linear };
         let (mut motion, mut force) = (body.motion.clone(), body.force);
-        // an axis against that of the parent is turned round, together with its coordinate, so that the two are parallel
+        // an axis against that of the parent is turned round, together with its coordinate, so that the two are
+        // parallel
         let along = (joint.rotation * direction)[2];
         if turns && along == g.integer(-1) {
             direction = -direction;
@@ -150,8 +153,8 @@ fn hand_down(links: &mut [Link<'_>]) {
 impl<'g> Link<'g> {
     /// The inertia that the joint can move against its parent, and the rest.
     ///
-    /// A turn about z does not move a line of mass on the z axis: the mass, and the first and the second moment along z. A slide
-    /// does not turn: all second moments. A helical joint moves the line along itself: there is no rest.
+    /// A turn about z does not move a line of mass on the z axis: the mass, and the first and the second moment along
+    /// z. A slide does not turn: all second moments. A helical joint moves the line along itself: there is no rest.
     fn divided(&self) -> Option<(MassMoments<'g>, MassMoments<'g>)> {
         let MassMoments { mass, first, second } = self.inertia;
         let none = MassMoments::zero(mass.graph());

@@ -47,7 +47,8 @@ pub(crate) struct Dynamics<'g> {
     pub balance: Vec<Expr<'g>>,
     /// The forces that the drives supply along their joints, for these accelerations.
     pub drive: Vec<Expr<'g>>,
-    /// The forces that closed loops supply along the coordinates that follow, for these accelerations, where they are asked for.
+    /// The forces that closed loops supply along the coordinates that depend, for these accelerations, where they are
+    /// asked for.
     pub held: Vec<Expr<'g>>,
     /// Derivatives of `A qdd + bias`, where they are known in a form of their own.
     pub tangent: Option<Tangent<'g>>,
@@ -69,7 +70,8 @@ pub(crate) struct Tangent<'g> {
 }
 
 impl<'g> Dynamics<'g> {
-    /// The dynamics of a model from A, B and C (Williams 2023, Sec. 2): the definition that other forms are proved equal to.
+    /// The dynamics of a model from A, B and C (Williams 2023, Sec. 2): the definition that other forms are proved
+    /// equal to.
     pub(crate) fn new(model: &Model<'g>) -> Self {
         let mut kinematics = Kinematics::new(model);
         let of_joints = || model.graph.sum(model.bodies.iter().map(|body| body.potential));
@@ -123,16 +125,16 @@ impl<'g> Dynamics<'g> {
         along.in_coordinates(model, potential)
     }
 
-    /// The same dynamics by recursion over links in base parameters; `potential` is the potential energy. Where `pushed`, forces at
-    /// points are wrenches on the links.
+    /// The same dynamics by recursion over links in base parameters; `potential` is the potential energy. Where
+    /// `pushed`, forces at points are wrenches on the links.
     pub(crate) fn recursive(model: &Model<'g>, potential: Expr<'g>, pushed: bool) -> Self {
         // off the unit sphere of a quaternion one matrix and one bias must do
         let by_recursion = !model.has_orientations();
         recursive::along_joints(model, pushed, &[], by_recursion).in_coordinates(model, potential)
     }
 
-    /// What the accelerations are solved from, with those of `floating` bodies along their own axes: of this the mass matrix, the
-    /// residual and the balance alone. Where `pushed`, forces at points are wrenches on the links.
+    /// What the accelerations are solved from, with those of `floating` bodies along their own axes: of this the mass
+    /// matrix, the residual and the balance alone. Where `pushed`, forces at points are wrenches on the links.
     pub(crate) fn along_bodies(model: &Model<'g>, pushed: bool, floating: &[Floating<'g>]) -> Self {
         let along = recursive::along_joints(model, pushed, floating, false);
         let whole = along.in_coordinates(model, model.graph.zero());
@@ -222,8 +224,8 @@ impl<'g> Dynamics<'g> {
     }
 }
 
-/// The accelerations by articulated bodies, those of `floating` ones along their own axes, and what gave way for them: without a mass
-/// matrix. Where `pushed`, forces at points are wrenches on the links.
+/// The accelerations by articulated bodies, those of `floating` ones along their own axes, and what gave way for them:
+/// without a mass matrix. Where `pushed`, forces at points are wrenches on the links.
 pub(crate) fn articulated<'g>(
     model: &Model<'g>,
     pushed: bool,

@@ -13,11 +13,11 @@ use crate::expr::Expr;
 use crate::model::{Action, Floating, Model};
 use crate::screw::{MassMoments, Vec3, Wrench};
 
-/// The dynamics along the joints of the links; with what acts on the scene as wrenches on the links, where `pushed`. Of the bodies that
-/// are `floating` the slides are along their own axes, and gravity does not act on what they carry.
+/// The dynamics along the joints of the links; with what acts on the scene as wrenches on the links, where `pushed`. Of
+/// the bodies that are `floating` the slides are along their own axes, and gravity does not act on what they carry.
 ///
-/// What accelerations take is that of the recursion itself where `by_recursion`, and the product with the mass matrix otherwise. They
-/// differ off the unit sphere of a quaternion.
+/// What accelerations take is that of the recursion itself where `by_recursion`, and the product with the mass matrix
+/// otherwise. They differ off the unit sphere of a quaternion.
 pub(super) fn along_joints<'g>(
     model: &Model<'g>,
     pushed: bool,
@@ -128,7 +128,8 @@ fn composites<'g>(links: &[Link<'g>], frames: &[Frame<'g>]) -> Vec<MassMoments<'
     composites
 }
 
-/// `A_ij`: the momentum of all that link j carries, when its joint alone moves at unit rate, along the joint of each link below.
+/// `A_ij`: the momentum of all that link j carries, when its joint alone moves at unit rate, along the joint of each
+/// link below.
 fn mass_matrix<'g>(
     links: &[Link<'g>],
     frames: &[Frame<'g>],

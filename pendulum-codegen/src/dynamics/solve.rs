@@ -31,7 +31,8 @@ pub(crate) struct Factored<'g> {
     lower: Vec<Vec<Expr<'g>>>,
 }
 
-/// Coordinates that are eliminated together, and the negated inverse of their entries: with the minus here no other sign has to change.
+/// Coordinates that are eliminated together, and the negated inverse of their entries: with the minus here no other
+/// sign has to change.
 #[derive(Debug)]
 struct Pivot<'g> {
     coordinates: Range<usize>,
@@ -41,8 +42,8 @@ struct Pivot<'g> {
 }
 
 impl<'g> Factored<'g> {
-    /// Factors a symmetric matrix of one row or more. `determinant` is that of a matrix of two rows, where a better form of it is
-    /// known.
+    /// Factors a symmetric matrix of one row or more. `determinant` is that of a matrix of two rows, where a better
+    /// form of it is known.
     pub(crate) fn new(solver: Solver, matrix: &[Vec<Expr<'g>>], determinant: Option<Expr<'g>>) -> Self {
         let n = matrix.len();
         let graph = matrix[0][0].graph();

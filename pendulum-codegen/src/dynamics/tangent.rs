@@ -1,8 +1,8 @@
 //! The derivatives of inverse dynamics, link by link, without deriving its expressions.
 //!
-//! The idea of Carpentier and Mansard (2018) and Singh, Russo and Wensing (2022), in the terms of moments of mass: seen from link k,
-//! turning its joint, or turning it faster, changes only the motion that arrives from below. The links above answer as one body
-//! that holds their composite inertia and the flow of their mass.
+//! The idea of Carpentier and Mansard (2018) and Singh, Russo and Wensing (2022), in the terms of moments of mass: seen
+//! from link k, turning its joint, or turning it faster, changes only the motion that arrives from below. The links
+//! above answer as one body that holds their composite inertia and the flow of their mass.
 
 use super::frames::Frame;
 use super::joints::{Entry, JointId};
@@ -20,8 +20,8 @@ pub(super) struct Tangent<'g> {
     pub(super) by_rate: Vec<Entry<'g>>,
 }
 
-/// How mass flows past the origin of a frame, which moves along: `p = integral v dm` and `P = integral r v^T dm`, where `v` is the
-/// velocity against the origin.
+/// How mass flows past the origin of a frame, which moves along: `p = integral v dm` and `P = integral r v^T dm`, where
+/// `v` is the velocity against the origin.
 #[derive(Clone, Copy, Debug)]
 struct Flow<'g> {
     momentum: Vec3<'g>,
@@ -186,8 +186,8 @@ impl<'g> Response<'g> {
         moment.dot(variation.twist) + force.dot(variation.push) + self.by_spin.dot(variation.spin)
     }
 
-    /// The response to variations of the motion of the parent, whose origin the frame's own leaves with a velocity: there a push
-    /// is `push + twist x offset + 2 spin x velocity`.
+    /// The response to variations of the motion of the parent, whose origin the frame's own leaves with a velocity:
+    /// there a push is `push + twist x offset + 2 spin x velocity`.
     fn to_parent(self, frame: &Frame<'g>, velocity: Vec3<'g>) -> Self {
         let wrench = frame.wrench_to_parent(&self.wrench);
         Self {
@@ -197,7 +197,8 @@ impl<'g> Response<'g> {
     }
 }
 
-/// What the link below sees change in the wrench on a link whose coordinate changes: the wrench itself is turned and moved along.
+/// What the link below sees change in the wrench on a link whose coordinate changes: the wrench itself is turned and
+/// moved along.
 fn seen_below<'g>(screw: &Twist<'g>, wrench: &Wrench<'g>, taken: &Wrench<'g>) -> Wrench<'g> {
     let Twist { angular, linear } = *screw;
     let Wrench { moment, force } = *wrench;

@@ -34,7 +34,8 @@ impl<'g> Printer<'g> {
         }
     }
 
-    /// A printer that multiplies and adds up numbers: for people who read, not for what tells how something is computed.
+    /// A printer that multiplies and adds up numbers: for people who read, not for what tells how something is
+    /// computed.
     pub(crate) fn that_computes(graph: &'g Graph) -> Self {
         Self {
             computes: true,

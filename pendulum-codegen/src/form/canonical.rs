@@ -19,7 +19,8 @@ impl<'g> Forms<'g> {
         self.choose(candidates)
     }
 
-    /// The shortest code for the derivatives of the momenta by the state, column by column, and behind them those of their rates.
+    /// The shortest code for the derivatives of the momenta by the state, column by column, and behind them those of
+    /// their rates.
     pub(crate) fn canonical_jacobian(&mut self, model: &Model<'g>) -> Chosen<'g> {
         let state = model.state();
         let mut candidates = Vec::new();

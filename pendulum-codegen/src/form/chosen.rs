@@ -5,8 +5,8 @@ use crate::expr::{Expr, Graph};
 use crate::model::Model;
 use crate::pass::{Operations, share, trig};
 
-/// A candidate that is longer than another by this ratio, sines and functions aside, which all share, is not searched for common
-/// parts: none has been seen to win.
+/// A candidate that is longer than another by this ratio, sines and functions aside, which all share, is not searched
+/// for common parts: none has been seen to win.
 pub(super) const HOPELESS: [usize; 2] = [9, 4];
 
 /// How much longer than the shortest the code may be that loses no digits to cancellation: by one part in this many.

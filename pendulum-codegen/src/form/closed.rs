@@ -17,8 +17,8 @@ pub(crate) struct Closed<'g> {
     momentum: Vec<Vec<Term<'g>>>,
     kinetic: Vec<Term<'g>>,
     potential: Vec<Term<'g>>,
-    /// The determinant of a mass matrix of two rows. Expanded in symbols it is a sum of the terms that are left after all
-    /// exact cancellations, so no digits are lost where one body is much heavier than the other.
+    /// The determinant of a mass matrix of two rows. Expanded in symbols it is a sum of the terms that are left after
+    /// all exact cancellations, so no digits are lost where one body is much heavier than the other.
     determinant: Option<Vec<Term<'g>>>,
     /// The residual for that determinant, where anything cancels in it.
     eliminated: Option<Eliminated<'g>>,

@@ -1,8 +1,8 @@
 //! Two accelerations whose digits do not cancel: what cancels does so in symbols, before any number is known.
 //!
-//! Where one body is much heavier than another, the rows of the mass matrix are nearly multiples of each other, and so are the
-//! weights on a straight chain. In `a11 r0 - a01 r1`, the determinant times the first acceleration, the largest products then
-//! cancel, and leave their rounding.
+//! Where one body is much heavier than another, the rows of the mass matrix are nearly multiples of each other, and so
+//! are the weights on a straight chain. In `a11 r0 - a01 r1`, the determinant times the first acceleration, the largest
+//! products then cancel, and leave their rounding.
 
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -25,7 +25,8 @@ pub(super) struct Eliminated<'g> {
 }
 
 impl<'g> Eliminated<'g> {
-    /// Eliminates the second of two coordinates, whose own inertia is constant; none if it is not, or if they are not coupled.
+    /// Eliminates the second of two coordinates, whose own inertia is constant; none if it is not, or if they are not
+    /// coupled.
     pub(super) fn new(normalizer: &mut Normalizer<'g>, dynamics: &Dynamics<'g>) -> Result<Option<Self>, TooLarge> {
         let ([_, row], &[first, last]) = (&dynamics.mass_matrix[..], &dynamics.residual[..]) else {
             return Ok(None);

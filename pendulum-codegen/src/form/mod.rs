@@ -28,21 +28,22 @@ use written::{Written, along_bodies};
 
 use crate::dynamics::{Dynamics, articulated};
 use crate::expr::{Expr, Normalizer};
-use crate::model::{Body, Floating, Following, Model};
+use crate::model::{Body, Dependence, Floating, Model};
 use crate::pass::{Preference, constants, factor};
 
 /// How many products of terms the closed form of a scene may take. Larger scenes keep the shared graph.
 const BUDGET: usize = 20_000;
 
-/// Articulated bodies with orientations are taken where what is solved by a mass matrix is longer: by one part in this many at least.
+/// Articulated bodies with orientations are taken where what is solved by a mass matrix is longer: by one part in this
+/// many at least.
 const WORTH_OF_LINKS: usize = 8;
 
 /// All forms of the dynamics of a scene.
 #[derive(Debug)]
 pub(crate) struct Forms<'g> {
     forms: Vec<Written<'g>>,
-    /// In place of them what the accelerations are solved from, where bodies have orientations: one matrix and one residual, so that
-    /// the Jacobian is that of the right-hand side where a quaternion is not of unit length.
+    /// In place of them what the accelerations are solved from, where bodies have orientations: one matrix and one
+    /// residual, so that the Jacobian is that of the right-hand side where a quaternion is not of unit length.
     oriented: Vec<Written<'g>>,
     /// In place of both, where it is shorter.
     by_links: Option<ByLinks<'g>>,
@@ -54,8 +55,8 @@ pub(crate) struct Forms<'g> {
     articulated: Vec<Candidate<'g>>,
     /// The accelerations in the shortest form, once they are known.
     solved: OnceCell<Chosen<'g>>,
-    /// What symbols stand for that follow from the state.
-    following: Following<'g>,
+    /// What symbols stand for that depend on the state.
+    dependence: Dependence<'g>,
     normalizer: Normalizer<'g>,
 }
 
@@ -104,7 +105,7 @@ impl<'g> Forms<'g> {
             exact,
             articulated,
             solved: OnceCell::new(),
-            following: model.following.clone(),
+            dependence: model.dependence.clone(),
             normalizer,
         };
         if give_way && has_orientations {
@@ -166,7 +167,7 @@ impl<'g> Forms<'g> {
 
     fn choose(&self, candidates: Vec<Candidate<'g>>) -> Chosen<'g> {
         let graph = self.normalizer.graph();
-        let written_out = |(form, roots): Candidate<'g>| (form, self.following.written_out(graph, &roots));
+        let written_out = |(form, roots): Candidate<'g>| (form, self.dependence.written_out(graph, &roots));
         choose(graph, candidates.into_iter().map(written_out).collect())
     }
 }
@@ -210,7 +211,8 @@ fn ways<'g>(
     expanded.into_iter().chain([(Derivatives::Graph, columns)]).collect()
 }
 
-/// Whether one body may be much heavier than another: their masses are different expressions, other than numbers of one size.
+/// Whether one body may be much heavier than another: their masses are different expressions, other than numbers of one
+/// size.
 fn is_lopsided(bodies: &[Body<'_>]) -> bool {
     /// Less than two digits can cancel between masses of this ratio.
     const EVEN: f64 = 100.0;

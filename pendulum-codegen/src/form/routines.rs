@@ -9,35 +9,35 @@ use crate::model::Model;
 
 /// The rates of the positions, and the accelerations.
 pub(crate) fn rhs<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
-    let (known, following) = kinematics(model);
-    let chosen = forms.accelerations_and(&following);
+    let (known, dependent) = kinematics(model);
+    let chosen = forms.accelerations_and(&dependent);
     chosen
         .with(|mut accelerations| {
-            let following = accelerations.split_off(model.dof());
-            [known, following, accelerations].concat()
+            let dependent = accelerations.split_off(model.dof());
+            [known, dependent, accelerations].concat()
         })
         .counted(model)
 }
 
-/// How the positions change: those that are known by the rates of the state, and those that follow from others.
+/// How the positions change: those that are known by the rates of the state, and those that depend on others.
 fn kinematics<'g>(model: &Model<'g>) -> (Vec<Expr<'g>>, Vec<Expr<'g>>) {
     let mut known = model.kinematics();
-    let following = known.split_off(known.len() - model.in_state().count());
-    (known, following)
+    let dependent = known.split_off(known.len() - model.in_state().count());
+    (known, dependent)
 }
 
 /// The right-hand side, and after it its derivatives by the state, column by column.
 pub(crate) fn jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     let state = model.state();
-    let (known, following) = kinematics(model);
-    let beside = [following.clone(), derived(&following, &state).concat()].concat();
+    let (known, dependent) = kinematics(model);
+    let beside = [dependent.clone(), derived(&dependent, &state).concat()].concat();
     let chosen = forms.jacobian(model, &state, true, &beside);
     let chosen = chosen.with(|mut accelerations| {
         let mut columns = accelerations.split_off(model.dof());
-        let mut following = columns.split_off(state.len() * model.dof());
-        let of_following = following.split_off(following.len() / (1 + state.len()));
-        let columns = on_top(model, &derived(&known, &state), &of_following, &columns);
-        [known, following, accelerations, columns].concat()
+        let mut dependent = columns.split_off(state.len() * model.dof());
+        let of_dependent = dependent.split_off(dependent.len() / (1 + state.len()));
+        let columns = on_top(model, &derived(&known, &state), &of_dependent, &columns);
+        [known, dependent, accelerations, columns].concat()
     });
     chosen.counted(model)
 }
@@ -47,7 +47,7 @@ pub(crate) fn loop_margins<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chos
     super::values(forms, model, &model.margins)
 }
 
-/// What Newton's method adds to the coordinates that follow, in the state.
+/// What Newton's method adds to the coordinates that depend, in the state.
 pub(crate) fn loop_corrections<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     super::values(forms, model, &model.corrections)
 }
@@ -63,11 +63,11 @@ pub(crate) fn input_jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Ch
 }
 
 fn by<'g>(forms: &mut Forms<'g>, model: &Model<'g>, variables: &[Expr<'g>]) -> Chosen<'g> {
-    let (known, following) = kinematics(model);
-    let chosen = forms.jacobian(model, variables, false, &derived(&following, variables).concat());
+    let (known, dependent) = kinematics(model);
+    let chosen = forms.jacobian(model, variables, false, &derived(&dependent, variables).concat());
     chosen.with(|mut columns| {
-        let of_following = columns.split_off(variables.len() * model.dof());
-        on_top(model, &derived(&known, variables), &of_following, &columns)
+        let of_dependent = columns.split_off(variables.len() * model.dof());
+        on_top(model, &derived(&known, variables), &of_dependent, &columns)
     })
 }
 

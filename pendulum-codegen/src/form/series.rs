@@ -1,10 +1,11 @@
 //! Recurrences of power series: from an expression to the coefficients that its value has along a motion.
 //!
-//! With `z = sum_k z_k h^k` each operation gives `z_k` from the coefficients of its operands (Jorba and Zou, "A software package for the
-//! numerical integration of ODEs by means of high-order Taylor methods", Experimental Mathematics 2005; Griewank and Walther, "Evaluating
-//! Derivatives" 2008, ch. 13). Linear ones need those of order `k` only. The others take sums `sum_j u_j v_(k-j)`, which are split here:
-//! the interior `j = 1 .. k - 1` of all of them is a [`Slot`] each, all computed at once before anything else of order `k`, and the
-//! ends, with `u_0` and `v_0`, are written out. For example `z = u v` is `z_k = sum + u_0 v_k + v_0 u_k`.
+//! With `z = sum_k z_k h^k` each operation gives `z_k` from the coefficients of its operands (Jorba and Zou, "A
+//! software package for the numerical integration of ODEs by means of high-order Taylor methods", Experimental
+//! Mathematics 2005; Griewank and Walther, "Evaluating Derivatives" 2008, ch. 13). Linear ones need those of order `k`
+//! only. The others take sums `sum_j u_j v_(k-j)`, which are split here: the interior `j = 1 .. k - 1` of all of them
+//! is a [`Slot`] each, all computed at once before anything else of order `k`, and the ends, with `u_0` and `v_0`, are
+//! written out. For example `z = u v` is `z_k = sum + u_0 v_k + v_0 u_k`.
 
 use num_traits::Signed;
 use rustc_hash::FxHashMap;
@@ -192,7 +193,8 @@ impl<'g, 's> Recurrences<'g, 's> {
         (ak - sum - end) * b.recip()
     }
 
-    /// A function `z` of `u`: from a differential equation that it solves, but for the square root, whose square is `u`.
+    /// A function `z` of `u`: from a differential equation that it solves, but for the square root, whose square is
+    /// `u`.
     fn unary(&mut self, op: Unary, z: Expr<'g>, u: Expr<'g>) -> Expr<'g> {
         let uk = self.coefficient(u);
         match op {

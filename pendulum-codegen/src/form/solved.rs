@@ -74,8 +74,8 @@ impl<'g> Forms<'g> {
         self.choose(candidates)
     }
 
-    /// The shortest code for the derivatives of the accelerations by some symbols: column by column, and before them the accelerations
-    /// themselves if these are wanted too. After them comes what is computed beside them.
+    /// The shortest code for the derivatives of the accelerations by some symbols: column by column, and before them
+    /// the accelerations themselves if these are wanted too. After them comes what is computed beside them.
     pub(crate) fn jacobian(
         &mut self,
         model: &Model<'g>,

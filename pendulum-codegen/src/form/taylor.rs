@@ -1,4 +1,5 @@
-//! The power series of the motion: which form of the dynamics gives its coefficients with the fewest products of series.
+//! The power series of the motion: which form of the dynamics gives its coefficients with the fewest products of
+//! series.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -147,8 +148,8 @@ fn balance<'g>(model: &Model<'g>, recurrences: &mut Recurrences<'g, '_>, dynamic
     .collect()
 }
 
-/// Code for the dynamics in one form. The mass matrix is factored at order 0, and solved with at every order: it is never inverted as
-/// a series.
+/// Code for the dynamics in one form. The mass matrix is factored at order 0, and solved with at every order: it is
+/// never inverted as a series.
 fn code<'g>(
     model: &Model<'g>,
     mut symbols: Symbols<'g>,

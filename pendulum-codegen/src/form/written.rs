@@ -26,7 +26,7 @@ impl<'g> Written<'g> {
         }
     }
 
-    /// The same with what follows from the state written out.
+    /// The same with what depends on the state written out.
     pub(super) fn written_out(&self, model: &Model<'g>) -> Self {
         let entries = model.written_out(&self.dynamics.entries());
         Self {
@@ -50,8 +50,8 @@ impl<'g> Written<'g> {
     }
 }
 
-/// What the accelerations of a scene with orientations are solved from, those of `floating` bodies along their own axes: one matrix and
-/// one residual. Where `pushed`, forces at points are wrenches on the links.
+/// What the accelerations of a scene with orientations are solved from, those of `floating` bodies along their own
+/// axes: one matrix and one residual. Where `pushed`, forces at points are wrenches on the links.
 pub(super) fn along_bodies<'g>(
     model: &Model<'g>,
     normalizer: &mut Normalizer<'g>,

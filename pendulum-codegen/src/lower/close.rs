@@ -81,10 +81,10 @@ impl<'g> Lower<'g> {
             body.heading.turn = in_new(&body.heading.turn);
         }
         model.dependents = closed.dependents;
-        model.following = closed.following;
+        model.dependence = closed.dependence;
         for ((_, symbol), &margin) in self.margins.iter().zip(&closed.margins) {
             self.graph.set_changes(*symbol, &[(margin, self.graph.one())], false);
-            model.following.set(*symbol, margin);
+            model.dependence.set(*symbol, margin);
         }
         model.margins = closed.margins;
         model.closings = closed.closings;

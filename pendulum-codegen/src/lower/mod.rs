@@ -36,7 +36,7 @@ use proc_macro2::Span;
 use crate::ast::{Items, Read, Scene, Vector};
 use crate::error::{Errors, Reported};
 use crate::expr::{Derivative, Expr, Graph, SymbolKind};
-use crate::model::{BodyId, Coordinate, Figure, Following, Model, Poses, Rule, along_motion};
+use crate::model::{BodyId, Coordinate, Dependence, Figure, Model, Poses, Rule, along_motion};
 use crate::screw::Vec3;
 use components::Components;
 use constraint::hinder;
@@ -191,7 +191,7 @@ impl<'g> Lower<'g> {
             drives,
             dependents: Vec::new(),
             closures: Vec::new(),
-            following: Following::default(),
+            dependence: Dependence::default(),
             margins: Vec::new(),
             closings: Vec::new(),
             corrections: Vec::new(),

@@ -16,7 +16,7 @@ pub(crate) use orthogonal::Orthogonal;
 use rustc_hash::FxHashMap;
 
 use super::closure::Loop;
-use super::{Combination, Coordinate, CoordinateId, Dependent, Following, Model};
+use super::{Combination, Coordinate, CoordinateId, Dependence, Dependent, Model};
 use crate::expr::{Binary, Expr, ExprId, Graph, Level, Normalizer, Rational, Symbol, SymbolKind};
 
 /// A dependent coordinate as it is declared.
@@ -68,7 +68,7 @@ pub(crate) struct Closed<'g> {
     /// Each declared coordinate in those of the state, of the drives, and those.
     pub combinations: Vec<Combination>,
     /// The values of all symbols.
-    pub following: Following<'g>,
+    pub dependence: Dependence<'g>,
     /// For each loop how far it is from its toggle: see [`Model::margins`].
     pub margins: Vec<Expr<'g>>,
     /// What vanishes where those loops are closed that are solved together.
@@ -84,7 +84,7 @@ struct Solver<'g, 'm> {
     declared: &'m [Declared<'g>],
     dependents: Vec<Option<Dependent<'g>>>,
     combinations: Vec<Option<Combination>>,
-    following: Following<'g>,
+    dependence: Dependence<'g>,
     margins: Vec<Expr<'g>>,
     closings: Vec<Expr<'g>>,
     corrections: Vec<Expr<'g>>,
@@ -112,7 +112,7 @@ pub(crate) fn close<'g>(
     Ok(Closed {
         dependents: solver.dependents.into_iter().flatten().collect(),
         combinations: solver.combinations.into_iter().flatten().collect(),
-        following: solver.following,
+        dependence: solver.dependence,
         margins: solver.margins,
         closings: solver.closings,
         corrections: solver.corrections,
@@ -127,7 +127,7 @@ impl<'g, 'm> Solver<'g, 'm> {
             declared,
             dependents: vec![None; declared.len()],
             combinations: vec![None; declared.len()],
-            following: Following::default(),
+            dependence: Dependence::default(),
             margins: vec![model.graph.one(); loops],
             closings: Vec::new(),
             corrections: Vec::new(),
@@ -171,7 +171,7 @@ impl<'g, 'm> Solver<'g, 'm> {
     fn define(&mut self, symbol: Expr<'g>, value: Expr<'g>) {
         let value = self.model.with_drives(&[value])[0];
         self.graph.set_changes(symbol, &[(value, self.graph.one())], false);
-        self.following.set(symbol, value);
+        self.dependence.set(symbol, value);
     }
 
     /// A symbol for a value, unless that is a constant, or a symbol already.
@@ -290,12 +290,12 @@ impl<'g, 'm> Solver<'g, 'm> {
         self.graph.set_changes(coordinate.rate, &factors(&rates), true);
         let rate = self.graph.sum(rates.iter().map(|(x, n)| n * *x).collect::<Vec<_>>());
         let in_time = |(x, n): &(Expr<'g>, Rational)| (self.model.with_drives(&[*x])[0], n.clone());
-        self.following
+        self.dependence
             .set_sum(coordinate.position, positions.iter().map(in_time).collect());
-        self.following.set(coordinate.rate, self.model.with_drives(&[rate])[0]);
+        self.dependence.set(coordinate.rate, self.model.with_drives(&[rate])[0]);
         let beside = coordinate.position - near;
         let beside = beside.sin().combine(Binary::Atan2, beside.cos());
-        self.following
+        self.dependence
             .set(coordinate.position, self.model.with_drives(&[near + beside])[0]);
     }
 
@@ -345,7 +345,7 @@ impl<'g, 'm> Solver<'g, 'm> {
     }
 
     fn numbers_of(&self, values: &[Expr<'g>]) -> Vec<f64> {
-        let values = self.following.written_out(self.graph, &self.model.with_drives(values));
+        let values = self.dependence.written_out(self.graph, &self.model.with_drives(values));
         let assembled = self.model.all_coordinates().zip(&self.assembled);
         let assembled: FxHashMap<ExprId, f64> = assembled
             .map(|(coordinate, &value)| match &coordinate.changes[..] {

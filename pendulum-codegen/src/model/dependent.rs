@@ -24,7 +24,7 @@ pub(crate) struct Dependent<'g> {
 /// Between, they are as good as variables: forms are expanded in them, and derivatives know how they
 /// change. What they stand for has roots and quotients that no form could be expanded in.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Following<'g> {
+pub(crate) struct Dependence<'g> {
     /// The values of symbols, in the state.
     values: FxHashMap<Expr<'g>, Expr<'g>>,
     /// Cosine and sine of angles, in the state.
@@ -38,7 +38,7 @@ pub(crate) struct Following<'g> {
 /// How far the normal form of an angle may grow.
 const BUDGET: usize = 10_000;
 
-impl<'g> Following<'g> {
+impl<'g> Dependence<'g> {
     /// Gives a symbol its value, which may hold what was given before.
     pub(crate) fn set(&mut self, symbol: Expr<'g>, value: Expr<'g>) {
         self.definitions.push((symbol, value));
@@ -151,6 +151,6 @@ impl<'g> Model<'g> {
 
     /// Expressions in which dependent coordinates are written out.
     pub(crate) fn written_out(&self, roots: &[Expr<'g>]) -> Vec<Expr<'g>> {
-        self.following.written_out(self.graph, roots)
+        self.dependence.written_out(self.graph, roots)
     }
 }

@@ -8,8 +8,8 @@ use crate::screw::{Mat3, Vec3};
 
 /// A free joint on the ground, or on what is fixed to it.
 ///
-/// The acceleration of its position is `gravity + rotation a`. What is solved for is `a`, along the axes of the body: in these the mass
-/// matrix does not depend on the orientation, nor on gravity what the acceleration takes.
+/// The acceleration of its position is `gravity + rotation a`. What is solved for is `a`, along the axes of the body:
+/// in these the mass matrix does not depend on the orientation, nor on gravity what the acceleration takes.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Floating<'g> {
     /// The first of its three slides, and of its three turns.
@@ -58,8 +58,8 @@ impl<'g> Floating<'g> {
 }
 
 impl<'g> Model<'g> {
-    /// The free joints on the ground; none where a loop ties one of them to something else, or where a joint follows its position: these
-    /// move along the axes of the position.
+    /// The free joints on the ground; none where a loop ties one of them to something else, or where a joint follows
+    /// its position: these move along the axes of the position.
     pub(crate) fn floating(&self) -> Vec<Floating<'g>> {
         let floating: Vec<Floating<'g>> = self.bodies().filter_map(|(turn, _)| self.floating_from(turn)).collect();
         let is_followed = |k: CoordinateId| {

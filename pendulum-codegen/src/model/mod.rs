@@ -23,7 +23,7 @@ pub(crate) use close::{Cause, Closed, Declared, Open, Orthogonal, close};
 pub(crate) use closure::{Closure, Loop, NoPlane, Row, Tie, parallel};
 pub(crate) use combination::Combination;
 pub(crate) use constraint::{Constraint, Law};
-pub(crate) use dependent::{Dependent, Following};
+pub(crate) use dependent::{Dependence, Dependent};
 pub(crate) use drive::Drive;
 pub(crate) use figure::Figure;
 pub use figure::FigureKind;
@@ -60,7 +60,7 @@ pub(crate) struct Model<'g> {
     /// The joints that close loops.
     pub closures: Vec<Closure<'g>>,
     /// What the symbols of these stand for.
-    pub following: Following<'g>,
+    pub dependence: Dependence<'g>,
     /// For each closed loop how far it is from its toggle, where it is zero: the sine of the angle between the two
     /// sides of a triangle; of loops that are solved together the volume that the directions of the dependent
     /// coordinates span.

@@ -252,7 +252,7 @@ fn assert_true(declaration: &str, model: &Model<'_>, dynamics: &Dynamics<'_>, eq
             (symbol.name.clone(), value)
         })
         .collect();
-    let dependents = model.following.definitions();
+    let dependents = model.dependence.definitions();
     let dependents: BTreeSet<&str> = dependents
         .filter_map(|(symbol, _)| Some(symbol.as_symbol()?.name.as_str()))
         .collect();

@@ -307,7 +307,7 @@ fn loops_move_as_with_multipliers() {
             // what depends, by its symbols
             let dependent = |name: &str| {
                 let mut known = closed
-                    .following
+                    .dependence
                     .definitions()
                     .filter(|(symbol, _)| symbol.as_symbol().is_some_and(|s| s.name == name));
                 values(&closed, &[known.next().expect("it depends").0], &state)[0]

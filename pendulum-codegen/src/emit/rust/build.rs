@@ -27,7 +27,8 @@ impl Items<'_> {
                 ///
                 /// # Errors
                 ///
-                /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+                /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+                /// have.
                 pub fn new(params: #parameters) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
                     #[inline]
                     fn rules<T: ::pendulum_core::real::Real>(given: [T; #given]) -> [T; #checked] #rules
@@ -52,8 +53,8 @@ impl Items<'_> {
                     Ok(Self { params, constants })
                 }
 
-                /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-                /// then rounded.
+                /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+                /// and then rounded.
                 pub fn cast<T: ::pendulum_core::real::Real>(&self) -> #name<T> {
                     #name { params: self.params, constants: self.constants.map(T::from_f64) }
                 }

@@ -1,8 +1,8 @@
 //! Where the two unknown sides of a triangle `r1 + r2 = m` meet, in closed form.
 //!
-//! Sides of known lengths meet where two circles do: with `L = m . m` and `a = 1/2 + (r1^2 - r2^2) / (2 L)` the first is
-//! `a m + h m'`, `h = +-sqrt(r1^2 / L - a^2)`, where `m'` is `m` after a quarter of a turn. A side that slides ends where
-//! a line meets a circle.
+//! Sides of known lengths meet where two circles do: with `L = m . m` and `a = 1/2 + (r1^2 - r2^2) / (2 L)` the first
+//! is `a m + h m'`, `h = +-sqrt(r1^2 / L - a^2)`, where `m'` is `m` after a quarter of a turn. A side that slides ends
+//! where a line meets a circle.
 
 use super::{Cause, ROUNDING, Solver};
 use crate::expr::{Expr, ratio};

@@ -1,8 +1,8 @@
 //! Loops that fall apart into triangles: what they determine, in closed form.
 //!
-//! A loop with two unknown angles, or with an angle and a length, is a triangle of two unknown sides `r1 + r2 = m`, where
-//! `-m` is the sum of all that is known. Rates are solved for by Cramer's rule from two equations, whose determinant
-//! vanishes where the triangle is flat: at its toggle.
+//! A loop with two unknown angles, or with an angle and a length, is a triangle of two unknown sides `r1 + r2 = m`,
+//! where `-m` is the sum of all that is known. Rates are solved for by Cramer's rule from two equations, whose
+//! determinant vanishes where the triangle is flat: at its toggle.
 
 use num_traits::{One, Signed, ToPrimitive};
 
@@ -167,11 +167,11 @@ impl<'g> Solver<'g, '_> {
             match solved.unknown {
                 Unknown::Turn(turn) => {
                     let turn = turn.map(|x| self.model.with_drives(&[x])[0]);
-                    self.following.set_turn(coordinate.position, turn);
+                    self.dependence.set_turn(coordinate.position, turn);
                 }
                 Unknown::Length(length) => {
                     let length = self.model.with_drives(&[length])[0];
-                    self.following.set(coordinate.position, length);
+                    self.dependence.set(coordinate.position, length);
                 }
             }
             self.dependents[place - free] = Some(Dependent {

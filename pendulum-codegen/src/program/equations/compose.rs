@@ -242,11 +242,12 @@ impl<'g> Composer<'_, 'g> {
         listing
     }
 
-    /// Whether an entry, or what closed loops determine, is too long to be written without names for what repeats in it.
+    /// Whether an entry, or what closed loops determine, is too long to be written without names for what repeats in
+    /// it.
     fn is_endless(&self, entries: &[Expr<'g>]) -> bool {
         /// The most operations that are written out.
         const MOST: u64 = 10_000;
-        let dependents = self.model.following.definitions().map(|(_, value)| value);
+        let dependents = self.model.dependence.definitions().map(|(_, value)| value);
         entries.iter().copied().chain(dependents).any(|x| x.length() > MOST)
     }
 
@@ -268,7 +269,7 @@ impl<'g> Composer<'_, 'g> {
         let solved: FxHashSet<Expr<'g>> = solved.copied().collect();
         let printer = Printer::that_computes(self.model.graph);
         let mut found = Vec::new();
-        let definitions: Vec<(Expr<'g>, Expr<'g>)> = self.model.following.definitions().collect();
+        let definitions: Vec<(Expr<'g>, Expr<'g>)> = self.model.dependence.definitions().collect();
         for (symbol, value) in definitions.into_iter().rev() {
             let label = printer.formula(symbol.id());
             if mentioned.contains(&label.to_string()) && !solved.contains(&symbol) {
@@ -284,7 +285,7 @@ impl<'g> Composer<'_, 'g> {
     fn taken(&self) -> BTreeSet<String> {
         let mut taken = self.model.names();
         taken.extend(self.torques.named.iter().map(|torque| torque.name.clone()));
-        let dependents = self.model.following.definitions();
+        let dependents = self.model.dependence.definitions();
         taken.extend(dependents.filter_map(|(symbol, _)| Some(symbol.as_symbol()?.name.clone())));
         taken
     }
