@@ -122,6 +122,9 @@ struct Point<T, const N: usize> {
 /// An iteration that takes longer does not converge.
 const MAX_ITERATIONS: usize = 100;
 
+/// A step is not carried on over one that is longer by more than this.
+const MAX_RATIO: f64 = 4.0;
+
 /// The first iterations may lead away, from starting values that were better than it shows; later ones must not.
 const MAX_RISES: usize = 2;
 
@@ -134,11 +137,12 @@ where
 {
     const TABLEAU: GaussTableau<STAGES> = GaussLegendre::TABLEAU;
 
-    /// Starting values: the polynomial through start, stages and end of the last step, carried on; before there is one,
-    /// a straight line.
+    /// Starting values: the polynomial through start, stages and end of the last step, carried on; a straight line before
+    /// there is one, or after one that was too short to tell, as it is from an impact to the grid.
     fn predicted(&self, x: &SVector<T, N>, h: T) -> [SVector<T, N>; STAGES] {
         let table = const { &Self::TABLEAU };
-        let Some((x0, stages, before)) = &self.before else {
+        let long = |before: T| h / before <= T::from_f64(MAX_RATIO);
+        let Some((x0, stages, before)) = self.before.as_ref().filter(|(.., before)| long(*before)) else {
             return table.c.map(|c| x + self.slope * (h * T::from_f64(c)));
         };
         let ratio = h / *before;
