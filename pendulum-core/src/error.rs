@@ -208,7 +208,7 @@ impl Reason {
         S: System<T, N> + ?Sized,
         T: Float,
     {
-        if !matches!(self, Self::NonFinite { h: Some(_), .. }) {
+        if !matches!(self, Self::NonFinite { h: Some(_), .. } | Self::NoConvergence { .. }) {
             return self;
         }
         let (mut reason, mut least) = (self, NEAR_TOGGLE);

@@ -383,6 +383,7 @@ impl<T: Real, S: Controlled<T, N, M> + ?Sized, const N: usize, const M: usize> C
         rhs_and_jacobian_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> (SVector<T, N>, SMatrix<T, N, N>);
         input_jacobian(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, M>;
         project(t: T, x: &mut SVector<T, N>);
+        margins(t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], T));
         time_derivative_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SVector<T, N> where T: Lanes;
         constraints() -> &'static [Constraint];
         laws() -> [Law<T>; MOST];

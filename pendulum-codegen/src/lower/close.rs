@@ -217,7 +217,8 @@ impl<'g> Lower<'g> {
                 .iter()
                 .filter(|body| body.fields.coordinate.is_some())
                 .count();
-            let has_orientations = items.bodies.iter().any(|body| body.fields.orientation.is_some());
+            let mut closures = items.closures.iter();
+            let has_orientations = closures.any(|closure| has_orientation(closure, &items.bodies));
             let help = if coordinates < needed && has_orientations {
                 HINGES
             } else {

@@ -209,8 +209,8 @@ where
     held(system, hold, t, x).1
 }
 
-/// The forces along the constraints in canonical equations that are [reduced]: those that hold sums of components are in
-/// none of these, and are left out where nothing else is held.
+/// The forces along the constraints in canonical equations that are [reduced]: those that hold sums of components are
+/// in none of these, and are left out where nothing else is held.
 #[inline(never)]
 pub(crate) fn pressing<T, const N: usize>(
     system: &dyn Hybrid<T, N>,

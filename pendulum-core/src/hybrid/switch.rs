@@ -17,6 +17,11 @@ use crate::system::System;
 const AT_LIMIT_ULPS: f64 = 64.0;
 /// Rebounds that are lower than this part of the size of all positions are not followed.
 const LEAST_REBOUND: f64 = 1e-13;
+/// How many of them are summed at most, and up to which part of their sum.
+const MOST_FOLLOWED: usize = 1000;
+const LAST_REBOUND: f64 = 1e-9;
+/// Nor are those followed that last no longer than so many ulps of the time.
+const LEAST_ULPS: f64 = 1024.0;
 /// Forces and accelerations are consistent to this many ulps of theirs.
 const CONSISTENT_ULPS: f64 = 64.0;
 /// What gave way is pushed on by this part of what acts on it: shortly after, it is.
@@ -203,12 +208,17 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
         loop {
             self.stand();
             let (mode, hold, accelerations) = self.next_mode();
-            // a rebound too low to be followed, of its own or where another contact was hit
-            let low = self.rebounds(thrown_off, &accelerations).find(|rebound| {
-                let least = T::from_f64(LEAST_REBOUND) * reach[rebound.of].max(sizes[rebound.of]);
-                rebound.rate * rebound.rate <= T::from_f64(2.0) * rebound.fall * least
-            });
-            let Some(low) = low else {
+            // rebounds too low to be followed, of their own or where another contact was hit
+            let low = self
+                .rebounds(thrown_off & !self.resting, &accelerations)
+                .filter(|rebound| {
+                    let least = T::from_f64(LEAST_REBOUND) * reach[rebound.of].max(sizes[rebound.of]);
+                    let shortest = T::from_f64(LEAST_ULPS) * T::EPSILON * self.t.abs();
+                    let is_low = rebound.rate * rebound.rate <= T::from_f64(2.0) * rebound.fall * least;
+                    is_low || T::from_f64(2.0) * rebound.rate <= rebound.fall * shortest
+                });
+            let low = set_of(low.map(|rebound| rebound.of));
+            if low == 0 {
                 return Settled {
                     x: self.x,
                     mode,
@@ -216,9 +226,9 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
                     delay,
                     impulses: self.impulses,
                 };
-            };
-            delay = delay.max(self.lasting(&low, hold));
-            self.resting |= 1 << low.of;
+            }
+            delay = delay.max(self.lasting(low, hold, accelerations));
+            self.resting |= low;
             let stopped = self.resting & self.touched();
             let response = self.system.response(self.t, &self.x, &[T::default(); MOST]);
             let rates = self.system.measures(self.t, &self.x).map(|[_, rate]| rate);
@@ -232,41 +242,70 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
     }
 
     /// How those of some constraints rebound that fall back.
-    fn rebounds(&self, thrown_off: u8, accelerations: &[T; MOST]) -> impl Iterator<Item = Rebound<T>> {
+    fn rebounds(&self, of: u8, accelerations: &[T; MOST]) -> impl Iterator<Item = Rebound<T>> {
         let measures = self.system.measures(self.t, &self.x);
-        bits(thrown_off & !self.resting).filter_map(move |n| {
+        bits(of).filter_map(move |n| {
             let (rate, fall) = (self.away(n) * measures[n][1], -self.away(n) * accelerations[n]);
             (fall > T::default()).then_some(Rebound { of: n, rate, fall })
         })
     }
 
-    /// How long a rebound lasts with all those that follow it, so low that nothing else changes meanwhile. From one time that the same
-    /// contact is hit to the next, whatever others are hit between, they shrink in a fixed ratio: a geometric series.
-    fn lasting(&self, first: &Rebound<T>, mut hold: Hold<T>) -> T {
-        let (zero, two) = (T::default(), T::from_f64(2.0));
-        let (mut after, mut rebound, mut lasted) = (*self, *first, zero);
-        for _ in 0..MOST {
-            let falls_back = two * rebound.rate / rebound.fall;
-            lasted += falls_back;
-            let rates = called::rhs(self.system, &hold, self.t, &after.x);
-            for k in N / 2..N {
-                after.x[k] += falls_back * rates[k];
+    /// How long rebounds last that are so low that accelerations change by contacts alone, with all that follow them.
+    ///
+    /// They shrink to nothing: where one contact takes off alone and comes to do so again, in a fixed ratio.
+    fn lasting(&self, low: u8, mut hold: Hold<T>, mut accelerations: [T; MOST]) -> T {
+        let (zero, half) = (T::default(), T::from_f64(0.5));
+        let (mut after, mut flying, mut heights) = (*self, low, [zero; MOST]);
+        let (mut lasted, mut alone) = (zero, None);
+        for _ in 0..MOST_FOLLOWED {
+            let takes_off = |of: &Rebound<T>| flying == 1 << of.of && heights[of.of] == zero;
+            if let Some(rebound) = after.rebounds(flying, &accelerations).next().filter(takes_off) {
+                match alone {
+                    Some((of, rate, since)) if of == rebound.of => {
+                        // where no energy is lost there is no limit
+                        let lost = T::from_f64(1.0) - rebound.rate / rate;
+                        return if lost > zero {
+                            since + (lasted - since) / lost
+                        } else {
+                            zero
+                        };
+                    }
+                    Some(_) => {}
+                    None => alone = Some((rebound.of, rebound.rate, lasted)),
+                }
             }
-            let thrown_off = after.collide();
-            after.stand();
-            let (_, next, accelerations) = after.next_mode();
-            let Some(again) = after
-                .rebounds(thrown_off, &accelerations)
-                .find(|again| again.rate > zero)
-            else {
+            let times = after
+                .rebounds(flying, &accelerations)
+                .map(|Rebound { of, rate, fall }| {
+                    let square = rate * rate + T::from_f64(2.0) * fall * heights[of];
+                    (of, (rate + square.sqrt()) / fall)
+                });
+            let first = times.reduce(|a, b| if b.1 < a.1 { b } else { a });
+            let Some((hit, time)) = first.filter(|(_, time)| *time > T::from_f64(LAST_REBOUND) * lasted) else {
                 return lasted;
             };
-            if again.of == first.of {
-                // where no energy is lost there is no limit
-                let lost = T::from_f64(1.0) - again.rate / first.rate;
-                return if lost > zero { lasted / lost } else { zero };
+            lasted += time;
+            for Rebound { of, rate, fall } in after.rebounds(flying, &accelerations) {
+                heights[of] += time * (rate - half * fall * time);
             }
-            (rebound, hold) = (again, next);
+            heights[hit] = zero;
+            let rates = called::rhs(self.system, &hold, self.t, &after.x);
+            for k in N / 2..N {
+                after.x[k] += time * rates[k];
+            }
+            let touching = after.touching;
+            for n in bits(flying).filter(|&n| n != hit) {
+                after.touching[n] = Status::Free;
+            }
+            let thrown_off = after.collide();
+            after.touching = touching;
+            after.stand();
+            (_, hold, accelerations) = after.next_mode();
+            let leaves = |rebound: &Rebound<T>| rebound.rate > zero;
+            let again = after
+                .rebounds(thrown_off & !after.resting, &accelerations)
+                .filter(leaves);
+            flying = flying & !(1 << hit) | set_of(again.map(|rebound| rebound.of));
         }
         lasted
     }
@@ -354,6 +393,13 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
             } else if pushes[n] != zero || change != zero {
                 self.resting &= !(1 << n);
             }
+        }
+        // what an impulse has only held keeps a rate of rounding
+        let fastest = bits(touching).fold(zero, |fastest, n| fastest.max(leaving[n].abs()));
+        let slack = T::from_f64(CONSISTENT_ULPS) * T::EPSILON * fastest;
+        let measures = self.system.measures(self.t, &self.x);
+        for n in bits(touching).filter(|&n| pushes[n] != zero) {
+            self.rest(n, measures[n][1].abs() <= slack);
         }
         touching & !self.resting
     }

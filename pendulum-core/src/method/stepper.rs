@@ -93,6 +93,8 @@ const HURRIED_ULPS: f64 = 4.0;
 const SHORTEST_ULPS: f64 = 64.0;
 /// The end of a mode this part of a step before its end takes another, shorter step.
 const FAR_FROM_THE_END: f64 = 1e-3;
+/// But no more than so many: where ends lie so close together that each step shows another one first.
+const MOST_RETAKEN: usize = 16;
 
 /// How long the steps are.
 #[derive(Clone, Copy, Debug)]
@@ -255,6 +257,7 @@ where
         };
         let mut t = dense.time(cut);
         // The ends of steps are more exact than what is between them: a step that ends there shows where it is.
+        let mut retaken = 0;
         let mut x = loop {
             let is_exact = self.retake(t);
             let (dense, modes, work) = self.dense_and_mode();
@@ -270,7 +273,8 @@ where
                 return Ok(());
             };
             (t, cut, fired) = (dense.step().t1 + by * dense.step().h, T::from_f64(1.0) + by, first);
-            if by > T::from_f64(-FAR_FROM_THE_END) {
+            retaken += 1;
+            if by > T::from_f64(-FAR_FROM_THE_END) || retaken == MOST_RETAKEN {
                 break dense.about_end(by);
             }
         };
