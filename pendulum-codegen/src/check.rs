@@ -17,7 +17,7 @@ pub(crate) fn check(
     mut errors: Errors,
 ) -> Result<(), Errors> {
     if needs_inertia(model)
-        && let Some(k) = vanishing_pivot(&dynamics.mass_matrix).map(CoordinateId::new)
+        && let Some(k) = vanishing_pivot(&dynamics.mass_matrix, &model.quaternions()).map(CoordinateId::new)
         && let Some(n) = model.bodies.iter().position(|body| body.coordinate == Some(k))
     {
         let (body, coordinate) = (&model.bodies[n], &model.coordinates[k].name);

@@ -2,12 +2,13 @@
 //!
 //! A polynomial that is not zero vanishes at a random point with a probability of its degree over the prime (Schwartz
 //! and Zippel), whatever the size of its numbers. Sine and cosine of an angle are a random point of the circle, so that
-//! their squares add up to 1 and the addition theorems hold; a root is one of two; other functions are random numbers,
-//! the same for the same argument. So what vanishes here by these rules vanishes everywhere, but for a
+//! their squares add up to 1 and the addition theorems hold; a quaternion is one of the sphere; a root is one of two;
+//! other functions are random numbers, the same for the same argument. So what vanishes here by these rules vanishes everywhere, but for a
 //! chance of about 1e-16 in each point, and nothing is rounded.
 
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive};
+use rustc_hash::FxHashMap;
 
 use super::{Binary, Expr, ExprId, Graph, MOST_POWER, Node, Rational, Unary};
 
@@ -24,6 +25,7 @@ struct Field {
 /// Kinds of random numbers beside those of functions.
 const ATAN2: u64 = 100;
 const POWER: u64 = 101;
+const QUATERNION: u64 = 102;
 
 /// The cosine and the sine of an angle.
 type Turn = [u64; 2];
@@ -31,14 +33,20 @@ type Turn = [u64; 2];
 impl Graph {
     /// The values of some expressions at a point of a field; none where one of them has no
     /// value there: a root of what is not a square, or a quotient by zero.
-    fn evaluate_modulo(&self, roots: &[Expr<'_>], field: Field) -> Option<Vec<u64>> {
+    fn evaluate_modulo(&self, roots: &[Expr<'_>], quaternions: &[[Expr<'_>; 4]], field: Field) -> Option<Vec<u64>> {
         let reachable = self.reachable(roots);
         let is_angle = self.angles(&reachable);
+        let mut given = FxHashMap::default();
+        for (n, quaternion) in quaternions.iter().enumerate() {
+            let components = field.quaternion(n as u64)?;
+            given.extend(quaternion.iter().map(|component| component.id()).zip(components));
+        }
         let mut values = vec![0; self.len()];
         let mut turns: Vec<Turn> = vec![[1, 0]; self.len()];
         for id in reachable {
             let of = |x: ExprId| values[x.index()];
             let own = match self.node(id) {
+                _ if given.contains_key(&id) => given[&id],
                 Node::Number(n) => field.of_number(n)?,
                 Node::Pi => field.random(0, 0),
                 Node::Symbol(s) => field.random(1, s.index() as u64),
@@ -104,17 +112,19 @@ impl Graph {
 }
 
 /// Whether a symmetric matrix is singular for all values of its symbols: the place of a pivot that vanishes when it is
-/// eliminated from the last row on. None where it is not, or where that is not known.
-pub(crate) fn vanishing_pivot(matrix: &[Vec<Expr<'_>>]) -> Option<usize> {
+/// eliminated from the last row on. None where it is not, or where that is not known. The `quaternions` among the symbols
+/// are of unit length.
+pub(crate) fn vanishing_pivot(matrix: &[Vec<Expr<'_>>], quaternions: &[[Expr<'_>; 4]]) -> Option<usize> {
     // what is known of the whole comes first; blocks at its end may have fewer roots
-    known_pivot(matrix, 0).unwrap_or_else(|| {
+    known_pivot(matrix, quaternions, 0).unwrap_or_else(|| {
         let blocks = (1..matrix.len()).rev();
-        blocks.filter_map(|first| known_pivot(matrix, first)).flatten().next()
+        let known = blocks.filter_map(|first| known_pivot(matrix, quaternions, first));
+        known.flatten().next()
     })
 }
 
 /// The pivot that vanishes in the block of a matrix from this row on, if one does; none where that is not known.
-fn known_pivot(matrix: &[Vec<Expr<'_>>], first: usize) -> Option<Option<usize>> {
+fn known_pivot(matrix: &[Vec<Expr<'_>>], quaternions: &[[Expr<'_>; 4]], first: usize) -> Option<Option<usize>> {
     /// In how many points a pivot must vanish: a root is one of two, which may fit by chance.
     const ENOUGH: usize = 8;
     /// In how many it is looked for: half of them have no root of some number.
@@ -126,7 +136,7 @@ fn known_pivot(matrix: &[Vec<Expr<'_>>], first: usize) -> Option<Option<usize>> 
     };
     let zero_pivot = |seed| {
         let field = Field::new(seed);
-        let values = graph.evaluate_modulo(&entries, field)?;
+        let values = graph.evaluate_modulo(&entries, quaternions, field)?;
         let rows = values.chunks(matrix.len() - first).map(<[u64]>::to_vec);
         Some(field.zero_pivot(rows.collect()))
     };
@@ -225,6 +235,15 @@ impl Field {
             self.times(self.minus(1, square), over),
             self.times(self.plus(t, t), over),
         ]
+    }
+
+    /// A point of the unit sphere in four dimensions, from one of the space that it is projected to.
+    fn quaternion(self, number: u64) -> Option<[u64; 4]> {
+        let place = [0, 1, 2].map(|axis| self.random(QUATERNION, 3 * number + axis));
+        let square = place.iter().fold(0, |sum, &x| self.plus(sum, self.times(x, x)));
+        let over = self.inverse(self.plus(1, square))?;
+        let [x, y, z] = place.map(|x| self.times(self.plus(x, x), over));
+        Some([self.times(self.minus(1, square), over), x, y, z])
     }
 
     fn joined(self, [c, s]: Turn, [other_c, other_s]: Turn) -> Turn {

@@ -337,6 +337,14 @@ impl<'g> Model<'g> {
         self.bodies.iter().any(follows)
     }
 
+    /// The components of the quaternions in the state.
+    pub(crate) fn quaternions(&self) -> Vec<[Expr<'g>; 4]> {
+        let of = |c: &Coordinate<'g>| c.changes.iter().map(|&(component, _)| component).collect::<Vec<_>>();
+        let mut all: Vec<[Expr<'g>; 4]> = self.coordinates.iter().filter_map(|c| of(c).try_into().ok()).collect();
+        all.dedup();
+        all
+    }
+
     /// The number of degrees of freedom.
     pub(crate) fn dof(&self) -> usize {
         self.coordinates.len()

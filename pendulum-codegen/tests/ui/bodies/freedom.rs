@@ -110,3 +110,24 @@ mechanism! {
         body g on ground { mass: 1, inertia: [1, 1, 1], joint: [revolute(x), revolute(y)], coordinate: s7 }
     }
 }
+
+mechanism! {
+    pub Empty {
+        body hull on ground { joint: free, orientation: o, position: p }
+        body arm on hull { mass: 0.5, com: [0.2, 0, 0], inertia: [0.01, 0.01, 0.01], joint: revolute(z) at [0.1, 0, 0], coordinate: a }
+    }
+}
+
+mechanism! {
+    pub Between {
+        body hull on ground { joint: ball, orientation: o }
+        body stone on hull { mass: 0.5, com: [0.2, 0, 0], inertia: [0.01, 0.01, 0.01], joint: ball at [0.1, 0, 0], orientation: u }
+    }
+}
+
+mechanism! {
+    pub Hinged {
+        body hull on ground { joint: revolute(x), coordinate: a }
+        body stone on hull { mass: 0.5, com: [0.2, 0, 0], inertia: [0.01, 0.01, 0.01], joint: ball, orientation: u }
+    }
+}
