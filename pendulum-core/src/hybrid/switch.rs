@@ -215,7 +215,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
                     let least = T::from_f64(LEAST_REBOUND) * reach[rebound.of].max(sizes[rebound.of]);
                     let shortest = T::from_f64(LEAST_ULPS) * T::EPSILON * self.t.abs();
                     let is_low = rebound.rate * rebound.rate <= T::from_f64(2.0) * rebound.fall * least;
-                    is_low || T::from_f64(2.0) * rebound.rate <= rebound.fall * shortest
+                    is_low || T::from_f64(2.0) * rebound.rate.abs() <= rebound.fall * shortest
                 });
             let low = set_of(low.map(|rebound| rebound.of));
             if low == 0 {
