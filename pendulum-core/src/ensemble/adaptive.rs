@@ -332,7 +332,7 @@ where
             for (lane, index) in members.busy(V::LANES) {
                 let (h, step) = (members.h[lane], (members.t[lane], members.t_new[lane]));
                 let outcome = outcome(lane);
-                if !members.is_accepted(lane) && control.is_too_short(h, step.0, outcome.is_err()) {
+                if !members.is_accepted(lane) && h < control.least(step.0) {
                     let reason = control.hopeless(outcome, step, h);
                     self.stop(members, (lane, index), in_lane(x, lane), reason);
                 }

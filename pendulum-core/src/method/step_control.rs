@@ -37,7 +37,7 @@ pub(crate) struct Pace<T> {
 
 /// The least step in ulps of the time.
 const LEAST_ULPS: f64 = 4.0;
-/// The least step in ulps of the time after one that arrived nowhere.
+/// Steps of so few ulps of the time hardly move a state.
 const CREEPING_ULPS: f64 = 512.0;
 /// The last step may be longer than planned by this factor.
 const STRETCH: f64 = 1.01;
@@ -173,20 +173,15 @@ impl<T: Float> StepControl<T> {
         Judged {
             is_accepted,
             h: if is_accepted { h.min(self.h_max) } else { h },
-            is_hopeless: !is_accepted & self.is_too_short(h, t, mean_square.to_f64().is_nan()),
+            is_hopeless: !is_accepted & (h < self.least(t)),
         }
     }
 
-    /// Whether there is no point in an attempt of this length at the time `t`. After one that arrived nowhere that is sooner: steps of
-    /// a few ulps of the time would creep to where the equations end without ever moving the state there.
-    #[inline(always)]
-    pub(crate) fn is_too_short(&self, h: T, t: T, arrived_nowhere: bool) -> bool {
-        let least = self.least(t);
-        if arrived_nowhere {
-            h < least.max(T::from_f64(CREEPING_ULPS) * T::EPSILON * t.abs())
-        } else {
-            h < least
-        }
+    /// Whether steps of this length from the time `t` may creep to where the equations end without ever moving the state
+    /// there.
+    #[cold]
+    pub(crate) fn creeps(h: T, t: T) -> bool {
+        h < T::from_f64(CREEPING_ULPS) * T::EPSILON * t.abs()
     }
 
     /// The reason to give up after an attempt from `t` to `t_new`, since the next one would be as short as `h`.

@@ -496,6 +496,7 @@ where
                 }
                 Ok(mean_square)
             });
+            let failure = outcome.err();
             let verdict = control.judge(&mut pace, (t, t_new), outcome, C::PROPOSES);
             if let Ok(true) = verdict {
                 if let Steps::Controlled { pace: before, .. } = &mut self.steps {
@@ -505,6 +506,13 @@ where
             }
             self.statistics.rejected += 1;
             verdict?;
+            if let Some(failure) = failure.filter(|_| StepControl::creeps(pace.h, t)) {
+                let reason = failure.reason((t_new - t).to_f64());
+                let toggle = reason.at(self.system, t, &self.last.x1);
+                if toggle != reason {
+                    return Err(toggle);
+                }
+            }
         }
     }
 
