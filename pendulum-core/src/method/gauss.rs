@@ -141,11 +141,13 @@ where
     /// there is one, or after one that was too short to tell, as it is from an impact to the grid.
     fn predicted(&self, x: &SVector<T, N>, h: T) -> [SVector<T, N>; STAGES] {
         let table = const { &Self::TABLEAU };
-        let long = |before: T| h / before <= T::from_f64(MAX_RATIO);
-        let Some((x0, stages, before)) = self.before.as_ref().filter(|(.., before)| long(*before)) else {
+        let last = self
+            .before
+            .as_ref()
+            .map(|(x0, stages, before)| (x0, stages, h / *before));
+        let Some((x0, stages, ratio)) = last.filter(|(.., ratio)| *ratio <= T::from_f64(MAX_RATIO)) else {
             return table.c.map(|c| x + self.slope * (h * T::from_f64(c)));
         };
-        let ratio = h / *before;
         table.c.map(|c| {
             let weights = table.weights(T::from_f64(1.0) + ratio * T::from_f64(c));
             let states = [x0].into_iter().chain(stages).chain([x]);

@@ -77,7 +77,8 @@ k4 = 1/m
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: BlockParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -161,8 +162,8 @@ k4 = 1/m
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> Block<T> {
             Block {
                 params: self.params,

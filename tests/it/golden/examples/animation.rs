@@ -106,7 +106,8 @@ k14 = -0.5*(m*w*top^2*d/(w*l + w*top) - m*w*l^2*d/(w*l + w*top))/(1/3*(m*w*top^3
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: DoublePendulumParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -259,8 +260,8 @@ k14 = -0.5*(m*w*top^2*d/(w*l + w*top) - m*w*l^2*d/(w*l + w*top))/(1/3*(m*w*top^3
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> DoublePendulum<T> {
             DoublePendulum {
                 params: self.params,

@@ -103,7 +103,8 @@ k8 = -0.5/(1/3*l)
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: CartPoleParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -195,8 +196,8 @@ k8 = -0.5/(1/3*l)
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> CartPole<T> {
             CartPole {
                 params: self.params,

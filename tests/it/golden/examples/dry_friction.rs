@@ -80,7 +80,8 @@ k5 = 3*gamma
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: RodsParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -172,8 +173,8 @@ k5 = 3*gamma
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> Rods<T> {
             Rods {
                 params: self.params,

@@ -48,7 +48,8 @@ b[theta2] = 4.905*sin(theta2) - 0.5*dot(theta1)^2*sin(theta1 - theta2)
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: RodsParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -96,8 +97,8 @@ b[theta2] = 4.905*sin(theta2) - 0.5*dot(theta1)^2*sin(theta1 - theta2)
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> Rods<T> {
             Rods {
                 params: self.params,

@@ -88,7 +88,8 @@ k20 = -2*l
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: HeavyTopParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -232,8 +233,8 @@ k20 = -2*l
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> HeavyTop<T> {
             HeavyTop {
                 params: self.params,

@@ -124,7 +124,8 @@ k9 = 1/m3
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: ScaraParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -229,8 +230,8 @@ k9 = 1/m3
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> Scara<T> {
             Scara {
                 params: self.params,

@@ -113,7 +113,8 @@ k11 = -m*c*d/(inertia + m*c^2)
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: DoublePendulumParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -231,8 +232,8 @@ k11 = -m*c*d/(inertia + m*c^2)
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> DoublePendulum<T> {
             DoublePendulum {
                 params: self.params,

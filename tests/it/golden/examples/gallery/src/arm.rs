@@ -72,7 +72,8 @@ k2 = 0.1*push
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: ArmParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -124,8 +125,8 @@ k2 = 0.1*push
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> Arm<T> {
             Arm {
                 params: self.params,

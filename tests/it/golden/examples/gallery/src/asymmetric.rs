@@ -141,7 +141,8 @@ k20 = -m2*c2*d/(i2 + m2*c2^2)
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: AsymmetricParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -300,8 +301,8 @@ k20 = -m2*c2*d/(i2 + m2*c2^2)
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> Asymmetric<T> {
             Asymmetric {
                 params: self.params,

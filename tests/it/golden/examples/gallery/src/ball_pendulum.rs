@@ -101,7 +101,8 @@ t29 = t27 + t26 - t27
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: BallPendulumParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -149,8 +150,8 @@ t29 = t27 + t26 - t27
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> BallPendulum<T> {
             BallPendulum {
                 params: self.params,

@@ -74,7 +74,8 @@ k9 = -0.5/(1/3)
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: DoubleBarParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -155,8 +156,8 @@ k9 = -0.5/(1/3)
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> DoubleBar<T> {
             DoubleBar {
                 params: self.params,
@@ -571,7 +572,8 @@ k9 = -1/(2/3)
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: DoubleSquareParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -651,8 +653,8 @@ k9 = -1/(2/3)
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> DoubleSquare<T> {
             DoubleSquare {
                 params: self.params,

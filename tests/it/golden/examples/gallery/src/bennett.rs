@@ -257,7 +257,8 @@ k96 = 0.08*sin(other)*sin(skew)
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: BennettParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -626,8 +627,8 @@ k96 = 0.08*sin(other)*sin(skew)
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> Bennett<T> {
             Bennett {
                 params: self.params,

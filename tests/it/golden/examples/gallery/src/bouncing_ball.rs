@@ -59,7 +59,8 @@ k0 = e
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: BouncingBallParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -127,8 +128,8 @@ k0 = e
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> BouncingBall<T> {
             BouncingBall {
                 params: self.params,

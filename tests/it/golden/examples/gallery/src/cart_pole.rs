@@ -50,7 +50,8 @@ Q[theta] = -0.01*dot(theta)
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: CartPoleParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -98,8 +99,8 @@ Q[theta] = -0.01*dot(theta)
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> CartPole<T> {
             CartPole {
                 params: self.params,

@@ -86,7 +86,8 @@ k9 = -0.25*c3/m2
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: CubicParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -178,8 +179,8 @@ k9 = -0.25*c3/m2
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> Cubic<T> {
             Cubic {
                 params: self.params,

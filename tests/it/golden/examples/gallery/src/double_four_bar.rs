@@ -140,7 +140,8 @@ k21 = -1
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: DoubleFourBarParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -267,8 +268,8 @@ k21 = -1
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> DoubleFourBar<T> {
             DoubleFourBar {
                 params: self.params,

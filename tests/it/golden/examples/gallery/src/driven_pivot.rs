@@ -168,7 +168,8 @@ k43 = b*w^2*ny^2*(m1 + m2)
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: DrivenPivotParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -399,8 +400,8 @@ k43 = b*w^2*ny^2*(m1 + m2)
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> DrivenPivot<T> {
             DrivenPivot {
                 params: self.params,

@@ -142,7 +142,8 @@ k33 = -1
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: FourBarParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -310,8 +311,8 @@ k33 = -1
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> FourBar<T> {
             FourBar {
                 params: self.params,

@@ -53,7 +53,8 @@ Q[theta] = -0.001*dot(theta)
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: FurutaParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -101,8 +102,8 @@ Q[theta] = -0.001*dot(theta)
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> Furuta<T> {
             Furuta {
                 params: self.params,

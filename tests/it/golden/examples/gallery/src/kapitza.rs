@@ -92,7 +92,8 @@ k16 = m*a*w^2
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: KapitzaParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -213,8 +214,8 @@ k16 = m*a*w^2
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> Kapitza<T> {
             Kapitza {
                 params: self.params,

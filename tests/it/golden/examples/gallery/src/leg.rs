@@ -165,7 +165,8 @@ k57 = rise*w^2*(m1 + m2)
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: LegParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -440,8 +441,8 @@ k57 = rise*w^2*(m1 + m2)
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> Leg<T> {
             Leg {
                 params: self.params,

@@ -153,7 +153,8 @@ k57 = 77343750000000/1998607065841*l^2*k
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: MagnetsParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -403,8 +404,8 @@ k57 = 77343750000000/1998607065841*l^2*k
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> Magnets<T> {
             Magnets {
                 params: self.params,

@@ -89,7 +89,8 @@ k12 = -l1/l2
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: PointMassesParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -187,8 +188,8 @@ k12 = -l1/l2
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> PointMasses<T> {
             PointMasses {
                 params: self.params,

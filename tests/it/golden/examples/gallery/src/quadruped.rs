@@ -348,7 +348,8 @@ k4 = 0.5*k
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: QuadrupedParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -406,8 +407,8 @@ k4 = 0.5*k
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> Quadruped<T> {
             Quadruped {
                 params: self.params,

@@ -70,7 +70,8 @@ k6 = 1/(2/3*(b^2 + h^2))
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: RockingBlockParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -136,8 +137,8 @@ k6 = 1/(2/3*(b^2 + h^2))
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> RockingBlock<T> {
             RockingBlock {
                 params: self.params,

@@ -117,7 +117,8 @@ k23 = 3.27*m*(0.5*a^2*b + 0.5*a^2*b + 2^2*0.5*a^2*b)/(0.5*a*b + 0.5*a*b + 2*0.5*
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: SpringSuspendedParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -282,8 +283,8 @@ k23 = 3.27*m*(0.5*a^2*b + 0.5*a^2*b + 2^2*0.5*a^2*b)/(0.5*a*b + 0.5*a*b + 2*0.5*
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> SpringSuspended<T> {
             SpringSuspended {
                 params: self.params,

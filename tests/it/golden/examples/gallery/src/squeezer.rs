@@ -135,7 +135,8 @@ t42 = 1/(1 - 16917000/24006277*t33 - 3001400/24006277*t34)
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: SqueezerParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -183,8 +184,8 @@ t42 = 1/(1 - 16917000/24006277*t33 - 3001400/24006277*t34)
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> Squeezer<T> {
             Squeezer {
                 params: self.params,

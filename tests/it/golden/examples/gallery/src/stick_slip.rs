@@ -89,7 +89,8 @@ k11 = -k
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: StickSlipParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -189,8 +190,8 @@ k11 = -k
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> StickSlip<T> {
             StickSlip {
                 params: self.params,

@@ -55,7 +55,8 @@ Q[theta3] = 0.01*dot(theta2) - 0.01*dot(theta3)
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: TripleParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -103,8 +104,8 @@ Q[theta3] = 0.01*dot(theta2) - 0.01*dot(theta3)
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> Triple<T> {
             Triple {
                 params: self.params,

@@ -67,7 +67,8 @@ b[o.z] = -469/600000*dot(o).x*dot(o).y
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: TumblingBodyParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -115,8 +116,8 @@ b[o.z] = -469/600000*dot(o).x*dot(o).y
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> TumblingBody<T> {
             TumblingBody {
                 params: self.params,

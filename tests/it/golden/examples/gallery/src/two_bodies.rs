@@ -156,7 +156,8 @@ k27 = -m2*d*side/(i2 + m2*side^2 + m2*c2^2)
         ///
         /// # Errors
         ///
-        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can have.
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
         pub fn new(
             params: TwoBodiesParams,
         ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
@@ -371,8 +372,8 @@ k27 = -m2*d*side/(i2 + m2*side^2 + m2*c2^2)
             }
             Ok(Self { params, constants })
         }
-        /// The same model in another number type, such as `f32`. Its constants are computed in double precision and
-        /// then rounded.
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
         pub fn cast<T: ::pendulum_core::real::Real>(&self) -> TwoBodies<T> {
             TwoBodies {
                 params: self.params,
