@@ -19,10 +19,10 @@ pub(crate) use chosen::Chosen;
 use chosen::{Candidate, choose};
 pub(crate) use closed::Closed;
 pub(crate) use kind::{Basis, Derivatives, Form};
-pub(crate) use output::{rates, values, values_and_jacobian};
+pub(crate) use output::{rates, values, values_and_jacobian, values_and_rates};
 pub(crate) use response::{measure_derivatives, measures, response, response_derivative};
 pub(crate) use routines::*;
-use solved::ByLinks;
+use solved::{ByLinks, of_coordinates};
 pub(crate) use taylor::Taylor;
 use written::{Written, along_bodies};
 
@@ -116,20 +116,20 @@ impl<'g> Forms<'g> {
 
     /// Takes articulated bodies where these are much shorter: a little is lost again in the Jacobian.
     fn weigh_links(&mut self, model: &Model<'g>, pushed: bool) {
+        let form = Form::of(Basis::Articulated).with_wrenches(pushed);
         let (accelerations, articulation) = articulated(model, pushed, &self.floating);
+        let accelerations = constants::fold(model.graph, &accelerations);
         let by_matrix = self.accelerations();
-        self.by_links = Some(ByLinks {
-            form: Form::of(Basis::Articulated).with_wrenches(pushed),
-            accelerations: constants::fold(model.graph, &accelerations),
-            balance: Dynamics::balance_of_links(model, pushed, &self.floating),
-            articulation,
-        });
-        let by_links = self.solve(&[]);
+        let by_links = self.choose(vec![(form, of_coordinates(&self.floating, accelerations.clone()))]);
         let [links, matrix] = [&by_links, &by_matrix].map(|chosen| chosen.operations.weight());
-        if matrix < links + links / WORTH_OF_LINKS {
-            self.by_links = None;
-        } else {
+        if matrix >= links + links / WORTH_OF_LINKS {
             self.solved = OnceCell::from(by_links);
+            self.by_links = Some(ByLinks {
+                form,
+                accelerations,
+                balance: Dynamics::balance_of_links(model, pushed, &self.floating),
+                articulation,
+            });
         }
     }
 
