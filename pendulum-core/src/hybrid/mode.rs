@@ -106,7 +106,7 @@ pub(crate) fn set_of(bits: impl Iterator<Item = usize>) -> u8 {
 
 /// The places of the bits of a number that are set.
 #[inline(always)]
-pub(super) fn bits(mut set: u8) -> impl Iterator<Item = usize> {
+pub(super) fn bits(mut set: u8) -> impl Iterator<Item = usize> + Clone {
     core::iter::from_fn(move || {
         let place = set.trailing_zeros() as usize;
         set &= set.wrapping_sub(1);

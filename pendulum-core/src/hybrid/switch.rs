@@ -132,8 +132,29 @@ pub(crate) fn switch<T: Float, const N: usize>(
 struct Rebound<T> {
     /// The constraint.
     of: usize,
+    /// Its speed away from the limit.
     rate: T,
+    /// Its acceleration back to it.
     fall: T,
+}
+
+impl<T: Float> Rebound<T> {
+    /// Whether it rises no further than `least`, or is back at its limit within the time `shortest`.
+    fn is_low(&self, least: T, shortest: T) -> bool {
+        let two = T::from_f64(2.0);
+        self.rate * self.rate <= two * self.fall * least || two * self.rate.abs() <= self.fall * shortest
+    }
+
+    /// The time until it is back at its limit, from a height above it.
+    fn time_back(&self, height: T) -> T {
+        let square = self.rate * self.rate + T::from_f64(2.0) * self.fall * height;
+        (self.rate + square.sqrt()) / self.fall
+    }
+
+    /// How far it rises within a time.
+    fn rise(&self, time: T) -> T {
+        time * (self.rate - T::from_f64(0.5) * self.fall * time)
+    }
 }
 
 /// A state on its way to the next mode.
@@ -209,13 +230,12 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
             self.stand();
             let (mode, hold, accelerations) = self.next_mode();
             // rebounds too low to be followed, of their own or where another contact was hit
+            let shortest = T::from_f64(LEAST_ULPS) * T::EPSILON * self.t.abs();
             let low = self
                 .rebounds(thrown_off & !self.resting, &accelerations)
                 .filter(|rebound| {
                     let least = T::from_f64(LEAST_REBOUND) * reach[rebound.of].max(sizes[rebound.of]);
-                    let shortest = T::from_f64(LEAST_ULPS) * T::EPSILON * self.t.abs();
-                    let is_low = rebound.rate * rebound.rate <= T::from_f64(2.0) * rebound.fall * least;
-                    is_low || T::from_f64(2.0) * rebound.rate.abs() <= rebound.fall * shortest
+                    rebound.is_low(least, shortest)
                 });
             let low = set_of(low.map(|rebound| rebound.of));
             if low == 0 {
@@ -228,21 +248,22 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
                 };
             }
             delay = delay.max(self.lasting(low, hold, accelerations));
-            self.resting |= low;
-            let stopped = self.resting & self.touched();
-            let response = self.system.response(self.t, &self.x, &[T::default(); MOST]);
-            let rates = self.system.measures(self.t, &self.x).map(|[_, rate]| rate);
-            let solved = independent(&response.matrix, stopped);
-            self.push(
-                &response,
-                solved,
-                &Factored::of(&response.matrix, solved).solve_negated(&rates),
-            );
+            self.halt(low);
         }
     }
 
+    /// Stops some constraints that touch their limits, together with all that rests there.
+    fn halt(&mut self, low: u8) {
+        self.resting |= low;
+        let response = self.system.response(self.t, &self.x, &[T::default(); MOST]);
+        let rates = self.system.measures(self.t, &self.x).map(|[_, rate]| rate);
+        let solved = independent(&response.matrix, self.resting & self.touched());
+        let impulses = Factored::of(&response.matrix, solved).solve_negated(&rates);
+        self.push(&response, solved, &impulses);
+    }
+
     /// How those of some constraints rebound that fall back.
-    fn rebounds(&self, of: u8, accelerations: &[T; MOST]) -> impl Iterator<Item = Rebound<T>> {
+    fn rebounds(&self, of: u8, accelerations: &[T; MOST]) -> impl Iterator<Item = Rebound<T>> + Clone {
         let measures = self.system.measures(self.t, &self.x);
         bits(of).filter_map(move |n| {
             let (rate, fall) = (self.away(n) * measures[n][1], -self.away(n) * accelerations[n]);
@@ -254,12 +275,13 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
     ///
     /// They shrink to nothing: where one contact takes off alone and comes to do so again, in a fixed ratio.
     fn lasting(&self, low: u8, mut hold: Hold<T>, mut accelerations: [T; MOST]) -> T {
-        let (zero, half) = (T::default(), T::from_f64(0.5));
+        let zero = T::default();
         let (mut after, mut flying, mut heights) = (*self, low, [zero; MOST]);
         let (mut lasted, mut alone) = (zero, None);
         for _ in 0..MOST_FOLLOWED {
+            let rebounds = after.rebounds(flying, &accelerations);
             let takes_off = |of: &Rebound<T>| flying == 1 << of.of && heights[of.of] == zero;
-            if let Some(rebound) = after.rebounds(flying, &accelerations).next().filter(takes_off) {
+            if let Some(rebound) = rebounds.clone().next().filter(takes_off) {
                 match alone {
                     Some((of, rate, since)) if of == rebound.of => {
                         // where no energy is lost there is no limit
@@ -274,40 +296,40 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
                     None => alone = Some((rebound.of, rebound.rate, lasted)),
                 }
             }
-            let times = after
-                .rebounds(flying, &accelerations)
-                .map(|Rebound { of, rate, fall }| {
-                    let square = rate * rate + T::from_f64(2.0) * fall * heights[of];
-                    (of, (rate + square.sqrt()) / fall)
-                });
+            let times = rebounds
+                .clone()
+                .map(|rebound| (rebound.of, rebound.time_back(heights[rebound.of])));
             let first = times.reduce(|a, b| if b.1 < a.1 { b } else { a });
             let Some((hit, time)) = first.filter(|(_, time)| *time > T::from_f64(LAST_REBOUND) * lasted) else {
                 return lasted;
             };
             lasted += time;
-            for Rebound { of, rate, fall } in after.rebounds(flying, &accelerations) {
-                heights[of] += time * (rate - half * fall * time);
-            }
+            rebounds.for_each(|rebound| heights[rebound.of] += rebound.rise(time));
             heights[hit] = zero;
             let rates = called::rhs(self.system, &hold, self.t, &after.x);
             for k in N / 2..N {
                 after.x[k] += time * rates[k];
             }
-            let touching = after.touching;
-            for n in bits(flying).filter(|&n| n != hit) {
-                after.touching[n] = Status::Free;
-            }
-            let thrown_off = after.collide();
-            after.touching = touching;
+            let thrown_off = after.hit(hit, flying);
             after.stand();
             (_, hold, accelerations) = after.next_mode();
-            let leaves = |rebound: &Rebound<T>| rebound.rate > zero;
             let again = after
                 .rebounds(thrown_off & !after.resting, &accelerations)
-                .filter(leaves);
+                .filter(|rebound| rebound.rate > zero);
             flying = flying & !(1 << hit) | set_of(again.map(|rebound| rebound.of));
         }
         lasted
+    }
+
+    /// The impact where one of the constraints that fly is back at its limit: those that leave theirs.
+    fn hit(&mut self, back: usize, flying: u8) -> u8 {
+        let touching = self.touching;
+        for n in bits(flying).filter(|&n| n != back) {
+            self.touching[n] = Status::Free;
+        }
+        let thrown_off = self.collide();
+        self.touching = touching;
+        thrown_off
     }
 
     /// The constraints that touch a limit.
