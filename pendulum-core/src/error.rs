@@ -7,11 +7,6 @@ mod solve;
 use core::error::Error;
 use core::fmt;
 
-use nalgebra::SVector;
-
-use crate::real::Float;
-use crate::system::System;
-
 #[cfg(feature = "std")]
 pub use solve::SolveError;
 
@@ -195,31 +190,6 @@ pub enum Reason {
         /// The number of steps allowed.
         max_steps: usize,
     },
-}
-
-/// Where the equations of a scene end while one of its loops is nearer to its toggle, that is why.
-const NEAR_TOGGLE: f64 = 0.1;
-
-impl Reason {
-    /// The same, or the toggle that is behind it: for a step from `(t, x)`.
-    #[cold]
-    pub(crate) fn at<S, T, const N: usize>(self, system: &S, t: T, x: &SVector<T, N>) -> Self
-    where
-        S: System<T, N> + ?Sized,
-        T: Float,
-    {
-        if !matches!(self, Self::NonFinite { h: Some(_), .. } | Self::NoConvergence { .. }) {
-            return self;
-        }
-        let (mut reason, mut least) = (self, NEAR_TOGGLE);
-        system.margins(t, x, &mut |bodies, margin| {
-            let margin = margin.to_f64();
-            if margin < least {
-                (reason, least) = (Self::Toggle { bodies, margin }, margin);
-            }
-        });
-        reason
-    }
 }
 
 impl fmt::Display for Reason {

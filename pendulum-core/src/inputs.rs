@@ -72,8 +72,8 @@ pub trait Controlled<T: Real, const N: usize, const M: usize> {
     fn project(&self, _t: T, _x: &mut SVector<T, N>) {}
 
     /// Tells how far each closed loop is from its toggle, as [`System::margins`].
-    #[cold]
-    fn margins(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&'static str; 2], T)) {}
+    #[inline(always)]
+    fn margins(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&'static str; 2], [T; 2])) {}
 
     /// What hinders the motion, as [`Hybrid::constraints`]: nothing by default. Where something does, all that follows
     /// is required as well, and with a law for its inputs the model is a [`Hybrid`].
@@ -284,7 +284,8 @@ where
         self.system.project(t, x);
     }
 
-    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], T)) {
+    #[inline(always)]
+    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 2])) {
         self.system.margins(t, x, tell);
     }
 

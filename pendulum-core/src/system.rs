@@ -12,7 +12,7 @@ mod state;
 #[doc(hidden)]
 pub use assembly::assemble;
 pub use differences::Differences;
-pub(crate) use differences::{by_number, by_state};
+pub(crate) use differences::{by_number, by_state, by_time};
 pub use function::{FnSystem, WithJacobian};
 pub use state::IntoState;
 
@@ -74,10 +74,11 @@ pub trait System<T: Real, const N: usize> {
     #[inline(always)]
     fn project(&self, _t: T, _x: &mut SVector<T, N>) {}
 
-    /// Tells how far each closed loop is from its toggle, with the names of the two bodies that close it, where there are any: what
-    /// [`Reason::Toggle`](crate::Reason::Toggle) is made of.
-    #[cold]
-    fn margins(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&'static str; 2], T)) {}
+    /// Tells how far each closed loop is from its toggle and the rate of that, with the names of the two bodies that close
+    /// it; by default there are none. Steps end before a margin is zero, as [`Reason::Toggle`](crate::Reason::Toggle)
+    /// tells.
+    #[inline(always)]
+    fn margins(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&'static str; 2], [T; 2])) {}
 
     /// What switches between the modes of a [hybrid] system; `None`, as by default, where the equations
     /// are always the same.
@@ -166,13 +167,11 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
     where
         T: Lanes,
     {
-        if self.layout().is_some_and(|layout| layout.autonomous) {
-            return SVector::from_element(T::default());
-        }
-        by_number(t, |t| self.rhs(t, x))
+        by_time(self, t, |t| self.rhs(t, x))
     }
 
-    /// The derivatives of a [hybrid] system; required of these, and `None` for others.
+    /// The derivatives of a [hybrid] system; `None`, as by default, for others, and where they are not known: each mode
+    /// is derived by central differences then, and analyses that pass changes of mode refuse it.
     #[inline(always)]
     fn hybrid_jacobian(&self) -> Option<&dyn HybridJacobian<T, N>> {
         None
@@ -184,9 +183,10 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
     where
         T: Lanes,
     {
-        match self.hybrid_jacobian() {
-            Some(hybrid) => hybrid::called::rhs_and_jacobian(hybrid, hold, t, x).1,
-            None => self.jacobian(t, x),
+        match (self.hybrid(), self.hybrid_jacobian()) {
+            (None, _) => self.jacobian(t, x),
+            (_, Some(hybrid)) => hybrid::called::rhs_and_jacobian(hybrid, hold, t, x).1,
+            (_, None) => by_state(x, |x| self.rhs_in(hold, t, x)),
         }
     }
 
@@ -196,9 +196,10 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
     where
         T: Lanes,
     {
-        match self.hybrid_jacobian() {
-            Some(hybrid) => hybrid::called::rhs_and_jacobian(hybrid, hold, t, x),
-            None => self.rhs_and_jacobian(t, x),
+        match (self.hybrid(), self.hybrid_jacobian()) {
+            (None, _) => self.rhs_and_jacobian(t, x),
+            (_, Some(hybrid)) => hybrid::called::rhs_and_jacobian(hybrid, hold, t, x),
+            (_, None) => (self.rhs_in(hold, t, x), self.jacobian_in(hold, t, x)),
         }
     }
 
@@ -208,9 +209,10 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
     where
         T: Lanes,
     {
-        match self.hybrid_jacobian() {
-            Some(hybrid) => hybrid::called::time_derivative(hybrid, hold, t, x),
-            None => self.time_derivative(t, x),
+        match (self.hybrid(), self.hybrid_jacobian()) {
+            (None, _) => self.time_derivative(t, x),
+            (_, Some(hybrid)) => hybrid::called::time_derivative(hybrid, hold, t, x),
+            (_, None) => by_time(self, t, |t| self.rhs_in(hold, t, x)),
         }
     }
 }
@@ -316,34 +318,43 @@ pub trait Energy<T: Real, const N: usize> {
     }
 }
 
-/// Methods of `&S`, by those of `S`.
+/// Methods by those of what is wrapped.
 macro_rules! forward {
-    ($($method:ident($($argument:ident: $kind:ty),*) $(-> $output:ty)? $(where $number:ident: $order:ident)?;)*) => {
+    ($self:ident => $wrapped:expr;
+     $($method:ident($($argument:ident: $kind:ty),*) $(-> $output:ty)? $(where $number:ident: $order:ident)?;)*) => {
         $(
             #[inline]
-            fn $method(&self, $($argument: $kind),*) $(-> $output)?
+            fn $method(&$self, $($argument: $kind),*) $(-> $output)?
             $(where $number: $order)?
             {
-                (**self).$method($($argument),*)
+                $wrapped.$method($($argument),*)
             }
         )*
     };
 }
 
+/// All methods of a [`System`] by those of one that is wrapped.
+macro_rules! forward_system {
+    ($self:ident => $wrapped:expr) => {
+        $crate::system::forward! { $self => $wrapped;
+            rhs(t: T, x: &SVector<T, N>) -> SVector<T, N>;
+            layout() -> Option<&'static StateLayout>;
+            project(t: T, x: &mut SVector<T, N>);
+            margins(t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 2]));
+            hybrid() -> Option<&dyn Hybrid<T, N>>;
+            rhs_under(t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> SVector<T, N>;
+            rhs_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N>;
+        }
+    };
+}
+pub(crate) use {forward, forward_system};
+
 impl<T: Real, S: System<T, N> + ?Sized, const N: usize> System<T, N> for &S {
-    forward! {
-        rhs(t: T, x: &SVector<T, N>) -> SVector<T, N>;
-        layout() -> Option<&'static StateLayout>;
-        project(t: T, x: &mut SVector<T, N>);
-        margins(t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], T));
-        hybrid() -> Option<&dyn Hybrid<T, N>>;
-        rhs_under(t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> SVector<T, N>;
-        rhs_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N>;
-    }
+    forward_system!(self => (**self));
 }
 
 impl<T: Real, S: Jacobian<T, N> + ?Sized, const N: usize> Jacobian<T, N> for &S {
-    forward! {
+    forward! { self => (**self);
         jacobian(t: T, x: &SVector<T, N>) -> SMatrix<T, N, N>;
         rhs_and_jacobian(t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>);
         time_derivative(t: T, x: &SVector<T, N>) -> SVector<T, N> where T: Lanes;
@@ -355,7 +366,7 @@ impl<T: Real, S: Jacobian<T, N> + ?Sized, const N: usize> Jacobian<T, N> for &S 
 }
 
 impl<T: Real, S: Canonical<T, N> + ?Sized, const N: usize> Canonical<T, N> for &S {
-    forward! {
+    forward! { self => (**self);
         canonical(t: T, x: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>);
         canonical_jacobian(t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>);
         canonical_under(t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> (SVector<T, N>, SVector<T, N>);
@@ -367,7 +378,7 @@ impl<T: Real, S: Canonical<T, N> + ?Sized, const N: usize> Canonical<T, N> for &
 }
 
 impl<T: Real, S: Energy<T, N> + ?Sized, const N: usize> Energy<T, N> for &S {
-    forward! {
+    forward! { self => (**self);
         kinetic(t: T, x: &SVector<T, N>) -> T;
         potential(t: T, x: &SVector<T, N>) -> T;
         energy(t: T, x: &SVector<T, N>) -> T;
@@ -377,13 +388,13 @@ impl<T: Real, S: Energy<T, N> + ?Sized, const N: usize> Energy<T, N> for &S {
 impl<T: Real, S: Controlled<T, N, M> + ?Sized, const N: usize, const M: usize> Controlled<T, N, M> for &S {
     type Inputs = S::Inputs;
 
-    forward! {
+    forward! { self => (**self);
         rhs_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SVector<T, N>;
         jacobian_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, N>;
         rhs_and_jacobian_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> (SVector<T, N>, SMatrix<T, N, N>);
         input_jacobian(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, M>;
         project(t: T, x: &mut SVector<T, N>);
-        margins(t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], T));
+        margins(t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 2]));
         time_derivative_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SVector<T, N> where T: Lanes;
         constraints() -> &'static [Constraint];
         laws() -> [Law<T>; MOST];

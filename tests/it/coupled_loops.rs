@@ -232,6 +232,12 @@ fn a_motion_ends_at_a_toggle() {
             "stopped {left:e} before the toggle: {error}"
         );
     }
+    for h in [0.1, 0.01] {
+        let error = Rk4::new(h)
+            .solve(&model, 0.0, 5.0, start)
+            .expect_err("a step passes it");
+        assert!(matches!(error.reason, Reason::Toggle { .. }), "{error}");
+    }
 }
 
 /// States of rest and their modes, against the energies along the coordinate that is free.

@@ -271,7 +271,9 @@ fn closed_loops_are_the_same() {
     same(OWN, "Looped", 0.0, |t, x, _| {
         let x = SVector::<f64, 2>::from_column_slice(x);
         let mut all = model.rhs(t, &x).as_slice().to_vec();
-        all.extend(&model.loop_margins(t, &x));
+        let (margins, rates) = model.loop_margins(t, &x);
+        all.extend(&margins);
+        all.extend(&rates);
         all.extend(motion(&model, t, &x).into_iter().skip(2));
         all.extend(&model.mass_matrix(t, &x));
         all.extend(&model.loop_wrenches(t, &x));
@@ -286,7 +288,9 @@ fn coupled_loops_are_the_same() {
     same(OWN, "Coupled", 0.0, |t, x, _| {
         let x = SVector::<f64, 5>::from_column_slice(x);
         let mut all = model.rhs(t, &x).as_slice().to_vec();
-        all.extend(&model.loop_margins(t, &x));
+        let (margins, rates) = model.loop_margins(t, &x);
+        all.extend(&margins);
+        all.extend(&rates);
         all.extend(&model.loop_corrections(t, &x));
         all.extend(motion(&model, t, &x).into_iter().skip(5));
         all.extend(series(&model, t, &x));

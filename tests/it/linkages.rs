@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::SVector;
 use pendulum_core::prelude::*;
-use pendulum_core::{Reason, Solution, SolveError};
+use pendulum_core::{EnsembleError, Reason, Solution, SolveError};
 use serde_json::Value;
 use testbed::linkages::{
     Andrews, AndrewsParams, FiveBar, FiveBarParams, FourBar, FourBarParams, SliderCrank, SliderCrankParams,
@@ -131,6 +131,7 @@ fn andrews_moves_as_published() {
 mechanism! {
     /// A crank that cannot turn all the way.
     pub Rocking {
+        generate: [rhs, jacobian, energy, taylor, canonical],
         gravity: [0, -9.81, 0],
         body crank on ground { solids: [rod(1, [0, 0, 0], [0.5, 0, 0])], joint: revolute(z), coordinate: theta near 0.8 }
         body coupler on crank {
@@ -148,6 +149,7 @@ mechanism! {
 mechanism! {
     /// A parallelogram, which is flat twice a turn.
     pub Parallelogram {
+        generate: [rhs, jacobian, energy, taylor, canonical],
         gravity: [0, -9.81, 0],
         body left on ground { solids: [rod(1, [0, 0, 0], [0, 1, 0])], joint: revolute(z), coordinate: alpha near 0.1 }
         body beam on left {
@@ -163,43 +165,63 @@ mechanism! {
     }
 }
 
-/// A motion ends where a loop is flat: nothing jumps to another assembly.
+/// That adaptive methods end at a toggle, alone as in lanes.
+macro_rules! end_at_toggle {
+    ($($method:ident)*, of $model:ident from $start:expr, by $tolerance:expr, $check:ident) => {$(
+        let method = $method::new().rtol($tolerance).atol($tolerance).max_steps(2000);
+        let alone = $check(stringify!($method), method.solve(&$model, 0.0, 5.0, $start), 0.02);
+        let starts = [SVector::from($start); 5];
+        let Err(EnsembleError::Stopped { stopped, x }) = method.ensemble(&[$model], 0.0, 5.0, &starts) else {
+            panic!("{} goes on in lanes", stringify!($method));
+        };
+        assert_eq!(stopped.len(), starts.len());
+        for (stopped, x) in stopped.iter().zip(&x) {
+            assert!(matches!(stopped.reason, Reason::Toggle { .. }), "{}", stopped.reason);
+            assert_eq!((stopped.t, *x), alone, "{}", stringify!($method));
+        }
+    )*};
+}
+
+/// A motion ends where a loop is flat: nothing jumps to another assembly, by whichever method.
 #[test]
 fn a_motion_ends_at_a_toggle() {
     let rocking = Rocking::new(RockingParams::default()).expect("the parameters are physical");
     let parallelogram = Parallelogram::new(ParallelogramParams::default()).expect("the parameters are physical");
-    fn ends<M: System<f64, 2>>(
-        model: &M,
-        names: [&str; 2],
-        margin: impl Fn(f64, &SVector<f64, 2>) -> f64,
-        start: [f64; 2],
-    ) {
-        let check = |solved: Result<Solution<f64, 2>, SolveError<f64, 2>>| {
-            let error = solved.expect_err("it comes to its toggle");
-            let Reason::Toggle { bodies, margin: told } = error.reason else {
-                panic!("{error}");
-            };
-            assert_eq!(bodies, names, "{error}");
-            let (t, x) = error.solution.last();
-            let left = margin(t, &x);
-            assert_eq!(told, left, "{error}");
-            assert!((1e-3..0.02).contains(&left), "stopped {left:e} before the toggle");
+    macro_rules! ends {
+        ($model:ident, $names:expr, from $angle:expr, $rates:expr) => {
+            for rate in $rates {
+                let check = |method: &str, solved: Result<Solution<f64, 2>, SolveError<f64, 2>>, nearest: f64| {
+                    let error = solved.expect_err(method);
+                    let Reason::Toggle { bodies, margin } = error.reason else {
+                        panic!("{method} from {rate}: {error}");
+                    };
+                    let (t, x) = error.solution.last();
+                    assert_eq!(bodies, $names, "{method}: {error}");
+                    assert!((margin - $model.margin(t, &x)).abs() < 1e-14, "{method}: {error}");
+                    assert!((1e-3..nearest).contains(&margin), "{method} from {rate} stopped {margin:e} before");
+                    (t, x)
+                };
+                let start = [$angle, rate];
+                for tolerance in [1e-2, 1e-3, 1e-6, 1e-10] {
+                    end_at_toggle!(
+                        Rk45 Tsit5 Vern7 Vern9 Taylor Radau5 Rodas5P, of $model from start, by tolerance, check
+                    );
+                    let auto = Auto::new().rtol(tolerance).atol(tolerance).max_steps(2000);
+                    check("Auto", auto.solve(&$model, 0.0, 5.0, start), 0.02);
+                }
+                for h in [0.1, 0.01, 1e-4] {
+                    // within a step, where the margin goes as the root of what is left
+                    let nearest = 0.02 + 2.0 * (h * rate).sqrt();
+                    check("Rk4", Rk4::new(h).solve(&$model, 0.0, 5.0, start), nearest);
+                    check("Gauss4", Gauss4::new(h).solve(&$model, 0.0, 5.0, start), nearest);
+                    check("Gauss6", Gauss6::new(h).solve(&$model, 0.0, 5.0, start), nearest);
+                }
+            }
         };
-        for tolerance in [1e-6, 1e-10] {
-            let vern9 = Vern9::new().rtol(tolerance).atol(tolerance).max_steps(2000);
-            check(vern9.solve(model, 0.0, 5.0, start));
-            let tsit5 = Tsit5::new().rtol(tolerance).atol(tolerance).max_steps(2000);
-            check(tsit5.solve(model, 0.0, 5.0, start));
-        }
-        check(Rk4::new(1e-4).solve(model, 0.0, 5.0, start));
     }
-    ends(&rocking, ["coupler", "rocker"], |t, x| rocking.margin(t, x), [0.8, 3.0]);
-    ends(
-        &parallelogram,
-        ["beam", "right"],
-        |t, x| parallelogram.margin(t, x),
-        [0.1, 2.0],
-    );
+    ends!(rocking, ["coupler", "rocker"], from 0.8, [3.0]);
+    // the fastest turns by more than half a turn within a step
+    ends!(parallelogram, ["beam", "right"], from 0.1, [1.0, 2.0, 15.0]);
     let flat = rocking.flat_event().terminal();
     let ended = Vern9::new()
         .solve_with(&rocking, 0.0, 5.0, [0.8, 3.0], &[flat])

@@ -18,11 +18,7 @@ pub(crate) fn values<'g>(forms: &mut Forms<'g>, model: &Model<'g>, values: &[Exp
 
 /// The rates of expressions along the motion.
 pub(crate) fn rates<'g>(forms: &mut Forms<'g>, model: &Model<'g>, values: &[Expr<'g>]) -> Chosen<'g> {
-    let directions = changes(model.all_coordinates()).into_iter();
-    let directions = directions.chain(model.all_coordinates().map(|c| (c.rate, c.acceleration)));
-    let mut along = Derivative::along(directions.chain([(model.time, model.graph.one())]));
-    let rates: Vec<Expr<'g>> = values.iter().map(|&value| along.of(value)).collect();
-    let rates = model.with_drives(&rates);
+    let rates = along_motion(model, values);
     let mut symbols = model.graph.symbols_of(&rates);
     if !symbols.any(|symbol| matches!(symbol.kind, SymbolKind::Acceleration(_))) {
         return forms.shortest(&rates);
@@ -31,6 +27,21 @@ pub(crate) fn rates<'g>(forms: &mut Forms<'g>, model: &Model<'g>, values: &[Expr
     let solved: FxHashMap<_, _> = accelerations.zip(forms.accelerations().roots).collect();
     let rates = model.with_friction(&model.graph.substitute(&rates, solved));
     forms.choose(vec![(Form::of(Basis::Declared), rates)])
+}
+
+/// The values of expressions of the positions, and their rates: as they are, for together they share most.
+pub(crate) fn values_and_rates<'g>(forms: &mut Forms<'g>, model: &Model<'g>, values: &[Expr<'g>]) -> Chosen<'g> {
+    let roots = [model.with_drives(values), along_motion(model, values)].concat();
+    forms.choose(vec![(Form::of(Basis::Declared), roots)])
+}
+
+/// The derivatives of expressions along the motion.
+fn along_motion<'g>(model: &Model<'g>, values: &[Expr<'g>]) -> Vec<Expr<'g>> {
+    let directions = changes(model.all_coordinates()).into_iter();
+    let directions = directions.chain(model.all_coordinates().map(|c| (c.rate, c.acceleration)));
+    let mut along = Derivative::along(directions.chain([(model.time, model.graph.one())]));
+    let rates: Vec<Expr<'g>> = values.iter().map(|&value| along.of(value)).collect();
+    model.with_drives(&rates)
 }
 
 /// The values of expressions, and their derivatives by the state, column by column.

@@ -42,9 +42,9 @@ pub(crate) fn jacobian<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'
     chosen.counted(model)
 }
 
-/// How far each closed loop is from its toggle.
+/// How far each closed loop is from its toggle, and the rates of that.
 pub(crate) fn loop_margins<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
-    super::values(forms, model, &model.margins)
+    super::values_and_rates(forms, model, &model.margins)
 }
 
 /// What Newton's method adds to the coordinates that depend, in the state.

@@ -286,9 +286,10 @@ pub(crate) const ROUTINES: &[Row] = &[
     Row {
         word: "rhs",
         name: "loop_margins",
-        doc: "How far each closed loop is from its toggle, in the order of the declaration: 0 there, and at most 1.",
+        doc: "How far each closed loop is from its toggle, in the order of the declaration: 0 there, and at most 1. And the rates \
+              of that.",
         arguments: &[],
-        shapes: &[Vector(Loops)],
+        shapes: &[Vector(Loops), Vector(Loops)],
         wanted: |scene, _| scene.rhs() && !scene.model.margins.is_empty(),
         form: form::loop_margins,
     },

@@ -18,7 +18,7 @@ use crate::event::Event;
 use crate::hybrid::{Hold, InMode};
 use crate::method::{
     Adaptive, Estimates, Failure, NonFinite, OneStep, Scheme, Stalled, StepControl, check_span, is_within_tolerance,
-    place,
+    place, toggle,
 };
 use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
 use crate::solution::Observer;
@@ -328,13 +328,22 @@ where
             Ok(mean_square) if sum.all_finite() => mean_square,
             _ => V::from_fn(|lane| outcome(lane).unwrap_or(T::from_f64(f64::NAN))),
         };
-        if !members.judge(control, &mean_squares, F::Stages::<V>::PROPOSES) {
+        let all_arrived = attempt.is_ok() && sum.all_finite();
+        if !members.judge(control, &mean_squares, F::Stages::<V>::PROPOSES) || !all_arrived {
             for (lane, index) in members.busy(V::LANES) {
                 let (h, step) = (members.h[lane], (members.t[lane], members.t_new[lane]));
-                let outcome = outcome(lane);
-                if !members.is_accepted(lane) && h < control.least(step.0) {
-                    let reason = control.hopeless(outcome, step, h);
-                    self.stop(members, (lane, index), in_lane(x, lane), reason);
+                if members.is_accepted(lane) {
+                    continue;
+                }
+                let x = in_lane(x, lane);
+                if h < control.least(step.0) {
+                    let reason = control.hopeless(outcome(lane), step, h);
+                    self.stop(members, (lane, index), x, reason);
+                } else if let Err(failure) = outcome(lane)
+                    && toggle::creeps(h, step.0)
+                    && let Err(reason) = toggle::reached(failure, &model_of(self.models, index).cast::<T>(), step, &x)
+                {
+                    self.stop(members, (lane, index), x, reason);
                 }
             }
         }
@@ -441,7 +450,7 @@ where
         reason: Reason,
     ) {
         let t = members.t[lane];
-        let reason = reason.at(&model_of(self.models, index).cast::<T>(), t, &x);
+        let reason = toggle::behind(reason, &model_of(self.models, index).cast::<T>(), t, &x);
         self.stopped.push(Stopped { index, t, reason });
         self.leave(members, (lane, index), x);
     }

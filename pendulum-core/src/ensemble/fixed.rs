@@ -16,7 +16,7 @@ use crate::dense::Step;
 use crate::error::Reason;
 use crate::event::Event;
 use crate::hybrid::{Hold, InMode};
-use crate::method::{Accepted, Failure, Fixed, Grid, NonFinite, OneStep, Scheme, Stalled, check_span, place};
+use crate::method::{Accepted, Failure, Fixed, Grid, NonFinite, OneStep, Scheme, Stalled, check_span, place, toggle};
 use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
 use crate::solution::Observer;
 use crate::statistics::Statistics;
@@ -281,7 +281,7 @@ where
                     if let Err(failure) = outcome {
                         busy[lane] = false;
                         let reason = failure.reason((t_new - t).to_f64());
-                        let reason = reason.at(&model_of(self.models, index).cast::<T>(), t, &before);
+                        let reason = toggle::behind(reason, &model_of(self.models, index).cast::<T>(), t, &before);
                         self.end(index, before, Some((t, reason)));
                         continue;
                     }

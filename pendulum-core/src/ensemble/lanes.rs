@@ -124,7 +124,8 @@ impl<M: Cast<N>, T: Real, const N: usize> System<T, N> for Expanded<M, T, N> {
         self.0.project(t, x);
     }
 
-    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], T)) {
+    #[inline(always)]
+    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 2])) {
         self.0.margins(t, x, tell);
     }
 

@@ -87,7 +87,8 @@ impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for InMode<
         self.system.project(t, x);
     }
 
-    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], T)) {
+    #[inline(always)]
+    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 2])) {
         self.system.margins(t, x, tell);
     }
 }

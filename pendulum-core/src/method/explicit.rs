@@ -13,6 +13,7 @@ use crate::linear::square;
 use crate::method::operations as count;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::stages::{SHORT, combination, shifted, weighted_sum};
+use crate::method::toggle::end_step;
 use crate::method::{Adaptive, Fixed};
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
@@ -222,7 +223,7 @@ where
             attempt::<B, &InMode<'_, S, T>, _, _, _>(&system, (t, x), t_new, &mut self.stages)
         };
         work.evaluations += STAGES - 2;
-        system.project(t_new, x_new);
+        end_step(system, (t, x), (t_new, x_new));
         Ok(match &self.tolerance {
             None => T::default(),
             Some(tolerance) => {

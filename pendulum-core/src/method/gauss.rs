@@ -12,6 +12,7 @@ use crate::linear::{Lu, factoring, solving};
 use crate::method::collocation::{self, Pencil};
 use crate::method::operations as count;
 use crate::method::scheme::{Accepted, NonFinite, OneStep, Scheme, Stalled};
+use crate::method::toggle::stop_at_toggles;
 use crate::method::{Fixed, hermite};
 use crate::real::Float;
 use crate::statistics::Statistics;
@@ -282,6 +283,7 @@ where
         self.tried = (Point { y, lost }, stages);
         *x_new = nearby + SVector::from(change);
         system.pin(x_new);
+        stop_at_toggles(system, (t, x), (t_new, x_new));
         Ok(T::default())
     }
 

@@ -23,6 +23,7 @@ mod stepper;
 #[cfg(feature = "std")]
 mod tangent;
 mod taylor;
+pub(crate) mod toggle;
 #[cfg(feature = "std")]
 mod watch;
 mod zero;

@@ -13,6 +13,7 @@ use crate::method::collocation::{self, Pencil};
 use crate::method::operations as count;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::stages::SHORT;
+use crate::method::toggle::end_step;
 use crate::real::Float;
 use crate::statistics::Statistics;
 use crate::system::{Jacobian, System};
@@ -294,7 +295,7 @@ where
             self.iterate(&system, (t, x), t_new, &pencil, work)
         };
         *x_new = x + self.rises[STAGES - 1];
-        system.project(t_new, x_new);
+        end_step(system, (t, x), (t_new, x_new));
         let mean_square = solved.map(|()| self.estimate(system, (t, x), (h, x_new), &pencil, work));
         self.is_doubtful = true;
         mean_square

@@ -14,6 +14,7 @@ use crate::method::Adaptive;
 use crate::method::operations as count;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::stages::{SHORT, combination, shifted, weighted_sum};
+use crate::method::toggle::end_step;
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
 use crate::statistics::Statistics;
@@ -258,7 +259,7 @@ where
         };
         let (solved, defect) = solved.map_err(|Singular| Stalled)?;
         *x_new = solved;
-        system.project(t_new, x_new);
+        end_step(system, (t, x), (t_new, x_new));
         let mean_square = match &self.tolerance {
             None => T::default(),
             Some(tolerance) => {

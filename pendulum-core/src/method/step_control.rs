@@ -37,8 +37,6 @@ pub(crate) struct Pace<T> {
 
 /// The least step in ulps of the time.
 const LEAST_ULPS: f64 = 4.0;
-/// Steps of so few ulps of the time hardly move a state.
-const CREEPING_ULPS: f64 = 512.0;
 /// The last step may be longer than planned by this factor.
 const STRETCH: f64 = 1.01;
 /// The most by which a proposed step may be longer than the last one. No longer than the way since a jump of the
@@ -175,13 +173,6 @@ impl<T: Float> StepControl<T> {
             h: if is_accepted { h.min(self.h_max) } else { h },
             is_hopeless: !is_accepted & (h < self.least(t)),
         }
-    }
-
-    /// Whether steps of this length from the time `t` may creep to where the equations end without ever moving the state
-    /// there.
-    #[cold]
-    pub(crate) fn creeps(h: T, t: T) -> bool {
-        h < T::from_f64(CREEPING_ULPS) * T::EPSILON * t.abs()
     }
 
     /// The reason to give up after an attempt from `t` to `t_new`, since the next one would be as short as `h`.

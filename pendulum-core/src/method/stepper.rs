@@ -11,6 +11,7 @@ use crate::method::grid::Grid;
 use crate::method::input::{place, require};
 use crate::method::scheme::{Accepted, Failure, NonFinite, Scheme, Stalled};
 use crate::method::step_control::{Pace, StepControl, is_within_tolerance};
+use crate::method::toggle;
 use crate::real::Float;
 use crate::statistics::Statistics;
 use crate::system::System;
@@ -235,7 +236,7 @@ where
         }
         .map_err(|reason| {
             self.last = Step::at_rest(self.t(), self.x());
-            reason.at(self.system, self.t(), &self.x())
+            toggle::behind(reason, self.system, self.t(), &self.x())
         })?;
         self.statistics.accepted += 1;
         self.look_for_the_end_of_the_mode()
@@ -506,12 +507,8 @@ where
             }
             self.statistics.rejected += 1;
             verdict?;
-            if let Some(failure) = failure.filter(|_| StepControl::creeps(pace.h, t)) {
-                let reason = failure.reason((t_new - t).to_f64());
-                let toggle = reason.at(self.system, t, &self.last.x1);
-                if toggle != reason {
-                    return Err(toggle);
-                }
+            if let Some(failure) = failure.filter(|_| toggle::creeps(pace.h, t)) {
+                toggle::reached(failure, self.system, (t, t_new), &self.last.x1)?;
             }
         }
     }

@@ -9,11 +9,11 @@ use crate::error::Reason;
 use crate::hybrid::InMode;
 use crate::method::operations as count;
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
+use crate::method::toggle::end_step;
 use crate::method::{Adaptive, require};
 use crate::real::lanes::{Isa, Kernel, LaneElement, Lanes};
 use crate::real::{Float, Real};
 use crate::statistics::Statistics;
-use crate::system::System;
 use crate::taylor::{MAX_ORDER, TaylorSeries};
 
 /// The Taylor method of an order that follows from the tolerance; see [`Adaptive`] for its settings.
@@ -303,7 +303,7 @@ where
         let (h, other) = (t_new - t, 1 - self.current);
         self.from = self.current;
         *x_new = polynomial(x, &self.series(self.current)[1..], h);
-        system.project(t_new, x_new);
+        end_step(system, (t, x), (t_new, x_new));
         self.find(other, system, (t_new, x_new), work);
         Ok(match &self.tolerance {
             Some((tolerance, _)) => {

@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::{Energy, Jacobian, System};
+use super::{Energy, Jacobian, System, forward, forward_system};
 use crate::hybrid::{Hold, Hybrid, MOST};
 use crate::layout::StateLayout;
 use crate::real::lanes::Lanes;
@@ -36,39 +36,7 @@ use crate::real::{Float, Real};
 pub struct Differences<F>(pub F);
 
 impl<T: Real, S: System<T, N>, const N: usize> System<T, N> for Differences<S> {
-    #[inline]
-    fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
-        self.0.rhs(t, x)
-    }
-
-    #[inline]
-    fn layout(&self) -> Option<&'static StateLayout> {
-        self.0.layout()
-    }
-
-    #[inline(always)]
-    fn project(&self, t: T, x: &mut SVector<T, N>) {
-        self.0.project(t, x);
-    }
-
-    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], T)) {
-        self.0.margins(t, x, tell);
-    }
-
-    #[inline(always)]
-    fn hybrid(&self) -> Option<&dyn Hybrid<T, N>> {
-        self.0.hybrid()
-    }
-
-    #[inline(always)]
-    fn rhs_under(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> SVector<T, N> {
-        self.0.rhs_under(t, x, forces)
-    }
-
-    #[inline(always)]
-    fn rhs_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N> {
-        self.0.rhs_in(hold, t, x)
-    }
+    forward_system!(self => self.0);
 }
 
 impl<T: Lanes, S: System<T, N>, const N: usize> Jacobian<T, N> for Differences<S> {
@@ -76,35 +44,13 @@ impl<T: Lanes, S: System<T, N>, const N: usize> Jacobian<T, N> for Differences<S
     fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
         by_state(x, |x| self.0.rhs(t, x))
     }
-
-    #[inline]
-    fn jacobian_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
-        by_state(x, |x| self.0.rhs_in(hold, t, x))
-    }
-
-    #[inline]
-    fn rhs_and_jacobian_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
-        (self.0.rhs_in(hold, t, x), self.jacobian_in(hold, t, x))
-    }
-
-    #[inline]
-    fn time_derivative_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N> {
-        if self.layout().is_some_and(|layout| layout.autonomous) {
-            return SVector::from_element(T::default());
-        }
-        by_number(t, |t| self.0.rhs_in(hold, t, x))
-    }
 }
 
 impl<T: Real, S: Energy<T, N>, const N: usize> Energy<T, N> for Differences<S> {
-    #[inline]
-    fn kinetic(&self, t: T, x: &SVector<T, N>) -> T {
-        self.0.kinetic(t, x)
-    }
-
-    #[inline]
-    fn potential(&self, t: T, x: &SVector<T, N>) -> T {
-        self.0.potential(t, x)
+    forward! { self => self.0;
+        kinetic(t: T, x: &SVector<T, N>) -> T;
+        potential(t: T, x: &SVector<T, N>) -> T;
+        energy(t: T, x: &SVector<T, N>) -> T;
     }
 }
 
@@ -122,6 +68,18 @@ pub(crate) fn by_state<T: Lanes, const N: usize, const M: usize>(
         }));
     }
     jacobian
+}
+
+/// The derivative of `f` with respect to the time; zero where that does not occur in a system.
+pub(crate) fn by_time<T: Lanes, const N: usize>(
+    system: &(impl System<T, N> + ?Sized),
+    t: T,
+    f: impl Fn(T) -> SVector<T, N>,
+) -> SVector<T, N> {
+    match system.layout() {
+        Some(layout) if layout.autonomous => SVector::from_element(T::default()),
+        _ => by_number(t, f),
+    }
 }
 
 /// The derivative of `f` at the number `at`.

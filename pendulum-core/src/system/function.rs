@@ -4,7 +4,8 @@ use core::fmt;
 
 use nalgebra::{SMatrix, SVector};
 
-use super::{Jacobian, System};
+use super::{Jacobian, System, forward_system};
+use crate::hybrid::{Hold, Hybrid, MOST};
 use crate::layout::StateLayout;
 use crate::real::Real;
 
@@ -90,24 +91,7 @@ impl<F, J> WithJacobian<F, J> {
 }
 
 impl<T: Real, F: System<T, N>, J, const N: usize> System<T, N> for WithJacobian<F, J> {
-    #[inline]
-    fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
-        self.function.rhs(t, x)
-    }
-
-    #[inline]
-    fn layout(&self) -> Option<&'static StateLayout> {
-        self.function.layout()
-    }
-
-    #[inline(always)]
-    fn project(&self, t: T, x: &mut SVector<T, N>) {
-        self.function.project(t, x);
-    }
-
-    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], T)) {
-        self.function.margins(t, x, tell);
-    }
+    forward_system!(self => self.function);
 }
 
 impl<T, F, J, const N: usize> Jacobian<T, N> for WithJacobian<F, J>

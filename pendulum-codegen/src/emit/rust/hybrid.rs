@@ -17,7 +17,7 @@ impl Items<'_> {
         let rhs = self.function(&format_ident!("rhs_under"), self.program.routine("rhs")?);
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
         let hold = quote!(&self, hold: &#core::Hold<T>, t: T, x: &#vector);
-        let (friction, project) = (self.friction(), self.project());
+        let (friction, assembly) = (self.friction(), self.assembly());
         let system = quote! {
             #inline
             fn rhs(&self, t: T, x: &#vector) -> #vector {
@@ -25,7 +25,7 @@ impl Items<'_> {
                 ::pendulum_core::System::rhs_under(self, t, x, &forces)
             }
             #layout
-            #project
+            #assembly
             #inline
             #rhs
             #[inline]

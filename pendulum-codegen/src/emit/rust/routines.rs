@@ -22,10 +22,6 @@ const TRAITS: [(&str, &[&str]); 7] = [
     ("HybridJacobian", &["response_derivative", "measure_derivatives"]),
 ];
 
-/// The least sine of the angle between two sides of a triangle that a state may have: its square is what rounding is
-/// divided by.
-const LEAST_MARGIN: f64 = 1e-3;
-
 /// How short the last correction by Newton's method must be. The next one would be its square.
 const LAST_CORRECTION: f64 = 1e-6;
 
@@ -87,8 +83,8 @@ impl Items<'_> {
         let (inline, rhs) = (inlined_into_lanes(), self.program.routine("rhs")?);
         let rhs = self.function(&format_ident!("rhs"), rhs);
         let layout = self.layout();
-        let project = self.project();
-        let system = self.implement(Some(self.named("System")), &quote!(#inline #rhs #layout #project));
+        let assembly = self.assembly();
+        let system = self.implement(Some(self.named("System")), &quote!(#inline #rhs #layout #assembly));
         let jacobian = self.program.routine("jacobian").map(|routine| {
             let arguments = self.arguments(routine);
             let matrix = self.shape(routine.shapes[1]);
@@ -120,25 +116,30 @@ impl Items<'_> {
         }
     }
 
+    /// The methods of `System` and `Controlled` that keep a mechanism assembled as it is.
+    pub(super) fn assembly(&self) -> TokenStream {
+        let (project, margins) = (self.project(), self.margins());
+        quote!(#project #margins)
+    }
+
     /// The method that tells how far each closed loop is from its toggle, where there are any.
     fn margins(&self) -> Option<TokenStream> {
         self.program.routine("loop_margins")?;
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
         let loops = self.program.loops.iter().map(|[a, b]| quote!([#a, #b]));
+        let number = (0..self.program.loops.len()).map(count);
+        let inline = inlined_into_lanes();
         Some(quote! {
-            fn margins(&self, t: T, x: &#vector, tell: &mut dyn FnMut([&'static str; 2], T)) {
-                let margins = self.loop_margins(t, x);
-                for (bodies, margin) in [#(#loops),*].into_iter().zip(margins.iter()) {
-                    tell(bodies, *margin);
-                }
+            #inline
+            fn margins(&self, t: T, x: &#vector, tell: &mut dyn FnMut([&'static str; 2], [T; 2])) {
+                let (margins, rates) = self.loop_margins(t, x);
+                #(tell(#loops, [margins[#number], rates[#number]]);)*
             }
         })
     }
 
-    /// The method that makes quaternions of unit length again, that closes loops, and that ends a motion where a loop
-    /// comes to its toggle: there other assemblies begin, and digits are lost. Beside it that which tells of toggles.
-    /// None where there is neither.
-    pub(super) fn project(&self) -> Option<TokenStream> {
+    /// The method that makes quaternions of unit length again, and that closes loops; none where there are neither.
+    fn project(&self) -> Option<TokenStream> {
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
         let normalised = self.program.layout.quaternions().map(|places| {
             let [w, x, y, z] = [0, 1, 2, 3].map(|n| count(places.start + n));
@@ -172,24 +173,13 @@ impl Items<'_> {
                 }
             }
         });
-        let ended = self.program.routine("loop_margins").map(|_| {
-            let (zero, least) = (number(0.0), number(LEAST_MARGIN));
-            quote! {
-                for margin in self.loop_margins(t, x).iter() {
-                    // nothing, or not a number
-                    x[0] += #zero * (*margin - #least).sqrt();
-                }
-            }
-        });
-        let statements: Vec<TokenStream> = normalised.chain(closed).chain(ended).collect();
-        let margins = self.margins();
+        let statements: Vec<TokenStream> = normalised.chain(closed).collect();
         (!statements.is_empty()).then(|| {
             quote! {
                 #[inline]
                 fn project(&self, t: T, x: &mut #vector) {
                     #(#statements)*
                 }
-                #margins
             }
         })
     }
@@ -253,12 +243,12 @@ impl Items<'_> {
             [("rhs_with", rhs), ("rhs_and_jacobian_with", jacobian)]
                 .map(|(name, routine)| self.function(&format_ident!("{name}"), routine))
         };
-        let project = self.project();
+        let assembly = self.assembly();
         let functions = quote! {
             type Inputs = #name<T>;
             #inline
             #rhs
-            #project
+            #assembly
             #[inline]
             fn jacobian_with(#arguments) -> #matrix {
                 self.rhs_and_jacobian_with(t, x, u).1
@@ -309,7 +299,12 @@ impl Items<'_> {
             .filter(|routine| is_inherent(&routine.name));
         let methods = routines.map(|routine| {
             let (doc, function) = (&routine.doc, self.function(&format_ident!("{}", routine.name), routine));
-            quote!(#[doc = #doc] #[inline] pub #function)
+            let inline = if routine.name == "loop_margins" {
+                inlined_into_lanes()
+            } else {
+                quote!(#[inline])
+            };
+            quote!(#[doc = #doc] #inline pub #function)
         });
         let methods: TokenStream = methods.chain(self.assemble()).chain(self.events()).collect();
         (!methods.is_empty()).then(|| self.implement(None, &methods))

@@ -701,7 +701,7 @@ k96 = 0.08*sin(other)*sin(skew)
                     "loop_margins",
                     ::pendulum_core::FunctionCost::new(
                         "as declared",
-                        ::pendulum_core::Operations::new(85, 125, 3, 3, 1, 59),
+                        ::pendulum_core::Operations::new(322, 479, 6, 3, 1, 93),
                     ),
                 ),
                 (
@@ -1429,21 +1429,17 @@ k96 = 0.08*sin(other)*sin(skew)
                     += T::from_f64(0.0)
                         * (T::from_f64(1e-12) - *correction * *correction).sqrt();
             }
-            for margin in self.loop_margins(t, x).iter() {
-                x[0] += T::from_f64(0.0) * (*margin - T::from_f64(0.001)).sqrt();
-            }
         }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn margins(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 4>,
-            tell: &mut dyn FnMut([&'static str; 2], T),
+            tell: &mut dyn FnMut([&'static str; 2], [T; 2]),
         ) {
-            let margins = self.loop_margins(t, x);
-            for (bodies, margin) in [["third", "frame"]].into_iter().zip(margins.iter())
-            {
-                tell(bodies, *margin);
-            }
+            let (margins, rates) = self.loop_margins(t, x);
+            tell(["third", "frame"], [margins[0], rates[0]]);
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
@@ -4235,19 +4231,24 @@ k96 = 0.08*sin(other)*sin(skew)
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> Bennett<T> {
-        ///How far each closed loop is from its toggle, in the order of the declaration: 0 there, and at most 1.
-        #[inline]
+        ///How far each closed loop is from its toggle, in the order of the declaration: 0 there, and at most 1. And the rates of that.
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn loop_margins(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 4>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 1> {
-            let [q_theta, q_phi, q_psi, _] = x.data.0[0];
+        ) -> (
+            ::pendulum_core::nalgebra::SVector<T, 1>,
+            ::pendulum_core::nalgebra::SVector<T, 1>,
+        ) {
+            let [q_theta, q_phi, q_psi, qd_theta] = x.data.0[0];
             let k2 = self.constants[2];
             let k4 = self.constants[4];
             let k7 = self.constants[7];
             let k10 = self.constants[10];
             let k12 = self.constants[12];
+            let k16 = self.constants[16];
             let k18 = self.constants[18];
             let k19 = self.constants[19];
             let k20 = self.constants[20];
@@ -4256,6 +4257,7 @@ k96 = 0.08*sin(other)*sin(skew)
             let k23 = self.constants[23];
             let k24 = self.constants[24];
             let k25 = self.constants[25];
+            let k26 = self.constants[26];
             let k27 = self.constants[27];
             let k28 = self.constants[28];
             let k29 = self.constants[29];
@@ -4275,66 +4277,252 @@ k96 = 0.08*sin(other)*sin(skew)
             let k43 = self.constants[43];
             let k44 = self.constants[44];
             let k45 = self.constants[45];
+            let k57 = self.constants[57];
             let k80 = self.constants[80];
+            let k81 = self.constants[81];
+            let k82 = self.constants[82];
+            let k83 = self.constants[83];
             let (sin_psi, cos_psi) = q_psi.sin_cos();
             let [(sin_phi, cos_phi), (sin_theta, cos_theta)] = q_phi
                 .sin_cos_pair(q_theta);
-            let t0 = k12 * sin_theta;
-            let t1 = k80 + k42 * cos_theta - k4 * cos_theta;
-            let t2 = k42 + k44 * cos_theta;
-            let t3 = k43 * cos_theta - k2 * cos_theta - k45;
-            let t4 = k40 * sin_theta;
-            let t5 = sin_phi * (sin_psi * t0 + cos_psi * t1 + t2)
-                + cos_phi * (k41 * sin_theta + sin_psi * t3 - cos_psi * t4);
-            let t6 = sin_psi * (sin_phi * t4 + cos_phi * t1 + t2 - k4)
-                + cos_psi * (sin_phi * t3 - cos_phi * t0);
-            let t7 = k10 + k12 * cos_theta;
-            let t8 = k2 * sin_theta;
-            let t9 = k4 * sin_theta;
-            let t10 = k7 - (k41 - k40 * cos_theta);
-            let t11 = cos_psi * (cos_phi * t7 - sin_phi * t8)
-                - sin_psi * (cos_phi * t9 + sin_phi * t10);
-            let t12 = cos_psi * (k40 + cos_phi * t10 - sin_phi * t9 - k41 * cos_theta)
-                - sin_psi * (cos_phi * t8 + sin_phi * t7);
-            let t13 = k38 + k35 * cos_theta;
-            let t14 = k24 * sin_theta;
-            let t15 = k18 * sin_theta;
-            let t16 = k39 + (k33 * cos_theta - k36);
-            let t17 = cos_phi * (k37 + k34 * cos_theta + cos_psi * t13 - sin_psi * t14)
-                - sin_phi * (k27 * sin_theta + cos_psi * t15 + sin_psi * t16);
-            let t18 = cos_psi * (k33 + cos_phi * t16 - sin_phi * t14 - k36 * cos_theta)
-                - sin_psi * (cos_phi * t15 + sin_phi * t13);
-            let t19 = k21 * sin_theta;
-            let t20 = T::from_f64(0.4) * cos_theta;
-            let t21 = k20 * cos_theta;
-            let t22 = k23 * sin_theta;
-            let t23 = sin_phi
-                * (sin_psi * t19 - T::from_f64(0.8) * cos_theta - cos_psi * t20)
-                - cos_phi * (sin_psi * t21 + k22 * sin_theta + cos_psi * t22);
-            let t24 = cos_psi * (k19 * sin_theta - cos_phi * t19 - sin_phi * t21)
-                + sin_psi * (sin_phi * t22 - cos_phi * t20);
-            let t25 = k29 * sin_theta - T::from_f64(0.4) * sin_theta;
-            let t26 = k19 - k21 * cos_theta;
-            let t27 = k20 * sin_theta;
-            let t28 = k23 * cos_theta - (k25 + k30 * cos_theta);
-            let t29 = cos_phi * (k32 * cos_theta + sin_psi * t25 - cos_psi * t26 - k28)
-                - sin_phi * (k31 * sin_theta + cos_psi * t27 + sin_psi * t28);
-            let t30 = cos_psi * (cos_phi * t28 + sin_phi * t25 - k25 * cos_theta - k30)
-                + sin_psi * (sin_phi * t26 - cos_phi * t27);
-            let t31 = t5 * t5 + t11 * t11 + t17 * t17 + t23 * t23 + t29 * t29;
-            let t32 = T::from_f64(1.0) / t31;
-            let t33 = t5 * t6 + t11 * t12 + t17 * t18 + t23 * t24 + t29 * t30;
-            let t34 = t32 * t33;
-            let t35 = t6 - t5 * t34;
-            let t36 = t12 - t11 * t34;
-            let t37 = t6 * t6 + t12 * t12 + t18 * t18 + t24 * t24 + t30 * t30;
-            let t38 = t18 - t17 * t34;
-            let t39 = t24 - t23 * t34;
-            let t40 = t30 - t29 * t34;
-            let t41 = t35 * t35 + t36 * t36 + t38 * t38 + t39 * t39 + t40 * t40;
-            ::pendulum_core::nalgebra::SVector::from([
-                T::from_f64(1.0) / (t31 * t32 * (T::from_f64(1.0) / t41) * t37).sqrt(),
-            ])
+            let t0 = k41 * sin_theta;
+            let t1 = k42 * cos_theta;
+            let t2 = k4 * cos_theta;
+            let t3 = k40 * sin_theta;
+            let t4 = sin_phi * t2 + cos_phi * t3;
+            let t5 = sin_phi * t1 + k44 * sin_phi - (k16 * sin_phi + t4);
+            let t6 = k43 * cos_theta;
+            let t7 = k12 * sin_theta;
+            let t8 = k2 * cos_theta;
+            let t9 = sin_phi * t7 - cos_phi * t8;
+            let t10 = sin_psi * (t0 - t4) - cos_psi * t9;
+            let t11 = cos_phi * t6 + t9 - k45 * cos_phi;
+            let t12 = k42 + k44 * cos_theta;
+            let t13 = cos_phi * t0 + cos_psi * t5 + sin_psi * t11 + sin_phi * t12;
+            let t14 = k40 * cos_theta;
+            let t15 = k4 * sin_theta;
+            let t16 = sin_phi * t14 + cos_phi * t15;
+            let t17 = k41 * sin_phi - k7 * sin_phi - t16;
+            let t18 = k12 * cos_theta;
+            let t19 = k2 * sin_theta;
+            let t20 = cos_phi * t18 - sin_phi * t19;
+            let t21 = k10 * cos_phi + t20;
+            let t22 = sin_psi * t17 + cos_psi * t21;
+            let t23 = k33 * cos_theta;
+            let t24 = k24 * sin_theta;
+            let t25 = k36 * sin_phi - sin_phi * t23 - cos_phi * t24 - k39 * sin_phi;
+            let t26 = k35 * cos_theta;
+            let t27 = k18 * sin_theta;
+            let t28 = k38 * cos_phi + (cos_phi * t26 - sin_phi * t27);
+            let t29 = k37 + k34 * cos_theta;
+            let t30 = k27 * sin_theta;
+            let t31 = sin_psi * t25 + cos_psi * t28 + cos_phi * t29 - sin_phi * t30;
+            let t32 = k21 * sin_theta;
+            let t33 = k20 * cos_theta;
+            let t34 = sin_phi * t32 - cos_phi * t33;
+            let t35 = k22 * sin_theta;
+            let t36 = T::from_f64(0.8) * cos_theta;
+            let t37 = k23 * sin_theta;
+            let t38 = T::from_f64(0.4) * cos_theta;
+            let t39 = cos_phi * t37 + sin_phi * t38;
+            let t40 = sin_psi * t34 - cos_phi * t35 - sin_phi * t36 - cos_psi * t39;
+            let t41 = k29 * sin_theta;
+            let t42 = k30 * cos_theta;
+            let t43 = k23 * cos_theta;
+            let t44 = T::from_f64(0.4) * sin_theta;
+            let t45 = sin_phi * t43 + cos_phi * t44;
+            let t46 = cos_phi * t41 + k25 * sin_phi + sin_phi * t42 - t45;
+            let t47 = k31 * sin_theta;
+            let t48 = k21 * cos_theta;
+            let t49 = k20 * sin_theta;
+            let t50 = cos_phi * t48 - sin_phi * t49;
+            let t51 = k19 * cos_phi - t50;
+            let t52 = k28 - k32 * cos_theta;
+            let t53 = sin_psi * t46 - sin_phi * t47 - cos_psi * t51 - cos_phi * t52;
+            let t54 = t13 * t13 + t22 * t22 + t31 * t31 + t40 * t40 + t53 * t53;
+            let t55 = T::from_f64(1.0) / t54;
+            let t56 = t54 * t55;
+            let t57 = cos_phi * t1 + sin_phi * t3 + k44 * cos_phi + t12 - cos_phi * t2;
+            let t58 = t57 - k16 * cos_phi - k4;
+            let t59 = t6 * sin_phi - cos_phi * t7 - (sin_phi * t8 + k45 * sin_phi);
+            let t60 = sin_psi * t58 + cos_psi * t59;
+            let t61 = sin_phi * t37 - cos_phi * t38;
+            let t62 = sin_phi * t33 - (k19 * sin_theta - cos_phi * t32);
+            let t63 = sin_psi * t61 - cos_psi * t62;
+            let t64 = k19 * sin_phi - sin_phi * t48 - cos_phi * t49;
+            let t65 = sin_phi * t44 + (k30 - sin_phi * t41)
+                + (k25 * cos_theta + k25 * cos_phi + (cos_phi * t42 - cos_phi * t43));
+            let t66 = sin_psi * t64 - cos_psi * t65;
+            let t67 = k41 * cos_phi;
+            let t68 = k41 * cos_theta;
+            let t69 = t67 - k7 * cos_phi - (k40 + cos_phi * t14 - (sin_phi * t15 + t68));
+            let t70 = sin_phi * t18 + cos_phi * t19 + k10 * sin_phi;
+            let t71 = cos_psi * t69 + sin_psi * t70;
+            let t72 = k36 * cos_phi - k39 * cos_phi
+                - (k33 + cos_phi * t23 - (sin_phi * t24 + k36 * cos_theta));
+            let t73 = sin_phi * t26 + cos_phi * t27 + k38 * sin_phi;
+            let t74 = cos_psi * t72 + sin_psi * t73;
+            let t75 = t13 * t60 + t40 * t63 + t53 * t66 - t22 * t71 - t31 * t74;
+            let t76 = t55 * t75;
+            let t77 = t60 - t13 * t76;
+            let t78 = t71 + t22 * t76;
+            let t79 = t74 + t31 * t76;
+            let t80 = t63 - t40 * t76;
+            let t81 = t66 - t53 * t76;
+            let t82 = t77 * t77 + t78 * t78 + t79 * t79 + t80 * t80 + t81 * t81;
+            let t83 = T::from_f64(1.0) / t82;
+            let t84 = t60 * t60 + t71 * t71 + t74 * t74 + t63 * t63 + t66 * t66;
+            let t85 = t83 * t84;
+            let t86 = t56 * t85;
+            let t87 = T::from_f64(1.0) / t86.sqrt();
+            let t88 = cos_theta * qd_theta;
+            let t89 = cos_theta * sin_phi;
+            let t90 = t44 + k22 * t89 + T::from_f64(0.8) * cos_phi * sin_theta
+                + sin_psi * (t50 - k19 * cos_theta);
+            let t91 = t90 + cos_psi * t45;
+            let t92 = sin_phi * sin_theta;
+            let t93 = k32 * t92
+                + sin_psi * (t39 + sin_theta * (k26 - k30 * cos_phi) - k29 * t89);
+            let t94 = t93 + cos_psi * t34 - t33 - k31 * (cos_phi * cos_theta);
+            let t95 = k18 * cos_theta;
+            let t96 = sin_theta
+                * (sin_psi * (k36 - k33 * cos_phi) + sin_phi * (k82 - k35 * cos_psi));
+            let t97 = t95 + t96 + cos_phi * (k27 * cos_theta + cos_psi * t95)
+                - k24 * (sin_psi * t89);
+            let t98 = k42 * sin_theta;
+            let t99 = k44 * sin_theta;
+            let t100 = t98 + cos_phi * t99 + sin_phi * t68
+                + cos_psi * (t99 + cos_phi * t98 - t16);
+            let t101 = t100 - sin_psi * (k43 * t92 + t20);
+            let t102 = t40 * t91 + t53 * t94 - t31 * t97 - t22 * t10 - t13 * t101;
+            let t103 = t55 * t102;
+            let t104 = t80 * (t91 - t40 * t103) + t81 * (t94 - t53 * t103)
+                + t79 * (t97 + t31 * t103);
+            let t105 = t104 + t78 * (t10 + t22 * t103) - t77 * (t101 + t13 * t103);
+            let t106 = t83 * t105;
+            let t107 = qd_theta * (t103 - t76 * t106);
+            let t108 = qd_theta * t106;
+            let t109 = cos_phi * t107;
+            let t110 = sin_phi * t107;
+            let t111 = sin_theta * qd_theta;
+            let t112 = k42 * t111;
+            let t113 = k4 * t111;
+            let t114 = t1 * t109 - sin_phi * t112 + k80 * t109
+                - (t2 * t109 - sin_phi * t113);
+            let t115 = k40 * t88;
+            let t116 = sin_phi * t115 + t3 * t109 + (cos_phi * t113 + t2 * t110)
+                + k83 * t110;
+            let t117 = k12 * t88;
+            let t118 = k2 * t111;
+            let t119 = sin_phi * t117 + t7 * t109 + (cos_phi * t118 + t8 * t110)
+                + k45 * t110;
+            let t120 = k43 * t111;
+            let t121 = t67 * t88 + cos_psi * (t114 - (cos_phi * t115 - t3 * t110))
+                + sin_psi * (t119 - (cos_phi * t120 + t6 * t110));
+            let t122 = t6 * t109 - sin_phi * t120 - (cos_phi * t117 - t7 * t110)
+                - (t8 * t109 - sin_phi * t118);
+            let t123 = cos_psi * t108;
+            let t124 = sin_psi * t108;
+            let t125 = k44 * t111;
+            let t126 = t121 + t123 * t11 + t109 * t12 - sin_phi * t125 - t0 * t110;
+            let t127 = t123 * t58
+                + sin_psi * (t116 - t125 - (cos_phi * t112 + t1 * t110));
+            let t128 = t127 + cos_psi * (t122 - k45 * t109) - t124 * t59;
+            let t129 = t126 - t124 * t5;
+            let t130 = k40 * t111;
+            let t131 = k4 * t88;
+            let t132 = k57 * t109 - (t14 * t109 - sin_phi * t130)
+                - (cos_phi * t131 - t15 * t110);
+            let t133 = k12 * t111;
+            let t134 = k2 * t88;
+            let t135 = cos_phi * t133 + t18 * t110 + (sin_phi * t134 + t19 * t109)
+                + k10 * t110;
+            let t136 = sin_psi * t132 + t123 * t17 - cos_psi * t135 - t124 * t21;
+            let t137 = t18 * t109 - sin_phi * t133 + (cos_phi * t134 - t19 * t110)
+                + k10 * t109;
+            let t138 = k33 * t111;
+            let t139 = k24 * t88;
+            let t140 = k81 * t109 - (t23 * t109 - sin_phi * t138)
+                - (cos_phi * t139 - t24 * t110);
+            let t141 = cos_phi * t111;
+            let t142 = sin_phi * t88;
+            let t143 = sin_psi * t140 + t123 * t25 - k34 * t141 - k27 * t142
+                - t30 * t109;
+            let t144 = k35 * t111;
+            let t145 = k18 * t88;
+            let t146 = cos_phi * t144 + t26 * t110 + (sin_phi * t145 + t27 * t109)
+                + k38 * t110;
+            let t147 = t143 - cos_psi * t146 - t124 * t28 - t110 * t29;
+            let t148 = t26 * t109 - sin_phi * t144 + (cos_phi * t145 - t27 * t110)
+                + k38 * t109;
+            let t149 = k21 * t88;
+            let t150 = k20 * t111;
+            let t151 = sin_psi
+                * (sin_phi * t149 + t32 * t109 + (cos_phi * t150 + t33 * t110));
+            let t152 = t35 * t110 + T::from_f64(0.8) * sin_phi * t111 + t151 + t123 * t34
+                + t124 * t39;
+            let t153 = k19 * t88 - (cos_phi * t149 - t32 * t110)
+                - (t33 * t109 - sin_phi * t150);
+            let t154 = k23 * t88;
+            let t155 = T::from_f64(0.4) * t111;
+            let t156 = cos_psi
+                * (cos_phi * t154 - t37 * t110 + (t38 * t109 - sin_phi * t155));
+            let t157 = sin_psi
+                * (sin_phi * t154 + t37 * t109 + (cos_phi * t155 + t38 * t110));
+            let t158 = cos_psi * t153 + t124 * t62 + t157 + t123 * t61;
+            let t159 = t152 - k22 * cos_phi * t88 - t36 * t109 - t156;
+            let t160 = k29 * t88;
+            let t161 = k30 * t111;
+            let t162 = cos_phi * t160 - t41 * t110 + (t42 * t109 - sin_phi * t161)
+                + k25 * t109;
+            let t163 = k23 * t111;
+            let t164 = T::from_f64(0.4) * t88;
+            let t165 = t162 - (t43 * t109 - sin_phi * t163)
+                - (cos_phi * t164 - t44 * t110);
+            let t166 = k20 * t88;
+            let t167 = k21 * t111;
+            let t168 = t111 + t110;
+            let t169 = sin_phi * t160 + t41 * t109 + (cos_phi * t161 + t42 * t110)
+                + k25 * t168;
+            let t170 = t169 - (cos_phi * t163 + t43 * t110)
+                - (sin_phi * t164 + t44 * t109);
+            let t171 = k41 * t168 - (cos_phi * t130 + t14 * t110)
+                - (sin_phi * t131 + t15 * t109);
+            let t172 = k36 * t168 - (cos_phi * t138 + t23 * t110)
+                - (sin_phi * t139 + t24 * t109);
+            let t173 = t124 * t69 + cos_psi * (t171 - k7 * t110) - sin_psi * t137
+                - t123 * t70;
+            let t174 = t124 * t72 + cos_psi * (t172 - k39 * t110) - sin_psi * t148
+                - t123 * t73;
+            let t175 = k19 * t110 - (cos_phi * t167 + t48 * t110)
+                - (sin_phi * t166 + t49 * t109);
+            let t176 = k19 * t109 - (t48 * t109 - sin_phi * t167)
+                - (cos_phi * t166 - t49 * t110);
+            let t177 = sin_psi * t165 + t123 * t46 + cos_psi * t175 + t124 * t51
+                + t110 * t52;
+            let t178 = t124 * t65 + cos_psi * t170 + sin_psi * t176 + t123 * t64;
+            let t179 = t177 - k32 * t141 - k31 * t142 - t47 * t109;
+            let t180 = t13 * t129 + t22 * t136 + t31 * t147 + t40 * t159 + t53 * t179;
+            let t181 = T::from_f64(2.0) * t180;
+            let t182 = t181 * (T::from_f64(1.0) / (t54 * t54));
+            let t183 = t60 * t128 + t63 * t158 + t66 * t178 - t71 * t173 - t74 * t174;
+            let t184 = t60 * t129 + t13 * t128 + t22 * t173 + t31 * t174 + t63 * t159;
+            let t185 = t184 + t40 * t158 + t66 * t179 + t53 * t178 - t71 * t136;
+            let t186 = t55 * (t185 - t74 * t147) - t75 * t182;
+            let t187 = t77 * (t128 - t76 * t129 - t13 * t186)
+                + t80 * (t158 - t76 * t159 - t40 * t186);
+            let t188 = t187 + t81 * (t178 - t76 * t179 - t53 * t186)
+                - t78 * (t173 - t76 * t136 - t22 * t186);
+            let t189 = t84 * (T::from_f64(1.0) / (t82 * t82))
+                * (T::from_f64(2.0) * (t188 - t79 * (t174 - t76 * t147 - t31 * t186)));
+            let t190 = t85 * (t55 * t181 - t54 * t182)
+                + t56 * (t83 * (T::from_f64(2.0) * t183) - t189);
+            (
+                ::pendulum_core::nalgebra::SVector::from([t87]),
+                ::pendulum_core::nalgebra::SVector::from([
+                    -(T::from_f64(0.5) * t87 * (T::from_f64(1.0) / t86) * t190),
+                ]),
+            )
         }
         ///What a step of Newton's method adds to the coordinates that follow and are in the state, to close their loops.
         #[inline]

@@ -120,12 +120,12 @@ k11 = 1/l
 k12 = 2*l - l
 k13 = 1*0.5*m*g
 k14 = 1
-k15 = 0.5*l^2
+k15 = 1/sqrt(l^4)
 k16 = 1/sqrt(l^4)
-k17 = 0.5*l^2
-k18 = 1*0.5*m*l
-k19 = 1/sqrt(l^4)
-k20 = 1*2*l
+k17 = 1*2*l
+k18 = 0.5*l^2
+k19 = 0.5*l^2
+k20 = 1*0.5*m*l
 k21 = -1
 ```
 */
@@ -169,8 +169,8 @@ k21 = -1
                 let t13 = T::from_f64(0.5) * t11;
                 let t14 = T::from_f64(1.0) / p_l;
                 let t15 = t13 * t14;
-                let t16 = t10 * t14;
-                let t17 = t6 * t14;
+                let t16 = t6 * t14;
+                let t17 = t10 * t14;
                 let t18 = p_l * t14;
                 let t19 = -t18;
                 let t20 = p_l * p_l * p_l * p_l;
@@ -192,11 +192,11 @@ k21 = -1
                     t5,
                     t15,
                     t18,
-                    t3,
                     t21,
-                    t1,
-                    t16,
                     t22,
+                    t16,
+                    t3,
+                    t1,
                     t17,
                     t19,
                 ]
@@ -242,12 +242,12 @@ k21 = -1
                 "2*l - l",
                 "1*0.5*m*g",
                 "1",
-                "0.5*l^2",
                 "1/sqrt(l^4)",
-                "0.5*l^2",
-                "1*0.5*m*l",
                 "1/sqrt(l^4)",
                 "1*2*l",
+                "0.5*l^2",
+                "0.5*l^2",
+                "1*0.5*m*l",
                 "-1",
             ];
             for (name, value) in names.into_iter().zip(constants) {
@@ -337,41 +337,25 @@ k21 = -1
                 (
                     "loop_margins",
                     ::pendulum_core::FunctionCost::new(
-                            "as declared",
-                            ::pendulum_core::Operations::new(7, 12, 3, 1, 2, 53),
-                        )
-                        .with_others(
-                            &[
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(11, 14, 4, 1, 3, 49),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, expanded",
-                                    ::pendulum_core::Operations::new(11, 16, 4, 1, 3, 50),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(11, 16, 4, 1, 3, 51),
-                                ),
-                            ],
-                        ),
+                        "as declared",
+                        ::pendulum_core::Operations::new(12, 36, 7, 1, 2, 54),
+                    ),
                 ),
                 (
                     "jacobian",
                     ::pendulum_core::FunctionCost::new(
                             "closed form, factors of the state first, L^T D L, derived in the graph",
-                            ::pendulum_core::Operations::new(194, 332, 11, 1, 2, 94),
+                            ::pendulum_core::Operations::new(194, 332, 11, 1, 2, 96),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of parameters first, L^T D L, derived in the graph",
-                                    ::pendulum_core::Operations::new(194, 332, 11, 1, 2, 94),
+                                    ::pendulum_core::Operations::new(194, 332, 11, 1, 2, 96),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded, L^T D L, derived in the graph",
-                                    ::pendulum_core::Operations::new(202, 362, 11, 1, 2, 99),
+                                    ::pendulum_core::Operations::new(202, 362, 11, 1, 2, 101),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "recursion, L^T D L, derived in the graph",
@@ -379,7 +363,7 @@ k21 = -1
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "A, B and C, L^T D L, derived in the graph",
-                                    ::pendulum_core::Operations::new(346, 448, 11, 1, 2, 98),
+                                    ::pendulum_core::Operations::new(346, 448, 11, 1, 2, 100),
                                 ),
                             ],
                         ),
@@ -534,7 +518,7 @@ k21 = -1
                     "margins_rate",
                     ::pendulum_core::FunctionCost::new(
                             "as declared",
-                            ::pendulum_core::Operations::new(12, 33, 7, 1, 2, 56),
+                            ::pendulum_core::Operations::new(12, 33, 7, 1, 2, 54),
                         )
                         .with_others(
                             &[
@@ -557,7 +541,7 @@ k21 = -1
                     "margins_and_jacobian",
                     ::pendulum_core::FunctionCost::new(
                             "as declared",
-                            ::pendulum_core::Operations::new(12, 34, 7, 1, 2, 54),
+                            ::pendulum_core::Operations::new(12, 34, 7, 1, 2, 56),
                         )
                         .with_others(
                             &[
@@ -603,7 +587,7 @@ k21 = -1
                     "output_rates",
                     ::pendulum_core::FunctionCost::new(
                             "as declared",
-                            ::pendulum_core::Operations::new(26, 55, 8, 1, 2, 57),
+                            ::pendulum_core::Operations::new(26, 55, 8, 1, 2, 56),
                         )
                         .with_others(
                             &[
@@ -767,25 +751,17 @@ k21 = -1
         ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
             Some(&<DoubleFourBar>::LAYOUT)
         }
-        #[inline]
-        fn project(&self, t: T, x: &mut ::pendulum_core::nalgebra::SVector<T, 2>) {
-            for margin in self.loop_margins(t, x).iter() {
-                x[0] += T::from_f64(0.0) * (*margin - T::from_f64(0.001)).sqrt();
-            }
-        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn margins(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-            tell: &mut dyn FnMut([&'static str; 2], T),
+            tell: &mut dyn FnMut([&'static str; 2], [T; 2]),
         ) {
-            let margins = self.loop_margins(t, x);
-            for (bodies, margin) in [["beam", "second"], ["other", "third"]]
-                .into_iter()
-                .zip(margins.iter())
-            {
-                tell(bodies, *margin);
-            }
+            let (margins, rates) = self.loop_margins(t, x);
+            tell(["beam", "second"], [margins[0], rates[0]]);
+            tell(["other", "third"], [margins[1], rates[1]]);
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
@@ -818,7 +794,7 @@ k21 = -1
             let k8 = self.constants[8];
             let k11 = self.constants[11];
             let k12 = self.constants[12];
-            let k17 = self.constants[17];
+            let k19 = self.constants[19];
             let t0 = qd_theta * qd_theta;
             let t1 = T::from_f64(2.0) * qd_theta;
             let (sin_theta, cos_theta) = q_theta.sin_cos();
@@ -913,8 +889,8 @@ k21 = -1
             let t88 = T::from_f64(-1.0) / (k5 * t87);
             let t89 = (t42 + k5 * (t71 - t82)) * t88;
             let t90 = k4 * cos_theta;
-            let t91 = k17 * t90 * (T::from_f64(1.0) / (t5 * t5))
-                * (T::from_f64(1.0) / t6);
+            let t91 = k19 * (T::from_f64(1.0) / t6) * (T::from_f64(1.0) / (t5 * t5))
+                * t90;
             let t92 = (t5 * t91 - t6 * t90) * (T::from_f64(1.0) / (t11 * t11));
             let t93 = t4 * t91 - t13 - t2 * t6;
             let t94 = t3 * t91 + T::from_f64(0.5) * t2 - t7;
@@ -923,8 +899,8 @@ k21 = -1
             let t97 = t4 + t93;
             let t98 = t36 * t92 - t12 * (t2 * (t96 - t9) + t4 * (t20 - t97));
             let t99 = k4 * t79;
-            let t100 = k17 * t99 * (T::from_f64(1.0) / (t23 * t23))
-                * (T::from_f64(1.0) / t24);
+            let t100 = k19 * (T::from_f64(1.0) / t24) * (T::from_f64(1.0) / (t23 * t23))
+                * t99;
             let t101 = (t23 * t100 - t24 * t99) * (T::from_f64(1.0) / (t28 * t28));
             let t102 = t22 * t95 + t16 * t43;
             let t103 = k0 * t79;
@@ -1029,7 +1005,7 @@ k21 = -1
             let k10 = self.constants[10];
             let k11 = self.constants[11];
             let k12 = self.constants[12];
-            let k18 = self.constants[18];
+            let k20 = self.constants[20];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k4 - k4 * sin_theta;
             let t1 = (k2 * (T::from_f64(1.0) / t0) - T::from_f64(0.25)).sqrt();
@@ -1061,7 +1037,7 @@ k21 = -1
             let t26 = (t22 * t24 - t23 * t17) * t21;
             let t27 = k10 * (t10 * t10 + t25 * t25 + t26 * t26) + qd_theta * t12;
             let t28 = qd_theta * t11;
-            let t29 = t28 * (t25 * (k18 * (t13 * t22 + t14 * t23)) + k9 * t28);
+            let t29 = t28 * (t25 * (k20 * (t13 * t22 + t14 * t23)) + k9 * t28);
             t27 + t29
         }
         #[inline]
@@ -1092,27 +1068,49 @@ k21 = -1
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> DoubleFourBar<T> {
-        ///How far each closed loop is from its toggle, in the order of the declaration: 0 there, and at most 1.
-        #[inline]
+        ///How far each closed loop is from its toggle, in the order of the declaration: 0 there, and at most 1. And the rates of that.
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn loop_margins(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
-            let [q_theta, _] = x.data.0[0];
+        ) -> (
+            ::pendulum_core::nalgebra::SVector<T, 2>,
+            ::pendulum_core::nalgebra::SVector<T, 2>,
+        ) {
+            let [q_theta, qd_theta] = x.data.0[0];
             let k0 = self.constants[0];
             let k2 = self.constants[2];
             let k4 = self.constants[4];
+            let k11 = self.constants[11];
+            let k15 = self.constants[15];
             let k16 = self.constants[16];
+            let k17 = self.constants[17];
+            let k18 = self.constants[18];
+            let t0 = k4 * qd_theta;
             let (sin_theta, cos_theta) = q_theta.sin_cos();
-            let t0 = k4 - k4 * sin_theta;
-            let t1 = (k2 * (T::from_f64(1.0) / t0) - T::from_f64(0.25)).sqrt();
-            let t2 = k0 - k0 * sin_theta;
-            let t3 = k4 - k4 * ((T::from_f64(0.5) * t2 + k0 * t1 * cos_theta - t2) / k0);
-            ::pendulum_core::nalgebra::SVector::from([
-                k16 * t0 * t1,
-                k16 * t3 * (k2 * (T::from_f64(1.0) / t3) - T::from_f64(0.25)).sqrt(),
-            ])
+            let t1 = k4 - k4 * sin_theta;
+            let t2 = (k2 * (T::from_f64(1.0) / t1) - T::from_f64(0.25)).sqrt();
+            let t3 = t1 * t2;
+            let t4 = k0 * sin_theta;
+            let t5 = k0 - t4;
+            let t6 = k0 * cos_theta;
+            let t7 = cos_theta * t0;
+            let t8 = k18 * t1 * t7 * (T::from_f64(1.0) / (t1 * t1))
+                * (T::from_f64(1.0) / t2) - t2 * t7;
+            let t9 = T::from_f64(0.5) * t5 + t2 * t6;
+            let t10 = t2 * t5 - T::from_f64(0.5) * t6;
+            let t11 = k11 * (t6 + t10) * (T::from_f64(1.0) / t3) * (t6 * t9 - t4 * t10);
+            let t12 = k4 - k17 * (t9 - t5);
+            let t13 = t11 * t0;
+            let t14 = (k2 * (T::from_f64(1.0) / t12) - T::from_f64(0.25)).sqrt();
+            let t15 = k18 * t12 * t13 * (T::from_f64(1.0) / (t12 * t12))
+                * (T::from_f64(1.0) / t14) - t14 * t13;
+            (
+                ::pendulum_core::nalgebra::SVector::from([k16 * t3, k16 * t12 * t14]),
+                ::pendulum_core::nalgebra::SVector::from([k15 * t8, k15 * t15]),
+            )
         }
         ///Output `parallel`.
         #[inline]
@@ -1319,29 +1317,29 @@ k21 = -1
             let k2 = self.constants[2];
             let k4 = self.constants[4];
             let k11 = self.constants[11];
+            let k15 = self.constants[15];
             let k17 = self.constants[17];
-            let k19 = self.constants[19];
-            let k20 = self.constants[20];
+            let k18 = self.constants[18];
             let t0 = k4 * qd_theta;
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t1 = k4 - k4 * sin_theta;
-            let t2 = (k2 * (T::from_f64(1.0) / t1) - T::from_f64(0.25)).sqrt();
-            let t3 = cos_theta * t0;
-            let t4 = k17 * t1 * (T::from_f64(1.0) / t2) * (T::from_f64(1.0) / (t1 * t1))
-                * t3 - t2 * t3;
+            let t2 = cos_theta * t0;
+            let t3 = (k2 * (T::from_f64(1.0) / t1) - T::from_f64(0.25)).sqrt();
+            let t4 = k18 * t1 * t2 * (T::from_f64(1.0) / (t1 * t1))
+                * (T::from_f64(1.0) / t3) - t2 * t3;
             let t5 = k0 * sin_theta;
             let t6 = k0 * cos_theta;
             let t7 = k0 - t5;
-            let t8 = T::from_f64(0.5) * t7 + t2 * t6;
-            let t9 = k4 - k20 * (t8 - t7);
-            let t10 = t2 * t7 - T::from_f64(0.5) * t6;
-            let t11 = k11 * (t6 + t10) * (T::from_f64(1.0) / (t1 * t2))
+            let t8 = T::from_f64(0.5) * t7 + t3 * t6;
+            let t9 = k4 - k17 * (t8 - t7);
+            let t10 = t3 * t7 - T::from_f64(0.5) * t6;
+            let t11 = k11 * (t6 + t10) * (T::from_f64(1.0) / (t1 * t3))
                 * (t6 * t8 - t5 * t10);
             let t12 = t11 * t0;
             let t13 = (k2 * (T::from_f64(1.0) / t9) - T::from_f64(0.25)).sqrt();
-            let t14 = k17 * t9 * (T::from_f64(1.0) / t13)
-                * (T::from_f64(1.0) / (t9 * t9)) * t12 - t13 * t12;
-            ::pendulum_core::nalgebra::SVector::from([k19 * t4, k19 * t14])
+            let t14 = k18 * t9 * t12 * (T::from_f64(1.0) / (t9 * t9))
+                * (T::from_f64(1.0) / t13) - t12 * t13;
+            ::pendulum_core::nalgebra::SVector::from([k15 * t4, k15 * t14])
         }
         ///The value of `margins`, and its derivatives by the state: a row for each component, column by column for a matrix.
         #[inline]
@@ -1359,8 +1357,8 @@ k21 = -1
             let k4 = self.constants[4];
             let k15 = self.constants[15];
             let k16 = self.constants[16];
-            let k19 = self.constants[19];
-            let k20 = self.constants[20];
+            let k17 = self.constants[17];
+            let k18 = self.constants[18];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k4 - k4 * sin_theta;
             let t1 = (k2 * (T::from_f64(1.0) / t0) - T::from_f64(0.25)).sqrt();
@@ -1369,19 +1367,19 @@ k21 = -1
             let t4 = k0 - t3;
             let t5 = k0 * cos_theta;
             let t6 = k4 * cos_theta;
-            let t7 = k15 * t0 * t6 * (T::from_f64(1.0) / (t0 * t0))
-                * (T::from_f64(1.0) / t1) - t1 * t6;
+            let t7 = k18 * t0 * (T::from_f64(1.0) / t1) * (T::from_f64(1.0) / (t0 * t0))
+                * t6 - t1 * t6;
             let t8 = T::from_f64(0.5) * t4 + t1 * t5;
             let t9 = t1 * t4 - T::from_f64(0.5) * t5;
-            let t10 = k20 * (t5 + t9) * (T::from_f64(1.0) / t2) * (t5 * t8 - t3 * t9);
-            let t11 = k4 - k20 * (t8 - t4);
+            let t10 = k17 * (t5 + t9) * (T::from_f64(1.0) / t2) * (t5 * t8 - t3 * t9);
+            let t11 = k4 - k17 * (t8 - t4);
             let t12 = (k2 * (T::from_f64(1.0) / t11) - T::from_f64(0.25)).sqrt();
-            let t13 = k15 * t11 * t10 * (T::from_f64(1.0) / (t11 * t11))
-                * (T::from_f64(1.0) / t12) - t12 * t10;
+            let t13 = k18 * t11 * (T::from_f64(1.0) / t12)
+                * (T::from_f64(1.0) / (t11 * t11)) * t10 - t12 * t10;
             (
                 ::pendulum_core::nalgebra::SVector::from([k16 * t2, k16 * t11 * t12]),
                 ::pendulum_core::nalgebra::SMatrix::from([
-                    [k19 * t7, k19 * t13],
+                    [k15 * t7, k15 * t13],
                     [T::from_f64(0.0), T::from_f64(0.0)],
                 ]),
             )
@@ -1452,7 +1450,7 @@ k21 = -1
             let k11 = self.constants[11];
             let k12 = self.constants[12];
             let k15 = self.constants[15];
-            let k19 = self.constants[19];
+            let k18 = self.constants[18];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k4 - k4 * sin_theta;
             let t1 = (k2 * (T::from_f64(1.0) / t0) - T::from_f64(0.25)).sqrt();
@@ -1460,8 +1458,8 @@ k21 = -1
             let t3 = k0 * cos_theta;
             let t4 = k0 * sin_theta;
             let t5 = k4 * qd_theta * cos_theta;
-            let t6 = k15 * t0 * (T::from_f64(1.0) / t1) * (T::from_f64(1.0) / (t0 * t0))
-                * t5 - t1 * t5;
+            let t6 = k18 * t0 * t5 * (T::from_f64(1.0) / (t0 * t0))
+                * (T::from_f64(1.0) / t1) - t1 * t5;
             let t7 = k0 - t4;
             let t8 = T::from_f64(0.5) * t7 + t1 * t3;
             let t9 = t1 * t7 - T::from_f64(0.5) * t3;
@@ -1479,8 +1477,8 @@ k21 = -1
             let t21 = t10 * t18;
             let t22 = t10 * t17;
             let t23 = (k2 * (T::from_f64(1.0) / t19) - T::from_f64(0.25)).sqrt();
-            let t24 = k15 * t19 * (T::from_f64(1.0) / t23)
-                * (T::from_f64(1.0) / (t19 * t19)) * t16 - t23 * t16;
+            let t24 = k18 * t19 * t16 * (T::from_f64(1.0) / (t19 * t19))
+                * (T::from_f64(1.0) / t23) - t23 * t16;
             let t25 = qd_theta * (T::from_f64(1.0) / (t19 * t23));
             let t26 = T::from_f64(0.5) * t20 + t23 * t17;
             let t27 = t23 * t20 - T::from_f64(0.5) * t17;
@@ -1489,8 +1487,8 @@ k21 = -1
                 qd_theta - t15,
                 t15 - t15 - ((t20 - t26) * t22 - (t17 + t27) * t21) * t25,
                 qd_theta - (t26 * t22 + t27 * t21) * t25,
-                k19 * t6,
-                k19 * t24,
+                k15 * t6,
+                k15 * t24,
             ])
         }
         ///The value of all outputs, and its derivatives by the state: a row for each component, column by column for a matrix.
@@ -1509,8 +1507,8 @@ k21 = -1
             let k4 = self.constants[4];
             let k11 = self.constants[11];
             let k12 = self.constants[12];
+            let k15 = self.constants[15];
             let k16 = self.constants[16];
-            let k17 = self.constants[17];
             let k19 = self.constants[19];
             let t0 = q_theta - T::from_f64(0.5);
             let [(sin_theta, cos_theta), (sin1, cos1)] = q_theta
@@ -1541,10 +1539,10 @@ k21 = -1
             let t25 = k11 * t23;
             let t26 = cos1 * t13 - sin1 * t14;
             let t27 = k4 * cos_theta;
-            let t28 = k17 * t5 * t27 * (T::from_f64(1.0) / (t5 * t5))
-                * (T::from_f64(1.0) / t6) - t6 * t27;
+            let t28 = k19 * t5 * (T::from_f64(1.0) / t6) * (T::from_f64(1.0) / (t5 * t5))
+                * t27 - t6 * t27;
             let t29 = t5 * t6;
-            let t30 = k19 * t28;
+            let t30 = k15 * t28;
             let t31 = k16 * t29;
             let t32 = T::from_f64(1.0) / t29;
             let t33 = -(t32 * (t2 * t10 + t3 * t12));
@@ -1561,9 +1559,9 @@ k21 = -1
             let t44 = t34 - t34 - t43 * (t24 * t38 - t37 * t36);
             let t45 = T::from_f64(1.0) - t43 * (t20 * t38 - t23 * t36);
             let t46 = k4 * t13 * t34;
-            let t47 = k17 * t18 * t46 * (T::from_f64(1.0) / (t18 * t18))
-                * (T::from_f64(1.0) / t19) - t19 * t46;
-            let t48 = k19 * t47;
+            let t47 = k19 * t18 * (T::from_f64(1.0) / t19)
+                * (T::from_f64(1.0) / (t18 * t18)) * t46 - t19 * t46;
+            let t48 = k15 * t47;
             let [(sin49, cos49), (sin50, cos50)] = t0.sin_cos_pair(T::from_f64(-0.5));
             let t51 = t0 + (t8 * cos49 - t11 * sin49).atan2(cos49 * t11 + t8 * sin49);
             let t52 = t0 - (sin50 * t39 - cos50 * t40).atan2(cos50 * t39 + sin50 * t40);

@@ -143,16 +143,18 @@ k28 = 169/900*a^4
 k29 = 0.05*b^2
 k30 = 1/b
 k31 = 1*0.15
-k32 = 0.35*k*w
-k33 = 0.35*2*k*w
-k34 = 1*1.4715
-k35 = 1
+k32 = 1/sqrt(b^4)
+k33 = 0.5*b^2
+k34 = 0.35*k*w
+k35 = 0.35*2*k*w
+k36 = 1*1.4715
+k37 = 1
 ```
 */
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct FiveBar<T = f64> {
         params: FiveBarParams,
-        constants: [T; 36],
+        constants: [T; 38],
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl FiveBar {
@@ -171,7 +173,7 @@ k35 = 1
                 []
             }
             #[inline]
-            fn constants<T: ::pendulum_core::real::Real>(given: [T; 6]) -> [T; 36] {
+            fn constants<T: ::pendulum_core::real::Real>(given: [T; 6]) -> [T; 38] {
                 let [p_a, p_b, p_d, p_k, p_c, p_w] = given;
                 let t0 = T::from_f64(4.905) * p_a;
                 let t1 = T::from_f64(0.18777777777777777) * (p_a * p_a * p_a * p_a);
@@ -179,39 +181,41 @@ k35 = 1
                 let t3 = p_b * p_b;
                 let t4 = T::from_f64(0.1) * t3;
                 let t5 = T::from_f64(0.05) * t3;
-                let t6 = T::from_f64(0.15) * p_b;
-                let t7 = T::from_f64(0.5) * p_b;
-                let t8 = T::from_f64(0.025) * t3 + T::from_f64(0.3) * (t7 * t7);
-                let t9 = p_b * p_b * p_b * p_b;
-                let t10 = t9.sqrt();
-                let t11 = T::from_f64(0.01) * t9;
-                let t12 = T::from_f64(0.02) * t9;
-                let t13 = p_a * p_a;
-                let t14 = T::from_f64(0.43333333333333335) * t13;
-                let t15 = T::from_f64(0.21666666666666667) * t13;
-                let t16 = T::from_f64(0.5) * p_a;
-                let t17 = T::from_f64(0.03333333333333333) * t13
-                    + T::from_f64(0.4) * (t16 * t16) + p_a * (T::from_f64(0.3) * p_a);
-                let t18 = p_a * p_b;
-                let t19 = T::from_f64(0.3) * t18;
-                let t20 = T::from_f64(0.15) * t18;
-                let t21 = T::from_f64(0.03) * (t3 * t18);
-                let t22 = T::from_f64(0.13) * (t13 * t18);
-                let t23 = t13 * t3;
-                let t24 = t18 * t18;
-                let t25 = T::from_f64(0.0225) * t24;
-                let t26 = T::from_f64(0.09) * t24;
-                let t27 = T::from_f64(0.045) * t24;
-                let t28 = T::from_f64(0.043333333333333335) * t23;
-                let t29 = T::from_f64(0.020833333333333332) * t23;
-                let t30 = T::from_f64(1.4715) * p_b;
-                let t31 = T::from_f64(1.0) / p_b;
-                let t32 = t6 * t31;
-                let t33 = t30 * t31;
-                let t34 = p_b * t31;
-                let t35 = T::from_f64(0.35) * p_k;
-                let t36 = t2 * t35;
-                let t37 = p_w * t35;
+                let t6 = T::from_f64(0.5) * t3;
+                let t7 = T::from_f64(0.15) * p_b;
+                let t8 = T::from_f64(0.5) * p_b;
+                let t9 = T::from_f64(0.025) * t3 + T::from_f64(0.3) * (t8 * t8);
+                let t10 = p_b * p_b * p_b * p_b;
+                let t11 = t10.sqrt();
+                let t12 = T::from_f64(0.01) * t10;
+                let t13 = T::from_f64(0.02) * t10;
+                let t14 = T::from_f64(1.0) / t10.sqrt();
+                let t15 = p_a * p_a;
+                let t16 = T::from_f64(0.43333333333333335) * t15;
+                let t17 = T::from_f64(0.21666666666666667) * t15;
+                let t18 = T::from_f64(0.5) * p_a;
+                let t19 = T::from_f64(0.03333333333333333) * t15
+                    + T::from_f64(0.4) * (t18 * t18) + p_a * (T::from_f64(0.3) * p_a);
+                let t20 = p_a * p_b;
+                let t21 = T::from_f64(0.3) * t20;
+                let t22 = T::from_f64(0.15) * t20;
+                let t23 = T::from_f64(0.03) * (t3 * t20);
+                let t24 = T::from_f64(0.13) * (t15 * t20);
+                let t25 = t15 * t3;
+                let t26 = t20 * t20;
+                let t27 = T::from_f64(0.0225) * t26;
+                let t28 = T::from_f64(0.09) * t26;
+                let t29 = T::from_f64(0.045) * t26;
+                let t30 = T::from_f64(0.043333333333333335) * t25;
+                let t31 = T::from_f64(0.020833333333333332) * t25;
+                let t32 = T::from_f64(1.4715) * p_b;
+                let t33 = T::from_f64(1.0) / p_b;
+                let t34 = t7 * t33;
+                let t35 = t32 * t33;
+                let t36 = p_b * t33;
+                let t37 = T::from_f64(0.35) * p_k;
+                let t38 = t2 * t37;
+                let t39 = p_w * t37;
                 [
                     p_a,
                     p_b,
@@ -221,34 +225,36 @@ k35 = 1
                     p_w,
                     t2,
                     t3,
-                    t6,
-                    t8,
-                    t10,
-                    t17,
-                    t25,
-                    t14,
-                    t4,
-                    t19,
-                    t20,
-                    t30,
-                    t0,
-                    t15,
-                    t21,
+                    t7,
+                    t9,
                     t11,
-                    t26,
-                    t12,
-                    t22,
-                    t28,
-                    t29,
+                    t19,
                     t27,
+                    t16,
+                    t4,
+                    t21,
+                    t22,
+                    t32,
+                    t0,
+                    t17,
+                    t23,
+                    t12,
+                    t28,
+                    t13,
+                    t24,
+                    t30,
+                    t31,
+                    t29,
                     t1,
                     t5,
-                    t31,
-                    t32,
-                    t37,
-                    t36,
                     t33,
                     t34,
+                    t14,
+                    t6,
+                    t39,
+                    t38,
+                    t35,
+                    t36,
                 ]
             }
             let given = params.to_array();
@@ -266,7 +272,7 @@ k35 = 1
             }
             let [] = rules(given);
             let constants = constants(given);
-            let names: [&'static str; 36] = [
+            let names: [&'static str; 38] = [
                 "a",
                 "b",
                 "d",
@@ -299,6 +305,8 @@ k35 = 1
                 "0.05*b^2",
                 "1/b",
                 "1*0.15",
+                "1/sqrt(b^4)",
+                "0.5*b^2",
                 "0.35*k*w",
                 "0.35*2*k*w",
                 "1*1.4715",
@@ -395,25 +403,9 @@ k35 = 1
                 (
                     "loop_margins",
                     ::pendulum_core::FunctionCost::new(
-                            "as declared",
-                            ::pendulum_core::Operations::new(5, 6, 2, 2, 1, 40),
-                        )
-                        .with_others(
-                            &[
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(9, 10, 1, 2, 1, 37),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(9, 10, 1, 2, 1, 37),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, expanded",
-                                    ::pendulum_core::Operations::new(9, 10, 1, 2, 1, 37),
-                                ),
-                            ],
-                        ),
+                        "as declared",
+                        ::pendulum_core::Operations::new(9, 23, 4, 2, 1, 42),
+                    ),
                 ),
                 (
                     "jacobian",
@@ -725,25 +717,16 @@ k35 = 1
         ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
             Some(&<FiveBar>::LAYOUT)
         }
-        #[inline]
-        fn project(&self, t: T, x: &mut ::pendulum_core::nalgebra::SVector<T, 4>) {
-            for margin in self.loop_margins(t, x).iter() {
-                x[0] += T::from_f64(0.0) * (*margin - T::from_f64(0.001)).sqrt();
-            }
-        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn margins(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 4>,
-            tell: &mut dyn FnMut([&'static str; 2], T),
+            tell: &mut dyn FnMut([&'static str; 2], [T; 2]),
         ) {
-            let margins = self.loop_margins(t, x);
-            for (bodies, margin) in [["left_bar", "right_bar"]]
-                .into_iter()
-                .zip(margins.iter())
-            {
-                tell(bodies, *margin);
-            }
+            let (margins, rates) = self.loop_margins(t, x);
+            tell(["left_bar", "right_bar"], [margins[0], rates[0]]);
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
@@ -891,8 +874,8 @@ k35 = 1
             let t93 = T::from_f64(2.0) * t9;
             let t94 = t8 * t92 - t11 * t93;
             let t95 = t10 * t93 - t7 * t92;
-            let t96 = k1 * (T::from_f64(1.0) / (t13 * t13))
-                * (k1 * (T::from_f64(0.5) * (T::from_f64(1.0) / t14)));
+            let t96 = k1 * (T::from_f64(0.5) * (T::from_f64(1.0) / t14))
+                * (k1 * (T::from_f64(1.0) / (t13 * t13)));
             let t97 = t94 * t96;
             let t98 = (t14 * t94 - t13 * t97) * t24;
             let t99 = t95 * t96;
@@ -1031,11 +1014,11 @@ k35 = 1
             let k11 = self.constants[11];
             let k30 = self.constants[30];
             let k31 = self.constants[31];
-            let k32 = self.constants[32];
-            let k33 = self.constants[33];
+            let k34 = self.constants[34];
+            let k35 = self.constants[35];
             let [(_, cos0), (sin1, _)] = (k5 * t).sin_cos_pair(k6 * t);
-            let t2 = k32 * cos0;
-            let t3 = k33 * sin1;
+            let t2 = k34 * cos0;
+            let t3 = k35 * sin1;
             let [(sin_q1, cos_q1), (sin_q2, cos_q2)] = q_q1.sin_cos_pair(q_q2);
             let t4 = k11 * cos_q1 * cos_q1;
             let t5 = k0 * cos_q2;
@@ -1123,7 +1106,7 @@ k35 = 1
             let k2 = self.constants[2];
             let k7 = self.constants[7];
             let k18 = self.constants[18];
-            let k34 = self.constants[34];
+            let k36 = self.constants[36];
             let [(sin_q1, cos_q1), (sin_q2, cos_q2)] = q_q1.sin_cos_pair(q_q2);
             let t0 = k0 * (sin_q2 - sin_q1);
             let t1 = k2 + k0 * (cos_q2 - cos_q1);
@@ -1131,30 +1114,47 @@ k35 = 1
                 * (k7 * (T::from_f64(1.0) / (t1 * t1 + t0 * t0)) - T::from_f64(0.25))
                     .sqrt();
             let t3 = T::from_f64(0.5) * t0 + t2;
-            k18 * (sin_q1 + sin_q2) + k34 * (t3 - (t0 - t3))
+            k18 * (sin_q1 + sin_q2) + k36 * (t3 - (t0 - t3))
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> FiveBar<T> {
-        ///How far each closed loop is from its toggle, in the order of the declaration: 0 there, and at most 1.
-        #[inline]
+        ///How far each closed loop is from its toggle, in the order of the declaration: 0 there, and at most 1. And the rates of that.
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn loop_margins(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 4>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 1> {
-            let [q_q1, q_q2, _, _] = x.data.0[0];
+        ) -> (
+            ::pendulum_core::nalgebra::SVector<T, 1>,
+            ::pendulum_core::nalgebra::SVector<T, 1>,
+        ) {
+            let [q_q1, q_q2, qd_q1, qd_q2] = x.data.0[0];
             let k0 = self.constants[0];
             let k2 = self.constants[2];
             let k7 = self.constants[7];
             let k10 = self.constants[10];
+            let k32 = self.constants[32];
+            let k33 = self.constants[33];
             let [(sin_q2, cos_q2), (sin_q1, cos_q1)] = q_q2.sin_cos_pair(q_q1);
-            let t0 = k2 + k0 * (cos_q2 - cos_q1);
-            let t1 = k0 * (sin_q2 - sin_q1);
-            let t2 = t0 * t0 + t1 * t1;
-            ::pendulum_core::nalgebra::SVector::from([
-                t2 * (k7 * (T::from_f64(1.0) / t2) - T::from_f64(0.25)).sqrt() / k10,
-            ])
+            let t0 = k0 * cos_q2;
+            let t1 = k0 * cos_q1;
+            let t2 = k2 + t0 - t1;
+            let t3 = k0 * sin_q2;
+            let t4 = k0 * sin_q1;
+            let t5 = t3 - t4;
+            let t6 = T::from_f64(2.0) * t2 * (t4 * qd_q1 - t3 * qd_q2)
+                + T::from_f64(2.0) * t5 * (t0 * qd_q2 - t1 * qd_q1);
+            let t7 = t2 * t2 + t5 * t5;
+            let t8 = (k7 * (T::from_f64(1.0) / t7) - T::from_f64(0.25)).sqrt();
+            let t9 = t8 * t6
+                - k33 * t7 * t6 * (T::from_f64(1.0) / (t7 * t7))
+                    * (T::from_f64(1.0) / t8);
+            (
+                ::pendulum_core::nalgebra::SVector::from([t7 * t8 / k10]),
+                ::pendulum_core::nalgebra::SVector::from([k32 * t9]),
+            )
         }
         ///Output `hand`.
         #[inline]
@@ -1167,7 +1167,7 @@ k35 = 1
             let k0 = self.constants[0];
             let k2 = self.constants[2];
             let k7 = self.constants[7];
-            let k35 = self.constants[35];
+            let k37 = self.constants[37];
             let [(sin_q1, cos_q1), (sin_q2, cos_q2)] = q_q1.sin_cos_pair(q_q2);
             let t0 = k0 * cos_q1;
             let t1 = k2 + k0 * cos_q2 - t0;
@@ -1176,8 +1176,8 @@ k35 = 1
             let t4 = (k7 * (T::from_f64(1.0) / (t1 * t1 + t3 * t3)) - T::from_f64(0.25))
                 .sqrt();
             ::pendulum_core::nalgebra::SVector::from([
-                t0 + k35 * (T::from_f64(0.5) * t1 + t3 * t4),
-                t2 + k35 * (t1 * t4 - T::from_f64(0.5) * t3),
+                t0 + k37 * (T::from_f64(0.5) * t1 + t3 * t4),
+                t2 + k37 * (t1 * t4 - T::from_f64(0.5) * t3),
             ])
         }
         ///The rate of `hand` along the motion.
@@ -1275,7 +1275,7 @@ k35 = 1
             let k0 = self.constants[0];
             let k2 = self.constants[2];
             let k7 = self.constants[7];
-            let k35 = self.constants[35];
+            let k37 = self.constants[37];
             let [(sin_q2, cos_q2), (sin_q1, cos_q1)] = q_q2.sin_cos_pair(q_q1);
             let t0 = k0 * cos_q2 - (k0 * cos_q1 - k2);
             let t1 = k0 * sin_q1 - k0 * sin_q2;
@@ -1284,8 +1284,8 @@ k35 = 1
             let t3 = T::from_f64(0.5) * t0 + t1 * t2;
             let t4 = t0 * t2 - T::from_f64(0.5) * t1;
             ::pendulum_core::nalgebra::SVector::from([
-                k35 * (t3 + (t0 - t3)) - t0,
-                t1 + k35 * (t4 - (t1 + t4)),
+                k37 * (t3 + (t0 - t3)) - t0,
+                t1 + k37 * (t4 - (t1 + t4)),
             ])
         }
         ///The rate of `gap` along the motion.
@@ -1299,7 +1299,7 @@ k35 = 1
             let k0 = self.constants[0];
             let k2 = self.constants[2];
             let k7 = self.constants[7];
-            let k35 = self.constants[35];
+            let k37 = self.constants[37];
             let [(sin_q2, cos_q2), (sin_q1, cos_q1)] = q_q2.sin_cos_pair(q_q1);
             let t0 = k0 * sin_q2;
             let t1 = k0 * sin_q1;
@@ -1319,8 +1319,8 @@ k35 = 1
             let t15 = t8 * t12;
             let t16 = t8 * t14;
             ::pendulum_core::nalgebra::SVector::from([
-                k0 * (qd_q2 * sin_q2 - sin_q1 * qd_q1) + k35 * (t11 * t15 - t9 * t16),
-                k0 * (cos_q1 * qd_q1 - qd_q2 * cos_q2) + k35 * (t10 * t16 - t15 * t13),
+                k0 * (qd_q2 * sin_q2 - sin_q1 * qd_q1) + k37 * (t11 * t15 - t9 * t16),
+                k0 * (cos_q1 * qd_q1 - qd_q2 * cos_q2) + k37 * (t10 * t16 - t15 * t13),
             ])
         }
         ///The value of `gap`, and its derivatives by the state: a row for each component, column by column for a matrix.
@@ -1388,7 +1388,7 @@ k35 = 1
             let k0 = self.constants[0];
             let k2 = self.constants[2];
             let k7 = self.constants[7];
-            let k35 = self.constants[35];
+            let k37 = self.constants[37];
             let [(sin_q1, cos_q1), (sin_q2, cos_q2)] = q_q1.sin_cos_pair(q_q2);
             let t0 = k0 * cos_q1;
             let t1 = k2 + k0 * cos_q2;
@@ -1400,13 +1400,13 @@ k35 = 1
                 .sqrt();
             let t7 = T::from_f64(0.5) * t2 + t5 * t6;
             let t8 = t2 * t6 - T::from_f64(0.5) * t5;
-            let t9 = t0 + k35 * t7;
-            let t10 = t3 + k35 * t8;
+            let t9 = t0 + k37 * t7;
+            let t10 = t3 + k37 * t8;
             ::pendulum_core::nalgebra::SVector::from([
                 t9,
                 t10,
-                t9 + k35 * (t2 - t7) - t1,
-                t10 - t4 - k35 * (t5 + t8),
+                t9 + k37 * (t2 - t7) - t1,
+                t10 - t4 - k37 * (t5 + t8),
             ])
         }
         ///The rate of all outputs along the motion.
@@ -1609,7 +1609,7 @@ k35 = 1
                     let k0 = self.constants[0];
                     let k2 = self.constants[2];
                     let k7 = self.constants[7];
-                    let k35 = self.constants[35];
+                    let k37 = self.constants[37];
                     let [(sin_q1, cos_q1), (sin_q2, cos_q2)] = q_q1.sin_cos_pair(q_q2);
                     let t0 = k0 * cos_q1;
                     let t1 = k0 * sin_q1;
@@ -1621,11 +1621,11 @@ k35 = 1
                         - T::from_f64(0.25))
                         .sqrt();
                     let t7 = T::from_f64(0.5) * t4 + t5 * t6;
-                    let t8 = t0 + k35 * t7;
-                    let t9 = t2 - k35 * (t4 - t7);
+                    let t8 = t0 + k37 * t7;
+                    let t9 = t2 - k37 * (t4 - t7);
                     let t10 = t4 * t6 - T::from_f64(0.5) * t5;
-                    let t11 = t3 + k35 * (t5 + t10);
-                    let t12 = t1 + k35 * t10;
+                    let t11 = t3 + k37 * (t5 + t10);
+                    let t12 = t1 + k37 * t10;
                     [
                         T::from_f64(0.0),
                         T::from_f64(0.0),

@@ -101,40 +101,37 @@ k2 = c
 k3 = d
 k4 = gamma
 k5 = b^2
-k6 = 0.5*(b^2 - c^2)
-k7 = 0.02*(18*a + 55*a*b)
-k8 = 0.18*a
-k9 = 1/750*(54 + 275*b^2)
-k10 = 28/15*a^2
-k11 = 0.3*c^2
-k12 = 0.09*a
-k13 = 0.01*(18*a + 55*a*b)
-k14 = 0.0981*(18 + 55*b)
-k15 = 4.4145*c
-k16 = 14/15*a^2
-k17 = 1/1500*(54 + 275*b^2)
-k18 = 0.15*c^2
-k19 = 19.1295*a
-k20 = 1/b
-k21 = a*d
-k22 = a^2*sqrt(b^2*c^2)/(b^2*c^2) + d^2*sqrt(b^2*c^2)/(b^2*c^2)
-k23 = 2*a*d*sqrt(b^2*c^2)/(b^2*c^2)
-k24 = 0.5*a^2 + 0.5*d^2
-k25 = 0.125*b^2*c^2 - 0.0625*b^4 - 0.0625*c^4
-k26 = 0.25*b^2 + 0.25*c^2
-k27 = 1/c
-k28 = 1*4.4145
-k29 = 1*0.0981*(18 + 55*b)/b
-k30 = 1*0.8829/b
-k31 = 1
-k32 = 1
-k33 = -1
+k6 = b^2 - c^2
+k7 = 0.5*(b^2 - c^2)
+k8 = sqrt(b^2*c^2)
+k9 = 0.02*(18*a + 55*a*b)
+k10 = 0.18*a
+k11 = 1/750*(54 + 275*b^2)
+k12 = 28/15*a^2
+k13 = 0.3*c^2
+k14 = 0.09*a
+k15 = 0.01*(18*a + 55*a*b)
+k16 = 0.0981*(18 + 55*b)
+k17 = 4.4145*c
+k18 = 14/15*a^2
+k19 = 1/1500*(54 + 275*b^2)
+k20 = 0.15*c^2
+k21 = 19.1295*a
+k22 = 1/b
+k23 = 1/sqrt(b^2*c^2)
+k24 = 1/c
+k25 = 1*4.4145
+k26 = 1*0.0981*(18 + 55*b)/b
+k27 = 1*0.8829/b
+k28 = 1
+k29 = 1
+k30 = -1
 ```
 */
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct FourBar<T = f64> {
         params: FourBarParams,
-        constants: [T; 34],
+        constants: [T; 31],
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl FourBar {
@@ -153,23 +150,21 @@ k33 = -1
                 [p_gamma]
             }
             #[inline]
-            fn constants<T: ::pendulum_core::real::Real>(given: [T; 5]) -> [T; 34] {
+            fn constants<T: ::pendulum_core::real::Real>(given: [T; 5]) -> [T; 31] {
                 let [p_a, p_b, p_c, p_d, p_gamma] = given;
                 let t0 = T::from_f64(0.18) * p_a;
                 let t1 = T::from_f64(0.09) * p_a;
                 let t2 = T::from_f64(19.1295) * p_a;
-                let t3 = p_a * p_d;
-                let t4 = p_b * p_b;
-                let t5 = p_c * p_c;
-                let t6 = T::from_f64(0.5) * (t4 - t5);
-                let t7 = T::from_f64(0.3) * t5;
-                let t8 = T::from_f64(0.15) * t5;
-                let t9 = t5 * (T::from_f64(0.125) * t4)
-                    - T::from_f64(0.0625) * (p_b * p_b * p_b * p_b)
-                    - T::from_f64(0.0625) * (p_c * p_c * p_c * p_c);
-                let t10 = T::from_f64(0.25) * t4 + T::from_f64(0.25) * t5;
-                let t11 = (t5 * t4).sqrt();
-                let t12 = T::from_f64(54.0) + T::from_f64(275.0) * t4;
+                let t3 = p_b * p_b;
+                let t4 = p_c * p_c;
+                let t5 = T::from_f64(0.3) * t4;
+                let t6 = T::from_f64(0.15) * t4;
+                let t7 = t3 - t4;
+                let t8 = T::from_f64(0.5) * t7;
+                let t9 = t4 * t3;
+                let t10 = t9.sqrt();
+                let t11 = T::from_f64(1.0) / t9.sqrt();
+                let t12 = T::from_f64(54.0) + T::from_f64(275.0) * t3;
                 let t13 = T::from_f64(0.0013333333333333333) * t12;
                 let t14 = T::from_f64(0.0006666666666666666) * t12;
                 let t15 = T::from_f64(18.0) * p_a + p_b * (T::from_f64(55.0) * p_a);
@@ -185,51 +180,42 @@ k33 = -1
                 let t24 = t21 * t23;
                 let t25 = T::from_f64(0.8829) * t23;
                 let t26 = p_b * t23;
-                let t27 = T::from_f64(1.0) / (p_c * p_c);
-                let t28 = T::from_f64(1.0) / (p_b * p_b);
-                let t29 = T::from_f64(2.0) * (t11 * (p_d * (p_a * t28 * t27)));
-                let t30 = p_d * p_d;
-                let t31 = t11 * (t27 * (t18 * t28)) + t11 * (t30 * (t28 * t27));
-                let t32 = T::from_f64(0.5) * t18 + T::from_f64(0.5) * t30;
-                let t33 = T::from_f64(1.0) / p_c;
-                let t34 = t22 * t33;
-                let t35 = p_c * t33;
-                let t36 = -t35;
+                let t27 = T::from_f64(1.0) / p_c;
+                let t28 = t22 * t27;
+                let t29 = p_c * t27;
+                let t30 = -t29;
                 [
                     p_a,
                     p_b,
                     p_c,
                     p_d,
                     p_gamma,
-                    t4,
-                    t6,
+                    t3,
+                    t7,
+                    t8,
+                    t10,
                     t16,
                     t0,
                     t13,
                     t19,
-                    t7,
+                    t5,
                     t1,
                     t17,
                     t21,
                     t22,
                     t20,
                     t14,
-                    t8,
+                    t6,
                     t2,
                     t23,
-                    t3,
-                    t31,
-                    t29,
-                    t32,
-                    t9,
-                    t10,
-                    t33,
-                    t34,
+                    t11,
+                    t27,
+                    t28,
                     t24,
                     t25,
                     t26,
-                    t35,
-                    t36,
+                    t29,
+                    t30,
                 ]
             }
             let given = params.to_array();
@@ -257,14 +243,16 @@ k33 = -1
                 );
             }
             let constants = constants(given);
-            let names: [&'static str; 34] = [
+            let names: [&'static str; 31] = [
                 "a",
                 "b",
                 "c",
                 "d",
                 "gamma",
                 "b^2",
+                "b^2 - c^2",
                 "0.5*(b^2 - c^2)",
+                "sqrt(b^2*c^2)",
                 "0.02*(18*a + 55*a*b)",
                 "0.18*a",
                 "1/750*(54 + 275*b^2)",
@@ -279,12 +267,7 @@ k33 = -1
                 "0.15*c^2",
                 "19.1295*a",
                 "1/b",
-                "a*d",
-                "a^2*sqrt(b^2*c^2)/(b^2*c^2) + d^2*sqrt(b^2*c^2)/(b^2*c^2)",
-                "2*a*d*sqrt(b^2*c^2)/(b^2*c^2)",
-                "0.5*a^2 + 0.5*d^2",
-                "0.125*b^2*c^2 - 0.0625*b^4 - 0.0625*c^4",
-                "0.25*b^2 + 0.25*c^2",
+                "1/sqrt(b^2*c^2)",
                 "1/c",
                 "1*4.4145",
                 "1*0.0981*(18 + 55*b)/b",
@@ -380,37 +363,21 @@ k33 = -1
                 (
                     "loop_margins",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first",
-                            ::pendulum_core::Operations::new(4, 6, 2, 1, 1, 35),
-                        )
-                        .with_others(
-                            &[
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(4, 6, 2, 1, 1, 35),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, expanded",
-                                    ::pendulum_core::Operations::new(4, 6, 2, 1, 1, 35),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "as declared",
-                                    ::pendulum_core::Operations::new(4, 8, 2, 1, 1, 41),
-                                ),
-                            ],
-                        ),
+                        "as declared",
+                        ::pendulum_core::Operations::new(7, 22, 4, 1, 1, 43),
+                    ),
                 ),
                 (
                     "jacobian",
                     ::pendulum_core::FunctionCost::new(
                             "closed form, factors of the state first, L^T D L, derived in the graph",
-                            ::pendulum_core::Operations::new(107, 184, 6, 1, 1, 75),
+                            ::pendulum_core::Operations::new(107, 184, 6, 1, 1, 76),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of parameters first, L^T D L, derived in the graph",
-                                    ::pendulum_core::Operations::new(107, 184, 6, 1, 1, 76),
+                                    ::pendulum_core::Operations::new(107, 184, 6, 1, 1, 77),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded, L^T D L, derived in the graph",
@@ -418,11 +385,11 @@ k33 = -1
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "recursion, L^T D L, derived in the graph",
-                                    ::pendulum_core::Operations::new(143, 203, 6, 1, 1, 78),
+                                    ::pendulum_core::Operations::new(143, 203, 6, 1, 1, 79),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "A, B and C, L^T D L, derived in the graph",
-                                    ::pendulum_core::Operations::new(168, 219, 6, 1, 1, 76),
+                                    ::pendulum_core::Operations::new(168, 219, 6, 1, 1, 77),
                                 ),
                             ],
                         ),
@@ -653,7 +620,7 @@ k33 = -1
                     "rocking_and_jacobian",
                     ::pendulum_core::FunctionCost::new(
                             "as declared",
-                            ::pendulum_core::Operations::new(20, 41, 5, 1, 1, 50),
+                            ::pendulum_core::Operations::new(20, 41, 5, 1, 1, 51),
                         )
                         .with_others(
                             &[
@@ -766,9 +733,7 @@ k33 = -1
             let k3 = self.constants[3];
             let k4 = self.constants[4];
             let k5 = self.constants[5];
-            let k6 = self.constants[6];
             let k7 = self.constants[7];
-            let k8 = self.constants[8];
             let k9 = self.constants[9];
             let k10 = self.constants[10];
             let k11 = self.constants[11];
@@ -776,8 +741,10 @@ k33 = -1
             let k13 = self.constants[13];
             let k14 = self.constants[14];
             let k15 = self.constants[15];
-            let k19 = self.constants[19];
-            let k20 = self.constants[20];
+            let k16 = self.constants[16];
+            let k17 = self.constants[17];
+            let k21 = self.constants[21];
+            let k22 = self.constants[22];
             let t0 = qd_theta * qd_theta;
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t1 = k0 * cos_theta;
@@ -785,7 +752,7 @@ k33 = -1
             let t3 = k0 * sin_theta;
             let t4 = t2 * t2 + t3 * t3;
             let t5 = T::from_f64(1.0) / t4;
-            let t6 = T::from_f64(0.5) + k6 * t5;
+            let t6 = T::from_f64(0.5) + k7 * t5;
             let t7 = (k5 * t5 - t6 * t6).sqrt();
             let t8 = T::from_f64(1.0) / (t4 * t7);
             let t9 = t2 * t7 - t3 * t6;
@@ -800,21 +767,21 @@ k33 = -1
             let t18 = t17 * t17;
             let t19 = t3 * t0 + t9 * t15 - t12 * t18;
             let t20 = t1 * t0 + t10 * t15 + t11 * t18;
-            let t21 = k11 * t16;
-            let t22 = k20 * t9;
-            let t23 = k20 * t10;
+            let t21 = k13 * t16;
+            let t22 = k22 * t9;
+            let t23 = k22 * t10;
             let t24 = sin_theta * t23 - cos_theta * t22;
             let t25 = cos_theta * t23 + sin_theta * t22;
-            let t26 = k13 * t24 - k12 * t25;
-            let t27 = k19 * cos_theta + t8 * (t9 * t19 + t10 * t20) * t21
+            let t26 = k15 * t24 - k14 * t25;
+            let t27 = k21 * cos_theta + t8 * (t9 * t19 + t10 * t20) * t21
                 + t13
                     * (T::from_f64(0.8829) * t22 + qd_theta * (qd_theta * t26)
-                        - k14 * t23);
-            let t28 = k9 * t13;
-            let t29 = t8 * (t12 * t19 - t11 * t20) * (k12 * t24 + k13 * t25 - t28);
+                        - k16 * t23);
+            let t28 = k11 * t13;
+            let t29 = t8 * (t12 * t19 - t11 * t20) * (k14 * t24 + k15 * t25 - t28);
             let t30 = t27 + t29 + t14 * (t14 * t26)
-                + t16 * (k4 * t17 - k15 * (t11 / k2));
-            let t31 = k10 + t16 * t21 + t13 * (t28 - k7 * t25 - k8 * t24);
+                + t16 * (k4 * t17 - k17 * (t11 / k2));
+            let t31 = k12 + t16 * t21 + t13 * (t28 - k9 * t25 - k10 * t24);
             ::pendulum_core::nalgebra::SVector::from([
                 qd_theta,
                 t30 * (T::from_f64(-1.0) / t31),
@@ -826,25 +793,16 @@ k33 = -1
         ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
             Some(&<FourBar>::LAYOUT)
         }
-        #[inline]
-        fn project(&self, t: T, x: &mut ::pendulum_core::nalgebra::SVector<T, 2>) {
-            for margin in self.loop_margins(t, x).iter() {
-                x[0] += T::from_f64(0.0) * (*margin - T::from_f64(0.001)).sqrt();
-            }
-        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn margins(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-            tell: &mut dyn FnMut([&'static str; 2], T),
+            tell: &mut dyn FnMut([&'static str; 2], [T; 2]),
         ) {
-            let margins = self.loop_margins(t, x);
-            for (bodies, margin) in [["coupler", "rocker"]]
-                .into_iter()
-                .zip(margins.iter())
-            {
-                tell(bodies, *margin);
-            }
+            let (margins, rates) = self.loop_margins(t, x);
+            tell(["coupler", "rocker"], [margins[0], rates[0]]);
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
@@ -872,18 +830,18 @@ k33 = -1
             let k3 = self.constants[3];
             let k4 = self.constants[4];
             let k5 = self.constants[5];
-            let k6 = self.constants[6];
             let k7 = self.constants[7];
-            let k8 = self.constants[8];
             let k9 = self.constants[9];
             let k10 = self.constants[10];
             let k11 = self.constants[11];
             let k12 = self.constants[12];
             let k13 = self.constants[13];
             let k14 = self.constants[14];
-            let k19 = self.constants[19];
-            let k20 = self.constants[20];
-            let k28 = self.constants[28];
+            let k15 = self.constants[15];
+            let k16 = self.constants[16];
+            let k21 = self.constants[21];
+            let k22 = self.constants[22];
+            let k25 = self.constants[25];
             let t0 = qd_theta * qd_theta;
             let t1 = T::from_f64(2.0) * qd_theta;
             let (sin_theta, cos_theta) = q_theta.sin_cos();
@@ -892,14 +850,14 @@ k33 = -1
             let t4 = k0 * sin_theta;
             let t5 = t3 * t3 + t4 * t4;
             let t6 = T::from_f64(1.0) / t5;
-            let t7 = T::from_f64(0.5) + k6 * t6;
+            let t7 = T::from_f64(0.5) + k7 * t6;
             let t8 = (k5 * t6 - t7 * t7).sqrt();
             let t9 = t4 * t8;
             let t10 = t3 * t7 + t9;
-            let t11 = k20 * t10;
+            let t11 = k22 * t10;
             let t12 = t4 * t7;
             let t13 = t12 - t3 * t8;
-            let t14 = k20 * t13;
+            let t14 = k22 * t13;
             let t15 = sin_theta * t11 + cos_theta * t14;
             let t16 = t5 * t8;
             let t17 = T::from_f64(1.0) / t16;
@@ -921,23 +879,23 @@ k33 = -1
             let t33 = t19 * t30 - t18 * t32;
             let t34 = t17 * t33;
             let t35 = cos_theta * t11 - sin_theta * t14;
-            let t36 = k13 * (t15 * t23 + t34 * t35)
-                + (k19 * cos_theta + k12 * (t15 * t34 - t35 * t23));
+            let t36 = k15 * (t15 * t23 + t34 * t35)
+                + (k21 * cos_theta + k14 * (t15 * t34 - t35 * t23));
             let t37 = t13 * t30 - t10 * t32;
-            let t38 = k11 * t17;
-            let t39 = k4 * t28 - t37 * t38 - k28 * t18;
+            let t38 = k13 * t17;
+            let t39 = k4 * t28 - t37 * t38 - k25 * t18;
             let t40 = T::from_f64(2.0) * t28;
-            let t41 = qd_theta * (k12 * t35 - k13 * t15);
-            let t42 = k9 * t34 + T::from_f64(0.8829) * t14 + k14 * t11 + qd_theta * t41;
-            let t43 = k11 * t27;
-            let t44 = k7 * t35 + k8 * t15 - k9 * t21;
-            let t45 = T::from_f64(-1.0) / (k10 + t27 * t43 - t21 * t44);
+            let t41 = qd_theta * (k14 * t35 - k15 * t15);
+            let t42 = k11 * t34 + T::from_f64(0.8829) * t14 + k16 * t11 + qd_theta * t41;
+            let t43 = k13 * t27;
+            let t44 = k9 * t35 + k10 * t15 - k11 * t21;
+            let t45 = T::from_f64(-1.0) / (k12 + t27 * t43 - t21 * t44);
             let t46 = (t36 + t27 * t39 - t21 * t42) * t45;
             let t47 = t4 * (T::from_f64(2.0) * (t2 + t3));
             let t48 = t47 * (T::from_f64(1.0) / (t5 * t5));
-            let t49 = k6 * t48;
-            let t50 = T::from_f64(0.5) * (T::from_f64(2.0) * t7 * t49 - k5 * t48)
-                * (T::from_f64(1.0) / t8);
+            let t49 = k7 * t48;
+            let t50 = T::from_f64(0.5) * (T::from_f64(1.0) / t8)
+                * (T::from_f64(2.0) * t7 * t49 - k5 * t48);
             let t51 = (t8 * t47 + t5 * t50) * (T::from_f64(1.0) / (t16 * t16));
             let t52 = t2 * t7 - t4 * t49 - (t9 + t3 * t50);
             let t53 = t12 + t2 * t8 + t4 * t50 - t3 * t49;
@@ -949,7 +907,7 @@ k33 = -1
             let t59 = t35 * t58;
             let t60 = t15 * t58;
             let t61 = t44 * t57 + t54 * (t43 + t43)
-                - t21 * (k9 * t57 + k8 * t59 - k7 * t60);
+                - t21 * (k11 * t57 + k10 * t59 - k9 * t60);
             let t62 = qd_theta * t57 * t24;
             let t63 = t21 * t24;
             let t64 = qd_theta * t54;
@@ -958,26 +916,26 @@ k33 = -1
             let t67 = t53 * t23 + t56 * t29 + t18 * t65 - t25 - t10 * t62;
             let t68 = t17 * (t30 * t55 + t19 * t66 - t32 * t56 - t18 * t67);
             let t69 = t17 * (t30 * t52 + t13 * t66 - t32 * t53 - t10 * t67);
-            let t70 = k4 * t64 + k11 * (t37 * t51 - t69) - k28 * t19 * t27;
+            let t70 = k4 * t64 + k13 * (t37 * t51 - t69) - k25 * t19 * t27;
             let t71 = t68 - t33 * t51;
-            let t72 = k9 * t71 + t21 * (T::from_f64(0.8829) * t11 - k14 * t14)
-                - (k12 * t60 + k13 * t59) * t0;
+            let t72 = k11 * t71 + t21 * (T::from_f64(0.8829) * t11 - k16 * t14)
+                - (k14 * t60 + k15 * t59) * t0;
             let t73 = t27 * t40;
             let t74 = t4 * t1 - t13 * t63 - t19 * t73;
             let t75 = t2 * t1 + t10 * t63 + t18 * t73;
             let t76 = t17 * (t19 * t74 - t18 * t75);
-            let t77 = k13 * (t15 * t63 + t35 * t76) + k12 * (t15 * t76 - t35 * t63);
+            let t77 = k15 * (t15 * t63 + t35 * t76) + k14 * (t15 * t76 - t35 * t63);
             let t78 = t77 + t27 * (k4 * t27 - (t13 * t74 - t10 * t75) * t38);
-            let t79 = k13 * (t59 * t23 + t35 * t71 - t15 * t62 - t34 * t60);
-            let t80 = k12 * (t15 * t71 + t34 * t59 + t35 * t62 + t60 * t23);
-            let t81 = t42 * t57 + t79 + (t80 - k19 * sin_theta) + t39 * t54 + t27 * t70;
+            let t79 = k15 * (t59 * t23 + t35 * t71 - t15 * t62 - t34 * t60);
+            let t80 = k14 * (t15 * t71 + t34 * t59 + t35 * t62 + t60 * t23);
+            let t81 = t42 * t57 + t79 + (t80 - k21 * sin_theta) + t39 * t54 + t27 * t70;
             (
                 ::pendulum_core::nalgebra::SVector::from([qd_theta, t46]),
                 ::pendulum_core::nalgebra::SMatrix::from([
                     [T::from_f64(0.0), t45 * (t81 + t46 * t61 - t21 * t72)],
                     [
                         T::from_f64(1.0),
-                        t45 * (t78 - t21 * (k9 * t76 + T::from_f64(2.0) * t41)),
+                        t45 * (t78 - t21 * (k11 * t76 + T::from_f64(2.0) * t41)),
                     ],
                 ]),
             )
@@ -1003,31 +961,31 @@ k33 = -1
             let k0 = self.constants[0];
             let k3 = self.constants[3];
             let k5 = self.constants[5];
-            let k6 = self.constants[6];
-            let k12 = self.constants[12];
-            let k13 = self.constants[13];
-            let k16 = self.constants[16];
-            let k17 = self.constants[17];
+            let k7 = self.constants[7];
+            let k14 = self.constants[14];
+            let k15 = self.constants[15];
             let k18 = self.constants[18];
+            let k19 = self.constants[19];
             let k20 = self.constants[20];
+            let k22 = self.constants[22];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k0 * sin_theta;
             let t1 = k0 * cos_theta;
             let t2 = k3 - t1;
             let t3 = t2 * t2 + t0 * t0;
             let t4 = T::from_f64(1.0) / t3;
-            let t5 = T::from_f64(0.5) + k6 * t4;
+            let t5 = T::from_f64(0.5) + k7 * t4;
             let t6 = (k5 * t4 - t5 * t5).sqrt();
             let t7 = qd_theta * (T::from_f64(1.0) / (t3 * t6));
             let t8 = t2 * t5 + t0 * t6;
             let t9 = t0 * t5 - t2 * t6;
             let t10 = (t0 * (t2 - t8) + t1 * (t0 - t9)) * t7;
             let t11 = (t0 * t8 + t1 * t9) * t7;
-            let t12 = k20 * t8;
-            let t13 = k20 * t9;
-            let t14 = k13 * (cos_theta * t12 - sin_theta * t13)
-                + k12 * (sin_theta * t12 + cos_theta * t13);
-            k17 * t10 * t10 + k18 * t11 * t11 + qd_theta * (k16 * qd_theta - t10 * t14)
+            let t12 = k22 * t8;
+            let t13 = k22 * t9;
+            let t14 = k15 * (cos_theta * t12 - sin_theta * t13)
+                + k14 * (sin_theta * t12 + cos_theta * t13);
+            k19 * t10 * t10 + k20 * t11 * t11 + qd_theta * (k18 * qd_theta - t10 * t14)
         }
         #[inline]
         fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 2>) -> T {
@@ -1036,45 +994,61 @@ k33 = -1
             let k2 = self.constants[2];
             let k3 = self.constants[3];
             let k5 = self.constants[5];
-            let k6 = self.constants[6];
-            let k15 = self.constants[15];
-            let k19 = self.constants[19];
-            let k29 = self.constants[29];
-            let k30 = self.constants[30];
+            let k7 = self.constants[7];
+            let k17 = self.constants[17];
+            let k21 = self.constants[21];
+            let k26 = self.constants[26];
+            let k27 = self.constants[27];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k3 - k0 * cos_theta;
             let t1 = k0 * sin_theta;
             let t2 = T::from_f64(1.0) / (t0 * t0 + t1 * t1);
-            let t3 = T::from_f64(0.5) + k6 * t2;
+            let t3 = T::from_f64(0.5) + k7 * t2;
             let t4 = (k5 * t2 - t3 * t3).sqrt();
             let t5 = t1 * t3 - t0 * t4;
-            let t6 = k19 * sin_theta + k30 * (t0 * t3 + t1 * t4)
-                - k15 * ((t5 - t1) / k2);
-            t6 - k29 * t5
+            let t6 = k21 * sin_theta + k27 * (t0 * t3 + t1 * t4)
+                - k17 * ((t5 - t1) / k2);
+            t6 - k26 * t5
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> FourBar<T> {
-        ///How far each closed loop is from its toggle, in the order of the declaration: 0 there, and at most 1.
-        #[inline]
+        ///How far each closed loop is from its toggle, in the order of the declaration: 0 there, and at most 1. And the rates of that.
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn loop_margins(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 1> {
-            let [q_theta, _] = x.data.0[0];
-            let k21 = self.constants[21];
-            let k22 = self.constants[22];
+        ) -> (
+            ::pendulum_core::nalgebra::SVector<T, 1>,
+            ::pendulum_core::nalgebra::SVector<T, 1>,
+        ) {
+            let [q_theta, qd_theta] = x.data.0[0];
+            let k0 = self.constants[0];
+            let k3 = self.constants[3];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let k7 = self.constants[7];
+            let k8 = self.constants[8];
             let k23 = self.constants[23];
-            let k24 = self.constants[24];
-            let k25 = self.constants[25];
-            let k26 = self.constants[26];
-            let (_, cos_theta) = q_theta.sin_cos();
-            let t0 = k21 * cos_theta - k24;
-            let t1 = (k25 * (T::from_f64(1.0) / (t0 * t0))
-                - k26 * (T::from_f64(1.0) / t0) - T::from_f64(0.25))
-                .sqrt();
-            ::pendulum_core::nalgebra::SVector::from([t1 * (k22 - k23 * cos_theta)])
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t0 = k0 * cos_theta;
+            let t1 = k0 * sin_theta;
+            let t2 = k3 - t0;
+            let t3 = t2 * t2 + t1 * t1;
+            let t4 = T::from_f64(2.0) * (t1 * qd_theta);
+            let t5 = t2 * t4 + t0 * t4;
+            let t6 = t5 * (T::from_f64(1.0) / (t3 * t3));
+            let t7 = T::from_f64(1.0) / t3;
+            let t8 = T::from_f64(0.5) + k7 * t7;
+            let t9 = (k5 * t7 - t8 * t8).sqrt();
+            let t10 = T::from_f64(0.5) * t3 * (k6 * t8 * t6 - k5 * t6)
+                * (T::from_f64(1.0) / t9);
+            (
+                ::pendulum_core::nalgebra::SVector::from([t3 * t9 / k8]),
+                ::pendulum_core::nalgebra::SVector::from([k23 * (t9 * t5 + t10)]),
+            )
         }
         ///Output `follow`.
         #[inline]
@@ -1087,28 +1061,28 @@ k33 = -1
             let k0 = self.constants[0];
             let k3 = self.constants[3];
             let k5 = self.constants[5];
-            let k6 = self.constants[6];
-            let k20 = self.constants[20];
-            let k27 = self.constants[27];
+            let k7 = self.constants[7];
+            let k22 = self.constants[22];
+            let k24 = self.constants[24];
             let t0 = q_theta - T::from_f64(0.3);
             let [(sin_theta, cos_theta), (sin1, cos1)] = q_theta.sin_cos_pair(t0);
             let t2 = k3 - k0 * cos_theta;
             let t3 = k0 * sin_theta;
             let t4 = T::from_f64(1.0) / (t2 * t2 + t3 * t3);
-            let t5 = T::from_f64(0.5) + k6 * t4;
+            let t5 = T::from_f64(0.5) + k7 * t4;
             let t6 = (k5 * t4 - t5 * t5).sqrt();
             let t7 = t2 * t6 - t3 * t5;
             let t8 = t2 * t5 + t3 * t6;
-            let t9 = k27 * (t3 + t7);
-            let t10 = k20 * t7;
-            let t11 = k27 * (t2 - t8);
+            let t9 = k24 * (t3 + t7);
+            let t10 = k22 * t7;
+            let t11 = k24 * (t2 - t8);
             let t12 = (T::from_f64(-0.029199522301288815) * t9
                 - T::from_f64(-0.9995736030415051) * t11)
                 .atan2(
                     -(T::from_f64(-0.9995736030415051) * t9
                         + T::from_f64(-0.029199522301288815) * t11),
                 );
-            let t13 = k20 * t8;
+            let t13 = k22 * t8;
             ::pendulum_core::nalgebra::SVector::from([
                 (t10 * cos1 - t13 * sin1).atan2(cos1 * t13 + t10 * sin1)
                     - T::from_f64(0.3),
@@ -1126,14 +1100,14 @@ k33 = -1
             let k0 = self.constants[0];
             let k3 = self.constants[3];
             let k5 = self.constants[5];
-            let k6 = self.constants[6];
+            let k7 = self.constants[7];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k0 * sin_theta;
             let t1 = k0 * cos_theta;
             let t2 = k3 - t1;
             let t3 = t2 * t2 + t0 * t0;
             let t4 = T::from_f64(1.0) / t3;
-            let t5 = T::from_f64(0.5) + k6 * t4;
+            let t5 = T::from_f64(0.5) + k7 * t4;
             let t6 = (k5 * t4 - t5 * t5).sqrt();
             let t7 = qd_theta * (T::from_f64(1.0) / (t3 * t6));
             let t8 = t2 * t5 + t0 * t6;
@@ -1157,9 +1131,9 @@ k33 = -1
             let k0 = self.constants[0];
             let k3 = self.constants[3];
             let k5 = self.constants[5];
-            let k6 = self.constants[6];
-            let k20 = self.constants[20];
-            let k27 = self.constants[27];
+            let k7 = self.constants[7];
+            let k22 = self.constants[22];
+            let k24 = self.constants[24];
             let t0 = q_theta - T::from_f64(0.3);
             let [(sin_theta, cos_theta), (sin1, cos1)] = q_theta.sin_cos_pair(t0);
             let t2 = k0 * cos_theta;
@@ -1167,17 +1141,17 @@ k33 = -1
             let t4 = k3 - t2;
             let t5 = t4 * t4 + t3 * t3;
             let t6 = T::from_f64(1.0) / t5;
-            let t7 = T::from_f64(0.5) + k6 * t6;
+            let t7 = T::from_f64(0.5) + k7 * t6;
             let t8 = (k5 * t6 - t7 * t7).sqrt();
             let t9 = T::from_f64(1.0) / (t5 * t8);
             let t10 = t4 * t8 - t3 * t7;
             let t11 = t4 * t7 + t3 * t8;
             let t12 = t3 + t10;
-            let t13 = k20 * t10;
-            let t14 = k27 * t12;
+            let t13 = k22 * t10;
+            let t14 = k24 * t12;
             let t15 = t4 - t11;
-            let t16 = k20 * t11;
-            let t17 = k27 * t15;
+            let t16 = k22 * t11;
+            let t17 = k24 * t15;
             let t18 = (T::from_f64(-0.029199522301288815) * t14
                 - T::from_f64(-0.9995736030415051) * t17)
                 .atan2(
@@ -1210,20 +1184,20 @@ k33 = -1
             let k0 = self.constants[0];
             let k3 = self.constants[3];
             let k5 = self.constants[5];
-            let k6 = self.constants[6];
-            let k31 = self.constants[31];
-            let k32 = self.constants[32];
+            let k7 = self.constants[7];
+            let k28 = self.constants[28];
+            let k29 = self.constants[29];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k0 * sin_theta;
             let t1 = k0 * cos_theta - k3;
             let t2 = T::from_f64(1.0) / (t1 * t1 + t0 * t0);
-            let t3 = T::from_f64(0.5) + k6 * t2;
+            let t3 = T::from_f64(0.5) + k7 * t2;
             let t4 = (k5 * t2 - t3 * t3).sqrt();
             let t5 = t0 * t4 - t1 * t3;
             let t6 = t1 * t4 + t0 * t3;
             ::pendulum_core::nalgebra::SVector::from([
-                k31 * t5 + t1 - k32 * (t1 + t5),
-                t0 + k32 * (t6 - t0) - k31 * t6,
+                k28 * t5 + t1 - k29 * (t1 + t5),
+                t0 + k29 * (t6 - t0) - k28 * t6,
             ])
         }
         ///The rate of `gap` along the motion.
@@ -1239,9 +1213,9 @@ k33 = -1
             let k2 = self.constants[2];
             let k3 = self.constants[3];
             let k5 = self.constants[5];
-            let k6 = self.constants[6];
-            let k20 = self.constants[20];
-            let k27 = self.constants[27];
+            let k7 = self.constants[7];
+            let k22 = self.constants[22];
+            let k24 = self.constants[24];
             let t0 = k0 * qd_theta;
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t1 = k0 * sin_theta;
@@ -1249,15 +1223,15 @@ k33 = -1
             let t3 = k3 - t2;
             let t4 = t3 * t3 + t1 * t1;
             let t5 = T::from_f64(1.0) / t4;
-            let t6 = T::from_f64(0.5) + k6 * t5;
+            let t6 = T::from_f64(0.5) + k7 * t5;
             let t7 = (k5 * t5 - t6 * t6).sqrt();
             let t8 = qd_theta * (T::from_f64(1.0) / (t4 * t7));
             let t9 = t3 * t7 - t1 * t6;
             let t10 = t3 * t6 + t1 * t7;
             let t11 = t3 - t10;
-            let t12 = k27 * (k2 * (t1 * t10 - t2 * t9) * t8);
+            let t12 = k24 * (k2 * (t1 * t10 - t2 * t9) * t8);
             let t13 = t1 + t9;
-            let t14 = k20 * (k1 * (t1 * t11 + t2 * t13) * t8);
+            let t14 = k22 * (k1 * (t1 * t11 + t2 * t13) * t8);
             ::pendulum_core::nalgebra::SVector::from([
                 t13 * t12 - (sin_theta * t0 - t9 * t14),
                 t0 * cos_theta + t11 * t12 - t10 * t14,
@@ -1279,28 +1253,28 @@ k33 = -1
             let k2 = self.constants[2];
             let k3 = self.constants[3];
             let k5 = self.constants[5];
-            let k6 = self.constants[6];
-            let k20 = self.constants[20];
-            let k27 = self.constants[27];
+            let k7 = self.constants[7];
+            let k22 = self.constants[22];
+            let k24 = self.constants[24];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k0 * sin_theta;
             let t1 = k0 * cos_theta;
             let t2 = t1 - k3;
             let t3 = t2 * t2 + t0 * t0;
             let t4 = T::from_f64(1.0) / t3;
-            let t5 = T::from_f64(0.5) + k6 * t4;
+            let t5 = T::from_f64(0.5) + k7 * t4;
             let t6 = (k5 * t4 - t5 * t5).sqrt();
             let t7 = T::from_f64(1.0) / (t3 * t6);
             let t8 = t0 * t6 - t2 * t5;
             let t9 = t2 * t6 + t0 * t5;
             let t10 = t2 + t8;
-            let t11 = k1 * (k20 * t8);
+            let t11 = k1 * (k22 * t8);
             let t12 = t7 * (t0 * t8 + t1 * t9);
-            let t13 = k2 * (k27 * t10);
-            let t14 = k1 * (k20 * t9);
+            let t13 = k2 * (k24 * t10);
+            let t14 = k1 * (k22 * t9);
             let t15 = t0 - t9;
             let t16 = t7 * (t1 * t15 - t0 * t10);
-            let t17 = k2 * (k27 * t15);
+            let t17 = k2 * (k24 * t15);
             (
                 ::pendulum_core::nalgebra::SVector::from([
                     t11 + t2 - t13,
@@ -1319,14 +1293,14 @@ k33 = -1
             let k0 = self.constants[0];
             let k3 = self.constants[3];
             let k5 = self.constants[5];
-            let k6 = self.constants[6];
+            let k7 = self.constants[7];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k0 * cos_theta;
             let t1 = k0 * sin_theta;
             let t2 = k3 - t0;
             let t3 = t2 * t2 + t1 * t1;
             let t4 = T::from_f64(1.0) / t3;
-            let t5 = T::from_f64(0.5) + t4 * k6;
+            let t5 = T::from_f64(0.5) + t4 * k7;
             let t6 = (k5 * t4 - t5 * t5).sqrt();
             let t7 = t1 * (t2 * t5 + t1 * t6) + t0 * (t1 * t5 - t2 * t6);
             qd_theta * (T::from_f64(1.0) / (t3 * t6) * t7)
@@ -1344,9 +1318,7 @@ k33 = -1
             let k3 = self.constants[3];
             let k4 = self.constants[4];
             let k5 = self.constants[5];
-            let k6 = self.constants[6];
             let k7 = self.constants[7];
-            let k8 = self.constants[8];
             let k9 = self.constants[9];
             let k10 = self.constants[10];
             let k11 = self.constants[11];
@@ -1354,8 +1326,10 @@ k33 = -1
             let k13 = self.constants[13];
             let k14 = self.constants[14];
             let k15 = self.constants[15];
-            let k19 = self.constants[19];
-            let k20 = self.constants[20];
+            let k16 = self.constants[16];
+            let k17 = self.constants[17];
+            let k21 = self.constants[21];
+            let k22 = self.constants[22];
             let t0 = qd_theta * qd_theta;
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t1 = k0 * cos_theta;
@@ -1363,7 +1337,7 @@ k33 = -1
             let t3 = k0 * sin_theta;
             let t4 = t2 * t2 + t3 * t3;
             let t5 = T::from_f64(1.0) / t4;
-            let t6 = T::from_f64(0.5) + k6 * t5;
+            let t6 = T::from_f64(0.5) + k7 * t5;
             let t7 = (k5 * t5 - t6 * t6).sqrt();
             let t8 = T::from_f64(1.0) / (t4 * t7);
             let t9 = t2 * t6 + t3 * t7;
@@ -1371,11 +1345,11 @@ k33 = -1
             let t11 = t2 - t9;
             let t12 = t8 * (t3 * t9 + t1 * t10);
             let t13 = t12 * qd_theta;
-            let t14 = k20 * t9;
-            let t15 = k20 * t10;
+            let t14 = k22 * t9;
+            let t15 = k22 * t10;
             let t16 = sin_theta * t14 + cos_theta * t15;
             let t17 = cos_theta * t14 - sin_theta * t15;
-            let t18 = k13 * t16 - k12 * t17;
+            let t18 = k15 * t16 - k14 * t17;
             let t19 = t3 - t10;
             let t20 = t3 * t11 + t1 * t19;
             let t21 = t3 * t0;
@@ -1385,19 +1359,19 @@ k33 = -1
             let t25 = t24 * t24;
             let t26 = qd_theta * t23;
             let t27 = t26 * t26;
-            let t28 = t12 * (k4 * t13 - k15 * (t11 / k2)) + t18 * t27
-                + t23 * (t18 * t0 - T::from_f64(0.8829) * t15 - k14 * t14);
+            let t28 = t12 * (k4 * t13 - k17 * (t11 / k2)) + t18 * t27
+                + t23 * (t18 * t0 - T::from_f64(0.8829) * t15 - k16 * t14);
             let t29 = t13 * t13;
             let t30 = t19 * t29;
             let t31 = t11 * t29;
             let t32 = t10 * (t21 - t10 * t25 - t30) - t9 * (t22 + t9 * t25 + t31);
             let t33 = t21 - t10 * t27 - t30;
             let t34 = t31 + t22 + t9 * t27;
-            let t35 = k9 * t23;
-            let t36 = (t19 * t33 - t11 * t34) * (k12 * t16 + k13 * t17 - t35);
-            let t37 = k11 * t12;
-            let t38 = t28 + k19 * cos_theta + t8 * (t36 + t37 * (t9 * t34 - t10 * t33));
-            let t39 = k10 + t12 * t37 + t23 * (t35 - k7 * t17 - k8 * t16);
+            let t35 = k11 * t23;
+            let t36 = (t19 * t33 - t11 * t34) * (k14 * t16 + k15 * t17 - t35);
+            let t37 = k13 * t12;
+            let t38 = t28 + k21 * cos_theta + t8 * (t36 + t37 * (t9 * t34 - t10 * t33));
+            let t39 = k12 + t12 * t37 + t23 * (t35 - k9 * t17 - k10 * t16);
             t12 * t38 * (T::from_f64(-1.0) / t39) - t8 * t32
         }
         ///The value of `rocking`, and its derivatives by the state: a row for each component, column by column for a matrix.
@@ -1411,14 +1385,14 @@ k33 = -1
             let k0 = self.constants[0];
             let k3 = self.constants[3];
             let k5 = self.constants[5];
-            let k6 = self.constants[6];
+            let k7 = self.constants[7];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k0 * cos_theta;
             let t1 = k0 * sin_theta;
             let t2 = k3 - t0;
             let t3 = t2 * t2 + t1 * t1;
             let t4 = T::from_f64(1.0) / t3;
-            let t5 = T::from_f64(0.5) + k6 * t4;
+            let t5 = T::from_f64(0.5) + k7 * t4;
             let t6 = (k5 * t4 - t5 * t5).sqrt();
             let t7 = t3 * t6;
             let t8 = T::from_f64(1.0) / t7;
@@ -1429,10 +1403,10 @@ k33 = -1
             let t13 = t1 * t10 + t0 * t12;
             let t14 = t8 * t13;
             let t15 = t1 * (T::from_f64(2.0) * (t0 + t2));
-            let t16 = t15 * (T::from_f64(1.0) / (t3 * t3));
-            let t17 = k6 * t16;
-            let t18 = T::from_f64(0.5) * (T::from_f64(2.0) * t5 * t17 - k5 * t16)
-                * (T::from_f64(1.0) / t6);
+            let t16 = T::from_f64(1.0) / (t3 * t3) * t15;
+            let t17 = k7 * t16;
+            let t18 = T::from_f64(0.5) * (T::from_f64(1.0) / t6)
+                * (T::from_f64(2.0) * t5 * t17 - k5 * t16);
             let t19 = t0 * (t10 + (t0 * t5 - t9 - t1 * t17 - t2 * t18));
             let t20 = t1 * (t11 + t0 * t6 + t1 * t18 - t2 * t17 - t12);
             let t21 = t8 * (t19 + t20)
@@ -1455,9 +1429,9 @@ k33 = -1
             let k2 = self.constants[2];
             let k3 = self.constants[3];
             let k5 = self.constants[5];
-            let k6 = self.constants[6];
-            let k20 = self.constants[20];
-            let k27 = self.constants[27];
+            let k7 = self.constants[7];
+            let k22 = self.constants[22];
+            let k24 = self.constants[24];
             let t0 = q_theta - T::from_f64(0.3);
             let [(sin_theta, cos_theta), (sin1, cos1)] = q_theta.sin_cos_pair(t0);
             let t2 = k0 * cos_theta;
@@ -1465,20 +1439,20 @@ k33 = -1
             let t4 = k3 - t2;
             let t5 = t4 * t4 + t3 * t3;
             let t6 = T::from_f64(1.0) / t5;
-            let t7 = T::from_f64(0.5) + k6 * t6;
+            let t7 = T::from_f64(0.5) + k7 * t6;
             let t8 = (k5 * t6 - t7 * t7).sqrt();
             let t9 = t4 * t8 - t3 * t7;
             let t10 = t4 * t7 + t3 * t8;
-            let t11 = k27 * (t3 + t9);
-            let t12 = k20 * t9;
-            let t13 = k27 * (t4 - t10);
+            let t11 = k24 * (t3 + t9);
+            let t12 = k22 * t9;
+            let t13 = k24 * (t4 - t10);
             let t14 = (T::from_f64(-0.029199522301288815) * t11
                 - T::from_f64(-0.9995736030415051) * t13)
                 .atan2(
                     -(T::from_f64(-0.9995736030415051) * t11
                         + T::from_f64(-0.029199522301288815) * t13),
                 );
-            let t15 = k20 * t10;
+            let t15 = k22 * t10;
             ::pendulum_core::nalgebra::SVector::from([
                 (t12 * cos1 - t15 * sin1).atan2(cos1 * t15 + t12 * sin1)
                     - T::from_f64(0.3),
@@ -1502,9 +1476,7 @@ k33 = -1
             let k3 = self.constants[3];
             let k4 = self.constants[4];
             let k5 = self.constants[5];
-            let k6 = self.constants[6];
             let k7 = self.constants[7];
-            let k8 = self.constants[8];
             let k9 = self.constants[9];
             let k10 = self.constants[10];
             let k11 = self.constants[11];
@@ -1512,9 +1484,11 @@ k33 = -1
             let k13 = self.constants[13];
             let k14 = self.constants[14];
             let k15 = self.constants[15];
-            let k19 = self.constants[19];
-            let k20 = self.constants[20];
-            let k27 = self.constants[27];
+            let k16 = self.constants[16];
+            let k17 = self.constants[17];
+            let k21 = self.constants[21];
+            let k22 = self.constants[22];
+            let k24 = self.constants[24];
             let t0 = k0 * qd_theta;
             let t1 = qd_theta * qd_theta;
             let (sin_theta, cos_theta) = q_theta.sin_cos();
@@ -1523,7 +1497,7 @@ k33 = -1
             let t4 = k0 * sin_theta;
             let t5 = t3 * t3 + t4 * t4;
             let t6 = T::from_f64(1.0) / t5;
-            let t7 = T::from_f64(0.5) + k6 * t6;
+            let t7 = T::from_f64(0.5) + k7 * t6;
             let t8 = (k5 * t6 - t7 * t7).sqrt();
             let t9 = T::from_f64(1.0) / (t5 * t8);
             let t10 = t3 * t7 + t4 * t8;
@@ -1538,33 +1512,33 @@ k33 = -1
             let t19 = t2 * t1;
             let t20 = qd_theta * t17;
             let t21 = k2 * t20;
-            let t22 = k20 * t11;
+            let t22 = k22 * t11;
             let t23 = k1 * t15;
             let t24 = t15 * t15;
-            let t25 = k27 * t12;
-            let t26 = k20 * t10;
+            let t25 = k24 * t12;
+            let t26 = k22 * t10;
             let t27 = sin_theta * t26 + cos_theta * t22;
             let t28 = cos_theta * t26 - sin_theta * t22;
-            let t29 = k13 * t27 - k12 * t28;
+            let t29 = k15 * t27 - k14 * t28;
             let t30 = qd_theta * t16;
             let t31 = t30 * t30;
-            let t32 = t17 * (k4 * t20 - k15 * t25) + t29 * t31
-                + t16 * (t29 * t1 - T::from_f64(0.8829) * t22 - k14 * t26);
+            let t32 = t17 * (k4 * t20 - k17 * t25) + t29 * t31
+                + t16 * (t29 * t1 - T::from_f64(0.8829) * t22 - k16 * t26);
             let t33 = t20 * t20;
             let t34 = t13 * t33;
             let t35 = t12 * t33;
             let t36 = t11 * (t18 - t11 * t24 - t34) - t10 * (t19 + t10 * t24 + t35);
             let t37 = t18 - t11 * t31 - t34;
             let t38 = t35 + t19 + t10 * t31;
-            let t39 = k9 * t16;
-            let t40 = (t13 * t37 - t12 * t38) * (k12 * t27 + k13 * t28 - t39);
-            let t41 = k11 * t17;
-            let t42 = t32 + k19 * cos_theta + t9 * (t40 + t41 * (t10 * t38 - t11 * t37));
-            let t43 = k10 + t17 * t41 + t16 * (t39 - k7 * t28 - k8 * t27);
+            let t39 = k11 * t16;
+            let t40 = (t13 * t37 - t12 * t38) * (k14 * t27 + k15 * t28 - t39);
+            let t41 = k13 * t17;
+            let t42 = t32 + k21 * cos_theta + t9 * (t40 + t41 * (t10 * t38 - t11 * t37));
+            let t43 = k12 + t17 * t41 + t16 * (t39 - k9 * t28 - k10 * t27);
             ::pendulum_core::nalgebra::SVector::from([
                 -(qd_theta + t15),
                 t20,
-                k27 * t13 * t21 - (sin_theta * t0 + t22 * t23),
+                k24 * t13 * t21 - (sin_theta * t0 + t22 * t23),
                 cos_theta * t0 + t25 * t21 - t26 * t23,
                 t17 * t42 * (T::from_f64(-1.0) / t43) - t9 * t36,
             ])
@@ -1585,9 +1559,9 @@ k33 = -1
             let k2 = self.constants[2];
             let k3 = self.constants[3];
             let k5 = self.constants[5];
-            let k6 = self.constants[6];
-            let k20 = self.constants[20];
-            let k27 = self.constants[27];
+            let k7 = self.constants[7];
+            let k22 = self.constants[22];
+            let k24 = self.constants[24];
             let t0 = q_theta - T::from_f64(0.3);
             let [(sin_theta, cos_theta), (sin1, cos1)] = q_theta.sin_cos_pair(t0);
             let t2 = k0 * cos_theta;
@@ -1595,22 +1569,22 @@ k33 = -1
             let t4 = k0 * sin_theta;
             let t5 = t3 * t3 + t4 * t4;
             let t6 = T::from_f64(1.0) / t5;
-            let t7 = T::from_f64(0.5) + k6 * t6;
+            let t7 = T::from_f64(0.5) + k7 * t6;
             let t8 = (k5 * t6 - t7 * t7).sqrt();
             let t9 = t4 * t7;
             let t10 = t3 * t8 - t9;
-            let t11 = k20 * t10;
+            let t11 = k22 * t10;
             let t12 = t4 * t8;
             let t13 = t3 * t7 + t12;
-            let t14 = k20 * t13;
+            let t14 = k22 * t13;
             let t15 = (t11 * cos1 - t14 * sin1).atan2(cos1 * t14 + t11 * sin1)
                 - T::from_f64(0.3);
             let t16 = k1 * t14;
             let t17 = k1 * t11;
             let t18 = t4 + t10;
-            let t19 = k27 * t18;
+            let t19 = k24 * t18;
             let t20 = t3 - t13;
-            let t21 = k27 * t20;
+            let t21 = k24 * t20;
             let t22 = (T::from_f64(-0.029199522301288815) * t19
                 - T::from_f64(-0.9995736030415051) * t21)
                 .atan2(
@@ -1632,10 +1606,10 @@ k33 = -1
             let t35 = t2 + t24 * t33 - t16 * t30;
             let t36 = qd_theta * t33;
             let t37 = t4 * (T::from_f64(2.0) * (t2 + t3));
-            let t38 = t37 * (T::from_f64(1.0) / (t5 * t5));
-            let t39 = k6 * t38;
-            let t40 = T::from_f64(0.5) * (T::from_f64(2.0) * t7 * t39 - k5 * t38)
-                * (T::from_f64(1.0) / t8);
+            let t38 = T::from_f64(1.0) / (t5 * t5) * t37;
+            let t39 = k7 * t38;
+            let t40 = T::from_f64(0.5) * (T::from_f64(1.0) / t8)
+                * (T::from_f64(2.0) * t7 * t39 - k5 * t38);
             let t41 = t2 * (t13 + (t2 * t7 - t12 - t4 * t39 - t3 * t40));
             let t42 = t4 * (t10 + (t9 + t2 * t8 + t4 * t40 - t3 * t39));
             let t43 = t29 * (t41 + t42)
@@ -1740,23 +1714,23 @@ k33 = -1
                     let k1 = self.constants[1];
                     let k3 = self.constants[3];
                     let k5 = self.constants[5];
-                    let k6 = self.constants[6];
-                    let k20 = self.constants[20];
-                    let k32 = self.constants[32];
-                    let k33 = self.constants[33];
+                    let k7 = self.constants[7];
+                    let k22 = self.constants[22];
+                    let k29 = self.constants[29];
+                    let k30 = self.constants[30];
                     let (sin_theta, cos_theta) = q_theta.sin_cos();
                     let t0 = k0 * cos_theta;
                     let t1 = k0 * sin_theta;
                     let t2 = k3 - t0;
                     let t3 = T::from_f64(1.0) / (t2 * t2 + t1 * t1);
-                    let t4 = T::from_f64(0.5) + k6 * t3;
+                    let t4 = T::from_f64(0.5) + k7 * t3;
                     let t5 = (k5 * t3 - t4 * t4).sqrt();
                     let t6 = t2 * t4 + t1 * t5;
                     let t7 = t1 * t4 - t2 * t5;
-                    let t8 = k3 - k32 * (t2 - t6);
-                    let t9 = k20 * t6;
-                    let t10 = k33 * (t7 - t1);
-                    let t11 = k20 * t7;
+                    let t8 = k3 - k29 * (t2 - t6);
+                    let t9 = k22 * t6;
+                    let t10 = k30 * (t7 - t1);
+                    let t11 = k22 * t7;
                     let t12 = t0 + k1 * t9;
                     let t13 = T::from_f64(0.3) * t9;
                     let t14 = t0 + t13;

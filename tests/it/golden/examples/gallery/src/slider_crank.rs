@@ -86,8 +86,8 @@ k0 = r
 k1 = l
 k2 = m3
 k3 = gamma
-k4 = r^2
-k5 = l^2
+k4 = l^2
+k5 = sqrt(l^2)
 k6 = 0.005*m1 + 1/30*r^2 + r^2*m2
 k7 = r*l*m2
 k8 = 1/3*l^2*m2
@@ -98,7 +98,7 @@ k12 = 1/1200*(20*r^2 + 600*r^2*m2 + 3*m1)
 k13 = 0.5*m3
 k14 = 1/6*l^2*m2
 k15 = 1/l
-k16 = sqrt(l^2)/l^2
+k16 = r/sqrt(l^2)
 k17 = 1
 ```
 */
@@ -129,40 +129,41 @@ k17 = 1
                 let t0 = T::from_f64(4.905) * (p_l * p_m2);
                 let t1 = T::from_f64(0.4905) * (p_r + p_m2 * (T::from_f64(20.0) * p_r));
                 let t2 = T::from_f64(0.5) * p_m3;
-                let t3 = p_r * p_r;
-                let t4 = T::from_f64(0.005) * p_m1
-                    + (T::from_f64(0.03333333333333333) * t3 + p_m2 * t3);
-                let t5 = T::from_f64(0.0008333333333333334)
-                    * (T::from_f64(20.0) * t3 + p_m2 * (T::from_f64(600.0) * t3)
+                let t3 = p_l * p_l;
+                let t4 = t3.sqrt();
+                let t5 = p_r * (T::from_f64(1.0) / t3.sqrt());
+                let t6 = p_m2 * t3;
+                let t7 = T::from_f64(0.3333333333333333) * t6;
+                let t8 = T::from_f64(0.16666666666666666) * t6;
+                let t9 = p_r * p_r;
+                let t10 = T::from_f64(0.005) * p_m1
+                    + (T::from_f64(0.03333333333333333) * t9 + p_m2 * t9);
+                let t11 = T::from_f64(0.0008333333333333334)
+                    * (T::from_f64(20.0) * t9 + p_m2 * (T::from_f64(600.0) * t9)
                         + T::from_f64(3.0) * p_m1);
-                let t6 = p_l * p_l;
-                let t7 = t6.sqrt() * (T::from_f64(1.0) / (p_l * p_l));
-                let t8 = p_m2 * t6;
-                let t9 = T::from_f64(0.3333333333333333) * t8;
-                let t10 = T::from_f64(0.16666666666666666) * t8;
-                let t11 = p_m2 * (p_r * p_l);
-                let t12 = T::from_f64(0.5) * t11;
-                let t13 = T::from_f64(1.0) / p_l;
-                let t14 = p_l * t13;
+                let t12 = p_m2 * (p_r * p_l);
+                let t13 = T::from_f64(0.5) * t12;
+                let t14 = T::from_f64(1.0) / p_l;
+                let t15 = p_l * t14;
                 [
                     p_r,
                     p_l,
                     p_m3,
                     p_gamma,
                     t3,
-                    t6,
                     t4,
-                    t11,
-                    t9,
+                    t10,
                     t12,
+                    t7,
+                    t13,
                     t0,
                     t1,
-                    t5,
+                    t11,
                     t2,
-                    t10,
-                    t13,
-                    t7,
+                    t8,
                     t14,
+                    t5,
+                    t15,
                 ]
             }
             let given = params.to_array();
@@ -225,8 +226,8 @@ k17 = 1
                 "l",
                 "m3",
                 "gamma",
-                "r^2",
                 "l^2",
+                "sqrt(l^2)",
                 "0.005*m1 + 1/30*r^2 + r^2*m2",
                 "r*l*m2",
                 "1/3*l^2*m2",
@@ -237,7 +238,7 @@ k17 = 1
                 "0.5*m3",
                 "1/6*l^2*m2",
                 "1/l",
-                "sqrt(l^2)/l^2",
+                "r/sqrt(l^2)",
                 "1",
             ];
             for (name, value) in names.into_iter().zip(constants) {
@@ -327,25 +328,9 @@ k17 = 1
                 (
                     "loop_margins",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first",
-                            ::pendulum_core::Operations::new(1, 3, 0, 1, 1, 28),
-                        )
-                        .with_others(
-                            &[
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(1, 3, 0, 1, 1, 28),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, expanded",
-                                    ::pendulum_core::Operations::new(1, 3, 0, 1, 1, 28),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "as declared",
-                                    ::pendulum_core::Operations::new(1, 2, 1, 1, 1, 31),
-                                ),
-                            ],
-                        ),
+                        "as declared",
+                        ::pendulum_core::Operations::new(2, 6, 2, 1, 1, 32),
+                    ),
                 ),
                 (
                     "jacobian",
@@ -637,7 +622,7 @@ k17 = 1
             let k0 = self.constants[0];
             let k2 = self.constants[2];
             let k3 = self.constants[3];
-            let k5 = self.constants[5];
+            let k4 = self.constants[4];
             let k6 = self.constants[6];
             let k7 = self.constants[7];
             let k8 = self.constants[8];
@@ -648,7 +633,7 @@ k17 = 1
             let t0 = qd_theta * qd_theta;
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t1 = k0 * sin_theta;
-            let t2 = (k5 - t1 * t1).sqrt();
+            let t2 = (k4 - t1 * t1).sqrt();
             let t3 = T::from_f64(1.0) / t2;
             let t4 = k0 * cos_theta;
             let t5 = t2 + t4 - t4;
@@ -676,22 +661,16 @@ k17 = 1
         ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
             Some(&<SliderCrank>::LAYOUT)
         }
-        #[inline]
-        fn project(&self, t: T, x: &mut ::pendulum_core::nalgebra::SVector<T, 2>) {
-            for margin in self.loop_margins(t, x).iter() {
-                x[0] += T::from_f64(0.0) * (*margin - T::from_f64(0.001)).sqrt();
-            }
-        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn margins(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-            tell: &mut dyn FnMut([&'static str; 2], T),
+            tell: &mut dyn FnMut([&'static str; 2], [T; 2]),
         ) {
-            let margins = self.loop_margins(t, x);
-            for (bodies, margin) in [["rod", "piston"]].into_iter().zip(margins.iter()) {
-                tell(bodies, *margin);
-            }
+            let (margins, rates) = self.loop_margins(t, x);
+            tell(["rod", "piston"], [margins[0], rates[0]]);
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
@@ -719,7 +698,7 @@ k17 = 1
             let k0 = self.constants[0];
             let k2 = self.constants[2];
             let k3 = self.constants[3];
-            let k5 = self.constants[5];
+            let k4 = self.constants[4];
             let k6 = self.constants[6];
             let k7 = self.constants[7];
             let k8 = self.constants[8];
@@ -732,7 +711,7 @@ k17 = 1
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t2 = k0 * sin_theta;
             let t3 = t2 * t2;
-            let t4 = k5 - t3;
+            let t4 = k4 - t3;
             let t5 = t4.sqrt();
             let t6 = T::from_f64(1.0) / t5;
             let t7 = k0 * cos_theta;
@@ -815,7 +794,7 @@ k17 = 1
         fn kinetic(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 2>) -> T {
             let [q_theta, qd_theta] = x.data.0[0];
             let k0 = self.constants[0];
-            let k5 = self.constants[5];
+            let k4 = self.constants[4];
             let k9 = self.constants[9];
             let k12 = self.constants[12];
             let k13 = self.constants[13];
@@ -824,7 +803,7 @@ k17 = 1
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k0 * sin_theta;
             let t1 = k0 * cos_theta;
-            let t2 = (k5 - t0 * t0).sqrt();
+            let t2 = (k4 - t0 * t0).sqrt();
             let t3 = t2 + t1 - t1;
             let t4 = qd_theta * (T::from_f64(1.0) / t2);
             let t5 = t0 * (t1 + t3) * t4;
@@ -846,31 +825,41 @@ k17 = 1
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> SliderCrank<T> {
-        ///How far each closed loop is from its toggle, in the order of the declaration: 0 there, and at most 1.
-        #[inline]
+        ///How far each closed loop is from its toggle, in the order of the declaration: 0 there, and at most 1. And the rates of that.
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn loop_margins(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 1> {
-            let [q_theta, _] = x.data.0[0];
+        ) -> (
+            ::pendulum_core::nalgebra::SVector<T, 1>,
+            ::pendulum_core::nalgebra::SVector<T, 1>,
+        ) {
+            let [q_theta, qd_theta] = x.data.0[0];
+            let k0 = self.constants[0];
             let k4 = self.constants[4];
             let k5 = self.constants[5];
             let k16 = self.constants[16];
-            let (sin_theta, _) = q_theta.sin_cos();
-            ::pendulum_core::nalgebra::SVector::from([
-                (k5 - k4 * (sin_theta * sin_theta)).sqrt() * k16,
-            ])
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t0 = k0 * sin_theta;
+            let t1 = (k4 - t0 * t0).sqrt();
+            (
+                ::pendulum_core::nalgebra::SVector::from([t1 / k5]),
+                ::pendulum_core::nalgebra::SVector::from([
+                    -(k16 * t0 * qd_theta * cos_theta * (T::from_f64(1.0) / t1)),
+                ]),
+            )
         }
         ///Output `stroke`.
         #[inline]
         pub fn stroke(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 2>) -> T {
             let [q_theta, _] = x.data.0[0];
             let k0 = self.constants[0];
-            let k5 = self.constants[5];
+            let k4 = self.constants[4];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k0 * sin_theta;
-            k0 * cos_theta + (k5 - t0 * t0).sqrt()
+            k0 * cos_theta + (k4 - t0 * t0).sqrt()
         }
         ///The rate of `stroke` along the motion.
         #[inline]
@@ -881,11 +870,11 @@ k17 = 1
         ) -> T {
             let [q_theta, qd_theta] = x.data.0[0];
             let k0 = self.constants[0];
-            let k5 = self.constants[5];
+            let k4 = self.constants[4];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k0 * sin_theta;
             let t1 = k0 * cos_theta;
-            let t2 = (k5 - t0 * t0).sqrt();
+            let t2 = (k4 - t0 * t0).sqrt();
             -(qd_theta * (T::from_f64(1.0) / t2) * (t0 * (t1 + (t2 + t1 - t1))))
         }
         ///The value of `stroke`, and its derivatives by the state: a row for each component, column by column for a matrix.
@@ -897,11 +886,11 @@ k17 = 1
         ) -> (T, ::pendulum_core::nalgebra::SMatrix<T, 1, 2>) {
             let [q_theta, _] = x.data.0[0];
             let k0 = self.constants[0];
-            let k5 = self.constants[5];
+            let k4 = self.constants[4];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k0 * cos_theta;
             let t1 = k0 * sin_theta;
-            let t2 = (k5 - t1 * t1).sqrt();
+            let t2 = (k4 - t1 * t1).sqrt();
             let t3 = t0 + t2;
             (
                 t3,
@@ -916,11 +905,11 @@ k17 = 1
         pub fn speed(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 2>) -> T {
             let [q_theta, qd_theta] = x.data.0[0];
             let k0 = self.constants[0];
-            let k5 = self.constants[5];
+            let k4 = self.constants[4];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k0 * sin_theta;
             let t1 = k0 * cos_theta;
-            let t2 = (k5 - t0 * t0).sqrt();
+            let t2 = (k4 - t0 * t0).sqrt();
             -(qd_theta * (T::from_f64(1.0) / t2) * (t0 * (t1 + (t2 + t1 - t1))))
         }
         ///The rate of `speed` along the motion.
@@ -934,7 +923,7 @@ k17 = 1
             let k0 = self.constants[0];
             let k2 = self.constants[2];
             let k3 = self.constants[3];
-            let k5 = self.constants[5];
+            let k4 = self.constants[4];
             let k6 = self.constants[6];
             let k7 = self.constants[7];
             let k8 = self.constants[8];
@@ -945,7 +934,7 @@ k17 = 1
             let t0 = qd_theta * qd_theta;
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t1 = k0 * sin_theta;
-            let t2 = (k5 - t1 * t1).sqrt();
+            let t2 = (k4 - t1 * t1).sqrt();
             let t3 = T::from_f64(1.0) / t2;
             let t4 = k0 * cos_theta;
             let t5 = t2 + t4 - t4;
@@ -977,12 +966,12 @@ k17 = 1
         ) -> (T, ::pendulum_core::nalgebra::SMatrix<T, 1, 2>) {
             let [q_theta, qd_theta] = x.data.0[0];
             let k0 = self.constants[0];
-            let k5 = self.constants[5];
+            let k4 = self.constants[4];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k0 * sin_theta;
             let t1 = k0 * cos_theta;
             let t2 = t0 * t0;
-            let t3 = k5 - t2;
+            let t3 = k4 - t2;
             let t4 = t3.sqrt();
             let t5 = T::from_f64(1.0) / t4;
             let t6 = t1 + (t4 + t1 - t1);
@@ -1005,11 +994,11 @@ k17 = 1
         ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
             let [q_theta, qd_theta] = x.data.0[0];
             let k0 = self.constants[0];
-            let k5 = self.constants[5];
+            let k4 = self.constants[4];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k0 * cos_theta;
             let t1 = k0 * sin_theta;
-            let t2 = (k5 - t1 * t1).sqrt();
+            let t2 = (k4 - t1 * t1).sqrt();
             let t3 = t0 + t2;
             ::pendulum_core::nalgebra::SVector::from([
                 t3,
@@ -1027,7 +1016,7 @@ k17 = 1
             let k0 = self.constants[0];
             let k2 = self.constants[2];
             let k3 = self.constants[3];
-            let k5 = self.constants[5];
+            let k4 = self.constants[4];
             let k6 = self.constants[6];
             let k7 = self.constants[7];
             let k8 = self.constants[8];
@@ -1038,7 +1027,7 @@ k17 = 1
             let t0 = qd_theta * qd_theta;
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t1 = k0 * sin_theta;
-            let t2 = (k5 - t1 * t1).sqrt();
+            let t2 = (k4 - t1 * t1).sqrt();
             let t3 = T::from_f64(1.0) / t2;
             let t4 = k0 * cos_theta;
             let t5 = t2 + t4 - t4;
@@ -1075,12 +1064,12 @@ k17 = 1
         ) {
             let [q_theta, qd_theta] = x.data.0[0];
             let k0 = self.constants[0];
-            let k5 = self.constants[5];
+            let k4 = self.constants[4];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k0 * cos_theta;
             let t1 = k0 * sin_theta;
             let t2 = t1 * t1;
-            let t3 = k5 - t2;
+            let t3 = k4 - t2;
             let t4 = t3.sqrt();
             let t5 = t0 + t4;
             let t6 = T::from_f64(1.0) / t4;
@@ -1157,14 +1146,14 @@ k17 = 1
                 &{
                     let [q_theta, _] = x.data.0[0];
                     let k0 = self.constants[0];
-                    let k5 = self.constants[5];
+                    let k4 = self.constants[4];
                     let k17 = self.constants[17];
                     let (sin_theta, cos_theta) = q_theta.sin_cos();
                     let t0 = T::from_f64(0.1) * cos_theta;
                     let t1 = T::from_f64(0.1) * sin_theta;
                     let t2 = k0 * cos_theta;
                     let t3 = k0 * sin_theta;
-                    let t4 = t2 + (k5 - t3 * t3).sqrt();
+                    let t4 = t2 + (k4 - t3 * t3).sqrt();
                     let t5 = t2 + k17 * (t4 - t2);
                     let t6 = t3 - k17 * t3;
                     let t7 = T::from_f64(0.08) + t4;

@@ -253,41 +253,25 @@ t42 = 1/(1 - 16917000/24006277*t33 - 3001400/24006277*t34)
                 (
                     "loop_margins",
                     ::pendulum_core::FunctionCost::new(
-                            "as declared",
-                            ::pendulum_core::Operations::new(15, 20, 2, 1, 2, 53),
-                        )
-                        .with_others(
-                            &[
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(28, 40, 5, 1, 3, 53),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(28, 40, 5, 1, 3, 53),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "closed form, expanded",
-                                    ::pendulum_core::Operations::new(28, 38, 5, 1, 3, 57),
-                                ),
-                            ],
-                        ),
+                        "as declared",
+                        ::pendulum_core::Operations::new(26, 57, 7, 1, 2, 59),
+                    ),
                 ),
                 (
                     "jacobian",
                     ::pendulum_core::FunctionCost::new(
                             "closed form, factors of the state first, L^T D L, derived in the graph",
-                            ::pendulum_core::Operations::new(306, 494, 14, 1, 3, 102),
+                            ::pendulum_core::Operations::new(306, 494, 14, 1, 3, 103),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of parameters first, L^T D L, derived in the graph",
-                                    ::pendulum_core::Operations::new(306, 494, 14, 1, 3, 102),
+                                    ::pendulum_core::Operations::new(306, 494, 14, 1, 3, 103),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded, L^T D L, derived in the graph",
-                                    ::pendulum_core::Operations::new(322, 540, 14, 1, 3, 108),
+                                    ::pendulum_core::Operations::new(322, 540, 14, 1, 3, 109),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "recursion, L^T D L, derived in the graph",
@@ -721,25 +705,18 @@ t42 = 1/(1 - 16917000/24006277*t33 - 3001400/24006277*t34)
         ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
             Some(&<Squeezer>::LAYOUT)
         }
-        #[inline]
-        fn project(&self, t: T, x: &mut ::pendulum_core::nalgebra::SVector<T, 2>) {
-            for margin in self.loop_margins(t, x).iter() {
-                x[0] += T::from_f64(0.0) * (*margin - T::from_f64(0.001)).sqrt();
-            }
-        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn margins(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-            tell: &mut dyn FnMut([&'static str; 2], T),
+            tell: &mut dyn FnMut([&'static str; 2], [T; 2]),
         ) {
-            let margins = self.loop_margins(t, x);
-            for (bodies, margin) in [["k2", "k3"], ["k2", "k5"], ["k2", "k7"]]
-                .into_iter()
-                .zip(margins.iter())
-            {
-                tell(bodies, *margin);
-            }
+            let (margins, rates) = self.loop_margins(t, x);
+            tell(["k2", "k3"], [margins[0], rates[0]]);
+            tell(["k2", "k5"], [margins[1], rates[1]]);
+            tell(["k2", "k7"], [margins[2], rates[2]]);
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
@@ -967,15 +944,13 @@ t42 = 1/(1 - 16917000/24006277*t33 - 3001400/24006277*t34)
                 let t143 = T::from_f64(2.0) * (t13 * t141 - t11 * t142);
                 let t144 = t143 * (T::from_f64(1.0) / (t14 * t14));
                 let t145 = T::from_f64(0.0006) * t144;
-                let t146 = T::from_f64(0.5)
-                    * (T::from_f64(0.0004) * t144 + T::from_f64(2.0) * t16 * t145)
-                    * (T::from_f64(1.0) / t17);
+                let t146 = T::from_f64(0.5) * (T::from_f64(1.0) / t17)
+                    * (T::from_f64(0.0004) * t144 + T::from_f64(2.0) * t16 * t145);
                 let t147 = (t17 * t143 - t14 * t146) * (T::from_f64(1.0) / (t18 * t18));
-                let t148 = t111 * (T::from_f64(1.0) / (t4 * t4));
+                let t148 = T::from_f64(1.0) / (t4 * t4) * t111;
                 let t149 = T::from_f64(0.0002205) * t148;
-                let t150 = T::from_f64(0.5)
-                    * (T::from_f64(0.000784) * t148 + T::from_f64(2.0) * t6 * t149)
-                    * (T::from_f64(1.0) / t7);
+                let t150 = T::from_f64(0.5) * (T::from_f64(1.0) / t7)
+                    * (T::from_f64(0.000784) * t148 + T::from_f64(2.0) * t6 * t149);
                 let t151 = (t4 * t150 - t7 * t111) * (T::from_f64(1.0) / (t24 * t24));
                 let t152 = t2 * t6 + t3 * t150 - t9 * t149 - t8 * t7;
                 let t153 = t6 * t8 + t3 * t149 + t2 * t7 + t9 * t150;
@@ -1271,36 +1246,69 @@ t42 = 1/(1 - 16917000/24006277*t33 - 3001400/24006277*t34)
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> Squeezer<T> {
-        ///How far each closed loop is from its toggle, in the order of the declaration: 0 there, and at most 1.
-        #[inline]
+        ///How far each closed loop is from its toggle, in the order of the declaration: 0 there, and at most 1. And the rates of that.
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         pub fn loop_margins(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 3> {
-            let [q_beta, _] = x.data.0[0];
+        ) -> (
+            ::pendulum_core::nalgebra::SVector<T, 3>,
+            ::pendulum_core::nalgebra::SVector<T, 3>,
+        ) {
+            let [q_beta, qd_beta] = x.data.0[0];
             let (sin_beta, cos_beta) = q_beta.sin_cos();
             let t0 = T::from_f64(0.0024415754) + T::from_f64(0.0005089) * cos_beta
                 - T::from_f64(0.00045822) * sin_beta;
             let t1 = T::from_f64(1.0) / t0;
             let t2 = T::from_f64(0.5) - T::from_f64(0.0002205) * t1;
             let t3 = (T::from_f64(0.000784) * t1 - t2 * t2).sqrt();
-            let t4 = T::from_f64(0.007) * cos_beta;
-            let t5 = T::from_f64(0.007) * sin_beta;
-            let t6 = t5 - T::from_f64(0.03273);
-            let t7 = T::from_f64(0.03635) + t4;
-            let t8 = T::from_f64(0.06934) + t4 + t3 * t6 - t2 * t7;
-            let t9 = T::from_f64(0.00227) + t5 - t2 * t6 - t3 * t7;
-            let t10 = t8 * t8 + t9 * t9;
-            let t11 = T::from_f64(1.0) / t10;
-            let t12 = T::from_f64(0.5) - T::from_f64(0.0006) * t11;
-            let t13 = T::from_f64(1250.0) * t10
-                * (T::from_f64(0.0004) * t11 - t12 * t12).sqrt();
-            ::pendulum_core::nalgebra::SVector::from([
-                T::from_f64(1020.4081632653061) * t0 * t3,
-                t13,
-                t13,
-            ])
+            let t4 = t0 * t3;
+            let t5 = T::from_f64(0.007) * cos_beta;
+            let t6 = T::from_f64(0.03635) + t5;
+            let t7 = T::from_f64(0.007) * sin_beta;
+            let t8 = t7 - T::from_f64(0.03273);
+            let t9 = t2 * t6 - t3 * t8;
+            let t10 = t2 * t8 + t3 * t6;
+            let t11 = qd_beta * (T::from_f64(1.0) / t4)
+                * (t7 * (t9 - t6) + t5 * (t8 - t10));
+            let t12 = T::from_f64(0.06934) + t5 - t9;
+            let t13 = T::from_f64(0.00227) + t7 - t10;
+            let t14 = T::from_f64(35.714285714285715) * (T::from_f64(0.028) * t11);
+            let t15 = t12 * t12 + t13 * t13;
+            let t16 = T::from_f64(1.0) / t15;
+            let t17 = T::from_f64(0.5) - T::from_f64(0.0006) * t16;
+            let t18 = (T::from_f64(0.0004) * t16 - t17 * t17).sqrt();
+            let t19 = T::from_f64(1250.0) * t15 * t18;
+            let t20 = sin_beta * qd_beta;
+            let t21 = cos_beta * qd_beta;
+            let t22 = t13 * (T::from_f64(0.007) * t21 + t9 * t14)
+                - t12 * (T::from_f64(0.007) * t20 + t10 * t14);
+            let t23 = T::from_f64(0.0005089) * t20 + T::from_f64(0.00045822) * t21;
+            let t24 = T::from_f64(0.5) * t0
+                * (t23 * (T::from_f64(1.0) / (t0 * t0))
+                    * (T::from_f64(0.000784)
+                        + T::from_f64(2.0) * (T::from_f64(0.0002205) * t2)));
+            let t25 = T::from_f64(2.0) * t22;
+            let t26 = T::from_f64(0.5) * t15
+                * (t25 * (T::from_f64(1.0) / (t15 * t15))
+                    * (T::from_f64(0.0004)
+                        + T::from_f64(2.0) * (T::from_f64(0.0006) * t17)));
+            let t27 = T::from_f64(1250.0) * (t18 * t25 - t26 * (T::from_f64(1.0) / t18));
+            (
+                ::pendulum_core::nalgebra::SVector::from([
+                    T::from_f64(1020.4081632653061) * t4,
+                    t19,
+                    t19,
+                ]),
+                ::pendulum_core::nalgebra::SVector::from([
+                    T::from_f64(1020.4081632653061)
+                        * (t24 * (T::from_f64(1.0) / t3) - t3 * t23),
+                    t27,
+                    t27,
+                ]),
+            )
         }
         ///Output `gap`.
         #[inline]
