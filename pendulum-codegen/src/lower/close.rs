@@ -1,6 +1,6 @@
 //! Closed loops, and the coordinates that depend on others because of them.
 
-use proc_macro2::{Ident, Span};
+use proc_macro2::Span;
 
 use super::Lower;
 use super::constraint::hindering;
@@ -10,8 +10,7 @@ use super::joint_units::JointUnits;
 use crate::ast::{self, ExprKind, JointKind};
 use crate::error::Reported;
 use crate::expr::{Expr, Level, SymbolKind};
-use crate::model::{self, BodyId, Cause, Closure, Combination, Coordinate, Declared, Loop, Model, NoPlane, Open, Tie};
-use crate::parse::HINGES;
+use crate::model::{self, BodyId, Closure, Combination, Coordinate, Declared, Loop, Model, NoPlane, Open, Tie};
 use crate::screw::Vec3;
 
 /// How many coordinates a loop in a plane determines.
@@ -182,54 +181,6 @@ impl<'g> Lower<'g> {
         }
     }
 
-    /// So many coordinates must depend.
-    fn count(&mut self, items: &ast::Items, needed: usize, at: Span) -> Result<(), Reported> {
-        let depending: Vec<&ast::Body> = items
-            .bodies
-            .iter()
-            .filter(|body| body.fields.depends.is_some())
-            .collect();
-        let given = depending.len();
-        if given > needed {
-            let word = depending
-                .into_iter()
-                .filter_map(|body| body.fields.depends.as_ref())
-                .nth(needed);
-            let many = if needed == 0 {
-                "none".to_owned()
-            } else {
-                needed.to_string()
-            };
-            let fact = format!("{}, but closed loops determine {many}", depend(given));
-            let help = "leave out `depends` where a joint moves by itself, or close another loop: `close a at [..] to b at [..]: revolute(z)`";
-            let at = word.map_or(Span::call_site(), proc_macro2::Ident::span);
-            return Err(self.errors.at(at, fact, help));
-        }
-        if given < needed {
-            let many = if needed == 1 { "coordinate" } else { "coordinates" };
-            let fact = match given {
-                0 => format!("closed loops determine {needed} {many}, but none depends"),
-                _ => format!("closed loops determine {needed} {many}, but only {}", depend(given)),
-            };
-            // orientations do not depend, so other joints are missing
-            let coordinates = items
-                .bodies
-                .iter()
-                .filter(|body| body.fields.coordinate.is_some())
-                .count();
-            let mut closures = items.closures.iter();
-            let has_orientations = closures.any(|closure| has_orientation(closure, &items.bodies));
-            let help = if coordinates < needed && has_orientations {
-                HINGES
-            } else {
-                "a loop in a plane determines two, and one in space up to six: write `coordinate: phi depends near 0.3`, \
-                 where the number says in which assembly"
-            };
-            return Err(self.errors.at(at, fact, help));
-        }
-        Ok(())
-    }
-
     fn closure(&mut self, closure: &ast::Closure, items: &ast::Items) -> Result<(Closure<'g>, Span), Reported> {
         let place =
             |body: &dyn std::fmt::Display| Place::fixed(format!("the end of the loop on `{body}`")).in_unit("m");
@@ -300,6 +251,7 @@ impl<'g> Lower<'g> {
         if !self.errors.is_empty() {
             return Err(self.errors.noted());
         }
+        self.refuse_twice(items, closures)?;
         let planes: Vec<Result<Loop<'g>, NoPlane>> =
             closures.iter().map(|(closure, _)| Loop::new(model, closure)).collect();
         let (first, loops) = (
@@ -317,120 +269,18 @@ impl<'g> Lower<'g> {
             self.open(items, number, &cause, plane, closures[number].1)
         })
     }
-
-    /// Reports what keeps a loop open.
-    fn open(
-        &mut self,
-        items: &ast::Items,
-        number: usize,
-        cause: &Cause,
-        no_plane: Option<&NoPlane>,
-        at: Span,
-    ) -> Reported {
-        if let Cause::Determines(needed) = *cause
-            && let Err(reported) = self.count(items, needed, at)
-        {
-            return reported;
-        }
-        let [a, b] = items.closures[number].ends.each_ref().map(|end| &end.body);
-        let help = match no_plane {
-            Some(_) if has_orientation(&items.closures[number], &items.bodies) => HINGES,
-            no_plane => no_plane.map_or(ASSEMBLED, NoPlane::help),
+    /// A loop that is closed once more determines nothing.
+    fn refuse_twice(&mut self, items: &ast::Items, closures: &[(Closure<'g>, Span)]) -> Result<(), Reported> {
+        let is_known = |n: usize| {
+            closures[..n]
+                .iter()
+                .any(|(known, _)| known.ties_the_same(&closures[n].0))
         };
-        let (what, help) = match *cause {
-            Cause::TooShort { by } => (
-                format!(
-                    "cannot close: where it is assembled, its sides miss each other by {} m",
-                    readable(by)
-                ),
-                help,
-            ),
-            Cause::AtToggle => (
-                "is at its toggle where it is assembled".to_owned(),
-                "there it does not determine what depends: assemble it elsewhere, as by `coordinate: theta near 0.5`",
-            ),
-            Cause::Undecided => (
-                "can be assembled in two ways, and the guess is as near to both".to_owned(),
-                "say in which: `coordinate: phi depends near 0.3`",
-            ),
-            Cause::AlwaysOpen { by, unit } => (
-                format!(
-                    "cannot close: its ends are {} {unit} apart wherever it moves",
-                    readable(by)
-                ),
-                help,
-            ),
-            Cause::ClosedByChance => (
-                "closes for the default values of the parameters alone".to_owned(),
-                "give both ends one parameter where they must agree in order to close",
-            ),
-            Cause::NotAssembled { by, unit } => (
-                format!(
-                    "cannot be assembled near the guess: its ends stay {} {unit} apart",
-                    readable(by)
-                ),
-                help,
-            ),
-            Cause::Determines(_) | Cause::DeterminesOthers => (
-                "does not determine the coordinates that depend".to_owned(),
-                "let coordinates of the joints in the loop depend, and assemble it away from its toggle: `coordinate: phi depends near 0.3`",
-            ),
+        let Some(n) = (0..closures.len()).find(|n| is_known(*n)) else {
+            return Ok(());
         };
-        self.errors
-            .at(at, format_args!("the loop from `{a}` to `{b}` {what}"), help)
-    }
-}
-
-/// Whether a body between the ends of a loop has an orientation, which cannot depend.
-fn has_orientation(closure: &ast::Closure, bodies: &[ast::Body]) -> bool {
-    let [first, second] = closure.ends.each_ref().map(|end| {
-        let named = |name: &Ident| bodies.iter().position(|body| body.name == *name);
-        let carrier = |n: &usize| bodies[*n].parent.as_ref().ok().and_then(named);
-        // as many as there are, should they carry one another
-        let chain = std::iter::successors(named(&end.body), carrier).take(bodies.len());
-        chain.collect::<Vec<usize>>()
-    });
-    let own = first.iter().filter(|n| !second.contains(n));
-    let mut between = own.chain(second.iter().filter(|n| !first.contains(n)));
-    between.any(|n| bodies[*n].fields.orientation.is_some())
-}
-
-/// How many coordinates depend, in words.
-fn depend(count: usize) -> String {
-    match count {
-        1 => "1 coordinate depends".to_owned(),
-        _ => format!("{count} coordinates depend"),
-    }
-}
-
-/// Three digits of a positive number, with an exponent where many zeros would stand before or behind them.
-fn readable(number: f64) -> String {
-    let rounded = format!("{number:.2e}");
-    let exponent = rounded.split_once('e').and_then(|(_, exponent)| exponent.parse().ok());
-    match exponent {
-        Some(exponent @ -4..=5) => format!("{number:.*}", usize::try_from(2 - exponent).unwrap_or(0)),
-        _ => rounded,
-    }
-}
-
-/// What to do about a loop in a plane that does not close.
-const ASSEMBLED: &str =
-    "check lengths and places, or say where the mechanism can be assembled: `coordinate: theta near 0.5`";
-
-impl NoPlane {
-    /// What to do about a loop in space that does not close: it may be meant to lie in a plane.
-    fn help(&self) -> &'static str {
-        match self {
-            Self::Axes => {
-                "check lengths, places and axes, and say near which values of all coordinates of the loop it can be assembled; where these are \
-                 right, more of them must depend"
-            }
-            Self::Joint => {
-                "give the joint that closes the loop the axis of the others, or say where the mechanism can be assembled: `coordinate: theta near 0.5`"
-            }
-            Self::Apart => {
-                "check the places along the axis of the joints, and in which directions they slide: the ends do not lie in one plane"
-            }
-        }
+        let [a, b] = items.closures[n].ends.each_ref().map(|end| &end.body);
+        let fact = format_args!("the loop from `{a}` to `{b}` is closed twice at the same place");
+        Err(self.errors.at(closures[n].1, fact, "leave out one of the two"))
     }
 }

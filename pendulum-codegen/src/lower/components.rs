@@ -133,6 +133,9 @@ impl<'g> Lower<'g> {
         place: &Place<'g>,
     ) -> Result<Quantity<'g>, Reported> {
         let Some(components) = self.components.get(&name.to_string()).cloned() else {
+            if let Some(reported) = self.broken.get(&name.to_string()) {
+                return Err(*reported);
+            }
             let fact = format_args!("`{name}` is no orientation, so its rate has no components");
             let help = match self.names.kind(&name.to_string()) {
                 Some(Kind::Point) => format!("write `dot({name}.{axis})` for the rate of a component"),

@@ -3,6 +3,7 @@
 use super::Lower;
 use super::components::Unrated;
 use super::expr::Place;
+use super::freedom::freedom;
 use super::joint_units::JointUnits;
 use super::measure::Measure;
 use super::scope::Kind;
@@ -135,6 +136,11 @@ impl<'g> Lower<'g> {
         for body in bodies.iter().filter(|body| body.fields.depends.is_some() == depend) {
             self.freedom_coordinates(body, &mut coordinates);
             let Some(ident) = &body.fields.coordinate else { continue };
+            if let Some(slides) = freedom(body) {
+                let reported = self.refuse_coordinate(body, slides, ident);
+                self.broken.insert(ident.to_string(), reported);
+                continue;
+            }
             let (name, k) = (ident.to_string(), first + coordinates.len());
             let position = self.graph.symbol(&name, SymbolKind::Coordinate(k));
             let measure = JointUnits::of(body).measure();

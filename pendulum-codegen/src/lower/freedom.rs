@@ -2,7 +2,7 @@
 
 use std::borrow::Cow;
 
-use proc_macro2::TokenStream;
+use proc_macro2::{Ident, TokenStream};
 
 use super::Lower;
 use crate::ast::{self, JointKind};
@@ -45,7 +45,7 @@ impl<'g> Lower<'g> {
 
     /// What a joint that turns about all axes must have, and what makes no sense there.
     pub(super) fn check_freedom(&mut self, body: &ast::Body, slides: bool) -> Result<(), Reported> {
-        let named = self.check_orientation(body, slides);
+        let named = self.check_orientation(body);
         let placed = self.check_position(body, slides);
         let kind = if slides { "free" } else { "ball" };
         let mut fits = named.and(placed);
@@ -58,27 +58,32 @@ impl<'g> Lower<'g> {
         fits
     }
 
-    fn check_orientation(&mut self, body: &ast::Body, slides: bool) -> Result<(), Reported> {
+    /// Says that a joint that turns about all axes has no coordinate.
+    pub(super) fn refuse_coordinate(&mut self, body: &ast::Body, slides: bool, coordinate: &Ident) -> Reported {
         let (fields, name) = (&body.fields, &body.name);
+        let kind = if slides { "free" } else { "ball" };
+        let joint = format!("the {kind} joint of `{name}` has an orientation");
         if let Some(depends) = &fields.depends {
-            let kind = if slides { "free" } else { "ball" };
-            let fact = format_args!("the {kind} joint of `{name}` has an orientation, which cannot depend");
-            return Err(self.errors.at(depends.span(), fact, HINGES));
+            return self
+                .errors
+                .at(depends.span(), format_args!("{joint}, which cannot depend"), HINGES);
         }
+        let help = match (&fields.orientation, slides) {
+            (Some(_), _) => "leave out `coordinate`",
+            (None, true) => "write `orientation: o, position: p`; components are `o.w` and `p.x`",
+            (None, false) => "write `orientation: o`; its components are `o.w`, `o.x`, `o.y` and `o.z`",
+        };
+        self.errors
+            .at(coordinate.span(), format_args!("{joint}, and not one coordinate"), help)
+    }
+
+    fn check_orientation(&mut self, body: &ast::Body) -> Result<(), Reported> {
+        let fields = &body.fields;
         if let Some(coordinate) = &fields.coordinate {
-            let (kind, help) = if slides {
-                (
-                    "free",
-                    "write `orientation: o, position: p`; components are `o.w` and `p.x`",
-                )
-            } else {
-                (
-                    "ball",
-                    "write `orientation: o`; its components are `o.w`, `o.x`, `o.y` and `o.z`",
-                )
-            };
-            let fact = format_args!("the {kind} joint of `{name}` has an orientation, and not one coordinate");
-            return Err(self.errors.at(coordinate.span(), fact, help));
+            return self
+                .broken
+                .get(&coordinate.to_string())
+                .map_or(Ok(()), |reported| Err(*reported));
         }
         if fields.orientation.is_none() && fields.motion.is_none() {
             return Err(self.missing(body, ORIENTATION));

@@ -18,6 +18,7 @@ mod mass;
 mod measure;
 mod motion;
 mod name;
+mod open;
 mod order;
 mod output;
 mod physical;

@@ -5,7 +5,7 @@ use crate::expr::{Expr, Formula};
 use crate::screw::Vec3;
 
 /// A place on a body.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Place<'g> {
     /// The body; none for ground.
     pub body: Option<BodyId>,

@@ -6,7 +6,7 @@ use crate::expr::{Expr, Normalizer};
 use crate::screw::{Mat3, Vec2, Vec3, Wrench};
 
 /// A joint that closes a loop.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Closure<'g> {
     /// The origins of its two frames.
     pub ends: [Place<'g>; 2],
@@ -17,7 +17,7 @@ pub(crate) struct Closure<'g> {
 }
 
 /// How two frames are tied.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Tie<'g> {
     /// One turns against the other about this axis, which stands still in both.
     Revolute(Vec3<'g>),
@@ -79,6 +79,17 @@ struct Step<'g> {
 const BUDGET: usize = 100_000;
 
 impl<'g> Closure<'g> {
+    /// Whether both tie the same frames in the same way, in whichever order.
+    pub(crate) fn ties_the_same(&self, other: &Self) -> bool {
+        let ([a, b], [of_a, of_b]) = (other.ends, other.axes);
+        let reversed = Self {
+            ends: [b, a],
+            axes: [of_b, of_a],
+            tie: other.tie,
+        };
+        *self == *other || *self == reversed
+    }
+
     /// The names of the two bodies.
     pub(crate) fn bodies(&self, model: &Model<'g>) -> [String; 2] {
         let name = |end: &Place<'g>| end.body.map_or("ground", |body| &model.bodies[body].name).to_owned();

@@ -140,10 +140,10 @@ pub(super) fn read(text: &str) -> (Robot, Vec<Wrong>) {
             "remove it, and write out the entities that it declares",
         ),
         Err(Error::NoRootNode) => reader.wrong("it has no element", ROBOT),
-        Err(error) => reader.wrong(
-            format!("it is no XML: {error}"),
-            "mend it at this line and column, or write it anew",
-        ),
+        Err(Error::UnclosedRootNode | Error::UnexpectedEndOfStream) => {
+            reader.wrong("it ends within an element", "end it with `</robot>`");
+        }
+        Err(error) => reader.wrong(format!("it is no XML: {error}"), "mend it at this line and column"),
     }
     (reader.robot, reader.wrong)
 }

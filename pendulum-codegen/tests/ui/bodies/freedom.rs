@@ -10,6 +10,8 @@ mechanism! {
         body list on ground { mass: 1, inertia: [1, 1, 1], joint: ball, orientation: [0, 0, 1] }
         body argument on ground { mass: 1, inertia: [1, 1, 1], joint: ball(z), orientation: o5 }
         body word on ground { mass: 1, inertia: [1, 1, 1], joint: spherical, orientation: o6 }
+        output turned: atan2(theta.x, theta.w),
+        output rate: dot(theta).x + dot(phi),
     }
 }
 

@@ -2,9 +2,9 @@ mechanism! {
     pub TooShort {
         params { a: m = 0.2, b: m = 0.1 }
         shape bar { mass: 1, com: [0.1, 0, 0], inertia: 0.1 }
-        body crank on ground: bar { joint: revolute(z), coordinate: theta near 0.8 }
-        body coupler on crank: bar { joint: revolute(z) at [a, 0, 0], coordinate: phi depends near -0.3 }
-        body rocker on ground: bar { joint: revolute(z) at [0.6, 0, 0], coordinate: psi depends near 1.6 }
+        body crank on ground: bar { joint: revolute(z), coordinate: q1 near 0.8 }
+        body coupler on crank: bar { joint: revolute(z) at [a, 0, 0], coordinate: q2 depends near -0.3 }
+        body rocker on ground: bar { joint: revolute(z) at [0.6, 0, 0], coordinate: q3 depends near 1.6 }
         close coupler at [b, 0, 0] to rocker at [b, 0, 0]: revolute(z),
     }
 }

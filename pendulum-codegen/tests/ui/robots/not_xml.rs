@@ -6,6 +6,13 @@ mechanism! {
 }
 
 mechanism! {
+    pub Unclosed {
+        gravity: [0, 0, -9.81],
+        robot: urdf("tests/robots/unclosed.urdf"),
+    }
+}
+
+mechanism! {
     pub DocumentType {
         gravity: [0, 0, -9.81],
         robot: urdf("tests/robots/document_type.urdf"),

@@ -1,0 +1,197 @@
+//! What keeps closed loops open, and what to do about it.
+
+use proc_macro2::{Ident, Span};
+
+use super::Lower;
+use crate::ast;
+use crate::error::Reported;
+use crate::model::{Cause, NoPlane};
+use crate::parse::HINGES;
+
+impl<'g> Lower<'g> {
+    /// So many coordinates must depend.
+    pub(super) fn count(&mut self, items: &ast::Items, needed: usize, at: Span) -> Result<(), Reported> {
+        let words = items.bodies.iter().filter_map(|body| body.fields.depends.as_ref());
+        let words: Vec<&Ident> = words.collect();
+        let given = words.len();
+        if let Some(word) = words.get(needed) {
+            let many = if needed == 0 {
+                "none".to_owned()
+            } else {
+                needed.to_string()
+            };
+            let fact = format!("{}, but closed loops determine {many}", depend(given));
+            let help = "leave out `depends` where a joint moves by itself, or close another loop: `close a at [..] to b at [..]: revolute(z)`";
+            return Err(self.errors.at(word.span(), fact, help));
+        }
+        if given == needed {
+            return Ok(());
+        }
+        let many = if needed == 1 { "coordinate" } else { "coordinates" };
+        let fact = match given {
+            0 => format!("closed loops determine {needed} {many}, but none depends"),
+            _ => format!("closed loops determine {needed} {many}, but only {}", depend(given)),
+        };
+        // orientations do not depend, so other joints are missing
+        let coordinates = items.bodies.iter().filter(|body| body.fields.coordinate.is_some());
+        let in_loops: Vec<&ast::Body> = items
+            .closures
+            .iter()
+            .flat_map(|closure| between(closure, &items.bodies))
+            .collect();
+        let help = if coordinates.count() < needed && has_orientation(&in_loops) {
+            HINGES.to_owned()
+        } else {
+            let independent = in_loops.iter().rev().filter(|body| body.fields.depends.is_none());
+            format!(
+                "a loop in a plane determines two, and one in space up to six: write `coordinate: {} depends near 0.3`, \
+                 where the number says in which assembly",
+                first_coordinate(independent).map_or("phi".to_owned(), Ident::to_string)
+            )
+        };
+        Err(self.errors.at(at, fact, help))
+    }
+
+    /// Reports what keeps a loop open.
+    pub(super) fn open(
+        &mut self,
+        items: &ast::Items,
+        number: usize,
+        cause: &Cause,
+        no_plane: Option<&NoPlane>,
+        at: Span,
+    ) -> Reported {
+        if let Cause::Determines(needed) = *cause
+            && let Err(reported) = self.count(items, needed, at)
+        {
+            return reported;
+        }
+        let closure = &items.closures[number];
+        let bodies = between(closure, &items.bodies);
+        let assembled = assembled(&bodies);
+        let help = match no_plane {
+            Some(_) if has_orientation(&bodies) => HINGES.to_owned(),
+            Some(no_plane) => no_plane.help(&assembled),
+            None => format!("check lengths and places, or say where the mechanism can be assembled: {assembled}"),
+        };
+        let (what, help) = match *cause {
+            Cause::TooShort { by } => (
+                format!(
+                    "cannot close: where it is assembled, its sides miss each other by {} m",
+                    readable(by)
+                ),
+                help,
+            ),
+            Cause::AtToggle => (
+                "is at its toggle where it is assembled".to_owned(),
+                format!("there it does not determine what depends: assemble it elsewhere, as by {assembled}"),
+            ),
+            Cause::Undecided => (
+                "can be assembled in two ways, and the guess is as near to both".to_owned(),
+                format!("say in which: {}", dependent(&bodies)),
+            ),
+            Cause::AlwaysOpen { by, unit } => (
+                format!(
+                    "cannot close: its ends are {} {unit} apart wherever it moves",
+                    readable(by)
+                ),
+                help,
+            ),
+            Cause::ClosedByChance => (
+                "closes for the default values of the parameters alone".to_owned(),
+                "give both ends one parameter where they must agree in order to close".to_owned(),
+            ),
+            Cause::NotAssembled { by, unit } => (
+                format!(
+                    "cannot be assembled near the guess: its ends stay {} {unit} apart",
+                    readable(by)
+                ),
+                help,
+            ),
+            Cause::Determines(_) | Cause::DeterminesOthers => (
+                "does not determine the coordinates that depend".to_owned(),
+                format!(
+                    "let coordinates of the joints in the loop depend, and assemble it away from its toggle: {}",
+                    dependent(&bodies)
+                ),
+            ),
+        };
+        let [a, b] = closure.ends.each_ref().map(|end| &end.body);
+        self.errors
+            .at(at, format_args!("the loop from `{a}` to `{b}` {what}"), help)
+    }
+}
+
+/// The bodies between the ends of a loop, from each end to what carries both.
+fn between<'a>(closure: &ast::Closure, bodies: &'a [ast::Body]) -> Vec<&'a ast::Body> {
+    let [first, second] = closure.ends.each_ref().map(|end| {
+        let named = |name: &Ident| bodies.iter().position(|body| body.name == *name);
+        let carrier = |n: &usize| bodies[*n].parent.as_ref().ok().and_then(named);
+        // as many as there are, should they carry one another
+        let chain = std::iter::successors(named(&end.body), carrier).take(bodies.len());
+        chain.collect::<Vec<usize>>()
+    });
+    let own = first.iter().filter(|n| !second.contains(n));
+    let between = own.chain(second.iter().filter(|n| !first.contains(n)));
+    between.map(|n| &bodies[*n]).collect()
+}
+
+/// Whether a body has an orientation, which cannot depend.
+fn has_orientation(bodies: &[&ast::Body]) -> bool {
+    bodies.iter().any(|body| body.fields.orientation.is_some())
+}
+
+fn first_coordinate<'a>(bodies: impl IntoIterator<Item = &'a &'a ast::Body>) -> Option<&'a Ident> {
+    bodies.into_iter().find_map(|body| body.fields.coordinate.as_ref())
+}
+
+/// How to say where a loop is assembled: by a coordinate of the state, if it has one.
+fn assembled(bodies: &[&ast::Body]) -> String {
+    match first_coordinate(bodies.iter().filter(|body| body.fields.depends.is_none())) {
+        Some(name) => format!("`coordinate: {name} near 0.5`"),
+        None => dependent(bodies),
+    }
+}
+
+/// How to say which coordinate of a loop depends.
+fn dependent(bodies: &[&ast::Body]) -> String {
+    let depends = bodies.iter().filter(|body| body.fields.depends.is_some());
+    let name = first_coordinate(depends).or_else(|| first_coordinate(bodies));
+    let name = name.map_or("phi".to_owned(), Ident::to_string);
+    format!("`coordinate: {name} depends near 0.3`")
+}
+
+/// How many coordinates depend, in words.
+fn depend(count: usize) -> String {
+    match count {
+        1 => "1 coordinate depends".to_owned(),
+        _ => format!("{count} coordinates depend"),
+    }
+}
+
+/// Three digits of a positive number, with an exponent where many zeros would stand before or behind them.
+fn readable(number: f64) -> String {
+    let rounded = format!("{number:.2e}");
+    let exponent = rounded.split_once('e').and_then(|(_, exponent)| exponent.parse().ok());
+    match exponent {
+        Some(exponent @ -4..=5) => format!("{number:.*}", usize::try_from(2 - exponent).unwrap_or(0)),
+        _ => rounded,
+    }
+}
+
+impl NoPlane {
+    /// What to do about a loop in space that does not close: it may be meant to lie in a plane.
+    fn help(&self, assembled: &str) -> String {
+        match self {
+            Self::Axes => "check lengths, places and axes, and say near which values of all coordinates of the loop it can be assembled; \
+                           where these are right, more of them must depend"
+                .to_owned(),
+            Self::Joint => format!(
+                "give the joint that closes the loop the axis of the others, or say where the mechanism can be assembled: {assembled}"
+            ),
+            Self::Apart => "check the places along the axis of the joints, and in which directions they slide: \
+                            the ends do not lie in one plane"
+                .to_owned(),
+        }
+    }
+}
