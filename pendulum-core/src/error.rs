@@ -257,10 +257,10 @@ impl fmt::Display for Reason {
             ),
             Self::ModesAccumulate { constraint } => write!(
                 f,
-                "`{constraint}` changes between modes without time advancing, or almost; \
-                 where a moving wall presses against what cannot move, let one of the two yield; \
-                 where it rebounds too fast, set `slow`; \
-                 where it has friction, check that the force is not as small as rounding errors"
+                "`{constraint}` keeps changing between modes while the time does not advance; \
+                 if a moving wall presses against what cannot move, let one of the two yield; \
+                 if its rebounds are too fast, set or raise `slow`; \
+                 if it has friction, check that its force is larger than rounding errors"
             ),
             Self::TooManySteps { max_steps } => write!(
                 f,
