@@ -49,12 +49,11 @@ pub(crate) struct Forms<'g> {
     by_links: Option<ByLinks<'g>>,
     /// The bodies along whose axes these accelerations are.
     floating: Vec<Floating<'g>>,
-    /// The accelerations of two coordinates with all that cancels gone.
-    exact: Vec<Candidate<'g>>,
-    /// The accelerations by articulated bodies.
-    articulated: Vec<Candidate<'g>>,
+    /// Accelerations that need not be solved for: by articulated bodies, and those of two coordinates with all that
+    /// cancels gone.
+    solved: Vec<Candidate<'g>>,
     /// The accelerations in the shortest form, once they are known.
-    solved: OnceCell<Chosen<'g>>,
+    accelerations: OnceCell<Chosen<'g>>,
     /// What symbols stand for that depend on the state.
     dependence: Dependence<'g>,
     normalizer: Normalizer<'g>,
@@ -81,10 +80,12 @@ impl<'g> Forms<'g> {
         let apart = if give_way && !has_orientations { ways } else { &[] };
         let articulated = apart.iter().map(|&pushed| {
             let (accelerations, _) = articulated(model, pushed, &[]);
+            let accelerations = constants::fold(g, &accelerations);
             (Form::of(Basis::Articulated).with_wrenches(pushed), accelerations)
         });
-        let mut articulated: Vec<Candidate<'g>> = articulated.collect();
-        let (mut forms, exact) = closed_forms(model, &mut normalizer, dynamics);
+        let articulated: Vec<Candidate<'g>> = articulated.collect();
+        let (mut forms, mut solved) = closed_forms(model, &mut normalizer, dynamics);
+        solved.extend(articulated);
         let shared = (!has_orientations).then(|| (Form::of(Basis::Shared), dynamics.clone()));
         let graphs = shared.into_iter().chain(recursive);
         forms.extend(graphs.map(|(form, dynamics)| Written::folded(g, form, dynamics)));
@@ -94,17 +95,13 @@ impl<'g> Forms<'g> {
         } else {
             Vec::new()
         };
-        for (_, accelerations) in &mut articulated {
-            *accelerations = constants::fold(g, accelerations);
-        }
         let mut forms = Self {
             forms,
             oriented,
             by_links: None,
             floating,
-            exact,
-            articulated,
-            solved: OnceCell::new(),
+            solved,
+            accelerations: OnceCell::new(),
             dependence: model.dependence.clone(),
             normalizer,
         };
@@ -123,7 +120,7 @@ impl<'g> Forms<'g> {
         let by_links = self.choose(vec![(form, of_coordinates(&self.floating, accelerations.clone()))]);
         let [links, matrix] = [&by_links, &by_matrix].map(|chosen| chosen.operations.weight());
         if matrix >= links + links / WORTH_OF_LINKS {
-            self.solved = OnceCell::from(by_links);
+            self.accelerations = OnceCell::from(by_links);
             self.by_links = Some(ByLinks {
                 form,
                 accelerations,

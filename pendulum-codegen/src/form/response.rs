@@ -110,7 +110,7 @@ pub(crate) fn response<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'
             form: own, dynamics, ..
         } = written;
         let rows = rows.on(&mut forms.normalizer, own.basis);
-        let exact = forms.exact.iter().filter(|(form, _)| form.basis == own.basis);
+        let exact = forms.solved.iter().filter(|(form, _)| form.basis == own.basis);
         for (factored, solver) in written.factorings() {
             let form = own.solved_by(solver);
             let mut solved = vec![(form, factored.solve_negated(&dynamics.residual))];

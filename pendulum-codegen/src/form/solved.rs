@@ -42,7 +42,7 @@ struct Derived<'a, 'g> {
 impl<'g> Forms<'g> {
     /// The shortest code for the accelerations.
     pub(crate) fn accelerations(&self) -> Chosen<'g> {
-        self.solved.get_or_init(|| self.solve(&[])).clone()
+        self.accelerations.get_or_init(|| self.solve(&[])).clone()
     }
 
     /// The shortest code for the accelerations, and for what is computed beside them.
@@ -66,8 +66,7 @@ impl<'g> Forms<'g> {
                 candidates.push((written.form.solved_by(solver), of_coordinates(solved)));
             }
         }
-        candidates.extend(self.exact.iter().cloned());
-        candidates.extend(self.articulated.iter().cloned());
+        candidates.extend(self.solved.iter().cloned());
         for (_, roots) in &mut candidates {
             roots.extend(beside);
         }
@@ -125,7 +124,7 @@ impl<'g> Forms<'g> {
                 columns = ways(&mut self.normalizer, own.basis, partials(dynamics, variables));
             }
             columns.extend(by_recursion.map(|columns| (Derivatives::Recursion, columns)));
-            let exact = self.exact.iter().filter(|(form, _)| form.basis == own.basis);
+            let exact = self.solved.iter().filter(|(form, _)| form.basis == own.basis);
             for (factored, solver) in written.factorings() {
                 let form = own.solved_by(solver);
                 let exact = exact
