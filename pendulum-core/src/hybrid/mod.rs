@@ -80,8 +80,12 @@ mod held;
 mod impact;
 mod in_mode;
 mod mode;
+mod next_mode;
+mod project;
+mod rebound;
 #[cfg(feature = "std")]
 mod saltation;
+mod settling;
 mod switch;
 mod watch;
 
@@ -106,10 +110,13 @@ pub use in_mode::{InMode, Passage};
 pub(crate) use mode::set_of;
 pub use mode::{Hold, Mode, Status};
 #[cfg(feature = "std")]
-pub(crate) use saltation::{hold_tangents, saltation};
-pub(crate) use switch::{Settled, project, start, switch};
+pub(crate) use project::apart;
+pub(crate) use project::project;
 #[cfg(feature = "std")]
-pub(crate) use switch::{apart, rate};
+pub(crate) use saltation::{hold_tangents, saltation};
+#[cfg(feature = "std")]
+pub(crate) use switch::rate;
+pub(crate) use switch::{Settled, start, switch};
 pub(crate) use watch::Watch;
 
 /// The most constraints of a system.

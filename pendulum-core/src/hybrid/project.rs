@@ -1,0 +1,67 @@
+//! States moved to where they are held.
+
+use nalgebra::SVector;
+
+use super::complementarity::Factored;
+use super::held::pin;
+use super::mode::{Hold, Mode, Status, bits};
+use super::{Hybrid, Law, MOST, Response};
+use crate::real::Float;
+
+/// Moves a state to where it is held: each position to its limit, each rate to zero.
+pub(crate) fn project<T: Float, const N: usize>(
+    system: &dyn Hybrid<T, N>,
+    hold: &Hold<T>,
+    mode: &Mode,
+    t: T,
+    x: &mut SVector<T, N>,
+) {
+    pin(system, hold.held, x);
+    let constraints = system.constraints();
+    if bits(hold.held).all(|n| !constraints[n].rate.is_empty()) {
+        return;
+    }
+    let laws = system.laws();
+    let response = system.response(t, x, &hold.forces);
+    // the second time for what is quadratic in the first
+    for _ in 0..2 {
+        let measures = system.measures(t, x);
+        shift(x, N / 2, &response, hold.solved, &apart(&laws, &mode.0, &measures));
+        let rates = system.measures(t, x).map(|[_, rate]| rate);
+        shift(x, 0, &response, hold.solved, &rates);
+    }
+    pin(system, hold.held, x);
+}
+
+/// How far from its limit each constraint is that touches one.
+pub(crate) fn apart<T: Float>(
+    laws: &[Law<T>; MOST],
+    touching: &[Status; MOST],
+    measures: &[[T; 2]; MOST],
+) -> [T; MOST] {
+    core::array::from_fn(|n| {
+        let limit = match touching[n] {
+            Status::Low => laws[n].low,
+            Status::High => laws[n].high,
+            _ => None,
+        };
+        limit.map_or(T::default(), |limit| measures[n][0] - limit)
+    })
+}
+
+/// Takes what some constraints have off positions or rates, which stand so far `before` the rates: a column holds what
+/// a force does to the rates, and along it the least kinetic energy moves.
+pub(super) fn shift<T: Float, const N: usize>(
+    x: &mut SVector<T, N>,
+    before: usize,
+    response: &Response<T, N>,
+    solved: u8,
+    surplus: &[T; MOST],
+) {
+    let moves = Factored::of(&response.matrix, solved).solve_negated(surplus);
+    for n in bits(solved) {
+        for component in N / 2..N {
+            x[component - before] += response.columns[n][component] * moves[n];
+        }
+    }
+}
