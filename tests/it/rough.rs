@@ -438,8 +438,8 @@ fn pushed_rods_are_followed() {
 /// Radau's ends that Newton's method leaves beyond a limit, walls that were not moved to, contacts that gave way to a
 /// force at its limit, forces that passed theirs shortly before another end, joints that held what stood at a wall,
 /// hits between the places that are looked at, ends of a mode that come in another order than it seemed, hits that only
-/// the polynomial of a step shows, walls that hold a joint, ends far from where they seemed to be. Joints that only seem
-/// to rest with a wall: at a dead point, and beside a wall that moves.
+/// the polynomial of a step shows, walls that hold a joint, ends far from where they seemed to be, walls that moved what had come to a limit. Joints that
+/// only seem to rest with a wall: at a dead point, and beside a wall that moves.
 #[test]
 fn difficult_starts_are_followed() {
     for seed in [4, 88, 270, 1423] {
@@ -451,7 +451,7 @@ fn difficult_starts_are_followed() {
         walled(seed);
     }
     for seed in [
-        12, 38, 83, 87, 101, 125, 203, 474, 1145, 1683, 2125, 2447, 2474, 3224, 101_359, 201_431,
+        12, 38, 83, 87, 101, 125, 203, 474, 1145, 1683, 2125, 2447, 2474, 3224, 8035, 101_359, 201_431,
     ] {
         pushed(seed);
     }

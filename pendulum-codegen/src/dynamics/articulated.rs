@@ -146,42 +146,48 @@ impl<'g> Articulation<'g> {
         }
     }
 
-    fn accelerations(&self, mut load: Load<'g>) -> Vec<Expr<'g>> {
-        let g = load.ground.linear[0].graph();
-        let zero = g.zero();
+    fn accelerations(&self, load: Load<'g>) -> Vec<Expr<'g>> {
+        let zero = load.ground.linear[0].graph().zero();
         let dof = self.joints.iter().flatten().count() + 3 * self.floating.iter().flatten().count();
         let mut accelerations = vec![zero; dof];
-        accelerations.append(&mut load.drives);
-        // of a joint that is driven the coordinate is the drive alone
-        let driven = |link: &Link<'g>, accelerations: &[Expr<'g>]| link.motion.of(g, |k| accelerations[k]);
-        // from the outermost link on: what is left along each joint to accelerate it
-        let mut left = vec![zero; self.links.len()];
+        accelerations.extend(&load.drives);
+        let left = self.left_to_accelerate(&load, &accelerations);
+        self.accelerate(&load, &left, &mut accelerations);
+        accelerations.truncate(dof);
+        accelerations
+    }
+
+    /// From the outermost link on: what is left along each joint to accelerate it; of the slides of flights their
+    /// accelerations.
+    fn left_to_accelerate(&self, load: &Load<'g>, drives: &[Expr<'g>]) -> Vec<Expr<'g>> {
+        let (mut wrenches, mut left) = (load.wrenches.clone(), load.along.clone());
         for k in JointId::all(self.links.len()).rev() {
             if self.flights.is_slide(k) {
                 continue;
             }
-            let (link, wrench, carried) = (&self.links[k], load.wrenches[k], self.carried[k]);
+            let (link, wrench, carried) = (&self.links[k], wrenches[k], self.carried[k]);
             let wrench = match &self.joints[k] {
                 Some(joint) => {
                     left[k] = load.along[k] - wrench.power(&link.screw);
                     wrench + carried * load.drifts[k] + left[k] * (joint.mobility * joint.momentum)
                 }
                 // a drive does not give way: what it carries is accelerated as it prescribes
-                None => wrench + carried * (load.drifts[k] + driven(link, &accelerations) * link.screw),
+                None => wrench + carried * (load.drifts[k] + driven(link, drives)),
             };
             if let (Some(flight), Some(matrix)) = (self.flights.from(k), &self.floating[k]) {
                 let taken = flight.slides.into_iter().zip(flight.along_axes(wrench.force));
                 let taken: Vec<Expr<'g>> = taken.map(|(slide, taken)| taken - load.along[slide]).collect();
-                let solved = matrix.solve_negated(&taken);
-                flight
-                    .slides
-                    .into_iter()
-                    .zip(solved)
-                    .for_each(|(slide, a)| left[slide] = a);
+                let solved = flight.slides.into_iter().zip(matrix.solve_negated(&taken));
+                solved.for_each(|(slide, acceleration)| left[slide] = acceleration);
             } else if let Some(parent) = link.parent {
-                load.wrenches[parent] = load.wrenches[parent] + self.frames[k].wrench_to_parent(&wrench);
+                wrenches[parent] = wrenches[parent] + self.frames[k].wrench_to_parent(&wrench);
             }
         }
+        left
+    }
+
+    /// From ground on: what of that accelerates each coordinate, as what carries the joint accelerates too.
+    fn accelerate(&self, load: &Load<'g>, left: &[Expr<'g>], accelerations: &mut [Expr<'g>]) {
         let mut motions: Vec<Twist<'g>> = Vec::new();
         for (k, link) in JointId::all(self.links.len()).zip(&self.links) {
             if self.flights.is_slide(k) {
@@ -189,9 +195,9 @@ impl<'g> Articulation<'g> {
                 motions.push(load.ground);
                 continue;
             }
-            let arriving = self.arriving(k, &motions, load.ground, &left) + load.drifts[k];
+            let arriving = self.arriving(k, &motions, load.ground, left) + load.drifts[k];
             let Some(joint) = &self.joints[k] else {
-                motions.push(arriving + driven(link, &accelerations) * link.screw);
+                motions.push(arriving + driven(link, accelerations));
                 continue;
             };
             let second_rate = (left[k] - joint.momentum.power(&arriving)) * joint.mobility;
@@ -203,8 +209,6 @@ impl<'g> Articulation<'g> {
                 .fold(second_rate, |own, (other, factor)| own - factor * accelerations[other]);
             accelerations[link.coordinate] = link.motion.factor(link.coordinate) * own;
         }
-        accelerations.truncate(dof);
-        accelerations
     }
 
     /// How what carries a link accelerates it.
@@ -261,6 +265,12 @@ fn along_joints<'g>(links: &[Link<'g>], mut forces: Vec<Expr<'g>>) -> Vec<Expr<'
     let mut along: Vec<Expr<'g>> = along.collect();
     along.reverse();
     along
+}
+
+/// How a joint accelerates that is driven: by the drive alone.
+fn driven<'g>(link: &Link<'g>, accelerations: &[Expr<'g>]) -> Twist<'g> {
+    let g = link.force.graph();
+    link.motion.of(g, |k| accelerations[k]) * link.screw
 }
 
 /// The angular velocity of each link, in its frame.

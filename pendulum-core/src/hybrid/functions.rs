@@ -68,6 +68,15 @@ impl Fired {
         self.0.trailing_zeros() as usize / WAYS
     }
 
+    /// What touches its limit where these end a mode: with what is held there, the gaps that close.
+    pub(crate) fn touching(self, mode: &Mode) -> [Status; MOST] {
+        let mut touching = mode.0;
+        for (n, way) in self.pairs().filter(|&(n, way)| way != FORWARD && !mode.is_held(n)) {
+            touching[n] = if way == BACKWARD { Status::Low } else { Status::High };
+        }
+        touching
+    }
+
     pub(super) fn pairs(mut self) -> impl Iterator<Item = (usize, usize)> {
         core::iter::from_fn(move || {
             let slot = self.0.trailing_zeros() as usize;

@@ -2,17 +2,18 @@
 
 use nalgebra::SVector;
 
-use super::complementarity::Factored;
+use super::complementarity::{Factored, independent};
 use super::held::pin;
-use super::mode::{Hold, Mode, Status, bits};
+use super::mode::{Hold, Status, bits, set_of};
 use super::{Hybrid, Law, MOST, Response};
 use crate::real::Float;
 
-/// Moves a state to where it is held: each position to its limit, each rate to zero.
+/// Moves a state to where it is held: each rate to zero, and to its limit the position of whatever is `touching` one, be
+/// it held there or not.
 pub(crate) fn project<T: Float, const N: usize>(
     system: &dyn Hybrid<T, N>,
     hold: &Hold<T>,
-    mode: &Mode,
+    touching: &[Status; MOST],
     t: T,
     x: &mut SVector<T, N>,
 ) {
@@ -23,10 +24,16 @@ pub(crate) fn project<T: Float, const N: usize>(
     }
     let laws = system.laws();
     let response = system.response(t, x, &hold.forces);
+    let touched = set_of((0..MOST).filter(|&n| touching[n].touches()));
+    let placed = if touched & !hold.held == 0 {
+        hold.solved
+    } else {
+        independent(&response.matrix, hold.held | touched)
+    };
     // the second time for what is quadratic in the first
     for _ in 0..2 {
         let measures = system.measures(t, x);
-        shift(x, N / 2, &response, hold.solved, &apart(&laws, &mode.0, &measures));
+        shift(x, N / 2, &response, placed, &apart(&laws, touching, &measures));
         let rates = system.measures(t, x).map(|[_, rate]| rate);
         shift(x, 0, &response, hold.solved, &rates);
     }

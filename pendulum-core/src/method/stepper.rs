@@ -283,7 +283,7 @@ where
         let modes = &mut self.modes;
         (modes.cut, modes.fired) = (cut, fired);
         if modes.hold.held != 0 {
-            hybrid::project(hybrid, &modes.hold, &modes.mode, t, &mut x);
+            hybrid::project(hybrid, &modes.hold, &fired.touching(&modes.mode), t, &mut x);
         }
         self.last = Step::new((self.last.t0, self.last.x0), (t, x));
         Ok(())
@@ -523,7 +523,7 @@ where
         if let Some(hybrid) = self.system.hybrid()
             && self.modes.hold.held != 0
         {
-            hybrid::project(hybrid, &self.modes.hold, &self.modes.mode, t_new, &mut self.tried);
+            hybrid::project(hybrid, &self.modes.hold, &self.modes.mode.0, t_new, &mut self.tried);
         }
         Ok(mean_square)
     }

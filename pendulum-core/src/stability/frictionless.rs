@@ -35,7 +35,7 @@ impl<'a, const N: usize> Frictionless<'a, N> {
     /// A state of rest to the last bit: without rates, and on the limits.
     pub(super) fn place(&self, mut x: SVector<f64, N>) -> SVector<f64, N> {
         (N / 2..N).for_each(|n| x[n] = 0.0);
-        project(self.system, &self.hold, &self.mode, 0.0, &mut x);
+        project(self.system, &self.hold, &self.mode.0, 0.0, &mut x);
         x
     }
 
