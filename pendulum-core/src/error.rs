@@ -39,10 +39,16 @@ pub struct NotAssembled {
 
 impl fmt::Display for NotAssembled {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if self.left.is_nan() {
+            return f.write_str(
+                "the loops do not determine the coordinates that depend near this state: they are at a toggle; \
+                 guess another state",
+            );
+        }
         write!(
             f,
             "the loops do not close near this state: Newton's method still moves a coordinate by {:.1e}; \
-             check lengths and places, or guess the coordinates that follow more closely",
+             check lengths and places, or guess the coordinates that depend more closely",
             self.left
         )
     }
@@ -118,7 +124,13 @@ pub enum Reason {
         /// a reset.
         h: Option<f64>,
     },
-    /// A closed loop comes to its toggle, where it is flat: the motion cannot go on there.
+    /// A closed loop cannot close where the integration starts, or goes on after a reset.
+    CannotClose {
+        /// The two bodies that close it.
+        bodies: [&'static str; 2],
+    },
+    /// A closed loop comes to its toggle, where it is flat: the motion cannot go on there. Or a step is so long that it
+    /// may.
     Toggle {
         /// The two bodies that close it.
         bodies: [&'static str; 2],
@@ -192,6 +204,9 @@ pub enum Reason {
     },
 }
 
+/// Where the equations end and the margin of a loop is less, that is why.
+pub(crate) const AT_TOGGLE: f64 = 0.1;
+
 impl fmt::Display for Reason {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match *self {
@@ -206,10 +221,20 @@ impl fmt::Display for Reason {
                 "component {component} of the state or its derivative is not finite after a step of {h:.3e}; \
                  if the step is fixed, try a shorter one; else the right-hand side is singular or undefined there"
             ),
-            Self::Toggle { bodies: [a, b], margin } => write!(
+            Self::CannotClose { bodies: [a, b] } => write!(
+                f,
+                "the loop that `{a}` and `{b}` close cannot close where the integration starts, or goes on after a \
+                 reset, or is flat there; check the state, and the lengths if they are not the defaults"
+            ),
+            Self::Toggle { bodies: [a, b], margin } if margin < AT_TOGGLE => write!(
                 f,
                 "the loop that `{a}` and `{b}` close comes to its toggle: its margin is {margin:.1e}; end the motion \
-                 before with an event on `margin({a}, {b})`, or let another coordinate depend, if it is to pass"
+                 before with an event on `margin({a}, {b})`, or, if the loop is to pass, let another coordinate depend"
+            ),
+            Self::Toggle { bodies: [a, b], margin } => write!(
+                f,
+                "the loop that `{a}` and `{b}` close may come to its toggle within one step, before which its margin \
+                 is {margin:.1e}; take shorter steps"
             ),
             Self::StepUnderflow { h, least } => write!(
                 f,

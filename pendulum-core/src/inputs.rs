@@ -23,6 +23,7 @@ use nalgebra::{SMatrix, SVector};
 pub use law::{Generic, InputLaw, Law, LawJacobian};
 
 use crate::hybrid::{self, Constraint, Hybrid, HybridJacobian, MOST, MeasureDerivatives, Response, ResponseDerivative};
+use crate::layout::StateLayout;
 use crate::real::Real;
 use crate::real::lanes::Lanes;
 #[cfg(feature = "std")]
@@ -65,6 +66,12 @@ pub trait Controlled<T: Real, const N: usize, const M: usize> {
         T: Lanes,
     {
         by_number(t, |t| self.rhs_with(t, x, u))
+    }
+
+    /// What each component of the state is, as [`System::layout`].
+    #[inline]
+    fn layout(&self) -> Option<&'static StateLayout> {
+        None
     }
 
     /// Puts a state back onto its constraints, as [`System::project`]: by default there are none.
@@ -277,6 +284,17 @@ where
     #[inline(always)]
     fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
         self.system.rhs_with(t, x, &self.law.inputs(t, x).into())
+    }
+
+    #[inline(always)]
+    fn layout(&self) -> Option<&'static StateLayout> {
+        self.system.layout()
+    }
+
+    /// Not known: the law may depend on the time.
+    #[inline(always)]
+    fn is_autonomous(&self) -> Option<bool> {
+        None
     }
 
     #[inline(always)]

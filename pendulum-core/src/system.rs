@@ -44,6 +44,13 @@ pub trait System<T: Real, const N: usize> {
         None
     }
 
+    /// Whether the right-hand side depends on the state alone, as far as that is known: by default what the
+    /// [layout](Self::layout) says.
+    #[inline]
+    fn is_autonomous(&self) -> Option<bool> {
+        Some(self.layout()?.autonomous)
+    }
+
     /// Puts a state back onto the constraints that the equations preserve, but rounding and truncation do not: a
     /// quaternion is of unit length, a loop is closed. By default there are none, which costs nothing.
     ///
@@ -339,6 +346,7 @@ macro_rules! forward_system {
         $crate::system::forward! { $self => $wrapped;
             rhs(t: T, x: &SVector<T, N>) -> SVector<T, N>;
             layout() -> Option<&'static StateLayout>;
+            is_autonomous() -> Option<bool>;
             project(t: T, x: &mut SVector<T, N>);
             margins(t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 2]));
             hybrid() -> Option<&dyn Hybrid<T, N>>;
@@ -393,6 +401,7 @@ impl<T: Real, S: Controlled<T, N, M> + ?Sized, const N: usize, const M: usize> C
         jacobian_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, N>;
         rhs_and_jacobian_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> (SVector<T, N>, SMatrix<T, N, N>);
         input_jacobian(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, M>;
+        layout() -> Option<&'static StateLayout>;
         project(t: T, x: &mut SVector<T, N>);
         margins(t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 2]));
         time_derivative_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SVector<T, N> where T: Lanes;

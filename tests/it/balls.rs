@@ -656,6 +656,29 @@ fn a_ball_hangs_and_stands() {
     assert_eq!(both.len(), 1);
 }
 
+/// What is known of a state is known under a law as well.
+#[test]
+fn a_ball_under_a_law_stays_a_ball() {
+    let pushed = Pushed::new(PushedParams {}).expect("physical");
+    let spherical = Spherical::new(SphericalParams::default()).expect("physical");
+    let x0 = motion("spherical_pendulum_with_friction").x0;
+    let closed = pushed
+        .with_inputs(|_: f64, _: &SVector<f64, 7>| PushedInputs { push: 0.0 })
+        .by_differences();
+    let [under_law, alone] = [equilibrium(&closed, x0), equilibrium(&spherical, x0)].map(|found| {
+        let modes = found.expect("it is near").spectrum.modes().to_vec();
+        modes.into_iter().map(|mode| mode.eigenvalue).collect::<Vec<_>>()
+    });
+    assert_eq!(under_law.len(), alone.len());
+    for (a, b) in under_law.iter().zip(&alone) {
+        assert!((a - b).norm() < 1e-9, "{a} {b}");
+    }
+    let error = Vern9::new()
+        .solve(&closed, 0.0, 1.0, x0 * 2.0)
+        .expect_err("it is too long");
+    assert!(error.to_string().contains("length of a quaternion"), "{error}");
+}
+
 #[test]
 fn periodic_orbits_of_balls_are_refused() {
     let spherical = Spherical::new(SphericalParams::default()).expect("physical");

@@ -342,3 +342,55 @@ fn wrenches_hold_the_loop() {
         );
     }
 }
+
+mechanism! {
+    /// The wheels of a locomotive, as two rods that turn with the first: one holds the beam, the other adds nothing.
+    pub Coupled {
+        gravity: [0, -9.81, 0],
+        body left on ground { solids: [rod(1, [0, 0, 0], [0, 1, 0])], joint: revolute(z), coordinate: alpha near 0.3 }
+        body beam on left {
+            solids: [rod(1, [0, 0, 0], [2, 0, 0])], joint: revolute(z) at [0, 1, 0], coordinate: beta depends near -0.3,
+        }
+        body right on ground {
+            solids: [rod(1, [0, 0, 0], [0, 1, 0])], joint: revolute(z) at [2, 0, 0], coordinate: p depends near 0.3,
+        }
+        body middle on ground {
+            solids: [rod(0.7, [0, 0, 0], [0, 1, 0])], joint: revolute(z) at [0.8, 0, 0], coordinate: m depends near 0.3,
+        }
+        close beam at [2, 0, 0] to right at [0, 1, 0]: revolute(z),
+        close beam at [0.8, 0, 0] to middle at [0, 1, 0]: revolute(z),
+    }
+}
+
+mechanism! {
+    /// The same, where the middle one follows by itself.
+    pub Following {
+        gravity: [0, -9.81, 0],
+        body left on ground { solids: [rod(1, [0, 0, 0], [0, 1, 0])], joint: revolute(z), coordinate: alpha near 0.3 }
+        body beam on left {
+            solids: [rod(1, [0, 0, 0], [2, 0, 0])], joint: revolute(z) at [0, 1, 0], coordinate: beta depends near -0.3,
+        }
+        body right on ground {
+            solids: [rod(1, [0, 0, 0], [0, 1, 0])], joint: revolute(z) at [2, 0, 0], coordinate: p depends near 0.3,
+        }
+        body middle on ground {
+            solids: [rod(0.7, [0, 0, 0], [0, 1, 0])], joint: revolute(z) at [0.8, 0, 0], motion: alpha,
+        }
+        close beam at [2, 0, 0] to right at [0, 1, 0]: revolute(z),
+    }
+}
+
+/// A loop that holds what another one holds already is no mistake.
+#[test]
+fn a_loop_may_add_nothing() {
+    let coupled = Coupled::new(CoupledParams::default()).expect("the parameters are physical");
+    let following = Following::new(FollowingParams::default()).expect("the parameters are physical");
+    for (alpha, rate) in [(0.3, 1.0), (-0.7, -4.0), (1.2, 0.0)] {
+        let mut x = SVector::from([0.0; Coupled::LAYOUT.slots.len() + 1]);
+        (x[Coupled::ALPHA], x[Coupled::M], x[Coupled::DOT_ALPHA]) = (alpha, alpha, rate);
+        let ours = coupled.rhs(0.0, &x);
+        let theirs = following.rhs(0.0, &[alpha, rate].into());
+        assert!((ours[Coupled::DOT_ALPHA] - theirs[1]).abs() < 1e-12, "{ours} {theirs}");
+        assert!((ours[Coupled::M] - rate).abs() < 1e-13, "{ours}");
+    }
+}

@@ -165,11 +165,27 @@ mechanism! {
     }
 }
 
+mechanism! {
+    /// A slider-crank, of which the slider is in the state: at a dead centre the crank may turn either way, and the
+    /// motion of the slider does not tell which.
+    pub DeadCentre {
+        generate: [rhs, jacobian, energy, taylor, canonical],
+        body crank on ground { mass: 0.5, inertia: 5e-3, joint: revolute(z), coordinate: theta depends near 1 }
+        body rod on crank {
+            mass: 0.2, com: [0.15, 0, 0], inertia: 1e-3, joint: revolute(z) at [0.1, 0, 0],
+            coordinate: phi depends near -1.3,
+        }
+        body slider on ground { mass: 0.3, joint: prismatic(x), coordinate: s near 0.34 }
+        close rod at [0.3, 0, 0] to slider: revolute(z),
+        output margin: margin(rod, slider),
+    }
+}
+
 /// That adaptive methods end at a toggle, alone as in lanes.
 macro_rules! end_at_toggle {
     ($($method:ident)*, of $model:ident from $start:expr, by $tolerance:expr, $check:ident) => {$(
         let method = $method::new().rtol($tolerance).atol($tolerance).max_steps(2000);
-        let alone = $check(stringify!($method), method.solve(&$model, 0.0, 5.0, $start), 0.02);
+        let alone = $check(stringify!($method), method.solve(&$model, 0.0, 5.0, $start), 0.0);
         let starts = [SVector::from($start); 5];
         let Err(EnsembleError::Stopped { stopped, x }) = method.ensemble(&[$model], 0.0, 5.0, &starts) else {
             panic!("{} goes on in lanes", stringify!($method));
@@ -188,9 +204,9 @@ fn a_motion_ends_at_a_toggle() {
     let rocking = Rocking::new(RockingParams::default()).expect("the parameters are physical");
     let parallelogram = Parallelogram::new(ParallelogramParams::default()).expect("the parameters are physical");
     macro_rules! ends {
-        ($model:ident, $names:expr, from $angle:expr, $rates:expr) => {
+        ($model:ident, $names:expr, from $angle:expr, $rates:expr, $tolerances:expr) => {
             for rate in $rates {
-                let check = |method: &str, solved: Result<Solution<f64, 2>, SolveError<f64, 2>>, nearest: f64| {
+                let check = |method: &str, solved: Result<Solution<f64, 2>, SolveError<f64, 2>>, h: f64| {
                     let error = solved.expect_err(method);
                     let Reason::Toggle { bodies, margin } = error.reason else {
                         panic!("{method} from {rate}: {error}");
@@ -198,36 +214,58 @@ fn a_motion_ends_at_a_toggle() {
                     let (t, x) = error.solution.last();
                     assert_eq!(bodies, $names, "{method}: {error}");
                     assert!((margin - $model.margin(t, &x)).abs() < 1e-14, "{method}: {error}");
+                    // within two steps, or one in which the margin goes as the root of what is left
+                    let within = h * $model.loop_margins(t, &x).1.amax();
+                    let nearest = 0.02 + 2.0 * within.max((h * rate).sqrt());
                     assert!((1e-3..nearest).contains(&margin), "{method} from {rate} stopped {margin:e} before");
                     (t, x)
                 };
                 let start = [$angle, rate];
-                for tolerance in [1e-2, 1e-3, 1e-6, 1e-10] {
+                for tolerance in $tolerances {
                     end_at_toggle!(
                         Rk45 Tsit5 Vern7 Vern9 Taylor Radau5 Rodas5P, of $model from start, by tolerance, check
                     );
                     let auto = Auto::new().rtol(tolerance).atol(tolerance).max_steps(2000);
-                    check("Auto", auto.solve(&$model, 0.0, 5.0, start), 0.02);
+                    check("Auto", auto.solve(&$model, 0.0, 5.0, start), 0.0);
                 }
                 for h in [0.1, 0.01, 1e-4] {
-                    // within a step, where the margin goes as the root of what is left
-                    let nearest = 0.02 + 2.0 * (h * rate).sqrt();
-                    check("Rk4", Rk4::new(h).solve(&$model, 0.0, 5.0, start), nearest);
-                    check("Gauss4", Gauss4::new(h).solve(&$model, 0.0, 5.0, start), nearest);
-                    check("Gauss6", Gauss6::new(h).solve(&$model, 0.0, 5.0, start), nearest);
+                    check("Rk4", Rk4::new(h).solve(&$model, 0.0, 5.0, start), h);
+                    check("Gauss4", Gauss4::new(h).solve(&$model, 0.0, 5.0, start), h);
+                    check("Gauss6", Gauss6::new(h).solve(&$model, 0.0, 5.0, start), h);
                 }
             }
         };
     }
-    ends!(rocking, ["coupler", "rocker"], from 0.8, [3.0]);
+    ends!(rocking, ["coupler", "rocker"], from 0.8, [3.0], [1e-2, 1e-3, 1e-6, 1e-10]);
     // the fastest turns by more than half a turn within a step
-    ends!(parallelogram, ["beam", "right"], from 0.1, [1.0, 2.0, 15.0]);
+    ends!(parallelogram, ["beam", "right"], from 0.1, [1.0, 2.0, 15.0], [1e-2, 1e-3, 1e-6, 1e-10]);
+    let slider_crank = DeadCentre::new(DeadCentreParams::default()).expect("the parameters are physical");
+    // the whole way to the dead centre is 0.06 m
+    ends!(slider_crank, ["rod", "slider"], from 0.34, [0.1, 0.5, 1.0, 4.0], [1e-4, 1e-6, 1e-10]);
     let flat = rocking.flat_event().terminal();
     let ended = Vern9::new()
         .solve_with(&rocking, 0.0, 5.0, [0.8, 3.0], &[flat])
         .expect("the event ends it");
     let (t, x) = ended.last();
     assert!((rocking.margin(t, &x) - 0.1).abs() < 1e-12);
+}
+
+/// A start beyond the reach of a loop names the loop.
+#[test]
+fn a_loop_that_cannot_close_is_named() {
+    let rocking = Rocking::new(RockingParams::default()).expect("the parameters are physical");
+    let error = Rk4::new(0.01)
+        .solve(&rocking, 0.0, 1.0, [2.5, 0.0])
+        .expect_err("it is too far");
+    let bodies = ["coupler", "rocker"];
+    assert!(error.reason == Reason::CannotClose { bodies }, "{error}");
+    let far = Event::new(|t, _x: &SVector<f64, 2>| t - 0.1).reset(|_t, _x| SVector::from([2.5, 0.0]));
+    let error = Vern9::new().solve_with(&rocking, 0.0, 1.0, [0.8, 0.0], &[far]);
+    let text = error.expect_err("it is too far").to_string();
+    assert!(
+        text.contains("the loop that `coupler` and `rocker` close cannot close"),
+        "{text}"
+    );
 }
 
 mechanism! {

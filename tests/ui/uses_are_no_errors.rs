@@ -54,8 +54,10 @@ fn main() {
     let cart = Cart::new(CartParams { m: 2.0 }).unwrap();
     let pushed = cart.with_inputs(|_t, _x: &SVector<f64, 2>| CartInputs { push: 1.0 });
     let solution = Rk45::new().solve(&pushed, 0.0, 1.0, [0.0, 0.0]).unwrap();
-    let x = solution.end();
-    let _ = (cart.mass_matrix(0.0, &x), cart.bias(0.0, &x), cart.energy(0.0, &x), cart.params().m);
+    let mut x = solution.end();
+    cart.project(0.0, &mut x);
+    cart.margins(0.0, &x, &mut |_, _| {});
+    let _ = (cart.layout(), cart.mass_matrix(0.0, &x), cart.bias(0.0, &x), cart.energy(0.0, &x), cart.params().m);
     let _ = (cart.momentum(0.0, &x), cart.inverse_dynamics(0.0, &x, &[1.0].into()));
     let _ = cart.parameter_jacobian(0.0, &x, &CartInputs { push: 1.0 });
     let _: (SVector<f64, 3>, f64) = (cart.tip(0.0, &x), cart.reach_rate(0.0, &x));

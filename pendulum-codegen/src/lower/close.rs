@@ -1,5 +1,7 @@
 //! Closed loops, and the coordinates that depend on others because of them.
 
+use std::f64::consts::{FRAC_PI_2, TAU};
+
 use proc_macro2::Span;
 
 use super::Lower;
@@ -10,8 +12,11 @@ use super::joint_units::JointUnits;
 use crate::ast::{self, ExprKind, JointKind};
 use crate::error::Reported;
 use crate::expr::{Expr, Level, SymbolKind};
-use crate::model::{self, BodyId, Closure, Combination, Coordinate, Declared, Loop, Model, NoPlane, Open, Tie};
+use crate::model::{self, BodyId, Cause, Closure, Combination, Coordinate, Declared, Loop, Model, NoPlane, Open, Tie};
 use crate::screw::Vec3;
+
+/// How far an angle may be from its guess, in rad: beyond, the guess is rather on the other side.
+const FAR: f64 = FRAC_PI_2;
 
 /// How many coordinates a loop in a plane determines.
 const IN_PLANE: usize = 2;
@@ -254,21 +259,49 @@ impl<'g> Lower<'g> {
         self.refuse_twice(items, closures)?;
         let planes: Vec<Result<Loop<'g>, NoPlane>> =
             closures.iter().map(|(closure, _)| Loop::new(model, closure)).collect();
-        let (first, loops) = (
-            closures.first().map_or(Span::call_site(), |(_, span)| *span),
-            planes.len(),
-        );
-        if planes.iter().all(Result::is_ok) {
-            let at = closures.get(declared.len() / IN_PLANE).map_or(first, |(_, span)| *span);
-            self.count(items, IN_PLANE * loops, at)?;
-        }
         model.closures = closures.iter().map(|(closure, _)| *closure).collect();
         let vectors: Vec<Option<Loop<'g>>> = planes.iter().map(|plane| plane.clone().ok()).collect();
-        model::close(model, &vectors, declared, near).map_err(|Open { number, cause }| {
+        let closed = model::close(model, &vectors, declared, near).map_err(|Open { number, cause }| {
+            let in_plane = planes.iter().all(Result::is_ok);
+            // loops in a plane may determine less, where lengths agree: then they are closed
+            if in_plane && !matches!(cause, Cause::Determines(_)) {
+                let at = closures.get(declared.len() / IN_PLANE).or(closures.first());
+                let at = at.map_or(Span::call_site(), |(_, span)| *span);
+                if let Err(reported) = self.count(items, IN_PLANE * planes.len(), at) {
+                    return reported;
+                }
+            }
             let plane = planes[number].as_ref().err();
             self.open(items, number, &cause, plane, closures[number].1)
-        })
+        })?;
+        self.count(items, closed.combinations.len(), Span::call_site())?;
+        self.check_guesses(items, &closed)?;
+        Ok(closed)
     }
+
+    /// Refuses a guess that is far from where the loops close: another assembly may be meant.
+    fn check_guesses(&mut self, items: &ast::Items, closed: &model::Closed<'g>) -> Result<(), Reported> {
+        let bodies = items.bodies.iter().filter(|body| body.fields.depends.is_some());
+        for (body, &[guess, found]) in bodies.zip(&closed.assembled) {
+            let beside = (found - guess).rem_euclid(TAU);
+            let turns = JointUnits::of(body).coordinate() == Some("rad");
+            let (Some(name), Some(depends)) = (&body.fields.coordinate, &body.fields.depends) else {
+                continue;
+            };
+            if turns && beside.min(TAU - beside) > FAR {
+                // within half a turn
+                let found = found - TAU * (found / TAU).round();
+                let fact = format_args!("`{name}` is {found:.2} where the loops close, which is far from {guess}");
+                let help = format_args!(
+                    "write `coordinate: {name} depends near {found:.2}`, or, for the other assembly, let the numbers of all \
+                     coordinates of the loop be near that"
+                );
+                return Err(self.errors.at(depends.span(), fact, help));
+            }
+        }
+        Ok(())
+    }
+
     /// A loop that is closed once more determines nothing.
     fn refuse_twice(&mut self, items: &ast::Items, closures: &[(Closure<'g>, Span)]) -> Result<(), Reported> {
         let is_known = |n: usize| {

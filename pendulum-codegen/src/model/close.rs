@@ -75,6 +75,9 @@ pub(crate) struct Closed<'g> {
     pub closings: Vec<Expr<'g>>,
     /// What Newton's method adds to the coordinates whose positions are in the state.
     pub corrections: Vec<Expr<'g>>,
+    /// The guess of each declared coordinate, and what it is where the loops are assembled; nothing where parameters have
+    /// no defaults.
+    pub assembled: Vec<[f64; 2]>,
 }
 
 /// Loops while they are solved.
@@ -109,7 +112,10 @@ pub(crate) fn close<'g>(
     if !left.is_empty() {
         solver.solve_together(loops, &left)?;
     }
+    let numbers = |declared: &Declared<'g>| solver.numbers([declared.near, declared.coordinate.position]);
+    let assembled = declared.iter().filter(|_| solver.is_known()).map(numbers).collect();
     Ok(Closed {
+        assembled,
         dependents: solver.dependents.into_iter().flatten().collect(),
         combinations: solver.combinations.into_iter().flatten().collect(),
         dependence: solver.dependence,

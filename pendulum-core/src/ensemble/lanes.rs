@@ -119,6 +119,10 @@ impl<M: Cast<N>, T: Real, const N: usize> System<T, N> for Expanded<M, T, N> {
         self.0.layout()
     }
 
+    fn is_autonomous(&self) -> Option<bool> {
+        self.0.is_autonomous()
+    }
+
     #[inline(always)]
     fn project(&self, t: T, x: &mut SVector<T, N>) {
         self.0.project(t, x);

@@ -83,6 +83,11 @@ impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for InMode<
     }
 
     #[inline(always)]
+    fn is_autonomous(&self) -> Option<bool> {
+        self.system.is_autonomous()
+    }
+
+    #[inline(always)]
     fn project(&self, t: T, x: &mut SVector<T, N>) {
         self.system.project(t, x);
     }

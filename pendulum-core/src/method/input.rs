@@ -89,6 +89,13 @@ where
         };
         require(by <= FAR, DISTANCE[0], by, rule)?;
     }
+    let mut open = None;
+    system.margins(t, &x, &mut |bodies, [margin, _]| {
+        if !margin.is_finite() {
+            open = Some(Reason::CannotClose { bodies });
+        }
+    });
+    open.map_or(Ok(()), Err)?;
     Ok(x)
 }
 

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use crate::error::Reason;
+use crate::error::{AT_TOGGLE, Reason};
 use crate::method::scheme::Failure;
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
@@ -10,16 +10,15 @@ use crate::system::System;
 
 /// No step ends where a margin is less.
 const LEAST: f64 = 1e-3;
-/// The way is searched where a margin that changes evenly would have been zero within so many steps,
+/// Both ends of a step are looked at where a margin is less at the end,
+const NEAR: f64 = 0.25;
+/// or was zero within so many steps before, or would be behind the start, if it changed evenly,
 const REACH: f64 = 2.0;
-/// or where it is the sine of an angle that turns by more within a step, in rad.
-const TURN: f64 = 1.0;
-/// At how many places a margin is looked at,
+/// or is the sine of an angle that turns by more within a step, in rad: then also so many places within.
+const TURN: f64 = 0.75;
 const PLACES: usize = 16;
-/// and how many times the interval about the least of them is cut by a third.
-const CUTS: usize = 20;
-/// Where the equations end and a margin is less, that is why.
-const NEAR: f64 = 0.1;
+/// A margin may be zero on the way where its square falls below this part of what it is at the ends.
+const LOW: f64 = 0.1;
 
 /// Puts the end of a step onto the constraints of its system; not a number where a loop comes to its toggle on the way.
 #[inline(always)]
@@ -66,8 +65,9 @@ where
     };
     let (mut found, mut least) = (reason, f64::INFINITY);
     system.margins(t, x, &mut |bodies, [margin, rate]| {
-        let (margin, change) = (margin.to_f64(), -h * rate.to_f64());
-        if margin < least && (margin < NEAR || may_pass(margin, change)) {
+        let (margin, change) = (margin.to_f64(), h * rate.to_f64());
+        let may_come = margin + REACH * change < 0.0 || room_to_turn(margin, change) < 0.0;
+        if margin < least && (margin < AT_TOGGLE || may_come) {
             (found, least) = (Reason::Toggle { bodies, margin }, margin);
         }
     });
@@ -115,58 +115,52 @@ impl<S: System<T, N> + ?Sized, T: Lanes, const N: usize> Way<'_, S, T, N> {
         let ((t0, _), (t, x)) = (self.start, self.end);
         let mut roots = T::default();
         self.system.margins(t, x, &mut |_, [margin, rate]| {
-            let [first, rest @ ..] = room(margin, (t - t0) * rate);
-            let least = rest.into_iter().fold(first, |a, b| (a - b).select(a, b));
-            // not a number where there is none
-            roots += least.sqrt();
+            let change = (t - t0) * rate;
+            let near = margin - T::from_f64(NEAR);
+            let reached = margin - T::from_f64(REACH) * change;
+            let least = (near - reached).select(near, reached);
+            let turn = room_to_turn(margin, change);
+            // not a number where one of them is negative
+            roots += (least - turn).select(least, turn).sqrt();
         });
         if roots.all_finite() { 0 } else { self.stopped_in_doubt() }
     }
 
-    /// The same where a loop is at its toggle, or may have passed it.
+    /// The same where a loop is near its toggle, or may have passed it.
     #[cold]
     fn stopped_in_doubt(&self) -> u64 {
-        let ((t0, _), (t, x)) = (self.start, self.end);
+        let [start, end] = [self.start, self.end].map(|(t, x)| (t, *x));
         let (mut stopped, mut n) = (0, 0);
-        while let Some([margin, rate]) = self.margin(n, t, x) {
-            let change = (t - t0) * rate;
-            stopped |= lanes::<T>(|lane| is_flat(margin.lane(lane)));
-            let in_doubt = lanes::<T>(|lane| may_pass(margin.lane(lane), change.lane(lane)));
-            if in_doubt & !stopped != 0 {
-                stopped |= in_doubt & self.stopped_between(n);
+        while let (Some(first), Some(last)) = (self.margin(n, &start), self.margin(n, &end)) {
+            let long = lanes::<T>(|lane| [first, last].into_iter().any(|margin| turns(margin, lane)));
+            stopped |= lanes::<T>(|lane| is_flat(last, lane) || reaches(first, lane));
+            stopped |= !long & lanes::<T>(|lane| may_pass([first, last], lane));
+            if long & !stopped != 0 {
+                stopped |= long & self.stopped_between(n);
             }
             n += 1;
         }
         stopped
     }
 
-    /// The lanes in which a loop comes to its toggle between the ends.
+    /// The lanes in which a loop comes to its toggle in a step that is too long to tell from its ends.
     #[cold]
     fn stopped_between(&self, n: usize) -> u64 {
-        let one = T::from_f64(1.0);
-        let margin = |back: T| {
-            let (t, mut x) = self.at(back);
+        let part = T::from_f64(1.0 / PLACES as f64);
+        let mut stopped = 0;
+        let mut before: Option<[T; 2]> = None;
+        for k in (0..=PLACES).rev() {
+            let (t, mut x) = self.at(T::from_f64(k as f64) * part);
             self.system.project(t, &mut x);
-            self.margin(n, t, &x).map_or(one, |[margin, _]| margin)
-        };
-        let cut = T::from_f64(1.0 / PLACES as f64);
-        let (mut place, mut least, mut stopped) = (T::default(), margin(T::default()), 0);
-        for k in 1..PLACES {
-            let next = T::from_f64(k as f64) * cut;
-            let of_next = margin(next);
-            stopped |= lanes::<T>(|lane| is_flat(of_next.lane(lane)));
-            let is_less = of_next - least;
-            (place, least) = (is_less.select(next, place), is_less.select(of_next, least));
-        }
-        let (mut near, mut far) = (place - cut, place + cut);
-        near = near.select(T::default(), near);
-        for _ in 0..CUTS {
-            let third = (far - near) / T::from_f64(3.0);
-            let (a, b) = (near + third, far - third);
-            let (of_a, of_b) = (margin(a), margin(b));
-            let is_near = of_a - of_b;
-            stopped |= lanes::<T>(|lane| is_flat(of_a.lane(lane)));
-            (near, far) = (is_near.select(near, a), is_near.select(b, far));
+            let Some([margin, change]) = self.margin(n, &(t, x)) else {
+                continue;
+            };
+            let here = [margin, change * part];
+            stopped |= lanes::<T>(|lane| is_flat(here, lane) || reaches(here, lane));
+            if let Some(before) = before {
+                stopped |= lanes::<T>(|lane| may_pass([before, here], lane));
+            }
+            before = Some(here);
         }
         stopped
     }
@@ -179,19 +173,23 @@ impl<S: System<T, N> + ?Sized, T: Lanes, const N: usize> Way<'_, S, T, N> {
         for slot in self.system.layout().into_iter().flat_map(|layout| layout.slots) {
             if slot.positions.len() == 1 && slot.rates.len() == 1 {
                 let (k, rate) = (slot.positions.start, slot.rates.start);
-                let [from_start, to_end] = [x0, x1].map(|x| h * x[rate] - (x1[k] - x0[k]));
-                x[k] += back * ahead * (from_start * back - to_end * ahead);
+                let way = x1[k] - x0[k];
+                let [from_start, to_end] = [x0, x1].map(|x| h * x[rate] - way);
+                let beside = from_start * back - to_end * ahead;
+                x[k] += back * ahead * beside;
+                x[rate] = (way - (ahead - back) * beside - back * ahead * (from_start + to_end)) / h;
             }
         }
         (t1 - h * back, x)
     }
 
-    /// The margin of a loop, and its rate.
-    fn margin(&self, number: usize, t: T, x: &SVector<T, N>) -> Option<[T; 2]> {
+    /// The margin of a loop, and how much it would change within a step at its rate.
+    fn margin(&self, number: usize, (t, x): &(T, SVector<T, N>)) -> Option<[T; 2]> {
+        let h = self.end.0 - self.start.0;
         let (mut found, mut n) = (None, 0);
-        self.system.margins(t, x, &mut |_, margin| {
+        self.system.margins(*t, x, &mut |_, [margin, rate]| {
             if n == number {
-                found = Some(margin);
+                found = Some([margin, h * rate]);
             }
             n += 1;
         });
@@ -199,26 +197,40 @@ impl<S: System<T, N> + ?Sized, T: Lanes, const N: usize> Way<'_, S, T, N> {
     }
 }
 
-/// What is positive of a margin, and of its change within a step, that neither is zero nor may have been.
+/// What is left of the angle by which a loop may turn, of which its margin is the sine: negative where there is nothing.
 #[inline(always)]
-fn room<T: Real>(margin: T, change: T) -> [T; 3] {
-    let turn = T::from_f64(TURN * TURN) * (T::from_f64(1.0) - margin * margin);
-    [
-        margin - T::from_f64(LEAST),
-        margin - T::from_f64(REACH) * change,
-        turn - change * change,
-    ]
+fn room_to_turn<T: Real>(margin: T, change: T) -> T {
+    T::from_f64(TURN * TURN) * (T::from_f64(1.0) - margin * margin) - change * change
 }
 
-/// Whether a loop is too near to its toggle; also where there is no margin.
-fn is_flat<T: Float>(margin: T) -> bool {
-    margin < T::from_f64(LEAST) || !margin.is_finite()
+/// Whether a loop turns by more than its margins at the ends of a step tell.
+fn turns<T: Lanes>([margin, change]: [T; 2], lane: usize) -> bool {
+    room_to_turn(margin.lane(lane), change.lane(lane)) < T::Scalar::default()
 }
 
-/// Whether a margin that changes by so much within a step may have been zero.
-fn may_pass<T: Float>(margin: T, change: T) -> bool {
-    let [_, reach, turn] = room(margin, change);
-    !(reach >= T::default() && turn >= T::default())
+/// Whether a loop is too near to its toggle; also where it has no margin.
+fn is_flat<T: Lanes>([margin, _]: [T; 2], lane: usize) -> bool {
+    let margin = margin.lane(lane);
+    margin < T::Scalar::from_f64(LEAST) || !margin.is_finite()
+}
+
+/// Whether a margin falls so fast where a step starts that it would be zero behind it, and so near there that the methods
+/// cannot follow it.
+fn reaches<T: Lanes>([margin, change]: [T; 2], lane: usize) -> bool {
+    let [margin, change] = [margin, change].map(|x| x.lane(lane).to_f64());
+    margin + REACH * change < 0.0
+}
+
+/// Whether a margin may be zero on a way with these ends: its square, which is smooth there, is taken for a cubic.
+fn may_pass<T: Lanes>(ends: [[T; 2]; 2], lane: usize) -> bool {
+    let ends = ends.map(|end| end.map(|x| x.lane(lane).to_f64()));
+    let [(square0, slope0), (square1, slope1)] = ends.map(|[margin, change]| (margin * margin, 2.0 * margin * change));
+    let rise = square1 - square0;
+    let (a, b) = (slope0 + slope1 - 2.0 * rise, 3.0 * rise - 2.0 * slope0 - slope1);
+    let root = libm::sqrt(b * b - 3.0 * a * slope0);
+    let lowest = -slope0 / (b + root);
+    let is_within = lowest > 0.0 && lowest < 1.0;
+    is_within && square0 + lowest * (slope0 + lowest * (b + lowest * a)) < LOW * square0.max(square1)
 }
 
 /// The lanes for which something holds.

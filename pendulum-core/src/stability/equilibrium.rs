@@ -325,12 +325,12 @@ pub(super) fn angles<const N: usize>(system: &(impl System<f64, N> + ?Sized)) ->
     system.layout().into_iter().flat_map(StateLayout::angles).collect()
 }
 
-/// Refuses a system in which time may occur, as far as its layout says.
+/// Refuses a system in which time may occur, as far as that is known.
 pub(super) fn require_autonomous<const N: usize>(
     system: &(impl System<f64, N> + ?Sized),
 ) -> Result<(), StabilityError> {
-    match system.layout() {
-        Some(layout) if !layout.autonomous => Err(StabilityError::TimeDependent),
+    match system.is_autonomous() {
+        Some(false) => Err(StabilityError::TimeDependent),
         _ => Ok(()),
     }
 }

@@ -90,6 +90,10 @@ impl<const N: usize> System<f64, N> for Frictionless<'_, N> {
     fn layout(&self) -> Option<&'static StateLayout> {
         self.system.layout()
     }
+
+    fn is_autonomous(&self) -> Option<bool> {
+        self.system.is_autonomous()
+    }
 }
 
 impl<const N: usize> Jacobian<f64, N> for Frictionless<'_, N> {

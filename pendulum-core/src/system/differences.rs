@@ -76,8 +76,8 @@ pub(crate) fn by_time<T: Lanes, const N: usize>(
     t: T,
     f: impl Fn(T) -> SVector<T, N>,
 ) -> SVector<T, N> {
-    match system.layout() {
-        Some(layout) if layout.autonomous => SVector::from_element(T::default()),
+    match system.is_autonomous() {
+        Some(true) => SVector::from_element(T::default()),
         _ => by_number(t, f),
     }
 }

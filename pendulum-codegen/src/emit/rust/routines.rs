@@ -105,7 +105,7 @@ impl Items<'_> {
         Some(quote!(#system #jacobian))
     }
 
-    /// The method of `System` that returns the layout of the state.
+    /// The method of `System` and `Controlled` that returns the layout of the state.
     pub(super) fn layout(&self) -> TokenStream {
         let name = &self.head.name;
         quote! {
@@ -243,11 +243,12 @@ impl Items<'_> {
             [("rhs_with", rhs), ("rhs_and_jacobian_with", jacobian)]
                 .map(|(name, routine)| self.function(&format_ident!("{name}"), routine))
         };
-        let assembly = self.assembly();
+        let (layout, assembly) = (self.layout(), self.assembly());
         let functions = quote! {
             type Inputs = #name<T>;
             #inline
             #rhs
+            #layout
             #assembly
             #[inline]
             fn jacobian_with(#arguments) -> #matrix {

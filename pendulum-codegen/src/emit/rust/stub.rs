@@ -104,7 +104,7 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
         }
     });
     let own = own.chain(assemble).chain([outputs::functions(items, &inputs)]);
-    // either trait has what hinders the motion, and a name must not be found in both
+    // either trait has what hinders the motion, and a name must not be found in both; the model itself has the others
     let is_hybrid = items.is_hybrid() && items.inputs.is_empty();
     let controlled = (!is_hybrid).then(|| {
         quote! {
@@ -221,6 +221,8 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             pub fn layout(&self) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
                 None
             }
+            pub fn project<const N: usize>(&self, _: T, _: &mut #vector) {}
+            pub fn margins<const N: usize>(&self, _: T, _: &#vector, _: &mut dyn FnMut([&'static str; 2], [T; 2])) {}
             pub fn with_derivative<K #any_length, const M: usize>(self, _: K) -> Self
             where
                 K: ::core::ops::Fn(T, &::pendulum_core::nalgebra::SVector<T, #length>) -> #matrix<T, M, #length>,

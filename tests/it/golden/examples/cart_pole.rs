@@ -434,6 +434,12 @@ k8 = -0.5/(1/3*l)
             ])
         }
         #[inline]
+        fn layout(
+            &self,
+        ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
+            Some(&<CartPole>::LAYOUT)
+        }
+        #[inline]
         fn jacobian_with(
             &self,
             t: T,

@@ -458,6 +458,12 @@ k9 = 1/m3
             ])
         }
         #[inline]
+        fn layout(
+            &self,
+        ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
+            Some(&<Scara>::LAYOUT)
+        }
+        #[inline]
         fn jacobian_with(
             &self,
             t: T,
