@@ -1,4 +1,4 @@
-//! Closed loops that are no triangles: positions in the state that follow by their rates.
+//! Closed loops that have no closed form: positions in the state that follow by their rates.
 
 use nalgebra::SVector;
 use pendulum_core::prelude::*;

@@ -94,7 +94,7 @@ mechanism! {
 }
 
 mechanism! {
-    /// A loop in space, which is no triangle.
+    /// A loop in space, which has no closed form.
     pub Coupled {
         gravity: [0, 1, -9.81],
         generate: [rhs, jacobian, energy, taylor],

@@ -46,6 +46,7 @@ use generate::Has;
 use motion::Motion;
 use point::Declared;
 use scope::Names;
+pub(crate) use scope::reserved;
 
 /// What a scene means, and where it says so.
 #[derive(Debug)]

@@ -78,6 +78,14 @@ const RESERVED: [(&str, &str); 7] = [
     ("ground", "the body that does not move"),
 ];
 
+/// What a word of the language stands for, that no declared name may take.
+pub(crate) fn reserved(name: &str) -> Option<&'static str> {
+    RESERVED
+        .iter()
+        .find(|(word, _)| *word == name)
+        .map(|(_, meaning)| *meaning)
+}
+
 impl<'g> Names<'g> {
     /// Declares a name. A second declaration is an error.
     pub(super) fn declare(
@@ -88,7 +96,7 @@ impl<'g> Names<'g> {
         (measure, value): (Measure, Option<Expr<'g>>),
     ) {
         let (text, span, order) = (ident.to_string(), ident.span(), self.0.len());
-        if let Some((_, meaning)) = RESERVED.iter().find(|(word, _)| *word == text) {
+        if let Some(meaning) = reserved(&text) {
             let fact = format_args!("`{text}` is a word of the language: {meaning}");
             errors.at(span, fact, "choose another name");
         } else if let Some(first) = self.0.get(&text) {

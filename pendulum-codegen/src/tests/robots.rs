@@ -167,6 +167,29 @@ fn a_joint_that_mimics_follows() {
     assert_same(free, &by_hand("coordinate: r"));
 }
 
+#[test]
+fn joints_whose_names_are_words_of_the_language_are_renamed() {
+    let has = "mass: 1, com: [0, 0, 0], inertia: [1, 1, 1]";
+    let bodies = |moves: [&str; 3]| {
+        let [slider, arm, finger] = moves;
+        format!(
+            "{BASE} body slider on base {{ {has}, joint: prismatic(y), {slider} }}
+            body arm on slider {{ {has}, joint: revolute(y), {arm} }}
+            body finger on arm {{ {has}, joint: prismatic(y), {finger} }} body thumb on arm {{ {has} }}"
+        )
+    };
+    let robot = "robot: urdf(\"words.urdf\"),";
+    assert_same(
+        &format!("{robot} body slider on base {{ coordinate: pos }} body arm on slider {{ coordinate: angle }}"),
+        &bodies(["coordinate: pos", "coordinate: angle", "motion: pos"]),
+    );
+    let held = "body slider on base { coordinate: pos } body arm on slider { motion: 2 rad/s*t }";
+    assert_same(
+        &format!("{robot} {held}"),
+        &bodies(["coordinate: pos", "motion: 2 rad/s*t", "motion: pos"]),
+    );
+}
+
 /// A floating and a planar one, with limits and dynamics that say nothing.
 #[test]
 fn joints_of_more_coordinates_are_written_in_the_language() {

@@ -5,7 +5,9 @@ use std::fmt::Write;
 
 use super::read::{Joint, Kind, Link, Mimic, Origin, Robot, Wrong, ZERO};
 use crate::ast;
+use crate::lower::reserved;
 use crate::parse::is_identifier;
+use crate::words;
 
 /// What a scene says of the joint of a link.
 #[derive(Debug)]
@@ -26,6 +28,7 @@ pub(super) fn declare(robot: &Robot, item: &ast::Robot, replaced: &[Replaced], w
         return text;
     }
     check_names(robot, wrong);
+    check_reserved(robot, replaced, wrong);
     let is_root = |link: &&Link| carried_by(robot, &link.name).next().is_none();
     for link in robot.links.iter().filter(is_root) {
         writeln!(text, "body {} on ground {{ {} }}", identifier(&link.name), mass(link)).expect("memory");
@@ -59,6 +62,7 @@ pub(super) fn declare(robot: &Robot, item: &ast::Robot, replaced: &[Replaced], w
                             joint: leader,
                             replaced: find(replaced, &leader.child),
                         });
+                        let leader = leader.ok_or_else(|| nearest_leader(robot, joint, mimic));
                         followed(joint, mimic, leader, item, wrong)
                     }
                 };
@@ -185,10 +189,13 @@ fn carried_by<'r>(robot: &'r Robot, link: &str) -> impl Iterator<Item = &'r Join
 
 /// Whether each link hangs on one joint at most, and all of them on one root.
 fn is_tree(robot: &Robot, wrong: &mut Vec<Wrong>) -> bool {
+    let unknown = unknown_ends(robot);
+    // what hangs on a link by its misspelt name seems to hang on nothing
+    let roots = if unknown.is_empty() { roots(robot) } else { None };
     let before = wrong.len();
-    wrong.extend(unknown_ends(robot));
+    wrong.extend(unknown);
     wrong.extend(loops(robot));
-    wrong.extend(roots(robot));
+    wrong.extend(roots);
     wrong.len() == before
 }
 
@@ -294,6 +301,27 @@ fn check_names(robot: &Robot, wrong: &mut Vec<Wrong>) {
     }
 }
 
+/// Words of the language are no names of coordinates, unless the scene renames them.
+fn check_reserved(robot: &Robot, replaced: &[Replaced], wrong: &mut Vec<Wrong>) {
+    for joint in &robot.joints {
+        let is_renamed = |replaced: &Replaced| replaced.coordinate.is_some() || replaced.held;
+        let (coordinate, instead) = match joint.kind {
+            Kind::Turns => (identifier(&joint.name), "angle"),
+            Kind::Slides => (identifier(&joint.name), "pos"),
+            _ => continue,
+        };
+        let Some(meaning) = reserved(&coordinate) else { continue };
+        if joint.mimic.is_some() || find(replaced, &joint.child).is_some_and(is_renamed) {
+            continue;
+        }
+        let (body, parent) = (identifier(&joint.child), identifier(&joint.parent));
+        wrong.push(Wrong {
+            fact: format!("joint `{coordinate}` has the name of a word of the language: {meaning}"),
+            help: format!("write `body {body} on {parent} {{ coordinate: {instead} }}` in the scene, which renames it"),
+        });
+    }
+}
+
 /// Names that mean something else, and keywords that no raw identifier has.
 const TAKEN: [&str; 5] = ["ground", "self", "Self", "super", "crate"];
 
@@ -344,17 +372,33 @@ struct Leader<'r> {
     replaced: Option<&'r Replaced>,
 }
 
-/// The motion of a joint that follows another.
+/// The joint that another may follow whose name is almost that of the one it mimics.
+fn nearest_leader<'r>(robot: &'r Robot, joint: &Joint, mimic: &Mimic) -> Option<&'r str> {
+    let leads = |other: &&Joint| {
+        let moves = matches!(other.kind, Kind::Turns | Kind::Slides) && other.mimic.is_none();
+        moves && other.name != joint.name
+    };
+    let leaders = robot.joints.iter().filter(leads).map(|other| other.name.as_str());
+    words::advice(&mimic.joint, leaders, &[]).meant
+}
+
+/// The motion of a joint that follows another; where that is none, there may be one that is meant.
 fn followed(
     joint: &Joint,
     mimic: &Mimic,
-    leader: Option<Leader<'_>>,
+    leader: Result<Leader<'_>, Option<&str>>,
     item: &ast::Robot,
     wrong: &mut Vec<Wrong>,
 ) -> String {
     let (body, parent) = (identifier(&joint.child), identifier(&joint.parent));
+    let is_itself = mimic.joint == joint.name;
+    let whom = if is_itself {
+        "itself".to_owned()
+    } else {
+        format!("`{}`", mimic.joint)
+    };
     let mut refuse = |why: &str, help: &str| {
-        let fact = format!("joint `{}` mimics `{}`{why}", joint.name, mimic.joint);
+        let fact = format!("joint `{}` mimics {whom}{why}", joint.name);
         let instead = format!(
             "or write `body {body} on {parent} {{ joint: fixed }}` to hold it, `{{ coordinate: .. }}` to let it move"
         );
@@ -363,13 +407,17 @@ fn followed(
         String::new()
     };
     let another = "let it mimic a joint that moves by itself";
-    let Some(Leader {
+    let Leader {
         joint: leader,
         replaced,
-    }) = leader
-    else {
-        return refuse(", which is no joint", another);
+    } = match leader {
+        Ok(leader) => leader,
+        Err(Some(meant)) => return refuse(", which is no joint", &format!("did you mean `{meant}`? {another}")),
+        Err(None) => return refuse(", which is no joint", another),
     };
+    if is_itself {
+        return refuse("", "name the joint that it follows");
+    }
     if leader.kind == Kind::Fixed {
         return refuse(", which is fixed", another);
     }

@@ -20,7 +20,9 @@ const FEWEST_DECIMALS: i32 = 4;
 pub(super) fn number(text: &str) -> Option<String> {
     let value: f64 = text.parse().ok().filter(|value: &f64| value.is_finite())?;
     if value == 0.0 {
-        return Some("0".to_owned());
+        // of a number that is too small some digit is another
+        let mut digits = text.chars().take_while(|c| !matches!(c, 'e' | 'E'));
+        return digits.all(|c| !matches!(c, '1'..='9')).then(|| "0".to_owned());
     }
     let (sign, digits) = match text.strip_prefix('-') {
         Some(digits) => ("-", digits),
@@ -37,6 +39,12 @@ pub(super) fn number(text: &str) -> Option<String> {
         }
     };
     Some(format!("{sign}{}.{}{exponent}", part(whole), part(fraction)))
+}
+
+/// Whether a text is a number, of whatever size: neither `inf` nor `nan`, which Rust reads as well.
+pub(super) fn is_number(text: &str) -> bool {
+    let text = text.trim();
+    text.parse::<f64>().is_ok() && text.contains(|c: char| c.is_ascii_digit())
 }
 
 /// Whether the language has a number of this size.
@@ -86,13 +94,14 @@ fn last_decimal(text: &str) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::{angle, number};
+    use super::{angle, is_number, number};
 
     #[test]
     fn numbers_keep_their_digits() {
         let known = [
             ("0.00666", "0.00666"),
             ("-0.0", "0"),
+            ("0e7", "0"),
             (".5", "0.5"),
             ("1.", "1.0"),
             ("+2", "2.0"),
@@ -103,8 +112,18 @@ mod tests {
         for (text, ours) in known {
             assert_eq!(number(text).as_deref(), Some(ours), "{text}");
         }
-        for text in ["", "nan", "inf", "1e999", "1,5", "${m}", "0x1p3"] {
+        for text in ["", "nan", "inf", "1e999", "1e-999", "1,5", "${m}", "0x1p3"] {
             assert_eq!(number(text), None, "{text}");
+        }
+    }
+
+    #[test]
+    fn numbers_may_be_too_large_or_small() {
+        for text in ["1e999", " -1e-999 ", "5", ".5"] {
+            assert!(is_number(text), "{text}");
+        }
+        for text in ["", "nan", "-inf", "infinity", "1,5", "0x1p3"] {
+            assert!(!is_number(text), "{text}");
         }
     }
 

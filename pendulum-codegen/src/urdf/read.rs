@@ -4,7 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use roxmltree::{Document, Error, Node};
 
-use super::number::{angle, is_in_range, length, number};
+use super::number::{angle, is_in_range, is_number, length, number};
+use crate::words;
 
 /// What is wrong with a file, and what to do about it.
 #[derive(Debug)]
@@ -111,7 +112,7 @@ const ELSEWHERE: [&str; 18] = [
     "verbose",
 ];
 
-/// The attributes of the elements that say how the robot is built. In practice `dynamics` and `limit` have more.
+/// The attributes of the elements that say how the robot is built.
 const ATTRIBUTES: [(&str, &[&str]); 7] = [
     ("origin", &["xyz", "rpy"]),
     ("mass", &["value"]),
@@ -121,6 +122,9 @@ const ATTRIBUTES: [(&str, &[&str]); 7] = [
     ("axis", &["xyz"]),
     ("mimic", &["joint", "multiplier", "offset"]),
 ];
+
+/// What is read of elements that have more attributes in practice: those of other programs.
+const AMONG_OTHERS: [(&str, &[&str]); 2] = [("dynamics", &["damping", "friction"]), ("limit", &["lower", "upper"])];
 
 const ROBOT: &str = "a URDF file is `<robot name=\"..\"> .. </robot>`";
 
@@ -360,17 +364,31 @@ impl Reader {
     /// A misspelt attribute would pass for one that is left out.
     fn check_attributes(&mut self, part: Node<'_, '_>, owner: &str) {
         let element = part.tag_name().name();
-        let Some((_, known)) = ATTRIBUTES.iter().find(|(name, _)| *name == element) else {
-            return;
-        };
-        for attribute in part.attributes() {
-            if !known.contains(&attribute.name()) {
-                self.wrong(
-                    format!("`{element}` of {owner} has an unknown attribute `{}`", attribute.name()),
-                    format!("known here: {}", known.join(", ")),
-                );
+        let of = |(name, _): &&(&str, _)| *name == element;
+        if let Some((_, known)) = ATTRIBUTES.iter().find(of) {
+            for attribute in part.attributes().map(|attribute| attribute.name()) {
+                if !known.contains(&attribute) {
+                    let help = words::advice(attribute, known.iter().copied(), &[]).help;
+                    self.unknown_attribute(attribute, element, owner, help);
+                }
+            }
+        } else if let Some((_, known)) = AMONG_OTHERS.iter().find(of) {
+            // one that is there has not been misspelt
+            let absent = || known.iter().copied().filter(|known| !part.has_attribute(*known));
+            let own = part.attributes().filter(|attribute| attribute.namespace().is_none());
+            for attribute in own.map(|attribute| attribute.name()) {
+                let meant = words::advice(attribute, absent(), &[]).meant;
+                if let (Some(meant), false) = (meant, known.contains(&attribute)) {
+                    let help = format!("did you mean `{meant}`? otherwise remove it");
+                    self.unknown_attribute(attribute, element, owner, help);
+                }
             }
         }
+    }
+
+    fn unknown_attribute(&mut self, attribute: &str, element: &str, owner: &str, help: String) {
+        let fact = format!("`{element}` of {owner} has an unknown attribute `{attribute}`");
+        self.wrong(fact, help);
     }
 
     fn text(&mut self, node: Node<'_, '_>, attribute: &str, owner: &str) -> Option<String> {
@@ -397,8 +415,8 @@ impl Reader {
     fn parsed(&mut self, text: &str, attribute: &str, owner: &str, read: fn(&str) -> Option<String>) -> String {
         let (what, help) = match read(text.trim()) {
             Some(read) if read == ZERO || is_in_range(text) => return read,
-            Some(_) => ("out of range", "write a number between 1e-300 and 1e300, or 0"),
-            None => ("no number", "write a decimal number such as 0.25 or 1e-3"),
+            _ if is_number(text) => ("out of range", "write a number between 1e-300 and 1e300, or 0"),
+            _ => ("no number", "write a decimal number such as 0.25 or 1e-3"),
         };
         self.wrong(format!("`{attribute}` of {owner} is `{text}`, which is {what}"), help);
         // no zero, which may be an error of its own

@@ -1,0 +1,6 @@
+mechanism! {
+    pub Arm {
+        gravity: [0, 0, -9.81],
+        robot: urdf("tests/robots/words.urdf"),
+    }
+}
