@@ -102,12 +102,12 @@ impl<'g> Lower<'g> {
     fn refuse_in_state(&mut self, items: &ast::Items) {
         let words = items.generate.iter().flat_map(|(_, list)| list);
         if let Some(word) = words.into_iter().find(|word| **word == "canonical") {
-            let fact = "a scene with loops that are no triangles has no canonical equations: more positions than momenta are in its state";
+            let fact = "a scene with loops that have no closed form has no canonical equations: more positions than momenta are in its state";
             let help = "leave out `canonical`, or let other coordinates depend; explicit methods, `Rodas5P` and `Taylor` keep the loops closed";
             self.errors.at(word.span(), fact, help);
         }
         if let Some(first) = hindering(items).first() {
-            let fact = "dry friction, stops and walls are not supported in a scene with loops that are no triangles";
+            let fact = "dry friction, stops and walls are not supported in a scene with loops that have no closed form";
             let help = "let other coordinates depend, so that the loops are triangles, or write smooth laws: viscous friction, and a `potential` \
                         in the place of a stop or a wall";
             let help = self.left_out(first, help);
@@ -181,7 +181,10 @@ impl<'g> Lower<'g> {
         };
         if fields.depends.is_some() {
             let fact = format_args!("the coordinate of `{name}` depends on others, so nothing can hold it by itself");
-            let help = "let another coordinate of the loop depend; a `wall` limits anything";
+            let help = self.left_out(
+                held,
+                "let another coordinate of the loop depend; a `wall` limits anything",
+            );
             self.errors.on(held, fact, help);
         }
     }
