@@ -3,7 +3,7 @@
 use proc_macro2::{Ident, Span};
 
 use super::Lower;
-use crate::ast;
+use crate::ast::{self, JointKind};
 use crate::error::Reported;
 use crate::model::{Cause, NoPlane};
 use crate::parse::HINGES;
@@ -69,10 +69,12 @@ impl<'g> Lower<'g> {
         let closure = &items.closures[number];
         let bodies = between(closure, &items.bodies);
         let assembled = assembled(&bodies);
-        let help = match no_plane {
-            Some(_) if has_orientation(&bodies) => HINGES.to_owned(),
-            Some(no_plane) => no_plane.help(&assembled),
-            None => format!("check lengths and places, or say where the mechanism can be assembled: {assembled}"),
+        let help = match (no_plane, &closure.joint) {
+            (Some(_), _) if has_orientation(&bodies) => HINGES.to_owned(),
+            (Some(NoPlane::Joint), Ok(JointKind::Fixed)) => counted("fixed", ["three", "six"], &assembled),
+            (Some(NoPlane::Joint), Ok(JointKind::Prismatic(_))) => counted("prismatic", ["two", "five"], &assembled),
+            (Some(no_plane), _) => no_plane.help(&assembled),
+            (None, _) => format!("check lengths and places, or say where the mechanism can be assembled: {assembled}"),
         };
         let (what, help) = match *cause {
             Cause::TooShort { by } => (
@@ -159,6 +161,14 @@ fn dependent(bodies: &[&ast::Body]) -> String {
     let name = first_coordinate(depends).or_else(|| first_coordinate(bodies));
     let name = name.map_or("phi".to_owned(), Ident::to_string);
     format!("`coordinate: {name} depends near 0.3`")
+}
+
+/// How many coordinates a joint determines that closes a loop, in a plane and in space.
+fn counted(joint: &str, [in_plane, in_space]: [&str; 2], assembled: &str) -> String {
+    format!(
+        "`{joint}` determines {in_plane} coordinates of a loop in a plane, and {in_space} of one in space: let as many depend, \
+         and say where the mechanism can be assembled: {assembled}"
+    )
 }
 
 /// How many coordinates depend, in words.

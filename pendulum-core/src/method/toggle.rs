@@ -12,12 +12,12 @@ use crate::system::System;
 const LEAST: f64 = 1e-3;
 /// Both ends of a step are looked at where a margin is less at the end,
 const NEAR: f64 = 0.25;
-/// or was zero within so many steps before, or would be behind the start, if it changed evenly,
+/// or by its rate was zero within so many steps before. By that at the start it must not be zero within so many.
 const REACH: f64 = 2.0;
-/// or is the sine of an angle that turns by more within a step, in rad: then also so many places within.
+/// So are places within, so many, where a margin is the sine of an angle that turns by more, in rad.
 const TURN: f64 = 0.75;
 const PLACES: usize = 16;
-/// A margin may be zero on the way where its square falls below this part of what it is at the ends.
+/// A margin may be zero on the way where its square falls below this part of the larger one at the ends.
 const LOW: f64 = 0.1;
 
 /// Puts the end of a step onto the constraints of its system; not a number where a loop comes to its toggle on the way.
