@@ -124,7 +124,7 @@ pub enum Reason {
         /// a reset.
         h: Option<f64>,
     },
-    /// A closed loop cannot close where the integration starts, or goes on after a reset.
+    /// A closed loop cannot close in the state to start from, or to go on from after a reset.
     CannotClose {
         /// The two bodies that close it.
         bodies: [&'static str; 2],
@@ -223,8 +223,8 @@ impl fmt::Display for Reason {
             ),
             Self::CannotClose { bodies: [a, b] } => write!(
                 f,
-                "the loop that `{a}` and `{b}` close cannot close where the integration starts, or goes on after a \
-                 reset, or is flat there; check the state, and the lengths if they are not the defaults"
+                "the loop that `{a}` and `{b}` close cannot close in the state to start from, or is flat there; \
+                 check the state, and the lengths if they are not the defaults"
             ),
             Self::Toggle { bodies: [a, b], margin } if margin < AT_TOGGLE => write!(
                 f,

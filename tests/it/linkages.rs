@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::SVector;
 use pendulum_core::prelude::*;
+use pendulum_core::stability::equilibrium;
 use pendulum_core::{EnsembleError, Reason, Solution, SolveError};
 use serde_json::Value;
 use testbed::linkages::{
@@ -267,6 +268,13 @@ fn a_loop_that_cannot_close_is_named() {
     assert!(
         text.contains("the loop that `coupler` and `rocker` close cannot close"),
         "{text}"
+    );
+    let error = equilibrium(&rocking, [2.5, 0.0])
+        .expect_err("it is too far")
+        .to_string();
+    assert!(
+        error.contains("the loop that `coupler` and `rocker` close cannot close"),
+        "{error}"
     );
 }
 

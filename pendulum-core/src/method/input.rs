@@ -89,14 +89,23 @@ where
         };
         require(by <= FAR, DISTANCE[0], by, rule)?;
     }
+    check_loops(system, t, &x)?;
+    Ok(x)
+}
+
+/// Checks that closed loops can close.
+pub(crate) fn check_loops<S, T, const N: usize>(system: &S, t: T, x: &SVector<T, N>) -> Result<(), Reason>
+where
+    S: System<T, N> + ?Sized,
+    T: Float,
+{
     let mut open = None;
-    system.margins(t, &x, &mut |bodies, [margin, _]| {
+    system.margins(t, x, &mut |bodies, [margin, _]| {
         if !margin.is_finite() {
             open = Some(Reason::CannotClose { bodies });
         }
     });
-    open.map_or(Ok(()), Err)?;
-    Ok(x)
+    open.map_or(Ok(()), Err)
 }
 
 /// Checks a state to start from.

@@ -44,6 +44,8 @@ use crate::tableau::{self, DormandPrince5, Kutta4, Tsitouras5, Verner7, Verner9}
 use nalgebra::SVector;
 
 pub(crate) use explicit::MAX_DEGREE;
+#[cfg(feature = "std")]
+pub(crate) use input::check_loops;
 pub(crate) use input::require;
 pub(crate) use zero::{Known, dip, first_zero, places, root, unseen_bend};
 #[cfg(feature = "std")]

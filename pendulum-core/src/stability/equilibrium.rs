@@ -10,6 +10,7 @@ use super::least_squares::shortest_step;
 use super::{Spectrum, StabilityError};
 use crate::error::Reason;
 use crate::layout::StateLayout;
+use crate::method::check_loops;
 use crate::system::{IntoState, Jacobian, System};
 
 /// A state at which the right-hand side vanishes, with the small motions about it: `d(x - x0)/dt = jacobian (x - x0)`.
@@ -82,7 +83,8 @@ impl<const N: usize> Equilibrium<N> {
 ///
 /// # Errors
 /// [`StabilityError::TimeDependent`] if the layout says that time may occur, [`StabilityError::NotFinite`] where the right-hand side is not
-/// finite, and [`StabilityError::NoConvergence`] if no zero of it is found.
+/// finite, [`Reason::CannotClose`] in [`StabilityError::Integration`] where a loop cannot close at the seed, and
+/// [`StabilityError::NoConvergence`] if no zero of it is found.
 pub fn equilibrium<S, const N: usize>(
     system: &S,
     seed: impl IntoState<f64, N>,
@@ -93,6 +95,7 @@ where
     require_autonomous(system)?;
     let mut seed = seed.into_state();
     system.project(0.0, &mut seed);
+    check_loops(system, 0.0, &seed).map_err(StabilityError::Integration)?;
     Equilibrium::at(system, settle(system, seed)?)
 }
 
