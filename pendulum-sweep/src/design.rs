@@ -1,5 +1,7 @@
 //! Where the points of a sweep lie.
 
+use std::ops::Range;
+
 use pendulum_core::real::Real;
 use serde_json::{Value, json};
 
@@ -66,21 +68,32 @@ impl<const K: usize> Sweep<K> {
     #[must_use]
     pub fn point(&self, row: usize) -> [f64; K] {
         assert!(row < self.points(), "row {row} of a sweep of {} points", self.points());
+        self.points_of(row..row + 1)[0]
+    }
+
+    /// Some points.
+    pub(crate) fn points_of(&self, rows: Range<usize>) -> Vec<[f64; K]> {
+        let mut points = vec![[0.0; K]; rows.len()];
         match &self.design {
             Design::Grid(axes) => {
-                let (mut point, mut left) = ([0.0; K], row);
-                for (number, axis) in point.iter_mut().zip(axes).rev() {
-                    *number = axis.values[left % axis.values.len()];
-                    left /= axis.values.len();
+                for (point, mut left) in points.iter_mut().zip(rows) {
+                    for (number, axis) in point.iter_mut().zip(axes).rev() {
+                        *number = axis.values[left % axis.values.len()];
+                        left /= axis.values.len();
+                    }
                 }
-                point
             }
-            Design::List(_, points) => points[row],
+            Design::List(_, list) => points.copy_from_slice(&list[rows]),
             Design::Random(draws, _, seed) => {
-                let counter = |column: usize| (row as u64).wrapping_mul(K as u64).wrapping_add(column as u64);
-                std::array::from_fn(|column| draws[column].at(*seed, counter(column)))
+                for (column, draw) in draws.iter().enumerate() {
+                    for (point, row) in points.iter_mut().zip(rows.clone()) {
+                        let counter = (row as u64).wrapping_mul(K as u64).wrapping_add(column as u64);
+                        point[column] = draw.at(*seed, counter);
+                    }
+                }
             }
         }
+        points
     }
 
     /// Refuses laws of numbers that are not finite, as between ends of two signs in equal ratios. A list may have any.
@@ -238,6 +251,7 @@ impl Draw {
     }
 
     /// The number at a count. Logarithms and sines are those of the core, with the same bits on every machine.
+    #[inline(always)]
     fn at(&self, seed: u64, counter: u64) -> f64 {
         let share = |half: u64| {
             let bits = mixed(seed.wrapping_add(GOLDEN.wrapping_mul(2 * counter + half + 1)));

@@ -89,8 +89,9 @@ where
             Err(other) => return Err(SweepError::Invalid(other.to_string())),
         };
         let mut stopped = stopped.into_iter().peekable();
-        let mut chunk = Chunk::default();
-        trials.conclude(&mut chunk, 1 + N + self.values.len(), |index, numbers| {
+        let width = 1 + N + self.values.len();
+        let mut chunk = Chunk::with_capacity(points.len(), width);
+        trials.conclude(&mut chunk, width, |index, numbers| {
             let (model, x) = (&trials.models[index], &ends[index]);
             let stopped = stopped.next_if(|stopped| stopped.index == index);
             let t = stopped.map_or(t1, |stopped| stopped.t);
@@ -107,8 +108,8 @@ where
 pub(crate) struct Trials<M, const N: usize> {
     pub(crate) models: Vec<M>,
     pub(crate) starts: Vec<SVector<f64, N>>,
-    /// Of each point, why it has none.
-    failures: Vec<Option<Failure>>,
+    /// The other points, and why they have none.
+    failures: Vec<(usize, Failure)>,
 }
 
 impl<M, const N: usize> Trials<M, N> {
@@ -119,14 +120,16 @@ impl<M, const N: usize> Trials<M, N> {
         let mut trials = Self {
             models: Vec::with_capacity(points.len()),
             starts: Vec::with_capacity(points.len()),
-            failures: Vec::with_capacity(points.len()),
+            failures: Vec::new(),
         };
-        for &point in points {
-            let failure = trial(point).map(|(model, start)| {
-                trials.models.push(model);
-                trials.starts.push(SVector::from(start));
-            });
-            trials.failures.push(failure.err());
+        for (n, &point) in points.iter().enumerate() {
+            match trial(point) {
+                Ok((model, start)) => {
+                    trials.models.push(model);
+                    trials.starts.push(SVector::from(start));
+                }
+                Err(failure) => trials.failures.push((n, failure)),
+            }
         }
         trials
     }
@@ -139,16 +142,13 @@ impl<M, const N: usize> Trials<M, N> {
         width: usize,
         mut row: impl FnMut(usize, &mut Vec<f64>) -> Option<Reason>,
     ) {
-        let (mut models, mut numbers) = (0..self.models.len(), Vec::with_capacity(width));
-        for failure in &self.failures {
-            if let Some(failure) = failure {
+        let mut failures = self.failures.iter().peekable();
+        let mut models = 0..self.models.len();
+        for point in 0..self.models.len() + self.failures.len() {
+            if let Some((_, failure)) = failures.next_if(|(failed, _)| *failed == point) {
                 chunk.fail(repeat_n(f64::NAN, width), failure);
             } else if let Some(index) = models.next() {
-                numbers.clear();
-                match row(index, &mut numbers) {
-                    None => chunk.push(numbers.iter().copied()),
-                    Some(reason) => chunk.fail(numbers.iter().copied(), reason),
-                }
+                chunk.push_row(|numbers| row(index, numbers));
             }
         }
     }

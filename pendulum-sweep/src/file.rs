@@ -10,15 +10,16 @@ use std::sync::Arc;
 use bytes::Bytes;
 use parquet::basic::{Compression, Encoding, LogicalType, Repetition, Type as Physical};
 use parquet::column::reader::get_typed_column_reader;
-use parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType, Int64Type};
+use parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType};
 use parquet::file::metadata::{
     ColumnChunkMetaData, FileMetaData, KeyValue, ParquetMetaData, ParquetMetaDataOptions, ParquetMetaDataReader,
     ParquetMetaDataWriter, RowGroupMetaData,
 };
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::reader::{FileReader, RowGroupReader, SerializedFileReader};
-use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
-use parquet::schema::types::{ColumnPath, SchemaDescriptor, Type};
+use parquet::file::statistics::Statistics;
+use parquet::file::writer::SerializedFileWriter;
+use parquet::schema::types::{ColumnPath, SchemaDescriptor, Type, TypePtr};
 use serde_json::{Value, json};
 
 use crate::error::SweepError;
@@ -28,8 +29,8 @@ use crate::table::{Column, Table};
 const DECLARATION: &str = "pendulum-sweep";
 const UNITS: &str = "units";
 
-/// Some rows as they lie in a file: the numbers in one piece, each column a page, and apart from them the others: the
-/// numbers of the rows, and the failures.
+/// Some rows as they lie in a file: the numbers in one piece, each column a page, and apart from them the failures. The
+/// column `row` follows from the place of the part.
 pub(crate) struct Part {
     rows: Range<usize>,
     numbers: Vec<u8>,
@@ -37,14 +38,12 @@ pub(crate) struct Part {
 }
 
 impl Part {
-    /// Rows whose numbers are all 0; their bytes lie where `memory` did.
+    /// Rows whose numbers are still to be [kept](Self::keep); their bytes lie where `memory` did.
     pub(crate) fn new(rows: Range<usize>, columns: usize, mut memory: Vec<u8>) -> Self {
-        memory.clear();
-        memory.reserve(most_bytes(columns, rows.len()));
         let head = head_of_page(rows.len());
-        for _ in 0..columns {
-            memory.extend(&head);
-            memory.resize(memory.len() + size_of::<f64>() * rows.len(), 0);
+        memory.resize(columns * bytes_of_page(rows.len()), 0);
+        for page in memory.chunks_exact_mut(bytes_of_page(rows.len())) {
+            page[..head.len()].copy_from_slice(&head);
         }
         Self {
             rows,
@@ -54,7 +53,7 @@ impl Part {
     }
 
     /// Keeps the numbers of some rows, column by column, the first of which is number `row` of these.
-    pub(crate) fn keep<'n>(&mut self, row: usize, columns: impl IntoIterator<Item = &'n [f64]>) {
+    pub(crate) fn keep(&mut self, row: usize, columns: impl IntoIterator<Item = impl IntoIterator<Item = f64>>) {
         let length = size_of::<f64>() * self.rows.len();
         let head = head_of_page(self.rows.len()).len();
         for (page, numbers) in self.numbers.chunks_exact_mut(head + length).zip(columns) {
@@ -84,17 +83,21 @@ impl Part {
         self.numbers
     }
 
-    /// The others, as a Parquet file.
-    pub(crate) fn others(&self, empty: &Table) -> io::Result<Vec<u8>> {
+    /// The failures, as a Parquet file.
+    pub(crate) fn failures(&self, empty: &Table) -> io::Result<Vec<u8>> {
         let mut file = Vec::new();
-        let mut writer = SerializedFileWriter::new(&mut file, Arc::new(schema(&[])?), Arc::new(properties(empty)))?;
+        let schema = Arc::new(schema_of(vec![failure()?])?);
+        let mut writer = SerializedFileWriter::new(&mut file, schema, Arc::new(properties(empty)))?;
         let mut group = writer.next_row_group()?;
-        let rows: Vec<i64> = self.rows.clone().map(|row| row as i64).collect();
-        write_column::<Int64Type>(&mut group, &rows, None)?;
         let reasons: Vec<ByteArray> = self.failures.values().map(|reason| reason.as_str().into()).collect();
-        let mut levels = vec![0_i16; rows.len()];
+        let mut levels = vec![0_i16; self.rows.len()];
         self.failures.keys().for_each(|&row| levels[row] = 1);
-        write_column::<ByteArrayType>(&mut group, &reasons, Some(&levels))?;
+        let column = group.next_column()?;
+        let mut column = column.ok_or_else(|| io::Error::other("the schema has too few columns"))?;
+        column
+            .typed::<ByteArrayType>()
+            .write_batch(&reasons, Some(&levels), None)?;
+        column.close()?;
         group.close()?;
         writer.close()?;
         Ok(file)
@@ -112,38 +115,67 @@ fn bytes_of_page(rows: usize) -> usize {
     head_of_page(rows).len() + size_of::<f64>() * rows
 }
 
-/// What is before the numbers of a page: a `PageHeader` of `parquet.thrift` in Thrift's compact protocol.
+/// What is before the numbers of a page.
 fn head_of_page(rows: usize) -> Vec<u8> {
+    const PLAIN: usize = 0;
+    header_of_page(rows, size_of::<f64>() * rows, PLAIN)
+}
+
+/// A `PageHeader` of `parquet.thrift` in Thrift's compact protocol.
+fn header_of_page(rows: usize, bytes: usize, encoding: usize) -> Vec<u8> {
     const I32: u8 = 5;
     const STRUCT: u8 = 12;
     let mut head = Vec::new();
     let field = |head: &mut Vec<u8>, step: u8, kind: u8| head.push(step << 4 | kind);
     let integer = |head: &mut Vec<u8>, number: usize| {
         field(head, 1, I32);
-        let mut zigzag = 2 * number;
-        while zigzag >= 0x80 {
-            head.push(zigzag as u8 | 0x80);
-            zigzag >>= 7;
-        }
-        head.push(zigzag as u8);
+        push_varint(head, 2 * number);
     };
     // a data page, and its size with and without compression
-    let length = size_of::<f64>() * rows;
-    for number in [0, length, length] {
+    for number in [0, bytes, bytes] {
         integer(&mut head, number);
     }
     field(&mut head, 2, STRUCT);
-    // numbers that are PLAIN, and levels that would be RLE
-    for number in [rows, 0, 3, 3] {
+    // the numbers, and levels that would be RLE
+    for number in [rows, encoding, 3, 3] {
         integer(&mut head, number);
     }
     head.extend([0, 0]);
     head
 }
 
-/// The declaration in the [others](Part::others) of a part, and how many bytes its numbers take.
-pub(crate) fn read_others(others: &Bytes, columns: usize) -> io::Result<(String, usize)> {
-    let metadata = ParquetMetaDataReader::new().parse_and_finish(others)?;
+/// A number in pieces of seven bits, the lowest first.
+fn push_varint(bytes: &mut Vec<u8>, mut number: usize) {
+    while number >= 0x80 {
+        bytes.push(number as u8 | 0x80);
+        number >>= 7;
+    }
+    bytes.push(number as u8);
+}
+
+/// The page of numbers that follow one another, by their differences: `DELTA_BINARY_PACKED`.
+fn page_of_rows(rows: &Range<usize>) -> Vec<u8> {
+    const DELTA_BINARY_PACKED: usize = 5;
+    const BLOCK: usize = 128;
+    const MINIBLOCKS: usize = 4;
+    let mut numbers = Vec::new();
+    // signed numbers are doubled
+    for number in [BLOCK, MINIBLOCKS, rows.len(), 2 * rows.start] {
+        push_varint(&mut numbers, number);
+    }
+    for _ in 0..rows.len().saturating_sub(1).div_ceil(BLOCK) {
+        // the least difference, and how many bits each one takes beyond it
+        push_varint(&mut numbers, 2);
+        numbers.extend([0; MINIBLOCKS]);
+    }
+    let mut page = header_of_page(rows.len(), numbers.len(), DELTA_BINARY_PACKED);
+    page.extend(numbers);
+    page
+}
+
+/// The declaration in the [failures](Part::failures) of a part, and how many bytes its numbers take.
+pub(crate) fn read_failures(failures: &Bytes, columns: usize) -> io::Result<(String, usize)> {
+    let metadata = ParquetMetaDataReader::new().parse_and_finish(failures)?;
     let rows = usize::try_from(metadata.file_metadata().num_rows()).map_err(io::Error::other)?;
     Ok((entry(&metadata, DECLARATION)?, columns * bytes_of_page(rows)))
 }
@@ -151,69 +183,73 @@ pub(crate) fn read_others(others: &Bytes, columns: usize) -> io::Result<(String,
 /// What a Parquet file begins with.
 pub(crate) const MAGIC: [u8; 4] = *b"PAR1";
 
-/// Ends a file that has the numbers of all parts already, each from a place on: adds the others and the metadata.
+/// Ends a file that has the numbers of all parts already, each from a place on: adds the rest, and the metadata.
 pub(crate) fn conclude(
     file: &mut File,
     empty: &Table,
     parts: impl IntoIterator<Item = io::Result<(u64, Bytes)>>,
 ) -> io::Result<()> {
-    let mut end = file.seek(SeekFrom::End(0))?;
+    let mut end = file.seek(SeekFrom::End(0))? as i64;
     let mut file = BufWriter::new(file);
-    let of_others = Arc::new(SchemaDescriptor::new(Arc::new(schema(&[])?)));
-    let options = ParquetMetaDataOptions::new().with_schema(of_others);
+    let of_failures = Arc::new(SchemaDescriptor::new(Arc::new(schema_of(vec![failure()?])?)));
+    let options = ParquetMetaDataOptions::new().with_schema(of_failures);
     let schema = Arc::new(SchemaDescriptor::new(Arc::new(schema(&empty.columns)?)));
-    let (mut groups, mut all) = (Vec::new(), 0);
+    let (mut groups, mut first) = (Vec::new(), 0);
     for part in parts {
-        let (place, others) = part?;
+        let (place, failures) = part?;
         let reader = ParquetMetaDataReader::new().with_metadata_options(Some(options.clone()));
-        let metadata = reader.parse_and_finish(&others)?;
+        let metadata = reader.parse_and_finish(&failures)?;
         let group = metadata.row_group(0);
-        let rows = group.num_rows();
-        let mut moved = |column: usize, to: usize| -> io::Result<ColumnChunkMetaData> {
-            let column = group.column(column);
-            let (start, length) = column.byte_range();
-            file.write_all(&others[start as usize..(start + length) as usize])?;
-            let moved = |offset: i64| offset - start as i64 + end as i64;
-            let builder = ColumnChunkMetaData::builder(schema.column(to))
-                .set_encodings_mask(*column.encodings_mask())
-                .set_num_values(column.num_values())
-                .set_total_compressed_size(column.compressed_size())
-                .set_total_uncompressed_size(column.uncompressed_size())
-                .set_data_page_offset(moved(column.data_page_offset()))
-                .set_dictionary_page_offset(column.dictionary_page_offset().map(moved));
-            let builder = match column.statistics() {
-                Some(statistics) => builder.set_statistics(statistics.clone()),
-                None => builder,
-            };
-            end += length;
-            Ok(builder.build()?)
+        let rows = first..first + usize::try_from(group.num_rows()).map_err(io::Error::other)?;
+
+        let count = rows.len() as i64;
+        let one_page = |column: usize, encoding: Encoding, place: i64, bytes: i64| {
+            ColumnChunkMetaData::builder(schema.column(column))
+                .set_encodings(vec![encoding, Encoding::RLE])
+                .set_num_values(count)
+                .set_total_compressed_size(bytes)
+                .set_total_uncompressed_size(bytes)
+                .set_data_page_offset(place)
         };
-        let page = bytes_of_page(rows as usize) as i64;
-        let numbers = (0..empty.columns.len()).map(|column| {
-            let builder = ColumnChunkMetaData::builder(schema.column(1 + column))
-                .set_encodings(vec![Encoding::PLAIN, Encoding::RLE])
-                .set_num_values(rows)
-                .set_total_compressed_size(page)
-                .set_total_uncompressed_size(page)
-                .set_data_page_offset(place as i64 + column as i64 * page);
-            Ok(builder.build()?)
-        });
-        let mut columns = vec![moved(0, 0)?];
-        columns.extend(numbers.collect::<io::Result<Vec<_>>>()?);
-        columns.push(moved(1, 1 + empty.columns.len())?);
+        let page = page_of_rows(&rows);
+        file.write_all(&page)?;
+        let [least, most] = [rows.start as i64, rows.end as i64 - 1];
+        let statistics = Statistics::int64(Some(least), Some(most), None, Some(0), false);
+        let numbered = one_page(0, Encoding::DELTA_BINARY_PACKED, end, page.len() as i64);
+        let mut columns = vec![numbered.set_statistics(statistics).build()?];
+        end += page.len() as i64;
+
+        let bytes = bytes_of_page(rows.len()) as i64;
+        for n in 0..empty.columns.len() {
+            let page = one_page(1 + n, Encoding::PLAIN, place as i64 + n as i64 * bytes, bytes);
+            columns.push(page.build()?);
+        }
+
+        let column = group.column(0);
+        let (start, length) = column.byte_range();
+        file.write_all(&failures[start as usize..(start + length) as usize])?;
+        let moved = |offset: i64| offset - start as i64 + end;
+        let builder = column.clone().into_builder();
+        let dictionary = column.dictionary_page_offset().map(moved);
+        let failed = builder
+            .set_data_page_offset(moved(column.data_page_offset()))
+            .set_dictionary_page_offset(dictionary);
+        columns.push(failed.build()?);
+        end += length as i64;
+
         let group = RowGroupMetaData::builder(schema.clone())
-            .set_num_rows(rows)
+            .set_num_rows(count)
             .set_total_byte_size(columns.iter().map(ColumnChunkMetaData::uncompressed_size).sum())
             .set_column_metadata(columns)
             .set_ordinal(i16::try_from(groups.len()).map_err(io::Error::other)?)
             .set_file_offset(place as i64);
         groups.push(group.build()?);
-        all += rows;
+        first = rows.end;
     }
     let properties = properties(empty);
     let head = FileMetaData::new(
         properties.writer_version().as_num(),
-        all,
+        first as i64,
         Some(properties.created_by().to_owned()),
         properties.key_value_metadata().cloned(),
         schema,
@@ -223,33 +259,31 @@ pub(crate) fn conclude(
     file.flush()
 }
 
-fn write_column<D: DataType>(
-    group: &mut SerializedRowGroupWriter<'_, impl Write + Send>,
-    values: &[D::T],
-    levels: Option<&[i16]>,
-) -> io::Result<()> {
-    let column = group.next_column()?;
-    let mut column = column.ok_or_else(|| io::Error::other("the schema has too few columns"))?;
-    column.typed::<D>().write_batch(values, levels, None)?;
-    Ok(column.close()?)
-}
-
 /// The columns of a file, with these numbers.
 fn schema(numbers: &[Column]) -> io::Result<Type> {
-    let required = |name: &str, physical: Physical| {
-        Type::primitive_type_builder(name, physical)
-            .with_repetition(Repetition::REQUIRED)
-            .build()
-    };
-    let mut fields = vec![Arc::new(required("row", Physical::INT64)?)];
+    let mut fields = vec![required("row", Physical::INT64)?];
     for column in numbers {
-        fields.push(Arc::new(required(&column.name, Physical::DOUBLE)?));
+        fields.push(required(&column.name, Physical::DOUBLE)?);
     }
-    let failure = Type::primitive_type_builder("failure", Physical::BYTE_ARRAY)
+    fields.push(failure()?);
+    schema_of(fields)
+}
+
+fn schema_of(fields: Vec<TypePtr>) -> io::Result<Type> {
+    Ok(Type::group_type_builder("sweep").with_fields(fields).build()?)
+}
+
+fn required(name: &str, physical: Physical) -> io::Result<TypePtr> {
+    let field = Type::primitive_type_builder(name, physical).with_repetition(Repetition::REQUIRED);
+    Ok(Arc::new(field.build()?))
+}
+
+/// The column of the failures.
+fn failure() -> io::Result<TypePtr> {
+    let field = Type::primitive_type_builder("failure", Physical::BYTE_ARRAY)
         .with_repetition(Repetition::OPTIONAL)
         .with_logical_type(Some(LogicalType::String));
-    fields.push(Arc::new(failure.build()?));
-    Ok(Type::group_type_builder("sweep").with_fields(fields).build()?)
+    Ok(Arc::new(field.build()?))
 }
 
 fn properties(empty: &Table) -> WriterProperties {
@@ -262,16 +296,13 @@ fn properties(empty: &Table) -> WriterProperties {
         KeyValue::new(DECLARATION.to_owned(), empty.declaration.clone()),
         KeyValue::new(UNITS.to_owned(), json!(units).to_string()),
     ];
-    // row numbers follow one another, and few failures differ
-    let [row, failure] = ["row", "failure"].map(ColumnPath::from);
     WriterProperties::builder()
         .set_created_by(concat!("pendulum-sweep ", env!("CARGO_PKG_VERSION")).to_owned())
         .set_compression(Compression::UNCOMPRESSED)
         .set_offset_index_disabled(true)
         .set_statistics_enabled(EnabledStatistics::Chunk)
-        .set_column_encoding(row.clone(), Encoding::DELTA_BINARY_PACKED)
-        .set_column_dictionary_enabled(row, false)
-        .set_column_dictionary_enabled(failure, true)
+        // few failures differ
+        .set_column_dictionary_enabled(ColumnPath::from("failure"), true)
         .set_key_value_metadata(Some(metadata))
         .build()
 }
@@ -305,19 +336,25 @@ pub(crate) const MOST_ROWS: usize = 1 << 20;
 
 fn write(file: &mut File, table: &Table) -> io::Result<()> {
     file.write_all(&MAGIC)?;
-    let mut others = Vec::new();
+    let mut parts = Vec::new();
     for first in (0..table.rows()).step_by(MOST_ROWS) {
         let rows = first..table.rows().min(first + MOST_ROWS);
         let mut part = Part::new(rows.clone(), table.columns.len(), Vec::new());
-        part.keep(0, table.numbers.iter().map(|numbers| &numbers[rows.clone()]));
+        part.keep(
+            0,
+            table
+                .numbers
+                .iter()
+                .map(|numbers| numbers[rows.clone()].iter().copied()),
+        );
         for (row, reason) in table.failures.range(rows) {
             part.fail(row - first, reason.clone());
         }
         let place = file.stream_position()?;
         file.write_all(part.numbers())?;
-        others.push(Ok((place, part.others(table)?.into())));
+        parts.push(Ok((place, part.failures(table)?.into())));
     }
-    conclude(file, table, others)
+    conclude(file, table, parts)
 }
 
 fn read(path: &Path) -> io::Result<Table> {

@@ -45,33 +45,46 @@ pub trait Task<const K: usize>: Sync {
 /// The results of some points.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Chunk {
-    /// Column by column.
-    numbers: Vec<Vec<f64>>,
+    /// Row by row.
+    numbers: Vec<f64>,
+    width: usize,
     rows: usize,
     failures: BTreeMap<usize, String>,
 }
 
 impl Chunk {
+    /// No rows, with memory for some.
+    pub(crate) fn with_capacity(rows: usize, width: usize) -> Self {
+        let numbers = Vec::with_capacity(rows * width);
+        Self {
+            numbers,
+            ..Self::default()
+        }
+    }
+
     /// Adds a row: a number for each column.
     ///
     /// # Panics
     /// If the row has another length than those before.
     pub fn push(&mut self, numbers: impl IntoIterator<Item = f64>) {
-        const RULE: &str = "rows of one chunk have one length";
-        let mut numbers = numbers.into_iter();
-        if self.rows == 0 {
-            let begin = |number| {
-                let mut column = Vec::with_capacity(USUAL_CHUNK);
-                column.push(number);
-                column
-            };
-            self.numbers = numbers.map(begin).collect();
-        } else {
-            for column in &mut self.numbers {
-                column.push(numbers.next().expect(RULE));
-            }
-            assert!(numbers.next().is_none(), "{RULE}");
+        self.push_row(|row| {
+            row.extend(numbers);
+            None::<String>
+        });
+    }
+
+    /// Adds a row that a function adds to the numbers of others, with why it failed if it did.
+    pub(crate) fn push_row<R: fmt::Display>(&mut self, row: impl FnOnce(&mut Vec<f64>) -> Option<R>) {
+        let before = self.numbers.len();
+        if let Some(reason) = row(&mut self.numbers) {
+            self.failures.insert(self.rows, reason.to_string());
         }
+        let width = self.numbers.len() - before;
+        assert!(
+            self.rows == 0 || width == self.width,
+            "rows of one chunk have one length"
+        );
+        self.width = width;
         self.rows += 1;
     }
 
@@ -80,15 +93,23 @@ impl Chunk {
     /// # Panics
     /// As [`push`](Self::push).
     pub fn fail(&mut self, numbers: impl IntoIterator<Item = f64>, reason: impl fmt::Display) {
-        self.failures.insert(self.rows, reason.to_string());
-        self.push(numbers);
+        self.push_row(|row| {
+            row.extend(numbers);
+            Some(reason)
+        });
     }
 
-    /// Puts the numbers of the points before the others.
-    fn begin_with<const K: usize>(&mut self, points: &[[f64; K]]) {
+    /// The columns, behind those of the points.
+    fn columns<'a, const K: usize>(
+        &'a self,
+        points: &'a [[f64; K]],
+    ) -> impl Iterator<Item = impl Iterator<Item = f64> + 'a> {
         assert_eq!(self.rows, points.len(), "a chunk has a row for each point");
-        let of_points = (0..K).map(|number| points.iter().map(|point| point[number]).collect());
-        self.numbers.splice(..0, of_points);
+        let parts = [(points.as_flattened(), K), (self.numbers.as_slice(), self.width)];
+        let columns = move |(numbers, width): (&'a [f64], usize)| {
+            (0..width).map(move |n| (0..self.rows).map(move |row| numbers[width * row + n]))
+        };
+        parts.into_iter().flat_map(columns)
     }
 }
 
@@ -235,10 +256,13 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         empty.numbers.fill(vec![0.0; rows]);
         let table = Mutex::new(empty);
         self.in_threads(|| {
-            self.rows(0..rows, &progress, |first, chunk| {
+            self.rows(0..rows, &progress, |first, points, chunk| {
                 let table = &mut locked(&table);
-                for (column, numbers) in table.numbers.iter_mut().zip(chunk.numbers) {
-                    column[first..first + numbers.len()].copy_from_slice(&numbers);
+                for (column, numbers) in table.numbers.iter_mut().zip(chunk.columns(points)) {
+                    column[first..]
+                        .iter_mut()
+                        .zip(numbers)
+                        .for_each(|(place, number)| *place = number);
                 }
                 let failures = chunk.failures.into_iter();
                 table
@@ -419,9 +443,9 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
     /// Computes and writes a shard: how many of its rows failed.
     fn write(&self, shards: &Shards<'_>, n: usize, progress: &ProgressBar) -> Result<usize, SweepError> {
         let shard = Mutex::new(shards.begin(n));
-        self.rows(shards.rows(n), progress, |first, chunk| {
+        self.rows(shards.rows(n), progress, |first, points, chunk| {
             let shard = &mut locked(&shard);
-            shard.keep(first, chunk.numbers.iter().map(Vec::as_slice));
+            shard.keep(first, chunk.columns(points));
             for (row, reason) in chunk.failures {
                 shard.fail(first + row, reason);
             }
@@ -437,15 +461,13 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         &self,
         rows: Range<usize>,
         progress: &ProgressBar,
-        keep: impl Fn(usize, Chunk) + Sync,
+        keep: impl Fn(usize, &[[f64; K]], Chunk) + Sync,
     ) -> Result<(), SweepError> {
         let size = self.task.chunk();
         let compute = |first: usize| {
             let of_chunk = first..rows.end.min(first + size);
-            let points: Vec<[f64; K]> = of_chunk.map(|row| self.sweep.point(row)).collect();
-            let mut chunk = self.task.run(&points)?;
-            chunk.begin_with(&points);
-            keep(first - rows.start, chunk);
+            let points = self.sweep.points_of(of_chunk);
+            keep(first - rows.start, &points, self.task.run(&points)?);
             progress.inc(points.len() as u64);
             Ok(())
         };

@@ -1,8 +1,8 @@
 //! The shards of a file: each complete or absent.
 //!
 //! The numbers of all shards, which are most of what is written, lie in one file from the beginning, each shard in a
-//! place of its own, so that they are written once. A small file tells that a shard is complete: it has the rest of the
-//! shard, and in its name the checksums of both. The big file becomes the table by adding to it what the small ones
+//! place of its own, so that they are written once. A small file tells that a shard is complete: it has the failures of
+//! the shard, and in its name the checksums of both. The big file becomes the table by adding to it what the small ones
 //! have.
 
 use std::collections::BTreeMap;
@@ -88,13 +88,13 @@ impl<'p> Shards<'p> {
     }
 
     /// Whether a shard has its checksums; it must be of this sweep.
-    fn is_whole(&self, n: usize, [of_others, of_numbers]: [u32; 2], path: &Path) -> Result<bool, SweepError> {
-        let others = fs::read(path).map_err(SweepError::file(path))?;
-        if crc32fast::hash(&others) != of_others {
+    fn is_whole(&self, n: usize, [of_failures, of_numbers]: [u32; 2], path: &Path) -> Result<bool, SweepError> {
+        let failures = fs::read(path).map_err(SweepError::file(path))?;
+        if crc32fast::hash(&failures) != of_failures {
             return Ok(false);
         }
         let columns = self.empty.columns.len();
-        let (declaration, length) = file::read_others(&others.into(), columns).map_err(SweepError::file(path))?;
+        let (declaration, length) = file::read_failures(&failures.into(), columns).map_err(SweepError::file(path))?;
         self.compare(path, &declaration)?;
         let numbers = self.read(n, length).map_err(SweepError::file(&self.numbers))?;
         Ok(crc32fast::hash(&numbers) == of_numbers)
@@ -109,16 +109,16 @@ impl<'p> Shards<'p> {
             let shard = |name: &str| {
                 let mut parts = name.strip_suffix(".shard")?.split('-');
                 let n: usize = parts.next()?.parse().ok()?;
-                let [others, numbers] = [parts.next()?, parts.next()?].map(|sum| u32::from_str_radix(sum, 16));
-                Some((n, [others.ok()?, numbers.ok()?]))
+                let [failures, numbers] = [parts.next()?, parts.next()?].map(|sum| u32::from_str_radix(sum, 16));
+                Some((n, [failures.ok()?, numbers.ok()?]))
             };
             present.extend(name.to_str().and_then(shard));
         }
         Ok(present)
     }
 
-    fn of(&self, n: usize, [others, numbers]: [u32; 2]) -> PathBuf {
-        self.folder.join(format!("{n:06}-{others:08x}-{numbers:08x}.shard"))
+    fn of(&self, n: usize, [failures, numbers]: [u32; 2]) -> PathBuf {
+        self.folder.join(format!("{n:06}-{failures:08x}-{numbers:08x}.shard"))
     }
 
     /// Whether the file is there; it must be that of this sweep.
@@ -155,9 +155,9 @@ impl<'p> Shards<'p> {
     pub(crate) fn write(&self, n: usize, shard: Part) -> Result<(), SweepError> {
         let numbers = self.write_numbers(n, shard.numbers());
         numbers.map_err(SweepError::file(&self.numbers))?;
-        let others = shard.others(&self.empty).map_err(SweepError::file(&self.folder))?;
-        let path = self.of(n, [crc32fast::hash(&others), crc32fast::hash(shard.numbers())]);
-        whole(&path, &others).map_err(SweepError::file(&path))?;
+        let failures = shard.failures(&self.empty).map_err(SweepError::file(&self.folder))?;
+        let path = self.of(n, [crc32fast::hash(&failures), crc32fast::hash(shard.numbers())]);
+        whole(&path, &failures).map_err(SweepError::file(&path))?;
         if let Ok(mut spare) = self.spare.lock() {
             spare.push(shard.into_memory());
         }
@@ -193,9 +193,9 @@ impl<'p> Shards<'p> {
             let mut file = OpenOptions::new().write(true).open(&self.numbers)?;
             file.write_all(&file::MAGIC)?;
             file.set_len(self.place(self.count))?;
-            let others = present.iter().take(self.count);
-            let rows = others.map(|(&n, &sums)| Ok((self.place(n), fs::read(self.of(n, sums))?.into())));
-            file::conclude(&mut file, &self.empty, rows)?;
+            let shards = present.iter().take(self.count);
+            let parts = shards.map(|(&n, &sums)| Ok((self.place(n), fs::read(self.of(n, sums))?.into())));
+            file::conclude(&mut file, &self.empty, parts)?;
             file.sync_all()?;
             fs::rename(&self.numbers, self.path)
         };

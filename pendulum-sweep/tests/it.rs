@@ -7,6 +7,8 @@ use std::process::{Command, Stdio};
 use std::thread::sleep;
 use std::time::Duration;
 
+use parquet::file::reader::SerializedFileReader;
+use parquet::record::RowAccessor;
 use pendulum_core::prelude::*;
 use pendulum_sweep::{Arguments, Axis, Draw, Ends, Failure, Job, Sweep, SweepError, Table};
 
@@ -127,6 +129,25 @@ fn a_table_is_read_as_it_was_written() -> Outcome {
     table.write(&path)?;
     let read = Table::read(&path)?;
     assert_eq!(format!("{table:?}"), format!("{read:?}"), "NaN included");
+    Ok(())
+}
+
+/// Also where a shard ends with a block of row numbers, or one before or behind it.
+#[test]
+fn rows_are_numbered_across_shards() -> Outcome {
+    let folder = folder("numbered");
+    for shard in [1, 2, 128, 129, 130, 300] {
+        let path = folder.join(format!("{shard}.parquet"));
+        let job = Sweep::grid("numbers", [Axis::linear("a", "1", 0.0, 1.0, 391)]).each([("one", "1")], |_| Ok([1.0]));
+        job.quiet().shard(shard).run_to(&path)?;
+        let reader = SerializedFileReader::new(fs::File::open(&path)?)?;
+        let rows = reader.into_iter().map(|row| row?.get_long(0));
+        assert_eq!(
+            rows.collect::<Result<Vec<_>, _>>()?,
+            (0..391).collect::<Vec<_>>(),
+            "{shard}"
+        );
+    }
     Ok(())
 }
 
