@@ -5,8 +5,8 @@ use core::ops::{Add, Mul, Neg, Sub};
 use nalgebra::{SMatrix, SVector};
 
 use crate::cost::Operations;
-use crate::real::Float;
 use crate::real::lanes::Lanes;
+use crate::real::{Float, Real};
 
 /// The numbers of a linear system: a [`Float`], several in [`Lanes`], or a [`Complex`] one.
 pub(crate) trait Field:
@@ -389,8 +389,8 @@ pub(crate) fn image<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, vector:
 }
 
 /// The square of the length of a vector.
-#[inline]
-pub(crate) fn square<T: Float, const N: usize>(vector: &SVector<T, N>) -> T {
+#[inline(always)]
+pub(crate) fn square<T: Real, const N: usize>(vector: &SVector<T, N>) -> T {
     vector.iter().fold(T::default(), |sum, &v| sum + v * v)
 }
 

@@ -194,6 +194,39 @@ fn pendulums_that_differ() {
     }
 }
 
+mechanism! {
+    /// A pendulum whose friction comes and goes.
+    Braked {
+        params { brake: N m s }
+        gravity: [0, -9.81, 0],
+        generate: [rhs, jacobian],
+        body bob on ground {
+            mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle,
+            torque: -brake*sin(3 rad/s*t)^8*dot(angle),
+        }
+    }
+}
+
+#[test]
+fn the_stiff_beside_the_free() {
+    let brakes = (0..45).map(|n| 10.0_f64.powf(0.1 * f64::from(n)));
+    let models: Vec<_> = brakes
+        .map(|brake| Braked::new(BrakedParams { brake }).expect("physical"))
+        .collect();
+    let starts: Vec<_> = (0..45).map(|n| SVector::from([0.05 * f64::from(n), 0.0])).collect();
+    for tolerance in [1e-3, 1e-6, 1e-9] {
+        let method = Auto::new().rtol(tolerance).atol(tolerance);
+        assert_ensemble(method, &models, (0.0, 4.0), &starts);
+        let switches = |n: usize| {
+            let alone = method.solve(&models[n], 0.0, 4.0, starts[n]).expect("regular");
+            alone.statistics().switches
+        };
+        // there and back with each pulse of the brake that is strong enough
+        assert_eq!(switches(0), 0);
+        assert!(switches(44) >= 6, "{}", switches(44));
+    }
+}
+
 /// `x'' = -sign(x) - x' / 10 + push sign(sin(7 t))`: forces that jump, in each lane at times of its own.
 #[derive(Clone, Copy, Debug)]
 struct Jolted<T = f64>(T);

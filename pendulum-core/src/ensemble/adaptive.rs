@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use nalgebra::SVector;
 
-use super::check::{first_not_finite, in_lane, sum};
+use super::check::{first_not_finite, in_lane, set_lane, sum};
 use super::members::Members;
 use super::together::Together;
 use super::watch::{Unwatched, Watch, Watched, show_lane};
@@ -192,6 +192,11 @@ where
                         system = F::gather::<V>(|lane| model_of(self.models, members.index(lane).unwrap_or(0)));
                     }
                     let t = V::from_fn(|lane| members.t[lane]);
+                    for (lane, _) in members.busy(V::LANES) {
+                        if members.steps[lane] == 0 {
+                            scheme.enter(lane);
+                        }
+                    }
                     *work = Statistics::default();
                     let slope = scheme.begin(&InMode::new(&system, &hold), t, &x, work);
                     for (lane, index) in members.busy(V::LANES) {
@@ -204,6 +209,11 @@ where
             let t = V::from_fn(|lane| members.t[lane]);
             *work = Statistics::default();
             let proposed = scheme.prepare(&InMode::new(&system, &hold), t, &x, work);
+            if const { F::Stages::<V>::ORDERS_DIFFER } {
+                for (lane, _) in members.busy(V::LANES) {
+                    members.set_order(lane, scheme.error_order_in(lane));
+                }
+            }
             self.plan(&mut members, &control, &x, proposed);
             let t_new = V::from_fn(|lane| members.t_new[lane]);
             let attempt = scheme.attempt(&InMode::new(&system, &hold), (t, &x), (t_new, &mut x_new), work);
@@ -471,12 +481,5 @@ pub(super) fn outcome<V: Lanes, const N: usize>(
     match first_not_finite(x, slope, lane) {
         Some(component) => Err(component.into()),
         None => Ok(mean_square),
-    }
-}
-
-/// Replaces the state of a lane.
-pub(super) fn set_lane<V: Lanes, const N: usize>(x: &mut SVector<V, N>, lane: usize, state: &SVector<V::Scalar, N>) {
-    for (x, state) in x.iter_mut().zip(state.iter()) {
-        *x = V::from_fn(|other| if other == lane { *state } else { x.lane(other) });
     }
 }

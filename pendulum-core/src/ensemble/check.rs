@@ -32,10 +32,17 @@ pub(super) fn first_not_finite<V: Lanes, const N: usize>(
 
 /// The vector of one lane.
 #[inline(always)]
-pub(super) fn in_lane<V: Lanes, const N: usize>(vector: &SVector<V, N>, lane: usize) -> SVector<V::Scalar, N> {
+pub(crate) fn in_lane<V: Lanes, const N: usize>(vector: &SVector<V, N>, lane: usize) -> SVector<V::Scalar, N> {
     let mut own = [V::Scalar::default(); N];
     for (own, number) in own.iter_mut().zip(&vector.data.0[0]) {
         *own = number.lane(lane);
     }
     SVector::from(own)
+}
+
+/// Replaces the state of a lane.
+pub(crate) fn set_lane<V: Lanes, const N: usize>(x: &mut SVector<V, N>, lane: usize, state: &SVector<V::Scalar, N>) {
+    for (x, state) in x.iter_mut().zip(state.iter()) {
+        *x = V::from_fn(|other| if other == lane { *state } else { x.lane(other) });
+    }
 }

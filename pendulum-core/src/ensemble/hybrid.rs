@@ -3,8 +3,8 @@
 
 use nalgebra::SVector;
 
-use super::adaptive::{March, set_lane};
-use super::check::in_lane;
+use super::adaptive::March;
+use super::check::{in_lane, set_lane};
 use super::members::Members;
 use super::watch::Watch;
 use super::{InLanes, Stopped, model_of};

@@ -7,7 +7,9 @@ use crate::error::Reason;
 use crate::hybrid::{Hold, Hybrid, MOST};
 use crate::layout::StateLayout;
 use crate::linear::PerLane;
-use crate::method::{Explicit, OneStep, PowerSeries, Rosenbrock, RosenbrockStages, SHORT, Scheme};
+use crate::method::{
+    Explicit, OneStep, PowerSeries, Rosenbrock, RosenbrockStages, SHORT, Scheme, SwitchInLanes, Switching,
+};
 use crate::real::Real;
 use crate::real::lanes::{LaneElement, Lanes};
 use crate::system::{Cast, CastJacobian, Jacobian, System};
@@ -212,5 +214,35 @@ impl<M: CastJacobian<N>, T: Real, const N: usize> Jacobian<T, N> for Expanded<M,
         T: Lanes,
     {
         M::with_jacobian(&self.0).time_derivative(t, x)
+    }
+}
+
+impl<M, T, const N: usize> InLanes<M, T, N> for Switching
+where
+    M: CastJacobian<N>,
+    M::In<T>: Jacobian<T, N>,
+    T: LaneElement,
+{
+    const NARROW: bool = true;
+    const IN_MODES: bool = false;
+    type System<V: Lanes<Scalar = T>> = Expanded<M, V, N>;
+    type Stages<V: Lanes<Scalar = T>> = SwitchInLanes<V, N>;
+
+    #[inline(always)]
+    fn gather<'m, V: Lanes<Scalar = T>>(models: impl Fn(usize) -> &'m M) -> Expanded<M, V, N>
+    where
+        M: 'm,
+    {
+        Expanded(M::gather(models))
+    }
+
+    #[inline(always)]
+    fn stages<V: Lanes<Scalar = T>>(
+        &self,
+        system: &Expanded<M, V, N>,
+        tolerance: Option<Tolerance<T>>,
+        _is_dense: bool,
+    ) -> Result<SwitchInLanes<V, N>, Reason> {
+        SwitchInLanes::new(system, tolerance)
     }
 }

@@ -20,9 +20,9 @@ pub(super) struct Members<T> {
     pub(super) steps: [usize; MOST_LANES],
     /// -1 where the last attempt was accepted, else 1.
     verdict: [T; MOST_LANES],
+    alpha: [f64; MOST_LANES],
     last: [f64; MOST_LANES],
     most: [f64; MOST_LANES],
-    alpha: f64,
 }
 
 /// No trajectory.
@@ -37,9 +37,9 @@ impl<T: Float> Members<T> {
             h: [T::default(); MOST_LANES],
             steps: [0; MOST_LANES],
             verdict: [T::default(); MOST_LANES],
+            alpha: [0.0; MOST_LANES],
             last: [0.0; MOST_LANES],
             most: [0.0; MOST_LANES],
-            alpha: 0.0,
         }
     }
 
@@ -47,23 +47,38 @@ impl<T: Float> Members<T> {
     pub(super) fn enter(&mut self, lane: usize, index: usize, t: T, pace: Pace<T>) {
         (self.index[lane], self.steps[lane], self.verdict[lane]) = (index, 0, T::from_f64(-1.0));
         (self.t[lane], self.t_new[lane], self.h[lane]) = (t, t, pace.h);
-        let PiController { alpha, last, most } = pace.controller;
-        (self.alpha, self.last[lane], self.most[lane]) = (alpha, last, most);
+        self.set_controller(lane, pace.controller);
+    }
+
+    /// The order of the error estimate in a lane is another one from now on.
+    pub(super) fn set_order(&mut self, lane: usize, order: usize) {
+        let mut controller = self.controller(lane);
+        controller.set_order(order);
+        self.set_controller(lane, controller);
+    }
+
+    #[inline(always)]
+    fn controller(&self, lane: usize) -> PiController {
+        PiController {
+            alpha: self.alpha[lane],
+            last: self.last[lane],
+            most: self.most[lane],
+        }
+    }
+
+    #[inline(always)]
+    fn set_controller(&mut self, lane: usize, PiController { alpha, last, most }: PiController) {
+        (self.alpha[lane], self.last[lane], self.most[lane]) = (alpha, last, most);
     }
 
     /// How far the trajectory in a lane is, in the state `x`.
     pub(super) fn progress<const N: usize>(&self, lane: usize, x: SVector<T, N>, modes: Modes<T>) -> Progress<T, N> {
-        let controller = PiController {
-            alpha: self.alpha,
-            last: self.last[lane],
-            most: self.most[lane],
-        };
         Progress {
             t: self.t[lane],
             x,
             pace: Pace {
                 h: self.h[lane],
-                controller,
+                controller: self.controller(lane),
             },
             steps: self.steps[lane],
             modes,
@@ -162,11 +177,7 @@ impl<T: Float> Members<T> {
         let mut some_hopeless = false;
         for (lane, &mean_square) in mean_squares.iter().enumerate() {
             let (t, t_new) = (self.t[lane], self.t_new[lane]);
-            let mut controller = PiController {
-                alpha: self.alpha,
-                last: self.last[lane],
-                most: self.most[lane],
-            };
+            let mut controller = self.controller(lane);
             let judged = control.judged(&mut controller, (t, t_new), mean_square, method_proposes);
             (self.last[lane], self.most[lane]) = (controller.last, controller.most);
             self.h[lane] = judged.h;

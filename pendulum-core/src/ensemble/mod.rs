@@ -14,6 +14,7 @@ use std::fmt;
 
 use nalgebra::SVector;
 
+pub(crate) use check::{in_lane, set_lane};
 pub use lanes::{Expanded, InLanes};
 pub use together::Together;
 
@@ -28,9 +29,10 @@ use watch::Watch;
 
 /// A method that integrates many trajectories at a time.
 ///
-/// Explicit methods, [`Taylor`](crate::Taylor) and Rosenbrock methods do so in lanes: each trajectory has one, and the
-/// next takes it where it ends. [`Radau5`](crate::Radau5), [`Auto`](crate::Auto) and the methods of Gauss go through the
-/// trajectories one by one, and so do Rosenbrock methods with [hybrid](crate::hybrid) systems.
+/// Explicit methods, [`Taylor`](crate::Taylor), Rosenbrock methods and [`Auto`](crate::Auto) do so in lanes: each
+/// trajectory has one, and the next takes it where it ends. [`Radau5`](crate::Radau5) and the methods of Gauss go through
+/// the trajectories one by one, and so do Rosenbrock methods and `Auto` with [hybrid](crate::hybrid) systems, and `Auto`
+/// with observers.
 pub trait Ensemble<M, T: LaneElement, const N: usize> {
     /// Integrates a model from each of many states at `t0` to `t1`, and returns the states there.
     ///
@@ -275,4 +277,4 @@ fn model_of<M>(models: &[M], i: usize) -> &M {
 
 /// The most lanes there are: registers of eight `f64` four times, or of sixteen `f32` twice; twice that is left for
 /// wider ones.
-const MOST_LANES: usize = 64;
+pub(crate) const MOST_LANES: usize = 64;

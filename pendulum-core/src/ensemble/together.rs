@@ -76,8 +76,27 @@ in_lanes! {
     [] PowerSeries;
 }
 
+/// Lanes have no dense output of it.
+impl<M, T, const N: usize> Together<M, T, N> for Switching
+where
+    M: Cast<N>,
+    T: LaneElement,
+    Self: InLanes<M, T, N>,
+{
+    fn within_tolerance<W>(isa: Isa, march: adaptive::March<'_, Self, M, T, W, N>) -> Result<(), Reason>
+    where
+        W: Watch<T, N>,
+    {
+        if const { W::WATCHES } {
+            march.one_by_one();
+            Ok(())
+        } else {
+            isa.run(march)
+        }
+    }
+}
+
 one_by_one! {
     [] RadauIIA;
-    [] Switching;
     [const STAGES: usize,] Gauss<STAGES>;
 }

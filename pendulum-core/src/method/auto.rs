@@ -14,8 +14,9 @@ use crate::method::rosenbrock::{self, RosenbrockStages};
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::{Adaptive, Explicit, Rosenbrock};
 use crate::real::Float;
+use crate::real::lanes::Lanes;
 use crate::statistics::Statistics;
-use crate::system::Jacobian;
+use crate::system::{Jacobian, System};
 use crate::tableau::{self, Tsitouras5, Verner7, Verner9};
 
 /// An explicit method that switches to [`Rodas5P`](crate::Rodas5P) where the system is stiff; see [`Adaptive`] for its
@@ -47,6 +48,9 @@ use crate::tableau::{self, Tsitouras5, Verner7, Verner9};
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 pub type Auto = Adaptive<Switching>;
+
+#[cfg(feature = "std")]
+pub use in_lanes::SwitchInLanes;
 
 /// The kind of method that [`Auto`] is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -105,23 +109,10 @@ where
     type Scheme = Switch<T, N>;
 
     fn scheme(&self, system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
-        let least = tolerance
-            .as_ref()
-            .map_or(0.0, |tolerance| tolerance.rtol.max(tolerance.atol).to_f64());
-        let explicit = if least > LOOSE {
-            Free::Tsit5(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
-        } else if least > MIDDLE {
-            Free::Vern7(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
-        } else {
-            Free::Vern9(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
-        };
         Ok(Switch {
-            explicit,
+            explicit: Free::new(system, tolerance)?,
             implicit: OneStep::<S, T, N>::scheme(&Rosenbrock::default(), system, tolerance)?,
-            is_stiff: false,
-            changes: false,
-            at_limit: 0,
-            free: 0,
+            stiffness: Stiffness::default(),
             fastest: SVector::from_element(T::from_f64(1.0)),
         })
     }
@@ -134,20 +125,58 @@ impl Estimates for Switching {}
 pub struct Switch<T, const N: usize> {
     explicit: Free<T, N>,
     implicit: RosenbrockStages<tableau::Steinebach5, T, 8, N>,
-    is_stiff: bool,
-    /// Whether the other one is to take the next step.
-    changes: bool,
-    /// Steps at the limit of stability.
-    at_limit: usize,
-    /// Steps in a row that are not.
-    free: usize,
+    stiffness: Stiffness,
     /// The direction of the fastest change, for power iteration.
     fastest: SVector<T, N>,
 }
 
+/// What steps so far tell of the stiffness.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Stiffness {
+    /// Whether the implicit method is at work.
+    pub(crate) is_stiff: bool,
+    /// Whether the other one is to take the next step.
+    pub(crate) changes: bool,
+    /// Steps at the limit of stability.
+    at_limit: usize,
+    /// Steps in a row that are not.
+    free: usize,
+}
+
+impl Stiffness {
+    /// The method at work begins.
+    pub(crate) fn begin(&mut self) {
+        (self.changes, self.at_limit, self.free) = (false, 0, 0);
+    }
+
+    /// Looks at an explicit step with its `|h lambda|`: whether it was one too many at the limit of stability.
+    pub(crate) fn after_explicit(&mut self, measured: f64, limit: f64) {
+        if measured > AT_THE_LIMIT * limit {
+            self.at_limit += 1;
+            self.free = 0;
+        } else {
+            self.free += 1;
+            if self.free >= FREE {
+                self.at_limit = 0;
+            }
+        }
+        self.changes = self.at_limit >= STIFF;
+    }
+
+    /// Looks at an implicit step: whether explicit steps of such lengths would have been stable for a while.
+    pub(crate) fn after_implicit(&mut self, measured: f64, limit: f64) {
+        if measured <= WITHIN * limit {
+            self.free += 1;
+        } else {
+            self.free = 0;
+        }
+        self.changes = self.free >= FREE;
+    }
+}
+
 /// The explicit method.
 #[derive(Clone, Debug)]
-enum Free<T, const N: usize> {
+pub(crate) enum Free<T, const N: usize> {
     Tsit5(ExplicitStages<Tsitouras5, T, 7, N>),
     Vern7(ExplicitStages<Verner7, T, 11, N>),
     Vern9(ExplicitStages<Verner9, T, 17, N>),
@@ -164,42 +193,34 @@ macro_rules! explicit {
     };
 }
 
-impl<T: Float, const N: usize> Free<T, N> {
+#[cfg(feature = "std")]
+mod in_lanes;
+
+impl<T: Lanes, const N: usize> Free<T, N> {
+    /// That for a tolerance.
+    pub(crate) fn new<S>(system: &S, tolerance: Option<Tolerance<T::Scalar>>) -> Result<Self, Reason>
+    where
+        S: System<T, N> + ?Sized,
+    {
+        let least = tolerance
+            .as_ref()
+            .map_or(0.0, |tolerance| tolerance.rtol.max(tolerance.atol).to_f64());
+        Ok(if least > LOOSE {
+            Self::Tsit5(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
+        } else if least > MIDDLE {
+            Self::Vern7(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
+        } else {
+            Self::Vern9(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
+        })
+    }
+
     /// The limit of stability on the negative real axis.
-    fn limit(&self) -> f64 {
+    pub(crate) fn limit(&self) -> f64 {
         match self {
             Self::Tsit5(_) => 3.5,
             Self::Vern7(_) => 4.6,
             Self::Vern9(_) => 4.4,
         }
-    }
-}
-
-impl<T: Float, const N: usize> Switch<T, N> {
-    /// Looks at an explicit step: whether it was one too many at the limit of stability.
-    fn is_too_stiff(&mut self, h: T) -> bool {
-        let measured = explicit!(&self.explicit, stages => stages.stiffness(h));
-        if measured.to_f64() > AT_THE_LIMIT * self.explicit.limit() {
-            self.at_limit += 1;
-            self.free = 0;
-        } else {
-            self.free += 1;
-            if self.free >= FREE {
-                self.at_limit = 0;
-            }
-        }
-        self.at_limit >= STIFF
-    }
-
-    /// Looks at an implicit step: whether explicit steps of such lengths would have been stable for a while.
-    fn is_free(&mut self, h: T) -> bool {
-        let rate = fastest_rate(self.implicit.jacobian(), &mut self.fastest);
-        if (h.abs() * rate).to_f64() <= WITHIN * self.explicit.limit() {
-            self.free += 1;
-        } else {
-            self.free = 0;
-        }
-        self.free >= FREE
     }
 }
 
@@ -209,7 +230,7 @@ const ITERATIONS: usize = 4;
 /// The size of the largest eigenvalue of a matrix by a few power iterations from `v`, which turns to its direction.
 ///
 /// A pair of complex ones makes `v` turn on and on: the mean over some iterations smooths that.
-fn fastest_rate<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, v: &mut SVector<T, N>) -> T {
+pub(crate) fn fastest_rate<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, v: &mut SVector<T, N>) -> T {
     let mut product = T::from_f64(1.0);
     for _ in 0..ITERATIONS {
         let before = square(v).sqrt();
@@ -231,7 +252,7 @@ where
     T: Float,
 {
     fn error_order(&self) -> usize {
-        if self.is_stiff {
+        if self.stiffness.is_stiff {
             Scheme::<S, T, N>::error_order(&self.implicit)
         } else {
             explicit!(&self.explicit, stages => Scheme::<S, T, N>::error_order(stages))
@@ -239,8 +260,8 @@ where
     }
 
     fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N> {
-        (self.changes, self.at_limit, self.free) = (false, 0, 0);
-        if self.is_stiff {
+        self.stiffness.begin();
+        if self.stiffness.is_stiff {
             self.implicit.begin(system, t, x, work)
         } else {
             explicit!(&mut self.explicit, stages => stages.begin(system, t, x, work))
@@ -248,8 +269,8 @@ where
     }
 
     fn prepare(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> Option<T> {
-        if self.changes {
-            self.is_stiff = !self.is_stiff;
+        if self.stiffness.changes {
+            self.stiffness.is_stiff = !self.stiffness.is_stiff;
             work.switches += 1;
             self.begin(system, t, x, work);
         }
@@ -263,7 +284,7 @@ where
         end: (T, &mut SVector<T, N>),
         work: &mut Statistics,
     ) -> Result<T, Stalled> {
-        if self.is_stiff {
+        if self.stiffness.is_stiff {
             self.implicit.attempt(system, start, end, work)
         } else {
             explicit!(&mut self.explicit, stages => stages.attempt(system, start, end, work))
@@ -276,7 +297,7 @@ where
         end: (T, &SVector<T, N>),
         work: &mut Statistics,
     ) -> Option<&SVector<T, N>> {
-        if self.is_stiff {
+        if self.stiffness.is_stiff {
             self.implicit.arrive(system, end, work)
         } else {
             explicit!(&mut self.explicit, stages => stages.arrive(system, end, work))
@@ -284,18 +305,21 @@ where
     }
 
     fn accept(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, lanes: Accepted<T>, work: &mut Statistics) {
-        if self.is_stiff {
+        if self.stiffness.is_stiff {
             self.implicit.accept(system, step, lanes, work);
             work.stiff += 1;
-            self.changes = self.is_free(step.h);
+            let rate = fastest_rate(self.implicit.jacobian(), &mut self.fastest);
+            self.stiffness
+                .after_implicit((step.h.abs() * rate).to_f64(), self.explicit.limit());
         } else {
             explicit!(&mut self.explicit, stages => stages.accept(system, step, lanes, work));
-            self.changes = self.is_too_stiff(step.h);
+            let measured = explicit!(&self.explicit, stages => stages.stiffness(step.h));
+            self.stiffness.after_explicit(measured.to_f64(), self.explicit.limit());
         }
     }
 
     fn dense(&mut self, system: &InMode<'_, S, T>, step: &Step<T, N>, work: &mut Statistics) -> &[SVector<T, N>] {
-        if self.is_stiff {
+        if self.stiffness.is_stiff {
             self.implicit.dense(system, step, work)
         } else {
             explicit!(&mut self.explicit, stages => stages.dense(system, step, work))
@@ -303,7 +327,7 @@ where
     }
 
     fn coefficients(&self) -> &[SVector<T, N>] {
-        if self.is_stiff {
+        if self.stiffness.is_stiff {
             Scheme::<S, T, N>::coefficients(&self.implicit)
         } else {
             explicit!(&self.explicit, stages => Scheme::<S, T, N>::coefficients(stages))

@@ -164,9 +164,16 @@ where
     pub(super) fn stages(&self) -> &[SVector<T, N>; STAGES] {
         &self.stages
     }
+}
 
-    /// `|h lambda|` of the step accepted last, of length `h`, with the fastest rate `lambda` of the system: from the
+impl<B, T, const STAGES: usize, const N: usize> ExplicitStages<B, T, STAGES, N>
+where
+    B: Tableau<STAGES>,
+    T: Lanes,
+{
+    /// `|h lambda|` of the step that was tried last, of length `h`, with the fastest rate `lambda` of the system: from the
     /// last two stages, which are derivatives at two states at the same time; 0 where these are equal.
+    #[inline(always)]
     pub(super) fn stiffness(&self, h: T) -> T {
         let weights = const {
             assert!(
@@ -177,11 +184,14 @@ where
         };
         let apart = square(&weighted_sum(h, weights, STAGES, &self.stages)).sqrt();
         let change = square(&(self.stages[STAGES - 1] - self.stages[STAGES - 2])).sqrt();
-        if apart > T::default() {
-            h.abs() * change / apart
-        } else {
-            T::default()
-        }
+        T::from_fn(|lane| {
+            let [h, change, apart] = [h, change, apart].map(|length| length.lane(lane));
+            if apart > T::Scalar::default() {
+                h.abs() * change / apart
+            } else {
+                T::Scalar::default()
+            }
+        })
     }
 }
 

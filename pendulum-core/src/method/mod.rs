@@ -64,6 +64,8 @@ pub(crate) use {
 
 pub use crate::control::{Estimates, Tolerance};
 pub use adaptive::Adaptive;
+#[cfg(feature = "std")]
+pub use auto::SwitchInLanes;
 pub use auto::{Auto, Switching};
 pub use explicit::Explicit;
 pub use fixed::Fixed;

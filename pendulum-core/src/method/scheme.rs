@@ -34,8 +34,19 @@ pub trait Scheme<S: ?Sized, T: Lanes, const N: usize>: Clone {
     /// Whether [`prepare`](Self::prepare) chooses the steps.
     const PROPOSES: bool = false;
 
+    /// Whether each lane has an order of its own, which changes.
+    const ORDERS_DIFFER: bool = false;
+
     /// The order `q` of the error estimate: the estimate falls as `h^(q + 1)`.
     fn error_order(&self) -> usize;
+
+    /// The same in a lane, where [`ORDERS_DIFFER`](Self::ORDERS_DIFFER).
+    fn error_order_in(&self, _lane: usize) -> usize {
+        self.error_order()
+    }
+
+    /// Another trajectory takes a lane; all of them [begin](Self::begin) next, where they are.
+    fn enter(&mut self, _lane: usize) {}
 
     /// Goes to an initial point, or to one after a jump: the derivative there.
     fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N>;
