@@ -355,6 +355,10 @@ pub(crate) const SYMBOLS: &Synonyms = &[
     (&["fracpi6"], "write `pi/6`"),
     (&["euler"], "write `exp(1)`"),
     (
+        &["inf", "infinity"],
+        "a number is finite: a stop on one side is a wall, `wall name { gap: s - low }`",
+    ),
+    (
         &["q"],
         "`q` is a joint's own coordinate in its `torque`; elsewhere write its name",
     ),

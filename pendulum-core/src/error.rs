@@ -264,7 +264,7 @@ impl fmt::Display for Reason {
             Self::EventsAccumulate { event } => write!(
                 f,
                 "event {event} repeats without time advancing, like a bouncing ball that comes to rest; \
-                 make it terminal below some speed, and continue with a model of the contact, \
+                 declare a `stop` or a `wall` in its place, which comes to rest, \
                  or let its reset lead further away"
             ),
             Self::BeyondLimit {
@@ -273,7 +273,7 @@ impl fmt::Display for Reason {
                 limit,
             } => write!(
                 f,
-                "`{constraint}` starts at {value}, beyond its limit of {limit}; start within the limits"
+                "`{constraint}` starts at {value:?}, beyond its limit of {limit:?}; start within the limits"
             ),
             Self::ConstraintNotFinite { constraint, t } => write!(
                 f,

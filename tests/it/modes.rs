@@ -747,3 +747,172 @@ fn impacts_at_once_at_the_start_and_after_a_reset_are_recorded() {
         "after it",
     );
 }
+
+mechanism! {
+    /// Two balls on floors of their own.
+    pub Unjoined {
+        params { e: 1 = 0.8 }
+        gravity: [0, -9.81, 0],
+        generate: [rhs, jacobian, energy, taylor, canonical],
+        body first on ground { mass: 1, joint: prismatic(y), coordinate: y, stop: [0 m, 10 m] restitution(e) }
+        body second on ground { mass: 3, joint: prismatic(y), coordinate: z, stop: [0 m, 10 m] restitution(0) }
+    }
+}
+
+#[test]
+fn impacts_at_once_keep_their_restitutions_where_nothing_joins_them() {
+    let e = 0.8;
+    let model = Unjoined::new(UnjoinedParams { e }).expect("physical");
+    let (hits, falls) = ((2.0 / 9.81_f64).sqrt(), (2.0 * 9.81_f64).sqrt());
+    for (name, solution) in by_each(&model, 0.8, [1.0, 1.0, 0.0, 0.0]) {
+        let [impact] = solution.impacts() else {
+            panic!("{name}: {:?}", solution.impacts())
+        };
+        assert_near(impact.t, hits, 1e-12, name);
+        assert_state(impact.after, [0.0, 0.0, e * falls, 0.0], 1e-12, name);
+        assert_eq!((solution.end()[1], solution.end()[3]), (0.0, 0.0), "{name}");
+    }
+}
+
+mechanism! {
+    /// Three balls of 0.2 m on a rail.
+    pub Rail {
+        params { e: 1 = 0.5 }
+        generate: [rhs, jacobian, energy, taylor, canonical],
+        wall left { gap: b - a - 0.2 m, restitution: e }
+        wall right { gap: c - b - 0.2 m, restitution: e }
+        body first on ground { mass: 1, joint: prismatic(x), coordinate: a }
+        body second on ground { mass: 1, joint: prismatic(x), coordinate: b }
+        body third on ground { mass: 1, joint: prismatic(x), coordinate: c }
+    }
+}
+
+/// Rounding takes none of two that come from both sides for the first.
+#[test]
+fn two_that_meet_a_third_at_once_do_so_at_once() {
+    let e = 0.5;
+    let model = Rail::new(RailParams { e }).expect("physical");
+    for n in 0..40 {
+        let n = f64::from(n);
+        let (hits, [v, w]) = (1.0 + 0.0137 * n, [0.3 + 0.071 * n, 2.9 - 0.043 * n]);
+        let start = [-0.2 - v * hits, 0.0, 0.2 + w * hits, v, 0.0, -w];
+        // both gaps open with `e` times the rate at which they close, and the momentum stays
+        let middle = (v - w) / 3.0 * (1.0 + e);
+        let after = [middle - e * v, middle, middle + e * w];
+        for (name, solution) in by_each(&model, hits + 1.0, start) {
+            let [impact] = solution.impacts() else {
+                panic!("{name}, {n}: {:?}", solution.impacts())
+            };
+            assert_near(impact.t, hits, 1e-13, name);
+            let end = [after[0] - 0.2, after[1], after[2] + 0.2, after[0], after[1], after[2]];
+            assert_state(solution.end(), end, 1e-12, name);
+        }
+    }
+}
+
+mechanism! {
+    /// A block under a force that comes and goes.
+    pub Pushed {
+        params { push: N = 0.6 }
+        generate: [rhs, jacobian, energy, taylor, canonical],
+        body block on ground {
+            mass: 1, joint: prismatic(x), coordinate: s, torque: push*sin(1 rad/s*t), dry_friction: 0.5, static_friction: 0.6,
+        }
+    }
+}
+
+/// A force that reaches the limit, to rounding, is held; one beyond it is not.
+#[test]
+fn friction_holds_up_to_its_limit() {
+    for (push, holds) in [(0.6, true), (0.6 * (1.0 + 1e-15), true), (0.6 * (1.0 + 1e-9), false)] {
+        let model = Pushed::new(PushedParams { push }).expect("physical");
+        for (name, solution) in by_each(&model, 12.0, [0.0; 2]) {
+            assert_eq!(solution.modes().len() == 1, holds, "{name}: {:?}", solution.modes());
+        }
+    }
+}
+
+/// Rebounds end at what single precision can tell: where they are up to 64 ulps of a metre high, and each ends up to 16
+/// of them away, that is 1.6e-4 s.
+#[test]
+fn a_ball_in_single_precision_comes_to_rest() {
+    for (e, rests) in [(0.3_f32, 0.838_543_9), (0.7, 2.558_634), (0.9, 8.578_949)] {
+        let model = Bouncing::new(BouncingParams { e: f64::from(e) }).expect("physical");
+        let model = model.cast::<f32>();
+        macro_rules! assert_rests {
+            ($($method:expr),*) => { $(
+                let solution = $method.solve(&model, 0.0, 10.0, [1.0, 0.0]).expect("a motion");
+                let rest = solution.modes().last().expect("a mode").0;
+                assert!(solution.impacts().len() < 70, "{e}: {}", solution.impacts().len());
+                assert!((rest - rests).abs() < 1.6e-4, "{e}: {rest} {rests}");
+                assert_eq!(solution.end(), SVector::from([0.0, 0.0]), "{e}");
+            )* };
+        }
+        assert_rests!(Rk4::new(0.01), Tsit5::new(), Vern7::new(), Vern9::new(), Rodas5P::new());
+    }
+}
+
+mechanism! {
+    /// A rod of 1 m in a box of 1.6 m.
+    pub InABox {
+        gravity: [0, -9.81, 0],
+        point left on rod at [-0.5, 0, 0], point right on rod at [0.5, 0, 0],
+        wall floor_left { gap: left.y } wall floor_right { gap: right.y }
+        wall near_left { gap: left.x + 0.8 } wall near_right { gap: 0.8 - right.x }
+        wall far_left { gap: right.x + 0.8 } wall far_right { gap: 0.8 - left.x }
+        body across on ground { joint: prismatic(x), coordinate: x }
+        body up on across { joint: prismatic(y), coordinate: y }
+        body rod on up { solids: [rod(1, [-0.5, 0, 0], [0.5, 0, 0])], joint: revolute(z), coordinate: turn }
+    }
+}
+
+/// The rod ends upright in a corner, where the wall has nothing to hold.
+#[test]
+fn contacts_without_a_force_stay_as_they_are() {
+    let model = InABox::new(InABoxParams {}).expect("physical");
+    let start = [
+        0.225_188_270_503_441_6,
+        1.145_629_611_831_863_8,
+        -2.645_559_130_922_957_4,
+        -1.552_597_932_259_590_6,
+        2.633_735_633_758_805,
+        1.659_046_269_445_624,
+    ];
+    for n in 0..40 {
+        let mut start = start;
+        start[2] += 1e-13 * f64::from(n);
+        let solution = Vern7::new().solve(&model, 0.0, 4.0, start).expect("it comes to rest");
+        let end = solution.end();
+        assert!(
+            (end[1] - 0.5).abs() < 1e-12 && end.rows(3, 3).amax() < 1e-6,
+            "{n}: {end}"
+        );
+        assert!(solution.modes().len() < 100, "{n}: {}", solution.modes().len());
+    }
+}
+
+mechanism! {
+    /// A ball on a slope, whose gap is in units of `scale`.
+    pub Scaled {
+        params { scale: 1 = 1 }
+        gravity: [0, -9.81, 0],
+        wall plane { gap: scale*(cos(0.35)*y + sin(0.35)*x), restitution: 0.6 }
+        body slide on ground { joint: prismatic(x), coordinate: x }
+        body ball on slide { mass: 0.7, joint: prismatic(y), coordinate: y }
+    }
+}
+
+/// Each point of a motion is one to start from.
+#[test]
+fn gaps_may_be_in_any_unit() {
+    for scale in [1e-3, 1.0, 1e3, 1e6] {
+        let model = Scaled::new(ScaledParams { scale }).expect("physical");
+        let solution = Vern9::new()
+            .solve(&model, 0.0, 4.0, [0.1, 1.0, 3.0, 0.0])
+            .expect("a motion");
+        for (t, x) in solution.points() {
+            let started = Vern9::new().solve(&model, t, t + 1e-3, *x);
+            assert!(started.is_ok(), "{scale}: {}", started.expect_err("it is one"));
+        }
+    }
+}

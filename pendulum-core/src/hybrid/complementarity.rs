@@ -1,11 +1,14 @@
 //! Small symmetric systems, of which some rows and columns are chosen.
 
 use super::MOST;
-use super::mode::bits;
+use super::mode::{bits, set_of};
 use crate::real::{Float, Real};
 
 /// Rows that depend on those before them, to this part of their size, have no force of their own.
 const INDEPENDENT: f64 = 1e-10;
+
+/// Rows whose common entry is no more than so many ulps of their own do not act on each other.
+const UNCOUPLED_ULPS: f64 = 8.0;
 
 /// A factored symmetric matrix, `L D L^T`, of chosen rows and columns.
 pub(super) struct Factored<T> {
@@ -102,6 +105,28 @@ pub(crate) fn independent<T: Float>(matrix: &[[T; MOST]; MOST], chosen: u8) -> u
 /// Whether a row depends on others, which are independent.
 pub(super) fn depends<T: Float>(matrix: &[[T; MOST]; MOST], row: usize, others: u8) -> bool {
     independent(matrix, others | 1 << row).count_ones() == others.count_ones()
+}
+
+/// The parts of a set whose rows have nothing to do with each other, to rounding.
+pub(super) fn groups<T: Float>(matrix: &[[T; MOST]; MOST], set: u8) -> impl Iterator<Item = u8> {
+    let acts_on = |n: usize, m: usize| {
+        let least = T::from_f64(UNCOUPLED_ULPS) * T::EPSILON;
+        matrix[n][m] * matrix[n][m] > least * least * matrix[n][n] * matrix[m][m]
+    };
+    let mut left = set;
+    core::iter::from_fn(move || {
+        let mut group = left & left.wrapping_neg();
+        loop {
+            let more = bits(left & !group).filter(|&n| bits(group).any(|m| acts_on(n, m)));
+            let more = set_of(more);
+            if more == 0 {
+                break;
+            }
+            group |= more;
+        }
+        left &= !group;
+        (group != 0).then_some(group)
+    })
 }
 
 /// The impulses `p >= 0` by which rates `w` become `w + A p >= -e w`, each with one of the two equal: those of Newton's

@@ -21,8 +21,9 @@ pub(super) const BACKWARD: usize = 1;
 /// The distance from the upper limit.
 pub(super) const UPPER: usize = 2;
 
-/// Ends of modes within this many ulps of the time are simultaneous.
-const SIMULTANEOUS_ULPS: f64 = 4.0;
+/// Ends of modes within this many ulps of the time are simultaneous; a mode lasts no shorter than so many.
+const SIMULTANEOUS_ULPS: f64 = 64.0;
+const SHORTEST_ULPS: f64 = 4.0;
 /// An acceleration that is this part of the one at the end of a step, or less, may be a rounding error.
 const LEAST_ACCELERATION: f64 = 1e-6;
 
@@ -169,7 +170,7 @@ impl<'a, T: Float, const N: usize> Scene<'a, T, N> {
                 theta
             } else if before.1 <= zero {
                 // since there it has not seemed to leave, or gives way
-                last.theta.max(resolution(self.dense, self.dense.step().t0))
+                last.theta.max(part_of(self.dense, self.dense.step().t0, SHORTEST_ULPS))
             } else {
                 let function = |theta: T| {
                     let (t, x) = self.at(theta);
@@ -181,10 +182,11 @@ impl<'a, T: Float, const N: usize> Scene<'a, T, N> {
     }
 
     /// Where one of them that was positive first reaches zero, up to the last of three places, of which the first need
-    /// not be known.
+    /// not be known. What stays within the noise of zero has not passed it.
     pub(super) fn zero(
         &self,
         (n, way): (usize, usize),
+        noise: T,
         earlier: Option<&Place<T>>,
         last_two: [&Place<T>; 2],
     ) -> Option<T> {
@@ -195,12 +197,14 @@ impl<'a, T: Float, const N: usize> Scene<'a, T, N> {
             self.value(t, &x, n, way)
         };
         let [last, here] = last_two.map(at);
-        if here.1 <= zero {
-            return Some(root(function, last, here));
+        if here.1 < -noise || here.1 <= zero && noise == zero {
+            let raised = if last.1 > zero { zero } else { noise };
+            let raise = |(theta, value): (T, T)| (theta, value + raised);
+            return Some(root(|theta| function(theta) + raised, raise(last), raise(here)));
         }
         let earlier = earlier.map(at).filter(|earlier| earlier.1 > zero)?;
         let bottom = dip(function, [earlier, last, here])?;
-        Some(root(function, earlier, bottom))
+        (bottom.1 < -noise || noise == zero).then(|| root(function, earlier, bottom))
     }
 
     /// The same of a gap; `bend` is how much it bends between places, as far as was seen.
@@ -364,8 +368,49 @@ fn rates_at_rest<T: Float, const N: usize>(system: &dyn Hybrid<T, N>, t: T, x: &
     system.measures(t, &at_rest).map(|[_, rate]| rate)
 }
 
+/// The [sizes], where each constraint may change by more than the positions do.
+pub(super) fn steep_sizes<T: Float, const N: usize>(
+    system: &dyn Hybrid<T, N>,
+    laws: &[Law<T>; MOST],
+    t: T,
+    x: &SVector<T, N>,
+) -> [T; MOST] {
+    let (sizes, slopes) = (sizes(system, laws, t, x), slopes(system, t, x));
+    core::array::from_fn(|n| sizes[n] * slopes[n])
+}
+
+/// By how much more than a position each constraint changes, where that is more.
+pub(super) fn slopes<T: Float, const N: usize>(system: &dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) -> [T; MOST] {
+    let mut slopes = [T::from_f64(1.0); MOST];
+    // coordinates change as positions do
+    if system
+        .constraints()
+        .iter()
+        .all(|constraint| !constraint.rate.is_empty())
+    {
+        return slopes;
+    }
+    let by_itself = rates_at_rest(system, t, x);
+    for k in N / 2..N {
+        let mut moving = *x;
+        for (other, rate) in moving.iter_mut().enumerate().skip(N / 2) {
+            *rate = T::from_f64(if other == k { 1.0 } else { 0.0 });
+        }
+        let measures = system.measures(t, &moving);
+        for ((slope, [_, rate]), by_itself) in slopes.iter_mut().zip(measures).zip(by_itself) {
+            *slope = slope.max((rate - by_itself).abs());
+        }
+    }
+    slopes
+}
+
 /// Within what part of a step ends of modes are simultaneous.
 pub(super) fn resolution<T: Float, const N: usize>(dense: &Dense<'_, T, N>, t: T) -> T {
+    part_of(dense, t, SIMULTANEOUS_ULPS)
+}
+
+/// What part of a step some ulps of a time are.
+fn part_of<T: Float, const N: usize>(dense: &Dense<'_, T, N>, t: T, ulps: f64) -> T {
     let h = dense.step().h.abs();
-    T::from_f64(SIMULTANEOUS_ULPS) * T::EPSILON * t.abs().max(h) / h
+    T::from_f64(ulps) * T::EPSILON * t.abs().max(h) / h
 }

@@ -9,10 +9,11 @@
 //! - A rate that reaches zero stays there, exactly, as long as friction can hold it. Which constraints hold and which
 //!   slip is decided for all of them together, so that all forces are within their limits, and what slips does so
 //!   against its friction (a complementarity problem, solved by trying combinations, those that hold most first).
-//! - At a limit there is an impact: by Newton's law, constraints that approach with the rate `v` leave with `-e v`;
-//!   with several at once, all have the least of their restitutions, so energy never grows. Friction forces are
-//!   finite, so they take no part in impacts.
-//! - Rebounds that become too small to see end at once, at the limit of the geometric series of their times.
+//! - At a limit there is an impact: by Newton's law, constraints that approach with the rate `v` leave with `-e v`.
+//!   With several at once, those that act on each other have the least of their restitutions, so energy never grows.
+//!   Friction forces are finite, so they take no part in impacts.
+//! - Rebounds lower than 1e-13 of the size of the positions, in `f32` 64 ulps of it, end at once, at the limit of the
+//!   geometric series of their times.
 //!
 //! Generated models have all this from `dry_friction`, `stop` and `wall` in their declaration. A model by hand
 //! implements [`Hybrid`]:

@@ -2,8 +2,8 @@
 
 use nalgebra::SVector;
 
-use super::complementarity::{depends, impulses, independent};
-use super::functions::sizes;
+use super::complementarity::{depends, groups, impulses, independent};
+use super::functions::steep_sizes;
 use super::held::{add, pin};
 use super::mode::{Status, bits, set_of};
 use super::project::{apart, shift};
@@ -88,7 +88,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
         self.stand();
         let thrown_off = self.collide();
         let mut delay = T::default();
-        let sizes = sizes(self.system, &self.laws, self.t, &self.x);
+        let sizes = steep_sizes(self.system, &self.laws, self.t, &self.x);
         let sizes = core::array::from_fn(|n| reach[n].max(sizes[n]));
         loop {
             self.stand();
@@ -145,7 +145,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
             let rates = self.system.measures(self.t, &self.x).map(|[_, rate]| rate);
             shift(&mut self.x, 0, &response, solved, &rates);
             // what the rest of it holds rests too
-            let sizes = sizes(self.system, &self.laws, self.t, &self.x);
+            let sizes = steep_sizes(self.system, &self.laws, self.t, &self.x);
             for (n, [_, rate]) in self.system.measures(self.t, &self.x).into_iter().enumerate() {
                 let slack = T::from_f64(AT_LIMIT_ULPS) * T::EPSILON * sizes[n];
                 let rests = n < constraints.len() && rate.abs() <= slack;
@@ -165,15 +165,6 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
             rates[n] = zero;
         }
         let leaving: [T; MOST] = core::array::from_fn(|n| self.away(n) * rates[n]);
-        let approaching = bits(touching).filter(|&n| leaving[n] < zero);
-        let restitution = approaching.map(|n| {
-            let law = &self.laws[n];
-            if -leaving[n] < law.slow { zero } else { law.restitution }
-        });
-        // the least, so that energy does not grow
-        let Some(restitution) = restitution.reduce(T::min) else {
-            return 0;
-        };
         let response = self.system.response(self.t, &self.x, &[zero; MOST]);
         let mut matrix = response.matrix;
         for (n, row) in matrix.iter_mut().enumerate() {
@@ -181,25 +172,45 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
                 *entry *= self.away(n) * self.away(m);
             }
         }
-        let pushes = impulses(&matrix, touching, &leaving, restitution);
-        let pushes: [T; MOST] = core::array::from_fn(|n| self.away(n) * pushes[n]);
-        self.push(&response, touching, &pushes);
+        let (mut pushes, mut slack) = ([zero; MOST], [zero; MOST]);
+        let (mut collided, mut stopped) = (0, 0);
+        for group in groups(&matrix, touching) {
+            let approaching = bits(group).filter(|&n| leaving[n] < zero);
+            let restitution = approaching.map(|n| {
+                let law = &self.laws[n];
+                if -leaving[n] < law.slow { zero } else { law.restitution }
+            });
+            // the least, so that energy does not grow
+            let Some(restitution) = restitution.reduce(T::min) else {
+                continue;
+            };
+            collided |= group;
+            let of_group = impulses(&matrix, group, &leaving, restitution);
+            let fastest = bits(group).fold(zero, |fastest, n| fastest.max(leaving[n].abs()));
+            for n in bits(group).filter(|&n| of_group[n] != zero) {
+                pushes[n] = self.away(n) * of_group[n];
+                stopped |= u8::from(restitution == zero) << n;
+                slack[n] = T::from_f64(CONSISTENT_ULPS) * T::EPSILON * fastest;
+            }
+        }
+        if collided == 0 {
+            return 0;
+        }
+        self.push(&response, collided, &pushes);
         for n in 0..count {
-            let change = bits(touching).fold(zero, |sum, m| sum + response.matrix[n][m] * pushes[m]);
-            if pushes[n] != zero && restitution == zero {
+            let change = bits(collided).fold(zero, |sum, m| sum + response.matrix[n][m] * pushes[m]);
+            if stopped & 1 << n != 0 {
                 self.resting |= 1 << n;
             } else if pushes[n] != zero || change != zero {
                 self.resting &= !(1 << n);
             }
         }
         // what an impulse has only held keeps a rate of rounding
-        let fastest = bits(touching).fold(zero, |fastest, n| fastest.max(leaving[n].abs()));
-        let slack = T::from_f64(CONSISTENT_ULPS) * T::EPSILON * fastest;
         let measures = self.system.measures(self.t, &self.x);
-        for n in bits(touching).filter(|&n| pushes[n] != zero) {
-            self.rest(n, measures[n][1].abs() <= slack);
+        for n in bits(collided).filter(|&n| pushes[n] != zero) {
+            self.rest(n, measures[n][1].abs() <= slack[n]);
         }
-        touching & !self.resting
+        collided & !self.resting
     }
 
     /// Changes the rates by impulses along some constraints.

@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::functions::{BACKWARD, FORWARD, Fired, UPPER, sizes};
+use super::functions::{BACKWARD, FORWARD, Fired, UPPER, slopes, steep_sizes};
 use super::mode::{Hold, Mode, Status};
 use super::settling::{AT_LIMIT_ULPS, Settling};
 use super::watch::Watch;
@@ -32,9 +32,9 @@ pub(crate) fn start<T: Float, const N: usize>(
 ) -> Result<Settled<T, N>, Reason> {
     let mut settling = Settling::new(system, t, x);
     let size = x.iter().fold(T::from_f64(1.0), |size, x| size.max(x.abs()));
-    let slack = T::from_f64(AT_LIMIT_ULPS) * T::EPSILON * size;
-    let measures = system.measures(t, x);
+    let (measures, slopes) = (system.measures(t, x), slopes(system, t, x));
     for (n, constraint) in system.constraints().iter().enumerate() {
+        let slack = T::from_f64(AT_LIMIT_ULPS) * T::EPSILON * size * slopes[n];
         for (distance, limit, status) in settling.distances(n, &measures) {
             if distance.to_f64().is_nan() || distance < -slack {
                 let (value, limit) = (measures[n][0].to_f64(), limit.to_f64());
@@ -75,7 +75,7 @@ pub(crate) fn switch<T: Float, const N: usize>(
 ) -> Settled<T, N> {
     let mut settling = Settling::new(system, t, x);
     let measures = system.measures(t, x);
-    let sizes = sizes(system, &settling.laws, t, x);
+    let sizes = steep_sizes(system, &settling.laws, t, x);
     for n in 0..system.constraints().len() {
         let status = mode.0[n];
         if status.touches() {

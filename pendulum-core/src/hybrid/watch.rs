@@ -2,7 +2,7 @@
 
 #[cfg(feature = "std")]
 use super::Law;
-use super::functions::{BACKWARD, FORWARD, Fired, Place, Scene, UPPER, Values, resolution, sizes};
+use super::functions::{BACKWARD, FORWARD, Fired, Place, Scene, UPPER, Values, resolution, sizes, slopes};
 #[cfg(feature = "std")]
 use super::mode::Status;
 use super::mode::{Hold, Mode};
@@ -32,6 +32,8 @@ pub(crate) struct Watch<T> {
     starts: bool,
     /// How far each constraint has been from its limits since it was held there.
     pub(super) reach: [T; MOST],
+    /// By how much more than positions the constraints change where the mode began.
+    slopes: [T; MOST],
     /// The forces at the end of the last step.
     forces: Option<[T; MOST]>,
     /// How far from each other the places were where forces were seen to be close enough.
@@ -46,6 +48,7 @@ impl<T: Float> Watch<T> {
             positive: Fired::default(),
             starts: true,
             reach: [T::default(); MOST],
+            slopes: [T::default(); MOST],
             forces: None,
             width: T::from_f64(f64::INFINITY),
             sizes: [T::default(); MOST],
@@ -113,6 +116,9 @@ impl<T: Float> Watch<T> {
         self.note_reach(&start.values, scene.mode);
         let live = scene.live(&start.values, self.positive);
         let starts = core::mem::replace(&mut self.starts, false);
+        if starts {
+            self.slopes = slopes(scene.system, step.t0, &step.x0);
+        }
         if live.is_empty() {
             return Ok(None);
         }
@@ -212,7 +218,7 @@ impl<T: Float> Watch<T> {
                 first = Some(by_force);
             }
             if let Some((theta, fired)) = first {
-                let fired = self.with_simultaneous(scene, (theta, fired), view.live);
+                let fired = self.with_simultaneous(scene, (theta, fired), (view.live, &view.noise));
                 return Ok((Some((theta, fired)), bend));
             }
             of_state.go_to(here);
@@ -247,7 +253,8 @@ impl<T: Float> Watch<T> {
                 }
                 scene.end_at_the_start((n, way), view.noise[n], [&view.start, &seen.last, here])
             } else if of_held || way == FORWARD {
-                scene.zero((n, way), earlier, last_two)
+                let noise = if of_held { view.noise[n] } else { T::default() };
+                scene.zero((n, way), noise, earlier, last_two)
             } else {
                 let known = (&mut view.bends[n], view.noise[n]);
                 scene.zero_of_gap((n, way), earlier, last_two, known)
@@ -268,13 +275,14 @@ impl<T: Float> Watch<T> {
         &self,
         scene: &Scene<'_, T, N>,
         (theta, mut fired): (T, Fired),
-        live: Fired,
+        (live, noise): (Fired, &[T; MOST]),
     ) -> Fired {
         let shortly = theta + resolution(scene.dense, scene.dense.time(theta));
         let (t, x) = scene.at(shortly);
         let values = scene.place(shortly, t, &x, scene.forces(t, &x)).values;
         for (n, way) in live.pairs() {
-            if self.positive.has(n, way) && values[n][way] <= T::default() {
+            let noise = if scene.mode.is_held(n) { noise[n] } else { T::default() };
+            if self.positive.has(n, way) && values[n][way] <= -noise {
                 fired.insert(n, way);
             }
         }
@@ -322,7 +330,11 @@ impl<T: Float> Watch<T> {
     fn noise<const N: usize>(&self, scene: &Scene<'_, T, N>) -> [T; MOST] {
         let step = scene.dense.step();
         let sizes = sizes(scene.system, scene.laws, step.t0, &step.x0);
-        core::array::from_fn(|n| T::from_f64(NOISE_ULPS) * T::EPSILON * self.reach[n].max(sizes[n]))
+        let size = |n: usize| match scene.mode.is_held(n) {
+            true => scene.laws[n].sticking.max(self.sizes[n]),
+            false => self.reach[n].max(sizes[n] * self.slopes[n]),
+        };
+        core::array::from_fn(|n| T::from_f64(NOISE_ULPS) * T::EPSILON * size(n))
     }
 
     fn note_reach(&mut self, values: &Values<T>, mode: &Mode) {

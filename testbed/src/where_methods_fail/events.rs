@@ -48,6 +48,6 @@ pub fn rebounds(_: Size) -> Row {
             Claim::same("it ends in", "EventsAccumulate", kind(error.reason)),
             Claim::close("at the time (s)", rest, error.t(), 1e-12),
         ],
-        survives: "a terminal event, and a model of the contact",
+        survives: "every method, by `stop` or `wall`",
     }
 }

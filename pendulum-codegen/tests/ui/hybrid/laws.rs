@@ -46,3 +46,9 @@ mechanism! {
         }
     }
 }
+
+mechanism! {
+    pub OneSided {
+        body rod on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: a, stop: [0, inf] }
+    }
+}
