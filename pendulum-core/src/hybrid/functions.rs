@@ -368,17 +368,6 @@ fn rates_at_rest<T: Float, const N: usize>(system: &dyn Hybrid<T, N>, t: T, x: &
     system.measures(t, &at_rest).map(|[_, rate]| rate)
 }
 
-/// The [sizes], where each constraint may change by more than the positions do.
-pub(super) fn steep_sizes<T: Float, const N: usize>(
-    system: &dyn Hybrid<T, N>,
-    laws: &[Law<T>; MOST],
-    t: T,
-    x: &SVector<T, N>,
-) -> [T; MOST] {
-    let (sizes, slopes) = (sizes(system, laws, t, x), slopes(system, t, x));
-    core::array::from_fn(|n| sizes[n] * slopes[n])
-}
-
 /// By how much more than a position each constraint changes, where that is more.
 pub(super) fn slopes<T: Float, const N: usize>(system: &dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) -> [T; MOST] {
     let mut slopes = [T::from_f64(1.0); MOST];
@@ -398,7 +387,8 @@ pub(super) fn slopes<T: Float, const N: usize>(system: &dyn Hybrid<T, N>, t: T, 
         }
         let measures = system.measures(t, &moving);
         for ((slope, [_, rate]), by_itself) in slopes.iter_mut().zip(measures).zip(by_itself) {
-            *slope = slope.max((rate - by_itself).abs());
+            let own = (rate - by_itself).abs();
+            *slope = if own.is_finite() { slope.max(own) } else { *slope };
         }
     }
     slopes

@@ -3,7 +3,7 @@
 use nalgebra::SVector;
 
 use super::complementarity::{depends, groups, impulses, independent};
-use super::functions::steep_sizes;
+use super::functions::sizes;
 use super::held::{add, pin};
 use super::mode::{Status, bits, set_of};
 use super::project::{apart, shift};
@@ -31,10 +31,12 @@ pub(super) struct Settling<'a, T, const N: usize> {
     pub(super) forced: [Option<Status>; MOST],
     /// The impulses so far.
     pub(super) impulses: [T; MOST],
+    /// By how much more than positions the constraints change, where the integration began: only the order matters.
+    pub(super) slopes: [T; MOST],
 }
 
 impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
-    pub(super) fn new(system: &'a dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) -> Self {
+    pub(super) fn new(system: &'a dyn Hybrid<T, N>, t: T, x: &SVector<T, N>, slopes: [T; MOST]) -> Self {
         Self {
             system,
             laws: system.laws(),
@@ -44,7 +46,14 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
             resting: 0,
             forced: [None; MOST],
             impulses: [T::default(); MOST],
+            slopes,
         }
+    }
+
+    /// The size of each constraint, to which its rounding errors are relative.
+    pub(super) fn sizes(&self) -> [T; MOST] {
+        let sizes = sizes(self.system, &self.laws, self.t, &self.x);
+        core::array::from_fn(|n| sizes[n] * self.slopes[n])
     }
 
     pub(super) fn rest(&mut self, n: usize, rests: bool) {
@@ -88,7 +97,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
         self.stand();
         let thrown_off = self.collide();
         let mut delay = T::default();
-        let sizes = steep_sizes(self.system, &self.laws, self.t, &self.x);
+        let sizes = self.sizes();
         let sizes = core::array::from_fn(|n| reach[n].max(sizes[n]));
         loop {
             self.stand();
@@ -101,6 +110,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
                     hold,
                     delay,
                     impulses: self.impulses,
+                    slopes: self.slopes,
                 };
             }
             delay = delay.max(self.lasting(low, hold, accelerations));
@@ -145,7 +155,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
             let rates = self.system.measures(self.t, &self.x).map(|[_, rate]| rate);
             shift(&mut self.x, 0, &response, solved, &rates);
             // what the rest of it holds rests too
-            let sizes = steep_sizes(self.system, &self.laws, self.t, &self.x);
+            let sizes = self.sizes();
             for (n, [_, rate]) in self.system.measures(self.t, &self.x).into_iter().enumerate() {
                 let slack = T::from_f64(AT_LIMIT_ULPS) * T::EPSILON * sizes[n];
                 let rests = n < constraints.len() && rate.abs() <= slack;
@@ -165,6 +175,10 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
             rates[n] = zero;
         }
         let leaving: [T; MOST] = core::array::from_fn(|n| self.away(n) * rates[n]);
+        let approaching = set_of(bits(touching).filter(|&n| leaving[n] < zero));
+        if approaching == 0 {
+            return 0;
+        }
         let response = self.system.response(self.t, &self.x, &[zero; MOST]);
         let mut matrix = response.matrix;
         for (n, row) in matrix.iter_mut().enumerate() {
@@ -175,8 +189,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
         let (mut pushes, mut slack) = ([zero; MOST], [zero; MOST]);
         let (mut collided, mut stopped) = (0, 0);
         for group in groups(&matrix, touching) {
-            let approaching = bits(group).filter(|&n| leaving[n] < zero);
-            let restitution = approaching.map(|n| {
+            let restitution = bits(group & approaching).map(|n| {
                 let law = &self.laws[n];
                 if -leaving[n] < law.slow { zero } else { law.restitution }
             });
@@ -192,9 +205,6 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
                 stopped |= u8::from(restitution == zero) << n;
                 slack[n] = T::from_f64(CONSISTENT_ULPS) * T::EPSILON * fastest;
             }
-        }
-        if collided == 0 {
-            return 0;
         }
         self.push(&response, collided, &pushes);
         for n in 0..count {

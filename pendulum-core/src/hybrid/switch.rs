@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::functions::{BACKWARD, FORWARD, Fired, UPPER, slopes, steep_sizes};
+use super::functions::{BACKWARD, FORWARD, Fired, UPPER, slopes};
 use super::mode::{Hold, Mode, Status};
 use super::settling::{AT_LIMIT_ULPS, Settling};
 use super::watch::Watch;
@@ -22,6 +22,8 @@ pub(crate) struct Settled<T, const N: usize> {
     pub(crate) delay: T,
     /// The impulses along the constraints.
     pub(crate) impulses: [T; MOST],
+    /// By how much more than positions the constraints change, where the integration began.
+    pub(crate) slopes: [T; MOST],
 }
 
 /// The mode in which to start from a state.
@@ -30,11 +32,11 @@ pub(crate) fn start<T: Float, const N: usize>(
     t: T,
     x: &SVector<T, N>,
 ) -> Result<Settled<T, N>, Reason> {
-    let mut settling = Settling::new(system, t, x);
+    let mut settling = Settling::new(system, t, x, slopes(system, t, x));
     let size = x.iter().fold(T::from_f64(1.0), |size, x| size.max(x.abs()));
-    let (measures, slopes) = (system.measures(t, x), slopes(system, t, x));
+    let measures = system.measures(t, x);
     for (n, constraint) in system.constraints().iter().enumerate() {
-        let slack = T::from_f64(AT_LIMIT_ULPS) * T::EPSILON * size * slopes[n];
+        let slack = T::from_f64(AT_LIMIT_ULPS) * T::EPSILON * size * settling.slopes[n];
         for (distance, limit, status) in settling.distances(n, &measures) {
             if distance.to_f64().is_nan() || distance < -slack {
                 let (value, limit) = (measures[n][0].to_f64(), limit.to_f64());
@@ -73,9 +75,9 @@ pub(crate) fn switch<T: Float, const N: usize>(
     fired: Fired,
     watch: &Watch<T>,
 ) -> Settled<T, N> {
-    let mut settling = Settling::new(system, t, x);
+    let mut settling = Settling::new(system, t, x, watch.slopes);
     let measures = system.measures(t, x);
-    let sizes = steep_sizes(system, &settling.laws, t, x);
+    let sizes = settling.sizes();
     for n in 0..system.constraints().len() {
         let status = mode.0[n];
         if status.touches() {

@@ -2,7 +2,7 @@
 
 #[cfg(feature = "std")]
 use super::Law;
-use super::functions::{BACKWARD, FORWARD, Fired, Place, Scene, UPPER, Values, resolution, sizes, slopes};
+use super::functions::{BACKWARD, FORWARD, Fired, Place, Scene, UPPER, Values, resolution, sizes};
 #[cfg(feature = "std")]
 use super::mode::Status;
 use super::mode::{Hold, Mode};
@@ -32,8 +32,8 @@ pub(crate) struct Watch<T> {
     starts: bool,
     /// How far each constraint has been from its limits since it was held there.
     pub(super) reach: [T; MOST],
-    /// By how much more than positions the constraints change where the mode began.
-    slopes: [T; MOST],
+    /// By how much more than positions the constraints change, where the integration began.
+    pub(super) slopes: [T; MOST],
     /// The forces at the end of the last step.
     forces: Option<[T; MOST]>,
     /// How far from each other the places were where forces were seen to be close enough.
@@ -56,7 +56,8 @@ impl<T: Float> Watch<T> {
     }
 
     /// Goes on in another mode.
-    pub(crate) fn restart(&mut self, mode: &Mode) {
+    pub(crate) fn restart(&mut self, mode: &Mode, slopes: [T; MOST]) {
+        self.slopes = slopes;
         (self.positive, self.starts, self.forces) = (Fired::default(), true, None);
         (self.width, self.sizes) = (T::from_f64(f64::INFINITY), [T::default(); MOST]);
         for (reach, status) in self.reach.iter_mut().zip(mode.0) {
@@ -116,9 +117,6 @@ impl<T: Float> Watch<T> {
         self.note_reach(&start.values, scene.mode);
         let live = scene.live(&start.values, self.positive);
         let starts = core::mem::replace(&mut self.starts, false);
-        if starts {
-            self.slopes = slopes(scene.system, step.t0, &step.x0);
-        }
         if live.is_empty() {
             return Ok(None);
         }
@@ -330,11 +328,15 @@ impl<T: Float> Watch<T> {
     fn noise<const N: usize>(&self, scene: &Scene<'_, T, N>) -> [T; MOST] {
         let step = scene.dense.step();
         let sizes = sizes(scene.system, scene.laws, step.t0, &step.x0);
-        let size = |n: usize| match scene.mode.is_held(n) {
-            true => scene.laws[n].sticking.max(self.sizes[n]),
-            false => self.reach[n].max(sizes[n] * self.slopes[n]),
-        };
-        core::array::from_fn(|n| T::from_f64(NOISE_ULPS) * T::EPSILON * size(n))
+        let mut noise = [T::default(); MOST];
+        for (n, noise) in noise.iter_mut().enumerate().take(scene.system.constraints().len()) {
+            let size = match scene.mode.is_held(n) {
+                true => scene.laws[n].sticking.max(self.sizes[n]),
+                false => self.reach[n].max(sizes[n] * self.slopes[n]),
+            };
+            *noise = T::from_f64(NOISE_ULPS) * T::EPSILON * size;
+        }
+        noise
     }
 
     fn note_reach(&mut self, values: &Values<T>, mode: &Mode) {

@@ -381,11 +381,12 @@ where
             hold,
             delay,
             impulses,
+            slopes,
         } = settled;
         (self.modes.mode, self.modes.hold, self.modes.from) = (mode, hold, t + delay);
         self.modes.impulses = impulses;
         self.modes.fired = Fired::default();
-        self.modes.watch.restart(&mode);
+        self.modes.watch.restart(&mode, slopes);
         self.last = Step::at_rest(t, x);
     }
 
