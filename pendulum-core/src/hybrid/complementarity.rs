@@ -2,13 +2,11 @@
 
 use super::MOST;
 use super::mode::{bits, set_of};
+use super::resolution::{UNCOUPLED, ulps};
 use crate::real::{Float, Real};
 
 /// Rows that depend on those before them, to this part of their size, have no force of their own.
 const INDEPENDENT: f64 = 1e-10;
-
-/// Rows whose common entry is no more than so many ulps of their own do not act on each other.
-const UNCOUPLED_ULPS: f64 = 8.0;
 
 /// A factored symmetric matrix, `L D L^T`, of chosen rows and columns.
 pub(super) struct Factored<T> {
@@ -110,7 +108,7 @@ pub(super) fn depends<T: Float>(matrix: &[[T; MOST]; MOST], row: usize, others: 
 /// The parts of a set whose rows have nothing to do with each other, to rounding.
 pub(super) fn groups<T: Float>(matrix: &[[T; MOST]; MOST], set: u8) -> impl Iterator<Item = u8> {
     let acts_on = |n: usize, m: usize| {
-        let least = T::from_f64(UNCOUPLED_ULPS) * T::EPSILON;
+        let least = ulps(UNCOUPLED, T::from_f64(1.0));
         matrix[n][m] * matrix[n][m] > least * least * matrix[n][n] * matrix[m][m]
     };
     let mut left = set;

@@ -7,6 +7,7 @@ use nalgebra::SVector;
 use super::bounds::least;
 use super::held::forces;
 use super::mode::{Hold, Mode, Status};
+use super::resolution::{SHORTEST_MODE, SIMULTANEOUS, ulps};
 use super::{Hybrid, Law, MOST};
 use crate::dense::Dense;
 use crate::method::{Known, dip, first_zero, root, unseen_bend};
@@ -21,9 +22,6 @@ pub(super) const BACKWARD: usize = 1;
 /// The distance from the upper limit.
 pub(super) const UPPER: usize = 2;
 
-/// Ends of modes within this many ulps of the time are simultaneous; a mode lasts no shorter than so many.
-const SIMULTANEOUS_ULPS: f64 = 64.0;
-const SHORTEST_ULPS: f64 = 4.0;
 /// An acceleration that is this part of the one at the end of a step, or less, may be a rounding error.
 const LEAST_ACCELERATION: f64 = 1e-6;
 
@@ -155,30 +153,32 @@ impl<'a, T: Float, const N: usize> Scene<'a, T, N> {
         noise: T,
         [start, last, here]: [&Place<T>; 3],
     ) -> Option<T> {
-        let (zero, theta) = (T::default(), here.theta);
-        let is_rate = !self.mode.is_held(n) && way == FORWARD;
-        let is_gap = !self.mode.is_held(n) && way != FORWARD;
-        // what leaves a limit may seem to start beyond it, by the error of the polynomial
-        let [thrown, departs] = [start, here].map(|place| self.slope(way, place.rates[n]));
-        let is_thrown_on = theta * thrown < -noise;
-        let leaves = || departs >= zero || !is_thrown_on && !self.is_pushed_on(theta, (n, way));
+        let (zero, one) = (T::default(), T::from_f64(1.0));
         let [before, after] = [last, here].map(|place| (place.theta, place.values[n][way] + noise));
-        let ends = after.1 < zero && !(is_gap && theta != T::from_f64(1.0) && leaves());
-        ends.then(|| {
-            let is_start = last.theta == zero;
-            if is_rate || is_gap && is_start && before.1 <= zero {
-                theta
-            } else if before.1 <= zero {
-                // since there it has not seemed to leave, or gives way
-                last.theta.max(part_of(self.dense, self.dense.step().t0, SHORTEST_ULPS))
-            } else {
+        if after.1 >= zero {
+            return None;
+        }
+        match (self.mode.is_held(n), way) {
+            (false, FORWARD) => Some(here.theta),
+            (false, _) if here.theta != one && self.leaves((n, way), noise, [start, here]) => None,
+            (false, _) if before.1 <= zero && last.theta == zero => Some(here.theta),
+            // since there it has not seemed to leave, or gives way
+            _ if before.1 <= zero => Some(last.theta.max(part_of(self.dense, self.dense.step().t0, SHORTEST_MODE))),
+            _ => {
                 let function = |theta: T| {
                     let (t, x) = self.at(theta);
                     self.value(t, &x, n, way) + noise
                 };
-                root(function, before, after)
+                Some(root(function, before, after))
             }
-        })
+        }
+    }
+
+    /// Whether a gap that seems to be beyond its limit leaves it: it may start there, by the error of the polynomial.
+    fn leaves(&self, (n, way): (usize, usize), noise: T, [start, here]: [&Place<T>; 2]) -> bool {
+        let [thrown, departs] = [start, here].map(|place| self.slope(way, place.rates[n]));
+        let is_thrown_on = here.theta * thrown < -noise;
+        departs >= T::default() || !is_thrown_on && !self.is_pushed_on(here.theta, (n, way))
     }
 
     /// Where one of them that was positive first reaches zero, up to the last of three places, of which the first need
@@ -396,11 +396,11 @@ pub(super) fn slopes<T: Float, const N: usize>(system: &dyn Hybrid<T, N>, t: T, 
 
 /// Within what part of a step ends of modes are simultaneous.
 pub(super) fn resolution<T: Float, const N: usize>(dense: &Dense<'_, T, N>, t: T) -> T {
-    part_of(dense, t, SIMULTANEOUS_ULPS)
+    part_of(dense, t, SIMULTANEOUS)
 }
 
 /// What part of a step some ulps of a time are.
-fn part_of<T: Float, const N: usize>(dense: &Dense<'_, T, N>, t: T, ulps: f64) -> T {
+fn part_of<T: Float, const N: usize>(dense: &Dense<'_, T, N>, t: T, count: f64) -> T {
     let h = dense.step().h.abs();
-    T::from_f64(ulps) * T::EPSILON * t.abs().max(h) / h
+    ulps(count, t.abs().max(h)) / h
 }

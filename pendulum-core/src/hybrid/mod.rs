@@ -84,6 +84,7 @@ mod mode;
 mod next_mode;
 mod project;
 mod rebound;
+mod resolution;
 #[cfg(feature = "std")]
 mod saltation;
 mod settling;

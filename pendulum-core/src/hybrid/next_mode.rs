@@ -2,7 +2,8 @@
 
 use super::complementarity::{Factored, depends, independent, subsets};
 use super::mode::{Hold, Mode, Status, bits, set_of};
-use super::settling::{CONSISTENT_ULPS, Settling};
+use super::resolution::{CONSISTENT, ulps};
+use super::settling::Settling;
 use super::{MOST, Response};
 use crate::real::Float;
 
@@ -34,7 +35,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
             forces,
             ..Hold::default()
         };
-        let consistent = T::from_f64(CONSISTENT_ULPS) * T::EPSILON;
+        let consistent = ulps(CONSISTENT, T::from_f64(1.0));
         let mut best = (T::from_f64(f64::INFINITY), mode, without_any, response.accelerations);
         'all: for held in subsets(candidates & !gave_way) {
             let released = candidates & !held;

@@ -4,15 +4,12 @@ use super::MOST;
 use super::complementarity::{Factored, independent};
 use super::held::called;
 use super::mode::{Hold, Status, bits, set_of};
+use super::resolution::{LOWEST_REBOUND, SHORTEST_REBOUND, ulps};
 use super::settling::Settling;
 use crate::real::Float;
 
-/// Rebounds that are lower than this part of the size of all positions are not followed, nor those lower than so many
-/// ulps of it, which is several times what ends of modes are known to;
+/// Rebounds that are lower than this part of the size of all positions are not followed, should it resolve lower ones.
 const LEAST: f64 = 1e-13;
-const LOWEST_ULPS: f64 = 64.0;
-/// nor are those that last no longer than so many ulps of the time.
-const SHORTEST_ULPS: f64 = 1024.0;
 /// How many rebounds are summed at most, and up to which part of their sum.
 const MOST_FOLLOWED: usize = 1000;
 const LAST_REBOUND: f64 = 1e-9;
@@ -69,8 +66,8 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
 
     /// Those of some constraints whose rebounds are too low to be followed, for the sizes of their values.
     pub(super) fn low_rebounds(&self, of: u8, accelerations: &[T; MOST], sizes: &[T; MOST]) -> u8 {
-        let shortest = T::from_f64(SHORTEST_ULPS) * T::EPSILON * self.t.abs();
-        let least = T::from_f64(LEAST).max(T::from_f64(LOWEST_ULPS) * T::EPSILON);
+        let shortest = ulps(SHORTEST_REBOUND, self.t.abs());
+        let least = T::from_f64(LEAST).max(ulps(LOWEST_REBOUND, T::from_f64(1.0)));
         let low = self
             .rebounds(of, accelerations)
             .filter(|rebound| rebound.is_low(least * sizes[rebound.of], shortest));

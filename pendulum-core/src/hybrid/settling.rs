@@ -7,14 +7,10 @@ use super::functions::sizes;
 use super::held::{add, pin};
 use super::mode::{Status, bits, set_of};
 use super::project::{apart, shift};
+use super::resolution::{AT_LIMIT, CONSISTENT, ulps};
 use super::switch::Settled;
 use super::{Hybrid, Law, MOST, Response};
 use crate::real::Float;
-
-/// Values this many ulps of the state's size about a limit are at it, where an integration starts.
-pub(super) const AT_LIMIT_ULPS: f64 = 64.0;
-/// Forces and accelerations are consistent to this many ulps of theirs.
-pub(super) const CONSISTENT_ULPS: f64 = 64.0;
 
 /// A state on its way to the next mode.
 #[derive(Clone, Copy)]
@@ -157,7 +153,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
             // what the rest of it holds rests too
             let sizes = self.sizes();
             for (n, [_, rate]) in self.system.measures(self.t, &self.x).into_iter().enumerate() {
-                let slack = T::from_f64(AT_LIMIT_ULPS) * T::EPSILON * sizes[n];
+                let slack = ulps(AT_LIMIT, sizes[n]);
                 let rests = n < constraints.len() && rate.abs() <= slack;
                 self.rest(n, rests && depends(&response.matrix, n, solved));
             }
@@ -203,7 +199,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
             for n in bits(group).filter(|&n| of_group[n] != zero) {
                 pushes[n] = self.away(n) * of_group[n];
                 stopped |= u8::from(restitution == zero) << n;
-                slack[n] = T::from_f64(CONSISTENT_ULPS) * T::EPSILON * fastest;
+                slack[n] = ulps(CONSISTENT, fastest);
             }
         }
         self.push(&response, collided, &pushes);

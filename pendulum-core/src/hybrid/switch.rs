@@ -4,7 +4,8 @@ use nalgebra::SVector;
 
 use super::functions::{BACKWARD, FORWARD, Fired, UPPER, slopes};
 use super::mode::{Hold, Mode, Status};
-use super::settling::{AT_LIMIT_ULPS, Settling};
+use super::resolution::{AT_LIMIT, ulps};
+use super::settling::Settling;
 use super::watch::Watch;
 use super::{Hybrid, MOST};
 use crate::error::Reason;
@@ -36,7 +37,7 @@ pub(crate) fn start<T: Float, const N: usize>(
     let size = x.iter().fold(T::from_f64(1.0), |size, x| size.max(x.abs()));
     let measures = system.measures(t, x);
     for (n, constraint) in system.constraints().iter().enumerate() {
-        let slack = T::from_f64(AT_LIMIT_ULPS) * T::EPSILON * size * settling.slopes[n];
+        let slack = ulps(AT_LIMIT, size * settling.slopes[n]);
         for (distance, limit, status) in settling.distances(n, &measures) {
             if distance.to_f64().is_nan() || distance < -slack {
                 let (value, limit) = (measures[n][0].to_f64(), limit.to_f64());
@@ -92,7 +93,7 @@ pub(crate) fn switch<T: Float, const N: usize>(
             }
         } else {
             settling.rest(n, fired.has(n, FORWARD));
-            let slack = T::from_f64(AT_LIMIT_ULPS) * T::EPSILON * sizes[n];
+            let slack = ulps(AT_LIMIT, sizes[n]);
             // what stands at a limit because something else holds it there, or arrives at the same time
             for (distance, _, status) in settling.distances(n, &measures) {
                 let rate = measures[n][1];

@@ -6,6 +6,7 @@ use super::functions::{BACKWARD, FORWARD, Fired, Place, Scene, UPPER, Values, re
 #[cfg(feature = "std")]
 use super::mode::Status;
 use super::mode::{Hold, Mode};
+use super::resolution::{NOISE, ulps};
 use super::{Hybrid, MOST};
 use crate::dense::Dense;
 use crate::error::Reason;
@@ -14,9 +15,6 @@ use crate::real::Float;
 #[cfg(feature = "std")]
 use crate::real::lanes::Lanes;
 use crate::statistics::Statistics;
-
-/// What leaves a limit has left it beyond this many ulps of the size of all positions.
-const NOISE_ULPS: f64 = 16.0;
 
 /// Forces are looked at so closely that none bends by more than this part of its size between three places.
 const MOST_BEND: f64 = 0.25;
@@ -334,7 +332,7 @@ impl<T: Float> Watch<T> {
                 true => scene.laws[n].sticking.max(self.sizes[n]),
                 false => self.reach[n].max(sizes[n] * self.slopes[n]),
             };
-            *noise = T::from_f64(NOISE_ULPS) * T::EPSILON * size;
+            *noise = ulps(NOISE, size);
         }
         noise
     }
