@@ -88,7 +88,7 @@ where
             Err(EnsembleError::Stopped { stopped, x }) => (x, stopped),
             Err(other) => return Err(SweepError::Invalid(other.to_string())),
         };
-        let mut stopped = stopped.into_iter().peekable();
+        let mut stopped = stopped.iter().peekable();
         let width = 1 + N + self.values.len();
         let mut chunk = Chunk::with_capacity(points.len(), width);
         trials.conclude(&mut chunk, width, |index, numbers| {

@@ -292,9 +292,11 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
             let own = shards.missing((index..shards.count).step_by(of))?;
             let rows = own.iter().map(|&n| shards.rows(n).len()).sum();
             let progress = self.progress(rows);
-            let failures = self.in_threads(|| {
-                let shard = |&n: &usize| self.write(shards, n, &progress);
-                own.par_iter().map(shard).try_reduce(|| 0, |a, b| Ok(a + b))
+            let failures = shards.flushed(|| {
+                self.in_threads(|| {
+                    let shard = |&n: &usize| self.write(shards, n, &progress);
+                    own.par_iter().map(shard).try_reduce(|| 0, |a, b| Ok(a + b))
+                })
             })?;
             if of == 1 {
                 shards.merge()?;
@@ -344,11 +346,13 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
             } else {
                 ProgressBar::hidden()
             };
-            ranks.share(missing, &progress, |n| {
-                let rows = shards.rows(n).len();
-                let failed = self.in_threads(|| self.write(shards, n, &ProgressBar::hidden()))?;
-                (computed, failures) = (computed + rows, failures + failed);
-                Ok(rows)
+            shards.flushed(|| {
+                ranks.share(missing, &progress, |n| {
+                    let rows = shards.rows(n).len();
+                    let failed = self.in_threads(|| self.write(shards, n, &ProgressBar::hidden()))?;
+                    (computed, failures) = (computed + rows, failures + failed);
+                    Ok(rows)
+                })
             })?;
             (computed, failures) = (ranks.sum(computed), ranks.sum(failures));
             if ranks.is_first() {

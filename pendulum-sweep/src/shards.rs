@@ -12,6 +12,9 @@ use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
+use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
+use std::thread;
+use std::time::Duration;
 
 use serde_json::Value;
 
@@ -168,6 +171,34 @@ impl<'p> Shards<'p> {
         let mut file = OpenOptions::new().write(true).open(&self.numbers)?;
         file.seek(SeekFrom::Start(self.place(n)))?;
         file.write_all(numbers)
+    }
+
+    /// Does something that writes shards, while what is written goes to the disk. At the end nothing waits for the disk,
+    /// and however long it takes, the memory of the system is not full of it.
+    pub(crate) fn flushed<R>(&self, work: impl FnOnce() -> Result<R, SweepError>) -> Result<R, SweepError> {
+        let (done, until) = mpsc::channel();
+        let (result, flushed) = thread::scope(|scope| {
+            let flushed = scope.spawn(|| self.flush(until));
+            let result = work();
+            drop(done);
+            (result, flushed.join())
+        });
+        let result = result?;
+        let flushed = flushed.unwrap_or_else(|_| Err(io::Error::other("the thread that writes to it has panicked")));
+        flushed.map_err(SweepError::file(&self.numbers))?;
+        Ok(result)
+    }
+
+    /// Writes to the disk, again and again, what there is.
+    fn flush(&self, until: Receiver<()>) -> io::Result<()> {
+        const PERIOD: Duration = Duration::from_secs(1);
+        let file = OpenOptions::new().write(true).open(&self.numbers)?;
+        while let Err(RecvTimeoutError::Timeout) = until.recv_timeout(PERIOD) {
+            file.sync_data()?;
+            #[cfg(target_os = "linux")]
+            rustix::fs::fadvise(&file, 0, None, rustix::fs::Advice::DontNeed)?;
+        }
+        Ok(())
     }
 
     /// The numbers of a shard, as far as they are there.
