@@ -217,6 +217,11 @@ fn the_stiff_beside_the_free() {
     for tolerance in [1e-3, 1e-6, 1e-9] {
         let method = Auto::new().rtol(tolerance).atol(tolerance);
         assert_ensemble(method, &models, (0.0, 4.0), &starts);
+        let swings = || Event::new(|_, x: &SVector<f64, 2>| x[1]);
+        let hangs = Event::new(|t, x: &SVector<f64, 2>| if t > 1.0 { x[0].abs() - 0.1 } else { 1.0 });
+        // those with the last go out of their lanes on the way
+        let events = [[swings(), swings().rising()], [swings(), hangs.terminal()]];
+        assert_observed(method, &models, (0.0, 2.0), &starts, &events);
         let switches = |n: usize| {
             let alone = method.solve(&models[n], 0.0, 4.0, starts[n]).expect("regular");
             alone.statistics().switches
@@ -634,6 +639,7 @@ fn observers_see_what_solutions_keep() {
     let never = || Event::new(|_, _: &SVector<f64, 2>| 1.0);
     assert_observed(Tsit5::new(), &jolted, (0.0, 3.0), &starts, &[[never(), never()]]);
     assert_observed(Rodas5P::new(), &jolted, (0.0, 3.0), &starts, &[[never(), never()]]);
+    assert_observed(Auto::new(), &jolted, (0.0, 3.0), &starts, &[[never(), never()]]);
     // an event that is not a number, from the start on and on the way
     let nowhere = |from: f64| Event::new(move |t: f64, _: &SVector<f64, 2>| if t < from { 1.0 } else { f64::NAN });
     let events = [[never(), never()], [never(), nowhere(0.0)], [never(), nowhere(1.5)]];
@@ -644,6 +650,7 @@ fn observers_see_what_solutions_keep() {
     let never = || Event::new(|_, _: &SVector<f64, 1>| 1.0);
     assert_observed(Tsit5::new(), &models, (0.0, 2.0), &starts, &[[never(), never()]]);
     assert_observed(Rodas5P::new(), &models, (0.0, 2.0), &starts, &[[never(), never()]]);
+    assert_observed(Auto::new(), &models, (0.0, 2.0), &starts, &[[never(), never()]]);
 }
 
 /// Looks at every third step.

@@ -116,6 +116,24 @@ pub struct March<'a, F, M, T, W, const N: usize> {
     watch: W,
 }
 
+impl<F, M, T, W, const N: usize> March<'_, F, M, T, W, N> {
+    /// The same by another method.
+    pub(super) fn by<'b, G>(self, method: &'b Adaptive<G>) -> March<'b, G, M, T, W, N>
+    where
+        Self: 'b,
+    {
+        March {
+            method,
+            models: self.models,
+            span: self.span,
+            x: self.x,
+            waiting: self.waiting,
+            stopped: self.stopped,
+            watch: self.watch,
+        }
+    }
+}
+
 impl<F, M, T, W, const N: usize> March<'_, F, M, T, W, N>
 where
     F: OneStep<M::In<T>, T, N> + Estimates,
@@ -201,6 +219,7 @@ where
                     let slope = scheme.begin(&InMode::new(&system, &hold), t, &x, work);
                     for (lane, index) in members.busy(V::LANES) {
                         if members.steps[lane] == 0 {
+                            let work = scheme.work_in(lane, work);
                             self.begin(&control, &mut members, (lane, index), &in_lane(&slope, lane), work);
                         }
                     }
@@ -217,10 +236,18 @@ where
             self.plan(&mut members, &control, &x, proposed);
             let t_new = V::from_fn(|lane| members.t_new[lane]);
             let attempt = scheme.attempt(&InMode::new(&system, &hold), (t, &x), (t_new, &mut x_new), work);
-            let mut at_end = Statistics::default();
-            let slope = scheme.arrive(&InMode::new(&system, &hold), (t_new, &x_new), &mut at_end);
             if const { W::WATCHES } {
-                self.count(&members, attempt, (&x_new, slope), [work, &at_end]);
+                for (lane, index) in members.busy(V::LANES) {
+                    self.watch.work(index, &scheme.work_in(lane, work));
+                }
+            }
+            *work = Statistics::default();
+            let slope = scheme
+                .arrive(&InMode::new(&system, &hold), (t_new, &x_new), work)
+                .copied();
+            let slope = slope.as_ref();
+            if const { W::WATCHES } {
+                self.count(&members, &scheme, attempt, (&x_new, slope), work);
             }
             self.judge(&mut members, &control, &x, attempt, (&x_new, slope));
             let lanes = members.accepted::<V>();
@@ -240,25 +267,27 @@ where
         }
     }
 
-    /// Counts the work of an attempt: that of all, and that at the end where they arrive.
+    /// Counts the work at the ends of steps, where they arrive.
     #[inline(always)]
     fn count<V: Lanes<Scalar = T>>(
         &mut self,
         members: &Members<T>,
+        scheme: &F::Stages<V>,
         attempt: Result<V, Stalled>,
         (x_new, slope): (&SVector<V, N>, Option<&SVector<V, N>>),
-        [tried, at_end]: [&Statistics; 2],
+        at_end: &Statistics,
     ) {
         for (lane, index) in members.busy(V::LANES) {
             let is_finite = |v: &SVector<V, N>| v.iter().all(|v| v.lane(lane).is_finite());
             let is_within = attempt.is_ok_and(|mean_square| is_within_tolerance(mean_square.lane(lane)));
             let arrives = is_within && is_finite(x_new);
             let is_accepted = arrives && slope.is_none_or(is_finite);
-            let mut work = *tried;
+            let mut work = Statistics::default();
             if arrives {
-                work.add(at_end);
+                work = scheme.work_in(lane, at_end);
             }
             (work.accepted, work.rejected) = (usize::from(is_accepted), usize::from(!is_accepted));
+            work.stiff *= work.accepted;
             self.watch.work(index, &work);
         }
     }
@@ -279,16 +308,14 @@ where
             looks[lane] = members.is_accepted(lane) && self.watch.looks_into(index, span(lane));
         }
         let mut work = Statistics::default();
-        let coefficients = if looks[..V::LANES].contains(&true) {
-            scheme.dense(system, step, &mut work)
-        } else {
-            &[]
-        };
+        if looks[..V::LANES].contains(&true) {
+            scheme.dense(system, step, &mut work);
+        }
         for (lane, index) in members.busy(V::LANES) {
             if !members.is_accepted(lane) {
                 continue;
             }
-            let looks_into = looks[lane].then_some((coefficients, &work));
+            let looks_into = looks[lane].then(|| (scheme.coefficients_in(lane), scheme.work_in(lane, &work)));
             match show_lane(&mut self.watch, (lane, index), step, looks_into, within) {
                 Ok(None) => {}
                 Ok(Some(x)) => self.leave(members, (lane, index), x),
@@ -422,9 +449,9 @@ where
         members: &mut Members<T>,
         (lane, index): (usize, usize),
         slope: &SVector<T, N>,
-        work: &Statistics,
+        mut work: Statistics,
     ) {
-        let (x, mut work) = (self.x[index], *work);
+        let x = self.x[index];
         if let Err(component) = NonFinite::check(slope) {
             let t = members.t[lane];
             let reason = component.at_start();

@@ -285,7 +285,7 @@ where
                         self.end(index, before, Some((t, reason)));
                         continue;
                     }
-                    let looks_into = looks[lane].then_some((coefficients, &of_dense));
+                    let looks_into = looks[lane].then_some((coefficients, of_dense));
                     let after = in_lane(&x_new, lane);
                     match show_lane(&mut self.watch, (lane, index), &step, looks_into, &mut within) {
                         Ok(None) if t_new != grid.t1() => continue,

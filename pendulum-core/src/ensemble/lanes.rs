@@ -8,7 +8,7 @@ use crate::hybrid::{Hold, Hybrid, MOST};
 use crate::layout::StateLayout;
 use crate::linear::PerLane;
 use crate::method::{
-    Explicit, OneStep, PowerSeries, Rosenbrock, RosenbrockStages, SHORT, Scheme, SwitchInLanes, Switching,
+    Bounded, Explicit, OneStep, PowerSeries, Rosenbrock, RosenbrockStages, SHORT, Scheme, SwitchInLanes, SwitchingFrom,
 };
 use crate::real::Real;
 use crate::real::lanes::{LaneElement, Lanes};
@@ -217,16 +217,17 @@ impl<M: CastJacobian<N>, T: Real, const N: usize> Jacobian<T, N> for Expanded<M,
     }
 }
 
-impl<M, T, const N: usize> InLanes<M, T, N> for Switching
+impl<M, B, T, const STAGES: usize, const N: usize> InLanes<M, T, N> for SwitchingFrom<B, STAGES>
 where
     M: CastJacobian<N>,
+    B: Bounded<STAGES>,
     M::In<T>: Jacobian<T, N>,
     T: LaneElement,
 {
     const NARROW: bool = true;
     const IN_MODES: bool = false;
     type System<V: Lanes<Scalar = T>> = Expanded<M, V, N>;
-    type Stages<V: Lanes<Scalar = T>> = SwitchInLanes<V, N>;
+    type Stages<V: Lanes<Scalar = T>> = SwitchInLanes<B, V, STAGES, N>;
 
     #[inline(always)]
     fn gather<'m, V: Lanes<Scalar = T>>(models: impl Fn(usize) -> &'m M) -> Expanded<M, V, N>
@@ -242,7 +243,7 @@ where
         system: &Expanded<M, V, N>,
         tolerance: Option<Tolerance<T>>,
         _is_dense: bool,
-    ) -> Result<SwitchInLanes<V, N>, Reason> {
+    ) -> Result<SwitchInLanes<B, V, STAGES, N>, Reason> {
         SwitchInLanes::new(system, tolerance)
     }
 }

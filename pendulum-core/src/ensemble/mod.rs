@@ -31,8 +31,7 @@ use watch::Watch;
 ///
 /// Explicit methods, [`Taylor`](crate::Taylor), Rosenbrock methods and [`Auto`](crate::Auto) do so in lanes: each
 /// trajectory has one, and the next takes it where it ends. [`Radau5`](crate::Radau5) and the methods of Gauss go through
-/// the trajectories one by one, and so do Rosenbrock methods and `Auto` with [hybrid](crate::hybrid) systems, and `Auto`
-/// with observers.
+/// the trajectories one by one, and so do Rosenbrock methods and `Auto` with [hybrid](crate::hybrid) systems.
 pub trait Ensemble<M, T: LaneElement, const N: usize> {
     /// Integrates a model from each of many states at `t0` to `t1`, and returns the states there.
     ///

@@ -4,9 +4,12 @@ use super::lanes::InLanes;
 use super::watch::Watch;
 use super::{adaptive, fixed};
 use crate::error::Reason;
-use crate::method::{Estimates, Explicit, Gauss, OneStep, PowerSeries, RadauIIA, Rosenbrock, Switching};
+use crate::method::{
+    Choice, Estimates, Explicit, Gauss, OneStep, PowerSeries, RadauIIA, Rosenbrock, Switching, SwitchingFrom,
+};
 use crate::real::lanes::{Isa, LaneElement};
-use crate::system::Cast;
+use crate::system::{Cast, CastJacobian, Jacobian};
+use crate::tableau::{Tsitouras5, Verner7, Verner9};
 
 /// A kind of method that integrates many trajectories: one after the other, unless it is [`InLanes`].
 pub trait Together<M: Cast<N>, T: LaneElement, const N: usize>: OneStep<M::In<T>, T, N> + Sized {
@@ -76,22 +79,21 @@ in_lanes! {
     [] PowerSeries;
 }
 
-/// Lanes have no dense output of it.
 impl<M, T, const N: usize> Together<M, T, N> for Switching
 where
-    M: Cast<N>,
+    M: CastJacobian<N>,
+    M::In<T>: Jacobian<T, N>,
     T: LaneElement,
-    Self: InLanes<M, T, N>,
 {
     fn within_tolerance<W>(isa: Isa, march: adaptive::March<'_, Self, M, T, W, N>) -> Result<(), Reason>
     where
         W: Watch<T, N>,
     {
-        if const { W::WATCHES } {
-            march.one_by_one();
-            Ok(())
-        } else {
-            isa.run(march)
+        let method = march.method;
+        match Choice::within(Some(&method.tolerance::<T>()?)) {
+            Choice::Tsit5 => isa.run(march.by(&method.by(SwitchingFrom::<Tsitouras5, 7>::new()))),
+            Choice::Vern7 => isa.run(march.by(&method.by(SwitchingFrom::<Verner7, 11>::new()))),
+            Choice::Vern9 => isa.run(march.by(&method.by(SwitchingFrom::<Verner9, 17>::new()))),
         }
     }
 }

@@ -60,7 +60,7 @@ pub(super) fn show_lane<V: Lanes, W: Watch<V::Scalar, N>, const N: usize>(
     watch: &mut W,
     (lane, index): (usize, usize),
     step: &Step<V, N>,
-    looks_into: Option<(&[SVector<V, N>], &Statistics)>,
+    looks_into: Option<(&[SVector<V, N>], Statistics)>,
     within: &mut Vec<SVector<V::Scalar, N>>,
 ) -> Result<Option<SVector<V::Scalar, N>>, Reason> {
     let end = |t: V, x: &SVector<V, N>| (t.lane(lane), in_lane(x, lane));
@@ -70,7 +70,7 @@ pub(super) fn show_lane<V: Lanes, W: Watch<V::Scalar, N>, const N: usize>(
         for coefficient in coefficients {
             within.push(in_lane(coefficient, lane));
         }
-        watch.work(index, work);
+        watch.work(index, &work);
     }
     watch.see(index, &Dense::new(step, within))
 }

@@ -59,6 +59,29 @@ impl<F> Adaptive<F> {
         }
     }
 
+    /// The same settings for another kind of method.
+    #[cfg(feature = "std")]
+    pub(crate) fn by<G>(&self, family: G) -> Adaptive<G> {
+        let Self {
+            rtol,
+            atol,
+            h0,
+            h_min,
+            h_max,
+            max_steps,
+            ..
+        } = *self;
+        Adaptive {
+            rtol,
+            atol,
+            h0,
+            h_min,
+            h_max,
+            max_steps,
+            family,
+        }
+    }
+
     /// The relative tolerance, at least 10 ulps of the number type and below 1. Default: 1e-6, in `f32` 1.2e-5 (100
     /// ulps).
     #[must_use]

@@ -14,10 +14,9 @@ use crate::method::rosenbrock::{self, RosenbrockStages};
 use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::{Adaptive, Explicit, Rosenbrock};
 use crate::real::Float;
-use crate::real::lanes::Lanes;
 use crate::statistics::Statistics;
 use crate::system::{Jacobian, System};
-use crate::tableau::{self, Tsitouras5, Verner7, Verner9};
+use crate::tableau::{self, Tableau, Tsitouras5, Verner7, Verner9};
 
 /// An explicit method that switches to [`Rodas5P`](crate::Rodas5P) where the system is stiff; see [`Adaptive`] for its
 /// settings.
@@ -50,7 +49,7 @@ use crate::tableau::{self, Tsitouras5, Verner7, Verner9};
 pub type Auto = Adaptive<Switching>;
 
 #[cfg(feature = "std")]
-pub use in_lanes::SwitchInLanes;
+pub(crate) use in_lanes::{SwitchInLanes, SwitchingFrom};
 
 /// The kind of method that [`Auto`] is.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
@@ -174,9 +173,49 @@ impl Stiffness {
     }
 }
 
+/// An explicit method whose limit of stability is known.
+pub(crate) trait Bounded<const STAGES: usize>: Tableau<STAGES> {
+    /// The limit of stability on the negative real axis.
+    const LIMIT: f64;
+}
+
+impl Bounded<7> for Tsitouras5 {
+    const LIMIT: f64 = 3.5;
+}
+
+impl Bounded<11> for Verner7 {
+    const LIMIT: f64 = 4.6;
+}
+
+impl Bounded<17> for Verner9 {
+    const LIMIT: f64 = 4.4;
+}
+
+/// Which method is the explicit one.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Choice {
+    Tsit5,
+    Vern7,
+    Vern9,
+}
+
+impl Choice {
+    /// That for a tolerance.
+    pub(crate) fn within<T: Float>(tolerance: Option<&Tolerance<T>>) -> Self {
+        let least = tolerance.map_or(0.0, |tolerance| tolerance.rtol.max(tolerance.atol).to_f64());
+        if least > LOOSE {
+            Self::Tsit5
+        } else if least > MIDDLE {
+            Self::Vern7
+        } else {
+            Self::Vern9
+        }
+    }
+}
+
 /// The explicit method.
 #[derive(Clone, Debug)]
-pub(crate) enum Free<T, const N: usize> {
+enum Free<T, const N: usize> {
     Tsit5(ExplicitStages<Tsitouras5, T, 7, N>),
     Vern7(ExplicitStages<Verner7, T, 11, N>),
     Vern9(ExplicitStages<Verner9, T, 17, N>),
@@ -196,30 +235,25 @@ macro_rules! explicit {
 #[cfg(feature = "std")]
 mod in_lanes;
 
-impl<T: Lanes, const N: usize> Free<T, N> {
+impl<T: Float, const N: usize> Free<T, N> {
     /// That for a tolerance.
-    pub(crate) fn new<S>(system: &S, tolerance: Option<Tolerance<T::Scalar>>) -> Result<Self, Reason>
+    fn new<S>(system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self, Reason>
     where
         S: System<T, N> + ?Sized,
     {
-        let least = tolerance
-            .as_ref()
-            .map_or(0.0, |tolerance| tolerance.rtol.max(tolerance.atol).to_f64());
-        Ok(if least > LOOSE {
-            Self::Tsit5(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
-        } else if least > MIDDLE {
-            Self::Vern7(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
-        } else {
-            Self::Vern9(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?)
+        Ok(match Choice::within(tolerance.as_ref()) {
+            Choice::Tsit5 => Self::Tsit5(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?),
+            Choice::Vern7 => Self::Vern7(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?),
+            Choice::Vern9 => Self::Vern9(OneStep::<S, T, N>::scheme(&Explicit::new(), system, tolerance)?),
         })
     }
 
-    /// The limit of stability on the negative real axis.
-    pub(crate) fn limit(&self) -> f64 {
+    /// Its limit of stability.
+    fn limit(&self) -> f64 {
         match self {
-            Self::Tsit5(_) => 3.5,
-            Self::Vern7(_) => 4.6,
-            Self::Vern9(_) => 4.4,
+            Self::Tsit5(_) => Tsitouras5::LIMIT,
+            Self::Vern7(_) => Verner7::LIMIT,
+            Self::Vern9(_) => Verner9::LIMIT,
         }
     }
 }

@@ -64,9 +64,9 @@ pub(crate) use {
 
 pub use crate::control::{Estimates, Tolerance};
 pub use adaptive::Adaptive;
-#[cfg(feature = "std")]
-pub use auto::SwitchInLanes;
 pub use auto::{Auto, Switching};
+#[cfg(feature = "std")]
+pub(crate) use auto::{Bounded, Choice, SwitchInLanes, SwitchingFrom};
 pub use explicit::Explicit;
 pub use fixed::Fixed;
 pub use gauss::Gauss;

@@ -95,6 +95,19 @@ pub trait Scheme<S: ?Sized, T: Lanes, const N: usize>: Clone {
 
     /// What [`dense`](Self::dense) found for the last step.
     fn coefficients(&self) -> &[SVector<T, N>];
+
+    /// The same in a lane, of which others may have fewer or more.
+    #[inline(always)]
+    fn coefficients_in(&self, _lane: usize) -> &[SVector<T, N>] {
+        self.coefficients()
+    }
+
+    /// A lane's part of the `work` that was counted last: to [begin](Self::begin), to [prepare](Self::prepare) and
+    /// [attempt](Self::attempt), to [arrive](Self::arrive), or for [`dense`](Self::dense).
+    #[inline(always)]
+    fn work_in(&self, _lane: usize, work: &Statistics) -> Statistics {
+        *work
+    }
 }
 
 /// Which lanes accept a step.

@@ -1,47 +1,91 @@
 //! Many trajectories side by side, some of which are stiff.
 
+use std::marker::PhantomData;
+
 use nalgebra::SVector;
 
-use super::{Free, Stiffness, fastest_rate};
-use crate::control::Tolerance;
+use super::{Bounded, Stiffness, Switch, Switching, fastest_rate};
+use crate::control::{Estimates, Tolerance};
 use crate::dense::Step;
 use crate::ensemble::{MOST_LANES, in_lane, set_lane};
 use crate::error::Reason;
 use crate::hybrid::InMode;
 use crate::linear::PerLane;
+use crate::method::Explicit;
+use crate::method::explicit::ExplicitStages;
 use crate::method::rosenbrock::RosenbrockStages;
-use crate::method::scheme::{Accepted, Scheme, Stalled};
+use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};
 use crate::statistics::Statistics;
 use crate::system::{Jacobian, System};
 use crate::tableau::Steinebach5;
 
+/// [`Switching`] from an explicit method that is known beforehand: the code of three would be too long for the stack of
+/// a thread where nothing is optimised.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct SwitchingFrom<B, const STAGES: usize>(PhantomData<B>);
+
+impl<B: Bounded<STAGES>, const STAGES: usize> SwitchingFrom<B, STAGES> {
+    pub(crate) fn new() -> Self {
+        Self(PhantomData)
+    }
+}
+
+impl<B, S, T, const STAGES: usize, const N: usize> OneStep<S, T, N> for SwitchingFrom<B, STAGES>
+where
+    S: Jacobian<T, N> + ?Sized,
+    T: Float,
+{
+    type Scheme = Switch<T, N>;
+
+    fn scheme(&self, system: &S, tolerance: Option<Tolerance<T>>) -> Result<Self::Scheme, Reason> {
+        Switching.scheme(system, tolerance)
+    }
+}
+
+impl<B, const STAGES: usize> Estimates for SwitchingFrom<B, STAGES> {}
+
 /// Both methods in lanes, each of which has one at work. Where lanes differ, both take a step in all of them.
-///
-/// It has no dense output: trajectories that are seen go one by one.
 #[derive(Clone, Debug)]
-pub struct SwitchInLanes<V: Lanes, const N: usize> {
-    explicit: Free<V, N>,
+pub(crate) struct SwitchInLanes<B, V: Lanes, const STAGES: usize, const N: usize> {
+    explicit: ExplicitStages<B, V, STAGES, N>,
     implicit: RosenbrockStages<Steinebach5, V, 8, N, PerLane<V, N>>,
     stiffness: [Stiffness; MOST_LANES],
     /// The directions of the fastest change, for power iteration.
     fastest: SVector<V, N>,
     /// The derivatives where both methods arrived.
     slope: SVector<V, N>,
+    work: Work,
 }
 
-impl<V: Lanes, const N: usize> SwitchInLanes<V, N> {
+/// The work that was counted last, of both methods.
+#[derive(Clone, Copy, Debug, Default)]
+struct Work {
+    explicit: Statistics,
+    implicit: Statistics,
+    /// That of lanes which changed to them before.
+    of_change: [Statistics; 2],
+    /// A bit for each lane that did.
+    changed: u64,
+}
+
+impl<B, V, const STAGES: usize, const N: usize> SwitchInLanes<B, V, STAGES, N>
+where
+    B: Bounded<STAGES>,
+    V: Lanes,
+{
     pub(crate) fn new<S>(system: &S, tolerance: Option<Tolerance<V::Scalar>>) -> Result<Self, Reason>
     where
         S: System<V, N> + ?Sized,
     {
         Ok(Self {
-            explicit: Free::new(system, tolerance)?,
+            explicit: Explicit::new().scheme(system, tolerance)?,
             implicit: RosenbrockStages::new(tolerance),
             stiffness: [Stiffness::default(); MOST_LANES],
             fastest: SVector::from_element(V::from_f64(1.0)),
             slope: SVector::from_element(V::default()),
+            work: Work::default(),
         })
     }
 
@@ -49,6 +93,13 @@ impl<V: Lanes, const N: usize> SwitchInLanes<V, N> {
     #[inline(always)]
     fn at_work(&self) -> [bool; 2] {
         [false, true].map(|is_stiff| self.stiffness[..V::LANES].iter().any(|own| own.is_stiff == is_stiff))
+    }
+
+    /// The end of an explicit step from `t` to `t_new`: its start in lanes that are stiff, in which it would go astray, to
+    /// angles whose sines take long.
+    #[inline(always)]
+    fn end_of_free(&self, t: V, t_new: V) -> V {
+        self.stiff().select(&[t].into(), &[t_new].into())[0]
     }
 
     /// The lanes that are stiff.
@@ -59,15 +110,16 @@ impl<V: Lanes, const N: usize> SwitchInLanes<V, N> {
     }
 }
 
-impl<S, V, const N: usize> Scheme<S, V, N> for SwitchInLanes<V, N>
+impl<B, S, V, const STAGES: usize, const N: usize> Scheme<S, V, N> for SwitchInLanes<B, V, STAGES, N>
 where
+    B: Bounded<STAGES>,
     S: Jacobian<V, N> + ?Sized,
     V: Lanes,
 {
     const ORDERS_DIFFER: bool = true;
 
     fn error_order(&self) -> usize {
-        explicit!(&self.explicit, stages => Scheme::<S, V, N>::error_order(stages))
+        Scheme::<S, V, N>::error_order(&self.explicit)
     }
 
     fn error_order_in(&self, lane: usize) -> usize {
@@ -84,30 +136,37 @@ where
         set_lane(&mut self.fastest, lane, &ones);
     }
 
+    // Work is counted for each lane.
     #[inline(always)]
-    fn begin(&mut self, system: &InMode<'_, S, V>, t: V, x: &SVector<V, N>, work: &mut Statistics) -> SVector<V, N> {
+    fn begin(&mut self, system: &InMode<'_, S, V>, t: V, x: &SVector<V, N>, _work: &mut Statistics) -> SVector<V, N> {
+        self.work = Work::default();
         if let [_, true] = self.at_work() {
-            self.implicit.begin(system, t, x, work);
+            self.implicit.begin(system, t, x, &mut self.work.implicit);
         }
         // those that enter are not known to be stiff
-        explicit!(&mut self.explicit, stages => stages.begin(system, t, x, work))
+        self.explicit.begin(system, t, x, &mut self.work.explicit)
     }
 
     #[inline(always)]
-    fn prepare(&mut self, system: &InMode<'_, S, V>, t: V, x: &SVector<V, N>, work: &mut Statistics) -> Option<V> {
+    fn prepare(&mut self, system: &InMode<'_, S, V>, t: V, x: &SVector<V, N>, _work: &mut Statistics) -> Option<V> {
+        self.work = Work::default();
         let mut begins = [false; 2];
-        for own in &mut self.stiffness[..V::LANES] {
+        for (lane, own) in self.stiffness[..V::LANES].iter_mut().enumerate() {
             if own.changes {
                 own.is_stiff = !own.is_stiff;
                 own.begin();
                 begins[usize::from(own.is_stiff)] = true;
+                self.work.changed |= 1 << lane;
             }
         }
+        let [to_explicit, to_implicit] = &mut self.work.of_change;
         if begins[0] {
-            explicit!(&mut self.explicit, stages => stages.begin(system, t, x, work));
+            to_explicit.switches += 1;
+            self.explicit.begin(system, t, x, to_explicit);
         }
         if begins[1] {
-            self.implicit.begin(system, t, x, work);
+            to_implicit.switches += 1;
+            self.implicit.begin(system, t, x, to_implicit);
         }
         None
     }
@@ -118,15 +177,16 @@ where
         system: &InMode<'_, S, V>,
         start: (V, &SVector<V, N>),
         (t_new, x_new): (V, &mut SVector<V, N>),
-        work: &mut Statistics,
+        _work: &mut Statistics,
     ) -> Result<V, Stalled> {
         let [some_free, some_stiff] = self.at_work();
         let mut error = V::default();
         if some_free {
-            error = explicit!(&mut self.explicit, stages => stages.attempt(system, start, (t_new, x_new), work))?;
+            let (t_new, work) = (self.end_of_free(start.0, t_new), &mut self.work.explicit);
+            error = self.explicit.attempt(system, start, (t_new, x_new), work)?;
         }
         if some_stiff {
-            let mut x_stiff = *x_new;
+            let (mut x_stiff, work) = (*x_new, &mut self.work.implicit);
             let of_stiff = self.implicit.attempt(system, start, (t_new, &mut x_stiff), work)?;
             let stiff = self.stiff();
             *x_new = stiff.select(&x_stiff, x_new);
@@ -140,14 +200,17 @@ where
         &mut self,
         system: &InMode<'_, S, V>,
         end: (V, &SVector<V, N>),
-        work: &mut Statistics,
+        _work: &mut Statistics,
     ) -> Option<&SVector<V, N>> {
+        self.work = Work::default();
         let [some_free, some_stiff] = self.at_work();
         if some_free {
-            let slope = explicit!(&mut self.explicit, stages => stages.arrive(system, end, work));
-            self.slope = slope.copied()?;
+            let work = &mut self.work.explicit;
+            self.slope = self.explicit.arrive(system, end, work).copied()?;
         }
         if some_stiff {
+            let work = &mut self.work.implicit;
+            work.stiff = 1;
             let slope = self.implicit.arrive(system, end, work).copied()?;
             self.slope = self.stiff().select(&slope, &self.slope);
         }
@@ -157,18 +220,17 @@ where
     #[inline(always)]
     fn accept(&mut self, system: &InMode<'_, S, V>, step: &Step<V, N>, lanes: Accepted<V>, work: &mut Statistics) {
         let [some_free, some_stiff] = self.at_work();
-        let limit = self.explicit.limit();
         let is_accepted = |lane: usize| match lanes {
             Accepted::All => true,
             Accepted::Negative(sign) => sign.lane(lane) < V::Scalar::default(),
         };
         if some_free {
             // before it is accepted: then the first stage is that of the next step
-            let measured = explicit!(&self.explicit, stages => stages.stiffness(step.h));
-            explicit!(&mut self.explicit, stages => stages.accept(system, step, lanes, work));
+            let measured = self.explicit.stiffness(step.h);
+            self.explicit.accept(system, step, lanes, work);
             for (lane, own) in self.stiffness[..V::LANES].iter_mut().enumerate() {
                 if !own.is_stiff && is_accepted(lane) {
-                    own.after_explicit(measured.lane(lane).to_f64(), limit);
+                    own.after_explicit(measured.lane(lane).to_f64(), B::LIMIT);
                 }
             }
         }
@@ -180,17 +242,52 @@ where
                     let mut fastest = in_lane(&self.fastest, lane);
                     let rate = fastest_rate(&jacobian, &mut fastest);
                     set_lane(&mut self.fastest, lane, &fastest);
-                    own.after_implicit((step.h.lane(lane).abs() * rate).to_f64(), limit);
+                    own.after_implicit((step.h.lane(lane).abs() * rate).to_f64(), B::LIMIT);
                 }
             }
         }
     }
 
-    fn dense(&mut self, _system: &InMode<'_, S, V>, _step: &Step<V, N>, _work: &mut Statistics) -> &[SVector<V, N>] {
+    #[inline(always)]
+    fn dense(&mut self, system: &InMode<'_, S, V>, step: &Step<V, N>, _work: &mut Statistics) -> &[SVector<V, N>] {
+        self.work = Work::default();
+        let [some_free, some_stiff] = self.at_work();
+        if some_free {
+            let t1 = self.end_of_free(step.t0, step.t1);
+            let step = Step::new((step.t0, step.x0), (t1, step.x1));
+            self.explicit.dense(system, &step, &mut self.work.explicit);
+        }
+        if some_stiff {
+            self.implicit.dense(system, step, &mut self.work.implicit);
+        }
+        // each lane has its own
         &[]
     }
 
     fn coefficients(&self) -> &[SVector<V, N>] {
         &[]
+    }
+
+    #[inline(always)]
+    fn coefficients_in(&self, lane: usize) -> &[SVector<V, N>] {
+        if self.stiffness[lane].is_stiff {
+            Scheme::<S, V, N>::coefficients(&self.implicit)
+        } else {
+            Scheme::<S, V, N>::coefficients(&self.explicit)
+        }
+    }
+
+    #[inline(always)]
+    fn work_in(&self, lane: usize, _work: &Statistics) -> Statistics {
+        let [to_explicit, to_implicit] = &self.work.of_change;
+        let (mut own, change) = if self.stiffness[lane].is_stiff {
+            (self.work.implicit, to_implicit)
+        } else {
+            (self.work.explicit, to_explicit)
+        };
+        if self.work.changed >> lane & 1 == 1 {
+            own.add(change);
+        }
+        own
     }
 }
