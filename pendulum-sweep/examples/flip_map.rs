@@ -22,6 +22,9 @@ mechanism! {
         shape arm { solids: [rod(1, [0, 0, 0], [0, -1, 0])] }
         body upper on ground: arm { joint: revolute(z), coordinate: theta1 }
         body lower on upper: arm { joint: revolute(z) at [0, -1, 0], coordinate: theta2 absolute }
+        // zero where the rod points straight up
+        event upper_flips: cos(theta1/2),
+        event lower_flips: cos(theta2/2),
     }
 }
 
@@ -36,13 +39,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         .trajectories(Taylor::new().rtol(1e-8).atol(1e-8), (0.0, T_END), |[lower, upper]| {
             Ok((Rods::new(RodsParams {})?, [upper, lower, 0.0, 0.0]))
         })
-        // the cosine of half an angle vanishes where its rod points straight up
-        .event("upper flips", |_| {
-            Event::new(|_, x: &SVector<f64, 4>| (0.5 * x[Rods::THETA1]).cos()).terminal()
-        })
-        .event("lower flips", |_| {
-            Event::new(|_, x: &SVector<f64, 4>| (0.5 * x[Rods::THETA2]).cos()).terminal()
-        })
+        .event("upper flips", |rods| rods.upper_flips_event().terminal())
+        .event("lower flips", |rods| rods.lower_flips_event().terminal())
         .in_lanes()
         .main(&file)?;
     if !Path::new(&file).exists() {

@@ -64,15 +64,16 @@ where
     M: Cast<N>,
 {
     fn columns(&self, sweep: &Sweep<K>) -> Vec<Column> {
-        let layout = first_layout(sweep, |point| Some((self.trial)(point).ok()?.0.cast::<f64>().layout()));
+        let layout = first_trial(sweep, &self.trial).and_then(|(model, _)| model.cast::<f64>().layout());
         let mut columns = vec![Column::new("t", "s")];
         columns.extend(of_state::<N>(layout));
         columns.extend(self.values.iter().map(|(column, _)| column.clone()));
         columns
     }
 
-    fn declaration(&self) -> Value {
-        json!({ "ends": format!("{:?}", self.method), "span": self.span })
+    fn declaration(&self, sweep: &Sweep<K>) -> Value {
+        let first = first_trial(sweep, &self.trial).map(|(model, start)| (model.cast::<f64>(), start));
+        json!({ "ends": format!("{:?}", self.method), "span": self.span, "first": of_first(first, self.span.0) })
     }
 
     fn chunk(&self) -> usize {
@@ -154,12 +155,23 @@ impl<M, const N: usize> Trials<M, N> {
     }
 }
 
-/// The layout of the first point that has a model.
-pub(crate) fn first_layout<const K: usize>(
+/// The model and the start of the first point that has them.
+pub(crate) fn first_trial<M, const K: usize, const N: usize>(
     sweep: &Sweep<K>,
-    layout: impl Fn([f64; K]) -> Option<Option<&'static StateLayout>>,
-) -> Option<&'static StateLayout> {
-    (0..sweep.points()).find_map(|row| layout(sweep.point(row))).flatten()
+    trial: impl Fn([f64; K]) -> Result<(M, [f64; N]), Failure>,
+) -> Option<(M, SVector<f64, N>)> {
+    let mut trials = (0..sweep.points()).filter_map(|row| trial(sweep.point(row)).ok());
+    trials.next().map(|(model, start)| (model, start.into()))
+}
+
+/// The first start, and the derivative somewhere beside it, where nothing rests: they tell scenes apart that differ in
+/// their numbers.
+pub(crate) fn of_first<S: System<f64, N>, const N: usize>(first: Option<(S, SVector<f64, N>)>, t0: f64) -> Value {
+    first.map_or(Value::Null, |(system, start)| {
+        let beside = SVector::from_fn(|n, _| start[n] + 0.1 * (n + 1) as f64);
+        let derivative = system.rhs(t0 + 0.1, &beside);
+        json!({ "start": start.as_slice(), "derivative beside it": derivative.as_slice() })
+    })
 }
 
 /// The components of a state, by number where their names are not known.

@@ -20,7 +20,7 @@ pub enum SweepError {
     Other {
         /// Where.
         path: PathBuf,
-        /// The parts of the declarations that differ.
+        /// Where the declarations differ, and how.
         differs: Vec<String>,
     },
     /// A device could not be used, or not for this.
@@ -59,9 +59,9 @@ impl fmt::Display for SweepError {
             Self::File(path, error) => write!(f, "{}: {error}", path.display()),
             Self::Other { path, differs } => write!(
                 f,
-                "{} holds another sweep, with another {}; remove it, or give this one another name",
+                "{} holds another sweep; remove it, or give this one another name. It has\n  {}",
                 path.display(),
-                differs.join(" and ")
+                differs.join("\n  ")
             ),
             Self::Incomplete { present, of, missing } => write!(
                 f,

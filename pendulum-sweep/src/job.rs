@@ -28,7 +28,7 @@ pub trait Task<const K: usize>: Sync {
 
     /// What the results depend on besides the points, as far as it can be said: a sweep is gone on with where this is
     /// the same.
-    fn declaration(&self) -> Value;
+    fn declaration(&self, sweep: &Sweep<K>) -> Value;
 
     /// The results at some points.
     ///
@@ -430,7 +430,7 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         let declaration = json!({
             "name": self.sweep.name,
             "design": self.sweep.declaration(),
-            "task": self.task.declaration(),
+            "task": self.task.declaration(&self.sweep),
             "columns": columns.iter().map(|column| json!([column.name, column.unit])).collect::<Vec<_>>(),
             "size of shards": self.rows_of_shard(),
             "version": self.version,
@@ -514,7 +514,7 @@ where
         self.columns.to_vec()
     }
 
-    fn declaration(&self) -> Value {
+    fn declaration(&self, _sweep: &Sweep<K>) -> Value {
         json!("each")
     }
 

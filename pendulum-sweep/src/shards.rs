@@ -248,16 +248,50 @@ impl<'p> Shards<'p> {
         if other == self.empty.declaration {
             return Ok(());
         }
-        let [own, other] =
-            [self.empty.declaration.as_str(), other].map(|text| serde_json::from_str(text).unwrap_or(Value::Null));
-        let parts = own
-            .as_object()
-            .into_iter()
-            .flatten()
-            .filter(|(part, value)| other.get(part) != Some(value));
-        let differs = parts.map(|(part, _)| part.clone()).collect();
+        let read = |text: &str| serde_json::from_str(text).unwrap_or(Value::Null);
+        let mut differs = Vec::new();
+        differences("", (&read(&self.empty.declaration), &read(other)), &mut differs);
         let path = path.to_owned();
         Err(SweepError::Other { path, differs })
+    }
+}
+
+/// Where another declaration differs from the own one, and how.
+fn differences(place: &str, (own, other): (&Value, &Value), differs: &mut Vec<String>) {
+    match (own, other) {
+        (Value::Object(own), Value::Object(other)) => {
+            let added = other.keys().filter(|key| !own.contains_key(*key));
+            for key in own.keys().chain(added) {
+                let of = |object: &serde_json::Map<String, Value>| object.get(key).cloned().unwrap_or_default();
+                let place = if place.is_empty() {
+                    key
+                } else {
+                    &format!("{place}.{key}")
+                };
+                differences(place, (&of(own), &of(other)), differs);
+            }
+        }
+        (Value::Array(own), Value::Array(other)) if own.len() == other.len() => {
+            for (n, pair) in own.iter().zip(other).enumerate() {
+                differences(&format!("{place}[{n}]"), pair, differs);
+            }
+        }
+        _ if own == other => {}
+        _ => {
+            let [own, other] = [own, other].map(shortened);
+            differs.push(format!("{place}: {other} in place of {own}"));
+        }
+    }
+}
+
+/// A value as text, of which much is left out.
+fn shortened(value: &Value) -> String {
+    const MOST: usize = 120;
+    let text = value.to_string();
+    match text.char_indices().nth(MOST) {
+        Some((end, _)) => format!("{}..", &text[..end]),
+        None if value.is_null() => "nothing".to_owned(),
+        None => text,
     }
 }
 

@@ -5,12 +5,12 @@ use std::fmt::Debug;
 use pendulum_core::dense::Dense;
 use pendulum_core::nalgebra::SVector;
 use pendulum_core::{
-    Cast, EnsembleError, Event, Method, ObservedEnsemble, Observer, Occurrence, Reason, Solution, StateLayout, System,
+    Cast, EnsembleError, Event, Method, ObservedEnsemble, Observer, Occurrence, Reason, Solution, System,
 };
 use serde_json::{Value, json};
 
 use crate::design::Sweep;
-use crate::ends::{Quantity, Trials, first_layout, of_state};
+use crate::ends::{Quantity, Trials, first_trial, of_first, of_state};
 use crate::error::SweepError;
 use crate::job::{Chunk, Failure, Job, Task};
 use crate::table::Column;
@@ -25,7 +25,6 @@ pub struct Trajectories<X, F, M, const N: usize> {
     trial: F,
     kept: Vec<Kept<M, N>>,
     events: Vec<EventOf<M, N>>,
-    layout: fn(&M) -> Option<&'static StateLayout>,
     follow: Follow<X, M, N>,
     /// How many are followed together.
     together: usize,
@@ -101,7 +100,6 @@ impl<const K: usize> Sweep<K> {
             trial,
             kept: Vec::new(),
             events: Vec::new(),
-            layout: M::layout,
             follow: one_by_one,
             together: 1,
         })
@@ -182,10 +180,11 @@ impl<X, F, M, const K: usize, const N: usize> Task<K> for Trajectories<X, F, M, 
 where
     F: Fn([f64; K]) -> Result<(M, [f64; N]), Failure> + Sync,
     X: Debug + Sync,
+    M: System<f64, N>,
 {
     fn columns(&self, sweep: &Sweep<K>) -> Vec<Column> {
-        let layout = first_layout(sweep, |point| Some((self.layout)(&(self.trial)(point).ok()?.0)));
-        let state = of_state::<N>(layout);
+        let first = first_trial(sweep, &self.trial);
+        let state = of_state::<N>(first.and_then(|(model, _)| model.layout()));
         let mut columns = vec![Column::new("t", "s")];
         columns.extend(state.iter().cloned());
         for kept in &self.kept {
@@ -203,8 +202,9 @@ where
         columns
     }
 
-    fn declaration(&self) -> Value {
-        json!({ "trajectories": format!("{:?}", self.method), "span": self.span })
+    fn declaration(&self, sweep: &Sweep<K>) -> Value {
+        let first = of_first(first_trial(sweep, &self.trial), self.span.0);
+        json!({ "trajectories": format!("{:?}", self.method), "span": self.span, "first": first })
     }
 
     fn run(&self, points: &[[f64; K]]) -> Result<Chunk, SweepError> {

@@ -47,12 +47,16 @@ fn method() -> Tsit5 {
 type Trial = fn([f64; 2]) -> Result<(Rods, [f64; 4]), Failure>;
 
 fn rods(rows: usize, t1: f64) -> Job<Ends<Tsit5, Trial, Rods, 4>, 2> {
+    rods_of(trial, rows, t1)
+}
+
+fn rods_of(trial: Trial, rows: usize, t1: f64) -> Job<Ends<Tsit5, Trial, Rods, 4>, 2> {
     let draws = [
         Draw::uniform("start", "rad", -3.0, 3.0),
         Draw::logarithmic("gamma", "N m s", 1e-3, 1.0),
     ];
     Sweep::random("rods", draws, rows, 7)
-        .ends(method(), (0.0, t1), trial as Trial)
+        .ends(method(), (0.0, t1), trial)
         .value("energy", "J", |rods, t, x| rods.energy(t, x))
         .shard(100)
         .quiet()
@@ -199,6 +203,38 @@ fn a_sweep_that_is_killed_goes_on_and_ends_with_the_same_bytes() -> Outcome {
     Ok(())
 }
 
+/// A limit on the size of files is to a program what a full disk is.
+#[cfg(unix)]
+#[test]
+fn a_full_disk_ends_in_an_error_and_the_sweep_goes_on() -> Outcome {
+    let folder = folder("full");
+    let (whole, full) = (folder.join("whole.parquet"), folder.join("full.parquet"));
+    rods(600, 1.0).shard(20).run_to(&whole)?;
+    let kilobytes = fs::metadata(&whole)?.len() / 1024;
+    for part in 1..4 {
+        let limit = kilobytes * part / 4;
+        let child = Command::new("bash")
+            .args([
+                "-c",
+                &format!("trap '' XFSZ; ulimit -f {limit}; exec \"$0\" --exact child"),
+            ])
+            .arg(std::env::current_exe()?)
+            .env("PENDULUM_SWEEP_TEST_FILE", &full)
+            .output()?;
+        let text = String::from_utf8(child.stdout)?;
+        assert!(!child.status.success(), "{text}");
+        let text = [text, String::from_utf8(child.stderr)?].concat();
+        assert!(text.contains("full.parquet.shards/numbers: File too large"), "{text}");
+        assert!(!full.exists());
+    }
+    let kept = shards(&full).len();
+    assert!(kept > 0, "shards are kept");
+    let summary = rods(600, 1.0).shard(20).run_to(&full)?;
+    assert_eq!(summary.computed, 600 - 20 * kept);
+    assert_eq!(fs::read(&whole)?, fs::read(&full)?);
+    Ok(())
+}
+
 /// The shards beside a file, in order.
 fn shards(path: &Path) -> Vec<PathBuf> {
     let entries = fs::read_dir(path.with_extension("parquet.shards")).expect("the folder of the shards");
@@ -250,7 +286,7 @@ fn shards_of_different_sweeps_are_not_put_together() -> Outcome {
     for error in [rods(450, 1.0).merge(&one), rods(450, 1.0).run_to(&one).map(drop)] {
         let error = error.expect_err("two spans").to_string();
         assert!(
-            error.contains(".shard holds another sweep, with another task"),
+            error.contains(".shard holds another sweep;") && error.contains("task.span[1]: 2.0 in place of 1.0"),
             "{error}"
         );
     }
@@ -265,14 +301,31 @@ fn another_sweep_is_not_overwritten() -> Outcome {
     rods(120, 1.0).run_to(&path)?;
     let error = rods(120, 2.0).run_to(&path).expect_err("another span");
     let text = format!(
-        "{} holds another sweep, with another task; remove it, or give this one another name",
+        "{} holds another sweep; remove it, or give this one another name. It has\n  task.span[1]: 1.0 in place of 2.0",
         path.display()
     );
     assert_eq!(error.to_string(), text);
-    let error = rods(120, 1.0).version("2").run_to(&path).expect_err("another version");
-    assert!(error.to_string().contains("another version;"), "{error}");
+    let differs = |job: Job<_, 2>, text: &str| {
+        let error = job.run_to(&path).expect_err(text).to_string();
+        assert!(error.ends_with(text), "{error}");
+    };
+    differs(rods(120, 1.0).version("2"), "It has\n  version: \"\" in place of \"2\"");
+    let heavier: Trial = |[a, gamma]| {
+        let (_, start) = trial([a, gamma])?;
+        Ok((Rods::new(RodsParams { gamma: 2.0 * gamma })?, start))
+    };
+    let twice = rods_of(heavier, 120, 1.0).run_to(&path).expect_err("another scene");
+    assert!(
+        twice
+            .to_string()
+            .contains("It has\n  task.first.derivative beside it[2]: "),
+        "{twice}"
+    );
     let error = rods(121, 1.0).merge(&path).expect_err("another design");
-    assert!(error.to_string().contains("another design;"), "{error}");
+    assert!(
+        error.to_string().ends_with("design.points: 120 in place of 121"),
+        "{error}"
+    );
     fs::write(&path, "text")?;
     assert!(matches!(Table::read(&path), Err(SweepError::File(..))));
     assert!(matches!(rods(120, 1.0).run_to(&path), Err(SweepError::File(..))));

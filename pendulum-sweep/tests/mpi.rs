@@ -2,20 +2,24 @@
 #![cfg(feature = "mpi")]
 
 use std::error::Error;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use pendulum_sweep::{Arguments, Axis, Failure, Sweep};
 
 const FILE: &str = "PENDULUM_SWEEP_MPI_FILE";
+/// Where a process dies.
+const DEADLY: &str = "PENDULUM_SWEEP_MPI_DEADLY";
 
-/// What the children of the other test do.
+/// What the children of the other tests do.
 #[test]
 fn child() -> Result<(), Box<dyn Error>> {
     let Some(path) = std::env::var_os(FILE) else {
         return Ok(());
     };
+    let deadly: Option<f64> = std::env::var(DEADLY).ok().and_then(|x| x.parse().ok());
     let root = |[x]: [f64; 1]| match x {
+        x if deadly.is_some_and(|deadly| x > deadly) => std::process::abort(),
         x if x < 0.0 => Err(Failure::from("negative")),
         x => Ok([x.sqrt()]),
     };
@@ -23,33 +27,66 @@ fn child() -> Result<(), Box<dyn Error>> {
     Ok(job.shard(100).quiet().obey(Arguments::default(), path)?)
 }
 
+fn folder(name: &str) -> PathBuf {
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let _ = std::fs::remove_dir_all(&folder);
+    folder
+}
+
+/// The test above on so many processes.
+fn mpirun(ranks: &str, path: &Path) -> Result<Command, Box<dyn Error>> {
+    let mut command = Command::new("mpirun");
+    command
+        .args(["--oversubscribe", "-n", ranks])
+        .arg(std::env::current_exe()?)
+        .args(["--exact", "child", "--nocapture"])
+        .env(FILE, path)
+        .env("OMPI_ALLOW_RUN_AS_ROOT", "1")
+        .env("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1");
+    Ok(command)
+}
+
+/// What a command prints that ends well.
+fn text_of(command: &mut Command) -> Result<String, Box<dyn Error>> {
+    let output = command.output()?;
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let errors = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{text}{errors}");
+    Ok(text)
+}
+
 #[test]
 fn processes_of_mpirun_write_the_same_file() -> Result<(), Box<dyn Error>> {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("mpi");
-    let _ = std::fs::remove_dir_all(&folder);
-    let run = |ranks: &str| {
+    let folder = folder("mpi");
+    let run = |ranks: &str| -> Result<Vec<u8>, Box<dyn Error>> {
         let path = folder.join(format!("{ranks}.parquet"));
-        let output = Command::new("mpirun")
-            .args(["--oversubscribe", "-n", ranks])
-            .arg(std::env::current_exe()?)
-            .args(["--exact", "child", "--nocapture"])
-            .env(FILE, &path)
-            .env("OMPI_ALLOW_RUN_AS_ROOT", "1")
-            .env("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1")
-            .output()?;
-        let text = String::from_utf8_lossy(&output.stdout);
-        assert!(
-            output.status.success(),
-            "{text}{}",
-            String::from_utf8_lossy(&output.stderr)
-        );
+        let text = text_of(&mut mpirun(ranks, &path)?)?;
         assert_eq!(text.matches("2001 of 2001 rows").count(), 1, "{text}");
         assert!(text.contains("of which 200 failed"), "{text}");
-        std::fs::read(path)
+        Ok(std::fs::read(path)?)
     };
     let one = run("1")?;
     for ranks in ["2", "4"] {
         assert!(one == run(ranks)?, "{ranks} ranks");
     }
+    Ok(())
+}
+
+#[test]
+fn where_a_process_dies_all_end_and_the_next_start_goes_on() -> Result<(), Box<dyn Error>> {
+    let folder = folder("mpi_dead");
+    let [whole, dead] = ["whole.parquet", "dead.parquet"].map(|name| folder.join(name));
+    text_of(&mut mpirun("2", &whole)?)?;
+    let died = mpirun("2", &dead)?.env(DEADLY, "6.0").output()?;
+    assert!(!died.status.success() && !dead.exists());
+    let text = text_of(&mut mpirun("2", &dead)?)?;
+    let computed: usize = text
+        .split(" of 2001 rows")
+        .next()
+        .and_then(|text| text.rsplit(' ').next())
+        .expect("a number")
+        .parse()?;
+    assert!(computed < 1000, "{text}");
+    assert!(std::fs::read(whole)? == std::fs::read(dead)?);
     Ok(())
 }
