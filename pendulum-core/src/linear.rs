@@ -376,11 +376,11 @@ pub(crate) const fn solving<F: Field>(n: usize) -> Operations {
     operations.with_chain((2 * term.chain + F::PRODUCT.chain) * n)
 }
 
-/// The product of a matrix and a vector; nalgebra's requires more of its numbers than a [`Float`] has.
-#[inline]
-pub(crate) fn image<T: Float, const N: usize>(matrix: &SMatrix<T, N, N>, vector: &SVector<T, N>) -> SVector<T, N> {
+/// The product of a matrix and a vector; nalgebra's requires more of its numbers than a [`Real`] has.
+#[inline(always)]
+pub(crate) fn image<T: Real, const N: usize>(matrix: &SMatrix<T, N, N>, vector: &SVector<T, N>) -> SVector<T, N> {
     let mut image = [T::default(); N];
-    for (column, &factor) in matrix.data.0.iter().zip(vector.iter()) {
+    for (column, &factor) in matrix.data.0.iter().zip(&vector.data.0[0]) {
         for (image, &entry) in image.iter_mut().zip(column) {
             *image += entry * factor;
         }

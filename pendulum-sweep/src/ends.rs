@@ -1,10 +1,10 @@
 //! Final states, many at a time.
 
-use std::fmt::Debug;
+use std::fmt::{Debug, Display};
 use std::iter::repeat_n;
 
 use pendulum_core::nalgebra::SVector;
-use pendulum_core::{Cast, Ensemble, EnsembleError, Reason, StateLayout, System};
+use pendulum_core::{Cast, Ensemble, EnsembleError, StateLayout, System};
 use serde_json::{Value, json};
 
 use crate::design::Sweep;
@@ -137,11 +137,11 @@ impl<M, const N: usize> Trials<M, N> {
 
     /// Adds a row for each point: `width` numbers, which `row` adds of each model, and why it failed if it did; NaN where
     /// there is none.
-    pub(crate) fn conclude(
+    pub(crate) fn conclude<R: Display>(
         &self,
         chunk: &mut Chunk,
         width: usize,
-        mut row: impl FnMut(usize, &mut Vec<f64>) -> Option<Reason>,
+        mut row: impl FnMut(usize, &mut Vec<f64>) -> Option<R>,
     ) {
         let mut failures = self.failures.iter().peekable();
         let mut models = 0..self.models.len();

@@ -159,28 +159,24 @@ impl<const K: usize> Sweep<K> {
     ///
     /// ```
     /// use pendulum_core::prelude::*;
-    /// use pendulum_core::stability::Lyapunov;
     /// use pendulum_sweep::{Axis, Sweep};
     ///
     /// mechanism! {
-    ///     pub Driven {
-    ///         params { a: N m }
+    ///     pub Swing {
     ///         gravity: [0, -9.81, 0],
-    ///         body bob on ground {
-    ///             mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle, friction: 0.5,
-    ///             torque: a*sin(2 rad/s*t),
-    ///         }
+    ///         body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle }
     ///     }
     /// }
     ///
-    /// let table = Sweep::grid("chaos", [Axis::linear("a", "N m", 5.0, 15.0, 3)])
-    ///     .each([("exponent", "1/s")], |[a]| {
-    ///         let driven = Driven::new(DrivenParams { a })?;
-    ///         Ok([Lyapunov::new().duration(20.0).largest(&driven, [0.1, 0.0])?.values[0]])
+    /// let swing = Swing::new(SwingParams {})?;
+    /// let table = Sweep::grid("drift", [Axis::logarithmic("step", "s", 1e-3, 1e-1, 5)])
+    ///     .each([("drift", "J")], |[step]| {
+    ///         let end = Rk4::new(step).solve(&swing, 0.0, 10.0, [2.0, 0.0])?.end();
+    ///         Ok([swing.energy(10.0, &end) - swing.energy(0.0, &[2.0, 0.0].into())])
     ///     })
     ///     .quiet()
     ///     .run()?;
-    /// assert!(table["exponent"].iter().all(|exponent| exponent.is_finite()));
+    /// assert!(table["drift"][0].abs() < 1e-11 && table["drift"][4].abs() > 1e-3);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
     pub fn each<F, const Q: usize>(self, columns: [(&str, &str); Q], find: F) -> Job<Each<F, Q>, K>
@@ -467,7 +463,8 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         progress: &ProgressBar,
         keep: impl Fn(usize, &[[f64; K]], Chunk) + Sync,
     ) -> Result<(), SweepError> {
-        let size = self.task.chunk();
+        // where there is little to do, all threads do some of it
+        let size = self.task.chunk().min(rows.len().div_ceil(rayon::current_num_threads()));
         let compute = |first: usize| {
             let of_chunk = first..rows.end.min(first + size);
             let points = self.sweep.points_of(of_chunk);

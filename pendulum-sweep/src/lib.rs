@@ -7,7 +7,8 @@
 //! - [`ends`](Sweep::ends): final states, in the lanes of vector registers;
 //! - [`trajectories`](Sweep::trajectories): states at times, extrema and events, with every method, and
 //!   [in lanes](Job::in_lanes) where that is possible;
-//! - [`each`](Sweep::each): numbers that a function of your own finds, such as Lyapunov exponents.
+//! - [`exponents`](Sweep::exponents): Lyapunov exponents, in lanes as well;
+//! - [`each`](Sweep::each): numbers that a function of your own finds.
 //!
 //! The [`Job`] that this makes runs on all cores. [`Job::run`] returns a [`Table`]; [`Job::run_to`] writes a Parquet file
 //! in shards, each of which is complete or absent. A number has the same bits with any number of threads and of
@@ -44,6 +45,7 @@ mod command_line;
 mod design;
 mod ends;
 mod error;
+mod exponents;
 mod file;
 mod job;
 #[cfg(feature = "opencl")]
@@ -58,6 +60,7 @@ pub use command_line::Arguments;
 pub use design::{Axis, Draw, Sweep};
 pub use ends::Ends;
 pub use error::SweepError;
+pub use exponents::Exponents;
 pub use job::{Chunk, Each, Failure, Job, Summary, Task};
 pub use table::{Column, Table};
 pub use trajectories::Trajectories;

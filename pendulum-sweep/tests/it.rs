@@ -10,6 +10,7 @@ use std::time::Duration;
 use parquet::file::reader::SerializedFileReader;
 use parquet::record::RowAccessor;
 use pendulum_core::prelude::*;
+use pendulum_core::stability::Lyapunov;
 use pendulum_sweep::{Arguments, Axis, Draw, Ends, Failure, Job, Sweep, SweepError, Table};
 
 mechanism! {
@@ -523,6 +524,60 @@ fn trajectories_in_lanes_have_the_bits_of_those_alone() -> Outcome {
     same(Rodas5P::new(), (0.0, 2.0), true)?;
     same(Auto::new(), (0.0, 2.0), false)?;
     same(Rk4::new(0.01), (0.0, 2.0), false)
+}
+
+#[test]
+fn exponents_are_those_of_each_alone() -> Outcome {
+    let lyapunov = Lyapunov::new().tolerance(1e-6).duration(3.0);
+    let axes = || {
+        [
+            Axis::linear("start", "rad", 0.5, 3.0, 20),
+            Axis::linear("gamma", "N m s", 0.0, 1.0, 3),
+        ]
+    };
+    let one = Sweep::grid("chaos", axes())
+        .exponents::<1, _, _, _>(lyapunov, trial)
+        .quiet()
+        .run()?;
+    let two = Sweep::grid("chaos", axes())
+        .exponents::<2, _, _, _>(lyapunov, trial)
+        .quiet()
+        .run()?;
+    let names = |table: &Table| {
+        table
+            .columns()
+            .iter()
+            .map(|column| column.name.clone())
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(names(&one), ["start", "gamma", "exponent", "uncertainty"]);
+    assert_eq!(
+        names(&two)[2..],
+        ["exponent 1", "exponent 2", "uncertainty 1", "uncertainty 2"]
+    );
+    for row in 0..60 {
+        let point = [one["start"][row], one["gamma"][row]];
+        let Ok((rods, start)) = trial(point) else {
+            assert!(one["exponent"][row].is_nan() && two["uncertainty 2"][row].is_nan());
+            assert_eq!(one.failures()[&row], "too much friction");
+            continue;
+        };
+        let alone = lyapunov.exponents::<2, _>(&rods, start)?;
+        let found = ["exponent 1", "exponent 2", "uncertainty 1", "uncertainty 2"].map(|name| two[name][row]);
+        assert_eq!(found, [alone.values, alone.uncertainty].concat()[..]);
+        let alone = lyapunov.largest(&rods, start)?;
+        assert_eq!(
+            [one["exponent"][row], one["uncertainty"][row]],
+            [alone.values[0], alone.uncertainty[0]]
+        );
+    }
+    assert_eq!(one.failures().len(), 20);
+    let wrong = Sweep::grid("chaos", axes())
+        .exponents::<1, _, _, _>(lyapunov.duration(0.0), trial)
+        .quiet()
+        .run();
+    assert!(wrong.expect_err("no time").to_string().starts_with("`duration` is 0.0"));
+    Ok(())
 }
 
 #[test]

@@ -12,6 +12,7 @@ mod double_pendulum;
 mod drives;
 mod emitted_c;
 mod every_method;
+mod exponents;
 mod followers;
 mod forces;
 mod gauss;

@@ -210,9 +210,9 @@ where
                         system = F::gather::<V>(|lane| model_of(self.models, members.index(lane).unwrap_or(0)));
                     }
                     let t = V::from_fn(|lane| members.t[lane]);
-                    for (lane, _) in members.busy(V::LANES) {
+                    for (lane, index) in members.busy(V::LANES) {
                         if members.steps[lane] == 0 {
-                            scheme.enter(lane);
+                            scheme.enter(lane, index);
                         }
                     }
                     *work = Statistics::default();

@@ -8,7 +8,8 @@ use crate::hybrid::{Hold, Hybrid, MOST};
 use crate::layout::StateLayout;
 use crate::linear::PerLane;
 use crate::method::{
-    Bounded, Explicit, OneStep, PowerSeries, Rosenbrock, RosenbrockStages, SHORT, Scheme, SwitchInLanes, SwitchingFrom,
+    Bounded, Carried, CarriedStages, Carry, Explicit, OneStep, PowerSeries, Rosenbrock, RosenbrockStages, SHORT,
+    Scheme, SwitchInLanes, SwitchingFrom,
 };
 use crate::real::Real;
 use crate::real::lanes::{LaneElement, Lanes};
@@ -200,7 +201,8 @@ where
 impl<M: CastJacobian<N>, T: Real, const N: usize> Jacobian<T, N> for Expanded<M, T, N> {
     #[inline(always)]
     fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
-        M::with_jacobian(&self.0).jacobian(t, x)
+        // it need not be inlined by itself
+        self.rhs_and_jacobian(t, x).1
     }
 
     #[inline(always)]
@@ -245,5 +247,38 @@ where
         _is_dense: bool,
     ) -> Result<SwitchInLanes<B, V, STAGES, N>, Reason> {
         SwitchInLanes::new(system, tolerance)
+    }
+}
+
+impl<M, C, B, T, const STAGES: usize, const K: usize, const N: usize> InLanes<M, T, N> for Carried<C, B, STAGES, K>
+where
+    M: CastJacobian<N>,
+    M::In<T>: Jacobian<T, N>,
+    C: Carry<T, K, N>,
+    B: Tableau<STAGES>,
+    T: LaneElement,
+{
+    const NARROW: bool = true;
+    const IN_MODES: bool = false;
+    type System<V: Lanes<Scalar = T>> = Expanded<M, V, N>;
+    type Stages<V: Lanes<Scalar = T>> = CarriedStages<C, B, V, STAGES, K, N>;
+
+    #[inline(always)]
+    fn gather<'m, V: Lanes<Scalar = T>>(models: impl Fn(usize) -> &'m M) -> Expanded<M, V, N>
+    where
+        M: 'm,
+    {
+        Expanded(M::gather(models))
+    }
+
+    #[inline(always)]
+    fn stages<V: Lanes<Scalar = T>>(
+        &self,
+        system: &Expanded<M, V, N>,
+        tolerance: Option<Tolerance<T>>,
+        _is_dense: bool,
+    ) -> Result<CarriedStages<C, B, V, STAGES, K, N>, Reason> {
+        let state = Explicit::<B, STAGES>::new().scheme(system, tolerance)?;
+        Ok(CarriedStages::new(state, tolerance, self.carry))
     }
 }

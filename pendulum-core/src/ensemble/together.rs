@@ -5,7 +5,7 @@ use super::watch::Watch;
 use super::{adaptive, fixed};
 use crate::error::Reason;
 use crate::method::{
-    Choice, Estimates, Explicit, Gauss, OneStep, PowerSeries, RadauIIA, Rosenbrock, Switching, SwitchingFrom,
+    Carried, Choice, Estimates, Explicit, Gauss, OneStep, PowerSeries, RadauIIA, Rosenbrock, Switching, SwitchingFrom,
 };
 use crate::real::lanes::{Isa, LaneElement};
 use crate::system::{Cast, CastJacobian, Jacobian};
@@ -77,6 +77,7 @@ in_lanes! {
     [B, const STAGES: usize,] Explicit<B, STAGES>;
     [B, const STAGES: usize,] Rosenbrock<B, STAGES>;
     [] PowerSeries;
+    [C, B, const STAGES: usize, const K: usize,] Carried<C, B, STAGES, K>;
 }
 
 impl<M, T, const N: usize> Together<M, T, N> for Switching

@@ -15,8 +15,8 @@ use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
 use crate::method::stages::{SHORT, combination, shifted, weighted_sum};
 use crate::method::toggle::end_step;
 use crate::method::{Adaptive, Fixed};
+use crate::real::Real;
 use crate::real::lanes::Lanes;
-use crate::real::{Float, Real};
 use crate::statistics::Statistics;
 use crate::system::System;
 use crate::tableau::{Tableau, difference};
@@ -157,20 +157,14 @@ impl<B, T: Lanes, const STAGES: usize, const N: usize> ExplicitStages<B, T, STAG
 impl<B, T, const STAGES: usize, const N: usize> ExplicitStages<B, T, STAGES, N>
 where
     B: Tableau<STAGES>,
-    T: Float,
+    T: Lanes,
 {
     /// The derivatives at the stages of the step that was tried last.
     #[cfg(feature = "std")]
     pub(super) fn stages(&self) -> &[SVector<T, N>; STAGES] {
         &self.stages
     }
-}
 
-impl<B, T, const STAGES: usize, const N: usize> ExplicitStages<B, T, STAGES, N>
-where
-    B: Tableau<STAGES>,
-    T: Lanes,
-{
     /// `|h lambda|` of the step that was tried last, of length `h`, with the fastest rate `lambda` of the system: from the
     /// last two stages, which are derivatives at two states at the same time; 0 where these are equal.
     #[inline(always)]

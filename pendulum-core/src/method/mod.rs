@@ -58,7 +58,7 @@ pub(crate) use {
     stages::SHORT,
     step_control::{Pace, is_within_tolerance},
     stepper::{Modes, Progress},
-    tangent::Tangent,
+    tangent::{Carried, CarriedStages, Carry, Tangent},
     watch::{follow, see},
 };
 

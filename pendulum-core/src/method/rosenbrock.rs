@@ -12,11 +12,11 @@ use crate::hybrid::InMode;
 use crate::linear::{Alone, Lu, Pivots, Singular, factoring, solving};
 use crate::method::Adaptive;
 use crate::method::operations as count;
-use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled};
+use crate::method::scheme::{Accepted, OneStep, Scheme, Stalled, stall};
 use crate::method::stages::{SHORT, combination, shifted, weighted_sum};
 use crate::method::toggle::end_step;
+use crate::real::Float;
 use crate::real::lanes::Lanes;
-use crate::real::{Float, Real};
 use crate::statistics::Statistics;
 use crate::system::{Jacobian, System};
 use crate::tableau::{RosenbrockMethod, RosenbrockTableau, difference};
@@ -312,19 +312,6 @@ where
     fn coefficients(&self) -> &[SVector<T, N>] {
         &self.coefficients[..const { B::TABLEAU.dense.len() }]
     }
-}
-
-/// Marks the lanes whose matrix is singular, as [`Scheme::attempt`] says.
-#[cold]
-fn stall<V: Lanes, const N: usize>(defect: V, x_new: &mut SVector<V, N>, mean_square: V) -> V {
-    let marked = |number: V, mark: f64| {
-        V::from_fn(|lane| match defect.lane(lane).is_finite() {
-            true => number.lane(lane),
-            false => V::Scalar::from_f64(mark),
-        })
-    };
-    *x_new = x_new.map(|x| marked(x, f64::NAN));
-    marked(mean_square, -1.0)
 }
 
 /// The most stages that a step spells out.

@@ -7,8 +7,8 @@ use crate::control::Tolerance;
 use crate::dense::Step;
 use crate::error::Reason;
 use crate::hybrid::{InMode, Passage};
-use crate::real::Float;
 use crate::real::lanes::Lanes;
+use crate::real::{Float, Real};
 use crate::statistics::Statistics;
 
 /// A kind of one-step method, which [`Fixed`](crate::method::Fixed) and [`Adaptive`](crate::method::Adaptive) give the
@@ -45,8 +45,8 @@ pub trait Scheme<S: ?Sized, T: Lanes, const N: usize>: Clone {
         self.error_order()
     }
 
-    /// Another trajectory takes a lane; all of them [begin](Self::begin) next, where they are.
-    fn enter(&mut self, _lane: usize) {}
+    /// Another trajectory, of this index, takes a lane; all of them [begin](Self::begin) next, where they are.
+    fn enter(&mut self, _lane: usize, _index: usize) {}
 
     /// Goes to an initial point, or to one after a jump: the derivative there.
     fn begin(&mut self, system: &InMode<'_, S, T>, t: T, x: &SVector<T, N>, work: &mut Statistics) -> SVector<T, N>;
@@ -120,6 +120,15 @@ pub enum Accepted<T> {
 }
 
 impl<T: Lanes> Accepted<T> {
+    /// Whether a lane accepts.
+    #[inline(always)]
+    pub fn is_in(self, lane: usize) -> bool {
+        match self {
+            Self::All => true,
+            Self::Negative(sign) => sign.lane(lane) < T::Scalar::default(),
+        }
+    }
+
     /// `new` in the lanes that accept, and `old` in the others.
     #[inline(always)]
     pub fn select<const N: usize>(self, new: &SVector<T, N>, old: &SVector<T, N>) -> SVector<T, N> {
@@ -139,6 +148,19 @@ impl<T: Lanes> Accepted<T> {
 /// The iteration of an implicit method did not converge, or its matrix is singular: a shorter step may succeed.
 #[derive(Clone, Copy, Debug)]
 pub struct Stalled;
+
+/// Marks the lanes that stall, where `defect` is not finite, as [`Scheme::attempt`] says.
+#[cold]
+pub(crate) fn stall<V: Lanes, const N: usize>(defect: V, x_new: &mut SVector<V, N>, mean_square: V) -> V {
+    let marked = |number: V, mark: f64| {
+        V::from_fn(|lane| match defect.lane(lane).is_finite() {
+            true => number.lane(lane),
+            false => V::Scalar::from_f64(mark),
+        })
+    };
+    *x_new = x_new.map(|x| marked(x, f64::NAN));
+    marked(mean_square, -1.0)
+}
 
 /// The component of a state or derivative that is infinite or not a number.
 #[derive(Clone, Copy, Debug)]

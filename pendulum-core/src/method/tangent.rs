@@ -12,9 +12,14 @@ use crate::method::input::require;
 use crate::method::scheme::{Accepted, NonFinite, OneStep, Scheme, Stalled};
 use crate::method::stages::{shifted, weighted_sum};
 use crate::real::Float;
+use crate::real::lanes::Lanes;
 use crate::statistics::Statistics;
 use crate::system::Jacobian;
 use crate::tableau::Tableau;
+
+mod in_lanes;
+
+pub(crate) use in_lanes::{Carried, CarriedStages, Carry};
 
 /// The explicit method of the tableau `B`, with `K` tangents `v' = J(t, x) v`.
 ///
@@ -36,19 +41,8 @@ where
             let rule = "a hybrid system must implement `Jacobian::hybrid_jacobian`, which tangents pass its modes by";
             require(system.hybrid_jacobian().is_some(), "hybrid_jacobian", f64::NAN, rule)?;
         }
-        let zero = SVector::from_element(T::default());
-        let mut tangents = [zero; K];
-        for (k, tangent) in tangents.iter_mut().enumerate() {
-            tangent[k] = T::from_f64(1.0);
-        }
-        Ok(Bundle {
-            state: OneStep::<S, T, N>::scheme(&self.0, system, tolerance)?,
-            tolerance,
-            tangents,
-            before: tangents,
-            tried: tangents,
-            rates: [[zero; STAGES]; K],
-        })
+        let state = OneStep::<S, T, N>::scheme(&self.0, system, tolerance)?;
+        Ok(Bundle::new(state, tolerance))
     }
 }
 
@@ -72,9 +66,26 @@ pub(crate) struct Bundle<B, T, const STAGES: usize, const K: usize, const N: usi
 impl<B, T, const STAGES: usize, const K: usize, const N: usize> Bundle<B, T, STAGES, K, N>
 where
     B: Tableau<STAGES>,
-    T: Float,
+    T: Lanes,
 {
+    fn new(state: ExplicitStages<B, T, STAGES, N>, tolerance: Option<Tolerance<T>>) -> Self {
+        let zero = SVector::from_element(T::default());
+        let mut tangents = [zero; K];
+        for (k, tangent) in tangents.iter_mut().enumerate() {
+            tangent[k] = T::from_f64(1.0);
+        }
+        Self {
+            state,
+            tolerance,
+            tangents,
+            before: tangents,
+            tried: tangents,
+            rates: [[zero; STAGES]; K],
+        }
+    }
+
     /// Tries the step of the tangents, the stages of the state being known: the largest mean square of their errors.
+    #[inline(always)]
     fn attempt_tangents<S>(&mut self, system: &S, (t, x): (T, &SVector<T, N>), h: T) -> T
     where
         S: Jacobian<T, N> + ?Sized,
@@ -97,13 +108,24 @@ where
             *tried = shifted(tangent, &weighted_sum(h, &tableau.b, STAGES - 1, rates));
             if let Some(tolerance) = &self.tolerance {
                 let error = square(&weighted_sum(h, weights, count, rates));
-                let size = square(tangent).max(square(tried));
-                largest = largest.max(error / (tolerance.rtol * tolerance.rtol * size));
+                let size = larger(square(tangent), square(tried));
+                largest = larger(largest, error / (tolerance.rtol * tolerance.rtol * size));
             }
         }
         largest
     }
+}
 
+/// The larger of two numbers; the first where the second is not a number.
+#[inline(always)]
+fn larger<T: Lanes>(a: T, b: T) -> T {
+    T::from_fn(|lane| a.lane(lane).max(b.lane(lane)))
+}
+
+impl<B, T, const STAGES: usize, const K: usize, const N: usize> Bundle<B, T, STAGES, K, N>
+where
+    T: Float,
+{
     /// Takes off the tangents what the mode of a hybrid system holds.
     fn hold<S>(&mut self, system: &InMode<'_, S, T>, at: (T, &SVector<T, N>))
     where
@@ -148,7 +170,7 @@ where
         if !is_finite {
             return Err(Stalled);
         }
-        Ok(mean_square.max(of_tangents))
+        Ok(larger(mean_square, of_tangents))
     }
 
     fn arrive(

@@ -2,12 +2,14 @@
 
 use nalgebra::SVector;
 
+mod in_lanes;
+
 use super::StabilityError;
 use super::directions::{dimension, directions};
 use super::transition::flow;
 use crate::error::Reason;
 use crate::method::{Method, require};
-use crate::system::{IntoState, Jacobian};
+use crate::system::{IntoState, Jacobian, System};
 
 /// The measurement of Lyapunov exponents, a plain value with settings.
 ///
@@ -133,36 +135,35 @@ impl Lyapunov {
         system: &(impl Jacobian<f64, N> + ?Sized),
         x0: impl IntoState<f64, N>,
     ) -> Result<Exponents<K, N>, StabilityError> {
-        const { assert!(1 <= K && K <= N, "there are from one to N exponents") };
-        self.check()?;
-        let end = self.transient + self.duration;
-        // where all stands still a step might pass over the whole duration
-        let rule = "there are no more exponents than directions: a quaternion keeps its length, and loops stay closed";
-        require(K <= dimension(system), "K", K as f64, rule)?;
-        let flow = flow::<K>(self.tolerance).h_max(self.duration / PARTS as f64);
-        let mut stepper = flow.stepper(system, 0.0, end, x0)?;
+        self.check::<K, N>(system)?;
+        let flow = flow::<K>(self.tolerance).h_max(self.h_max());
+        let mut stepper = flow.stepper(system, 0.0, self.end(), x0)?;
         stepper.scheme_mut().tangents = oblique();
         // what is held from the start holds these as well
         let (t, x) = (stepper.t(), stepper.x());
         stepper.restart(t, x)?;
         keep_to_directions(system, (t, &x), &mut stepper.scheme_mut().tangents);
         orthonormalize(&mut stepper.scheme_mut().tangents);
-        let mut growth = Growth::new(self.transient, end);
+        let mut growth = Growth::new(self.transient, self.end());
         while let Some(step) = stepper.step()? {
             keep_to_directions(system, (step.t1, &step.x1), &mut stepper.scheme_mut().tangents);
             let lengths = orthonormalize(&mut stepper.scheme_mut().tangents);
             growth.count((step.t0, step.h), lengths);
         }
-        let (values, uncertainty) = growth.rates();
-        Ok(Exponents {
-            values,
-            uncertainty,
-            t: stepper.t(),
-            x: stepper.x(),
-        })
+        Ok(growth.exponents(stepper.t(), stepper.x()))
     }
 
-    fn check(&self) -> Result<(), Reason> {
+    fn end(&self) -> f64 {
+        self.transient + self.duration
+    }
+
+    /// Where all stands still a step might pass over the whole duration.
+    fn h_max(&self) -> f64 {
+        self.duration / PARTS as f64
+    }
+
+    fn check<const K: usize, const N: usize>(&self, system: &(impl System<f64, N> + ?Sized)) -> Result<(), Reason> {
+        const { assert!(1 <= K && K <= N, "there are from one to N exponents") };
         let rule = "the time to settle must be finite and not negative";
         require(
             self.transient.is_finite() && self.transient >= 0.0,
@@ -176,11 +177,14 @@ impl Lyapunov {
             "duration",
             self.duration,
             rule,
-        )
+        )?;
+        let rule = "there are no more exponents than directions: a quaternion keeps its length, and loops stay closed";
+        require(K <= dimension(system), "K", K as f64, rule)
     }
 }
 
 /// How much tangents grew in each part of the time.
+#[derive(Clone)]
 struct Growth<const K: usize> {
     /// Steps from here on are counted; of those that were, where the first began.
     from: f64,
@@ -215,6 +219,17 @@ impl<const K: usize> Growth<K> {
         self.seconds[part] += h;
         for (sum, length) in self.parts[part].iter_mut().zip(lengths) {
             *sum += libm::log(length);
+        }
+    }
+
+    /// The exponents of a trajectory that ends in the state `x` at `t`.
+    fn exponents<const N: usize>(&self, t: f64, x: SVector<f64, N>) -> Exponents<K, N> {
+        let (values, uncertainty) = self.rates();
+        Exponents {
+            values,
+            uncertainty,
+            t,
+            x,
         }
     }
 

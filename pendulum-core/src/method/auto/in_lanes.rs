@@ -130,7 +130,7 @@ where
         }
     }
 
-    fn enter(&mut self, lane: usize) {
+    fn enter(&mut self, lane: usize, _index: usize) {
         self.stiffness[lane] = Stiffness::default();
         let ones = SVector::from_element(V::Scalar::from_f64(1.0));
         set_lane(&mut self.fastest, lane, &ones);
@@ -220,16 +220,12 @@ where
     #[inline(always)]
     fn accept(&mut self, system: &InMode<'_, S, V>, step: &Step<V, N>, lanes: Accepted<V>, work: &mut Statistics) {
         let [some_free, some_stiff] = self.at_work();
-        let is_accepted = |lane: usize| match lanes {
-            Accepted::All => true,
-            Accepted::Negative(sign) => sign.lane(lane) < V::Scalar::default(),
-        };
         if some_free {
             // before it is accepted: then the first stage is that of the next step
             let measured = self.explicit.stiffness(step.h);
             self.explicit.accept(system, step, lanes, work);
             for (lane, own) in self.stiffness[..V::LANES].iter_mut().enumerate() {
-                if !own.is_stiff && is_accepted(lane) {
+                if !own.is_stiff && lanes.is_in(lane) {
                     own.after_explicit(measured.lane(lane).to_f64(), B::LIMIT);
                 }
             }
@@ -237,7 +233,7 @@ where
         if some_stiff {
             self.implicit.accept(system, step, lanes, work);
             for (lane, own) in self.stiffness[..V::LANES].iter_mut().enumerate() {
-                if own.is_stiff && is_accepted(lane) {
+                if own.is_stiff && lanes.is_in(lane) {
                     let jacobian = self.implicit.jacobian().map(|entry| entry.lane(lane));
                     let mut fastest = in_lane(&self.fastest, lane);
                     let rate = fastest_rate(&jacobian, &mut fastest);

@@ -1,0 +1,114 @@
+//! Lyapunov exponents, of many trajectories at a time.
+
+use pendulum_core::nalgebra::SVector;
+use pendulum_core::stability::{Lyapunov, StabilityError};
+use pendulum_core::{CastJacobian, Jacobian};
+use serde_json::{Value, json};
+
+use crate::design::Sweep;
+use crate::ends::{Trials, first_trial, of_first};
+use crate::error::SweepError;
+use crate::job::{Chunk, Failure, Job, Task};
+use crate::table::Column;
+
+/// What [`Sweep::exponents`] does: the `E` largest exponents of models with `N` states.
+pub struct Exponents<F, const E: usize, const N: usize> {
+    lyapunov: Lyapunov,
+    trial: F,
+}
+
+impl<const K: usize> Sweep<K> {
+    /// The `E` largest [Lyapunov exponents](pendulum_core::stability::Lyapunov) of models, in the lanes of vector
+    /// registers. `trial` makes the model and the start of a point.
+    ///
+    /// Kept are `exponent` and `uncertainty`, both in 1/s; where there are several, `exponent 1`, `exponent 2` and so on,
+    /// then `uncertainty 1` and so on.
+    ///
+    /// ```
+    /// use pendulum_core::prelude::*;
+    /// use pendulum_core::stability::Lyapunov;
+    /// use pendulum_sweep::{Axis, Sweep};
+    ///
+    /// mechanism! {
+    ///     pub Driven {
+    ///         params { a: N m }
+    ///         gravity: [0, -9.81, 0],
+    ///         body bob on ground {
+    ///             mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: angle, friction: 0.5,
+    ///             torque: a*sin(2 rad/s*t),
+    ///         }
+    ///     }
+    /// }
+    ///
+    /// let table = Sweep::grid("chaos", [Axis::linear("a", "N m", 5.0, 15.0, 11)])
+    ///     .exponents::<1, _, _, _>(Lyapunov::new().duration(20.0), |[a]| Ok((Driven::new(DrivenParams { a })?, [0.1, 0.0])))
+    ///     .quiet()
+    ///     .run()?;
+    /// assert!(table["exponent"].iter().all(|exponent| exponent.is_finite()));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn exponents<const E: usize, F, M, const N: usize>(
+        self,
+        lyapunov: Lyapunov,
+        trial: F,
+    ) -> Job<Exponents<F, E, N>, K>
+    where
+        F: Fn([f64; K]) -> Result<(M, [f64; N]), Failure> + Sync,
+        M: CastJacobian<N>,
+        M::In<f64>: Jacobian<f64, N>,
+    {
+        self.job(Exponents { lyapunov, trial })
+    }
+}
+
+impl<F, M, const K: usize, const E: usize, const N: usize> Task<K> for Exponents<F, E, N>
+where
+    F: Fn([f64; K]) -> Result<(M, [f64; N]), Failure> + Sync,
+    M: CastJacobian<N>,
+    M::In<f64>: Jacobian<f64, N>,
+{
+    fn columns(&self, _sweep: &Sweep<K>) -> Vec<Column> {
+        let column = |name: &str, n: usize| match E {
+            1 => Column::new(name, "1/s"),
+            _ => Column::new(&format!("{name} {n}"), "1/s"),
+        };
+        let of_each = |name| (1..=E).map(move |n| column(name, n));
+        ["exponent", "uncertainty"].into_iter().flat_map(of_each).collect()
+    }
+
+    fn declaration(&self, sweep: &Sweep<K>) -> Value {
+        let first = first_trial(sweep, &self.trial).map(|(model, start)| (model.cast::<f64>(), start));
+        json!({ "exponents": format!("{:?}", self.lyapunov), "first": of_first(first, 0.0) })
+    }
+
+    fn chunk(&self) -> usize {
+        CHUNK
+    }
+
+    fn run(&self, points: &[[f64; K]]) -> Result<Chunk, SweepError> {
+        let trials = Trials::of(points, &self.trial);
+        let starts: &[SVector<f64, N>] = &trials.starts;
+        let mut found = Vec::new();
+        if !starts.is_empty() {
+            found = self
+                .lyapunov
+                .ensemble::<E, M, N>(&trials.models, starts)
+                .map_err(|error| match error {
+                    StabilityError::Integration(reason) => reason.into(),
+                    other => SweepError::Invalid(other.to_string()),
+                })?;
+        }
+        let mut chunk = Chunk::with_capacity(points.len(), 2 * E);
+        trials.conclude(&mut chunk, 2 * E, |index, numbers| {
+            match &found[index] {
+                Ok(exponents) => numbers.extend(exponents.values.iter().chain(&exponents.uncertainty)),
+                Err(_) => numbers.extend([f64::NAN; E].iter().chain(&[f64::NAN; E])),
+            }
+            found[index].as_ref().err()
+        });
+        Ok(chunk)
+    }
+}
+
+/// Where fewer are left than there are lanes, some of these are idle.
+const CHUNK: usize = 128;
