@@ -28,6 +28,13 @@ mechanism! {
 }
 
 mechanism! {
+    /// Its Jacobian is infinite at the origin, where it may rest.
+    Rooted {
+        body cart on ground { mass: 1, joint: prismatic(x), coordinate: s, torque: -sqrt(1 N^2/m*abs(s)) }
+    }
+}
+
+mechanism! {
     Sticking {
         params { mu: N m }
         gravity: [0, -9.81, 0],
@@ -100,6 +107,14 @@ fn those_that_end_early_spoil_no_other() -> Result<(), Box<dyn std::error::Error
     let found = lyapunov.ensemble::<1, _, _>(&models, &starts)?;
     let failed: Vec<usize> = (0..20).filter(|&n| found[n].is_err()).collect();
     assert_eq!(failed, [3, 5, 10, 17]);
+
+    // the state is finite, the tangent is not
+    let rooted = [Rooted::new(RootedParams {})?];
+    let starts = [[1.0, 0.5], [0.0, 0.0], [2.0, 0.0]].map(SVector::from);
+    let lyapunov = Lyapunov::new().duration(0.5);
+    assert_same::<1, _, 2>(lyapunov, &rooted, &starts);
+    let found = lyapunov.ensemble::<1, _, _>(&rooted, &starts)?;
+    assert_eq!([0, 1, 2].map(|n| found[n].is_ok()), [true, false, true]);
     Ok(())
 }
 

@@ -10,7 +10,7 @@
 //! | [`resting`] | where dry friction and contacts let a system rest |
 //! | [`Shooting`] | periodic orbits, with their Floquet multipliers |
 //! | [`Continuation`] | branches of both in a parameter, with folds, crossings, Hopf and torus bifurcations, and period doublings |
-//! | [`Lyapunov`] | Lyapunov exponents |
+//! | [`Lyapunov`] | Lyapunov exponents, of many trajectories in lanes |
 //! | [`section()`] | Poincare sections |
 //! | [`transition`] | the derivative of a state by an earlier one |
 //!
