@@ -77,7 +77,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 [upper, lower, 0.0, 0.0],
             ))
         })
-        .shard(3 << 15)
+        .rows_per_shard(3 << 15)
         .obey(arguments, "out/throughput.parquet")?;
     let (time, wall) = (processor_time()? - since, clock.elapsed().as_secs_f64());
     let memory = most_memory()?;

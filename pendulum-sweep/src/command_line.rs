@@ -19,9 +19,11 @@ pub struct Arguments {
     pub threads: Option<usize>,
     /// `--quiet`: without progress.
     pub quiet: bool,
+    /// `--help`: only says how the program is used.
+    pub help: bool,
 }
 
-const USAGE: &str = "usage: [--out FILE] [--shard I/N] [--merge] [--threads N] [--quiet]
+const USAGE: &str = "usage: [--out FILE] [--shard I/N | --merge] [--threads N] [--quiet]
   --out FILE   the Parquet file
   --shard I/N  computes share I of N, counted from 0; --merge puts them together when all are done
   --threads N  threads in place of one for each core
@@ -60,8 +62,12 @@ impl Arguments {
                     parsed.threads = Some(text.parse().map_err(rule)?);
                 }
                 "--quiet" => parsed.quiet = true,
+                "--help" | "-h" => parsed.help = true,
                 _ => return Err(wrong(format!("unknown argument {argument}"))),
             }
+        }
+        if parsed.merge && parsed.share.is_some() {
+            return Err(wrong("--merge is for all shares: leave out --shard".to_owned()));
         }
         Ok(parsed)
     }
@@ -85,8 +91,18 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
     /// # Errors
     /// Those of [`run_to`](Self::run_to) and [`merge`](Self::merge).
     pub fn obey(mut self, arguments: Arguments, path: impl AsRef<Path>) -> Result<(), SweepError> {
+        if arguments.help {
+            println!("{USAGE}");
+            return Ok(());
+        }
         let path = arguments.out.unwrap_or_else(|| path.as_ref().to_owned());
+        #[cfg(feature = "mpi")]
+        let ranks = crate::ranks::Ranks::of_program();
         if arguments.merge {
+            #[cfg(feature = "mpi")]
+            if ranks.is_some_and(|ranks| !ranks.is_first()) {
+                return Ok(());
+            }
             self.merge(&path)?;
             println!("{}", path.display());
             return Ok(());
@@ -101,7 +117,7 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
             self = self.quiet();
         }
         #[cfg(feature = "mpi")]
-        if let Some(ranks) = crate::ranks::Ranks::of_program() {
+        if let Some(ranks) = ranks {
             let summary = self.run_on(&ranks, &path).unwrap_or_else(|error| ranks.abort(&error));
             if ranks.is_first() {
                 println!("{}: {summary}", path.display());

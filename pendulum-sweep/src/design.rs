@@ -55,7 +55,7 @@ impl<const K: usize> Sweep<K> {
         match &self.design {
             Design::Grid(axes) => axes
                 .iter()
-                .fold(1, |points: usize, axis| points.saturating_mul(axis.values.len())),
+                .fold(1, |points: usize, axis| points.saturating_mul(axis.spacing.count())),
             Design::List(_, points) => points.len(),
             Design::Random(_, points, _) => *points,
         }
@@ -78,8 +78,9 @@ impl<const K: usize> Sweep<K> {
             Design::Grid(axes) => {
                 for (point, mut left) in points.iter_mut().zip(rows) {
                     for (number, axis) in point.iter_mut().zip(axes).rev() {
-                        *number = axis.values[left % axis.values.len()];
-                        left /= axis.values.len();
+                        let count = axis.spacing.count();
+                        *number = axis.spacing.at(left % count);
+                        left /= count;
                     }
                 }
             }
@@ -96,18 +97,19 @@ impl<const K: usize> Sweep<K> {
         points
     }
 
-    /// Refuses laws of numbers that are not finite, as between ends of two signs in equal ratios. A list may have any.
+    /// Rejects axes and draws with numbers that are not finite, such as a logarithmic axis from -1 to 1. A list may hold
+    /// any.
     pub(crate) fn check(&self) -> Result<(), SweepError> {
         let wrong = match &self.design {
             Design::Grid(axes) => {
-                let mut wrong = axes
-                    .iter()
-                    .filter(|axis| !axis.values.iter().all(|value| value.is_finite()));
-                wrong.next().map(|axis| (&axis.column, axis.spacing.to_string()))
+                let mut wrong = axes.iter().filter(|axis| !axis.spacing.is_finite());
+                wrong
+                    .next()
+                    .map(|axis| (&axis.column, axis.spacing.declaration().to_string()))
             }
             Design::List(..) => None,
-            Design::Random(draws, _, seed) => {
-                let mut wrong = draws.iter().filter(|draw| !draw.at(*seed, 0).is_finite());
+            Design::Random(draws, ..) => {
+                let mut wrong = draws.iter().filter(|draw| !draw.law.is_finite());
                 wrong.next().map(|draw| (&draw.column, format!("{:?}", draw.law)))
             }
         };
@@ -131,8 +133,7 @@ impl<const K: usize> Sweep<K> {
     pub(crate) fn declaration(&self) -> Value {
         match &self.design {
             Design::Grid(axes) => {
-                let axis =
-                    |axis: &Axis| json!({ "name": axis.column.name, "unit": axis.column.unit, "values": axis.spacing });
+                let axis = |axis: &Axis| json!({ "name": axis.column.name, "unit": axis.column.unit, "values": axis.spacing.declaration() });
                 json!({ "grid": axes.iter().map(axis).collect::<Vec<_>>() })
             }
             Design::List(columns, points) => {
@@ -153,63 +154,98 @@ impl<const K: usize> Sweep<K> {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Axis {
     column: Column,
-    values: Vec<f64>,
-    spacing: Value,
+    spacing: Spacing,
+}
+
+#[derive(Clone, Debug, PartialEq)]
+enum Spacing {
+    Linear([f64; 2], usize),
+    Logarithmic([f64; 2], usize),
+    Cells([f64; 2], usize),
+    Values(Vec<f64>),
 }
 
 impl Axis {
-    /// Values in equal distances, the ends included.
+    /// `count` evenly spaced values from `from` to `to`, both included; `from` alone where there is one.
     #[must_use]
     pub fn linear(name: &str, unit: &str, from: f64, to: f64, count: usize) -> Self {
-        let value = |n: usize| {
-            if n + 1 == count {
-                to
-            } else {
-                from + (to - from) * (n as f64 / (count - 1) as f64)
-            }
-        };
-        let spacing = json!({ "linear": [from, to], "count": count });
-        Self::new(name, unit, (0..count).map(value).collect(), spacing)
+        Self::new(name, unit, Spacing::Linear([from, to], count))
     }
 
-    /// Values in equal ratios, the ends included, which have one sign.
+    /// `count` values in a constant ratio from `from` to `to`, both included; `from` alone where there is one. Both ends
+    /// must have one sign, and not be zero.
     #[must_use]
     pub fn logarithmic(name: &str, unit: &str, from: f64, to: f64, count: usize) -> Self {
-        let ratio = Real::ln(to / from);
-        let value = |n: usize| {
-            if n + 1 == count {
-                to
-            } else {
-                from * Real::exp(ratio * (n as f64 / (count - 1) as f64))
-            }
-        };
-        let spacing = json!({ "logarithmic": [from, to], "count": count });
-        Self::new(name, unit, (0..count).map(value).collect(), spacing)
+        Self::new(name, unit, Spacing::Logarithmic([from, to], count))
     }
 
-    /// The centres of cells of equal size, as for a map.
+    /// The centres of `count` cells of equal size, as for a map.
     #[must_use]
     pub fn cells(name: &str, unit: &str, from: f64, to: f64, count: usize) -> Self {
-        let value = |n: usize| from + (to - from) * ((2 * n + 1) as f64 / (2 * count) as f64);
-        let spacing = json!({ "cells": [from, to], "count": count });
-        Self::new(name, unit, (0..count).map(value).collect(), spacing)
+        Self::new(name, unit, Spacing::Cells([from, to], count))
     }
 
     /// Values one by one.
     #[must_use]
     pub fn values(name: &str, unit: &str, values: impl Into<Vec<f64>>) -> Self {
-        let values = values.into();
-        let spacing = json!({ "values": values });
-        Self::new(name, unit, values, spacing)
+        Self::new(name, unit, Spacing::Values(values.into()))
     }
 
-    fn new(name: &str, unit: &str, values: Vec<f64>, spacing: Value) -> Self {
-        Self {
-            column: Column::new(name, unit),
-            values,
-            spacing,
+    fn new(name: &str, unit: &str, spacing: Spacing) -> Self {
+        let column = Column::new(name, unit);
+        Self { column, spacing }
+    }
+}
+
+impl Spacing {
+    fn count(&self) -> usize {
+        match self {
+            Self::Linear(_, count) | Self::Logarithmic(_, count) | Self::Cells(_, count) => *count,
+            Self::Values(values) => values.len(),
         }
     }
+
+    /// The value of a number below [`count`](Self::count).
+    fn at(&self, n: usize) -> f64 {
+        match *self {
+            Self::Linear([from, _], _) | Self::Logarithmic([from, _], _) if n == 0 => from,
+            Self::Linear([_, to], count) | Self::Logarithmic([_, to], count) if n + 1 == count => to,
+            Self::Linear([from, to], count) => from + (to - from) * (n as f64 / (count - 1) as f64),
+            Self::Logarithmic([from, to], count) => {
+                from * Real::exp(Real::ln(to / from) * (n as f64 / (count - 1) as f64))
+            }
+            Self::Cells([from, to], count) => from + (to - from) * ((2 * n + 1) as f64 / (2 * count) as f64),
+            Self::Values(ref values) => values[n],
+        }
+    }
+
+    fn is_finite(&self) -> bool {
+        match self {
+            Self::Linear(ends, _) | Self::Cells(ends, _) => is_finite_between(*ends),
+            Self::Logarithmic(ends, _) => have_a_ratio(*ends),
+            Self::Values(values) => values.iter().all(|value| value.is_finite()),
+        }
+    }
+
+    fn declaration(&self) -> Value {
+        match self {
+            Self::Linear(ends, count) => json!({ "linear": ends, "count": count }),
+            Self::Logarithmic(ends, count) => json!({ "logarithmic": ends, "count": count }),
+            Self::Cells(ends, count) => json!({ "cells": ends, "count": count }),
+            Self::Values(values) => json!({ "values": values }),
+        }
+    }
+}
+
+/// Whether all numbers between two are finite, and the difference is.
+fn is_finite_between([from, to]: [f64; 2]) -> bool {
+    from.is_finite() && to.is_finite() && (to - from).is_finite()
+}
+
+/// Whether logarithms lead from one to the other.
+fn have_a_ratio([from, to]: [f64; 2]) -> bool {
+    let ratio = to / from;
+    from.is_finite() && to.is_finite() && ratio > 0.0 && ratio.is_finite()
 }
 
 /// A random number, independent of the others.
@@ -233,13 +269,13 @@ impl Draw {
         Self::new(name, unit, Law::Uniform { from, to })
     }
 
-    /// With a logarithm that is uniform; both ends have one sign.
+    /// Log-uniform between `from` and `to`, which have one sign, and are not zero.
     #[must_use]
     pub fn logarithmic(name: &str, unit: &str, from: f64, to: f64) -> Self {
         Self::new(name, unit, Law::Logarithmic { from, to })
     }
 
-    /// Normal, with a mean and a standard deviation.
+    /// Normal, with a mean and a standard deviation, which is not negative.
     #[must_use]
     pub fn normal(name: &str, unit: &str, mean: f64, deviation: f64) -> Self {
         Self::new(name, unit, Law::Normal { mean, deviation })
@@ -266,6 +302,18 @@ impl Draw {
                 let (radius, angle) = ((-2.0 * Real::ln(share(0))).sqrt(), std::f64::consts::TAU * share(1));
                 mean + deviation * radius * Real::sin_cos(angle).1
             }
+        }
+    }
+}
+
+impl Law {
+    /// Whether all numbers are.
+    fn is_finite(self) -> bool {
+        match self {
+            Self::Uniform { from, to } => is_finite_between([from, to]),
+            Self::Logarithmic { from, to } => have_a_ratio([from, to]),
+            // no number is farther from the mean than nine deviations
+            Self::Normal { mean, deviation } => deviation >= 0.0 && (mean.abs() + 9.0 * deviation).is_finite(),
         }
     }
 }

@@ -4,7 +4,7 @@ use std::fmt::{Debug, Display};
 use std::iter::repeat_n;
 
 use pendulum_core::nalgebra::SVector;
-use pendulum_core::{Cast, Ensemble, EnsembleError, StateLayout, System};
+use pendulum_core::{Cast, Ensemble, EnsembleError, Reason, StateLayout, System};
 use serde_json::{Value, json};
 
 use crate::design::Sweep;
@@ -63,17 +63,14 @@ where
     X: Ensemble<M, f64, N> + Debug + Sync,
     M: Cast<N>,
 {
-    fn columns(&self, sweep: &Sweep<K>) -> Vec<Column> {
-        let layout = first_trial(sweep, &self.trial).and_then(|(model, _)| model.cast::<f64>().layout());
-        let mut columns = vec![Column::new("t", "s")];
-        columns.extend(of_state::<N>(layout));
-        columns.extend(self.values.iter().map(|(column, _)| column.clone()));
-        columns
-    }
-
-    fn declaration(&self, sweep: &Sweep<K>) -> Value {
+    fn describe(&self, sweep: &Sweep<K>) -> (Vec<Column>, Value) {
         let first = first_trial(sweep, &self.trial).map(|(model, start)| (model.cast::<f64>(), start));
-        json!({ "ends": format!("{:?}", self.method), "span": self.span, "first": of_first(first, self.span.0) })
+        let mut columns = vec![Column::new("t", "s")];
+        columns.extend(of_state::<N>(first.as_ref().and_then(|(model, _)| model.layout())));
+        columns.extend(self.values.iter().map(|(column, _)| column.clone()));
+        let first = of_first(first, self.span.0);
+        let declaration = json!({ "ends": format!("{:?}", self.method), "span": self.span, "first": first });
+        (columns, declaration)
     }
 
     fn chunk(&self) -> usize {
@@ -164,8 +161,8 @@ pub(crate) fn first_trial<M, const K: usize, const N: usize>(
     trials.next().map(|(model, start)| (model, start.into()))
 }
 
-/// The first start, and the derivative somewhere beside it, where nothing rests: they tell scenes apart that differ in
-/// their numbers.
+/// The first start, and the derivative near it (at the start it may vanish): they tell scenes apart that differ in their
+/// numbers.
 pub(crate) fn of_first<S: System<f64, N>, const N: usize>(first: Option<(S, SVector<f64, N>)>, t0: f64) -> Value {
     first.map_or(Value::Null, |(system, start)| {
         let beside = SVector::from_fn(|n, _| start[n] + 0.1 * (n + 1) as f64);
@@ -186,4 +183,9 @@ pub(crate) fn of_state<const N: usize>(layout: Option<&'static StateLayout>) -> 
     }
     let named = layout.components().into_iter().zip(units);
     named.map(|(name, unit)| Column::new(&name, unit)).collect()
+}
+
+/// Whether it is the start of a trajectory that is wrong, and not a setting.
+pub(crate) fn is_of_start(reason: &Reason) -> bool {
+    !matches!(reason, Reason::InvalidInput { what, .. } if *what != "x0")
 }

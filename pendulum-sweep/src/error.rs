@@ -12,7 +12,7 @@ use pendulum_core::Reason;
 /// `Debug` prints the same message as `Display`, for a `main` that returns the error.
 #[non_exhaustive]
 pub enum SweepError {
-    /// The design, the columns or the settings of the method are not valid; nothing was computed.
+    /// The design, the columns, the settings of the method or the arguments are not valid.
     Invalid(String),
     /// A file could not be read or written.
     File(PathBuf, io::Error),
@@ -23,6 +23,8 @@ pub enum SweepError {
         /// Where the declarations differ, and how.
         differs: Vec<String>,
     },
+    /// Another process is at work on this file.
+    Busy(PathBuf),
     /// A device could not be used, or not for this.
     #[cfg(feature = "opencl")]
     Device(String),
@@ -57,6 +59,11 @@ impl fmt::Display for SweepError {
             #[cfg(feature = "opencl")]
             Self::Device(reason) => f.write_str(reason),
             Self::File(path, error) => write!(f, "{}: {error}", path.display()),
+            Self::Busy(path) => write!(
+                f,
+                "another process is at work on {}; wait for it, give this sweep another name, or let both compute shares",
+                path.display()
+            ),
             Self::Other { path, differs } => write!(
                 f,
                 "{} holds another sweep; remove it, or give this one another name. It has\n  {}",
@@ -65,8 +72,8 @@ impl fmt::Display for SweepError {
             ),
             Self::Incomplete { present, of, missing } => write!(
                 f,
-                "{present} of {of} shards are there; shard {missing} is the first that is missing: run the shares that \
-                 are left, or the sweep without a share"
+                "{present} of {of} shards are there; shard {missing} is the first that is missing: run the remaining \
+                 shares, or run without `--shard`"
             ),
         }
     }

@@ -67,18 +67,16 @@ where
     M: CastJacobian<N>,
     M::In<f64>: Jacobian<f64, N>,
 {
-    fn columns(&self, _sweep: &Sweep<K>) -> Vec<Column> {
+    fn describe(&self, sweep: &Sweep<K>) -> (Vec<Column>, Value) {
         let column = |name: &str, n: usize| match E {
             1 => Column::new(name, "1/s"),
             _ => Column::new(&format!("{name} {n}"), "1/s"),
         };
         let of_each = |name| (1..=E).map(move |n| column(name, n));
-        ["exponent", "uncertainty"].into_iter().flat_map(of_each).collect()
-    }
-
-    fn declaration(&self, sweep: &Sweep<K>) -> Value {
+        let columns = ["exponent", "uncertainty"].into_iter().flat_map(of_each).collect();
         let first = first_trial(sweep, &self.trial).map(|(model, start)| (model.cast::<f64>(), start));
-        json!({ "exponents": format!("{:?}", self.lyapunov), "first": of_first(first, 0.0) })
+        let declaration = json!({ "exponents": format!("{:?}", self.lyapunov), "first": of_first(first, 0.0) });
+        (columns, declaration)
     }
 
     fn chunk(&self) -> usize {

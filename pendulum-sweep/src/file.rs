@@ -1,7 +1,8 @@
 //! Tables as Parquet files.
 
 use std::collections::BTreeMap;
-use std::fs::File;
+use std::error::Error;
+use std::fs::{self, File};
 use std::io::{self, BufWriter, Seek, SeekFrom, Write};
 use std::ops::Range;
 use std::path::Path;
@@ -12,8 +13,8 @@ use parquet::basic::{Compression, Encoding, LogicalType, Repetition, Type as Phy
 use parquet::column::reader::get_typed_column_reader;
 use parquet::data_type::{ByteArray, ByteArrayType, DataType, DoubleType};
 use parquet::file::metadata::{
-    ColumnChunkMetaData, FileMetaData, KeyValue, ParquetMetaData, ParquetMetaDataOptions, ParquetMetaDataReader,
-    ParquetMetaDataWriter, RowGroupMetaData,
+    ColumnChunkMetaData, ColumnChunkMetaDataBuilder, FileMetaData, KeyValue, ParquetMetaData, ParquetMetaDataOptions,
+    ParquetMetaDataReader, ParquetMetaDataWriter, RowGroupMetaData,
 };
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::reader::{FileReader, RowGroupReader, SerializedFileReader};
@@ -176,87 +177,130 @@ fn page_of_rows(rows: &Range<usize>) -> Vec<u8> {
 /// The declaration in the [failures](Part::failures) of a part, and how many bytes its numbers take.
 pub(crate) fn read_failures(failures: &Bytes, columns: usize) -> io::Result<(String, usize)> {
     let metadata = ParquetMetaDataReader::new().parse_and_finish(failures)?;
-    let rows = usize::try_from(metadata.file_metadata().num_rows()).map_err(io::Error::other)?;
+    let rows = number(metadata.file_metadata().num_rows())?;
     Ok((entry(&metadata, DECLARATION)?, columns * bytes_of_page(rows)))
 }
 
 /// What a Parquet file begins with.
 pub(crate) const MAGIC: [u8; 4] = *b"PAR1";
 
-/// Ends a file that has the numbers of all parts already, each from a place on: adds the rest, and the metadata.
-pub(crate) fn conclude(
-    file: &mut File,
-    empty: &Table,
-    parts: impl IntoIterator<Item = io::Result<(u64, Bytes)>>,
-) -> io::Result<()> {
-    let mut end = file.seek(SeekFrom::End(0))? as i64;
-    let mut file = BufWriter::new(file);
-    let of_failures = Arc::new(SchemaDescriptor::new(Arc::new(schema_of(vec![failure()?])?)));
-    let options = ParquetMetaDataOptions::new().with_schema(of_failures);
-    let schema = Arc::new(SchemaDescriptor::new(Arc::new(schema(&empty.columns)?)));
-    let (mut groups, mut first) = (Vec::new(), 0);
-    for part in parts {
-        let (place, failures) = part?;
-        let reader = ParquetMetaDataReader::new().with_metadata_options(Some(options.clone()));
-        let metadata = reader.parse_and_finish(&failures)?;
-        let group = metadata.row_group(0);
-        let rows = first..first + usize::try_from(group.num_rows()).map_err(io::Error::other)?;
+/// The end of a file that has the numbers of all parts already: the columns `row` and `failure`, and the metadata.
+pub(crate) struct Ending<'f> {
+    file: BufWriter<&'f mut File>,
+    /// Where the next page is written.
+    end: usize,
+    properties: WriterProperties,
+    schema: Arc<SchemaDescriptor>,
+    /// That of the failures of a part.
+    of_failures: ParquetMetaDataOptions,
+    rows: usize,
+    groups: Vec<RowGroupMetaData>,
+}
 
-        let count = rows.len() as i64;
-        let one_page = |column: usize, encoding: Encoding, place: i64, bytes: i64| {
-            ColumnChunkMetaData::builder(schema.column(column))
-                .set_encodings(vec![encoding, Encoding::RLE])
-                .set_num_values(count)
-                .set_total_compressed_size(bytes)
-                .set_total_uncompressed_size(bytes)
-                .set_data_page_offset(place)
-        };
-        let page = page_of_rows(&rows);
-        file.write_all(&page)?;
-        let [least, most] = [rows.start as i64, rows.end as i64 - 1];
-        let statistics = Statistics::int64(Some(least), Some(most), None, Some(0), false);
-        let numbered = one_page(0, Encoding::DELTA_BINARY_PACKED, end, page.len() as i64);
-        let mut columns = vec![numbered.set_statistics(statistics).build()?];
-        end += page.len() as i64;
+impl<'f> Ending<'f> {
+    pub(crate) fn new(file: &'f mut File, empty: &Table) -> io::Result<Self> {
+        let of_failures = Arc::new(SchemaDescriptor::new(Arc::new(schema_of(vec![failure()?])?)));
+        Ok(Self {
+            end: number(file.seek(SeekFrom::End(0))?)?,
+            file: BufWriter::new(file),
+            properties: properties(empty),
+            schema: Arc::new(SchemaDescriptor::new(Arc::new(schema(&empty.columns)?))),
+            of_failures: ParquetMetaDataOptions::new().with_schema(of_failures),
+            rows: 0,
+            groups: Vec::new(),
+        })
+    }
 
-        let bytes = bytes_of_page(rows.len()) as i64;
-        for n in 0..empty.columns.len() {
-            let page = one_page(1 + n, Encoding::PLAIN, place as i64 + n as i64 * bytes, bytes);
-            columns.push(page.build()?);
+    /// Adds the next part, with its numbers from a place on and its [failures](Part::failures).
+    pub(crate) fn add(&mut self, place: usize, failures: &Bytes) -> io::Result<()> {
+        let options = Some(self.of_failures.clone());
+        let reader = ParquetMetaDataReader::new().with_metadata_options(options);
+        let metadata = reader.parse_and_finish(failures)?;
+        let rows = self.rows..self.rows + number(metadata.row_group(0).num_rows())?;
+        let mut columns = vec![self.row_numbers(&rows)?];
+        let page = bytes_of_page(rows.len());
+        for column in 1..self.schema.num_columns() - 1 {
+            let place = place + (column - 1) * page;
+            columns.push(
+                self.one_page(column, Encoding::PLAIN, rows.len(), place..place + page)
+                    .build()?,
+            );
         }
-
-        let column = group.column(0);
-        let (start, length) = column.byte_range();
-        file.write_all(&failures[start as usize..(start + length) as usize])?;
-        let moved = |offset: i64| offset - start as i64 + end;
-        let builder = column.clone().into_builder();
-        let dictionary = column.dictionary_page_offset().map(moved);
-        let failed = builder
-            .set_data_page_offset(moved(column.data_page_offset()))
-            .set_dictionary_page_offset(dictionary);
-        columns.push(failed.build()?);
-        end += length as i64;
-
-        let group = RowGroupMetaData::builder(schema.clone())
-            .set_num_rows(count)
+        columns.push(self.failures(metadata.row_group(0).column(0), failures)?);
+        let group = RowGroupMetaData::builder(self.schema.clone())
+            .set_num_rows(rows.len() as i64)
             .set_total_byte_size(columns.iter().map(ColumnChunkMetaData::uncompressed_size).sum())
             .set_column_metadata(columns)
-            .set_ordinal(i16::try_from(groups.len()).map_err(io::Error::other)?)
+            .set_ordinal(i16::try_from(self.groups.len()).map_err(io::Error::other)?)
             .set_file_offset(place as i64);
-        groups.push(group.build()?);
-        first = rows.end;
+        self.groups.push(group.build()?);
+        self.rows = rows.end;
+        Ok(())
     }
-    let properties = properties(empty);
-    let head = FileMetaData::new(
-        properties.writer_version().as_num(),
-        first as i64,
-        Some(properties.created_by().to_owned()),
-        properties.key_value_metadata().cloned(),
-        schema,
-        None,
-    );
-    ParquetMetaDataWriter::new(&mut file, &ParquetMetaData::new(head, groups)).finish()?;
-    file.flush()
+
+    /// Writes the column `row`.
+    fn row_numbers(&mut self, rows: &Range<usize>) -> io::Result<ColumnChunkMetaData> {
+        let bytes = self.write(&page_of_rows(rows))?;
+        let [least, most] = [rows.start as i64, rows.end as i64 - 1];
+        let statistics = Statistics::int64(Some(least), Some(most), None, Some(0), false);
+        let column = self.one_page(0, Encoding::DELTA_BINARY_PACKED, rows.len(), bytes);
+        Ok(column.set_statistics(statistics).build()?)
+    }
+
+    /// Writes the column `failure` as it lies in a file of its own.
+    fn failures(&mut self, column: &ColumnChunkMetaData, file: &Bytes) -> io::Result<ColumnChunkMetaData> {
+        let (start, length) = column.byte_range();
+        let (from, length) = (number(start)?, number(length)?);
+        let bytes = self.write(&file[from..from + length])?;
+        let moved = |offset: i64| offset - start as i64 + bytes.start as i64;
+        let dictionary = column.dictionary_page_offset().map(moved);
+        let builder = column.clone().into_builder();
+        let placed = builder.set_data_page_offset(moved(column.data_page_offset()));
+        Ok(placed.set_dictionary_page_offset(dictionary).build()?)
+    }
+
+    /// A column that is one page of a part.
+    fn one_page(
+        &self,
+        column: usize,
+        encoding: Encoding,
+        rows: usize,
+        bytes: Range<usize>,
+    ) -> ColumnChunkMetaDataBuilder {
+        ColumnChunkMetaData::builder(self.schema.column(column))
+            .set_encodings(vec![encoding, Encoding::RLE])
+            .set_num_values(rows as i64)
+            .set_total_compressed_size(bytes.len() as i64)
+            .set_total_uncompressed_size(bytes.len() as i64)
+            .set_data_page_offset(bytes.start as i64)
+    }
+
+    /// Writes bytes: where they lie.
+    fn write(&mut self, bytes: &[u8]) -> io::Result<Range<usize>> {
+        self.file.write_all(bytes)?;
+        let start = self.end;
+        self.end += bytes.len();
+        Ok(start..self.end)
+    }
+
+    /// Writes the metadata.
+    pub(crate) fn finish(mut self) -> io::Result<()> {
+        let head = FileMetaData::new(
+            self.properties.writer_version().as_num(),
+            self.rows as i64,
+            Some(self.properties.created_by().to_owned()),
+            self.properties.key_value_metadata().cloned(),
+            self.schema,
+            None,
+        );
+        ParquetMetaDataWriter::new(&mut self.file, &ParquetMetaData::new(head, self.groups)).finish()?;
+        self.file.flush()
+    }
+}
+
+/// A number of a file, which may be too large for this machine.
+fn number<T: TryInto<usize, Error: Error + Send + Sync + 'static>>(number: T) -> io::Result<usize> {
+    number.try_into().map_err(io::Error::other)
 }
 
 /// The columns of a file, with these numbers.
@@ -320,14 +364,24 @@ impl Table {
         read(path).map_err(SweepError::file(path))
     }
 
-    /// Writes the table as a Parquet file, as [`run_to`](crate::Job::run_to) does.
+    /// Writes the table as a Parquet file, with the same columns and metadata as [`run_to`](crate::Job::run_to). A file
+    /// of this name is replaced.
     ///
     /// # Errors
     /// [`SweepError::File`].
     pub fn write(&self, path: impl AsRef<Path>) -> Result<(), SweepError> {
         let path = path.as_ref();
-        let written = File::create(path).and_then(|mut file| write(&mut file, self));
-        written.map_err(SweepError::file(path))
+        let mut unfinished = path.as_os_str().to_owned();
+        unfinished.push(format!(".{}.tmp", std::process::id()));
+        let written = File::create(&unfinished).and_then(|mut file| {
+            write(&mut file, self)?;
+            file.sync_all()?;
+            fs::rename(&unfinished, path)
+        });
+        written.map_err(|error| {
+            let _ = fs::remove_file(&unfinished);
+            SweepError::File(path.to_owned(), error)
+        })
     }
 }
 
@@ -337,30 +391,30 @@ pub(crate) const MOST_ROWS: usize = 1 << 20;
 fn write(file: &mut File, table: &Table) -> io::Result<()> {
     file.write_all(&MAGIC)?;
     let mut parts = Vec::new();
-    for first in (0..table.rows()).step_by(MOST_ROWS) {
-        let rows = first..table.rows().min(first + MOST_ROWS);
+    for first in (0..table.rows).step_by(MOST_ROWS) {
+        let rows = first..table.rows.min(first + MOST_ROWS);
         let mut part = Part::new(rows.clone(), table.columns.len(), Vec::new());
-        part.keep(
-            0,
-            table
-                .numbers
-                .iter()
-                .map(|numbers| numbers[rows.clone()].iter().copied()),
-        );
+        let numbers = table.numbers.iter();
+        part.keep(0, numbers.map(|numbers| numbers[rows.clone()].iter().copied()));
         for (row, reason) in table.failures.range(rows) {
             part.fail(row - first, reason.clone());
         }
-        let place = file.stream_position()?;
+        let place = number(file.stream_position()?)?;
         file.write_all(part.numbers())?;
-        parts.push(Ok((place, part.failures(table)?.into())));
+        parts.push((place, part.failures(table)?.into()));
     }
-    conclude(file, table, parts)
+    let mut ending = Ending::new(file, table)?;
+    for (place, failures) in &parts {
+        ending.add(*place, failures)?;
+    }
+    ending.finish()
 }
 
 fn read(path: &Path) -> io::Result<Table> {
     let reader = SerializedFileReader::new(File::open(path)?)?;
     let mut table = Table {
         columns: columns(&reader)?,
+        rows: 0,
         numbers: Vec::new(),
         failures: BTreeMap::new(),
         declaration: entry(reader.metadata(), DECLARATION)?,
@@ -368,10 +422,8 @@ fn read(path: &Path) -> io::Result<Table> {
     table.numbers = vec![Vec::new(); table.columns.len()];
     for n in 0..reader.num_row_groups() {
         let group = reader.get_row_group(n)?;
-        let (before, rows) = (
-            table.rows(),
-            usize::try_from(group.metadata().num_rows()).map_err(io::Error::other)?,
-        );
+        let (before, rows) = (table.rows, number(group.metadata().num_rows())?);
+        table.rows += rows;
         for (place, numbers) in table.numbers.iter_mut().enumerate() {
             read_column::<DoubleType>(&*group, 1 + place, rows, None, numbers)?;
         }
@@ -409,9 +461,14 @@ fn read_column<D: DataType>(
     Ok(())
 }
 
-/// The declaration in a file.
-pub(crate) fn declaration(path: &Path) -> io::Result<String> {
-    entry(SerializedFileReader::new(File::open(path)?)?.metadata(), DECLARATION)
+/// The declaration in a file, and how many rows it has.
+pub(crate) fn declaration(path: &Path) -> io::Result<(String, usize)> {
+    let reader = SerializedFileReader::new(File::open(path)?)?;
+    let metadata = reader.metadata();
+    Ok((
+        entry(metadata, DECLARATION)?,
+        number(metadata.file_metadata().num_rows())?,
+    ))
 }
 
 fn entry(metadata: &ParquetMetaData, key: &str) -> io::Result<String> {

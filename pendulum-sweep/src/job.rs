@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::error::Error;
 use std::fmt;
 use std::ops::Range;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
@@ -15,20 +16,17 @@ use serde_json::{Value, json};
 use crate::design::Sweep;
 use crate::error::SweepError;
 use crate::file::MOST_ROWS;
-use crate::shards::Shards;
+use crate::shards::{Role, Shards};
 use crate::table::{Column, Table};
 
-/// Why something failed at a point; `?` makes it of every error.
+/// Why something failed at a point; `?` converts any error into it, and `.into()` a text.
 pub type Failure = Box<dyn Error + Send + Sync>;
 
 /// What is done at the points of a sweep, and what is kept.
 pub trait Task<const K: usize>: Sync {
-    /// What is kept of each point.
-    fn columns(&self, sweep: &Sweep<K>) -> Vec<Column>;
-
-    /// What the results depend on besides the points, as far as it can be said: a sweep is gone on with where this is
-    /// the same.
-    fn declaration(&self, sweep: &Sweep<K>) -> Value;
+    /// What is kept of each point, and everything that the results depend on besides the points, as far as it can be
+    /// written down: a sweep resumes only where this is unchanged.
+    fn describe(&self, sweep: &Sweep<K>) -> (Vec<Column>, Value);
 
     /// The results at some points.
     ///
@@ -36,7 +34,7 @@ pub trait Task<const K: usize>: Sync {
     /// [`SweepError::Invalid`] where settings are wrong at all points; the failure of one is part of the results.
     fn run(&self, points: &[[f64; K]]) -> Result<Chunk, SweepError>;
 
-    /// How many points are best given to [`run`](Self::run) at a time.
+    /// The preferred number of points for each call of [`run`](Self::run).
     fn chunk(&self) -> usize {
         USUAL_CHUNK
     }
@@ -99,7 +97,7 @@ impl Chunk {
         });
     }
 
-    /// The columns, behind those of the points.
+    /// All columns: first those of the points.
     fn columns<'a, const K: usize>(
         &'a self,
         points: &'a [[f64; K]],
@@ -150,6 +148,9 @@ const USUAL_CHUNK: usize = 256;
 /// Chunks in a shard at least, where the number of its rows is not given, and how many shards there are at most.
 const SHARD: usize = 16;
 const USUAL_SHARDS: usize = 4096;
+/// With more columns there are fewer shards, but at least so many.
+const USUAL_COLUMNS: usize = 16;
+const LEAST_SHARDS: usize = 64;
 /// The most groups of rows in a Parquet file.
 const MOST_SHARDS: usize = i16::MAX as usize;
 
@@ -203,15 +204,19 @@ impl<const K: usize> Sweep<K> {
 
 impl<T: Task<K>, const K: usize> Job<T, K> {
     /// The rows of each shard: what a kill loses at most, for each core. Default: 4096, more for methods that integrate
-    /// more trajectories at a time, and more where there would be more than 4096 shards. At most 2^20.
-    pub fn shard(mut self, rows: usize) -> Self {
+    /// more trajectories at a time, and more where there would be more than 4096 shards, or fewer if there are more than
+    /// 16 columns: what each shard adds to the file is kept in memory while it is put together. At most 2^20.
+    pub fn rows_per_shard(mut self, rows: usize) -> Self {
         self.shard = Some(rows.clamp(1, MOST_ROWS));
         self
     }
 
-    fn rows_of_shard(&self) -> usize {
+    fn rows_of_shard(&self, columns: usize) -> usize {
         let chunk = self.task.chunk();
-        let usual = || self.sweep.points().div_ceil(USUAL_SHARDS).next_multiple_of(chunk);
+        let shards = USUAL_SHARDS
+            .min(USUAL_COLUMNS * USUAL_SHARDS / columns.max(1))
+            .max(LEAST_SHARDS);
+        let usual = || self.sweep.points().div_ceil(shards).next_multiple_of(chunk);
         self.shard.unwrap_or_else(|| usual().max(SHARD * chunk).min(MOST_ROWS))
     }
 
@@ -244,12 +249,24 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
     /// Computes all rows.
     ///
     /// # Errors
-    /// [`SweepError::Invalid`].
+    /// [`SweepError::Invalid`], also for a [share](Self::share), which belongs into a file, and where there is not enough
+    /// memory for the table.
     pub fn run(&self) -> Result<Table, SweepError> {
         let mut empty = self.empty()?;
-        let progress = self.progress(self.sweep.points());
+        if self.share.1 > 1 {
+            return Err(SweepError::Invalid(
+                "a share is computed into a file: use `run_to`".to_owned(),
+            ));
+        }
         let rows = self.sweep.points();
-        empty.numbers.fill(vec![0.0; rows]);
+        let progress = self.progress(rows);
+        empty.rows = rows;
+        for numbers in &mut empty.numbers {
+            let reserved = numbers.try_reserve_exact(rows);
+            let rule = |_| SweepError::Invalid(format!("there is not enough memory for {rows} rows: use `run_to`"));
+            reserved.map_err(rule)?;
+            numbers.resize(rows, 0.0);
+        }
         let table = Mutex::new(empty);
         self.in_threads(|| {
             self.rows(0..rows, &progress, |first, points, chunk| {
@@ -276,15 +293,14 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
     /// hold the units and the declaration.
     ///
     /// # Errors
-    /// All of [`SweepError`]; [`SweepError::Incomplete`] is none of them where this is a [share](Self::share).
+    /// Any [`SweepError`]. A [share](Self::share) that ends before the others is not an error.
     pub fn run_to(&self, path: impl AsRef<Path>) -> Result<Summary, SweepError> {
         let (index, of) = self.share;
         self.timed(path.as_ref(), |shards| {
-            if shards.is_merged()? {
-                shards.clean()?;
+            let role = if of == 1 { Role::Alone } else { Role::Share };
+            let Some(_lock) = shards.enter(role)? else {
                 return Ok((0, 0, true));
-            }
-            shards.open()?;
+            };
             let own = shards.missing((index..shards.count).step_by(of))?;
             let rows = own.iter().map(|&n| shards.rows(n).len()).sum();
             let progress = self.progress(rows);
@@ -321,27 +337,29 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
     /// Computes all rows into a file, together with the other processes of `mpirun`.
     #[cfg(feature = "mpi")]
     pub(crate) fn run_on(&self, ranks: &crate::ranks::Ranks, path: &Path) -> Result<Summary, SweepError> {
+        if self.share.1 > 1 {
+            let reason = "processes of `mpirun` share the work by themselves: leave out `--shard`";
+            return Err(SweepError::Invalid(reason.to_owned()));
+        }
         self.timed(path, |shards| {
-            let is_merged = shards.is_merged()?;
-            if !is_merged && ranks.is_first() {
-                shards.open()?;
+            if !ranks.agree(crc32fast::hash(shards.empty.declaration.as_bytes())) {
+                let reason = "this process has another sweep than the first one of `mpirun`";
+                return Err(SweepError::Invalid(reason.to_owned()));
             }
-            ranks.meet();
-            if is_merged {
+            let lock = if ranks.is_first() {
+                shards.enter(Role::Alone)?
+            } else {
+                None
+            };
+            if !ranks.first_says(lock.is_some()) {
                 return Ok((0, 0, true));
             }
-            let missing = if ranks.is_first() {
-                shards.missing(0..shards.count)?
-            } else {
-                Vec::new()
-            };
+            let (mut missing, mut progress) = (Vec::new(), ProgressBar::hidden());
+            if ranks.is_first() {
+                missing = shards.missing(0..shards.count)?;
+                progress = self.progress(missing.iter().map(|&n| shards.rows(n).len()).sum());
+            }
             let (mut computed, mut failures) = (0, 0);
-            let rows = missing.iter().map(|&n| shards.rows(n).len()).sum();
-            let progress = if ranks.is_first() {
-                self.progress(rows)
-            } else {
-                ProgressBar::hidden()
-            };
             shards.flushed(|| {
                 ranks.share(missing, &progress, |n| {
                     let rows = shards.rows(n).len();
@@ -365,20 +383,32 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
     /// [`SweepError::Incomplete`] where shards are missing, and those of [`run_to`](Self::run_to).
     pub fn merge(&self, path: impl AsRef<Path>) -> Result<(), SweepError> {
         let shards = self.shards(path.as_ref())?;
-        if shards.is_merged()? {
-            return shards.clean();
+        if !shards.are_begun() && !shards.is_merged()? {
+            let of = shards.count;
+            return Err(SweepError::Incomplete {
+                present: 0,
+                of,
+                missing: 0,
+            });
         }
-        shards.open()?;
+        let Some(_lock) = shards.enter(Role::Alone)? else {
+            return Ok(());
+        };
         shards.missing(0..shards.count)?;
         shards.merge()
     }
 
     fn shards<'p>(&self, path: &'p Path) -> Result<Shards<'p>, SweepError> {
-        let shards = Shards::new(path, self.sweep.points(), self.rows_of_shard(), self.empty()?)?;
+        let empty = self.empty()?;
+        let rows = self.rows_of_shard(empty.columns.len());
+        let shards = Shards::new(path, self.sweep.points(), rows, empty)?;
         if shards.count > MOST_SHARDS {
             let least = self.sweep.points().div_ceil(MOST_SHARDS);
-            let reason =
-                format!("a file takes {MOST_SHARDS} shards at most: of so many points, each has {least} rows or more");
+            let reason = if least > MOST_ROWS {
+                format!("a file takes {} rows at most", MOST_SHARDS * MOST_ROWS)
+            } else {
+                format!("a file takes {MOST_SHARDS} shards at most: of so many points, each has {least} rows or more")
+            };
             return Err(SweepError::Invalid(reason));
         }
         Ok(shards)
@@ -407,32 +437,37 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
     /// The table without rows, of a job that can run.
     fn empty(&self) -> Result<Table, SweepError> {
         self.check()?;
-        let columns: Vec<Column> = self
-            .sweep
-            .columns()
-            .into_iter()
-            .chain(self.task.columns(&self.sweep))
-            .collect();
-        let mut names: Vec<&str> = columns.iter().map(|column| column.name.as_str()).collect();
-        names.extend(["row", "failure"]);
-        names.sort_unstable();
-        if let Some(twice) = names.windows(2).find(|pair| pair[0] == pair[1]) {
-            let reason = format!(
-                "two columns have the name `{}`; `row` and `failure` are always there",
-                twice[0]
-            );
+        let of_points = self.sweep.columns();
+        let (kept, task) = self.task.describe(&self.sweep);
+        let is_twice = |(n, column): (usize, &Column)| {
+            let name = &column.name;
+            let before = of_points.iter().chain(&kept).take(n);
+            ["row", "failure"].contains(&name.as_str()) || before.into_iter().any(|other| other.name == *name)
+        };
+        let mut all = of_points.iter().chain(&kept).enumerate();
+        if let Some((n, Column { name, .. })) = all.find(|&column| is_twice(column)) {
+            let reason = match name.as_str() {
+                "row" | "failure" => format!("a column has the name `{name}`, which every table has already"),
+                _ if n >= of_points.len() && of_points.iter().any(|column| column.name == *name) => format!(
+                    "two columns have the name `{name}`: a number of the points, and one that is kept of trajectories, \
+                     perhaps a coordinate; give the number of the points another name"
+                ),
+                _ => format!("two columns have the name `{name}`"),
+            };
             return Err(SweepError::Invalid(reason));
         }
+        let columns = [of_points, kept].concat();
         let declaration = json!({
             "name": self.sweep.name,
             "design": self.sweep.declaration(),
-            "task": self.task.declaration(&self.sweep),
+            "task": task,
             "columns": columns.iter().map(|column| json!([column.name, column.unit])).collect::<Vec<_>>(),
-            "size of shards": self.rows_of_shard(),
+            "size of shards": self.rows_of_shard(columns.len()),
             "version": self.version,
             "pendulum-sweep": env!("CARGO_PKG_VERSION"),
         });
         Ok(Table {
+            rows: 0,
             numbers: vec![Vec::new(); columns.len()],
             columns,
             failures: BTreeMap::new(),
@@ -467,8 +502,12 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         let size = self.task.chunk().min(rows.len().div_ceil(rayon::current_num_threads()));
         let compute = |first: usize| {
             let of_chunk = first..rows.end.min(first + size);
-            let points = self.sweep.points_of(of_chunk);
-            keep(first - rows.start, &points, self.task.run(&points)?);
+            let points = self.sweep.points_of(of_chunk.clone());
+            let results = catch_unwind(AssertUnwindSafe(|| self.task.run(&points))).unwrap_or_else(|panic| {
+                eprintln!("this was in one of the rows {} to {}", of_chunk.start, of_chunk.end - 1);
+                resume_unwind(panic)
+            });
+            keep(first - rows.start, &points, results?);
             progress.inc(points.len() as u64);
             Ok(())
         };
@@ -492,7 +531,7 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
     }
 }
 
-/// What is locked. Where a thread has panicked, so will all.
+/// What is locked, also by a thread that has panicked: then all will.
 fn locked<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
@@ -507,12 +546,8 @@ impl<F, const K: usize, const Q: usize> Task<K> for Each<F, Q>
 where
     F: Fn([f64; K]) -> Result<[f64; Q], Failure> + Sync,
 {
-    fn columns(&self, _sweep: &Sweep<K>) -> Vec<Column> {
-        self.columns.to_vec()
-    }
-
-    fn declaration(&self, _sweep: &Sweep<K>) -> Value {
-        json!("each")
+    fn describe(&self, _sweep: &Sweep<K>) -> (Vec<Column>, Value) {
+        (self.columns.to_vec(), json!("each"))
     }
 
     fn run(&self, points: &[[f64; K]]) -> Result<Chunk, SweepError> {

@@ -24,6 +24,15 @@ pub(crate) struct Ranks {
     _universe: Universe,
 }
 
+/// A rank that panics would else wait for the others, and these for it.
+impl Drop for Ranks {
+    fn drop(&mut self) {
+        if std::thread::panicking() {
+            self.world.abort(101);
+        }
+    }
+}
+
 impl Ranks {
     /// None where the program was started alone.
     pub(crate) fn of_program() -> Option<Self> {
@@ -42,6 +51,20 @@ impl Ranks {
     /// Waits for all others.
     pub(crate) fn meet(&self) {
         self.world.barrier();
+    }
+
+    /// What the first rank says.
+    pub(crate) fn first_says(&self, own: bool) -> bool {
+        let mut said = u32::from(own);
+        self.world.process_at_rank(0).broadcast_into(&mut said);
+        said == 1
+    }
+
+    /// Whether a number is that of the first rank.
+    pub(crate) fn agree(&self, own: u32) -> bool {
+        let mut first = own;
+        self.world.process_at_rank(0).broadcast_into(&mut first);
+        first == own
     }
 
     /// The sum over all ranks, at the first one.

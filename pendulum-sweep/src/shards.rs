@@ -4,14 +4,19 @@
 //! place of its own, so that they are written once. A small file tells that a shard is complete: it has the failures of
 //! the shard, and in its name the checksums of both. The big file becomes the table by adding to it what the small ones
 //! have.
+//!
+//! A process that computes all shards, or makes the table of them, holds a lock, so that it is the only one; those that
+//! compute shares hold it together. Files of another sweep are never touched, locked or not: the declaration is in each
+//! small file, and its checksum in the name of the big one.
 
 use std::collections::BTreeMap;
-use std::ffi::OsString;
-use std::fs::{self, File, OpenOptions};
+use std::ffi::{OsStr, OsString};
+use std::fs::{self, File, OpenOptions, TryLockError};
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::Duration;
@@ -19,7 +24,7 @@ use std::time::Duration;
 use serde_json::Value;
 
 use crate::error::SweepError;
-use crate::file::{self, Part};
+use crate::file::{self, Ending, Part};
 use crate::table::Table;
 
 /// The file of a sweep, and the folder of its shards.
@@ -35,29 +40,51 @@ pub(crate) struct Shards<'p> {
     pub(crate) empty: Table,
     /// Memory that shards have had: fresh memory would cost as much as to write it.
     spare: Mutex<Vec<Vec<u8>>>,
+    /// Whether what was written could not go to the disk.
+    is_lost: AtomicBool,
+}
+
+/// What a process does with the shards of a sweep.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Role {
+    /// All of them, or the table.
+    Alone,
+    /// Some of them, while others compute the rest.
+    Share,
+}
+
+/// Holds the [`Role`] of this process for as long as it lives.
+pub(crate) struct Lock {
+    _file: File,
 }
 
 const DECLARATION: &str = "declaration.json";
+const LOCK: &str = "lock";
+/// Held for moments by those that find out which role they can have.
+const ENTRANCE: &str = "entrance";
 
 /// Shards begin at multiples of this many bytes: no two processes write to the same page of memory or block of a disk.
 const PAGE: usize = 4096;
 
 impl<'p> Shards<'p> {
     pub(crate) fn new(path: &'p Path, points: usize, length: usize, empty: Table) -> Result<Self, SweepError> {
-        let name = path.file_name();
-        let name = name.ok_or_else(|| SweepError::Invalid(format!("{} is not the name of a file", path.display())))?;
+        let ends_in_name = !path.as_os_str().to_string_lossy().ends_with(std::path::is_separator);
+        let name = path.file_name().filter(|_| ends_in_name && !path.is_dir());
+        let name =
+            name.ok_or_else(|| SweepError::Invalid(format!("{} is a folder; name a file in it", path.display())))?;
         let mut folder = OsString::from(name);
         folder.push(".shards");
         let folder = path.with_file_name(folder);
         Ok(Self {
             path,
-            numbers: folder.join("numbers"),
+            numbers: folder.join(format!("{:08x}.numbers", crc32fast::hash(empty.declaration.as_bytes()))),
             folder,
             points,
             length,
             count: points.div_ceil(length),
             empty,
             spare: Mutex::default(),
+            is_lost: AtomicBool::new(false),
         })
     }
 
@@ -78,11 +105,11 @@ impl<'p> Shards<'p> {
         let mut missing = Vec::new();
         for n in shards {
             if let Some(&sums) = present.get(&n) {
-                let path = self.of(n, sums);
+                let path = self.path_of(n, sums);
                 if self.is_whole(n, sums, &path)? {
                     continue;
                 }
-                eprintln!("{} is broken, and is computed again", path.display());
+                eprintln!("{} is broken; its shard is missing", path.display());
                 fs::remove_file(&path).map_err(SweepError::file(&path))?;
             }
             missing.push(n);
@@ -113,15 +140,26 @@ impl<'p> Shards<'p> {
                 let mut parts = name.strip_suffix(".shard")?.split('-');
                 let n: usize = parts.next()?.parse().ok()?;
                 let [failures, numbers] = [parts.next()?, parts.next()?].map(|sum| u32::from_str_radix(sum, 16));
-                Some((n, [failures.ok()?, numbers.ok()?]))
+                let sums = [failures.ok()?, numbers.ok()?];
+                (name == Self::name(n, sums)).then_some((n, sums))
             };
             present.extend(name.to_str().and_then(shard));
         }
         Ok(present)
     }
 
-    fn of(&self, n: usize, [failures, numbers]: [u32; 2]) -> PathBuf {
-        self.folder.join(format!("{n:06}-{failures:08x}-{numbers:08x}.shard"))
+    fn name(n: usize, [failures, numbers]: [u32; 2]) -> String {
+        format!("{n:06}-{failures:08x}-{numbers:08x}.shard")
+    }
+
+    /// The small file of a shard.
+    fn path_of(&self, n: usize, sums: [u32; 2]) -> PathBuf {
+        self.folder.join(Self::name(n, sums))
+    }
+
+    /// Whether there is anything of the sweep but its file.
+    pub(crate) fn are_begun(&self) -> bool {
+        self.folder.join(DECLARATION).exists()
     }
 
     /// Whether the file is there; it must be that of this sweep.
@@ -129,24 +167,74 @@ impl<'p> Shards<'p> {
         if !self.path.exists() {
             return Ok(false);
         }
-        let declaration = file::declaration(self.path).map_err(SweepError::file(self.path))?;
-        self.compare(self.path, &declaration).map(|()| true)
+        let (declaration, rows) = file::declaration(self.path).map_err(SweepError::file(self.path))?;
+        self.compare(self.path, &declaration)?;
+        if rows != self.points {
+            let error = io::Error::new(io::ErrorKind::InvalidData, "it has too few rows, or too many");
+            return Err(SweepError::File(self.path.to_owned(), error));
+        }
+        Ok(true)
     }
 
-    /// Makes the folder, or sees that what is there is of this sweep.
-    pub(crate) fn open(&self) -> Result<(), SweepError> {
+    /// Goes to work, in a folder that is made where there is none; not where the file is there already.
+    ///
+    /// # Errors
+    /// [`SweepError::Busy`] where other processes do not allow this role, and [`SweepError::Other`].
+    pub(crate) fn enter(&self, role: Role) -> Result<Option<Lock>, SweepError> {
+        if !self.is_merged()? {
+            let lock = self.open(role)?;
+            // another process may have come to its end meanwhile
+            if !self.is_merged()? {
+                return Ok(Some(lock));
+            }
+        }
+        self.clean().map(|()| None)
+    }
+
+    fn open(&self, role: Role) -> Result<Lock, SweepError> {
         fs::create_dir_all(&self.folder).map_err(SweepError::file(&self.folder))?;
-        let declaration = self.folder.join(DECLARATION);
-        let has_shards = !self.present()?.is_empty();
-        match fs::read_to_string(&declaration) {
-            // nothing is lost where there is nothing yet; a loss of power may leave an empty text
-            Ok(text) if has_shards && !text.is_empty() => self.compare(&self.folder, &text)?,
-            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(SweepError::File(declaration, error)),
-            _ => whole(&declaration, self.empty.declaration.as_bytes()).map_err(SweepError::file(&declaration))?,
+        let file = |name: &str| {
+            let path = self.folder.join(name);
+            let mut options = OpenOptions::new();
+            let file = options.write(true).create(true).truncate(false).open(&path);
+            file.map_err(SweepError::file(&path))
+        };
+        let (entrance, lock) = (file(ENTRANCE)?, file(LOCK)?);
+        // where the file system has no locks, it goes without
+        let _ = entrance.lock();
+        let is_held = |locked: Result<(), TryLockError>| matches!(locked, Err(TryLockError::WouldBlock));
+        let is_alone = !is_held(lock.try_lock());
+        if !is_alone && role == Role::Alone {
+            return Err(SweepError::Busy(self.path.to_owned()));
+        }
+        self.declare(is_alone)?;
+        if role == Role::Share {
+            let _ = lock.unlock();
+            if is_held(lock.try_lock_shared()) {
+                return Err(SweepError::Busy(self.path.to_owned()));
+            }
         }
         let mut options = OpenOptions::new();
         let numbers = options.write(true).create(true).truncate(false).open(&self.numbers);
-        numbers.map(drop).map_err(SweepError::file(&self.numbers))
+        numbers.map_err(SweepError::file(&self.numbers))?;
+        Ok(Lock { _file: lock })
+    }
+
+    /// Writes the declaration, or sees that what is there is of this sweep. Where nobody else is at work, and there are
+    /// no shards yet, another one is replaced: nothing is lost.
+    fn declare(&self, is_alone: bool) -> Result<(), SweepError> {
+        let path = self.folder.join(DECLARATION);
+        match fs::read_to_string(&path) {
+            Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(SweepError::File(path, error)),
+            // a loss of power may leave an empty text
+            Ok(text) if !text.is_empty() => {
+                if !is_alone || !self.present()?.is_empty() {
+                    return self.compare(&self.folder, &text);
+                }
+            }
+            _ => {}
+        }
+        write_whole(&path, self.empty.declaration.as_bytes()).map_err(SweepError::file(&path))
     }
 
     /// A shard that is to be computed.
@@ -158,9 +246,13 @@ impl<'p> Shards<'p> {
     pub(crate) fn write(&self, n: usize, shard: Part) -> Result<(), SweepError> {
         let numbers = self.write_numbers(n, shard.numbers());
         numbers.map_err(SweepError::file(&self.numbers))?;
+        if self.is_lost.load(Ordering::Relaxed) {
+            let error = io::Error::other("what was written could not go to the disk");
+            return Err(SweepError::File(self.numbers.clone(), error));
+        }
         let failures = shard.failures(&self.empty).map_err(SweepError::file(&self.folder))?;
-        let path = self.of(n, [crc32fast::hash(&failures), crc32fast::hash(shard.numbers())]);
-        whole(&path, &failures).map_err(SweepError::file(&path))?;
+        let path = self.path_of(n, [crc32fast::hash(&failures), crc32fast::hash(shard.numbers())]);
+        write_whole(&path, &failures).map_err(SweepError::file(&path))?;
         if let Ok(mut spare) = self.spare.lock() {
             spare.push(shard.into_memory());
         }
@@ -173,20 +265,22 @@ impl<'p> Shards<'p> {
         file.write_all(numbers)
     }
 
-    /// Does something that writes shards, while what is written goes to the disk. At the end nothing waits for the disk,
-    /// and however long it takes, the memory of the system is not full of it.
+    /// Does something that writes shards, while another thread sees that what is written goes to the disk: so nothing is
+    /// left to wait for at the end, and the memory of the system does not fill up.
     pub(crate) fn flushed<R>(&self, work: impl FnOnce() -> Result<R, SweepError>) -> Result<R, SweepError> {
         let (done, until) = mpsc::channel();
         let (result, flushed) = thread::scope(|scope| {
-            let flushed = scope.spawn(|| self.flush(until));
+            let flushed = scope.spawn(|| {
+                self.flush(until)
+                    .inspect_err(|_| self.is_lost.store(true, Ordering::Relaxed))
+            });
             let result = work();
             drop(done);
             (result, flushed.join())
         });
-        let result = result?;
         let flushed = flushed.unwrap_or_else(|_| Err(io::Error::other("the thread that writes to it has panicked")));
         flushed.map_err(SweepError::file(&self.numbers))?;
-        Ok(result)
+        result
     }
 
     /// Writes to the disk, again and again, what there is.
@@ -220,27 +314,79 @@ impl<'p> Shards<'p> {
                 missing,
             });
         }
-        let conclude = || {
-            let mut file = OpenOptions::new().write(true).open(&self.numbers)?;
-            file.write_all(&file::MAGIC)?;
-            file.set_len(self.place(self.count))?;
-            let shards = present.iter().take(self.count);
-            let parts = shards.map(|(&n, &sums)| Ok((self.place(n), fs::read(self.of(n, sums))?.into())));
-            file::conclude(&mut file, &self.empty, parts)?;
-            file.sync_all()?;
-            fs::rename(&self.numbers, self.path)
-        };
-        conclude().map_err(SweepError::file(self.path))?;
+        let in_numbers = || SweepError::file(&self.numbers);
+        let mut file = OpenOptions::new()
+            .write(true)
+            .open(&self.numbers)
+            .map_err(in_numbers())?;
+        let prepared = file
+            .write_all(&file::MAGIC)
+            .and_then(|()| file.set_len(self.place(self.count)));
+        prepared.map_err(in_numbers())?;
+        let mut ending = Ending::new(&mut file, &self.empty).map_err(in_numbers())?;
+        for (&n, &sums) in present.iter().take(self.count) {
+            let path = self.path_of(n, sums);
+            let failures = fs::read(&path).map_err(SweepError::file(&path))?.into();
+            let (declaration, _) = file::read_failures(&failures, 0).map_err(SweepError::file(&path))?;
+            self.compare(&path, &declaration)?;
+            ending.add(self.place(n) as usize, &failures).map_err(in_numbers())?;
+        }
+        ending.finish().and_then(|()| file.sync_all()).map_err(in_numbers())?;
+        self.publish()?;
         self.clean()
     }
 
-    /// Removes what is left of the shards when the file is there.
-    pub(crate) fn clean(&self) -> Result<(), SweepError> {
-        let declaration = fs::read_to_string(self.folder.join(DECLARATION));
-        if declaration.is_ok_and(|text| text == self.empty.declaration) {
-            fs::remove_dir_all(&self.folder).map_err(SweepError::file(&self.folder))?;
+    /// Gives the finished file its name, unless a file of this name has come meanwhile.
+    fn publish(&self) -> Result<(), SweepError> {
+        if self.is_merged()? {
+            return Ok(());
+        }
+        match fs::hard_link(&self.numbers, self.path) {
+            Ok(()) => {}
+            Err(error) if error.kind() == io::ErrorKind::AlreadyExists => return self.is_merged().map(drop),
+            // not all file systems have links
+            Err(_) => fs::rename(&self.numbers, self.path).map_err(SweepError::file(self.path))?,
+        }
+        #[cfg(unix)]
+        if let Some(parent) = self.path.parent() {
+            let parent = if parent.as_os_str().is_empty() {
+                Path::new(".")
+            } else {
+                parent
+            };
+            // the name goes to the disk before the shards are removed, where folders can be written by themselves
+            let _ = File::open(parent).and_then(|folder| folder.sync_all());
         }
         Ok(())
+    }
+
+    /// Removes what is left of the shards when the file is there, and nothing else.
+    pub(crate) fn clean(&self) -> Result<(), SweepError> {
+        let declaration = fs::read_to_string(self.folder.join(DECLARATION));
+        if !declaration.is_ok_and(|text| text == self.empty.declaration) {
+            return Ok(());
+        }
+        let remove = || {
+            for entry in fs::read_dir(&self.folder)? {
+                let path = entry?.path();
+                let is_own = |name: &str| {
+                    let ends = [".shard", ".numbers", ".tmp"];
+                    [LOCK, ENTRANCE].contains(&name) || ends.iter().any(|end| name.ends_with(end))
+                };
+                if path.file_name().and_then(OsStr::to_str).is_some_and(is_own) {
+                    fs::remove_file(path)?;
+                }
+            }
+            fs::remove_file(self.folder.join(DECLARATION))?;
+            fs::remove_dir(&self.folder)
+        };
+        match remove() {
+            // another process may do the same; what is not of this sweep stays
+            Err(error) if ![io::ErrorKind::NotFound, io::ErrorKind::DirectoryNotEmpty].contains(&error.kind()) => {
+                Err(SweepError::File(self.folder.clone(), error))
+            }
+            _ => Ok(()),
+        }
     }
 
     /// That a declaration is the one of this sweep, and else in what it differs.
@@ -251,6 +397,9 @@ impl<'p> Shards<'p> {
         let read = |text: &str| serde_json::from_str(text).unwrap_or(Value::Null);
         let mut differs = Vec::new();
         differences("", (&read(&self.empty.declaration), &read(other)), &mut differs);
+        if differs.is_empty() {
+            return Ok(());
+        }
         let path = path.to_owned();
         Err(SweepError::Other { path, differs })
     }
@@ -278,26 +427,46 @@ fn differences(place: &str, (own, other): (&Value, &Value), differs: &mut Vec<St
         }
         _ if own == other => {}
         _ => {
-            let [own, other] = [own, other].map(shortened);
-            differs.push(format!("{place}: {other} in place of {own}"));
+            let place = if place.is_empty() { "declaration" } else { place };
+            let [own, other] = [own, other].map(|value| {
+                if value.is_null() {
+                    "nothing".to_owned()
+                } else {
+                    value.to_string()
+                }
+            });
+            let same = own
+                .chars()
+                .zip(other.chars())
+                .take_while(|(own, other)| own == other)
+                .count();
+            differs.push(format!(
+                "{place}: {} in place of {}",
+                excerpt(&other, same),
+                excerpt(&own, same)
+            ));
         }
     }
 }
 
-/// A value as text, of which much is left out.
-fn shortened(value: &Value) -> String {
+/// A text about a place, from which much is left out.
+fn excerpt(text: &str, place: usize) -> String {
+    const BEFORE: usize = 20;
     const MOST: usize = 120;
-    let text = value.to_string();
-    match text.char_indices().nth(MOST) {
-        Some((end, _)) => format!("{}..", &text[..end]),
-        None if value.is_null() => "nothing".to_owned(),
-        None => text,
-    }
+    let from = if text.chars().count() > MOST {
+        place.saturating_sub(BEFORE)
+    } else {
+        0
+    };
+    let [start, end] = [(from > 0, ".."), (text.chars().count() > from + MOST, "..")]
+        .map(|(is_cut, dots)| if is_cut { dots } else { "" });
+    let part: String = text.chars().skip(from).take(MOST).collect();
+    format!("{start}{part}{end}")
 }
 
 /// Writes a file that is complete or absent at any time, under another name at first. Where power fails, some of it may
 /// be missing.
-fn whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
+fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
     let mut name = path.file_name().unwrap_or_default().to_owned();
     name.push(format!(".{}.tmp", std::process::id()));
     let unfinished = path.with_file_name(name);

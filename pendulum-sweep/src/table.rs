@@ -28,6 +28,7 @@ impl Column {
 #[derive(Clone, Debug, PartialEq)]
 pub struct Table {
     pub(crate) columns: Vec<Column>,
+    pub(crate) rows: usize,
     pub(crate) numbers: Vec<Vec<f64>>,
     pub(crate) failures: BTreeMap<usize, String>,
     pub(crate) declaration: String,
@@ -37,7 +38,7 @@ impl Table {
     /// How many rows there are.
     #[must_use]
     pub fn rows(&self) -> usize {
-        self.numbers.first().map_or(0, Vec::len)
+        self.rows
     }
 
     /// What the columns are: first the numbers of the points, then what was kept.

@@ -10,7 +10,7 @@ use pendulum_core::{
 use serde_json::{Value, json};
 
 use crate::design::Sweep;
-use crate::ends::{Quantity, Trials, first_trial, of_first, of_state};
+use crate::ends::{Quantity, Trials, first_trial, is_of_start, of_first, of_state};
 use crate::error::SweepError;
 use crate::job::{Chunk, Failure, Job, Task};
 use crate::table::Column;
@@ -182,9 +182,9 @@ where
     X: Debug + Sync,
     M: System<f64, N>,
 {
-    fn columns(&self, sweep: &Sweep<K>) -> Vec<Column> {
+    fn describe(&self, sweep: &Sweep<K>) -> (Vec<Column>, Value) {
         let first = first_trial(sweep, &self.trial);
-        let state = of_state::<N>(first.and_then(|(model, _)| model.layout()));
+        let state = of_state::<N>(first.as_ref().and_then(|(model, _)| model.layout()));
         let mut columns = vec![Column::new("t", "s")];
         columns.extend(state.iter().cloned());
         for kept in &self.kept {
@@ -199,12 +199,9 @@ where
                 Kept::Event(name, _) => columns.extend([Column::new(name, "1"), when(name)]),
             }
         }
-        columns
-    }
-
-    fn declaration(&self, sweep: &Sweep<K>) -> Value {
-        let first = of_first(first_trial(sweep, &self.trial), self.span.0);
-        json!({ "trajectories": format!("{:?}", self.method), "span": self.span, "first": first })
+        let first = of_first(first, self.span.0);
+        let declaration = json!({ "trajectories": format!("{:?}", self.method), "span": self.span, "first": first });
+        (columns, declaration)
     }
 
     fn run(&self, points: &[[f64; K]]) -> Result<Chunk, SweepError> {
@@ -307,8 +304,14 @@ where
     M: System<f64, N>,
 {
     let members = models.iter().zip(starts).zip(events).zip(seen);
-    let ended = members.map(|(((model, &x), events), seen)| method.follow(model, t0, t1, x, events, seen).err());
-    Ok(ended.collect())
+    let ended = members.map(
+        |(((model, &x), events), seen)| match method.follow(model, t0, t1, x, events, seen) {
+            Ok(_) => Ok(None),
+            Err(reason) if is_of_start(&reason) => Ok(Some(reason)),
+            Err(reason) => Err(reason.into()),
+        },
+    );
+    ended.collect()
 }
 
 fn in_lanes<X, M, const N: usize>(
@@ -406,10 +409,10 @@ impl<const N: usize> Observer<f64, N> for Seen<'_, N> {
         }
     }
 
-    fn jump(&mut self, _t: f64, x: SVector<f64, N>) {
+    fn jump(&mut self, t: f64, x: SVector<f64, N>) {
         self.x = x;
         for extremum in &mut self.extrema {
-            extremum.is_open = false;
+            extremum.jump(t, x);
         }
     }
 
@@ -451,6 +454,20 @@ impl<'s, const N: usize> Extremum<'s, N> {
         }
     }
 
+    /// Whether a value is more than all before, which may not be numbers.
+    fn is_more(&self, value: f64) -> bool {
+        value > self.most || self.most.is_nan() && !value.is_nan()
+    }
+
+    fn jump(&mut self, t: f64, x: SVector<f64, N>) {
+        let value = (self.value)(t, &x);
+        self.is_open = self.is_more(value);
+        if self.is_open {
+            (self.t, self.most, self.width) = (t, value, 0.0);
+            self.about = Solution::start(t, x);
+        }
+    }
+
     fn step(&mut self, dense: &Dense<'_, f64, N>) {
         let step = dense.step();
         let width = 0.25 * (step.t1 - step.t0);
@@ -465,7 +482,7 @@ impl<'s, const N: usize> Extremum<'s, N> {
                 }
             };
             let value = (self.value)(t, &x);
-            if value > self.most {
+            if self.is_more(value) {
                 (self.t, self.most, self.width) = (t, value, width.abs());
                 is_here = true;
             }

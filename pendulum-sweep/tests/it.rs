@@ -11,7 +11,7 @@ use parquet::file::reader::SerializedFileReader;
 use parquet::record::RowAccessor;
 use pendulum_core::prelude::*;
 use pendulum_core::stability::Lyapunov;
-use pendulum_sweep::{Arguments, Axis, Draw, Ends, Failure, Job, Sweep, SweepError, Table};
+use pendulum_sweep::{Arguments, Axis, Draw, Ends, Failure, Job, Sweep, SweepError, Table, Task};
 
 mechanism! {
     pub Rods {
@@ -51,15 +51,18 @@ fn rods(rows: usize, t1: f64) -> Job<Ends<Tsit5, Trial, Rods, 4>, 2> {
     rods_of(trial, rows, t1)
 }
 
-fn rods_of(trial: Trial, rows: usize, t1: f64) -> Job<Ends<Tsit5, Trial, Rods, 4>, 2> {
-    let draws = [
+fn draws() -> [Draw; 2] {
+    [
         Draw::uniform("start", "rad", -3.0, 3.0),
         Draw::logarithmic("gamma", "N m s", 1e-3, 1.0),
-    ];
-    Sweep::random("rods", draws, rows, 7)
+    ]
+}
+
+fn rods_of(trial: Trial, rows: usize, t1: f64) -> Job<Ends<Tsit5, Trial, Rods, 4>, 2> {
+    Sweep::random("rods", draws(), rows, 7)
         .ends(method(), (0.0, t1), trial)
         .value("energy", "J", |rods, t, x| rods.energy(t, x))
-        .shard(100)
+        .rows_per_shard(100)
         .quiet()
 }
 
@@ -144,7 +147,7 @@ fn rows_are_numbered_across_shards() -> Outcome {
     for shard in [1, 2, 128, 129, 130, 300] {
         let path = folder.join(format!("{shard}.parquet"));
         let job = Sweep::grid("numbers", [Axis::linear("a", "1", 0.0, 1.0, 391)]).each([("one", "1")], |_| Ok([1.0]));
-        job.quiet().shard(shard).run_to(&path)?;
+        job.quiet().rows_per_shard(shard).run_to(&path)?;
         let reader = SerializedFileReader::new(fs::File::open(&path)?)?;
         let rows = reader.into_iter().map(|row| row?.get_long(0));
         assert_eq!(
@@ -160,7 +163,7 @@ fn rows_are_numbered_across_shards() -> Outcome {
 #[test]
 fn child() -> Outcome {
     if let Some(path) = std::env::var_os("PENDULUM_SWEEP_TEST_FILE") {
-        rods(600, 1.0).shard(20).run_to(path)?;
+        rods(600, 1.0).rows_per_shard(20).run_to(path)?;
     }
     Ok(())
 }
@@ -170,7 +173,7 @@ fn child() -> Outcome {
 fn a_sweep_that_is_killed_goes_on_and_ends_with_the_same_bytes() -> Outcome {
     let folder = folder("killed");
     let (whole, killed) = (folder.join("whole.parquet"), folder.join("killed.parquet"));
-    rods(600, 1.0).shard(20).run_to(&whole)?;
+    rods(600, 1.0).rows_per_shard(20).run_to(&whole)?;
     let (mut kills, mut shards) = (0, 0);
     for attempt in 0..200 {
         let mut child = Command::new(std::env::current_exe()?)
@@ -210,7 +213,7 @@ fn a_sweep_that_is_killed_goes_on_and_ends_with_the_same_bytes() -> Outcome {
 fn a_full_disk_ends_in_an_error_and_the_sweep_goes_on() -> Outcome {
     let folder = folder("full");
     let (whole, full) = (folder.join("whole.parquet"), folder.join("full.parquet"));
-    rods(600, 1.0).shard(20).run_to(&whole)?;
+    rods(600, 1.0).rows_per_shard(20).run_to(&whole)?;
     let kilobytes = fs::metadata(&whole)?.len() / 1024;
     for part in 1..4 {
         let limit = kilobytes * part / 4;
@@ -225,12 +228,12 @@ fn a_full_disk_ends_in_an_error_and_the_sweep_goes_on() -> Outcome {
         let text = String::from_utf8(child.stdout)?;
         assert!(!child.status.success(), "{text}");
         let text = [text, String::from_utf8(child.stderr)?].concat();
-        assert!(text.contains("full.parquet.shards/numbers: File too large"), "{text}");
+        assert!(text.contains(".numbers: File too large"), "{text}");
         assert!(!full.exists());
     }
     let kept = shards(&full).len();
     assert!(kept > 0, "shards are kept");
-    let summary = rods(600, 1.0).shard(20).run_to(&full)?;
+    let summary = rods(600, 1.0).rows_per_shard(20).run_to(&full)?;
     assert_eq!(summary.computed, 600 - 20 * kept);
     assert_eq!(fs::read(&whole)?, fs::read(&full)?);
     Ok(())
@@ -256,7 +259,11 @@ fn a_broken_shard_is_computed_again() -> Outcome {
         rods(450, 1.0).share(share, 2).run_to(&broken)?;
     }
     // a single bit of the numbers, and an end that is missing
-    let numbers = broken.with_extension("parquet.shards").join("numbers");
+    let entries = fs::read_dir(broken.with_extension("parquet.shards"))?.flatten();
+    let mut paths = entries.map(|entry| entry.path());
+    let numbers = paths
+        .find(|path| path.extension().is_some_and(|end| end == "numbers"))
+        .expect("a file");
     let mut bytes = fs::read(&numbers)?;
     let length = bytes.len();
     bytes[length / 3] ^= 4;
@@ -333,6 +340,85 @@ fn another_sweep_is_not_overwritten() -> Outcome {
     Ok(())
 }
 
+/// A job that does something else while it is at work.
+fn meanwhile(rows: usize, act: impl Fn() + Sync) -> Job<impl Task<1>, 1> {
+    let act = move |[x]: [f64; 1]| {
+        if x == 0.0 {
+            act();
+        }
+        Ok([x])
+    };
+    Sweep::grid("meanwhile", [Axis::linear("x", "1", 0.0, 1.0, rows)])
+        .each([("y", "1")], act)
+        .rows_per_shard(10)
+        .quiet()
+}
+
+#[test]
+fn two_at_once_do_not_disturb_each_other() -> Outcome {
+    let folder = folder("at_once");
+    let [alone, path] = ["alone.parquet", "sweep.parquet"].map(|name| folder.join(name));
+    meanwhile(100, || ()).run_to(&alone)?;
+    let busy = |result: Result<(), SweepError>| {
+        let error = result.expect_err("another process").to_string();
+        let text = format!("another process is at work on {};", path.display());
+        assert!(error.starts_with(&text), "{error}");
+    };
+    // the same sweep, another one, a share, and a merge
+    meanwhile(100, || {
+        busy(meanwhile(100, || ()).run_to(&path).map(drop));
+        busy(meanwhile(50, || ()).run_to(&path).map(drop));
+        busy(meanwhile(100, || ()).share(1, 2).run_to(&path).map(drop));
+        busy(meanwhile(100, || ()).merge(&path));
+    })
+    .run_to(&path)?;
+    assert!(fs::read(&alone)? == fs::read(&path)?);
+    // shares go together, but not with another sweep, or with who computes all
+    fs::remove_file(&path)?;
+    let first = meanwhile(100, || {
+        let other = meanwhile(50, || ())
+            .share(1, 2)
+            .run_to(&path)
+            .expect_err("another sweep");
+        assert!(matches!(other, SweepError::Other { .. }), "{other}");
+        busy(meanwhile(100, || ()).run_to(&path).map(drop));
+        busy(meanwhile(100, || ()).merge(&path));
+        let second = meanwhile(100, || ())
+            .share(1, 2)
+            .run_to(&path)
+            .expect("the other share");
+        assert_eq!(second.computed, 50);
+    });
+    first.share(0, 2).run_to(&path)?;
+    meanwhile(100, || ()).merge(&path)?;
+    assert!(fs::read(&alone)? == fs::read(&path)?);
+    Ok(())
+}
+
+#[test]
+fn nothing_of_others_is_touched() -> Outcome {
+    let folder = folder("of_others");
+    let [other, path] = ["other.parquet", "sweep.parquet"].map(|name| folder.join(name));
+    meanwhile(50, || ()).run_to(&other)?;
+    // a file that comes while the sweep is at work
+    let copy = || assert!(fs::copy(&other, &path).is_ok());
+    let came = meanwhile(100, copy).run_to(&path);
+    assert!(matches!(came, Err(SweepError::Other { .. })));
+    assert!(fs::read(&other)? == fs::read(&path)?);
+    // now it is gone, there is nothing left to compute; what lies among the shards stays
+    fs::remove_file(&path)?;
+    let shards = path.with_extension("parquet.shards");
+    fs::write(shards.join("precious.txt"), "text")?;
+    fs::write(shards.join("0-0-0.shard"), "not in this form")?;
+    assert_eq!(meanwhile(100, || ()).run_to(&path)?.computed, 0);
+    let left: Vec<_> = fs::read_dir(&shards)?
+        .flatten()
+        .map(|entry| entry.file_name())
+        .collect();
+    assert_eq!(left, ["precious.txt"]);
+    Ok(())
+}
+
 #[test]
 fn what_is_wrong_is_said() {
     let says = |result: Result<Table, SweepError>, text: &str| {
@@ -349,8 +435,13 @@ fn what_is_wrong_is_said() {
     );
     says(
         rods(10, 1.0).value("start", "rad", |_, _, x| x[0]).run(),
-        "two columns have the name `start`",
+        "two columns have the name `start`: a number of the points, and one that is kept",
     );
+    says(
+        rods(10, 1.0).value("row", "1", |_, _, x| x[0]).run(),
+        "a column has the name `row`, which every table has",
+    );
+    says(rods(10, 1.0).share(0, 2).run(), "a share is computed into a file");
     let wrong = Sweep::grid("g", [Axis::values("start", "rad", [1.0])]);
     let wrong = wrong.ends(Rk4::new(-1.0), (0.0, 1.0), |[a]| trial([a, 0.1]));
     says(wrong.quiet().run(), "step");
@@ -369,6 +460,37 @@ fn what_is_wrong_is_said() {
         sign,
     );
     says(rods(10, 1.0).threads(5000).run(), "at most 4096 threads");
+    for draw in [
+        Draw::logarithmic("a", "1", 1.0, 0.0),
+        Draw::normal("a", "1", 0.0, -1.0),
+        Draw::normal("a", "1", 0.0, 1e308),
+    ] {
+        says(one(Sweep::random("r", [draw], 3, 1)).run(), sign);
+    }
+    let huge = Sweep::grid("g", [Axis::linear("a", "1", 0.0, 1.0, 1 << 45)]);
+    says(
+        one(huge.clone()).run(),
+        "there is not enough memory for 35184372088832 rows: use `run_to`",
+    );
+    let in_file = one(huge)
+        .run_to(folder("huge").join("sweep.parquet"))
+        .expect_err("too many rows");
+    assert_eq!(in_file.to_string(), "a file takes 34358689792 rows at most");
+    for method in [Tsit5::new().rtol(-1.0), Tsit5::new().h0(f64::NAN)] {
+        let starts = || Sweep::list("rods", [("start", "rad")], vec![[1.0], [f64::NAN]]);
+        let trajectories = || starts().trajectories(method, (0.0, 2.0), |[a]| trial([a, 0.1])).quiet();
+        for job in [trajectories(), trajectories().in_lanes()] {
+            assert!(matches!(job.run(), Err(SweepError::Invalid(_))));
+        }
+    }
+    let none = folder("none").join("sweep.parquet");
+    let nothing = rods(10, 1.0).merge(&none).expect_err("no shards").to_string();
+    assert!(nothing.starts_with("0 of 1 shards are there;"), "{nothing}");
+    assert!(!none.with_extension("parquet.shards").exists());
+    for path in [folder("a_folder"), folder("a_folder").join("new/")] {
+        let error = rods(10, 1.0).run_to(&path).expect_err("a folder").to_string();
+        assert_eq!(error, format!("{} is a folder; name a file in it", path.display()));
+    }
     let times = Sweep::list("rods", [("start", "rad")], vec![[1.0]]);
     let times = times.trajectories(Tsit5::new(), (0.0, 2.0), |[a]| trial([a, 0.1]));
     says(times.at([1.0, f64::NAN]).quiet().run(), "states are kept at NaN");
@@ -381,7 +503,7 @@ fn what_is_wrong_is_said() {
     assert!(mended);
     let path = folder("many").join("sweep.parquet");
     let many = rods(1_000_000, 1.0)
-        .shard(30)
+        .rows_per_shard(30)
         .run_to(&path)
         .expect_err("too many shards");
     assert!(many.to_string().contains("each has 31 rows or more"), "{many}");
@@ -389,6 +511,7 @@ fn what_is_wrong_is_said() {
         (&["--shard", "4/4"][..], "I from 0 to N - 1"),
         (&["--shard"], "--shard takes a value"),
         (&["--thread"], "unknown argument --thread\nusage:"),
+        (&["--merge", "--shard", "0/2"], "leave out --shard"),
     ] {
         let error = Arguments::parse(arguments.iter().map(|&text| text.to_owned())).expect_err("wrong arguments");
         assert!(error.to_string().contains(text), "{error}");
@@ -462,6 +585,29 @@ fn extrema_are_those_of_solutions() -> Outcome {
 }
 
 /// The same sweep in lanes and one by one, which has all that trajectories can keep, and failures of all kinds.
+#[test]
+fn extrema_know_jumps_and_what_is_not_a_number() -> Outcome {
+    let start = Sweep::list("rods", [("start", "rad")], vec![[1.0]]);
+    let table = start
+        .trajectories(Tsit5::new(), (0.0, 2.0), |[a]| trial([a, 0.1]))
+        .event("kick", |_| {
+            let kick = Event::new(|t, _: &SVector<f64, 4>| t - 0.5);
+            kick.reset(|_, x| x + SVector::from([0.0, 0.0, 50.0, 0.0])).terminal()
+        })
+        .value("rate at the end", "rad/s", |_, _, x| x[2])
+        .largest("rate", "rad/s", |_, _, x| x[2])
+        .least("late", "rad/s", |_, t, x| if t > 0.2 { x[2] } else { f64::NAN })
+        .quiet()
+        .run()?;
+    assert!(table["rate"][0] > 40.0);
+    assert_eq!(
+        [table["rate"][0], table["t of rate"][0]],
+        [table["rate at the end"][0], 0.5]
+    );
+    assert!(table["late"][0] < 0.0 && table["t of late"][0] > 0.2);
+    Ok(())
+}
+
 #[test]
 fn trajectories_in_lanes_have_the_bits_of_those_alone() -> Outcome {
     fn same<X>(method: X, span: (f64, f64), keeps_all: bool) -> Outcome

@@ -8,8 +8,8 @@ use std::process::Command;
 use pendulum_sweep::{Arguments, Axis, Failure, Sweep};
 
 const FILE: &str = "PENDULUM_SWEEP_MPI_FILE";
-/// Where a process dies.
-const DEADLY: &str = "PENDULUM_SWEEP_MPI_DEADLY";
+/// What goes wrong in the second process.
+const WRONG: &str = "PENDULUM_SWEEP_MPI_WRONG";
 
 /// What the children of the other tests do.
 #[test]
@@ -17,14 +17,17 @@ fn child() -> Result<(), Box<dyn Error>> {
     let Some(path) = std::env::var_os(FILE) else {
         return Ok(());
     };
-    let deadly: Option<f64> = std::env::var(DEADLY).ok().and_then(|x| x.parse().ok());
+    let is_second = std::env::var("OMPI_COMM_WORLD_RANK").is_ok_and(|rank| rank == "1");
+    let wrong = std::env::var(WRONG).ok().filter(|_| is_second);
+    let rows = if wrong.as_deref() == Some("design") { 2000 } else { 2001 };
     let root = |[x]: [f64; 1]| match x {
-        x if deadly.is_some_and(|deadly| x > deadly) => std::process::abort(),
+        x if x > 1.0 && wrong.as_deref() == Some("abort") => std::process::abort(),
+        x if x > 1.0 && wrong.as_deref() == Some("panic") => panic!("the second process"),
         x if x < 0.0 => Err(Failure::from("negative")),
         x => Ok([x.sqrt()]),
     };
-    let job = Sweep::grid("roots", [Axis::linear("x", "1", -1.0, 9.0, 2001)]).each([("root", "1")], root);
-    Ok(job.shard(100).quiet().obey(Arguments::default(), path)?)
+    let job = Sweep::grid("roots", [Axis::linear("x", "1", -1.0, 9.0, rows)]).each([("root", "1")], root);
+    Ok(job.rows_per_shard(100).quiet().obey(Arguments::default(), path)?)
 }
 
 fn folder(name: &str) -> PathBuf {
@@ -37,7 +40,7 @@ fn folder(name: &str) -> PathBuf {
 fn mpirun(ranks: &str, path: &Path) -> Result<Command, Box<dyn Error>> {
     let mut command = Command::new("mpirun");
     command
-        .args(["--oversubscribe", "-n", ranks])
+        .args(["--oversubscribe", "--timeout", "60", "-n", ranks])
         .arg(std::env::current_exe()?)
         .args(["--exact", "child", "--nocapture"])
         .env(FILE, path)
@@ -75,18 +78,37 @@ fn processes_of_mpirun_write_the_same_file() -> Result<(), Box<dyn Error>> {
 #[test]
 fn where_a_process_dies_all_end_and_the_next_start_goes_on() -> Result<(), Box<dyn Error>> {
     let folder = folder("mpi_dead");
-    let [whole, dead] = ["whole.parquet", "dead.parquet"].map(|name| folder.join(name));
+    let whole = folder.join("whole.parquet");
     text_of(&mut mpirun("2", &whole)?)?;
-    let died = mpirun("2", &dead)?.env(DEADLY, "6.0").output()?;
-    assert!(!died.status.success() && !dead.exists());
-    let text = text_of(&mut mpirun("2", &dead)?)?;
-    let computed: usize = text
-        .split(" of 2001 rows")
-        .next()
-        .and_then(|text| text.rsplit(' ').next())
-        .expect("a number")
-        .parse()?;
-    assert!(computed < 1000, "{text}");
-    assert!(std::fs::read(whole)? == std::fs::read(dead)?);
+    for wrong in ["abort", "panic"] {
+        let path = folder.join(wrong).with_extension("parquet");
+        let died = mpirun("2", &path)?.env(WRONG, wrong).output()?;
+        assert!(!died.status.success() && !path.exists(), "{wrong}");
+        let errors = String::from_utf8_lossy(&died.stderr);
+        assert!(!errors.contains("timeout"), "{wrong}: {errors}");
+        let text = text_of(&mut mpirun("2", &path)?)?;
+        let computed = text
+            .split(" of 2001 rows")
+            .next()
+            .and_then(|text| text.rsplit(' ').next());
+        assert!(
+            computed.is_some_and(|rows| rows.parse().is_ok_and(|rows: usize| rows < 2001)),
+            "{text}"
+        );
+        assert!(std::fs::read(&whole)? == std::fs::read(path)?, "{wrong}");
+    }
+    Ok(())
+}
+
+#[test]
+fn processes_with_another_sweep_are_refused() -> Result<(), Box<dyn Error>> {
+    let path = folder("mpi_mixed").join("mixed.parquet");
+    let mixed = mpirun("2", &path)?.env(WRONG, "design").output()?;
+    let errors = String::from_utf8_lossy(&mixed.stderr);
+    assert!(
+        errors.contains("rank 1: this process has another sweep than the first one of `mpirun`"),
+        "{errors}"
+    );
+    assert!(!mixed.status.success() && !path.exists());
     Ok(())
 }

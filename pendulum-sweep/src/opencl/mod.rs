@@ -52,6 +52,7 @@ use pendulum_core::{Cast, Ensemble, EnsembleError, Method, Reason};
 pub use device::Device;
 pub use source::{KernelMethod, Settings};
 
+use crate::ends::is_of_start;
 use crate::error::SweepError;
 use device::Kernel;
 
@@ -223,11 +224,6 @@ impl<X, M> OnDevice<X, M> {
         }
         conclude(ends, stopped)
     }
-}
-
-/// Whether it is the start of a trajectory that is wrong, and not a setting.
-fn is_of_start(reason: &Reason) -> bool {
-    !matches!(reason, Reason::InvalidInput { what, .. } if *what != "x0")
 }
 
 /// What the code of a trajectory means.
