@@ -9,7 +9,7 @@ use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 use std::time::{Duration, Instant};
 
-use indicatif::{ProgressBar, ProgressStyle};
+use indicatif::{HumanCount, ProgressBar, ProgressState, ProgressStyle};
 use rayon::prelude::*;
 use serde_json::{Value, json};
 
@@ -526,8 +526,13 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         if self.quiet {
             return ProgressBar::hidden();
         }
-        let style = ProgressStyle::with_template("{bar:40} {human_pos} of {human_len}, {per_sec}, {eta} left");
-        ProgressBar::new(rows as u64).with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar()))
+        let template = "{bar:40} {human_pos} of {human_len}, {rate} a second, {eta} left";
+        let style = ProgressStyle::with_template(template).unwrap_or_else(|_| ProgressStyle::default_bar());
+        let rate = |state: &ProgressState, text: &mut dyn fmt::Write| {
+            // a text that takes no more is not shown
+            let _ = write!(text, "{}", HumanCount(state.per_sec() as u64));
+        };
+        ProgressBar::new(rows as u64).with_style(style.with_key("rate", rate))
     }
 }
 

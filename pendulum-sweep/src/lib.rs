@@ -1,5 +1,4 @@
-//! Millions of trajectories: a sweep over starts, parameters and settings, on all cores, that can be killed and goes on
-//! where it was.
+//! Sweeps over millions of trajectories, on all cores. A sweep that is killed resumes where it stopped.
 //!
 //! A [`Sweep`] is a design: a [grid](Sweep::grid), a [list](Sweep::list) or [random](Sweep::random) points. What is done
 //! at each point, and what is kept of it, is one of

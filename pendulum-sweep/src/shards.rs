@@ -224,17 +224,15 @@ impl<'p> Shards<'p> {
     /// no shards yet, another one is replaced: nothing is lost.
     fn declare(&self, is_alone: bool) -> Result<(), SweepError> {
         let path = self.folder.join(DECLARATION);
-        match fs::read_to_string(&path) {
+        let text = match fs::read_to_string(&path) {
             Err(error) if error.kind() != io::ErrorKind::NotFound => return Err(SweepError::File(path, error)),
-            // a loss of power may leave an empty text
-            Ok(text) if !text.is_empty() => {
-                if !is_alone || !self.present()?.is_empty() {
-                    return self.compare(&self.folder, &text);
-                }
-            }
-            _ => {}
+            text => text.unwrap_or_default(),
+        };
+        // a loss of power may leave an empty text
+        if text.is_empty() || is_alone && self.present()?.is_empty() {
+            return write_whole(&path, self.empty.declaration.as_bytes()).map_err(SweepError::file(&path));
         }
-        write_whole(&path, self.empty.declaration.as_bytes()).map_err(SweepError::file(&path))
+        self.compare(&self.folder, &text)
     }
 
     /// A shard that is to be computed.
