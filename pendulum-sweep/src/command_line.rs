@@ -23,11 +23,12 @@ pub struct Arguments {
     pub help: bool,
 }
 
-const USAGE: &str = "usage: [--out FILE] [--shard I/N | --merge] [--threads N] [--quiet]
+const USAGE: &str = "usage: [--out FILE] [--shard I/N | --merge] [--threads N] [--quiet] [--help]
   --out FILE   the Parquet file
   --shard I/N  computes share I of N, counted from 0; --merge puts them together when all are done
   --threads N  threads in place of one for each core
-  --quiet      shows no progress";
+  --quiet      shows no progress
+  --help       shows this";
 
 impl Arguments {
     /// Reads the arguments of a program, without its name.
@@ -100,7 +101,7 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         let ranks = crate::ranks::Ranks::of_program();
         if arguments.merge {
             #[cfg(feature = "mpi")]
-            if ranks.is_some_and(|ranks| !ranks.is_first()) {
+            if ranks.as_ref().is_some_and(|ranks| !ranks.is_first()) {
                 return Ok(());
             }
             self.merge(&path)?;

@@ -1,7 +1,6 @@
 //! Lyapunov exponents, of many trajectories at a time.
 
-use pendulum_core::nalgebra::SVector;
-use pendulum_core::stability::{Lyapunov, StabilityError};
+use pendulum_core::stability::Lyapunov;
 use pendulum_core::{CastJacobian, Jacobian};
 use serde_json::{Value, json};
 
@@ -85,17 +84,8 @@ where
 
     fn run(&self, points: &[[f64; K]]) -> Result<Chunk, SweepError> {
         let trials = Trials::of(points, &self.trial);
-        let starts: &[SVector<f64, N>] = &trials.starts;
-        let mut found = Vec::new();
-        if !starts.is_empty() {
-            found = self
-                .lyapunov
-                .ensemble::<E, M, N>(&trials.models, starts)
-                .map_err(|error| match error {
-                    StabilityError::Integration(reason) => reason.into(),
-                    other => SweepError::Invalid(other.to_string()),
-                })?;
-        }
+        let found = self.lyapunov.ensemble::<E, M, N>(&trials.models, &trials.starts);
+        let found = found.map_err(|error| SweepError::Invalid(error.to_string()))?;
         let mut chunk = Chunk::with_capacity(points.len(), 2 * E);
         trials.conclude(&mut chunk, 2 * E, |index, numbers| {
             match &found[index] {

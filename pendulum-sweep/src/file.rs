@@ -371,18 +371,24 @@ impl Table {
     /// [`SweepError::File`].
     pub fn write(&self, path: impl AsRef<Path>) -> Result<(), SweepError> {
         let path = path.as_ref();
-        let mut unfinished = path.as_os_str().to_owned();
-        unfinished.push(format!(".{}.tmp", std::process::id()));
-        let written = File::create(&unfinished).and_then(|mut file| {
-            write(&mut file, self)?;
-            file.sync_all()?;
-            fs::rename(&unfinished, path)
+        let written = replace(path, |file| {
+            write(file, self)?;
+            file.sync_all()
         });
-        written.map_err(|error| {
-            let _ = fs::remove_file(&unfinished);
-            SweepError::File(path.to_owned(), error)
-        })
+        written.map_err(SweepError::file(path))
     }
+}
+
+/// Writes a file that is complete or absent at any time, under another name at first. Where power fails, some of it may
+/// be missing.
+pub(crate) fn replace(path: &Path, write: impl FnOnce(&mut File) -> io::Result<()>) -> io::Result<()> {
+    let mut unfinished = path.as_os_str().to_owned();
+    unfinished.push(format!(".{}.tmp", std::process::id()));
+    let written = File::create(&unfinished).and_then(|mut file| write(&mut file));
+    written.and_then(|()| fs::rename(&unfinished, path)).inspect_err(|_| {
+        // what is unfinished is of no use; the error says more than that it could not be removed
+        let _ = fs::remove_file(&unfinished);
+    })
 }
 
 /// The most rows of a part: a page has to be shorter than 2 GiB.

@@ -1,6 +1,6 @@
 //! A sweep with what is done at its points.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashSet};
 use std::error::Error;
 use std::fmt;
 use std::ops::Range;
@@ -148,7 +148,7 @@ const USUAL_CHUNK: usize = 256;
 /// Chunks in a shard at least, where the number of its rows is not given, and how many shards there are at most.
 const SHARD: usize = 16;
 const USUAL_SHARDS: usize = 4096;
-/// With more columns there are fewer shards, but at least so many.
+/// With more columns than this there are fewer shards, down to [`LEAST_SHARDS`].
 const USUAL_COLUMNS: usize = 16;
 const LEAST_SHARDS: usize = 64;
 /// The most groups of rows in a Parquet file.
@@ -342,7 +342,8 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
             return Err(SweepError::Invalid(reason.to_owned()));
         }
         self.timed(path, |shards| {
-            if !ranks.agree(crc32fast::hash(shards.empty.declaration.as_bytes())) {
+            let declaration = crc32fast::hash(shards.empty.declaration.as_bytes());
+            if declaration != ranks.of_first(declaration) {
                 let reason = "this process has another sweep than the first one of `mpirun`";
                 return Err(SweepError::Invalid(reason.to_owned()));
             }
@@ -351,7 +352,7 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
             } else {
                 None
             };
-            if !ranks.first_says(lock.is_some()) {
+            if ranks.of_first(u32::from(lock.is_none())) == 1 {
                 return Ok((0, 0, true));
             }
             let (mut missing, mut progress) = (Vec::new(), ProgressBar::hidden());
@@ -439,20 +440,19 @@ impl<T: Task<K>, const K: usize> Job<T, K> {
         self.check()?;
         let of_points = self.sweep.columns();
         let (kept, task) = self.task.describe(&self.sweep);
-        let is_twice = |(n, column): (usize, &Column)| {
-            let name = &column.name;
-            let before = of_points.iter().chain(&kept).take(n);
-            ["row", "failure"].contains(&name.as_str()) || before.into_iter().any(|other| other.name == *name)
-        };
-        let mut all = of_points.iter().chain(&kept).enumerate();
-        if let Some((n, Column { name, .. })) = all.find(|&column| is_twice(column)) {
-            let reason = match name.as_str() {
-                "row" | "failure" => format!("a column has the name `{name}`, which every table has already"),
-                _ if n >= of_points.len() && of_points.iter().any(|column| column.name == *name) => format!(
+        let mut names = HashSet::from(["row", "failure"]);
+        let mut all = of_points.iter().chain(&kept);
+        if let Some(Column { name, .. }) = all.find(|column| !names.insert(&column.name)) {
+            let is_in = |columns: &[Column]| columns.iter().any(|column| column.name == *name);
+            let reason = if ["row", "failure"].contains(&name.as_str()) {
+                format!("a column has the name `{name}`, which every table has already")
+            } else if is_in(&of_points) && is_in(&kept) {
+                format!(
                     "two columns have the name `{name}`: a number of the points, and one that is kept of trajectories, \
                      perhaps a coordinate; give the number of the points another name"
-                ),
-                _ => format!("two columns have the name `{name}`"),
+                )
+            } else {
+                format!("two columns have the name `{name}`")
             };
             return Err(SweepError::Invalid(reason));
         }

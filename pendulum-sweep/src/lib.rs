@@ -42,6 +42,7 @@
 
 mod command_line;
 mod design;
+mod differences;
 mod ends;
 mod error;
 mod exponents;

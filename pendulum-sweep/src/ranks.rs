@@ -24,7 +24,7 @@ pub(crate) struct Ranks {
     _universe: Universe,
 }
 
-/// A rank that panics would else wait for the others, and these for it.
+/// Ends all ranks where one panics: it would wait for the others at its end, and these for its work.
 impl Drop for Ranks {
     fn drop(&mut self) {
         if std::thread::panicking() {
@@ -53,18 +53,10 @@ impl Ranks {
         self.world.barrier();
     }
 
-    /// What the first rank says.
-    pub(crate) fn first_says(&self, own: bool) -> bool {
-        let mut said = u32::from(own);
-        self.world.process_at_rank(0).broadcast_into(&mut said);
-        said == 1
-    }
-
-    /// Whether a number is that of the first rank.
-    pub(crate) fn agree(&self, own: u32) -> bool {
-        let mut first = own;
-        self.world.process_at_rank(0).broadcast_into(&mut first);
-        first == own
+    /// The number of the first rank, on all of them.
+    pub(crate) fn of_first(&self, mut number: u32) -> u32 {
+        self.world.process_at_rank(0).broadcast_into(&mut number);
+        number
     }
 
     /// The sum over all ranks, at the first one.

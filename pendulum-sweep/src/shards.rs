@@ -21,8 +21,7 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::Duration;
 
-use serde_json::Value;
-
+use crate::differences::differences;
 use crate::error::SweepError;
 use crate::file::{self, Ending, Part};
 use crate::table::Table;
@@ -193,13 +192,12 @@ impl<'p> Shards<'p> {
 
     fn open(&self, role: Role) -> Result<Lock, SweepError> {
         fs::create_dir_all(&self.folder).map_err(SweepError::file(&self.folder))?;
-        let file = |name: &str| {
-            let path = self.folder.join(name);
+        let file = |path: &Path| {
             let mut options = OpenOptions::new();
-            let file = options.write(true).create(true).truncate(false).open(&path);
-            file.map_err(SweepError::file(&path))
+            let file = options.write(true).create(true).truncate(false).open(path);
+            file.map_err(SweepError::file(path))
         };
-        let (entrance, lock) = (file(ENTRANCE)?, file(LOCK)?);
+        let (entrance, lock) = (file(&self.folder.join(ENTRANCE))?, file(&self.folder.join(LOCK))?);
         // where the file system has no locks, it goes without
         let _ = entrance.lock();
         let is_held = |locked: Result<(), TryLockError>| matches!(locked, Err(TryLockError::WouldBlock));
@@ -214,9 +212,7 @@ impl<'p> Shards<'p> {
                 return Err(SweepError::Busy(self.path.to_owned()));
             }
         }
-        let mut options = OpenOptions::new();
-        let numbers = options.write(true).create(true).truncate(false).open(&self.numbers);
-        numbers.map_err(SweepError::file(&self.numbers))?;
+        file(&self.numbers)?;
         Ok(Lock { _file: lock })
     }
 
@@ -230,7 +226,8 @@ impl<'p> Shards<'p> {
         };
         // a loss of power may leave an empty text
         if text.is_empty() || is_alone && self.present()?.is_empty() {
-            return write_whole(&path, self.empty.declaration.as_bytes()).map_err(SweepError::file(&path));
+            return file::replace(&path, |file| file.write_all(self.empty.declaration.as_bytes()))
+                .map_err(SweepError::file(&path));
         }
         self.compare(&self.folder, &text)
     }
@@ -250,7 +247,7 @@ impl<'p> Shards<'p> {
         }
         let failures = shard.failures(&self.empty).map_err(SweepError::file(&self.folder))?;
         let path = self.path_of(n, [crc32fast::hash(&failures), crc32fast::hash(shard.numbers())]);
-        write_whole(&path, &failures).map_err(SweepError::file(&path))?;
+        file::replace(&path, |file| file.write_all(&failures)).map_err(SweepError::file(&path))?;
         if let Ok(mut spare) = self.spare.lock() {
             spare.push(shard.into_memory());
         }
@@ -392,86 +389,11 @@ impl<'p> Shards<'p> {
         if other == self.empty.declaration {
             return Ok(());
         }
-        let read = |text: &str| serde_json::from_str(text).unwrap_or(Value::Null);
-        let mut differs = Vec::new();
-        differences("", (&read(&self.empty.declaration), &read(other)), &mut differs);
+        let differs = differences(&self.empty.declaration, other);
         if differs.is_empty() {
             return Ok(());
         }
         let path = path.to_owned();
         Err(SweepError::Other { path, differs })
     }
-}
-
-/// Where another declaration differs from the own one, and how.
-fn differences(place: &str, (own, other): (&Value, &Value), differs: &mut Vec<String>) {
-    match (own, other) {
-        (Value::Object(own), Value::Object(other)) => {
-            let added = other.keys().filter(|key| !own.contains_key(*key));
-            for key in own.keys().chain(added) {
-                let of = |object: &serde_json::Map<String, Value>| object.get(key).cloned().unwrap_or_default();
-                let place = if place.is_empty() {
-                    key
-                } else {
-                    &format!("{place}.{key}")
-                };
-                differences(place, (&of(own), &of(other)), differs);
-            }
-        }
-        (Value::Array(own), Value::Array(other)) if own.len() == other.len() => {
-            for (n, pair) in own.iter().zip(other).enumerate() {
-                differences(&format!("{place}[{n}]"), pair, differs);
-            }
-        }
-        _ if own == other => {}
-        _ => {
-            let place = if place.is_empty() { "declaration" } else { place };
-            let [own, other] = [own, other].map(|value| {
-                if value.is_null() {
-                    "nothing".to_owned()
-                } else {
-                    value.to_string()
-                }
-            });
-            let same = own
-                .chars()
-                .zip(other.chars())
-                .take_while(|(own, other)| own == other)
-                .count();
-            differs.push(format!(
-                "{place}: {} in place of {}",
-                excerpt(&other, same),
-                excerpt(&own, same)
-            ));
-        }
-    }
-}
-
-/// A text about a place, from which much is left out.
-fn excerpt(text: &str, place: usize) -> String {
-    const BEFORE: usize = 20;
-    const MOST: usize = 120;
-    let from = if text.chars().count() > MOST {
-        place.saturating_sub(BEFORE)
-    } else {
-        0
-    };
-    let [start, end] = [(from > 0, ".."), (text.chars().count() > from + MOST, "..")]
-        .map(|(is_cut, dots)| if is_cut { dots } else { "" });
-    let part: String = text.chars().skip(from).take(MOST).collect();
-    format!("{start}{part}{end}")
-}
-
-/// Writes a file that is complete or absent at any time, under another name at first. Where power fails, some of it may
-/// be missing.
-fn write_whole(path: &Path, bytes: &[u8]) -> io::Result<()> {
-    let mut name = path.file_name().unwrap_or_default().to_owned();
-    name.push(format!(".{}.tmp", std::process::id()));
-    let unfinished = path.with_file_name(name);
-    fs::write(&unfinished, bytes)
-        .and_then(|()| fs::rename(&unfinished, path))
-        .inspect_err(|_| {
-            // what is unfinished is of no use; the error says more than that it could not be removed
-            let _ = fs::remove_file(&unfinished);
-        })
 }

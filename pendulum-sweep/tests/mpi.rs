@@ -36,7 +36,7 @@ fn folder(name: &str) -> PathBuf {
     folder
 }
 
-/// The test above on so many processes.
+/// Runs the test above with `ranks` processes.
 fn mpirun(ranks: &str, path: &Path) -> Result<Command, Box<dyn Error>> {
     let mut command = Command::new("mpirun");
     command
