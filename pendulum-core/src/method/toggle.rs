@@ -123,10 +123,15 @@ impl<S: System<T, N> + ?Sized, T: Lanes, const N: usize> Way<'_, S, T, N> {
             // not a number where one of them is negative
             roots += (least - turn).select(least, turn).sqrt();
         });
-        if roots.all_finite() { 0 } else { self.stopped_in_doubt() }
+        if roots.all_finite() {
+            return 0;
+        }
+        // a lane must not depend on the others, so each of them answers for itself
+        let in_doubt = lanes::<T>(|lane| !roots.lane(lane).is_finite());
+        in_doubt & self.stopped_in_doubt()
     }
 
-    /// The same where a loop is near its toggle, or may have passed it.
+    /// Checks both ends of the step, and the way between them, in every lane.
     #[cold]
     fn stopped_in_doubt(&self) -> u64 {
         let [start, end] = [self.start, self.end].map(|(t, x)| (t, *x));
