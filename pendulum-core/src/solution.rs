@@ -8,7 +8,7 @@ use nalgebra::SVector;
 use crate::dense::{Dense, polynomial};
 use crate::error::debug_as_display;
 use crate::event::Occurrence;
-use crate::hybrid::{Impact, Mode};
+use crate::hybrid::{Ambiguity, Impact, Mode};
 use crate::real::Float;
 
 pub use crate::statistics::Statistics;
@@ -40,6 +40,7 @@ pub struct Solution<T, const N: usize> {
     events: Vec<Occurrence<T, N>>,
     modes: Vec<(T, Mode)>,
     impacts: Vec<Impact<T, N>>,
+    ambiguities: Vec<Ambiguity<T>>,
     statistics: Statistics,
 }
 
@@ -55,6 +56,7 @@ impl<T: Float, const N: usize> Solution<T, N> {
             events: Vec::new(),
             modes: Vec::new(),
             impacts: Vec::new(),
+            ambiguities: Vec::new(),
             statistics: Statistics::default(),
         }
     }
@@ -143,6 +145,14 @@ impl<T: Float, const N: usize> Solution<T, N> {
         &self.impacts
     }
 
+    /// The impacts of a [hybrid](crate::hybrid) system at the same time whose order decides how the motion goes on, and
+    /// could not be resolved, in the order in which they occurred. What follows one of them is one of several motions
+    /// that are equally possible.
+    #[must_use]
+    pub fn ambiguities(&self) -> &[Ambiguity<T>] {
+        &self.ambiguities
+    }
+
     /// How much work the integration was.
     #[must_use]
     pub fn statistics(&self) -> Statistics {
@@ -218,7 +228,8 @@ pub trait Observer<T, const N: usize> {
     /// An event occurred, in the step that was seen last.
     fn event(&mut self, _event: Occurrence<T, N>) {}
 
-    /// Another mode of a hybrid system holds from this time on.
+    /// Another mode of a hybrid system holds from this time on. The time lies ahead where rebounds too low to follow would
+    /// still last; if another mode begins before it, the rebounds were not at their end.
     fn mode(&mut self, _from: T, _mode: Mode) {}
 
     /// The end, after so much work; not of a trajectory that cannot begin.
@@ -226,6 +237,9 @@ pub trait Observer<T, const N: usize> {
 
     /// An impact.
     fn impact(&mut self, _impact: Impact<T, N>) {}
+
+    /// The order of the impacts that were seen last decides how the motion goes on, and is not known.
+    fn ambiguity(&mut self, _ambiguity: Ambiguity<T>) {}
 }
 
 /// All of it.
@@ -253,6 +267,9 @@ impl<T: Float, const N: usize> Observer<T, N> for Solution<T, N> {
     }
 
     fn mode(&mut self, from: T, mode: Mode) {
+        if let Some((before, _)) = self.modes.last_mut() {
+            *before = before.min(from);
+        }
         self.modes.push((from, mode));
     }
 
@@ -262,6 +279,10 @@ impl<T: Float, const N: usize> Observer<T, N> for Solution<T, N> {
 
     fn impact(&mut self, impact: Impact<T, N>) {
         self.impacts.push(impact);
+    }
+
+    fn ambiguity(&mut self, ambiguity: Ambiguity<T>) {
+        self.ambiguities.push(ambiguity);
     }
 }
 
@@ -301,6 +322,8 @@ struct Unchecked<T, const N: usize> {
     modes: Vec<(T, Mode)>,
     #[serde(default)]
     impacts: Vec<Impact<T, N>>,
+    #[serde(default)]
+    ambiguities: Vec<Ambiguity<T>>,
     statistics: Statistics,
 }
 
@@ -331,6 +354,7 @@ impl<T: Float, const N: usize> TryFrom<Unchecked<T, N>> for Solution<T, N> {
             events: record.events,
             modes: record.modes,
             impacts: record.impacts,
+            ambiguities: record.ambiguities,
             statistics: record.statistics,
         })
     }

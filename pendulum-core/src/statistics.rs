@@ -21,6 +21,9 @@ pub struct Statistics {
     pub stiff: usize,
     /// How often [`Auto`](crate::Auto) changed between its methods.
     pub switches: usize,
+    /// Impacts at the same time whose order decides how the motion goes on, and could not be resolved: see
+    /// [`Ambiguity`](crate::hybrid::Ambiguity).
+    pub ambiguities: usize,
 }
 
 #[cfg(feature = "std")]
@@ -35,5 +38,6 @@ impl Statistics {
         self.iterations += other.iterations;
         self.stiff += other.stiff;
         self.switches += other.switches;
+        self.ambiguities += other.ambiguities;
     }
 }

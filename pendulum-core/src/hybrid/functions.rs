@@ -8,6 +8,7 @@ use super::bounds::least;
 use super::held::forces;
 use super::mode::{Hold, Mode, Status};
 use super::resolution::{SHORTEST_MODE, SIMULTANEOUS, ulps};
+use super::sizes::rates_at_rest;
 use super::{Hybrid, Law, MOST};
 use crate::dense::Dense;
 use crate::method::{Known, dip, first_zero, root, unseen_bend};
@@ -345,53 +346,6 @@ impl<'a, T: Float, const N: usize> Scene<'a, T, N> {
         }
         live
     }
-}
-
-/// The size to which the rounding errors of each value are relative: that of all positions and limits, and of the way
-/// of what moves by itself, whose place is as exact as the time is.
-pub(super) fn sizes<T: Float, const N: usize>(
-    system: &dyn Hybrid<T, N>,
-    laws: &[Law<T>; MOST],
-    t: T,
-    x: &SVector<T, N>,
-) -> [T; MOST] {
-    let limits = laws.iter().flat_map(|law| [law.low, law.high]).flatten();
-    let positions = x.iter().take(N / 2).copied();
-    let size = limits.chain(positions).fold(T::default(), |size, x| size.max(x.abs()));
-    rates_at_rest(system, t, x).map(|rate| size.max((t * rate).abs()))
-}
-
-/// The rate of each constraint while nothing but what is driven moves.
-fn rates_at_rest<T: Float, const N: usize>(system: &dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) -> [T; MOST] {
-    let mut at_rest = *x;
-    at_rest.iter_mut().skip(N / 2).for_each(|rate| *rate = T::default());
-    system.measures(t, &at_rest).map(|[_, rate]| rate)
-}
-
-/// By how much more than a position each constraint changes, where that is more.
-pub(super) fn slopes<T: Float, const N: usize>(system: &dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) -> [T; MOST] {
-    let mut slopes = [T::from_f64(1.0); MOST];
-    // coordinates change as positions do
-    if system
-        .constraints()
-        .iter()
-        .all(|constraint| !constraint.rate.is_empty())
-    {
-        return slopes;
-    }
-    let by_itself = rates_at_rest(system, t, x);
-    for k in N / 2..N {
-        let mut moving = *x;
-        for (other, rate) in moving.iter_mut().enumerate().skip(N / 2) {
-            *rate = T::from_f64(if other == k { 1.0 } else { 0.0 });
-        }
-        let measures = system.measures(t, &moving);
-        for ((slope, [_, rate]), by_itself) in slopes.iter_mut().zip(measures).zip(by_itself) {
-            let own = (rate - by_itself).abs();
-            *slope = if own.is_finite() { slope.max(own) } else { *slope };
-        }
-    }
-    slopes
 }
 
 /// Within what part of a step ends of modes are simultaneous.

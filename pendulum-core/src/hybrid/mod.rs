@@ -74,7 +74,9 @@
 //! # Ok::<(), pendulum_core::SolveError<f64, 2>>(())
 //! ```
 
+mod ambiguity;
 mod bounds;
+mod collision;
 mod complementarity;
 mod functions;
 mod held;
@@ -88,6 +90,7 @@ mod resolution;
 #[cfg(feature = "std")]
 mod saltation;
 mod settling;
+mod sizes;
 mod switch;
 mod watch;
 
@@ -97,6 +100,7 @@ use crate::real::Real;
 use crate::real::lanes::Lanes;
 use crate::system::System;
 
+pub use ambiguity::Ambiguity;
 #[cfg(feature = "std")]
 pub(crate) use bounds::room;
 #[cfg(feature = "std")]
@@ -111,9 +115,9 @@ pub use in_mode::{InMode, Passage};
 #[cfg(feature = "std")]
 pub(crate) use mode::set_of;
 pub use mode::{Hold, Mode, Status};
-#[cfg(feature = "std")]
-pub(crate) use project::apart;
 pub(crate) use project::project;
+#[cfg(feature = "std")]
+pub(crate) use project::{apart, place_coordinates};
 #[cfg(feature = "std")]
 pub(crate) use saltation::{hold_tangents, saltation};
 #[cfg(feature = "std")]

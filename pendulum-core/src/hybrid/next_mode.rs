@@ -10,9 +10,20 @@ use crate::real::Float;
 /// What gave way is pushed on by this part of what acts on it: shortly after, it is.
 const PUSHED_ON: f64 = 1e-6;
 
+/// A mode that begins.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Next<T> {
+    pub(super) mode: Mode,
+    pub(super) hold: Hold<T>,
+    /// The accelerations of the constraints.
+    pub(super) accelerations: [T; MOST],
+    /// The sizes of the terms of which these are sums.
+    pub(super) sizes: [T; MOST],
+}
+
 impl<T: Float, const N: usize> Settling<'_, T, N> {
-    /// The mode that the rates and accelerations ask for, and the accelerations in it.
-    pub(super) fn next_mode(&self) -> (Mode, Hold<T>, [T; MOST]) {
+    /// The mode that the rates and accelerations ask for.
+    pub(super) fn next_mode(&self) -> Next<T> {
         let zero = T::default();
         let count = self.system.constraints().len();
         let measures = self.system.measures(self.t, &self.x);
@@ -64,7 +75,16 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
                 (mode, hold) = (with, holds);
             }
         }
-        (mode, hold, accelerations)
+        let size = |n: usize| {
+            let under = |m: usize| response.matrix[n][m].abs() * self.laws[m].sticking;
+            bits(candidates).fold(response.accelerations[n].abs(), |sum, m| sum + under(m))
+        };
+        Next {
+            mode,
+            hold,
+            accelerations,
+            sizes: core::array::from_fn(size),
+        }
     }
 
     /// What a constraint does that is held.

@@ -56,6 +56,21 @@ pub(crate) fn apart<T: Float>(
     })
 }
 
+/// Moves coordinates to the limits that they touch, to the last bit.
+pub(crate) fn place_coordinates<T: Float, const N: usize>(
+    system: &dyn Hybrid<T, N>,
+    touching: &[Status; MOST],
+    t: T,
+    x: &mut SVector<T, N>,
+) {
+    let apart = apart(&system.laws(), touching, &system.measures(t, x));
+    for (n, constraint) in system.constraints().iter().enumerate() {
+        if let Some(&(component, sign)) = constraint.rate.last() {
+            x[component - N / 2] -= T::from_f64(f64::from(sign)) * apart[n];
+        }
+    }
+}
+
 /// Takes what some constraints have off positions or rates, which stand so far `before` the rates: a column holds what
 /// a force does to the rates, and along it the least kinetic energy moves.
 pub(super) fn shift<T: Float, const N: usize>(

@@ -3,8 +3,9 @@
 use super::MOST;
 use super::complementarity::{Factored, independent};
 use super::held::called;
-use super::mode::{Hold, Status, bits, set_of};
-use super::resolution::{LOWEST_REBOUND, SHORTEST_REBOUND, ulps};
+use super::mode::{Status, bits, set_of};
+use super::next_mode::Next;
+use super::resolution::{CONSISTENT, LOWEST_REBOUND, SHORTEST_REBOUND, ulps};
 use super::settling::Settling;
 use crate::real::Float;
 
@@ -44,6 +45,15 @@ impl<T: Float> Rebound<T> {
     }
 }
 
+/// The end of a part of a flight in which accelerations are constant.
+#[derive(Clone, Copy, Debug)]
+enum End {
+    /// A constraint is back at its limit.
+    Back(usize),
+    /// A rate that friction brakes is zero, as at the top of a flight.
+    Stop(usize),
+}
+
 impl<T: Float, const N: usize> Settling<'_, T, N> {
     /// Stops some constraints that touch their limits, together with all that rests there.
     pub(super) fn halt(&mut self, low: u8) {
@@ -64,74 +74,115 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         })
     }
 
-    /// Those of some constraints whose rebounds are too low to be followed, for the sizes of their values.
-    pub(super) fn low_rebounds(&self, of: u8, accelerations: &[T; MOST], sizes: &[T; MOST]) -> u8 {
+    /// The constraints that leave their limits in rebounds too low to be followed.
+    pub(super) fn low_rebounds(&self, accelerations: &[T; MOST]) -> u8 {
+        let leaving = self.touched() & !self.resting;
+        if leaving == 0 {
+            return 0;
+        }
+        let sizes = self.sizes();
         let shortest = ulps(SHORTEST_REBOUND, self.t.abs());
         let least = T::from_f64(LEAST).max(ulps(LOWEST_REBOUND, T::from_f64(1.0)));
-        let low = self
-            .rebounds(of, accelerations)
-            .filter(|rebound| rebound.is_low(least * sizes[rebound.of], shortest));
-        set_of(low.map(|rebound| rebound.of))
+        let is_low = |rebound: &Rebound<T>| {
+            let (law, n) = (&self.laws[rebound.of], rebound.of);
+            let limit = if self.touching[n] == Status::Low {
+                law.low
+            } else {
+                law.high
+            };
+            let size = limit.map_or(self.reach[n], |limit| self.reach[n].max(limit.abs()));
+            rebound.is_low(least * size.max(sizes.values[n]), shortest)
+        };
+        set_of(
+            self.rebounds(leaving, accelerations)
+                .filter(is_low)
+                .map(|rebound| rebound.of),
+        )
     }
 
-    /// How long rebounds last that are so low that accelerations change by contacts alone, with all that follow them.
+    /// How long rebounds last that are so low that accelerations change by contacts and by friction alone, with all that
+    /// follow them.
     ///
     /// They shrink to nothing: where one contact takes off alone and comes to do so again, in a fixed ratio.
-    pub(super) fn lasting(&self, low: u8, mut hold: Hold<T>, mut accelerations: [T; MOST]) -> T {
+    pub(super) fn lasting(&self, low: u8, mut next: Next<T>) -> T {
         let zero = T::default();
+        let (limits, sizes) = (*self, self.sizes());
         let (mut after, mut flying, mut heights) = (*self, low, [zero; MOST]);
+        after.series.follow_one_order();
         let (mut lasted, mut alone) = (zero, None);
         for _ in 0..MOST_FOLLOWED {
-            let rebounds = after.rebounds(flying, &accelerations);
+            let rebounds = Settling { x: after.x, ..limits };
+            let rebounds = rebounds.rebounds(flying, &next.accelerations);
             let takes_off = |of: &Rebound<T>| flying == 1 << of.of && heights[of.of] == zero;
             if let Some(rebound) = rebounds.clone().next().filter(takes_off) {
                 match alone {
                     Some((of, rate, since)) if of == rebound.of => {
-                        // where no energy is lost there is no limit
                         let lost = T::from_f64(1.0) - rebound.rate / rate;
-                        return if lost > zero {
-                            since + (lasted - since) / lost
-                        } else {
-                            zero
-                        };
+                        // where no energy is lost there is no limit
+                        let is_some = lost * rate > ulps(CONSISTENT, sizes.rates[of]);
+                        return if is_some { since + (lasted - since) / lost } else { zero };
                     }
                     Some(_) => {}
                     None => alone = Some((rebound.of, rebound.rate, lasted)),
                 }
             }
-            let times = rebounds
+            let back = rebounds
                 .clone()
-                .map(|rebound| (rebound.of, rebound.time_back(heights[rebound.of])));
-            let first = times.reduce(|a, b| if b.1 < a.1 { b } else { a });
-            let Some((hit, time)) = first.filter(|(_, time)| *time > T::from_f64(LAST_REBOUND) * lasted) else {
+                .map(|rebound| (rebound.time_back(heights[rebound.of]), End::Back(rebound.of)));
+            let first = back.reduce(|a, b| if b.0 < a.0 { b } else { a });
+            let Some(first) = first.filter(|(time, _)| *time > T::from_f64(LAST_REBOUND) * lasted) else {
                 return lasted;
             };
+            let stops = after.stops(&next);
+            let (time, end) = stops.fold(first, |a, b| if b.0 < a.0 { b } else { a });
             lasted += time;
             rebounds.for_each(|rebound| heights[rebound.of] += rebound.rise(time));
-            heights[hit] = zero;
-            let rates = called::rhs(self.system, &hold, self.t, &after.x);
+            let rates = called::rhs(self.system, &next.hold, self.t, &after.x);
             for k in N / 2..N {
                 after.x[k] += time * rates[k];
             }
-            let thrown_off = after.hit(hit, flying);
+            for n in bits(flying) {
+                after.touching[n] = Status::Free;
+            }
+            match end {
+                End::Back(n) => {
+                    heights[n] = zero;
+                    after.touching[n] = limits.touching[n];
+                    after.collide_to_the_end();
+                }
+                End::Stop(n) => after.rest(n, true),
+            }
             after.stand();
-            (_, hold, accelerations) = after.next_mode();
-            let again = after
-                .rebounds(thrown_off & !after.resting, &accelerations)
-                .filter(|rebound| rebound.rate > zero);
-            flying = flying & !(1 << hit) | set_of(again.map(|rebound| rebound.of));
+            next = after.next_mode();
+            after.resting = next.hold.held;
+            let rates = self.system.measures(self.t, &after.x).map(|[_, rate]| rate);
+            let leaves = |&n: &usize| limits.away(n) * rates[n] > zero;
+            let again = bits(after.touched() & !after.resting).filter(leaves);
+            flying = set_of(bits(flying).filter(|&n| heights[n] != zero)) | set_of(again);
         }
         lasted
     }
 
-    /// The impact where one of the constraints that fly is back at its limit: those that leave theirs.
-    fn hit(&mut self, back: usize, flying: u8) -> u8 {
-        let touching = self.touching;
-        for n in bits(flying).filter(|&n| n != back) {
-            self.touching[n] = Status::Free;
+    /// When rates that friction brakes come to rest under constant accelerations.
+    fn stops(&self, next: &Next<T>) -> impl Iterator<Item = (T, End)> {
+        let measures = self.system.measures(self.t, &self.x);
+        let slips = |status: Status| matches!(status, Status::Forward | Status::Backward);
+        let slipping = (0..MOST).filter(move |&n| slips(next.mode.0[n]));
+        slipping.filter_map(move |n| {
+            let time = -measures[n][1] / next.accelerations[n];
+            (time > T::default()).then_some((time, End::Stop(n)))
+        })
+    }
+
+    /// All impacts that follow each other at once.
+    fn collide_to_the_end(&mut self) {
+        self.series.begin();
+        loop {
+            self.collide();
+            self.stand();
+            if self.next().is_empty() || self.series.is_too_long() {
+                return;
+            }
         }
-        let thrown_off = self.collide();
-        self.touching = touching;
-        thrown_off
     }
 }

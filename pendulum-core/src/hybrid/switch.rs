@@ -2,10 +2,13 @@
 
 use nalgebra::SVector;
 
-use super::functions::{BACKWARD, FORWARD, Fired, UPPER, slopes};
+use super::collision::Series;
+use super::functions::{BACKWARD, FORWARD, Fired, UPPER};
+use super::in_mode::Passage;
 use super::mode::{Hold, Mode, Status};
 use super::resolution::{AT_LIMIT, ulps};
 use super::settling::Settling;
+use super::sizes::Gains;
 use super::watch::Watch;
 use super::{Hybrid, MOST};
 use crate::error::Reason;
@@ -23,8 +26,24 @@ pub(crate) struct Settled<T, const N: usize> {
     pub(crate) delay: T,
     /// The impulses along the constraints.
     pub(crate) impulses: [T; MOST],
-    /// By how much more than positions the constraints change, where the integration began.
-    pub(crate) slopes: [T; MOST],
+    pub(crate) gains: Gains<T>,
+    /// The sizes of the terms of which the accelerations of the constraints are sums.
+    pub(crate) accelerations: [T; MOST],
+    /// The impacts so far, and the contacts that approach again: theirs follow at once.
+    pub(super) series: Series<T, N>,
+    pub(super) next: Fired,
+}
+
+impl<T: Float, const N: usize> Settled<T, N> {
+    /// The contacts whose order mattered and was not resolved, with the differences that it makes to the state.
+    pub(crate) fn ambiguity(&self) -> Option<(u8, SVector<T, N>)> {
+        self.series.ambiguity
+    }
+
+    /// The first of the contacts that approach after all impacts: they contradict each other.
+    pub(crate) fn contradiction(&self) -> Option<usize> {
+        (!self.next.is_empty()).then(|| self.next.first())
+    }
 }
 
 /// The mode in which to start from a state.
@@ -33,14 +52,17 @@ pub(crate) fn start<T: Float, const N: usize>(
     t: T,
     x: &SVector<T, N>,
 ) -> Result<Settled<T, N>, Reason> {
-    let mut settling = Settling::new(system, t, x, slopes(system, t, x));
-    let size = x.iter().fold(T::from_f64(1.0), |size, x| size.max(x.abs()));
+    let zero = [T::default(); MOST];
+    let mut settling = Settling::new(system, (t, x), Gains::near(system, t, x), &zero);
+    let sizes = settling.sizes();
     let measures = system.measures(t, x);
     for (n, constraint) in system.constraints().iter().enumerate() {
-        let slack = ulps(AT_LIMIT, size * settling.slopes[n]);
+        let [value, rate] = measures[n];
+        let rests = rate.abs() <= ulps(AT_LIMIT, sizes.rates[n]);
         for (distance, limit, status) in settling.distances(n, &measures) {
+            let slack = ulps(AT_LIMIT, sizes.values[n].max(limit.abs()));
             if distance.to_f64().is_nan() || distance < -slack {
-                let (value, limit) = (measures[n][0].to_f64(), limit.to_f64());
+                let (value, limit) = (value.to_f64(), limit.to_f64());
                 let constraint = constraint.name;
                 return Err(Reason::BeyondLimit {
                     constraint,
@@ -48,11 +70,20 @@ pub(crate) fn start<T: Float, const N: usize>(
                     limit,
                 });
             }
-            settling.touch(n, status, distance <= slack, measures[n][1].abs() <= slack);
+            if distance <= slack {
+                settling.touching[n] = status;
+                settling.rest(n, rests);
+            }
         }
-        settling.rest(n, measures[n][1] == T::default());
+        settling.rest(n, rate == T::default());
     }
-    Ok(settling.settle(&[T::default(); MOST]))
+    let settled = finish(system, t, settling.settle(), &zero, &mut |_, _| {});
+    match settled.contradiction() {
+        Some(n) => Err(Reason::ModesAccumulate {
+            constraint: system.constraints()[n].name,
+        }),
+        None => Ok(settled),
+    }
 }
 
 /// The right-hand side at a state, in the mode in which a hybrid system starts from it.
@@ -68,49 +99,83 @@ where
     }
 }
 
-/// The mode after the one that ended.
+/// The mode after the one that ended. `pass` sees the ways there: one impact may follow the other at once.
 pub(crate) fn switch<T: Float, const N: usize>(
     system: &dyn Hybrid<T, N>,
     (t, x): (T, &SVector<T, N>),
-    mode: &Mode,
+    (mode, hold): (&Mode, &Hold<T>),
     fired: Fired,
     watch: &Watch<T>,
+    mut pass: impl FnMut(&Passage<T, N>),
 ) -> Settled<T, N> {
-    let mut settling = Settling::new(system, t, x, watch.slopes);
-    let measures = system.measures(t, x);
-    let sizes = settling.sizes();
-    for n in 0..system.constraints().len() {
-        let status = mode.0[n];
-        if status.touches() {
-            settling.touching[n] = status;
+    let settling = Settling::new(system, (t, x), watch.gains, &watch.reach);
+    let settled = settling.at_the_end_of(mode, fired).settle();
+    pass(&Passage {
+        t,
+        before: (*x, *mode, *hold),
+        fired,
+        impulses: settled.impulses,
+        after: (settled.x, settled.hold),
+    });
+    finish(system, t, settled, &watch.reach, &mut |before, after| {
+        pass(&Passage {
+            t,
+            before: (before.x, before.mode, before.hold),
+            fired: before.next,
+            impulses: after.impulses,
+            after: (after.x, after.hold),
+        });
+    })
+}
+
+/// Goes on where an impact is followed by others at once, until nothing approaches, or for too long.
+pub(super) fn finish<T: Float, const N: usize>(
+    system: &dyn Hybrid<T, N>,
+    t: T,
+    mut settled: Settled<T, N>,
+    reach: &[T; MOST],
+    pass: &mut dyn FnMut(&Settled<T, N>, &Settled<T, N>),
+) -> Settled<T, N> {
+    while !settled.next.is_empty() && !settled.series.is_too_long() {
+        let settling = Settling::after(system, t, &settled, reach);
+        let mut after = settling.at_the_end_of(&settled.mode, settled.next).settle();
+        pass(&settled, &after);
+        for (sum, before) in after.impulses.iter_mut().zip(settled.impulses) {
+            *sum += before;
         }
-        settling.rest(n, status.is_held());
-        if status.is_held() {
-            for (way, next) in [(FORWARD, Status::Forward), (BACKWARD, Status::Backward)] {
-                if fired.has(n, way) {
-                    settling.forced[n] = Some(next);
-                }
-            }
-        } else {
-            settling.rest(n, fired.has(n, FORWARD));
-            let slack = ulps(AT_LIMIT, sizes[n]);
-            // what stands at a limit because something else holds it there, or arrives at the same time
-            for (distance, _, status) in settling.distances(n, &measures) {
-                let rate = measures[n][1];
-                let leaving = if status == Status::Low { rate } else { -rate };
-                settling.touch(
-                    n,
-                    status,
-                    distance.abs() <= slack && leaving <= slack,
-                    rate.abs() <= slack,
-                );
-            }
-            for (way, next) in [(BACKWARD, Status::Low), (UPPER, Status::High)] {
-                if fired.has(n, way) {
-                    settling.touching[n] = next;
-                }
-            }
-        }
+        settled = after;
     }
-    settling.settle(&watch.reach)
+    settled
+}
+
+impl<T: Float, const N: usize> Settling<'_, T, N> {
+    /// With what holds, touches and gave way where a mode has ended.
+    fn at_the_end_of(mut self, mode: &Mode, fired: Fired) -> Self {
+        let measures = self.system.measures(self.t, &self.x);
+        let sizes = self.sizes();
+        for n in 0..self.system.constraints().len() {
+            let status = mode.0[n];
+            self.rest(n, status.is_held());
+            if status.is_held() {
+                if status.touches() {
+                    self.touching[n] = status;
+                }
+                for (way, next) in [(FORWARD, Status::Forward), (BACKWARD, Status::Backward)] {
+                    if fired.has(n, way) {
+                        self.forced[n] = Some(next);
+                    }
+                }
+                continue;
+            }
+            self.rest(n, fired.has(n, FORWARD));
+            for (distance, limit, status) in self.distances(n, &measures) {
+                let slack = ulps(AT_LIMIT, self.reach[n].max(sizes.values[n]).max(limit.abs()));
+                let way = if status == Status::Low { BACKWARD } else { UPPER };
+                if fired.has(n, way) || distance.abs() <= slack {
+                    self.touching[n] = status;
+                }
+            }
+        }
+        self
+    }
 }

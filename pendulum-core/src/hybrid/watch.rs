@@ -2,11 +2,12 @@
 
 #[cfg(feature = "std")]
 use super::Law;
-use super::functions::{BACKWARD, FORWARD, Fired, Place, Scene, UPPER, Values, resolution, sizes};
+use super::functions::{BACKWARD, FORWARD, Fired, Place, Scene, UPPER, Values, WAYS, resolution};
 #[cfg(feature = "std")]
 use super::mode::Status;
 use super::mode::{Hold, Mode};
 use super::resolution::{NOISE, ulps};
+use super::sizes::Gains;
 use super::{Hybrid, MOST};
 use crate::dense::Dense;
 use crate::error::Reason;
@@ -30,8 +31,9 @@ pub(crate) struct Watch<T> {
     starts: bool,
     /// How far each constraint has been from its limits since it was held there.
     pub(super) reach: [T; MOST],
-    /// By how much more than positions the constraints change, where the integration began.
-    pub(super) slopes: [T; MOST],
+    pub(super) gains: Gains<T>,
+    /// The sizes of the terms of which the accelerations of the constraints are sums, where the mode began.
+    accelerations: [T; MOST],
     /// The forces at the end of the last step.
     forces: Option<[T; MOST]>,
     /// How far from each other the places were where forces were seen to be close enough.
@@ -46,7 +48,8 @@ impl<T: Float> Watch<T> {
             positive: Fired::default(),
             starts: true,
             reach: [T::default(); MOST],
-            slopes: [T::default(); MOST],
+            gains: Gains::none(),
+            accelerations: [T::default(); MOST],
             forces: None,
             width: T::from_f64(f64::INFINITY),
             sizes: [T::default(); MOST],
@@ -54,8 +57,8 @@ impl<T: Float> Watch<T> {
     }
 
     /// Goes on in another mode.
-    pub(crate) fn restart(&mut self, mode: &Mode, slopes: [T; MOST]) {
-        self.slopes = slopes;
+    pub(crate) fn restart(&mut self, mode: &Mode, gains: Gains<T>, accelerations: [T; MOST]) {
+        (self.gains, self.accelerations) = (gains, accelerations);
         (self.positive, self.starts, self.forces) = (Fired::default(), true, None);
         (self.width, self.sizes) = (T::from_f64(f64::INFINITY), [T::default(); MOST]);
         for (reach, status) in self.reach.iter_mut().zip(mode.0) {
@@ -120,7 +123,7 @@ impl<T: Float> Watch<T> {
         }
         let noise = self.noise(scene);
         for (n, way) in live.pairs() {
-            if start.values[n][way] > noise[n] {
+            if start.values[n][way] > noise[n][way] {
                 self.positive.insert(n, way);
             }
         }
@@ -244,15 +247,15 @@ impl<T: Float> Watch<T> {
             }
             let (earlier, last_two) = (seen.earlier.as_ref(), [&seen.last, here]);
             let place = if !self.positive.has(n, way) {
-                if value > view.noise[n] {
+                if value > view.noise[n][way] {
                     self.positive.insert(n, way);
                 }
-                scene.end_at_the_start((n, way), view.noise[n], [&view.start, &seen.last, here])
+                scene.end_at_the_start((n, way), view.noise[n][way], [&view.start, &seen.last, here])
             } else if of_held || way == FORWARD {
-                let noise = if of_held { view.noise[n] } else { T::default() };
+                let noise = if of_held { view.noise[n][way] } else { T::default() };
                 scene.zero((n, way), noise, earlier, last_two)
             } else {
-                let known = (&mut view.bends[n], view.noise[n]);
+                let known = (&mut view.bends[n], view.noise[n][way]);
                 scene.zero_of_gap((n, way), earlier, last_two, known)
             };
             if let Some(place) = place
@@ -271,13 +274,17 @@ impl<T: Float> Watch<T> {
         &self,
         scene: &Scene<'_, T, N>,
         (theta, mut fired): (T, Fired),
-        (live, noise): (Fired, &[T; MOST]),
+        (live, noise): (Fired, &Values<T>),
     ) -> Fired {
         let shortly = theta + resolution(scene.dense, scene.dense.time(theta));
         let (t, x) = scene.at(shortly);
         let values = scene.place(shortly, t, &x, scene.forces(t, &x)).values;
         for (n, way) in live.pairs() {
-            let noise = if scene.mode.is_held(n) { noise[n] } else { T::default() };
+            let noise = if scene.mode.is_held(n) {
+                noise[n][way]
+            } else {
+                T::default()
+            };
             if self.positive.has(n, way) && values[n][way] <= -noise {
                 fired.insert(n, way);
             }
@@ -301,7 +308,7 @@ impl<T: Float> Watch<T> {
         let mut first = None;
         for (n, way) in fired.pairs() {
             let place = if self.positive.has(n, way) {
-                scene.zero_about_the_end(T::default(), (n, way), noise[n])
+                scene.zero_about_the_end(T::default(), (n, way), noise[n][way])
             } else {
                 Some(T::default())
             };
@@ -311,7 +318,7 @@ impl<T: Float> Watch<T> {
         let there = scene.place(by, dense.step().t1 + by * dense.step().h, &dense.about_end(by), None);
         for (n, way) in self.positive.without(fired).pairs() {
             if !scene.mode.is_held(n) && there.values[n][way] <= T::default() {
-                let place = scene.zero_about_the_end(by, (n, way), noise[n]);
+                let place = scene.zero_about_the_end(by, (n, way), noise[n][way]);
                 first = earlier_of(first, place, (n, way), dense);
             }
         }
@@ -322,17 +329,21 @@ impl<T: Float> Watch<T> {
         first
     }
 
-    /// Within what of zero the functions of each constraint may be rounding errors.
-    fn noise<const N: usize>(&self, scene: &Scene<'_, T, N>) -> [T; MOST] {
+    /// Within what of zero the functions may be rounding errors.
+    fn noise<const N: usize>(&self, scene: &Scene<'_, T, N>) -> Values<T> {
         let step = scene.dense.step();
-        let sizes = sizes(scene.system, scene.laws, step.t0, &step.x0);
-        let mut noise = [T::default(); MOST];
+        let sizes = self.gains.sizes(scene.system, step.t0, &step.x0);
+        let mut noise = [[T::default(); WAYS]; MOST];
         for (n, noise) in noise.iter_mut().enumerate().take(scene.system.constraints().len()) {
-            let size = match scene.mode.is_held(n) {
-                true => scene.laws[n].sticking.max(self.sizes[n]),
-                false => self.reach[n].max(sizes[n] * self.slopes[n]),
-            };
-            *noise = ulps(NOISE, size);
+            let law = &scene.laws[n];
+            if scene.mode.is_held(n) {
+                *noise = [ulps(NOISE, law.sticking.max(self.sizes[n])); WAYS];
+                continue;
+            }
+            let value = self.reach[n].max(sizes.values[n]);
+            let beside = |limit: Option<T>| ulps(NOISE, limit.map_or(value, |limit| value.max(limit.abs())));
+            noise[FORWARD] = ulps(NOISE, sizes.rates[n].max(self.accelerations[n] * step.h.abs()));
+            (noise[BACKWARD], noise[UPPER]) = (beside(law.low), beside(law.high));
         }
         noise
     }
@@ -379,8 +390,8 @@ struct View<T> {
     starts: bool,
     /// The functions that may end the mode.
     live: Fired,
-    /// Within what of zero those of each constraint may be rounding errors.
-    noise: [T; MOST],
+    /// Within what of zero they may be rounding errors.
+    noise: Values<T>,
     /// How much each gap bends between places, as far as was seen.
     bends: [T; MOST],
     /// In how many places forces are looked at.
@@ -408,7 +419,7 @@ impl<T: Float> View<T> {
                 let (t, x) = scene.at(theta);
                 let here = scene.known(&scene.place(theta, t, &x, None), (n, way));
                 if let Some(earlier) = seen.earlier {
-                    let bend = unseen_bend([earlier, seen.last, here], self.noise[n]);
+                    let bend = unseen_bend([earlier, seen.last, here], self.noise[n][way]);
                     self.bends[n] = self.bends[n].max(bend);
                 }
                 seen.go_to(here);

@@ -4,9 +4,10 @@ use core::fmt;
 
 use nalgebra::SVector;
 
+use crate::control::Tolerance;
 use crate::dense::{Dense, Step};
 use crate::error::Reason;
-use crate::hybrid::{self, Fired, Hold, InMode, MOST, Mode, Passage, Settled, Watch};
+use crate::hybrid::{self, Ambiguity, Fired, Hold, InMode, MOST, Mode, Settled, Watch};
 use crate::method::grid::Grid;
 use crate::method::input::{place, require};
 use crate::method::scheme::{Accepted, Failure, NonFinite, Scheme, Stalled};
@@ -59,6 +60,8 @@ pub(crate) struct Modes<T> {
     from: T,
     /// The impulses along the constraints with which it began.
     impulses: [T; MOST],
+    /// The impacts among these whose order is not known.
+    ambiguity: Option<Ambiguity<T>>,
     pub(crate) watch: Watch<T>,
     /// What ended it, where the last step ended.
     fired: Fired,
@@ -96,6 +99,8 @@ const SHORTEST_ULPS: f64 = 64.0;
 const FAR_FROM_THE_END: f64 = 1e-3;
 /// But no more than so many: where ends lie so close together that each step shows another one first.
 const MOST_RETAKEN: usize = 16;
+/// An order of impacts matters if it makes a difference of more than this many tolerances.
+const LEAST_AMBIGUITY: f64 = 10.0;
 
 /// How long the steps are.
 #[derive(Clone, Copy, Debug)]
@@ -140,6 +145,7 @@ where
                 hold: Hold::default(),
                 from: t0,
                 impulses: [T::default(); MOST],
+                ambiguity: None,
                 watch: Watch::new(),
                 fired: Fired::default(),
                 cut: T::from_f64(1.0),
@@ -206,6 +212,13 @@ where
     pub fn impulses(&self) -> Option<[T; MOST]> {
         let impulses = self.system.hybrid().map(|_| self.modes.impulses);
         impulses.filter(|impulses| impulses.iter().any(|&impulse| impulse != T::default()))
+    }
+
+    /// The impacts with which the mode of a [hybrid](crate::hybrid) system began, if their order decided how it goes on
+    /// and could not be resolved. [`Statistics::ambiguities`] counts all so far.
+    #[must_use]
+    pub fn ambiguity(&self) -> Option<Ambiguity<T>> {
+        self.modes.ambiguity
     }
 
     /// The work so far.
@@ -333,14 +346,20 @@ where
         };
         let Modes {
             mode,
+            hold,
             fired,
             watch,
             changes: (count, since),
             ..
         } = self.modes;
         let (t, x) = (self.t(), self.x());
-        let settled = hybrid::switch(hybrid, (t, &x), &mode, fired, &watch);
+        let pass = |passage: &_| self.scheme.pass(self.system, passage);
+        let settled = hybrid::switch(hybrid, (t, &x), (&mode, &hold), fired, &watch, pass);
         self.statistics.evaluations += 1;
+        if let Some(n) = settled.contradiction() {
+            let constraint = hybrid.constraints()[n].name;
+            return Err(Reason::ModesAccumulate { constraint });
+        }
         let changes = if count < MANY_CHANGES {
             (count + 1, since)
         } else {
@@ -361,33 +380,54 @@ where
         if let Steps::Equal(grid) = &mut self.steps {
             grid.go_to(t);
         }
-        let passage = Passage {
-            t,
-            before: (x, mode, self.modes.hold),
-            fired,
-            impulses: settled.impulses,
-            after: (settled.x, settled.hold),
-        };
-        self.scheme.pass(self.system, &passage);
         self.enter(t, settled);
         self.begin().map(drop)
     }
 
     /// Stands at a point in a mode.
     fn enter(&mut self, t: T, settled: Settled<T, N>) {
+        let ambiguity = settled
+            .ambiguity()
+            .and_then(|found| self.check_ambiguity(t, found, &settled.x));
+        self.statistics.ambiguities += usize::from(ambiguity.is_some());
         let Settled {
             x,
             mode,
             hold,
             delay,
             impulses,
-            slopes,
+            gains,
+            accelerations,
+            ..
         } = settled;
-        (self.modes.mode, self.modes.hold, self.modes.from) = (mode, hold, t + delay);
-        self.modes.impulses = impulses;
+        (self.modes.mode, self.modes.hold, self.modes.from) = (mode, hold, (t + delay).min(self.t1));
+        (self.modes.impulses, self.modes.ambiguity) = (impulses, ambiguity);
         self.modes.fired = Fired::default();
-        self.modes.watch.restart(&mode, slopes);
+        self.modes.watch.restart(&mode, gains, accelerations);
         self.last = Step::at_rest(t, x);
+    }
+
+    /// The impacts at `t` whose order is not known, from the differences that it makes to the state `x` after them; none
+    /// if these are within the tolerance.
+    fn check_ambiguity(
+        &self,
+        t: T,
+        (set, differences): (u8, SVector<T, N>),
+        x: &SVector<T, N>,
+    ) -> Option<Ambiguity<T>> {
+        let matters = |difference: T, x: T| match &self.steps {
+            Steps::Equal(_) => true,
+            Steps::Controlled { control, .. } => {
+                let Tolerance { rtol, atol } = control.tolerance;
+                difference > T::from_f64(LEAST_AMBIGUITY) * (atol + rtol * x.abs())
+            }
+        };
+        let mut differences_of = differences.iter().zip(x.iter());
+        let difference = differences
+            .iter()
+            .fold(T::default(), |most, &difference| most.max(difference));
+        let matters = differences_of.any(|(&difference, &x)| matters(difference, x));
+        matters.then_some(Ambiguity { t, difference, set })
     }
 
     /// The states within the last step, by the dense output of the method. Some methods evaluate the right-hand side a

@@ -209,6 +209,9 @@ impl<T: Float, const N: usize> Reached<T, N> {
                 before,
                 after: x,
             });
+            if let Some(ambiguity) = stepper.ambiguity() {
+                observer.ambiguity(ambiguity);
+            }
         }
         (self.x, self.mode) = (x, Some((from, mode)));
         jumps || changes

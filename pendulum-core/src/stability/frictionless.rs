@@ -2,7 +2,9 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::hybrid::{self, Hold, HybridJacobian, MOST, Mode, Status, apart, forces, independent, project, set_of};
+use crate::hybrid::{
+    self, Hold, HybridJacobian, MOST, Mode, Status, apart, forces, independent, place_coordinates, project, set_of,
+};
 use crate::layout::StateLayout;
 use crate::system::{Jacobian, System};
 
@@ -36,6 +38,7 @@ impl<'a, const N: usize> Frictionless<'a, N> {
     pub(super) fn place(&self, mut x: SVector<f64, N>) -> SVector<f64, N> {
         (N / 2..N).for_each(|n| x[n] = 0.0);
         project(self.system, &self.hold, &self.mode.0, 0.0, &mut x);
+        place_coordinates(self.system, &self.mode.0, 0.0, &mut x);
         x
     }
 

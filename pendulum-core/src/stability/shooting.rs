@@ -222,9 +222,9 @@ impl<const N: usize> Lap<N> {
         })
     }
 
-    /// A distance that errors of the integration may make.
+    /// A distance that errors of the integration, or of rounding, may make.
     pub(super) fn resolution(&self, x: &SVector<f64, N>, tolerance: f64) -> f64 {
-        NOISE * tolerance * (1.0 + x.norm()) * self.monodromy.norm()
+        (NOISE * tolerance * self.monodromy.norm()).max(f64::EPSILON) * (1.0 + x.norm())
     }
 }
 

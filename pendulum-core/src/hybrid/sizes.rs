@@ -1,0 +1,113 @@
+//! Sizes to which the rounding errors of constraints are relative.
+
+use nalgebra::SVector;
+
+use super::{Hybrid, MOST};
+use crate::layout::{SlotKind, StateLayout};
+use crate::real::Float;
+
+/// The largest derivatives of each constraint by lengths and by angles, about the state in which an integration starts.
+/// Only their order of magnitude matters.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Gains<T> {
+    by_lengths: [T; MOST],
+    by_angles: [T; MOST],
+}
+
+/// Sizes of values and rates at a state.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Sizes<T> {
+    /// Of the terms that a value is a sum of.
+    pub(super) values: [T; MOST],
+    /// Of the terms that a rate is a sum of.
+    pub(super) rates: [T; MOST],
+}
+
+impl<T: Float> Gains<T> {
+    /// None at all: before an integration starts.
+    pub(super) fn none() -> Self {
+        Self {
+            by_lengths: [T::default(); MOST],
+            by_angles: [T::default(); MOST],
+        }
+    }
+
+    pub(super) fn near<const N: usize>(system: &dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) -> Self {
+        let mut gains = Self::none();
+        let layout = system.layout();
+        gains.note(system, t, x, layout);
+        // the gap to a floor below a pendulum that hangs has no derivative there
+        let mut turned = *x;
+        for k in 0..N / 2 {
+            if is_angle(layout, k) {
+                turned[k] += T::from_f64(1.0);
+            }
+        }
+        if turned != *x && system.constraints().iter().any(|constraint| constraint.rate.is_empty()) {
+            gains.note(system, t, &turned, layout);
+        }
+        gains
+    }
+
+    /// Notes the derivatives at a state: a rate is linear in the rates of the coordinates.
+    fn note<const N: usize>(
+        &mut self,
+        system: &dyn Hybrid<T, N>,
+        t: T,
+        x: &SVector<T, N>,
+        layout: Option<&'static StateLayout>,
+    ) {
+        let by_itself = rates_at_rest(system, t, x);
+        for k in N / 2..N {
+            let mut moving = *x;
+            for (other, rate) in moving.iter_mut().enumerate().skip(N / 2) {
+                *rate = T::from_f64(if other == k { 1.0 } else { 0.0 });
+            }
+            let measures = system.measures(t, &moving);
+            let gains = if is_angle(layout, k - N / 2) {
+                &mut self.by_angles
+            } else {
+                &mut self.by_lengths
+            };
+            for ((gain, [_, rate]), by_itself) in gains.iter_mut().zip(measures).zip(by_itself) {
+                let own = (rate - by_itself).abs();
+                *gain = if own.is_finite() { gain.max(own) } else { *gain };
+            }
+        }
+    }
+
+    /// The sizes at a state. An angle counts as 1 rad at least, which is the size of what its sine and cosine are
+    /// multiplied by; the place of what moves by itself is as exact as the time is.
+    pub(super) fn sizes<const N: usize>(&self, system: &dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) -> Sizes<T> {
+        let zero = T::default();
+        let layout = system.layout();
+        let ([mut length, mut angle], [mut speed, mut turning]) = ([zero, T::from_f64(1.0)], [zero; 2]);
+        for k in 0..N / 2 {
+            let (position, rate) = (x[k].abs(), x[k + N / 2].abs());
+            if is_angle(layout, k) {
+                (angle, turning) = (angle.max(position), turning.max(rate));
+            } else {
+                (length, speed) = (length.max(position), speed.max(rate));
+            }
+        }
+        let by_itself = rates_at_rest(system, t, x).map(|rate| rate.abs());
+        let all = |length: T, angle: T, n: usize| (self.by_lengths[n] * length).max(self.by_angles[n] * angle);
+        Sizes {
+            values: core::array::from_fn(|n| all(length, angle, n).max(t.abs() * by_itself[n])),
+            rates: core::array::from_fn(|n| all(speed, turning, n).max(by_itself[n])),
+        }
+    }
+}
+
+/// Whether a position is an angle; without a layout all of them are lengths.
+fn is_angle(layout: Option<&'static StateLayout>, position: usize) -> bool {
+    let mut slots = layout.into_iter().flat_map(|layout| layout.slots);
+    slots.any(|slot| slot.kind == SlotKind::Angle && slot.positions.start == position)
+}
+
+/// The rate of each constraint while nothing but what is driven moves.
+pub(super) fn rates_at_rest<T: Float, const N: usize>(system: &dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) -> [T; MOST] {
+    let mut at_rest = *x;
+    at_rest.iter_mut().skip(N / 2).for_each(|rate| *rate = T::default());
+    system.measures(t, &at_rest).map(|[_, rate]| rate)
+}
