@@ -73,25 +73,23 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         core::array::from_fn(rate)
     }
 
-    /// The contacts that approach, but for rounding errors of the impacts before.
-    fn approaching(&self, leaving: &[T; MOST], response: &Response<T, N>) -> u8 {
-        let noise = ulps(AT_LIMIT, T::from_f64(1.0));
-        let least = noise * noise * self.series.largest;
-        set_of(
-            bits(self.touched())
-                .filter(|&n| leaving[n] < T::default() && leaving[n] * leaving[n] > least * response.matrix[n][n]),
-        )
+    /// Up to which rates those of contacts may be rounding errors, of their own and of the impacts before.
+    fn noise(&self, response: &Response<T, N>) -> [T; MOST] {
+        let sizes = self.sizes();
+        let of_first = |n: usize| (self.series.largest * response.matrix[n][n]).sqrt();
+        core::array::from_fn(|n| ulps(AT_LIMIT, sizes.rates[n].max(of_first(n))))
     }
 
-    /// The contacts that approach after an impact.
-    pub(super) fn next(&self) -> Fired {
+    /// The contacts that approach after an impact. Where there are none, those rest that no longer leave.
+    pub(super) fn next(&mut self) -> Fired {
         let mut next = Fired::default();
-        let leaving = self.leaving();
-        if self.series.count == 0 || leaving.iter().all(|&leaving| leaving >= T::default()) {
+        if self.series.count == 0 {
             return next;
         }
         let response = self.system.response(self.t, &self.x, &[T::default(); MOST]);
-        for n in bits(self.approaching(&leaving, &response)) {
+        let (leaving, noise) = (self.leaving(), self.noise(&response));
+        let touched = self.touched();
+        for n in bits(touched).filter(|&n| leaving[n] < -noise[n]) {
             next.insert(
                 n,
                 if self.touching[n] == Status::Low {
@@ -100,6 +98,9 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
                     UPPER
                 },
             );
+        }
+        if next.is_empty() {
+            bits(touched).for_each(|n| self.rest(n, leaving[n].abs() <= noise[n]));
         }
         next
     }
@@ -112,7 +113,8 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
             return;
         }
         let response = self.system.response(self.t, &self.x, &[zero; MOST]);
-        let approaching = self.approaching(&leaving, &response);
+        let noise = self.noise(&response);
+        let approaching = set_of(bits(self.touched()).filter(|&n| leaving[n] < -noise[n]));
         if approaching == 0 {
             return;
         }

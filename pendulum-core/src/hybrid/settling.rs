@@ -110,6 +110,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
         loop {
             self.stand();
             let approaching = self.next();
+            self.stand();
             let next = self.next_mode();
             let low = if approaching.is_empty() {
                 self.low_rebounds(&next.accelerations)
