@@ -8,6 +8,7 @@ use crate::system::System;
 
 /// What an error is measured against: `atol + rtol |x|`, component by component.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
 pub struct Tolerance<T> {
     /// Relative.
     pub rtol: T,

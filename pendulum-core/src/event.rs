@@ -4,14 +4,20 @@ use core::fmt;
 
 use nalgebra::SVector;
 
+use crate::real::Float;
+
 /// Something that happens where a function `g(t, x)` passes zero along a trajectory; for
 /// [`Method::solve_with`](crate::Method::solve_with).
 ///
 /// An event occurs where `g` reaches zero or changes its sign: once, whether that is within a step, at the end of one,
 /// or at the start of the integration. It is located on the dense output of the method, to its accuracy and to the last
 /// bits of the time. Two zeros in one step are found even if the sign is the same at both ends: `g` is evaluated at ten
-/// places of each step, and where it comes near zero between them its extremum is searched. Of many zeros in one step
-/// some are missed: bound the steps by `h_max` where an event is faster than the motion.
+/// places of each step, and where it comes near zero between them its extremum is searched. Where these values go up
+/// and down about zero, `g` is evaluated at up to a thousand places more, enough for some 150 zeros in a step. Where
+/// even these do not show all of them, the solution reports it: [`Solution::missed`](crate::Solution::missed).
+///
+/// A [terminal](Self::terminal) event is not one at the start: a motion from rest goes on to the next turning point,
+/// though its rate is zero from the beginning. [`at_start`](Self::at_start) asks for that too.
 ///
 /// A reset that does not lead away from zero, such as a rebound without speed, lets the function pass zero: make such
 /// an event terminal. One that leads away so little that the event repeats without end is
@@ -37,6 +43,7 @@ pub struct Event<'e, T, const N: usize> {
     pub(crate) function: Function<'e, T, N>,
     pub(crate) direction: Direction,
     pub(crate) terminal: bool,
+    at_start: bool,
     pub(crate) reset: Option<Reset<'e, T, N>>,
 }
 
@@ -58,6 +65,17 @@ pub enum Direction {
     Falling,
 }
 
+impl Direction {
+    /// Whether a zero counts at which the function rises, or falls.
+    pub(crate) fn includes(self, rises: bool) -> bool {
+        match self {
+            Self::Either => true,
+            Self::Rising => rises,
+            Self::Falling => !rises,
+        }
+    }
+}
+
 impl<'e, T, const N: usize> Event<'e, T, N> {
     /// Records each zero crossing of `function`, in either direction.
     #[must_use]
@@ -66,6 +84,7 @@ impl<'e, T, const N: usize> Event<'e, T, N> {
             function: Box::new(function),
             direction: Direction::Either,
             terminal: false,
+            at_start: false,
             reset: None,
         }
     }
@@ -85,9 +104,32 @@ impl<'e, T, const N: usize> Event<'e, T, N> {
     }
 
     /// Ends the integration, after the reset if there is one.
+    ///
+    /// Where the function is zero at the start, it neither ends it there nor occurs, but for [`at_start`](Self::at_start).
+    ///
+    /// ```
+    /// use pendulum_core::prelude::*;
+    ///
+    /// // a spring that is released at rest, up to where it turns
+    /// let spring = FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], -x[0]]));
+    /// let turns = || Event::new(|_t, x: &SVector<f64, 2>| x[1]).terminal();
+    /// let solution = Vern9::new().solve_with(&spring, 0.0, 10.0, [1.0, 0.0], &[turns()])?;
+    /// assert!((solution.last().0 - std::f64::consts::PI).abs() < 1e-6);
+    /// let solution = Vern9::new().solve_with(&spring, 0.0, 10.0, [1.0, 0.0], &[turns().at_start()])?;
+    /// assert_eq!(solution.last().0, 0.0);
+    /// # Ok::<(), pendulum_core::SolveError<f64, 2>>(())
+    /// ```
     #[must_use]
     pub fn terminal(mut self) -> Self {
         self.terminal = true;
+        self
+    }
+
+    /// Makes a terminal event end the integration at the start too, where its function is zero there and leaves zero in
+    /// the direction of the event. Other events occur there anyway.
+    #[must_use]
+    pub fn at_start(mut self) -> Self {
+        self.at_start = true;
         self
     }
 
@@ -102,6 +144,11 @@ impl<'e, T, const N: usize> Event<'e, T, N> {
     pub fn reset(mut self, reset: impl Fn(T, &SVector<T, N>) -> SVector<T, N> + 'e) -> Self {
         self.reset = Some(Box::new(reset));
         self
+    }
+
+    /// Whether it occurs at the start of the integration, where its function is zero there.
+    pub(crate) fn occurs_at_start(&self) -> bool {
+        self.at_start || !self.terminal
     }
 
     /// Whether it ends the integration or resets the state.
@@ -137,4 +184,29 @@ pub struct Occurrence<T, const N: usize> {
     pub t: T,
     /// The state, before a reset.
     pub x: SVector<T, N>,
+}
+
+/// A part of a trajectory in which an event may have occurred more often than was found: its function changes faster
+/// than the steps show. Bound them by `h_max`, to a few times the time between two zeros.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[cfg_attr(feature = "serde", derive(serde::Serialize, serde::Deserialize))]
+pub struct Missed<T = f64> {
+    /// The index of the event among those given.
+    pub index: usize,
+    /// The time from which.
+    pub from: T,
+    /// The time up to which.
+    pub to: T,
+}
+
+impl<T: Float> fmt::Display for Missed<T> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { index, from, to } = *self;
+        let (from, to) = (from.to_f64(), to.to_f64());
+        write!(
+            f,
+            "event {index} may have occurred more often than was found from t = {from:?} to {to:?}: its function passes \
+             zero hundreds of times within a step; set `h_max` to a few times the time between two zeros"
+        )
+    }
 }

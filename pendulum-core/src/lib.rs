@@ -96,7 +96,7 @@ pub use ensemble::{Ensemble, EnsembleError, ObservedEnsemble};
 pub use error::SolveError;
 pub use error::{NotAssembled, ParameterError, Reason};
 #[cfg(feature = "std")]
-pub use event::{Direction, Event, Occurrence};
+pub use event::{Direction, Event, Missed, Occurrence};
 pub use inputs::{CastControlled, Controlled, InputLaw, WithInputs};
 #[cfg(feature = "std")]
 pub use layout::WrongLength;
@@ -106,7 +106,7 @@ pub use method::{
 };
 pub use real::{Float, Real};
 #[cfg(feature = "std")]
-pub use solution::{Observer, OutsideSpan, Solution};
+pub use solution::{BelowTolerance, Observer, OutsideSpan, Solution};
 pub use statistics::Statistics;
 pub use system::{Canonical, Cast, CastJacobian, Energy, FnSystem, IntoState, Jacobian, System};
 pub use taylor::{CastTaylor, TaylorSeries};

@@ -5,13 +5,17 @@ use std::fmt;
 
 use nalgebra::SVector;
 
+use crate::control::Tolerance;
 use crate::dense::{Dense, polynomial};
 use crate::error::debug_as_display;
-use crate::event::Occurrence;
+use crate::event::{Missed, Occurrence};
 use crate::hybrid::{Ambiguity, Impact, Mode};
 use crate::real::Float;
 
+mod below;
+
 pub use crate::statistics::Statistics;
+pub use below::BelowTolerance;
 
 /// A trajectory: the accepted points, and dense output between them.
 ///
@@ -42,6 +46,8 @@ pub struct Solution<T, const N: usize> {
     impacts: Vec<Impact<T, N>>,
     ambiguities: Vec<Ambiguity<T>>,
     statistics: Statistics,
+    missed: Vec<Missed<T>>,
+    tolerance: Option<Tolerance<T>>,
 }
 
 impl<T: Float, const N: usize> Solution<T, N> {
@@ -58,6 +64,8 @@ impl<T: Float, const N: usize> Solution<T, N> {
             impacts: Vec::new(),
             ambiguities: Vec::new(),
             statistics: Statistics::default(),
+            missed: Vec::new(),
+            tolerance: None,
         }
     }
 
@@ -153,6 +161,25 @@ impl<T: Float, const N: usize> Solution<T, N> {
         &self.ambiguities
     }
 
+    /// The times in which an event may have occurred more often than [`events`](Self::events) shows; empty where all
+    /// zeros were found.
+    ///
+    /// ```
+    /// use pendulum_core::prelude::*;
+    ///
+    /// let clock = FnSystem(|_t: f64, _x: &SVector<f64, 1>| SVector::from([1.0]));
+    /// let ticks = || Event::new(|t, _x: &SVector<f64, 1>| (1e5_f64 * t).sin());
+    /// let solution = Rk4::new(1.0).solve_with(&clock, 0.0, 10.0, [0.0], &[ticks()])?;
+    /// let [missed] = solution.missed() else { panic!("318,311 zeros in ten steps") };
+    /// assert_eq!((missed.index, missed.from, missed.to), (0, 0.0, 10.0));
+    /// println!("{missed}");
+    /// # Ok::<(), pendulum_core::SolveError<f64, 1>>(())
+    /// ```
+    #[must_use]
+    pub fn missed(&self) -> &[Missed<T>] {
+        &self.missed
+    }
+
     /// How much work the integration was.
     #[must_use]
     pub fn statistics(&self) -> Statistics {
@@ -219,6 +246,9 @@ pub trait Observer<T, const N: usize> {
         false
     }
 
+    /// The tolerance that the steps will keep, before the first of them; not where their length is given.
+    fn within(&mut self, _tolerance: Tolerance<T>) {}
+
     /// A step, or the part of one after which an event acts. Steps follow each other without gaps, but for jumps.
     fn step(&mut self, dense: &Dense<'_, T, N>);
 
@@ -227,6 +257,9 @@ pub trait Observer<T, const N: usize> {
 
     /// An event occurred, in the step that was seen last.
     fn event(&mut self, _event: Occurrence<T, N>) {}
+
+    /// An event may have occurred more often than was found, in the step that was seen last.
+    fn missed(&mut self, _missed: Missed<T>) {}
 
     /// Another mode of a hybrid system holds from this time on. The time lies ahead where rebounds too low to follow would
     /// still last; if another mode begins before it, the rebounds were not at their end.
@@ -264,6 +297,19 @@ impl<T: Float, const N: usize> Observer<T, N> for Solution<T, N> {
 
     fn event(&mut self, event: Occurrence<T, N>) {
         self.events.push(event);
+    }
+
+    fn within(&mut self, tolerance: Tolerance<T>) {
+        self.tolerance = Some(tolerance);
+    }
+
+    /// Steps that follow each other are one part.
+    fn missed(&mut self, missed: Missed<T>) {
+        let last = self.missed.iter_mut().rfind(|last| last.index == missed.index);
+        match last.filter(|last| last.to == missed.from) {
+            Some(last) => last.to = missed.to,
+            None => self.missed.push(missed),
+        }
     }
 
     fn mode(&mut self, from: T, mode: Mode) {
@@ -325,6 +371,10 @@ struct Unchecked<T, const N: usize> {
     #[serde(default)]
     ambiguities: Vec<Ambiguity<T>>,
     statistics: Statistics,
+    #[serde(default = "Vec::new")]
+    missed: Vec<Missed<T>>,
+    #[serde(default)]
+    tolerance: Option<Tolerance<T>>,
 }
 
 #[cfg(feature = "serde")]
@@ -356,6 +406,8 @@ impl<T: Float, const N: usize> TryFrom<Unchecked<T, N>> for Solution<T, N> {
             impacts: record.impacts,
             ambiguities: record.ambiguities,
             statistics: record.statistics,
+            missed: record.missed,
+            tolerance: record.tolerance,
         })
     }
 }

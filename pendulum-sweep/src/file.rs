@@ -23,6 +23,7 @@ use parquet::file::writer::SerializedFileWriter;
 use parquet::schema::types::{ColumnPath, SchemaDescriptor, Type, TypePtr};
 use serde_json::{Value, json};
 
+use crate::checksum::{self, Sum};
 use crate::error::SweepError;
 use crate::table::{Column, Table};
 
@@ -41,7 +42,7 @@ pub(crate) struct Part {
 impl Part {
     /// Rows whose numbers are still to be [kept](Self::keep); their bytes lie where `memory` did.
     pub(crate) fn new(rows: Range<usize>, columns: usize, mut memory: Vec<u8>) -> Self {
-        let head = head_of_page(rows.len());
+        let head = head_of_page(rows.len(), 0);
         memory.resize(columns * bytes_of_page(rows.len()), 0);
         for page in memory.chunks_exact_mut(bytes_of_page(rows.len())) {
             page[..head.len()].copy_from_slice(&head);
@@ -56,7 +57,7 @@ impl Part {
     /// Keeps the numbers of some rows, column by column, the first of which is number `row` of these.
     pub(crate) fn keep(&mut self, row: usize, columns: impl IntoIterator<Item = impl IntoIterator<Item = f64>>) {
         let length = size_of::<f64>() * self.rows.len();
-        let head = head_of_page(self.rows.len()).len();
+        let head = bytes_of_head(self.rows.len());
         for (page, numbers) in self.numbers.chunks_exact_mut(head + length).zip(columns) {
             let (places, _) = page[head..].as_chunks_mut();
             for (place, number) in places[row..].iter_mut().zip(numbers) {
@@ -75,7 +76,13 @@ impl Part {
         self.failures.len()
     }
 
-    pub(crate) fn numbers(&self) -> &[u8] {
+    /// The bytes of the numbers, all of which are [kept](Self::keep) by now, with the checksum of each page.
+    pub(crate) fn numbers(&mut self) -> &[u8] {
+        let rows = self.rows.len();
+        for page in self.numbers.chunks_exact_mut(bytes_of_page(rows)) {
+            let (head, numbers) = page.split_at_mut(bytes_of_head(rows));
+            head.copy_from_slice(&head_of_page(rows, crc32fast::hash(numbers)));
+        }
         &self.numbers
     }
 
@@ -112,18 +119,23 @@ pub(crate) fn most_bytes(columns: usize, rows: usize) -> usize {
 }
 
 /// The bytes that they take.
-fn bytes_of_page(rows: usize) -> usize {
-    head_of_page(rows).len() + size_of::<f64>() * rows
+pub(crate) fn bytes_of_page(rows: usize) -> usize {
+    bytes_of_head(rows) + size_of::<f64>() * rows
 }
 
-/// What is before the numbers of a page.
-fn head_of_page(rows: usize) -> Vec<u8> {
+/// The bytes before the numbers of a page.
+pub(crate) fn bytes_of_head(rows: usize) -> usize {
+    head_of_page(rows, 0).len()
+}
+
+/// What is before the numbers of a page with this checksum.
+pub(crate) fn head_of_page(rows: usize, checksum: u32) -> Vec<u8> {
     const PLAIN: usize = 0;
-    header_of_page(rows, size_of::<f64>() * rows, PLAIN)
+    header_of_page(rows, size_of::<f64>() * rows, PLAIN, checksum)
 }
 
-/// A `PageHeader` of `parquet.thrift` in Thrift's compact protocol.
-fn header_of_page(rows: usize, bytes: usize, encoding: usize) -> Vec<u8> {
+/// A `PageHeader` of `parquet.thrift` in Thrift's compact protocol; it has one length for all checksums.
+fn header_of_page(rows: usize, bytes: usize, encoding: usize, checksum: u32) -> Vec<u8> {
     const I32: u8 = 5;
     const STRUCT: u8 = 12;
     let mut head = Vec::new();
@@ -136,7 +148,11 @@ fn header_of_page(rows: usize, bytes: usize, encoding: usize) -> Vec<u8> {
     for number in [0, bytes, bytes] {
         integer(&mut head, number);
     }
-    field(&mut head, 2, STRUCT);
+    // CRC-32 as a signed number, in all of the pieces that one may have
+    field(&mut head, 1, I32);
+    let checksum = (checksum << 1) ^ ((checksum as i32 >> 31) as u32);
+    head.extend((0..5).map(|piece| (checksum >> (7 * piece)) as u8 & 0x7f | if piece < 4 { 0x80 } else { 0 }));
+    field(&mut head, 1, STRUCT);
     // the numbers, and levels that would be RLE
     for number in [rows, encoding, 3, 3] {
         integer(&mut head, number);
@@ -155,7 +171,7 @@ fn push_varint(bytes: &mut Vec<u8>, mut number: usize) {
 }
 
 /// The page of numbers that follow one another, by their differences: `DELTA_BINARY_PACKED`.
-fn page_of_rows(rows: &Range<usize>) -> Vec<u8> {
+pub(crate) fn page_of_rows(rows: &Range<usize>) -> Vec<u8> {
     const DELTA_BINARY_PACKED: usize = 5;
     const BLOCK: usize = 128;
     const MINIBLOCKS: usize = 4;
@@ -169,7 +185,12 @@ fn page_of_rows(rows: &Range<usize>) -> Vec<u8> {
         push_varint(&mut numbers, 2);
         numbers.extend([0; MINIBLOCKS]);
     }
-    let mut page = header_of_page(rows.len(), numbers.len(), DELTA_BINARY_PACKED);
+    let mut page = header_of_page(
+        rows.len(),
+        numbers.len(),
+        DELTA_BINARY_PACKED,
+        crc32fast::hash(&numbers),
+    );
     page.extend(numbers);
     page
 }
@@ -189,6 +210,8 @@ pub(crate) struct Ending<'f> {
     file: BufWriter<&'f mut File>,
     /// Where the next page is written.
     end: usize,
+    /// That of all that is written.
+    sum: Sum,
     properties: WriterProperties,
     schema: Arc<SchemaDescriptor>,
     /// That of the failures of a part.
@@ -198,11 +221,13 @@ pub(crate) struct Ending<'f> {
 }
 
 impl<'f> Ending<'f> {
-    pub(crate) fn new(file: &'f mut File, empty: &Table) -> io::Result<Self> {
+    /// Goes on at the end of a file with this checksum.
+    pub(crate) fn new(file: &'f mut File, empty: &Table, sum: Sum) -> io::Result<Self> {
         let of_failures = Arc::new(SchemaDescriptor::new(Arc::new(schema_of(vec![failure()?])?)));
         Ok(Self {
             end: number(file.seek(SeekFrom::End(0))?)?,
             file: BufWriter::new(file),
+            sum,
             properties: properties(empty),
             schema: Arc::new(SchemaDescriptor::new(Arc::new(schema(&empty.columns)?))),
             of_failures: ParquetMetaDataOptions::new().with_schema(of_failures),
@@ -278,28 +303,34 @@ impl<'f> Ending<'f> {
     /// Writes bytes: where they lie.
     fn write(&mut self, bytes: &[u8]) -> io::Result<Range<usize>> {
         self.file.write_all(bytes)?;
+        self.sum.add(bytes);
         let start = self.end;
         self.end += bytes.len();
         Ok(start..self.end)
     }
 
-    /// Writes the metadata.
+    /// Writes the metadata, with the checksums.
     pub(crate) fn finish(mut self) -> io::Result<()> {
+        let mut entries = self.properties.key_value_metadata().cloned().unwrap_or_default();
+        entries.push(self.sum.entry());
         let head = FileMetaData::new(
             self.properties.writer_version().as_num(),
             self.rows as i64,
             Some(self.properties.created_by().to_owned()),
-            self.properties.key_value_metadata().cloned(),
+            Some(entries),
             self.schema,
             None,
         );
-        ParquetMetaDataWriter::new(&mut self.file, &ParquetMetaData::new(head, self.groups)).finish()?;
+        let mut footer = Vec::new();
+        ParquetMetaDataWriter::new(&mut footer, &ParquetMetaData::new(head, self.groups)).finish()?;
+        checksum::seal(&mut footer)?;
+        self.file.write_all(&footer)?;
         self.file.flush()
     }
 }
 
 /// A number of a file, which may be too large for this machine.
-fn number<T: TryInto<usize, Error: Error + Send + Sync + 'static>>(number: T) -> io::Result<usize> {
+pub(crate) fn number<T: TryInto<usize, Error: Error + Send + Sync + 'static>>(number: T) -> io::Result<usize> {
     number.try_into().map_err(io::Error::other)
 }
 
@@ -396,6 +427,8 @@ pub(crate) const MOST_ROWS: usize = 1 << 20;
 
 fn write(file: &mut File, table: &Table) -> io::Result<()> {
     file.write_all(&MAGIC)?;
+    let mut sum = Sum::default();
+    sum.add(&MAGIC);
     let mut parts = Vec::new();
     for first in (0..table.rows).step_by(MOST_ROWS) {
         let rows = first..table.rows.min(first + MOST_ROWS);
@@ -407,9 +440,10 @@ fn write(file: &mut File, table: &Table) -> io::Result<()> {
         }
         let place = number(file.stream_position()?)?;
         file.write_all(part.numbers())?;
+        sum.add(part.numbers());
         parts.push((place, part.failures(table)?.into()));
     }
-    let mut ending = Ending::new(file, table)?;
+    let mut ending = Ending::new(file, table, sum)?;
     for (place, failures) in &parts {
         ending.add(*place, failures)?;
     }
@@ -484,7 +518,7 @@ fn entry(metadata: &ParquetMetaData, key: &str) -> io::Result<String> {
     value.ok_or_else(|| broken("it was not written by a sweep"))
 }
 
-fn broken(what: &str) -> io::Error {
+pub(crate) fn broken(what: &str) -> io::Error {
     io::Error::new(io::ErrorKind::InvalidData, what)
 }
 

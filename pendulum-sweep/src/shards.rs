@@ -21,6 +21,7 @@ use std::sync::mpsc::{self, Receiver, RecvTimeoutError};
 use std::thread;
 use std::time::Duration;
 
+use crate::checksum::{self, Sum};
 use crate::differences::differences;
 use crate::error::SweepError;
 use crate::file::{self, Ending, Part};
@@ -161,11 +162,12 @@ impl<'p> Shards<'p> {
         self.folder.join(DECLARATION).exists()
     }
 
-    /// Whether the file is there; it must be that of this sweep.
+    /// Whether the file is there; it must be that of this sweep, as far as its metadata tell.
     pub(crate) fn is_merged(&self) -> Result<bool, SweepError> {
         if !self.path.exists() {
             return Ok(false);
         }
+        checksum::check_footer(self.path).map_err(SweepError::file(self.path))?;
         let (declaration, rows) = file::declaration(self.path).map_err(SweepError::file(self.path))?;
         self.compare(self.path, &declaration)?;
         if rows != self.points {
@@ -187,6 +189,7 @@ impl<'p> Shards<'p> {
                 return Ok(Some(lock));
             }
         }
+        checksum::check(self.path).map_err(SweepError::file(self.path))?;
         self.clean().map(|()| None)
     }
 
@@ -238,15 +241,17 @@ impl<'p> Shards<'p> {
         Part::new(self.rows(n), self.empty.columns.len(), memory.unwrap_or_default())
     }
 
-    pub(crate) fn write(&self, n: usize, shard: Part) -> Result<(), SweepError> {
-        let numbers = self.write_numbers(n, shard.numbers());
-        numbers.map_err(SweepError::file(&self.numbers))?;
+    pub(crate) fn write(&self, n: usize, mut shard: Part) -> Result<(), SweepError> {
+        let numbers = shard.numbers();
+        let of_numbers = crc32fast::hash(numbers);
+        let written = self.write_numbers(n, numbers);
+        written.map_err(SweepError::file(&self.numbers))?;
         if self.is_lost.load(Ordering::Relaxed) {
             let error = io::Error::other("what was written could not go to the disk");
             return Err(SweepError::File(self.numbers.clone(), error));
         }
         let failures = shard.failures(&self.empty).map_err(SweepError::file(&self.folder))?;
-        let path = self.path_of(n, [crc32fast::hash(&failures), crc32fast::hash(shard.numbers())]);
+        let path = self.path_of(n, [crc32fast::hash(&failures), of_numbers]);
         file::replace(&path, |file| file.write_all(&failures)).map_err(SweepError::file(&path))?;
         if let Ok(mut spare) = self.spare.lock() {
             spare.push(shard.into_memory());
@@ -318,7 +323,8 @@ impl<'p> Shards<'p> {
             .write_all(&file::MAGIC)
             .and_then(|()| file.set_len(self.place(self.count)));
         prepared.map_err(in_numbers())?;
-        let mut ending = Ending::new(&mut file, &self.empty).map_err(in_numbers())?;
+        let sum = self.sum(&present);
+        let mut ending = Ending::new(&mut file, &self.empty, sum).map_err(in_numbers())?;
         for (&n, &sums) in present.iter().take(self.count) {
             let path = self.path_of(n, sums);
             let failures = fs::read(&path).map_err(SweepError::file(&path))?.into();
@@ -329,6 +335,19 @@ impl<'p> Shards<'p> {
         ending.finish().and_then(|()| file.sync_all()).map_err(in_numbers())?;
         self.publish()?;
         self.clean()
+    }
+
+    /// The checksum of the numbers of all shards where they lie: from the checksum of each, so that none is read again.
+    fn sum(&self, present: &BTreeMap<usize, [u32; 2]>) -> Sum {
+        let mut sum = Sum::default();
+        sum.add(&file::MAGIC);
+        for (&n, &[_, of_numbers]) in present.iter().take(self.count) {
+            sum.add_zeros(self.place(n));
+            let length = self.empty.columns.len() * file::bytes_of_page(self.rows(n).len());
+            sum.add_sum(of_numbers, length as u64);
+        }
+        sum.add_zeros(self.place(self.count));
+        sum
     }
 
     /// Gives the finished file its name, unless a file of this name has come meanwhile.

@@ -282,6 +282,60 @@ fn a_broken_shard_is_computed_again() -> Outcome {
 }
 
 #[test]
+fn a_flipped_bit_in_a_finished_file_is_noticed() -> Outcome {
+    let path = folder("flipped").join("sweep.parquet");
+    let job = || rods(450, 1.0);
+    job().run_to(&path)?;
+    assert_eq!(job().run_to(&path)?.computed, 0);
+    let whole = fs::read(&path)?;
+    let mut random = 7_u64;
+    let mut places: Vec<usize> = (0..300)
+        .map(|_| {
+            random = random.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (random >> 33) as usize % (8 * whole.len())
+        })
+        .collect();
+    // and every bit at both ends, of which the last are those of the metadata
+    places.extend(0..64);
+    places.extend((8 * (whole.len() - 400)..8 * whole.len()).step_by(3));
+    let (mut numbers, mut metadata) = (0, 0);
+    for place in places {
+        let mut bytes = whole.clone();
+        bytes[place / 8] ^= 1 << (place % 8);
+        fs::write(&path, &bytes)?;
+        let noticed = job().run_to(&path);
+        let error = noticed
+            .expect_err(&format!("bit {place} of {}", 8 * whole.len()))
+            .to_string();
+        assert!(error.contains("sweep.parquet"), "{error}");
+        numbers += usize::from(error.contains(" in row group "));
+        metadata += usize::from(error.contains("its metadata are damaged"));
+    }
+    assert!(numbers > 100 && metadata > 100, "{numbers} {metadata}");
+    // the message says where
+    let mut bytes = whole.clone();
+    // the first shard begins there, with the column `start`
+    bytes[4096 + 100] ^= 4;
+    fs::write(&path, &bytes)?;
+    let error = job().merge(&path).expect_err("a flipped bit").to_string();
+    assert!(
+        error.contains("the column `start` in row group 0, rows 0 to 99, is damaged;")
+            && error.contains("run the sweep again"),
+        "{error}"
+    );
+    // the pages have checksums for readers of their own
+    let error = Table::read(&path).expect_err("a flipped bit").to_string();
+    assert!(error.contains("checksum"), "{error}");
+    fs::write(&path, &whole)?;
+    assert_eq!(job().run_to(&path)?.computed, 0);
+    // so has a table that was written by hand
+    Table::read(&path)?.write(&path)?;
+    assert_eq!(job().run_to(&path)?.computed, 0);
+    assert_eq!(Table::read(&path)?.rows(), 450);
+    Ok(())
+}
+
+#[test]
 fn shards_of_different_sweeps_are_not_put_together() -> Outcome {
     let folder = folder("contradiction");
     let (one, other) = (folder.join("one.parquet"), folder.join("other.parquet"));

@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::SVector;
 use pendulum_core::prelude::*;
+use pendulum_core::real::lanes::Isa;
 use pendulum_core::stability::equilibrium;
 use pendulum_core::{EnsembleError, Reason, Solution, SolveError};
 use serde_json::Value;
@@ -188,13 +189,15 @@ macro_rules! end_at_toggle {
         let method = $method::new().rtol($tolerance).atol($tolerance).max_steps(2000);
         let alone = $check(stringify!($method), method.solve(&$model, 0.0, 5.0, $start), 0.0);
         let starts = [SVector::from($start); 5];
-        let Err(EnsembleError::Stopped { stopped, x }) = method.ensemble(&[$model], 0.0, 5.0, &starts) else {
-            panic!("{} goes on in lanes", stringify!($method));
-        };
-        assert_eq!(stopped.len(), starts.len());
-        for (stopped, x) in stopped.iter().zip(&x) {
-            assert!(matches!(stopped.reason, Reason::Toggle { .. }), "{}", stopped.reason);
-            assert_eq!((stopped.t, *x), alone, "{}", stringify!($method));
+        for isa in Isa::available() {
+            let Err(EnsembleError::Stopped { stopped, x }) = method.ensemble_on(isa, &[$model], 0.0, 5.0, &starts) else {
+                panic!("{} goes on in lanes on {isa:?}", stringify!($method));
+            };
+            assert_eq!(stopped.len(), starts.len());
+            for (stopped, x) in stopped.iter().zip(&x) {
+                assert!(matches!(stopped.reason, Reason::Toggle { .. }), "{}", stopped.reason);
+                assert_eq!((stopped.t, *x), alone, "{} on {isa:?}", stringify!($method));
+            }
         }
     )*};
 }

@@ -1,6 +1,7 @@
 //! The generator and the numbers together: generated models against reference data, other derivations, and each other.
 #![forbid(unsafe_code)]
 
+mod alone;
 mod balls;
 mod c_code;
 mod canonical;

@@ -319,7 +319,10 @@ where
             match show_lane(&mut self.watch, (lane, index), step, looks_into, within) {
                 Ok(None) => {}
                 Ok(Some(x)) => self.leave(members, (lane, index), x),
-                Err(reason) => self.stop(members, (lane, index), in_lane(&step.x1, lane), reason),
+                Err(early) => {
+                    members.t[lane] = early.t;
+                    self.stop(members, (lane, index), early.x, early.reason);
+                }
             }
         }
     }
@@ -465,7 +468,10 @@ where
                 work.evaluations += 1;
             }
         }
-        if let Err(reason) = self.watch.start(index, (members.t[lane], &x), &work) {
+        if let Err(reason) = self
+            .watch
+            .start(index, (members.t[lane], &x), Some(control.tolerance), &work)
+        {
             self.stop(members, (lane, index), x, reason);
         }
     }

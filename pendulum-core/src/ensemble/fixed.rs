@@ -245,7 +245,7 @@ where
                 busy[lane] = started.is_ok();
                 if let Err(reason) = started {
                     self.stopped.push(Stopped { index, t, reason });
-                } else if let Err(reason) = self.watch.start(index, (t, &start), &work) {
+                } else if let Err(reason) = self.watch.start(index, (t, &start), None, &work) {
                     busy[lane] = false;
                     self.end(index, start, Some((t, reason)));
                 }
@@ -290,7 +290,7 @@ where
                     match show_lane(&mut self.watch, (lane, index), &step, looks_into, &mut within) {
                         Ok(None) if t_new != grid.t1() => continue,
                         Ok(end) => self.end(index, end.unwrap_or(after), None),
-                        Err(reason) => self.end(index, after, Some((t_new, reason))),
+                        Err(early) => self.end(index, early.x, Some((early.t, early.reason))),
                     }
                     busy[lane] = false;
                 }

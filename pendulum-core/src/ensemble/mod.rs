@@ -259,9 +259,13 @@ fn alone<A, M, T, W, const N: usize>(
         let model = model_of(models, index).cast::<T>();
         let (t, reason) = match method.stepper(&model, t0, t1, *x) {
             Ok(mut stepper) => {
-                let ended = watch.run((index, *x), &mut stepper);
-                *x = ended.unwrap_or_else(|_| stepper.x());
-                (stepper.t(), ended.err())
+                let ended = watch.run((index, *x), &mut stepper, method.tolerance());
+                let (t, end, reason) = match ended {
+                    Ok(end) => (stepper.t(), end, None),
+                    Err(early) => (early.t, early.x, Some(early.reason)),
+                };
+                *x = end;
+                (t, reason)
             }
             Err(reason) => (t0, Some(reason)),
         };

@@ -3,10 +3,11 @@
 use nalgebra::SVector;
 
 use super::check::in_lane;
+use crate::control::Tolerance;
 use crate::dense::{Dense, Step};
 use crate::error::Reason;
 use crate::event::Event;
-use crate::method::{Scheme, Search, Stepper, follow, see};
+use crate::method::{Early, Scheme, Search, Stepper, follow, see};
 use crate::real::Float;
 use crate::real::lanes::Lanes;
 use crate::solution::Observer;
@@ -27,24 +28,31 @@ pub trait Watch<T: Float, const N: usize> {
     /// Brings a trajectory to its end alone: the state there.
     ///
     /// # Errors
-    /// Why it stopped early.
+    /// Why it stopped early, and where.
     fn run<C, S>(
         &mut self,
         start: (usize, SVector<T, N>),
         stepper: &mut Stepper<'_, C, S, T, N>,
-    ) -> Result<SVector<T, N>, Reason>
+        tolerance: Option<Tolerance<T>>,
+    ) -> Result<SVector<T, N>, Early<T, N>>
     where
         C: Scheme<S, T, N>,
         S: System<T, N> + ?Sized;
 
     /// A trajectory starts in a lane, after so much work.
-    fn start(&mut self, index: usize, at: (T, &SVector<T, N>), work: &Statistics) -> Result<(), Reason>;
+    fn start(
+        &mut self,
+        index: usize,
+        at: (T, &SVector<T, N>),
+        tolerance: Option<Tolerance<T>>,
+        work: &Statistics,
+    ) -> Result<(), Reason>;
 
     /// Whether the states within a step are of interest.
     fn looks_into(&self, index: usize, span: (T, T)) -> bool;
 
     /// A step in a lane: the state at which a terminal event ends the trajectory, if one does.
-    fn see(&mut self, index: usize, dense: &Dense<'_, T, N>) -> Result<Option<SVector<T, N>>, Reason>;
+    fn see(&mut self, index: usize, dense: &Dense<'_, T, N>) -> Result<Option<SVector<T, N>>, Early<T, N>>;
 
     /// Work in a lane.
     fn work(&mut self, index: usize, work: &Statistics);
@@ -62,7 +70,7 @@ pub(super) fn show_lane<V: Lanes, W: Watch<V::Scalar, N>, const N: usize>(
     step: &Step<V, N>,
     looks_into: Option<(&[SVector<V, N>], Statistics)>,
     within: &mut Vec<SVector<V::Scalar, N>>,
-) -> Result<Option<SVector<V::Scalar, N>>, Reason> {
+) -> Result<Option<SVector<V::Scalar, N>>, Early<V::Scalar, N>> {
     let end = |t: V, x: &SVector<V, N>| (t.lane(lane), in_lane(x, lane));
     let step = Step::new(end(step.t0, &step.x0), end(step.t1, &step.x1));
     within.clear();
@@ -93,15 +101,23 @@ impl<T: Float, const N: usize> Watch<T, N> for Unwatched {
         &mut self,
         _start: (usize, SVector<T, N>),
         stepper: &mut Stepper<'_, C, S, T, N>,
-    ) -> Result<SVector<T, N>, Reason>
+        _tolerance: Option<Tolerance<T>>,
+    ) -> Result<SVector<T, N>, Early<T, N>>
     where
         C: Scheme<S, T, N>,
         S: System<T, N> + ?Sized,
     {
-        stepper.run()
+        let ended = stepper.run();
+        ended.map_err(Early::at((stepper.t(), stepper.x())))
     }
 
-    fn start(&mut self, _index: usize, _at: (T, &SVector<T, N>), _work: &Statistics) -> Result<(), Reason> {
+    fn start(
+        &mut self,
+        _index: usize,
+        _at: (T, &SVector<T, N>),
+        _tolerance: Option<Tolerance<T>>,
+        _work: &Statistics,
+    ) -> Result<(), Reason> {
         Ok(())
     }
 
@@ -109,7 +125,7 @@ impl<T: Float, const N: usize> Watch<T, N> for Unwatched {
         false
     }
 
-    fn see(&mut self, _index: usize, _dense: &Dense<'_, T, N>) -> Result<Option<SVector<T, N>>, Reason> {
+    fn see(&mut self, _index: usize, _dense: &Dense<'_, T, N>) -> Result<Option<SVector<T, N>>, Early<T, N>> {
         Ok(None)
     }
 
@@ -155,18 +171,28 @@ impl<O: Observer<T, N>, T: Float, const N: usize> Watch<T, N> for Watched<'_, '_
         &mut self,
         (index, x0): (usize, SVector<T, N>),
         stepper: &mut Stepper<'_, C, S, T, N>,
-    ) -> Result<SVector<T, N>, Reason>
+        tolerance: Option<Tolerance<T>>,
+    ) -> Result<SVector<T, N>, Early<T, N>>
     where
         C: Scheme<S, T, N>,
         S: System<T, N> + ?Sized,
     {
         let observer = &mut self.observers[index];
+        tolerance.into_iter().for_each(|tolerance| observer.within(tolerance));
         let ended = follow(stepper, x0, self.events[index], observer);
         observer.finish(stepper.statistics());
         ended
     }
 
-    fn start(&mut self, index: usize, (t, x): (T, &SVector<T, N>), work: &Statistics) -> Result<(), Reason> {
+    fn start(
+        &mut self,
+        index: usize,
+        (t, x): (T, &SVector<T, N>),
+        tolerance: Option<Tolerance<T>>,
+        work: &Statistics,
+    ) -> Result<(), Reason> {
+        let observer = &mut self.observers[index];
+        tolerance.into_iter().for_each(|tolerance| observer.within(tolerance));
         self.work[index].add(work);
         self.searches[index] = Some(Search::new(self.events[index], t, x)?);
         Ok(())
@@ -176,7 +202,7 @@ impl<O: Observer<T, N>, T: Float, const N: usize> Watch<T, N> for Watched<'_, '_
         !self.events[index].is_empty() || self.observers[index].looks_into(t0, t1)
     }
 
-    fn see(&mut self, index: usize, dense: &Dense<'_, T, N>) -> Result<Option<SVector<T, N>>, Reason> {
+    fn see(&mut self, index: usize, dense: &Dense<'_, T, N>) -> Result<Option<SVector<T, N>>, Early<T, N>> {
         let observer = &mut self.observers[index];
         match &mut self.searches[index] {
             Some(search) if !self.events[index].is_empty() => {

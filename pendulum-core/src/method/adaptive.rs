@@ -91,6 +91,10 @@ impl<F> Adaptive<F> {
     }
 
     /// The absolute tolerance, positive, in the units of the state. Default: 1e-9, in `f32` 1.2e-7 (1 ulp).
+    ///
+    /// The default suits motions of about 1. Where a component is always less than 1000 times as large, set it to `rtol`
+    /// times the size of the motion: a [`Solution`](crate::Solution) lists such components,
+    /// [`below_tolerance`](crate::Solution::below_tolerance), but a [`Stepper`] cannot.
     #[must_use]
     pub const fn atol(mut self, atol: f64) -> Self {
         self.atol = Some(atol);
@@ -210,6 +214,10 @@ where
     T: Float,
 {
     type Scheme = F::Scheme;
+
+    fn tolerance(&self) -> Option<Tolerance<T>> {
+        self.tolerance().ok()
+    }
 
     fn stepper<'s>(
         &self,

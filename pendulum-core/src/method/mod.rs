@@ -12,6 +12,8 @@ mod input;
 mod operations;
 mod radau;
 mod rosenbrock;
+#[cfg(feature = "std")]
+mod scan;
 mod scheme;
 #[cfg(feature = "std")]
 mod search;
@@ -59,7 +61,7 @@ pub(crate) use {
     step_control::{Pace, is_within_tolerance},
     stepper::{Modes, Progress},
     tangent::{Carried, CarriedStages, Carry, Tangent},
-    watch::{follow, see},
+    watch::{Early, follow, see},
 };
 
 pub use crate::control::{Estimates, Tolerance};
@@ -81,6 +83,11 @@ pub use taylor::{PowerSeries, Taylor};
 pub trait Method<S: ?Sized, T: Float, const N: usize> {
     /// What a step of it works with.
     type Scheme: Scheme<S, T, N>;
+
+    /// The tolerance that the steps keep; `None` where their length is given.
+    fn tolerance(&self) -> Option<Tolerance<T>> {
+        None
+    }
 
     /// Integrates `system` from the state `x0` at `t0` towards `t1`, which may lie before `t0`, one step at a time.
     /// Records nothing, and uses no heap.
@@ -133,7 +140,7 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
     {
         let x0 = x0.into_state();
         match self.stepper(system, t0, t1, x0) {
-            Ok(stepper) => watch::collect(stepper, x0, events),
+            Ok(stepper) => watch::collect(stepper, x0, events, self.tolerance()),
             Err(reason) => Err(SolveError::at_start(reason, t0, x0)),
         }
     }
@@ -183,9 +190,12 @@ pub trait Method<S: ?Sized, T: Float, const N: usize> {
     {
         let x0 = x0.into_state();
         let mut stepper = self.stepper(system, t0, t1, x0)?;
+        self.tolerance()
+            .into_iter()
+            .for_each(|tolerance| observer.within(tolerance));
         let ended = watch::follow(&mut stepper, x0, events, observer);
         observer.finish(stepper.statistics());
-        ended
+        ended.map_err(|early| early.reason)
     }
 }
 

@@ -4,7 +4,8 @@ use nalgebra::SVector;
 
 use crate::dense::Dense;
 use crate::error::Reason;
-use crate::event::{Event, Occurrence};
+use crate::event::{Event, Missed, Occurrence};
+use crate::method::scan::{Scan, Wanted};
 use crate::method::side::{Change, Passage, Side};
 use crate::method::zero::{dip, places, root};
 use crate::real::Float;
@@ -25,6 +26,10 @@ pub(crate) struct Search<'w, 'e, T, const N: usize> {
     starts: bool,
     /// The places at which all events are looked at in a step, and the states there.
     states: Vec<(T, SVector<T, N>)>,
+    /// The places at which one event is looked at, and its values there.
+    scan: Scan<T>,
+    /// The events of which zeros may have been missed in the last step.
+    missed: Vec<usize>,
 }
 
 /// What is known of an event.
@@ -34,6 +39,8 @@ struct Seen<T> {
     value: T,
     /// Its largest size in the step before.
     largest: T,
+    /// And in all steps.
+    size: T,
     /// When it acted last, and how often in a row soon after the time before.
     acted: Option<T>,
     hurried: usize,
@@ -85,7 +92,7 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
         let mut seen = Vec::with_capacity(events.len());
         for index in 0..events.len() {
             let value = value(events, index, t, x)?;
-            let side = if value == T::default() {
+            let side = if value == T::default() && events[index].occurs_at_start() {
                 Side::AtStart
             } else {
                 Side::of(value)
@@ -94,6 +101,7 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
                 side,
                 value,
                 largest: value.abs(),
+                size: value.abs(),
                 acted: None,
                 hurried: 0,
             });
@@ -103,6 +111,8 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
             seen,
             starts: true,
             states: Vec::new(),
+            scan: Scan::default(),
+            missed: Vec::new(),
         })
     }
 
@@ -164,6 +174,7 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
         let at = |theta| (theta, dense.at_fraction(theta));
         self.states.clear();
         self.states.extend(places(self.starts).map(at));
+        self.missed.clear();
         for index in 0..self.events.len() {
             self.look_at(index, dense, |theta, what| found.push(Found { index, theta, what }));
         }
@@ -171,6 +182,12 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
         // Finite, so there is an order; the sort keeps simultaneous events in theirs.
         found.sort_by(|a, b| a.theta.to_f64().total_cmp(&b.theta.to_f64()));
         found
+    }
+
+    /// The parts of a step, up to the time `to`, in which more may have occurred than was found.
+    pub(super) fn missed(&self, dense: &Dense<'_, T, N>, to: T) -> impl Iterator<Item = Missed<T>> {
+        let from = dense.step().t0;
+        self.missed.iter().map(move |&index| Missed { index, from, to })
     }
 
     /// Looks for one event, and passes what is found, and where in fractions of the step, to `report`.
@@ -185,13 +202,25 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
                 report(theta, What::Passage(passage));
             }
         };
+        let wanted = if self.events[index].acts() {
+            Wanted::First(*direction)
+        } else {
+            Wanted::All
+        };
+        let at_places = self
+            .states
+            .iter()
+            .map(|(theta, x)| (*theta, function(dense.time(*theta), x)));
+        let is_resolved = self.scan.look(value, (seen.value, seen.size), at_places, wanted);
+        if !is_resolved {
+            self.missed.push(index);
+        }
         seen.largest = seen.value.abs();
         // The two places before.
         let mut earlier: Option<(T, T)> = None;
         let mut last = (T::default(), seen.value);
-        for (theta, x) in &self.states {
-            let theta = *theta;
-            let here = (theta, function(dense.time(theta), x));
+        for &here in self.scan.samples() {
+            let theta = here.0;
             if !here.1.is_finite() {
                 return report(theta, What::Undefined);
             }
@@ -222,6 +251,7 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
             seen.side = Side::at_zero();
         }
         seen.value = last.1;
+        seen.size = seen.size.max(seen.largest);
     }
 }
 

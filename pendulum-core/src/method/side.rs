@@ -100,10 +100,9 @@ impl<T: Float> Side<T> {
 impl Passage {
     /// Whether it is an event in this direction.
     pub(super) fn counts(self, direction: Direction) -> bool {
-        match direction {
-            Direction::Either => true,
-            Direction::Rising => self == Self::Rising,
-            Direction::Falling => self == Self::Falling,
+        match self {
+            Self::Resting => direction == Direction::Either,
+            _ => direction.includes(self == Self::Rising),
         }
     }
 }

@@ -2,6 +2,7 @@
 
 use nalgebra::SVector;
 
+use crate::control::Tolerance;
 use crate::dense::{Dense, Step};
 use crate::error::{Reason, SolveError};
 use crate::event::{Event, Occurrence};
@@ -17,11 +18,26 @@ use crate::system::System;
 /// Events within this many ulps of the time are simultaneous, and one that acts twice within them never ends.
 const SIMULTANEOUS_ULPS: f64 = 4.0;
 
+/// The end of a trajectory before its time, at the last point that its observer saw.
+pub struct Early<T, const N: usize> {
+    pub(crate) reason: Reason,
+    pub(crate) t: T,
+    pub(crate) x: SVector<T, N>,
+}
+
+impl<T: Float, const N: usize> Early<T, N> {
+    /// Makes an error of a reason, at a point.
+    pub(crate) fn at((t, x): (T, SVector<T, N>)) -> impl Fn(Reason) -> Self {
+        move |reason| Self { reason, t, x }
+    }
+}
+
 /// Goes on to the end from the state `x0`, with events if there are any, and keeps the trajectory.
 pub(super) fn collect<C, S, T, const N: usize>(
     mut stepper: Stepper<'_, C, S, T, N>,
     x0: SVector<T, N>,
     events: &[Event<'_, T, N>],
+    tolerance: Option<Tolerance<T>>,
 ) -> Result<Solution<T, N>, SolveError<T, N>>
 where
     C: Scheme<S, T, N>,
@@ -29,12 +45,13 @@ where
     T: Float,
 {
     let mut solution = Solution::start(stepper.t(), from(&stepper, x0));
+    tolerance.into_iter().for_each(|tolerance| solution.within(tolerance));
     let ended = follow(&mut stepper, x0, events, &mut solution);
     solution.finish(stepper.statistics());
     match ended {
         Ok(_) => Ok(solution),
-        Err(reason) => Err(SolveError {
-            reason,
+        Err(early) => Err(SolveError {
+            reason: early.reason,
             solution: Box::new(solution),
         }),
     }
@@ -57,22 +74,29 @@ pub(crate) fn follow<C, S, T, const N: usize>(
     x0: SVector<T, N>,
     events: &[Event<'_, T, N>],
     observer: &mut impl Observer<T, N>,
-) -> Result<SVector<T, N>, Reason>
+) -> Result<SVector<T, N>, Early<T, N>>
 where
     C: Scheme<S, T, N>,
     S: System<T, N> + ?Sized,
     T: Float,
 {
+    let here = |stepper: &Stepper<'_, C, S, T, N>| Early::at((stepper.t(), stepper.x()));
     if observer.keeps_all() {
-        stepper.check_to_keep()?;
+        stepper.check_to_keep().map_err(here(stepper))?;
     }
     let system = stepper.system();
     let placed = |t: T, x: &SVector<T, N>| place(system, t, x);
-    let mut search = Search::new(events, stepper.t(), &stepper.x())?;
+    let mut search = Search::new(events, stepper.t(), &stepper.x()).map_err(here(stepper))?;
     let mut reached = Reached::start(stepper, from(stepper, x0), observer);
-    while let Some(step) = stepper.step()? {
+    loop {
+        let stepped = stepper.step();
+        let Some(step) = stepped.map_err(here(stepper))? else {
+            return Ok(stepper.x());
+        };
         if reached.changes(stepper, &step, observer) {
-            search.restart((step.t0, stepper.t1(), step.t0.abs().max(step.h.abs())), &step.x0, &[])?;
+            let times = (step.t0, stepper.t1(), step.t0.abs().max(step.h.abs()));
+            let restarted = search.restart(times, &step.x0, &[]);
+            restarted.map_err(Early::at((step.t0, step.x0)))?;
         }
         if events.is_empty() {
             if observer.looks_into(step.t0, step.t1) {
@@ -88,11 +112,13 @@ where
         if stop.is_the_end {
             return Ok(stop.x);
         }
-        stepper.restart(stop.t, stop.x)?;
+        let at_stop = Early::at((stop.t, stop.x));
+        stepper.restart(stop.t, stop.x).map_err(&at_stop)?;
         reached = Reached::start(stepper, stop.x, observer);
-        search.restart((stop.t, stepper.t1(), stop.scale), &stop.x, &stop.fired)?;
+        search
+            .restart((stop.t, stepper.t1(), stop.scale), &stop.x, &stop.fired)
+            .map_err(at_stop)?;
     }
-    Ok(stepper.x())
 }
 
 /// Looks for events in a step, which an observer then sees, up to where one acts: what there is to do then. `place` puts
@@ -102,20 +128,20 @@ pub(crate) fn see<T: Float, const N: usize>(
     dense: &Dense<'_, T, N>,
     observer: &mut impl Observer<T, N>,
     place: impl Fn(T, &SVector<T, N>) -> Result<SVector<T, N>, Reason>,
-) -> Result<Option<Stop<T, N>>, Reason> {
+) -> Result<Option<Stop<T, N>>, Early<T, N>> {
     let found = search.look(dense);
-    if found.is_empty() {
-        observe(dense, T::from_f64(1.0), observer);
-        return Ok(None);
-    }
+    let step = dense.step();
+    let at_start = Early::at((step.t0, step.x0));
     let acts = |found: &&Found<T>| matches!(found.what, What::Passage(_)) && search.event(found).acts();
     let Some(cut) = found.iter().find(acts).map(|found| found.theta) else {
         let occurred: Vec<_> = found
             .iter()
             .map(|found| found.occurrence(dense))
-            .collect::<Result<_, _>>()?;
+            .collect::<Result<_, _>>()
+            .map_err(at_start)?;
         observe(dense, T::from_f64(1.0), observer);
         occurred.into_iter().for_each(|event| observer.event(event));
+        search.missed(dense, step.t1).for_each(|missed| observer.missed(missed));
         return Ok(None);
     };
     let mut stop = Stop::new(dense, cut);
@@ -124,8 +150,11 @@ pub(crate) fn see<T: Float, const N: usize>(
         if found.theta > cut && !stop.is_simultaneous(dense.time(found.theta)) {
             break;
         }
-        stop.act(found, found.occurrence(dense)?, search, observer, &place)?;
+        let before = Early::at((stop.t, stop.x));
+        let occurrence = found.occurrence(dense).map_err(&before)?;
+        stop.act(found, occurrence, search, observer, &place).map_err(before)?;
     }
+    search.missed(dense, stop.t).for_each(|missed| observer.missed(missed));
     Ok(Some(stop))
 }
 

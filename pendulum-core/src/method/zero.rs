@@ -4,7 +4,7 @@ use crate::real::Float;
 
 /// Where functions are looked at in each step, in fractions of it; the start is known from the step before.
 /// Those near the ends show which way a function goes there.
-const PLACES: [f64; 10] = [0.01, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 0.99, 1.0];
+pub(super) const PLACES: [f64; 10] = [0.01, 0.125, 0.25, 0.375, 0.5, 0.625, 0.75, 0.875, 0.99, 1.0];
 /// After a reset, the first step is looked at from this fraction of it on, in decades: what rebounds may come back at
 /// once.
 const FIRST_PLACE: f64 = 1e-15;

@@ -40,11 +40,8 @@ where
     S: System<f64, N> + ?Sized,
 {
     let (x0, mut points) = (x0.into_state(), Vec::new());
-    follow(
-        &mut method.stepper(system, t0, t1, x0)?,
-        x0,
-        std::slice::from_ref(surface),
-        &mut points,
-    )?;
+    let stepper = &mut method.stepper(system, t0, t1, x0)?;
+    let ended = follow(stepper, x0, std::slice::from_ref(surface), &mut points);
+    ended.map_err(|early| early.reason)?;
     Ok(points)
 }

@@ -5,7 +5,7 @@ use std::f64::consts::PI;
 use approx::assert_abs_diff_eq;
 use pendulum_core::method::{Adaptive, Estimates, Fixed, OneStep};
 use pendulum_core::prelude::*;
-use pendulum_core::{Occurrence, Reason, SolveError};
+use pendulum_core::{Missed, Occurrence, Reason, SolveError};
 
 use crate::methods::{Driven, each_adaptive, each_fixed};
 
@@ -126,9 +126,186 @@ fn a_terminal_event_is_the_end() {
     }
     assert!(solution.at(t.next_up()).is_err());
     let solution = method
-        .solve_with(&swing, 0.0, 10.0, [1.0, 0.0], &[end(1.0)])
+        .solve_with(&swing, 0.0, 10.0, [1.0, 0.0], &[end(1.0).at_start()])
         .expect("regular");
     assert_eq!(solution.t(), [0.0], "at the start");
+    let event = Occurrence {
+        index: 0,
+        t: 0.0,
+        x: solution.end(),
+    };
+    assert_eq!(solution.events(), [event]);
+}
+
+#[test]
+fn a_motion_that_starts_where_a_terminal_event_is_zero_goes_on_to_the_next_zero() {
+    let swing = FnSystem(|_t: f64, x: &SVector<f64, 2>| SVector::from([x[1], -x[0]]));
+    let turns = || Event::new(|_t, x: &SVector<f64, 2>| x[1]);
+    let method = Rk45::new().rtol(1e-12).atol(1e-12);
+    // released at rest, up to where it turns; and forward as well as back
+    for direction in [1.0, -1.0] {
+        for events in [[turns().terminal(), turns()], [turns().terminal(), turns().rising()]] {
+            let solution = method.solve_with(&swing, 0.0, 10.0 * direction, [1.0, 0.0], &events);
+            let solution = solution.expect("regular");
+            assert_abs_diff_eq!(solution.last().0, PI * direction, epsilon = 1e-10);
+            assert_abs_diff_eq!(solution.end()[0], -1.0, epsilon = 1e-10);
+            let terminal: Vec<_> = solution.events().iter().filter(|event| event.index == 0).collect();
+            assert_eq!((terminal.len(), terminal[0].t), (1, solution.last().0));
+        }
+        // only where it goes the right way does it end there
+        let asked = |event: Event<'static, f64, 2>| {
+            let event = event.terminal().at_start();
+            let solution = method.solve_with(&swing, 0.0, 10.0 * direction, [1.0, 0.0], &[event]);
+            solution.expect("regular").last().0
+        };
+        let falls = if direction > 0.0 {
+            asked(turns().falling())
+        } else {
+            asked(turns().rising())
+        };
+        assert_eq!((asked(turns()), falls), (0.0, 0.0));
+    }
+    // a reset at the start waits for the next zero with it
+    let back = || turns().reset(|_t, _x| SVector::from([0.25, 0.0]));
+    let end = |event| {
+        let solution = method.solve_with(&swing, 0.0, 10.0, [1.0, 0.0], &[event]);
+        solution.expect("regular").last()
+    };
+    let (t, x) = end(back().terminal());
+    assert_abs_diff_eq!(t, PI, epsilon = 1e-10);
+    assert_eq!(x, SVector::from([0.25, 0.0]));
+    assert_eq!(end(back().terminal().at_start()), (0.0, SVector::from([0.25, 0.0])));
+    // without an end, what is zero at the start occurs there
+    let solution = method.solve_with(&swing, 0.0, 4.0, [1.0, 0.0], &[turns(), back()]);
+    let solution = solution.expect("regular");
+    assert_eq!(solution.events()[0].t, 0.0);
+    assert_eq!(solution.events()[1].t, 0.0);
+    assert_abs_diff_eq!(solution.end()[0], 0.25 * (4.0 - PI).cos(), epsilon = 1.0);
+}
+
+#[test]
+fn zeros_that_are_faster_than_the_steps_are_found() {
+    let fast = |rate: f64| Event::new(move |t: f64, _x: &SVector<f64, 1>| (rate * t + 0.3).sin());
+    let zeros = |rate: f64, t1: f64| ((rate * t1 + 0.3) / PI).floor() as usize;
+    // 318 of them, in a few steps
+    let solution = Rk45::new().solve_with(&clock(), 0.0, 10.0, [0.0], &[fast(100.0)]);
+    let solution = solution.expect("regular");
+    assert_eq!(
+        (solution.events().len(), solution.missed()),
+        (zeros(100.0, 10.0), &[][..])
+    );
+    for (n, event) in solution.events().iter().enumerate() {
+        assert_abs_diff_eq!(event.t, (PI * (n + 1) as f64 - 0.3) / 100.0, epsilon = 1e-12);
+    }
+    // from slow ones to such as are too fast: all are found, or it is reported
+    let (mut all, mut some) = (0, 0);
+    for n in 0..160 {
+        let rate = 1.1_f64.powi(n);
+        for h in [1.0, 0.37] {
+            let solution = Rk4::new(h).solve_with(&clock(), 0.0, 2.0, [0.0], &[fast(rate)]);
+            let solution = solution.expect("regular");
+            let is_complete = solution.events().len() == zeros(rate, 2.0);
+            assert!(
+                is_complete || !solution.missed().is_empty(),
+                "{rate}: {}",
+                solution.events().len()
+            );
+            assert!(
+                solution.missed().is_empty() || rate * h > 1000.0,
+                "{rate}: {:?}",
+                solution.missed()
+            );
+            *(if is_complete { &mut all } else { &mut some }) += 1;
+            if rate * h < 500.0 {
+                assert!(is_complete, "{rate}");
+            }
+        }
+    }
+    assert!(all > 100 && some > 100, "{all} {some}");
+}
+
+#[test]
+fn the_first_of_many_zeros_ends_a_motion() {
+    let fast = || Event::new(|t: f64, _x: &SVector<f64, 1>| (100.0 * t + 0.3).sin());
+    for (event, first) in [(fast(), PI), (fast().falling(), PI), (fast().rising(), 2.0 * PI)] {
+        let solution = Rk4::new(5.0).solve_with(&clock(), 0.0, 10.0, [0.0], &[event.terminal()]);
+        assert_abs_diff_eq!(
+            solution.expect("regular").last().0,
+            (first - 0.3) / 100.0,
+            epsilon = 1e-14
+        );
+    }
+    // each reset leads to the next one
+    let counts = fast().rising().reset(|_t, x| x + SVector::from([1.0]));
+    let solution = Rk4::new(5.0).solve_with(&clock(), 0.0, 10.0, [0.0], &[counts]);
+    let solution = solution.expect("regular");
+    assert_eq!((solution.events().len(), solution.missed()), (159, &[][..]));
+}
+
+#[test]
+fn what_was_missed_is_told_by_event_and_time() {
+    let fast = || Event::new(|t: f64, _x: &SVector<f64, 1>| (1e5 * t).sin() + if t > 6.0 { 3.0 } else { 0.0 });
+    let slow = || Event::new(|t: f64, _x: &SVector<f64, 1>| t - 4.5);
+    let missed = |events: &[Event<'_, f64, 1>]| {
+        let solution = Rk4::new(1.0).solve_with(&clock(), 0.0, 10.0, [0.0], events);
+        solution.expect("regular").missed().to_vec()
+    };
+    let one = |index, from, to| vec![Missed { index, from, to }];
+    assert_eq!(missed(&[slow(), fast()]), one(1, 0.0, 6.0));
+    // up to where the motion ends
+    assert_eq!(missed(&[fast(), slow().terminal()]), one(0, 0.0, 4.5));
+    let text = missed(&[fast()])[0].to_string();
+    assert!(
+        text.starts_with("event 0 may have occurred more often than was found from t = 0.0 to 6.0"),
+        "{text}"
+    );
+    assert!(text.contains("`h_max`"), "{text}");
+}
+
+#[test]
+fn what_jumps_or_bends_or_is_noise_is_not_reported() {
+    let square = |rate: f64| move |t: f64| (rate * t + 0.1).sin().signum();
+    let functions: [&dyn Fn(f64) -> f64; 9] = [
+        &square(3.0),
+        &square(20.0),
+        &|t| (t - 0.3).abs() - 0.1,
+        &|t| (7.0 * t).sin().abs() - 0.5,
+        // rounding errors of what is zero, and beside what is not
+        &|t| (t + 1e3) - t - 1e3,
+        &|t| (1.0 - t).max(0.0) + 1e-13 * (1e4 * t).sin(),
+        &|t| 3.0 + (1e4 * t).sin(),
+        &|t| (-t).exp() * (9.0 * t).cos(),
+        &|t| if t < 1.0 { 1.0 } else { -1.0 },
+    ];
+    for (n, function) in functions.into_iter().enumerate() {
+        for h in [0.05, 0.5, 2.0] {
+            let event = Event::new(move |t: f64, _x: &SVector<f64, 1>| function(t));
+            let solution = Rk4::new(h).solve_with(&clock(), 0.0, 4.0, [0.0], &[event]);
+            let solution = solution.expect("regular");
+            assert_eq!(solution.missed(), [], "{n} in steps of {h}");
+        }
+    }
+}
+
+/// The places at which a function is looked at in one step.
+#[test]
+fn a_function_is_looked_at_in_ten_places_but_where_it_goes_up_and_down() {
+    let looks = |rate: f64| {
+        let count = std::cell::Cell::new(0);
+        let event = Event::new(|t: f64, _x: &SVector<f64, 1>| {
+            count.set(count.get() + 1);
+            2.0 - (rate * t).cos()
+        });
+        Rk4::new(1.0)
+            .solve_with(&clock(), 0.0, 100.0, [0.0], &[event])
+            .expect("regular");
+        count.get()
+    };
+    // one more at the start, and thirteen in the first step
+    assert_eq!(looks(2.0), 1014);
+    assert!(looks(50.0) > 5000);
+    // a thousand, and those of searches
+    assert!(looks(1e5) < 300_000, "{}", looks(1e5));
 }
 
 /// A ball that falls from a height of 1.

@@ -16,6 +16,7 @@ mod orbits;
 mod rosenbrock;
 #[cfg(feature = "serde")]
 mod serialization;
+mod small;
 mod stability;
 mod stability_functions;
 mod tableaus;

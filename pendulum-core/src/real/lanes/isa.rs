@@ -34,6 +34,7 @@ pub trait Kernel<T> {
 #[derive(Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Isa(Set);
 
+/// In the order of the widths of their registers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 enum Set {
     Portable,
@@ -46,7 +47,31 @@ enum Set {
 impl Isa {
     /// The instruction sets of this machine, the widest registers first. The last one has a single lane and exists on
     /// every machine. Without the feature `std`, those that the program is compiled for.
+    ///
+    /// Results are the same bits on each. To try a narrower machine, set the environment variable `PENDULUM_ISA` to
+    /// `Avx2` or `Portable` before the program starts: wider sets are not available then.
     pub fn available() -> impl Iterator<Item = Self> {
+        Self::of_machine().filter(|isa| isa.is_allowed())
+    }
+
+    /// Whether it is not wider than the environment asks for.
+    #[cfg(feature = "std")]
+    fn is_allowed(self) -> bool {
+        use std::sync::LazyLock;
+
+        static WIDEST: LazyLock<Option<Isa>> = LazyLock::new(|| {
+            let name = std::env::var("PENDULUM_ISA").ok()?;
+            Isa::of_machine().find(|isa| format!("{isa:?}").eq_ignore_ascii_case(&name))
+        });
+        WIDEST.is_none_or(|widest| self.0 as u8 <= widest.0 as u8)
+    }
+
+    #[cfg(not(feature = "std"))]
+    fn is_allowed(self) -> bool {
+        true
+    }
+
+    fn of_machine() -> impl Iterator<Item = Self> {
         [
             #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
             has!("avx512f").then_some(Self(Set::Avx512)),
@@ -68,7 +93,7 @@ impl Isa {
     /// gain nothing.
     pub(crate) fn for_scalars() -> Self {
         #[cfg(all(target_arch = "x86_64", target_feature = "sse2"))]
-        if has!("avx2") {
+        if has!("avx2") && Self(Set::Avx2).is_allowed() {
             return Self(Set::Avx2);
         }
         Self(Set::Portable)
