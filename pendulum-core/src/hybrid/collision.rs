@@ -43,6 +43,10 @@ impl<T: Float, const N: usize> Series<T, N> {
         }
     }
 
+    pub(super) fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
     /// Tries no other orders.
     pub(super) fn follow_one_order(&mut self) {
         self.is_tried = true;
@@ -83,7 +87,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
     /// The contacts that approach after an impact. Where there are none, those rest that no longer leave.
     pub(super) fn next(&mut self) -> Fired {
         let mut next = Fired::default();
-        if self.series.count == 0 {
+        if self.series.is_empty() {
             return next;
         }
         let response = self.system.response(self.t, &self.x, &[T::default(); MOST]);
@@ -148,7 +152,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
                 stopped |= u8::from(restitution == zero) << n;
                 fastest[n] = of_all;
             }
-            if before.series.count == 0 {
+            if before.series.is_empty() {
                 let energies = bits(hit & approaching).map(|n| leaving[n] * leaving[n] / matrix[n][n]);
                 self.series.largest = energies.fold(self.series.largest, T::max);
             }

@@ -160,6 +160,8 @@ impl<'a, T: Float, const N: usize> Scene<'a, T, N> {
             return None;
         }
         match (self.mode.is_held(n), way) {
+            // where the equations push it on, it is the polynomial that goes back
+            (false, FORWARD) if here.theta != one && self.slips_on(here.theta, n) => None,
             (false, FORWARD) => Some(here.theta),
             (false, _) if here.theta != one && self.leaves((n, way), noise, [start, here]) => None,
             (false, _) if before.1 <= zero && last.theta == zero => Some(here.theta),
@@ -283,13 +285,22 @@ impl<'a, T: Float, const N: usize> Scene<'a, T, N> {
     /// Whether a gap is accelerated towards its limit at a place within a step.
     fn is_pushed_on(&self, theta: T, (n, way): (usize, usize)) -> bool {
         let towards = T::from_f64(if way == UPPER { 1.0 } else { -1.0 });
-        let [here, last] = [theta, T::from_f64(1.0)].map(|theta| {
-            let (t, x) = self.at(theta);
-            let forces = self.forces(t, &x).unwrap_or(self.hold.forces);
-            self.evaluations.set(self.evaluations.get() + 1);
-            towards * self.system.response(t, &x, &forces).accelerations[n]
-        });
+        let [here, last] = [theta, T::from_f64(1.0)].map(|theta| towards * self.acceleration(theta, n));
         here > T::from_f64(LEAST_ACCELERATION) * last.abs()
+    }
+
+    /// Whether what slips is accelerated in its direction at a place within a step.
+    fn slips_on(&self, theta: T, n: usize) -> bool {
+        let acceleration = self.acceleration(theta, n);
+        (acceleration > T::default()) == (self.mode.0[n] == Status::Forward)
+    }
+
+    /// The second derivative of a constraint at a place within a step.
+    fn acceleration(&self, theta: T, n: usize) -> T {
+        let (t, x) = self.at(theta);
+        let forces = self.forces(t, &x).unwrap_or(self.hold.forces);
+        self.evaluations.set(self.evaluations.get() + 1);
+        self.system.response(t, &x, &forces).accelerations[n]
     }
 
     /// The forces along the constraints, where something is held.

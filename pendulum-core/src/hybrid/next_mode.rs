@@ -96,7 +96,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         }
     }
 
-    fn slipping(&self, n: usize, status: Status) -> T {
+    pub(super) fn slipping(&self, n: usize, status: Status) -> T {
         T::from_f64(f64::from(status.friction())) * self.laws[n].slipping
     }
 

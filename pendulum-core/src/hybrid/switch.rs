@@ -5,8 +5,8 @@ use nalgebra::SVector;
 use super::collision::Series;
 use super::functions::{BACKWARD, FORWARD, Fired, UPPER};
 use super::in_mode::Passage;
-use super::mode::{Hold, Mode, Status};
-use super::resolution::{AT_LIMIT, ulps};
+use super::mode::{Hold, Mode, Status, bits, set_of};
+use super::resolution::{AT_LIMIT, CONSISTENT, ulps};
 use super::settling::Settling;
 use super::sizes::Gains;
 use super::watch::Watch;
@@ -153,6 +153,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
     fn at_the_end_of(mut self, mode: &Mode, fired: Fired) -> Self {
         let measures = self.system.measures(self.t, &self.x);
         let sizes = self.sizes();
+        let mut still = 0;
         for n in 0..self.system.constraints().len() {
             let status = mode.0[n];
             self.rest(n, status.is_held());
@@ -173,9 +174,27 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
                 let way = if status == Status::Low { BACKWARD } else { UPPER };
                 if fired.has(n, way) || distance.abs() <= slack {
                     self.touching[n] = status;
+                    still |= u8::from(measures[n][1].abs() <= ulps(AT_LIMIT, sizes.rates[n])) << n;
                 }
             }
         }
+        // between impacts at an instant there is no time in which to stand still
+        if still != 0 && self.series.is_empty() {
+            self.resting |= still & !self.parting(mode);
+        }
         self
+    }
+
+    /// The contacts that accelerations draw apart in a mode.
+    fn parting(&self, mode: &Mode) -> u8 {
+        let forces = core::array::from_fn(|n| self.slipping(n, mode.0[n]));
+        let response = self.system.response(self.t, &self.x, &forces);
+        let mut of_accelerations = self.x;
+        for k in N / 2..N {
+            of_accelerations[k] = response.rates[k];
+        }
+        let sizes = self.gains.sizes(self.system, self.t, &of_accelerations);
+        let parts = |&n: &usize| self.away(n) * response.accelerations[n] > ulps(CONSISTENT, sizes.rates[n]);
+        set_of(bits(self.touched()).filter(parts))
     }
 }

@@ -342,7 +342,10 @@ impl<T: Float> Watch<T> {
             }
             let value = self.reach[n].max(sizes.values[n]);
             let beside = |limit: Option<T>| ulps(NOISE, limit.map_or(value, |limit| value.max(limit.abs())));
-            noise[FORWARD] = ulps(NOISE, sizes.rates[n].max(self.accelerations[n] * step.h.abs()));
+            let acceleration = self.accelerations[n];
+            // what breaks loose from rest has no rate yet: that after the step, or over the length of the scene, counts
+            let speed = (acceleration * step.h.abs()).max((acceleration * value).sqrt());
+            noise[FORWARD] = ulps(NOISE, sizes.rates[n].max(speed));
             (noise[BACKWARD], noise[UPPER]) = (beside(law.low), beside(law.high));
         }
         noise
