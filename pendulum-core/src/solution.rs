@@ -313,8 +313,9 @@ impl<T: Float, const N: usize> Observer<T, N> for Solution<T, N> {
     }
 
     fn mode(&mut self, from: T, mode: Mode) {
-        if let Some((before, _)) = self.modes.last_mut() {
-            *before = before.min(from);
+        // rebounds that another mode interrupts were not at their end
+        for (before, _) in self.modes.iter_mut().rev().take_while(|(before, _)| *before > from) {
+            *before = from;
         }
         self.modes.push((from, mode));
     }

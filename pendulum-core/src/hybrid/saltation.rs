@@ -6,6 +6,7 @@ use super::complementarity::Factored;
 use super::functions::{FORWARD, Fired};
 use super::held::{forces, pin, rhs};
 use super::mode::{Hold, Mode, bits, set_of};
+use super::resolution::{CONSISTENT, ulps};
 use super::{HybridJacobian, MOST, Passage};
 use crate::linear::image;
 use crate::real::Float;
@@ -37,6 +38,11 @@ pub(crate) fn saltation<T: Float, const N: usize>(
     // the sign of the function makes no difference
     let (gradient, by_time) = first(system, (*t, x), (mode, hold), *fired);
     let speed = (0..N).fold(by_time, |sum, n| sum + gradient[n] * slope[n]);
+    let size = (0..N).fold(by_time.abs(), |sum, n| sum + (gradient[n] * slope[n]).abs());
+    // neighbours of what arrives at rest arrive at no definite time
+    if speed.abs() <= ulps(CONSISTENT, size) {
+        return by_state;
+    }
     SMatrix::from_fn(|i, j| by_state[(i, j)] + apart[i] * gradient[j] / speed)
 }
 

@@ -141,7 +141,7 @@ impl<T: Float> Watch<T> {
             let bends = view.bends;
             let (found, bend) = self.pass(scene, &mut view)?;
             if bend > T::from_f64(MOST_BEND) && view.count < MOST_FORCES {
-                view.count *= 2;
+                (view.count, self.positive) = (2 * view.count, positive);
                 continue;
             }
             // what moves by itself may do so faster than could be seen up to there
