@@ -30,11 +30,39 @@ debug_as_display! {
     [] Reason;
 }
 
+/// A closed loop that is open.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LoopGap {
+    /// The two bodies that close it.
+    pub bodies: [&'static str; 2],
+    /// The distance between its ends, or the angle by which one is turned against the other.
+    pub by: f64,
+    /// The unit of that, `m` or `rad`.
+    pub unit: &'static str,
+}
+
+impl fmt::Display for LoopGap {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            bodies: [a, b],
+            by,
+            unit,
+        } = self;
+        write!(f, "the loop that `{a}` and `{b}` close is open by {by:.1e} {unit}")?;
+        if *unit == "rad" {
+            f.write_str(", the angle between the two frames, or axes, that it ties")?;
+        }
+        Ok(())
+    }
+}
+
 /// No state near a guess closes the loops of a mechanism.
 #[derive(Clone, Copy, PartialEq)]
 pub struct NotAssembled {
     /// The last correction of Newton's method, in rad or m; NaN where the equations are singular.
     pub left: f64,
+    /// The loop that is open the furthest where the method ended; `None` if they are closed, or their gaps not known.
+    pub open: Option<LoopGap>,
 }
 
 impl fmt::Display for NotAssembled {
@@ -45,12 +73,12 @@ impl fmt::Display for NotAssembled {
                  guess another state",
             );
         }
-        write!(
-            f,
-            "the loops do not close near this state: Newton's method still moves a coordinate by {:.1e}; \
-             check lengths and places, or guess the coordinates that depend more closely",
-            self.left
-        )
+        f.write_str("the loops do not close near this state: ")?;
+        match self.open {
+            Some(gap) => gap.fmt(f),
+            None => write!(f, "Newton's method still moves a coordinate by {:.1e}", self.left),
+        }?;
+        f.write_str("; check lengths, places and axes, or guess the coordinates that depend more closely")
     }
 }
 
@@ -129,6 +157,9 @@ pub enum Reason {
         /// The two bodies that close it.
         bodies: [&'static str; 2],
     },
+    /// A closed loop is open in the state to start from, or to go on from after a reset: see
+    /// [`System::gaps`](crate::System::gaps).
+    Open(LoopGap),
     /// A closed loop comes to its toggle, where it is flat: the motion cannot go on there. Or a step is so long that it
     /// may.
     Toggle {
@@ -225,6 +256,11 @@ impl fmt::Display for Reason {
                 f,
                 "the loop that `{a}` and `{b}` close cannot close in the state to start from, or is flat there; \
                  check the state, and the lengths if they are not the defaults"
+            ),
+            Self::Open(gap) => write!(
+                f,
+                "{gap} in the state to start from, or that a reset returns; close it by `assemble`, from a guess near \
+                 where it closes, and check lengths, places and axes"
             ),
             Self::Toggle { bodies: [a, b], margin } if margin < AT_TOGGLE => write!(
                 f,

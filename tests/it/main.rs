@@ -5,6 +5,7 @@ mod balls;
 mod c_code;
 mod canonical;
 mod closed_loops;
+mod closures;
 mod compile_errors;
 mod controlled;
 mod coupled_loops;

@@ -93,6 +93,7 @@ impl<'g> Lower<'g> {
         model.margins = closed.margins;
         model.closings = closed.closings;
         model.corrections = closed.corrections;
+        model.gaps = closed.gaps;
         if model.in_state().next().is_some() {
             self.refuse_in_state(items);
         }

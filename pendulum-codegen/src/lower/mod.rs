@@ -197,6 +197,7 @@ impl<'g> Lower<'g> {
             margins: Vec::new(),
             closings: Vec::new(),
             corrections: Vec::new(),
+            gaps: Vec::new(),
             time: self.time,
             gravity,
             lets,

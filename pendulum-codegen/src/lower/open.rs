@@ -110,6 +110,16 @@ impl<'g> Lower<'g> {
                 ),
                 help,
             ),
+            Cause::Turned { by } => (
+                format!(
+                    "closes near the guess with its ends turned by {} rad against each other",
+                    readable(by)
+                ),
+                format!(
+                    "say where they are turned as declared: {}, or turn an end: `rpy [180 deg, 0, 0]` behind its place",
+                    dependent(&bodies)
+                ),
+            ),
             Cause::Determines(_) | Cause::DeterminesOthers => (
                 "does not determine the coordinates that depend".to_owned(),
                 format!(

@@ -7,10 +7,12 @@
 //! [by linear equations]: equations
 
 mod equations;
+mod gap;
 mod meeting;
 mod orthogonal;
 mod triangle;
 
+pub(crate) use gap::Gap;
 pub(crate) use orthogonal::Orthogonal;
 
 use rustc_hash::FxHashMap;
@@ -51,6 +53,8 @@ pub(crate) enum Cause {
     ClosedByChance,
     /// Its ends stay so far apart near the guess.
     NotAssembled { by: f64, unit: &'static str },
+    /// Its equations are satisfied there, but by frames, or axes, that are turned so far against each other.
+    Turned { by: f64 },
     /// It and others determine so many coordinates.
     Determines(usize),
     /// It and others do not determine the coordinates that depend.
@@ -75,6 +79,8 @@ pub(crate) struct Closed<'g> {
     pub closings: Vec<Expr<'g>>,
     /// What Newton's method adds to the coordinates whose positions are in the state.
     pub corrections: Vec<Expr<'g>>,
+    /// How far the loops that are solved together are from being closed.
+    pub gaps: Vec<Gap<'g>>,
     /// The guess of each declared coordinate, and what it is where the loops are assembled; nothing where parameters have
     /// no defaults.
     pub assembled: Vec<[f64; 2]>,
@@ -91,6 +97,7 @@ struct Solver<'g, 'm> {
     margins: Vec<Expr<'g>>,
     closings: Vec<Expr<'g>>,
     corrections: Vec<Expr<'g>>,
+    gaps: Vec<Gap<'g>>,
     /// All coordinates where the loops are assembled.
     assembled: Vec<f64>,
 }
@@ -122,6 +129,7 @@ pub(crate) fn close<'g>(
         margins: solver.margins,
         closings: solver.closings,
         corrections: solver.corrections,
+        gaps: solver.gaps,
     })
 }
 
@@ -137,6 +145,7 @@ impl<'g, 'm> Solver<'g, 'm> {
             margins: vec![model.graph.one(); loops],
             closings: Vec::new(),
             corrections: Vec::new(),
+            gaps: Vec::new(),
             assembled: Vec::new(),
         };
         for drive in &model.drives {

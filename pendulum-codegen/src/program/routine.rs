@@ -91,6 +91,8 @@ pub(crate) enum Length {
     Constraints,
     /// The closed loops.
     Loops,
+    /// The closed loops that have no closed form.
+    Gaps,
     /// The dependent coordinates in the state.
     Dependents,
     /// The components of a wrench.
@@ -170,6 +172,7 @@ impl Length {
             Self::Drives => model.drives.len(),
             Self::Constraints => model.constraints.len(),
             Self::Loops => model.margins.len(),
+            Self::Gaps => model.gaps.len(),
             Self::Dependents => model.corrections.len(),
             Self::Wrench => WRENCH,
         }
@@ -260,7 +263,7 @@ pub(crate) struct Row {
 const ASKED: fn(&Request<'_>, &str) -> bool = |scene, word| scene.asks(word);
 
 use Argument::{Accelerations, Forces, Inputs};
-use Length::{Constraints, Dependents, Drives, Freedom, Loops, Parameters, State};
+use Length::{Constraints, Dependents, Drives, Freedom, Gaps, Loops, Parameters, State};
 use Shape::{Matrix, Scalar, Symmetric, Vector};
 
 /// What a response holds.
@@ -301,6 +304,16 @@ pub(crate) const ROUTINES: &[Row] = &[
         shapes: &[Vector(Dependents)],
         wanted: |scene, _| scene.rhs() && !scene.model.corrections.is_empty(),
         form: form::loop_corrections,
+    },
+    Row {
+        word: "rhs",
+        name: "loop_gaps",
+        doc: "How far the loops that have no closed form are from being closed, in the order of the declaration: the distances between \
+              their ends in m, the angles between their frames, or axes, in rad, and the sums of the lengths around them in m.",
+        arguments: &[],
+        shapes: &[Vector(Gaps), Vector(Gaps), Vector(Gaps)],
+        wanted: |scene, _| scene.rhs() && !scene.model.gaps.is_empty(),
+        form: form::loop_gaps,
     },
     Row {
         word: "rhs",
