@@ -24,7 +24,7 @@ mechanism! {
         close b at [d, 0, 0] to c at [l, 0, 0]: revolute(z),
         close b at [e, 0, 0] to k at [f, 0, 0]: revolute(z),
         point o on b at [e, 0, 0], point p on k at [f, 0, 0],
-        output apart: distance(o, p),
+        output apart: [o.x - p.x, o.y - p.y],
     }
 }
 
@@ -166,7 +166,7 @@ fn a_redundant_crank_must_fit() {
     for n in 1..30 {
         let th = 0.1 * f64::from(n);
         let x = model.assemble(0.0, [th, th + 0.2, 1.0]).expect("the loops agree");
-        assert!(model.apart(0.0, &x) < 1e-15, "{}", model.apart(0.0, &x));
+        assert!(model.apart(0.0, &x).amax() < 1e-15, "{}", model.apart(0.0, &x).amax());
         Vern9::new().solve(&model, 0.0, 0.01, x).expect("it starts");
     }
 }

@@ -256,7 +256,7 @@ mechanism! {
         body crank on ground { mass: 0.5, com: [0.1, 0, 0], inertia: 0.002, joint: revolute(z), coordinate: theta near 0.8 }
         body coupler on crank {
             mass: 1.1, com: [0.25, 0, 0], inertia: 0.02,
-            joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends near -0.3,
+            joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends near -0.3, spring: (0.7, 0.1),
         }
         body rocker on ground {
             mass: 0.9, com: [0.2, 0, 0], inertia: 0.01, joint: revolute(z) at [0.6, 0, 0], coordinate: psi depends near 1.6,
@@ -292,6 +292,8 @@ fn coupled_loops_are_the_same() {
         all.extend(&margins);
         all.extend(&rates);
         all.extend(&model.loop_corrections(t, &x));
+        let (distances, angles, sizes) = model.loop_gaps(t, &x);
+        all.extend([distances, angles, sizes].iter().flatten());
         all.extend(motion(&model, t, &x).into_iter().skip(5));
         all.extend(series(&model, t, &x));
         all

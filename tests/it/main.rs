@@ -1,6 +1,7 @@
 //! The generator and the numbers together: generated models against reference data, other derivations, and each other.
 #![forbid(unsafe_code)]
 
+mod assembled;
 mod balls;
 mod c_code;
 mod canonical;
@@ -39,4 +40,5 @@ mod stiff;
 mod taylor;
 mod taylor_traps;
 mod trajectories;
+mod turns;
 mod urdf;

@@ -11,15 +11,19 @@ mod gap;
 mod meeting;
 mod orthogonal;
 mod triangle;
+mod turns;
 
 pub(crate) use gap::Gap;
 pub(crate) use orthogonal::Orthogonal;
 
+use std::f64::consts::TAU;
+
 use rustc_hash::FxHashMap;
+use turns::Counted;
 
 use super::closure::Loop;
 use super::{Combination, Coordinate, CoordinateId, Dependence, Dependent, Model};
-use crate::expr::{Binary, Expr, ExprId, Graph, Level, Normalizer, Rational, Symbol, SymbolKind};
+use crate::expr::{Binary, Expr, ExprId, Graph, Level, Normalizer, Rational, Symbol, SymbolKind, ratio};
 
 /// A dependent coordinate as it is declared.
 #[derive(Clone, Debug)]
@@ -93,6 +97,8 @@ struct Solver<'g, 'm> {
     declared: &'m [Declared<'g>],
     dependents: Vec<Option<Dependent<'g>>>,
     combinations: Vec<Option<Combination>>,
+    /// The angles of unknowns with their whole turns.
+    counted: Vec<Option<Counted<'g>>>,
     dependence: Dependence<'g>,
     margins: Vec<Expr<'g>>,
     closings: Vec<Expr<'g>>,
@@ -100,15 +106,17 @@ struct Solver<'g, 'm> {
     gaps: Vec<Gap<'g>>,
     /// All coordinates where the loops are assembled.
     assembled: Vec<f64>,
+    /// The components of orientations and positions there that have a guess.
+    free: FxHashMap<ExprId, f64>,
 }
 
 /// Closes the loops, each with its vectors if it lies in a plane. Near `near` the coordinates of the state assemble
-/// them.
+/// them, and those components of orientations and positions that have a guess.
 pub(crate) fn close<'g>(
     model: &Model<'g>,
     loops: &[Option<Loop<'g>>],
     declared: &[Declared<'g>],
-    near: &[Expr<'g>],
+    near: (&[Expr<'g>], &[(Expr<'g>, Expr<'g>)]),
 ) -> Result<Closed<'g>, Open> {
     let mut solver = Solver::new(model, loops.len(), declared, near);
     let mut left: Vec<usize> = (0..loops.len()).collect();
@@ -134,19 +142,26 @@ pub(crate) fn close<'g>(
 }
 
 impl<'g, 'm> Solver<'g, 'm> {
-    fn new(model: &'m Model<'g>, loops: usize, declared: &'m [Declared<'g>], near: &[Expr<'g>]) -> Self {
+    fn new(
+        model: &'m Model<'g>,
+        loops: usize,
+        declared: &'m [Declared<'g>],
+        (near, free): (&[Expr<'g>], &[(Expr<'g>, Expr<'g>)]),
+    ) -> Self {
         let mut solver = Self {
             graph: model.graph,
             model,
             declared,
             dependents: vec![None; declared.len()],
             combinations: vec![None; declared.len()],
+            counted: vec![None; declared.len()],
             dependence: Dependence::default(),
             margins: vec![model.graph.one(); loops],
             closings: Vec::new(),
             corrections: Vec::new(),
             gaps: Vec::new(),
             assembled: Vec::new(),
+            free: FxHashMap::default(),
         };
         for drive in &model.drives {
             let change = (model.time, drive.law[1]);
@@ -158,6 +173,10 @@ impl<'g, 'm> Solver<'g, 'm> {
             let value = solver.number(value);
             solver.assembled.push(value);
         }
+        solver.free = free
+            .iter()
+            .map(|&(component, value)| (component.id(), solver.number(value)))
+            .collect();
         solver
     }
 
@@ -308,10 +327,25 @@ impl<'g, 'm> Solver<'g, 'm> {
         self.dependence
             .set_sum(coordinate.position, positions.iter().map(in_time).collect());
         self.dependence.set(coordinate.rate, self.model.with_drives(&[rate])[0]);
-        let beside = coordinate.position - near;
-        let beside = beside.sin().combine(Binary::Atan2, beside.cos());
+        let value = self.value(&coordinate, near, &sum);
         self.dependence
-            .set(coordinate.position, self.model.with_drives(&[near + beside])[0]);
+            .set(coordinate.position, self.model.with_drives(&[value])[0]);
+    }
+
+    /// The value of a declared coordinate: within half a turn of its guess where the loops are assembled, and wherever its
+    /// turns are not counted.
+    fn value(&self, coordinate: &Coordinate<'g>, near: Expr<'g>, sum: &Combination) -> Expr<'g> {
+        let Counted { angle, holds } = self.turned(sum);
+        let [guess, start] = self.numbers([near, angle]);
+        let turns = Rational::from_float(((guess - start) / TAU).round()).unwrap_or_default();
+        let counted = angle + ratio(2, 1) * turns * self.graph.pi();
+        let beside = coordinate.position - near;
+        let within = near + beside.sin().combine(Binary::Atan2, beside.cos());
+        if holds.is_one() {
+            counted
+        } else {
+            holds * counted + (1 - holds) * within
+        }
     }
 
     /// A coordinate of the state, of a drive, or an unknown that was found.
@@ -362,12 +396,14 @@ impl<'g, 'm> Solver<'g, 'm> {
     fn numbers_of(&self, values: &[Expr<'g>]) -> Vec<f64> {
         let values = self.dependence.written_out(self.graph, &self.model.with_drives(values));
         let assembled = self.model.all_coordinates().zip(&self.assembled);
+        let free = self.free.iter().map(|(&component, &value)| (component, value));
         let assembled: FxHashMap<ExprId, f64> = assembled
             .map(|(coordinate, &value)| match &coordinate.changes[..] {
                 // orientations are those of the frames that they are relative to: the scalar part is first
                 [(scalar, _), _, ..] => (scalar.id(), 1.0),
                 _ => (coordinate.position.id(), value),
             })
+            .chain(free)
             .collect();
         let value = |id: ExprId, symbol: &Symbol| match symbol.kind {
             SymbolKind::Parameter(n) => self.model.parameters[n].default.unwrap_or(1.0),

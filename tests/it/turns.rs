@@ -1,0 +1,212 @@
+//! Angles that follow from closed loops count their turns: springs, potentials and torques on them conserve energy.
+
+use std::f64::consts::TAU;
+
+use pendulum_core::prelude::*;
+
+mechanism! {
+    /// A crank that turns all the way, with a spring at the coupler.
+    pub Motor {
+        params { k: N m = 1 }
+        gravity: [0, -9.81, 0],
+        body crank on ground { mass: 1, inertia: 0.01, joint: revolute(z), coordinate: theta near 0.8 }
+        body coupler on crank {
+            solids: [rod(1, [0, 0, 0], [0.5, 0, 0])], joint: revolute(z) at [0.2, 0, 0],
+            coordinate: phi depends near -0.3, spring: (k, 0),
+        }
+        body rocker on ground {
+            solids: [rod(1, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.6, 0, 0], coordinate: psi depends near 1.6,
+        }
+        close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: revolute(z),
+        output phi: phi,
+        generate: [rhs, jacobian, energy, taylor],
+    }
+}
+
+mechanism! {
+    /// Two circles that meet, of any lengths.
+    pub Bars {
+        params { a: m = 0.2, b: m = 0.5, c: m = 0.4, d: m = 0.6, k: N m = 1, rest: rad = 0 }
+        gravity: [0, -9.81, 0],
+        body crank on ground { mass: 1, inertia: 0.01, joint: revolute(z), coordinate: theta near 0.8 }
+        body coupler on crank {
+            solids: [rod(1, [0, 0, 0], [b, 0, 0])], joint: revolute(z) at [a, 0, 0], coordinate: phi depends near -0.3,
+        }
+        body rocker on ground {
+            solids: [rod(1, [0, 0, 0], [c, 0, 0])], joint: revolute(z) at [d, 0, 0], coordinate: psi depends near 1.6,
+            torque: -k*(q - rest),
+        }
+        close coupler at [b, 0, 0] to rocker at [c, 0, 0]: revolute(z),
+        point o on coupler at [b, 0, 0], point p on rocker at [c, 0, 0],
+        output apart: [o.x - p.x, o.y - p.y],
+        let bend = phi + 2*psi,
+        output bend: bend,
+        output angles: [phi, psi],
+        output rates: [dot(phi), dot(psi)],
+        output stored: k*(psi - rest)^2/2,
+        potential: k*bend^2/8,
+        generate: [rhs, jacobian, energy],
+    }
+}
+
+mechanism! {
+    /// The same loop, closed by a weld to a pin: no triangle.
+    pub Welded {
+        params { a: m = 0.2, k: N m = 1 }
+        gravity: [0, -9.81, 0],
+        body crank on ground { mass: 1, inertia: 0.01, joint: revolute(z), coordinate: theta near 0.8 }
+        body coupler on crank {
+            solids: [rod(1, [0, 0, 0], [0.5, 0, 0])], joint: revolute(z) at [a, 0, 0],
+            coordinate: phi depends near -0.3, spring: (k, 0),
+        }
+        body rocker on ground {
+            solids: [rod(1, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.6, 0, 0], coordinate: psi depends near 1.6,
+        }
+        body pin on rocker { joint: revolute(z) at [0.4, 0, 0], coordinate: chi depends near -1.1 }
+        close coupler at [0.5, 0, 0] to pin at [0, 0, 0]: fixed,
+    }
+}
+
+mechanism! {
+    /// A rod that slides through a block that turns, and a crank that slides in a slot.
+    pub Slots {
+        params { a: m = 0.2, d: m = 0.5, k: N m = 1 }
+        gravity: [0, -9.81, 0],
+        body crank on ground { mass: 1, inertia: 0.01, joint: revolute(z), coordinate: theta near 0.8 }
+        body lever on ground { solids: [rod(1, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [-d, 0, 0], coordinate: psi depends near 0.3, spring: (k, 0) }
+        body block on lever { mass: 0.1, joint: prismatic(x), coordinate: s depends near 0.6 }
+        close block at [0, 0.05, 0] to crank at [a, 0, 0]: revolute(z),
+        point o on block at [0, 0.05, 0], point p on crank at [a, 0, 0],
+        output apart: [o.x - p.x, o.y - p.y],
+        output lever: psi,
+        output rate: dot(psi),
+    }
+}
+
+mechanism! {
+    /// A slider at the end of a rod, above the line of the crank.
+    pub Slider {
+        gravity: [0, -9.81, 0],
+        body crank on ground { mass: 1, inertia: 0.01, joint: revolute(z), coordinate: theta near 0.8 }
+        body rod on crank { solids: [rod(1, [0, 0, 0], [0.5, 0, 0])], joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends near -0.8, spring: (0.3, 0) }
+        body piston on ground { mass: 1, joint: prismatic(x) at [0, 0.1, 0], coordinate: s depends near 0.6 }
+        close rod at [0.5, 0, 0] to piston at [0, 0, 0]: revolute(z),
+        output rod: phi,
+    }
+}
+
+mechanism! {
+    /// A dyad on the coupler of a four-bar: the third vector of its triangle leads, or none does.
+    pub SixBar {
+        params { far: m = 1.5 }
+        gravity: [0, -9.81, 0],
+        body crank on ground { mass: 1, inertia: 0.01, joint: revolute(z), coordinate: theta near 0.8 }
+        body coupler on crank { solids: [rod(1, [0, 0, 0], [0.5, 0, 0])], joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends near -0.3 }
+        body rocker on ground { solids: [rod(1, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.6, 0, 0], coordinate: psi depends near 1.6 }
+        body arm on coupler { solids: [rod(0.4, [0, 0, 0], [1, 0, 0])], joint: revolute(z) at [0.25, 0.1, 0], coordinate: chi depends near -0.6, spring: (0.5, 0) }
+        body swing on ground { solids: [rod(0.4, [0, 0, 0], [0.9, 0, 0])], joint: revolute(z) at [far, 0, 0], coordinate: omega depends near 1.9, spring: (0.5, 0) }
+        close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: revolute(z),
+        close arm at [1, 0, 0] to swing at [0.9, 0, 0]: revolute(z),
+        point o on coupler at [0.5, 0, 0], point p on rocker at [0.4, 0, 0],
+        point e on arm at [1, 0, 0], point f on swing at [0.9, 0, 0],
+        output apart: [o.x - p.x, o.y - p.y, e.x - f.x, e.y - f.y],
+        output angles: [chi, omega],
+        output rates: [dot(chi), dot(omega)],
+    }
+}
+
+/// The energy along a motion through so many turns of the first coordinate, in which a jump by one turn would show.
+macro_rules! conserves {
+    ($model:expr, $start:expr, $turns:expr, $stored:expr) => {{
+        let (model, start, stored) = ($model, SVector::from($start), $stored);
+        let energy = |t: f64, x: &_| model.energy(t, x) + stored(&model, x);
+        let before = energy(0.0, &start);
+        let method = Tsit5::new().rtol(1e-9).atol(1e-9).max_steps(10_000_000);
+        let mut stepper = method.stepper(&model, 0.0, 1e4, start).expect("it starts");
+        while stepper.x()[0].abs() < $turns * TAU {
+            let more = stepper.step().expect("it moves").is_some();
+            let (t, x) = (stepper.t(), stepper.x());
+            let drift = (energy(t, &x) - before).abs();
+            assert!(drift < 1e-5 * before.abs().max(1.0), "{} turns: {drift:e}", x[0] / TAU);
+            assert!(more, "{} turns", x[0] / TAU);
+        }
+        (stepper.t(), stepper.x())
+    }};
+}
+
+fn nothing<M, X>(_: &M, _: &X) -> f64 {
+    0.0
+}
+
+/// The motion of the report: 6.68 J became 3752 J in a minute.
+#[test]
+fn a_spring_winds_up_with_the_coupler() {
+    let model = Motor::new(MotorParams::default()).expect("the parameters are physical");
+    let energy = model.energy(0.0, &SVector::from([0.8, 12.0]));
+    let solution = Vern9::new()
+        .rtol(1e-10)
+        .atol(1e-10)
+        .solve(&model, 0.0, 60.0, [0.8, 12.0])
+        .expect("it moves");
+    for (t, x) in solution.points() {
+        assert!(
+            (model.energy(t, x) - energy).abs() < 1e-7 * energy,
+            "{t}: {}",
+            model.energy(t, x)
+        );
+    }
+}
+
+/// Springs, potentials, torques and what `let` names, through a thousand turns.
+#[test]
+fn energy_is_conserved_through_a_thousand_turns() {
+    let motor = Motor::new(MotorParams { k: 1e-8 }).expect("the parameters are physical");
+    let (t, x) = conserves!(motor, [0.8, 12.0], 1000.0, nothing);
+    assert!(
+        motor.phi(t, &x) < -6000.0,
+        "the coupler turns against the crank: {}",
+        motor.phi(t, &x)
+    );
+}
+
+#[test]
+fn potentials_and_torques_wind_up() {
+    // where the ground is the longest, the shortest, and where a crank is as long
+    for (a, b, c, d) in [(0.2, 0.5, 0.4, 0.6), (0.5, 0.45, 0.4, 0.15), (0.4, 0.45, 0.5, 0.2)] {
+        let params = BarsParams {
+            a,
+            b,
+            c,
+            d,
+            k: 1e-8,
+            rest: 0.0,
+        };
+        let bars = Bars::new(params).expect("the parameters are physical");
+        conserves!(bars, [0.8, 14.0], 300.0, |bars: &Bars, x: &SVector<f64, 2>| bars
+            .stored(0.0, x));
+    }
+}
+
+#[test]
+fn loops_without_a_closed_form_wind_up() {
+    let welded = Welded::new(WeldedParams { a: 0.2, k: 1e-8 }).expect("the parameters are physical");
+    let start = welded.assemble(0.0, [0.8, -0.3, 1.6, -1.1, 12.0]).expect("it closes");
+    let (_, x) = conserves!(welded, start, 1000.0, nothing);
+    assert!(x[1] < -6000.0, "{x}");
+    // the closed form counts alike
+    let motor = Motor::new(MotorParams { k: 1e-8 }).expect("the parameters are physical");
+    assert!((motor.phi(0.0, &SVector::from([x[0], x[4]])) - x[1]).abs() < 1e-9);
+}
+
+#[test]
+fn slides_wind_up() {
+    for (a, d) in [(0.2, 0.5), (0.5, 0.2)] {
+        let slots = Slots::new(SlotsParams { a, d, k: 1e-8 }).expect("the parameters are physical");
+        let (t, x) = conserves!(slots, [0.8, 14.0], 300.0, nothing);
+        let turns = slots.lever(t, &x) / TAU;
+        assert!((turns.abs() - if a > d { 300.0 } else { 0.0 }).abs() < 0.6, "{turns}");
+    }
+    let slider = Slider::new(SliderParams {}).expect("the parameters are physical");
+    let (t, x) = conserves!(slider, [0.8, 1.0], 0.05, nothing);
+    assert!(slider.rod(t, &x).abs() < TAU);
+}
