@@ -210,3 +210,88 @@ fn slides_wind_up() {
     let (t, x) = conserves!(slider, [0.8, 1.0], 0.05, nothing);
     assert!(slider.rod(t, &x).abs() < TAU);
 }
+
+/// Along many turns of the crank an output moves by the integral of its rate: Simpson's rule, from one small step to the
+/// next.
+#[test]
+fn outputs_are_continuous() {
+    let follow = |outputs: &dyn Fn(f64) -> [[f64; 2]; 2], name: &str| {
+        let step = 1e-2;
+        let mut before = outputs(0.8);
+        for n in 1..4000 {
+            let theta = 0.8 + step * f64::from(n);
+            let (middle, now) = (outputs(theta - step / 2.0), outputs(theta));
+            for k in 0..2 {
+                let way = step / 6.0 * (before[1][k] + 4.0 * middle[1][k] + now[1][k]);
+                let moved = now[0][k] - before[0][k];
+                assert!(
+                    (moved - way).abs() < 1e-5,
+                    "{name} {k} at {theta}: {moved} instead of {way}"
+                );
+            }
+            before = now;
+        }
+        before[0]
+    };
+    // the crank the shortest and the ground the shortest; lengths that are parameters, so that the longer leads
+    for ([a, b, c, d], turns) in [
+        ([0.2, 0.5, 0.4, 0.6], [-1.0, 0.0]),
+        ([0.5, 0.45, 0.4, 0.15], [0.0, 1.0]),
+    ] {
+        let bars = Bars::new(BarsParams {
+            a,
+            b,
+            c,
+            d,
+            ..BarsParams::default()
+        })
+        .expect("the parameters are physical");
+        let outputs = |theta| {
+            let x = SVector::from([theta, 1.0]);
+            [bars.angles(0.0, &x), bars.rates(0.0, &x)].map(Into::into)
+        };
+        let ([end, start], turned) = ([follow(&outputs, "bars"), outputs(0.8)[0]], 39.99 / TAU);
+        for k in 0..2 {
+            let made = (end[k] - start[k]) / TAU;
+            assert!((made - turns[k] * turned).abs() < 0.7, "{k}: {made}");
+        }
+    }
+    // the ground leads the three vectors of the dyad
+    let six = SixBar::new(SixBarParams { far: 1.5 }).expect("the parameters are physical");
+    let outputs = |theta| {
+        let x = SVector::from([theta, 1.0]);
+        [six.angles(0.0, &x), six.rates(0.0, &x)].map(Into::into)
+    };
+    follow(&outputs, "six bars");
+    let [start, _] = outputs(0.8);
+    assert!(
+        (start[0] + 0.6).abs() < 1.0 && (start[1] - 1.9).abs() < 1.0,
+        "near the guesses: {start:?}"
+    );
+}
+
+/// Side by side as alone, and in single precision.
+#[test]
+fn lanes_count_alike() {
+    let models = [0.0, 0.5, 1.0].map(|k| Motor::new(MotorParams { k: k * 1e-3 }).expect("the parameters are physical"));
+    let starts: Vec<SVector<f64, 2>> = (0..11)
+        .map(|n| SVector::from([0.8 + 0.1 * f64::from(n), 12.0]))
+        .collect();
+    let all: Vec<Motor> = (0..11).map(|n| models[n % 3]).collect();
+    let method = Rk45::new().rtol(1e-9).atol(1e-9);
+    let ends = method.ensemble(&all, 0.0, 5.0, &starts).expect("they move");
+    for ((model, start), end) in all.iter().zip(&starts).zip(&ends) {
+        let alone = method.solve(model, 0.0, 5.0, *start).expect("it moves").end();
+        assert_eq!(alone, *end);
+        assert!(model.phi(0.0, end).abs() > TAU, "it turned");
+    }
+    let single = models[2].cast::<f32>();
+    for n in 0..2000 {
+        let theta = 0.8 + 0.05 * f64::from(n);
+        let (ours, theirs) = (
+            models[2].phi(0.0, &SVector::from([theta, 1.0])),
+            single.phi(0.0, &SVector::from([theta as f32, 1.0])),
+        );
+        assert!((ours - f64::from(theirs)).abs() < 1e-4, "{theta}: {ours} {theirs}");
+    }
+}

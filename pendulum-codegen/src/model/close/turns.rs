@@ -145,7 +145,7 @@ impl<'g> Solver<'g, '_> {
                 }
             });
         }
-        let (mut angle, mut holds) = (zero, zero);
+        let (mut angle, mut holds, mut are_counted) = (zero, zero, true);
         let (mut leader, mut sum) = (Vec2::zero(self.graph), Vec2::zero(self.graph));
         for (group, &leads) in groups.iter().zip(&leads) {
             let turn = group.turn.of(self.graph, |k| self.coordinate(k).position);
@@ -153,6 +153,11 @@ impl<'g> Solver<'g, '_> {
             (leader, sum) = (leader + vector.times(leads), sum + vector);
             let own = self.turned(&group.turn).plus(self.along(group.still));
             (angle, holds) = (angle + leads * own.angle, holds + leads * own.holds);
+            are_counted &= own.holds.is_one();
+        }
+        // of two vectors one leads, whatever their lengths
+        if groups.len() == 2 && are_counted {
+            holds = one;
         }
         let beside = leader.cross(sum).combine(Binary::Atan2, leader.dot(sum));
         Counted {
