@@ -168,6 +168,12 @@ pub enum Reason {
         /// How far it is from its toggle still, as `margin` in the declaration.
         margin: f64,
     },
+    /// An angle that follows from closed loops comes to half a turn from its `near`, or may within one step, and a force
+    /// takes its turns, which do not follow from the state.
+    HalfTurn {
+        /// The name of the angle.
+        coordinate: &'static str,
+    },
     /// The tolerance requires a step shorter than the minimum, or shorter than the resolution of the time.
     StepUnderflow {
         /// The length of the step required.
@@ -271,6 +277,12 @@ impl fmt::Display for Reason {
                 f,
                 "the loop that `{a}` and `{b}` close may come to its toggle within one step, before which its margin \
                  is {margin:.1e}; take shorter steps"
+            ),
+            Self::HalfTurn { coordinate } => write!(
+                f,
+                "`{coordinate}` comes to half a turn from its `near`, or may within one step, and a force takes its turns, \
+                 which do not follow from the state: let `{coordinate}` be a coordinate of the state and another of its \
+                 loop depend, or take shorter steps"
             ),
             Self::StepUnderflow { h, least } => write!(
                 f,

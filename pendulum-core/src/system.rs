@@ -84,7 +84,8 @@ pub trait System<T: Real, const N: usize> {
 
     /// Tells how far each closed loop is from its toggle and the rate of that, with the names of the two bodies that close
     /// it; by default there are none. Steps end before a margin is zero, as [`Reason::Toggle`](crate::Reason::Toggle)
-    /// tells.
+    /// tells. An angle that is known within half a turn only, but whose turns a force takes, has a margin as well, with its
+    /// name and an empty one: [`Reason::HalfTurn`](crate::Reason::HalfTurn).
     #[inline(always)]
     fn margins(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&'static str; 2], [T; 2])) {}
 

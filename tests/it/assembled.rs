@@ -352,7 +352,11 @@ fn linkages_of_more_bars() {
         ));
     }
     for far in [1.5, 1.3] {
-        let model = SixBar::new(SixBarParams { far }).expect("the parameters are physical");
+        let model = SixBar::new(SixBarParams {
+            far,
+            ..SixBarParams::default()
+        })
+        .expect("the parameters are physical");
         let start = |x| starts(&model, x);
         counts.push(accepted(
             "six bars",

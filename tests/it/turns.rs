@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use pendulum_core::Reason;
 use pendulum_core::prelude::*;
 
 mechanism! {
@@ -98,17 +99,17 @@ mechanism! {
 mechanism! {
     /// A dyad on the coupler of a four-bar: the third vector of its triangle leads, or none does.
     pub SixBar {
-        params { far: m = 1.5 }
+        params { far: m = 1.5, high: m = 0, long: m = 0.9, k: N m = 0.5 }
         gravity: [0, -9.81, 0],
         body crank on ground { mass: 1, inertia: 0.01, joint: revolute(z), coordinate: theta near 0.8 }
         body coupler on crank { solids: [rod(1, [0, 0, 0], [0.5, 0, 0])], joint: revolute(z) at [0.2, 0, 0], coordinate: phi depends near -0.3 }
         body rocker on ground { solids: [rod(1, [0, 0, 0], [0.4, 0, 0])], joint: revolute(z) at [0.6, 0, 0], coordinate: psi depends near 1.6 }
-        body arm on coupler { solids: [rod(0.4, [0, 0, 0], [1, 0, 0])], joint: revolute(z) at [0.25, 0.1, 0], coordinate: chi depends near -0.6, spring: (0.5, 0) }
-        body swing on ground { solids: [rod(0.4, [0, 0, 0], [0.9, 0, 0])], joint: revolute(z) at [far, 0, 0], coordinate: omega depends near 1.9, spring: (0.5, 0) }
+        body arm on coupler { solids: [rod(0.4, [0, 0, 0], [1, 0, 0])], joint: revolute(z) at [0.25, 0.1, 0], coordinate: chi depends near -0.6, spring: (k, 0) }
+        body swing on ground { solids: [rod(0.4, [0, 0, 0], [long, 0, 0])], joint: revolute(z) at [far, high, 0], coordinate: omega depends near 1.9, spring: (k, 0) }
         close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: revolute(z),
-        close arm at [1, 0, 0] to swing at [0.9, 0, 0]: revolute(z),
+        close arm at [1, 0, 0] to swing at [long, 0, 0]: revolute(z),
         point o on coupler at [0.5, 0, 0], point p on rocker at [0.4, 0, 0],
-        point e on arm at [1, 0, 0], point f on swing at [0.9, 0, 0],
+        point e on arm at [1, 0, 0], point f on swing at [long, 0, 0],
         output apart: [o.x - p.x, o.y - p.y, e.x - f.x, e.y - f.y],
         output angles: [chi, omega],
         output rates: [dot(chi), dot(omega)],
@@ -257,7 +258,7 @@ fn outputs_are_continuous() {
         }
     }
     // the ground leads the three vectors of the dyad
-    let six = SixBar::new(SixBarParams { far: 1.5 }).expect("the parameters are physical");
+    let six = SixBar::new(SixBarParams::default()).expect("the parameters are physical");
     let outputs = |theta| {
         let x = SVector::from([theta, 1.0]);
         [six.angles(0.0, &x), six.rates(0.0, &x)].map(Into::into)
@@ -294,4 +295,46 @@ fn lanes_count_alike() {
         );
         assert!((ours - f64::from(theirs)).abs() < 1e-4, "{theta}: {ours} {theirs}");
     }
+}
+
+/// The pivot of the dyad within the curve of the coupler, so that it turns with the crank, though no vector leads: the
+/// motion ends before its springs would jump.
+#[test]
+fn turns_that_do_not_follow_from_the_state_end_a_motion() {
+    let params = SixBarParams {
+        far: 0.15,
+        high: 0.22,
+        long: 1.0,
+        k: 1e-3,
+    };
+    let model = SixBar::new(params).expect("the parameters are physical");
+    let energy = model.energy(0.0, &SVector::from([0.8, 6.0]));
+    let method = Vern9::new().rtol(1e-11).atol(1e-11);
+    let error = method.solve(&model, 0.0, 60.0, [0.8, 6.0]).expect_err("it turns");
+    assert!(
+        matches!(
+            error.reason,
+            Reason::HalfTurn {
+                coordinate: "chi" | "omega"
+            }
+        ),
+        "{error}"
+    );
+    assert!(error.t() > 0.05 && error.t() < 2.0, "{error}");
+    for (t, x) in error.solution.points() {
+        assert!(
+            (model.energy(t, x) - energy).abs() < 1e-8 * energy,
+            "{t}: {}",
+            model.energy(t, x)
+        );
+    }
+    // where the ground leads, they are counted
+    let model = SixBar::new(SixBarParams::default()).expect("the parameters are physical");
+    assert_eq!(
+        model.turn_margins(0.0, &SVector::from([0.8, 6.0])).0.as_slice(),
+        [1.0, 1.0]
+    );
+    Vern9::new().solve(&model, 0.0, 5.0, [0.8, 12.0]).expect("it moves on");
+    // a torsion spring counts turns, so that the state of a crank is not the same after one
+    assert!(!Motor::LAYOUT.slots[0].periodic);
 }

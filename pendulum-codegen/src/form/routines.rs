@@ -47,6 +47,12 @@ pub(crate) fn loop_margins<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chos
     super::values_and_rates(forms, model, &model.margins)
 }
 
+/// How far angles are from where their turns would have to be counted, and the rates of that.
+pub(crate) fn turn_margins<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
+    let margins: Vec<Expr<'g>> = model.uncounted.iter().map(|own| own.margin).collect();
+    super::values_and_rates(forms, model, &margins)
+}
+
 /// What Newton's method adds to the coordinates that depend, in the state.
 pub(crate) fn loop_corrections<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     super::values(forms, model, &model.corrections)

@@ -105,6 +105,11 @@ impl<'g> Lower<'g> {
         model.closings = closed.closings;
         model.corrections = closed.corrections;
         model.gaps = closed.gaps;
+        let taken = model.turns_in_forces();
+        let uncounted = closed.uncounted.into_iter();
+        model.uncounted = uncounted
+            .filter(|own| taken.contains(&own.coordinate.position))
+            .collect();
         if model.in_state().next().is_some() {
             self.refuse_in_state(items);
         }

@@ -198,6 +198,7 @@ impl<'g> Lower<'g> {
             closings: Vec::new(),
             corrections: Vec::new(),
             gaps: Vec::new(),
+            uncounted: Vec::new(),
             time: self.time,
             gravity,
             lets,

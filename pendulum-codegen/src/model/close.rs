@@ -85,9 +85,20 @@ pub(crate) struct Closed<'g> {
     pub corrections: Vec<Expr<'g>>,
     /// How far the loops that are solved together are from being closed.
     pub gaps: Vec<Gap<'g>>,
+    /// The angles whose turns are not counted.
+    pub uncounted: Vec<Uncounted<'g>>,
     /// The guess of each declared coordinate, and what it is where the loops are assembled; nothing where parameters have
     /// no defaults.
     pub assembled: Vec<[f64; 2]>,
+}
+
+/// An angle that is known within half a turn of its guess.
+#[derive(Clone, Debug)]
+pub(crate) struct Uncounted<'g> {
+    pub coordinate: Coordinate<'g>,
+    /// The cosine of half the angle from its guess: 0 where it would leave that half turn. 1 where its turns are counted,
+    /// which depends on lengths.
+    pub margin: Expr<'g>,
 }
 
 /// Loops while they are solved.
@@ -104,6 +115,7 @@ struct Solver<'g, 'm> {
     closings: Vec<Expr<'g>>,
     corrections: Vec<Expr<'g>>,
     gaps: Vec<Gap<'g>>,
+    uncounted: Vec<Uncounted<'g>>,
     /// All coordinates where the loops are assembled.
     assembled: Vec<f64>,
     /// The components of orientations and positions there that have a guess.
@@ -138,6 +150,7 @@ pub(crate) fn close<'g>(
         closings: solver.closings,
         corrections: solver.corrections,
         gaps: solver.gaps,
+        uncounted: solver.uncounted,
     })
 }
 
@@ -160,6 +173,7 @@ impl<'g, 'm> Solver<'g, 'm> {
             closings: Vec::new(),
             corrections: Vec::new(),
             gaps: Vec::new(),
+            uncounted: Vec::new(),
             assembled: Vec::new(),
             free: FxHashMap::default(),
         };
@@ -334,7 +348,7 @@ impl<'g, 'm> Solver<'g, 'm> {
 
     /// The value of a declared coordinate: within half a turn of its guess where the loops are assembled, and wherever its
     /// turns are not counted.
-    fn value(&self, coordinate: &Coordinate<'g>, near: Expr<'g>, sum: &Combination) -> Expr<'g> {
+    fn value(&mut self, coordinate: &Coordinate<'g>, near: Expr<'g>, sum: &Combination) -> Expr<'g> {
         let Counted { angle, holds } = self.turned(sum);
         let [guess, start] = self.numbers([near, angle]);
         let turns = Rational::from_float(((guess - start) / TAU).round()).unwrap_or_default();
@@ -342,10 +356,14 @@ impl<'g, 'm> Solver<'g, 'm> {
         let beside = coordinate.position - near;
         let within = near + beside.sin().combine(Binary::Atan2, beside.cos());
         if holds.is_one() {
-            counted
-        } else {
-            holds * counted + (1 - holds) * within
+            return counted;
         }
+        let half = (ratio(1, 2) * (1 + beside.cos())).sqrt();
+        self.uncounted.push(Uncounted {
+            coordinate: coordinate.clone(),
+            margin: holds + (1 - holds) * half,
+        });
+        holds * counted + (1 - holds) * within
     }
 
     /// A coordinate of the state, of a drive, or an unknown that was found.

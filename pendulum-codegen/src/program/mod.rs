@@ -68,6 +68,8 @@ pub struct Program {
     pub loops: Vec<[String; 2]>,
     /// The numbers of those that have no closed form.
     pub open_loops: Vec<usize>,
+    /// The angles whose turns forces take, and are not counted.
+    pub uncounted: Vec<String>,
     /// The bodies whose joints are driven.
     pub drives: Vec<String>,
     /// What hinders the motion.
@@ -200,6 +202,7 @@ impl Program {
             events: model.events.iter().map(|event| event.name.clone()).collect(),
             loops: model.closures.iter().map(|closure| closure.bodies(model)).collect(),
             open_loops: model.gaps.iter().map(|gap| gap.number).collect(),
+            uncounted: model.uncounted.iter().map(|own| own.coordinate.name.clone()).collect(),
             drives: model.drives.iter().map(|drive| drive.coordinate.name.clone()).collect(),
             constraints: model.constraints.iter().map(|c| Constraint::new(model, c)).collect(),
             laws: block(g, &laws, &known)?,

@@ -93,6 +93,8 @@ pub(crate) enum Length {
     Loops,
     /// The closed loops that have no closed form.
     Gaps,
+    /// The angles whose turns forces take, and are not counted.
+    Uncounted,
     /// The dependent coordinates in the state.
     Dependents,
     /// The components of a wrench.
@@ -173,6 +175,7 @@ impl Length {
             Self::Constraints => model.constraints.len(),
             Self::Loops => model.margins.len(),
             Self::Gaps => model.gaps.len(),
+            Self::Uncounted => model.uncounted.len(),
             Self::Dependents => model.corrections.len(),
             Self::Wrench => WRENCH,
         }
@@ -263,7 +266,7 @@ pub(crate) struct Row {
 const ASKED: fn(&Request<'_>, &str) -> bool = |scene, word| scene.asks(word);
 
 use Argument::{Accelerations, Forces, Inputs};
-use Length::{Constraints, Dependents, Drives, Freedom, Gaps, Loops, Parameters, State};
+use Length::{Constraints, Dependents, Drives, Freedom, Gaps, Loops, Parameters, State, Uncounted};
 use Shape::{Matrix, Scalar, Symmetric, Vector};
 
 /// What a response holds.
@@ -314,6 +317,16 @@ pub(crate) const ROUTINES: &[Row] = &[
         shapes: &[Vector(Gaps), Vector(Gaps), Vector(Gaps)],
         wanted: |scene, _| scene.rhs() && !scene.model.gaps.is_empty(),
         form: form::loop_gaps,
+    },
+    Row {
+        word: "rhs",
+        name: "turn_margins",
+        doc: "For each angle whose turns a force takes, but do not follow from the state, the cosine of half the angle from its `near`: \
+              0 where the force would jump. And the rates of that.",
+        arguments: &[],
+        shapes: &[Vector(Uncounted), Vector(Uncounted)],
+        wanted: |scene, _| scene.rhs() && !scene.model.uncounted.is_empty(),
+        form: form::turn_margins,
     },
     Row {
         word: "rhs",

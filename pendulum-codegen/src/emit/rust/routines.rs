@@ -129,11 +129,21 @@ impl Items<'_> {
         let loops = self.program.loops.iter().map(|[a, b]| quote!([#a, #b]));
         let number = (0..self.program.loops.len()).map(count);
         let inline = inlined_into_lanes();
+        let uncounted = &self.program.uncounted;
+        let of_turns = (!uncounted.is_empty()).then(|| {
+            let number = (0..uncounted.len()).map(count);
+            let names = uncounted.iter().map(|name| name.trim_start_matches("r#"));
+            quote! {
+                let (margins, rates) = self.turn_margins(t, x);
+                #(tell([#names, ""], [margins[#number], rates[#number]]);)*
+            }
+        });
         Some(quote! {
             #inline
             fn margins(&self, t: T, x: &#vector, tell: &mut dyn FnMut([&'static str; 2], [T; 2])) {
                 let (margins, rates) = self.loop_margins(t, x);
                 #(tell(#loops, [margins[#number], rates[#number]]);)*
+                #of_turns
             }
         })
     }
@@ -316,7 +326,7 @@ impl Items<'_> {
             .filter(|routine| is_inherent(&routine.name));
         let methods = routines.map(|routine| {
             let (doc, function) = (&routine.doc, self.function(&format_ident!("{}", routine.name), routine));
-            let inline = if routine.name == "loop_margins" {
+            let inline = if ["loop_margins", "turn_margins"].contains(&routine.name.as_str()) {
                 inlined_into_lanes()
             } else {
                 quote!(#[inline])

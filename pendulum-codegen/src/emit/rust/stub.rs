@@ -70,7 +70,7 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             Length::Inputs => count(items.inputs.len()).into_token_stream(),
             Length::Parameters => count(items.params.len()).into_token_stream(),
             Length::Constraints => count(0).into_token_stream(),
-            Length::Loops | Length::Gaps => count(items.closures.len()).into_token_stream(),
+            Length::Loops | Length::Gaps | Length::Uncounted => count(items.closures.len()).into_token_stream(),
             Length::Dependents => count(dependents).into_token_stream(),
             Length::Wrench => count(WRENCH).into_token_stream(),
             Length::Drives => count(outputs::drives(items)).into_token_stream(),
