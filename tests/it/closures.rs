@@ -221,7 +221,7 @@ fn a_start_may_be_off_by_rounding() {
             let x = SVector::from([closed[0], closed[1] + off[0], closed[2] + off[1], closed[3]]);
             let solution = Vern9::new().solve(&model, 0.0, 0.1, x).expect("it starts");
             let start = solution.points().next().expect("the start").1;
-            assert!(model.gaps(0.0, &start).amax() < 1e-14, "{by}");
+            assert!(model.gaps(0.0, start).amax() < 1e-14, "{by}");
         }
     }
     let turns = 1e4 * std::f64::consts::TAU;
