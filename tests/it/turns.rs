@@ -172,18 +172,18 @@ fn energy_is_conserved_through_a_thousand_turns() {
 
 #[test]
 fn potentials_and_torques_wind_up() {
-    // where the ground is the longest, the shortest, and where a crank is as long
+    // the ground is the longest bar in the first, and the shortest in the others, whose cranks turn all the way
     for (a, b, c, d) in [(0.2, 0.5, 0.4, 0.6), (0.5, 0.45, 0.4, 0.15), (0.4, 0.45, 0.5, 0.2)] {
         let params = BarsParams {
             a,
             b,
             c,
             d,
-            k: 1e-8,
+            k: 1e-5,
             rest: 0.0,
         };
         let bars = Bars::new(params).expect("the parameters are physical");
-        conserves!(bars, [0.8, 14.0], 300.0, |bars: &Bars, x: &SVector<f64, 2>| bars
+        conserves!(bars, [0.8, 14.0], 100.0, |bars: &Bars, x: &SVector<f64, 2>| bars
             .stored(0.0, x));
     }
 }
