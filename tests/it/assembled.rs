@@ -141,6 +141,20 @@ mechanism! {
 }
 
 mechanism! {
+    /// A stone on a telescope, which is flat where the stone is in its joint.
+    pub Telescope {
+        body stone on ground { mass: 1, inertia: [0.1, 0.1, 0.1], joint: free, orientation: o, position: p near [0.3, 0.4, 0.1] }
+        body turret on ground { mass: 1, inertia: [0.1, 0.1, 0.1], joint: revolute(z), coordinate: a depends near 0.9 }
+        body barrel on turret { mass: 1, inertia: [0.1, 0.1, 0.1], joint: revolute(y), coordinate: b depends near -0.2 }
+        body rod on barrel { mass: 1, joint: prismatic(x), coordinate: s depends near 0.5 }
+        close rod at [0, 0, 0] to stone at [0, 0, 0]: ball,
+        point e on rod at [0, 0, 0], point f on stone at [0, 0, 0],
+        output apart: [e.x - f.x, e.y - f.y, e.z - f.z],
+        generate: [rhs],
+    }
+}
+
+mechanism! {
     /// Four hinges whose axes meet in a point: five equations for two coordinates.
     pub Spherical {
         params { turned: rad = 1.2 }
@@ -196,22 +210,22 @@ fn apart(a: SMatrix<f64, 3, 3>, b: SMatrix<f64, 3, 3>) -> f64 {
 }
 
 /// Four-bars of every kind that Grashof's rule knows: where the shortest bar is the crank, the ground, the coupler, the
-/// rocker; a parallelogram, a kite; and two in which no bar turns all the way. A state of each that is closed.
-const FOUR_BARS: [([f64; 4], [f64; 3]); 8] = [
-    ([0.2, 0.5, 0.4, 0.6], [0.8, 0.0, 0.0]),
-    ([0.5, 0.45, 0.4, 0.15], [0.8, 0.0, 0.0]),
-    ([0.45, 0.2, 0.5, 0.6], [1.0, 0.0, 0.0]),
-    ([0.5, 0.5, 0.2, 0.6], [0.8, 0.0, 0.0]),
-    ([0.3, 0.6, 0.3, 0.6], [0.8, 0.0, 0.0]),
-    ([0.3, 0.6, 0.6, 0.3], [0.8, 0.0, 0.0]),
-    ([0.4, 0.3, 0.4, 0.8], [0.7, 0.0, 0.0]),
-    ([0.5, 0.5, 0.4, 0.9], [0.7, 0.0, 0.0]),
+/// rocker; a parallelogram, a kite; and two in which no bar turns all the way. With an angle of the crank of each.
+const FOUR_BARS: [([f64; 4], f64); 8] = [
+    ([0.2, 0.5, 0.4, 0.6], 0.8),
+    ([0.5, 0.45, 0.4, 0.15], 0.8),
+    ([0.45, 0.2, 0.5, 0.6], 1.0),
+    ([0.5, 0.5, 0.2, 0.6], 0.8),
+    ([0.3, 0.6, 0.3, 0.6], 0.8),
+    ([0.3, 0.6, 0.6, 0.3], 0.8),
+    ([0.4, 0.3, 0.4, 0.8], 0.7),
+    ([0.5, 0.5, 0.4, 0.9], 0.7),
 ];
 
 #[test]
 fn four_bars_in_closed_form() {
     let mut counts = Vec::new();
-    for ([a, b, c, d], [theta, ..]) in FOUR_BARS {
+    for ([a, b, c, d], theta) in FOUR_BARS {
         let params = BarsParams {
             a,
             b,
@@ -240,7 +254,7 @@ fn four_bars_in_closed_form() {
 #[test]
 fn four_bars_without_a_closed_form() {
     let mut counts = Vec::new();
-    for ([a, b, c, d], [theta, ..]) in FOUR_BARS {
+    for ([a, b, c, d], theta) in FOUR_BARS {
         let model = Pinned::new(PinnedParams { a, b, c, d }).expect("the parameters are physical");
         let bars = Bars::new(BarsParams {
             a,
@@ -504,4 +518,16 @@ fn loops_beyond_a_ball() {
         assert!(model.apart(0.0, &end).amax() < 1e-12, "{end}");
     }
     assert!(count >= 95, "{count}");
+}
+
+/// A position that the loop needs away from where its joint is.
+#[test]
+fn loops_beyond_a_free_body() {
+    let model = Telescope::new(TelescopeParams {}).expect("the parameters are physical");
+    let mut x = SVector::from_element(0.0);
+    (x[0], x[1], x[2], x[3]) = (0.3, 0.4, 0.1, 1.0);
+    (x[Telescope::A], x[Telescope::B], x[Telescope::S]) = (0.9, -0.2, 0.5);
+    let x = model.assemble(0.0, x).expect("it closes");
+    assert!(model.apart(0.0, &x).amax() < 1e-15);
+    assert!((x[Telescope::S] - f64::sqrt(0.26)).abs() < 1e-15, "{x}");
 }
