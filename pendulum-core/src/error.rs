@@ -168,8 +168,8 @@ pub enum Reason {
         /// How far it is from its toggle still, as `margin` in the declaration.
         margin: f64,
     },
-    /// An angle that follows from closed loops comes to half a turn from its `near`, or may within one step, and a force
-    /// takes its turns, which do not follow from the state.
+    /// An angle that follows from closed loops comes to half a turn from its `near`, or may within one step, and a
+    /// force takes its turns, which do not follow from the state.
     HalfTurn {
         /// The name of the angle.
         coordinate: &'static str,

@@ -212,8 +212,8 @@ fn slides_wind_up() {
     assert!(slider.rod(t, &x).abs() < TAU);
 }
 
-/// Along many turns of the crank an output moves by the integral of its rate: Simpson's rule, from one small step to the
-/// next.
+/// Along many turns of the crank an output moves by the integral of its rate: Simpson's rule, from one small step to
+/// the next.
 #[test]
 fn outputs_are_continuous() {
     let follow = |outputs: &dyn Fn(f64) -> [[f64; 2]; 2], name: &str| {

@@ -15,15 +15,14 @@ mod turns;
 
 pub(crate) use gap::Gap;
 pub(crate) use orthogonal::Orthogonal;
-
-use std::f64::consts::TAU;
+use turns::Counted;
+pub(crate) use turns::Uncounted;
 
 use rustc_hash::FxHashMap;
-use turns::Counted;
 
 use super::closure::Loop;
 use super::{Combination, Coordinate, CoordinateId, Dependence, Dependent, Model};
-use crate::expr::{Binary, Expr, ExprId, Graph, Level, Normalizer, Rational, Symbol, SymbolKind, ratio};
+use crate::expr::{Expr, ExprId, Graph, Level, Normalizer, Rational, Symbol, SymbolKind};
 
 /// A dependent coordinate as it is declared.
 #[derive(Clone, Debug)]
@@ -90,15 +89,6 @@ pub(crate) struct Closed<'g> {
     /// The guess of each declared coordinate, and what it is where the loops are assembled; nothing where parameters have
     /// no defaults.
     pub assembled: Vec<[f64; 2]>,
-}
-
-/// An angle that is known within half a turn of its guess.
-#[derive(Clone, Debug)]
-pub(crate) struct Uncounted<'g> {
-    pub coordinate: Coordinate<'g>,
-    /// The cosine of half the angle from its guess: 0 where it would leave that half turn. 1 where its turns are counted,
-    /// which depends on lengths.
-    pub margin: Expr<'g>,
 }
 
 /// Loops while they are solved.
@@ -344,26 +334,6 @@ impl<'g, 'm> Solver<'g, 'm> {
         let value = self.value(&coordinate, near, &sum);
         self.dependence
             .set(coordinate.position, self.model.with_drives(&[value])[0]);
-    }
-
-    /// The value of a declared coordinate: within half a turn of its guess where the loops are assembled, and wherever its
-    /// turns are not counted.
-    fn value(&mut self, coordinate: &Coordinate<'g>, near: Expr<'g>, sum: &Combination) -> Expr<'g> {
-        let Counted { angle, holds } = self.turned(sum);
-        let [guess, start] = self.numbers([near, angle]);
-        let turns = Rational::from_float(((guess - start) / TAU).round()).unwrap_or_default();
-        let counted = angle + ratio(2, 1) * turns * self.graph.pi();
-        let beside = coordinate.position - near;
-        let within = near + beside.sin().combine(Binary::Atan2, beside.cos());
-        if holds.is_one() {
-            return counted;
-        }
-        let half = (ratio(1, 2) * (1 + beside.cos())).sqrt();
-        self.uncounted.push(Uncounted {
-            coordinate: coordinate.clone(),
-            margin: holds + (1 - holds) * half,
-        });
-        holds * counted + (1 - holds) * within
     }
 
     /// A coordinate of the state, of a drive, or an unknown that was found.

@@ -82,10 +82,9 @@ impl<const N: usize> Equilibrium<N> {
 /// directions in which a state can move.
 ///
 /// # Errors
-/// [`StabilityError::TimeDependent`] if the layout says that time may occur, [`StabilityError::NotFinite`] where the right-hand side is not
-/// finite, [`Reason::CannotClose`] or [`Reason::Open`] in [`StabilityError::Integration`] where a loop does not close at the
-/// seed, and
-/// [`StabilityError::NoConvergence`] if no zero of it is found.
+/// [`StabilityError::TimeDependent`] if the layout says that time may occur, [`StabilityError::NotFinite`] where the
+/// right-hand side is not finite, [`Reason::CannotClose`] or [`Reason::Open`] in [`StabilityError::Integration`] where
+/// a loop does not close at the seed, and [`StabilityError::NoConvergence`] if no zero of it is found.
 pub fn equilibrium<S, const N: usize>(
     system: &S,
     seed: impl IntoState<f64, N>,

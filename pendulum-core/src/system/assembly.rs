@@ -25,8 +25,8 @@ const AGAIN: usize = 2;
 /// Reports the gaps of loops as [`System::gaps`] does.
 type Tell<'a, T> = dyn FnMut([&'static str; 2], [T; 3]) + 'a;
 
-/// The state near `x` whose loops are closed, by Newton's method: `corrections` belong to the components at `places`, and
-/// `gaps` reports the gaps that are left.
+/// The state near `x` whose loops are closed, by Newton's method: `corrections` belong to the components at `places`,
+/// and `gaps` reports the gaps that are left.
 pub fn assemble<T: Float, const N: usize, const M: usize>(
     mut x: SVector<T, N>,
     layout: &StateLayout,

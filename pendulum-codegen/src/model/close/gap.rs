@@ -1,7 +1,8 @@
 //! How far loops are from being closed that have no closed form.
 //!
-//! Their equations also vanish where an end is turned by half a turn, or the equations are redundant and Newton's method
-//! comes to rest at the least sum of their squares, so that states to start from are judged by distances and angles.
+//! Their equations also vanish where an end is turned by half a turn, or the equations are redundant and Newton's
+//! method comes to rest at the least sum of their squares, so that states to start from are judged by distances and
+//! angles.
 
 use super::Solver;
 use super::equations::Equation;

@@ -37,7 +37,8 @@ pub(super) enum Unknown<'g> {
     Length(Expr<'g>),
 }
 
-/// Where a side is against the vector that it meets, or along which the other side slides: this never passes half a turn.
+/// Where a side is against the vector that it meets, or along which the other side slides: this never passes half a
+/// turn.
 #[derive(Clone, Copy)]
 pub(super) struct Aside<'g> {
     ahead: Expr<'g>,

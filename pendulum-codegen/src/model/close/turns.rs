@@ -1,24 +1,36 @@
 //! Angles that follow from triangles, with the whole turns that they have made.
 //!
-//! An angle is known by its cosine and sine, and its value is wanted where springs and outputs are. In a triangle
-//! `r1 + r2 = m` the angles of the sides against `m` never pass half a turn, for it is never flat. The argument of `m`, a
-//! sum of vectors, is that of the longest one, a sum of known angles, and what lies between them, which is less than a
+//! An angle is known by its cosine and sine, and its value is wanted where springs and outputs are. In a triangle `r1 +
+//! r2 = m` the angles of the sides against `m` never pass half a turn, for it is never flat. The argument of `m`, a sum
+//! of vectors, is that of the longest one, a sum of known angles, and what lies between them, which is less than a
 //! quarter of a turn where the longest is longer than all others together. So all turns are those of known angles.
+
+use std::f64::consts::TAU;
 
 use super::Solver;
 use super::meeting::{Aside, Solution, Unknown};
 use super::triangle::{Side, Triangle};
-use crate::expr::{Binary, Expr, Level, ratio};
+use crate::expr::{Binary, Expr, Level, Rational, ratio};
 use crate::model::closure::Piece;
-use crate::model::{Combination, CoordinateId};
+use crate::model::{Combination, Coordinate, CoordinateId};
 use crate::screw::Vec2;
 
 /// An angle with its whole turns.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Counted<'g> {
     pub(super) angle: Expr<'g>,
-    /// 1 where these are counted, 0 where the angle is known but for whole turns: a constant, for it depends on lengths.
+    /// 1 where these are counted, 0 where the angle is known but for whole turns: a constant, for it depends on
+    /// lengths.
     pub(super) holds: Expr<'g>,
+}
+
+/// An angle that is known within half a turn of its guess.
+#[derive(Clone, Debug)]
+pub(crate) struct Uncounted<'g> {
+    pub coordinate: Coordinate<'g>,
+    /// The cosine of half the angle from its guess: 0 where it would leave that half turn. 1 where its turns are
+    /// counted, which depends on lengths.
+    pub margin: Expr<'g>,
 }
 
 /// Vectors that turn together.
@@ -31,6 +43,26 @@ struct Group<'g> {
 }
 
 impl<'g> Solver<'g, '_> {
+    /// The value of a declared coordinate: within half a turn of its guess where the loops are assembled, and wherever
+    /// its turns are not counted.
+    pub(super) fn value(&mut self, coordinate: &Coordinate<'g>, near: Expr<'g>, sum: &Combination) -> Expr<'g> {
+        let Counted { angle, holds } = self.turned(sum);
+        let [guess, start] = self.numbers([near, angle]);
+        let turns = Rational::from_float(((guess - start) / TAU).round()).unwrap_or_default();
+        let counted = angle + ratio(2, 1) * turns * self.graph.pi();
+        let beside = coordinate.position - near;
+        let within = near + beside.sin().combine(Binary::Atan2, beside.cos());
+        if holds.is_one() {
+            return counted;
+        }
+        let half = (ratio(1, 2) * (1 + beside.cos())).sqrt();
+        self.uncounted.push(Uncounted {
+            coordinate: coordinate.clone(),
+            margin: holds + (1 - holds) * half,
+        });
+        holds * counted + (1 - holds) * within
+    }
+
     /// The angles of the sides that turn.
     pub(super) fn counted_sides(&self, triangle: &Triangle<'g>, solution: &Solution<'g>) -> [Option<Counted<'g>>; 2] {
         let known = || self.argument(&self.groups(&triangle.known, &Combination::default(), -1));
