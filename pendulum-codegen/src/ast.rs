@@ -398,6 +398,10 @@ pub(crate) struct BodyFields {
     pub depends: Option<Ident>,
     /// The coordinate where the loops are assembled.
     pub near: Option<Expr>,
+    /// Roll, pitch and yaw of the orientation there.
+    pub turned: Option<Vector>,
+    /// The position there.
+    pub placed: Option<Vector>,
     /// The coordinate as a function of time, of a joint that is driven.
     pub motion: Option<Expr>,
     /// Viscous friction.

@@ -30,11 +30,39 @@ debug_as_display! {
     [] Reason;
 }
 
+/// A closed loop that is open.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct LoopGap {
+    /// The two bodies that close it.
+    pub bodies: [&'static str; 2],
+    /// The distance between its ends, or the angle by which one is turned against the other.
+    pub by: f64,
+    /// The unit of that, `m` or `rad`.
+    pub unit: &'static str,
+}
+
+impl fmt::Display for LoopGap {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self {
+            bodies: [a, b],
+            by,
+            unit,
+        } = self;
+        write!(f, "the loop that `{a}` and `{b}` close is open by {by:.1e} {unit}")?;
+        if *unit == "rad" {
+            f.write_str(", the angle between the two frames, or axes, that it ties")?;
+        }
+        Ok(())
+    }
+}
+
 /// No state near a guess closes the loops of a mechanism.
 #[derive(Clone, Copy, PartialEq)]
 pub struct NotAssembled {
     /// The last correction of Newton's method, in rad or m; NaN where the equations are singular.
     pub left: f64,
+    /// The loop that is open the furthest where the method ended; `None` if they are closed, or their gaps not known.
+    pub open: Option<LoopGap>,
 }
 
 impl fmt::Display for NotAssembled {
@@ -45,12 +73,12 @@ impl fmt::Display for NotAssembled {
                  guess another state",
             );
         }
-        write!(
-            f,
-            "the loops do not close near this state: Newton's method still moves a coordinate by {:.1e}; \
-             check lengths and places, or guess the coordinates that depend more closely",
-            self.left
-        )
+        f.write_str("the loops do not close near this state: ")?;
+        match self.open {
+            Some(gap) => gap.fmt(f),
+            None => write!(f, "Newton's method still moves a coordinate by {:.1e}", self.left),
+        }?;
+        f.write_str("; check lengths, places and axes, or guess the coordinates that depend more closely")
     }
 }
 
@@ -129,6 +157,9 @@ pub enum Reason {
         /// The two bodies that close it.
         bodies: [&'static str; 2],
     },
+    /// A closed loop is open in the state to start from, or to go on from after a reset: see
+    /// [`System::gaps`](crate::System::gaps).
+    Open(LoopGap),
     /// A closed loop comes to its toggle, where it is flat: the motion cannot go on there. Or a step is so long that it
     /// may.
     Toggle {
@@ -136,6 +167,12 @@ pub enum Reason {
         bodies: [&'static str; 2],
         /// How far it is from its toggle still, as `margin` in the declaration.
         margin: f64,
+    },
+    /// An angle that follows from closed loops comes to half a turn from its `near`, or may within one step, and a
+    /// force takes its turns, which do not follow from the state.
+    HalfTurn {
+        /// The name of the angle.
+        coordinate: &'static str,
     },
     /// The tolerance requires a step shorter than the minimum, or shorter than the resolution of the time.
     StepUnderflow {
@@ -226,6 +263,11 @@ impl fmt::Display for Reason {
                 "the loop that `{a}` and `{b}` close cannot close in the state to start from, or is flat there; \
                  check the state, and the lengths if they are not the defaults"
             ),
+            Self::Open(gap) => write!(
+                f,
+                "{gap} in the state to start from, or that a reset returns; close it by `assemble`, from a guess near \
+                 where it closes, and check lengths, places and axes"
+            ),
             Self::Toggle { bodies: [a, b], margin } if margin < AT_TOGGLE => write!(
                 f,
                 "the loop that `{a}` and `{b}` close comes to its toggle: its margin is {margin:.1e}; end the motion \
@@ -235,6 +277,12 @@ impl fmt::Display for Reason {
                 f,
                 "the loop that `{a}` and `{b}` close may come to its toggle within one step, before which its margin \
                  is {margin:.1e}; take shorter steps"
+            ),
+            Self::HalfTurn { coordinate } => write!(
+                f,
+                "`{coordinate}` comes to half a turn from its `near`, or may within one step, and a force takes its turns, \
+                 which do not follow from the state: let `{coordinate}` be a coordinate of the state and another of its \
+                 loop depend, or take shorter steps"
             ),
             Self::StepUnderflow { h, least } => write!(
                 f,

@@ -82,6 +82,10 @@ pub trait Controlled<T: Real, const N: usize, const M: usize> {
     #[inline(always)]
     fn margins(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&'static str; 2], [T; 2])) {}
 
+    /// Reports the gap of each closed loop, as [`System::gaps`].
+    #[inline]
+    fn gaps(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&'static str; 2], [T; 3])) {}
+
     /// What hinders the motion, as [`Hybrid::constraints`]: nothing by default. Where something does, all that follows
     /// is required as well, and with a law for its inputs the model is a [`Hybrid`].
     #[inline(always)]
@@ -305,6 +309,11 @@ where
     #[inline(always)]
     fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 2])) {
         self.system.margins(t, x, tell);
+    }
+
+    #[inline]
+    fn gaps(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 3])) {
+        self.system.gaps(t, x, tell);
     }
 
     #[inline(always)]

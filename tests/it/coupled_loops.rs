@@ -71,6 +71,7 @@ mechanism! {
         close third at [0.4, 0, 0] rpy [skew, 0, 0] to ground: revolute(z),
         point p on third at [0.4, 0, 0], point r on third at [0.4, -l*sin(skew), l*cos(skew)],
         output gaps: [p.x, p.y, p.z, r.x, r.y],
+        output along: r.z,
         output margin: margin(third, ground),
         generate: [rhs, jacobian, energy, loop_wrenches, taylor],
     }

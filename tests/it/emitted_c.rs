@@ -249,6 +249,25 @@ fn balls_are_the_same() {
 }
 
 mechanism! {
+    /// Springs on angles that count their turns, by lengths that say which vector leads.
+    pub Wound {
+        params { a: m = 0.2, d: m = 0.6 }
+        gravity: [0, -9.81, 0],
+        generate: [rhs, energy],
+        body crank on ground { mass: 0.5, com: [0.1, 0, 0], inertia: 0.002, joint: revolute(z), coordinate: theta near 0.8 }
+        body coupler on crank {
+            mass: 1.1, com: [0.25, 0, 0], inertia: 0.02,
+            joint: revolute(z) at [a, 0, 0], coordinate: phi depends near -0.3, spring: (0.7, 0.1),
+        }
+        body rocker on ground {
+            mass: 0.9, com: [0.2, 0, 0], inertia: 0.01,
+            joint: revolute(z) at [d, 0, 0], coordinate: psi depends near 1.6, spring: (0.2, 0),
+        }
+        close coupler at [0.5, 0, 0] to rocker at [0.4, 0, 0]: revolute(z),
+    }
+}
+
+mechanism! {
     /// A crank that turns all the way, in a closed loop.
     pub Looped {
         gravity: [0, -9.81, 0],
@@ -282,6 +301,21 @@ fn closed_loops_are_the_same() {
     });
 }
 
+/// But for the last bits of `atan2`, which is that of the platform.
+#[test]
+fn angles_that_count_their_turns_are_the_same() {
+    let model = Wound::new(WoundParams::default()).expect("physical");
+    same(OWN, "Wound", 1e-13, |t, x, _| {
+        let x = SVector::<f64, 2>::from_column_slice(x);
+        let mut all = model.rhs(t, &x).as_slice().to_vec();
+        let (margins, rates) = model.loop_margins(t, &x);
+        all.extend(&margins);
+        all.extend(&rates);
+        all.extend([model.kinetic(t, &x), model.potential(t, &x)]);
+        all
+    });
+}
+
 #[test]
 fn coupled_loops_are_the_same() {
     let model = Coupled::new(CoupledParams {}).expect("physical");
@@ -292,6 +326,8 @@ fn coupled_loops_are_the_same() {
         all.extend(&margins);
         all.extend(&rates);
         all.extend(&model.loop_corrections(t, &x));
+        let (distances, angles, sizes) = model.loop_gaps(t, &x);
+        all.extend([distances, angles, sizes].iter().flatten());
         all.extend(motion(&model, t, &x).into_iter().skip(5));
         all.extend(series(&model, t, &x));
         all

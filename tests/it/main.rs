@@ -2,10 +2,12 @@
 #![forbid(unsafe_code)]
 
 mod alone;
+mod assembled;
 mod balls;
 mod c_code;
 mod canonical;
 mod closed_loops;
+mod closures;
 mod compile_errors;
 mod controlled;
 mod coupled_loops;
@@ -39,4 +41,5 @@ mod stiff;
 mod taylor;
 mod taylor_traps;
 mod trajectories;
+mod turns;
 mod urdf;

@@ -19,7 +19,7 @@ pub(crate) use chosen::Chosen;
 use chosen::{Candidate, choose};
 pub(crate) use closed::Closed;
 pub(crate) use kind::{Basis, Derivatives, Form};
-pub(crate) use output::{rates, values, values_and_jacobian, values_and_rates};
+pub(crate) use output::{as_declared, rates, values, values_and_jacobian, values_and_rates};
 pub(crate) use response::{measure_derivatives, measures, response, response_derivative};
 pub(crate) use routines::*;
 use solved::{ByLinks, of_coordinates};

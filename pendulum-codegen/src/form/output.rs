@@ -16,6 +16,11 @@ pub(crate) fn values<'g>(forms: &mut Forms<'g>, model: &Model<'g>, values: &[Exp
     forms.shortest(&values)
 }
 
+/// The values of expressions, as they are.
+pub(crate) fn as_declared<'g>(forms: &Forms<'g>, model: &Model<'g>, values: &[Expr<'g>]) -> Chosen<'g> {
+    forms.choose(vec![(Form::of(Basis::Declared), model.with_drives(values))])
+}
+
 /// The rates of expressions along the motion.
 pub(crate) fn rates<'g>(forms: &mut Forms<'g>, model: &Model<'g>, values: &[Expr<'g>]) -> Chosen<'g> {
     let rates = along_motion(model, values);

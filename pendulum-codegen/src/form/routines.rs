@@ -5,7 +5,7 @@ use rustc_hash::FxHashMap;
 use super::{Chosen, Forms};
 use crate::dynamics::{self, Dynamics, derived};
 use crate::expr::Expr;
-use crate::model::Model;
+use crate::model::{Gap, Model};
 
 /// The rates of the positions, and the accelerations.
 pub(crate) fn rhs<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
@@ -47,9 +47,24 @@ pub(crate) fn loop_margins<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chos
     super::values_and_rates(forms, model, &model.margins)
 }
 
+/// How far angles are from where their turns would have to be counted, and the rates of that.
+pub(crate) fn turn_margins<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
+    let margins: Vec<Expr<'g>> = model.uncounted.iter().map(|own| own.margin).collect();
+    super::values_and_rates(forms, model, &margins)
+}
+
 /// What Newton's method adds to the coordinates that depend, in the state.
 pub(crate) fn loop_corrections<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
     super::values(forms, model, &model.corrections)
+}
+
+/// How far loops are from being closed: distances, angles, sizes.
+pub(crate) fn loop_gaps<'g>(forms: &mut Forms<'g>, model: &Model<'g>) -> Chosen<'g> {
+    let part = |part: fn(&Gap<'g>) -> Expr<'g>| model.gaps.iter().map(part);
+    let parts = part(|gap| gap.distance)
+        .chain(part(|gap| gap.angle))
+        .chain(part(|gap| gap.size));
+    super::as_declared(forms, model, &parts.collect::<Vec<_>>())
 }
 
 /// The derivative of the right-hand side by the time.

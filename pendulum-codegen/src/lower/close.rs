@@ -11,12 +11,15 @@ use super::joint::rotation;
 use super::joint_units::JointUnits;
 use crate::ast::{self, ExprKind, JointKind};
 use crate::error::Reported;
-use crate::expr::{Expr, Level, SymbolKind};
+use crate::expr::{Expr, Level, SymbolKind, ratio};
 use crate::model::{self, BodyId, Cause, Closure, Combination, Coordinate, Declared, Loop, Model, NoPlane, Open, Tie};
 use crate::screw::Vec3;
 
 /// How far an angle may be from its guess, in rad: beyond, the guess is rather on the other side.
 const FAR: f64 = FRAC_PI_2;
+
+/// A component of an orientation or of a position, and its value where the loops are assembled.
+type Start<'g> = (Expr<'g>, Expr<'g>);
 
 /// How many coordinates a loop in a plane determines.
 const IN_PLANE: usize = 2;
@@ -25,10 +28,18 @@ impl<'g> Lower<'g> {
     /// Closes the loops of a model: coordinates that depend become symbols with values in the state.
     pub(super) fn close(&mut self, items: &ast::Items, model: &mut Model<'g>, declared: Vec<Coordinate<'g>>) {
         let near: Vec<Result<Expr<'g>, Reported>> = items.bodies.iter().map(|body| self.near(body)).collect();
+        let free: Vec<Result<Vec<Start<'g>>, Reported>> =
+            items.bodies.iter().map(|body| self.near_freely(body)).collect();
         let closures = items.closures.iter().map(|closure| self.closure(closure, items));
         let closures: Vec<Result<(Closure<'g>, Span), Reported>> = closures.collect();
         if items.closures.is_empty() && declared.is_empty() {
-            if let Some(near) = items.bodies.iter().find_map(|body| body.fields.near.as_ref()) {
+            let guesses = |body: &ast::Body| {
+                let fields = &body.fields;
+                let near = fields.near.as_ref().map(|near| near.tokens.clone());
+                let vectors = [&fields.turned, &fields.placed].into_iter().flatten();
+                near.or(vectors.map(|near| near.tokens.clone()).next())
+            };
+            if let Some(near) = items.bodies.iter().find_map(guesses) {
                 let help = "leave it out: `near` says where closed loops are assembled, and there are none";
                 self.errors.on(near, "there is nothing to assemble", help);
             }
@@ -51,7 +62,7 @@ impl<'g> Lower<'g> {
             .collect::<Result<Vec<_>, _>>()
             .and_then(|closures| {
                 let near = near.into_iter().collect::<Result<Vec<_>, _>>()?;
-                // orientations and positions have no guess: loops do not depend on where they are carried
+                let free = free.into_iter().collect::<Result<Vec<_>, _>>()?.concat();
                 let near = |coordinate: &Coordinate<'g>| {
                     let mut bodies = items.bodies.iter().zip(&near);
                     let own = |body: &ast::Body| {
@@ -68,7 +79,7 @@ impl<'g> Lower<'g> {
                     coordinate,
                 });
                 let dependents: Vec<Declared<'g>> = dependents.collect();
-                self.solve(items, model, &closures, &dependents, &of_state)
+                self.solve(items, model, &closures, &dependents, (&of_state, &free))
             });
         let Ok(closed) = solved else { return };
         let first = model.independent();
@@ -93,6 +104,12 @@ impl<'g> Lower<'g> {
         model.margins = closed.margins;
         model.closings = closed.closings;
         model.corrections = closed.corrections;
+        model.gaps = closed.gaps;
+        let taken = model.turns_in_forces();
+        let uncounted = closed.uncounted.into_iter();
+        model.uncounted = uncounted
+            .filter(|own| taken.contains(&own.coordinate.position))
+            .collect();
         if model.in_state().next().is_some() {
             self.refuse_in_state(items);
         }
@@ -170,6 +187,31 @@ impl<'g> Lower<'g> {
                 .in_unit(JointUnits::of(body).coordinate())
         };
         self.expr(near, &place)
+    }
+
+    /// The components of an orientation and of a position where the loops are assembled.
+    fn near_freely(&mut self, body: &ast::Body) -> Result<Vec<Start<'g>>, Reported> {
+        let ast::BodyFields {
+            orientation,
+            position,
+            turned,
+            placed,
+            ..
+        } = &body.fields;
+        let place = |what: &str, unit: &'static str| Place {
+            most: Level::Constant,
+            ..Place::fixed(format!("the guess for the {what} of `{}`", body.name)).in_unit(unit)
+        };
+        let mut starts = Vec::new();
+        if let (Some(name), Some(near)) = (orientation, turned) {
+            let near = self.vector(near, &place("orientation", "rad"))?;
+            starts.extend(self.components_of(name).zip(quaternion(near)));
+        }
+        if let (Some(name), Some(near)) = (position, placed) {
+            let near = self.vector(near, &place("position", "m"))?;
+            starts.extend(self.components_of(name).zip(near.0));
+        }
+        Ok(starts)
     }
 
     /// A dependent coordinate has no friction that holds it, and no stop.
@@ -254,7 +296,7 @@ impl<'g> Lower<'g> {
         model: &mut Model<'g>,
         closures: &[(Closure<'g>, Span)],
         declared: &[Declared<'g>],
-        near: &[Expr<'g>],
+        near: (&[Expr<'g>], &[Start<'g>]),
     ) -> Result<model::Closed<'g>, Reported> {
         if !self.errors.is_empty() {
             return Err(self.errors.noted());
@@ -319,4 +361,18 @@ impl<'g> Lower<'g> {
         let fact = format_args!("the loop from `{a}` to `{b}` is closed twice at the same place");
         Err(self.errors.at(closures[n].1, fact, "leave out one of the two"))
     }
+}
+
+/// The quaternion of roll, pitch and yaw, scalar first.
+fn quaternion<'g>(Vec3(rpy): Vec3<'g>) -> [Expr<'g>; 4] {
+    let [(cr, sr), (cp, sp), (cy, sy)] = rpy.map(|angle| {
+        let half = ratio(1, 2) * angle;
+        (half.cos(), half.sin())
+    });
+    [
+        cr * cp * cy + sr * sp * sy,
+        sr * cp * cy - cr * sp * sy,
+        cr * sp * cy + sr * cp * sy,
+        cr * cp * sy - sr * sp * cy,
+    ]
 }

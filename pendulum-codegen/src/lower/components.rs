@@ -101,6 +101,12 @@ impl<'g> Lower<'g> {
         }
     }
 
+    /// The components of an orientation, scalar first, or of a position.
+    pub(super) fn components_of(&self, name: &Ident) -> impl Iterator<Item = Expr<'g>> + use<'g> {
+        let values = self.components.get(&name.to_string()).map(|own| own.values.clone());
+        values.into_iter().flatten().map(|(_, value)| value)
+    }
+
     /// `o.w` or `p.x`; none where the name is neither that of an orientation nor of a position.
     pub(super) fn component_of_joint(&mut self, name: &Ident, axis: &Ident) -> Option<Result<Quantity<'g>, Reported>> {
         let components = self.components.get(&name.to_string())?.clone();

@@ -197,6 +197,8 @@ impl<'g> Lower<'g> {
             margins: Vec::new(),
             closings: Vec::new(),
             corrections: Vec::new(),
+            gaps: Vec::new(),
+            uncounted: Vec::new(),
             time: self.time,
             gravity,
             lets,

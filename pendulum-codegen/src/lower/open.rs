@@ -70,7 +70,13 @@ impl<'g> Lower<'g> {
         let bodies = between(closure, &items.bodies);
         let assembled = assembled(&bodies);
         let help = match (no_plane, &closure.joint) {
-            (Some(_), _) if has_orientation(&bodies) => HINGES.to_owned(),
+            (Some(_), _) if has_orientation(&bodies) => match bodies.iter().find_map(unguessed) {
+                Some(name) => format!(
+                    "where it is assembled, `{name}` is turned by nothing: say how it is turned there, \
+                     `orientation: {name} near [roll, pitch, yaw]` with angles in rad. Or, if it follows from the loop: {HINGES}"
+                ),
+                None => HINGES.to_owned(),
+            },
             (Some(NoPlane::Joint), Ok(JointKind::Fixed)) => counted("fixed", ["three", "six"], &assembled),
             (Some(NoPlane::Joint), Ok(JointKind::Prismatic(_))) => counted("prismatic", ["two", "five"], &assembled),
             (Some(no_plane), _) => no_plane.help(&assembled),
@@ -110,6 +116,19 @@ impl<'g> Lower<'g> {
                 ),
                 help,
             ),
+            Cause::Turned { by } => (
+                format!(
+                    "closes near the guess with its ends turned by {} rad against each other",
+                    readable(by)
+                ),
+                match &closure.joint {
+                    Ok(JointKind::Revolute(_)) => format!(
+                        "say where its axes have one direction: {}, or turn one end over, with `rpy [..]` behind its place",
+                        dependent(&bodies)
+                    ),
+                    _ => format!("say where the two frames coincide: {}", dependent(&bodies)),
+                },
+            ),
             Cause::Determines(_) | Cause::DeterminesOthers => (
                 "does not determine the coordinates that depend".to_owned(),
                 format!(
@@ -136,6 +155,14 @@ fn between<'a>(closure: &ast::Closure, bodies: &'a [ast::Body]) -> Vec<&'a ast::
     let own = first.iter().filter(|n| !second.contains(n));
     let between = own.chain(second.iter().filter(|n| !first.contains(n)));
     between.map(|n| &bodies[*n]).collect()
+}
+
+/// The orientation of a body that has no guess.
+fn unguessed<'a>(body: &&'a ast::Body) -> Option<&'a Ident> {
+    body.fields
+        .orientation
+        .as_ref()
+        .filter(|_| body.fields.turned.is_none())
 }
 
 /// Whether a body has an orientation, which cannot depend.

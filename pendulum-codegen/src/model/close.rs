@@ -7,17 +7,22 @@
 //! [by linear equations]: equations
 
 mod equations;
+mod gap;
 mod meeting;
 mod orthogonal;
 mod triangle;
+mod turns;
 
+pub(crate) use gap::Gap;
 pub(crate) use orthogonal::Orthogonal;
+use turns::Counted;
+pub(crate) use turns::Uncounted;
 
 use rustc_hash::FxHashMap;
 
 use super::closure::Loop;
 use super::{Combination, Coordinate, CoordinateId, Dependence, Dependent, Model};
-use crate::expr::{Binary, Expr, ExprId, Graph, Level, Normalizer, Rational, Symbol, SymbolKind};
+use crate::expr::{Expr, ExprId, Graph, Level, Normalizer, Rational, Symbol, SymbolKind};
 
 /// A dependent coordinate as it is declared.
 #[derive(Clone, Debug)]
@@ -51,6 +56,8 @@ pub(crate) enum Cause {
     ClosedByChance,
     /// Its ends stay so far apart near the guess.
     NotAssembled { by: f64, unit: &'static str },
+    /// Its equations are satisfied there, but by frames, or axes, that are turned so far against each other.
+    Turned { by: f64 },
     /// It and others determine so many coordinates.
     Determines(usize),
     /// It and others do not determine the coordinates that depend.
@@ -75,6 +82,10 @@ pub(crate) struct Closed<'g> {
     pub closings: Vec<Expr<'g>>,
     /// What Newton's method adds to the coordinates whose positions are in the state.
     pub corrections: Vec<Expr<'g>>,
+    /// How far the loops that are solved together are from being closed.
+    pub gaps: Vec<Gap<'g>>,
+    /// The angles whose turns are not counted.
+    pub uncounted: Vec<Uncounted<'g>>,
     /// The guess of each declared coordinate, and what it is where the loops are assembled; nothing where parameters have
     /// no defaults.
     pub assembled: Vec<[f64; 2]>,
@@ -87,21 +98,27 @@ struct Solver<'g, 'm> {
     declared: &'m [Declared<'g>],
     dependents: Vec<Option<Dependent<'g>>>,
     combinations: Vec<Option<Combination>>,
+    /// The angles of unknowns with their whole turns.
+    counted: Vec<Option<Counted<'g>>>,
     dependence: Dependence<'g>,
     margins: Vec<Expr<'g>>,
     closings: Vec<Expr<'g>>,
     corrections: Vec<Expr<'g>>,
+    gaps: Vec<Gap<'g>>,
+    uncounted: Vec<Uncounted<'g>>,
     /// All coordinates where the loops are assembled.
     assembled: Vec<f64>,
+    /// The components of orientations and positions there that have a guess.
+    free: FxHashMap<ExprId, f64>,
 }
 
 /// Closes the loops, each with its vectors if it lies in a plane. Near `near` the coordinates of the state assemble
-/// them.
+/// them, and those components of orientations and positions that have a guess.
 pub(crate) fn close<'g>(
     model: &Model<'g>,
     loops: &[Option<Loop<'g>>],
     declared: &[Declared<'g>],
-    near: &[Expr<'g>],
+    near: (&[Expr<'g>], &[(Expr<'g>, Expr<'g>)]),
 ) -> Result<Closed<'g>, Open> {
     let mut solver = Solver::new(model, loops.len(), declared, near);
     let mut left: Vec<usize> = (0..loops.len()).collect();
@@ -122,22 +139,33 @@ pub(crate) fn close<'g>(
         margins: solver.margins,
         closings: solver.closings,
         corrections: solver.corrections,
+        gaps: solver.gaps,
+        uncounted: solver.uncounted,
     })
 }
 
 impl<'g, 'm> Solver<'g, 'm> {
-    fn new(model: &'m Model<'g>, loops: usize, declared: &'m [Declared<'g>], near: &[Expr<'g>]) -> Self {
+    fn new(
+        model: &'m Model<'g>,
+        loops: usize,
+        declared: &'m [Declared<'g>],
+        (near, free): (&[Expr<'g>], &[(Expr<'g>, Expr<'g>)]),
+    ) -> Self {
         let mut solver = Self {
             graph: model.graph,
             model,
             declared,
             dependents: vec![None; declared.len()],
             combinations: vec![None; declared.len()],
+            counted: vec![None; declared.len()],
             dependence: Dependence::default(),
             margins: vec![model.graph.one(); loops],
             closings: Vec::new(),
             corrections: Vec::new(),
+            gaps: Vec::new(),
+            uncounted: Vec::new(),
             assembled: Vec::new(),
+            free: FxHashMap::default(),
         };
         for drive in &model.drives {
             let change = (model.time, drive.law[1]);
@@ -149,6 +177,10 @@ impl<'g, 'm> Solver<'g, 'm> {
             let value = solver.number(value);
             solver.assembled.push(value);
         }
+        solver.free = free
+            .iter()
+            .map(|&(component, value)| (component.id(), solver.number(value)))
+            .collect();
         solver
     }
 
@@ -299,10 +331,9 @@ impl<'g, 'm> Solver<'g, 'm> {
         self.dependence
             .set_sum(coordinate.position, positions.iter().map(in_time).collect());
         self.dependence.set(coordinate.rate, self.model.with_drives(&[rate])[0]);
-        let beside = coordinate.position - near;
-        let beside = beside.sin().combine(Binary::Atan2, beside.cos());
+        let value = self.value(&coordinate, near, &sum);
         self.dependence
-            .set(coordinate.position, self.model.with_drives(&[near + beside])[0]);
+            .set(coordinate.position, self.model.with_drives(&[value])[0]);
     }
 
     /// A coordinate of the state, of a drive, or an unknown that was found.
@@ -353,12 +384,14 @@ impl<'g, 'm> Solver<'g, 'm> {
     fn numbers_of(&self, values: &[Expr<'g>]) -> Vec<f64> {
         let values = self.dependence.written_out(self.graph, &self.model.with_drives(values));
         let assembled = self.model.all_coordinates().zip(&self.assembled);
+        let free = self.free.iter().map(|(&component, &value)| (component, value));
         let assembled: FxHashMap<ExprId, f64> = assembled
             .map(|(coordinate, &value)| match &coordinate.changes[..] {
                 // orientations are those of the frames that they are relative to: the scalar part is first
                 [(scalar, _), _, ..] => (scalar.id(), 1.0),
                 _ => (coordinate.position.id(), value),
             })
+            .chain(free)
             .collect();
         let value = |id: ExprId, symbol: &Symbol| match symbol.kind {
             SymbolKind::Parameter(n) => self.model.parameters[n].default.unwrap_or(1.0),

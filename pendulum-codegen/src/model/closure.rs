@@ -241,13 +241,17 @@ fn check_joint<'g>(
     let own = match closure.tie {
         Tie::Ball => return Ok(()),
         Tie::Prismatic(_) | Tie::Fixed => return Err(NoPlane::Joint),
-        Tie::Revolute(own) => closure.axes[0] * own,
+        Tie::Revolute(own) => own,
     };
-    let own = match closure.ends[0].body.filter(|_| closure.ends[0].body != frame) {
-        Some(body) => model.bodies[body].heading.rest * own,
-        None => own,
+    let is_along = |(end, axes): (&Place<'g>, Mat3<'g>)| {
+        let own = match end.body.filter(|_| end.body != frame) {
+            Some(body) => model.bodies[body].heading.rest * (axes * own),
+            None => axes * own,
+        };
+        parallel(axis, own).is_some()
     };
-    parallel(axis, own).map(|_| ()).ok_or(NoPlane::Joint)
+    let mut ends = closure.ends.iter().zip(closure.axes);
+    ends.all(is_along).then_some(()).ok_or(NoPlane::Joint)
 }
 
 /// The axis about which a body turns in a frame, if it turns there.

@@ -1,7 +1,7 @@
 //! Coordinates that depend on others, where loops are closed.
 
 use num_traits::ToPrimitive;
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::{Coordinate, CoordinateId, Model};
 use crate::expr::{Binary, Derivative, Expr, Graph, Node, Normalizer, Rational, Unary};
@@ -147,6 +147,25 @@ impl<'g> Model<'g> {
     pub(crate) fn slopes(&self, k: CoordinateId) -> Option<&[Expr<'g>]> {
         let n = usize::from(k).checked_sub(self.independent())?;
         Some(&self.dependents[n].slopes[..self.dof()])
+    }
+
+    /// The symbols that stand in forces, but for angles of which these have the cosine and sine alone.
+    pub(crate) fn turns_in_forces(&self) -> FxHashSet<Expr<'g>> {
+        let of_joints = self.bodies.iter().flat_map(|body| [body.force, body.potential]);
+        let mut actions = self.actions.clone();
+        let of_actions = actions.iter_mut().flat_map(|action| action.expressions());
+        let mut left: Vec<Expr<'g>> = of_joints.chain(of_actions.map(|x| *x)).collect();
+        let mut seen = FxHashSet::default();
+        while let Some(x) = left.pop() {
+            if seen.insert(x) {
+                match x.node() {
+                    Node::Unary(Unary::Sin | Unary::Cos, angle) if self.dependence.turn(angle).is_some() => {}
+                    _ => left.extend(x.operands()),
+                }
+            }
+        }
+        seen.retain(|x| x.as_symbol().is_some());
+        seen
     }
 
     /// Expressions in which dependent coordinates are written out.

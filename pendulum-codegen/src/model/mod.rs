@@ -19,7 +19,7 @@ use std::collections::BTreeSet;
 use num_traits::{One, Signed, Zero};
 
 pub(crate) use action::{Action, Place, Push};
-pub(crate) use close::{Cause, Closed, Declared, Open, Orthogonal, close};
+pub(crate) use close::{Cause, Closed, Declared, Gap, Open, Orthogonal, Uncounted, close};
 pub(crate) use closure::{Closure, Loop, NoPlane, Row, Tie, parallel};
 pub(crate) use combination::Combination;
 pub(crate) use constraint::{Constraint, Law};
@@ -69,6 +69,10 @@ pub(crate) struct Model<'g> {
     pub closings: Vec<Expr<'g>>,
     /// What Newton's method adds to the dependent coordinates in the state.
     pub corrections: Vec<Expr<'g>>,
+    /// How far these loops are from being closed.
+    pub gaps: Vec<Gap<'g>>,
+    /// The angles whose turns forces take, and are not counted.
+    pub uncounted: Vec<Uncounted<'g>>,
     /// The symbol of time.
     pub time: Expr<'g>,
     /// Acceleration of gravity in the ground frame.

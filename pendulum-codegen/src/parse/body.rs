@@ -10,7 +10,7 @@ use super::joint::joint;
 use super::solid::solids;
 use super::token::{braces, colon, identifier, list, parentheses, starts_item};
 use super::{End, ITEMS, docs, each, once, skip_to};
-use crate::ast::{Body, BodyFields, Expr, Inertia, Properties, Read, Shape};
+use crate::ast::{Body, BodyFields, Expr, Inertia, Properties, Read, Shape, Vector};
 use crate::error::{Errors, at, on};
 use crate::words::{self, Advice, advice};
 
@@ -44,10 +44,12 @@ const BODY_FIELDS: [Row<BodyFields>; 11] = [
     }),
     ("coordinate", |field, body| field.coordinate(body)),
     ("orientation", |field, body| {
-        field.name(&mut body.orientation, "an orientation", "orientation: o")
+        let own = (&mut body.orientation, &mut body.turned);
+        field.name(own, "an orientation", "orientation: o near [roll, pitch, yaw]")
     }),
     ("position", |field, body| {
-        field.name(&mut body.position, "a position", "position: p")
+        let own = (&mut body.position, &mut body.placed);
+        field.name(own, "a position", "position: p near [x, y, z]")
     }),
     ("motion", |field, body| field.value(&mut body.motion)),
     ("friction", |field, body| field.value(&mut body.friction)),
@@ -227,8 +229,14 @@ impl Field<'_> {
         once(place, self.input.parse()?, self.key)
     }
 
-    /// The name of what a joint that moves freely has.
-    fn name(&self, place: &mut Option<Ident>, what: &str, form: &str) -> syn::Result<()> {
+    /// The name of what a joint that moves freely has, and its guess: in the form with that.
+    fn name(
+        &self,
+        (place, near): (&mut Option<Ident>, &mut Option<Vector>),
+        what: &str,
+        guessed: &str,
+    ) -> syn::Result<()> {
+        let form = guessed.split(" near").next().unwrap_or(guessed);
         if self.input.peek(Bracket) {
             let fact = format_args!("the {} of a joint that moves freely is a name", self.key);
             let place = if self.key == "position" {
@@ -254,9 +262,10 @@ impl Field<'_> {
                     at(word.span(), format_args!("{what} cannot depend"), help)
                 }
                 "depends" => at(word.span(), format_args!("{what} cannot depend"), HINGES),
+                "near" if self.input.peek(Bracket) => return once(near, self.input.parse()?, &word),
                 "near" => {
-                    let help = "leave it out: loops are assembled wherever they are carried";
-                    at(word.span(), format_args!("{what} has no guess"), help)
+                    let fact = format_args!("the guess for {what} has three numbers");
+                    at(word.span(), fact, format_args!("write `{guessed}`"))
                 }
                 _ => {
                     let fact = format_args!("unexpected `{word}` after the {}", self.key);

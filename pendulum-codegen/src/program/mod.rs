@@ -66,6 +66,10 @@ pub struct Program {
     pub events: Vec<String>,
     /// The bodies that close each loop.
     pub loops: Vec<[String; 2]>,
+    /// The numbers of those that have no closed form.
+    pub open_loops: Vec<usize>,
+    /// The angles whose turns forces take, and are not counted.
+    pub uncounted: Vec<String>,
     /// The bodies whose joints are driven.
     pub drives: Vec<String>,
     /// What hinders the motion.
@@ -197,6 +201,8 @@ impl Program {
             outputs: model.outputs.iter().flat_map(Output::labels).collect(),
             events: model.events.iter().map(|event| event.name.clone()).collect(),
             loops: model.closures.iter().map(|closure| closure.bodies(model)).collect(),
+            open_loops: model.gaps.iter().map(|gap| gap.number).collect(),
+            uncounted: model.uncounted.iter().map(|own| own.coordinate.name.clone()).collect(),
             drives: model.drives.iter().map(|drive| drive.coordinate.name.clone()).collect(),
             constraints: model.constraints.iter().map(|c| Constraint::new(model, c)).collect(),
             laws: block(g, &laws, &known)?,

@@ -91,6 +91,10 @@ pub(crate) enum Length {
     Constraints,
     /// The closed loops.
     Loops,
+    /// The closed loops that have no closed form.
+    Gaps,
+    /// The angles whose turns forces take, and are not counted.
+    Uncounted,
     /// The dependent coordinates in the state.
     Dependents,
     /// The components of a wrench.
@@ -170,6 +174,8 @@ impl Length {
             Self::Drives => model.drives.len(),
             Self::Constraints => model.constraints.len(),
             Self::Loops => model.margins.len(),
+            Self::Gaps => model.gaps.len(),
+            Self::Uncounted => model.uncounted.len(),
             Self::Dependents => model.corrections.len(),
             Self::Wrench => WRENCH,
         }
@@ -260,7 +266,7 @@ pub(crate) struct Row {
 const ASKED: fn(&Request<'_>, &str) -> bool = |scene, word| scene.asks(word);
 
 use Argument::{Accelerations, Forces, Inputs};
-use Length::{Constraints, Dependents, Drives, Freedom, Loops, Parameters, State};
+use Length::{Constraints, Dependents, Drives, Freedom, Gaps, Loops, Parameters, State, Uncounted};
 use Shape::{Matrix, Scalar, Symmetric, Vector};
 
 /// What a response holds.
@@ -301,6 +307,26 @@ pub(crate) const ROUTINES: &[Row] = &[
         shapes: &[Vector(Dependents)],
         wanted: |scene, _| scene.rhs() && !scene.model.corrections.is_empty(),
         form: form::loop_corrections,
+    },
+    Row {
+        word: "rhs",
+        name: "loop_gaps",
+        doc: "How far the loops that have no closed form are from being closed, in the order of the declaration: the distances between \
+              their ends in m, the angles between their frames, or axes, in rad, and the sums of the lengths around them in m.",
+        arguments: &[],
+        shapes: &[Vector(Gaps), Vector(Gaps), Vector(Gaps)],
+        wanted: |scene, _| scene.rhs() && !scene.model.gaps.is_empty(),
+        form: form::loop_gaps,
+    },
+    Row {
+        word: "rhs",
+        name: "turn_margins",
+        doc: "For each angle whose turns a force takes, but do not follow from the state, the cosine of half the angle from its `near`: \
+              0 where the force would jump. And the rates of that.",
+        arguments: &[],
+        shapes: &[Vector(Uncounted), Vector(Uncounted)],
+        wanted: |scene, _| scene.rhs() && !scene.model.uncounted.is_empty(),
+        form: form::turn_margins,
     },
     Row {
         word: "rhs",

@@ -81,6 +81,8 @@ fn change(link: &mut Body, body: Body, errors: &mut Errors) {
         absolute,
         depends,
         near,
+        turned,
+        placed,
         motion,
         friction,
         spring,
@@ -128,6 +130,8 @@ fn change(link: &mut Body, body: Body, errors: &mut Errors) {
     replace(&mut old.position, position);
     replace(&mut old.depends, depends);
     replace(&mut old.near, near);
+    replace(&mut old.turned, turned);
+    replace(&mut old.placed, placed);
     replace(&mut old.coordinate, coordinate);
     replace(&mut old.absolute, absolute);
     replace(&mut old.motion, motion);

@@ -136,6 +136,11 @@ impl<M: Cast<N>, T: Real, const N: usize> System<T, N> for Expanded<M, T, N> {
         self.0.margins(t, x, tell);
     }
 
+    #[inline]
+    fn gaps(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 3])) {
+        self.0.gaps(t, x, tell);
+    }
+
     #[inline(always)]
     fn hybrid(&self) -> Option<&dyn Hybrid<T, N>> {
         self.0.hybrid()

@@ -5,7 +5,7 @@ use nalgebra::SVector;
 use crate::error::Reason;
 use crate::layout::StateLayout;
 use crate::real::Float;
-use crate::system::System;
+use crate::system::{System, close, open};
 
 /// An error unless `holds`.
 pub(crate) fn require(holds: bool, what: &'static str, value: f64, rule: &'static str) -> Result<(), Reason> {
@@ -76,7 +76,7 @@ where
         require((size - 1.0).abs() <= FAR, QUATERNION[0], size, rule)?;
     }
     let mut x = *given;
-    system.project(t, &mut x);
+    close(system, t, &mut x);
     let moved = x
         .iter()
         .zip(given.iter())
@@ -93,19 +93,19 @@ where
     Ok(x)
 }
 
-/// Checks that closed loops can close.
+/// Checks that closed loops can close, and that they are closed.
 pub(crate) fn check_loops<S, T, const N: usize>(system: &S, t: T, x: &SVector<T, N>) -> Result<(), Reason>
 where
     S: System<T, N> + ?Sized,
     T: Float,
 {
-    let mut open = None;
+    let mut wrong = open(system, t, x).map(Reason::Open);
     system.margins(t, x, &mut |bodies, [margin, _]| {
         if !margin.is_finite() {
-            open = Some(Reason::CannotClose { bodies });
+            wrong = Some(Reason::CannotClose { bodies });
         }
     });
-    open.map_or(Ok(()), Err)
+    wrong.map_or(Ok(()), Err)
 }
 
 /// Checks a state to start from.

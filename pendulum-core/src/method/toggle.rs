@@ -68,7 +68,11 @@ where
         let (margin, change) = (margin.to_f64(), h * rate.to_f64());
         let may_come = margin + REACH * change < 0.0 || room_to_turn(margin, change) < 0.0;
         if margin < least && (margin < AT_TOGGLE || may_come) {
-            (found, least) = (Reason::Toggle { bodies, margin }, margin);
+            let reason = match bodies {
+                [coordinate, ""] => Reason::HalfTurn { coordinate },
+                _ => Reason::Toggle { bodies, margin },
+            };
+            (found, least) = (reason, margin);
         }
     });
     found
@@ -96,7 +100,7 @@ where
     T: Float,
 {
     match behind(failure.reason((t_new - t).to_f64()), system, t, x) {
-        toggle @ Reason::Toggle { .. } => Err(toggle),
+        toggle @ (Reason::Toggle { .. } | Reason::HalfTurn { .. }) => Err(toggle),
         _ => Ok(()),
     }
 }

@@ -11,7 +11,7 @@ use super::{Spectrum, StabilityError};
 use crate::error::Reason;
 use crate::layout::StateLayout;
 use crate::method::check_loops;
-use crate::system::{IntoState, Jacobian, System};
+use crate::system::{IntoState, Jacobian, System, close};
 
 /// A state at which the right-hand side vanishes, with the small motions about it: `d(x - x0)/dt = jacobian (x - x0)`.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,9 +82,9 @@ impl<const N: usize> Equilibrium<N> {
 /// directions in which a state can move.
 ///
 /// # Errors
-/// [`StabilityError::TimeDependent`] if the layout says that time may occur, [`StabilityError::NotFinite`] where the right-hand side is not
-/// finite, [`Reason::CannotClose`] in [`StabilityError::Integration`] where a loop cannot close at the seed, and
-/// [`StabilityError::NoConvergence`] if no zero of it is found.
+/// [`StabilityError::TimeDependent`] if the layout says that time may occur, [`StabilityError::NotFinite`] where the
+/// right-hand side is not finite, [`Reason::CannotClose`] or [`Reason::Open`] in [`StabilityError::Integration`] where
+/// a loop does not close at the seed, and [`StabilityError::NoConvergence`] if no zero of it is found.
 pub fn equilibrium<S, const N: usize>(
     system: &S,
     seed: impl IntoState<f64, N>,
@@ -94,7 +94,7 @@ where
 {
     require_autonomous(system)?;
     let mut seed = seed.into_state();
-    system.project(0.0, &mut seed);
+    close(system, 0.0, &mut seed);
     check_loops(system, 0.0, &seed).map_err(StabilityError::Integration)?;
     Equilibrium::at(system, settle(system, seed)?)
 }

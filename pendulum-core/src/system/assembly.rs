@@ -1,9 +1,11 @@
-//! States of closed loops to start from.
+//! Closed loops: states to start from, and the gaps that are left.
 
 use nalgebra::SVector;
 
-use crate::error::NotAssembled;
+use crate::error::{LoopGap, NotAssembled};
+use crate::layout::{SlotKind, StateLayout};
 use crate::real::Float;
+use crate::system::System;
 
 /// How often a guess is corrected.
 const MOST: usize = 100;
@@ -11,21 +13,37 @@ const MOST: usize = 100;
 /// The longest correction, in rad or m: beyond, Newton's method would leave the assembly that is meant.
 const LONGEST: f64 = 0.3;
 
-/// The state near `x` from which nothing is left to be corrected at some `places`, by the corrections of Newton's method.
+/// Largest gap of a closed loop, in units of rounding of its size, or of 1 rad: 9e-13 in `f64`, 5e-4 in `f32`.
+const CLOSED: f64 = 4096.0;
+
+/// Units of rounding by which each radian of the largest angle of the state adds to that: the angle itself is rounded.
+const TURNED: f64 = 4.0;
+
+/// How often a state to start from is projected again while a loop is open: each time squares what is left.
+const AGAIN: usize = 2;
+
+/// Reports the gaps of loops as [`System::gaps`] does.
+type Tell<'a, T> = dyn FnMut([&'static str; 2], [T; 3]) + 'a;
+
+/// The state near `x` whose loops are closed, by Newton's method: `corrections` belong to the components at `places`,
+/// and `gaps` reports the gaps that are left.
 pub fn assemble<T: Float, const N: usize, const M: usize>(
     mut x: SVector<T, N>,
+    layout: &StateLayout,
     places: [usize; M],
     corrections: impl Fn(&SVector<T, N>) -> SVector<T, M>,
+    gaps: impl Fn(&SVector<T, N>, &mut Tell<'_, T>),
 ) -> Result<SVector<T, N>, NotAssembled> {
     let longest = T::from_f64(LONGEST);
     // corrections are squared from one to the next, so the next one is rounding
     let least = T::EPSILON.sqrt();
-    let mut size = T::default();
+    let mut left = 0.0;
+    let mut open = None;
     for _ in 0..MOST {
         let correction = corrections(&x);
-        size = correction.iter().fold(T::default(), |size, x| size.max(x.abs()));
+        let size = correction.iter().fold(T::default(), |size, x| size.max(x.abs()));
         if !correction.iter().all(|x| x.is_finite()) {
-            return Err(NotAssembled { left: f64::NAN });
+            return Err(NotAssembled { left: f64::NAN, open });
         }
         let share = if size > longest {
             longest / size
@@ -35,9 +53,63 @@ pub fn assemble<T: Float, const N: usize, const M: usize>(
         for (&place, &correction) in places.iter().zip(correction.iter()) {
             x[place] += share * correction;
         }
-        if size < least {
+        left = size.to_f64();
+        open = worst(Some(layout), &x, |tell| gaps(&x, tell));
+        // at the least sum of squares of a loop that stays open the corrections vanish as well
+        if size < least && open.is_none() {
             return Ok(x);
         }
     }
-    Err(NotAssembled { left: size.to_f64() })
+    Err(NotAssembled { left, open })
+}
+
+/// Projects a state to start from until its loops are closed, as far as that is possible.
+pub(crate) fn close<S, T, const N: usize>(system: &S, t: T, x: &mut SVector<T, N>)
+where
+    S: System<T, N> + ?Sized,
+    T: Float,
+{
+    system.project(t, x);
+    for _ in 0..AGAIN {
+        if open(system, t, x).is_some() {
+            system.project(t, x);
+        }
+    }
+}
+
+/// The loop that is open in a state, if one is: that with the largest gap for its tolerance.
+pub(crate) fn open<S, T, const N: usize>(system: &S, t: T, x: &SVector<T, N>) -> Option<LoopGap>
+where
+    S: System<T, N> + ?Sized,
+    T: Float,
+{
+    worst(system.layout(), x, |tell| system.gaps(t, x, tell))
+}
+
+fn worst<T: Float, const N: usize>(
+    layout: Option<&StateLayout>,
+    x: &SVector<T, N>,
+    gaps: impl FnOnce(&mut Tell<'_, T>),
+) -> Option<LoopGap> {
+    let mut largest = 0.0;
+    let angles = layout.into_iter().flat_map(|layout| layout.slots);
+    for slot in angles.filter(|slot| slot.kind == SlotKind::Angle) {
+        slot.positions
+            .clone()
+            .for_each(|n| largest = f64::max(largest, x[n].abs().to_f64()));
+    }
+    let rounding = T::EPSILON.to_f64() * (CLOSED + TURNED * largest);
+    let (mut found, mut most) = (None, 1.0);
+    gaps(&mut |bodies, gap| {
+        let [distance, angle, size] = gap.map(T::to_f64);
+        // the distance is easier to picture, if there is one
+        let measures = [(distance, rounding * size, "m"), (angle, rounding, "rad")];
+        let open = measures.into_iter().find(|(by, allowed, _)| by > allowed);
+        if let Some((by, allowed, unit)) = open
+            && by > most * allowed
+        {
+            (found, most) = (Some(LoopGap { bodies, by, unit }), by / allowed);
+        }
+    });
+    found
 }

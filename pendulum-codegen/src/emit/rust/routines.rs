@@ -118,8 +118,8 @@ impl Items<'_> {
 
     /// The methods of `System` and `Controlled` that keep a mechanism assembled as it is.
     pub(super) fn assembly(&self) -> TokenStream {
-        let (project, margins) = (self.project(), self.margins());
-        quote!(#project #margins)
+        let (project, margins, gaps) = (self.project(), self.margins(), self.gaps());
+        quote!(#project #margins #gaps)
     }
 
     /// The method that tells how far each closed loop is from its toggle, where there are any.
@@ -129,11 +129,37 @@ impl Items<'_> {
         let loops = self.program.loops.iter().map(|[a, b]| quote!([#a, #b]));
         let number = (0..self.program.loops.len()).map(count);
         let inline = inlined_into_lanes();
+        let uncounted = &self.program.uncounted;
+        let of_turns = (!uncounted.is_empty()).then(|| {
+            let number = (0..uncounted.len()).map(count);
+            let names = uncounted.iter().map(|name| name.trim_start_matches("r#"));
+            quote! {
+                let (margins, rates) = self.turn_margins(t, x);
+                #(tell([#names, ""], [margins[#number], rates[#number]]);)*
+            }
+        });
         Some(quote! {
             #inline
             fn margins(&self, t: T, x: &#vector, tell: &mut dyn FnMut([&'static str; 2], [T; 2])) {
                 let (margins, rates) = self.loop_margins(t, x);
                 #(tell(#loops, [margins[#number], rates[#number]]);)*
+                #of_turns
+            }
+        })
+    }
+
+    /// The method that reports the gaps of loops, where some have no closed form.
+    fn gaps(&self) -> Option<TokenStream> {
+        self.program.routine("loop_gaps")?;
+        let vector = self.shape(Shape::Vector(self.program.layout.len()));
+        let open = self.program.open_loops.iter().map(|&n| &self.program.loops[n]);
+        let open = open.map(|[a, b]| quote!([#a, #b]));
+        let number = (0..self.program.open_loops.len()).map(count);
+        Some(quote! {
+            #[inline]
+            fn gaps(&self, t: T, x: &#vector, tell: &mut dyn FnMut([&'static str; 2], [T; 3])) {
+                let (distances, angles, sizes) = self.loop_gaps(t, x);
+                #(tell(#open, [distances[#number], angles[#number], sizes[#number]]);)*
             }
         })
     }
@@ -300,7 +326,7 @@ impl Items<'_> {
             .filter(|routine| is_inherent(&routine.name));
         let methods = routines.map(|routine| {
             let (doc, function) = (&routine.doc, self.function(&format_ident!("{}", routine.name), routine));
-            let inline = if routine.name == "loop_margins" {
+            let inline = if ["loop_margins", "turn_margins"].contains(&routine.name.as_str()) {
                 inlined_into_lanes()
             } else {
                 quote!(#[inline])
@@ -316,11 +342,18 @@ impl Items<'_> {
         self.program.routine("loop_corrections")?;
         let (length, vector) = (self.length(), self.shape(Shape::Vector(self.program.layout.len())));
         let places = self.program.layout.dependents().map(count);
+        let name = &self.head.name;
+        let of_trait = if self.program.inputs.is_empty() {
+            self.named("System")
+        } else {
+            let inputs = count(self.program.inputs.len());
+            quote!(::pendulum_core::Controlled<T, #length, #inputs>)
+        };
         Some(quote! {
             /// A state whose loops are closed, from one in which the coordinates that follow are guesses.
             ///
             /// # Errors
-            /// If Newton's method finds no such state near the guess.
+            /// If Newton's method finds no such state near the guess, with the loop that is open the furthest.
             pub fn assemble(
                 &self,
                 t: T,
@@ -329,7 +362,13 @@ impl Items<'_> {
             where
                 T: ::pendulum_core::Float,
             {
-                ::pendulum_core::system::assemble(near.into_state(), [#(#places),*], |x| self.loop_corrections(t, x))
+                ::pendulum_core::system::assemble(
+                    near.into_state(),
+                    &<#name>::LAYOUT,
+                    [#(#places),*],
+                    |x| self.loop_corrections(t, x),
+                    |x, tell| <Self as #of_trait>::gaps(self, t, x, tell),
+                )
             }
         })
     }

@@ -70,7 +70,7 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             Length::Inputs => count(items.inputs.len()).into_token_stream(),
             Length::Parameters => count(items.params.len()).into_token_stream(),
             Length::Constraints => count(0).into_token_stream(),
-            Length::Loops => count(items.closures.len()).into_token_stream(),
+            Length::Loops | Length::Gaps | Length::Uncounted => count(items.closures.len()).into_token_stream(),
             Length::Dependents => count(dependents).into_token_stream(),
             Length::Wrench => count(WRENCH).into_token_stream(),
             Length::Drives => count(outputs::drives(items)).into_token_stream(),
@@ -223,6 +223,7 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
             }
             pub fn project<const N: usize>(&self, _: T, _: &mut #vector) {}
             pub fn margins<const N: usize>(&self, _: T, _: &#vector, _: &mut dyn FnMut([&'static str; 2], [T; 2])) {}
+            pub fn gaps<const N: usize>(&self, _: T, _: &#vector, _: &mut dyn FnMut([&'static str; 2], [T; 3])) {}
             pub fn with_derivative<K #any_length, const M: usize>(self, _: K) -> Self
             where
                 K: ::core::ops::Fn(T, &::pendulum_core::nalgebra::SVector<T, #length>) -> #matrix<T, M, #length>,

@@ -8,7 +8,7 @@
 //! truncation open.
 
 use super::orthogonal::rank;
-use super::{Cause, Open, Orthogonal, ROUNDING, Solver};
+use super::{Cause, Gap, Open, Orthogonal, ROUNDING, Solver};
 use crate::expr::{Derivative, Expr, Level, Normalizer, SymbolKind};
 use crate::model::closure::Loop;
 use crate::model::{Combination, CoordinateId, Dependent, changes};
@@ -17,11 +17,11 @@ use crate::model::{Combination, CoordinateId, Dependent, changes};
 const BUDGET: usize = 10_000;
 
 /// What vanishes where a loop is closed.
-struct Equation<'g> {
+pub(super) struct Equation<'g> {
     /// The number of the loop.
-    number: usize,
-    value: Expr<'g>,
-    unit: &'static str,
+    pub(super) number: usize,
+    pub(super) value: Expr<'g>,
+    pub(super) unit: &'static str,
 }
 
 /// The derivatives of all equations.
@@ -50,9 +50,11 @@ impl<'g> Solver<'g, '_> {
         let factored = Orthogonal::new(&jacobian.unknown);
         self.corrections = factored.solve(values.iter().map(|&value| -value).collect());
         self.closings = rows.clone();
+        self.gaps = self.gaps_of(&equations, loops, left);
         let margin = factored.volume(&jacobian.unknown);
         left.iter().for_each(|&n| self.margins[n] = margin);
         self.assemble(&unknown, &equations)?;
+        self.check_turned()?;
         self.check_rank(&jacobian).map_err(of_first)?;
         self.set_rates_together(&unknown, &rows, &jacobian, &factored);
         Ok(())
@@ -273,6 +275,19 @@ impl<'g> Solver<'g, '_> {
                 Err(Open { number, cause })
             }
             _ => Ok(()),
+        }
+    }
+
+    /// Where they are assembled, the frames must be as they are declared: some equations vanish after half a turn too.
+    fn check_turned(&self) -> Result<(), Open> {
+        let angle = |gap: &Gap<'g>| (gap.number, self.number(gap.angle));
+        let mut turned = self.gaps.iter().map(angle).filter(|(_, by)| *by > ROUNDING);
+        match turned.next().filter(|_| self.is_known()) {
+            Some((number, by)) => Err(Open {
+                number,
+                cause: Cause::Turned { by },
+            }),
+            None => Ok(()),
         }
     }
 

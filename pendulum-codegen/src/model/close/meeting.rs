@@ -5,7 +5,7 @@
 //! where a line meets a circle.
 
 use super::{Cause, ROUNDING, Solver};
-use crate::expr::{Expr, ratio};
+use crate::expr::{Binary, Expr, ratio};
 use crate::screw::Vec2;
 
 /// A triangle that is solved.
@@ -31,10 +31,38 @@ pub(super) struct Solved<'g> {
 /// What was unknown of a side.
 #[derive(Clone, Copy)]
 pub(super) enum Unknown<'g> {
-    /// The cosine and the sine of its angle.
-    Turn([Expr<'g>; 2]),
+    /// The cosine and the sine of its angle, and where the side is against what is known.
+    Turn([Expr<'g>; 2], Aside<'g>),
     /// How far it slides.
     Length(Expr<'g>),
+}
+
+/// Where a side is against the vector that it meets, or along which the other side slides: this never passes half a
+/// turn.
+#[derive(Clone, Copy)]
+pub(super) struct Aside<'g> {
+    ahead: Expr<'g>,
+    across: Expr<'g>,
+    /// Whether it points back wherever the triangle is not flat.
+    is_behind: bool,
+}
+
+impl<'g> Aside<'g> {
+    pub(super) fn new(ahead: Expr<'g>, across: Expr<'g>, is_behind: bool) -> Self {
+        Self {
+            ahead,
+            across,
+            is_behind,
+        }
+    }
+
+    pub(super) fn angle(self) -> Expr<'g> {
+        let Self { ahead, across, .. } = self;
+        match self.is_behind {
+            true => across.graph().pi() + (-across).combine(Binary::Atan2, -ahead),
+            false => across.combine(Binary::Atan2, ahead),
+        }
+    }
 }
 
 impl<'g> Solution<'g> {
@@ -80,10 +108,11 @@ impl<'g> Solver<'g, '_> {
         let one = m.times(share) + m.quarter().times(signed);
         let two = m - one;
         let (vectors, turns) = ([one, two], [a.turn_to(one), b.turn_to(two)]);
+        let asides = [(share, signed), (1 - share, -signed)].map(|(ahead, across)| Aside::new(ahead, across, false));
         Ok(Solution {
             sides: [0, 1].map(|n| Solved {
                 vector: vectors[n],
-                unknown: Unknown::Turn(turns[n]),
+                unknown: Unknown::Turn(turns[n], asides[n]),
                 column: vectors[n].quarter(),
                 assembled: assembled[n],
             }),
@@ -113,6 +142,11 @@ impl<'g> Solver<'g, '_> {
         } else {
             m.dot(e) + signed
         };
+        let aside = if slides_on_side {
+            Aside::new(signed, e.cross(a), sign < 0.0)
+        } else {
+            Aside::new(-signed, e.cross(m), sign > 0.0)
+        };
         let (turn, along, arm, vectors) = if slides_on_side {
             let whole = a + e.times(length);
             let turn = [whole.dot(m) / square, whole.cross(m) / square];
@@ -130,7 +164,7 @@ impl<'g> Solver<'g, '_> {
         };
         let turning = Solved {
             vector: vectors[1],
-            unknown: Unknown::Turn(turn),
+            unknown: Unknown::Turn(turn, aside),
             column: arm.quarter(),
             assembled: assembled[1],
         };

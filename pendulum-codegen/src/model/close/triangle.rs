@@ -15,14 +15,14 @@ use crate::screw::Vec2;
 
 /// Two unknown sides, and what is known. If one of them slides, it is the first.
 pub(super) struct Triangle<'g> {
-    sides: [Side<'g>; 2],
-    known: Vec<Piece<'g>>,
+    pub(super) sides: [Side<'g>; 2],
+    pub(super) known: Vec<Piece<'g>>,
     /// The two declared coordinates that it determines, each in the unknowns of the two sides. These take their
     /// numbers.
     places: [(CoordinateId, Combination); 2],
 }
 
-enum Side<'g> {
+pub(super) enum Side<'g> {
     /// Pieces that turn together, by the unknown angle of the first of them.
     Turning(Combination, Vec<Piece<'g>>),
     /// A piece that slides by an unknown length.
@@ -160,12 +160,14 @@ impl<'g> Solver<'g, '_> {
     /// Gives the unknowns their symbols, and these their values.
     fn set_unknowns(&mut self, triangle: &Triangle<'g>, solution: &Solution<'g>) {
         let free = self.model.independent();
-        for ((side, solved), (k, combination)) in triangle.sides.iter().zip(&solution.sides).zip(&triangle.places) {
+        let counted = self.counted_sides(triangle, solution);
+        let sides = triangle.sides.iter().zip(&solution.sides).zip(counted);
+        for (((side, solved), counted), (k, combination)) in sides.zip(&triangle.places) {
             let place = usize::from(*k);
             self.assembled[place] = solved.assembled;
             let coordinate = self.unknown(place, side);
             match solved.unknown {
-                Unknown::Turn(turn) => {
+                Unknown::Turn(turn, _) => {
                     let turn = turn.map(|x| self.model.with_drives(&[x])[0]);
                     self.dependence.set_turn(coordinate.position, turn);
                 }
@@ -181,6 +183,7 @@ impl<'g> Solver<'g, '_> {
                 in_state: false,
             });
             self.combinations[place - free] = Some(combination.clone());
+            self.counted[place - free] = counted;
         }
     }
 

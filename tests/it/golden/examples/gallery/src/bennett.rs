@@ -170,86 +170,89 @@ k19 = 0.4*sin(other)*sin(skew)
 k20 = 0.4*cos(other)
 k21 = 0.4*cos(other)*cos(skew)
 k22 = 0.8*cos(skew)
-k23 = 0.4*cos(skew)
-k24 = 0.4*sin(other)*cos(other)
-k25 = 0.4*sin(other)*cos(other)*sin(skew)
-k26 = -0.4*sin(other)*cos(other)*sin(skew)
-k27 = 0.8*sin(other)
-k28 = 0.8*sin(other)*sin(skew)
-k29 = 0.4*sin(other)^2
-k30 = 0.4*sin(other)^2*cos(skew)
-k31 = 0.8*cos(other)
-k32 = 0.8*cos(other)*cos(skew)
-k33 = 0.4*sin(other)*cos(other)*cos(skew)
-k34 = 0.8*sin(other)*cos(skew)
-k35 = 0.4*sin(other)*cos(skew)
-k36 = 0.4*sin(other)^2*sin(skew)
-k37 = 0.8*cos(other)*sin(skew)
-k38 = 0.4*cos(other)*sin(skew)
-k39 = 0.4*sin(skew)
-k40 = sin(other)*cos(other)*cos(skew)
-k41 = sin(other)^2*sin(skew)
-k42 = sin(other)*cos(other)*sin(skew)^2
-k43 = sin(other)*sin(skew)^2
-k44 = sin(other)^2*sin(skew)*cos(skew)
-k45 = cos(other)*sin(skew)*cos(skew)
-k46 = 4/9375*sin(other)*cos(other)
-k47 = 9/800000 + 4/9375*sin(other)^2
-k48 = 9.81*sin(other)
-k49 = 9.81*cos(other)*sin(skew)
-k50 = 9.81*cos(other)*cos(skew)
-k51 = 32027/1200000*sin(other)
-k52 = 32027/1200000*cos(other)
-k53 = sin(other)*cos(other)*sin(skew)
-k54 = 2*sin(other)*sin(skew) - cos(other)*cos(skew)
-k55 = sin(other)^2*cos(skew)
-k56 = sin(other)*sin(skew) - 2*cos(other)*cos(skew)
-k57 = sin(other)^2*sin(skew) - sin(skew)
-k58 = 2/75*sin(other)*cos(other)*sin(skew)*cos(skew)
-k59 = 0.08*sin(skew)^2
-k60 = 0.16*cos(skew)
-k61 = 0.04*(cos(other)*cos(skew) + 2*sin(other)*sin(skew))
-k62 = 0.08*cos(other)
-k63 = 0.04*cos(skew)
-k64 = 0.08*cos(other)*sin(skew)^2
-k65 = 2/75*cos(other)*sin(skew)^2
-k66 = 1/2400000*(921600 + 997*sin(other)*cos(other)*sin(skew)*cos(skew))
-k67 = 2/75*sin(other)*sin(skew)*cos(skew)
-k68 = 1/2400000*(997*sin(other)*cos(other)*sin(skew) + 921600*cos(skew))
-k69 = 32027/1200000*sin(other)*sin(skew)
-k70 = 1/2400000*(997*sin(other)^2*cos(skew) + 1651308*cos(skew))
-k71 = 8.4366*sin(other)
-k72 = 32027/1200000*cos(other)*cos(skew)
-k73 = 0.04*(cos(other) + 2*sin(other)*sin(skew)*cos(skew))
-k74 = 1/75*(sin(other)^2*sin(skew)^2 - 2*sin(skew)^2)
-k75 = 1/4800000*(997*sin(other)^2*sin(skew)^2 - 1651200*sin(skew)^2)
-k76 = 1/4800000*(2444962 + 997*sin(other)^2 + 1994*sin(skew)^2 - 1994*sin(other)^2*sin(skew)^2)
-k77 = 1/75*(sin(skew)^2 + sin(other)^2 - 2*sin(other)^2*sin(skew)^2)
-k78 = 1/4800000*(997*sin(other)^2 + 1651308)
-k79 = 1/75*sin(other)^2
-k80 = sin(other)^2*sin(skew)*cos(skew) - sin(skew)*cos(skew)
-k81 = 0.4*sin(other)^2*sin(skew) - 0.4*sin(skew)
-k82 = -0.8*sin(other)*cos(skew)
-k83 = sin(skew)*cos(skew) - sin(other)^2*sin(skew)*cos(skew)
-k84 = 0.1*cos(other)
-k85 = 0.1*sin(other)
-k86 = sin(other)^2*sin(skew)^2
-k87 = 793627/2400000 + 9/800000 + sin(skew)^2*(4/9375 + 4/9375*cos(other)^2)
-k88 = sin(skew) - sin(other)^2*sin(skew)
+k23 = -0.8*cos(skew)
+k24 = 0.4*cos(skew)
+k25 = 0.4*sin(other)*cos(other)
+k26 = 0.4*sin(other)*cos(other)*sin(skew)
+k27 = -0.4*sin(other)*cos(other)*sin(skew)
+k28 = 0.8*sin(other)
+k29 = 0.8*sin(other)*sin(skew)
+k30 = 0.4*sin(other)^2
+k31 = 0.4*sin(other)^2*cos(skew)
+k32 = 0.8*cos(other)
+k33 = 0.8*cos(other)*cos(skew)
+k34 = 0.4*sin(other)*cos(other)*cos(skew)
+k35 = 0.8*sin(other)*cos(skew)
+k36 = 0.4*sin(other)*cos(skew)
+k37 = 0.4*sin(other)^2*sin(skew)
+k38 = 0.8*cos(other)*sin(skew)
+k39 = 0.4*cos(other)*sin(skew)
+k40 = 0.4*sin(skew)
+k41 = sin(other)*cos(other)*cos(skew)
+k42 = sin(other)^2*sin(skew)
+k43 = sin(other)*cos(other)*sin(skew)^2
+k44 = sin(other)*sin(skew)^2
+k45 = sin(other)^2*sin(skew)*cos(skew)
+k46 = cos(other)*sin(skew)*cos(skew)
+k47 = 4/9375*sin(other)*cos(other)
+k48 = 9/800000 + 4/9375*sin(other)^2
+k49 = 9.81*sin(other)
+k50 = 9.81*cos(other)*sin(skew)
+k51 = 9.81*cos(other)*cos(skew)
+k52 = 32027/1200000*sin(other)
+k53 = 32027/1200000*cos(other)
+k54 = sin(other)*cos(other)*sin(skew)
+k55 = 2*sin(other)*sin(skew) - cos(other)*cos(skew)
+k56 = sin(other)^2*cos(skew)
+k57 = sin(other)*sin(skew) - 2*cos(other)*cos(skew)
+k58 = sin(other)^2*sin(skew) - sin(skew)
+k59 = 2/75*sin(other)*cos(other)*sin(skew)*cos(skew)
+k60 = 0.08*sin(skew)^2
+k61 = 0.16*cos(skew)
+k62 = 0.04*(cos(other)*cos(skew) + 2*sin(other)*sin(skew))
+k63 = 0.08*cos(other)
+k64 = 0.04*cos(skew)
+k65 = 0.08*cos(other)*sin(skew)^2
+k66 = 2/75*cos(other)*sin(skew)^2
+k67 = 1/2400000*(921600 + 997*sin(other)*cos(other)*sin(skew)*cos(skew))
+k68 = 2/75*sin(other)*sin(skew)*cos(skew)
+k69 = 1/2400000*(997*sin(other)*cos(other)*sin(skew) + 921600*cos(skew))
+k70 = 32027/1200000*sin(other)*sin(skew)
+k71 = 1/2400000*(997*sin(other)^2*cos(skew) + 1651308*cos(skew))
+k72 = 8.4366*sin(other)
+k73 = 32027/1200000*cos(other)*cos(skew)
+k74 = 0.04*(cos(other) + 2*sin(other)*sin(skew)*cos(skew))
+k75 = 1/75*(sin(other)^2*sin(skew)^2 - 2*sin(skew)^2)
+k76 = 1/4800000*(997*sin(other)^2*sin(skew)^2 - 1651200*sin(skew)^2)
+k77 = 1/4800000*(2444962 + 997*sin(other)^2 + 1994*sin(skew)^2 - 1994*sin(other)^2*sin(skew)^2)
+k78 = 1/75*(sin(skew)^2 + sin(other)^2 - 2*sin(other)^2*sin(skew)^2)
+k79 = 1/4800000*(997*sin(other)^2 + 1651308)
+k80 = 1/75*sin(other)^2
+k81 = sin(other)^2*sin(skew)*cos(skew) - sin(skew)*cos(skew)
+k82 = 0.4*sin(other)^2*sin(skew) - 0.4*sin(skew)
+k83 = -0.8*sin(other)*cos(skew)
+k84 = sin(skew)*cos(skew) - sin(other)^2*sin(skew)*cos(skew)
+k85 = 0.1*cos(other)
+k86 = 0.1*sin(other)
+k87 = sin(other)^2*sin(skew)^2
+k88 = 793627/2400000 + 9/800000 + sin(skew)^2*(4/9375 + 4/9375*cos(other)^2)
 k89 = 0.4*sin(skew) - 0.4*sin(other)^2*sin(skew)
-k90 = sin(other)*cos(other)*sin(skew)^2 - sin(other)*cos(other)
-k91 = 2*(9/800000 + 4/9375*sin(other)^2)
-k92 = 1587227/2400000 + 9/800000 + 4/9375*sin(other)^2
-k93 = 0.08*sin(other)*cos(skew)
-k94 = 0.08*cos(other)*cos(skew)
-k95 = 0.08*cos(other)*sin(skew)
-k96 = 0.08*sin(other)*sin(skew)
+k90 = 0.4*cos(skew) - 0.4*sin(other)^2*cos(skew)
+k91 = 0.4*sin(other)^2 - 0.4
+k92 = sin(skew) - sin(other)^2*sin(skew)
+k93 = sin(other)*cos(other)*sin(skew)^2 - sin(other)*cos(other)
+k94 = 2*(9/800000 + 4/9375*sin(other)^2)
+k95 = 1587227/2400000 + 9/800000 + 4/9375*sin(other)^2
+k96 = 0.08*sin(other)*cos(skew)
+k97 = 0.08*cos(other)*cos(skew)
+k98 = 0.08*cos(other)*sin(skew)
+k99 = 0.08*sin(other)*sin(skew)
 ```
 */
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct Bennett<T = f64> {
         params: BennettParams,
-        constants: [T; 97],
+        constants: [T; 100],
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl Bennett {
@@ -268,221 +271,227 @@ k96 = 0.08*sin(other)*sin(skew)
                 [p_gamma]
             }
             #[inline]
-            fn constants<T: ::pendulum_core::real::Real>(given: [T; 4]) -> [T; 97] {
+            fn constants<T: ::pendulum_core::real::Real>(given: [T; 4]) -> [T; 100] {
                 let [p_skew, p_other, p_drive, p_gamma] = given;
                 let [(sin_other, cos_other), (sin_skew, cos_skew)] = p_other
                     .sin_cos_pair(p_skew);
                 let t0 = cos_other * cos_other;
                 let t1 = sin_other * cos_skew;
                 let t2 = cos_skew * cos_skew;
-                let t3 = T::from_f64(0.8) * cos_skew;
-                let t4 = T::from_f64(0.4) * cos_skew;
-                let t5 = T::from_f64(9.81) * sin_other;
-                let t6 = T::from_f64(0.026689166666666667) * sin_other;
-                let t7 = T::from_f64(0.026689166666666667) * cos_other;
-                let t8 = T::from_f64(0.16) * cos_skew;
-                let t9 = T::from_f64(0.08) * cos_other;
-                let t10 = T::from_f64(0.04) * cos_skew;
-                let t11 = T::from_f64(8.4366) * sin_other;
-                let t12 = T::from_f64(0.1) * cos_other;
-                let t13 = T::from_f64(0.1) * sin_other;
-                let t14 = T::from_f64(0.3306779166666667)
+                let t3 = T::from_f64(9.81) * sin_other;
+                let t4 = T::from_f64(0.026689166666666667) * sin_other;
+                let t5 = T::from_f64(0.026689166666666667) * cos_other;
+                let t6 = T::from_f64(0.16) * cos_skew;
+                let t7 = T::from_f64(0.08) * cos_other;
+                let t8 = T::from_f64(0.04) * cos_skew;
+                let t9 = T::from_f64(8.4366) * sin_other;
+                let t10 = T::from_f64(0.1) * cos_other;
+                let t11 = T::from_f64(0.1) * sin_other;
+                let t12 = T::from_f64(0.3306779166666667)
                     + (T::from_f64(1.125e-5)
                         + sin_skew
                             * (sin_skew
                                 * (T::from_f64(0.00042666666666666667)
                                     + cos_other
                                         * (T::from_f64(0.00042666666666666667) * cos_other))));
-                let t15 = sin_other * cos_other;
+                let t13 = sin_other * cos_other;
+                let t14 = t13 * cos_skew;
+                let t15 = sin_other * sin_other;
                 let t16 = t15 * cos_skew;
-                let t17 = sin_other * sin_other;
-                let t18 = t17 * cos_skew;
-                let t19 = T::from_f64(0.013333333333333334) * t17;
-                let t20 = sin_other * sin_skew;
-                let t21 = t20 - cos_skew * (T::from_f64(2.0) * cos_other);
-                let t22 = T::from_f64(0.02666666666666667) * (cos_skew * t20);
-                let t23 = T::from_f64(0.026689166666666667) * t20;
-                let t24 = cos_other * sin_skew;
-                let t25 = -t24;
-                let t26 = cos_skew * t24;
-                let t27 = T::from_f64(0.08) * sin_skew;
-                let t28 = cos_other * t27;
-                let t29 = sin_other * t27;
-                let t30 = T::from_f64(0.08) * cos_skew;
-                let t31 = sin_other * t30;
-                let t32 = cos_other * t30;
-                let t33 = sin_skew * sin_skew;
-                let t34 = T::from_f64(0.08) * t33;
-                let t35 = T::from_f64(0.013333333333333334)
-                    * (t17 * t33 - T::from_f64(2.0) * t33);
-                let t36 = T::from_f64(0.013333333333333334)
-                    * (t33 + (t17 - t33 * (T::from_f64(2.0) * t17)));
-                let t37 = sin_skew * cos_skew;
-                let t38 = T::from_f64(0.4) * sin_other;
-                let t39 = sin_skew * t38;
-                let t40 = cos_skew * t38;
-                let t41 = cos_other * t38;
-                let t42 = cos_skew * t41;
-                let t43 = sin_skew * t41;
-                let t44 = -t43;
-                let t45 = T::from_f64(0.4) * cos_other;
-                let t46 = cos_skew * t45;
-                let t47 = sin_skew * t45;
-                let t48 = T::from_f64(0.8) * sin_other;
-                let t49 = sin_skew * t48;
-                let t50 = cos_skew * t48;
-                let t51 = -t50;
-                let t52 = T::from_f64(0.4) * t17;
-                let t53 = cos_skew * t52;
-                let t54 = sin_skew * t52;
-                let t55 = T::from_f64(0.8) * cos_other;
-                let t56 = cos_skew * t55;
-                let t57 = sin_skew * t55;
-                let t58 = T::from_f64(0.4) * sin_skew;
-                let t59 = t54 - t58;
-                let t60 = t58 - t54;
-                let t61 = t17 * sin_skew;
-                let t62 = t61 - sin_skew;
-                let t63 = sin_skew - t61;
-                let t64 = cos_skew * t61;
-                let t65 = t64 - t37;
-                let t66 = t37 - t64;
-                let t67 = t15 * t33;
-                let t68 = t67 - t15;
-                let t69 = t15 * sin_skew;
-                let t70 = T::from_f64(0.02666666666666667) * (cos_skew * t69);
-                let t71 = sin_other * t33;
-                let t72 = sin_other * t71;
-                let t73 = T::from_f64(0.00042666666666666667) * sin_other;
-                let t74 = cos_other * t73;
-                let t75 = T::from_f64(1.125e-5) + sin_other * t73;
-                let t76 = T::from_f64(2.0) * t75;
-                let t77 = T::from_f64(0.6613445833333333) + t75;
-                let t78 = T::from_f64(9.81) * cos_other;
-                let t79 = sin_skew * t78;
-                let t80 = cos_skew * t78;
-                let t81 = sin_skew * (T::from_f64(2.0) * sin_other);
-                let t82 = T::from_f64(0.04) * (cos_other + cos_skew * t81);
-                let t83 = cos_other * cos_skew;
-                let t84 = t81 - t83;
-                let t85 = T::from_f64(0.04) * (t83 + t81);
-                let t86 = T::from_f64(0.026689166666666667) * t83;
-                let t87 = cos_other * t33;
-                let t88 = T::from_f64(0.08) * t87;
-                let t89 = T::from_f64(0.02666666666666667) * t87;
-                let t90 = sin_skew * (cos_other * (T::from_f64(997.0) * sin_other));
-                let t91 = T::from_f64(4.1666666666666667e-7)
-                    * (T::from_f64(921600.0) + cos_skew * t90);
-                let t92 = T::from_f64(4.1666666666666667e-7)
-                    * (t90 + T::from_f64(921600.0) * cos_skew);
-                let t93 = T::from_f64(997.0) * t17;
+                let t17 = T::from_f64(0.013333333333333334) * t15;
+                let t18 = sin_other * sin_skew;
+                let t19 = t18 - cos_skew * (T::from_f64(2.0) * cos_other);
+                let t20 = T::from_f64(0.02666666666666667) * (cos_skew * t18);
+                let t21 = T::from_f64(0.026689166666666667) * t18;
+                let t22 = cos_other * sin_skew;
+                let t23 = -t22;
+                let t24 = cos_skew * t22;
+                let t25 = T::from_f64(0.08) * sin_skew;
+                let t26 = cos_other * t25;
+                let t27 = sin_other * t25;
+                let t28 = T::from_f64(0.08) * cos_skew;
+                let t29 = sin_other * t28;
+                let t30 = cos_other * t28;
+                let t31 = sin_skew * sin_skew;
+                let t32 = T::from_f64(0.08) * t31;
+                let t33 = T::from_f64(0.013333333333333334)
+                    * (t15 * t31 - T::from_f64(2.0) * t31);
+                let t34 = T::from_f64(0.013333333333333334)
+                    * (t31 + (t15 - t31 * (T::from_f64(2.0) * t15)));
+                let t35 = sin_skew * cos_skew;
+                let t36 = T::from_f64(0.4) * sin_other;
+                let t37 = sin_skew * t36;
+                let t38 = cos_skew * t36;
+                let t39 = cos_other * t36;
+                let t40 = cos_skew * t39;
+                let t41 = sin_skew * t39;
+                let t42 = -t41;
+                let t43 = T::from_f64(0.4) * cos_other;
+                let t44 = cos_skew * t43;
+                let t45 = sin_skew * t43;
+                let t46 = T::from_f64(0.8) * cos_skew;
+                let t47 = -t46;
+                let t48 = T::from_f64(0.4) * cos_skew;
+                let t49 = T::from_f64(0.8) * sin_other;
+                let t50 = sin_skew * t49;
+                let t51 = cos_skew * t49;
+                let t52 = -t51;
+                let t53 = T::from_f64(0.4) * t15;
+                let t54 = T::from_f64(-0.4) + t53;
+                let t55 = cos_skew * t53;
+                let t56 = t48 - t55;
+                let t57 = sin_skew * t53;
+                let t58 = T::from_f64(0.8) * cos_other;
+                let t59 = cos_skew * t58;
+                let t60 = sin_skew * t58;
+                let t61 = T::from_f64(0.4) * sin_skew;
+                let t62 = t57 - t61;
+                let t63 = t61 - t57;
+                let t64 = t15 * sin_skew;
+                let t65 = t64 - sin_skew;
+                let t66 = sin_skew - t64;
+                let t67 = cos_skew * t64;
+                let t68 = t67 - t35;
+                let t69 = t35 - t67;
+                let t70 = t13 * t31;
+                let t71 = t70 - t13;
+                let t72 = t13 * sin_skew;
+                let t73 = T::from_f64(0.02666666666666667) * (cos_skew * t72);
+                let t74 = sin_other * t31;
+                let t75 = sin_other * t74;
+                let t76 = T::from_f64(0.00042666666666666667) * sin_other;
+                let t77 = cos_other * t76;
+                let t78 = T::from_f64(1.125e-5) + sin_other * t76;
+                let t79 = T::from_f64(2.0) * t78;
+                let t80 = T::from_f64(0.6613445833333333) + t78;
+                let t81 = T::from_f64(9.81) * cos_other;
+                let t82 = sin_skew * t81;
+                let t83 = cos_skew * t81;
+                let t84 = sin_skew * (T::from_f64(2.0) * sin_other);
+                let t85 = T::from_f64(0.04) * (cos_other + cos_skew * t84);
+                let t86 = cos_other * cos_skew;
+                let t87 = t84 - t86;
+                let t88 = T::from_f64(0.04) * (t86 + t84);
+                let t89 = T::from_f64(0.026689166666666667) * t86;
+                let t90 = cos_other * t31;
+                let t91 = T::from_f64(0.08) * t90;
+                let t92 = T::from_f64(0.02666666666666667) * t90;
+                let t93 = sin_skew * (cos_other * (T::from_f64(997.0) * sin_other));
                 let t94 = T::from_f64(4.1666666666666667e-7)
-                    * (cos_skew * t93 + T::from_f64(1651308.0) * cos_skew);
-                let t95 = T::from_f64(2.0833333333333333e-7)
-                    * (T::from_f64(2444962.0) + t93 - t33 * (T::from_f64(1994.0) * t17)
-                        + T::from_f64(1994.0) * t33);
-                let t96 = T::from_f64(2.0833333333333333e-7)
-                    * (t33 * t93 - T::from_f64(1651200.0) * t33);
-                let t97 = T::from_f64(2.0833333333333333e-7)
-                    * (t93 + T::from_f64(1651308.0));
+                    * (T::from_f64(921600.0) + cos_skew * t93);
+                let t95 = T::from_f64(4.1666666666666667e-7)
+                    * (t93 + T::from_f64(921600.0) * cos_skew);
+                let t96 = T::from_f64(997.0) * t15;
+                let t97 = T::from_f64(4.1666666666666667e-7)
+                    * (cos_skew * t96 + T::from_f64(1651308.0) * cos_skew);
+                let t98 = T::from_f64(2.0833333333333333e-7)
+                    * (T::from_f64(2444962.0) + t96 - t31 * (T::from_f64(1994.0) * t15)
+                        + T::from_f64(1994.0) * t31);
+                let t99 = T::from_f64(2.0833333333333333e-7)
+                    * (t31 * t96 - T::from_f64(1651200.0) * t31);
+                let t100 = T::from_f64(2.0833333333333333e-7)
+                    * (t96 + T::from_f64(1651308.0));
                 [
                     p_drive,
                     p_gamma,
                     sin_other,
                     cos_other,
+                    t13,
                     t15,
-                    t17,
                     t0,
                     sin_skew,
                     cos_skew,
-                    t20,
-                    t24,
-                    t25,
+                    t18,
+                    t22,
+                    t23,
                     t1,
-                    t27,
-                    t30,
-                    t33,
-                    t37,
+                    t25,
+                    t28,
+                    t31,
+                    t35,
                     t2,
-                    t38,
-                    t39,
-                    t45,
-                    t46,
-                    t3,
-                    t4,
-                    t41,
+                    t36,
+                    t37,
                     t43,
                     t44,
+                    t46,
+                    t47,
                     t48,
+                    t39,
+                    t41,
+                    t42,
                     t49,
-                    t52,
+                    t50,
                     t53,
                     t55,
-                    t56,
-                    t42,
-                    t50,
-                    t40,
-                    t54,
-                    t57,
-                    t47,
                     t58,
-                    t16,
+                    t59,
+                    t40,
+                    t51,
+                    t38,
+                    t57,
+                    t60,
+                    t45,
                     t61,
-                    t67,
-                    t71,
+                    t14,
                     t64,
-                    t26,
-                    t74,
-                    t75,
-                    t5,
-                    t79,
-                    t80,
-                    t6,
-                    t7,
-                    t69,
-                    t84,
-                    t18,
-                    t21,
-                    t62,
                     t70,
-                    t34,
-                    t8,
-                    t85,
-                    t9,
-                    t10,
-                    t88,
-                    t89,
-                    t91,
-                    t22,
-                    t92,
-                    t23,
-                    t94,
-                    t11,
-                    t86,
+                    t74,
+                    t67,
+                    t24,
+                    t77,
+                    t78,
+                    t3,
                     t82,
-                    t35,
-                    t96,
-                    t95,
-                    t36,
-                    t97,
+                    t83,
+                    t4,
+                    t5,
+                    t72,
+                    t87,
+                    t16,
                     t19,
                     t65,
-                    t59,
-                    t51,
-                    t66,
-                    t12,
-                    t13,
-                    t72,
-                    t14,
-                    t63,
-                    t60,
-                    t68,
-                    t76,
-                    t77,
-                    t31,
+                    t73,
                     t32,
-                    t28,
+                    t6,
+                    t88,
+                    t7,
+                    t8,
+                    t91,
+                    t92,
+                    t94,
+                    t20,
+                    t95,
+                    t21,
+                    t97,
+                    t9,
+                    t89,
+                    t85,
+                    t33,
+                    t99,
+                    t98,
+                    t34,
+                    t100,
+                    t17,
+                    t68,
+                    t62,
+                    t52,
+                    t69,
+                    t10,
+                    t11,
+                    t75,
+                    t12,
+                    t63,
+                    t56,
+                    t54,
+                    t66,
+                    t71,
+                    t79,
+                    t80,
                     t29,
+                    t30,
+                    t26,
+                    t27,
                 ]
             }
             let given = params.to_array();
@@ -510,7 +519,7 @@ k96 = 0.08*sin(other)*sin(skew)
                 );
             }
             let constants = constants(given);
-            let names: [&'static str; 97] = [
+            let names: [&'static str; 100] = [
                 "drive",
                 "gamma",
                 "sin(other)",
@@ -534,6 +543,7 @@ k96 = 0.08*sin(other)*sin(skew)
                 "0.4*cos(other)",
                 "0.4*cos(other)*cos(skew)",
                 "0.8*cos(skew)",
+                "-0.8*cos(skew)",
                 "0.4*cos(skew)",
                 "0.4*sin(other)*cos(other)",
                 "0.4*sin(other)*cos(other)*sin(skew)",
@@ -599,8 +609,10 @@ k96 = 0.08*sin(other)*sin(skew)
                 "0.1*sin(other)",
                 "sin(other)^2*sin(skew)^2",
                 "793627/2400000 + 9/800000 + sin(skew)^2*(4/9375 + 4/9375*cos(other)^2)",
-                "sin(skew) - sin(other)^2*sin(skew)",
                 "0.4*sin(skew) - 0.4*sin(other)^2*sin(skew)",
+                "0.4*cos(skew) - 0.4*sin(other)^2*cos(skew)",
+                "0.4*sin(other)^2 - 0.4",
+                "sin(skew) - sin(other)^2*sin(skew)",
                 "sin(other)*cos(other)*sin(skew)^2 - sin(other)*cos(other)",
                 "2*(9/800000 + 4/9375*sin(other)^2)",
                 "1587227/2400000 + 9/800000 + 4/9375*sin(other)^2",
@@ -709,6 +721,13 @@ k96 = 0.08*sin(other)*sin(skew)
                     ::pendulum_core::FunctionCost::new(
                         "as declared",
                         ::pendulum_core::Operations::new(127, 168, 2, 3, 0, 52),
+                    ),
+                ),
+                (
+                    "loop_gaps",
+                    ::pendulum_core::FunctionCost::new(
+                        "as declared",
+                        ::pendulum_core::Operations::new(93, 141, 0, 3, 3, 49),
                     ),
                 ),
                 (
@@ -900,7 +919,6 @@ k96 = 0.08*sin(other)*sin(skew)
             let k20 = self.constants[20];
             let k21 = self.constants[21];
             let k22 = self.constants[22];
-            let k23 = self.constants[23];
             let k24 = self.constants[24];
             let k25 = self.constants[25];
             let k26 = self.constants[26];
@@ -930,8 +948,8 @@ k96 = 0.08*sin(other)*sin(skew)
             let k50 = self.constants[50];
             let k51 = self.constants[51];
             let k52 = self.constants[52];
-            let k57 = self.constants[57];
-            let k80 = self.constants[80];
+            let k53 = self.constants[53];
+            let k58 = self.constants[58];
             let k81 = self.constants[81];
             let k82 = self.constants[82];
             let k83 = self.constants[83];
@@ -939,6 +957,7 @@ k96 = 0.08*sin(other)*sin(skew)
             let k85 = self.constants[85];
             let k86 = self.constants[86];
             let k87 = self.constants[87];
+            let k88 = self.constants[88];
             let (
                 sin_psi,
                 cos_psi,
@@ -985,12 +1004,12 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t5 = k3 * t4;
                 let t6 = T::from_f64(0.6613558333333334) + t2
                     + T::from_f64(0.16) * cos_psi;
-                let t7 = k47 + k3 * t5;
+                let t7 = k48 + k3 * t5;
                 let t8 = T::from_f64(0.1) * sin_psi;
                 let t9 = k3 * t8;
                 let t10 = T::from_f64(0.1) * cos_psi;
                 let t11 = k3 * t10;
-                let t12 = k52 + T::from_f64(0.8) * t11;
+                let t12 = k53 + T::from_f64(0.8) * t11;
                 let t13 = k2 * t10;
                 let t14 = t7 + t6;
                 let [(sin_phi, cos_phi), (sin_theta, cos_theta)] = q_phi
@@ -1000,59 +1019,59 @@ k96 = 0.08*sin(other)*sin(skew)
                     - T::from_f64(2.0) * sin_phi * (k3 * t3 + T::from_f64(0.8) * t9);
                 let t17 = cos_phi * t16;
                 let t18 = sin_phi * (k2 * (t3 + T::from_f64(0.8) * t8));
-                let t19 = k8 * t12 + (k23 * (cos_phi * t11 - sin_phi * t8) - k39 * t13);
-                let t20 = cos_phi * (k46 - k2 * t5);
-                let t21 = k41 * sin_theta;
-                let t22 = k42 * cos_theta;
-                let t23 = k42 + k44 * cos_theta;
-                let t24 = k43 * cos_theta;
+                let t19 = k8 * t12 + (k24 * (cos_phi * t11 - sin_phi * t8) - k40 * t13);
+                let t20 = cos_phi * (k47 - k2 * t5);
+                let t21 = k42 * sin_theta;
+                let t22 = k43 * cos_theta;
+                let t23 = k43 + k45 * cos_theta;
+                let t24 = k44 * cos_theta;
                 let t25 = k12 * sin_theta;
                 let t26 = k2 * cos_theta;
                 let t27 = sin_phi * t25 - cos_phi * t26;
-                let t28 = cos_phi * t21 + sin_phi * (cos_psi * (k80 + t22) + t23)
-                    + sin_psi * (cos_phi * (t24 - k45) + t27);
+                let t28 = cos_phi * t21 + sin_phi * (cos_psi * (k81 + t22) + t23)
+                    + sin_psi * (cos_phi * (t24 - k46) + t27);
                 let t29 = k4 * cos_theta;
-                let t30 = k40 * sin_theta;
+                let t30 = k41 * sin_theta;
                 let t31 = sin_phi * t29 + cos_phi * t30;
                 let t32 = t28 - cos_psi * t31;
                 let t33 = sin_psi * (t21 - t31) - cos_psi * t27;
-                let t34 = k40 * cos_theta;
+                let t34 = k41 * cos_theta;
                 let t35 = k4 * sin_theta;
                 let t36 = sin_phi * t34 + cos_phi * t35;
                 let t37 = k12 * cos_theta;
                 let t38 = k2 * sin_theta;
                 let t39 = cos_phi * t37 - sin_phi * t38;
-                let t40 = sin_psi * (k57 * sin_phi - t36)
+                let t40 = sin_psi * (k58 * sin_phi - t36)
                     + cos_psi * (k10 * cos_phi + t39);
-                let t41 = k33 * cos_theta;
-                let t42 = k27 * sin_theta;
+                let t41 = k34 * cos_theta;
+                let t42 = k28 * sin_theta;
                 let t43 = k18 * sin_theta;
-                let t44 = k37 + k34 * cos_theta;
-                let t45 = k35 * cos_theta;
-                let t46 = k24 * sin_theta;
-                let t47 = sin_phi * (sin_psi * (k81 - t41) - t42 - cos_psi * t43)
-                    + cos_phi * (t44 + cos_psi * (k38 + t45) - sin_psi * t46);
+                let t44 = k38 + k35 * cos_theta;
+                let t45 = k36 * cos_theta;
+                let t46 = k25 * sin_theta;
+                let t47 = sin_phi * (sin_psi * (k82 - t41) - t42 - cos_psi * t43)
+                    + cos_phi * (t44 + cos_psi * (k39 + t45) - sin_psi * t46);
                 let t48 = k21 * sin_theta;
                 let t49 = k20 * cos_theta;
                 let t50 = sin_phi * t48 - cos_phi * t49;
                 let t51 = k22 * sin_theta;
                 let t52 = T::from_f64(0.8) * cos_theta;
-                let t53 = k23 * sin_theta;
+                let t53 = k24 * sin_theta;
                 let t54 = T::from_f64(0.4) * cos_theta;
                 let t55 = cos_phi * t53 + sin_phi * t54;
                 let t56 = sin_psi * t50 - cos_phi * t51 - sin_phi * t52 - cos_psi * t55;
-                let t57 = k29 * sin_theta;
-                let t58 = k30 * cos_theta;
-                let t59 = k23 * cos_theta;
+                let t57 = k30 * sin_theta;
+                let t58 = k31 * cos_theta;
+                let t59 = k24 * cos_theta;
                 let t60 = T::from_f64(0.4) * sin_theta;
                 let t61 = sin_phi * t59 + cos_phi * t60;
                 let t62 = k21 * cos_theta;
                 let t63 = k20 * sin_theta;
                 let t64 = cos_phi * t62 - sin_phi * t63;
-                let t65 = sin_psi * (cos_phi * t57 + sin_phi * (k25 + t58) - t61)
+                let t65 = sin_psi * (cos_phi * t57 + sin_phi * (k26 + t58) - t61)
                     + cos_psi * t64;
-                let t66 = k31 * sin_theta;
-                let t67 = k28 - k32 * cos_theta;
+                let t66 = k32 * sin_theta;
+                let t67 = k29 - k33 * cos_theta;
                 let t68 = t65 - sin_phi * t66 - cos_phi * (k19 * cos_psi + t67);
                 let t69 = t32 * t32 + t40 * t40 + t47 * t47 + t56 * t56 + t68 * t68;
                 let t70 = T::from_f64(1.0) / t69;
@@ -1061,44 +1080,44 @@ k96 = 0.08*sin(other)*sin(skew)
                     + sin_psi * (t64 - k19 * cos_theta);
                 let t73 = t72 + cos_psi * t61;
                 let t74 = sin_phi * sin_theta;
-                let t75 = k32 * t74
-                    + sin_psi * (sin_theta * (k26 - k30 * cos_phi) + t55 - k29 * t71);
-                let t76 = t75 + cos_psi * t50 - t49 - k31 * (cos_theta * cos_phi);
+                let t75 = k33 * t74
+                    + sin_psi * (sin_theta * (k27 - k31 * cos_phi) + t55 - k30 * t71);
+                let t76 = t75 + cos_psi * t50 - t49 - k32 * (cos_theta * cos_phi);
                 let t77 = k18 * cos_theta;
                 let t78 = sin_theta
-                    * (sin_phi * (k82 - k35 * cos_psi)
-                        + sin_psi * (k36 - k33 * cos_phi));
+                    * (sin_phi * (k83 - k36 * cos_psi)
+                        + sin_psi * (k37 - k34 * cos_phi));
                 let t79 = t77 + t77 * (cos_phi * cos_psi) + t78
-                    + cos_theta * (k27 * cos_phi - k24 * (sin_phi * sin_psi));
-                let t80 = k42 * sin_theta;
-                let t81 = k44 * sin_theta;
-                let t82 = k41 * cos_theta;
+                    + cos_theta * (k28 * cos_phi - k25 * (sin_phi * sin_psi));
+                let t80 = k43 * sin_theta;
+                let t81 = k45 * sin_theta;
+                let t82 = k42 * cos_theta;
                 let t83 = t80 + cos_phi * t81 + sin_phi * t82
                     + cos_psi * (t81 + cos_phi * t80 - t36);
-                let t84 = t83 - sin_psi * (k43 * t74 + t39);
+                let t84 = t83 - sin_psi * (k44 * t74 + t39);
                 let t85 = t56 * t73 + t68 * t76 - t47 * t79 - t40 * t33 - t32 * t84;
                 let t86 = t70 * t85;
                 let t87 = t23 - (k4 - cos_phi * t22)
-                    + (sin_phi * t30 - cos_phi * t29 + (k44 * cos_phi - k16 * cos_phi));
-                let t88 = sin_phi * t24 - cos_phi * t25 - sin_phi * t26 - k45 * sin_phi;
+                    + (sin_phi * t30 - cos_phi * t29 + (k45 * cos_phi - k16 * cos_phi));
+                let t88 = sin_phi * t24 - cos_phi * t25 - sin_phi * t26 - k46 * sin_phi;
                 let t89 = sin_psi * t87 + cos_psi * t88;
                 let t90 = k7 * cos_phi;
-                let t91 = t19 - t90 * (k51 + T::from_f64(0.8) * t13);
-                let t92 = k40 + cos_phi * t34 + t90 - t82 - sin_phi * t35
-                    - k41 * cos_phi;
+                let t91 = t19 - t90 * (k52 + T::from_f64(0.8) * t13);
+                let t92 = k41 + cos_phi * t34 + t90 - t82 - sin_phi * t35
+                    - k42 * cos_phi;
                 let t93 = k10 * sin_phi + (sin_phi * t37 + cos_phi * t38);
                 let t94 = cos_psi * t92 - sin_psi * t93;
-                let t95 = k33 + cos_phi * t41 + k39 * cos_phi - sin_phi * t46
-                    - k36 * cos_theta;
-                let t96 = t95 - k36 * cos_phi;
-                let t97 = k38 * sin_phi + (sin_phi * t45 + cos_phi * t43);
+                let t95 = k34 + cos_phi * t41 + k40 * cos_phi - sin_phi * t46
+                    - k37 * cos_theta;
+                let t96 = t95 - k37 * cos_phi;
+                let t97 = k39 * sin_phi + (sin_phi * t45 + cos_phi * t43);
                 let t98 = cos_psi * t96 - sin_psi * t97;
                 let t99 = k19 * sin_theta - cos_phi * t48 - sin_phi * t49;
                 let t100 = sin_phi * t53 - cos_phi * t54;
                 let t101 = cos_psi * t99 + sin_psi * t100;
-                let t102 = sin_phi * t57 + cos_phi * t59 - k25 * cos_theta
-                    - k25 * cos_phi - cos_phi * t58;
-                let t103 = t102 - sin_phi * t60 - k30;
+                let t102 = sin_phi * t57 + cos_phi * t59 - k26 * cos_theta
+                    - k26 * cos_phi - cos_phi * t58;
+                let t103 = t102 - sin_phi * t60 - k31;
                 let t104 = cos_phi * t63 - (k19 * sin_phi - sin_phi * t62);
                 let t105 = cos_psi * t103 - sin_psi * t104;
                 let t106 = t32 * t89 + t40 * t94 + t47 * t98 + t56 * t101 + t68 * t105;
@@ -1118,7 +1137,7 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t118 = t86 - t107 * t117;
                 let t119 = qd_theta * t118;
                 let t120 = qd_theta * t117;
-                let t121 = k48 * cos_theta;
+                let t121 = k49 * cos_theta;
                 let t122 = cos_phi * t0;
                 let t123 = sin_phi * t0;
                 let t124 = t119 * t122;
@@ -1136,34 +1155,34 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t136 = cos_phi * t135;
                 let t137 = k4 * t128;
                 let t138 = t126 * t137;
-                let t139 = k40 * t134;
+                let t139 = k41 * t134;
                 let t140 = t131 * t139;
                 let t141 = t29 * t132 + k4 * t136 - t138 - t138
-                    + (t140 + t140 - t30 * t127 - k40 * t130);
-                let t142 = k42 * t135;
-                let t143 = k42 * t128;
+                    + (t140 + t140 - t30 * t127 - k41 * t130);
+                let t142 = k43 * t135;
+                let t143 = k43 * t128;
                 let t144 = t126 * t143;
-                let t145 = t141 + k83 * t132
+                let t145 = t141 + k84 * t132
                     - (t22 * t132 + cos_phi * t142 - t144 - t144);
-                let t146 = k44 * t135;
-                let t147 = k43 * t128;
+                let t146 = k45 * t135;
+                let t147 = k44 * t128;
                 let t148 = t131 * t147;
                 let t149 = sin_phi * t135;
                 let t150 = cos_phi * t129;
                 let t151 = k12 * t134;
                 let t152 = t126 * t151;
-                let t153 = t148 + t148 + t24 * t127 + k43 * t149
+                let t153 = t148 + t148 + t24 * t127 + k44 * t149
                     - (k12 * t150 + t152 + t152 + t25 * t132);
                 let t154 = k2 * t128;
                 let t155 = t131 * t154;
-                let t156 = t153 - (t155 + t155 + t26 * t127 + k2 * t149) - k45 * t127;
-                let t157 = t21 * t127 + k41 * t130 + cos_psi * (t145 - t146)
+                let t156 = t153 - (t155 + t155 + t26 * t127 + k2 * t149) - k46 * t127;
+                let t157 = t21 * t127 + k42 * t130 + cos_psi * (t145 - t146)
                     + sin_psi * t156;
                 let t158 = sin_psi * t120;
                 let t159 = t158 * (cos_phi * t137 + t29 * t126)
                     + t158 * (sin_phi * t139 + t30 * t131);
                 let t160 = t120 * t158;
-                let t161 = k44 * t128;
+                let t161 = k45 * t128;
                 let t162 = t158 * t126;
                 let t163 = t131 * t134;
                 let t164 = cos_psi * t120;
@@ -1171,19 +1190,19 @@ k96 = 0.08*sin(other)*sin(skew)
                     + t164 * (cos_phi * t151 - t25 * t126);
                 let t166 = k16 * t162 + t164 * (t24 * t131 - sin_phi * t147) + t159
                     - (t165 + (t164 * (t26 * t131 - sin_phi * t154) + t126 * t161));
-                let t167 = t158 * t161 + k44 * t162 - (k41 * t163 - k45 * t164 * t131);
+                let t167 = t158 * t161 + k45 * t162 - (k42 * t163 - k46 * t164 * t131);
                 let t168 = t167 - t166;
                 let t169 = t120 * t164;
                 let t170 = t157 + t160 * t88 + t168 + t168 - t142 - cos_phi * t146
                     - t169 * t87;
                 let t171 = t170 - t132 * t23;
-                let t172 = k40 * t128;
+                let t172 = k41 * t128;
                 let t173 = t126 * t172;
                 let t174 = k4 * t134;
                 let t175 = t164 * (cos_phi * t172 + t34 * t126)
                     + t164 * (sin_phi * t174 + t35 * t131);
                 let t176 = t131 * t174;
-                let t177 = t34 * t132 + k40 * t136 - t173 - t173
+                let t177 = t34 * t132 + k41 * t136 - t173 - t173
                     + (t176 + t176 - t35 * t127 - k4 * t130);
                 let t178 = t132 + t135;
                 let t179 = T::from_f64(0.4) * t135;
@@ -1195,37 +1214,37 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t184 = t126 * t182;
                 let t185 = t181 + t181 + t37 * t127 + k12 * t149
                     + (k2 * t150 + t184 + t184 + t38 * t132);
-                let t186 = t160 * t92 + sin_psi * (t177 + k7 * t132 - k41 * t178)
+                let t186 = t160 * t92 + sin_psi * (t177 + k7 * t132 - k42 * t178)
                     + cos_psi * (t185 + k10 * t127);
                 let t187 = t164 * t126;
                 let t188 = t164 * t128;
                 let t189 = t158 * t131;
-                let t190 = k7 * t187 - k41 * t188 + t175
-                    + (t183 - (k41 * t187 - k10 * t189));
+                let t190 = k7 * t187 - k42 * t188 + t175
+                    + (t183 - (k42 * t187 - k10 * t189));
                 let t191 = t186 + t169 * t93 + t190 + t190;
                 let t192 = k18 * t129;
-                let t193 = t192 + k34 * t149 + k27 * t150 + t42 * t132 + t160 * t96;
-                let t194 = k33 * t128;
+                let t193 = t192 + k35 * t149 + k28 * t150 + t42 * t132 + t160 * t96;
+                let t194 = k34 * t128;
                 let t195 = t126 * t194;
-                let t196 = k24 * t134;
+                let t196 = k25 * t134;
                 let t197 = t164 * (cos_phi * t194 + t41 * t126)
                     + t164 * (sin_phi * t196 + t46 * t131);
                 let t198 = t131 * t196;
-                let t199 = t41 * t132 + k33 * t136 - t195 - t195
-                    + (t198 + t198 - t46 * t127 - k24 * t130);
-                let t200 = k36 * t187 - k38 * t189 - (k39 * t187 - k36 * t188 + t197);
-                let t201 = k35 * t128;
+                let t199 = t41 * t132 + k34 * t136 - t195 - t195
+                    + (t198 + t198 - t46 * t127 - k25 * t130);
+                let t200 = k37 * t187 - k39 * t189 - (k40 * t187 - k37 * t188 + t197);
+                let t201 = k36 * t128;
                 let t202 = t131 * t201;
                 let t203 = k18 * t134;
                 let t204 = t126 * t203;
-                let t205 = t202 + t202 + t45 * t127 + k35 * t149
+                let t205 = t202 + t202 + t45 * t127 + k36 * t149
                     + (cos_phi * t192 + t204 + t204 + t43 * t132);
-                let t206 = t193 + sin_psi * (t199 + k39 * t132 - k36 * t178)
-                    + cos_psi * (t205 + k38 * t127);
+                let t206 = t193 + sin_psi * (t199 + k40 * t132 - k37 * t178)
+                    + cos_psi * (t205 + k39 * t127);
                 let t207 = t131 * t128;
                 let t208 = t126 * t134;
-                let t209 = k34 * t207 + t158 * (t45 * t131 - sin_phi * t201)
-                    + (k27 * t208 + t158 * (cos_phi * t203 - t43 * t126));
+                let t209 = k35 * t207 + t158 * (t45 * t131 - sin_phi * t201)
+                    + (k28 * t208 + t158 * (cos_phi * t203 - t43 * t126));
                 let t210 = t209 - t200;
                 let t211 = t206 + t169 * t97 + t127 * t44 + t210 + t210;
                 let t212 = k21 * t134;
@@ -1239,45 +1258,45 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t218 = t179 + t52 * t132 + T::from_f64(0.8) * t136 + sin_psi * t217
                     + t160 * t99;
                 let t219 = k20 * t129;
-                let t220 = k32 * t149 + t219 + k31 * t150 + t66 * t132 + t160 * t103;
+                let t220 = k33 * t149 + t219 + k32 * t150 + t66 * t132 + t160 * t103;
                 let t221 = T::from_f64(0.4) * t128;
                 let t222 = t126 * t221;
                 let t223 = T::from_f64(0.8) * t126 * t128
                     + (t158 * (cos_phi * t221 + t54 * t126) + k19 * t164 * t134);
-                let t224 = k23 * t134;
+                let t224 = k24 * t134;
                 let t225 = t223
                     - (t215 + (k22 * t163 - t158 * (sin_phi * t224 + t53 * t131)));
                 let t226 = t131 * t224;
                 let t227 = t54 * t132 + cos_phi * t179 - t222 - t222
-                    + (t226 + t226 - t53 * t127 - k23 * t130);
+                    + (t226 + t226 - t53 * t127 - k24 * t130);
                 let t228 = t218 + cos_psi * t227 - t51 * t127 - k22 * t130 - t169 * t100;
                 let t229 = t228 - t225 - t225;
                 let t230 = T::from_f64(0.4) * t134;
                 let t231 = t131 * t230;
-                let t232 = k23 * t128;
+                let t232 = k24 * t128;
                 let t233 = t126 * t232;
                 let t234 = t231 + t231 - t60 * t127 - T::from_f64(0.4) * t130
-                    + (t59 * t132 + k23 * t136 - t233 - t233);
-                let t235 = k29 * t134;
+                    + (t59 * t132 + k24 * t136 - t233 - t233);
+                let t235 = k30 * t134;
                 let t236 = t164 * (sin_phi * t230 + t60 * t131)
                     - t164 * (sin_phi * t235 + t57 * t131);
                 let t237 = t131 * t235;
                 let t238 = k20 * t134;
-                let t239 = k30 * t128;
-                let t240 = k25 * t188 + k25 * t187
+                let t239 = k31 * t128;
+                let t240 = k26 * t188 + k26 * t187
                     + (k19 * t189 + t164 * (cos_phi * t239 + t58 * t126));
                 let t241 = t126 * t239;
-                let t242 = t234 - (t237 + t237 - t57 * t127 - k29 * t130)
-                    - (t58 * t132 + k30 * t136 - t241 - t241);
+                let t242 = t234 - (t237 + t237 - t57 * t127 - k30 * t130)
+                    - (t58 * t132 + k31 * t136 - t241 - t241);
                 let t243 = k21 * t128;
-                let t244 = k32 * t207 + t158 * (t62 * t131 - sin_phi * t243)
-                    + (k31 * t208 + t158 * (cos_phi * t238 - t63 * t126));
+                let t244 = k33 * t207 + t158 * (t62 * t131 - sin_phi * t243)
+                    + (k32 * t208 + t158 * (cos_phi * t238 - t63 * t126));
                 let t245 = t244 + (t164 * (cos_phi * t232 + t59 * t126) + t236 - t240);
                 let t246 = t131 * t243;
                 let t247 = t126 * t238;
                 let t248 = t246 + t246 + t62 * t127 + k21 * t149
                     + (cos_phi * t219 + t247 + t247 + t63 * t132);
-                let t249 = t220 + sin_psi * (t242 - k25 * t178)
+                let t249 = t220 + sin_psi * (t242 - k26 * t178)
                     + cos_psi * (t248 - k19 * t127);
                 let t250 = t249 + t169 * t104 + t245 + t245 - t127 * t67;
                 let t251 = t32 * t171 + t40 * t191 + t47 * t211 + t56 * t229
@@ -1340,28 +1359,28 @@ k96 = 0.08*sin(other)*sin(skew)
                     * (cos_psi * t124 + sin_psi * t258 + t260 * t263);
                 let t266 = sin_psi * t124 + t261 * t263 - cos_psi * t258;
                 let t267 = t260 * t261;
-                let t268 = k50 - k7 * t121;
+                let t268 = k51 - k7 * t121;
                 let t269 = t125 * t123;
                 let t270 = t133 + t269;
                 let t271 = t268 + T::from_f64(0.8) * t270;
-                let t272 = k49 + k8 * t121;
-                let t273 = k48 * sin_theta - T::from_f64(0.4) * qd_theta * qd_theta;
+                let t272 = k50 + k8 * t121;
+                let t273 = k49 * sin_theta - T::from_f64(0.4) * qd_theta * qd_theta;
                 let t274 = cos_phi * t272 - sin_phi * t273;
                 let t275 = t122 * t123;
                 let t276 = t123 * t123;
                 let t277 = t256 + t275;
                 let t278 = t275 - t256;
                 let t279 = t274 + T::from_f64(0.8) * t277;
-                let t280 = k84 * t271 - k85 * t279
+                let t280 = k85 * t271 - k86 * t279
                     + T::from_f64(0.026677916666666666) * t266;
                 let t281 = T::from_f64(0.1) * t266;
                 let t282 = t125 * t125;
                 let t283 = t122 * t122;
-                let t284 = k47 * (t124 + t122 * t125) + cos_psi * t265 + sin_psi * t280
-                    - k46 * (t276 + t282 - t276 - t283);
+                let t284 = k48 * (t124 + t122 * t125) + cos_psi * t265 + sin_psi * t280
+                    - k47 * (t276 + t282 - t276 - t283);
                 let t285 = sin_psi * t265 - cos_psi * t280;
                 let t286 = T::from_f64(0.96) * t274
-                    + T::from_f64(0.6613445833333333) * t277 + k46 * (t269 - t133)
+                    + T::from_f64(0.6613445833333333) * t277 + k47 * (t269 - t133)
                     + k2 * t285;
                 let t287 = t282 + t283;
                 let t288 = cos_psi * (k3 * t279 + k2 * t271)
@@ -1375,7 +1394,7 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t292 = cos_psi * t291 - sin_psi * t264;
                 let t293 = k2 * t292 + k3 * t281;
                 let t294 = k3 * t285 - k2 * t290 - T::from_f64(0.8) * t293
-                    - T::from_f64(0.96) * t268 - k46 * t278;
+                    - T::from_f64(0.96) * t268 - k47 * t278;
                 let t295 = T::from_f64(0.86) * t121
                     + k7
                         * (sin_phi * t284
@@ -1384,12 +1403,12 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t297 = cos_phi * (t296 + T::from_f64(0.96) * t277)
                     - sin_phi
                         * (T::from_f64(0.96) * t287 + cos_psi * t264 + sin_psi * t291);
-                let t298 = t295 + (k23 * t297 - k39 * (t293 + T::from_f64(0.96) * t270))
+                let t298 = t295 + (k24 * t297 - k40 * (t293 + T::from_f64(0.96) * t270))
                     + t117 * t290;
-                let t299 = (t286 + k3 * t290 + T::from_f64(0.8) * t296 - k47 * t278)
+                let t299 = (t286 + k3 * t290 + T::from_f64(0.8) * t296 - k48 * t278)
                     * (k8 + t118);
                 let t300 = k16 * (t18 - t20);
-                let t301 = k87 + t7 + t17 + T::from_f64(0.8) * t15
+                let t301 = k88 + t7 + t17 + T::from_f64(0.8) * t15
                     + (k17 * (t6 - t17) - t300);
                 let t302 = k7 * (t20 - t18) + k8 * (t14 + T::from_f64(0.4) * t15);
                 let t303 = t301
@@ -1405,7 +1424,7 @@ k96 = 0.08*sin(other)*sin(skew)
                 t119,
                 t120,
                 (t298 + k1 * qd_theta + t299 - k0)
-                    * (T::from_f64(-1.0) / (t303 - (t300 - k86 * t4))),
+                    * (T::from_f64(-1.0) / (t303 - (t300 - k87 * t4))),
             ])
         }
         #[inline]
@@ -1440,6 +1459,16 @@ k96 = 0.08*sin(other)*sin(skew)
         ) {
             let (margins, rates) = self.loop_margins(t, x);
             tell(["third", "frame"], [margins[0], rates[0]]);
+        }
+        #[inline]
+        fn gaps(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 4>,
+            tell: &mut dyn FnMut([&'static str; 2], [T; 3]),
+        ) {
+            let (distances, angles, sizes) = self.loop_gaps(t, x);
+            tell(["third", "frame"], [distances[0], angles[0], sizes[0]]);
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
@@ -1479,10 +1508,9 @@ k96 = 0.08*sin(other)*sin(skew)
             let k20 = self.constants[20];
             let k21 = self.constants[21];
             let k22 = self.constants[22];
-            let k23 = self.constants[23];
             let k24 = self.constants[24];
             let k25 = self.constants[25];
-            let k27 = self.constants[27];
+            let k26 = self.constants[26];
             let k28 = self.constants[28];
             let k29 = self.constants[29];
             let k30 = self.constants[30];
@@ -1508,16 +1536,17 @@ k96 = 0.08*sin(other)*sin(skew)
             let k50 = self.constants[50];
             let k51 = self.constants[51];
             let k52 = self.constants[52];
-            let k83 = self.constants[83];
+            let k53 = self.constants[53];
             let k84 = self.constants[84];
             let k85 = self.constants[85];
             let k86 = self.constants[86];
             let k87 = self.constants[87];
             let k88 = self.constants[88];
             let k89 = self.constants[89];
-            let k90 = self.constants[90];
-            let k91 = self.constants[91];
             let k92 = self.constants[92];
+            let k93 = self.constants[93];
+            let k94 = self.constants[94];
+            let k95 = self.constants[95];
             let (
                 t1,
                 sin_psi,
@@ -1702,12 +1731,12 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t6 = T::from_f64(0.6613558333333334) + t3
                     + T::from_f64(0.16) * cos_psi;
                 let t7 = k3 * t5;
-                let t8 = k47 + k3 * t7;
+                let t8 = k48 + k3 * t7;
                 let t9 = T::from_f64(0.1) * sin_psi;
                 let t10 = k3 * t9;
                 let t11 = T::from_f64(0.1) * cos_psi;
                 let t12 = k3 * t11;
-                let t13 = k52 + T::from_f64(0.8) * t12;
+                let t13 = k53 + T::from_f64(0.8) * t12;
                 let t14 = k2 * t11;
                 let t15 = t8 + t6;
                 let [(sin_phi, cos_phi), (sin_theta, cos_theta)] = q_phi
@@ -1717,18 +1746,18 @@ k96 = 0.08*sin(other)*sin(skew)
                     - T::from_f64(2.0) * sin_phi * (k3 * t4 + T::from_f64(0.8) * t10);
                 let t18 = cos_phi * t17;
                 let t19 = sin_phi * (k2 * (t4 + T::from_f64(0.8) * t9));
-                let t20 = k8 * t13 + (k23 * (cos_phi * t12 - sin_phi * t9) - k39 * t14);
-                let t21 = cos_phi * (k46 - k2 * t7);
-                let t22 = k41 * sin_theta;
-                let t23 = k44 * cos_theta;
-                let t24 = k42 + t23;
-                let t25 = k43 * cos_theta;
-                let t26 = cos_phi * t25 - k45 * cos_phi;
-                let t27 = k42 * cos_theta;
-                let t28 = k16 * sin_phi - (sin_phi * t27 + k44 * sin_phi);
+                let t20 = k8 * t13 + (k24 * (cos_phi * t12 - sin_phi * t9) - k40 * t14);
+                let t21 = cos_phi * (k47 - k2 * t7);
+                let t22 = k42 * sin_theta;
+                let t23 = k45 * cos_theta;
+                let t24 = k43 + t23;
+                let t25 = k44 * cos_theta;
+                let t26 = cos_phi * t25 - k46 * cos_phi;
+                let t27 = k43 * cos_theta;
+                let t28 = k16 * sin_phi - (sin_phi * t27 + k45 * sin_phi);
                 let t29 = k4 * cos_theta;
                 let t30 = sin_phi * t29;
-                let t31 = k40 * sin_theta;
+                let t31 = k41 * sin_theta;
                 let t32 = cos_phi * t31;
                 let t33 = k12 * sin_theta;
                 let t34 = sin_phi * t33;
@@ -1739,11 +1768,11 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t38 = cos_phi * t22 + sin_phi * t24 + sin_psi * t26 - cos_psi * t28
                     - t37;
                 let t39 = cos_psi * t22 - t37;
-                let t40 = k41 * sin_phi;
+                let t40 = k42 * sin_phi;
                 let t41 = k10 * cos_phi;
                 let t42 = k12 * cos_theta;
                 let t43 = cos_phi * t42;
-                let t44 = k40 * cos_theta;
+                let t44 = k41 * cos_theta;
                 let t45 = sin_phi * t44;
                 let t46 = k4 * sin_theta;
                 let t47 = cos_phi * t46;
@@ -1754,22 +1783,22 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t51 = k7 * sin_phi;
                 let t52 = sin_psi * t51;
                 let t53 = sin_psi * t40 + cos_psi * t41 + t50 - t52;
-                let t54 = k33 * cos_theta;
-                let t55 = k24 * sin_theta;
-                let t56 = k36 * sin_phi - sin_phi * t54 - cos_phi * t55 - k39 * sin_phi;
-                let t57 = k35 * cos_theta;
+                let t54 = k34 * cos_theta;
+                let t55 = k25 * sin_theta;
+                let t56 = k37 * sin_phi - sin_phi * t54 - cos_phi * t55 - k40 * sin_phi;
+                let t57 = k36 * cos_theta;
                 let t58 = k18 * sin_theta;
-                let t59 = k38 * cos_phi + (cos_phi * t57 - sin_phi * t58);
-                let t60 = k34 * cos_theta;
-                let t61 = k37 + t60;
-                let t62 = k27 * sin_theta;
+                let t59 = k39 * cos_phi + (cos_phi * t57 - sin_phi * t58);
+                let t60 = k35 * cos_theta;
+                let t61 = k38 + t60;
+                let t62 = k28 * sin_theta;
                 let t63 = sin_psi * t56 + cos_psi * t59 + cos_phi * t61 - sin_phi * t62;
                 let t64 = k22 * sin_theta;
                 let t65 = T::from_f64(0.8) * cos_theta;
                 let t66 = T::from_f64(0.4) * cos_theta;
                 let t67 = sin_phi * t66;
                 let t68 = cos_psi * t67;
-                let t69 = k23 * sin_theta;
+                let t69 = k24 * sin_theta;
                 let t70 = cos_phi * t69;
                 let t71 = k21 * sin_theta;
                 let t72 = sin_phi * t71;
@@ -1777,37 +1806,37 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t74 = cos_phi * t73;
                 let t75 = cos_psi * t70 - (sin_psi * t72 - sin_psi * t74);
                 let t76 = cos_phi * t64 + sin_phi * t65 + t68 + t75;
-                let t77 = k30 * cos_theta;
-                let t78 = k29 * sin_theta;
-                let t79 = sin_phi * t77 + (cos_phi * t78 + k25 * sin_phi);
-                let t80 = k32 * cos_theta;
-                let t81 = t80 - k28;
+                let t77 = k31 * cos_theta;
+                let t78 = k30 * sin_theta;
+                let t79 = sin_phi * t77 + (cos_phi * t78 + k26 * sin_phi);
+                let t80 = k33 * cos_theta;
+                let t81 = t80 - k29;
                 let t82 = k21 * cos_theta;
                 let t83 = cos_phi * t82;
                 let t84 = k20 * sin_theta;
                 let t85 = sin_phi * t84;
-                let t86 = k23 * cos_theta;
+                let t86 = k24 * cos_theta;
                 let t87 = sin_phi * t86;
                 let t88 = T::from_f64(0.4) * sin_theta;
                 let t89 = cos_phi * t88;
                 let t90 = cos_psi * t83 - cos_psi * t85
                     - (sin_psi * t87 + sin_psi * t89);
                 let t91 = k19 * cos_phi;
-                let t92 = k31 * sin_theta;
+                let t92 = k32 * sin_theta;
                 let t93 = sin_phi * t80 + cos_phi * t92;
                 let t94 = sin_psi * t79 + cos_phi * t81 + t90 - cos_psi * t91
                     - sin_phi * t92;
                 let t95 = t38 * t38 + t53 * t53 + t63 * t63 + t76 * t76 + t94 * t94;
                 let t96 = T::from_f64(1.0) / t95;
-                let t97 = k32 * sin_theta;
+                let t97 = k33 * sin_theta;
                 let t98 = sin_psi * t67 + cos_psi * t72
                     - (cos_psi * t74 - sin_psi * t70);
-                let t99 = k31 * cos_theta;
-                let t100 = k30 * sin_theta;
+                let t99 = k32 * cos_theta;
+                let t100 = k31 * sin_theta;
                 let t101 = cos_phi * t100;
-                let t102 = k29 * cos_theta;
+                let t102 = k30 * cos_theta;
                 let t103 = sin_phi * t102;
-                let t104 = k25 * sin_theta;
+                let t104 = k26 * sin_theta;
                 let t105 = t101 + (t103 + t104);
                 let t106 = t68 - (cos_psi * t105 - t75);
                 let t107 = sin_phi * t97 + t98 - t73 - cos_phi * t99 - sin_psi * t105;
@@ -1820,15 +1849,15 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t113 = t88 + sin_phi * t108 + cos_phi * t109 + t110 - sin_psi * t111;
                 let t114 = sin_psi * t91 + cos_psi * t79 - t110;
                 let t115 = k18 * cos_theta;
-                let t116 = k27 * cos_theta;
-                let t117 = k36 * sin_theta;
-                let t118 = k33 * sin_theta;
+                let t116 = k28 * cos_theta;
+                let t117 = k37 * sin_theta;
+                let t118 = k34 * sin_theta;
                 let t119 = cos_phi * t118;
-                let t120 = k24 * cos_theta;
+                let t120 = k25 * cos_theta;
                 let t121 = sin_phi * t120;
                 let t122 = t117 - t119 - t121;
-                let t123 = k34 * sin_theta;
-                let t124 = k35 * sin_theta;
+                let t123 = k35 * sin_theta;
+                let t124 = k36 * sin_theta;
                 let t125 = sin_phi * t124;
                 let t126 = cos_phi * t115;
                 let t127 = t125 - t126;
@@ -1838,14 +1867,14 @@ k96 = 0.08*sin(other)*sin(skew)
                     - (sin_psi * t30 + cos_psi * t34);
                 let t130 = sin_psi * t22 + t129;
                 let t131 = sin_psi * t28 + cos_psi * t26 - t129;
-                let t132 = k42 * sin_theta;
-                let t133 = k44 * sin_theta;
-                let t134 = k41 * cos_theta;
+                let t132 = k43 * sin_theta;
+                let t133 = k45 * sin_theta;
+                let t134 = k42 * cos_theta;
                 let t135 = cos_phi * t132;
                 let t136 = t135 + t133;
                 let t137 = sin_psi * t49 - cos_psi * t47
                     - (cos_psi * t45 + sin_psi * t43);
-                let t138 = k43 * sin_theta;
+                let t138 = k44 * sin_theta;
                 let t139 = sin_phi * t138;
                 let t140 = sin_psi * t135 + cos_psi * t139 + (sin_psi * t133 + t50);
                 let t141 = t132 + cos_phi * t133 + sin_phi * t134 + cos_psi * t136 + t137
@@ -1853,12 +1882,12 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t142 = t94 * t107 - t76 * t113 - t63 * t128 - t53 * t130
                     - t38 * t141;
                 let t143 = t96 * t142;
-                let t144 = k44 * cos_phi;
+                let t144 = k45 * cos_phi;
                 let t145 = k16 * cos_phi;
                 let t146 = cos_phi * t27;
                 let t147 = t144 - t145 + (t24 - (k4 - t146));
                 let t148 = sin_phi * t25;
-                let t149 = k45 * sin_phi;
+                let t149 = k46 * sin_phi;
                 let t150 = cos_psi * t145 - (sin_psi * t149 + cos_psi * t144);
                 let t151 = t148 - t149;
                 let t152 = sin_phi * t31;
@@ -1873,10 +1902,10 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t158 = t153 - t152 - t147;
                 let t159 = t151 - t154 - t155;
                 let t160 = sin_psi * t147 + cos_psi * t151 + t157;
-                let t161 = k41 * cos_phi;
+                let t161 = k42 * cos_phi;
                 let t162 = k7 * cos_phi;
-                let t163 = t20 - t162 * (k51 + T::from_f64(0.8) * t14);
-                let t164 = k40 - t134 - (t161 - t162);
+                let t163 = t20 - t162 * (k52 + T::from_f64(0.8) * t14);
+                let t164 = k41 - t134 - (t161 - t162);
                 let t165 = cos_phi * t44;
                 let t166 = sin_phi * t46;
                 let t167 = cos_psi * t165 - cos_psi * t166;
@@ -1894,13 +1923,13 @@ k96 = 0.08*sin(other)*sin(skew)
                     + sin_phi * t133;
                 let t178 = t177 - (cos_phi * t134 + t172);
                 let t179 = cos_phi * t54;
-                let t180 = k39 * cos_phi;
+                let t180 = k40 * cos_phi;
                 let t181 = sin_phi * t55;
-                let t182 = k36 * cos_theta;
-                let t183 = k36 * cos_phi;
-                let t184 = k33 + t179 + t180 - t181 - t182 - t183;
+                let t182 = k37 * cos_theta;
+                let t183 = k37 * cos_phi;
+                let t184 = k34 + t179 + t180 - t181 - t182 - t183;
                 let t185 = sin_psi * t182;
-                let t186 = k38 * sin_phi;
+                let t186 = k39 * sin_phi;
                 let t187 = sin_psi * t180 - (sin_psi * t183 - cos_psi * t186);
                 let t188 = sin_phi * t57;
                 let t189 = sin_psi * t181 - (cos_psi * t188 + sin_psi * t179);
@@ -1908,15 +1937,15 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t191 = t186 + (t188 + t190);
                 let t192 = cos_psi * t190;
                 let t193 = sin_phi * t60 - t189 + (t192 + cos_phi * t62);
-                let t194 = t185 + t189 - t192 - k33 * sin_psi - t187;
-                let t195 = k37 * sin_phi + t193 + t187;
+                let t194 = t185 + t189 - t192 - k34 * sin_psi - t187;
+                let t195 = k38 * sin_phi + t193 + t187;
                 let t196 = cos_psi * t184 - sin_psi * t191;
                 let t197 = k19 * sin_phi;
-                let t198 = k25 * cos_theta;
-                let t199 = k25 * cos_phi;
+                let t198 = k26 * cos_theta;
+                let t199 = k26 * cos_phi;
                 let t200 = cos_phi * t77;
                 let t201 = sin_phi * t78;
-                let t202 = t198 + t199 + (t200 + (k30 - t201));
+                let t202 = t198 + t199 + (t200 + (k31 - t201));
                 let t203 = cos_psi * t197 + sin_psi * t199;
                 let t204 = sin_phi * t82;
                 let t205 = cos_phi * t84;
@@ -1926,8 +1955,8 @@ k96 = 0.08*sin(other)*sin(skew)
                     - (sin_psi * t207 + sin_psi * t200
                         - (sin_psi * t201 + cos_psi * t204));
                 let t209 = sin_psi * t198 - t208;
-                let t210 = k28 * sin_phi + t203 - t208 - t93;
-                let t211 = k30 * sin_psi + t209 + t203;
+                let t210 = k29 * sin_phi + t203 - t208 - t93;
+                let t211 = k31 * sin_psi + t209 + t203;
                 let t212 = sin_psi * t204 + sin_psi * t205
                     - (cos_psi * t206 - cos_psi * t207);
                 let t213 = t206 - t207 - t202;
@@ -1965,7 +1994,7 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t240 = t209 - t84 - t239 * t226 - t238 * t106 - t93;
                 let t241 = qd_theta * t239;
                 let t242 = qd_theta * t238;
-                let t243 = k48 * cos_theta;
+                let t243 = k49 * cos_theta;
                 let t244 = cos_phi * t0;
                 let t245 = sin_phi * t0;
                 let t246 = t241 * t244;
@@ -1975,7 +2004,7 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t250 = t241 * t249;
                 let t251 = qd_theta * sin_theta;
                 let t252 = qd_theta * t251;
-                let t253 = k41 * t252;
+                let t253 = k42 * t252;
                 (
                     t1,
                     sin_psi,
@@ -2306,11 +2335,11 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t254 = cos_psi * t242;
                 let t255 = t242 * t254;
                 let t256 = cos_phi * t241;
-                let t257 = k43 * t251;
+                let t257 = k44 * t251;
                 let t258 = t256 * t257;
                 let t259 = cos_theta * qd_theta;
                 let t260 = qd_theta * t259;
-                let t261 = k43 * t260;
+                let t261 = k44 * t260;
                 let t262 = k12 * t252;
                 let t263 = k12 * t259;
                 let t264 = t249 * t263;
@@ -2322,23 +2351,23 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t269 = t256 * t268;
                 let t270 = k2 * t260;
                 let t271 = t266
-                    - (t269 + t269 + t35 * t250 + sin_phi * t270 + k45 * t250);
+                    - (t269 + t269 + t35 * t250 + sin_phi * t270 + k46 * t250);
                 let t272 = cos_phi * t270;
                 let t273 = sin_psi * t242;
                 let t274 = t242 * t273;
                 let t275 = t22 * t250 + sin_phi * t253 + t255 * t158 + sin_psi * t271
                     + t274 * t159;
-                let t276 = k44 * t251;
-                let t277 = k44 * t249;
-                let t278 = k41 * t259;
-                let t279 = k45 * t256;
+                let t276 = k45 * t251;
+                let t277 = k45 * t249;
+                let t278 = k42 * t259;
+                let t279 = k46 * t256;
                 let t280 = k16 * t249;
                 let t281 = t25 * t256 - sin_phi * t257;
                 let t282 = k4 * t251;
                 let t283 = cos_phi * t282 + t29 * t249;
-                let t284 = k40 * t259;
+                let t284 = k41 * t259;
                 let t285 = sin_phi * t284 + t31 * t256;
-                let t286 = k42 * t251;
+                let t286 = k43 * t251;
                 let t287 = cos_phi * t286 + t27 * t249;
                 let t288 = cos_phi * t263 - t33 * t249;
                 let t289 = t35 * t256 - sin_phi * t268;
@@ -2346,24 +2375,24 @@ k96 = 0.08*sin(other)*sin(skew)
                     - (t273 * t287 + t254 * t288 + (t254 * t289 + t249 * t276));
                 let t291 = t273 * t276 + t273 * t277 - (t256 * t278 - t254 * t279)
                     - t290;
-                let t292 = k42 * t260;
-                let t293 = k44 * t260;
+                let t292 = k43 * t260;
+                let t293 = k45 * t260;
                 let t294 = k4 * t260;
                 let t295 = t249 * t282;
                 let t296 = t256 * t284;
-                let t297 = k40 * t252;
+                let t297 = k41 * t252;
                 let t298 = t249 * t286;
                 let t299 = t296 + t296 - t31 * t250 - sin_phi * t297
                     - (t27 * t265 + cos_phi * t292 - t298 - t298);
                 let t300 = k16 * t265 + (t29 * t265 + cos_phi * t294 - t295 - t295)
                     + t299;
-                let t301 = t293 + k44 * t265 - t300;
+                let t301 = t293 + k45 * t265 - t300;
                 let t302 = t275 + t291 + t291 - t292 - cos_phi * t293 - cos_psi * t301
                     - t265 * t24;
                 let t303 = cos_phi * t297;
                 let t304 = sin_phi * t294;
-                let t305 = k40 * t260;
-                let t306 = k40 * t251;
+                let t305 = k41 * t260;
+                let t306 = k41 * t251;
                 let t307 = t249 * t306;
                 let t308 = k4 * t259;
                 let t309 = t256 * t308;
@@ -2372,8 +2401,8 @@ k96 = 0.08*sin(other)*sin(skew)
                     + (t309 + t309 - t46 * t250 - sin_phi * t310);
                 let t312 = cos_phi * t310;
                 let t313 = sin_phi * t305;
-                let t314 = k41 * t260;
-                let t315 = t311 - (k41 * t265 - (k7 * t265 - t314));
+                let t314 = k42 * t260;
+                let t315 = t311 - (k42 * t265 - (k7 * t265 - t314));
                 let t316 = k12 * t251;
                 let t317 = t256 * t316;
                 let t318 = k12 * t260;
@@ -2386,12 +2415,12 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t324 = cos_phi * t318;
                 let t325 = sin_phi * t319;
                 let t326 = k7 * t249;
-                let t327 = k41 * t251;
+                let t327 = k42 * t251;
                 let t328 = cos_phi * t306 + t44 * t249;
                 let t329 = sin_phi * t308 + t46 * t256;
                 let t330 = t42 * t256 - sin_phi * t316;
                 let t331 = cos_phi * t320 - t48 * t249;
-                let t332 = k41 * t249;
+                let t332 = k42 * t249;
                 let t333 = k10 * t256;
                 let t334 = t254 * t326 - t254 * t327 + (t254 * t328 + t254 * t329)
                     + (t273 * t330 + t273 * t331 - (t254 * t332 - t273 * t333));
@@ -2399,37 +2428,37 @@ k96 = 0.08*sin(other)*sin(skew)
                     + t334;
                 let t336 = t335 + t334;
                 let t337 = k18 * t252;
-                let t338 = k34 * t260;
-                let t339 = k27 * t252;
+                let t338 = k35 * t260;
+                let t339 = k28 * t252;
                 let t340 = t337 + sin_phi * t338 + cos_phi * t339 + t62 * t265
                     + t274 * t184;
-                let t341 = k33 * t260;
-                let t342 = k33 * t251;
+                let t341 = k34 * t260;
+                let t342 = k34 * t251;
                 let t343 = t249 * t342;
-                let t344 = k24 * t259;
+                let t344 = k25 * t259;
                 let t345 = t256 * t344;
-                let t346 = k24 * t252;
+                let t346 = k25 * t252;
                 let t347 = t54 * t265 + cos_phi * t341 - t343 - t343
                     + (t345 + t345 - t55 * t250 - sin_phi * t346);
-                let t348 = t347 - (k36 * t265 - (k39 * t265 - k36 * t260));
-                let t349 = k35 * t251;
+                let t348 = t347 - (k37 * t265 - (k40 * t265 - k37 * t260));
+                let t349 = k36 * t251;
                 let t350 = t256 * t349;
-                let t351 = k35 * t260;
+                let t351 = k36 * t260;
                 let t352 = k18 * t259;
                 let t353 = t249 * t352;
                 let t354 = t350 + t350 + t57 * t250 + sin_phi * t351
                     + (cos_phi * t337 + t353 + t353 + t58 * t265);
-                let t355 = k38 * t250 + t354;
+                let t355 = k39 * t250 + t354;
                 let t356 = t340 + sin_psi * t348 + cos_psi * t355 + t255 * t191
                     + t250 * t61;
-                let t357 = k34 * t251;
+                let t357 = k35 * t251;
                 let t358 = t57 * t256 - sin_phi * t349;
-                let t359 = k27 * t259;
+                let t359 = k28 * t259;
                 let t360 = cos_phi * t352 - t58 * t249;
-                let t361 = k36 * t249;
-                let t362 = k38 * t256;
-                let t363 = k39 * t249;
-                let t364 = k36 * t251;
+                let t361 = k37 * t249;
+                let t362 = k39 * t256;
+                let t363 = k40 * t249;
+                let t364 = k37 * t251;
                 let t365 = cos_phi * t342 + t54 * t249;
                 let t366 = sin_phi * t344 + t55 * t256;
                 let t367 = t254 * t361 - t273 * t362
@@ -2437,9 +2466,9 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t368 = t256 * t357 + t273 * t358 + (t249 * t359 + t273 * t360)
                     - t367;
                 let t369 = t356 + t368 + t368;
-                let t370 = k32 * t260;
+                let t370 = k33 * t260;
                 let t371 = k20 * t252;
-                let t372 = k31 * t252;
+                let t372 = k32 * t252;
                 let t373 = sin_phi * t370 + t371 + cos_phi * t372 + t92 * t265
                     + t274 * t213;
                 let t374 = k20 * t259;
@@ -2451,20 +2480,20 @@ k96 = 0.08*sin(other)*sin(skew)
                     - (k19 * t250 - (t377 + t377 + t82 * t250 + sin_phi * t378));
                 let t380 = cos_phi * t378;
                 let t381 = sin_phi * t371;
-                let t382 = k32 * t251;
+                let t382 = k33 * t251;
                 let t383 = t82 * t256 - sin_phi * t376;
-                let t384 = k31 * t259;
+                let t384 = k32 * t259;
                 let t385 = cos_phi * t374 - t84 * t249;
-                let t386 = k23 * t251;
+                let t386 = k24 * t251;
                 let t387 = cos_phi * t386 + t86 * t249;
                 let t388 = T::from_f64(0.4) * t259;
                 let t389 = sin_phi * t388 + t88 * t256;
-                let t390 = k29 * t259;
+                let t390 = k30 * t259;
                 let t391 = sin_phi * t390 + t78 * t256;
-                let t392 = k25 * t251;
-                let t393 = k25 * t249;
+                let t392 = k26 * t251;
+                let t393 = k26 * t249;
                 let t394 = k19 * t256;
-                let t395 = k30 * t251;
+                let t395 = k31 * t251;
                 let t396 = cos_phi * t395 + t77 * t249;
                 let t397 = t254 * t387 + (t254 * t389 - t254 * t391)
                     - (t254 * t392 + t254 * t393 + (t273 * t394 + t254 * t396));
@@ -2472,9 +2501,9 @@ k96 = 0.08*sin(other)*sin(skew)
                     + t397;
                 let t399 = t373 + cos_psi * t379 + t255 * t214 + t250 * t81 + t398
                     + t398;
-                let t400 = k30 * t260;
+                let t400 = k31 * t260;
                 let t401 = t249 * t395;
-                let t402 = k23 * t260;
+                let t402 = k24 * t260;
                 let t403 = t249 * t386;
                 let t404 = t77 * t265 + cos_phi * t400 - t401 - t401
                     - (t86 * t265 + cos_phi * t402 - t403 - t403);
@@ -2482,10 +2511,10 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t406 = t256 * t388;
                 let t407 = T::from_f64(0.4) * t252;
                 let t408 = t256 * t390;
-                let t409 = k29 * t252;
+                let t409 = k30 * t252;
                 let t410 = t406 + t406 - t88 * t250 - sin_phi * t407
                     - (t408 + t408 - t78 * t250 - sin_phi * t409);
-                let t411 = t404 - (t410 - (k25 * t260 + k25 * t265));
+                let t411 = t404 - (t410 - (k26 * t260 + k26 * t265));
                 let t412 = t399 - sin_psi * t411;
                 let t413 = T::from_f64(0.4) * t260;
                 let t414 = T::from_f64(0.8) * t260;
@@ -2493,9 +2522,9 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t416 = sin_psi * t220 + sin_psi * t219;
                 let t417 = T::from_f64(0.4) * t251;
                 let t418 = t249 * t417;
-                let t419 = k23 * t259;
+                let t419 = k24 * t259;
                 let t420 = t256 * t419;
-                let t421 = k23 * t252;
+                let t421 = k24 * t252;
                 let t422 = t66 * t265 + cos_phi * t413 - t418 - t418
                     + (t420 + t420 - t69 * t250 - sin_phi * t421);
                 let t423 = cos_phi * t421;
@@ -2545,12 +2574,12 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t460 = t242 * t457 + t457 * t459;
                 let t461 = T::from_f64(1.125e-5)
                     * (cos_psi * t246 + sin_psi * t455 + t460);
-                let t462 = k50 - k7 * t243;
+                let t462 = k51 - k7 * t243;
                 let t463 = t247 * t245;
                 let t464 = t454 + t463;
                 let t465 = t462 + T::from_f64(0.8) * t464;
-                let t466 = k49 + k8 * t243;
-                let t467 = k48 * sin_theta;
+                let t466 = k50 + k8 * t243;
+                let t467 = k49 * sin_theta;
                 let t468 = t467 - T::from_f64(0.4) * qd_theta * qd_theta;
                 let t469 = sin_phi * t468;
                 let t470 = cos_phi * t468;
@@ -2560,20 +2589,20 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t474 = t471 + T::from_f64(0.8) * t473;
                 let t475 = t459 * t458 + t242 * t458;
                 let t476 = sin_psi * t246 + t475 - cos_psi * t455;
-                let t477 = k84 * t465 - k85 * t474
+                let t477 = k85 * t465 - k86 * t474
                     + T::from_f64(0.026677916666666666) * t476;
                 let t478 = T::from_f64(0.1) * t476;
                 let t479 = t247 * t247;
                 let t480 = t245 * t245;
                 let t481 = t244 * t244;
                 let t482 = t480 - t481;
-                let t483 = k46 * (t479 + t482 - t480);
+                let t483 = k47 * (t479 + t482 - t480);
                 let t484 = t479 + t481;
                 let t485 = sin_phi
-                    * (k47 * (t246 + t248) + cos_psi * t461 + sin_psi * t477 - t483);
+                    * (k48 * (t246 + t248) + cos_psi * t461 + sin_psi * t477 - t483);
                 let t486 = sin_psi * t461 - cos_psi * t477;
                 let t487 = T::from_f64(0.96) * t471
-                    + T::from_f64(0.6613445833333333) * t473 + k46 * (t463 - t454)
+                    + T::from_f64(0.6613445833333333) * t473 + k47 * (t463 - t454)
                     + k2 * t486;
                 let t488 = T::from_f64(0.8) * t484;
                 let t489 = cos_psi * (k3 * t474 + k2 * t465)
@@ -2592,22 +2621,22 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t499 = cos_psi * t494 - t496;
                 let t500 = k2 * t499 + k3 * t478;
                 let t501 = k3 * t499 - k2 * t478;
-                let t502 = k23
+                let t502 = k24
                     * (cos_phi * (t501 + T::from_f64(0.96) * t473)
                         - sin_phi * (sin_psi * t494 + t498));
                 let t503 = t472 - t453;
                 let t504 = k3 * t486 - k2 * t493 - T::from_f64(0.8) * t500
-                    - T::from_f64(0.96) * t462 - k46 * t503;
+                    - T::from_f64(0.96) * t462 - k47 * t503;
                 let t505 = T::from_f64(0.86) * t243
                     + k7
                         * (t485
                             + cos_phi * (t504 - T::from_f64(0.6613445833333333) * t464))
-                    + (t502 - k39 * (t500 + T::from_f64(0.96) * t464));
+                    + (t502 - k40 * (t500 + T::from_f64(0.96) * t464));
                 let t506 = k8 + t239;
                 let t507 = t505 + t238 * t493 + k1 * qd_theta
-                    + (t487 + k3 * t493 + T::from_f64(0.8) * t501 - k47 * t503) * t506;
+                    + (t487 + k3 * t493 + T::from_f64(0.8) * t501 - k48 * t503) * t506;
                 let t508 = k16 * (t19 - t21);
-                let t509 = k87 + t8 + t18 + T::from_f64(0.8) * t16
+                let t509 = k88 + t8 + t18 + T::from_f64(0.8) * t16
                     + (k17 * (t6 - t18) - t508);
                 (
                     t254,
@@ -2858,16 +2887,16 @@ k96 = 0.08*sin(other)*sin(skew)
                             + (t163 + T::from_f64(0.026689166666666667) * t238
                                 + t239 * t13))
                     + t239 * (t510 + (t510 + t239 * t15 + t238 * t13));
-                let t512 = T::from_f64(-1.0) / (t511 - (t508 - k86 * t5));
+                let t512 = T::from_f64(-1.0) / (t511 - (t508 - k87 * t5));
                 let t513 = (t507 - k0) * t512;
                 let t514 = sin_phi * t22 - cos_phi * t23;
                 let t515 = cos_psi * t23 + t156;
-                let t516 = k42 * cos_phi + t156 - t514 - t150;
+                let t516 = k43 * cos_phi + t156 - t514 - t150;
                 let t517 = t239 * t178 + t238 * t140 + t514 - t27 - t515;
-                let t518 = k90 * cos_psi + t515 - t150;
+                let t518 = k93 * cos_psi + t515 - t150;
                 let t519 = sin_psi * t134;
                 let t520 = t175 - t519 - t239 * t157 - t238 * t39;
-                let t521 = t519 - k40 * sin_psi - t169 - t175;
+                let t521 = t519 - k41 * sin_psi - t169 - t175;
                 let t522 = t175 + t169;
                 let t523 = sin_phi * (t116 + cos_psi * t115 - sin_psi * t118)
                     + cos_phi * (t123 + sin_psi * t120 + cos_psi * t124);
@@ -2888,8 +2917,8 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t535 = qd_theta * t534;
                 let t536 = qd_theta * t533;
                 let t537 = t244 * t535;
-                let t538 = k42 * t252;
-                let t539 = k44 * t252;
+                let t538 = k43 * t252;
+                let t539 = k45 * t252;
                 let t540 = sin_phi * t535;
                 let t541 = t249 * t535 + t241 * t540;
                 let t542 = t538 + t133 * t265 + cos_phi * t539 + t134 * t250
@@ -2906,29 +2935,29 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t551 = t284 * t548 - t256 * t306;
                 let t552 = t29 * t549 - t46 * t265 - t550 - t550 - t312
                     + (t551 + t551 - t44 * t250 - t31 * t541 - t313);
-                let t553 = k42 * t259;
+                let t553 = k43 * t259;
                 let t554 = t286 * t540 + t249 * t553;
-                let t555 = t552 + t539 + k83 * t549
+                let t555 = t552 + t539 + k84 * t549
                     - (t27 * t549 - t132 * t265 - t554 - t554 - cos_phi * t538);
                 let t556 = t132 * t249;
-                let t557 = k43 * t259;
+                let t557 = k44 * t259;
                 let t558 = t257 * t548 + t256 * t557;
                 let t559 = sin_phi * t252;
                 let t560 = t263 * t540 - t249 * t316;
-                let t561 = t558 + t558 + t25 * t541 - t138 * t250 - k43 * t559
+                let t561 = t558 + t558 + t25 * t541 - t138 * t250 - k44 * t559
                     - (t324 + t560 + t560 + t42 * t265 + t33 * t549);
                 let t562 = t138 * t256;
                 let t563 = t268 * t548 + t256 * t320;
                 let t564 = t561 - (t563 + t563 + t35 * t541 - t48 * t250 - t325)
-                    - k45 * t541;
+                    - k46 * t541;
                 let t565 = t45 + t47;
                 let t566 = sin_psi * t536;
                 let t567 = t273 * t536 + t242 * t566;
                 let t568 = t545 + cos_psi * t555 + sin_psi * t564 + t255 * (t136 - t565)
                     + t567 * t159;
-                let t569 = k44 * t259;
-                let t570 = k44 * t273;
-                let t571 = k45 * t254;
+                let t569 = k45 * t259;
+                let t570 = k45 * t273;
+                let t571 = k46 * t254;
                 let t572 = t276 * t566 + t273 * t569 + (t277 * t566 + t540 * t570)
                     - (t278 * t548 - t256 * t327 - (t279 * t543 + t548 * t571));
                 let t573 = k16 * t273;
@@ -2959,7 +2988,7 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t593 = t320 * t540 - t249 * t268;
                 let t594 = t592 + t592 + t42 * t541 - t33 * t250 - t267
                     + (t272 + t593 + t593 + t35 * t265 + t48 * t549);
-                let t595 = t567 * t174 + sin_psi * (t591 + k88 * t549)
+                let t595 = t567 * t174 + sin_psi * (t591 + k92 * t549)
                     + cos_psi * (t594 + k10 * t541);
                 let t596 = t30 + t32;
                 let t597 = t254 * t540;
@@ -2978,7 +3007,7 @@ k96 = 0.08*sin(other)*sin(skew)
                     + (t331 * t566 - t273 * (t606 + t607 + t48 * t540));
                 let t609 = k10 * t273;
                 let t610 = t608
-                    - (t332 * t543 + k41 * t597 - (t333 * t566 + t548 * t609));
+                    - (t332 * t543 + k42 * t597 - (t333 * t566 + t548 * t609));
                 let t611 = t603 + t610;
                 let t612 = t595 + t274 * (t22 - t596) + t544 * t176 + t611 + t611
                     - t453 * t157;
@@ -2986,60 +3015,60 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t614 = t612 - t452 * t39 - t255 * t613;
                 let t615 = k18 * t260;
                 let t616 = cos_phi * t260;
-                let t617 = t615 + k27 * t616 + t116 * t265 + t62 * t549 + t453 * t523;
-                let t618 = t432 + k31 * t616 + t99 * t265 + t92 * t549 + t453 * t226;
+                let t617 = t615 + k28 * t616 + t116 * t265 + t62 * t549 + t453 * t523;
+                let t618 = t432 + k32 * t616 + t99 * t265 + t92 * t549 + t453 * t226;
                 let t619 = cos_phi * t432;
                 let t620 = t226 - t239 * t210 - t238 * t114;
-                let t621 = k33 * t259;
+                let t621 = k34 * t259;
                 let t622 = t342 * t540 + t249 * t621;
                 let t623 = cos_phi * t252;
                 let t624 = t252 - t549;
-                let t625 = k24 * t251;
+                let t625 = k25 * t251;
                 let t626 = t344 * t548 - t256 * t625;
                 let t627 = sin_phi * t260;
-                let t628 = t54 * t549 - t118 * t265 - t622 - t622 - k33 * t623
-                    + (t626 + t626 - t120 * t250 - t55 * t541 - k24 * t627);
+                let t628 = t54 * t549 - t118 * t265 - t622 - t622 - k34 * t623
+                    + (t626 + t626 - t120 * t250 - t55 * t541 - k25 * t627);
                 let t629 = t617 + t567 * t184
-                    + sin_psi * (t628 + k39 * t549 + k36 * t624);
+                    + sin_psi * (t628 + k40 * t549 + k37 * t624);
                 let t630 = t118 * t249;
                 let t631 = t120 * t256;
                 let t632 = t365 * t543 + t254 * (cos_phi * t621 + t54 * t540 - t630)
                     + (t366 * t543 + t254 * (t631 + t55 * t548 - sin_phi * t625));
-                let t633 = k35 * t259;
+                let t633 = k36 * t259;
                 let t634 = t349 * t548 + t256 * t633;
                 let t635 = k18 * t251;
                 let t636 = t352 * t540 - t249 * t635;
-                let t637 = t634 + t634 + t57 * t541 - t124 * t250 - k35 * t559
+                let t637 = t634 + t634 + t57 * t541 - t124 * t250 - k36 * t559
                     + (cos_phi * t615 + t636 + t636 + t115 * t265 + t58 * t549);
-                let t638 = t629 + cos_psi * (t637 + k38 * t541) + t274 * t122
+                let t638 = t629 + cos_psi * (t637 + k39 * t541) + t274 * t122
                     + t544 * t191;
                 let t639 = t124 * t256;
                 let t640 = t115 * t249;
                 let t641 = t256 * t259;
-                let t642 = t357 * t548 + k34 * t641
+                let t642 = t357 * t548 + k35 * t641
                     + (t358 * t566 + t273 * (t57 * t548 - t639 - sin_phi * t633));
                 let t643 = t249 * t251;
-                let t644 = t359 * t540 - k27 * t643
+                let t644 = t359 * t540 - k28 * t643
                     + (t360 * t566 - t273 * (cos_phi * t635 + t640 + t58 * t540));
-                let t645 = k38 * t273;
+                let t645 = k39 * t273;
                 let t646 = t254 * t259;
-                let t647 = t363 * t543 + k39 * t597 - (t364 * t543 + k36 * t646) + t632;
-                let t648 = t361 * t543 + k36 * t597 - (t362 * t566 + t548 * t645) - t647;
+                let t647 = t363 * t543 + k40 * t597 - (t364 * t543 + k37 * t646) + t632;
+                let t648 = t361 * t543 + k37 * t597 - (t362 * t566 + t548 * t645) - t647;
                 let t649 = t642 + t644 - t648;
-                let t650 = t638 + t541 * t61 + t649 + t649 - t123 * t250 - k34 * t559;
+                let t650 = t638 + t541 * t61 + t649 + t649 - t123 * t250 - k35 * t559;
                 let t651 = t650 - t452 * t524 - t255 * t127;
                 let t652 = t388 * t548 - t256 * t417;
                 let t653 = t386 * t540 + t249 * t419;
                 let t654 = t652 + t652 - t66 * t250 - t88 * t541 - t425
                     + (t86 * t549 - t69 * t265 - t653 - t653 - t423);
-                let t655 = k29 * t251;
+                let t655 = k30 * t251;
                 let t656 = t390 * t548 - t256 * t655;
-                let t657 = t654 + k25 * t624
-                    - (t656 + t656 - t102 * t250 - t78 * t541 - k29 * t627);
+                let t657 = t654 + k26 * t624
+                    - (t656 + t656 - t102 * t250 - t78 * t541 - k30 * t627);
                 let t658 = t102 * t256;
-                let t659 = k30 * t259;
+                let t659 = k31 * t259;
                 let t660 = t395 * t540 + t249 * t659;
-                let t661 = t657 - (t77 * t549 - t100 * t265 - t660 - t660 - k30 * t623);
+                let t661 = t657 - (t77 * t549 - t100 * t265 - t660 - t660 - k31 * t623);
                 let t662 = t100 * t249;
                 let t663 = t70 + t67;
                 let t664 = t618 + t452 * t106 + t567 * t213 + sin_psi * t661
@@ -3053,11 +3082,11 @@ k96 = 0.08*sin(other)*sin(skew)
                     + t541 * t81;
                 let t670 = t71 * t256;
                 let t671 = sin_phi * t434;
-                let t672 = t382 * t548 + k32 * t641
+                let t672 = t382 * t548 + k33 * t641
                     + (t383 * t566 + t273 * (t82 * t548 - t670 - t671));
                 let t673 = cos_phi * t430;
                 let t674 = t73 * t249;
-                let t675 = t384 * t540 - k31 * t643
+                let t675 = t384 * t540 - k32 * t643
                     + (t385 * t566 - t273 * (t673 + t674 + t84 * t540));
                 let t676 = cos_phi * t419;
                 let t677 = t69 * t249;
@@ -3068,11 +3097,11 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t681 = k19 * t273;
                 let t682 = t394 * t566 + t548 * t681
                     + (t396 * t543 + t254 * (cos_phi * t659 + t77 * t540 - t662));
-                let t683 = t392 * t543 + k25 * t646 + (t393 * t543 + k25 * t597) + t682;
+                let t683 = t392 * t543 + k26 * t646 + (t393 * t543 + k26 * t597) + t682;
                 let t684 = t387 * t543 + t254 * (t676 + t86 * t540 - t677) + t680 - t683;
                 let t685 = t672 + t675 + t684;
                 let t686 = t72 - t74;
-                let t687 = t669 + t685 + t685 - t97 * t250 - k32 * t559 - t255 * t686;
+                let t687 = t669 + t685 + t685 - t97 * t250 - k33 * t559 - t255 * t686;
                 let t688 = t434 * t540 - t249 * t376;
                 let t689 = k19 * t260 - (t380 + t688 + t688 + t82 * t265 + t71 * t549);
                 let t690 = t430 * t548 + t256 * t374;
@@ -3139,7 +3168,7 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t739 = k8 * t467;
                 let t740 = cos_phi * t739 + t243 * sin_phi;
                 let t741 = T::from_f64(0.8) * t723 - t740;
-                let t742 = k84 * t738 - k85 * t741
+                let t742 = k85 * t738 - k86 * t741
                     + T::from_f64(0.026677916666666666) * t735;
                 let t743 = T::from_f64(0.1) * t735;
                 let t744 = T::from_f64(2.0) * t247;
@@ -3148,7 +3177,7 @@ k96 = 0.08*sin(other)*sin(skew)
                     - sin_psi
                         * (t243 * cos_phi - sin_phi * t739 - T::from_f64(0.8) * t745);
                 let t747 = sin_phi
-                    * (k91 * t537 + cos_psi * t734 + sin_psi * t742 - k46 * t745);
+                    * (k94 * t537 + cos_psi * t734 + sin_psi * t742 - k47 * t745);
                 let t748 = sin_psi * t734 - cos_psi * t742;
                 let t749 = t243 + T::from_f64(0.4) * t513;
                 let t750 = t736 + t725;
@@ -3164,17 +3193,17 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t758 = cos_phi * (t757 + T::from_f64(0.96) * t723)
                     - sin_phi
                         * (T::from_f64(0.96) * t745 + cos_psi * t754 + sin_psi * t752);
-                let t759 = k2 * t748 + k3 * t751 + T::from_f64(0.8) * t757 + k92 * t723
+                let t759 = k2 * t748 + k3 * t751 + T::from_f64(0.8) * t757 + k95 * t723
                     - T::from_f64(0.96) * t740;
-                let t760 = k3 * t748 + k46 * t723 - k2 * t751 - T::from_f64(0.8) * t756
+                let t760 = k3 * t748 + k47 * t723 - k2 * t751 - T::from_f64(0.8) * t756
                     - T::from_f64(0.96) * t737;
                 let t761 = k7
                     * (t747 + cos_phi * (t760 - T::from_f64(1.3226891666666667) * t724))
-                    + (k23 * t758 - k39 * (t756 + T::from_f64(1.92) * t724));
-                let t762 = k49 + k8 * t749;
+                    + (k24 * t758 - k40 * (t756 + T::from_f64(1.92) * t724));
+                let t762 = k50 + k8 * t749;
                 let t763 = cos_phi * t762 - t469;
                 let t764 = t470 + sin_phi * t762;
-                let t765 = k50 - k7 * t749;
+                let t765 = k51 - k7 * t749;
                 (
                     t512,
                     t513,
@@ -3322,14 +3351,14 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t779 = t463 + t771;
                 let t780 = t765 + T::from_f64(0.8) * t779;
                 let t781 = t763 + T::from_f64(0.8) * t768;
-                let t782 = k84 * t780 - k85 * t781
+                let t782 = k85 * t780 - k86 * t781
                     + T::from_f64(0.026677916666666666) * t778;
                 let t783 = k3 * t781 + k2 * t780;
                 let t784 = T::from_f64(0.1) * t778;
                 let t785 = sin_psi * t776 - cos_psi * t782;
                 let t786 = cos_psi * t776 + sin_psi * t782;
                 let t787 = T::from_f64(0.96) * t763
-                    + T::from_f64(0.6613445833333333) * t768 + k46 * (t463 - t771)
+                    + T::from_f64(0.6613445833333333) * t768 + k47 * (t463 - t771)
                     + k2 * t785;
                 let t788 = t491 + t774;
                 let t789 = T::from_f64(0.1) * (cos_psi * t783 - sin_psi * t766)
@@ -3337,10 +3366,10 @@ k96 = 0.08*sin(other)*sin(skew)
                     - T::from_f64(1.125e-5) * (t491 - t774);
                 let t790 = T::from_f64(0.1) * t788;
                 let t791 = t496 - cos_psi * t790;
-                let t792 = k3 * t785 - k2 * t789 - (k31 * t784 - k27 * t791)
+                let t792 = k3 * t785 - k2 * t789 - (k32 * t784 - k28 * t791)
                     - T::from_f64(0.96) * t765;
                 let t793 = k3 * t791 + k2 * t784;
-                let t794 = t787 + k3 * t789 - k47 * t769 - T::from_f64(0.8) * t793;
+                let t794 = t787 + k3 * t789 - k48 * t769 - T::from_f64(0.8) * t793;
                 let t795 = t761 + t534 * t794 + t533 * t789 + t238 * t751 + t759 * t506;
                 let t796 = t512 * (t795 - T::from_f64(0.86) * t467);
                 let t797 = sin_psi * t790;
@@ -3381,7 +3410,7 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t826 = t29 * t823 - t304 - t824 - t824
                     + (t825 + t825 - t303 - t31 * t816);
                 let t827 = t286 * t815;
-                let t828 = t826 + k83 * t823
+                let t828 = t826 + k84 * t823
                     - (t27 * t823 - t827 - t827 - sin_phi * t292);
                 let t829 = sin_phi * t293 + t22 * t816 + cos_phi * t253 + t818 * t158
                     + cos_psi * t828;
@@ -3391,7 +3420,7 @@ k96 = 0.08*sin(other)*sin(skew)
                     - (t831 + t831 + t33 * t823 - t267);
                 let t833 = t268 * t819;
                 let t834 = sin_psi
-                    * (t832 - (t272 + t833 + t833 + t35 * t816) - k45 * t816);
+                    * (t832 - (t272 + t833 + t833 + t35 * t816) - k46 * t816);
                 let t835 = sin_psi * t812;
                 let t836 = t283 * t835 + t273 * (t29 * t815 - t601)
                     + (t285 * t835 + t273 * (t598 + t31 * t819));
@@ -3421,7 +3450,7 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t851 = t308 * t819;
                 let t852 = t44 * t823 - t313 - t850 - t850
                     + (t851 + t851 - t312 - t46 * t816);
-                let t853 = t453 * t522 + t844 * t174 + sin_psi * (t852 + k88 * t823)
+                let t853 = t453 * t522 + t844 * t174 + sin_psi * (t852 + k92 * t823)
                     + t274 * (t40 - t51 - t565);
                 let t854 = t316 * t819;
                 let t855 = t320 * t815;
@@ -3431,7 +3460,7 @@ k96 = 0.08*sin(other)*sin(skew)
                     + t818 * t176;
                 let t858 = t254 * t815;
                 let t859 = t837
-                    - (t332 * t817 + k41 * t858 - (t333 * t835 + t819 * t609));
+                    - (t332 * t817 + k42 * t858 - (t333 * t835 + t819 * t609));
                 let t860 = t326 * t817 + k7 * t858 - t327 * t817 + t820 + t859;
                 let t861 = t857 + t860 + t860 - t452 * t799;
                 let t862 = t342 * t815;
@@ -3444,7 +3473,7 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t867 = t352 * t815;
                 let t868 = t866 + t866 + t57 * t816 + cos_phi * t351
                     + (t867 + t867 + t58 * t823 - sin_phi * t337);
-                let t869 = t865 + t274 * t56 + cos_psi * (t868 + k38 * t816)
+                let t869 = t865 + t274 * t56 + cos_psi * (t868 + k39 * t816)
                     + t255 * t59;
                 let t870 = t357 * t819
                     + (t358 * t835 + t273 * (t57 * t819 - cos_phi * t349));
@@ -3452,8 +3481,8 @@ k96 = 0.08*sin(other)*sin(skew)
                     + (t360 * t835 - t273 * (sin_phi * t352 + t58 * t815));
                 let t872 = t365 * t817 + t254 * (t54 * t815 - sin_phi * t342)
                     + (t366 * t817 + t254 * (cos_phi * t344 + t55 * t819));
-                let t873 = t361 * t817 + k36 * t858 - (t362 * t835 + t819 * t645)
-                    - (t363 * t817 + k39 * t858 - t364 * t817 + t872);
+                let t873 = t361 * t817 + k37 * t858 - (t362 * t835 + t819 * t645)
+                    - (t363 * t817 + k40 * t858 - t364 * t817 + t872);
                 let t874 = t870 + t871 - t873;
                 let t875 = t869 + t818 * t191 + t816 * t61 + t874 + t874
                     - sin_phi * t339;
@@ -3461,7 +3490,7 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t877 = t394 * t835 + t819 * t681
                     + (t396 * t817 + t254 * (t77 * t815 - sin_phi * t395));
                 let t878 = t387 * t817 + t254 * (t86 * t815 - t713) + t822
-                    - (t392 * t817 + (t393 * t817 + k25 * t858) + t877);
+                    - (t392 * t817 + (t393 * t817 + k26 * t858) + t877);
                 let t879 = t838 + t878;
                 let t880 = t388 * t819;
                 let t881 = t386 * t815;
@@ -3472,7 +3501,7 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t885 = t882 - (t883 + t883 - t78 * t816 - cos_phi * t409)
                     - (t77 * t823 - t884 - t884 - sin_phi * t400);
                 let t886 = cos_phi * t370 + t92 * t823 + t844 * t213
-                    + sin_psi * (t885 - k25 * t823);
+                    + sin_psi * (t885 - k26 * t823);
                 let t887 = t376 * t819;
                 let t888 = t374 * t815;
                 let t889 = t380 + t887 + t887 + t82 * t816
@@ -3526,7 +3555,7 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t925 = t907 - t482;
                 let t926 = t907 + t482;
                 let t927 = T::from_f64(0.8) * t925 - t764;
-                let t928 = k84 * t924 - k85 * t927
+                let t928 = k85 * t924 - k86 * t927
                     + T::from_f64(0.026677916666666666) * t921;
                 let t929 = T::from_f64(0.1) * t921;
                 let t930 = T::from_f64(2.0) * t245;
@@ -3534,14 +3563,14 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t932 = t51 * t930;
                 let t933 = T::from_f64(2.0) * t244;
                 let t934 = t245 * t933;
-                let t935 = k47 * (t813 + t814 - t463) + cos_psi * t920 + sin_psi * t928
-                    - k46 * (t931 + t916 + t934 - t931);
+                let t935 = k48 * (t813 + t814 - t463) + cos_psi * t920 + sin_psi * t928
+                    - k47 * (t931 + t916 + t934 - t931);
                 let t936 = sin_psi * t920 - cos_psi * t928;
                 let t937 = t916 - t934;
                 let t938 = cos_psi * (k3 * t927 + k2 * t924)
                     - sin_psi * (t763 - T::from_f64(0.8) * t937);
-                let t939 = T::from_f64(0.6613445833333333) * t925 + k47 * t926
-                    + k46 * (t910 - t909) + k2 * t936;
+                let t939 = T::from_f64(0.6613445833333333) * t925 + k48 * t926
+                    + k47 * (t910 - t909) + k2 * t936;
                 let t940 = t162 * t933;
                 let t941 = t922 + t911;
                 let t942 = T::from_f64(0.1) * t938
@@ -3552,17 +3581,17 @@ k96 = 0.08*sin(other)*sin(skew)
                     + (T::from_f64(0.96) * t937 + cos_psi * t919 + sin_psi * t943);
                 let t945 = cos_psi * t943 - sin_psi * t919;
                 let t946 = k2 * t945 + k3 * t929;
-                let t947 = k3 * t936 + k46 * t926 - k2 * t942 - T::from_f64(0.8) * t946
+                let t947 = k3 * t936 + k47 * t926 - k2 * t942 - T::from_f64(0.8) * t946
                     - T::from_f64(0.6613445833333333) * t923;
                 let t948 = sin_phi
                     * (t935
-                        - (t792 - k46 * t769 - T::from_f64(0.6613445833333333) * t779))
-                    + cos_phi * (k47 * (t248 + t772) + t786 - t483 + t947);
+                        - (t792 - k47 * t769 - T::from_f64(0.6613445833333333) * t779))
+                    + cos_phi * (k48 * (t248 + t772) + t786 - t483 + t947);
                 let t949 = k3 * t945 - k2 * t929;
-                let t950 = k23
+                let t950 = k24
                     * (cos_phi * (t949 + T::from_f64(0.96) * t925 - (t797 + t498))
                         - sin_phi * t944);
-                let t951 = k7 * t948 + (t950 - k39 * (t946 + T::from_f64(0.96) * t923))
+                let t951 = k7 * t948 + (t950 - k40 * (t946 + T::from_f64(0.96) * t923))
                     + t794 * t810;
                 let t952 = t951 + t789 * t809 + t238 * t942
                     + (t939 + k3 * t942 + T::from_f64(0.8) * t949
@@ -3589,11 +3618,11 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t969 = t966 + t966 + t25 * t964 + t301 - (t967 + t967 + t33 * t968);
                 let t970 = t268 * t965;
                 let t971 = t22 * t964
-                    + sin_psi * (t969 - (t970 + t970 + t35 * t964) - k45 * t964);
+                    + sin_psi * (t969 - (t970 + t970 + t35 * t964) - k46 * t964);
                 let t972 = t282 * t963;
                 let t973 = t284 * t965;
                 let t974 = t29 * t968 - t972 - t972 + (t973 + t973 - t31 * t964)
-                    + k83 * t968;
+                    + k84 * t968;
                 let t975 = t286 * t963;
                 let t976 = cos_psi * t961 - t273;
                 let t977 = t254 * t961 + t242 * t976;
@@ -3603,8 +3632,8 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t980 = t273 * t961 + t242 * t979;
                 let t981 = t273 * t963;
                 let t982 = t254 * t965;
-                let t983 = t276 * t979 + (t277 * t979 + k44 * t981)
-                    - (t278 * t965 - (t279 * t976 + k45 * t982));
+                let t983 = t276 * t979 + (t277 * t979 + k45 * t981)
+                    - (t278 * t965 - (t279 * t976 + k46 * t982));
                 let t984 = t273 * t965;
                 let t985 = t280 * t979 + k16 * t981 + (t281 * t976 + t25 * t982)
                     + (t283 * t979 + t29 * t981 + (t285 * t979 + t31 * t984));
@@ -3621,19 +3650,19 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t994 = t306 * t963;
                 let t995 = t308 * t965;
                 let t996 = t44 * t968 - t994 - t994 + (t995 + t995 - t46 * t964)
-                    + k88 * t968;
+                    + k92 * t968;
                 let t997 = cos_psi * (t993 + t315) + sin_psi * (t996 - t323)
                     + t980 * t174 + t977 * t176;
                 let t998 = t326 * t976 + k7 * t986 - t327 * t976
                     + (t328 * t976 + t44 * t986 + (t329 * t976 + t46 * t982));
                 let t999 = t330 * t979 + t42 * t984 + (t331 * t979 - t48 * t981)
-                    - (t332 * t976 + k41 * t986 - (t333 * t979 + k10 * t984));
+                    - (t332 * t976 + k42 * t986 - (t333 * t979 + k10 * t984));
                 let t1000 = t998 + t999;
                 let t1001 = t997 + t1000 + t1000 - t453 * t799 - t452 * t521;
                 let t1002 = t349 * t965;
                 let t1003 = t352 * t963;
                 let t1004 = t1002 + t1002 + t57 * t964 + (t1003 + t1003 + t58 * t968)
-                    + k38 * t964;
+                    + k39 * t964;
                 let t1005 = t342 * t963;
                 let t1006 = t344 * t965;
                 let t1007 = t54 * t968 - t1005 - t1005 + (t1006 + t1006 - t55 * t964)
@@ -3642,9 +3671,9 @@ k96 = 0.08*sin(other)*sin(skew)
                     + sin_psi * (t1007 - t355) + t980 * t184;
                 let t1009 = t357 * t965 + (t358 * t979 + t57 * t984)
                     + (t359 * t963 + (t360 * t979 - t58 * t981));
-                let t1010 = t363 * t976 + k39 * t986 - t364 * t976
+                let t1010 = t363 * t976 + k40 * t986 - t364 * t976
                     + (t365 * t976 + t54 * t986 + (t366 * t976 + t55 * t982));
-                let t1011 = t361 * t976 + k36 * t986 - (t362 * t979 + k38 * t984)
+                let t1011 = t361 * t976 + k37 * t986 - (t362 * t979 + k39 * t984)
                     - t1010;
                 let t1012 = t1009 - t1011;
                 let t1013 = t1008 + t977 * t191 + t964 * t61 + t1012 + t1012
@@ -3704,7 +3733,7 @@ k96 = 0.08*sin(other)*sin(skew)
             let (t1078, t1221) = {
                 let t1022 = t395 * t963;
                 let t1023 = sin_psi
-                    * (t1021 - (t77 * t968 - t1022 - t1022) - k25 * t968 - t379);
+                    * (t1021 - (t77 * t968 - t1022 - t1022) - k26 * t968 - t379);
                 let t1024 = t92 * t968 + cos_psi * (t1017 - t411) + t1023 + t980 * t213
                     + t977 * t214;
                 let t1025 = t382 * t965 + (t383 * t979 + t82 * t984)
@@ -3713,7 +3742,7 @@ k96 = 0.08*sin(other)*sin(skew)
                     + (t389 * t976 + t88 * t982 - (t391 * t976 + t78 * t982));
                 let t1027 = t442 * t976 - t71 * t986 + (t443 * t976 + t73 * t982)
                     + (t444 * t965 - (t445 * t979 + t69 * t984));
-                let t1028 = t392 * t976 + (t393 * t976 + k25 * t986)
+                let t1028 = t392 * t976 + (t393 * t976 + k26 * t986)
                     + (t394 * t979 + k19 * t984 + (t396 * t976 + t77 * t986));
                 let t1029 = t439 * t963 + (t440 * t979 + t66 * t981 + t441 * t976)
                     - t1027;
@@ -3762,10 +3791,10 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t1062 = T::from_f64(0.8) * t1045;
                 let t1063 = sin_psi * (T::from_f64(0.8) * t1052 - t783)
                     + cos_psi * (k2 * t1061 + k3 * t1062 - t766);
-                let t1064 = k84 * t1061 - k85 * t1062
+                let t1064 = k85 * t1061 - k86 * t1062
                     + T::from_f64(0.026677916666666666) * t1058;
-                let t1065 = k91 * t962 + cos_psi * t1056 + sin_psi * t1064 - t785
-                    - k46 * t1052;
+                let t1065 = k94 * t962 + cos_psi * t1056 + sin_psi * t1064 - t785
+                    - k47 * t1052;
                 let t1066 = sin_psi * t1056 + t786 - cos_psi * t1064;
                 let t1067 = T::from_f64(0.1) * t1058;
                 let t1068 = t1059 + t1047;
@@ -3781,11 +3810,11 @@ k96 = 0.08*sin(other)*sin(skew)
                         * (T::from_f64(0.96) * t1052 + cos_psi * t1060 + sin_psi * t1070
                             - t791);
                 let t1075 = (k2 * t1066 + k3 * t1069 + T::from_f64(0.8) * t1073
-                    + k92 * t1045) * t506;
-                let t1076 = k3 * t1066 + k46 * t1045 - k2 * t1069
+                    + k95 * t1045) * t506;
+                let t1076 = k3 * t1066 + k47 * t1045 - k2 * t1069
                     - T::from_f64(0.8) * t1072 - T::from_f64(1.3226891666666667) * t1046;
                 let t1077 = k7 * (sin_phi * t1065 + cos_phi * t1076)
-                    + (k23 * t1074 - k39 * (t1072 + T::from_f64(1.92) * t1046));
+                    + (k24 * t1074 - k40 * (t1072 + T::from_f64(1.92) * t1046));
                 let t1078 = t512
                     * (t1077 + t794 * t959 + t789 * t958 + t238 * t1069 + t1075);
                 let t1079 = t239 * t244 + t162 * t241;
@@ -3831,35 +3860,35 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t1114 = t712 + t419 * t1097;
                 let t1115 = t239 * t256 + t241 * t1097;
                 let t1116 = t66 * t1115 + cos_phi * t703 - t1092 - t1092
-                    + (t1114 + t1114 - t69 * t1093 - k23 * t1094);
+                    + (t1114 + t1114 - t69 * t1093 - k24 * t1094);
                 let t1117 = t239 * t245 + t51 * t241;
                 let t1118 = T::from_f64(2.0) * t259;
                 let t1119 = cos_phi * t1118;
-                let t1120 = t44 * t1115 + k40 * t1119 - t1084 - t1084
+                let t1120 = t44 * t1115 + k41 * t1119 - t1084 - t1084
                     + (t1106 + t1106 - t46 * t1093 - k4 * t1094);
-                let t1121 = t54 * t1115 + k33 * t1119 - t1086 - t1086
-                    + (t1108 + t1108 - t55 * t1093 - k24 * t1094);
+                let t1121 = t54 * t1115 + k34 * t1119 - t1086 - t1086
+                    + (t1108 + t1108 - t55 * t1093 - k25 * t1094);
                 let t1122 = t1110 + t1110 - t88 * t1093 - sin_phi * t439
-                    + (t86 * t1115 + k23 * t1119 - t1088 - t1088);
-                let t1123 = t1122 - (t1111 + t1111 - t78 * t1093 - k29 * t1094)
-                    - (t77 * t1115 + k30 * t1119 - t1089 - t1089);
+                    + (t86 * t1115 + k24 * t1119 - t1088 - t1088);
+                let t1123 = t1122 - (t1111 + t1111 - t78 * t1093 - k30 * t1094)
+                    - (t77 * t1115 + k31 * t1119 - t1089 - t1089);
                 let t1124 = t29 * t1115 + k4 * t1119 - t1081 - t1081
-                    + (t1102 + t1102 - t31 * t1093 - k40 * t1094);
-                let t1125 = k42 * t1118;
-                let t1126 = t1124 + k83 * t1115
+                    + (t1102 + t1102 - t31 * t1093 - k41 * t1094);
+                let t1125 = k43 * t1118;
+                let t1126 = t1124 + k84 * t1115
                     - (t27 * t1115 + cos_phi * t1125 - t1082 - t1082);
-                let t1127 = k44 * t1118;
-                let t1128 = t22 * t1093 + k41 * t1094 + t1096 * t158
+                let t1127 = k45 * t1118;
+                let t1128 = t22 * t1093 + k42 * t1094 + t1096 * t158
                     + cos_psi * (t1126 - t1127);
                 let t1129 = sin_phi * t1118;
                 let t1130 = t1115 + t1118;
                 let t1131 = cos_phi * t717;
                 let t1132 = k19 * t717 - (k21 * t1131 + t1091 + t1091 + t71 * t1115)
                     - (t1113 + t1113 + t73 * t1093 + k20 * t1129);
-                let t1133 = t1103 + t1103 + t25 * t1093 + k43 * t1129
+                let t1133 = t1103 + t1103 + t25 * t1093 + k44 * t1129
                     - (k12 * t1131 + t1083 + t1083 + t33 * t1115);
                 let t1134 = t1133 - (t1104 + t1104 + t35 * t1093 + k2 * t1129)
-                    - k45 * t1093;
+                    - k46 * t1093;
                 let t1135 = t1107 + t1107 + t42 * t1093 + k12 * t1129
                     + (k2 * t1131 + t1085 + t1085 + t48 * t1115);
                 let t1136 = sin_psi * t238;
@@ -3896,7 +3925,7 @@ k96 = 0.08*sin(other)*sin(skew)
                     + sin_psi * t1132 + t1151 * t415;
                 let t1154 = t1153 + cos_psi * t1116 + t1096 * t426 - t64 * t1093
                     - k22 * t1094;
-                let t1155 = t1151 * t174 + sin_psi * (t1120 + k7 * t1115 - k41 * t1130)
+                let t1155 = t1151 * t174 + sin_psi * (t1120 + k7 * t1115 - k42 * t1130)
                     + cos_psi * (t1135 + k10 * t1093);
                 let t1156 = t1152 - t1115 * t24;
                 let t1157 = t1154 - t1146 - t1146;
@@ -3904,12 +3933,12 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t1159 = t326 * t1095 + k7 * t1158 - (t327 * t1095 + t22 * t254)
                     + t1098;
                 let t1160 = t1140
-                    - (t332 * t1095 + k41 * t1158 - (t333 * t1136 + t1097 * t609));
-                let t1161 = t363 * t1095 + k39 * t1158 - (t364 * t1095 + t117 * t254)
+                    - (t332 * t1095 + k42 * t1158 - (t333 * t1136 + t1097 * t609));
+                let t1161 = t363 * t1095 + k40 * t1158 - (t364 * t1095 + t117 * t254)
                     + t1099;
-                let t1162 = t361 * t1095 + k36 * t1158 - (t362 * t1136 + t1097 * t645)
+                let t1162 = t361 * t1095 + k37 * t1158 - (t362 * t1136 + t1097 * t645)
                     - t1161;
-                let t1163 = t392 * t1095 + t104 * t254 + (t393 * t1095 + k25 * t1158)
+                let t1163 = t392 * t1095 + t104 * t254 + (t393 * t1095 + k26 * t1158)
                     + t1143;
                 let t1164 = t1148 + t1150
                     + (t387 * t1095 + t254 * (t70 + t86 * t1080) + t1100 - t1163);
@@ -3917,19 +3946,19 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t1166 = t1159 + t1160;
                 let t1167 = t1155 + t1096 * t176 + t1166 + t1166;
                 let t1168 = k18 * t717;
-                let t1169 = t1109 + t1109 + t57 * t1093 + k35 * t1129
+                let t1169 = t1109 + t1109 + t57 * t1093 + k36 * t1129
                     + (cos_phi * t1168 + t1087 + t1087 + t58 * t1115);
-                let t1170 = t1168 + k34 * t1129 + k27 * t1131 + t62 * t1115
+                let t1170 = t1168 + k35 * t1129 + k28 * t1131 + t62 * t1115
                     + t1151 * t184;
-                let t1171 = t1170 + sin_psi * (t1121 + k39 * t1115 - k36 * t1130)
-                    + cos_psi * (t1169 + k38 * t1093);
+                let t1171 = t1170 + sin_psi * (t1121 + k40 * t1115 - k37 * t1130)
+                    + cos_psi * (t1169 + k39 * t1093);
                 let t1172 = t1171 + t1096 * t191 + t1093 * t61 + t1165 + t1165;
                 let t1173 = k20 * t717;
-                let t1174 = k32 * t1129 + t1173 + k31 * t1131 + t92 * t1115
+                let t1174 = k33 * t1129 + t1173 + k32 * t1131 + t92 * t1115
                     + t1151 * t213;
                 let t1175 = t1112 + t1112 + t82 * t1093 + k21 * t1129
                     + (cos_phi * t1173 + t1090 + t1090 + t84 * t1115);
-                let t1176 = t1174 + sin_psi * (t1123 - k25 * t1130)
+                let t1176 = t1174 + sin_psi * (t1123 - k26 * t1130)
                     + cos_psi * (t1175 - k19 * t1093);
                 let t1177 = t1176 + t1096 * t214 + t1093 * t81 + t1164 + t1164;
                 let t1178 = t38 * t1156 + t53 * t1167 + t63 * t1172 + t94 * t1177
@@ -3962,13 +3991,13 @@ k96 = 0.08*sin(other)*sin(skew)
                 let t1200 = t1183 + t1196;
                 let t1201 = t1196 - t1183;
                 let t1202 = t1199 + T::from_f64(0.8) * t1200;
-                let t1203 = k84 * t1198 - k85 * t1202
+                let t1203 = k85 * t1198 - k86 * t1202
                     + T::from_f64(0.026677916666666666) * t1193;
-                let t1204 = k47 * (t162 * t247 + t244 * t506 + t1079) + cos_psi * t1192
+                let t1204 = k48 * (t162 * t247 + t244 * t506 + t1079) + cos_psi * t1192
                     + sin_psi * t1203;
                 let t1205 = sin_psi * t1192 - cos_psi * t1203;
                 let t1206 = T::from_f64(0.96) * t1199
-                    + T::from_f64(0.6613445833333333) * t1200 + k46 * (t1195 - t1117)
+                    + T::from_f64(0.6613445833333333) * t1200 + k47 * (t1195 - t1117)
                     + k2 * t1205;
                 let t1207 = T::from_f64(0.1) * t1193;
                 let t1208 = t1053 + t940;
@@ -3987,14 +4016,14 @@ k96 = 0.08*sin(other)*sin(skew)
                         * (T::from_f64(0.96) * t1208 + cos_psi * t1190
                             + sin_psi * t1212);
                 let t1217 = k3 * t1205 - k2 * t1211 - T::from_f64(0.8) * t1214
-                    - k46 * t1201 - T::from_f64(0.6613445833333333) * t1197;
-                let t1218 = sin_phi * (t1204 - k46 * (t932 + t1053 - t932 - t940))
+                    - k47 * t1201 - T::from_f64(0.6613445833333333) * t1197;
+                let t1218 = sin_phi * (t1204 - k47 * (t932 + t1053 - t932 - t940))
                     + cos_phi * t1217;
                 let t1219 = k1 + k7 * t1218
-                    + (k23 * t1216 - k39 * (t1214 + T::from_f64(0.96) * t1197));
+                    + (k24 * t1216 - k40 * (t1214 + T::from_f64(0.96) * t1197));
                 let t1220 = t1219 + t238 * t1211
                     + t506
-                        * (t1206 + k3 * t1211 + T::from_f64(0.8) * t1215 - k47 * t1201);
+                        * (t1206 + k3 * t1211 + T::from_f64(0.8) * t1215 - k48 * t1201);
                 let t1221 = t512 * t1220;
                 (t1078, t1221)
             };
@@ -4041,7 +4070,6 @@ k96 = 0.08*sin(other)*sin(skew)
             let k20 = self.constants[20];
             let k21 = self.constants[21];
             let k22 = self.constants[22];
-            let k23 = self.constants[23];
             let k24 = self.constants[24];
             let k25 = self.constants[25];
             let k26 = self.constants[26];
@@ -4064,7 +4092,7 @@ k96 = 0.08*sin(other)*sin(skew)
             let k43 = self.constants[43];
             let k44 = self.constants[44];
             let k45 = self.constants[45];
-            let k52 = self.constants[52];
+            let k46 = self.constants[46];
             let k53 = self.constants[53];
             let k54 = self.constants[54];
             let k55 = self.constants[55];
@@ -4083,7 +4111,7 @@ k96 = 0.08*sin(other)*sin(skew)
             let k68 = self.constants[68];
             let k69 = self.constants[69];
             let k70 = self.constants[70];
-            let k72 = self.constants[72];
+            let k71 = self.constants[71];
             let k73 = self.constants[73];
             let k74 = self.constants[74];
             let k75 = self.constants[75];
@@ -4091,62 +4119,63 @@ k96 = 0.08*sin(other)*sin(skew)
             let k77 = self.constants[77];
             let k78 = self.constants[78];
             let k79 = self.constants[79];
-            let k82 = self.constants[82];
-            let k88 = self.constants[88];
+            let k80 = self.constants[80];
+            let k83 = self.constants[83];
+            let k92 = self.constants[92];
             let (sin_phi, cos_phi) = q_phi.sin_cos();
             let [(sin_psi, cos_psi), (sin_theta, cos_theta)] = q_psi
                 .sin_cos_pair(q_theta);
-            let t0 = k40 * sin_theta;
-            let t1 = k42 + k44 * cos_theta;
+            let t0 = k41 * sin_theta;
+            let t1 = k43 + k45 * cos_theta;
             let t2 = k4 * cos_theta;
-            let t3 = k16 - (k44 + k42 * cos_theta);
-            let t4 = k43 * cos_theta - k45;
+            let t3 = k16 - (k45 + k43 * cos_theta);
+            let t4 = k44 * cos_theta - k46;
             let t5 = k2 * cos_theta;
             let t6 = k12 * sin_theta;
             let t7 = sin_psi * (sin_phi * t0 + t1 - cos_phi * (t2 + t3) - k4)
                 + cos_psi * (sin_phi * (t4 - t5) - cos_phi * t6);
             let t8 = sin_phi * t6 - cos_phi * t5;
             let t9 = sin_phi * t2 + cos_phi * t0;
-            let t10 = k41 * sin_theta;
+            let t10 = k42 * sin_theta;
             let t11 = cos_phi * t10 + sin_phi * (t1 - cos_psi * t3)
                 + sin_psi * (cos_phi * t4 + t8);
             let t12 = sin_psi * (t10 - t9) - cos_psi * t8;
             let t13 = t11 - cos_psi * t9;
-            let t14 = k40 * cos_theta;
+            let t14 = k41 * cos_theta;
             let t15 = k4 * sin_theta;
             let t16 = sin_phi * t14 + cos_phi * t15;
             let t17 = k12 * cos_theta;
             let t18 = k2 * sin_theta;
             let t19 = cos_phi * t17 - sin_phi * t18;
-            let t20 = sin_psi * (k57 * sin_phi - t16) + cos_psi * (k10 * cos_phi + t19);
-            let t21 = k38 + k35 * cos_theta;
-            let t22 = k24 * sin_theta;
+            let t20 = sin_psi * (k58 * sin_phi - t16) + cos_psi * (k10 * cos_phi + t19);
+            let t21 = k39 + k36 * cos_theta;
+            let t22 = k25 * sin_theta;
             let t23 = k18 * sin_theta;
-            let t24 = k39 + (k33 * cos_theta - k36);
-            let t25 = cos_phi * (k37 + k34 * cos_theta + cos_psi * t21 - sin_psi * t22)
-                - sin_phi * (k27 * sin_theta + cos_psi * t23 + sin_psi * t24);
-            let t26 = cos_psi * (k33 + cos_phi * t24 - sin_phi * t22 - k36 * cos_theta)
+            let t24 = k40 + (k34 * cos_theta - k37);
+            let t25 = cos_phi * (k38 + k35 * cos_theta + cos_psi * t21 - sin_psi * t22)
+                - sin_phi * (k28 * sin_theta + cos_psi * t23 + sin_psi * t24);
+            let t26 = cos_psi * (k34 + cos_phi * t24 - sin_phi * t22 - k37 * cos_theta)
                 - sin_psi * (cos_phi * t23 + sin_phi * t21);
             let t27 = k21 * sin_theta;
             let t28 = k20 * cos_theta;
             let t29 = sin_phi * t27 - cos_phi * t28;
             let t30 = cos_phi * sin_theta;
             let t31 = cos_theta * sin_phi;
-            let t32 = k23 * sin_theta;
+            let t32 = k24 * sin_theta;
             let t33 = T::from_f64(0.4) * cos_theta;
             let t34 = cos_psi * (k19 * sin_theta - cos_phi * t27 - sin_phi * t28)
                 + sin_psi * (sin_phi * t32 - cos_phi * t33);
             let t35 = cos_phi * t32 + sin_phi * t33;
             let t36 = sin_psi * t29 - k22 * t30 - T::from_f64(0.8) * t31 - cos_psi * t35;
-            let t37 = k29 * sin_theta;
-            let t38 = k25 + k30 * cos_theta;
-            let t39 = k23 * cos_theta;
+            let t37 = k30 * sin_theta;
+            let t38 = k26 + k31 * cos_theta;
+            let t39 = k24 * cos_theta;
             let t40 = T::from_f64(0.4) * sin_theta;
             let t41 = sin_phi * t39 + cos_phi * t40;
-            let t42 = cos_phi * (t39 - t38) + sin_phi * (t37 - t40) - k25 * cos_theta
-                - k30;
+            let t42 = cos_phi * (t39 - t38) + sin_phi * (t37 - t40) - k26 * cos_theta
+                - k31;
             let t43 = sin_psi * (cos_phi * t37 + sin_phi * t38 - t41)
-                + cos_phi * (k32 * cos_theta - k19 * cos_psi - k28);
+                + cos_phi * (k33 * cos_theta - k19 * cos_psi - k29);
             let t44 = k21 * cos_theta;
             let t45 = k20 * sin_theta;
             let t46 = cos_psi * t42 + sin_psi * (sin_phi * (k19 - t44) - cos_phi * t45);
@@ -4155,14 +4184,14 @@ k96 = 0.08*sin(other)*sin(skew)
                 + sin_psi * (t47 - k19 * cos_theta);
             let t49 = t48 + cos_psi * t41;
             let t50 = sin_phi * sin_theta;
-            let t51 = t43 + cos_psi * t47 - k31 * t50;
-            let t52 = k32 * t50
-                + sin_psi * (sin_theta * (k26 - k30 * cos_phi) + t35 - k29 * t31);
-            let t53 = t52 + cos_psi * t29 - t28 - k31 * (cos_phi * cos_theta);
+            let t51 = t43 + cos_psi * t47 - k32 * t50;
+            let t52 = k33 * t50
+                + sin_psi * (sin_theta * (k27 - k31 * cos_phi) + t35 - k30 * t31);
+            let t53 = t52 + cos_psi * t29 - t28 - k32 * (cos_phi * cos_theta);
             let t54 = t13 * t13 + t20 * t20 + t25 * t25 + t36 * t36 + t51 * t51;
             let t55 = T::from_f64(1.0) / t54;
-            let t56 = k41 * cos_theta;
-            let t57 = cos_psi * (k40 + cos_phi * (k88 + t14) - t56 - sin_phi * t15)
+            let t56 = k42 * cos_theta;
+            let t57 = cos_psi * (k41 + cos_phi * (k92 + t14) - t56 - sin_phi * t15)
                 + sin_psi * (sin_phi * (k11 - t17) - cos_phi * t18);
             let t58 = t7 * t13 + t20 * t57 + t25 * t26 + t36 * t34 + t51 * t46;
             let t59 = t55 * t58;
@@ -4174,15 +4203,15 @@ k96 = 0.08*sin(other)*sin(skew)
             let t65 = t60 * t60 + t61 * t61 + t62 * t62 + t63 * t63 + t64 * t64;
             let t66 = k18 * cos_theta;
             let t67 = sin_theta
-                * (sin_psi * (k36 - k33 * cos_phi) + sin_phi * (k82 - k35 * cos_psi));
+                * (sin_psi * (k37 - k34 * cos_phi) + sin_phi * (k83 - k36 * cos_psi));
             let t68 = sin_psi * sin_phi;
-            let t69 = t66 + t67 + cos_phi * (k27 * cos_theta + cos_psi * t66)
-                - k24 * (cos_theta * t68);
-            let t70 = k42 * sin_theta;
-            let t71 = k44 * sin_theta;
+            let t69 = t66 + t67 + cos_phi * (k28 * cos_theta + cos_psi * t66)
+                - k25 * (cos_theta * t68);
+            let t70 = k43 * sin_theta;
+            let t71 = k45 * sin_theta;
             let t72 = t70 + cos_phi * t71 + sin_phi * t56
                 + cos_psi * (t71 + cos_phi * t70 - t16);
-            let t73 = t72 - sin_psi * (k43 * t50 + t19);
+            let t73 = t72 - sin_psi * (k44 * t50 + t19);
             let t74 = t36 * t49 + t51 * t53 - t25 * t69 - t20 * t12 - t13 * t73;
             let t75 = t55 * t74;
             let t76 = t63 * (t49 - t36 * t75) + t64 * (t53 - t51 * t75)
@@ -4193,19 +4222,19 @@ k96 = 0.08*sin(other)*sin(skew)
             let t80 = qd_theta * t78;
             let t81 = T::from_f64(0.08) * cos_psi;
             let t82 = sin_psi * sin_psi;
-            let t83 = t80 * (k52 + k62 * cos_psi) + t79 * (k78 + t81 - k79 * t82);
-            let t84 = k73 + k67 * cos_psi + k74 * t68 + cos_phi * (k64 + k65 * cos_psi);
-            let t85 = k76 + t81
-                + cos_phi * (k66 + T::from_f64(0.04) * cos_psi - k58 * t82)
-                + sin_phi * (sin_phi * (k75 - k59 * cos_psi) - sin_psi * t84);
-            let t86 = k72 - k69 * cos_phi
-                - T::from_f64(0.04) * (k8 * t68 + cos_psi * (k56 + k54 * cos_phi));
-            let t87 = k61 * sin_phi
+            let t83 = t80 * (k53 + k63 * cos_psi) + t79 * (k79 + t81 - k80 * t82);
+            let t84 = k74 + k68 * cos_psi + k75 * t68 + cos_phi * (k65 + k66 * cos_psi);
+            let t85 = k77 + t81
+                + cos_phi * (k67 + T::from_f64(0.04) * cos_psi - k59 * t82)
+                + sin_phi * (sin_phi * (k76 - k60 * cos_psi) - sin_psi * t84);
+            let t86 = k73 - k70 * cos_phi
+                - T::from_f64(0.04) * (k8 * t68 + cos_psi * (k57 + k55 * cos_phi));
+            let t87 = k62 * sin_phi
                 + T::from_f64(0.02666666666666667)
-                    * (k9 * (sin_phi * cos_psi) + sin_psi * (k55 + k53 * cos_phi));
-            let t88 = k70 + k60 * cos_psi + cos_phi * (k68 + k63 * cos_psi)
+                    * (k9 * (sin_phi * cos_psi) + sin_psi * (k56 + k54 * cos_phi));
+            let t88 = k71 + k61 * cos_psi + cos_phi * (k69 + k64 * cos_psi)
                 - sin_psi * t87;
-            let t89 = qd_theta * (qd_theta * (t85 - k77 * t82) + t80 * t86 + t79 * t88);
+            let t89 = qd_theta * (qd_theta * (t85 - k78 * t82) + t80 * t86 + t79 * t88);
             T::from_f64(0.013344583333333333) * t80 * t80 + t79 * t83 + t89
         }
         #[inline]
@@ -4215,17 +4244,17 @@ k96 = 0.08*sin(other)*sin(skew)
             let k4 = self.constants[4];
             let k10 = self.constants[10];
             let k12 = self.constants[12];
-            let k40 = self.constants[40];
             let k41 = self.constants[41];
-            let k57 = self.constants[57];
-            let k71 = self.constants[71];
+            let k42 = self.constants[42];
+            let k58 = self.constants[58];
+            let k72 = self.constants[72];
             let (sin_psi, cos_psi) = q_psi.sin_cos();
             let [(sin_theta, cos_theta), (sin_phi, cos_phi)] = q_theta
                 .sin_cos_pair(q_phi);
             let t0 = k2 * sin_theta * cos_phi + sin_phi * (k10 + k12 * cos_theta);
-            let t1 = k40 - (sin_phi * (k4 * sin_theta) + cos_phi * k57)
-                + cos_theta * (cos_phi * k40 - k41);
-            sin_theta * k71 + T::from_f64(9.4176) * t0
+            let t1 = k41 - (sin_phi * (k4 * sin_theta) + cos_phi * k58)
+                + cos_theta * (cos_phi * k41 - k42);
+            sin_theta * k72 + T::from_f64(9.4176) * t0
                 + T::from_f64(0.981) * (cos_psi * t0 + sin_psi * t1)
         }
     }
@@ -4254,7 +4283,6 @@ k96 = 0.08*sin(other)*sin(skew)
             let k20 = self.constants[20];
             let k21 = self.constants[21];
             let k22 = self.constants[22];
-            let k23 = self.constants[23];
             let k24 = self.constants[24];
             let k25 = self.constants[25];
             let k26 = self.constants[26];
@@ -4277,90 +4305,91 @@ k96 = 0.08*sin(other)*sin(skew)
             let k43 = self.constants[43];
             let k44 = self.constants[44];
             let k45 = self.constants[45];
-            let k57 = self.constants[57];
-            let k80 = self.constants[80];
+            let k46 = self.constants[46];
+            let k58 = self.constants[58];
             let k81 = self.constants[81];
             let k82 = self.constants[82];
             let k83 = self.constants[83];
+            let k84 = self.constants[84];
             let (sin_psi, cos_psi) = q_psi.sin_cos();
             let [(sin_phi, cos_phi), (sin_theta, cos_theta)] = q_phi
                 .sin_cos_pair(q_theta);
-            let t0 = k41 * sin_theta;
-            let t1 = k42 * cos_theta;
+            let t0 = k42 * sin_theta;
+            let t1 = k43 * cos_theta;
             let t2 = k4 * cos_theta;
-            let t3 = k40 * sin_theta;
+            let t3 = k41 * sin_theta;
             let t4 = sin_phi * t2 + cos_phi * t3;
-            let t5 = sin_phi * t1 + k44 * sin_phi - (k16 * sin_phi + t4);
-            let t6 = k43 * cos_theta;
+            let t5 = sin_phi * t1 + k45 * sin_phi - (k16 * sin_phi + t4);
+            let t6 = k44 * cos_theta;
             let t7 = k12 * sin_theta;
             let t8 = k2 * cos_theta;
             let t9 = sin_phi * t7 - cos_phi * t8;
             let t10 = sin_psi * (t0 - t4) - cos_psi * t9;
-            let t11 = cos_phi * t6 + t9 - k45 * cos_phi;
-            let t12 = k42 + k44 * cos_theta;
+            let t11 = cos_phi * t6 + t9 - k46 * cos_phi;
+            let t12 = k43 + k45 * cos_theta;
             let t13 = cos_phi * t0 + cos_psi * t5 + sin_psi * t11 + sin_phi * t12;
-            let t14 = k40 * cos_theta;
+            let t14 = k41 * cos_theta;
             let t15 = k4 * sin_theta;
             let t16 = sin_phi * t14 + cos_phi * t15;
-            let t17 = k41 * sin_phi - k7 * sin_phi - t16;
+            let t17 = k42 * sin_phi - k7 * sin_phi - t16;
             let t18 = k12 * cos_theta;
             let t19 = k2 * sin_theta;
             let t20 = cos_phi * t18 - sin_phi * t19;
             let t21 = k10 * cos_phi + t20;
             let t22 = sin_psi * t17 + cos_psi * t21;
-            let t23 = k33 * cos_theta;
-            let t24 = k24 * sin_theta;
-            let t25 = k36 * sin_phi - sin_phi * t23 - cos_phi * t24 - k39 * sin_phi;
-            let t26 = k35 * cos_theta;
+            let t23 = k34 * cos_theta;
+            let t24 = k25 * sin_theta;
+            let t25 = k37 * sin_phi - sin_phi * t23 - cos_phi * t24 - k40 * sin_phi;
+            let t26 = k36 * cos_theta;
             let t27 = k18 * sin_theta;
-            let t28 = k38 * cos_phi + (cos_phi * t26 - sin_phi * t27);
-            let t29 = k37 + k34 * cos_theta;
-            let t30 = k27 * sin_theta;
+            let t28 = k39 * cos_phi + (cos_phi * t26 - sin_phi * t27);
+            let t29 = k38 + k35 * cos_theta;
+            let t30 = k28 * sin_theta;
             let t31 = sin_psi * t25 + cos_psi * t28 + cos_phi * t29 - sin_phi * t30;
             let t32 = k21 * sin_theta;
             let t33 = k20 * cos_theta;
             let t34 = sin_phi * t32 - cos_phi * t33;
             let t35 = k22 * sin_theta;
             let t36 = T::from_f64(0.8) * cos_theta;
-            let t37 = k23 * sin_theta;
+            let t37 = k24 * sin_theta;
             let t38 = T::from_f64(0.4) * cos_theta;
             let t39 = cos_phi * t37 + sin_phi * t38;
             let t40 = sin_psi * t34 - cos_phi * t35 - sin_phi * t36 - cos_psi * t39;
-            let t41 = k29 * sin_theta;
-            let t42 = k30 * cos_theta;
-            let t43 = k23 * cos_theta;
+            let t41 = k30 * sin_theta;
+            let t42 = k31 * cos_theta;
+            let t43 = k24 * cos_theta;
             let t44 = T::from_f64(0.4) * sin_theta;
             let t45 = sin_phi * t43 + cos_phi * t44;
-            let t46 = cos_phi * t41 + k25 * sin_phi + sin_phi * t42 - t45;
-            let t47 = k31 * sin_theta;
+            let t46 = cos_phi * t41 + k26 * sin_phi + sin_phi * t42 - t45;
+            let t47 = k32 * sin_theta;
             let t48 = k21 * cos_theta;
             let t49 = k20 * sin_theta;
             let t50 = cos_phi * t48 - sin_phi * t49;
             let t51 = k19 * cos_phi - t50;
-            let t52 = k28 - k32 * cos_theta;
+            let t52 = k29 - k33 * cos_theta;
             let t53 = sin_psi * t46 - sin_phi * t47 - cos_psi * t51 - cos_phi * t52;
             let t54 = t13 * t13 + t22 * t22 + t31 * t31 + t40 * t40 + t53 * t53;
             let t55 = T::from_f64(1.0) / t54;
             let t56 = t54 * t55;
-            let t57 = cos_phi * t1 + sin_phi * t3 + k44 * cos_phi + t12 - cos_phi * t2;
+            let t57 = cos_phi * t1 + sin_phi * t3 + k45 * cos_phi + t12 - cos_phi * t2;
             let t58 = t57 - k16 * cos_phi - k4;
-            let t59 = t6 * sin_phi - cos_phi * t7 - (sin_phi * t8 + k45 * sin_phi);
+            let t59 = t6 * sin_phi - cos_phi * t7 - (sin_phi * t8 + k46 * sin_phi);
             let t60 = sin_psi * t58 + cos_psi * t59;
             let t61 = sin_phi * t37 - cos_phi * t38;
             let t62 = sin_phi * t33 - (k19 * sin_theta - cos_phi * t32);
             let t63 = sin_psi * t61 - cos_psi * t62;
             let t64 = k19 * sin_phi - sin_phi * t48 - cos_phi * t49;
-            let t65 = sin_phi * t44 + (k30 - sin_phi * t41)
-                + (k25 * cos_theta + k25 * cos_phi + (cos_phi * t42 - cos_phi * t43));
+            let t65 = sin_phi * t44 + (k31 - sin_phi * t41)
+                + (k26 * cos_theta + k26 * cos_phi + (cos_phi * t42 - cos_phi * t43));
             let t66 = sin_psi * t64 - cos_psi * t65;
-            let t67 = k41 * cos_phi;
-            let t68 = k41 * cos_theta;
-            let t69 = t67 - k7 * cos_phi - (k40 + cos_phi * t14 - (sin_phi * t15 + t68));
+            let t67 = k42 * cos_phi;
+            let t68 = k42 * cos_theta;
+            let t69 = t67 - k7 * cos_phi - (k41 + cos_phi * t14 - (sin_phi * t15 + t68));
             let t70 = sin_phi * t18 + cos_phi * t19 + k10 * sin_phi;
             let t71 = cos_psi * t69 + sin_psi * t70;
-            let t72 = k36 * cos_phi - k39 * cos_phi
-                - (k33 + cos_phi * t23 - (sin_phi * t24 + k36 * cos_theta));
-            let t73 = sin_phi * t26 + cos_phi * t27 + k38 * sin_phi;
+            let t72 = k37 * cos_phi - k40 * cos_phi
+                - (k34 + cos_phi * t23 - (sin_phi * t24 + k37 * cos_theta));
+            let t73 = sin_phi * t26 + cos_phi * t27 + k39 * sin_phi;
             let t74 = cos_psi * t72 + sin_psi * t73;
             let t75 = t13 * t60 + t40 * t63 + t53 * t66 - t22 * t71 - t31 * t74;
             let t76 = t55 * t75;
@@ -4381,19 +4410,19 @@ k96 = 0.08*sin(other)*sin(skew)
                 + sin_psi * (t50 - k19 * cos_theta);
             let t91 = t90 + cos_psi * t45;
             let t92 = sin_phi * sin_theta;
-            let t93 = k32 * t92
-                + sin_psi * (t39 + sin_theta * (k26 - k30 * cos_phi) - k29 * t89);
-            let t94 = t93 + cos_psi * t34 - t33 - k31 * (cos_phi * cos_theta);
+            let t93 = k33 * t92
+                + sin_psi * (t39 + sin_theta * (k27 - k31 * cos_phi) - k30 * t89);
+            let t94 = t93 + cos_psi * t34 - t33 - k32 * (cos_phi * cos_theta);
             let t95 = k18 * cos_theta;
             let t96 = sin_theta
-                * (sin_psi * (k36 - k33 * cos_phi) + sin_phi * (k82 - k35 * cos_psi));
-            let t97 = t95 + t96 + cos_phi * (k27 * cos_theta + cos_psi * t95)
-                - k24 * (sin_psi * t89);
-            let t98 = k42 * sin_theta;
-            let t99 = k44 * sin_theta;
+                * (sin_psi * (k37 - k34 * cos_phi) + sin_phi * (k83 - k36 * cos_psi));
+            let t97 = t95 + t96 + cos_phi * (k28 * cos_theta + cos_psi * t95)
+                - k25 * (sin_psi * t89);
+            let t98 = k43 * sin_theta;
+            let t99 = k45 * sin_theta;
             let t100 = t98 + cos_phi * t99 + sin_phi * t68
                 + cos_psi * (t99 + cos_phi * t98 - t16);
-            let t101 = t100 - sin_psi * (k43 * t92 + t20);
+            let t101 = t100 - sin_psi * (k44 * t92 + t20);
             let t102 = t40 * t91 + t53 * t94 - t31 * t97 - t22 * t10 - t13 * t101;
             let t103 = t55 * t102;
             let t104 = t80 * (t91 - t40 * t103) + t81 * (t94 - t53 * t103)
@@ -4405,33 +4434,33 @@ k96 = 0.08*sin(other)*sin(skew)
             let t109 = cos_phi * t107;
             let t110 = sin_phi * t107;
             let t111 = sin_theta * qd_theta;
-            let t112 = k42 * t111;
+            let t112 = k43 * t111;
             let t113 = k4 * t111;
-            let t114 = t1 * t109 - sin_phi * t112 + k80 * t109
+            let t114 = t1 * t109 - sin_phi * t112 + k81 * t109
                 - (t2 * t109 - sin_phi * t113);
-            let t115 = k40 * t88;
+            let t115 = k41 * t88;
             let t116 = sin_phi * t115 + t3 * t109 + (cos_phi * t113 + t2 * t110)
-                + k83 * t110;
+                + k84 * t110;
             let t117 = k12 * t88;
             let t118 = k2 * t111;
             let t119 = sin_phi * t117 + t7 * t109 + (cos_phi * t118 + t8 * t110)
-                + k45 * t110;
-            let t120 = k43 * t111;
+                + k46 * t110;
+            let t120 = k44 * t111;
             let t121 = t67 * t88 + cos_psi * (t114 - (cos_phi * t115 - t3 * t110))
                 + sin_psi * (t119 - (cos_phi * t120 + t6 * t110));
             let t122 = t6 * t109 - sin_phi * t120 - (cos_phi * t117 - t7 * t110)
                 - (t8 * t109 - sin_phi * t118);
             let t123 = cos_psi * t108;
             let t124 = sin_psi * t108;
-            let t125 = k44 * t111;
+            let t125 = k45 * t111;
             let t126 = t121 + t123 * t11 + t109 * t12 - sin_phi * t125 - t0 * t110;
             let t127 = t123 * t58
                 + sin_psi * (t116 - t125 - (cos_phi * t112 + t1 * t110));
-            let t128 = t127 + cos_psi * (t122 - k45 * t109) - t124 * t59;
+            let t128 = t127 + cos_psi * (t122 - k46 * t109) - t124 * t59;
             let t129 = t126 - t124 * t5;
-            let t130 = k40 * t111;
+            let t130 = k41 * t111;
             let t131 = k4 * t88;
-            let t132 = k57 * t109 - (t14 * t109 - sin_phi * t130)
+            let t132 = k58 * t109 - (t14 * t109 - sin_phi * t130)
                 - (cos_phi * t131 - t15 * t110);
             let t133 = k12 * t111;
             let t134 = k2 * t88;
@@ -4440,21 +4469,21 @@ k96 = 0.08*sin(other)*sin(skew)
             let t136 = sin_psi * t132 + t123 * t17 - cos_psi * t135 - t124 * t21;
             let t137 = t18 * t109 - sin_phi * t133 + (cos_phi * t134 - t19 * t110)
                 + k10 * t109;
-            let t138 = k33 * t111;
-            let t139 = k24 * t88;
-            let t140 = k81 * t109 - (t23 * t109 - sin_phi * t138)
+            let t138 = k34 * t111;
+            let t139 = k25 * t88;
+            let t140 = k82 * t109 - (t23 * t109 - sin_phi * t138)
                 - (cos_phi * t139 - t24 * t110);
             let t141 = cos_phi * t111;
             let t142 = sin_phi * t88;
-            let t143 = sin_psi * t140 + t123 * t25 - k34 * t141 - k27 * t142
+            let t143 = sin_psi * t140 + t123 * t25 - k35 * t141 - k28 * t142
                 - t30 * t109;
-            let t144 = k35 * t111;
+            let t144 = k36 * t111;
             let t145 = k18 * t88;
             let t146 = cos_phi * t144 + t26 * t110 + (sin_phi * t145 + t27 * t109)
-                + k38 * t110;
+                + k39 * t110;
             let t147 = t143 - cos_psi * t146 - t124 * t28 - t110 * t29;
             let t148 = t26 * t109 - sin_phi * t144 + (cos_phi * t145 - t27 * t110)
-                + k38 * t109;
+                + k39 * t109;
             let t149 = k21 * t88;
             let t150 = k20 * t111;
             let t151 = sin_psi
@@ -4463,7 +4492,7 @@ k96 = 0.08*sin(other)*sin(skew)
                 + t124 * t39;
             let t153 = k19 * t88 - (cos_phi * t149 - t32 * t110)
                 - (t33 * t109 - sin_phi * t150);
-            let t154 = k23 * t88;
+            let t154 = k24 * t88;
             let t155 = T::from_f64(0.4) * t111;
             let t156 = cos_psi
                 * (cos_phi * t154 - t37 * t110 + (t38 * t109 - sin_phi * t155));
@@ -4471,11 +4500,11 @@ k96 = 0.08*sin(other)*sin(skew)
                 * (sin_phi * t154 + t37 * t109 + (cos_phi * t155 + t38 * t110));
             let t158 = cos_psi * t153 + t124 * t62 + t157 + t123 * t61;
             let t159 = t152 - k22 * cos_phi * t88 - t36 * t109 - t156;
-            let t160 = k29 * t88;
-            let t161 = k30 * t111;
+            let t160 = k30 * t88;
+            let t161 = k31 * t111;
             let t162 = cos_phi * t160 - t41 * t110 + (t42 * t109 - sin_phi * t161)
-                + k25 * t109;
-            let t163 = k23 * t111;
+                + k26 * t109;
+            let t163 = k24 * t111;
             let t164 = T::from_f64(0.4) * t88;
             let t165 = t162 - (t43 * t109 - sin_phi * t163)
                 - (cos_phi * t164 - t44 * t110);
@@ -4483,16 +4512,16 @@ k96 = 0.08*sin(other)*sin(skew)
             let t167 = k21 * t111;
             let t168 = t111 + t110;
             let t169 = sin_phi * t160 + t41 * t109 + (cos_phi * t161 + t42 * t110)
-                + k25 * t168;
+                + k26 * t168;
             let t170 = t169 - (cos_phi * t163 + t43 * t110)
                 - (sin_phi * t164 + t44 * t109);
-            let t171 = k41 * t168 - (cos_phi * t130 + t14 * t110)
+            let t171 = k42 * t168 - (cos_phi * t130 + t14 * t110)
                 - (sin_phi * t131 + t15 * t109);
-            let t172 = k36 * t168 - (cos_phi * t138 + t23 * t110)
+            let t172 = k37 * t168 - (cos_phi * t138 + t23 * t110)
                 - (sin_phi * t139 + t24 * t109);
             let t173 = t124 * t69 + cos_psi * (t171 - k7 * t110) - sin_psi * t137
                 - t123 * t70;
-            let t174 = t124 * t72 + cos_psi * (t172 - k39 * t110) - sin_psi * t148
+            let t174 = t124 * t72 + cos_psi * (t172 - k40 * t110) - sin_psi * t148
                 - t123 * t73;
             let t175 = k19 * t110 - (cos_phi * t167 + t48 * t110)
                 - (sin_phi * t166 + t49 * t109);
@@ -4501,7 +4530,7 @@ k96 = 0.08*sin(other)*sin(skew)
             let t177 = sin_psi * t165 + t123 * t46 + cos_psi * t175 + t124 * t51
                 + t110 * t52;
             let t178 = t124 * t65 + cos_psi * t170 + sin_psi * t176 + t123 * t64;
-            let t179 = t177 - k32 * t141 - k31 * t142 - t47 * t109;
+            let t179 = t177 - k33 * t141 - k32 * t142 - t47 * t109;
             let t180 = t13 * t129 + t22 * t136 + t31 * t147 + t40 * t159 + t53 * t179;
             let t181 = T::from_f64(2.0) * t180;
             let t182 = t181 * (T::from_f64(1.0) / (t54 * t54));
@@ -4543,10 +4572,9 @@ k96 = 0.08*sin(other)*sin(skew)
             let k20 = self.constants[20];
             let k21 = self.constants[21];
             let k22 = self.constants[22];
-            let k23 = self.constants[23];
             let k24 = self.constants[24];
             let k25 = self.constants[25];
-            let k27 = self.constants[27];
+            let k26 = self.constants[26];
             let k28 = self.constants[28];
             let k29 = self.constants[29];
             let k30 = self.constants[30];
@@ -4565,49 +4593,50 @@ k96 = 0.08*sin(other)*sin(skew)
             let k43 = self.constants[43];
             let k44 = self.constants[44];
             let k45 = self.constants[45];
-            let k57 = self.constants[57];
-            let k81 = self.constants[81];
+            let k46 = self.constants[46];
+            let k58 = self.constants[58];
+            let k82 = self.constants[82];
             let (sin_psi, cos_psi) = q_psi.sin_cos();
             let [(sin_phi, cos_phi), (sin_theta, cos_theta)] = q_phi
                 .sin_cos_pair(q_theta);
             let t0 = k12 * sin_theta;
-            let t1 = k42 + k44 * cos_theta;
+            let t1 = k43 + k45 * cos_theta;
             let t2 = k4 * cos_theta;
-            let t3 = k42 * cos_theta;
-            let t4 = k16 - (k44 + t3);
-            let t5 = k41 * sin_theta;
-            let t6 = k43 * cos_theta;
+            let t3 = k43 * cos_theta;
+            let t4 = k16 - (k45 + t3);
+            let t5 = k42 * sin_theta;
+            let t6 = k44 * cos_theta;
             let t7 = k2 * cos_theta;
-            let t8 = k40 * sin_theta;
+            let t8 = k41 * sin_theta;
             let t9 = t1 - (k4 + cos_phi * t2)
-                + (cos_phi * t3 + sin_phi * t8 + (k44 * cos_phi - k16 * cos_phi));
+                + (cos_phi * t3 + sin_phi * t8 + (k45 * cos_phi - k16 * cos_phi));
             let t10 = sin_phi * (sin_psi * t0 + t1 - cos_psi * (t2 + t4))
-                + cos_phi * (t5 + sin_psi * (t6 - t7 - k45) - cos_psi * t8);
-            let t11 = t6 * sin_phi - cos_phi * t0 - sin_phi * t7 - k45 * sin_phi;
+                + cos_phi * (t5 + sin_psi * (t6 - t7 - k46) - cos_psi * t8);
+            let t11 = t6 * sin_phi - cos_phi * t0 - sin_phi * t7 - k46 * sin_phi;
             let t12 = sin_phi * t5 + sin_psi * t11 + t4 - cos_psi * t9 - cos_phi * t1;
             let t13 = sin_psi * t9 + cos_psi * t11;
-            let t14 = k40 * cos_theta;
+            let t14 = k41 * cos_theta;
             let t15 = k4 * sin_theta;
             let t16 = k12 * cos_theta;
             let t17 = k2 * sin_theta;
-            let t18 = sin_psi * (sin_phi * (k57 - t14) - cos_phi * t15)
+            let t18 = sin_psi * (sin_phi * (k58 - t14) - cos_phi * t15)
                 + cos_psi * (cos_phi * (k10 + t16) - sin_phi * t17);
-            let t19 = k40 + cos_phi * t14 + k7 * cos_phi - sin_phi * t15
-                - k41 * cos_theta;
+            let t19 = k41 + cos_phi * t14 + k7 * cos_phi - sin_phi * t15
+                - k42 * cos_theta;
             let t20 = k10 * sin_phi + (sin_phi * t16 + cos_phi * t17);
-            let t21 = t19 - k41 * cos_phi;
-            let t22 = k37 + k34 * cos_theta;
-            let t23 = k35 * cos_theta;
-            let t24 = k24 * sin_theta;
-            let t25 = k33 * cos_theta;
-            let t26 = k27 * sin_theta;
+            let t21 = t19 - k42 * cos_phi;
+            let t22 = k38 + k35 * cos_theta;
+            let t23 = k36 * cos_theta;
+            let t24 = k25 * sin_theta;
+            let t25 = k34 * cos_theta;
+            let t26 = k28 * sin_theta;
             let t27 = k18 * sin_theta;
-            let t28 = cos_phi * (t22 + cos_psi * (k38 + t23) - sin_psi * t24)
-                + sin_phi * (sin_psi * (k81 - t25) - t26 - cos_psi * t27);
-            let t29 = k33 + cos_phi * t25 + k39 * cos_phi - sin_phi * t24
-                - k36 * cos_theta;
-            let t30 = t29 - k36 * cos_phi;
-            let t31 = k38 * sin_phi + (sin_phi * t23 + cos_phi * t27);
+            let t28 = cos_phi * (t22 + cos_psi * (k39 + t23) - sin_psi * t24)
+                + sin_phi * (sin_psi * (k82 - t25) - t26 - cos_psi * t27);
+            let t29 = k34 + cos_phi * t25 + k40 * cos_phi - sin_phi * t24
+                - k37 * cos_theta;
+            let t30 = t29 - k37 * cos_phi;
+            let t31 = k39 * sin_phi + (sin_phi * t23 + cos_phi * t27);
             let t32 = t27 + cos_phi * t26 + sin_psi * t30 + cos_psi * t31
                 + sin_phi * t22;
             let t33 = cos_psi * t30 - sin_psi * t31;
@@ -4616,7 +4645,7 @@ k96 = 0.08*sin(other)*sin(skew)
             let t36 = T::from_f64(0.4) * cos_theta;
             let t37 = k22 * sin_theta;
             let t38 = k20 * cos_theta;
-            let t39 = k23 * sin_theta;
+            let t39 = k24 * sin_theta;
             let t40 = sin_phi * (sin_psi * t34 - t35 - cos_psi * t36)
                 - cos_phi * (t37 + sin_psi * t38 + cos_psi * t39);
             let t41 = k19 * sin_theta - cos_phi * t34 - sin_phi * t38;
@@ -4624,18 +4653,18 @@ k96 = 0.08*sin(other)*sin(skew)
             let t43 = T::from_f64(0.8) + t36 + cos_phi * t35 + sin_psi * t41
                 - sin_phi * t37 - cos_psi * t42;
             let t44 = cos_psi * t41 + sin_psi * t42;
-            let t45 = k29 * sin_theta;
+            let t45 = k30 * sin_theta;
             let t46 = T::from_f64(0.4) * sin_theta;
             let t47 = k21 * cos_theta;
-            let t48 = k28 - k32 * cos_theta;
-            let t49 = k30 * cos_theta;
-            let t50 = k23 * cos_theta;
-            let t51 = k31 * sin_theta;
+            let t48 = k29 - k33 * cos_theta;
+            let t49 = k31 * cos_theta;
+            let t50 = k24 * cos_theta;
+            let t51 = k32 * sin_theta;
             let t52 = k20 * sin_theta;
             let t53 = cos_phi * (sin_psi * (t45 - t46) + cos_psi * (t47 - k19) - t48)
-                + sin_phi * (sin_psi * (k25 + t49 - t50) - t51 - cos_psi * t52);
-            let t54 = cos_phi * t50 - (k30 + sin_phi * t46)
-                + (sin_phi * t45 - k25 * cos_theta - (k25 * cos_phi + cos_phi * t49));
+                + sin_phi * (sin_psi * (k26 + t49 - t50) - t51 - cos_psi * t52);
+            let t54 = cos_phi * t50 - (k31 + sin_phi * t46)
+                + (sin_phi * t45 - k26 * cos_theta - (k26 * cos_phi + cos_phi * t49));
             let t55 = k19 * sin_phi - sin_phi * t47 - cos_phi * t52;
             let t56 = cos_psi * t55 + sin_phi * t48 - t52 - cos_phi * t51
                 - sin_psi * t54;
@@ -4660,6 +4689,138 @@ k96 = 0.08*sin(other)*sin(skew)
             let t74 = T::from_f64(1.0) / t73 * t72;
             ::pendulum_core::nalgebra::SVector::from([t63 - t65 * t74, t74])
         }
+        ///How far the loops that have no closed form are from being closed, in the order of the declaration: the distances between their ends in m, the angles between their frames, or axes, in rad, and the sums of the lengths around them in m.
+        #[inline]
+        pub fn loop_gaps(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 4>,
+        ) -> (
+            ::pendulum_core::nalgebra::SVector<T, 1>,
+            ::pendulum_core::nalgebra::SVector<T, 1>,
+            ::pendulum_core::nalgebra::SVector<T, 1>,
+        ) {
+            let [q_theta, q_phi, q_psi, _] = x.data.0[0];
+            let k2 = self.constants[2];
+            let k3 = self.constants[3];
+            let k4 = self.constants[4];
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let k7 = self.constants[7];
+            let k8 = self.constants[8];
+            let k15 = self.constants[15];
+            let k16 = self.constants[16];
+            let k17 = self.constants[17];
+            let k18 = self.constants[18];
+            let k19 = self.constants[19];
+            let k20 = self.constants[20];
+            let k21 = self.constants[21];
+            let k23 = self.constants[23];
+            let k24 = self.constants[24];
+            let k25 = self.constants[25];
+            let k26 = self.constants[26];
+            let k28 = self.constants[28];
+            let k29 = self.constants[29];
+            let k31 = self.constants[31];
+            let k32 = self.constants[32];
+            let k33 = self.constants[33];
+            let k34 = self.constants[34];
+            let k35 = self.constants[35];
+            let k36 = self.constants[36];
+            let k37 = self.constants[37];
+            let k38 = self.constants[38];
+            let k39 = self.constants[39];
+            let k89 = self.constants[89];
+            let k90 = self.constants[90];
+            let k91 = self.constants[91];
+            let (sin_psi, cos_psi) = q_psi.sin_cos();
+            let t0 = T::from_f64(1.0) - cos_psi;
+            let t1 = k4 * t0;
+            let t2 = k2 * t1;
+            let t3 = k3 * t1;
+            let t4 = cos_psi + k6 * t0;
+            let t5 = cos_psi + k5 * t0;
+            let t6 = t2 + k3 * t4;
+            let t7 = k2 * t4 - t3;
+            let t8 = k2 * t5 + t3;
+            let t9 = k3 * t5 - t2;
+            let t10 = k3 * sin_psi;
+            let t11 = k2 * sin_psi;
+            let t12 = k2 * t10 - k3 * t11;
+            let t13 = k3 * t10 + k2 * t11;
+            let [(sin_theta, cos_theta), (sin_phi, cos_phi)] = q_theta
+                .sin_cos_pair(q_phi);
+            let t14 = k18 * sin_theta;
+            let t15 = k34 + cos_phi * (k89 + k34 * cos_theta)
+                - k25 * (sin_phi * sin_theta) - k37 * cos_theta;
+            let t16 = t14 + sin_psi * t15
+                + sin_phi * (k38 + k39 * cos_psi + cos_theta * (k35 + k36 * cos_psi));
+            let t17 = t16 + cos_phi * (k28 * sin_theta + cos_psi * t14);
+            let t18 = T::from_f64(0.4) * cos_theta;
+            let t19 = sin_theta
+                * (sin_psi * (k19 - k21 * cos_phi) + sin_phi * (k23 - k24 * cos_psi));
+            let t20 = T::from_f64(0.8) + t18 + t19
+                + cos_phi * (T::from_f64(0.8) * cos_theta + cos_psi * t18)
+                - k20 * sin_psi * (cos_theta * sin_phi);
+            let t21 = k20 * sin_theta;
+            let t22 = cos_phi * (k90 * cos_theta - k26) + sin_phi * (k91 * sin_theta)
+                - k26 * cos_theta;
+            let t23 = t21 + sin_psi * (t22 - k31)
+                + sin_phi * (cos_theta * (k33 + k21 * cos_psi) - k19 * cos_psi - k29);
+            let t24 = t23 + cos_phi * (k32 * sin_theta + cos_psi * t21);
+            let t25 = k3 * sin_theta;
+            let t26 = k8 * sin_phi;
+            let t27 = k7 * sin_phi;
+            let t28 = k7 * t26 - k8 * t27;
+            let t29 = T::from_f64(1.0) - cos_theta;
+            let t30 = cos_theta + k5 * t29;
+            let t31 = k4 * t29;
+            let t32 = cos_theta + k6 * t29;
+            let t33 = k2 * t31;
+            let t34 = k3 * t31;
+            let t35 = k3 * t30 - t33;
+            let t36 = k2 * t30 + t34;
+            let t37 = t33 + k3 * t32;
+            let t38 = k2 * t32 - t34;
+            let t39 = T::from_f64(1.0) - cos_phi;
+            let t40 = cos_phi + k15 * t39;
+            let t41 = k16 * t39;
+            let t42 = cos_phi + k17 * t39;
+            let t43 = k8 * t41;
+            let t44 = k7 * t41;
+            let t45 = k7 * t40 + t43;
+            let t46 = k8 * t40 - t44;
+            let t47 = t44 + k8 * t42;
+            let t48 = k7 * t42 - t43;
+            let t49 = t25 * t28 - t35 * t45 - t36 * t47;
+            let t50 = cos_phi * t25 + t26 * t35 - t27 * t36;
+            let t51 = k8 * t26 + k7 * t27;
+            let t52 = t35 * t46 - t25 * t51 - t36 * t48;
+            let t53 = k8 * (t49 * t6 + t50 * t12 - t52 * t8)
+                - k7 * (t49 * t7 + t52 * t9 - t50 * t13);
+            let t54 = k2 * sin_theta;
+            let t55 = k2 * t25 - k3 * t54;
+            let t56 = k3 * t25 + k2 * t54;
+            let t57 = t47 * t55 + cos_theta * t28 + t45 * t56;
+            let t58 = t47 * t37 + t28 * t54 - t45 * t38;
+            let t59 = t48 * t55 - cos_theta * t51 - t46 * t56;
+            let t60 = t48 * t37 + t46 * t38 - t51 * t54;
+            let t61 = t27 * t37 + cos_phi * t54 + t26 * t38;
+            let t62 = t27 * t55 + cos_phi * cos_theta - t26 * t56;
+            let t63 = k7 * (t7 * t57 + t9 * t59 - t13 * t62)
+                - k8 * (t6 * t57 + t12 * t62 - t8 * t59);
+            let t64 = k8 * (t6 * t58 + t12 * t61 - t8 * t60)
+                - k7 * (t7 * t58 + t9 * t60 - t13 * t61);
+            (
+                ::pendulum_core::nalgebra::SVector::from([
+                    (t17 * t17 + t20 * t20 + t24 * t24).sqrt(),
+                ]),
+                ::pendulum_core::nalgebra::SVector::from([
+                    (t53 * t53 + t63 * t63).sqrt().atan2(t64),
+                ]),
+                ::pendulum_core::nalgebra::SVector::from([T::from_f64(2.4)]),
+            )
+        }
         ///Output `gap`.
         #[inline]
         pub fn gap(
@@ -4680,16 +4841,16 @@ k96 = 0.08*sin(other)*sin(skew)
             let k15 = self.constants[15];
             let k16 = self.constants[16];
             let k17 = self.constants[17];
-            let k93 = self.constants[93];
-            let k94 = self.constants[94];
-            let k95 = self.constants[95];
             let k96 = self.constants[96];
+            let k97 = self.constants[97];
+            let k98 = self.constants[98];
+            let k99 = self.constants[99];
             let (sin_psi, cos_psi) = q_psi.sin_cos();
             let t0 = k2 * sin_psi;
             let t1 = T::from_f64(0.4) * t0;
             let t2 = T::from_f64(0.8) + T::from_f64(0.4) * cos_psi;
             let t3 = k3 * sin_psi;
-            let t4 = t2 + (k93 * t3 - k94 * t0) + (k95 * t3 + k96 * t0);
+            let t4 = t2 + (k96 * t3 - k97 * t0) + (k98 * t3 + k99 * t0);
             let t5 = T::from_f64(0.4) * t3;
             let t6 = T::from_f64(1.0) - cos_psi;
             let t7 = k4 * t6;
@@ -4769,7 +4930,6 @@ k96 = 0.08*sin(other)*sin(skew)
             let k20 = self.constants[20];
             let k21 = self.constants[21];
             let k22 = self.constants[22];
-            let k23 = self.constants[23];
             let k24 = self.constants[24];
             let k25 = self.constants[25];
             let k26 = self.constants[26];
@@ -4792,18 +4952,19 @@ k96 = 0.08*sin(other)*sin(skew)
             let k43 = self.constants[43];
             let k44 = self.constants[44];
             let k45 = self.constants[45];
-            let k82 = self.constants[82];
-            let k88 = self.constants[88];
-            let k93 = self.constants[93];
-            let k94 = self.constants[94];
-            let k95 = self.constants[95];
+            let k46 = self.constants[46];
+            let k83 = self.constants[83];
+            let k92 = self.constants[92];
             let k96 = self.constants[96];
+            let k97 = self.constants[97];
+            let k98 = self.constants[98];
+            let k99 = self.constants[99];
             let (sin_psi, cos_psi) = q_psi.sin_cos();
             let t0 = k2 * sin_psi;
             let t1 = T::from_f64(0.4) * t0;
             let t2 = T::from_f64(0.8) + T::from_f64(0.4) * cos_psi;
             let t3 = k3 * sin_psi;
-            let t4 = t2 + (k93 * t3 - k94 * t0) + (k95 * t3 + k96 * t0);
+            let t4 = t2 + (k96 * t3 - k97 * t0) + (k98 * t3 + k99 * t0);
             let t5 = T::from_f64(0.4) * t3;
             let t6 = T::from_f64(1.0) - cos_psi;
             let t7 = k4 * t6;
@@ -4834,57 +4995,57 @@ k96 = 0.08*sin(other)*sin(skew)
             let t30 = k3 * sin_theta;
             let t31 = k2 * sin_theta;
             let t32 = k2 * t30 - k3 * t31;
-            let t33 = k41 * sin_theta;
-            let t34 = k44 - (k16 - k42 * cos_theta);
-            let t35 = k42 + k44 * cos_theta;
-            let t36 = k43 * cos_theta - k45;
+            let t33 = k42 * sin_theta;
+            let t34 = k45 - (k16 - k43 * cos_theta);
+            let t35 = k43 + k45 * cos_theta;
+            let t36 = k44 * cos_theta - k46;
             let t37 = k12 * sin_theta;
             let t38 = k2 * cos_theta;
             let t39 = sin_phi * t37 - cos_phi * t38;
             let t40 = cos_phi * t33 + sin_phi * (cos_psi * t34 + t35)
                 + sin_psi * (cos_phi * t36 + t39);
             let t41 = k4 * cos_theta;
-            let t42 = k40 * sin_theta;
+            let t42 = k41 * sin_theta;
             let t43 = sin_psi * (sin_phi * t42 + cos_phi * (t34 - t41) + t35 - k4)
                 + cos_psi * (sin_phi * (t36 - t38) - cos_phi * t37);
             let t44 = sin_phi * t41 + cos_phi * t42;
             let t45 = sin_psi * (t33 - t44) - cos_psi * t39;
             let t46 = t40 - cos_psi * t44;
-            let t47 = k40 * cos_theta;
+            let t47 = k41 * cos_theta;
             let t48 = k4 * sin_theta;
             let t49 = sin_phi * t47 + cos_phi * t48;
             let t50 = k12 * cos_theta;
             let t51 = cos_phi * t50 - sin_phi * t31;
-            let t52 = sin_psi * (k41 * sin_phi - t28 - t49)
+            let t52 = sin_psi * (k42 * sin_phi - t28 - t49)
                 + cos_psi * (k10 * cos_phi + t51);
-            let t53 = k38 + k35 * cos_theta;
-            let t54 = k24 * sin_theta;
+            let t53 = k39 + k36 * cos_theta;
+            let t54 = k25 * sin_theta;
             let t55 = k18 * sin_theta;
-            let t56 = k39 + (k33 * cos_theta - k36);
-            let t57 = cos_phi * (k37 + k34 * cos_theta + cos_psi * t53 - sin_psi * t54)
-                - sin_phi * (k27 * sin_theta + cos_psi * t55 + sin_psi * t56);
-            let t58 = cos_psi * (k33 + cos_phi * t56 - sin_phi * t54 - k36 * cos_theta)
+            let t56 = k40 + (k34 * cos_theta - k37);
+            let t57 = cos_phi * (k38 + k35 * cos_theta + cos_psi * t53 - sin_psi * t54)
+                - sin_phi * (k28 * sin_theta + cos_psi * t55 + sin_psi * t56);
+            let t58 = cos_psi * (k34 + cos_phi * t56 - sin_phi * t54 - k37 * cos_theta)
                 - sin_psi * (cos_phi * t55 + sin_phi * t53);
             let t59 = k21 * sin_theta;
             let t60 = k20 * cos_theta;
             let t61 = sin_phi * t59 - cos_phi * t60;
             let t62 = cos_phi * sin_theta;
             let t63 = cos_theta * sin_phi;
-            let t64 = k23 * sin_theta;
+            let t64 = k24 * sin_theta;
             let t65 = T::from_f64(0.4) * cos_theta;
             let t66 = cos_psi * (k19 * sin_theta - cos_phi * t59 - sin_phi * t60)
                 + sin_psi * (sin_phi * t64 - cos_phi * t65);
             let t67 = cos_phi * t64 + sin_phi * t65;
             let t68 = sin_psi * t61 - k22 * t62 - T::from_f64(0.8) * t63 - cos_psi * t67;
-            let t69 = k29 * sin_theta;
-            let t70 = k25 + k30 * cos_theta;
-            let t71 = k23 * cos_theta;
+            let t69 = k30 * sin_theta;
+            let t70 = k26 + k31 * cos_theta;
+            let t71 = k24 * cos_theta;
             let t72 = T::from_f64(0.4) * sin_theta;
             let t73 = sin_phi * t71 + cos_phi * t72;
-            let t74 = cos_phi * (t71 - t70) + sin_phi * (t69 - t72) - k25 * cos_theta
-                - k30;
+            let t74 = cos_phi * (t71 - t70) + sin_phi * (t69 - t72) - k26 * cos_theta
+                - k31;
             let t75 = sin_psi * (cos_phi * t69 + sin_phi * t70 - t73)
-                + cos_phi * (k32 * cos_theta - k19 * cos_psi - k28);
+                + cos_phi * (k33 * cos_theta - k19 * cos_psi - k29);
             let t76 = k21 * cos_theta;
             let t77 = k20 * sin_theta;
             let t78 = cos_psi * t74 + sin_psi * (sin_phi * (k19 - t76) - cos_phi * t77);
@@ -4893,25 +5054,25 @@ k96 = 0.08*sin(other)*sin(skew)
                 + sin_psi * (t79 - k19 * cos_theta);
             let t81 = t80 + cos_psi * t73;
             let t82 = sin_phi * sin_theta;
-            let t83 = t75 + cos_psi * t79 - k31 * t82;
-            let t84 = k32 * t82
-                + sin_psi * (sin_theta * (k26 - k30 * cos_phi) + t67 - k29 * t63);
-            let t85 = t84 + cos_psi * t61 - t60 - k31 * (cos_theta * cos_phi);
+            let t83 = t75 + cos_psi * t79 - k32 * t82;
+            let t84 = k33 * t82
+                + sin_psi * (sin_theta * (k27 - k31 * cos_phi) + t67 - k30 * t63);
+            let t85 = t84 + cos_psi * t61 - t60 - k32 * (cos_theta * cos_phi);
             let t86 = t46 * t46 + t52 * t52 + t57 * t57 + t68 * t68 + t83 * t83;
             let t87 = T::from_f64(1.0) / t86;
             let t88 = k18 * cos_theta;
             let t89 = sin_theta
-                * (sin_psi * (k36 - k33 * cos_phi) + sin_phi * (k82 - k35 * cos_psi));
+                * (sin_psi * (k37 - k34 * cos_phi) + sin_phi * (k83 - k36 * cos_psi));
             let t90 = t88 + t88 * (cos_phi * cos_psi) + t89
-                + cos_theta * (k27 * cos_phi - k24 * (sin_psi * sin_phi));
-            let t91 = k42 * sin_theta;
-            let t92 = k44 * sin_theta;
-            let t93 = k41 * cos_theta;
+                + cos_theta * (k28 * cos_phi - k25 * (sin_psi * sin_phi));
+            let t91 = k43 * sin_theta;
+            let t92 = k45 * sin_theta;
+            let t93 = k42 * cos_theta;
             let t94 = t91 + cos_phi * t92 + sin_phi * t93
                 + cos_psi * (t92 + cos_phi * t91 - t49);
-            let t95 = cos_psi * (k40 + cos_phi * (k88 + t47) - t93 - sin_phi * t48)
+            let t95 = cos_psi * (k41 + cos_phi * (k92 + t47) - t93 - sin_phi * t48)
                 + sin_psi * (sin_phi * (k11 - t50) - cos_phi * t31);
-            let t96 = t94 - sin_psi * (k43 * t82 + t51);
+            let t96 = t94 - sin_psi * (k44 * t82 + t51);
             let t97 = k3 * t30 + k2 * t31;
             let t98 = t68 * t81 + t83 * t85 - t57 * t90 - t52 * t45 - t46 * t96;
             let t99 = t87 * t98;
@@ -4948,7 +5109,7 @@ k96 = 0.08*sin(other)*sin(skew)
             let t128 = T::from_f64(0.4) * t124;
             let t129 = t1 * t119 + t24 * t125 + t2 * t126 + t5 * t120 + t25 * t128;
             let t130 = T::from_f64(0.4) * t122;
-            let t131 = k93 * t124 - k94 * t123 + (k95 * t124 + k96 * t123) - t130;
+            let t131 = k96 * t124 - k97 * t123 + (k98 * t124 + k99 * t123) - t130;
             let t132 = t129 - t28 * t130;
             let t133 = k7 * t127 - k8 * t126;
             let t134 = k8 * sin_phi;
@@ -5037,10 +5198,10 @@ k96 = 0.08*sin(other)*sin(skew)
             let k15 = self.constants[15];
             let k16 = self.constants[16];
             let k17 = self.constants[17];
-            let k93 = self.constants[93];
-            let k94 = self.constants[94];
-            let k95 = self.constants[95];
             let k96 = self.constants[96];
+            let k97 = self.constants[97];
+            let k98 = self.constants[98];
+            let k99 = self.constants[99];
             let (sin_psi, cos_psi) = q_psi.sin_cos();
             let t0 = k2 * sin_psi;
             let t1 = T::from_f64(0.4) * t0;
@@ -5057,7 +5218,7 @@ k96 = 0.08*sin(other)*sin(skew)
             let t12 = t4 - k13 * (k3 * t11 - t7) - k14 * (t8 + k2 * t11);
             let t13 = k3 * t3;
             let t14 = k2 * t0;
-            let t15 = t2 + (k93 * t3 - k94 * t0) + k13 * (t13 + t14);
+            let t15 = t2 + (k96 * t3 - k97 * t0) + k13 * (t13 + t14);
             let t16 = t13 - sin_psi;
             let t17 = t14 - sin_psi;
             let t18 = k2 * cos_psi;
@@ -5066,7 +5227,7 @@ k96 = 0.08*sin(other)*sin(skew)
             let t21 = T::from_f64(0.4) * t20;
             let t22 = T::from_f64(0.4) * sin_psi;
             let t23 = k4 * sin_psi;
-            let t24 = k93 * t20 - k94 * t18 + (k95 * t20 + k96 * t18) - t22;
+            let t24 = k96 * t20 - k97 * t18 + (k98 * t20 + k99 * t18) - t22;
             let t25 = k2 * t23;
             let t26 = k3 * t23;
             let t27 = t19 + k14 * (t25 + k3 * t16) - k13 * (k2 * t16 - t26);
@@ -5203,16 +5364,16 @@ k96 = 0.08*sin(other)*sin(skew)
             let k15 = self.constants[15];
             let k16 = self.constants[16];
             let k17 = self.constants[17];
-            let k93 = self.constants[93];
-            let k94 = self.constants[94];
-            let k95 = self.constants[95];
             let k96 = self.constants[96];
+            let k97 = self.constants[97];
+            let k98 = self.constants[98];
+            let k99 = self.constants[99];
             let (sin_psi, cos_psi) = q_psi.sin_cos();
             let t0 = k2 * sin_psi;
             let t1 = T::from_f64(0.4) * t0;
             let t2 = T::from_f64(0.8) + T::from_f64(0.4) * cos_psi;
             let t3 = k3 * sin_psi;
-            let t4 = t2 + (k93 * t3 - k94 * t0) + (k95 * t3 + k96 * t0);
+            let t4 = t2 + (k96 * t3 - k97 * t0) + (k98 * t3 + k99 * t0);
             let t5 = T::from_f64(0.4) * t3;
             let t6 = T::from_f64(1.0) - cos_psi;
             let t7 = k4 * t6;
@@ -5292,7 +5453,6 @@ k96 = 0.08*sin(other)*sin(skew)
             let k20 = self.constants[20];
             let k21 = self.constants[21];
             let k22 = self.constants[22];
-            let k23 = self.constants[23];
             let k24 = self.constants[24];
             let k25 = self.constants[25];
             let k26 = self.constants[26];
@@ -5315,18 +5475,19 @@ k96 = 0.08*sin(other)*sin(skew)
             let k43 = self.constants[43];
             let k44 = self.constants[44];
             let k45 = self.constants[45];
-            let k82 = self.constants[82];
-            let k88 = self.constants[88];
-            let k93 = self.constants[93];
-            let k94 = self.constants[94];
-            let k95 = self.constants[95];
+            let k46 = self.constants[46];
+            let k83 = self.constants[83];
+            let k92 = self.constants[92];
             let k96 = self.constants[96];
+            let k97 = self.constants[97];
+            let k98 = self.constants[98];
+            let k99 = self.constants[99];
             let (sin_psi, cos_psi) = q_psi.sin_cos();
             let t0 = k2 * sin_psi;
             let t1 = T::from_f64(0.4) * t0;
             let t2 = T::from_f64(0.8) + T::from_f64(0.4) * cos_psi;
             let t3 = k3 * sin_psi;
-            let t4 = t2 + (k93 * t3 - k94 * t0) + (k95 * t3 + k96 * t0);
+            let t4 = t2 + (k96 * t3 - k97 * t0) + (k98 * t3 + k99 * t0);
             let t5 = T::from_f64(0.4) * t3;
             let t6 = T::from_f64(1.0) - cos_psi;
             let t7 = k4 * t6;
@@ -5357,57 +5518,57 @@ k96 = 0.08*sin(other)*sin(skew)
             let t30 = k3 * sin_theta;
             let t31 = k2 * sin_theta;
             let t32 = k2 * t30 - k3 * t31;
-            let t33 = k41 * sin_theta;
-            let t34 = k44 - (k16 - k42 * cos_theta);
-            let t35 = k42 + k44 * cos_theta;
-            let t36 = k43 * cos_theta - k45;
+            let t33 = k42 * sin_theta;
+            let t34 = k45 - (k16 - k43 * cos_theta);
+            let t35 = k43 + k45 * cos_theta;
+            let t36 = k44 * cos_theta - k46;
             let t37 = k12 * sin_theta;
             let t38 = k2 * cos_theta;
             let t39 = sin_phi * t37 - cos_phi * t38;
             let t40 = cos_phi * t33 + sin_phi * (cos_psi * t34 + t35)
                 + sin_psi * (cos_phi * t36 + t39);
             let t41 = k4 * cos_theta;
-            let t42 = k40 * sin_theta;
+            let t42 = k41 * sin_theta;
             let t43 = sin_psi * (sin_phi * t42 + cos_phi * (t34 - t41) + t35 - k4)
                 + cos_psi * (sin_phi * (t36 - t38) - cos_phi * t37);
             let t44 = sin_phi * t41 + cos_phi * t42;
             let t45 = sin_psi * (t33 - t44) - cos_psi * t39;
             let t46 = t40 - cos_psi * t44;
-            let t47 = k40 * cos_theta;
+            let t47 = k41 * cos_theta;
             let t48 = k4 * sin_theta;
             let t49 = sin_phi * t47 + cos_phi * t48;
             let t50 = k12 * cos_theta;
             let t51 = cos_phi * t50 - sin_phi * t31;
-            let t52 = sin_psi * (k41 * sin_phi - t28 - t49)
+            let t52 = sin_psi * (k42 * sin_phi - t28 - t49)
                 + cos_psi * (k10 * cos_phi + t51);
-            let t53 = k38 + k35 * cos_theta;
-            let t54 = k24 * sin_theta;
+            let t53 = k39 + k36 * cos_theta;
+            let t54 = k25 * sin_theta;
             let t55 = k18 * sin_theta;
-            let t56 = k39 + (k33 * cos_theta - k36);
-            let t57 = cos_phi * (k37 + k34 * cos_theta + cos_psi * t53 - sin_psi * t54)
-                - sin_phi * (k27 * sin_theta + cos_psi * t55 + sin_psi * t56);
-            let t58 = cos_psi * (k33 + cos_phi * t56 - sin_phi * t54 - k36 * cos_theta)
+            let t56 = k40 + (k34 * cos_theta - k37);
+            let t57 = cos_phi * (k38 + k35 * cos_theta + cos_psi * t53 - sin_psi * t54)
+                - sin_phi * (k28 * sin_theta + cos_psi * t55 + sin_psi * t56);
+            let t58 = cos_psi * (k34 + cos_phi * t56 - sin_phi * t54 - k37 * cos_theta)
                 - sin_psi * (cos_phi * t55 + sin_phi * t53);
             let t59 = k21 * sin_theta;
             let t60 = k20 * cos_theta;
             let t61 = sin_phi * t59 - cos_phi * t60;
             let t62 = cos_phi * sin_theta;
             let t63 = cos_theta * sin_phi;
-            let t64 = k23 * sin_theta;
+            let t64 = k24 * sin_theta;
             let t65 = T::from_f64(0.4) * cos_theta;
             let t66 = cos_psi * (k19 * sin_theta - cos_phi * t59 - sin_phi * t60)
                 + sin_psi * (sin_phi * t64 - cos_phi * t65);
             let t67 = cos_phi * t64 + sin_phi * t65;
             let t68 = sin_psi * t61 - k22 * t62 - T::from_f64(0.8) * t63 - cos_psi * t67;
-            let t69 = k29 * sin_theta;
-            let t70 = k25 + k30 * cos_theta;
-            let t71 = k23 * cos_theta;
+            let t69 = k30 * sin_theta;
+            let t70 = k26 + k31 * cos_theta;
+            let t71 = k24 * cos_theta;
             let t72 = T::from_f64(0.4) * sin_theta;
             let t73 = sin_phi * t71 + cos_phi * t72;
-            let t74 = cos_phi * (t71 - t70) + sin_phi * (t69 - t72) - k25 * cos_theta
-                - k30;
+            let t74 = cos_phi * (t71 - t70) + sin_phi * (t69 - t72) - k26 * cos_theta
+                - k31;
             let t75 = sin_psi * (cos_phi * t69 + sin_phi * t70 - t73)
-                + cos_phi * (k32 * cos_theta - k19 * cos_psi - k28);
+                + cos_phi * (k33 * cos_theta - k19 * cos_psi - k29);
             let t76 = k21 * cos_theta;
             let t77 = k20 * sin_theta;
             let t78 = cos_psi * t74 + sin_psi * (sin_phi * (k19 - t76) - cos_phi * t77);
@@ -5416,25 +5577,25 @@ k96 = 0.08*sin(other)*sin(skew)
                 + sin_psi * (t79 - k19 * cos_theta);
             let t81 = t80 + cos_psi * t73;
             let t82 = sin_phi * sin_theta;
-            let t83 = t75 + cos_psi * t79 - k31 * t82;
-            let t84 = k32 * t82
-                + sin_psi * (sin_theta * (k26 - k30 * cos_phi) + t67 - k29 * t63);
-            let t85 = t84 + cos_psi * t61 - t60 - k31 * (cos_theta * cos_phi);
+            let t83 = t75 + cos_psi * t79 - k32 * t82;
+            let t84 = k33 * t82
+                + sin_psi * (sin_theta * (k27 - k31 * cos_phi) + t67 - k30 * t63);
+            let t85 = t84 + cos_psi * t61 - t60 - k32 * (cos_theta * cos_phi);
             let t86 = t46 * t46 + t52 * t52 + t57 * t57 + t68 * t68 + t83 * t83;
             let t87 = T::from_f64(1.0) / t86;
             let t88 = k18 * cos_theta;
             let t89 = sin_theta
-                * (sin_psi * (k36 - k33 * cos_phi) + sin_phi * (k82 - k35 * cos_psi));
+                * (sin_psi * (k37 - k34 * cos_phi) + sin_phi * (k83 - k36 * cos_psi));
             let t90 = t88 + t88 * (cos_phi * cos_psi) + t89
-                + cos_theta * (k27 * cos_phi - k24 * (sin_psi * sin_phi));
-            let t91 = k42 * sin_theta;
-            let t92 = k44 * sin_theta;
-            let t93 = k41 * cos_theta;
+                + cos_theta * (k28 * cos_phi - k25 * (sin_psi * sin_phi));
+            let t91 = k43 * sin_theta;
+            let t92 = k45 * sin_theta;
+            let t93 = k42 * cos_theta;
             let t94 = t91 + cos_phi * t92 + sin_phi * t93
                 + cos_psi * (t92 + cos_phi * t91 - t49);
-            let t95 = cos_psi * (k40 + cos_phi * (k88 + t47) - t93 - sin_phi * t48)
+            let t95 = cos_psi * (k41 + cos_phi * (k92 + t47) - t93 - sin_phi * t48)
                 + sin_psi * (sin_phi * (k11 - t50) - cos_phi * t31);
-            let t96 = t94 - sin_psi * (k43 * t82 + t51);
+            let t96 = t94 - sin_psi * (k44 * t82 + t51);
             let t97 = k3 * t30 + k2 * t31;
             let t98 = t68 * t81 + t83 * t85 - t57 * t90 - t52 * t45 - t46 * t96;
             let t99 = t87 * t98;
@@ -5471,7 +5632,7 @@ k96 = 0.08*sin(other)*sin(skew)
             let t128 = T::from_f64(0.4) * t124;
             let t129 = t1 * t119 + t24 * t125 + t2 * t126 + t5 * t120 + t25 * t128;
             let t130 = T::from_f64(0.4) * t122;
-            let t131 = k93 * t124 - k94 * t123 + (k95 * t124 + k96 * t123) - t130;
+            let t131 = k96 * t124 - k97 * t123 + (k98 * t124 + k99 * t123) - t130;
             let t132 = t129 - t28 * t130;
             let t133 = k7 * t127 - k8 * t126;
             let t134 = k8 * sin_phi;
@@ -5560,10 +5721,10 @@ k96 = 0.08*sin(other)*sin(skew)
             let k15 = self.constants[15];
             let k16 = self.constants[16];
             let k17 = self.constants[17];
-            let k93 = self.constants[93];
-            let k94 = self.constants[94];
-            let k95 = self.constants[95];
             let k96 = self.constants[96];
+            let k97 = self.constants[97];
+            let k98 = self.constants[98];
+            let k99 = self.constants[99];
             let (sin_psi, cos_psi) = q_psi.sin_cos();
             let t0 = k2 * sin_psi;
             let t1 = T::from_f64(0.4) * t0;
@@ -5580,7 +5741,7 @@ k96 = 0.08*sin(other)*sin(skew)
             let t12 = t4 - k13 * (k3 * t11 - t7) - k14 * (t8 + k2 * t11);
             let t13 = k3 * t3;
             let t14 = k2 * t0;
-            let t15 = t2 + (k93 * t3 - k94 * t0) + k13 * (t13 + t14);
+            let t15 = t2 + (k96 * t3 - k97 * t0) + k13 * (t13 + t14);
             let t16 = t13 - sin_psi;
             let t17 = t14 - sin_psi;
             let t18 = k2 * cos_psi;
@@ -5589,7 +5750,7 @@ k96 = 0.08*sin(other)*sin(skew)
             let t21 = T::from_f64(0.4) * t20;
             let t22 = T::from_f64(0.4) * sin_psi;
             let t23 = k4 * sin_psi;
-            let t24 = k93 * t20 - k94 * t18 + (k95 * t20 + k96 * t18) - t22;
+            let t24 = k96 * t20 - k97 * t18 + (k98 * t20 + k99 * t18) - t22;
             let t25 = k2 * t23;
             let t26 = k3 * t23;
             let t27 = t19 + k14 * (t25 + k3 * t16) - k13 * (k2 * t16 - t26);
@@ -5709,7 +5870,7 @@ k96 = 0.08*sin(other)*sin(skew)
         /// A state whose loops are closed, from one in which the coordinates that follow are guesses.
         ///
         /// # Errors
-        /// If Newton's method finds no such state near the guess.
+        /// If Newton's method finds no such state near the guess, with the loop that is open the furthest.
         pub fn assemble(
             &self,
             t: T,
@@ -5723,8 +5884,10 @@ k96 = 0.08*sin(other)*sin(skew)
         {
             ::pendulum_core::system::assemble(
                 near.into_state(),
+                &<Bennett>::LAYOUT,
                 [1, 2],
                 |x| self.loop_corrections(t, x),
+                |x, tell| <Self as ::pendulum_core::System<T, 4>>::gaps(self, t, x, tell),
             )
         }
     }
@@ -5850,8 +6013,8 @@ k96 = 0.08*sin(other)*sin(skew)
                     let k15 = self.constants[15];
                     let k16 = self.constants[16];
                     let k17 = self.constants[17];
-                    let k95 = self.constants[95];
-                    let k96 = self.constants[96];
+                    let k98 = self.constants[98];
+                    let k99 = self.constants[99];
                     let (sin_psi, cos_psi) = q_psi.sin_cos();
                     let t0 = k2 * sin_psi;
                     let t1 = T::from_f64(0.4) * t0;
@@ -5859,7 +6022,7 @@ k96 = 0.08*sin(other)*sin(skew)
                     let t3 = k3 * sin_psi;
                     let t4 = T::from_f64(0.4) * t3;
                     let t5 = k2 * t3 - k3 * t0;
-                    let t6 = t2 + k14 * t5 + (k95 * t3 + k96 * t0);
+                    let t6 = t2 + k14 * t5 + (k98 * t3 + k99 * t0);
                     let t7 = T::from_f64(0.08) * t5;
                     let t8 = T::from_f64(0.8) - t7;
                     let t9 = T::from_f64(0.8) + t7;

@@ -110,29 +110,34 @@ k1 = -l
 k2 = l^2
 k3 = 2*l
 k4 = 2*l^2
-k5 = m*l^2
-k6 = 0.5*m*l^2
-k7 = 1.5*m*l*g
-k8 = 0.5*m*l*g
-k9 = 2/3*m*l^2
-k10 = 1/6*m*l^2
-k11 = 1/l
-k12 = 2*l - l
-k13 = 1*0.5*m*g
-k14 = 1
-k15 = 1/sqrt(l^4)
-k16 = 1/sqrt(l^4)
-k17 = 1*2*l
-k18 = 0.5*l^2
-k19 = 0.5*l^2
-k20 = 1*0.5*m*l
-k21 = -1
+k5 = atan2(0, l)
+k6 = atan2(0, l) + 0.5*pi
+k7 = 2*l - l
+k8 = 1 - atan2(0, l^2 - (2*l - l)^2)/pi
+k9 = (2*l - l)*(1 + atan2(0, l^2 - (2*l - l)^2)/pi - 1)
+k10 = (1 + atan2(0, l^2 - (2*l - l)^2)/pi - 1)*atan2(0, 2*l - l)
+k11 = m*l^2
+k12 = 0.5*m*l^2
+k13 = 1.5*m*l*g
+k14 = 0.5*m*l*g
+k15 = 2/3*m*l^2
+k16 = 1/6*m*l^2
+k17 = 1/l
+k18 = 1*0.5*m*g
+k19 = 1
+k20 = 1/sqrt(l^4)
+k21 = 1/sqrt(l^4)
+k22 = 1*2*l
+k23 = 0.5*l^2
+k24 = 0.5*l^2
+k25 = 1*0.5*m*l
+k26 = -1
 ```
 */
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct DoubleFourBar<T = f64> {
         params: DoubleFourBarParams,
-        constants: [T; 22],
+        constants: [T; 27],
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl DoubleFourBar {
@@ -151,7 +156,7 @@ k21 = -1
                 [p_m]
             }
             #[inline]
-            fn constants<T: ::pendulum_core::real::Real>(given: [T; 3]) -> [T; 22] {
+            fn constants<T: ::pendulum_core::real::Real>(given: [T; 3]) -> [T; 27] {
                 let [p_m, p_l, p_g] = given;
                 let t0 = -p_l;
                 let t1 = p_l * (T::from_f64(0.5) * p_l);
@@ -160,22 +165,30 @@ k21 = -1
                 let t4 = T::from_f64(2.0) * p_l;
                 let t5 = t4 - p_l;
                 let t6 = T::from_f64(2.0) * t2;
-                let t7 = p_m * t2;
-                let t8 = T::from_f64(0.6666666666666666) * t7;
-                let t9 = T::from_f64(0.16666666666666666) * t7;
-                let t10 = T::from_f64(0.5) * t7;
-                let t11 = p_g * (p_m * p_l);
-                let t12 = T::from_f64(1.5) * t11;
-                let t13 = T::from_f64(0.5) * t11;
-                let t14 = T::from_f64(1.0) / p_l;
-                let t15 = t13 * t14;
-                let t16 = t6 * t14;
-                let t17 = t10 * t14;
-                let t18 = p_l * t14;
-                let t19 = -t18;
-                let t20 = p_l * p_l * p_l * p_l;
-                let t21 = T::from_f64(1.0) / t20.sqrt();
-                let t22 = T::from_f64(1.0) / t20.sqrt();
+                let t7 = T::from_f64(0.0).atan2(p_l);
+                let t8 = t7 + T::from_f64(1.5707963267948966);
+                let t9 = T::from_f64(1.0)
+                    - T::from_f64(0.0).atan2(t2 - t5 * t5)
+                        / T::from_f64(3.141592653589793);
+                let t10 = T::from_f64(1.0) - t9;
+                let t11 = t5 * t10;
+                let t12 = t10 * T::from_f64(0.0).atan2(t5);
+                let t13 = p_m * t2;
+                let t14 = T::from_f64(0.6666666666666666) * t13;
+                let t15 = T::from_f64(0.16666666666666666) * t13;
+                let t16 = T::from_f64(0.5) * t13;
+                let t17 = p_g * (p_m * p_l);
+                let t18 = T::from_f64(1.5) * t17;
+                let t19 = T::from_f64(0.5) * t17;
+                let t20 = T::from_f64(1.0) / p_l;
+                let t21 = t19 * t20;
+                let t22 = t6 * t20;
+                let t23 = t16 * t20;
+                let t24 = p_l * t20;
+                let t25 = -t24;
+                let t26 = p_l * p_l * p_l * p_l;
+                let t27 = T::from_f64(1.0) / t26.sqrt();
+                let t28 = T::from_f64(1.0) / t26.sqrt();
                 [
                     p_l,
                     t0,
@@ -183,22 +196,27 @@ k21 = -1
                     t4,
                     t6,
                     t7,
-                    t10,
+                    t8,
+                    t5,
+                    t9,
+                    t11,
                     t12,
                     t13,
-                    t8,
-                    t9,
-                    t14,
-                    t5,
-                    t15,
-                    t18,
-                    t21,
-                    t22,
                     t16,
+                    t18,
+                    t19,
+                    t14,
+                    t15,
+                    t20,
+                    t21,
+                    t24,
+                    t27,
+                    t28,
+                    t22,
                     t3,
                     t1,
-                    t17,
-                    t19,
+                    t23,
+                    t25,
                 ]
             }
             let given = params.to_array();
@@ -226,12 +244,18 @@ k21 = -1
                 );
             }
             let constants = constants(given);
-            let names: [&'static str; 22] = [
+            let names: [&'static str; 27] = [
                 "l",
                 "-l",
                 "l^2",
                 "2*l",
                 "2*l^2",
+                "atan2(0, l)",
+                "atan2(0, l) + 0.5*pi",
+                "2*l - l",
+                "1 - atan2(0, l^2 - (2*l - l)^2)/pi",
+                "(2*l - l)*(1 + atan2(0, l^2 - (2*l - l)^2)/pi - 1)",
+                "(1 + atan2(0, l^2 - (2*l - l)^2)/pi - 1)*atan2(0, 2*l - l)",
                 "m*l^2",
                 "0.5*m*l^2",
                 "1.5*m*l*g",
@@ -239,7 +263,6 @@ k21 = -1
                 "2/3*m*l^2",
                 "1/6*m*l^2",
                 "1/l",
-                "2*l - l",
                 "1*0.5*m*g",
                 "1",
                 "1/sqrt(l^4)",
@@ -426,21 +449,21 @@ k21 = -1
                     "parallel",
                     ::pendulum_core::FunctionCost::new(
                             "as declared",
-                            ::pendulum_core::Operations::new(31, 44, 2, 2, 6, 65),
+                            ::pendulum_core::Operations::new(36, 23, 2, 1, 8, 62),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(31, 44, 2, 2, 6, 65),
+                                    ::pendulum_core::Operations::new(36, 23, 2, 1, 8, 62),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(31, 44, 2, 2, 6, 65),
+                                    ::pendulum_core::Operations::new(36, 23, 2, 1, 8, 62),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
-                                    ::pendulum_core::Operations::new(31, 44, 2, 2, 6, 65),
+                                    ::pendulum_core::Operations::new(36, 23, 2, 1, 8, 62),
                                 ),
                             ],
                         ),
@@ -471,22 +494,22 @@ k21 = -1
                 (
                     "parallel_and_jacobian",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first",
-                            ::pendulum_core::Operations::new(39, 60, 4, 2, 6, 65),
+                            "as declared",
+                            ::pendulum_core::Operations::new(49, 43, 4, 1, 8, 62),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(48, 44, 4, 1, 8, 62),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(39, 60, 4, 2, 6, 65),
+                                    ::pendulum_core::Operations::new(48, 44, 4, 1, 8, 62),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
-                                    ::pendulum_core::Operations::new(39, 60, 4, 2, 6, 65),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "as declared",
-                                    ::pendulum_core::Operations::new(40, 60, 4, 2, 6, 65),
+                                    ::pendulum_core::Operations::new(48, 44, 4, 1, 8, 62),
                                 ),
                             ],
                         ),
@@ -564,21 +587,21 @@ k21 = -1
                     "outputs",
                     ::pendulum_core::FunctionCost::new(
                             "as declared",
-                            ::pendulum_core::Operations::new(31, 48, 2, 2, 6, 65),
+                            ::pendulum_core::Operations::new(36, 27, 2, 1, 8, 62),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(31, 48, 2, 2, 6, 65),
+                                    ::pendulum_core::Operations::new(36, 27, 2, 1, 8, 62),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(31, 48, 2, 2, 6, 65),
+                                    ::pendulum_core::Operations::new(36, 27, 2, 1, 8, 62),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
-                                    ::pendulum_core::Operations::new(31, 48, 2, 2, 6, 65),
+                                    ::pendulum_core::Operations::new(36, 27, 2, 1, 8, 62),
                                 ),
                             ],
                         ),
@@ -610,21 +633,21 @@ k21 = -1
                     "outputs_and_jacobian",
                     ::pendulum_core::FunctionCost::new(
                             "as declared",
-                            ::pendulum_core::Operations::new(42, 79, 8, 2, 6, 65),
+                            ::pendulum_core::Operations::new(51, 64, 8, 1, 8, 62),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(49, 81, 8, 2, 8, 65),
+                                    ::pendulum_core::Operations::new(58, 65, 8, 1, 10, 62),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(49, 83, 8, 2, 8, 65),
+                                    ::pendulum_core::Operations::new(58, 67, 8, 1, 10, 62),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
-                                    ::pendulum_core::Operations::new(50, 83, 8, 2, 8, 65),
+                                    ::pendulum_core::Operations::new(59, 67, 8, 1, 10, 62),
                                 ),
                             ],
                         ),
@@ -670,11 +693,11 @@ k21 = -1
             let k0 = self.constants[0];
             let k2 = self.constants[2];
             let k4 = self.constants[4];
-            let k5 = self.constants[5];
             let k7 = self.constants[7];
-            let k8 = self.constants[8];
             let k11 = self.constants[11];
-            let k12 = self.constants[12];
+            let k13 = self.constants[13];
+            let k14 = self.constants[14];
+            let k17 = self.constants[17];
             let t0 = qd_theta * qd_theta;
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t1 = k0 * sin_theta;
@@ -686,12 +709,12 @@ k21 = -1
             let t7 = T::from_f64(0.5) * t2 + t3 * t5;
             let t8 = t2 * t5 - T::from_f64(0.5) * t3;
             let t9 = t2 - t7;
-            let t10 = k11 * t9;
+            let t10 = k17 * t9;
             let t11 = t6 * (t3 * t7 - t1 * t8);
             let t12 = k0 * t10;
-            let t13 = k12 + t12;
+            let t13 = k7 + t12;
             let t14 = t3 + t8;
-            let t15 = k11 * t14;
+            let t15 = k17 * t14;
             let t16 = k0 * t15;
             let t17 = k4 + k4 * t10;
             let t18 = (k2 * (T::from_f64(1.0) / t17) - T::from_f64(0.25)).sqrt();
@@ -702,13 +725,13 @@ k21 = -1
             let t23 = t11 * t16;
             let t24 = t11 * t12;
             let t25 = t19 * (t20 * t23 + t21 * t24);
-            let t26 = k11 * t7;
+            let t26 = k17 * t7;
             let t27 = t6 * (t3 * t9 + t1 * t14);
-            let t28 = k11 * t20;
+            let t28 = k17 * t20;
             let t29 = t16 + t21;
             let t30 = t19 * (t23 * t22 - t24 * t29);
-            let t31 = k7 * (sin_theta - t10 * t11)
-                - k8 * (k11 * t22 * t25 + t26 * t27 + t28 * t30);
+            let t31 = k13 * (sin_theta - t10 * t11)
+                - k14 * (k17 * t22 * t25 + t26 * t27 + t28 * t30);
             let t32 = t27 * qd_theta;
             let t33 = t32 * t32;
             let t34 = t11 * qd_theta;
@@ -717,7 +740,7 @@ k21 = -1
             let t37 = t1 * t0 + t7 * t33 + t9 * t35;
             let t38 = t6 * (t14 * t36 - t9 * t37);
             let t39 = t6 * (t7 * t37 + t8 * t36);
-            let t40 = k11 * t8;
+            let t40 = k17 * t8;
             let t41 = t30 * qd_theta;
             let t42 = t41 * t41;
             let t43 = t25 * qd_theta;
@@ -726,7 +749,7 @@ k21 = -1
             let t46 = t16 * t39 + t20 * t42 + t22 * t44 - t12 * t35;
             let t47 = t19 * (t29 * t45 - t22 * t46);
             let t48 = t27 * t38 + t30 * t47 - t19 * t25 * (t20 * t46 + t21 * t45);
-            let t49 = k11 * t21;
+            let t49 = k17 * t21;
             let t50 = T::from_f64(1.3333333333333333) * t11;
             let t51 = sin_theta * t26 + cos_theta * t40;
             let t52 = t38 * t51 + (cos_theta * t26 - sin_theta * t40) * (t33 + t27 * t0);
@@ -739,10 +762,10 @@ k21 = -1
             ::pendulum_core::nalgebra::SVector::from([
                 qd_theta,
                 (t31
-                    + k5
+                    + k11
                         * (T::from_f64(0.3333333333333333) * t48 - t39 * t50
                             - T::from_f64(0.5) * t55))
-                    * (T::from_f64(-1.0) / (k5 * (t56 - t27 * t51))),
+                    * (T::from_f64(-1.0) / (k11 * (t56 - t27 * t51))),
             ])
         }
         #[inline]
@@ -789,12 +812,12 @@ k21 = -1
             let k0 = self.constants[0];
             let k2 = self.constants[2];
             let k4 = self.constants[4];
-            let k5 = self.constants[5];
             let k7 = self.constants[7];
-            let k8 = self.constants[8];
             let k11 = self.constants[11];
-            let k12 = self.constants[12];
-            let k19 = self.constants[19];
+            let k13 = self.constants[13];
+            let k14 = self.constants[14];
+            let k17 = self.constants[17];
+            let k24 = self.constants[24];
             let t0 = qd_theta * qd_theta;
             let t1 = T::from_f64(2.0) * qd_theta;
             let (sin_theta, cos_theta) = q_theta.sin_cos();
@@ -806,7 +829,7 @@ k21 = -1
             let t7 = t4 * t6;
             let t8 = T::from_f64(0.5) * t3 + t7;
             let t9 = t3 - t8;
-            let t10 = k11 * t9;
+            let t10 = k17 * t9;
             let t11 = t5 * t6;
             let t12 = T::from_f64(1.0) / t11;
             let t13 = T::from_f64(0.5) * t4;
@@ -815,15 +838,15 @@ k21 = -1
             let t16 = t12 * t15;
             let t17 = t10 * t16;
             let t18 = k0 * t10;
-            let t19 = k12 + t18;
+            let t19 = k7 + t18;
             let t20 = t4 + t14;
-            let t21 = k11 * t20;
+            let t21 = k17 * t20;
             let t22 = k0 * t21;
             let t23 = k4 + k4 * t10;
             let t24 = (k2 * (T::from_f64(1.0) / t23) - T::from_f64(0.25)).sqrt();
             let t25 = T::from_f64(0.5) * t19 + t22 * t24;
             let t26 = t19 - t25;
-            let t27 = k11 * t26;
+            let t27 = k17 * t26;
             let t28 = t23 * t24;
             let t29 = T::from_f64(1.0) / t28;
             let t30 = t16 * t22;
@@ -831,14 +854,15 @@ k21 = -1
             let t32 = t16 * t18;
             let t33 = t25 * t30 + t31 * t32;
             let t34 = t29 * t33;
-            let t35 = k11 * t8;
+            let t35 = k17 * t8;
             let t36 = t4 * t9 + t2 * t20;
             let t37 = t12 * t36;
-            let t38 = k11 * t25;
+            let t38 = k17 * t25;
             let t39 = t22 + t31;
             let t40 = t30 * t26 - t32 * t39;
             let t41 = t29 * t40;
-            let t42 = k7 * (sin_theta - t17) - k8 * (t27 * t34 + t35 * t37 + t38 * t41);
+            let t42 = k13 * (sin_theta - t17)
+                - k14 * (t27 * t34 + t35 * t37 + t38 * t41);
             let t43 = k0 * t17;
             let t44 = t4 * t0;
             let t45 = t37 * qd_theta;
@@ -869,11 +893,11 @@ k21 = -1
             let t70 = T::from_f64(1.3333333333333333) * t16;
             let t71 = T::from_f64(0.3333333333333333)
                 * (t37 * t55 + t41 * t67 - t34 * t69) - t57 * t70;
-            let t72 = k11 * t14;
+            let t72 = k17 * t14;
             let t73 = sin_theta * t35 + cos_theta * t72;
             let t74 = cos_theta * t35 - sin_theta * t72;
             let t75 = t46 + t37 * t0;
-            let t76 = k11 * t31;
+            let t76 = k17 * t31;
             let t77 = t21 * t38 + t10 * t76;
             let t78 = t21 * t76 - t10 * t38;
             let t79 = t16 * t21;
@@ -886,10 +910,10 @@ k21 = -1
             let t86 = t34 * t34;
             let t87 = T::from_f64(1.3333333333333333) + t16 * t83
                 + T::from_f64(0.3333333333333333) * (t84 + t85 + t86) - t37 * t73;
-            let t88 = T::from_f64(-1.0) / (k5 * t87);
-            let t89 = (t42 + k5 * (t71 - t82)) * t88;
+            let t88 = T::from_f64(-1.0) / (k11 * t87);
+            let t89 = (t42 + k11 * (t71 - t82)) * t88;
             let t90 = k4 * cos_theta;
-            let t91 = k19 * (T::from_f64(1.0) / t6) * (T::from_f64(1.0) / (t5 * t5))
+            let t91 = k24 * (T::from_f64(1.0) / t6) * (T::from_f64(1.0) / (t5 * t5))
                 * t90;
             let t92 = (t5 * t91 - t6 * t90) * (T::from_f64(1.0) / (t11 * t11));
             let t93 = t4 * t91 - t13 - t2 * t6;
@@ -899,7 +923,7 @@ k21 = -1
             let t97 = t4 + t93;
             let t98 = t36 * t92 - t12 * (t2 * (t96 - t9) + t4 * (t20 - t97));
             let t99 = k4 * t79;
-            let t100 = k19 * (T::from_f64(1.0) / t24) * (T::from_f64(1.0) / (t23 * t23))
+            let t100 = k24 * (T::from_f64(1.0) / t24) * (T::from_f64(1.0) / (t23 * t23))
                 * t99;
             let t101 = (t23 * t100 - t24 * t99) * (T::from_f64(1.0) / (t28 * t28));
             let t102 = t22 * t95 + t16 * t43;
@@ -912,10 +936,10 @@ k21 = -1
             let t109 = t29 * (t26 * t102 + t39 * t106 - t30 * t107 - t32 * t108);
             let t110 = t29 * (t30 * t105 + t25 * t102 + t32 * t104 - t31 * t106);
             let t111 = t40 * t101 - t109;
-            let t112 = t35 * t98 + t72 * t84 + t38 * t111 + t76 * t85 + k11 * t39 * t86;
+            let t112 = t35 * t98 + t72 * t84 + t38 * t111 + t76 * t85 + k17 * t39 * t86;
             let t113 = t110 - t33 * t101;
-            let t114 = k7 * (cos_theta + t16 * t79 - t10 * t95)
-                + k8 * (t112 - t27 * t113);
+            let t114 = k13 * (cos_theta + t16 * t79 - t10 * t95)
+                + k14 * (t112 - t27 * t113);
             let t115 = qd_theta * t95 * t50;
             let t116 = t16 * t50;
             let t117 = qd_theta * t98 * t47;
@@ -972,9 +996,9 @@ k21 = -1
                 ::pendulum_core::nalgebra::SMatrix::from([
                     [
                         T::from_f64(0.0),
-                        t88 * (t114 + k5 * (t150 - t57 * t151 + t89 * t153)),
+                        t88 * (t114 + k11 * (t150 - t57 * t151 + t89 * t153)),
                     ],
-                    [T::from_f64(1.0), -(k5 * t88 * t158)],
+                    [T::from_f64(1.0), -(k11 * t88 * t158)],
                 ]),
             )
         }
@@ -1000,12 +1024,12 @@ k21 = -1
             let k0 = self.constants[0];
             let k2 = self.constants[2];
             let k4 = self.constants[4];
-            let k6 = self.constants[6];
-            let k9 = self.constants[9];
-            let k10 = self.constants[10];
-            let k11 = self.constants[11];
+            let k7 = self.constants[7];
             let k12 = self.constants[12];
-            let k20 = self.constants[20];
+            let k15 = self.constants[15];
+            let k16 = self.constants[16];
+            let k17 = self.constants[17];
+            let k25 = self.constants[25];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k4 - k4 * sin_theta;
             let t1 = (k2 * (T::from_f64(1.0) / t0) - T::from_f64(0.25)).sqrt();
@@ -1019,12 +1043,12 @@ k21 = -1
             let t9 = t3 - t7;
             let t10 = qd_theta * t2 * (t3 * t8 + t4 * t9);
             let t11 = t2 * (t3 * t6 + t4 * t7);
-            let t12 = k9 * qd_theta
-                - k6 * (k11 * (sin_theta * t6 - cos_theta * t7) * t10);
-            let t13 = k11 * t8;
-            let t14 = k11 * t9;
+            let t12 = k15 * qd_theta
+                - k12 * (k17 * (sin_theta * t6 - cos_theta * t7) * t10);
+            let t13 = k17 * t8;
+            let t14 = k17 * t9;
             let t15 = k0 * t13;
-            let t16 = k12 + t15;
+            let t16 = k7 + t15;
             let t17 = t15 * t11;
             let t18 = k0 * t14;
             let t19 = k4 + k4 * t13;
@@ -1035,9 +1059,9 @@ k21 = -1
             let t24 = t18 * t11;
             let t25 = ((t16 - t22) * t24 - (t18 - t23) * t17) * t21;
             let t26 = (t22 * t24 - t23 * t17) * t21;
-            let t27 = k10 * (t10 * t10 + t25 * t25 + t26 * t26) + qd_theta * t12;
+            let t27 = k16 * (t10 * t10 + t25 * t25 + t26 * t26) + qd_theta * t12;
             let t28 = qd_theta * t11;
-            let t29 = t28 * (t25 * (k20 * (t13 * t22 + t14 * t23)) + k9 * t28);
+            let t29 = t28 * (t25 * (k25 * (t13 * t22 + t14 * t23)) + k15 * t28);
             t27 + t29
         }
         #[inline]
@@ -1047,9 +1071,9 @@ k21 = -1
             let k2 = self.constants[2];
             let k4 = self.constants[4];
             let k7 = self.constants[7];
-            let k11 = self.constants[11];
-            let k12 = self.constants[12];
             let k13 = self.constants[13];
+            let k17 = self.constants[17];
+            let k18 = self.constants[18];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k0 * cos_theta;
             let t1 = k0 - k0 * sin_theta;
@@ -1057,13 +1081,13 @@ k21 = -1
                 - T::from_f64(0.25))
                 .sqrt();
             let t3 = t1 * t2 - T::from_f64(0.5) * t0;
-            let t4 = k11 * (T::from_f64(0.5) * t1 + t0 * t2 - t1);
-            let t5 = k11 * (t0 + t3);
+            let t4 = k17 * (T::from_f64(0.5) * t1 + t0 * t2 - t1);
+            let t5 = k17 * (t0 + t3);
             let t6 = k0 * t5;
-            let t7 = (k12 - k0 * t4)
+            let t7 = (k7 - k0 * t4)
                 * (k2 * (T::from_f64(1.0) / (k4 - k4 * t4)) - T::from_f64(0.25)).sqrt();
             let t8 = T::from_f64(0.5) * t6 - t7;
-            k13 * (t8 - t3 - (t6 - t8)) - k7 * (cos_theta + t5)
+            k18 * (t8 - t3 - (t6 - t8)) - k13 * (cos_theta + t5)
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
@@ -1083,11 +1107,11 @@ k21 = -1
             let k0 = self.constants[0];
             let k2 = self.constants[2];
             let k4 = self.constants[4];
-            let k11 = self.constants[11];
-            let k15 = self.constants[15];
-            let k16 = self.constants[16];
             let k17 = self.constants[17];
-            let k18 = self.constants[18];
+            let k20 = self.constants[20];
+            let k21 = self.constants[21];
+            let k22 = self.constants[22];
+            let k23 = self.constants[23];
             let t0 = k4 * qd_theta;
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t1 = k4 - k4 * sin_theta;
@@ -1097,19 +1121,19 @@ k21 = -1
             let t5 = k0 - t4;
             let t6 = k0 * cos_theta;
             let t7 = cos_theta * t0;
-            let t8 = k18 * t1 * t7 * (T::from_f64(1.0) / (t1 * t1))
+            let t8 = k23 * t1 * t7 * (T::from_f64(1.0) / (t1 * t1))
                 * (T::from_f64(1.0) / t2) - t2 * t7;
             let t9 = T::from_f64(0.5) * t5 + t2 * t6;
             let t10 = t2 * t5 - T::from_f64(0.5) * t6;
-            let t11 = k11 * (t6 + t10) * (T::from_f64(1.0) / t3) * (t6 * t9 - t4 * t10);
-            let t12 = k4 - k17 * (t9 - t5);
+            let t11 = k17 * (t6 + t10) * (T::from_f64(1.0) / t3) * (t6 * t9 - t4 * t10);
+            let t12 = k4 - k22 * (t9 - t5);
             let t13 = t11 * t0;
             let t14 = (k2 * (T::from_f64(1.0) / t12) - T::from_f64(0.25)).sqrt();
-            let t15 = k18 * t12 * t13 * (T::from_f64(1.0) / (t12 * t12))
+            let t15 = k23 * t12 * t13 * (T::from_f64(1.0) / (t12 * t12))
                 * (T::from_f64(1.0) / t14) - t14 * t13;
             (
-                ::pendulum_core::nalgebra::SVector::from([k16 * t3, k16 * t12 * t14]),
-                ::pendulum_core::nalgebra::SVector::from([k15 * t8, k15 * t15]),
+                ::pendulum_core::nalgebra::SVector::from([k21 * t3, k21 * t12 * t14]),
+                ::pendulum_core::nalgebra::SVector::from([k20 * t8, k20 * t15]),
             )
         }
         ///Output `parallel`.
@@ -1123,43 +1147,39 @@ k21 = -1
             let k0 = self.constants[0];
             let k2 = self.constants[2];
             let k4 = self.constants[4];
-            let k11 = self.constants[11];
-            let k12 = self.constants[12];
-            let t0 = q_theta - T::from_f64(0.5);
-            let [(sin1, cos1), (sin2, cos2)] = t0.sin_cos_pair(T::from_f64(-0.5));
-            let [(sin_theta, cos_theta), (sin3, cos3)] = q_theta
-                .sin_cos_pair(T::from_f64(0.5));
-            let t4 = k0 * cos_theta;
-            let t5 = k0 - k0 * sin_theta;
-            let t6 = (k2 * (T::from_f64(1.0) / (k4 - k4 * sin_theta))
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let k7 = self.constants[7];
+            let k8 = self.constants[8];
+            let k9 = self.constants[9];
+            let k10 = self.constants[10];
+            let k17 = self.constants[17];
+            let k19 = self.constants[19];
+            let t0 = k6 + q_theta;
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t1 = (k2 * (T::from_f64(1.0) / (k4 - k4 * sin_theta))
                 - T::from_f64(0.25))
                 .sqrt();
-            let t7 = T::from_f64(0.5) * t4 - t5 * t6;
-            let t8 = T::from_f64(0.5) * t5 + t4 * t6;
-            let t9 = k11 * (t4 - t7);
-            let t10 = k11 * t7;
-            let t11 = k11 * (t8 - t5);
-            let t12 = T::from_f64(0.5)
-                + (sin2 * t9 + cos2 * t11).atan2(cos2 * t9 - sin2 * t11);
-            let t13 = k11 * t8;
-            let t14 = k12 - k0 * t11;
-            let t15 = k0 * t9;
-            let t16 = (k2 * (T::from_f64(1.0) / (k4 - k4 * t11)) - T::from_f64(0.25))
+            let t2 = k0 * cos_theta;
+            let t3 = k0 * sin_theta;
+            let t4 = k0 - t3;
+            let t5 = (-(t2 * (t3 + t4))).atan2(t2 * t2 - t3 * t4) + t0;
+            let t6 = k6 - (t5 + t1.atan2(T::from_f64(0.5)));
+            let t7 = k17 * (T::from_f64(0.5) * t4 + t1 * t2 - t4);
+            let t8 = k19 * (t2 + t1 * t4 - T::from_f64(0.5) * t2);
+            let t9 = (k2 * (T::from_f64(1.0) / (k4 - k4 * t7)) - T::from_f64(0.25))
                 .sqrt();
-            let t17 = T::from_f64(0.5) * t14 + t15 * t16;
-            let t18 = T::from_f64(0.5) * t15 - t14 * t16;
-            let t19 = k11 * (t15 - t18);
-            let t20 = k11 * t18;
-            let t21 = k11 * (t17 - t14);
-            let t22 = k11 * t17;
-            let t23 = sin3 * t9 - cos3 * t11;
-            let t24 = cos3 * t9 + sin3 * t11;
-            let t25 = t12 + (t22 * t23 + t20 * t24).atan2(t22 * t24 - t23 * t20);
+            let t10 = k0 * t7;
+            let t11 = k9 - k8 * t10;
+            let t12 = k7 - t10;
+            let t13 = k8 * t8;
+            let t14 = k10 + k8 * (k6 - t6)
+                + (t8 * t11 - t13 * t12).atan2(t11 * t12 + t8 * t13);
             ::pendulum_core::nalgebra::SVector::from([
-                t0 + (t10 * cos1 - t13 * sin1).atan2(cos1 * t13 + t10 * sin1),
-                q_theta - t12,
-                t25 - T::from_f64(0.5),
-                t0 - (sin2 * t19 + cos2 * t21).atan2(cos2 * t19 - sin2 * t21),
+                q_theta + (-t1).atan2(T::from_f64(0.5)) + t5 - q_theta - k5,
+                q_theta + t6,
+                (-t9).atan2(T::from_f64(0.5)) + t14 + t6 - t6 - k5,
+                t0 - t14 - t9.atan2(T::from_f64(0.5)),
             ])
         }
         ///The rate of `parallel` along the motion.
@@ -1173,9 +1193,9 @@ k21 = -1
             let k0 = self.constants[0];
             let k2 = self.constants[2];
             let k4 = self.constants[4];
-            let k11 = self.constants[11];
-            let k12 = self.constants[12];
-            let k14 = self.constants[14];
+            let k7 = self.constants[7];
+            let k17 = self.constants[17];
+            let k19 = self.constants[19];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k4 - k4 * sin_theta;
             let t1 = (k2 * (T::from_f64(1.0) / t0) - T::from_f64(0.25)).sqrt();
@@ -1188,11 +1208,11 @@ k21 = -1
             let t8 = t2 * (t3 * t6 - t4 * t7);
             let t9 = t5 - t6;
             let t10 = t3 + t7;
-            let t11 = k11 * t9;
-            let t12 = k14 * t10;
+            let t11 = k17 * t9;
+            let t12 = k19 * t10;
             let t13 = k0 * t11;
             let t14 = k4 + k4 * t11;
-            let t15 = k12 + t13;
+            let t15 = k7 + t13;
             let t16 = t8 * t13;
             let t17 = t8 * t12;
             let t18 = (k2 * (T::from_f64(1.0) / t14) - T::from_f64(0.25)).sqrt();
@@ -1220,60 +1240,56 @@ k21 = -1
             let k0 = self.constants[0];
             let k2 = self.constants[2];
             let k4 = self.constants[4];
-            let k11 = self.constants[11];
-            let k12 = self.constants[12];
-            let t0 = q_theta - T::from_f64(0.5);
-            let [(sin_theta, cos_theta), (sin1, cos1)] = q_theta
-                .sin_cos_pair(T::from_f64(0.5));
-            let t2 = k0 * cos_theta;
-            let t3 = k0 * sin_theta;
-            let t4 = k0 - t3;
-            let t5 = k4 - k4 * sin_theta;
-            let t6 = (k2 * (T::from_f64(1.0) / t5) - T::from_f64(0.25)).sqrt();
-            let t7 = T::from_f64(1.0) / (t5 * t6);
-            let t8 = T::from_f64(0.5) * t2 - t4 * t6;
-            let t9 = T::from_f64(0.5) * t4 + t2 * t6;
-            let t10 = t4 - t9;
-            let t11 = k11 * t8;
-            let t12 = k11 * t9;
-            let t13 = t7 * (t2 * t9 + t3 * t8);
-            let t14 = t2 - t8;
-            let t15 = -(t7 * (t2 * t10 + t3 * t14));
-            let t16 = k11 * t14;
-            let t17 = k11 * t10;
-            let t18 = T::from_f64(1.0) - t13;
-            let t19 = k0 * t17;
-            let t20 = k12 + t19;
-            let t21 = t19 * t13;
-            let t22 = k0 * t16;
-            let t23 = t22 * t13;
-            let t24 = k4 + k4 * t17;
-            let t25 = (k2 * (T::from_f64(1.0) / t24) - T::from_f64(0.25)).sqrt();
-            let t26 = T::from_f64(1.0) / (t24 * t25);
-            let t27 = T::from_f64(0.5) * t20 + t22 * t25;
-            let t28 = T::from_f64(0.5) * t22 - t20 * t25;
-            let t29 = t22 - t28;
-            let t30 = t20 - t27;
-            let t31 = -(t26 * (t30 * t23 - t29 * t21));
-            let t32 = T::from_f64(1.0) - t26 * (t27 * t23 - t28 * t21);
-            let t33 = k11 * t27;
-            let t34 = k11 * t28;
-            let t35 = k11 * t29;
-            let t36 = k11 * t30;
-            let t37 = sin1 * t16 + cos1 * t17;
-            let t38 = cos1 * t16 - sin1 * t17;
-            let [(sin39, cos39), (sin40, cos40)] = t0.sin_cos_pair(T::from_f64(-0.5));
-            let t41 = t0 + (t11 * cos39 - t12 * sin39).atan2(cos39 * t12 + t11 * sin39);
-            let t42 = t0 - (sin40 * t35 - cos40 * t36).atan2(cos40 * t35 + sin40 * t36);
-            let t43 = T::from_f64(0.5)
-                + (sin40 * t16 - cos40 * t17).atan2(cos40 * t16 + sin40 * t17);
-            let t44 = t43 + (t33 * t37 + t34 * t38).atan2(t33 * t38 - t37 * t34);
-            let t45 = q_theta - t43;
-            let t46 = t44 - T::from_f64(0.5);
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let k7 = self.constants[7];
+            let k8 = self.constants[8];
+            let k9 = self.constants[9];
+            let k10 = self.constants[10];
+            let k17 = self.constants[17];
+            let k19 = self.constants[19];
+            let t0 = k6 + q_theta;
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t1 = k4 - k4 * sin_theta;
+            let t2 = (k2 * (T::from_f64(1.0) / t1) - T::from_f64(0.25)).sqrt();
+            let t3 = T::from_f64(1.0) / (t1 * t2);
+            let t4 = k0 * cos_theta;
+            let t5 = k0 * sin_theta;
+            let t6 = k0 - t5;
+            let t7 = (-(t4 * (t5 + t6))).atan2(t4 * t4 - t5 * t6) + t0;
+            let t8 = q_theta + (-t2).atan2(T::from_f64(0.5)) + t7 - q_theta - k5;
+            let t9 = k6 - (t7 + t2.atan2(T::from_f64(0.5)));
+            let t10 = q_theta + t9;
+            let t11 = T::from_f64(0.5) * t6 + t2 * t4;
+            let t12 = t2 * t6 - T::from_f64(0.5) * t4;
+            let t13 = t6 - t11;
+            let t14 = t3 * (t4 * t11 - t5 * t12);
+            let t15 = t4 + t12;
+            let t16 = -(t3 * (t4 * t13 + t5 * t15));
+            let t17 = k17 * t13;
+            let t18 = k19 * t15;
+            let t19 = T::from_f64(1.0) - t14;
+            let t20 = k4 + k4 * t17;
+            let t21 = k0 * t17;
+            let t22 = (k2 * (T::from_f64(1.0) / t20) - T::from_f64(0.25)).sqrt();
+            let t23 = T::from_f64(1.0) / (t20 * t22);
+            let t24 = k9 + k8 * t21;
+            let t25 = k8 * t18;
+            let t26 = k7 + t21;
+            let t27 = k10 + k8 * (k6 - t9)
+                + (t18 * t24 - t25 * t26).atan2(t24 * t26 + t18 * t25);
+            let t28 = (-t22).atan2(T::from_f64(0.5)) + t27 + t9 - t9 - k5;
+            let t29 = t0 - t27 - t22.atan2(T::from_f64(0.5));
+            let t30 = t21 * t14;
+            let t31 = T::from_f64(0.5) * t26 + t22 * t18;
+            let t32 = t22 * t26 - T::from_f64(0.5) * t18;
+            let t33 = t18 * t14;
+            let t34 = t14 - t14 - t23 * ((t26 - t31) * t33 - (t18 + t32) * t30);
+            let t35 = T::from_f64(1.0) - t23 * (t31 * t33 + t32 * t30);
             (
-                ::pendulum_core::nalgebra::SVector::from([t41, t45, t46, t42]),
+                ::pendulum_core::nalgebra::SVector::from([t8, t10, t28, t29]),
                 ::pendulum_core::nalgebra::SMatrix::from([
-                    [t15, t18, t31, t32],
+                    [t16, t19, t34, t35],
                     [
                         T::from_f64(0.0),
                         T::from_f64(0.0),
@@ -1294,15 +1310,15 @@ k21 = -1
             let k0 = self.constants[0];
             let k2 = self.constants[2];
             let k4 = self.constants[4];
-            let k16 = self.constants[16];
+            let k21 = self.constants[21];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k4 - k4 * sin_theta;
             let t1 = (k2 * (T::from_f64(1.0) / t0) - T::from_f64(0.25)).sqrt();
             let t2 = k0 - k0 * sin_theta;
             let t3 = k4 - k4 * ((T::from_f64(0.5) * t2 + k0 * t1 * cos_theta - t2) / k0);
             ::pendulum_core::nalgebra::SVector::from([
-                k16 * t0 * t1,
-                k16 * t3 * (k2 * (T::from_f64(1.0) / t3) - T::from_f64(0.25)).sqrt(),
+                k21 * t0 * t1,
+                k21 * t3 * (k2 * (T::from_f64(1.0) / t3) - T::from_f64(0.25)).sqrt(),
             ])
         }
         ///The rate of `margins` along the motion.
@@ -1316,30 +1332,30 @@ k21 = -1
             let k0 = self.constants[0];
             let k2 = self.constants[2];
             let k4 = self.constants[4];
-            let k11 = self.constants[11];
-            let k15 = self.constants[15];
             let k17 = self.constants[17];
-            let k18 = self.constants[18];
+            let k20 = self.constants[20];
+            let k22 = self.constants[22];
+            let k23 = self.constants[23];
             let t0 = k4 * qd_theta;
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t1 = k4 - k4 * sin_theta;
             let t2 = cos_theta * t0;
             let t3 = (k2 * (T::from_f64(1.0) / t1) - T::from_f64(0.25)).sqrt();
-            let t4 = k18 * t1 * t2 * (T::from_f64(1.0) / (t1 * t1))
+            let t4 = k23 * t1 * t2 * (T::from_f64(1.0) / (t1 * t1))
                 * (T::from_f64(1.0) / t3) - t2 * t3;
             let t5 = k0 * sin_theta;
             let t6 = k0 * cos_theta;
             let t7 = k0 - t5;
             let t8 = T::from_f64(0.5) * t7 + t3 * t6;
-            let t9 = k4 - k17 * (t8 - t7);
+            let t9 = k4 - k22 * (t8 - t7);
             let t10 = t3 * t7 - T::from_f64(0.5) * t6;
-            let t11 = k11 * (t6 + t10) * (T::from_f64(1.0) / (t1 * t3))
+            let t11 = k17 * (t6 + t10) * (T::from_f64(1.0) / (t1 * t3))
                 * (t6 * t8 - t5 * t10);
             let t12 = t11 * t0;
             let t13 = (k2 * (T::from_f64(1.0) / t9) - T::from_f64(0.25)).sqrt();
-            let t14 = k18 * t9 * t12 * (T::from_f64(1.0) / (t9 * t9))
+            let t14 = k23 * t9 * t12 * (T::from_f64(1.0) / (t9 * t9))
                 * (T::from_f64(1.0) / t13) - t12 * t13;
-            ::pendulum_core::nalgebra::SVector::from([k15 * t4, k15 * t14])
+            ::pendulum_core::nalgebra::SVector::from([k20 * t4, k20 * t14])
         }
         ///The value of `margins`, and its derivatives by the state: a row for each component, column by column for a matrix.
         #[inline]
@@ -1355,10 +1371,10 @@ k21 = -1
             let k0 = self.constants[0];
             let k2 = self.constants[2];
             let k4 = self.constants[4];
-            let k15 = self.constants[15];
-            let k16 = self.constants[16];
-            let k17 = self.constants[17];
-            let k18 = self.constants[18];
+            let k20 = self.constants[20];
+            let k21 = self.constants[21];
+            let k22 = self.constants[22];
+            let k23 = self.constants[23];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k4 - k4 * sin_theta;
             let t1 = (k2 * (T::from_f64(1.0) / t0) - T::from_f64(0.25)).sqrt();
@@ -1367,19 +1383,19 @@ k21 = -1
             let t4 = k0 - t3;
             let t5 = k0 * cos_theta;
             let t6 = k4 * cos_theta;
-            let t7 = k18 * t0 * (T::from_f64(1.0) / t1) * (T::from_f64(1.0) / (t0 * t0))
+            let t7 = k23 * t0 * (T::from_f64(1.0) / t1) * (T::from_f64(1.0) / (t0 * t0))
                 * t6 - t1 * t6;
             let t8 = T::from_f64(0.5) * t4 + t1 * t5;
             let t9 = t1 * t4 - T::from_f64(0.5) * t5;
-            let t10 = k17 * (t5 + t9) * (T::from_f64(1.0) / t2) * (t5 * t8 - t3 * t9);
-            let t11 = k4 - k17 * (t8 - t4);
+            let t10 = k22 * (t5 + t9) * (T::from_f64(1.0) / t2) * (t5 * t8 - t3 * t9);
+            let t11 = k4 - k22 * (t8 - t4);
             let t12 = (k2 * (T::from_f64(1.0) / t11) - T::from_f64(0.25)).sqrt();
-            let t13 = k18 * t11 * (T::from_f64(1.0) / t12)
+            let t13 = k23 * t11 * (T::from_f64(1.0) / t12)
                 * (T::from_f64(1.0) / (t11 * t11)) * t10 - t12 * t10;
             (
-                ::pendulum_core::nalgebra::SVector::from([k16 * t2, k16 * t11 * t12]),
+                ::pendulum_core::nalgebra::SVector::from([k21 * t2, k21 * t11 * t12]),
                 ::pendulum_core::nalgebra::SMatrix::from([
-                    [k15 * t7, k15 * t13],
+                    [k20 * t7, k20 * t13],
                     [T::from_f64(0.0), T::from_f64(0.0)],
                 ]),
             )
@@ -1395,45 +1411,41 @@ k21 = -1
             let k0 = self.constants[0];
             let k2 = self.constants[2];
             let k4 = self.constants[4];
-            let k11 = self.constants[11];
-            let k12 = self.constants[12];
-            let k16 = self.constants[16];
-            let t0 = q_theta - T::from_f64(0.5);
-            let [(sin1, cos1), (sin2, cos2)] = t0.sin_cos_pair(T::from_f64(-0.5));
-            let [(sin_theta, cos_theta), (sin3, cos3)] = q_theta
-                .sin_cos_pair(T::from_f64(0.5));
-            let t4 = k0 * cos_theta;
-            let t5 = k0 - k0 * sin_theta;
-            let t6 = k4 - k4 * sin_theta;
-            let t7 = (k2 * (T::from_f64(1.0) / t6) - T::from_f64(0.25)).sqrt();
-            let t8 = T::from_f64(0.5) * t4 - t5 * t7;
-            let t9 = T::from_f64(0.5) * t5 + t4 * t7;
-            let t10 = k11 * (t4 - t8);
-            let t11 = k11 * t8;
-            let t12 = k11 * (t9 - t5);
-            let t13 = T::from_f64(0.5)
-                + (sin2 * t10 + cos2 * t12).atan2(cos2 * t10 - sin2 * t12);
-            let t14 = k11 * t9;
-            let t15 = k12 - k0 * t12;
-            let t16 = k0 * t10;
-            let t17 = k4 - k4 * t12;
-            let t18 = (k2 * (T::from_f64(1.0) / t17) - T::from_f64(0.25)).sqrt();
-            let t19 = T::from_f64(0.5) * t15 + t16 * t18;
-            let t20 = T::from_f64(0.5) * t16 - t15 * t18;
-            let t21 = k11 * (t16 - t20);
-            let t22 = k11 * t20;
-            let t23 = k11 * (t19 - t15);
-            let t24 = k11 * t19;
-            let t25 = sin3 * t10 - cos3 * t12;
-            let t26 = cos3 * t10 + sin3 * t12;
-            let t27 = t13 + (t24 * t25 + t22 * t26).atan2(t24 * t26 - t25 * t22);
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let k7 = self.constants[7];
+            let k8 = self.constants[8];
+            let k9 = self.constants[9];
+            let k10 = self.constants[10];
+            let k17 = self.constants[17];
+            let k19 = self.constants[19];
+            let k21 = self.constants[21];
+            let t0 = k6 + q_theta;
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t1 = k4 - k4 * sin_theta;
+            let t2 = (k2 * (T::from_f64(1.0) / t1) - T::from_f64(0.25)).sqrt();
+            let t3 = k0 * cos_theta;
+            let t4 = k0 * sin_theta;
+            let t5 = k0 - t4;
+            let t6 = (-(t3 * (t4 + t5))).atan2(t3 * t3 - t4 * t5) + t0;
+            let t7 = k6 - (t6 + t2.atan2(T::from_f64(0.5)));
+            let t8 = k17 * (T::from_f64(0.5) * t5 + t2 * t3 - t5);
+            let t9 = k19 * (t3 + t2 * t5 - T::from_f64(0.5) * t3);
+            let t10 = k4 - k4 * t8;
+            let t11 = (k2 * (T::from_f64(1.0) / t10) - T::from_f64(0.25)).sqrt();
+            let t12 = k0 * t8;
+            let t13 = k9 - k8 * t12;
+            let t14 = k7 - t12;
+            let t15 = k8 * t9;
+            let t16 = k10 + k8 * (k6 - t7)
+                + (t9 * t13 - t15 * t14).atan2(t13 * t14 + t9 * t15);
             ::pendulum_core::nalgebra::SVector::from([
-                t0 + (t11 * cos1 - t14 * sin1).atan2(cos1 * t14 + t11 * sin1),
-                q_theta - t13,
-                t27 - T::from_f64(0.5),
-                t0 - (sin2 * t21 + cos2 * t23).atan2(cos2 * t21 - sin2 * t23),
-                k16 * t6 * t7,
-                k16 * t17 * t18,
+                q_theta + (-t2).atan2(T::from_f64(0.5)) + t6 - q_theta - k5,
+                q_theta + t7,
+                (-t11).atan2(T::from_f64(0.5)) + t16 + t7 - t7 - k5,
+                t0 - t16 - t11.atan2(T::from_f64(0.5)),
+                k21 * t1 * t2,
+                k21 * t10 * t11,
             ])
         }
         ///The rate of all outputs along the motion.
@@ -1447,10 +1459,10 @@ k21 = -1
             let k0 = self.constants[0];
             let k2 = self.constants[2];
             let k4 = self.constants[4];
-            let k11 = self.constants[11];
-            let k12 = self.constants[12];
-            let k15 = self.constants[15];
-            let k18 = self.constants[18];
+            let k7 = self.constants[7];
+            let k17 = self.constants[17];
+            let k20 = self.constants[20];
+            let k23 = self.constants[23];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k4 - k4 * sin_theta;
             let t1 = (k2 * (T::from_f64(1.0) / t0) - T::from_f64(0.25)).sqrt();
@@ -1458,7 +1470,7 @@ k21 = -1
             let t3 = k0 * cos_theta;
             let t4 = k0 * sin_theta;
             let t5 = k4 * qd_theta * cos_theta;
-            let t6 = k18 * t0 * t5 * (T::from_f64(1.0) / (t0 * t0))
+            let t6 = k23 * t0 * t5 * (T::from_f64(1.0) / (t0 * t0))
                 * (T::from_f64(1.0) / t1) - t1 * t5;
             let t7 = k0 - t4;
             let t8 = T::from_f64(0.5) * t7 + t1 * t3;
@@ -1466,18 +1478,18 @@ k21 = -1
             let t10 = t2 * (t3 * t8 - t4 * t9);
             let t11 = t7 - t8;
             let t12 = t3 + t9;
-            let t13 = k11 * t11;
-            let t14 = k11 * t12;
+            let t13 = k17 * t11;
+            let t14 = k17 * t12;
             let t15 = qd_theta * t10;
             let t16 = k4 * t15 * t14;
             let t17 = k0 * t14;
             let t18 = k0 * t13;
             let t19 = k4 + k4 * t13;
-            let t20 = k12 + t18;
+            let t20 = k7 + t18;
             let t21 = t10 * t18;
             let t22 = t10 * t17;
             let t23 = (k2 * (T::from_f64(1.0) / t19) - T::from_f64(0.25)).sqrt();
-            let t24 = k18 * t19 * t16 * (T::from_f64(1.0) / (t19 * t19))
+            let t24 = k23 * t19 * t16 * (T::from_f64(1.0) / (t19 * t19))
                 * (T::from_f64(1.0) / t23) - t23 * t16;
             let t25 = qd_theta * (T::from_f64(1.0) / (t19 * t23));
             let t26 = T::from_f64(0.5) * t20 + t23 * t17;
@@ -1487,8 +1499,8 @@ k21 = -1
                 qd_theta - t15,
                 t15 - t15 - ((t20 - t26) * t22 - (t17 + t27) * t21) * t25,
                 qd_theta - (t26 * t22 + t27 * t21) * t25,
-                k15 * t6,
-                k15 * t24,
+                k20 * t6,
+                k20 * t24,
             ])
         }
         ///The value of all outputs, and its derivatives by the state: a row for each component, column by column for a matrix.
@@ -1505,75 +1517,72 @@ k21 = -1
             let k0 = self.constants[0];
             let k2 = self.constants[2];
             let k4 = self.constants[4];
-            let k11 = self.constants[11];
-            let k12 = self.constants[12];
-            let k15 = self.constants[15];
-            let k16 = self.constants[16];
-            let k19 = self.constants[19];
-            let t0 = q_theta - T::from_f64(0.5);
-            let [(sin_theta, cos_theta), (sin1, cos1)] = q_theta
-                .sin_cos_pair(T::from_f64(0.5));
-            let t2 = k0 * cos_theta;
+            let k5 = self.constants[5];
+            let k6 = self.constants[6];
+            let k7 = self.constants[7];
+            let k8 = self.constants[8];
+            let k9 = self.constants[9];
+            let k10 = self.constants[10];
+            let k17 = self.constants[17];
+            let k20 = self.constants[20];
+            let k21 = self.constants[21];
+            let k23 = self.constants[23];
+            let t0 = k6 + q_theta;
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t1 = k4 - k4 * sin_theta;
+            let t2 = (k2 * (T::from_f64(1.0) / t1) - T::from_f64(0.25)).sqrt();
             let t3 = k0 * sin_theta;
-            let t4 = k0 - t3;
-            let t5 = k4 - k4 * sin_theta;
-            let t6 = (k2 * (T::from_f64(1.0) / t5) - T::from_f64(0.25)).sqrt();
-            let t7 = T::from_f64(0.5) * t2 - t4 * t6;
-            let t8 = k11 * t7;
-            let t9 = T::from_f64(0.5) * t4 + t2 * t6;
-            let t10 = t4 - t9;
-            let t11 = k11 * t9;
-            let t12 = t2 - t7;
-            let t13 = k11 * t12;
-            let t14 = k11 * t10;
-            let t15 = k0 * t14;
-            let t16 = k12 + t15;
-            let t17 = k0 * t13;
-            let t18 = k4 + k4 * t14;
-            let t19 = (k2 * (T::from_f64(1.0) / t18) - T::from_f64(0.25)).sqrt();
-            let t20 = T::from_f64(0.5) * t16 + t17 * t19;
-            let t21 = k11 * t20;
-            let t22 = sin1 * t13 + cos1 * t14;
-            let t23 = T::from_f64(0.5) * t17 - t16 * t19;
-            let t24 = t16 - t20;
-            let t25 = k11 * t23;
-            let t26 = cos1 * t13 - sin1 * t14;
-            let t27 = k4 * cos_theta;
-            let t28 = k19 * t5 * (T::from_f64(1.0) / t6) * (T::from_f64(1.0) / (t5 * t5))
-                * t27 - t6 * t27;
-            let t29 = t5 * t6;
-            let t30 = k15 * t28;
-            let t31 = k16 * t29;
-            let t32 = T::from_f64(1.0) / t29;
-            let t33 = -(t32 * (t2 * t10 + t3 * t12));
-            let t34 = t32 * (t2 * t9 + t3 * t7);
-            let t35 = T::from_f64(1.0) - t34;
-            let t36 = t15 * t34;
-            let t37 = t17 - t23;
-            let t38 = t17 * t34;
-            let t39 = k11 * t37;
-            let t40 = k11 * t24;
-            let t41 = t18 * t19;
-            let t42 = k16 * t41;
-            let t43 = T::from_f64(1.0) / t41;
-            let t44 = t34 - t34 - t43 * (t24 * t38 - t37 * t36);
-            let t45 = T::from_f64(1.0) - t43 * (t20 * t38 - t23 * t36);
-            let t46 = k4 * t13 * t34;
-            let t47 = k19 * t18 * (T::from_f64(1.0) / t19)
-                * (T::from_f64(1.0) / (t18 * t18)) * t46 - t19 * t46;
-            let t48 = k15 * t47;
-            let [(sin49, cos49), (sin50, cos50)] = t0.sin_cos_pair(T::from_f64(-0.5));
-            let t51 = t0 + (t8 * cos49 - t11 * sin49).atan2(cos49 * t11 + t8 * sin49);
-            let t52 = t0 - (sin50 * t39 - cos50 * t40).atan2(cos50 * t39 + sin50 * t40);
-            let t53 = T::from_f64(0.5)
-                + (sin50 * t13 - cos50 * t14).atan2(cos50 * t13 + sin50 * t14);
-            let t54 = t53 + (t21 * t22 + t25 * t26).atan2(t21 * t26 - t22 * t25);
-            let t55 = q_theta - t53;
-            let t56 = t54 - T::from_f64(0.5);
+            let t4 = k0 * cos_theta;
+            let t5 = k4 * cos_theta;
+            let t6 = k23 * t1 * (T::from_f64(1.0) / t2) * (T::from_f64(1.0) / (t1 * t1))
+                * t5 - t2 * t5;
+            let t7 = k20 * t6;
+            let t8 = t1 * t2;
+            let t9 = k21 * t8;
+            let t10 = T::from_f64(1.0) / t8;
+            let t11 = k0 - t3;
+            let t12 = (-(t3 * t4 + t4 * t11)).atan2(t4 * t4 - t3 * t11);
+            let t13 = t12 + t0;
+            let t14 = q_theta + (-t2).atan2(T::from_f64(0.5)) + t13 - q_theta - k5;
+            let t15 = k6 - (t13 + t2.atan2(T::from_f64(0.5)));
+            let t16 = q_theta + t15;
+            let t17 = T::from_f64(0.5) * t11 + t2 * t4;
+            let t18 = t2 * t11 - T::from_f64(0.5) * t4;
+            let t19 = t11 - t17;
+            let t20 = t10 * (t4 * t17 - t3 * t18);
+            let t21 = t4 + t18;
+            let t22 = -(t10 * (t4 * t19 + t3 * t21));
+            let t23 = k17 * t19;
+            let t24 = k17 * t21;
+            let t25 = T::from_f64(1.0) - t20;
+            let t26 = k4 + k4 * t23;
+            let t27 = k0 * t23;
+            let t28 = (k2 * (T::from_f64(1.0) / t26) - T::from_f64(0.25)).sqrt();
+            let t29 = k0 * t24;
+            let t30 = k4 * t24 * t20;
+            let t31 = k23 * t26 * (T::from_f64(1.0) / t28)
+                * (T::from_f64(1.0) / (t26 * t26)) * t30 - t28 * t30;
+            let t32 = k20 * t31;
+            let t33 = t26 * t28;
+            let t34 = k21 * t33;
+            let t35 = T::from_f64(1.0) / t33;
+            let t36 = k9 + k8 * t27;
+            let t37 = k8 * t29;
+            let t38 = k7 + t27;
+            let t39 = k10 + k8 * (k6 - t15)
+                + (t29 * t36 - t37 * t38).atan2(t36 * t38 + t29 * t37);
+            let t40 = (-t28).atan2(T::from_f64(0.5)) + t39 + t15 - t15 - k5;
+            let t41 = t0 - t39 - t28.atan2(T::from_f64(0.5));
+            let t42 = t27 * t20;
+            let t43 = T::from_f64(0.5) * t38 + t28 * t29;
+            let t44 = t28 * t38 - T::from_f64(0.5) * t29;
+            let t45 = t29 * t20;
+            let t46 = t20 - t20 - t35 * ((t38 - t43) * t45 - (t29 + t44) * t42);
+            let t47 = T::from_f64(1.0) - t35 * (t43 * t45 + t44 * t42);
             (
-                ::pendulum_core::nalgebra::SVector::from([t51, t55, t56, t52, t31, t42]),
+                ::pendulum_core::nalgebra::SVector::from([t14, t16, t40, t41, t9, t34]),
                 ::pendulum_core::nalgebra::SMatrix::from([
-                    [t33, t35, t44, t45, t30, t48],
+                    [t22, t25, t46, t47, t7, t32],
                     [
                         T::from_f64(0.0),
                         T::from_f64(0.0),
@@ -1677,9 +1686,9 @@ k21 = -1
                     let k2 = self.constants[2];
                     let k3 = self.constants[3];
                     let k4 = self.constants[4];
-                    let k11 = self.constants[11];
-                    let k14 = self.constants[14];
-                    let k21 = self.constants[21];
+                    let k17 = self.constants[17];
+                    let k19 = self.constants[19];
+                    let k26 = self.constants[26];
                     let (sin_theta, cos_theta) = q_theta.sin_cos();
                     let t0 = k0 * sin_theta;
                     let t1 = k1 * cos_theta;
@@ -1690,23 +1699,23 @@ k21 = -1
                         .sqrt();
                     let t5 = T::from_f64(0.5) * t2 + t3 * t4;
                     let t6 = t2 * t4 - T::from_f64(0.5) * t3;
-                    let t7 = k11 * (t5 - t2);
-                    let t8 = t0 + k14 * t5;
+                    let t7 = k17 * (t5 - t2);
+                    let t8 = t0 + k19 * t5;
                     let t9 = k0 + k0 * t7;
                     let t10 = (k2 * (T::from_f64(1.0) / (k4 - k4 * t7))
                         - T::from_f64(0.25))
                         .sqrt();
                     let t11 = t3 + t6;
-                    let t12 = -(t3 + k14 * t6);
-                    let t13 = k21 * t11;
-                    let t14 = k14 * t11;
+                    let t12 = -(t3 + k19 * t6);
+                    let t13 = k26 * t11;
+                    let t14 = k19 * t11;
                     let t15 = k3 - t9;
                     let t16 = T::from_f64(0.5) * t15 + t14 * t10;
-                    let t17 = k3 + k14 * (t16 - t15);
+                    let t17 = k3 + k19 * (t16 - t15);
                     let t18 = t15 * t10 - T::from_f64(0.5) * t14;
-                    let t19 = t9 + k14 * t16;
-                    let t20 = k21 * (t14 + t18);
-                    let t21 = -(t14 + k14 * t18);
+                    let t19 = t9 + k19 * t16;
+                    let t20 = k26 * (t14 + t18);
+                    let t21 = -(t14 + k19 * t18);
                     [
                         T::from_f64(0.0),
                         T::from_f64(0.0),

@@ -104,34 +104,40 @@ k5 = b^2
 k6 = b^2 - c^2
 k7 = 0.5*(b^2 - c^2)
 k8 = sqrt(b^2*c^2)
-k9 = 0.02*(18*a + 55*a*b)
-k10 = 0.18*a
-k11 = 1/750*(54 + 275*b^2)
-k12 = 28/15*a^2
-k13 = 0.3*c^2
-k14 = 0.09*a
-k15 = 0.01*(18*a + 55*a*b)
-k16 = 0.0981*(18 + 55*b)
-k17 = 4.4145*c
-k18 = 14/15*a^2
-k19 = 1/1500*(54 + 275*b^2)
-k20 = 0.15*c^2
-k21 = 19.1295*a
-k22 = 1/b
-k23 = 1/sqrt(b^2*c^2)
-k24 = 1/c
-k25 = 1*4.4145
-k26 = 1*0.0981*(18 + 55*b)/b
-k27 = 1*0.8829/b
-k28 = 1
-k29 = 1
-k30 = -1
+k9 = 1 - atan2(0, a^2 - d^2)/pi
+k10 = pi + atan2(0, a)
+k11 = d*(1 + atan2(0, a^2 - d^2)/pi - 1)
+k12 = (1 + atan2(0, a^2 - d^2)/pi - 1)*atan2(0, d)
+k13 = atan2(0, b)
+k14 = 0.02*(18*a + 55*a*b)
+k15 = 0.18*a
+k16 = 1/750*(54 + 275*b^2)
+k17 = 28/15*a^2
+k18 = 0.3*c^2
+k19 = 0.09*a
+k20 = 0.01*(18*a + 55*a*b)
+k21 = 0.0981*(18 + 55*b)
+k22 = 4.4145*c
+k23 = 14/15*a^2
+k24 = 1/1500*(54 + 275*b^2)
+k25 = 0.15*c^2
+k26 = 19.1295*a
+k27 = 1/b
+k28 = 1/sqrt(b^2*c^2)
+k29 = 1/c
+k30 = 1*4.4145
+k31 = 1*0.0981*(18 + 55*b)/b
+k32 = 1*0.8829/b
+k33 = 2*pi - pi - atan2(0, c)
+k34 = 1
+k35 = 1
+k36 = -1
 ```
 */
     #[derive(Clone, Copy, Debug, PartialEq)]
     pub struct FourBar<T = f64> {
         params: FourBarParams,
-        constants: [T; 31],
+        constants: [T; 37],
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl FourBar {
@@ -150,72 +156,88 @@ k30 = -1
                 [p_gamma]
             }
             #[inline]
-            fn constants<T: ::pendulum_core::real::Real>(given: [T; 5]) -> [T; 31] {
+            fn constants<T: ::pendulum_core::real::Real>(given: [T; 5]) -> [T; 37] {
                 let [p_a, p_b, p_c, p_d, p_gamma] = given;
-                let t0 = T::from_f64(0.18) * p_a;
-                let t1 = T::from_f64(0.09) * p_a;
-                let t2 = T::from_f64(19.1295) * p_a;
-                let t3 = p_b * p_b;
-                let t4 = p_c * p_c;
-                let t5 = T::from_f64(0.3) * t4;
-                let t6 = T::from_f64(0.15) * t4;
-                let t7 = t3 - t4;
-                let t8 = T::from_f64(0.5) * t7;
-                let t9 = t4 * t3;
-                let t10 = t9.sqrt();
-                let t11 = T::from_f64(1.0) / t9.sqrt();
-                let t12 = T::from_f64(54.0) + T::from_f64(275.0) * t3;
-                let t13 = T::from_f64(0.0013333333333333333) * t12;
-                let t14 = T::from_f64(0.0006666666666666666) * t12;
-                let t15 = T::from_f64(18.0) * p_a + p_b * (T::from_f64(55.0) * p_a);
-                let t16 = T::from_f64(0.02) * t15;
-                let t17 = T::from_f64(0.01) * t15;
+                let t0 = T::from_f64(3.141592653589793) + T::from_f64(0.0).atan2(p_a);
+                let t1 = T::from_f64(0.0).atan2(p_b);
+                let t2 = T::from_f64(0.18) * p_a;
+                let t3 = T::from_f64(0.09) * p_a;
+                let t4 = T::from_f64(19.1295) * p_a;
+                let t5 = T::from_f64(6.283185307179586)
+                    - (T::from_f64(3.141592653589793) + T::from_f64(0.0).atan2(p_c));
+                let t6 = p_b * p_b;
+                let t7 = p_c * p_c;
+                let t8 = T::from_f64(0.3) * t7;
+                let t9 = T::from_f64(0.15) * t7;
+                let t10 = t6 - t7;
+                let t11 = T::from_f64(0.5) * t10;
+                let t12 = t7 * t6;
+                let t13 = t12.sqrt();
+                let t14 = T::from_f64(1.0) / t12.sqrt();
+                let t15 = T::from_f64(54.0) + T::from_f64(275.0) * t6;
+                let t16 = T::from_f64(0.0013333333333333333) * t15;
+                let t17 = T::from_f64(0.0006666666666666666) * t15;
                 let t18 = p_a * p_a;
                 let t19 = T::from_f64(1.8666666666666667) * t18;
                 let t20 = T::from_f64(0.9333333333333333) * t18;
-                let t21 = T::from_f64(0.0981)
+                let t21 = T::from_f64(1.0)
+                    - T::from_f64(0.0).atan2(t18 - p_d * p_d)
+                        / T::from_f64(3.141592653589793);
+                let t22 = T::from_f64(1.0) - t21;
+                let t23 = p_d * t22;
+                let t24 = t22 * T::from_f64(0.0).atan2(p_d);
+                let t25 = T::from_f64(18.0) * p_a + p_b * (T::from_f64(55.0) * p_a);
+                let t26 = T::from_f64(0.02) * t25;
+                let t27 = T::from_f64(0.01) * t25;
+                let t28 = T::from_f64(0.0981)
                     * (T::from_f64(18.0) + T::from_f64(55.0) * p_b);
-                let t22 = T::from_f64(4.4145) * p_c;
-                let t23 = T::from_f64(1.0) / p_b;
-                let t24 = t21 * t23;
-                let t25 = T::from_f64(0.8829) * t23;
-                let t26 = p_b * t23;
-                let t27 = T::from_f64(1.0) / p_c;
-                let t28 = t22 * t27;
-                let t29 = p_c * t27;
-                let t30 = -t29;
+                let t29 = T::from_f64(4.4145) * p_c;
+                let t30 = T::from_f64(1.0) / p_b;
+                let t31 = t28 * t30;
+                let t32 = T::from_f64(0.8829) * t30;
+                let t33 = p_b * t30;
+                let t34 = T::from_f64(1.0) / p_c;
+                let t35 = t29 * t34;
+                let t36 = p_c * t34;
+                let t37 = -t36;
                 [
                     p_a,
                     p_b,
                     p_c,
                     p_d,
                     p_gamma,
-                    t3,
-                    t7,
-                    t8,
-                    t10,
-                    t16,
-                    t0,
-                    t13,
-                    t19,
-                    t5,
-                    t1,
-                    t17,
-                    t21,
-                    t22,
-                    t20,
-                    t14,
                     t6,
-                    t2,
-                    t23,
+                    t10,
                     t11,
+                    t13,
+                    t21,
+                    t0,
+                    t23,
+                    t24,
+                    t1,
+                    t26,
+                    t2,
+                    t16,
+                    t19,
+                    t8,
+                    t3,
                     t27,
                     t28,
-                    t24,
-                    t25,
-                    t26,
                     t29,
+                    t20,
+                    t17,
+                    t9,
+                    t4,
                     t30,
+                    t14,
+                    t34,
+                    t35,
+                    t31,
+                    t32,
+                    t5,
+                    t33,
+                    t36,
+                    t37,
                 ]
             }
             let given = params.to_array();
@@ -243,7 +265,7 @@ k30 = -1
                 );
             }
             let constants = constants(given);
-            let names: [&'static str; 31] = [
+            let names: [&'static str; 37] = [
                 "a",
                 "b",
                 "c",
@@ -253,6 +275,11 @@ k30 = -1
                 "b^2 - c^2",
                 "0.5*(b^2 - c^2)",
                 "sqrt(b^2*c^2)",
+                "1 - atan2(0, a^2 - d^2)/pi",
+                "pi + atan2(0, a)",
+                "d*(1 + atan2(0, a^2 - d^2)/pi - 1)",
+                "(1 + atan2(0, a^2 - d^2)/pi - 1)*atan2(0, d)",
+                "atan2(0, b)",
                 "0.02*(18*a + 55*a*b)",
                 "0.18*a",
                 "1/750*(54 + 275*b^2)",
@@ -272,6 +299,7 @@ k30 = -1
                 "1*4.4145",
                 "1*0.0981*(18 + 55*b)/b",
                 "1*0.8829/b",
+                "2*pi - pi - atan2(0, c)",
                 "1",
                 "1",
                 "-1",
@@ -452,21 +480,21 @@ k30 = -1
                     "follow",
                     ::pendulum_core::FunctionCost::new(
                             "as declared",
-                            ::pendulum_core::Operations::new(16, 23, 1, 2, 3, 53),
+                            ::pendulum_core::Operations::new(17, 14, 1, 1, 4, 49),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(16, 23, 1, 2, 3, 53),
+                                    ::pendulum_core::Operations::new(17, 14, 1, 1, 4, 49),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(16, 23, 1, 2, 3, 53),
+                                    ::pendulum_core::Operations::new(17, 14, 1, 1, 4, 49),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
-                                    ::pendulum_core::Operations::new(16, 23, 1, 2, 3, 53),
+                                    ::pendulum_core::Operations::new(17, 14, 1, 1, 4, 49),
                                 ),
                             ],
                         ),
@@ -498,21 +526,21 @@ k30 = -1
                     "follow_and_jacobian",
                     ::pendulum_core::FunctionCost::new(
                             "as declared",
-                            ::pendulum_core::Operations::new(19, 30, 2, 2, 3, 53),
+                            ::pendulum_core::Operations::new(24, 25, 2, 1, 4, 49),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(19, 30, 2, 2, 3, 53),
+                                    ::pendulum_core::Operations::new(24, 25, 2, 1, 4, 49),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(19, 30, 2, 2, 3, 53),
+                                    ::pendulum_core::Operations::new(24, 25, 2, 1, 4, 49),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
-                                    ::pendulum_core::Operations::new(19, 30, 2, 2, 3, 53),
+                                    ::pendulum_core::Operations::new(24, 25, 2, 1, 4, 49),
                                 ),
                             ],
                         ),
@@ -643,21 +671,21 @@ k30 = -1
                     "outputs",
                     ::pendulum_core::FunctionCost::new(
                             "as declared",
-                            ::pendulum_core::Operations::new(21, 32, 2, 2, 3, 53),
+                            ::pendulum_core::Operations::new(26, 27, 2, 1, 4, 49),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(21, 32, 2, 2, 3, 53),
+                                    ::pendulum_core::Operations::new(26, 27, 2, 1, 4, 49),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(21, 32, 2, 2, 3, 53),
+                                    ::pendulum_core::Operations::new(26, 27, 2, 1, 4, 49),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
-                                    ::pendulum_core::Operations::new(21, 32, 2, 2, 3, 53),
+                                    ::pendulum_core::Operations::new(26, 27, 2, 1, 4, 49),
                                 ),
                             ],
                         ),
@@ -673,21 +701,21 @@ k30 = -1
                     "outputs_and_jacobian",
                     ::pendulum_core::FunctionCost::new(
                             "as declared",
-                            ::pendulum_core::Operations::new(40, 64, 5, 2, 3, 53),
+                            ::pendulum_core::Operations::new(45, 63, 5, 1, 4, 51),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(65, 93, 6, 2, 4, 58),
+                                    ::pendulum_core::Operations::new(70, 92, 6, 1, 5, 58),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(64, 96, 6, 2, 4, 58),
+                                    ::pendulum_core::Operations::new(69, 95, 6, 1, 5, 58),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
-                                    ::pendulum_core::Operations::new(78, 320, 10, 2, 4, 74),
+                                    ::pendulum_core::Operations::new(84, 319, 10, 1, 5, 74),
                                 ),
                             ],
                         ),
@@ -734,17 +762,17 @@ k30 = -1
             let k4 = self.constants[4];
             let k5 = self.constants[5];
             let k7 = self.constants[7];
-            let k9 = self.constants[9];
-            let k10 = self.constants[10];
-            let k11 = self.constants[11];
-            let k12 = self.constants[12];
-            let k13 = self.constants[13];
             let k14 = self.constants[14];
             let k15 = self.constants[15];
             let k16 = self.constants[16];
             let k17 = self.constants[17];
+            let k18 = self.constants[18];
+            let k19 = self.constants[19];
+            let k20 = self.constants[20];
             let k21 = self.constants[21];
             let k22 = self.constants[22];
+            let k26 = self.constants[26];
+            let k27 = self.constants[27];
             let t0 = qd_theta * qd_theta;
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t1 = k0 * cos_theta;
@@ -767,21 +795,21 @@ k30 = -1
             let t18 = t17 * t17;
             let t19 = t3 * t0 + t9 * t15 - t12 * t18;
             let t20 = t1 * t0 + t10 * t15 + t11 * t18;
-            let t21 = k13 * t16;
-            let t22 = k22 * t9;
-            let t23 = k22 * t10;
+            let t21 = k18 * t16;
+            let t22 = k27 * t9;
+            let t23 = k27 * t10;
             let t24 = sin_theta * t23 - cos_theta * t22;
             let t25 = cos_theta * t23 + sin_theta * t22;
-            let t26 = k15 * t24 - k14 * t25;
-            let t27 = k21 * cos_theta + t8 * (t9 * t19 + t10 * t20) * t21
+            let t26 = k20 * t24 - k19 * t25;
+            let t27 = k26 * cos_theta + t8 * (t9 * t19 + t10 * t20) * t21
                 + t13
                     * (T::from_f64(0.8829) * t22 + qd_theta * (qd_theta * t26)
-                        - k16 * t23);
-            let t28 = k11 * t13;
-            let t29 = t8 * (t12 * t19 - t11 * t20) * (k14 * t24 + k15 * t25 - t28);
+                        - k21 * t23);
+            let t28 = k16 * t13;
+            let t29 = t8 * (t12 * t19 - t11 * t20) * (k19 * t24 + k20 * t25 - t28);
             let t30 = t27 + t29 + t14 * (t14 * t26)
-                + t16 * (k4 * t17 - k17 * (t11 / k2));
-            let t31 = k12 + t16 * t21 + t13 * (t28 - k9 * t25 - k10 * t24);
+                + t16 * (k4 * t17 - k22 * (t11 / k2));
+            let t31 = k17 + t16 * t21 + t13 * (t28 - k14 * t25 - k15 * t24);
             ::pendulum_core::nalgebra::SVector::from([
                 qd_theta,
                 t30 * (T::from_f64(-1.0) / t31),
@@ -831,17 +859,17 @@ k30 = -1
             let k4 = self.constants[4];
             let k5 = self.constants[5];
             let k7 = self.constants[7];
-            let k9 = self.constants[9];
-            let k10 = self.constants[10];
-            let k11 = self.constants[11];
-            let k12 = self.constants[12];
-            let k13 = self.constants[13];
             let k14 = self.constants[14];
             let k15 = self.constants[15];
             let k16 = self.constants[16];
+            let k17 = self.constants[17];
+            let k18 = self.constants[18];
+            let k19 = self.constants[19];
+            let k20 = self.constants[20];
             let k21 = self.constants[21];
-            let k22 = self.constants[22];
-            let k25 = self.constants[25];
+            let k26 = self.constants[26];
+            let k27 = self.constants[27];
+            let k30 = self.constants[30];
             let t0 = qd_theta * qd_theta;
             let t1 = T::from_f64(2.0) * qd_theta;
             let (sin_theta, cos_theta) = q_theta.sin_cos();
@@ -854,10 +882,10 @@ k30 = -1
             let t8 = (k5 * t6 - t7 * t7).sqrt();
             let t9 = t4 * t8;
             let t10 = t3 * t7 + t9;
-            let t11 = k22 * t10;
+            let t11 = k27 * t10;
             let t12 = t4 * t7;
             let t13 = t12 - t3 * t8;
-            let t14 = k22 * t13;
+            let t14 = k27 * t13;
             let t15 = sin_theta * t11 + cos_theta * t14;
             let t16 = t5 * t8;
             let t17 = T::from_f64(1.0) / t16;
@@ -879,17 +907,17 @@ k30 = -1
             let t33 = t19 * t30 - t18 * t32;
             let t34 = t17 * t33;
             let t35 = cos_theta * t11 - sin_theta * t14;
-            let t36 = k15 * (t15 * t23 + t34 * t35)
-                + (k21 * cos_theta + k14 * (t15 * t34 - t35 * t23));
+            let t36 = k20 * (t15 * t23 + t34 * t35)
+                + (k26 * cos_theta + k19 * (t15 * t34 - t35 * t23));
             let t37 = t13 * t30 - t10 * t32;
-            let t38 = k13 * t17;
-            let t39 = k4 * t28 - t37 * t38 - k25 * t18;
+            let t38 = k18 * t17;
+            let t39 = k4 * t28 - t37 * t38 - k30 * t18;
             let t40 = T::from_f64(2.0) * t28;
-            let t41 = qd_theta * (k14 * t35 - k15 * t15);
-            let t42 = k11 * t34 + T::from_f64(0.8829) * t14 + k16 * t11 + qd_theta * t41;
-            let t43 = k13 * t27;
-            let t44 = k9 * t35 + k10 * t15 - k11 * t21;
-            let t45 = T::from_f64(-1.0) / (k12 + t27 * t43 - t21 * t44);
+            let t41 = qd_theta * (k19 * t35 - k20 * t15);
+            let t42 = k16 * t34 + T::from_f64(0.8829) * t14 + k21 * t11 + qd_theta * t41;
+            let t43 = k18 * t27;
+            let t44 = k14 * t35 + k15 * t15 - k16 * t21;
+            let t45 = T::from_f64(-1.0) / (k17 + t27 * t43 - t21 * t44);
             let t46 = (t36 + t27 * t39 - t21 * t42) * t45;
             let t47 = t4 * (T::from_f64(2.0) * (t2 + t3));
             let t48 = t47 * (T::from_f64(1.0) / (t5 * t5));
@@ -907,7 +935,7 @@ k30 = -1
             let t59 = t35 * t58;
             let t60 = t15 * t58;
             let t61 = t44 * t57 + t54 * (t43 + t43)
-                - t21 * (k11 * t57 + k10 * t59 - k9 * t60);
+                - t21 * (k16 * t57 + k15 * t59 - k14 * t60);
             let t62 = qd_theta * t57 * t24;
             let t63 = t21 * t24;
             let t64 = qd_theta * t54;
@@ -916,26 +944,26 @@ k30 = -1
             let t67 = t53 * t23 + t56 * t29 + t18 * t65 - t25 - t10 * t62;
             let t68 = t17 * (t30 * t55 + t19 * t66 - t32 * t56 - t18 * t67);
             let t69 = t17 * (t30 * t52 + t13 * t66 - t32 * t53 - t10 * t67);
-            let t70 = k4 * t64 + k13 * (t37 * t51 - t69) - k25 * t19 * t27;
+            let t70 = k4 * t64 + k18 * (t37 * t51 - t69) - k30 * t19 * t27;
             let t71 = t68 - t33 * t51;
-            let t72 = k11 * t71 + t21 * (T::from_f64(0.8829) * t11 - k16 * t14)
-                - (k14 * t60 + k15 * t59) * t0;
+            let t72 = k16 * t71 + t21 * (T::from_f64(0.8829) * t11 - k21 * t14)
+                - (k19 * t60 + k20 * t59) * t0;
             let t73 = t27 * t40;
             let t74 = t4 * t1 - t13 * t63 - t19 * t73;
             let t75 = t2 * t1 + t10 * t63 + t18 * t73;
             let t76 = t17 * (t19 * t74 - t18 * t75);
-            let t77 = k15 * (t15 * t63 + t35 * t76) + k14 * (t15 * t76 - t35 * t63);
+            let t77 = k20 * (t15 * t63 + t35 * t76) + k19 * (t15 * t76 - t35 * t63);
             let t78 = t77 + t27 * (k4 * t27 - (t13 * t74 - t10 * t75) * t38);
-            let t79 = k15 * (t59 * t23 + t35 * t71 - t15 * t62 - t34 * t60);
-            let t80 = k14 * (t15 * t71 + t34 * t59 + t35 * t62 + t60 * t23);
-            let t81 = t42 * t57 + t79 + (t80 - k21 * sin_theta) + t39 * t54 + t27 * t70;
+            let t79 = k20 * (t59 * t23 + t35 * t71 - t15 * t62 - t34 * t60);
+            let t80 = k19 * (t15 * t71 + t34 * t59 + t35 * t62 + t60 * t23);
+            let t81 = t42 * t57 + t79 + (t80 - k26 * sin_theta) + t39 * t54 + t27 * t70;
             (
                 ::pendulum_core::nalgebra::SVector::from([qd_theta, t46]),
                 ::pendulum_core::nalgebra::SMatrix::from([
                     [T::from_f64(0.0), t45 * (t81 + t46 * t61 - t21 * t72)],
                     [
                         T::from_f64(1.0),
-                        t45 * (t78 - t21 * (k11 * t76 + T::from_f64(2.0) * t41)),
+                        t45 * (t78 - t21 * (k16 * t76 + T::from_f64(2.0) * t41)),
                     ],
                 ]),
             )
@@ -962,12 +990,12 @@ k30 = -1
             let k3 = self.constants[3];
             let k5 = self.constants[5];
             let k7 = self.constants[7];
-            let k14 = self.constants[14];
-            let k15 = self.constants[15];
-            let k18 = self.constants[18];
             let k19 = self.constants[19];
             let k20 = self.constants[20];
-            let k22 = self.constants[22];
+            let k23 = self.constants[23];
+            let k24 = self.constants[24];
+            let k25 = self.constants[25];
+            let k27 = self.constants[27];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k0 * sin_theta;
             let t1 = k0 * cos_theta;
@@ -981,11 +1009,11 @@ k30 = -1
             let t9 = t0 * t5 - t2 * t6;
             let t10 = (t0 * (t2 - t8) + t1 * (t0 - t9)) * t7;
             let t11 = (t0 * t8 + t1 * t9) * t7;
-            let t12 = k22 * t8;
-            let t13 = k22 * t9;
-            let t14 = k15 * (cos_theta * t12 - sin_theta * t13)
-                + k14 * (sin_theta * t12 + cos_theta * t13);
-            k19 * t10 * t10 + k20 * t11 * t11 + qd_theta * (k18 * qd_theta - t10 * t14)
+            let t12 = k27 * t8;
+            let t13 = k27 * t9;
+            let t14 = k20 * (cos_theta * t12 - sin_theta * t13)
+                + k19 * (sin_theta * t12 + cos_theta * t13);
+            k24 * t10 * t10 + k25 * t11 * t11 + qd_theta * (k23 * qd_theta - t10 * t14)
         }
         #[inline]
         fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 2>) -> T {
@@ -995,10 +1023,10 @@ k30 = -1
             let k3 = self.constants[3];
             let k5 = self.constants[5];
             let k7 = self.constants[7];
-            let k17 = self.constants[17];
-            let k21 = self.constants[21];
+            let k22 = self.constants[22];
             let k26 = self.constants[26];
-            let k27 = self.constants[27];
+            let k31 = self.constants[31];
+            let k32 = self.constants[32];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k3 - k0 * cos_theta;
             let t1 = k0 * sin_theta;
@@ -1006,9 +1034,9 @@ k30 = -1
             let t3 = T::from_f64(0.5) + k7 * t2;
             let t4 = (k5 * t2 - t3 * t3).sqrt();
             let t5 = t1 * t3 - t0 * t4;
-            let t6 = k21 * sin_theta + k27 * (t0 * t3 + t1 * t4)
-                - k17 * ((t5 - t1) / k2);
-            t6 - k26 * t5
+            let t6 = k26 * sin_theta + k32 * (t0 * t3 + t1 * t4)
+                - k22 * ((t5 - t1) / k2);
+            t6 - k31 * t5
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
@@ -1031,7 +1059,7 @@ k30 = -1
             let k6 = self.constants[6];
             let k7 = self.constants[7];
             let k8 = self.constants[8];
-            let k23 = self.constants[23];
+            let k28 = self.constants[28];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k0 * cos_theta;
             let t1 = k0 * sin_theta;
@@ -1047,7 +1075,7 @@ k30 = -1
                 * (T::from_f64(1.0) / t9);
             (
                 ::pendulum_core::nalgebra::SVector::from([t3 * t9 / k8]),
-                ::pendulum_core::nalgebra::SVector::from([k23 * (t9 * t5 + t10)]),
+                ::pendulum_core::nalgebra::SVector::from([k28 * (t9 * t5 + t10)]),
             )
         }
         ///Output `follow`.
@@ -1062,31 +1090,26 @@ k30 = -1
             let k3 = self.constants[3];
             let k5 = self.constants[5];
             let k7 = self.constants[7];
-            let k22 = self.constants[22];
-            let k24 = self.constants[24];
-            let t0 = q_theta - T::from_f64(0.3);
-            let [(sin_theta, cos_theta), (sin1, cos1)] = q_theta.sin_cos_pair(t0);
-            let t2 = k3 - k0 * cos_theta;
-            let t3 = k0 * sin_theta;
-            let t4 = T::from_f64(1.0) / (t2 * t2 + t3 * t3);
+            let k9 = self.constants[9];
+            let k10 = self.constants[10];
+            let k11 = self.constants[11];
+            let k12 = self.constants[12];
+            let k13 = self.constants[13];
+            let k33 = self.constants[33];
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t0 = k0 * cos_theta;
+            let t1 = k0 * sin_theta;
+            let t2 = k3 - t0;
+            let t3 = k11 - k9 * t0;
+            let t4 = T::from_f64(1.0) / (t2 * t2 + t1 * t1);
             let t5 = T::from_f64(0.5) + k7 * t4;
             let t6 = (k5 * t4 - t5 * t5).sqrt();
-            let t7 = t2 * t6 - t3 * t5;
-            let t8 = t2 * t5 + t3 * t6;
-            let t9 = k24 * (t3 + t7);
-            let t10 = k22 * t7;
-            let t11 = k24 * (t2 - t8);
-            let t12 = (T::from_f64(-0.029199522301288815) * t9
-                - T::from_f64(-0.9995736030415051) * t11)
-                .atan2(
-                    -(T::from_f64(-0.9995736030415051) * t9
-                        + T::from_f64(-0.029199522301288815) * t11),
-                );
-            let t13 = k22 * t8;
+            let t7 = k9 * t1;
+            let t8 = k12 + k9 * (k10 + q_theta)
+                + (t2 * t7 - t1 * t3).atan2(t2 * t3 + t1 * t7);
             ::pendulum_core::nalgebra::SVector::from([
-                (t10 * cos1 - t13 * sin1).atan2(cos1 * t13 + t10 * sin1)
-                    - T::from_f64(0.3),
-                T::from_f64(1.6) + t12,
+                t6.atan2(t5) + t8 - q_theta - k13,
+                k33 + t8 + (-t6).atan2(T::from_f64(1.0) - t5),
             ])
         }
         ///The rate of `follow` along the motion.
@@ -1132,42 +1155,36 @@ k30 = -1
             let k3 = self.constants[3];
             let k5 = self.constants[5];
             let k7 = self.constants[7];
-            let k22 = self.constants[22];
-            let k24 = self.constants[24];
-            let t0 = q_theta - T::from_f64(0.3);
-            let [(sin_theta, cos_theta), (sin1, cos1)] = q_theta.sin_cos_pair(t0);
-            let t2 = k0 * cos_theta;
-            let t3 = k0 * sin_theta;
-            let t4 = k3 - t2;
-            let t5 = t4 * t4 + t3 * t3;
-            let t6 = T::from_f64(1.0) / t5;
-            let t7 = T::from_f64(0.5) + k7 * t6;
-            let t8 = (k5 * t6 - t7 * t7).sqrt();
-            let t9 = T::from_f64(1.0) / (t5 * t8);
-            let t10 = t4 * t8 - t3 * t7;
-            let t11 = t4 * t7 + t3 * t8;
-            let t12 = t3 + t10;
-            let t13 = k22 * t10;
-            let t14 = k24 * t12;
-            let t15 = t4 - t11;
-            let t16 = k22 * t11;
-            let t17 = k24 * t15;
-            let t18 = (T::from_f64(-0.029199522301288815) * t14
-                - T::from_f64(-0.9995736030415051) * t17)
-                .atan2(
-                    -(T::from_f64(-0.9995736030415051) * t14
-                        + T::from_f64(-0.029199522301288815) * t17),
-                );
+            let k9 = self.constants[9];
+            let k10 = self.constants[10];
+            let k11 = self.constants[11];
+            let k12 = self.constants[12];
+            let k13 = self.constants[13];
+            let k33 = self.constants[33];
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t0 = k0 * cos_theta;
+            let t1 = k0 * sin_theta;
+            let t2 = k3 - t0;
+            let t3 = k11 - k9 * t0;
+            let t4 = t2 * t2 + t1 * t1;
+            let t5 = T::from_f64(1.0) / t4;
+            let t6 = T::from_f64(0.5) + k7 * t5;
+            let t7 = (k5 * t5 - t6 * t6).sqrt();
+            let t8 = T::from_f64(1.0) / (t4 * t7);
+            let t9 = k9 * t1;
+            let t10 = k12 + k9 * (k10 + q_theta)
+                + (t2 * t9 - t1 * t3).atan2(t2 * t3 + t1 * t9);
+            let t11 = t2 * t6 + t1 * t7;
+            let t12 = t1 * t6 - t2 * t7;
             (
                 ::pendulum_core::nalgebra::SVector::from([
-                    (t13 * cos1 - t16 * sin1).atan2(cos1 * t16 + t13 * sin1)
-                        - T::from_f64(0.3),
-                    T::from_f64(1.6) + t18,
+                    t7.atan2(t6) + t10 - q_theta - k13,
+                    k33 + t10 + (-t7).atan2(T::from_f64(1.0) - t6),
                 ]),
                 ::pendulum_core::nalgebra::SMatrix::from([
                     [
-                        T::from_f64(-1.0) - t9 * (t3 * t15 + t2 * t12),
-                        t9 * (t3 * t11 - t2 * t10),
+                        T::from_f64(-1.0) - t8 * (t1 * (t2 - t11) + t0 * (t1 - t12)),
+                        t8 * (t1 * t11 + t0 * t12),
                     ],
                     [T::from_f64(0.0), T::from_f64(0.0)],
                 ]),
@@ -1185,8 +1202,8 @@ k30 = -1
             let k3 = self.constants[3];
             let k5 = self.constants[5];
             let k7 = self.constants[7];
-            let k28 = self.constants[28];
-            let k29 = self.constants[29];
+            let k34 = self.constants[34];
+            let k35 = self.constants[35];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k0 * sin_theta;
             let t1 = k0 * cos_theta - k3;
@@ -1196,8 +1213,8 @@ k30 = -1
             let t5 = t0 * t4 - t1 * t3;
             let t6 = t1 * t4 + t0 * t3;
             ::pendulum_core::nalgebra::SVector::from([
-                k28 * t5 + t1 - k29 * (t1 + t5),
-                t0 + k29 * (t6 - t0) - k28 * t6,
+                k34 * t5 + t1 - k35 * (t1 + t5),
+                t0 + k35 * (t6 - t0) - k34 * t6,
             ])
         }
         ///The rate of `gap` along the motion.
@@ -1214,8 +1231,8 @@ k30 = -1
             let k3 = self.constants[3];
             let k5 = self.constants[5];
             let k7 = self.constants[7];
-            let k22 = self.constants[22];
-            let k24 = self.constants[24];
+            let k27 = self.constants[27];
+            let k29 = self.constants[29];
             let t0 = k0 * qd_theta;
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t1 = k0 * sin_theta;
@@ -1229,9 +1246,9 @@ k30 = -1
             let t9 = t3 * t7 - t1 * t6;
             let t10 = t3 * t6 + t1 * t7;
             let t11 = t3 - t10;
-            let t12 = k24 * (k2 * (t1 * t10 - t2 * t9) * t8);
+            let t12 = k29 * (k2 * (t1 * t10 - t2 * t9) * t8);
             let t13 = t1 + t9;
-            let t14 = k22 * (k1 * (t1 * t11 + t2 * t13) * t8);
+            let t14 = k27 * (k1 * (t1 * t11 + t2 * t13) * t8);
             ::pendulum_core::nalgebra::SVector::from([
                 t13 * t12 - (sin_theta * t0 - t9 * t14),
                 t0 * cos_theta + t11 * t12 - t10 * t14,
@@ -1254,8 +1271,8 @@ k30 = -1
             let k3 = self.constants[3];
             let k5 = self.constants[5];
             let k7 = self.constants[7];
-            let k22 = self.constants[22];
-            let k24 = self.constants[24];
+            let k27 = self.constants[27];
+            let k29 = self.constants[29];
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t0 = k0 * sin_theta;
             let t1 = k0 * cos_theta;
@@ -1268,13 +1285,13 @@ k30 = -1
             let t8 = t0 * t6 - t2 * t5;
             let t9 = t2 * t6 + t0 * t5;
             let t10 = t2 + t8;
-            let t11 = k1 * (k22 * t8);
+            let t11 = k1 * (k27 * t8);
             let t12 = t7 * (t0 * t8 + t1 * t9);
-            let t13 = k2 * (k24 * t10);
-            let t14 = k1 * (k22 * t9);
+            let t13 = k2 * (k29 * t10);
+            let t14 = k1 * (k27 * t9);
             let t15 = t0 - t9;
             let t16 = t7 * (t1 * t15 - t0 * t10);
-            let t17 = k2 * (k24 * t15);
+            let t17 = k2 * (k29 * t15);
             (
                 ::pendulum_core::nalgebra::SVector::from([
                     t11 + t2 - t13,
@@ -1319,17 +1336,17 @@ k30 = -1
             let k4 = self.constants[4];
             let k5 = self.constants[5];
             let k7 = self.constants[7];
-            let k9 = self.constants[9];
-            let k10 = self.constants[10];
-            let k11 = self.constants[11];
-            let k12 = self.constants[12];
-            let k13 = self.constants[13];
             let k14 = self.constants[14];
             let k15 = self.constants[15];
             let k16 = self.constants[16];
             let k17 = self.constants[17];
+            let k18 = self.constants[18];
+            let k19 = self.constants[19];
+            let k20 = self.constants[20];
             let k21 = self.constants[21];
             let k22 = self.constants[22];
+            let k26 = self.constants[26];
+            let k27 = self.constants[27];
             let t0 = qd_theta * qd_theta;
             let (sin_theta, cos_theta) = q_theta.sin_cos();
             let t1 = k0 * cos_theta;
@@ -1345,11 +1362,11 @@ k30 = -1
             let t11 = t2 - t9;
             let t12 = t8 * (t3 * t9 + t1 * t10);
             let t13 = t12 * qd_theta;
-            let t14 = k22 * t9;
-            let t15 = k22 * t10;
+            let t14 = k27 * t9;
+            let t15 = k27 * t10;
             let t16 = sin_theta * t14 + cos_theta * t15;
             let t17 = cos_theta * t14 - sin_theta * t15;
-            let t18 = k15 * t16 - k14 * t17;
+            let t18 = k20 * t16 - k19 * t17;
             let t19 = t3 - t10;
             let t20 = t3 * t11 + t1 * t19;
             let t21 = t3 * t0;
@@ -1359,19 +1376,19 @@ k30 = -1
             let t25 = t24 * t24;
             let t26 = qd_theta * t23;
             let t27 = t26 * t26;
-            let t28 = t12 * (k4 * t13 - k17 * (t11 / k2)) + t18 * t27
-                + t23 * (t18 * t0 - T::from_f64(0.8829) * t15 - k16 * t14);
+            let t28 = t12 * (k4 * t13 - k22 * (t11 / k2)) + t18 * t27
+                + t23 * (t18 * t0 - T::from_f64(0.8829) * t15 - k21 * t14);
             let t29 = t13 * t13;
             let t30 = t19 * t29;
             let t31 = t11 * t29;
             let t32 = t10 * (t21 - t10 * t25 - t30) - t9 * (t22 + t9 * t25 + t31);
             let t33 = t21 - t10 * t27 - t30;
             let t34 = t31 + t22 + t9 * t27;
-            let t35 = k11 * t23;
-            let t36 = (t19 * t33 - t11 * t34) * (k14 * t16 + k15 * t17 - t35);
-            let t37 = k13 * t12;
-            let t38 = t28 + k21 * cos_theta + t8 * (t36 + t37 * (t9 * t34 - t10 * t33));
-            let t39 = k12 + t12 * t37 + t23 * (t35 - k9 * t17 - k10 * t16);
+            let t35 = k16 * t23;
+            let t36 = (t19 * t33 - t11 * t34) * (k19 * t16 + k20 * t17 - t35);
+            let t37 = k18 * t12;
+            let t38 = t28 + k26 * cos_theta + t8 * (t36 + t37 * (t9 * t34 - t10 * t33));
+            let t39 = k17 + t12 * t37 + t23 * (t35 - k14 * t17 - k15 * t16);
             t12 * t38 * (T::from_f64(-1.0) / t39) - t8 * t32
         }
         ///The value of `rocking`, and its derivatives by the state: a row for each component, column by column for a matrix.
@@ -1425,41 +1442,37 @@ k30 = -1
         ) -> ::pendulum_core::nalgebra::SVector<T, 5> {
             let [q_theta, qd_theta] = x.data.0[0];
             let k0 = self.constants[0];
-            let k1 = self.constants[1];
-            let k2 = self.constants[2];
             let k3 = self.constants[3];
             let k5 = self.constants[5];
             let k7 = self.constants[7];
-            let k22 = self.constants[22];
-            let k24 = self.constants[24];
-            let t0 = q_theta - T::from_f64(0.3);
-            let [(sin_theta, cos_theta), (sin1, cos1)] = q_theta.sin_cos_pair(t0);
-            let t2 = k0 * cos_theta;
-            let t3 = k0 * sin_theta;
-            let t4 = k3 - t2;
-            let t5 = t4 * t4 + t3 * t3;
-            let t6 = T::from_f64(1.0) / t5;
-            let t7 = T::from_f64(0.5) + k7 * t6;
-            let t8 = (k5 * t6 - t7 * t7).sqrt();
-            let t9 = t4 * t8 - t3 * t7;
-            let t10 = t4 * t7 + t3 * t8;
-            let t11 = k24 * (t3 + t9);
-            let t12 = k22 * t9;
-            let t13 = k24 * (t4 - t10);
-            let t14 = (T::from_f64(-0.029199522301288815) * t11
-                - T::from_f64(-0.9995736030415051) * t13)
-                .atan2(
-                    -(T::from_f64(-0.9995736030415051) * t11
-                        + T::from_f64(-0.029199522301288815) * t13),
-                );
-            let t15 = k22 * t10;
+            let k9 = self.constants[9];
+            let k10 = self.constants[10];
+            let k11 = self.constants[11];
+            let k12 = self.constants[12];
+            let k13 = self.constants[13];
+            let k33 = self.constants[33];
+            let k34 = self.constants[34];
+            let k35 = self.constants[35];
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t0 = k0 * cos_theta;
+            let t1 = k0 * sin_theta;
+            let t2 = k3 - t0;
+            let t3 = k11 - k9 * t0;
+            let t4 = t2 * t2 + t1 * t1;
+            let t5 = T::from_f64(1.0) / t4;
+            let t6 = T::from_f64(0.5) + k7 * t5;
+            let t7 = (k5 * t5 - t6 * t6).sqrt();
+            let t8 = k9 * t1;
+            let t9 = k12 + k9 * (k10 + q_theta)
+                + (t2 * t8 - t1 * t3).atan2(t2 * t3 + t1 * t8);
+            let t10 = t2 * t6 + t1 * t7;
+            let t11 = t2 * t7 - t1 * t6;
             ::pendulum_core::nalgebra::SVector::from([
-                (t12 * cos1 - t15 * sin1).atan2(cos1 * t15 + t12 * sin1)
-                    - T::from_f64(0.3),
-                T::from_f64(1.6) + t14,
-                k1 * t15 + k2 * t13 - t4,
-                t3 + k1 * t12 - k2 * t11,
-                qd_theta * (T::from_f64(1.0) / (t5 * t8)) * (t3 * t10 - t2 * t9),
+                t7.atan2(t6) + t9 - q_theta - k13,
+                k33 + t9 + (-t7).atan2(T::from_f64(1.0) - t6),
+                k34 * t10 + k35 * (t2 - t10) - t2,
+                t1 + k34 * t11 - k35 * (t1 + t11),
+                qd_theta * (T::from_f64(1.0) / (t4 * t7)) * (t1 * t10 - t0 * t11),
             ])
         }
         ///The rate of all outputs along the motion.
@@ -1477,18 +1490,18 @@ k30 = -1
             let k4 = self.constants[4];
             let k5 = self.constants[5];
             let k7 = self.constants[7];
-            let k9 = self.constants[9];
-            let k10 = self.constants[10];
-            let k11 = self.constants[11];
-            let k12 = self.constants[12];
-            let k13 = self.constants[13];
             let k14 = self.constants[14];
             let k15 = self.constants[15];
             let k16 = self.constants[16];
             let k17 = self.constants[17];
+            let k18 = self.constants[18];
+            let k19 = self.constants[19];
+            let k20 = self.constants[20];
             let k21 = self.constants[21];
             let k22 = self.constants[22];
-            let k24 = self.constants[24];
+            let k26 = self.constants[26];
+            let k27 = self.constants[27];
+            let k29 = self.constants[29];
             let t0 = k0 * qd_theta;
             let t1 = qd_theta * qd_theta;
             let (sin_theta, cos_theta) = q_theta.sin_cos();
@@ -1512,33 +1525,33 @@ k30 = -1
             let t19 = t2 * t1;
             let t20 = qd_theta * t17;
             let t21 = k2 * t20;
-            let t22 = k22 * t11;
+            let t22 = k27 * t11;
             let t23 = k1 * t15;
             let t24 = t15 * t15;
-            let t25 = k24 * t12;
-            let t26 = k22 * t10;
+            let t25 = k29 * t12;
+            let t26 = k27 * t10;
             let t27 = sin_theta * t26 + cos_theta * t22;
             let t28 = cos_theta * t26 - sin_theta * t22;
-            let t29 = k15 * t27 - k14 * t28;
+            let t29 = k20 * t27 - k19 * t28;
             let t30 = qd_theta * t16;
             let t31 = t30 * t30;
-            let t32 = t17 * (k4 * t20 - k17 * t25) + t29 * t31
-                + t16 * (t29 * t1 - T::from_f64(0.8829) * t22 - k16 * t26);
+            let t32 = t17 * (k4 * t20 - k22 * t25) + t29 * t31
+                + t16 * (t29 * t1 - T::from_f64(0.8829) * t22 - k21 * t26);
             let t33 = t20 * t20;
             let t34 = t13 * t33;
             let t35 = t12 * t33;
             let t36 = t11 * (t18 - t11 * t24 - t34) - t10 * (t19 + t10 * t24 + t35);
             let t37 = t18 - t11 * t31 - t34;
             let t38 = t35 + t19 + t10 * t31;
-            let t39 = k11 * t16;
-            let t40 = (t13 * t37 - t12 * t38) * (k14 * t27 + k15 * t28 - t39);
-            let t41 = k13 * t17;
-            let t42 = t32 + k21 * cos_theta + t9 * (t40 + t41 * (t10 * t38 - t11 * t37));
-            let t43 = k12 + t17 * t41 + t16 * (t39 - k9 * t28 - k10 * t27);
+            let t39 = k16 * t16;
+            let t40 = (t13 * t37 - t12 * t38) * (k19 * t27 + k20 * t28 - t39);
+            let t41 = k18 * t17;
+            let t42 = t32 + k26 * cos_theta + t9 * (t40 + t41 * (t10 * t38 - t11 * t37));
+            let t43 = k17 + t17 * t41 + t16 * (t39 - k14 * t28 - k15 * t27);
             ::pendulum_core::nalgebra::SVector::from([
                 -(qd_theta + t15),
                 t20,
-                k24 * t13 * t21 - (sin_theta * t0 + t22 * t23),
+                k29 * t13 * t21 - (sin_theta * t0 + t22 * t23),
                 cos_theta * t0 + t25 * t21 - t26 * t23,
                 t17 * t42 * (T::from_f64(-1.0) / t43) - t9 * t36,
             ])
@@ -1560,71 +1573,69 @@ k30 = -1
             let k3 = self.constants[3];
             let k5 = self.constants[5];
             let k7 = self.constants[7];
-            let k22 = self.constants[22];
-            let k24 = self.constants[24];
-            let t0 = q_theta - T::from_f64(0.3);
-            let [(sin_theta, cos_theta), (sin1, cos1)] = q_theta.sin_cos_pair(t0);
-            let t2 = k0 * cos_theta;
-            let t3 = k3 - t2;
-            let t4 = k0 * sin_theta;
-            let t5 = t3 * t3 + t4 * t4;
-            let t6 = T::from_f64(1.0) / t5;
-            let t7 = T::from_f64(0.5) + k7 * t6;
-            let t8 = (k5 * t6 - t7 * t7).sqrt();
-            let t9 = t4 * t7;
-            let t10 = t3 * t8 - t9;
-            let t11 = k22 * t10;
-            let t12 = t4 * t8;
-            let t13 = t3 * t7 + t12;
-            let t14 = k22 * t13;
-            let t15 = (t11 * cos1 - t14 * sin1).atan2(cos1 * t14 + t11 * sin1)
-                - T::from_f64(0.3);
-            let t16 = k1 * t14;
-            let t17 = k1 * t11;
-            let t18 = t4 + t10;
-            let t19 = k24 * t18;
-            let t20 = t3 - t13;
-            let t21 = k24 * t20;
-            let t22 = (T::from_f64(-0.029199522301288815) * t19
-                - T::from_f64(-0.9995736030415051) * t21)
-                .atan2(
-                    -(T::from_f64(-0.9995736030415051) * t19
-                        + T::from_f64(-0.029199522301288815) * t21),
-                );
-            let t23 = T::from_f64(1.6) + t22;
-            let t24 = k2 * t21;
-            let t25 = t16 + t24 - t3;
-            let t26 = k2 * t19;
-            let t27 = t4 + t17 - t26;
-            let t28 = t5 * t8;
-            let t29 = T::from_f64(1.0) / t28;
-            let t30 = t29 * (t4 * t20 + t2 * t18);
-            let t31 = T::from_f64(-1.0) - t30;
-            let t32 = t4 * t13 - t2 * t10;
-            let t33 = t29 * t32;
-            let t34 = t26 * t33 - (t4 - t17 * t30);
-            let t35 = t2 + t24 * t33 - t16 * t30;
-            let t36 = qd_theta * t33;
-            let t37 = t4 * (T::from_f64(2.0) * (t2 + t3));
-            let t38 = T::from_f64(1.0) / (t5 * t5) * t37;
-            let t39 = k7 * t38;
-            let t40 = T::from_f64(0.5) * (T::from_f64(1.0) / t8)
-                * (T::from_f64(2.0) * t7 * t39 - k5 * t38);
-            let t41 = t2 * (t13 + (t2 * t7 - t12 - t4 * t39 - t3 * t40));
-            let t42 = t4 * (t10 + (t9 + t2 * t8 + t4 * t40 - t3 * t39));
-            let t43 = t29 * (t41 + t42)
-                - t32 * (t8 * t37 + t5 * t40) * (T::from_f64(1.0) / (t28 * t28));
-            let t44 = qd_theta * t43;
+            let k9 = self.constants[9];
+            let k10 = self.constants[10];
+            let k11 = self.constants[11];
+            let k12 = self.constants[12];
+            let k13 = self.constants[13];
+            let k27 = self.constants[27];
+            let k29 = self.constants[29];
+            let k33 = self.constants[33];
+            let (sin_theta, cos_theta) = q_theta.sin_cos();
+            let t0 = k0 * cos_theta;
+            let t1 = k0 * sin_theta;
+            let t2 = k3 - t0;
+            let t3 = t2 * t2 + t1 * t1;
+            let t4 = T::from_f64(1.0) / t3;
+            let t5 = T::from_f64(0.5) + k7 * t4;
+            let t6 = (k5 * t4 - t5 * t5).sqrt();
+            let t7 = k9 * t1;
+            let t8 = k11 - k9 * t0;
+            let t9 = k12 + k9 * (k10 + q_theta)
+                + (t2 * t7 - t1 * t8).atan2(t2 * t8 + t1 * t7);
+            let t10 = t6.atan2(t5) + t9 - q_theta - k13;
+            let t11 = k33 + t9 + (-t6).atan2(T::from_f64(1.0) - t5);
+            let t12 = t1 * t6;
+            let t13 = t2 * t5 + t12;
+            let t14 = k1 * (k27 * t13);
+            let t15 = t2 - t13;
+            let t16 = k2 * (k29 * t15);
+            let t17 = t14 + t16 - t2;
+            let t18 = t1 * t5;
+            let t19 = t2 * t6 - t18;
+            let t20 = k1 * (k27 * t19);
+            let t21 = t1 + t19;
+            let t22 = k2 * (k29 * t21);
+            let t23 = t1 + t20 - t22;
+            let t24 = t3 * t6;
+            let t25 = T::from_f64(1.0) / t24;
+            let t26 = t25 * (t1 * t15 + t0 * t21);
+            let t27 = T::from_f64(-1.0) - t26;
+            let t28 = t1 * t13 - t0 * t19;
+            let t29 = t25 * t28;
+            let t30 = t22 * t29 - (t1 - t20 * t26);
+            let t31 = t0 + t16 * t29 - t14 * t26;
+            let t32 = qd_theta * t29;
+            let t33 = t1 * (T::from_f64(2.0) * (t0 + t2));
+            let t34 = T::from_f64(1.0) / (t3 * t3) * t33;
+            let t35 = k7 * t34;
+            let t36 = T::from_f64(0.5) * (T::from_f64(1.0) / t6)
+                * (T::from_f64(2.0) * t5 * t35 - k5 * t34);
+            let t37 = t0 * (t13 + (t0 * t5 - t12 - t1 * t35 - t2 * t36));
+            let t38 = t1 * (t19 + (t18 + t0 * t6 + t1 * t36 - t2 * t35));
+            let t39 = t25 * (t37 + t38)
+                - t28 * (t6 * t33 + t3 * t36) * (T::from_f64(1.0) / (t24 * t24));
+            let t40 = qd_theta * t39;
             (
-                ::pendulum_core::nalgebra::SVector::from([t15, t23, t25, t27, t36]),
+                ::pendulum_core::nalgebra::SVector::from([t10, t11, t17, t23, t32]),
                 ::pendulum_core::nalgebra::SMatrix::from([
-                    [t31, t33, t34, t35, t44],
+                    [t27, t29, t30, t31, t40],
                     [
                         T::from_f64(0.0),
                         T::from_f64(0.0),
                         T::from_f64(0.0),
                         T::from_f64(0.0),
-                        t33,
+                        t29,
                     ],
                 ]),
             )
@@ -1715,9 +1726,9 @@ k30 = -1
                     let k3 = self.constants[3];
                     let k5 = self.constants[5];
                     let k7 = self.constants[7];
-                    let k22 = self.constants[22];
-                    let k29 = self.constants[29];
-                    let k30 = self.constants[30];
+                    let k27 = self.constants[27];
+                    let k35 = self.constants[35];
+                    let k36 = self.constants[36];
                     let (sin_theta, cos_theta) = q_theta.sin_cos();
                     let t0 = k0 * cos_theta;
                     let t1 = k0 * sin_theta;
@@ -1727,10 +1738,10 @@ k30 = -1
                     let t5 = (k5 * t3 - t4 * t4).sqrt();
                     let t6 = t2 * t4 + t1 * t5;
                     let t7 = t1 * t4 - t2 * t5;
-                    let t8 = k3 - k29 * (t2 - t6);
-                    let t9 = k22 * t6;
-                    let t10 = k30 * (t7 - t1);
-                    let t11 = k22 * t7;
+                    let t8 = k3 - k35 * (t2 - t6);
+                    let t9 = k27 * t6;
+                    let t10 = k36 * (t7 - t1);
+                    let t11 = k27 * t7;
                     let t12 = t0 + k1 * t9;
                     let t13 = T::from_f64(0.3) * t9;
                     let t14 = t0 + t13;

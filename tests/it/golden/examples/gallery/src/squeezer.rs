@@ -411,21 +411,21 @@ t42 = 1/(1 - 16917000/24006277*t33 - 3001400/24006277*t34)
                     "follow",
                     ::pendulum_core::FunctionCost::new(
                             "as declared",
-                            ::pendulum_core::Operations::new(34, 42, 2, 1, 5, 70),
+                            ::pendulum_core::Operations::new(32, 24, 2, 1, 7, 66),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(34, 42, 2, 1, 5, 70),
+                                    ::pendulum_core::Operations::new(32, 24, 2, 1, 7, 66),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(34, 42, 2, 1, 5, 70),
+                                    ::pendulum_core::Operations::new(32, 24, 2, 1, 7, 66),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
-                                    ::pendulum_core::Operations::new(34, 42, 2, 1, 5, 70),
+                                    ::pendulum_core::Operations::new(32, 24, 2, 1, 7, 66),
                                 ),
                             ],
                         ),
@@ -457,21 +457,21 @@ t42 = 1/(1 - 16917000/24006277*t33 - 3001400/24006277*t34)
                     "follow_and_jacobian",
                     ::pendulum_core::FunctionCost::new(
                             "as declared",
-                            ::pendulum_core::Operations::new(42, 58, 4, 1, 5, 70),
+                            ::pendulum_core::Operations::new(46, 44, 4, 1, 7, 66),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(42, 58, 4, 1, 5, 70),
+                                    ::pendulum_core::Operations::new(46, 44, 4, 1, 7, 66),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(42, 58, 4, 1, 5, 70),
+                                    ::pendulum_core::Operations::new(46, 44, 4, 1, 7, 66),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
-                                    ::pendulum_core::Operations::new(42, 58, 4, 1, 5, 70),
+                                    ::pendulum_core::Operations::new(46, 44, 4, 1, 7, 66),
                                 ),
                             ],
                         ),
@@ -479,22 +479,22 @@ t42 = 1/(1 - 16917000/24006277*t33 - 3001400/24006277*t34)
                 (
                     "outputs",
                     ::pendulum_core::FunctionCost::new(
-                            "closed form, factors of the state first",
-                            ::pendulum_core::Operations::new(41, 42, 2, 1, 5, 70),
+                            "as declared",
+                            ::pendulum_core::Operations::new(37, 28, 2, 1, 7, 67),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(40, 28, 2, 1, 7, 66),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(41, 42, 2, 1, 5, 70),
+                                    ::pendulum_core::Operations::new(40, 28, 2, 1, 7, 66),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
-                                    ::pendulum_core::Operations::new(41, 42, 2, 1, 5, 70),
-                                ),
-                                ::pendulum_core::FunctionCost::new(
-                                    "as declared",
-                                    ::pendulum_core::Operations::new(40, 42, 2, 1, 5, 71),
+                                    ::pendulum_core::Operations::new(40, 28, 2, 1, 7, 66),
                                 ),
                             ],
                         ),
@@ -526,21 +526,21 @@ t42 = 1/(1 - 16917000/24006277*t33 - 3001400/24006277*t34)
                     "outputs_and_jacobian",
                     ::pendulum_core::FunctionCost::new(
                             "as declared",
-                            ::pendulum_core::Operations::new(55, 73, 4, 1, 5, 71),
+                            ::pendulum_core::Operations::new(58, 59, 4, 1, 7, 67),
                         )
                         .with_others(
                             &[
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of the state first",
-                                    ::pendulum_core::Operations::new(58, 76, 4, 1, 5, 70),
+                                    ::pendulum_core::Operations::new(62, 62, 4, 1, 7, 66),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, factors of parameters first",
-                                    ::pendulum_core::Operations::new(58, 76, 4, 1, 5, 70),
+                                    ::pendulum_core::Operations::new(62, 62, 4, 1, 7, 66),
                                 ),
                                 ::pendulum_core::FunctionCost::new(
                                     "closed form, expanded",
-                                    ::pendulum_core::Operations::new(58, 76, 4, 1, 5, 70),
+                                    ::pendulum_core::Operations::new(62, 62, 4, 1, 7, 66),
                                 ),
                             ],
                         ),
@@ -1443,51 +1443,33 @@ t42 = 1/(1 - 16917000/24006277*t33 - 3001400/24006277*t34)
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
         ) -> ::pendulum_core::nalgebra::SVector<T, 3> {
             let [q_beta, _] = x.data.0[0];
-            let [(sin_beta, cos_beta), (sin0, cos0)] = q_beta
-                .sin_cos_pair(T::from_f64(-0.223));
-            let t1 = T::from_f64(0.007) * sin_beta;
-            let t2 = t1 - T::from_f64(0.03273);
+            let (sin_beta, cos_beta) = q_beta.sin_cos();
+            let t0 = T::from_f64(0.007) * cos_beta;
+            let t1 = T::from_f64(0.03635) + t0;
+            let t2 = T::from_f64(0.007) * sin_beta;
             let t3 = T::from_f64(1.0)
                 / (T::from_f64(0.0024415754) + T::from_f64(0.0005089) * cos_beta
                     - T::from_f64(0.00045822) * sin_beta);
-            let t4 = T::from_f64(0.5) - T::from_f64(0.0002205) * t3;
-            let t5 = (T::from_f64(0.000784) * t3 - t4 * t4).sqrt();
-            let t6 = T::from_f64(0.007) * cos_beta;
-            let t7 = T::from_f64(0.03635) + t6;
-            let t8 = t2 * t4 + t7 * t5;
-            let t9 = t4 * t7 - t2 * t5;
-            let t10 = T::from_f64(28.571428571428573) * (t8 - t2);
-            let t11 = T::from_f64(0.00227) + t1 - t8;
-            let t12 = T::from_f64(28.571428571428573) * (t7 - t9);
-            let t13 = T::from_f64(0.06934) + t6 - t9;
-            let t14 = T::from_f64(1.0) / (t13 * t13 + t11 * t11);
-            let t15 = T::from_f64(0.5) - T::from_f64(0.0006) * t14;
-            let t16 = (T::from_f64(0.0004) * t14 - t15 * t15).sqrt();
-            let t17 = t13 * t15 + t11 * t16;
-            let t18 = t11 * t15 - t13 * t16;
-            let t19 = T::from_f64(25.0) * (t17 - t13);
-            let t20 = T::from_f64(25.0) * (t18 - t11);
-            let t21 = T::from_f64(50.0) * t18;
-            let t22 = T::from_f64(50.0) * t17;
-            let t23 = (-(T::from_f64(-0.46797677575091534) * t19
-                + T::from_f64(0.8837407636619335) * t20))
-                .atan2(
-                    T::from_f64(-0.46797677575091534) * t20
-                        - T::from_f64(0.8837407636619335) * t19,
-                );
-            let t24 = cos0 * t21 + sin0 * t22;
-            let t25 = cos0 * t22 - sin0 * t21;
-            let t26 = (-(t20 * t24 + t19 * t25)).atan2(t19 * t24 - t20 * t25);
+            let t4 = T::from_f64(0.03273) - t2;
+            let t5 = T::from_f64(0.8377532857353609)
+                + (T::from_f64(0.03273) * t1 - T::from_f64(0.03635) * t4)
+                    .atan2(T::from_f64(0.03273) * t4 + T::from_f64(0.03635) * t1);
+            let t6 = T::from_f64(0.5) - T::from_f64(0.0002205) * t3;
+            let t7 = (T::from_f64(0.000784) * t3 - t6 * t6).sqrt();
+            let t8 = t6 * t1 + t7 * t4 - (T::from_f64(0.06934) + t0);
+            let t9 = t7 * t1 - t6 * t4 - (T::from_f64(0.00227) + t2);
+            let t10 = (T::from_f64(0.00227) * t8 - T::from_f64(0.06934) * t9)
+                .atan2(-(T::from_f64(0.06934) * t8 + T::from_f64(0.00227) * t9));
+            let t11 = T::from_f64(1.0) / (t8 * t8 + t9 * t9);
+            let t12 = T::from_f64(3.174318202785279) + t10;
+            let t13 = T::from_f64(0.5) - T::from_f64(0.0006) * t11;
+            let t14 = (T::from_f64(0.0004) * t11 - t13 * t13).sqrt();
+            let t15 = t12 + t14.atan2(T::from_f64(1.0) - t13)
+                - T::from_f64(3.141592653589793);
             ::pendulum_core::nalgebra::SVector::from([
-                T::from_f64(0.455)
-                    + (T::from_f64(-0.43946231380585327) * t10
-                        + T::from_f64(0.8982610281785611) * t12)
-                        .atan2(
-                            T::from_f64(0.8982610281785611) * t10
-                                - T::from_f64(-0.43946231380585327) * t12,
-                        ),
-                T::from_f64(0.487) + t23,
-                T::from_f64(0.223) + t26,
+                t5 + (-t7).atan2(T::from_f64(1.0) - t6),
+                t15,
+                t12 + (-t14).atan2(t13) - t15 - T::from_f64(1.5707963267948966),
             ])
         }
         ///The rate of `follow` along the motion.
@@ -1541,68 +1523,49 @@ t42 = 1/(1 - 16917000/24006277*t33 - 3001400/24006277*t34)
             ::pendulum_core::nalgebra::SMatrix<T, 3, 2>,
         ) {
             let [q_beta, _] = x.data.0[0];
-            let [(sin_beta, cos_beta), (sin0, cos0)] = q_beta
-                .sin_cos_pair(T::from_f64(-0.223));
-            let t1 = T::from_f64(0.007) * cos_beta;
-            let t2 = T::from_f64(0.03635) + t1;
+            let (sin_beta, cos_beta) = q_beta.sin_cos();
+            let t0 = T::from_f64(0.007) * cos_beta;
+            let t1 = T::from_f64(0.03635) + t0;
+            let t2 = T::from_f64(0.007) * sin_beta;
             let t3 = T::from_f64(0.0024415754) + T::from_f64(0.0005089) * cos_beta
                 - T::from_f64(0.00045822) * sin_beta;
-            let t4 = T::from_f64(1.0) / t3;
-            let t5 = T::from_f64(0.5) - T::from_f64(0.0002205) * t4;
-            let t6 = (T::from_f64(0.000784) * t4 - t5 * t5).sqrt();
-            let t7 = T::from_f64(1.0) / (t3 * t6);
-            let t8 = T::from_f64(0.007) * sin_beta;
-            let t9 = t8 - T::from_f64(0.03273);
-            let t10 = t5 * t2 - t9 * t6;
-            let t11 = t9 * t5 + t2 * t6;
-            let t12 = t2 - t10;
-            let t13 = t9 - t11;
-            let t14 = t7 * (t1 * t11 - t8 * t10);
-            let t15 = t7 * (t1 * t13 - t8 * t12);
-            let t16 = T::from_f64(28.571428571428573) * t12;
-            let t17 = T::from_f64(28.571428571428573) * t13;
-            let t18 = (T::from_f64(0.8982610281785611) * t16
-                - T::from_f64(-0.43946231380585327) * t17)
-                .atan2(
-                    -(T::from_f64(0.8982610281785611) * t17
-                        + T::from_f64(-0.43946231380585327) * t16),
-                );
-            let t19 = T::from_f64(0.455) + t18;
-            let t20 = T::from_f64(0.00227) + t8 - t11;
-            let t21 = t8 + t11 * t15;
-            let t22 = t1 + t10 * t15;
-            let t23 = T::from_f64(0.06934) + t1 - t10;
-            let t24 = t23 * t23 + t20 * t20;
-            let t25 = T::from_f64(1.0) / t24;
-            let t26 = T::from_f64(0.5) - T::from_f64(0.0006) * t25;
-            let t27 = (T::from_f64(0.0004) * t25 - t26 * t26).sqrt();
-            let t28 = T::from_f64(1.0) / (t24 * t27);
-            let t29 = t20 * t26 - t23 * t27;
-            let t30 = t23 * t26 + t20 * t27;
-            let t31 = t20 - t29;
-            let t32 = t30 - t23;
-            let t33 = T::from_f64(25.0) * t31;
-            let t34 = T::from_f64(25.0) * t32;
-            let t35 = (T::from_f64(0.8837407636619335) * t33
-                - T::from_f64(-0.46797677575091534) * t34)
-                .atan2(
-                    -(T::from_f64(-0.46797677575091534) * t33
-                        + T::from_f64(0.8837407636619335) * t34),
-                );
-            let t36 = T::from_f64(0.487) + t35;
-            let t37 = T::from_f64(50.0) * t29;
-            let t38 = t28 * (t29 * t22 - t30 * t21);
-            let t39 = t38 + t28 * (t32 * t21 + t22 * t31);
-            let t40 = -t38;
-            let t41 = T::from_f64(50.0) * t30;
-            let t42 = cos0 * t37 + sin0 * t41;
-            let t43 = cos0 * t41 - sin0 * t37;
-            let t44 = T::from_f64(0.223)
-                + (t33 * t42 - t34 * t43).atan2(t34 * t42 + t33 * t43);
+            let t4 = T::from_f64(0.03273) - t2;
+            let t5 = T::from_f64(0.8377532857353609)
+                + (T::from_f64(0.03273) * t1 - T::from_f64(0.03635) * t4)
+                    .atan2(T::from_f64(0.03273) * t4 + T::from_f64(0.03635) * t1);
+            let t6 = T::from_f64(1.0) / t3;
+            let t7 = T::from_f64(0.5) - T::from_f64(0.0002205) * t6;
+            let t8 = (T::from_f64(0.000784) * t6 - t7 * t7).sqrt();
+            let t9 = t5 + (-t8).atan2(T::from_f64(1.0) - t7);
+            let t10 = T::from_f64(1.0) / (t3 * t8);
+            let t11 = t7 * t1 + t8 * t4;
+            let t12 = t8 * t1 - t7 * t4;
+            let t13 = t10 * (t2 * (t11 - t1) - t0 * (t4 + t12));
+            let t14 = t10 * (t0 * t12 - t2 * t11);
+            let t15 = t11 - (T::from_f64(0.06934) + t0);
+            let t16 = t0 + t11 * t13;
+            let t17 = t2 + t12 * t13;
+            let t18 = t12 - (T::from_f64(0.00227) + t2);
+            let t19 = (T::from_f64(0.00227) * t15 - T::from_f64(0.06934) * t18)
+                .atan2(-(T::from_f64(0.06934) * t15 + T::from_f64(0.00227) * t18));
+            let t20 = T::from_f64(3.174318202785279) + t19;
+            let t21 = t15 * t15 + t18 * t18;
+            let t22 = T::from_f64(1.0) / t21;
+            let t23 = T::from_f64(0.5) - T::from_f64(0.0006) * t22;
+            let t24 = (T::from_f64(0.0004) * t22 - t23 * t23).sqrt();
+            let t25 = T::from_f64(1.0) / (t21 * t24);
+            let t26 = t20 + t24.atan2(T::from_f64(1.0) - t23)
+                - T::from_f64(3.141592653589793);
+            let t27 = t20 + (-t24).atan2(t23) - t26 - T::from_f64(1.5707963267948966);
+            let t28 = t15 * t24 - t18 * t23;
+            let t29 = t15 * t23 + t18 * t24;
+            let t30 = t25 * (t28 * t16 + t29 * t17);
+            let t31 = t30 + t25 * (t17 * (t15 - t29) - t16 * (t18 + t28));
+            let t32 = -t30;
             (
-                ::pendulum_core::nalgebra::SVector::from([t19, t36, t44]),
+                ::pendulum_core::nalgebra::SVector::from([t9, t26, t27]),
                 ::pendulum_core::nalgebra::SMatrix::from([
-                    [t14, t40, t39],
+                    [t14, t32, t31],
                     [T::from_f64(0.0), T::from_f64(0.0), T::from_f64(0.0)],
                 ]),
             )
@@ -1615,58 +1578,37 @@ t42 = 1/(1 - 16917000/24006277*t33 - 3001400/24006277*t34)
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
         ) -> ::pendulum_core::nalgebra::SVector<T, 5> {
             let [q_beta, _] = x.data.0[0];
-            let [(sin_beta, cos_beta), (sin0, cos0)] = q_beta
-                .sin_cos_pair(T::from_f64(-0.223));
-            let t1 = T::from_f64(0.007) * cos_beta;
-            let t2 = T::from_f64(0.03635) + t1;
-            let t3 = T::from_f64(1.0)
+            let (sin_beta, cos_beta) = q_beta.sin_cos();
+            let t0 = T::from_f64(0.007) * cos_beta;
+            let t1 = T::from_f64(0.03635) + t0;
+            let t2 = T::from_f64(1.0)
                 / (T::from_f64(0.0024415754) + T::from_f64(0.0005089) * cos_beta
                     - T::from_f64(0.00045822) * sin_beta);
-            let t4 = T::from_f64(0.5) - T::from_f64(0.0002205) * t3;
-            let t5 = (T::from_f64(0.000784) * t3 - t4 * t4).sqrt();
-            let t6 = T::from_f64(0.007) * sin_beta;
-            let t7 = t6 - T::from_f64(0.03273);
-            let t8 = t2 * t4 - t7 * t5;
-            let t9 = t4 * t7 + t2 * t5;
-            let t10 = t8 - (T::from_f64(0.06934) + t1);
-            let t11 = T::from_f64(28.571428571428573) * (t2 - t8);
-            let t12 = t9 - (T::from_f64(0.00227) + t6);
-            let t13 = T::from_f64(28.571428571428573) * (t9 - t7);
-            let t14 = T::from_f64(1.0) / (t10 * t10 + t12 * t12);
-            let t15 = T::from_f64(0.5) - T::from_f64(0.0006) * t14;
-            let t16 = (T::from_f64(0.0004) * t14 - t15 * t15).sqrt();
-            let t17 = t12 * t16;
-            let t18 = t10 * t16;
-            let t19 = t10 * t15;
-            let t20 = t12 * t15;
-            let t21 = t17 - t19;
-            let t22 = t19 + t17;
-            let t23 = T::from_f64(25.0) * (t10 - t22);
-            let t24 = T::from_f64(50.0) * t22;
-            let t25 = t20 + t18;
-            let t26 = t18 - t20;
-            let t27 = T::from_f64(25.0) * (t12 + t26);
-            let t28 = (-(T::from_f64(-0.46797677575091534) * t23
-                + T::from_f64(0.8837407636619335) * t27))
-                .atan2(
-                    T::from_f64(-0.46797677575091534) * t27
-                        - T::from_f64(0.8837407636619335) * t23,
-                );
-            let t29 = T::from_f64(50.0) * t26;
-            let t30 = sin0 * t24 - cos0 * t29;
-            let t31 = sin0 * t29 + cos0 * t24;
+            let t3 = T::from_f64(0.007) * sin_beta;
+            let t4 = T::from_f64(0.5) - T::from_f64(0.0002205) * t2;
+            let t5 = (T::from_f64(0.000784) * t2 - t4 * t4).sqrt();
+            let t6 = T::from_f64(0.03273) - t3;
+            let t7 = T::from_f64(0.06934) + (t0 - (t1 * t4 + t6 * t5));
+            let t8 = T::from_f64(0.00227) + (t3 - (t1 * t5 - t4 * t6));
+            let t9 = T::from_f64(0.8377532857353609)
+                + (T::from_f64(0.03273) * t1 - T::from_f64(0.03635) * t6)
+                    .atan2(T::from_f64(0.03273) * t6 + T::from_f64(0.03635) * t1);
+            let t10 = T::from_f64(1.0) / (t7 * t7 + t8 * t8);
+            let t11 = T::from_f64(0.5) - T::from_f64(0.0006) * t10;
+            let t12 = (T::from_f64(0.0004) * t10 - t11 * t11).sqrt();
+            let t13 = t7 + (t7 * t11 - t8 * t12);
+            let t14 = t8 + (t8 * t11 + t7 * t12);
+            let t15 = T::from_f64(3.174318202785279)
+                + (T::from_f64(0.06934) * t8 - T::from_f64(0.00227) * t7)
+                    .atan2(T::from_f64(0.06934) * t7 + T::from_f64(0.00227) * t8);
+            let t16 = t15 + t12.atan2(T::from_f64(1.0) - t11)
+                - T::from_f64(3.141592653589793);
             ::pendulum_core::nalgebra::SVector::from([
-                t10 + t21 - t21 - t10,
-                t12 + t25 - t25 - t12,
-                T::from_f64(0.455)
-                    + (T::from_f64(-0.43946231380585327) * t13
-                        + T::from_f64(0.8982610281785611) * t11)
-                        .atan2(
-                            T::from_f64(0.8982610281785611) * t13
-                                - T::from_f64(-0.43946231380585327) * t11,
-                        ),
-                T::from_f64(0.487) + t28,
-                T::from_f64(0.223) + (t27 * t30 + t23 * t31).atan2(t27 * t31 - t23 * t30),
+                t13 - t13,
+                t14 - t14,
+                t9 + (-t5).atan2(T::from_f64(1.0) - t4),
+                t16,
+                t15 + (-t12).atan2(t11) - t16 - T::from_f64(1.5707963267948966),
             ])
         }
         ///The rate of all outputs along the motion.
@@ -1737,84 +1679,65 @@ t42 = 1/(1 - 16917000/24006277*t33 - 3001400/24006277*t34)
             ::pendulum_core::nalgebra::SMatrix<T, 5, 2>,
         ) {
             let [q_beta, _] = x.data.0[0];
-            let [(sin_beta, cos_beta), (sin0, cos0)] = q_beta
-                .sin_cos_pair(T::from_f64(-0.223));
-            let t1 = T::from_f64(0.007) * cos_beta;
-            let t2 = T::from_f64(0.03635) + t1;
-            let t3 = T::from_f64(0.0024415754) + T::from_f64(0.0005089) * cos_beta
+            let (sin_beta, cos_beta) = q_beta.sin_cos();
+            let t0 = T::from_f64(0.007) * cos_beta;
+            let t1 = T::from_f64(0.03635) + t0;
+            let t2 = T::from_f64(0.0024415754) + T::from_f64(0.0005089) * cos_beta
                 - T::from_f64(0.00045822) * sin_beta;
-            let t4 = T::from_f64(1.0) / t3;
+            let t3 = T::from_f64(0.007) * sin_beta;
+            let t4 = T::from_f64(1.0) / t2;
             let t5 = T::from_f64(0.5) - T::from_f64(0.0002205) * t4;
             let t6 = (T::from_f64(0.000784) * t4 - t5 * t5).sqrt();
-            let t7 = T::from_f64(1.0) / (t3 * t6);
-            let t8 = T::from_f64(0.007) * sin_beta;
-            let t9 = t8 - T::from_f64(0.03273);
-            let t10 = t2 * t5 - t9 * t6;
-            let t11 = t5 * t9 + t2 * t6;
-            let t12 = t2 - t10;
-            let t13 = t9 - t11;
-            let t14 = t7 * (t1 * t11 - t8 * t10);
-            let t15 = t7 * (t1 * t13 - t8 * t12);
-            let t16 = T::from_f64(28.571428571428573) * t12;
-            let t17 = T::from_f64(28.571428571428573) * t13;
-            let t18 = (T::from_f64(0.8982610281785611) * t16
-                - T::from_f64(-0.43946231380585327) * t17)
-                .atan2(
-                    -(T::from_f64(0.8982610281785611) * t17
-                        + T::from_f64(-0.43946231380585327) * t16),
-                );
-            let t19 = T::from_f64(0.455) + t18;
-            let t20 = T::from_f64(0.06934) + (t1 - t10);
-            let t21 = T::from_f64(0.00227) + (t8 - t11);
-            let t22 = t8 + t11 * t15;
-            let t23 = t20 * t20 + t21 * t21;
-            let t24 = T::from_f64(1.0) / t23;
-            let t25 = T::from_f64(0.5) - T::from_f64(0.0006) * t24;
-            let t26 = (T::from_f64(0.0004) * t24 - t25 * t25).sqrt();
-            let t27 = T::from_f64(1.0) / (t23 * t26);
-            let t28 = t20 * t25;
-            let t29 = t21 * t25;
-            let t30 = t21 * t26;
-            let t31 = t20 * t26;
-            let t32 = t28 - t30;
-            let t33 = t28 + t30;
-            let t34 = t20 - t32;
-            let t35 = t34 - t34;
-            let t36 = t33 - t20;
-            let t37 = t29 + t31;
-            let t38 = t29 - t31;
-            let t39 = t21 - t37;
-            let t40 = t39 - t39;
-            let t41 = t21 - t38;
-            let t42 = T::from_f64(25.0) * t41;
-            let t43 = T::from_f64(25.0) * t36;
-            let t44 = (T::from_f64(0.8837407636619335) * t42
-                - T::from_f64(-0.46797677575091534) * t43)
-                .atan2(
-                    -(T::from_f64(-0.46797677575091534) * t42
-                        + T::from_f64(0.8837407636619335) * t43),
-                );
-            let t45 = T::from_f64(0.487) + t44;
-            let t46 = T::from_f64(50.0) * t38;
-            let t47 = T::from_f64(50.0) * t33;
-            let t48 = cos0 * t46 + sin0 * t47;
-            let t49 = cos0 * t47 - sin0 * t46;
-            let t50 = T::from_f64(0.223)
-                + (t42 * t48 - t43 * t49).atan2(t43 * t48 + t42 * t49);
-            let t51 = t1 + t10 * t15;
-            let t52 = t27 * (t38 * t51 - t33 * t22);
-            let t53 = t52 + t27 * (t36 * t22 + t51 * t41);
-            let t54 = -t52;
-            let t55 = T::from_f64(0.04)
-                * (T::from_f64(25.0) * (t27 * (t37 * t51 - t22 * t32)));
-            let t56 = T::from_f64(0.02)
-                * (T::from_f64(50.0) * (t27 * (t51 * t39 - t22 * t34)));
-            let t57 = t1 + t15 * t10 + t32 * t56 - t34 * t55;
-            let t58 = t39 * t55 - (t22 + t37 * t56);
+            let t7 = T::from_f64(1.0) / (t2 * t6);
+            let t8 = T::from_f64(0.03273) - t3;
+            let t9 = t1 * t5 + t8 * t6;
+            let t10 = T::from_f64(0.06934) + (t0 - t9);
+            let t11 = t1 * t6 - t5 * t8;
+            let t12 = t7 * (t0 * t11 - t3 * t9);
+            let t13 = t7 * (t3 * (t9 - t1) - t0 * (t8 + t11));
+            let t14 = T::from_f64(0.8377532857353609)
+                + (T::from_f64(0.03273) * t1 - T::from_f64(0.03635) * t8)
+                    .atan2(T::from_f64(0.03273) * t8 + T::from_f64(0.03635) * t1);
+            let t15 = t14 + (-t6).atan2(T::from_f64(1.0) - t5);
+            let t16 = T::from_f64(0.00227) + (t3 - t11);
+            let t17 = t3 + t11 * t13;
+            let t18 = t10 * t10 + t16 * t16;
+            let t19 = T::from_f64(1.0) / t18;
+            let t20 = T::from_f64(0.5) - T::from_f64(0.0006) * t19;
+            let t21 = (T::from_f64(0.0004) * t19 - t20 * t20).sqrt();
+            let t22 = T::from_f64(1.0) / (t18 * t21);
+            let t23 = t10 * t20;
+            let t24 = t16 * t21;
+            let t25 = t23 - t24;
+            let t26 = t23 + t24;
+            let t27 = t10 - t25;
+            let t28 = t27 - t27;
+            let t29 = t16 * t20;
+            let t30 = t10 * t21;
+            let t31 = t29 + t30;
+            let t32 = t29 - t30;
+            let t33 = t16 - t31;
+            let t34 = t33 - t33;
+            let t35 = T::from_f64(3.174318202785279)
+                + (T::from_f64(0.06934) * t16 - T::from_f64(0.00227) * t10)
+                    .atan2(T::from_f64(0.06934) * t10 + T::from_f64(0.00227) * t16);
+            let t36 = t35 + t21.atan2(T::from_f64(1.0) - t20)
+                - T::from_f64(3.141592653589793);
+            let t37 = t35 + (-t21).atan2(t20) - t36 - T::from_f64(1.5707963267948966);
+            let t38 = t0 + t9 * t13;
+            let t39 = T::from_f64(25.0)
+                * (T::from_f64(0.04) * (t22 * (t31 * t38 - t17 * t25)));
+            let t40 = T::from_f64(50.0)
+                * (T::from_f64(0.02) * (t22 * (t38 * t33 - t17 * t27)));
+            let t41 = t0 + t13 * t9 + t25 * t40 - t27 * t39;
+            let t42 = t33 * t39 - (t17 + t31 * t40);
+            let t43 = t22 * (t38 * t32 - t17 * t26);
+            let t44 = t43 + t22 * (t17 * (t26 - t10) + t38 * (t16 - t32));
+            let t45 = -t43;
             (
-                ::pendulum_core::nalgebra::SVector::from([t35, t40, t19, t45, t50]),
+                ::pendulum_core::nalgebra::SVector::from([t28, t34, t15, t36, t37]),
                 ::pendulum_core::nalgebra::SMatrix::from([
-                    [t58, t57, t14, t54, t53],
+                    [t42, t41, t12, t45, t44],
                     [
                         T::from_f64(0.0),
                         T::from_f64(0.0),
