@@ -3,6 +3,7 @@
 #![allow(missing_docs, reason = "fields and functions whose names say what they are")]
 
 pub mod chains;
+pub mod contacts;
 pub mod dual;
 pub mod eq22;
 pub mod fit;

@@ -1,6 +1,7 @@
 //! The generator and the numbers together: generated models against reference data, other derivations, and each other.
 #![forbid(unsafe_code)]
 
+mod agreement;
 mod alone;
 mod assembled;
 mod balls;
@@ -23,6 +24,7 @@ mod golden;
 mod growth;
 mod hybrid;
 mod hybrid_stability;
+mod impacts;
 mod lanes;
 mod lift_off;
 mod linkages;

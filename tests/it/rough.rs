@@ -113,7 +113,7 @@ impl Seen {
 }
 
 /// The least distance from a limit.
-fn gap<S: Hybrid<f64, N>, const N: usize>(model: &S, t: f64, x: &SVector<f64, N>) -> f64 {
+pub(crate) fn gap<S: Hybrid<f64, N>, const N: usize>(model: &S, t: f64, x: &SVector<f64, N>) -> f64 {
     let measures = model.measures(t, x);
     let distances = measures
         .iter()
@@ -297,12 +297,12 @@ where
 }
 
 /// A restitution: none, all, or some.
-fn restitution(random: &mut Random) -> f64 {
+pub(crate) fn restitution(random: &mut Random) -> f64 {
     [0.0, 1.0, random.between(0.0, 0.5), random.between(0.0, 0.95)][random.below(4)]
 }
 
 /// A state within the limits, from ranges of each component.
-fn within<S: Hybrid<f64, N>, const N: usize>(
+pub(crate) fn within<S: Hybrid<f64, N>, const N: usize>(
     random: &mut Random,
     model: &S,
     ranges: [(f64, f64); N],
@@ -315,7 +315,7 @@ fn within<S: Hybrid<f64, N>, const N: usize>(
     }
 }
 
-fn folding(seed: u64) -> Seen {
+pub(crate) fn folding_start(seed: u64) -> (Folding, SVector<f64, 4>) {
     let mut random = Random::new(seed);
     let model = Folding::new(FoldingParams {
         m: random.between(0.1, 3.0),
@@ -331,10 +331,15 @@ fn folding(seed: u64) -> Seen {
         &model,
         [(-3.0, 3.0), (-1.5, 1.0), (-5.0, 5.0), (-5.0, 5.0)],
     );
+    (model, start)
+}
+
+fn folding(seed: u64) -> Seen {
+    let (model, start) = folding_start(seed);
     follow_by_one(seed, &model, Some(&|x| model.energy(0.0, x)), start)
 }
 
-fn walled(seed: u64) -> Seen {
+pub(crate) fn walled_start(seed: u64) -> (Walled, SVector<f64, 4>) {
     let mut random = Random::new(seed);
     let model = Walled::new(WalledParams {
         m: random.between(0.1, 3.0),
@@ -350,10 +355,15 @@ fn walled(seed: u64) -> Seen {
         &model,
         [(-1.5, 1.5), (-1.5, 1.5), (-5.0, 5.0), (-5.0, 5.0)],
     );
+    (model, start)
+}
+
+fn walled(seed: u64) -> Seen {
+    let (model, start) = walled_start(seed);
     follow_by_one(seed, &model, Some(&|x| model.energy(0.0, x)), start)
 }
 
-fn pushed(seed: u64) -> Seen {
+pub(crate) fn pushed_start(seed: u64) -> (Pushed, SVector<f64, 6>) {
     let mut random = Random::new(seed);
     let model = Pushed::new(PushedParams {
         m: random.between(0.2, 3.0),
@@ -376,11 +386,16 @@ fn pushed(seed: u64) -> Seen {
         (-5.0, 5.0),
     ];
     let start = within(&mut random, &model, ranges);
+    (model, start)
+}
+
+fn pushed(seed: u64) -> Seen {
+    let (model, start) = pushed_start(seed);
     follow_by_one(seed, &model, None, start)
 }
 
 /// A number that is given from outside.
-fn number(name: &str, default: u64) -> u64 {
+pub(crate) fn number(name: &str, default: u64) -> u64 {
     std::env::var(name).map_or(default, |text| text.parse().expect("a number"))
 }
 
@@ -469,7 +484,7 @@ mechanism! {
     }
 }
 
-fn tile(mu: f64, e: f64, pull: f64) -> Tile {
+pub(crate) fn tile(mu: f64, e: f64, pull: f64) -> Tile {
     Tile::new(TileParams { mu, e, pull }).expect("physical")
 }
 
