@@ -110,8 +110,9 @@ impl<T: Float, const N: usize> Solution<T, N> {
     /// An impact begins a mode, even one with the same constraints held as before: in [`t`](Self::t) its time then
     /// stands twice, with the states before and after.
     ///
-    /// Rebounds too low to follow are replaced by lasting contact from the first of them on. The mode of this contact has
-    /// the time at which the last rebound would have ended, a little later.
+    /// The times ascend, from the start of the span to its end at most; the last entry is the mode at the end. Rebounds
+    /// too low to follow are replaced by lasting contact from the first of them on. The mode of this contact has the time
+    /// at which the last rebound would have ended, a little later, or at which the next mode begins.
     #[must_use]
     pub fn modes(&self) -> &[(T, Mode)] {
         &self.modes

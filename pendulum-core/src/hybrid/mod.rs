@@ -9,11 +9,18 @@
 //! - A rate that reaches zero stays there, exactly, as long as friction can hold it. Which constraints hold and which
 //!   slip is decided for all of them together, so that all forces are within their limits, and what slips does so
 //!   against its friction (a complementarity problem, solved by trying combinations, those that hold most first).
-//! - At a limit there is an impact: by Newton's law, constraints that approach with the rate `v` leave with `-e v`.
-//!   With several at once, those that act on each other have the least of their restitutions, so energy never grows.
-//!   Friction forces are finite, so they take no part in impacts.
+//! - At a limit there is an impact: by Newton's law, a constraint that approaches with the rate `v` leaves with `-e v`.
+//!   Those on which it acts and that rest take part, and do not approach afterwards. Friction forces are finite, so they
+//!   take no part in impacts.
+//! - Where another constraint at its limit approaches after that, its impact follows at the same instant. Of two that
+//!   act on each other the impacts alternate, and may accumulate while rates are still finite: the rates at which such a
+//!   series ends depend on its order, not on the times between the impacts.
+//! - Where constraints that act on each other approach at the same instant, each order is tried. If it decides how the
+//!   motion goes on, they collide at once, with the least of their restitutions, so that energy never grows, and an
+//!   [`Ambiguity`] reports it.
 //! - Rebounds lower than 1e-13 of the size of the positions, in `f32` 64 ulps of it, end at once, at the limit of the
-//!   geometric series of their times.
+//!   series of their times, in which friction changes its direction where they turn.
+//! - No size is absolute: rounding errors are relative to lengths, angles and rates of the system.
 //!
 //! Generated models have all this from `dry_friction`, `stop` and `wall` in their declaration. A model by hand
 //! implements [`Hybrid`]:
