@@ -20,6 +20,8 @@ use crate::real::Float;
 
 /// Impacts that follow each other at once; after these, contacts that still approach stay together.
 const MOST_IMPACTS: usize = 1 << 12;
+/// How often all orders are tried at an instant: each try follows the impacts to their end.
+const MOST_TRIES: usize = 4;
 
 /// The impacts at an instant.
 #[derive(Clone, Copy, Debug)]
@@ -27,8 +29,8 @@ pub(super) struct Series<T, const N: usize> {
     count: usize,
     /// The largest energy that was lost or turned back in one of the first.
     largest: T,
-    /// Whether one order of impacts is followed, to be compared with others.
-    is_tried: bool,
+    /// How often orders may still be tried; not where one is followed, to be compared with others.
+    tries: usize,
     /// The contacts whose order mattered, with the differences that it makes to the state.
     pub(super) ambiguity: Option<(u8, SVector<T, N>)>,
 }
@@ -38,7 +40,7 @@ impl<T: Float, const N: usize> Series<T, N> {
         Self {
             count: 0,
             largest: T::default(),
-            is_tried: false,
+            tries: MOST_TRIES,
             ambiguity: None,
         }
     }
@@ -49,7 +51,7 @@ impl<T: Float, const N: usize> Series<T, N> {
 
     /// Tries no other orders.
     pub(super) fn follow_one_order(&mut self) {
-        self.is_tried = true;
+        self.tries = 0;
     }
 
     /// Whether they go on for too long, as where contacts contradict each other.
@@ -199,9 +201,10 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         if let Some(first) = self.first {
             return approaching & first;
         }
-        if approaching.count_ones() == 1 || self.series.is_tried {
+        if approaching.count_ones() == 1 || self.series.tries == 0 {
             return approaching;
         }
+        series.tries -= 1;
         let mut outcomes = bits(approaching).map(|n| self.outcome(!approaching | 1 << n));
         let Some(one) = outcomes.next() else { return approaching };
         let mut differences = SVector::from([T::default(); N]);
@@ -227,7 +230,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
     /// The state after all impacts where only some contacts may collide first.
     fn outcome(&self, first: u8) -> SVector<T, N> {
         let mut tried = *self;
-        (tried.first, tried.series.is_tried) = (Some(first), true);
+        (tried.first, tried.series.tries) = (Some(first), 0);
         finish(self.system, self.t, tried.settle(), &self.reach, &mut |_, _| {}).x
     }
 
