@@ -201,7 +201,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         if let Some(first) = self.first {
             return approaching & first;
         }
-        if approaching.count_ones() == 1 || self.series.tries == 0 {
+        if approaching.count_ones() == 1 || series.tries == 0 {
             return approaching;
         }
         series.tries -= 1;
