@@ -10,6 +10,7 @@ use std::cell::Cell;
 use pendulum_core::Reason;
 use pendulum_core::method::{Adaptive, Estimates, Fixed, OneStep};
 use pendulum_core::prelude::*;
+use pendulum_core::real::lanes::Isa;
 use testbed::mechanisms::Tree;
 use testbed::methods::Promise;
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
@@ -38,8 +39,9 @@ unsafe impl GlobalAlloc for Counting {
 #[global_allocator]
 static ALLOCATOR: Counting = Counting;
 
-/// How often `work` allocates.
+/// How often `work` allocates. Which instruction sets to use is read from the environment before: that is done once.
 fn allocations(work: impl FnOnce()) -> usize {
+    std::hint::black_box(Isa::widest());
     let before = COUNT.get();
     work();
     COUNT.get() - before

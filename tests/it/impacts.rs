@@ -371,3 +371,119 @@ fn a_row_that_is_crushed_is_an_error() {
         Vern9::new().solve(&row(ROW), 0.0, 1.0, [0.5, 0.55, 0.9, 0.0, 0.0, 0.0]);
     assert!(solved.expect_err("the blocks overlap").to_string().contains("w1"));
 }
+
+mechanism! {
+    /// Four bodies in a row, of which two may go on side by side, above a floor or in space.
+    pub Four {
+        params { mb: kg, e0: 1, w: m, g: m/s^2 }
+        gravity: [-g, 0, 0],
+        wall floor { gap: a, restitution: e0 }
+        wall ab { gap: b - a, restitution: 1 }
+        wall bc { gap: c - b, restitution: 0 }
+        wall cd { gap: d - c, restitution: 1 }
+        wall lid { gap: w - d, restitution: 0 }
+        body one on ground { mass: 1, joint: prismatic(x), coordinate: a }
+        body two on ground { mass: mb, joint: prismatic(x), coordinate: b }
+        body three on ground { mass: 1, joint: prismatic(x), coordinate: c }
+        body four on ground { mass: 2, joint: prismatic(x), coordinate: d }
+    }
+}
+
+/// What goes on side by side stays so, however light one of the two is: which impacts follow is not for rounding errors
+/// to decide.
+#[test]
+fn what_is_light_stays_with_what_is_heavy() {
+    for mb in [1.0, 0.1, 0.01, 1e-3, 1e-4] {
+        let params = FourParams {
+            mb,
+            e0: 0.0,
+            w: 1e3,
+            g: 0.0,
+        };
+        let model = Four::new(params).expect("physical");
+        let end = |v: f64| {
+            let start = [100.0, 101.0, 101.0, 103.0, -0.1 * v, -v, -v, -1.3 * v];
+            let solution = Vern9::new().rtol(1e-12).atol(1e-12).solve(&model, 0.0, 4.0 / v, start);
+            let solution = solution.expect("a motion");
+            assert!(solution.ambiguities().is_empty());
+            (solution.impacts().len(), solution.end().fixed_rows::<4>(4) / v)
+        };
+        let (impacts, expected) = end(1.0);
+        assert!(impacts > 0);
+        for k in 0..200 {
+            let (found, rates) = end(1.0 + 0.001234567 * f64::from(k));
+            assert_eq!(found, impacts, "{mb}, {k}");
+            assert!((rates - expected).amax() < 1e-11, "{mb}, {k}: {rates} {expected}");
+        }
+    }
+    let params = FourParams {
+        mb: 1e-3,
+        e0: 0.3,
+        w: 3.0,
+        g: 9.81,
+    };
+    let model = Four::new(params).expect("physical");
+    let start = [
+        0.038052464544782394,
+        1.8967983915923299,
+        2.076580328396224,
+        2.491892619057563,
+        0.16416331112045002,
+        -0.5424100851208609,
+        2.0358980306196783,
+        1.2241939210244508,
+    ];
+    let t1 = 0.9696513211906062;
+    let expected = Vern9::new().rtol(1e-13).atol(1e-13).solve(&model, 0.0, t1, start);
+    let expected = expected.expect("a motion").end();
+    for k in 0..24 {
+        let tolerance = 1e-6 * 0.5_f64.powi(k);
+        let explicit = Tsit5::new()
+            .rtol(tolerance)
+            .atol(tolerance)
+            .solve(&model, 0.0, t1, start);
+        let implicit = Rodas5P::new()
+            .rtol(tolerance)
+            .atol(tolerance)
+            .solve(&model, 0.0, t1, start);
+        for solution in [explicit, implicit] {
+            let apart = (solution.expect("a motion").end() - expected).amax();
+            assert!(apart < 1e-6, "{tolerance}: {apart:e}");
+        }
+    }
+}
+
+mechanism! {
+    /// A heavy rod, and a light one on it between two stops, whose tip hits a wall.
+    pub Tip {
+        params { l: m }
+        gravity: [0, -9.81, 0],
+        point tip on lower at [0, -l, 0],
+        wall side { gap: 0.5*l - tip.x, restitution: 0.7 }
+        body upper on ground {
+            solids: [rod(1000, [0, 0, 0], [0, -l, 0])], joint: revolute(z), coordinate: th,
+        }
+        body lower on upper {
+            solids: [rod(0.001, [0, 0, 0], [0, -l, 0])], joint: revolute(z) at [0, -l, 0], coordinate: ph,
+            stop: [-0.5, 0.5] restitution(0), dry_friction: 4.905e-4 N * l,
+        }
+    }
+}
+
+/// Forces of what is held are as exact as the weights that they balance, no more: of a light rod on a heavy one at every
+/// tolerance, and in every size.
+#[test]
+fn what_is_light_rests_as_long_as_it_should() {
+    for l in [1e-3, 0.1, 1.0] {
+        let model = Tip::new(TipParams { l }).expect("physical");
+        let v = (9.81_f64 / l).sqrt();
+        for k in 0..40 {
+            let tolerance = 1e-6 * 0.7_f64.powi(k);
+            let method = Tsit5::new().rtol(tolerance).atol(tolerance);
+            let solved = method.solve(&model, 0.0, 5.0 / v, [-1.0, 0.2, 2.0 * v, 0.0]);
+            if let Err(error) = solved {
+                panic!("{l} m, {tolerance}: {error}");
+            }
+        }
+    }
+}

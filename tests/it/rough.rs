@@ -4,6 +4,7 @@
 //! worst; `PENDULUM_SEED` is the first seed. What fails is printed with its seed.
 
 use std::f64::consts::PI;
+use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -407,32 +408,38 @@ fn all_are_followed(name: &str, tried: impl Fn(u64) -> Seen + Sync) {
 }
 
 fn these_are_followed(name: &str, first: u64, count: u64, tried: &(impl Fn(u64) -> Seen + Sync)) {
-    let (next, worst) = (AtomicU64::new(first), Mutex::new((Seen::default(), Vec::new())));
-    std::thread::scope(|scope| {
-        for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
-            scope.spawn(|| {
-                loop {
-                    let seed = next.fetch_add(1, Ordering::Relaxed);
-                    if seed >= first + count {
-                        break;
-                    }
-                    let outcome = catch_unwind(AssertUnwindSafe(|| tried(seed)));
-                    let mut worst = worst.lock().expect("a tally");
-                    match outcome {
-                        Ok(seen) => worst.0 = worst.0.max(seen),
-                        Err(_) => worst.1.push(seed),
-                    }
-                }
-            });
-        }
+    let mut worst = Seen::default();
+    let mut failures = Vec::new();
+    let outcome = |seed| catch_unwind(AssertUnwindSafe(|| tried(seed)));
+    each_seed(first..first + count, outcome, |seed, outcome| match outcome {
+        Ok(seen) => worst = worst.max(seen),
+        Err(_) => failures.push(seed),
     });
-    let (worst, failures) = worst.into_inner().expect("a tally");
     println!("{name}: {count} tried, {} failed; {worst:?}", failures.len());
     assert!(
         failures.is_empty(),
         "{name}: seeds {:?}",
         &failures[..failures.len().min(20)]
     );
+}
+
+/// Tries seeds on all cores, and takes in what becomes of each.
+pub(crate) fn each_seed<T>(seeds: Range<u64>, tried: impl Fn(u64) -> T + Sync, take: impl FnMut(u64, T) + Send) {
+    let (next, take) = (AtomicU64::new(seeds.start), Mutex::new(take));
+    std::thread::scope(|scope| {
+        for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
+            scope.spawn(|| {
+                loop {
+                    let seed = next.fetch_add(1, Ordering::Relaxed);
+                    if seed >= seeds.end {
+                        break;
+                    }
+                    let outcome = tried(seed);
+                    take.lock().expect("no other has failed")(seed, outcome);
+                }
+            });
+        }
+    });
 }
 
 #[test]

@@ -9,11 +9,12 @@
 
 use nalgebra::SVector;
 
-use super::complementarity::{groups, impulses};
+use super::complementarity::{Factored, groups, impulses};
 use super::functions::{BACKWARD, Fired, UPPER};
 use super::mode::{Status, bits, set_of};
-use super::resolution::{AT_LIMIT, CONSISTENT, ulps};
+use super::resolution::{AT_LIMIT, CONSISTENT, ORDER_MATTERS, ulps};
 use super::settling::Settling;
+use super::sizes::of_kind;
 use super::switch::finish;
 use super::{MOST, Response};
 use crate::real::Float;
@@ -59,24 +60,53 @@ impl<T: Float, const N: usize> Series<T, N> {
         self.count > MOST_IMPACTS
     }
 
+    /// Whether contacts that still approach stay together.
+    fn ends_now(&self) -> bool {
+        self.count == MOST_IMPACTS
+    }
+
     /// Begins anew, at another instant.
     pub(super) fn begin(&mut self) {
         (self.count, self.largest) = (0, T::default());
     }
 }
 
+/// Contacts where some of them approach.
+struct Approach<T, const N: usize> {
+    /// Those that do.
+    set: u8,
+    /// The rates of all away from their limits, zero where they rest.
+    rates: [T; MOST],
+    /// What impulses away from the limits do to these rates.
+    matrix: [[T; MOST]; MOST],
+    response: Response<T, N>,
+}
+
+/// Impacts at once, one in each group of contacts that act on each other.
+struct Blow<T> {
+    /// The contacts that take part.
+    members: u8,
+    /// Those of them that push.
+    pushing: u8,
+    /// The impulses away from the limits, and the rates at which those that push leave.
+    impulses: [T; MOST],
+    leaving: [T; MOST],
+    /// The fastest rate in the group of each before.
+    fastest: [T; MOST],
+}
+
 impl<T: Float, const N: usize> Settling<'_, T, N> {
-    /// The rate of each constraint away from the limit that it touches, zero where it rests.
-    fn leaving(&self) -> [T; MOST] {
+    /// The rate of each constraint away from the limit that it touches.
+    fn rates_away(&self) -> [T; MOST] {
         let measures = self.system.measures(self.t, &self.x);
-        let rate = |n: usize| {
-            if self.resting & 1 << n == 0 {
-                self.away(n) * measures[n][1]
-            } else {
-                T::default()
-            }
-        };
-        core::array::from_fn(rate)
+        core::array::from_fn(|n| self.away(n) * measures[n][1])
+    }
+
+    /// The same, zero where it rests.
+    fn leaving(&self) -> [T; MOST] {
+        let mut rates = self.rates_away();
+        bits(self.resting).for_each(|n| rates[n] = T::default());
+        rates
     }
 
     /// Up to which rates those of contacts may be rounding errors, of their own and of the impacts before.
@@ -96,14 +126,8 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         let (leaving, noise) = (self.leaving(), self.noise(&response));
         let touched = self.touched();
         for n in bits(touched).filter(|&n| leaving[n] < -noise[n]) {
-            next.insert(
-                n,
-                if self.touching[n] == Status::Low {
-                    BACKWARD
-                } else {
-                    UPPER
-                },
-            );
+            let is_low = self.touching[n] == Status::Low;
+            next.insert(n, if is_low { BACKWARD } else { UPPER });
         }
         if next.is_empty() {
             bits(touched).for_each(|n| self.rest(n, leaving[n].abs() <= noise[n]));
@@ -111,57 +135,51 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         next
     }
 
-    /// The impacts with which a series begins or goes on: one in each group of contacts that act on each other.
-    pub(super) fn collide(&mut self) {
+    /// The contacts, if some of them approach.
+    fn approach(&self) -> Option<Approach<T, N>> {
         let zero = T::default();
-        let leaving = self.leaving();
-        if leaving.iter().all(|&leaving| leaving >= zero) {
-            return;
+        let rates = self.leaving();
+        if rates.iter().all(|&rate| rate >= zero) {
+            return None;
         }
         let response = self.system.response(self.t, &self.x, &[zero; MOST]);
         let noise = self.noise(&response);
-        let approaching = set_of(bits(self.touched()).filter(|&n| leaving[n] < -noise[n]));
-        if approaching == 0 {
-            return;
-        }
-        let mut matrix = response.matrix;
-        for (n, row) in matrix.iter_mut().enumerate() {
-            for (m, entry) in row.iter_mut().enumerate() {
-                *entry *= self.away(n) * self.away(m);
-            }
-        }
-        let (mut pushes, mut fastest) = ([zero; MOST], [zero; MOST]);
-        let (mut collided, mut stopped) = (0, 0);
+        let set = set_of(bits(self.touched()).filter(|&n| rates[n] < -noise[n]));
+        let entry = |n: usize, m: usize| self.away(n) * self.away(m) * response.matrix[n][m];
+        (set != 0).then(|| Approach {
+            set,
+            rates,
+            matrix: core::array::from_fn(|n| core::array::from_fn(|m| entry(n, m))),
+            response,
+        })
+    }
+
+    /// The impacts with which a series begins or goes on: one in each group of contacts that act on each other.
+    pub(super) fn collide(&mut self) {
+        let Some(approach) = self.approach() else { return };
         let before = *self;
-        for group in groups(&matrix, self.touched()) {
-            let hit = match (group & approaching, self.series.count < MOST_IMPACTS) {
-                (0, _) => continue,
-                (hit, true) => before.first_of(hit, &mut self.series),
-                (_, false) => group,
-            };
-            let members = hit | group & self.resting;
-            // the least, so that energy does not grow
-            let restitution = bits(hit & approaching).map(|n| self.restitution(n, -leaving[n]));
-            let restitution = match restitution.reduce(T::min) {
-                Some(restitution) if self.series.count < MOST_IMPACTS => restitution,
-                _ => zero,
-            };
-            let of_group = impulses(&matrix, members, &leaving, restitution);
-            let of_all = bits(members).fold(zero, |fastest, n| fastest.max(leaving[n].abs()));
-            collided |= members;
-            for n in bits(members).filter(|&n| of_group[n] != zero) {
-                pushes[n] = self.away(n) * of_group[n];
-                stopped |= u8::from(restitution == zero) << n;
-                fastest[n] = of_all;
+        let mut blow = Blow::none();
+        for group in groups(&approach.matrix, self.touched()) {
+            let approaching = group & approach.set;
+            if approaching == 0 {
+                continue;
             }
-            if before.series.is_empty() {
-                let energies = bits(hit & approaching).map(|n| leaving[n] * leaving[n] / matrix[n][n]);
-                self.series.largest = energies.fold(self.series.largest, T::max);
+            let hit = if self.series.ends_now() {
+                group
+            } else {
+                before.first_of(approaching, &mut self.series)
+            };
+            // the least, so that energy does not grow
+            let restitutions = bits(hit & approaching).map(|n| self.restitution(n, -approach.rates[n]));
+            let restitution = restitutions.reduce(T::min).filter(|_| !self.series.ends_now());
+            blow.add(&approach, hit | group & self.resting, restitution.unwrap_or_default());
+            if self.series.is_empty() {
+                let energy = |n: usize| approach.rates[n] * approach.rates[n] / approach.matrix[n][n];
+                self.series.largest = bits(hit & approaching).map(energy).fold(self.series.largest, T::max);
             }
         }
         self.series.count += 1;
-        self.push(&response, collided, &pushes);
-        self.note_rest(collided, stopped, (&response, &pushes, &fastest));
+        self.receive(&approach, &blow);
     }
 
     fn restitution(&self, n: usize, speed: T) -> T {
@@ -173,25 +191,29 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         }
     }
 
-    /// Notes what impulses have stopped, and what they have moved.
-    fn note_rest(
-        &mut self,
-        collided: u8,
-        stopped: u8,
-        (response, pushes, fastest): (&Response<T, N>, &[T; MOST], &[T; MOST]),
-    ) {
+    /// Changes the rates, and notes what rests then.
+    fn receive(&mut self, approach: &Approach<T, N>, blow: &Blow<T>) {
         let zero = T::default();
-        let measures = self.system.measures(self.t, &self.x);
+        let rested = self.resting;
+        let directed = |impulses: &[T; MOST]| core::array::from_fn(|n| self.away(n) * impulses[n]);
+        let impulses: [T; MOST] = directed(&blow.impulses);
         for n in 0..self.system.constraints().len() {
-            let rate = measures[n][1].abs();
-            let change = bits(collided).fold(zero, |sum, m| sum + response.matrix[n][m] * pushes[m]);
-            if pushes[n] != zero || change != zero {
-                self.resting &= !(1 << n);
-            }
-            // what an impulse has stopped, or only held, keeps a rate of rounding
-            let is_stopped = stopped & 1 << n != 0 && rate <= T::EPSILON.sqrt() * fastest[n];
-            let is_held = pushes[n] != zero && rate <= ulps(CONSISTENT, fastest[n]);
-            self.rest(n, is_stopped || is_held);
+            let change = bits(blow.pushing).map(|m| approach.response.matrix[n][m] * impulses[m]);
+            let is_moved = blow.pushing & 1 << n != 0 || change.fold(zero, |sum, change| sum + change) != zero;
+            self.resting &= !(u8::from(is_moved) << n);
+        }
+        self.push(&approach.response, blow.pushing, &impulses);
+        // once more, for the rounding errors of what is light
+        let rates = self.rates_away();
+        let surplus = core::array::from_fn(|n| rates[n] - blow.leaving[n]);
+        let correction = Factored::of(&approach.matrix, blow.pushing).solve_negated(&surplus);
+        let correction = core::array::from_fn(|n| self.away(n) * correction[n]);
+        self.push(&approach.response, blow.pushing, &correction);
+        let rates = self.rates_away();
+        for n in bits(blow.members) {
+            let is_stopped = blow.pushing & 1 << n != 0 && blow.leaving[n] == zero;
+            let rests_on = rested & 1 << n != 0 && rates[n].abs() <= ulps(CONSISTENT, blow.fastest[n]);
+            self.rest(n, is_stopped || rests_on);
         }
     }
 
@@ -205,18 +227,22 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
             return approaching;
         }
         series.tries -= 1;
-        let mut outcomes = bits(approaching).map(|n| self.outcome(!approaching | 1 << n));
-        let Some(one) = outcomes.next() else { return approaching };
+        let (mut least, mut most) = (
+            self.x.map(|_| T::from_f64(f64::INFINITY)),
+            -self.x.map(|_| T::from_f64(f64::INFINITY)),
+        );
+        for outcome in bits(approaching).map(|n| self.outcome(!approaching | 1 << n)) {
+            least = least.zip_map(&outcome, T::min);
+            most = most.zip_map(&outcome, T::max);
+        }
+        let system = self.system.layout();
+        let sizes = [self.x, least, most].map(|x| of_kind(system, &x));
         let mut differences = SVector::from([T::default(); N]);
         let mut matters = false;
-        let noise = T::EPSILON.sqrt() * T::EPSILON.sqrt().sqrt();
-        for other in outcomes {
-            for k in N / 2..N {
-                let difference = (one[k] - other[k]).abs();
-                let size = (one[k] - self.x[k]).abs().max(self.x[k].abs());
-                matters |= difference > noise * size;
-                differences[k] = differences[k].max(difference);
-            }
+        for k in N / 2..N {
+            differences[k] = most[k] - least[k];
+            let size = sizes.iter().fold(T::default(), |size, sizes| size.max(sizes[k]));
+            matters |= differences[k] > ulps(ORDER_MATTERS, size);
         }
         if !matters {
             return approaching & approaching.wrapping_neg();
@@ -239,6 +265,33 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         super::held::add(&mut self.x, response, along, impulses);
         for n in bits(along) {
             self.impulses[n] += impulses[n];
+        }
+    }
+}
+
+impl<T: Float> Blow<T> {
+    fn none() -> Self {
+        let none = [T::default(); MOST];
+        Self {
+            members: 0,
+            pushing: 0,
+            impulses: none,
+            leaving: none,
+            fastest: none,
+        }
+    }
+
+    /// With an impact in one more group, with one restitution.
+    fn add<const N: usize>(&mut self, approach: &Approach<T, N>, members: u8, restitution: T) {
+        let zero = T::default();
+        let impulses = impulses(&approach.matrix, members, &approach.rates, restitution);
+        let fastest = bits(members).fold(zero, |fastest, n| fastest.max(approach.rates[n].abs()));
+        self.members |= members;
+        for n in bits(members) {
+            self.pushing |= u8::from(impulses[n] != zero) << n;
+            self.impulses[n] = impulses[n];
+            self.leaving[n] = -restitution * approach.rates[n];
+            self.fastest[n] = fastest;
         }
     }
 }

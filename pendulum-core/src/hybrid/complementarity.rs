@@ -2,7 +2,7 @@
 
 use super::MOST;
 use super::mode::{bits, set_of};
-use super::resolution::{UNCOUPLED, ulps};
+use super::resolution::{LAWFUL, UNCOUPLED, ulps};
 use crate::real::{Float, Real};
 
 /// Rows that depend on those before them, to this part of their size, have no force of their own.
@@ -139,13 +139,16 @@ pub(super) fn impulses<T: Float>(matrix: &[[T; MOST]; MOST], chosen: u8, w: &[T;
         let p = Factored::of(matrix, independent(matrix, set)).solve_negated(&target);
         let mut violation = zero;
         for n in bits(chosen) {
-            let rate = bits(chosen).fold(target[n], |sum, k| sum + matrix[n][k] * p[k]);
+            let changes = bits(chosen).map(|k| matrix[n][k] * p[k]);
+            let (rate, size) = changes.fold((target[n], size), |(rate, size), change| {
+                (rate + change, size + change.abs())
+            });
             violation = violation.max(-rate / size).max(-p[n] * matrix[n][n] / size);
         }
         if violation < best.1 {
             best = (p, violation);
         }
-        if violation <= T::from_f64(8.0) * T::EPSILON {
+        if violation <= ulps(LAWFUL, T::from_f64(1.0)) {
             break;
         }
     }

@@ -17,73 +17,66 @@ pub(super) struct Next<T> {
     pub(super) hold: Hold<T>,
     /// The accelerations of the constraints.
     pub(super) accelerations: [T; MOST],
-    /// The sizes of the terms of which these are sums.
-    pub(super) sizes: [T; MOST],
+    pub(super) sizes: ForceSizes<T>,
+}
+
+/// Sizes to which rounding errors of accelerations and of forces are relative, where a mode begins.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ForceSizes<T> {
+    /// Of the terms that the acceleration of each constraint is a sum of.
+    pub(super) accelerations: [T; MOST],
+    /// Of the forces along each that take such accelerations.
+    pub(super) forces: [T; MOST],
+}
+
+impl<T: Float> ForceSizes<T> {
+    /// None at all: before an integration starts.
+    pub(super) fn none() -> Self {
+        let none = [T::default(); MOST];
+        Self {
+            accelerations: none,
+            forces: none,
+        }
+    }
 }
 
 impl<T: Float, const N: usize> Settling<'_, T, N> {
     /// The mode that the rates and accelerations ask for.
     pub(super) fn next_mode(&self) -> Next<T> {
-        let zero = T::default();
-        let count = self.system.constraints().len();
-        let measures = self.system.measures(self.t, &self.x);
-        let (mut mode, mut candidates) = (Mode::default(), 0);
-        let mut forces = [zero; MOST];
-        for n in 0..count {
-            let (friction, touches) = (self.has_friction(n), self.touching[n].touches());
-            let rate = measures[n][1];
-            let rests = self.resting & 1 << n != 0 || rate == zero;
-            if rests && (friction || touches) {
-                candidates |= 1 << n;
-            } else if friction {
-                mode.0[n] = if rate > zero { Status::Forward } else { Status::Backward };
-                forces[n] = self.slipping(n, mode.0[n]);
-            }
-        }
-        let response = self.system.response(self.t, &self.x, &forces);
-        let gave_way = set_of((0..count).filter(|&n| self.forced[n].is_some()));
-        let without_any = Hold {
-            forces,
-            ..Hold::default()
-        };
+        let choice = Choice::of(self);
         let consistent = ulps(CONSISTENT, T::from_f64(1.0));
-        let mut best = (T::from_f64(f64::INFINITY), mode, without_any, response.accelerations);
-        'all: for held in subsets(candidates & !gave_way) {
-            let released = candidates & !held;
-            for forward in subsets(released) {
-                let Some((mode, hold)) = self.released(mode, forces, (held, released, forward), &response) else {
+        let gave_way = set_of((0..MOST).filter(|&n| self.forced[n].is_some()));
+        let nothing_held = (choice.mode, choice.holding_nothing());
+        let mut best = (T::from_f64(f64::INFINITY), nothing_held, choice.response.accelerations);
+        'all: for held in subsets(choice.candidates & !gave_way) {
+            for forward in subsets(choice.candidates & !held) {
+                let Some(tried) = choice.with(held, forward) else {
                     continue;
                 };
-                let (violation, accelerations) = self.violation(&mode, &hold, candidates, &response, &forces);
+                let (violation, accelerations) = choice.violation(&tried.0, &tried.1);
                 if violation < best.0 {
-                    best = (violation, mode, hold, accelerations);
+                    best = (violation, tried, accelerations);
                 }
                 if violation <= consistent {
                     break 'all;
                 }
             }
         }
-        let (_, mut mode, mut hold, accelerations) = best;
+        let (_, (mut mode, mut hold), accelerations) = best;
         // friction that depends on what is held rests with it, under the force that it has, unless all is about to move
-        for n in bits(candidates & !hold.held).filter(|&n| self.has_friction(n)) {
+        for n in bits(choice.candidates & !hold.held).filter(|&n| self.has_friction(n)) {
             let (mut with, mut holds) = (mode, hold);
             with.0[n] = self.holding(n);
             holds.held |= 1 << n;
-            if depends(&response.matrix, n, hold.solved)
-                && self.violation(&with, &holds, candidates, &response, &forces).0 <= consistent
-            {
+            if depends(&choice.response.matrix, n, hold.solved) && choice.violation(&with, &holds).0 <= consistent {
                 (mode, hold) = (with, holds);
             }
         }
-        let size = |n: usize| {
-            let under = |m: usize| response.matrix[n][m].abs() * self.laws[m].sticking;
-            bits(candidates).fold(response.accelerations[n].abs(), |sum, m| sum + under(m))
-        };
         Next {
             mode,
             hold,
             accelerations,
-            sizes: core::array::from_fn(size),
+            sizes: choice.force_sizes(),
         }
     }
 
@@ -100,54 +93,95 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         T::from_f64(f64::from(status.friction())) * self.laws[n].slipping
     }
 
-    /// A mode in which some of the candidates are held, and others go forward or backward; none where a limit is in
-    /// the way.
-    fn released(
-        &self,
-        mut mode: Mode,
-        mut forces: [T; MOST],
-        (held, released, forward): (u8, u8, u8),
-        response: &Response<T, N>,
-    ) -> Option<(Mode, Hold<T>)> {
-        for n in bits(held) {
-            mode.0[n] = self.holding(n);
+    /// The sizes of the terms that the accelerations of the constraints are sums of.
+    pub(super) fn sizes_of_accelerations(&self, response: &Response<T, N>) -> [T; MOST] {
+        let mut of_accelerations = self.x;
+        for k in N / 2..N {
+            of_accelerations[k] = response.rates[k];
         }
-        for n in bits(released) {
-            let goes = if forward & 1 << n != 0 {
-                Status::Forward
+        self.gains.sizes(self.system, self.t, &of_accelerations).rates
+    }
+}
+
+/// What the next mode is chosen from.
+struct Choice<'a, 'b, T, const N: usize> {
+    of: &'a Settling<'b, T, N>,
+    /// What rests: each may be held, or be about to go.
+    candidates: u8,
+    /// What all others do, with their forces.
+    mode: Mode,
+    forces: [T; MOST],
+    /// Under these forces.
+    response: Response<T, N>,
+    /// The sizes of the terms that its accelerations are sums of.
+    sizes: [T; MOST],
+}
+
+impl<'a, 'b, T: Float, const N: usize> Choice<'a, 'b, T, N> {
+    fn of(of: &'a Settling<'b, T, N>) -> Self {
+        let zero = T::default();
+        let measures = of.system.measures(of.t, &of.x);
+        let (mut mode, mut candidates, mut forces) = (Mode::default(), 0, [zero; MOST]);
+        for n in 0..of.system.constraints().len() {
+            let rate = measures[n][1];
+            let rests = of.resting & 1 << n != 0 || rate == zero;
+            if rests && (of.has_friction(n) || of.touching[n].touches()) {
+                candidates |= 1 << n;
+            } else if of.has_friction(n) {
+                mode.0[n] = if rate > zero { Status::Forward } else { Status::Backward };
+                forces[n] = of.slipping(n, mode.0[n]);
+            }
+        }
+        let response = of.system.response(of.t, &of.x, &forces);
+        let terms = of.sizes_of_accelerations(&response);
+        Self {
+            of,
+            candidates,
+            mode,
+            forces,
+            sizes: core::array::from_fn(|n| terms[n].max(response.accelerations[n].abs())),
+            response,
+        }
+    }
+
+    fn holding_nothing(&self) -> Hold<T> {
+        Hold {
+            forces: self.forces,
+            ..Hold::default()
+        }
+    }
+
+    /// The mode in which some of the candidates are held, and of the others some go forward; none where a limit is in
+    /// the way.
+    fn with(&self, held: u8, forward: u8) -> Option<(Mode, Hold<T>)> {
+        let (of, mut mode, mut hold) = (self.of, self.mode, self.holding_nothing());
+        for n in bits(held) {
+            mode.0[n] = of.holding(n);
+        }
+        for n in bits(self.candidates & !held) {
+            let (goes, blocked) = if forward & 1 << n != 0 {
+                (Status::Forward, Status::High)
             } else {
-                Status::Backward
+                (Status::Backward, Status::Low)
             };
-            let blocked = match goes {
-                Status::Forward => Status::High,
-                _ => Status::Low,
-            };
-            if self.touching[n] == blocked || self.forced[n].is_some_and(|forced| forced != goes) {
+            if of.touching[n] == blocked || of.forced[n].is_some_and(|forced| forced != goes) {
                 return None;
             }
-            mode.0[n] = if self.has_friction(n) { goes } else { Status::Free };
-            forces[n] = self.slipping(n, mode.0[n]);
+            mode.0[n] = if of.has_friction(n) { goes } else { Status::Free };
+            hold.forces[n] = of.slipping(n, mode.0[n]);
         }
-        let solved = independent(&response.matrix, held);
-        Some((mode, Hold { forces, held, solved }))
+        (hold.held, hold.solved) = (held, independent(&self.response.matrix, held));
+        Some((mode, hold))
     }
 
     /// How far a mode is from being consistent, relative to the forces and accelerations at hand; the accelerations.
-    fn violation(
-        &self,
-        mode: &Mode,
-        hold: &Hold<T>,
-        candidates: u8,
-        response: &Response<T, N>,
-        before: &[T; MOST],
-    ) -> (T, [T; MOST]) {
+    fn violation(&self, mode: &Mode, hold: &Hold<T>) -> (T, [T; MOST]) {
         let zero = T::default();
-        let matrix = &response.matrix;
-        let mut accelerations = response.accelerations;
-        let mut sizes = accelerations.map(|a| a.abs());
+        let (of, matrix) = (self.of, &self.response.matrix);
+        let (mut accelerations, mut sizes) = (self.response.accelerations, self.sizes);
         let mut under = |accelerations: &mut [T; MOST], forces: &dyn Fn(usize) -> T| {
             for n in 0..MOST {
-                for m in bits(candidates) {
+                for m in bits(self.candidates) {
                     let change = matrix[n][m] * forces(m);
                     accelerations[n] += change;
                     sizes[n] += change.abs();
@@ -155,40 +189,54 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
             }
         };
         let pushed_on = |m: usize| {
-            let size = (response.accelerations[m].abs() / matrix[m][m]).max(self.laws[m].sticking);
+            let size = (self.response.accelerations[m].abs() / matrix[m][m]).max(of.laws[m].sticking);
             let on = size * T::from_f64(PUSHED_ON);
-            self.forced[m].map_or(zero, |way| if way == Status::Forward { on } else { -on })
+            of.forced[m].map_or(zero, |way| if way == Status::Forward { on } else { -on })
         };
-        under(&mut accelerations, &|m| hold.forces[m] - before[m] + pushed_on(m));
+        under(&mut accelerations, &|m| hold.forces[m] - self.forces[m] + pushed_on(m));
         let unknown = Factored::of(matrix, hold.solved).solve_negated(&accelerations);
         under(&mut accelerations, &|m| unknown[m]);
         let mut worst = zero;
-        for n in bits(candidates) {
-            let (law, force) = (&self.laws[n], unknown[n]);
+        for n in bits(self.candidates) {
+            let (law, force) = (&of.laws[n], unknown[n]);
             let of_acceleration = sizes[n].max(T::MIN_POSITIVE);
-            // the force that such accelerations take
             let of_force = (sizes[n] / matrix[n][n]).max(law.sticking).max(T::MIN_POSITIVE);
             let violation = match mode.0[n] {
                 status if status.is_held() => {
-                    let beyond = |excess: T| excess / of_force;
+                    // a limit pushes as much as it takes
                     let forward = if status == Status::Low {
                         zero
                     } else {
-                        beyond(force - law.sticking)
+                        force - law.sticking
                     };
                     let backward = if status == Status::High {
                         zero
                     } else {
-                        beyond(-force - law.sticking)
+                        -force - law.sticking
                     };
-                    forward.max(backward).max(accelerations[n].abs() / of_acceleration)
+                    (forward.max(backward) / of_force).max(accelerations[n].abs() / of_acceleration)
                 }
                 Status::Forward => -accelerations[n] / of_acceleration,
                 Status::Backward => accelerations[n] / of_acceleration,
-                _ => -self.away(n) * accelerations[n] / of_acceleration,
+                _ => -of.away(n) * accelerations[n] / of_acceleration,
             };
             worst = worst.max(violation);
         }
         (worst, accelerations)
+    }
+
+    /// The sizes with what friction may add.
+    fn force_sizes(&self) -> ForceSizes<T> {
+        let matrix = &self.response.matrix;
+        let of_friction = |n: usize, m: usize| matrix[n][m].abs() * self.of.laws[m].sticking;
+        let size = |n: usize| bits(self.candidates).fold(self.sizes[n], |sum, m| sum + of_friction(n, m));
+        let accelerations = core::array::from_fn(size);
+        ForceSizes {
+            accelerations,
+            forces: core::array::from_fn(|n| match matrix[n][n] {
+                inverse_mass if inverse_mass > T::default() => accelerations[n] / inverse_mass,
+                _ => T::default(),
+            }),
+        }
     }
 }

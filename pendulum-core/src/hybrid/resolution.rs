@@ -11,6 +11,10 @@ pub(super) const NOISE: f64 = 16.0;
 pub(super) const AT_LIMIT: f64 = 64.0;
 /// Forces and accelerations contradict each other no more than this.
 pub(super) const CONSISTENT: f64 = 64.0;
+/// Rates after impacts depend on their order if these differ by more than this.
+pub(super) const ORDER_MATTERS: f64 = 4096.0;
+/// Impulses contradict a law of impacts no more than this.
+pub(super) const LAWFUL: f64 = 8.0;
 /// Rebounds are followed while they are higher than this,
 pub(super) const LOWEST_REBOUND: f64 = 64.0;
 /// and last longer than so much of the time.

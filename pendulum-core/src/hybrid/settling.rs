@@ -125,7 +125,7 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
                     delay,
                     impulses: self.impulses,
                     gains: self.gains,
-                    accelerations: next.sizes,
+                    sizes: next.sizes,
                     series: self.series,
                     next: approaching,
                 };

@@ -79,17 +79,10 @@ impl<T: Float> Gains<T> {
     /// The sizes at a state. An angle counts as 1 rad at least, which is the size of what its sine and cosine are
     /// multiplied by; the place of what moves by itself is as exact as the time is.
     pub(super) fn sizes<const N: usize>(&self, system: &dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) -> Sizes<T> {
-        let zero = T::default();
         let layout = system.layout();
-        let ([mut length, mut angle], [mut speed, mut turning]) = ([zero, T::from_f64(1.0)], [zero; 2]);
-        for k in 0..N / 2 {
-            let (position, rate) = (x[k].abs(), x[k + N / 2].abs());
-            if is_angle(layout, k) {
-                (angle, turning) = (angle.max(position), turning.max(rate));
-            } else {
-                (length, speed) = (length.max(position), speed.max(rate));
-            }
-        }
+        let [length, angle] = largest(layout, x.iter().take(N / 2));
+        let [speed, turning] = largest(layout, x.iter().skip(N / 2));
+        let angle = angle.max(T::from_f64(1.0));
         let by_itself = rates_at_rest(system, t, x).map(|rate| rate.abs());
         let all = |length: T, angle: T, n: usize| (self.by_lengths[n] * length).max(self.by_angles[n] * angle);
         Sizes {
@@ -97,6 +90,25 @@ impl<T: Float> Gains<T> {
             rates: core::array::from_fn(|n| all(speed, turning, n).max(by_itself[n])),
         }
     }
+}
+
+/// The largest of lengths, and the largest of angles, of positions or of their rates.
+fn largest<'a, T: Float>(layout: Option<&'static StateLayout>, of: impl Iterator<Item = &'a T>) -> [T; 2] {
+    let [mut lengths, mut angles] = [T::default(); 2];
+    for (k, value) in of.enumerate() {
+        let largest = if is_angle(layout, k) { &mut angles } else { &mut lengths };
+        *largest = largest.max(value.abs());
+    }
+    [lengths, angles]
+}
+
+/// For each rate in a state, the largest one of its kind: of a length, or of an angle.
+pub(super) fn of_kind<T: Float, const N: usize>(
+    layout: Option<&'static StateLayout>,
+    x: &SVector<T, N>,
+) -> SVector<T, N> {
+    let [speed, turning] = largest(layout, x.iter().skip(N / 2));
+    SVector::from_fn(|k, _| if is_angle(layout, k % (N / 2)) { turning } else { speed })
 }
 
 /// Whether a position is an angle; without a layout all of them are lengths.

@@ -6,6 +6,7 @@ use super::collision::Series;
 use super::functions::{BACKWARD, FORWARD, Fired, UPPER};
 use super::in_mode::Passage;
 use super::mode::{Hold, Mode, Status, bits, set_of};
+use super::next_mode::ForceSizes;
 use super::resolution::{AT_LIMIT, CONSISTENT, ulps};
 use super::settling::Settling;
 use super::sizes::Gains;
@@ -27,8 +28,7 @@ pub(crate) struct Settled<T, const N: usize> {
     /// The impulses along the constraints.
     pub(crate) impulses: [T; MOST],
     pub(crate) gains: Gains<T>,
-    /// The sizes of the terms of which the accelerations of the constraints are sums.
-    pub(crate) accelerations: [T; MOST],
+    pub(crate) sizes: ForceSizes<T>,
     /// The impacts so far, and the contacts that approach again: theirs follow at once.
     pub(super) series: Series<T, N>,
     pub(super) next: Fired,
@@ -189,12 +189,8 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
     fn parting(&self, mode: &Mode) -> u8 {
         let forces = core::array::from_fn(|n| self.slipping(n, mode.0[n]));
         let response = self.system.response(self.t, &self.x, &forces);
-        let mut of_accelerations = self.x;
-        for k in N / 2..N {
-            of_accelerations[k] = response.rates[k];
-        }
-        let sizes = self.gains.sizes(self.system, self.t, &of_accelerations);
-        let parts = |&n: &usize| self.away(n) * response.accelerations[n] > ulps(CONSISTENT, sizes.rates[n]);
+        let sizes = self.sizes_of_accelerations(&response);
+        let parts = |&n: &usize| self.away(n) * response.accelerations[n] > ulps(CONSISTENT, sizes[n]);
         set_of(bits(self.touched()).filter(parts))
     }
 }

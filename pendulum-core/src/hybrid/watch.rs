@@ -6,6 +6,7 @@ use super::functions::{BACKWARD, FORWARD, Fired, Place, Scene, UPPER, Values, WA
 #[cfg(feature = "std")]
 use super::mode::Status;
 use super::mode::{Hold, Mode};
+use super::next_mode::ForceSizes;
 use super::resolution::{NOISE, ulps};
 use super::sizes::Gains;
 use super::{Hybrid, MOST};
@@ -32,8 +33,8 @@ pub(crate) struct Watch<T> {
     /// How far each constraint has been from its limits since it was held there.
     pub(super) reach: [T; MOST],
     pub(super) gains: Gains<T>,
-    /// The sizes of the terms of which the accelerations of the constraints are sums, where the mode began.
-    accelerations: [T; MOST],
+    /// Where the mode began.
+    begun: ForceSizes<T>,
     /// The forces at the end of the last step.
     forces: Option<[T; MOST]>,
     /// How far from each other the places were where forces were seen to be close enough.
@@ -49,7 +50,7 @@ impl<T: Float> Watch<T> {
             starts: true,
             reach: [T::default(); MOST],
             gains: Gains::none(),
-            accelerations: [T::default(); MOST],
+            begun: ForceSizes::none(),
             forces: None,
             width: T::from_f64(f64::INFINITY),
             sizes: [T::default(); MOST],
@@ -57,8 +58,8 @@ impl<T: Float> Watch<T> {
     }
 
     /// Goes on in another mode.
-    pub(crate) fn restart(&mut self, mode: &Mode, gains: Gains<T>, accelerations: [T; MOST]) {
-        (self.gains, self.accelerations) = (gains, accelerations);
+    pub(crate) fn restart(&mut self, mode: &Mode, gains: Gains<T>, begun: ForceSizes<T>) {
+        (self.gains, self.begun) = (gains, begun);
         (self.positive, self.starts, self.forces) = (Fired::default(), true, None);
         (self.width, self.sizes) = (T::from_f64(f64::INFINITY), [T::default(); MOST]);
         for (reach, status) in self.reach.iter_mut().zip(mode.0) {
@@ -337,12 +338,13 @@ impl<T: Float> Watch<T> {
         for (n, noise) in noise.iter_mut().enumerate().take(scene.system.constraints().len()) {
             let law = &scene.laws[n];
             if scene.mode.is_held(n) {
-                *noise = [ulps(NOISE, law.sticking.max(self.sizes[n])); WAYS];
+                let force = law.sticking.max(self.sizes[n]).max(self.begun.forces[n]);
+                *noise = [ulps(NOISE, force); WAYS];
                 continue;
             }
             let value = self.reach[n].max(sizes.values[n]);
             let beside = |limit: Option<T>| ulps(NOISE, limit.map_or(value, |limit| value.max(limit.abs())));
-            let acceleration = self.accelerations[n];
+            let acceleration = self.begun.accelerations[n];
             // what breaks loose from rest has no rate yet: that after the step, or over the length of the scene, counts
             let speed = (acceleration * step.h.abs()).max((acceleration * value).sqrt());
             noise[FORWARD] = ulps(NOISE, sizes.rates[n].max(speed));

@@ -397,13 +397,13 @@ where
             delay,
             impulses,
             gains,
-            accelerations,
+            sizes,
             ..
         } = settled;
         (self.modes.mode, self.modes.hold, self.modes.from) = (mode, hold, (t + delay).min(self.t1));
         (self.modes.impulses, self.modes.ambiguity) = (impulses, ambiguity);
         self.modes.fired = Fired::default();
-        self.modes.watch.restart(&mode, gains, accelerations);
+        self.modes.watch.restart(&mode, gains, sizes);
         self.last = Step::at_rest(t, x);
     }
 
