@@ -66,10 +66,12 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
     }
 
     /// How those of some constraints rebound that fall back.
-    fn rebounds(&self, of: u8, accelerations: &[T; MOST]) -> impl Iterator<Item = Rebound<T>> + Clone {
+    fn rebounds(&self, of: u8, accelerations: &[T; MOST]) -> impl Iterator<Item = Rebound<T>> + Clone + use<T, N> {
         let measures = self.system.measures(self.t, &self.x);
+        let motions: [_; MOST] =
+            core::array::from_fn(|n| (self.away(n) * measures[n][1], -self.away(n) * accelerations[n]));
         bits(of).filter_map(move |n| {
-            let (rate, fall) = (self.away(n) * measures[n][1], -self.away(n) * accelerations[n]);
+            let (rate, fall) = motions[n];
             (fall > T::default()).then_some(Rebound { of: n, rate, fall })
         })
     }
@@ -104,63 +106,26 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
     /// follow them.
     ///
     /// They shrink to nothing: where one contact takes off alone and comes to do so again, in a fixed ratio.
-    pub(super) fn lasting(&self, low: u8, mut next: Next<T>) -> T {
-        let zero = T::default();
-        let (limits, sizes) = (*self, self.sizes());
-        let (mut after, mut flying, mut heights) = (*self, low, [zero; MOST]);
-        after.series.follow_one_order();
-        let (mut lasted, mut alone) = (zero, None);
+    pub(super) fn lasting(&self, low: u8, next: Next<T>) -> T {
+        let mut flight = Flight::of(self, low, next);
+        let mut alone: Option<(Rebound<T>, T)> = None;
         for _ in 0..MOST_FOLLOWED {
-            let rebounds = Settling { x: after.x, ..limits };
-            let rebounds = rebounds.rebounds(flying, &next.accelerations);
-            let takes_off = |of: &Rebound<T>| flying == 1 << of.of && heights[of.of] == zero;
-            if let Some(rebound) = rebounds.clone().next().filter(takes_off) {
-                match alone {
-                    Some((of, rate, since)) if of == rebound.of => {
-                        let lost = T::from_f64(1.0) - rebound.rate / rate;
-                        // where no energy is lost there is no limit
-                        let is_some = lost * rate > ulps(CONSISTENT, sizes.rates[of]);
-                        return if is_some { since + (lasted - since) / lost } else { zero };
-                    }
-                    Some(_) => {}
-                    None => alone = Some((rebound.of, rebound.rate, lasted)),
+            match (flight.takes_off_alone(), alone) {
+                (Some(again), Some((first, since))) if again.of == first.of => {
+                    let lost = T::from_f64(1.0) - again.rate / first.rate;
+                    // where no energy is lost there is no limit
+                    let is_some = lost * first.rate > ulps(CONSISTENT, self.sizes().rates[first.of]);
+                    let sum = since + (flight.lasted - since) / lost;
+                    return if is_some { sum } else { T::default() };
                 }
+                (Some(first), None) => alone = Some((first, flight.lasted)),
+                _ => {}
             }
-            let back = rebounds
-                .clone()
-                .map(|rebound| (rebound.time_back(heights[rebound.of]), End::Back(rebound.of)));
-            let first = back.reduce(|a, b| if b.0 < a.0 { b } else { a });
-            let Some(first) = first.filter(|(time, _)| *time > T::from_f64(LAST_REBOUND) * lasted) else {
-                return lasted;
-            };
-            let stops = after.stops(&next);
-            let (time, end) = stops.fold(first, |a, b| if b.0 < a.0 { b } else { a });
-            lasted += time;
-            rebounds.for_each(|rebound| heights[rebound.of] += rebound.rise(time));
-            let rates = called::rhs(self.system, &next.hold, self.t, &after.x);
-            for k in N / 2..N {
-                after.x[k] += time * rates[k];
+            if !flight.goes_on() {
+                break;
             }
-            for n in bits(flying) {
-                after.touching[n] = Status::Free;
-            }
-            match end {
-                End::Back(n) => {
-                    heights[n] = zero;
-                    after.touching[n] = limits.touching[n];
-                    after.collide_to_the_end();
-                }
-                End::Stop(n) => after.rest(n, true),
-            }
-            after.stand();
-            next = after.next_mode();
-            after.resting = next.hold.held;
-            let rates = self.system.measures(self.t, &after.x).map(|[_, rate]| rate);
-            let leaves = |&n: &usize| limits.away(n) * rates[n] > zero;
-            let again = bits(after.touched() & !after.resting).filter(leaves);
-            flying = set_of(bits(flying).filter(|&n| heights[n] != zero)) | set_of(again);
         }
-        lasted
+        flight.lasted
     }
 
     /// When rates that friction brakes come to rest under constant accelerations.
@@ -184,5 +149,87 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
                 return;
             }
         }
+    }
+}
+
+/// Low rebounds on their way.
+struct Flight<'a, T, const N: usize> {
+    /// Where they begin: with all limits that they come back to.
+    limits: Settling<'a, T, N>,
+    now: Settling<'a, T, N>,
+    next: Next<T>,
+    /// The constraints that are above their limits, and how far.
+    flying: u8,
+    heights: [T; MOST],
+    lasted: T,
+}
+
+impl<'a, T: Float, const N: usize> Flight<'a, T, N> {
+    fn of(limits: &Settling<'a, T, N>, flying: u8, next: Next<T>) -> Self {
+        let mut now = *limits;
+        now.series.follow_one_order();
+        Self {
+            limits: *limits,
+            now,
+            next,
+            flying,
+            heights: [T::default(); MOST],
+            lasted: T::default(),
+        }
+    }
+
+    fn rebounds(&self) -> impl Iterator<Item = Rebound<T>> + Clone + use<T, N> {
+        let now = Settling {
+            x: self.now.x,
+            ..self.limits
+        };
+        now.rebounds(self.flying, &self.next.accelerations)
+    }
+
+    /// The rebound that begins, if there is no other.
+    fn takes_off_alone(&self) -> Option<Rebound<T>> {
+        let first = self.rebounds().next()?;
+        (self.flying == 1 << first.of && self.heights[first.of] == T::default()).then_some(first)
+    }
+
+    /// Follows it up to where something comes back to its limit or to rest; false if nothing comes back, or in no time.
+    fn goes_on(&mut self) -> bool {
+        let zero = T::default();
+        let rebounds = self.rebounds();
+        let back = rebounds
+            .clone()
+            .map(|rebound| (rebound.time_back(self.heights[rebound.of]), End::Back(rebound.of)));
+        let earlier = |a: (T, End), b: (T, End)| if b.0 < a.0 { b } else { a };
+        let first = back.reduce(earlier);
+        let Some(first) = first.filter(|(time, _)| *time > T::from_f64(LAST_REBOUND) * self.lasted) else {
+            return false;
+        };
+        let (time, end) = self.now.stops(&self.next).fold(first, earlier);
+        self.lasted += time;
+        rebounds.for_each(|rebound| self.heights[rebound.of] += rebound.rise(time));
+        let now = &mut self.now;
+        let rates = called::rhs(now.system, &self.next.hold, now.t, &now.x);
+        for k in N / 2..N {
+            now.x[k] += time * rates[k];
+        }
+        for n in bits(self.flying) {
+            now.touching[n] = Status::Free;
+        }
+        match end {
+            End::Back(n) => {
+                self.heights[n] = zero;
+                now.touching[n] = self.limits.touching[n];
+                now.collide_to_the_end();
+            }
+            End::Stop(n) => now.rest(n, true),
+        }
+        now.stand();
+        self.next = now.next_mode();
+        now.resting = self.next.hold.held;
+        let rates = now.system.measures(now.t, &now.x).map(|[_, rate]| rate);
+        let leaves = |&n: &usize| self.limits.away(n) * rates[n] > zero;
+        let again = bits(now.touched() & !now.resting).filter(leaves);
+        self.flying = set_of(bits(self.flying).filter(|&n| self.heights[n] != zero)) | set_of(again);
+        true
     }
 }

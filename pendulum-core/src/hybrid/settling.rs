@@ -108,7 +108,6 @@ impl<'a, T: Float, const N: usize> Settling<'a, T, N> {
         self.collide();
         let mut delay = T::default();
         loop {
-            self.stand();
             let approaching = self.next();
             self.stand();
             let next = self.next_mode();
