@@ -19,9 +19,9 @@ const DURATION: f64 = 2.0;
 const TOLERANCE: f64 = 1e-9;
 const REFERENCE: f64 = 1e-12;
 /// By how much the second of two impacts is too far away to be one with the first, in m or rad.
-const LATER: f64 = 1e-9;
+const LATER: f64 = 1e-13;
 /// Of what rebounds elastically, again and again.
-const MOST_STEPS: usize = 200_000;
+const MOST_STEPS: usize = 1_000_000;
 
 pub(crate) fn row_start(seed: u64) -> (Row, SVector<f64, 6>) {
     let mut random = Random::new(seed);
@@ -139,9 +139,9 @@ impl Tally {
     }
 }
 
-/// Follows both orders of two impacts at once, each time from where one of the gaps is not closed yet: how far the motions
-/// come apart, and how far their ends are.
-fn between_orders<S, const N: usize>(model: &S, solution: &Solution<f64, N>) -> Option<[f64; 2]>
+/// Follows both orders of two impacts at once, each time from where one of the gaps is not closed yet: how far the ends
+/// are apart.
+fn between_orders<S, const N: usize>(model: &S, solution: &Solution<f64, N>) -> Option<f64>
 where
     S: Jacobian<f64, N> + Hybrid<f64, N> + TaylorSeries<f64, N>,
 {
@@ -157,7 +157,7 @@ where
     let closed: Vec<usize> = (0..MOST).filter(|&n| orders.contains(&n) || apart(n) < 1e-12).collect();
     let response = model.response(impact.t, &impact.before, &[0.0; MOST]);
     let matrix = DMatrix::from_fn(closed.len(), closed.len(), |i, j| response.matrix[closed[i]][closed[j]]);
-    let motions = orders.map(|open| {
+    let ends = orders.map(|open| {
         let away = if laws[open].low.is_some() { LATER } else { -LATER };
         let target = DVector::from_fn(closed.len(), |i, _| if closed[i] == open { away } else { 0.0 });
         let moves = matrix.clone().lu().solve(&target)?;
@@ -167,17 +167,10 @@ where
                 x[k] += response.columns[n][k + N / 2] * share;
             }
         }
-        Some(solve(6, model, (impact.t, x), REFERENCE).expect("a motion"))
+        Some(solve(6, model, (impact.t, x), REFERENCE).expect("a motion").end())
     });
-    let [Some(first), Some(second)] = motions else {
-        return None;
-    };
-    let at = |part: f64| impact.t + part * (DURATION - impact.t);
-    let apart = |t: f64| Some((first.at(t).ok()? - second.at(t).ok()?).norm());
-    let most = (1..=100)
-        .filter_map(|k| apart(at(f64::from(k) / 100.0)))
-        .fold(0.0, f64::max);
-    Some([most, (first.end() - second.end()).norm()])
+    let [first, second] = [ends[0]?, ends[1]?];
+    Some((first - second).norm())
 }
 
 /// Compares the end by one method with that by Vern9 within a thousandth of the tolerance.
@@ -202,14 +195,10 @@ where
     tally.impacts = found.impacts().len();
     if !found.ambiguities().is_empty() || !expected.ambiguities().is_empty() {
         tally.ambiguous = 1;
-        if let Some([most, ends]) = between_orders(&model, &expected) {
-            println!(
-                "seed {seed}: {:?}, {most:e} apart, ends {ends:e}",
-                expected.ambiguities()
-            );
-            // friction may forget what the order was
-            assert!(most > 10.0 * TOLERANCE, "seed {seed}: the order does not matter");
-            tally.decided = usize::from(ends > 10.0 * TOLERANCE);
+        // friction and further impacts may make up for the order
+        if let Some(apart) = between_orders(&model, &expected) {
+            println!("seed {seed}: {:?}, ends {apart:e} apart", expected.ambiguities());
+            tally.decided = usize::from(apart > 10.0 * TOLERANCE);
         }
         return tally;
     }

@@ -227,30 +227,27 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
             return approaching;
         }
         series.tries -= 1;
-        let (mut least, mut most) = (
-            self.x.map(|_| T::from_f64(f64::INFINITY)),
-            -self.x.map(|_| T::from_f64(f64::INFINITY)),
-        );
-        for outcome in bits(approaching).map(|n| self.outcome(!approaching | 1 << n)) {
-            least = least.zip_map(&outcome, T::min);
-            most = most.zip_map(&outcome, T::max);
-        }
-        let system = self.system.layout();
-        let sizes = [self.x, least, most].map(|x| of_kind(system, &x));
-        let mut differences = SVector::from([T::default(); N]);
-        let mut matters = false;
-        for k in N / 2..N {
-            differences[k] = most[k] - least[k];
-            let size = sizes.iter().fold(T::default(), |size, sizes| size.max(sizes[k]));
-            matters |= differences[k] > ulps(ORDER_MATTERS, size);
-        }
-        if !matters {
+        let Some(differences) = self.between_orders(approaching) else {
             return approaching & approaching.wrapping_neg();
-        }
-        if series.ambiguity.is_none() {
-            series.ambiguity = Some((approaching, differences));
-        }
+        };
+        series.ambiguity.get_or_insert((approaching, differences));
         approaching
+    }
+
+    /// The differences that the order of impacts makes to the state, if it makes any.
+    fn between_orders(&self, approaching: u8) -> Option<SVector<T, N>> {
+        let (mut least, mut most) = (None, None);
+        for first in bits(approaching) {
+            let outcome = self.outcome(!approaching | 1 << first);
+            least = Some(least.map_or(outcome, |least: SVector<T, N>| least.zip_map(&outcome, T::min)));
+            most = Some(most.map_or(outcome, |most: SVector<T, N>| most.zip_map(&outcome, T::max)));
+        }
+        let (least, most) = (least?, most?);
+        let sizes = [self.x, least, most].map(|x| of_kind(self.system.layout(), &x));
+        let size = |k: usize| sizes.iter().fold(T::default(), |size, sizes| size.max(sizes[k]));
+        let differences = most - least;
+        let matters = (N / 2..N).any(|k| differences[k] > ulps(ORDER_MATTERS, size(k)));
+        matters.then_some(differences)
     }
 
     /// The state after all impacts where only some contacts may collide first.

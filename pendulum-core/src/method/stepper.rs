@@ -422,11 +422,9 @@ where
                 difference > T::from_f64(LEAST_AMBIGUITY) * (atol + rtol * x.abs())
             }
         };
-        let mut differences_of = differences.iter().zip(x.iter());
-        let difference = differences
-            .iter()
-            .fold(T::default(), |most, &difference| most.max(difference));
-        let matters = differences_of.any(|(&difference, &x)| matters(difference, x));
+        let rates = || differences.iter().zip(x.iter()).skip(N / 2);
+        let difference = rates().fold(T::default(), |most, (&difference, _)| most.max(difference));
+        let matters = rates().any(|(&difference, &x)| matters(difference, x));
         matters.then_some(Ambiguity { t, difference, set })
     }
 
