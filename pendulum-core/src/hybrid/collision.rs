@@ -211,7 +211,9 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         self.push(&approach.response, blow.pushing, &correction);
         let rates = self.rates_away();
         for n in bits(blow.members) {
-            let is_stopped = blow.pushing & 1 << n != 0 && blow.leaving[n] == zero;
+            // not where an impulse does not do what the matrix says
+            let obeys = rates[n].abs() <= T::EPSILON.sqrt() * blow.fastest[n];
+            let is_stopped = blow.pushing & 1 << n != 0 && blow.leaving[n] == zero && obeys;
             let rests_on = rested & 1 << n != 0 && rates[n].abs() <= ulps(CONSISTENT, blow.fastest[n]);
             self.rest(n, is_stopped || rests_on);
         }
