@@ -26,7 +26,7 @@ pub struct Bifurcation<P> {
     pub kind: BifurcationKind,
     /// The parameter at which it does.
     pub parameter: f64,
-    /// How far the parameter may be off: the last change of its search.
+    /// How far the parameter may be off: by errors of the integration or of rounding, and by the last change of its search.
     pub uncertainty: f64,
     /// The solution there.
     pub solution: P,
@@ -56,6 +56,9 @@ pub enum BifurcationKind {
         /// The angle of the pair, in rad a period.
         angle: f64,
     },
+    /// The stability changes, and errors do not allow to tell by what: the eigenvalues or multipliers of the solution show how close to each
+    /// other they are.
+    Unnamed,
 }
 
 /// Why a branch ends.

@@ -19,8 +19,12 @@ use crate::system::{IntoState, Jacobian};
 /// state, the parameter over the length of its span, and for orbits of free period that over the period at the start; steps are measured in these.
 ///
 /// Bifurcations between points are found by what changes its sign, and located on the branch. At a fold that is the direction of the parameter; where
-/// branches cross, the determinant of the equations with that direction; at the others the growth of a small motion. Two of a kind within one
+/// branches cross, the determinant of the equations; at a period doubling that of the monodromy matrix plus 1; at the others the growth of a pair of small
+/// motions. The number of motions that grow changes by one at the first three and by two at the others, so a pair that damping holds within the unit circle
+/// is no torus, however weak it is; a change that none of them explains is [`BifurcationKind::Unnamed`](super::BifurcationKind::Unnamed). Two of a kind within one
 /// step go unseen. Where nothing brakes, growth counts from the uncertainty of the eigenvalues on.
+///
+/// The stated uncertainty of a bifurcation of orbits is twice what a tolerance smaller by a factor of 100 changes, and what rounding errors do.
 ///
 /// Derivatives by the state come from the generated Jacobian, and those by the parameter are central differences: over 6e-6 of the span to either
 /// side of the right-hand side, right to about 10 digits, and for orbits over the cube root of the tolerance, right to about two thirds of its digits. They guide
@@ -145,7 +149,7 @@ where
             .autonomous(&system, x0, period)?;
         let curve = Orbits {
             family: self.family(),
-            period: Period::<fn(f64) -> f64>::Free(orbit.period),
+            period: Period::<&fn(f64) -> f64>::Free(orbit.period),
             tolerance: self.tolerance,
             angles: angles(&system),
         };
@@ -174,7 +178,7 @@ where
         let curve = Orbits {
             family: self.family(),
             angles: angles(&system),
-            period: Period::Given(period),
+            period: Period::Given(&period),
             tolerance: self.tolerance,
         };
         self.tracer(&curve).branch(self.unknowns(&orbit.x, None, p0))

@@ -19,8 +19,22 @@ pub(super) trait Curve<const N: usize> {
     /// The rates or multipliers at which small motions about a solution grow, by falling growth.
     fn growths(&self, solution: &Self::Solution) -> Vec<Growth>;
 
-    /// What happens where such a one passes the limit; `None` where the equations themselves tell.
-    fn crossing(&self, growth: &Growth) -> Option<super::BifurcationKind>;
+    /// What happens where a pair of these passes the limit of stability.
+    fn of_pair(&self, growth: &Growth) -> super::BifurcationKind;
+
+    /// The real eigenvalue or multiplier at the limit of stability where solutions meet.
+    const REAL_LIMIT: f64;
+
+    /// Zero where a multiplier is -1; for orbits.
+    fn doubling(&self, solution: &Self::Solution) -> Option<Test>;
+
+    /// The same curve with smaller errors, to see how large they are; none where only rounding makes any.
+    fn finer(&self) -> Option<Self>
+    where
+        Self: Sized;
+
+    /// How far off derivatives by the parameter may be, in parts of their size.
+    fn slope_noise(&self) -> f64;
 
     /// Whether the curve may go on from one point to another close by.
     fn joins(&self, from: &DVector<f64>, to: &DVector<f64>) -> Result<(), StabilityError>;
@@ -47,8 +61,38 @@ pub(super) struct Growth {
     /// How far beyond the limit of stability; negative for motions that decay.
     pub(super) excess: f64,
     pub(super) uncertainty: f64,
+    /// The part of it that is due to rounding.
+    pub(super) rounding: f64,
     /// The eigenvalue or multiplier.
     pub(super) value: Complex<f64>,
+}
+
+impl Growth {
+    /// Whether it is on one side of the limit.
+    pub(super) fn is_certain(&self) -> bool {
+        self.excess.abs() > self.uncertainty
+    }
+}
+
+/// A number that passes zero at a bifurcation.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Test {
+    pub(super) value: f64,
+    /// What rounding errors may make of zero.
+    pub(super) noise: f64,
+}
+
+impl Test {
+    /// The least singular value of a matrix with the sign of its determinant; `noise` is that of the matrix.
+    pub(super) fn singular(matrix: DMatrix<f64>, noise: f64) -> Self {
+        let sign = matrix.determinant().signum();
+        let value = sign * matrix.singular_values().min();
+        Self { value, noise }
+    }
+
+    pub(super) fn is_negative(&self) -> bool {
+        self.value < 0.0
+    }
 }
 
 /// A point of a curve with all that is known there.
@@ -57,9 +101,14 @@ pub(super) struct Place<P> {
     pub(super) u: DVector<f64>,
     /// The direction of the curve, of length 1.
     pub(super) tangent: DVector<f64>,
-    /// The determinant of the derivatives with the tangent as a last row: it passes zero where curves cross, and not at a fold (H. B. Keller,
+    /// Of the derivatives with the tangent as a last row, which are singular where curves cross, and not at a fold (H. B. Keller,
     /// in P. H. Rabinowitz (ed.), "Applications of Bifurcation Theory" (1977) 359).
-    pub(super) determinant: f64,
+    pub(super) crossing: Test,
+    /// Of the derivatives by all but the parameter: singular at folds, and where curves cross on that which does not turn back.
+    pub(super) turning: Test,
+    pub(super) doubling: Option<Test>,
+    /// How far rounding errors of the equations may move the parameter.
+    pub(super) blur: f64,
     pub(super) growths: Vec<Growth>,
     pub(super) solution: P,
     /// The steps of Newton's method that it took.
@@ -70,7 +119,7 @@ impl<P> Place<P> {
     /// The curve in the other direction.
     pub(super) fn reverse(mut self) -> Self {
         self.tangent.neg_mut();
-        self.determinant = -self.determinant;
+        self.crossing.value = -self.crossing.value;
         self
     }
 
@@ -113,11 +162,16 @@ pub(super) fn correct<C: Curve<N>, const N: usize>(
         return Err(no_convergence(&linear));
     }
     let tangent = tangent(curve, &linear, before)?;
-    let determinant = bordered(&linear.derivative, &tangent).determinant();
+    let matrix = bordered(&linear.derivative, &tangent);
+    let (rows, rounding) = (linear.derivative.nrows(), ROUNDING * matrix.norm());
+    let by_parameter = curve.slope_noise() * linear.derivative.column(rows).norm();
     let solution = curve.solution(&u)?;
     Ok(Place {
+        blur: blur(&matrix, rounding),
+        crossing: Test::singular(matrix, rounding + by_parameter),
+        turning: Test::singular(linear.derivative.columns(0, rows).into_owned(), rounding),
         tangent,
-        determinant,
+        doubling: curve.doubling(&solution),
         growths: curve.growths(&solution),
         solution,
         u,
@@ -158,6 +212,15 @@ fn tangent<C: Curve<N>, const N: usize>(
     Ok(tangent / length)
 }
 
+/// How far the parameter moves along the curve by a residual: what the equations alone do, without the tangent's row.
+fn blur(bordered: &DMatrix<f64>, residual: f64) -> f64 {
+    let last = bordered.nrows() - 1;
+    let mut parameter = DVector::zeros(last + 1);
+    parameter[last] = 1.0;
+    let row = bordered.transpose().lu().solve(&parameter);
+    row.map_or(0.0, |row| row.rows(0, last).norm() * residual)
+}
+
 fn bordered(derivative: &DMatrix<f64>, row: &DVector<f64>) -> DMatrix<f64> {
     let rows = derivative.nrows();
     let mut matrix = derivative.clone().insert_row(rows, 0.0);
@@ -173,3 +236,5 @@ fn no_convergence(linear: &Linear) -> StabilityError {
 }
 
 const ITERATIONS: usize = 8;
+/// Rounding errors of the equations, in parts of the size of their derivatives.
+pub(super) const ROUNDING: f64 = 64.0 * f64::EPSILON;

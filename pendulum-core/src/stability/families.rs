@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector, SVector};
 
-use super::curve::{Curve, Growth, Linear};
+use super::curve::{Curve, Growth, Linear, ROUNDING, Test};
 use super::equilibrium::{require_as_many_rates, within_a_turn};
 use super::orbit::NOISE;
 use super::shooting::{Lap, after, check_period, direction};
@@ -82,14 +82,30 @@ where
         let growth = |mode: &Mode<N>| Growth {
             excess: mode.growth_rate(),
             uncertainty: mode.uncertainty,
+            rounding: mode.uncertainty,
             value: mode.eigenvalue,
         };
         solution.spectrum.modes().iter().map(growth).collect()
     }
 
-    fn crossing(&self, growth: &Growth) -> Option<BifurcationKind> {
-        let angular_frequency = growth.value.im.abs();
-        (angular_frequency > 0.0).then_some(BifurcationKind::Hopf { angular_frequency })
+    fn of_pair(&self, growth: &Growth) -> BifurcationKind {
+        BifurcationKind::Hopf {
+            angular_frequency: growth.value.im.abs(),
+        }
+    }
+
+    const REAL_LIMIT: f64 = 0.0;
+
+    fn doubling(&self, _solution: &Equilibrium<N>) -> Option<Test> {
+        None
+    }
+
+    fn finer(&self) -> Option<Self> {
+        None
+    }
+
+    fn slope_noise(&self) -> f64 {
+        libm::cbrt(f64::EPSILON).powi(2)
     }
 
     fn joins(&self, _from: &DVector<f64>, _to: &DVector<f64>) -> Result<(), StabilityError> {
@@ -105,10 +121,14 @@ where
     }
 }
 
+/// By a tolerance smaller by this factor errors are seen, but by no smaller one than the other.
+const FINER: f64 = 1e-2;
+const LEAST_TOLERANCE: f64 = 1e-14;
+
 /// Periodic orbits. The unknowns are the state, the period over that at the start if it is free, and the parameter.
 pub(super) struct Orbits<'f, F, P> {
     pub(super) family: Family<'f, F>,
-    pub(super) period: Period<P>,
+    pub(super) period: Period<&'f P>,
     pub(super) tolerance: f64,
     pub(super) angles: Vec<usize>,
 }
@@ -193,19 +213,42 @@ where
         let growth = |multiplier: &Multiplier| Growth {
             excess: multiplier.excess(),
             uncertainty: multiplier.uncertainty,
+            rounding: multiplier.uncertainty * (ROUNDING / self.noise()).min(1.0),
             value: multiplier.value,
         };
         solution.nontrivial().iter().map(growth).collect()
     }
 
-    fn crossing(&self, growth: &Growth) -> Option<BifurcationKind> {
-        match growth.value {
-            value if value.im != 0.0 => Some(BifurcationKind::Torus {
-                angle: value.arg().abs(),
-            }),
-            value if value.re < 0.0 => Some(BifurcationKind::PeriodDoubling),
-            _ => None,
+    fn of_pair(&self, growth: &Growth) -> BifurcationKind {
+        BifurcationKind::Torus {
+            angle: growth.value.arg().abs(),
         }
+    }
+
+    const REAL_LIMIT: f64 = 1.0;
+
+    fn doubling(&self, solution: &PeriodicOrbit<N>) -> Option<Test> {
+        let monodromy = DMatrix::from_column_slice(N, N, solution.monodromy.as_slice());
+        let noise = ROUNDING * monodromy.norm();
+        Some(Test::singular(monodromy + DMatrix::identity(N, N), noise))
+    }
+
+    fn finer(&self) -> Option<Self> {
+        let tolerance = (FINER * self.tolerance).max(LEAST_TOLERANCE);
+        let (member, span) = (self.family.member, self.family.span);
+        (tolerance < self.tolerance).then(|| Self {
+            family: Family { member, span },
+            period: match self.period {
+                Period::Free(unit) => Period::Free(unit),
+                Period::Given(period) => Period::Given(period),
+            },
+            tolerance,
+            angles: self.angles.clone(),
+        })
+    }
+
+    fn slope_noise(&self) -> f64 {
+        libm::cbrt(self.tolerance).powi(2)
     }
 
     /// Beyond an equilibrium to which orbits shrink they are the same once more, half a period later.

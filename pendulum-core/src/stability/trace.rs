@@ -5,7 +5,7 @@ use std::mem;
 use nalgebra::DVector;
 
 use super::branch::{Bifurcation, Branch, BranchEnd, BranchPoint};
-use super::curve::{Curve, Growth, Place, correct, first_tangent};
+use super::curve::{Curve, Growth, Place, Test, correct, first_tangent};
 use super::{BifurcationKind, StabilityError};
 
 /// How a curve is followed; lengths and parameters are scaled.
@@ -29,6 +29,12 @@ const LEAST: f64 = 1e-6;
 const MARGIN: f64 = 0.1;
 /// Changes of the scaled parameter below this end the search for a bifurcation.
 const LOCATED: f64 = 1e-11;
+/// Changes of stability belong to a bifurcation that is so many places away at most, where they are not certain there.
+const NEAR: usize = 2;
+/// Errors are larger than they look beside smaller ones.
+const SAFETY: f64 = 2.0;
+/// A test that passes zero nowhere.
+const NEVER: Test = Test { value: 1.0, noise: 0.0 };
 
 impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
     /// The branch through `u`, both ways.
@@ -46,10 +52,7 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
             places.append(&mut ahead);
             (places, first)
         };
-        let mut bifurcations = Vec::new();
-        for (behind, pair) in places.windows(2).enumerate() {
-            self.find(&pair[0], &pair[1], behind, &mut bifurcations);
-        }
+        let bifurcations = self.bifurcations(&places);
         let point = |place: Place<C::Solution>| BranchPoint {
             parameter: place.parameter() * self.unit,
             solution: place.solution,
@@ -143,57 +146,92 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
             && place.tangent.dot(&last.tangent) > TURN
     }
 
-    /// Notes what happens between two neighbours.
-    fn find(
-        &self,
-        a: &Place<C::Solution>,
-        b: &Place<C::Solution>,
-        behind: usize,
-        found: &mut Vec<Bifurcation<C::Solution>>,
-    ) {
-        let here = found.len();
-        let mut note = |kind, (parameter, uncertainty, solution)| {
-            found.push(Bifurcation {
-                kind,
-                parameter: parameter * self.unit,
-                uncertainty: uncertainty * self.unit,
-                solution,
-                behind,
+    /// What happens along the places of a branch.
+    fn bifurcations(&self, places: &[Place<C::Solution>]) -> Vec<Bifurcation<C::Solution>> {
+        let mut found = Found::default();
+        for (behind, pair) in places.windows(2).enumerate() {
+            let here = found.named.len();
+            self.find(&pair[0], &pair[1], behind, &mut found);
+            let rising = pair[1].parameter() >= pair[0].parameter();
+            found.named[here..].sort_by(|a, b| {
+                let (a, b) = if rising { (a, b) } else { (b, a) };
+                a.parameter.total_cmp(&b.parameter)
             });
-        };
-        let changes = |test: &dyn Fn(&Place<C::Solution>) -> f64| (test(a) < 0.0) != (test(b) < 0.0);
-        if changes(&|place| place.determinant) {
-            note(BifurcationKind::Crossing, self.locate(a, b, |place| place.determinant));
-        } else if changes(&Place::slope) {
-            note(BifurcationKind::Fold, self.locate(a, b, Place::slope));
         }
-        let mut is_of_a_pair = false;
-        for (i, (&before, &after)) in a.growths.iter().zip(&b.growths).enumerate() {
-            // Where motions neither grow nor decay, as without friction, growth begins beyond the uncertainty.
-            let is_certain = |growth: Growth| growth.excess.abs() > growth.uncertainty;
-            let margin = if is_certain(before) && is_certain(after) {
-                0.0
-            } else {
-                1.0
-            };
-            let test = |place: &Place<C::Solution>| place.growths[i].excess - margin * place.growths[i].uncertainty;
-            if mem::take(&mut is_of_a_pair) || !changes(&test) {
-                continue;
-            }
-            let place = self.locate(a, b, test);
-            if let Some(kind) = self.curve.crossing(&self.curve.growths(&place.2)[i]) {
-                is_of_a_pair = matches!(kind, BifurcationKind::Hopf { .. } | BifurcationKind::Torus { .. });
-                note(kind, place);
+        let Found {
+            mut named,
+            quiet,
+            mut unnamed,
+        } = found;
+        // growth that is no larger than its uncertainty shows before, or only after, what makes it
+        for behind in quiet {
+            let near = |other: &Bifurcation<C::Solution>| other.behind.abs_diff(behind) <= NEAR;
+            if let Some(at) = unnamed.iter().position(near) {
+                unnamed.remove(at);
             }
         }
-        let rising = b.parameter() >= a.parameter();
-        found[here..].sort_by(|a, b| {
-            let (a, b) = if rising { (a, b) } else { (b, a) };
-            a.parameter.total_cmp(&b.parameter)
-        });
+        named.append(&mut unnamed);
+        named.sort_by_key(|bifurcation| bifurcation.behind);
+        named
     }
 
-    /// Where between two neighbours the test passes zero: the scaled parameter, its last change in the search, and the solution.
+    /// Notes what happens between two neighbours. The number of motions that grow changes by one where a real eigenvalue passes the limit, and by two
+    /// where a pair does.
+    fn find(&self, a: &Place<C::Solution>, b: &Place<C::Solution>, behind: usize, found: &mut Found<C::Solution>) {
+        let passes = |test: &dyn Fn(&Place<C::Solution>) -> Test| test(a).is_negative() != test(b).is_negative();
+        let bifurcation = |kind, located: Located<C::Solution>| Bifurcation {
+            kind,
+            parameter: located.parameter * self.unit,
+            uncertainty: located.uncertainty * self.unit,
+            solution: located.solution,
+            behind,
+        };
+        let mut changed: Vec<usize> = (0..a.growths.len().min(b.growths.len()))
+            .filter(|&i| passes(&growth(i, a, b)))
+            .collect();
+        let mut note_real = |kind, located: Located<C::Solution>, limit: f64| {
+            let growths = self.curve.growths(&located.solution);
+            let apart = |i: usize| {
+                growths
+                    .get(i)
+                    .map_or(f64::INFINITY, |growth| (growth.value - limit).norm())
+            };
+            match (0..changed.len()).min_by(|&m, &n| apart(changed[m]).total_cmp(&apart(changed[n]))) {
+                Some(nearest) => drop(changed.remove(nearest)),
+                None => found.quiet.push(behind),
+            }
+            found.named.push(bifurcation(kind, located));
+        };
+        let slope = |place: &Place<C::Solution>| Test {
+            value: place.slope(),
+            noise: 0.0,
+        };
+        let doubling = |place: &Place<C::Solution>| place.doubling.unwrap_or(NEVER);
+        if passes(&|place| place.crossing) {
+            // by that which needs no derivatives by the parameter, if it tells
+            let turns = passes(&|place| place.turning);
+            let test = |place: &Place<C::Solution>| if turns { place.turning } else { place.crossing };
+            note_real(BifurcationKind::Crossing, self.locate(a, b, test), C::REAL_LIMIT);
+        } else if passes(&slope) {
+            note_real(BifurcationKind::Fold, self.locate(a, b, slope), C::REAL_LIMIT);
+        }
+        if passes(&doubling) {
+            note_real(BifurcationKind::PeriodDoubling, self.locate(a, b, doubling), -1.0);
+        }
+        let mut changed = changed.into_iter().peekable();
+        while let Some(i) = changed.next() {
+            let located = self.locate(a, b, growth(i, a, b));
+            let here = self.curve.growths(&located.solution)[i];
+            let is_pair = here.value.im != 0.0 && changed.next_if_eq(&(i + 1)).is_some();
+            if is_pair {
+                found.named.push(bifurcation(self.curve.of_pair(&here), located));
+            } else if [a, b].iter().all(|place| place.growths[i].is_certain()) {
+                found.unnamed.push(bifurcation(BifurcationKind::Unnamed, located));
+            }
+        }
+    }
+
+    /// Where between two neighbours the test passes zero.
     ///
     /// The rule of false position, with a point to either side of where it tells: the two close in, and neither comes as near as the curve is known.
     /// Where another curve crosses, Newton's method might leave this one.
@@ -201,18 +239,19 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
         &self,
         a: &Place<C::Solution>,
         b: &Place<C::Solution>,
-        test: impl Fn(&Place<C::Solution>) -> f64,
-    ) -> (f64, f64, C::Solution) {
+        test: impl Fn(&Place<C::Solution>) -> Test,
+    ) -> Located<C::Solution> {
         let origin = a.tangent.dot(&a.u);
         let mut low = (0.0, test(a), a.clone());
         let mut high = (a.tangent.dot(&b.u) - origin, test(b), b.clone());
         let zero = |low: &Sample<C::Solution>, high: &Sample<C::Solution>| {
-            let part = low.1 / (low.1 - high.1);
+            let part = low.1.value / (low.1.value - high.1.value);
             (part, between((low.0, &low.2), (high.0, &high.2), part, &a.tangent))
         };
         let (mut part, mut u) = zero(&low, &high);
         let mut change = f64::INFINITY;
         let mut width = high.0;
+        let mut steepness = 0.0;
         for evaluation in 1..=100 {
             // Each third halves the bracket, if it does not shrink otherwise.
             let is_slow = evaluation % 3 == 0 && high.0 - low.0 > 0.5 * mem::replace(&mut width, high.0 - low.0);
@@ -227,12 +266,17 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
                 break;
             };
             let value = test(&place);
-            let end = if (value < 0.0) == (high.1 < 0.0) {
+            let end = if value.is_negative() == high.1.is_negative() {
                 &mut high
             } else {
                 &mut low
             };
             *end = (at, value, place);
+            // how the test changes with the parameter, as long as more than its errors do so
+            let rise = (high.1.value - low.1.value).abs();
+            if steepness == 0.0 || rise > 10.0 * value.noise {
+                steepness = rise / (high.2.parameter() - low.2.parameter()).abs();
+            }
             let before = u[u.len() - 1];
             (part, u) = zero(&low, &high);
             let last = mem::replace(&mut change, (u[u.len() - 1] - before).abs());
@@ -243,13 +287,78 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
             }
         }
         let parameter = u[u.len() - 1];
-        let solution = self.curve.solution(&u).unwrap_or(low.2.solution);
-        (parameter, change, solution)
+        let noise = low.1.noise.max(high.1.noise) + self.error(&u, &a.tangent, &test, &mut change);
+        let of_test = noise / steepness;
+        Located {
+            parameter,
+            uncertainty: change + low.2.blur + if of_test.is_finite() { of_test } else { 0.0 },
+            solution: self.curve.solution(&u).unwrap_or(low.2.solution),
+        }
+    }
+
+    /// What errors of the equations make of the test where it is zero, and what they do to the parameter, which is added to `apart`.
+    fn error(
+        &self,
+        u: &DVector<f64>,
+        tangent: &DVector<f64>,
+        test: impl Fn(&Place<C::Solution>) -> Test,
+        apart: &mut f64,
+    ) -> f64 {
+        let finer = self.curve.finer();
+        let place = finer.and_then(|finer| correct(&finer, u.clone(), (tangent, tangent.dot(u)), tangent).ok());
+        let Some(place) = place else { return 0.0 };
+        *apart += SAFETY * (place.parameter() - u[u.len() - 1]).abs();
+        SAFETY * test(&place).value.abs()
     }
 }
 
+/// How far the `i`-th of the growths is beyond the limit. Where motions neither grow nor decay, as without friction, growth begins beyond the
+/// uncertainty.
+fn growth<P>(i: usize, a: &Place<P>, b: &Place<P>) -> impl Fn(&Place<P>) -> Test + use<P> {
+    let are_certain = a.growths[i].is_certain() && b.growths[i].is_certain();
+    let margin = if are_certain { 0.0 } else { 1.0 };
+    move |place| {
+        let Growth {
+            excess,
+            uncertainty,
+            rounding,
+            ..
+        } = place.growths[i];
+        Test {
+            value: excess - margin * uncertainty,
+            noise: rounding,
+        }
+    }
+}
+
+/// What is found along a branch.
+struct Found<P> {
+    named: Vec<Bifurcation<P>>,
+    /// Behind which places real eigenvalues pass the limit without a change of stability that is certain.
+    quiet: Vec<usize>,
+    /// Changes of stability of which nothing is named.
+    unnamed: Vec<Bifurcation<P>>,
+}
+
+impl<P> Default for Found<P> {
+    fn default() -> Self {
+        Self {
+            named: Vec::new(),
+            quiet: Vec::new(),
+            unnamed: Vec::new(),
+        }
+    }
+}
+
+/// A bifurcation that was located, with its parameter scaled.
+struct Located<P> {
+    parameter: f64,
+    uncertainty: f64,
+    solution: P,
+}
+
 /// A place on a curve behind its distance along the way, and the value of a test there.
-type Sample<P> = (f64, f64, Place<P>);
+type Sample<P> = (f64, Test, Place<P>);
 
 /// The point at the part `part` of the way between two places on a curve, from the cubic with the tangents at both; the numbers are their distances along
 /// `normal`.

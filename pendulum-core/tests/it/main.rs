@@ -3,6 +3,7 @@
 #![allow(clippy::disallowed_methods, reason = "references may be those of the platform")]
 
 mod auto;
+mod bifurcations;
 mod continuation;
 mod events;
 mod failures;

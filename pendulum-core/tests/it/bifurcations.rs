@@ -1,0 +1,394 @@
+//! Bifurcations that are known in closed form, or as eigenvalues of a matrix: what they are called, where they are, and
+//! how far off they may be.
+
+use std::f64::consts::{PI, TAU};
+
+use nalgebra::{DMatrix, SMatrix, SVector};
+use pendulum_core::ParameterError;
+use pendulum_core::prelude::*;
+use pendulum_core::stability::{Bifurcation, BifurcationKind, Continuation};
+
+/// A bifurcation as it is known and as it was found.
+struct Case {
+    family: &'static str,
+    known: f64,
+    found: f64,
+    uncertainty: f64,
+}
+
+fn is_named(kind: BifurcationKind, name: &str) -> bool {
+    format!("{kind:?}").starts_with(name)
+}
+
+/// Compares all bifurcations of a branch with those known.
+fn compare<P>(
+    cases: &mut Vec<Case>,
+    family: &'static str,
+    found: &[Bifurcation<P>],
+    mut known: Vec<(&'static str, f64)>,
+) {
+    known.sort_by(|a, b| a.1.total_cmp(&b.1));
+    let mut listed: Vec<_> = found
+        .iter()
+        .map(|bifurcation| (bifurcation.kind, bifurcation))
+        .collect();
+    listed.sort_by(|a, b| a.1.parameter.total_cmp(&b.1.parameter));
+    let names: Vec<_> = listed.iter().map(|(kind, found)| (*kind, found.parameter)).collect();
+    assert_eq!(listed.len(), known.len(), "{family}: {names:?}, known {known:?}");
+    for ((kind, found), (name, at)) in listed.into_iter().zip(known) {
+        assert!(is_named(kind, name), "{family}: {names:?}, known {name} at {at}");
+        cases.push(Case {
+            family,
+            known: at,
+            found: found.parameter,
+            uncertainty: found.uncertainty,
+        });
+    }
+}
+
+/// Numbers `p` for which `x'' + damping x' + (offset + p weight(t)) x = 0`, with `weight = 1 + ripple cos 2t`, has a
+/// solution with the period pi, or `2 pi` and the opposite sign after half of it: eigenvalues of a matrix of Fourier
+/// coefficients, in cosines and sines.
+fn hill(damping: f64, offset: impl Fn(&DMatrix<f64>) -> (DMatrix<f64>, DMatrix<f64>), odd: bool) -> Vec<f64> {
+    const HARMONICS: usize = 24;
+    let harmonic = |k: usize| if odd { 2 * k + 1 } else { 2 * k };
+    // cosines first, then sines; in the even case the first sine is none
+    let first = usize::from(!odd);
+    let (cosines, sines) = (HARMONICS, HARMONICS - first);
+    let size = cosines + sines;
+    let mut motion = DMatrix::zeros(size, size);
+    for k in 0..HARMONICS {
+        let n = harmonic(k) as f64;
+        motion[(k, k)] = n * n;
+        if k >= first {
+            let sine = cosines + k - first;
+            motion[(sine, sine)] = n * n;
+            // of -damping x': the derivative of a cosine is a sine
+            motion[(sine, k)] = damping * n;
+            motion[(k, sine)] = -damping * n;
+        }
+    }
+    // cos 2t times each
+    let mut wave = DMatrix::zeros(size, size);
+    for k in 0..HARMONICS {
+        let n = harmonic(k) as i64;
+        for shifted in [n + 2, n - 2] {
+            let place = |n: i64| (0..HARMONICS).find(|&k| harmonic(k) as i64 == n);
+            if let Some(to) = place(shifted.abs()) {
+                wave[(to, k)] += 0.5;
+                if k >= first && to >= first {
+                    let sign = if shifted < 0 { -0.5 } else { 0.5 };
+                    wave[(cosines + to - first, cosines + k - first)] += sign;
+                }
+            }
+        }
+    }
+    // motion v = (constant + p varying) v
+    let (constant, varying) = offset(&wave);
+    let matrix = varying.lu().solve(&(motion - constant)).expect("regular");
+    let eigenvalues = matrix.complex_eigenvalues();
+    let mut real: Vec<f64> = eigenvalues
+        .iter()
+        .filter(|value| value.im.abs() < 1e-9)
+        .map(|value| value.re)
+        .collect();
+    real.sort_by(f64::total_cmp);
+    real
+}
+
+/// `x'' = acceleration(t, x) - c x'`, with the slope of the acceleration.
+fn swing(
+    c: f64,
+    acceleration: impl Fn(f64, f64) -> f64,
+    slope: impl Fn(f64, f64) -> f64,
+) -> Result<impl Jacobian<f64, 2>, ParameterError> {
+    Ok(FnSystem::with_jacobian(
+        move |t: f64, x: &SVector<f64, 2>| SVector::from([x[1], acceleration(t, x[0]) - c * x[1]]),
+        move |t: f64, x: &SVector<f64, 2>| SMatrix::from([[0.0, slope(t, x[0])], [1.0, -c]]),
+    ))
+}
+
+/// `x'' + c x' + (a - 2 q cos 2t) x = 0` about rest, over `a`.
+fn mathieu(cases: &mut Vec<Case>, c: f64, q: f64, tolerance: f64) {
+    let span = (-0.8, 4.6);
+    let family = |a: f64| {
+        let stiffness = move |t: f64| a - 2.0 * q * (2.0 * t).cos();
+        swing(c, move |t, x| -stiffness(t) * x, move |t, _| -stiffness(t))
+    };
+    let branch = Continuation::new(family, span.0, span.1)
+        .step(0.02)
+        .tolerance(tolerance)
+        .forced_orbits([0.0, 0.0], |_| PI, 0.5)
+        .expect("rest");
+    compare(cases, "Mathieu", branch.bifurcations(), of_mathieu(span, c, q));
+}
+
+fn of_mathieu(span: (f64, f64), c: f64, q: f64) -> Vec<(&'static str, f64)> {
+    let known = |odd, name| {
+        let of_wave = |wave: &DMatrix<f64>| (wave * (2.0 * q), DMatrix::identity(wave.nrows(), wave.nrows()));
+        let all = hill(c, of_wave, odd).into_iter();
+        all.filter(move |a| (span.0..span.1).contains(a))
+            .map(move |a| (name, a))
+    };
+    known(false, "Crossing").chain(known(true, "PeriodDoubling")).collect()
+}
+
+/// A pendulum whose pivot shakes up and down, `x'' + c x' + (a - 2 q cos 2t) sin x = 0`, hanging or standing, over `a`.
+fn pendulum(cases: &mut Vec<Case>, c: f64, q: f64, standing: bool) {
+    let (span, sign) = if standing {
+        ((-1.2, 0.6), -1.0)
+    } else {
+        ((0.2, 4.6), 1.0)
+    };
+    let family = |a: f64| {
+        let stiffness = move |t: f64| a - 2.0 * q * (2.0 * t).cos();
+        swing(
+            c,
+            move |t, x| -sign * stiffness(t) * x.sin(),
+            move |t, x| -sign * stiffness(t) * x.cos(),
+        )
+    };
+    let branch = Continuation::new(family, span.0, span.1)
+        .step(0.02)
+        .forced_orbits([0.0, 0.0], |_| PI, 0.5)
+        .expect("rest");
+    let known = if standing {
+        // standing at a is hanging at -a, half a period of the drive later
+        of_mathieu((-span.1, -span.0), c, q)
+            .into_iter()
+            .map(|(name, a)| (name, -a))
+            .collect()
+    } else {
+        of_mathieu(span, c, q)
+    };
+    compare(cases, "pendulum", branch.bifurcations(), known);
+}
+
+/// Duffing's `x'' + c x' + k x + x^3`, driven so that `x = A cos t`, over `A`.
+fn duffing(cases: &mut Vec<Case>, c: f64, k: f64, tolerance: f64) {
+    let span = (0.1, 3.0);
+    let family = |amplitude: f64| {
+        let drive = move |t: f64| {
+            let x = amplitude * t.cos();
+            (k - 1.0) * x - c * amplitude * t.sin() + x * x * x
+        };
+        swing(
+            c,
+            move |t, x| drive(t) - k * x - x * x * x,
+            move |_, x| -k - 3.0 * x * x,
+        )
+    };
+    let branch = Continuation::new(family, span.0, span.1)
+        .step(0.02)
+        .tolerance(tolerance)
+        .forced_orbits([0.2, 0.0], |_| TAU, 0.2)
+        .expect("a response");
+    let mut known = Vec::new();
+    for odd in [false, true] {
+        let of_wave = |wave: &DMatrix<f64>| {
+            let one = DMatrix::identity(wave.nrows(), wave.nrows());
+            (&one * k, (one + wave) * 1.5)
+        };
+        let squares = hill(c, of_wave, odd).into_iter().filter(|square| *square > 0.0);
+        known.extend(
+            squares
+                .map(|square| ("Crossing", square.sqrt()))
+                .filter(|(_, a)| (span.0..span.1).contains(a)),
+        );
+    }
+    compare(cases, "Duffing", branch.bifurcations(), known);
+}
+
+fn lorenz(sigma: f64, beta: f64) -> impl Fn(f64) -> Result<Lorenz, ParameterError> {
+    move |rho| Ok(Lorenz { sigma, beta, rho })
+}
+
+struct Lorenz {
+    sigma: f64,
+    beta: f64,
+    rho: f64,
+}
+
+impl System<f64, 3> for Lorenz {
+    fn rhs(&self, _t: f64, x: &SVector<f64, 3>) -> SVector<f64, 3> {
+        let Self { sigma, beta, rho } = *self;
+        SVector::from([
+            sigma * (x[1] - x[0]),
+            x[0] * (rho - x[2]) - x[1],
+            x[0] * x[1] - beta * x[2],
+        ])
+    }
+}
+
+impl Jacobian<f64, 3> for Lorenz {
+    fn jacobian(&self, _t: f64, x: &SVector<f64, 3>) -> SMatrix<f64, 3, 3> {
+        let Self { sigma, beta, rho } = *self;
+        SMatrix::from([[-sigma, rho - x[2], x[1]], [sigma, -1.0, x[0]], [0.0, -x[0], -beta]])
+    }
+}
+
+fn rest_of_lorenz(cases: &mut Vec<Case>, sigma: f64, beta: f64) {
+    let family = lorenz(sigma, beta);
+    let rest = Continuation::new(&family, 0.2, 2.0)
+        .equilibria([0.0; 3], 0.5)
+        .expect("rest");
+    compare(cases, "Lorenz", rest.bifurcations(), vec![("Crossing", 1.0)]);
+    let hopf = sigma * (sigma + beta + 3.0) / (sigma - beta - 1.0);
+    let beside = (beta * (0.9 * hopf - 1.0)).sqrt();
+    let convection = Continuation::new(&family, 0.7 * hopf, 1.2 * hopf)
+        .equilibria([beside, beside, 0.9 * hopf - 1.0], 0.9 * hopf)
+        .expect("convection");
+    compare(cases, "Lorenz", convection.bifurcations(), vec![("Hopf", hopf)]);
+}
+
+/// `z' = g(|z|^2) z + drive exp(i omega t)` in the plane, from `g` as `[Re, Im]` with its derivative.
+fn rotor(
+    g: impl Fn(f64) -> ([f64; 2], [f64; 2]),
+    (drive, omega): (f64, f64),
+) -> Result<impl Jacobian<f64, 2>, ParameterError> {
+    let g = std::rc::Rc::new(g);
+    let of = g.clone();
+    Ok(FnSystem::with_jacobian(
+        move |t: f64, z: &SVector<f64, 2>| {
+            let [re, im] = g(z.norm_squared()).0;
+            let (sin, cos) = (omega * t).sin_cos();
+            SVector::from([re * z[0] - im * z[1] + drive * cos, im * z[0] + re * z[1] + drive * sin])
+        },
+        move |_, z: &SVector<f64, 2>| {
+            let ([re, im], [dre, dim]) = of(z.norm_squared());
+            let turned = SVector::from([dre * z[0] - dim * z[1], dim * z[0] + dre * z[1]]);
+            SMatrix::from([[re, im], [-im, re]]) + turned * (2.0 * z).transpose()
+        },
+    ))
+}
+
+/// `r' = p r + b r^3 - r^5`, turning at the rate `1 + r^2`: rest, and the cycle that folds at `-b^2 / 4`.
+fn cycles(cases: &mut Vec<Case>, b: f64) {
+    let family = |p: f64| {
+        rotor(
+            move |rr| ([p + b * rr - rr * rr, 1.0 + rr], [b - 2.0 * rr, 1.0]),
+            (0.0, 0.0),
+        )
+    };
+    let continuation = Continuation::new(family, -0.4 * b * b, 0.3);
+    let start = (0.5 * (b + (b * b + 0.4).sqrt())).sqrt();
+    let branch = continuation
+        .autonomous_orbits([start, 0.0], TAU / (1.0 + start * start), 0.1)
+        .expect("the large cycle");
+    compare(cases, "cycles", branch.bifurcations(), vec![("Fold", -0.25 * b * b)]);
+    let rest = continuation.equilibria([0.0, 0.0], -0.1 * b * b).expect("rest");
+    compare(cases, "cycles", rest.bifurcations(), vec![("Hopf", 0.0)]);
+}
+
+/// `z' = (p + 2 i - |z|^2) z + F exp(3 i t)`: in the frame that turns with the drive, the trace is zero where `p = 2 |z|^2`.
+fn torus(cases: &mut Vec<Case>, square: f64) {
+    let p = 2.0 * square;
+    let drive = (square * (1.0 + (p - square).powi(2))).sqrt();
+    let family = |p: f64| rotor(move |rr| ([p - rr, 2.0], [-1.0, 0.0]), (drive, 3.0));
+    let branch = Continuation::new(family, p - 0.3, p + 0.3)
+        .forced_orbits([0.3, 0.3], |_| TAU / 3.0, p - 0.25)
+        .expect("a response");
+    compare(cases, "torus", branch.bifurcations(), vec![("Torus", p)]);
+}
+
+fn van_der_pol(cases: &mut Vec<Case>, frequency: f64) {
+    let family = |mu: f64| {
+        Ok(FnSystem::with_jacobian(
+            move |_, x: &SVector<f64, 2>| {
+                SVector::from([x[1], mu * (1.0 - x[0] * x[0]) * x[1] - frequency * frequency * x[0]])
+            },
+            move |_, x: &SVector<f64, 2>| {
+                let of_place = -2.0 * mu * x[0] * x[1] - frequency * frequency;
+                SMatrix::from([[0.0, of_place], [1.0, mu * (1.0 - x[0] * x[0])]])
+            },
+        ))
+    };
+    let branch = Continuation::new(family, -1.0, 1.5)
+        .equilibria([0.1, 0.1], -0.7)
+        .expect("rest");
+    compare(cases, "van der Pol", branch.bifurcations(), vec![("Hopf", 0.0)]);
+}
+
+#[test]
+fn characteristic_values_of_mathieu_are_right() {
+    // J. Meixner, F. W. Schaefke, "Mathieusche Funktionen und Sphaeroidfunktionen" (1954)
+    let known = of_mathieu((-0.8, 4.6), 0.0, 1.0);
+    let reference = [
+        -0.455_138_604_107_414,
+        3.917_024_772_998_471,
+        4.371_300_982_735_085,
+        -0.110_248_816_992_095,
+        1.859_108_072_514_364,
+    ];
+    let mut found: Vec<f64> = known.into_iter().map(|(_, a)| a).collect();
+    found[..3].sort_by(f64::total_cmp);
+    found[3..].sort_by(f64::total_cmp);
+    for (found, reference) in found.into_iter().zip(reference) {
+        assert!((found - reference).abs() < 1e-12, "{found} {reference}");
+    }
+}
+
+/// A pair of multipliers that damping holds within the unit circle is no torus, however weak it is.
+#[test]
+fn bifurcations_are_named_and_their_uncertainty_covers_the_error() {
+    let mut cases = Vec::new();
+    for c in [0.0, 1e-6, 1e-3] {
+        for (q, tolerance) in [(0.7, 1e-8), (1.0, 1e-8), (1.0, 1e-10)] {
+            mathieu(&mut cases, c, q, tolerance);
+        }
+    }
+    for c in [1e-6, 1e-3, 0.1] {
+        pendulum(&mut cases, c, 0.7, false);
+        pendulum(&mut cases, c, 0.7, true);
+        duffing(&mut cases, c, 0.3, 1e-10);
+    }
+    for (sigma, beta) in [(10.0, 8.0 / 3.0), (10.0, 2.5), (12.0, 2.0), (16.0, 4.0), (8.0, 1.5)] {
+        rest_of_lorenz(&mut cases, sigma, beta);
+    }
+    for size in [0.7, 1.0, 1.5] {
+        cycles(&mut cases, size);
+        van_der_pol(&mut cases, size);
+    }
+    for square in [0.2, 0.25, 0.3] {
+        torus(&mut cases, square);
+    }
+    let mut families: Vec<&str> = cases.iter().map(|case| case.family).collect();
+    families.dedup();
+    families.sort_unstable();
+    families.dedup();
+    let median = |mut values: Vec<f64>| {
+        values.sort_by(f64::total_cmp);
+        values[values.len() / 2]
+    };
+    let mut covered = 0;
+    for family in families {
+        let of: Vec<&Case> = cases.iter().filter(|case| case.family == family).collect();
+        let error = |case: &&Case| (case.found - case.known).abs();
+        let within = of.iter().filter(|case| error(case) <= case.uncertainty).count();
+        let ratio = median(
+            of.iter()
+                .map(|case| case.uncertainty / error(case).max(1e-16))
+                .collect(),
+        );
+        println!(
+            "{family}: {within} of {}; errors to {:.1e}, in the median {:.1e}; stated to {:.1e}, in the median {:.1e}; ratio {ratio:.1}",
+            of.len(),
+            of.iter().map(error).fold(0.0, f64::max),
+            median(of.iter().map(error).collect()),
+            of.iter().map(|case| case.uncertainty).fold(0.0, f64::max),
+            median(of.iter().map(|case| case.uncertainty).collect()),
+        );
+        for case in of.iter().filter(|case| error(case) > case.uncertainty) {
+            println!(
+                "  {:?} known {} stated {:e} error {:e}",
+                case.found,
+                case.known,
+                case.uncertainty,
+                error(case)
+            );
+        }
+        covered += within;
+    }
+    assert!(cases.len() >= 100, "{}", cases.len());
+    assert!(covered * 100 >= cases.len() * 95, "{covered} of {}", cases.len());
+}
