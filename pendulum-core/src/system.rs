@@ -14,7 +14,7 @@ pub use assembly::assemble;
 pub(crate) use assembly::{close, open};
 pub use differences::Differences;
 pub(crate) use differences::{by_number, by_state, by_time};
-pub use function::{FnSystem, WithJacobian};
+pub use function::{FnSystem, WithJacobian, WithTimeDerivative};
 pub use state::IntoState;
 
 use nalgebra::{SMatrix, SVector};

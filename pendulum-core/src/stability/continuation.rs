@@ -1,12 +1,15 @@
 //! Continuation of equilibria and of periodic orbits in a parameter.
 
-use nalgebra::{DVector, SVector};
+use std::f64::consts::TAU;
 
-use super::branch::Branch;
+use nalgebra::{Complex, DVector, SVector};
+
+use super::branch::{Bifurcation, BifurcationKind, Branch};
+use super::curve::correct;
 use super::equilibrium::angles;
-use super::families::{Equilibria, Family, Orbits, Period};
+use super::families::{Equilibria, Family, Orbits, Period, Sizes};
 use super::trace::Tracer;
-use super::{Equilibrium, PeriodicOrbit, Shooting, StabilityError, equilibrium};
+use super::{Equilibrium, Mode, PeriodicOrbit, Shooting, StabilityError, equilibrium};
 use crate::error::{ParameterError, Reason};
 use crate::method::require;
 use crate::system::{IntoState, Jacobian};
@@ -16,7 +19,8 @@ use crate::system::{IntoState, Jacobian};
 /// A family of systems is given by a function that builds the one for a value of the parameter. From a solution at one value the branch
 /// through it is followed both ways, over the span of the parameter and around folds: each point is found by Newton's method across the
 /// direction of the branch from the one before (pseudo-arclength). Steps are shortened where that takes long or the branch bends. The unknowns are the
-/// state, the parameter over the length of its span, and for orbits of free period that over the period at the start; steps are measured in these.
+/// state over its [sizes](Self::length), the parameter over the length of its span, and for orbits of free period that over the period at the start; steps are
+/// measured in these.
 ///
 /// Bifurcations between points are found by what changes its sign, and located on the branch. At a fold that is the direction of the parameter; where
 /// branches cross, the determinant of the equations; at a period doubling that of the monodromy matrix plus 1; at the others the growth of a pair of small
@@ -62,6 +66,7 @@ pub struct Continuation<F> {
     step: f64,
     points: usize,
     tolerance: f64,
+    length: f64,
 }
 
 impl<F, S> Continuation<F>
@@ -78,7 +83,16 @@ where
             step: 0.05,
             points: 1000,
             tolerance: 1e-10,
+            length: 1.0,
         }
+    }
+
+    /// The size of lengths in the scene, in m. Default: 1. Steps are measured in it, in radians, and in these per time for rates of orbits: per radian
+    /// of the first one.
+    #[must_use]
+    pub fn length(mut self, length: f64) -> Self {
+        self.length = length;
+        self
     }
 
     /// The longest step: 0.05 goes through the span in 20 steps, where the state changes little. Default: 0.05.
@@ -121,8 +135,10 @@ where
         let curve = Equilibria {
             family: self.family(),
             angles: angles(&system),
+            sizes: Sizes::of(&system, self.length, 1.0),
         };
-        self.tracer(&curve).branch(self.unknowns(&x, None, p0))
+        let unknowns = self.unknowns(&curve.sizes.scaled(&x), None, p0);
+        self.tracer(&curve).branch(unknowns)
     }
 
     /// The branch of the periodic orbit near the state `x0` with a period near the guess, at the parameter `p0`, of systems in which the time does
@@ -152,8 +168,88 @@ where
             period: Period::<&fn(f64) -> f64>::Free(orbit.period),
             tolerance: self.tolerance,
             angles: angles(&system),
+            sizes: Sizes::of(&system, self.length, orbit.period / TAU),
         };
-        self.tracer(&curve).branch(self.unknowns(&orbit.x, Some(1.0), p0))
+        let unknowns = self.unknowns(&curve.sizes.scaled(&orbit.x), Some(1.0), p0);
+        self.tracer(&curve).branch(unknowns)
+    }
+
+    /// The branch of the periodic orbits that begin at a Hopf bifurcation, of systems in which the time does not occur. The end at the bifurcation is
+    /// [`StabilityError::AtRest`].
+    ///
+    /// The first orbit is sought where the small motion that begins there has grown to 0.01 of the sizes in which steps are measured, or to a
+    /// fraction of that, whatever the parameter is.
+    ///
+    /// ```
+    /// use nalgebra::SMatrix;
+    /// use pendulum_core::prelude::*;
+    /// use pendulum_core::stability::Continuation;
+    ///
+    /// // Lorenz: the convection that sets in loses its stability to an unstable cycle.
+    /// let lorenz = |rho: f64| {
+    ///     Ok(FnSystem::with_jacobian(
+    ///         move |_, x: &SVector<f64, 3>| {
+    ///             SVector::from([10.0 * (x[1] - x[0]), x[0] * (rho - x[2]) - x[1], x[0] * x[1] - 8.0 / 3.0 * x[2]])
+    ///         },
+    ///         move |_, x: &SVector<f64, 3>| {
+    ///             SMatrix::from([[-10.0, rho - x[2], x[1]], [10.0, -1.0, x[0]], [0.0, -x[0], -8.0 / 3.0]])
+    ///         },
+    ///     ))
+    /// };
+    /// let continuation = Continuation::new(lorenz, 20.0, 28.0);
+    /// let convection = continuation.equilibria([7.8, 7.8, 23.0], 24.0)?;
+    /// let cycles = continuation.cycles(&convection.bifurcations()[0])?;
+    /// assert!((convection.bifurcations()[0].parameter - 470.0 / 19.0).abs() < 1e-9);
+    /// assert!(cycles.points().iter().all(|cycle| cycle.parameter < 24.74));
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`StabilityError::Integration`] if the bifurcation is of another kind, and that of the last attempt if no orbit is found.
+    pub fn cycles<const N: usize>(
+        &self,
+        hopf: &Bifurcation<Equilibrium<N>>,
+    ) -> Result<Branch<PeriodicOrbit<N>>, StabilityError>
+    where
+        S: Jacobian<f64, N>,
+    {
+        self.check(hopf.parameter)?;
+        let BifurcationKind::Hopf { angular_frequency } = hopf.kind else {
+            let rule = "cycles begin at a Hopf bifurcation";
+            let (what, value) = ("hopf", hopf.parameter);
+            return Err(Reason::InvalidInput { what, value, rule }.into());
+        };
+        let system = (self.family)(hopf.parameter)?;
+        let period = TAU / angular_frequency;
+        let curve = Orbits {
+            family: self.family(),
+            period: Period::<&fn(f64) -> f64>::Free(period),
+            tolerance: self.tolerance,
+            angles: angles(&system),
+            sizes: Sizes::of(&system, self.length, period / TAU),
+        };
+        let off = |mode: &&Mode<N>| (mode.eigenvalue - Complex::I * angular_frequency).norm();
+        let modes = hopf.solution.spectrum.modes().iter();
+        let Some(mode) = modes.min_by(|a, b| off(a).total_cmp(&off(b))) else {
+            return Err(StabilityError::AtRest);
+        };
+        let shape = curve
+            .sizes
+            .scaled(&mode.shape.map(|component| component.re))
+            .normalize();
+        let rest = self.unknowns(&curve.sizes.scaled(&hopf.solution.x), Some(1.0), hopf.parameter);
+        let mut growing = DVector::zeros(rest.len());
+        growing.rows_mut(0, N).copy_from(&shape);
+        let mut amplitude = 0.01;
+        loop {
+            let guess = &rest + &growing * amplitude;
+            let target = growing.dot(&guess);
+            match correct(&curve, guess, (&growing, target), &growing) {
+                Ok(place) => return self.tracer(&curve).branch(place.u),
+                Err(error) if amplitude < 1e-4 => return Err(error),
+                Err(_) => amplitude *= 0.5,
+            }
+        }
     }
 
     /// The branch of the periodic motion near the state `x0` at the time 0 and at the parameter `p0`, of systems that are driven; `period` is that
@@ -180,8 +276,10 @@ where
             angles: angles(&system),
             period: Period::Given(&period),
             tolerance: self.tolerance,
+            sizes: Sizes::of(&system, self.length, orbit.period / TAU),
         };
-        self.tracer(&curve).branch(self.unknowns(&orbit.x, None, p0))
+        let unknowns = self.unknowns(&curve.sizes.scaled(&orbit.x), None, p0);
+        self.tracer(&curve).branch(unknowns)
     }
 
     fn family(&self) -> Family<'_, F> {
@@ -221,6 +319,13 @@ where
         let rule = "the start must lie in the span";
         require((low..=high).contains(&p0), "p0", p0, rule)?;
         let rule = "the longest step must be finite and positive";
-        require(self.step.is_finite() && self.step > 0.0, "step", self.step, rule)
+        require(self.step.is_finite() && self.step > 0.0, "step", self.step, rule)?;
+        let rule = "the size of lengths must be finite and positive";
+        require(
+            self.length.is_finite() && self.length > 0.0,
+            "length",
+            self.length,
+            rule,
+        )
     }
 }

@@ -1,6 +1,7 @@
 //! States of rest, and whether they last.
 
 use std::f64::consts::{PI, TAU};
+use std::ops::Deref;
 
 use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
@@ -9,7 +10,7 @@ use super::frictionless::Frictionless;
 use super::least_squares::shortest_step;
 use super::{Spectrum, StabilityError};
 use crate::error::Reason;
-use crate::layout::StateLayout;
+use crate::layout::{Slot, SlotKind, StateLayout};
 use crate::method::check_loops;
 use crate::system::{IntoState, Jacobian, System, close};
 
@@ -193,35 +194,76 @@ fn within_reach<const N: usize>(step: SVector<f64, N>, x: &SVector<f64, N>) -> S
     step.cap_magnitude(f64::max(1.0, 0.1 * x.norm()))
 }
 
-/// The equilibria that are found from `seeds`, and from these by half turns.
+/// Equilibria that were found, as a slice, and what was not searched.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Equilibria<const N: usize> {
+    found: Vec<Equilibrium<N>>,
+    unsearched: Vec<&'static str>,
+}
+
+impl<const N: usize> Equilibria<N> {
+    /// The coordinates whose range was not searched to its end: there may be equilibria beyond.
+    ///
+    /// Such are lengths, which know no turns, and angles that do not return to themselves after a turn and had equilibria up to 8 turns away
+    /// from the seeds, as on a screw.
+    #[must_use]
+    pub fn unsearched(&self) -> &[&'static str] {
+        &self.unsearched
+    }
+}
+
+impl<const N: usize> Deref for Equilibria<N> {
+    type Target = [Equilibrium<N>];
+
+    fn deref(&self) -> &Self::Target {
+        &self.found
+    }
+}
+
+impl<const N: usize> IntoIterator for Equilibria<N> {
+    type Item = Equilibrium<N>;
+    type IntoIter = std::vec::IntoIter<Equilibrium<N>>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.found.into_iter()
+    }
+}
+
+impl<'a, const N: usize> IntoIterator for &'a Equilibria<N> {
+    type Item = &'a Equilibrium<N>;
+    type IntoIter = std::slice::Iter<'a, Equilibrium<N>>;
+
+    fn into_iter(self) -> Self::IntoIter {
+        self.found.iter()
+    }
+}
+
+/// The equilibria that are found from `seeds`, and from these beside them.
 ///
-/// From each new one the search goes on with each angle turned by half a turn. Of a planar chain that hangs on revolute joints, without
-/// springs, these are all: each of its links hangs or stands, in relative or in absolute angles. The angles are those that the
-/// [layout](System::layout) calls [periodic](crate::Slot::periodic), and those that are also cyclic are not turned. They are returned in
-/// (-pi, pi]; equilibria that differ by full turns are the same. A system without a layout has no angles.
+/// From each new one the search goes on with each angle turned: by half a turn where the [layout](System::layout) calls it
+/// [periodic](crate::Slot::periodic), and by a quarter and a half either way where it is not, as under a spring. Lengths are moved by their size either
+/// way. What is cyclic stays. Of a planar chain that hangs on revolute joints, without springs, these are all: each of its links hangs or stands, in
+/// relative or in absolute angles. Of small scenes with springs they mostly are, too, which nothing proves; [`Equilibria::unsearched`] tells in which
+/// coordinates there may be more. A system without a layout has no angles, and is searched from the seeds alone.
 ///
-/// Seeds that lead nowhere are passed over.
+/// Periodic angles are returned in (-pi, pi]; equilibria that differ by full turns of these are the same. Seeds that lead nowhere are passed over.
 ///
 /// # Errors
 /// [`StabilityError::TimeDependent`] if the layout says that time may occur.
 pub fn equilibria<S, const N: usize>(
     system: &S,
     seeds: impl IntoIterator<Item = SVector<f64, N>>,
-) -> Result<Vec<Equilibrium<N>>, StabilityError>
+) -> Result<Equilibria<N>, StabilityError>
 where
     S: Jacobian<f64, N> + ?Sized,
 {
     require_autonomous(system)?;
     let angles = angles(system);
-    let slots = system.layout().map_or(&[][..], |layout| layout.slots);
-    // what follows from closed loops turns with the rest
-    let turnable = slots
-        .iter()
-        .filter(|slot| slot.periodic && !slot.cyclic && !slot.rates.is_empty());
-    let turnable: Vec<usize> = turnable.flat_map(|slot| slot.positions.clone()).collect();
-    let mut found: Vec<Equilibrium<N>> = Vec::new();
+    // the last are the next
     let mut seeds: Vec<_> = seeds.into_iter().collect();
     seeds.reverse();
+    let mut beside = Beside::new(system, &seeds);
+    let mut found: Vec<Equilibrium<N>> = Vec::new();
     while let Some(mut seed) = seeds.pop() {
         system.project(0.0, &mut seed);
         let Ok(mut x) = settle(system, seed) else {
@@ -230,38 +272,95 @@ where
         for &angle in &angles {
             x[angle] = within_a_turn(x[angle]);
         }
-        let is_same = |other: &Equilibrium<N>| {
-            let mut apart = other.x - x;
-            for &angle in &angles {
-                apart[angle] = within_a_turn(apart[angle]);
-            }
-            for places in system.layout().into_iter().flat_map(StateLayout::quaternions) {
-                // the opposite quaternion is the same orientation
-                if places.clone().map(|n| other.x[n] * x[n]).sum::<f64>() < 0.0 {
-                    places.for_each(|n| apart[n] = other.x[n] + x[n]);
-                }
-            }
-            apart.norm() <= SAME * (1.0 + x.norm())
-        };
-        if found.iter().any(is_same) {
+        if found.iter().any(|other| is_same(system, &angles, &other.x, &x)) {
             continue;
         }
         let Ok(equilibrium) = Equilibrium::at(system, x) else {
             continue;
         };
         found.push(equilibrium);
-        for &angle in turnable.iter().rev() {
-            let mut turned = x;
-            turned[angle] += PI;
-            seeds.push(turned);
+        beside.add(&x, &mut seeds);
+    }
+    Ok(Equilibria {
+        found,
+        unsearched: beside.unsearched,
+    })
+}
+
+/// Where to search beside equilibria.
+struct Beside<const N: usize> {
+    slots: Vec<&'static Slot>,
+    /// Where the search began.
+    from: Vec<SVector<f64, N>>,
+    /// The largest length of the first equilibrium, or 1 m.
+    length: Option<f64>,
+    unsearched: Vec<&'static str>,
+}
+
+impl<const N: usize> Beside<N> {
+    fn new(system: &(impl System<f64, N> + ?Sized), seeds: &[SVector<f64, N>]) -> Self {
+        let slots = system.layout().map_or(&[][..], |layout| layout.slots).iter();
+        // what follows from closed loops moves with the rest
+        let slots = slots.filter(|slot| !slot.cyclic && !slot.rates.is_empty() && slot.positions.len() == 1);
+        Self {
+            slots: slots.filter(|slot| slot.kind != SlotKind::Quaternion).collect(),
+            from: seeds.to_vec(),
+            length: None,
+            unsearched: Vec::new(),
         }
     }
-    Ok(found)
+
+    /// Adds what lies beside a new equilibrium; the first coordinate comes first.
+    fn add(&mut self, x: &SVector<f64, N>, seeds: &mut Vec<SVector<f64, N>>) {
+        let lengths = self.slots.iter().filter(|slot| slot.kind == SlotKind::Length);
+        let largest = lengths.fold(0.0_f64, |largest, slot| largest.max(x[slot.positions.start].abs()));
+        let length = *self.length.get_or_insert(if largest > SAME { largest } else { 1.0 });
+        for slot in self.slots.iter().rev() {
+            let place = slot.positions.start;
+            let (by, whole): (&[f64], f64) = match slot.kind {
+                SlotKind::Length => (&[length, -length], length),
+                _ if slot.periodic => (&[PI], f64::INFINITY),
+                _ => (&[0.5 * PI, -0.5 * PI, PI, -PI], TAU),
+            };
+            let is_far = |from: &SVector<f64, N>| (x[place] - from[place]).abs() > FAR * whole;
+            let is_far = self.from.iter().all(is_far);
+            if (is_far || slot.kind == SlotKind::Length) && !self.unsearched.contains(&slot.name) {
+                self.unsearched.push(slot.name);
+            }
+            for by in by.iter().filter(|_| !is_far) {
+                let mut moved = *x;
+                moved[place] += by;
+                seeds.push(moved);
+            }
+        }
+    }
+}
+
+/// Whether two states are one, but for full turns and the signs of quaternions.
+fn is_same<const N: usize>(
+    system: &(impl System<f64, N> + ?Sized),
+    angles: &[usize],
+    other: &SVector<f64, N>,
+    x: &SVector<f64, N>,
+) -> bool {
+    let mut apart = other - x;
+    for &angle in angles {
+        apart[angle] = within_a_turn(apart[angle]);
+    }
+    for places in system.layout().into_iter().flat_map(StateLayout::quaternions) {
+        // the opposite quaternion is the same orientation
+        if places.clone().map(|n| other[n] * x[n]).sum::<f64>() < 0.0 {
+            places.for_each(|n| apart[n] = other[n] + x[n]);
+        }
+    }
+    apart.norm() <= SAME * (1.0 + x.norm())
 }
 
 pub(super) const ITERATIONS: usize = 100;
 /// A step so short, in parts of the state, is the last.
 const SETTLED: f64 = 1e-12;
+/// What is not periodic is searched so many turns from the seeds, or lengths of the scene.
+const FAR: f64 = 8.0;
 /// Equilibria so close are the same.
 const SAME: f64 = 1e-6;
 /// Singular values below so much of the largest are zero.

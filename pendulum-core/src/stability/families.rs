@@ -1,6 +1,6 @@
 //! Equilibria and periodic orbits of a family of systems, as curves.
 
-use nalgebra::{DMatrix, DVector, SVector};
+use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 
 use super::curve::{Curve, Growth, Linear, ROUNDING, Test};
 use super::equilibrium::{require_as_many_rates, within_a_turn};
@@ -8,7 +8,8 @@ use super::orbit::NOISE;
 use super::shooting::{Lap, after, check_period, direction};
 use super::{BifurcationKind, Equilibrium, Mode, Multiplier, PeriodicOrbit, StabilityError};
 use crate::error::ParameterError;
-use crate::system::Jacobian;
+use crate::layout::SlotKind;
+use crate::system::{Jacobian, System};
 
 /// A family of systems, one for each value of a parameter in a span.
 pub(super) struct Family<'f, F> {
@@ -47,12 +48,13 @@ where
 }
 
 /// Equilibria. The unknowns are the state and the parameter.
-pub(super) struct Equilibria<'f, F> {
+pub(super) struct Equilibria<'f, F, const N: usize> {
     pub(super) family: Family<'f, F>,
     pub(super) angles: Vec<usize>,
+    pub(super) sizes: Sizes<N>,
 }
 
-impl<F, S, const N: usize> Curve<N> for Equilibria<'_, F>
+impl<F, S, const N: usize> Curve<N> for Equilibria<'_, F, N>
 where
     F: Fn(f64) -> Result<S, ParameterError>,
     S: Jacobian<f64, N>,
@@ -60,13 +62,15 @@ where
     type Solution = Equilibrium<N>;
 
     fn linearize(&self, u: &DVector<f64>) -> Result<Linear, StabilityError> {
-        let (x, parameter) = (state(u), self.family.parameter(u[N]));
+        let (x, parameter) = (self.sizes.state(u), self.family.parameter(u[N]));
         let system = (self.family.member)(parameter)?;
         require_as_many_rates(&system)?;
         let (rhs, jacobian) = system.rhs_and_jacobian(0.0, &x);
         let slope = self
             .family
             .slope(parameter, libm::cbrt(f64::EPSILON), |_, system| Ok(system.rhs(0.0, &x)))?;
+        let (rhs, slope) = (self.sizes.scaled(&rhs), self.sizes.scaled(&slope));
+        let jacobian = self.sizes.scaled_matrix(&jacobian);
         Ok(Linear {
             residual: DVector::from_column_slice(rhs.as_slice()),
             derivative: DMatrix::from_fn(N, N + 1, |i, j| if j < N { jacobian[(i, j)] } else { slope[i] }),
@@ -75,7 +79,7 @@ where
     }
 
     fn solution(&self, u: &DVector<f64>) -> Result<Equilibrium<N>, StabilityError> {
-        Equilibrium::at(&(self.family.member)(self.family.parameter(u[N]))?, state(u))
+        Equilibrium::at(&(self.family.member)(self.family.parameter(u[N]))?, self.sizes.state(u))
     }
 
     fn growths(&self, solution: &Equilibrium<N>) -> Vec<Growth> {
@@ -113,7 +117,7 @@ where
     }
 
     fn apart(&self, from: &DVector<f64>, to: &DVector<f64>) -> DVector<f64> {
-        without_turns(to - from, &self.angles)
+        self.sizes.without_turns(to - from, &self.angles)
     }
 
     fn noise(&self) -> f64 {
@@ -126,11 +130,12 @@ const FINER: f64 = 1e-2;
 const LEAST_TOLERANCE: f64 = 1e-14;
 
 /// Periodic orbits. The unknowns are the state, the period over that at the start if it is free, and the parameter.
-pub(super) struct Orbits<'f, F, P> {
+pub(super) struct Orbits<'f, F, P, const N: usize> {
     pub(super) family: Family<'f, F>,
     pub(super) period: Period<&'f P>,
     pub(super) tolerance: f64,
     pub(super) angles: Vec<usize>,
+    pub(super) sizes: Sizes<N>,
 }
 
 /// The period of the orbits of a family.
@@ -141,7 +146,7 @@ pub(super) enum Period<P> {
     Given(P),
 }
 
-impl<F, P: Fn(f64) -> f64> Orbits<'_, F, P> {
+impl<F, P: Fn(f64) -> f64, const N: usize> Orbits<'_, F, P, N> {
     fn period(&self, u: &DVector<f64>, parameter: f64) -> f64 {
         match &self.period {
             Period::Free(unit) => u[u.len() - 2] * unit,
@@ -154,7 +159,7 @@ impl<F, P: Fn(f64) -> f64> Orbits<'_, F, P> {
     }
 }
 
-impl<F, S, P, const N: usize> Curve<N> for Orbits<'_, F, P>
+impl<F, S, P, const N: usize> Curve<N> for Orbits<'_, F, P, N>
 where
     F: Fn(f64) -> Result<S, ParameterError>,
     S: Jacobian<f64, N>,
@@ -163,7 +168,7 @@ where
     type Solution = PeriodicOrbit<N>;
 
     fn linearize(&self, u: &DVector<f64>) -> Result<Linear, StabilityError> {
-        let (x, parameter) = (state(u), self.family.parameter(u[u.len() - 1]));
+        let (x, parameter) = (self.sizes.state(u), self.family.parameter(u[u.len() - 1]));
         let system = (self.family.member)(parameter)?;
         let period = self.period(u, parameter);
         check_period(period)?;
@@ -175,17 +180,23 @@ where
                 check_period(period)?;
                 Ok(after(system, (x, period), self.tolerance)?)
             })?;
-        let mut residual = DVector::from_column_slice(lap.gap.as_slice());
+        let (slope, monodromy) = (self.sizes.scaled(&slope), self.sizes.scaled_matrix(&lap.monodromy));
+        let mut residual = DVector::from_column_slice(self.sizes.scaled(&lap.gap).as_slice());
         let mut derivative = DMatrix::from_fn(N, u.len(), |i, j| match j {
-            j if j == i => lap.monodromy[(i, j)] - 1.0,
-            j if j < N => lap.monodromy[(i, j)],
+            j if j == i => monodromy[(i, j)] - 1.0,
+            j if j < N => monodromy[(i, j)],
             j if j == u.len() - 1 => slope[i],
             _ => 0.0,
         });
         if let Period::Free(unit) = self.period {
-            derivative.column_mut(N).copy_from(&(lap.velocity * unit));
+            derivative
+                .column_mut(N)
+                .copy_from(&(self.sizes.scaled(&lap.velocity) * unit));
             // The phase: no step goes along the orbit.
-            let along = direction(&system, &x, period, self.tolerance)?.normalize();
+            let along = self
+                .sizes
+                .scaled(&direction(&system, &x, period, self.tolerance)?)
+                .normalize();
             residual = residual.push(0.0);
             derivative = derivative.insert_row(N, 0.0);
             derivative.view_mut((N, 0), (1, N)).tr_copy_from(&along);
@@ -193,12 +204,13 @@ where
         Ok(Linear {
             residual,
             derivative,
-            resolution: lap.resolution(&x, self.tolerance),
+            resolution: (NOISE * self.tolerance * monodromy.norm()).max(f64::EPSILON)
+                * (1.0 + self.sizes.scaled(&x).norm()),
         })
     }
 
     fn solution(&self, u: &DVector<f64>) -> Result<PeriodicOrbit<N>, StabilityError> {
-        let (x, parameter) = (state(u), self.family.parameter(u[u.len() - 1]));
+        let (x, parameter) = (self.sizes.state(u), self.family.parameter(u[u.len() - 1]));
         let system = (self.family.member)(parameter)?;
         let period = self.period(u, parameter);
         let lap = Lap::run(&system, (x, period), self.tolerance, &self.angles)?;
@@ -228,7 +240,8 @@ where
     const REAL_LIMIT: f64 = 1.0;
 
     fn doubling(&self, solution: &PeriodicOrbit<N>) -> Option<Test> {
-        let monodromy = DMatrix::from_column_slice(N, N, solution.monodromy.as_slice());
+        let monodromy = self.sizes.scaled_matrix(&solution.monodromy);
+        let monodromy = DMatrix::from_column_slice(N, N, monodromy.as_slice());
         let noise = ROUNDING * monodromy.norm();
         Some(Test::singular(monodromy + DMatrix::identity(N, N), noise))
     }
@@ -244,6 +257,7 @@ where
             },
             tolerance,
             angles: self.angles.clone(),
+            sizes: self.sizes,
         })
     }
 
@@ -260,7 +274,7 @@ where
             let parameter = self.family.parameter(u[u.len() - 1]);
             direction(
                 &(self.family.member)(parameter)?,
-                &state::<N>(u),
+                &self.sizes.state(u),
                 self.period(u, parameter),
                 self.tolerance,
             )
@@ -273,7 +287,7 @@ where
     }
 
     fn apart(&self, from: &DVector<f64>, to: &DVector<f64>) -> DVector<f64> {
-        without_turns(to - from, &self.angles)
+        self.sizes.without_turns(to - from, &self.angles)
     }
 
     fn noise(&self) -> f64 {
@@ -281,13 +295,39 @@ where
     }
 }
 
-fn state<const N: usize>(u: &DVector<f64>) -> SVector<f64, N> {
-    SVector::from_fn(|i, _| u[i])
-}
+/// The sizes of the components of a state, in which steps along a branch are measured.
+#[derive(Clone, Copy)]
+pub(super) struct Sizes<const N: usize>(SVector<f64, N>);
 
-fn without_turns(mut apart: DVector<f64>, angles: &[usize]) -> DVector<f64> {
-    for &angle in angles {
-        apart[angle] = within_a_turn(apart[angle]);
+impl<const N: usize> Sizes<N> {
+    /// Those of a scene with lengths of the size given: angles have the size 1 rad, and rates as much in a time; 1 without a layout.
+    pub(super) fn of(system: &(impl System<f64, N> + ?Sized), length: f64, time: f64) -> Self {
+        let mut sizes = SVector::from([1.0; N]);
+        for slot in system.layout().map_or(&[][..], |layout| layout.slots) {
+            let size = if slot.kind == SlotKind::Length { length } else { 1.0 };
+            slot.positions.clone().for_each(|place| sizes[place] = size);
+            slot.rates.clone().for_each(|place| sizes[place] = size / time);
+        }
+        Self(sizes)
     }
-    apart
+
+    /// The state at a point of a curve.
+    pub(super) fn state(&self, u: &DVector<f64>) -> SVector<f64, N> {
+        SVector::from_fn(|i, _| u[i] * self.0[i])
+    }
+
+    pub(super) fn scaled(&self, x: &SVector<f64, N>) -> SVector<f64, N> {
+        x.component_div(&self.0)
+    }
+
+    fn scaled_matrix(&self, matrix: &SMatrix<f64, N, N>) -> SMatrix<f64, N, N> {
+        SMatrix::from_fn(|i, j| matrix[(i, j)] * self.0[j] / self.0[i])
+    }
+
+    fn without_turns(&self, mut apart: DVector<f64>, angles: &[usize]) -> DVector<f64> {
+        for &angle in angles {
+            apart[angle] = within_a_turn(apart[angle] * self.0[angle]) / self.0[angle];
+        }
+        apart
+    }
 }

@@ -57,7 +57,7 @@ mod transition;
 
 pub use branch::{Bifurcation, BifurcationKind, Branch, BranchEnd, BranchPoint};
 pub use continuation::Continuation;
-pub use equilibrium::{Equilibrium, Stability, equilibria, equilibrium};
+pub use equilibrium::{Equilibria, Equilibrium, Stability, equilibria, equilibrium};
 pub use error::StabilityError;
 pub use function::StabilityFunction;
 pub use limits::{imaginary_limit, max_stable_step, real_limit};

@@ -20,6 +20,7 @@ pub struct PeriodicOrbit<const N: usize> {
     /// The eigenvalues of the monodromy matrix, the Floquet multipliers, and its eigenvectors, by falling real part.
     pub multipliers: Spectrum<N>,
     nontrivial: Vec<Multiplier>,
+    noise: f64,
 }
 
 /// A Floquet multiplier: the factor by which a small motion about a periodic orbit grows in a period.
@@ -70,7 +71,15 @@ impl<const N: usize> PeriodicOrbit<N> {
             monodromy,
             multipliers,
             nontrivial,
+            noise: NOISE * tolerance * monodromy.norm(),
         })
+    }
+
+    /// The size below which multipliers are noise: what errors of the integration may make of 0. Motions with such multipliers have decayed within a period,
+    /// and no more can be told of them; a smaller tolerance resolves smaller ones, down to rounding errors of the largest.
+    #[must_use]
+    pub fn noise(&self) -> f64 {
+        self.noise
     }
 
     /// The multipliers that tell of stability, by falling modulus: all of them for a driven system, and `N - 1` where the time does not

@@ -222,8 +222,8 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
         while let Some(i) = changed.next() {
             let located = self.locate(a, b, growth(i, a, b));
             let here = self.curve.growths(&located.solution)[i];
-            let is_pair = here.value.im != 0.0 && changed.next_if_eq(&(i + 1)).is_some();
-            if is_pair {
+            let are_two = changed.next_if_eq(&(i + 1)).is_some();
+            if are_two && here.value.im != 0.0 {
                 found.named.push(bifurcation(self.curve.of_pair(&here), located));
             } else if [a, b].iter().all(|place| place.growths[i].is_certain()) {
                 found.unnamed.push(bifurcation(BifurcationKind::Unnamed, located));

@@ -8,6 +8,7 @@ use super::{Jacobian, System, forward_system};
 use crate::hybrid::{Hold, Hybrid, MOST};
 use crate::layout::StateLayout;
 use crate::real::Real;
+use crate::real::lanes::Lanes;
 
 /// A function `f(t, x)` as a [`System`].
 ///
@@ -75,7 +76,8 @@ impl<F> fmt::Debug for FnSystem<F> {
 /// `jacobian(t, x)`.
 ///
 /// [`FnSystem::with_jacobian`] and [`WithInputs::with_derivative`](crate::WithInputs::with_derivative) make it. The
-/// derivative with respect to time is a central difference: see [`Jacobian::time_derivative`].
+/// derivative with respect to time is a central difference, as in [`Jacobian::time_derivative`], unless
+/// [`with_time_derivative`](Self::with_time_derivative) gives it.
 #[derive(Clone, Copy)]
 pub struct WithJacobian<F, J> {
     pub(crate) function: F,
@@ -87,6 +89,38 @@ impl<F, J> WithJacobian<F, J> {
     #[inline]
     pub const fn new(function: F, jacobian: J) -> Self {
         Self { function, jacobian }
+    }
+
+    /// The same system, whose derivative with respect to the time is `derivative(t, x)`.
+    ///
+    /// Rosenbrock methods use it. A central difference takes it for granted that the right-hand side varies over times
+    /// of about 1 s; of one that varies faster give it, as here of a drive of 1e5 rad/s:
+    ///
+    /// ```
+    /// use pendulum_core::prelude::*;
+    /// use pendulum_core::SolveError;
+    ///
+    /// let omega = 1e5;
+    /// let driven = FnSystem::with_jacobian(
+    ///     move |t: f64, x: &SVector<f64, 1>| SVector::from([-x[0] + (omega * t).cos()]),
+    ///     |_t, _x| SMatrix::from([[-1.0]]),
+    /// )
+    /// .with_time_derivative(move |t, _x| SVector::from([-omega * (omega * t).sin()]));
+    /// let solution = Rodas5P::new().rtol(1e-8).atol(1e-8).solve(&driven, 0.0, 1e-3, [0.0])?;
+    /// assert!((solution.end()[0] - (omega * 1e-3).sin() / omega).abs() < 1e-7);
+    /// # Ok::<(), SolveError<f64, 1>>(())
+    /// ```
+    #[inline]
+    pub fn with_time_derivative<T, D, const N: usize>(self, derivative: D) -> WithTimeDerivative<Self, D>
+    where
+        T: Real,
+        Self: Jacobian<T, N>,
+        D: Fn(T, &SVector<T, N>) -> SVector<T, N>,
+    {
+        WithTimeDerivative {
+            system: self,
+            derivative,
+        }
     }
 }
 
@@ -110,6 +144,51 @@ impl<F: fmt::Debug, J> fmt::Debug for WithJacobian<F, J> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("WithJacobian")
             .field("function", &self.function)
+            .finish_non_exhaustive()
+    }
+}
+
+/// A [`System`] with its derivative with respect to the time as a function:
+/// [`WithJacobian::with_time_derivative`] makes it.
+#[derive(Clone, Copy)]
+pub struct WithTimeDerivative<S, D> {
+    system: S,
+    derivative: D,
+}
+
+impl<T: Real, S: System<T, N>, D, const N: usize> System<T, N> for WithTimeDerivative<S, D> {
+    forward_system!(self => self.system);
+}
+
+impl<T, S, D, const N: usize> Jacobian<T, N> for WithTimeDerivative<S, D>
+where
+    T: Real,
+    S: Jacobian<T, N>,
+    D: Fn(T, &SVector<T, N>) -> SVector<T, N>,
+{
+    #[inline]
+    fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
+        self.system.jacobian(t, x)
+    }
+
+    #[inline]
+    fn rhs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
+        self.system.rhs_and_jacobian(t, x)
+    }
+
+    #[inline]
+    fn time_derivative(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>
+    where
+        T: Lanes,
+    {
+        (self.derivative)(t, x)
+    }
+}
+
+impl<S: fmt::Debug, D> fmt::Debug for WithTimeDerivative<S, D> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("WithTimeDerivative")
+            .field("system", &self.system)
             .finish_non_exhaustive()
     }
 }

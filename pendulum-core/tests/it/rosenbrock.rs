@@ -2,6 +2,7 @@
 
 use crate::tableaus::tree::{Tree, trees};
 use nalgebra::{SMatrix, SVector};
+use pendulum_core::prelude::*;
 use pendulum_core::tableau::{HairerWanner4, RosenbrockMethod, Steinebach5};
 
 /// The coefficients are printed to 16 digits; those of `Gamma^-1` reach 166, and a condition multiplies few of them that are large.
@@ -96,4 +97,28 @@ fn rodas4() {
 #[test]
 fn rodas5p() {
     check::<Steinebach5, 8>();
+}
+
+/// A drive that is fast has a derivative by the time that differences over some microseconds miss.
+#[test]
+fn a_derivative_by_the_time_that_is_given_saves_steps() {
+    let omega = 1e5;
+    let driven = || {
+        FnSystem::with_jacobian(
+            move |t: f64, x: &SVector<f64, 1>| SVector::from([-x[0] + (omega * t).cos()]),
+            |_t: f64, _x: &SVector<f64, 1>| SMatrix::from([[-1.0]]),
+        )
+    };
+    let given =
+        driven().with_time_derivative(move |t: f64, _x: &SVector<f64, 1>| SVector::from([-omega * (omega * t).sin()]));
+    let method = Rodas5P::new().rtol(1e-8).atol(1e-10);
+    let [by_differences, by_derivative] = [
+        method.solve(&driven(), 0.0, 0.01, [0.0]).expect("a motion"),
+        method.solve(&given, 0.0, 0.01, [0.0]).expect("a motion"),
+    ];
+    let expected = |t: f64| (omega * t).sin() / omega;
+    let (t, x) = by_derivative.last();
+    assert!((x[0] - expected(t)).abs() < 1e-8, "{x} {}", expected(t));
+    let steps = [by_differences, by_derivative].map(|solution| solution.statistics().accepted);
+    assert!(steps[1] * 5 < steps[0], "{steps:?}");
 }

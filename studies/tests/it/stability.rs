@@ -139,7 +139,92 @@ fn a_constant_torque_turns_the_equilibria_and_then_ends_them() {
     }
     let motor = Motor::new(MotorParams { torque: 10.0 }).expect("physical");
     assert!(equilibrium(&motor, [0.3, 0.0]).is_err());
-    assert_eq!(equilibria(&motor, [SVector::from([0.3, 0.0])]), Ok(Vec::new()));
+    assert!(
+        equilibria(&motor, [SVector::from([0.3, 0.0])])
+            .expect("autonomous")
+            .is_empty()
+    );
+}
+
+mechanism! {
+    /// A pendulum that a torsion spring pulls back: `k theta + 9.81 sin theta = 0`.
+    pub Wound {
+        params { k: N m / rad }
+        gravity: [0, -9.81, 0],
+        body bob on ground { mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: theta, spring: (k, 0), friction: 0.1 }
+    }
+}
+
+mechanism! {
+    /// Two of them, one on the other.
+    pub WoundChain {
+        params { k: N m / rad }
+        gravity: [0, -9.81, 0],
+        body upper on ground {
+            mass: 1, com: [0, -1, 0], joint: revolute(z), coordinate: theta, spring: (k, 0), friction: 0.1,
+        }
+        body lower on upper {
+            mass: 1, com: [0, -1, 0], joint: revolute(z) at [0, -1, 0], coordinate: phi, spring: (k, 0), friction: 0.1,
+        }
+    }
+}
+
+mechanism! {
+    /// A slider on a level rail, with a spring to a point 0.6 m above, that is 1 m long.
+    pub Snap {
+        point pin on ground at [0, 0.6, 0],
+        point middle on slider,
+        spring pull { from: pin, to: middle, stiffness: 10, length: 1 }
+        body slider on ground { mass: 1, joint: prismatic(x), coordinate: x, friction: 0.1 }
+    }
+}
+
+/// Sums of sines and lines are zero where a fine grid shows changes of sign.
+#[test]
+fn equilibria_under_springs_are_all_found() {
+    for k in [0.3, 1.0, 2.0, 5.0, 20.0] {
+        let torque = |angle: f64| k * angle + 9.81 * angle.sin();
+        let reach = 9.81 / k + 1.0;
+        let at = |n: i32| reach * (f64::from(n) + 0.5) / 20_000.0;
+        let known = (-20_000..20_000)
+            .filter(|&n| torque(at(n - 1)) * torque(at(n)) < 0.0)
+            .count();
+        let wound = Wound::new(WoundParams { k }).expect("physical");
+        let found = equilibria(&wound, [SVector::from([0.1, 0.0])]).expect("autonomous");
+        assert_eq!(found.len(), known, "{k}");
+        assert_eq!(found.unsearched().is_empty(), k > 0.3, "{k}: {:?}", found.unsearched());
+        let stable = found
+            .iter()
+            .filter(|found| found.stability() == Stability::AsymptoticallyStable);
+        assert_eq!(2 * stable.count() - 1, known);
+    }
+    // of two angles, all that Newton's method finds from a fine grid
+    for k in [1.5, 4.0] {
+        let chain = WoundChain::new(WoundChainParams { k }).expect("physical");
+        let found = equilibria(&chain, [SVector::zeros()]).expect("autonomous");
+        let mut known: Vec<SVector<f64, 4>> = Vec::new();
+        for n in 0..61 * 61 {
+            let angle = |n: i32| 0.45 * f64::from(n - 30);
+            let seed = SVector::from([angle(n % 61), angle(n / 61), 0.0, 0.0]);
+            let Ok(other) = equilibrium(&chain, seed) else { continue };
+            if known.iter().all(|x| (x - other.x).norm() > 1e-6) {
+                known.push(other.x);
+            }
+        }
+        let missing = known
+            .iter()
+            .filter(|x| found.iter().all(|found| (found.x - *x).norm() > 1e-6));
+        assert_eq!(missing.count(), 0, "{k}: {} of {}", found.len(), known.len());
+        assert!(known.len() > 1 && found.unsearched().is_empty());
+    }
+    let snap = Snap::new(SnapParams {}).expect("physical");
+    let found = equilibria(&snap, [SVector::from([0.3, 0.0])]).expect("autonomous");
+    let mut places: Vec<f64> = found.iter().map(|found| found.x[0]).collect();
+    places.sort_by(f64::total_cmp);
+    assert!(places.len() == 3 && found.unsearched() == ["x"], "{places:?}");
+    for (found, known) in places.iter().zip([-0.8, 0.0, 0.8]) {
+        assert!((found - known).abs() < 1e-9, "{places:?}");
+    }
 }
 
 /// Where it stands does not matter to the cart: one motion neither grows nor decays.
