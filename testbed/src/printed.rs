@@ -1,7 +1,8 @@
 //! Eq. 20, 22 and 24 to 26 for two equal plates with `c = d`, each as printed and as it should read.
 //!
-//! A form is named after what is wrong with it. Eq. 25 and 26 are carried by variants: each is the right linearisation with one of the slips of
-//! the printed one, since those together leave no matrix that could be told from a misreading of ours.
+//! A form is named after what is wrong with it. Eq. 25 is carried as printed for plates of 1 kg, where powers of `m`
+//! make no difference. The other slips of Eq. 25 and 26 are carried by variants: each is the right linearisation with
+//! one of them.
 
 use nalgebra::{Matrix2, SMatrix, SVector, Vector2};
 
@@ -99,13 +100,30 @@ impl Pendulum {
         self.state_matrix(self.determinant(), damping, self.stiffness())
     }
 
-    /// With `- gamma1 (d^2 m + I)` in the denominator, as printed in Eq. 25 and 26.
-    pub fn linear_with_friction_in_denominator(&self) -> SMatrix<f64, 4, 4> {
+    /// Eq. 25 as printed for `m = 1`, entry by entry: friction in the denominator and in two more entries, and no
+    /// damping by `gamma1`.
+    pub fn eq25_printed(&self) -> SMatrix<f64, 4, 4> {
         let Self {
-            m, inertia, d, gamma1, ..
+            m,
+            inertia,
+            d,
+            g,
+            gamma1,
+            gamma2,
         } = *self;
-        let denominator = self.determinant() - gamma1 * (d * d * m + inertia);
-        self.state_matrix(denominator, self.damping(), self.stiffness())
+        let md2 = d * d * m;
+        let gravity = [
+            [-2.0 * m * g * d * (md2 + inertia), m * m * g * d.powi(3)],
+            [2.0 * m * m * g * d.powi(3), -m * g * d * (2.0 * md2 - gamma1 + inertia)],
+        ];
+        let (upper, lower) = (gamma2 * (2.0 * md2 + inertia), gamma2 * (3.0 * md2 - gamma1 + inertia));
+        let friction = [[-upper, upper], [lower, -lower]];
+        let denominator = self.determinant() - gamma1 * (md2 + inertia);
+        SMatrix::from_fn(|row, column| match (row, column) {
+            (0 | 1, _) => f64::from(u8::from(column == row + 2)),
+            (_, 0 | 1) => gravity[row - 2][column] / denominator,
+            (_, _) => friction[row - 2][column - 2] / denominator,
+        })
     }
 
     /// With `m^2` in the place of `m` in the torques of gravity.

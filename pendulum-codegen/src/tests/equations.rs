@@ -3,7 +3,9 @@
 use rustc_hash::FxHashMap;
 
 use super::{assert_formula, dynamics, formula, normal_text, symbol};
-use crate::expr::{Expr, Graph};
+use crate::dynamics::Dynamics;
+use crate::expr::{Derivative, Expr, Graph};
+use crate::model::Model;
 
 /// Williams (2023), Eq. 22: identical bodies and `c = d`.
 const EQ22: &str = "pub Eq22 {
@@ -90,6 +92,69 @@ fn the_printed_eq22b_differs_in_one_velocity_term() {
         slip,
         "m*d^2*(dot(theta1)^2 - dot(theta2)^2)*sin(theta1 - theta2)",
     );
+}
+
+/// Mass, damping and stiffness of small motions about hanging.
+fn linearized<'g>(model: &Model<'g>, dynamics: &Dynamics<'g>) -> [[[Expr<'g>; 2]; 2]; 3] {
+    let angles = ["theta1", "theta2"].map(|name| symbol(model, name));
+    let rates = ["dot(theta1)", "dot(theta2)"].map(|name| symbol(model, name));
+    let rest: FxHashMap<_, _> = angles
+        .into_iter()
+        .chain(rates)
+        .map(|x| (x, model.graph.zero()))
+        .collect();
+    let hanging = |x| model.graph.substitute(&[x], rest.clone())[0];
+    let matrix = |entry: &dyn Fn(usize, usize) -> Expr<'g>| [0, 1].map(|i| [0, 1].map(|j| hanging(entry(i, j))));
+    let slope = |i: usize, by| Derivative::by(by).of(dynamics.bias[i] - dynamics.force[i]);
+    [
+        matrix(&|i, j| dynamics.mass_matrix[i][j]),
+        matrix(&|i, j| slope(i, rates[j])),
+        matrix(&|i, j| slope(i, angles[j])),
+    ]
+}
+
+/// Printed Eq. 24a has `+ gamma1 theta1'` among the torques. With `gamma1 theta1''` in its place, solving for the
+/// accelerations gives all of the printed Eq. 25 but some powers of `m`: friction in the denominator and in two more
+/// entries, and no damping by `gamma1`. The denominator vanishes at `gamma1 = det M/(d^2 m + I)`, the `a` of Section 5.
+#[test]
+fn the_printed_eq25_is_eq24a_with_an_acceleration_for_a_rate() {
+    let graph = Graph::new();
+    let (model, dynamics) = dynamics(&graph, EQ22);
+    let [mut mass, mut damping, stiffness] = linearized(&model, &dynamics);
+    let determinant = |mass: [[Expr<'_>; 2]; 2]| normal_text(mass[0][0] * mass[1][1] - mass[0][1] * mass[1][0]);
+    let right = formula(&model, "d^4*m^2 + 3*d^2*m*I + I^2");
+    assert_eq!(determinant(mass), normal_text(right));
+    assert_formula(&model, "damping of theta1'", damping[0][0], "gamma1 + gamma2");
+
+    let gamma1 = symbol(&model, "gamma1");
+    damping[0][0] -= gamma1;
+    mass[0][0] -= gamma1;
+    let denominator = formula(&model, "d^4*m^2 - gamma1*(d^2*m + I) + 3*d^2*m*I + I^2");
+    assert_eq!(determinant(mass), normal_text(denominator));
+
+    // the numerators of theta1'' and theta2'', beside theta1, theta2, theta1' and theta2'
+    let numerators = [
+        [
+            "-2*m*g*d*(d^2*m + I)",
+            "m^2*g*d^3",
+            "-gamma2*(2*d^2*m + I)",
+            "gamma2*(2*d^2*m + I)",
+        ],
+        [
+            "2*m^2*g*d^3",
+            "-m*g*d*(2*d^2*m - gamma1 + I)",
+            "gamma2*(3*d^2*m - gamma1 + I)",
+            "-gamma2*(3*d^2*m - gamma1 + I)",
+        ],
+    ];
+    let [[m11, m12], [m21, m22]] = mass;
+    for (row, adjugate) in numerators.iter().zip([[m22, -m12], [-m21, m11]]) {
+        for (column, text) in row.iter().enumerate() {
+            let torque = if column < 2 { stiffness } else { damping };
+            let numerator = -(adjugate[0] * torque[0][column % 2] + adjugate[1] * torque[1][column % 2]);
+            assert_formula(&model, "a numerator", numerator, text);
+        }
+    }
 }
 
 /// With `q = T theta`, `A` becomes `T^T A T` and a force `T^T tau`.

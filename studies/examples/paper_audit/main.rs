@@ -1,13 +1,14 @@
-//! The figures of `docs/paper-audit.md`: what the slips of the printed paper do to its results.
+//! The figures of `docs/src/paper-audit.md`: what the slips of the printed paper do to its results.
 //!
 //! `cargo run --release --example paper_audit` prints growth rates of the printed and of the right linearisation, the
 //! energy under the printed equations, Fig. 2 as two damped modes, and Lyapunov exponents over the amplitude, and draws
-//! them into `out/paper_audit/`. The printed forms are those of `tests/paper_audit`, which has a test for each of them.
+//! them into `out/paper_audit/`. The printed forms are those of `tests/it/paper_audit`, which has a test for each of
+//! them.
 
 mod energy;
 mod exponent;
-mod growth;
 mod modes;
+mod unstable;
 
 use std::error::Error;
 use std::path::Path;
@@ -21,7 +22,7 @@ type Measurement = fn() -> Result<Figure, Box<dyn Error>>;
 
 fn main() -> Result<(), Box<dyn Error>> {
     let figures: [(&str, Measurement); 4] = [
-        ("growth", growth::figure),
+        ("unstable", unstable::figure),
         ("energy", energy::figure),
         ("modes", modes::figure),
         ("exponent", exponent::figure),
