@@ -242,7 +242,7 @@ impl<'a, const N: usize> IntoIterator for &'a Equilibria<N> {
 ///
 /// From each new one the search goes on with each angle turned: by half a turn where the [layout](System::layout) calls it
 /// [periodic](crate::Slot::periodic), and by a quarter and a half either way where it is not, as under a spring. Lengths are moved by their size either
-/// way. What is cyclic stays. Of a planar chain that hangs on revolute joints, without springs, these are all: each of its links hangs or stands, in
+/// way, up to three of these in all ways together. What is cyclic stays. Of a planar chain that hangs on revolute joints, without springs, these are all: each of its links hangs or stands, in
 /// relative or in absolute angles. Of small scenes with springs they mostly are, too, which nothing proves; [`Equilibria::unsearched`] tells in which
 /// coordinates there may be more. A system without a layout has no angles, and is searched from the seeds alone.
 ///
@@ -310,15 +310,17 @@ impl<const N: usize> Beside<N> {
         }
     }
 
-    /// Adds what lies beside a new equilibrium; the first coordinate comes first.
+    /// Adds what lies beside a new equilibrium.
     fn add(&mut self, x: &SVector<f64, N>, seeds: &mut Vec<SVector<f64, N>>) {
         let lengths = self.slots.iter().filter(|slot| slot.kind == SlotKind::Length);
         let largest = lengths.fold(0.0_f64, |largest, slot| largest.max(x[slot.positions.start].abs()));
         let length = *self.length.get_or_insert(if largest > SAME { largest } else { 1.0 });
-        for slot in self.slots.iter().rev() {
+        let mut moves: Vec<(usize, &[f64])> = Vec::new();
+        let by_length = [length, -length];
+        for slot in &self.slots {
             let place = slot.positions.start;
             let (by, whole): (&[f64], f64) = match slot.kind {
-                SlotKind::Length => (&[length, -length], length),
+                SlotKind::Length => (&by_length, length),
                 _ if slot.periodic => (&[PI], f64::INFINITY),
                 _ => (&[0.5 * PI, -0.5 * PI, PI, -PI], TAU),
             };
@@ -327,12 +329,27 @@ impl<const N: usize> Beside<N> {
             if (is_far || slot.kind == SlotKind::Length) && !self.unsearched.contains(&slot.name) {
                 self.unsearched.push(slot.name);
             }
-            for by in by.iter().filter(|_| !is_far) {
-                let mut moved = *x;
-                moved[place] += by;
-                seeds.push(moved);
+            if !is_far {
+                moves.push((place, by));
             }
         }
+        // what returns to itself does so one coordinate after the other
+        let returns = self.slots.iter().all(|slot| slot.periodic);
+        let is_alone = returns || moves.len() > FEW;
+        let before = seeds.len();
+        for (place, by) in moves {
+            let together = if is_alone { before } else { seeds.len() };
+            for k in before..=together {
+                let from = if k < together { seeds[k] } else { *x };
+                for by in by {
+                    let mut moved = from;
+                    moved[place] += by;
+                    seeds.push(moved);
+                }
+            }
+        }
+        // the first coordinate comes first
+        seeds[before..].reverse();
     }
 }
 
@@ -361,6 +378,8 @@ pub(super) const ITERATIONS: usize = 100;
 const SETTLED: f64 = 1e-12;
 /// What is not periodic is searched so many turns from the seeds, or lengths of the scene.
 const FAR: f64 = 8.0;
+/// So many coordinates are moved in all ways together.
+const FEW: usize = 3;
 /// Equilibria so close are the same.
 const SAME: f64 = 1e-6;
 /// Singular values below so much of the largest are zero.
