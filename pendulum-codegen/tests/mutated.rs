@@ -33,10 +33,12 @@ mod declarations;
 mod random;
 
 /// Where there are declarations, from the root of the repository.
-const FOLDERS: [&str; 8] = [
+const FOLDERS: [&str; 10] = [
     "pendulum-codegen/tests/ui",
     "testbed/src",
     "tests/it",
+    "tests/hybrid",
+    "tests/thorough",
     "tests/ui",
     "examples",
     "examples/gallery/src",
@@ -57,7 +59,7 @@ const HANGS: Duration = Duration::from_secs(120);
 const STACK: usize = 8 << 20;
 
 /// How many inputs are tried where no other number is given.
-const INPUTS: u64 = 1_500;
+const INPUTS: u64 = 500;
 
 #[test]
 fn whatever_is_written_is_answered() {

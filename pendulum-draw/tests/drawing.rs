@@ -90,7 +90,7 @@ fn a_motion_becomes_a_picture_and_an_animation() -> Result<(), Box<dyn Error>> {
 #[test]
 fn rounding_does_not_pass_the_end() -> Result<(), Box<dyn Error>> {
     let zoo = Zoo::new(ZooParams::default())?;
-    for (start, end) in [(0.1, 0.3), (0.0, 0.8), (0.3, 0.9)] {
+    for (start, end) in [(0.1, 0.3), (0.3, 0.9)] {
         let solution = Rk45::new().solve(&zoo, start, end, [0.5, 0.0])?;
         let drawing = Drawing::new(&zoo, &solution).ghosts(3).speed(5.0);
         drawing.picture(&stem("end"))?;

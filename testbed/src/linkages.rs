@@ -134,3 +134,22 @@ mechanism! {
         generate: [rhs, jacobian, energy, mass_matrix, momentum, canonical, taylor, inverse_dynamics],
     }
 }
+
+mechanism! {
+    /// A parallelogram, which is flat twice a turn.
+    pub Parallelogram {
+        generate: [rhs, jacobian, energy, taylor, canonical],
+        gravity: [0, -9.81, 0],
+        body left on ground { solids: [rod(1, [0, 0, 0], [0, 1, 0])], joint: revolute(z), coordinate: alpha near 0.1 }
+        body beam on left {
+            solids: [rod(1, [0, 0, 0], [1, 0, 0])], joint: revolute(z) at [0, 1, 0], coordinate: beta depends near -0.1,
+        }
+        body right on ground {
+            solids: [rod(1, [0, 0, 0], [0, 1, 0])], joint: revolute(z) at [1, 0, 0], coordinate: p depends near 0.1,
+        }
+        close beam at [1, 0, 0] to right at [0, 1, 0]: revolute(z),
+        output margin: margin(beam, right),
+        output angles: [beta, p],
+        event flat: margin(beam, right) - 0.01,
+    }
+}

@@ -194,3 +194,18 @@ impl<const LENGTH: usize> Real for Series<LENGTH> {
         self.compose(|k| binomial(k) * u.powf(n - k as f64))
     }
 }
+
+/// The largest difference of two lists of coefficients, each component measured by its largest term at the end of a step as long as
+/// the series of both reaches: where the last terms are as large as the first.
+pub fn difference<const N: usize>(ours: &[SVector<f64, N>], theirs: &[SVector<f64, N>]) -> f64 {
+    let size = |k: usize| theirs[k].amax();
+    let last = theirs.len() - 1;
+    let reach = (1..=last)
+        .map(|k| (size(0) / size(k)).powf(1.0 / k as f64))
+        .fold(f64::INFINITY, f64::min);
+    let term = |k: usize| reach.powi(k as i32);
+    let scale = (0..=last).map(|k| size(k) * term(k)).fold(0.0, f64::max);
+    (0..=last)
+        .map(|k| (ours[k] - theirs[k]).amax() * term(k) / scale)
+        .fold(0.0, f64::max)
+}

@@ -33,3 +33,13 @@ impl Random {
         z ^ (z >> 31)
     }
 }
+
+/// So many cases, or a fourth of them, one at least, where the environment does not ask for all by `PENDULUM_THOROUGH`.
+#[must_use]
+pub fn share(cases: usize) -> usize {
+    if std::env::var_os("PENDULUM_THOROUGH").is_some() {
+        cases
+    } else {
+        cases.div_ceil(4)
+    }
+}

@@ -71,7 +71,7 @@ fn the_emitted_code_is_the_expected_one() {
 /// A joint with dry friction and a stop.
 #[test]
 fn the_emitted_code_of_a_hybrid_scene_is_the_expected_one() {
-    expect_file!["golden/hybrid.rs"].assert_eq(&code(declaration(include_str!("hybrid.rs"), "Block")));
+    expect_file!["golden/hybrid.rs"].assert_eq(&code(declaration(include_str!("../hybrid/scenes.rs"), "Block")));
 }
 
 /// A file for each example that declares mechanisms, with the code of all of them.

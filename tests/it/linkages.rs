@@ -10,8 +10,10 @@ use pendulum_core::stability::equilibrium;
 use pendulum_core::{EnsembleError, Reason, Solution, SolveError};
 use serde_json::Value;
 use testbed::linkages::{
-    Andrews, AndrewsParams, FiveBar, FiveBarParams, FourBar, FourBarParams, SliderCrank, SliderCrankParams,
+    Andrews, AndrewsParams, FiveBar, FiveBarParams, FourBar, FourBarParams, Parallelogram, ParallelogramParams,
+    SliderCrank, SliderCrankParams,
 };
+use testbed::random::share;
 
 /// Largest error over the largest entry.
 const TOLERANCE: f64 = 1e-11;
@@ -149,25 +151,6 @@ mechanism! {
 }
 
 mechanism! {
-    /// A parallelogram, which is flat twice a turn.
-    pub Parallelogram {
-        generate: [rhs, jacobian, energy, taylor, canonical],
-        gravity: [0, -9.81, 0],
-        body left on ground { solids: [rod(1, [0, 0, 0], [0, 1, 0])], joint: revolute(z), coordinate: alpha near 0.1 }
-        body beam on left {
-            solids: [rod(1, [0, 0, 0], [1, 0, 0])], joint: revolute(z) at [0, 1, 0], coordinate: beta depends near -0.1,
-        }
-        body right on ground {
-            solids: [rod(1, [0, 0, 0], [0, 1, 0])], joint: revolute(z) at [1, 0, 0], coordinate: p depends near 0.1,
-        }
-        close beam at [1, 0, 0] to right at [0, 1, 0]: revolute(z),
-        output margin: margin(beam, right),
-        output angles: [beta, p],
-        event flat: margin(beam, right) - 0.01,
-    }
-}
-
-mechanism! {
     /// A slider-crank, of which the slider is in the state: at a dead centre the crank may turn either way, and the
     /// motion of the slider does not tell which.
     pub DeadCentre {
@@ -234,7 +217,8 @@ fn a_motion_ends_at_a_toggle() {
                     let auto = Auto::new().rtol(tolerance).atol(tolerance).max_steps(2000);
                     check("Auto", auto.solve(&$model, 0.0, 5.0, start), 0.0);
                 }
-                for h in [0.1, 0.01, 1e-4] {
+                for h in &[0.1, 0.01, 1e-4][..1 + share(2)] {
+                    let h = *h;
                     check("Rk4", Rk4::new(h).solve(&$model, 0.0, 5.0, start), h);
                     check("Gauss4", Gauss4::new(h).solve(&$model, 0.0, 5.0, start), h);
                     check("Gauss6", Gauss6::new(h).solve(&$model, 0.0, 5.0, start), h);

@@ -1,8 +1,6 @@
 //! The generator and the numbers together: generated models against reference data, other derivations, and each other.
 #![forbid(unsafe_code)]
 
-mod agreement;
-mod alone;
 mod assembled;
 mod balls;
 mod c_code;
@@ -10,35 +8,25 @@ mod canonical;
 mod closed_loops;
 mod closures;
 mod compile_errors;
-mod controlled;
 mod coupled_loops;
 mod double_pendulum;
 mod drives;
 mod emitted_c;
 mod every_method;
-mod exponents;
 mod followers;
 mod forces;
 mod gauss;
 mod golden;
 mod growth;
-mod hybrid;
-mod hybrid_stability;
-mod impacts;
-mod lanes;
-mod lift_off;
 mod linkages;
 mod mechanisms;
 mod methods;
-mod modes;
 mod parameters;
 mod points;
 mod quaternions;
 mod random_mechanisms;
 mod robots;
-mod rough;
 mod sincos;
-mod step_limits;
 mod stiff;
 mod taylor;
 mod taylor_traps;

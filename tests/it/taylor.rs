@@ -5,26 +5,11 @@ use pendulum_core::prelude::*;
 use pendulum_core::real::lanes::{F64x4, Isa, Kernel, Lanes};
 use pendulum_core::taylor::MAX_ORDER;
 use pendulum_core::{Cast, CastTaylor, TaylorSeries};
-use testbed::power_series::{LENGTH, Series, motion};
+use testbed::power_series::{LENGTH, Series, difference, motion};
 use testbed::random::Random;
 use testbed::robots::{Panda, Ur5};
 use testbed::series::*;
 use testbed::trajectories::scene;
-
-/// The largest difference of two lists of coefficients, each component measured by its largest term at the end of a step as long as
-/// the series of both reaches: where the last terms are as large as the first.
-pub(crate) fn difference<const N: usize>(ours: &[SVector<f64, N>], theirs: &[SVector<f64, N>]) -> f64 {
-    let size = |k: usize| theirs[k].amax();
-    let last = theirs.len() - 1;
-    let reach = (1..=last)
-        .map(|k| (size(0) / size(k)).powf(1.0 / k as f64))
-        .fold(f64::INFINITY, f64::min);
-    let term = |k: usize| reach.powi(k as i32);
-    let scale = (0..=last).map(|k| size(k) * term(k)).fold(0.0, f64::max);
-    (0..=last)
-        .map(|k| (ours[k] - theirs[k]).amax() * term(k) / scale)
-        .fold(0.0, f64::max)
-}
 
 fn assert_series<M, const N: usize>(name: &str, model: &M)
 where

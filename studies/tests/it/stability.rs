@@ -7,7 +7,7 @@ use pendulum_core::prelude::*;
 use pendulum_core::stability::{
     Equilibrium, Lyapunov, Shooting, Stability, StabilityError, equilibria, equilibrium, section,
 };
-use testbed::random::Random;
+use testbed::random::{Random, share};
 use testbed::scenes::{DoublePendulum, DoublePendulumParams};
 
 mechanism! {

@@ -8,8 +8,7 @@ use nalgebra::SVector;
 use pendulum_core::prelude::*;
 use pendulum_core::real::lanes::{Isa, Kernel, Lanes};
 use pendulum_core::{Cast, EnsembleError, Reason};
-
-use crate::linkages::{Parallelogram, ParallelogramParams};
+use testbed::linkages::{Parallelogram, ParallelogramParams};
 
 mechanism! {
     /// A pendulum that a torque may drive to infinity within a finite time.

@@ -1,6 +1,6 @@
 //! Ends of rough scenes by one method against those by another, from random starts.
 //!
-//! `PENDULUM_ROUGH=4000 cargo test --release -p tests --test it agreement -- --nocapture` tries more of them, and shows
+//! `PENDULUM_ROUGH=4000 cargo test --release -p tests --features thorough agreement -- --nocapture` tries more of them, and shows
 //! how many agree. `PENDULUM_SEED` is the first seed.
 
 use nalgebra::{DMatrix, DVector, SVector};

@@ -11,10 +11,9 @@ use pendulum_core::stability::equilibrium;
 use pendulum_core::system::{Differences, WithJacobian};
 use pendulum_core::{Canonical, Solution, SolveError, TaylorSeries};
 use testbed::dual::Dual;
+use testbed::power_series::difference;
 use testbed::power_series::{LENGTH, Series, motion};
-use testbed::random::Random;
-
-use super::taylor::difference;
+use testbed::random::{Random, share};
 
 mechanism! {
     /// Dry friction on both joints, and a wall at the tip.
@@ -717,7 +716,7 @@ mechanism! {
 /// Each with a model of its own, and from a state of its own.
 fn rods() -> (Vec<Rods>, Vec<SVector<f64, 4>>) {
     let mut random = Random::new(8);
-    (0..60)
+    (0..share(60))
         .map(|_| {
             let params = RodsParams {
                 mu: random.between(0.2, 0.8),

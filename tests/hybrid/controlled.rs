@@ -12,7 +12,7 @@ use pendulum_core::{InputLaw, Solution};
 use testbed::dual::Dual;
 use testbed::random::Random;
 
-use super::hybrid::{check_derivatives, check_response, check_tangents};
+use super::scenes::{check_derivatives, check_response, check_tangents};
 
 mechanism! {
     /// A dry cart between stops, driven by a motor that saturates, and a rod on it beside a wall that moves.

@@ -1,0 +1,10 @@
+//! Dry friction that sticks, stops, walls, and inputs: generated models in every mode against closed forms and other derivations.
+#![forbid(unsafe_code)]
+
+mod controlled;
+mod corner;
+mod hybrid_stability;
+mod impacts;
+mod lift_off;
+mod modes;
+mod scenes;

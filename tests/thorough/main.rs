@@ -1,0 +1,11 @@
+//! What takes long to build or to run: every method in lanes, the promises of steps for all sizes, and many random scenes.
+//!
+//! `cargo test -p tests --features thorough --test thorough`
+#![forbid(unsafe_code)]
+
+mod agreement;
+mod alone;
+mod exponents;
+mod lanes;
+mod rough;
+mod step_limits;
