@@ -33,11 +33,12 @@ mod declarations;
 mod random;
 
 /// Where there are declarations, from the root of the repository.
-const FOLDERS: [&str; 10] = [
+const FOLDERS: [&str; 11] = [
     "pendulum-codegen/tests/ui",
     "testbed/src",
     "tests/it",
     "tests/hybrid",
+    "tests/loops",
     "tests/thorough",
     "tests/ui",
     "examples",

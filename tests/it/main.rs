@@ -1,14 +1,11 @@
 //! The generator and the numbers together: generated models against reference data, other derivations, and each other.
 #![forbid(unsafe_code)]
 
-mod assembled;
 mod balls;
 mod c_code;
 mod canonical;
 mod closed_loops;
-mod closures;
 mod compile_errors;
-mod coupled_loops;
 mod double_pendulum;
 mod drives;
 mod emitted_c;
@@ -18,7 +15,6 @@ mod forces;
 mod gauss;
 mod golden;
 mod growth;
-mod linkages;
 mod mechanisms;
 mod methods;
 mod parameters;
@@ -31,5 +27,4 @@ mod stiff;
 mod taylor;
 mod taylor_traps;
 mod trajectories;
-mod turns;
 mod urdf;

@@ -28,7 +28,7 @@ const WORST_CONDITION: f64 = 1e6;
 const SINGULAR: f64 = 1e12;
 
 /// How many mechanisms of a kind are tried where no other number is given.
-const DEFAULT: u64 = 8;
+const DEFAULT: u64 = 10;
 
 /// Of how many one is also compared in C, where no other number is given.
 const ONE_IN_C: u64 = 8;
