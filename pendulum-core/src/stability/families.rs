@@ -109,7 +109,8 @@ where
     }
 
     fn slope_noise(&self) -> f64 {
-        libm::cbrt(f64::EPSILON).powi(2)
+        let reach = libm::cbrt(f64::EPSILON);
+        reach * reach
     }
 
     fn joins(&self, _from: &DVector<f64>, _to: &DVector<f64>) -> Result<(), StabilityError> {
@@ -262,7 +263,8 @@ where
     }
 
     fn slope_noise(&self) -> f64 {
-        libm::cbrt(self.tolerance).powi(2)
+        let reach = libm::cbrt(self.tolerance);
+        reach * reach
     }
 
     /// Beyond an equilibrium to which orbits shrink they are the same once more, half a period later.

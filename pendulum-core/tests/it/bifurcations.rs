@@ -526,6 +526,7 @@ fn steps_along_a_branch_do_not_depend_on_units() {
         let branch = Continuation::new(|p| Ok(Spring { unit, p }), 0.0, 3.0)
             .length(unit)
             .tolerance(1e-12)
+            .step(0.1)
             .forced_orbits([-0.01 * unit, 0.0], |_| TAU, 0.01)
             .expect("a response");
         let points: Vec<_> = branch

@@ -2,7 +2,7 @@
 //! Forces in Mechanics (2023).
 //!
 //! Each test makes one check of two forms, and asserts that the right one passes it and that the printed one fails, and
-//! by how much. The printed forms are code of their own, as a reader would type them. `cargo test -p studies --test it
+//! by how much. The printed forms are code of their own, as a reader would type them. `cargo test -p studies --features thorough
 //! paper_audit -- --nocapture` prints the sizes.
 
 mod chain;
