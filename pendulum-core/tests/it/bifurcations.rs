@@ -8,6 +8,8 @@ use pendulum_core::prelude::*;
 use pendulum_core::stability::{Bifurcation, BifurcationKind, Continuation};
 use pendulum_core::{ParameterError, Slot, SlotKind, StateLayout};
 
+use super::continuation::rotor;
+
 /// A bifurcation as it is known and as it was found.
 struct Case {
     family: &'static str,
@@ -239,34 +241,13 @@ fn rest_of_lorenz(cases: &mut Vec<Case>, sigma: f64, beta: f64) {
     compare(cases, "Lorenz", convection.bifurcations(), vec![("Hopf", hopf)]);
 }
 
-/// `z' = g(|z|^2) z + drive exp(i omega t)` in the plane, from `g` as `[Re, Im]` with its derivative.
-fn rotor(
-    g: impl Fn(f64) -> ([f64; 2], [f64; 2]),
-    (drive, omega): (f64, f64),
-) -> Result<impl Jacobian<f64, 2>, ParameterError> {
-    let g = std::rc::Rc::new(g);
-    let of = g.clone();
-    Ok(FnSystem::with_jacobian(
-        move |t: f64, z: &SVector<f64, 2>| {
-            let [re, im] = g(z.norm_squared()).0;
-            let (sin, cos) = (omega * t).sin_cos();
-            SVector::from([re * z[0] - im * z[1] + drive * cos, im * z[0] + re * z[1] + drive * sin])
-        },
-        move |_, z: &SVector<f64, 2>| {
-            let ([re, im], [dre, dim]) = of(z.norm_squared());
-            let turned = SVector::from([dre * z[0] - dim * z[1], dim * z[0] + dre * z[1]]);
-            SMatrix::from([[re, im], [-im, re]]) + turned * (2.0 * z).transpose()
-        },
-    ))
-}
-
 /// `r' = p r + b r^3 - r^5`, turning at the rate `1 + r^2`: rest, and the cycle that folds at `-b^2 / 4`.
 fn cycles(cases: &mut Vec<Case>, b: f64) {
     let family = |p: f64| {
-        rotor(
+        Ok(rotor(
             move |rr| ([p + b * rr - rr * rr, 1.0 + rr], [b - 2.0 * rr, 1.0]),
             (0.0, 0.0),
-        )
+        ))
     };
     let continuation = Continuation::new(family, -0.4 * b * b, 0.3);
     let start = (0.5 * (b + (b * b + 0.4).sqrt())).sqrt();
@@ -282,7 +263,7 @@ fn cycles(cases: &mut Vec<Case>, b: f64) {
 fn torus(cases: &mut Vec<Case>, square: f64) {
     let p = 2.0 * square;
     let drive = (square * (1.0 + (p - square).powi(2))).sqrt();
-    let family = |p: f64| rotor(move |rr| ([p - rr, 2.0], [-1.0, 0.0]), (drive, 3.0));
+    let family = |p: f64| Ok(rotor(move |rr| ([p - rr, 2.0], [-1.0, 0.0]), (drive, 3.0)));
     let branch = Continuation::new(family, p - 0.3, p + 0.3)
         .forced_orbits([0.3, 0.3], |_| TAU / 3.0, p - 0.25)
         .expect("a response");
@@ -438,10 +419,10 @@ fn what_cannot_be_named_is_reported_with_its_multipliers() {
 #[test]
 fn cycles_are_followed_from_the_bifurcation_where_they_begin() {
     let family = |p: f64| {
-        rotor(
+        Ok(rotor(
             move |rr| ([p + rr - rr * rr, 1.0 + rr], [1.0 - 2.0 * rr, 1.0]),
             (0.0, 0.0),
-        )
+        ))
     };
     let continuation = Continuation::new(family, -0.4, 0.3);
     let rest = continuation.equilibria([0.0, 0.0], -0.1).expect("rest");

@@ -28,7 +28,7 @@ fn van_der_pol(mu: f64) -> Result<impl Jacobian<f64, 2>, ParameterError> {
 }
 
 /// `z' = g(|z|^2) z + drive exp(i omega t)` in the plane, from `g` as `[Re, Im]` with its derivative.
-fn rotor(g: impl Fn(f64) -> ([f64; 2], [f64; 2]), (drive, omega): (f64, f64)) -> impl Jacobian<f64, 2> {
+pub(crate) fn rotor(g: impl Fn(f64) -> ([f64; 2], [f64; 2]), (drive, omega): (f64, f64)) -> impl Jacobian<f64, 2> {
     let g = std::rc::Rc::new(g);
     let of = g.clone();
     FnSystem::with_jacobian(
