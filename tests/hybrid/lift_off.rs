@@ -187,6 +187,10 @@ fn a_ball_on_a_shaken_table_flies_and_rests_by_turns() {
 /// certain: rebounds multiply errors, as a table shows that swings a little farther. `PENDULUM_ROUGH` tries more
 /// tables.
 #[test]
+#[cfg_attr(
+    not(feature = "thorough"),
+    ignore = "takes long: it runs with the feature `thorough`"
+)]
 fn a_table_that_swings_within_a_step_hits_as_soon_as_it_must() {
     let more: u32 = std::env::var("PENDULUM_ROUGH").map_or(0, |text| text.parse().expect("a number"));
     let others = (0..more).map(|n| 20.0 + 180.0 * (f64::from(n) * 0.618_033_988_749_895).fract());

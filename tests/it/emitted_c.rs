@@ -146,6 +146,10 @@ fn the_furuta_pendulum_is_the_same() {
 }
 
 #[test]
+#[cfg_attr(
+    not(feature = "thorough"),
+    ignore = "takes long: it runs with the feature `thorough`"
+)]
 fn a_robot_is_the_same() {
     let model = Ur5::new(Ur5Params {}).expect("physical");
     same(ROBOTS, "Ur5", 0.0, |t, x, qdd| {
@@ -233,6 +237,10 @@ mechanism! {
 }
 
 #[test]
+#[cfg_attr(
+    not(feature = "thorough"),
+    ignore = "takes long: it runs with the feature `thorough`"
+)]
 fn balls_are_the_same() {
     let model = Floating::new(FloatingParams {}).expect("physical");
     same(OWN, "Floating", 0.0, |t, x, _| {
@@ -317,6 +325,10 @@ fn angles_that_count_their_turns_are_the_same() {
 }
 
 #[test]
+#[cfg_attr(
+    not(feature = "thorough"),
+    ignore = "takes long: it runs with the feature `thorough`"
+)]
 fn coupled_loops_are_the_same() {
     let model = Coupled::new(CoupledParams {}).expect("physical");
     same(OWN, "Coupled", 0.0, |t, x, _| {

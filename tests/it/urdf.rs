@@ -41,6 +41,10 @@ fn equals_the_declared_one(name: &str) {
 }
 
 #[test]
+#[cfg_attr(
+    not(feature = "thorough"),
+    ignore = "takes long: it runs with the feature `thorough`"
+)]
 fn robots_give_the_code_of_those_declared_by_hand() {
     equals_the_declared_one("Ur5");
     equals_the_declared_one("Panda");

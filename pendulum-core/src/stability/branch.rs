@@ -26,7 +26,8 @@ pub struct Bifurcation<P> {
     pub kind: BifurcationKind,
     /// The parameter at which it does.
     pub parameter: f64,
-    /// How far the parameter may be off: by errors of the integration or of rounding, and by the last change of its search.
+    /// How far the parameter may be off: by errors of the integration or of rounding, and by the last change of its search. Infinite where
+    /// the search failed, or errors could not be measured.
     pub uncertainty: f64,
     /// The solution there.
     pub solution: P,
@@ -56,8 +57,7 @@ pub enum BifurcationKind {
         /// The angle of the pair, in rad a period.
         angle: f64,
     },
-    /// The stability changes, and errors do not allow to tell by what: the eigenvalues or multipliers of the solution show how close to each
-    /// other they are.
+    /// The stability changes in a way that no test identifies: see the eigenvalues or multipliers of the solution.
     Unnamed,
 }
 

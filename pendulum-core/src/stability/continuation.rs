@@ -25,10 +25,11 @@ use crate::system::{IntoState, Jacobian};
 /// Bifurcations between points are found by what changes its sign, and located on the branch. At a fold that is the direction of the parameter; where
 /// branches cross, the determinant of the equations; at a period doubling that of the monodromy matrix plus 1; at the others the growth of a pair of small
 /// motions. The number of motions that grow changes by one at the first three and by two at the others, so a pair that damping holds within the unit circle
-/// is no torus, however weak it is; a change that none of them explains is [`BifurcationKind::Unnamed`](super::BifurcationKind::Unnamed). Two of a kind within one
-/// step go unseen. Where nothing brakes, growth counts from the uncertainty of the eigenvalues on.
+/// is no torus, however weak it is; a change that is certain, and that none of them explains, is [`BifurcationKind::Unnamed`](super::BifurcationKind::Unnamed). Of two within one
+/// step, one or both may go unseen. Where nothing brakes, growth counts from the uncertainty of the eigenvalues on.
 ///
-/// The stated uncertainty of a bifurcation of orbits is twice what a tolerance smaller by a factor of 100 changes, and what rounding errors do.
+/// The stated uncertainty of a bifurcation of orbits is twice what a tolerance smaller by a factor of 100 changes (1e-14 at least), with rounding errors and the
+/// last change of the search.
 ///
 /// Derivatives by the state come from the generated Jacobian, and those by the parameter are central differences: over 6e-6 of the span to either
 /// side of the right-hand side, right to about 10 digits, and for orbits over the cube root of the tolerance, right to about two thirds of its digits. They guide
@@ -87,8 +88,10 @@ where
         }
     }
 
-    /// The size of lengths in the scene, in m. Default: 1. Steps are measured in it, in radians, and in these per time for rates of orbits: per radian
-    /// of the first one.
+    /// The size of lengths in the scene, in m. Default: 1.
+    ///
+    /// Steps measure lengths in it, and angles in radians; rates in these per second for equilibria, and per `period / 2 pi` of the first orbit for
+    /// orbits. Without a layout all components have the size 1.
     #[must_use]
     pub fn length(mut self, length: f64) -> Self {
         self.length = length;
@@ -174,8 +177,8 @@ where
         self.tracer(&curve).branch(unknowns)
     }
 
-    /// The branch of the periodic orbits that begin at a Hopf bifurcation, of systems in which the time does not occur. The end at the bifurcation is
-    /// [`StabilityError::AtRest`].
+    /// The branch of the periodic orbits that begin at a Hopf bifurcation, of systems in which the time does not occur. The end at the bifurcation
+    /// is [`BranchEnd::Failed`](super::BranchEnd::Failed) with [`StabilityError::AtRest`].
     ///
     /// The first orbit is sought where the small motion that begins there has grown to 0.01 of the sizes in which steps are measured, or to a
     /// fraction of that, whatever the parameter is.
@@ -205,7 +208,8 @@ where
     /// ```
     ///
     /// # Errors
-    /// [`StabilityError::Integration`] if the bifurcation is of another kind, and that of the last attempt if no orbit is found.
+    /// [`StabilityError::Integration`] if the bifurcation is of another kind or outside the span, or if a setting makes no sense,
+    /// [`StabilityError::Build`] if the family has no member there, and that of the last attempt if no orbit is found.
     pub fn cycles<const N: usize>(
         &self,
         hopf: &Bifurcation<Equilibrium<N>>,
@@ -215,7 +219,7 @@ where
     {
         self.check(hopf.parameter)?;
         let BifurcationKind::Hopf { angular_frequency } = hopf.kind else {
-            let rule = "cycles begin at a Hopf bifurcation";
+            let rule = "cycles begin at a Hopf bifurcation: pass one of `bifurcations()` whose kind is `Hopf`";
             let (what, value) = ("hopf", hopf.parameter);
             return Err(Reason::InvalidInput { what, value, rule }.into());
         };
@@ -245,9 +249,10 @@ where
             let guess = &rest + &growing * amplitude;
             let target = growing.dot(&guess);
             match correct(&curve, guess, (&growing, target), &growing) {
-                Ok(place) => return self.tracer(&curve).branch(place.u),
+                Ok(place) if (&place.u - &rest).norm() < 3.0 * amplitude => return self.tracer(&curve).branch(place.u),
                 Err(error) if amplitude < 1e-4 => return Err(error),
-                Err(_) => amplitude *= 0.5,
+                Ok(_) if amplitude < 1e-4 => return Err(StabilityError::AtRest),
+                _ => amplitude *= 0.5,
             }
         }
     }
@@ -320,6 +325,13 @@ where
         require((low..=high).contains(&p0), "p0", p0, rule)?;
         let rule = "the longest step must be finite and positive";
         require(self.step.is_finite() && self.step > 0.0, "step", self.step, rule)?;
+        let rule = "the tolerance must be finite and positive";
+        require(
+            self.tolerance.is_finite() && self.tolerance > 0.0,
+            "tolerance",
+            self.tolerance,
+            rule,
+        )?;
         let rule = "the size of lengths must be finite and positive";
         require(
             self.length.is_finite() && self.length > 0.0,

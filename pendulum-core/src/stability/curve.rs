@@ -93,6 +93,10 @@ impl Test {
     pub(super) fn is_negative(&self) -> bool {
         self.value < 0.0
     }
+
+    pub(super) fn is_certain(&self) -> bool {
+        self.value.abs() > self.noise
+    }
 }
 
 /// A point of a curve with all that is known there.
@@ -167,7 +171,7 @@ pub(super) fn correct<C: Curve<N>, const N: usize>(
     let by_parameter = curve.slope_noise() * linear.derivative.column(rows).norm();
     let solution = curve.solution(&u)?;
     Ok(Place {
-        blur: blur(&matrix, rounding),
+        blur: blur(&matrix, rounding * (1.0 + u.norm())),
         crossing: Test::singular(matrix, rounding + by_parameter),
         turning: Test::singular(linear.derivative.columns(0, rows).into_owned(), rounding),
         tangent,

@@ -204,8 +204,9 @@ pub struct Equilibria<const N: usize> {
 impl<const N: usize> Equilibria<N> {
     /// The coordinates whose range was not searched to its end: there may be equilibria beyond.
     ///
-    /// Such are lengths, which know no turns, and angles that do not return to themselves after a turn and had equilibria up to 8 turns away
-    /// from the seeds, as on a screw.
+    /// Such are lengths, which know no turns; angles that are not periodic and had equilibria up to 8 turns away from the seeds, as on a screw, or
+    /// that are moved one at a time since there are more than three coordinates; and orientations. Where equilibria are not isolated all are listed but periodic
+    /// angles: the search ends after 200. Without a layout the list is empty, and nothing was searched but from the seeds.
     #[must_use]
     pub fn unsearched(&self) -> &[&'static str] {
         &self.unsearched
@@ -238,13 +239,13 @@ impl<'a, const N: usize> IntoIterator for &'a Equilibria<N> {
     }
 }
 
-/// The equilibria that are found from `seeds`, and from these beside them.
+/// The equilibria that are found from `seeds`, and from points beside those.
 ///
 /// From each new one the search goes on with each angle turned: by half a turn where the [layout](System::layout) calls it
 /// [periodic](crate::Slot::periodic), and by a quarter and a half either way where it is not, as under a spring. Lengths are moved by their size either
-/// way, up to three of these in all ways together. What is cyclic stays. Of a planar chain that hangs on revolute joints, without springs, these are all: each of its links hangs or stands, in
-/// relative or in absolute angles. Of small scenes with springs they mostly are, too, which nothing proves; [`Equilibria::unsearched`] tells in which
-/// coordinates there may be more. A system without a layout has no angles, and is searched from the seeds alone.
+/// way. At most three coordinates, of which one is not periodic, are moved in all combinations, more of them one at a time. Cyclic ones and orientations stay.
+/// Of a planar chain that hangs on revolute joints, without springs, these are all: each of its links hangs or stands, in relative or in absolute angles.
+/// Of small scenes with springs nothing proves that they are; [`Equilibria::unsearched`] tells in which coordinates there may be more.
 ///
 /// Periodic angles are returned in (-pi, pi]; equilibria that differ by full turns of these are the same. Seeds that lead nowhere are passed over.
 ///
@@ -294,6 +295,8 @@ struct Beside<const N: usize> {
     from: Vec<SVector<f64, N>>,
     /// The largest length of the first equilibrium, or 1 m.
     length: Option<f64>,
+    /// So many equilibria.
+    found: usize,
     unsearched: Vec<&'static str>,
 }
 
@@ -301,12 +304,14 @@ impl<const N: usize> Beside<N> {
     fn new(system: &(impl System<f64, N> + ?Sized), seeds: &[SVector<f64, N>]) -> Self {
         let slots = system.layout().map_or(&[][..], |layout| layout.slots).iter();
         // what follows from closed loops moves with the rest
-        let slots = slots.filter(|slot| !slot.cyclic && !slot.rates.is_empty() && slot.positions.len() == 1);
+        let slots = slots.filter(|slot| !slot.cyclic && !slot.rates.is_empty());
+        let (balls, slots): (Vec<_>, Vec<_>) = slots.partition(|slot| slot.kind == SlotKind::Quaternion);
         Self {
-            slots: slots.filter(|slot| slot.kind != SlotKind::Quaternion).collect(),
+            slots,
             from: seeds.to_vec(),
             length: None,
-            unsearched: Vec::new(),
+            unsearched: balls.into_iter().map(|slot| slot.name).collect(),
+            found: 0,
         }
     }
 
@@ -315,6 +320,11 @@ impl<const N: usize> Beside<N> {
         let lengths = self.slots.iter().filter(|slot| slot.kind == SlotKind::Length);
         let largest = lengths.fold(0.0_f64, |largest, slot| largest.max(x[slot.positions.start].abs()));
         let length = *self.length.get_or_insert(if largest > SAME { largest } else { 1.0 });
+        self.found += 1;
+        let returns = self.slots.iter().all(|slot| slot.periodic);
+        let is_alone = returns || self.slots.len() > FEW;
+        // as where they are not isolated
+        let are_many = self.found > MOST;
         let mut moves: Vec<(usize, &[f64])> = Vec::new();
         let by_length = [length, -length];
         for slot in &self.slots {
@@ -325,17 +335,15 @@ impl<const N: usize> Beside<N> {
                 _ => (&[0.5 * PI, -0.5 * PI, PI, -PI], TAU),
             };
             let is_far = |from: &SVector<f64, N>| (x[place] - from[place]).abs() > FAR * whole;
-            let is_far = self.from.iter().all(is_far);
-            if (is_far || slot.kind == SlotKind::Length) && !self.unsearched.contains(&slot.name) {
+            let is_far = self.from.iter().all(is_far) || are_many && !slot.periodic;
+            let is_left = is_far || slot.kind == SlotKind::Length || is_alone && !slot.periodic;
+            if is_left && !self.unsearched.contains(&slot.name) {
                 self.unsearched.push(slot.name);
             }
             if !is_far {
                 moves.push((place, by));
             }
         }
-        // what returns to itself does so one coordinate after the other
-        let returns = self.slots.iter().all(|slot| slot.periodic);
-        let is_alone = returns || moves.len() > FEW;
         let before = seeds.len();
         for (place, by) in moves {
             let together = if is_alone { before } else { seeds.len() };
@@ -380,6 +388,8 @@ const SETTLED: f64 = 1e-12;
 const FAR: f64 = 8.0;
 /// So many coordinates are moved in all ways together.
 const FEW: usize = 3;
+/// Beside more equilibria than these only what is periodic is turned.
+const MOST: usize = 200;
 /// Equilibria so close are the same.
 const SAME: f64 = 1e-6;
 /// Singular values below so much of the largest are zero.

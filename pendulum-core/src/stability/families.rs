@@ -126,8 +126,9 @@ where
     }
 }
 
-/// By a tolerance smaller by this factor errors are seen, but by no smaller one than the other.
+/// Errors are seen by a tolerance smaller by this factor.
 const FINER: f64 = 1e-2;
+/// Below this tolerance rounding errors are all there is.
 const LEAST_TOLERANCE: f64 = 1e-14;
 
 /// Periodic orbits. The unknowns are the state, the period over that at the start if it is free, and the parameter.
@@ -250,7 +251,7 @@ where
     fn finer(&self) -> Option<Self> {
         let tolerance = (FINER * self.tolerance).max(LEAST_TOLERANCE);
         let (member, span) = (self.family.member, self.family.span);
-        (tolerance < self.tolerance).then(|| Self {
+        Some(Self {
             family: Family { member, span },
             period: match self.period {
                 Period::Free(unit) => Period::Free(unit),

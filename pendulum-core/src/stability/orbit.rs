@@ -76,7 +76,7 @@ impl<const N: usize> PeriodicOrbit<N> {
     }
 
     /// The size below which multipliers are noise: what errors of the integration may make of 0. Motions with such multipliers have decayed within a period,
-    /// and no more can be told of them; a smaller tolerance resolves smaller ones, down to rounding errors of the largest.
+    /// and nothing more is known about them; a smaller tolerance resolves smaller ones, down to rounding errors of the largest.
     #[must_use]
     pub fn noise(&self) -> f64 {
         self.noise

@@ -88,7 +88,10 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
                 continue;
             }
             if places.len() > 1 && self.passes(last, &next, &start) {
-                places.push(start);
+                // on this side of full turns
+                let mut end = start.clone();
+                end.u = &last.u + self.curve.apart(&last.u, &end.u);
+                places.push(end);
                 return (places, BranchEnd::Closed);
             }
             if next.iterations <= 4 {
@@ -146,17 +149,11 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
             && place.tangent.dot(&last.tangent) > TURN
     }
 
-    /// What happens along the places of a branch.
+    /// The bifurcations along the places of a branch.
     fn bifurcations(&self, places: &[Place<C::Solution>]) -> Vec<Bifurcation<C::Solution>> {
         let mut found = Found::default();
         for (behind, pair) in places.windows(2).enumerate() {
-            let here = found.named.len();
             self.find(&pair[0], &pair[1], behind, &mut found);
-            let rising = pair[1].parameter() >= pair[0].parameter();
-            found.named[here..].sort_by(|a, b| {
-                let (a, b) = if rising { (a, b) } else { (b, a) };
-                a.parameter.total_cmp(&b.parameter)
-            });
         }
         let Found {
             mut named,
@@ -171,14 +168,22 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
             }
         }
         named.append(&mut unnamed);
-        named.sort_by_key(|bifurcation| bifurcation.behind);
+        let rises = |behind: usize| places[behind + 1].parameter() >= places[behind].parameter();
+        named.sort_by(|a, b| {
+            let along = a.parameter.total_cmp(&b.parameter);
+            let along = if rises(a.behind) { along } else { along.reverse() };
+            a.behind.cmp(&b.behind).then(along)
+        });
         named
     }
 
     /// Notes what happens between two neighbours. The number of motions that grow changes by one where a real eigenvalue passes the limit, and by two
     /// where a pair does.
     fn find(&self, a: &Place<C::Solution>, b: &Place<C::Solution>, behind: usize, found: &mut Found<C::Solution>) {
-        let passes = |test: &dyn Fn(&Place<C::Solution>) -> Test| test(a).is_negative() != test(b).is_negative();
+        let passes = |test: &dyn Fn(&Place<C::Solution>) -> Test| {
+            let (a, b) = (test(a), test(b));
+            a.is_negative() != b.is_negative() && (a.is_certain() || b.is_certain())
+        };
         let bifurcation = |kind, located: Located<C::Solution>| Bifurcation {
             kind,
             parameter: located.parameter * self.unit,
@@ -288,10 +293,10 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
         }
         let parameter = u[u.len() - 1];
         let noise = low.1.noise.max(high.1.noise) + self.error(&u, &a.tangent, &test, &mut change);
-        let of_test = noise / steepness;
+        let of_test = if noise == 0.0 { 0.0 } else { noise / steepness };
         Located {
             parameter,
-            uncertainty: change + low.2.blur + if of_test.is_finite() { of_test } else { 0.0 },
+            uncertainty: change + low.2.blur + of_test,
             solution: self.curve.solution(&u).unwrap_or(low.2.solution),
         }
     }
@@ -304,9 +309,10 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
         test: impl Fn(&Place<C::Solution>) -> Test,
         apart: &mut f64,
     ) -> f64 {
-        let finer = self.curve.finer();
-        let place = finer.and_then(|finer| correct(&finer, u.clone(), (tangent, tangent.dot(u)), tangent).ok());
-        let Some(place) = place else { return 0.0 };
+        let Some(finer) = self.curve.finer() else { return 0.0 };
+        let Ok(place) = correct(&finer, u.clone(), (tangent, tangent.dot(u)), tangent) else {
+            return f64::INFINITY;
+        };
         *apart += SAFETY * (place.parameter() - u[u.len() - 1]).abs();
         SAFETY * test(&place).value.abs()
     }
@@ -331,7 +337,7 @@ fn growth<P>(i: usize, a: &Place<P>, b: &Place<P>) -> impl Fn(&Place<P>) -> Test
     }
 }
 
-/// What is found along a branch.
+/// Bifurcations along a branch, before changes of stability are matched.
 struct Found<P> {
     named: Vec<Bifurcation<P>>,
     /// Behind which places real eigenvalues pass the limit without a change of stability that is certain.
