@@ -20,7 +20,7 @@ use pendulum_codegen::{expand, program};
 use proc_macro2::{Delimiter, TokenStream, TokenTree};
 
 use declarations::declarations;
-use random::Random;
+use random::{Random, number};
 
 #[path = "common/declarations.rs"]
 mod declarations;
@@ -64,7 +64,6 @@ const INPUTS: u64 = 500;
 
 #[test]
 fn whatever_is_written_is_answered() {
-    let number = |name: &str, default: u64| std::env::var(name).map_or(default, |text| text.parse().expect("a number"));
     let (first, count) = (number("PENDULUM_SEED", 1), number("PENDULUM_MUTATED", INPUTS));
     let corpus = Corpus::read();
     let next = AtomicU64::new(first);

@@ -1,5 +1,9 @@
 //! Random numbers that are the same in every run.
 
+use std::ops::Range;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicU64, Ordering};
+
 /// A generator of uniform numbers (SplitMix64, Steele et al. 2014).
 #[derive(Clone, Debug)]
 pub struct Random(u64);
@@ -42,4 +46,34 @@ pub fn share(cases: usize) -> usize {
     } else {
         cases.div_ceil(4)
     }
+}
+
+/// A number that is given from outside.
+#[must_use]
+pub fn number(name: &str, default: u64) -> u64 {
+    std::env::var(name).map_or(default, |text| text.parse().expect("a number"))
+}
+
+/// The stack of the compiler's thread, in which the generator runs.
+const STACK: usize = 8 << 20;
+
+/// Tries seeds on all cores, and takes in the outcome of each.
+pub fn each_seed<T>(seeds: Range<u64>, tried: impl Fn(u64) -> T + Sync, take: impl FnMut(u64, T) + Send) {
+    let (next, take) = (AtomicU64::new(seeds.start), Mutex::new(take));
+    let work = || {
+        loop {
+            let seed = next.fetch_add(1, Ordering::Relaxed);
+            if seed >= seeds.end {
+                break;
+            }
+            let outcome = tried(seed);
+            take.lock().expect("no other has failed")(seed, outcome);
+        }
+    };
+    std::thread::scope(|scope| {
+        for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
+            let thread = std::thread::Builder::new().stack_size(STACK);
+            thread.spawn_scoped(scope, work).expect("a thread");
+        }
+    });
 }

@@ -5,6 +5,7 @@ use nalgebra::SVector;
 use pendulum_core::hybrid::{Hybrid, Status};
 use pendulum_core::prelude::*;
 use pendulum_core::{Reason, SolveError};
+use testbed::random::number;
 
 mechanism! {
     /// A body of 1 kg on a floor at zero, under a force that swings.
@@ -192,8 +193,7 @@ fn a_ball_on_a_shaken_table_flies_and_rests_by_turns() {
     ignore = "takes long: it runs with the feature `thorough`"
 )]
 fn a_table_that_swings_within_a_step_hits_as_soon_as_it_must() {
-    let more: u32 = std::env::var("PENDULUM_ROUGH").map_or(0, |text| text.parse().expect("a number"));
-    let others = (0..more).map(|n| 20.0 + 180.0 * (f64::from(n) * 0.618_033_988_749_895).fract());
+    let others = (0..number("PENDULUM_ROUGH", 0)).map(|n| 20.0 + 180.0 * (n as f64 * 0.618_033_988_749_895).fract());
     let start = [0.06, 0.0];
     for w in [37.1, 84.35, 101.45, 116.3].into_iter().chain(others) {
         for e in [0.0, 0.5] {

@@ -9,9 +9,9 @@ use pendulum_core::prelude::*;
 use pendulum_core::stability::transition;
 use pendulum_core::{Canonical, Solution, SolveError, TaylorSeries};
 use testbed::contacts::{Boxed, BoxedParams, Row, RowParams};
-use testbed::random::Random;
+use testbed::random::{Random, each_seed, number};
 
-use super::rough::{each_seed, folding_start, gap, number, pushed_start, restitution, walled_start, within};
+use super::rough::{folding_start, gap, pushed_start, restitution, walled_start, within};
 
 /// How many of each scene are tried where no other number is given.
 const DEFAULT: u64 = 200;

@@ -3,17 +3,14 @@
 //! `PENDULUM_ROUGH=10000 cargo test --release -p tests --features thorough rough -- --nocapture` tries more of them, and shows the
 //! worst; `PENDULUM_SEED` is the first seed. What fails is printed with its seed.
 
-use std::ops::Range;
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::time::Instant;
 
 use nalgebra::SVector;
 use pendulum_core::hybrid::{Hybrid, Law, MOST, Mode, Status};
 use pendulum_core::prelude::*;
 use pendulum_core::{Canonical, TaylorSeries};
-use testbed::random::Random;
+use testbed::random::{Random, each_seed, number};
 
 mechanism! {
     /// A double pendulum with dry axles, of which the lower one has stops.
@@ -394,11 +391,6 @@ fn pushed(seed: u64) -> Seen {
     follow_by_one(seed, &model, None, start)
 }
 
-/// A number that is given from outside.
-pub(crate) fn number(name: &str, default: u64) -> u64 {
-    std::env::var(name).map_or(default, |text| text.parse().expect("a number"))
-}
-
 fn all_are_followed(name: &str, tried: impl Fn(u64) -> Seen + Sync) {
     let (first, count) = (number("PENDULUM_SEED", 0), number("PENDULUM_ROUGH", DEFAULT));
     for first in [first, OTHERS + first] {
@@ -420,25 +412,6 @@ fn these_are_followed(name: &str, first: u64, count: u64, tried: &(impl Fn(u64) 
         "{name}: seeds {:?}",
         &failures[..failures.len().min(20)]
     );
-}
-
-/// Tries seeds on all cores, and takes in what becomes of each.
-pub(crate) fn each_seed<T>(seeds: Range<u64>, tried: impl Fn(u64) -> T + Sync, take: impl FnMut(u64, T) + Send) {
-    let (next, take) = (AtomicU64::new(seeds.start), Mutex::new(take));
-    std::thread::scope(|scope| {
-        for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
-            scope.spawn(|| {
-                loop {
-                    let seed = next.fetch_add(1, Ordering::Relaxed);
-                    if seed >= seeds.end {
-                        break;
-                    }
-                    let outcome = tried(seed);
-                    take.lock().expect("no other has failed")(seed, outcome);
-                }
-            });
-        }
-    });
 }
 
 #[test]

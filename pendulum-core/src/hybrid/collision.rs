@@ -21,7 +21,7 @@ use crate::real::Float;
 
 /// Impacts that follow each other at once; after these, contacts that still approach stay together.
 const MOST_IMPACTS: usize = 1 << 12;
-/// How often all orders are tried at an instant: each try follows the impacts to their end.
+/// Tries of all orders at an instant: each follows the impacts to their end.
 const MOST_TRIES: usize = 4;
 
 /// The impacts at an instant.
@@ -30,7 +30,7 @@ pub(super) struct Series<T, const N: usize> {
     count: usize,
     /// The largest energy that was lost or turned back in one of the first.
     largest: T,
-    /// How often orders may still be tried; not where one is followed, to be compared with others.
+    /// The tries of all orders that are left; none where one order is followed, to be compared with others.
     tries: usize,
     /// The contacts whose order mattered, with the differences that it makes to the state.
     pub(super) ambiguity: Option<(u8, SVector<T, N>)>,
@@ -60,7 +60,7 @@ impl<T: Float, const N: usize> Series<T, N> {
         self.count > MOST_IMPACTS
     }
 
-    /// Whether contacts that still approach stay together.
+    /// From now on contacts that still approach stay together.
     fn ends_now(&self) -> bool {
         self.count == MOST_IMPACTS
     }
@@ -73,11 +73,11 @@ impl<T: Float, const N: usize> Series<T, N> {
 
 /// Contacts where some of them approach.
 struct Approach<T, const N: usize> {
-    /// Those that do.
+    /// The approaching ones.
     set: u8,
     /// The rates of all away from their limits, zero where they rest.
     rates: [T; MOST],
-    /// What impulses away from the limits do to these rates.
+    /// The changes of these rates by unit impulses away from the limits.
     matrix: [[T; MOST]; MOST],
     response: Response<T, N>,
 }
@@ -102,7 +102,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         core::array::from_fn(|n| self.away(n) * measures[n][1])
     }
 
-    /// The same, zero where it rests.
+    /// [`rates_away`](Self::rates_away), zero where a constraint rests.
     fn leaving(&self) -> [T; MOST] {
         let mut rates = self.rates_away();
         bits(self.resting).for_each(|n| rates[n] = T::default());
@@ -191,12 +191,16 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         }
     }
 
+    /// Impulses away from limits as those along the constraints.
+    fn forward(&self, away: &[T; MOST]) -> [T; MOST] {
+        core::array::from_fn(|n| self.away(n) * away[n])
+    }
+
     /// Changes the rates, and notes what rests then.
     fn receive(&mut self, approach: &Approach<T, N>, blow: &Blow<T>) {
         let zero = T::default();
         let rested = self.resting;
-        let directed = |impulses: &[T; MOST]| core::array::from_fn(|n| self.away(n) * impulses[n]);
-        let impulses: [T; MOST] = directed(&blow.impulses);
+        let impulses = self.forward(&blow.impulses);
         for n in 0..self.system.constraints().len() {
             let change = bits(blow.pushing).map(|m| approach.response.matrix[n][m] * impulses[m]);
             let is_moved = blow.pushing & 1 << n != 0 || change.fold(zero, |sum, change| sum + change) != zero;
@@ -207,8 +211,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         let rates = self.rates_away();
         let surplus = core::array::from_fn(|n| rates[n] - blow.leaving[n]);
         let correction = Factored::of(&approach.matrix, blow.pushing).solve_negated(&surplus);
-        let correction = core::array::from_fn(|n| self.away(n) * correction[n]);
-        self.push(&approach.response, blow.pushing, &correction);
+        self.push(&approach.response, blow.pushing, &self.forward(&correction));
         let rates = self.rates_away();
         for n in bits(blow.members) {
             // not where an impulse does not do what the matrix says

@@ -103,12 +103,12 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
     }
 }
 
-/// What the next mode is chosen from.
+/// The choice of the next mode.
 struct Choice<'a, 'b, T, const N: usize> {
     of: &'a Settling<'b, T, N>,
-    /// What rests: each may be held, or be about to go.
+    /// The constraints that rest: each may be held, or be about to go.
     candidates: u8,
-    /// What all others do, with their forces.
+    /// The statuses of all others, with their forces.
     mode: Mode,
     forces: [T; MOST],
     /// Under these forces.

@@ -110,7 +110,8 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         let mut flight = Flight::of(self, low, next);
         let mut alone: Option<(Rebound<T>, T)> = None;
         for _ in 0..MOST_FOLLOWED {
-            match (flight.takes_off_alone(), alone) {
+            let rebounds = flight.rebounds();
+            match (flight.takes_off_alone(rebounds.clone()), alone) {
                 (Some(again), Some((first, since))) if again.of == first.of => {
                     let lost = T::from_f64(1.0) - again.rate / first.rate;
                     // where no energy is lost there is no limit
@@ -121,7 +122,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
                 (Some(first), None) => alone = Some((first, flight.lasted)),
                 _ => {}
             }
-            if !flight.goes_on() {
+            if !flight.goes_on(rebounds) {
                 break;
             }
         }
@@ -187,15 +188,14 @@ impl<'a, T: Float, const N: usize> Flight<'a, T, N> {
     }
 
     /// The rebound that begins, if there is no other.
-    fn takes_off_alone(&self) -> Option<Rebound<T>> {
-        let first = self.rebounds().next()?;
+    fn takes_off_alone(&self, mut rebounds: impl Iterator<Item = Rebound<T>>) -> Option<Rebound<T>> {
+        let first = rebounds.next()?;
         (self.flying == 1 << first.of && self.heights[first.of] == T::default()).then_some(first)
     }
 
-    /// Follows it up to where something comes back to its limit or to rest; false if nothing comes back, or in no time.
-    fn goes_on(&mut self) -> bool {
+    /// Follows the rebounds up to where something comes back to its limit or to rest; false if nothing comes back, or in no time.
+    fn goes_on(&mut self, rebounds: impl Iterator<Item = Rebound<T>> + Clone) -> bool {
         let zero = T::default();
-        let rebounds = self.rebounds();
         let back = rebounds
             .clone()
             .map(|rebound| (rebound.time_back(self.heights[rebound.of]), End::Back(rebound.of)));

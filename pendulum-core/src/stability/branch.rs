@@ -26,8 +26,8 @@ pub struct Bifurcation<P> {
     pub kind: BifurcationKind,
     /// The parameter at which it does.
     pub parameter: f64,
-    /// How far the parameter may be off: by errors of the integration or of rounding, and by the last change of its search. Infinite where
-    /// the search failed, or errors could not be measured.
+    /// The largest error of the parameter: by errors of the integration or of rounding, and by the last change of its
+    /// search. Infinite where the search failed, or errors could not be measured.
     pub uncertainty: f64,
     /// The solution there.
     pub solution: P,
@@ -43,16 +43,19 @@ pub struct Bifurcation<P> {
 pub enum BifurcationKind {
     /// The branch turns back: two solutions meet and vanish.
     Fold,
-    /// Another branch crosses, at a pitchfork or a transcritical bifurcation; it is followed from a start beside this one.
+    /// Another branch crosses, at a pitchfork or a transcritical bifurcation; it is followed from a start beside this
+    /// one.
     Crossing,
-    /// An equilibrium begins to flutter, or ceases to: a pair of eigenvalues passes the imaginary axis, and a periodic orbit is born.
+    /// An equilibrium begins to flutter, or ceases to: a pair of eigenvalues passes the imaginary axis, and a periodic
+    /// orbit is born.
     Hopf {
         /// The frequency of the pair, in rad/s.
         angular_frequency: f64,
     },
     /// A multiplier of a periodic orbit passes -1: an orbit of twice its period is born.
     PeriodDoubling,
-    /// A pair of multipliers of a periodic orbit passes the unit circle (Neimark and Sacker): motion on a torus is born.
+    /// A pair of multipliers of a periodic orbit passes the unit circle (Neimark and Sacker): motion on a torus is
+    /// born.
     Torus {
         /// The angle of the pair, in rad a period.
         angle: f64,
@@ -71,13 +74,14 @@ pub enum BranchEnd {
     Closed,
     /// There are as many points as were allowed.
     Points,
-    /// The shortest step failed, for this reason: at a periodic orbit that shrinks to an equilibrium, or where the equations come to an end.
+    /// The shortest step failed, for this reason: at a periodic orbit that shrinks to an equilibrium, or where the
+    /// equations come to an end.
     Failed(StabilityError),
 }
 
 impl<P> Branch<P> {
-    /// The points in the order of the branch. That where the search began is among them; from there the parameter rises toward the last, until
-    /// the branch turns.
+    /// The points in the order of the branch. That where the search began is among them; from there the parameter rises
+    /// toward the last, until the branch turns.
     #[must_use]
     pub fn points(&self) -> &[BranchPoint<P>] {
         &self.points

@@ -7,7 +7,7 @@ use nalgebra::{Complex, DVector, SVector};
 use super::branch::{Bifurcation, BifurcationKind, Branch};
 use super::curve::correct;
 use super::equilibrium::angles;
-use super::families::{Equilibria, Family, Orbits, Period, Sizes};
+use super::families::{EquilibriumCurve, Family, OrbitCurve, Period, Sizes};
 use super::trace::Tracer;
 use super::{Equilibrium, Mode, PeriodicOrbit, Shooting, StabilityError, equilibrium};
 use crate::error::{ParameterError, Reason};
@@ -16,27 +16,32 @@ use crate::system::{IntoState, Jacobian};
 
 /// The continuation of equilibria, or of periodic orbits, in a parameter: a plain value with settings.
 ///
-/// A family of systems is given by a function that builds the one for a value of the parameter. From a solution at one value the branch
-/// through it is followed both ways, over the span of the parameter and around folds: each point is found by Newton's method across the
-/// direction of the branch from the one before (pseudo-arclength). Steps are shortened where that takes long or the branch bends. The unknowns are the
-/// state over its [sizes](Self::length), the parameter over the length of its span, and for orbits of free period that over the period at the start; steps are
+/// A family of systems is given by a function that builds the one for a value of the parameter. From a solution at one
+/// value the branch through it is followed both ways, over the span of the parameter and around folds: each point is
+/// found by Newton's method across the direction of the branch from the one before (pseudo-arclength). Steps are
+/// shortened where that takes long or the branch bends. The unknowns are the state over its [sizes](Self::length), the
+/// parameter over the length of its span, and for orbits of free period that over the period at the start; steps are
 /// measured in these.
 ///
-/// Bifurcations between points are found by what changes its sign, and located on the branch. At a fold that is the direction of the parameter; where
-/// branches cross, the determinant of the equations; at a period doubling that of the monodromy matrix plus 1; at the others the growth of a pair of small
-/// motions. The number of motions that grow changes by one at the first three and by two at the others, so a pair that damping holds within the unit circle
-/// is no torus, however weak it is; a change that is certain, and that none of them explains, is [`BifurcationKind::Unnamed`](super::BifurcationKind::Unnamed). Of two within one
-/// step, one or both may go unseen. Where nothing brakes, growth counts from the uncertainty of the eigenvalues on.
+/// Bifurcations between points are found by what changes its sign, and located on the branch. At a fold that is the
+/// direction of the parameter; where branches cross, the determinant of the equations; at a period doubling that of the
+/// monodromy matrix plus 1; at the others the growth of a pair of small motions. The number of motions that grow
+/// changes by one at the first three and by two at the others, so a pair that damping holds within the unit circle is
+/// no torus, however weak it is; a change that is certain, and that none of them explains, is
+/// [`BifurcationKind::Unnamed`](super::BifurcationKind::Unnamed). Of two within one step, one or both may go unseen.
+/// Where nothing brakes, growth counts from the uncertainty of the eigenvalues on.
 ///
-/// The stated uncertainty of a bifurcation of orbits is twice what a tolerance smaller by a factor of 100 changes (1e-14 at least), with rounding errors and the
-/// last change of the search.
+/// The stated uncertainty of a bifurcation of orbits is twice what a tolerance smaller by a factor of 100 changes
+/// (1e-14 at least), with rounding errors and the last change of the search.
 ///
-/// Derivatives by the state come from the generated Jacobian, and those by the parameter are central differences: over 6e-6 of the span to either
-/// side of the right-hand side, right to about 10 digits, and for orbits over the cube root of the tolerance, right to about two thirds of its digits. They guide
-/// the search and tell the direction of the branch; the solutions themselves are not affected.
+/// Derivatives by the state come from the generated Jacobian, and those by the parameter are central differences: over
+/// 6e-6 of the span to either side of the right-hand side, right to about 10 digits, and for orbits over the cube root
+/// of the tolerance, right to about two thirds of its digits. They guide the search and tell the direction of the
+/// branch; the solutions themselves are not affected.
 ///
-/// H. B. Keller, in P. H. Rabinowitz (ed.), "Applications of Bifurcation Theory" (1977) 359; Yu. A. Kuznetsov, "Elements of Applied Bifurcation Theory",
-/// 4th ed. (2023), ch. 10; R. Seydel, "Practical Bifurcation and Stability Analysis", 3rd ed. (2010), chapters 4 to 7.
+/// H. B. Keller, in P. H. Rabinowitz (ed.), "Applications of Bifurcation Theory" (1977) 359; Yu. A. Kuznetsov,
+/// "Elements of Applied Bifurcation Theory", 4th ed. (2023), ch. 10; R. Seydel, "Practical Bifurcation and Stability
+/// Analysis", 3rd ed. (2010), chapters 4 to 7.
 ///
 /// ```
 /// use pendulum_core::prelude::*;
@@ -74,8 +79,8 @@ impl<F, S> Continuation<F>
 where
     F: Fn(f64) -> Result<S, ParameterError>,
 {
-    /// The continuation of the systems that `family` builds, over the span of its parameter from `from` to the larger `to`. Newton's
-    /// method may try values somewhat beyond, and takes shorter steps if there are no members.
+    /// The continuation of the systems that `family` builds, over the span of its parameter from `from` to the larger
+    /// `to`. Newton's method may try values somewhat beyond, and takes shorter steps if there are no members.
     #[must_use]
     pub fn new(family: F, from: f64, to: f64) -> Self {
         Self {
@@ -90,8 +95,8 @@ where
 
     /// The size of lengths in the scene, in m. Default: 1.
     ///
-    /// Steps measure lengths in it, and angles in radians; rates in these per second for equilibria, and per `period / 2 pi` of the first orbit for
-    /// orbits. Without a layout all components have the size 1.
+    /// Steps measure lengths in it, and angles in radians; rates in these per second for equilibria, and per `period /
+    /// 2 pi` of the first orbit for orbits. Without a layout all components have the size 1.
     #[must_use]
     pub fn length(mut self, length: f64) -> Self {
         self.length = length;
@@ -122,8 +127,8 @@ where
     /// The branch of the equilibrium near `x0` at the parameter `p0`.
     ///
     /// # Errors
-    /// [`StabilityError::Integration`] if a setting makes no sense, [`StabilityError::Build`] if the family has no member at the parameter, and
-    /// those of [`equilibrium`]. What goes wrong later ends the branch, which tells it.
+    /// [`StabilityError::Integration`] if a setting makes no sense, [`StabilityError::Build`] if the family has no
+    /// member at the parameter, and those of [`equilibrium`]. What goes wrong later ends the branch, which tells it.
     pub fn equilibria<const N: usize>(
         &self,
         x0: impl IntoState<f64, N>,
@@ -135,7 +140,7 @@ where
         self.check(p0)?;
         let system = (self.family)(p0)?;
         let x = equilibrium(&system, x0)?.x;
-        let curve = Equilibria {
+        let curve = EquilibriumCurve {
             family: self.family(),
             angles: angles(&system),
             sizes: Sizes::of(&system, self.length, 1.0),
@@ -144,11 +149,11 @@ where
         self.tracer(&curve).branch(unknowns)
     }
 
-    /// The branch of the periodic orbit near the state `x0` with a period near the guess, at the parameter `p0`, of systems in which the time does
-    /// not occur; the period changes along it.
+    /// The branch of the periodic orbit near the state `x0` with a period near the guess, at the parameter `p0`, of
+    /// systems in which the time does not occur; the period changes along it.
     ///
-    /// Orbits must not come in families at one parameter, as those of conservative systems do. Where they shrink to an equilibrium the
-    /// branch ends with [`StabilityError::AtRest`]: at a Hopf bifurcation.
+    /// Orbits must not come in families at one parameter, as those of conservative systems do. Where they shrink to an
+    /// equilibrium the branch ends with [`StabilityError::AtRest`]: at a Hopf bifurcation.
     ///
     /// # Errors
     /// As [`equilibria`](Self::equilibria), and those of [`Shooting::autonomous`].
@@ -166,22 +171,16 @@ where
         let orbit = Shooting::new()
             .tolerance(self.tolerance)
             .autonomous(&system, x0, period)?;
-        let curve = Orbits {
-            family: self.family(),
-            period: Period::<&fn(f64) -> f64>::Free(orbit.period),
-            tolerance: self.tolerance,
-            angles: angles(&system),
-            sizes: Sizes::of(&system, self.length, orbit.period / TAU),
-        };
+        let curve = self.orbits(&system, Period::<&fn(f64) -> f64>::Free(orbit.period), orbit.period);
         let unknowns = self.unknowns(&curve.sizes.scaled(&orbit.x), Some(1.0), p0);
         self.tracer(&curve).branch(unknowns)
     }
 
-    /// The branch of the periodic orbits that begin at a Hopf bifurcation, of systems in which the time does not occur. The end at the bifurcation
-    /// is [`BranchEnd::Failed`](super::BranchEnd::Failed) with [`StabilityError::AtRest`].
+    /// The branch of the periodic orbits that begin at a Hopf bifurcation, of systems in which the time does not occur.
+    /// The end at the bifurcation is [`BranchEnd::Failed`](super::BranchEnd::Failed) with [`StabilityError::AtRest`].
     ///
-    /// The first orbit is sought where the small motion that begins there has grown to 0.01 of the sizes in which steps are measured, or to a
-    /// fraction of that, whatever the parameter is.
+    /// The first orbit is sought where the small motion that begins there has grown to 0.01 of the sizes in which steps
+    /// are measured, or to a fraction of that, whatever the parameter is.
     ///
     /// ```
     /// use nalgebra::SMatrix;
@@ -208,8 +207,9 @@ where
     /// ```
     ///
     /// # Errors
-    /// [`StabilityError::Integration`] if the bifurcation is of another kind or outside the span, or if a setting makes no sense,
-    /// [`StabilityError::Build`] if the family has no member there, and that of the last attempt if no orbit is found.
+    /// [`StabilityError::Integration`] if the bifurcation is of another kind or outside the span, or if a setting makes
+    /// no sense, [`StabilityError::Build`] if the family has no member there, and that of the last attempt if no orbit
+    /// is found.
     pub fn cycles<const N: usize>(
         &self,
         hopf: &Bifurcation<Equilibrium<N>>,
@@ -225,13 +225,7 @@ where
         };
         let system = (self.family)(hopf.parameter)?;
         let period = TAU / angular_frequency;
-        let curve = Orbits {
-            family: self.family(),
-            period: Period::<&fn(f64) -> f64>::Free(period),
-            tolerance: self.tolerance,
-            angles: angles(&system),
-            sizes: Sizes::of(&system, self.length, period / TAU),
-        };
+        let curve = self.orbits(&system, Period::<&fn(f64) -> f64>::Free(period), period);
         let off = |mode: &&Mode<N>| (mode.eigenvalue - Complex::I * angular_frequency).norm();
         let modes = hopf.solution.spectrum.modes().iter();
         let Some(mode) = modes.min_by(|a, b| off(a).total_cmp(&off(b))) else {
@@ -257,8 +251,9 @@ where
         }
     }
 
-    /// The branch of the periodic motion near the state `x0` at the time 0 and at the parameter `p0`, of systems that are driven; `period` is that
-    /// of the motion, in s, for each value of the parameter: that of the drive or a multiple of it.
+    /// The branch of the periodic motion near the state `x0` at the time 0 and at the parameter `p0`, of systems that
+    /// are driven; `period` is that of the motion, in s, for each value of the parameter: that of the drive or a
+    /// multiple of it.
     ///
     /// # Errors
     /// As [`equilibria`](Self::equilibria), and those of [`Shooting::forced`].
@@ -276,13 +271,7 @@ where
         let orbit = Shooting::new()
             .tolerance(self.tolerance)
             .forced(&system, x0, period(p0))?;
-        let curve = Orbits {
-            family: self.family(),
-            angles: angles(&system),
-            period: Period::Given(&period),
-            tolerance: self.tolerance,
-            sizes: Sizes::of(&system, self.length, orbit.period / TAU),
-        };
+        let curve = self.orbits(&system, Period::Given(&period), orbit.period);
         let unknowns = self.unknowns(&curve.sizes.scaled(&orbit.x), None, p0);
         self.tracer(&curve).branch(unknowns)
     }
@@ -291,6 +280,20 @@ where
         Family {
             member: &self.family,
             span: self.span,
+        }
+    }
+
+    /// The curve of orbits, of which the first has the period `first`.
+    fn orbits<'c, P, const N: usize>(&'c self, system: &S, period: Period<&'c P>, first: f64) -> OrbitCurve<'c, F, P, N>
+    where
+        S: Jacobian<f64, N>,
+    {
+        OrbitCurve {
+            family: self.family(),
+            period,
+            tolerance: self.tolerance,
+            angles: angles(system),
+            sizes: Sizes::of(system, self.length, first / TAU),
         }
     }
 
@@ -323,21 +326,13 @@ where
         )?;
         let rule = "the start must lie in the span";
         require((low..=high).contains(&p0), "p0", p0, rule)?;
-        let rule = "the longest step must be finite and positive";
-        require(self.step.is_finite() && self.step > 0.0, "step", self.step, rule)?;
-        let rule = "the tolerance must be finite and positive";
-        require(
-            self.tolerance.is_finite() && self.tolerance > 0.0,
-            "tolerance",
-            self.tolerance,
-            rule,
-        )?;
-        let rule = "the size of lengths must be finite and positive";
-        require(
-            self.length.is_finite() && self.length > 0.0,
-            "length",
-            self.length,
-            rule,
-        )
+        for (what, value, rule) in [
+            ("step", self.step, "the longest step must be finite and positive"),
+            ("tolerance", self.tolerance, "the tolerance must be finite and positive"),
+            ("length", self.length, "the size of lengths must be finite and positive"),
+        ] {
+            require(value.is_finite() && value > 0.0, what, value, rule)?;
+        }
+        Ok(())
     }
 }

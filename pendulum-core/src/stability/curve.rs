@@ -5,7 +5,8 @@ use nalgebra::{Complex, DMatrix, DVector};
 use super::StabilityError;
 use super::least_squares::shortest_step;
 
-/// Equations whose solutions form a curve. The last of the unknowns is the parameter, and all are scaled to have the size of 1.
+/// Equations whose solutions form a curve. The last of the unknowns is the parameter, and all are scaled to have the
+/// size of 1.
 pub(super) trait Curve<const N: usize> {
     /// What a point of the curve stands for.
     type Solution: Clone;
@@ -19,7 +20,7 @@ pub(super) trait Curve<const N: usize> {
     /// The rates or multipliers at which small motions about a solution grow, by falling growth.
     fn growths(&self, solution: &Self::Solution) -> Vec<Growth>;
 
-    /// What happens where a pair of these passes the limit of stability.
+    /// The bifurcation where a pair of these passes the limit of stability.
     fn of_pair(&self, growth: &Growth) -> super::BifurcationKind;
 
     /// The real eigenvalue or multiplier at the limit of stability where solutions meet.
@@ -28,13 +29,14 @@ pub(super) trait Curve<const N: usize> {
     /// Zero where a multiplier is -1; for orbits.
     fn doubling(&self, solution: &Self::Solution) -> Option<Test>;
 
-    /// The same curve with smaller errors, to see how large they are; none where only rounding makes any.
+    /// A copy with smaller errors, to measure those of this one; none where only rounding makes any.
     fn finer(&self) -> Option<Self>
     where
         Self: Sized;
 
-    /// How far off derivatives by the parameter may be, in parts of their size.
-    fn slope_noise(&self) -> f64;
+    /// The part of its span to either side over which central differences by the parameter are taken; its square is
+    /// their error.
+    fn reach(&self) -> f64;
 
     /// Whether the curve may go on from one point to another close by.
     fn joins(&self, from: &DVector<f64>, to: &DVector<f64>) -> Result<(), StabilityError>;
@@ -68,7 +70,7 @@ pub(super) struct Growth {
 }
 
 impl Growth {
-    /// Whether it is on one side of the limit.
+    /// True if it is beyond the limit, or within, by more than its uncertainty.
     pub(super) fn is_certain(&self) -> bool {
         self.excess.abs() > self.uncertainty
     }
@@ -78,7 +80,7 @@ impl Growth {
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Test {
     pub(super) value: f64,
-    /// What rounding errors may make of zero.
+    /// The size of rounding errors of the value.
     pub(super) noise: f64,
 }
 
@@ -105,10 +107,11 @@ pub(super) struct Place<P> {
     pub(super) u: DVector<f64>,
     /// The direction of the curve, of length 1.
     pub(super) tangent: DVector<f64>,
-    /// Of the derivatives with the tangent as a last row, which are singular where curves cross, and not at a fold (H. B. Keller,
-    /// in P. H. Rabinowitz (ed.), "Applications of Bifurcation Theory" (1977) 359).
+    /// Of the derivatives with the tangent as a last row, which are singular where curves cross, and not at a fold (H.
+    /// B. Keller, in P. H. Rabinowitz (ed.), "Applications of Bifurcation Theory" (1977) 359).
     pub(super) crossing: Test,
-    /// Of the derivatives by all but the parameter: singular at folds, and where curves cross on that which does not turn back.
+    /// Of the derivatives by all but the parameter: singular at folds, and where curves cross on that which does not
+    /// turn back.
     pub(super) turning: Test,
     pub(super) doubling: Option<Test>,
     /// How far rounding errors of the equations may move the parameter.
@@ -168,7 +171,8 @@ pub(super) fn correct<C: Curve<N>, const N: usize>(
     let tangent = tangent(curve, &linear, before)?;
     let matrix = bordered(&linear.derivative, &tangent);
     let (rows, rounding) = (linear.derivative.nrows(), ROUNDING * matrix.norm());
-    let by_parameter = curve.slope_noise() * linear.derivative.column(rows).norm();
+    let reach = curve.reach();
+    let by_parameter = reach * reach * linear.derivative.column(rows).norm();
     let solution = curve.solution(&u)?;
     Ok(Place {
         blur: blur(&matrix, rounding * (1.0 + u.norm())),

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector, SMatrix, SVector};
 use super::curve::{Curve, Growth, Linear, ROUNDING, Test};
 use super::equilibrium::{require_as_many_rates, within_a_turn};
 use super::orbit::NOISE;
-use super::shooting::{Lap, after, check_period, direction};
+use super::shooting::{Lap, after, check_period, direction, resolution};
 use super::{BifurcationKind, Equilibrium, Mode, Multiplier, PeriodicOrbit, StabilityError};
 use crate::error::ParameterError;
 use crate::layout::SlotKind;
@@ -32,7 +32,8 @@ where
         [self.span.0, self.span.1].into_iter().find(is_at).unwrap_or(parameter)
     }
 
-    /// The derivative of `f` by the scaled parameter: a central difference over the part `reach` of the span to either side, one-sided at its ends.
+    /// The derivative of `f` by the scaled parameter: a central difference over the part `reach` of the span to either
+    /// side, one-sided at its ends.
     fn slope<const N: usize>(
         &self,
         parameter: f64,
@@ -48,13 +49,13 @@ where
 }
 
 /// Equilibria. The unknowns are the state and the parameter.
-pub(super) struct Equilibria<'f, F, const N: usize> {
+pub(super) struct EquilibriumCurve<'f, F, const N: usize> {
     pub(super) family: Family<'f, F>,
     pub(super) angles: Vec<usize>,
     pub(super) sizes: Sizes<N>,
 }
 
-impl<F, S, const N: usize> Curve<N> for Equilibria<'_, F, N>
+impl<F, S, const N: usize> Curve<N> for EquilibriumCurve<'_, F, N>
 where
     F: Fn(f64) -> Result<S, ParameterError>,
     S: Jacobian<f64, N>,
@@ -68,7 +69,7 @@ where
         let (rhs, jacobian) = system.rhs_and_jacobian(0.0, &x);
         let slope = self
             .family
-            .slope(parameter, libm::cbrt(f64::EPSILON), |_, system| Ok(system.rhs(0.0, &x)))?;
+            .slope(parameter, Curve::<N>::reach(self), |_, system| Ok(system.rhs(0.0, &x)))?;
         let (rhs, slope) = (self.sizes.scaled(&rhs), self.sizes.scaled(&slope));
         let jacobian = self.sizes.scaled_matrix(&jacobian);
         Ok(Linear {
@@ -108,9 +109,8 @@ where
         None
     }
 
-    fn slope_noise(&self) -> f64 {
-        let reach = libm::cbrt(f64::EPSILON);
-        reach * reach
+    fn reach(&self) -> f64 {
+        libm::cbrt(f64::EPSILON)
     }
 
     fn joins(&self, _from: &DVector<f64>, _to: &DVector<f64>) -> Result<(), StabilityError> {
@@ -132,7 +132,7 @@ const FINER: f64 = 1e-2;
 const LEAST_TOLERANCE: f64 = 1e-14;
 
 /// Periodic orbits. The unknowns are the state, the period over that at the start if it is free, and the parameter.
-pub(super) struct Orbits<'f, F, P, const N: usize> {
+pub(super) struct OrbitCurve<'f, F, P, const N: usize> {
     pub(super) family: Family<'f, F>,
     pub(super) period: Period<&'f P>,
     pub(super) tolerance: f64,
@@ -141,6 +141,7 @@ pub(super) struct Orbits<'f, F, P, const N: usize> {
 }
 
 /// The period of the orbits of a family.
+#[derive(Clone, Copy)]
 pub(super) enum Period<P> {
     /// Sought, and measured in this unit.
     Free(f64),
@@ -148,9 +149,9 @@ pub(super) enum Period<P> {
     Given(P),
 }
 
-impl<F, P: Fn(f64) -> f64, const N: usize> Orbits<'_, F, P, N> {
+impl<F, P: Fn(f64) -> f64, const N: usize> OrbitCurve<'_, F, P, N> {
     fn period(&self, u: &DVector<f64>, parameter: f64) -> f64 {
-        match &self.period {
+        match self.period {
             Period::Free(unit) => u[u.len() - 2] * unit,
             Period::Given(period) => period(parameter),
         }
@@ -161,7 +162,7 @@ impl<F, P: Fn(f64) -> f64, const N: usize> Orbits<'_, F, P, N> {
     }
 }
 
-impl<F, S, P, const N: usize> Curve<N> for Orbits<'_, F, P, N>
+impl<F, S, P, const N: usize> Curve<N> for OrbitCurve<'_, F, P, N>
 where
     F: Fn(f64) -> Result<S, ParameterError>,
     S: Jacobian<f64, N>,
@@ -177,7 +178,7 @@ where
         let lap = Lap::run(&system, (x, period), self.tolerance, &self.angles)?;
         let slope = self
             .family
-            .slope(parameter, libm::cbrt(self.tolerance), |parameter, system| {
+            .slope(parameter, Curve::<N>::reach(self), |parameter, system| {
                 let period = self.period(u, parameter);
                 check_period(period)?;
                 Ok(after(system, (x, period), self.tolerance)?)
@@ -206,8 +207,7 @@ where
         Ok(Linear {
             residual,
             derivative,
-            resolution: (NOISE * self.tolerance * monodromy.norm()).max(f64::EPSILON)
-                * (1.0 + self.sizes.scaled(&x).norm()),
+            resolution: resolution(&monodromy, &self.sizes.scaled(&x), self.tolerance),
         })
     }
 
@@ -253,19 +253,15 @@ where
         let (member, span) = (self.family.member, self.family.span);
         Some(Self {
             family: Family { member, span },
-            period: match self.period {
-                Period::Free(unit) => Period::Free(unit),
-                Period::Given(period) => Period::Given(period),
-            },
+            period: self.period,
             tolerance,
             angles: self.angles.clone(),
             sizes: self.sizes,
         })
     }
 
-    fn slope_noise(&self) -> f64 {
-        let reach = libm::cbrt(self.tolerance);
-        reach * reach
+    fn reach(&self) -> f64 {
+        libm::cbrt(self.tolerance)
     }
 
     /// Beyond an equilibrium to which orbits shrink they are the same once more, half a period later.
@@ -303,7 +299,8 @@ where
 pub(super) struct Sizes<const N: usize>(SVector<f64, N>);
 
 impl<const N: usize> Sizes<N> {
-    /// Those of a scene with lengths of the size given: angles have the size 1 rad, and rates as much in a time; 1 without a layout.
+    /// Those of a scene with lengths of the size given: angles have the size 1 rad, and rates as much in a time; 1
+    /// without a layout.
     pub(super) fn of(system: &(impl System<f64, N> + ?Sized), length: f64, time: f64) -> Self {
         let mut sizes = SVector::from([1.0; N]);
         for slot in system.layout().map_or(&[][..], |layout| layout.slots) {

@@ -39,6 +39,7 @@ mod branch;
 mod continuation;
 mod curve;
 mod directions;
+mod equilibria;
 mod equilibrium;
 mod error;
 mod families;
@@ -57,7 +58,8 @@ mod transition;
 
 pub use branch::{Bifurcation, BifurcationKind, Branch, BranchEnd, BranchPoint};
 pub use continuation::Continuation;
-pub use equilibrium::{Equilibria, Equilibrium, Stability, equilibria, equilibrium};
+pub use equilibria::{Equilibria, equilibria};
+pub use equilibrium::{Equilibrium, Stability, equilibrium};
 pub use error::StabilityError;
 pub use function::StabilityFunction;
 pub use limits::{imaginary_limit, max_stable_step, real_limit};

@@ -4,9 +4,11 @@ use nalgebra::{Complex, SMatrix, SVector};
 
 use super::{Mode, Spectrum, Stability, StabilityError};
 
-/// A motion that repeats itself, with what becomes of small motions about it in one period (Floquet): `monodromy` times their start.
+/// A motion that repeats itself, with what becomes of small motions about it in one period (Floquet): `monodromy` times
+/// their start.
 ///
-/// G. Floquet, Annales scientifiques de l'Ecole Normale Superieure 12 (1883) 47; P. Hartman, "Ordinary Differential Equations", 2nd ed. (2002), IV.6.
+/// G. Floquet, Annales scientifiques de l'Ecole Normale Superieure 12 (1883) 47; P. Hartman, "Ordinary Differential
+/// Equations", 2nd ed. (2002), IV.6.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PeriodicOrbit<const N: usize> {
     /// The state at the time 0.
@@ -75,23 +77,24 @@ impl<const N: usize> PeriodicOrbit<N> {
         })
     }
 
-    /// The size below which multipliers are noise: what errors of the integration may make of 0. Motions with such multipliers have decayed within a period,
-    /// and nothing more is known about them; a smaller tolerance resolves smaller ones, down to rounding errors of the largest.
+    /// The size below which multipliers are noise: what errors of the integration may make of 0. Motions with such
+    /// multipliers have decayed within a period, and nothing more is known about them; a smaller tolerance resolves
+    /// smaller ones, down to rounding errors of the largest.
     #[must_use]
     pub fn noise(&self) -> f64 {
         self.noise
     }
 
-    /// The multipliers that tell of stability, by falling modulus: all of them for a driven system, and `N - 1` where the time does not
-    /// occur. There the multiplier 1 along the orbit, which belongs to a shift in time, is left out.
+    /// The multipliers that tell of stability, by falling modulus: all of them for a driven system, and `N - 1` where
+    /// the time does not occur. There the multiplier 1 along the orbit, which belongs to a shift in time, is left out.
     #[must_use]
     pub fn nontrivial(&self) -> &[Multiplier] {
         &self.nontrivial
     }
 
-    /// What the nontrivial multipliers tell, as far as the errors of the integration allow: whether small motions about the orbit (and about
-    /// all its shifts in time) decay, grow, or neither. Orbits of conservative systems come in families, with a further multiplier 1, and
-    /// are unstable or undecided.
+    /// What the nontrivial multipliers tell, as far as the errors of the integration allow: whether small motions about
+    /// the orbit (and about all its shifts in time) decay, grow, or neither. Orbits of conservative systems come in
+    /// families, with a further multiplier 1, and are unstable or undecided.
     #[must_use]
     pub fn stability(&self) -> Stability {
         let multipliers = self.nontrivial.iter();
@@ -99,7 +102,8 @@ impl<const N: usize> PeriodicOrbit<N> {
     }
 }
 
-/// The eigenvalues of a monodromy matrix, or of a part of it, with how far the tolerance of the integration may have moved them.
+/// The eigenvalues of a monodromy matrix, or of a part of it, with how far the tolerance of the integration may have
+/// moved them.
 fn weigh<const N: usize>(spectrum: &Spectrum<N>, monodromy: &SMatrix<f64, N, N>, tolerance: f64) -> Vec<Multiplier> {
     let noise = NOISE * tolerance * monodromy.norm();
     let weigh = |mode: &Mode<N>| Multiplier {

@@ -150,7 +150,7 @@ impl Shooting {
                 break;
             }
         }
-        if lap.gap.norm() > lap.resolution(&x, self.tolerance) {
+        if lap.gap.norm() > resolution(&lap.monodromy, &x, self.tolerance) {
             return Err(StabilityError::NoConvergence {
                 iterations: ITERATIONS,
                 residual: lap.gap.amax(),
@@ -221,11 +221,11 @@ impl<const N: usize> Lap<N> {
             velocity: rate(system, period, &end)?,
         })
     }
+}
 
-    /// A distance that errors of the integration, or of rounding, may make.
-    pub(super) fn resolution(&self, x: &SVector<f64, N>, tolerance: f64) -> f64 {
-        (NOISE * tolerance * self.monodromy.norm()).max(f64::EPSILON) * (1.0 + x.norm())
-    }
+/// A distance between the ends of a period that errors of the integration, or of rounding, may make.
+pub(super) fn resolution<const N: usize>(monodromy: &SMatrix<f64, N, N>, x: &SVector<f64, N>, tolerance: f64) -> f64 {
+    (NOISE * tolerance * monodromy.norm()).max(f64::EPSILON) * (1.0 + x.norm())
 }
 
 /// The way from `start` to `end` without full turns, and these.

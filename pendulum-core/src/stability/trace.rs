@@ -106,7 +106,8 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
         (places, BranchEnd::Points)
     }
 
-    /// The place after `last`, at the distance `length`, or at the bound of the parameter if that is nearer; `left` is the distance to it.
+    /// The place after `last`, at the distance `length`, or at the bound of the parameter if that is nearer; `left` is
+    /// the distance to it.
     fn next(
         &self,
         last: &Place<C::Solution>,
@@ -177,8 +178,8 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
         named
     }
 
-    /// Notes what happens between two neighbours. The number of motions that grow changes by one where a real eigenvalue passes the limit, and by two
-    /// where a pair does.
+    /// Notes what happens between two neighbours. The number of motions that grow changes by one where a real
+    /// eigenvalue passes the limit, and by two where a pair does.
     fn find(&self, a: &Place<C::Solution>, b: &Place<C::Solution>, behind: usize, found: &mut Found<C::Solution>) {
         let passes = |test: &dyn Fn(&Place<C::Solution>) -> Test| {
             let (a, b) = (test(a), test(b));
@@ -194,34 +195,29 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
         let mut changed: Vec<usize> = (0..a.growths.len().min(b.growths.len()))
             .filter(|&i| passes(&growth(i, a, b)))
             .collect();
-        let mut note_real = |kind, located: Located<C::Solution>, limit: f64| {
-            let growths = self.curve.growths(&located.solution);
-            let apart = |i: usize| {
-                growths
-                    .get(i)
-                    .map_or(f64::INFINITY, |growth| (growth.value - limit).norm())
-            };
-            match (0..changed.len()).min_by(|&m, &n| apart(changed[m]).total_cmp(&apart(changed[n]))) {
-                Some(nearest) => drop(changed.remove(nearest)),
-                None => found.quiet.push(behind),
-            }
-            found.named.push(bifurcation(kind, located));
-        };
         let slope = |place: &Place<C::Solution>| Test {
             value: place.slope(),
             noise: 0.0,
         };
         let doubling = |place: &Place<C::Solution>| place.doubling.unwrap_or(NEVER);
+        let mut real = Vec::new();
         if passes(&|place| place.crossing) {
-            // by that which needs no derivatives by the parameter, if it tells
+            // located by the test that needs no derivatives by the parameter, if that changes its sign as well
             let turns = passes(&|place| place.turning);
             let test = |place: &Place<C::Solution>| if turns { place.turning } else { place.crossing };
-            note_real(BifurcationKind::Crossing, self.locate(a, b, test), C::REAL_LIMIT);
+            real.push((BifurcationKind::Crossing, C::REAL_LIMIT, self.locate(a, b, test)));
         } else if passes(&slope) {
-            note_real(BifurcationKind::Fold, self.locate(a, b, slope), C::REAL_LIMIT);
+            real.push((BifurcationKind::Fold, C::REAL_LIMIT, self.locate(a, b, slope)));
         }
         if passes(&doubling) {
-            note_real(BifurcationKind::PeriodDoubling, self.locate(a, b, doubling), -1.0);
+            real.push((BifurcationKind::PeriodDoubling, -1.0, self.locate(a, b, doubling)));
+        }
+        for (kind, limit, located) in real {
+            match nearest(&changed, limit, &self.curve.growths(&located.solution)) {
+                Some(nearest) => drop(changed.remove(nearest)),
+                None => found.quiet.push(behind),
+            }
+            found.named.push(bifurcation(kind, located));
         }
         let mut changed = changed.into_iter().peekable();
         while let Some(i) = changed.next() {
@@ -238,8 +234,8 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
 
     /// Where between two neighbours the test passes zero.
     ///
-    /// The rule of false position, with a point to either side of where it tells: the two close in, and neither comes as near as the curve is known.
-    /// Where another curve crosses, Newton's method might leave this one.
+    /// The rule of false position, with a point to either side of where it tells: the two close in, and neither comes
+    /// as near as the curve is known. Where another curve crosses, Newton's method might leave this one.
     fn locate(
         &self,
         a: &Place<C::Solution>,
@@ -292,34 +288,30 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
             }
         }
         let parameter = u[u.len() - 1];
-        let noise = low.1.noise.max(high.1.noise) + self.error(&u, &a.tangent, &test, &mut change);
-        let of_test = if noise == 0.0 { 0.0 } else { noise / steepness };
+        let [of_test, apart] = self.errors(&u, &a.tangent, &test);
+        let noise = low.1.noise.max(high.1.noise) + of_test;
+        let by_noise = if noise == 0.0 { 0.0 } else { noise / steepness };
         Located {
             parameter,
-            uncertainty: change + low.2.blur + of_test,
+            uncertainty: change + apart + low.2.blur + by_noise,
             solution: self.curve.solution(&u).unwrap_or(low.2.solution),
         }
     }
 
-    /// What errors of the equations make of the test where it is zero, and what they do to the parameter, which is added to `apart`.
-    fn error(
-        &self,
-        u: &DVector<f64>,
-        tangent: &DVector<f64>,
-        test: impl Fn(&Place<C::Solution>) -> Test,
-        apart: &mut f64,
-    ) -> f64 {
-        let Some(finer) = self.curve.finer() else { return 0.0 };
-        let Ok(place) = correct(&finer, u.clone(), (tangent, tangent.dot(u)), tangent) else {
-            return f64::INFINITY;
+    /// The errors that those of the equations cause in the test, where it is zero, and in the parameter.
+    fn errors(&self, u: &DVector<f64>, tangent: &DVector<f64>, test: impl Fn(&Place<C::Solution>) -> Test) -> [f64; 2] {
+        let Some(finer) = self.curve.finer() else {
+            return [0.0; 2];
         };
-        *apart += SAFETY * (place.parameter() - u[u.len() - 1]).abs();
-        SAFETY * test(&place).value.abs()
+        let Ok(place) = correct(&finer, u.clone(), (tangent, tangent.dot(u)), tangent) else {
+            return [f64::INFINITY; 2];
+        };
+        [test(&place).value, place.parameter() - u[u.len() - 1]].map(|error| SAFETY * error.abs())
     }
 }
 
-/// How far the `i`-th of the growths is beyond the limit. Where motions neither grow nor decay, as without friction, growth begins beyond the
-/// uncertainty.
+/// How far the `i`-th of the growths is beyond the limit. Where motions neither grow nor decay, as without friction,
+/// growth begins beyond the uncertainty.
 fn growth<P>(i: usize, a: &Place<P>, b: &Place<P>) -> impl Fn(&Place<P>) -> Test + use<P> {
     let are_certain = a.growths[i].is_certain() && b.growths[i].is_certain();
     let margin = if are_certain { 0.0 } else { 1.0 };
@@ -335,6 +327,15 @@ fn growth<P>(i: usize, a: &Place<P>, b: &Place<P>) -> impl Fn(&Place<P>) -> Test
             noise: rounding,
         }
     }
+}
+
+/// The position in `changed` of the growth whose eigenvalue or multiplier is closest to a real limit.
+fn nearest(changed: &[usize], limit: f64, growths: &[Growth]) -> Option<usize> {
+    let apart = |i: usize| {
+        let growth = growths.get(changed[i]);
+        growth.map_or(f64::INFINITY, |growth| (growth.value - limit).norm())
+    };
+    (0..changed.len()).min_by(|&m, &n| apart(m).total_cmp(&apart(n)))
 }
 
 /// Bifurcations along a branch, before changes of stability are matched.
@@ -366,8 +367,8 @@ struct Located<P> {
 /// A place on a curve behind its distance along the way, and the value of a test there.
 type Sample<P> = (f64, Test, Place<P>);
 
-/// The point at the part `part` of the way between two places on a curve, from the cubic with the tangents at both; the numbers are their distances along
-/// `normal`.
+/// The point at the part `part` of the way between two places on a curve, from the cubic with the tangents at both; the
+/// numbers are their distances along `normal`.
 fn between<P>(
     (from, low): (f64, &Place<P>),
     (to, high): (f64, &Place<P>),

@@ -4,7 +4,7 @@ use core::fmt;
 
 use nalgebra::{SMatrix, SVector};
 
-use super::{Jacobian, System, forward_system};
+use super::{Jacobian, System, forward, forward_system};
 use crate::hybrid::{Hold, Hybrid, MOST};
 use crate::layout::StateLayout;
 use crate::real::Real;
@@ -166,14 +166,9 @@ where
     S: Jacobian<T, N>,
     D: Fn(T, &SVector<T, N>) -> SVector<T, N>,
 {
-    #[inline]
-    fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
-        self.system.jacobian(t, x)
-    }
-
-    #[inline]
-    fn rhs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
-        self.system.rhs_and_jacobian(t, x)
+    forward! { self => self.system;
+        jacobian(t: T, x: &SVector<T, N>) -> SMatrix<T, N, N>;
+        rhs_and_jacobian(t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>);
     }
 
     #[inline]

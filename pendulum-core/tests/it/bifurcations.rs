@@ -8,7 +8,7 @@ use pendulum_core::prelude::*;
 use pendulum_core::stability::{Bifurcation, BifurcationKind, Continuation};
 use pendulum_core::{ParameterError, Slot, SlotKind, StateLayout};
 
-use super::continuation::rotor;
+use super::continuation::{rotor, subcritical, van_der_pol_at};
 
 /// A bifurcation as it is known and as it was found.
 struct Case {
@@ -271,18 +271,7 @@ fn torus(cases: &mut Vec<Case>, square: f64) {
 }
 
 fn van_der_pol(cases: &mut Vec<Case>, frequency: f64) {
-    let family = |mu: f64| {
-        Ok(FnSystem::with_jacobian(
-            move |_, x: &SVector<f64, 2>| {
-                SVector::from([x[1], mu * (1.0 - x[0] * x[0]) * x[1] - frequency * frequency * x[0]])
-            },
-            move |_, x: &SVector<f64, 2>| {
-                let of_place = -2.0 * mu * x[0] * x[1] - frequency * frequency;
-                SMatrix::from([[0.0, of_place], [1.0, mu * (1.0 - x[0] * x[0])]])
-            },
-        ))
-    };
-    let branch = Continuation::new(family, -1.0, 1.5)
+    let branch = Continuation::new(|mu| van_der_pol_at(frequency, mu), -1.0, 1.5)
         .equilibria([0.1, 0.1], -0.7)
         .expect("rest");
     compare(cases, "van der Pol", branch.bifurcations(), vec![("Hopf", 0.0)]);
@@ -418,13 +407,7 @@ fn what_cannot_be_named_is_reported_with_its_multipliers() {
 /// one of Lorenz.
 #[test]
 fn cycles_are_followed_from_the_bifurcation_where_they_begin() {
-    let family = |p: f64| {
-        Ok(rotor(
-            move |rr| ([p + rr - rr * rr, 1.0 + rr], [1.0 - 2.0 * rr, 1.0]),
-            (0.0, 0.0),
-        ))
-    };
-    let continuation = Continuation::new(family, -0.4, 0.3);
+    let continuation = Continuation::new(subcritical, -0.4, 0.3);
     let rest = continuation.equilibria([0.0, 0.0], -0.1).expect("rest");
     let cycles = continuation.cycles(&rest.bifurcations()[0]).expect("a cycle");
     assert_eq!(cycles.bifurcations().len(), 1);

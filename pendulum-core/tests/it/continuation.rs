@@ -19,10 +19,17 @@ fn line(f: impl Fn(f64) -> f64, slope: impl Fn(f64) -> f64) -> impl Jacobian<f64
 }
 
 fn van_der_pol(mu: f64) -> Result<impl Jacobian<f64, 2>, ParameterError> {
+    van_der_pol_at(1.0, mu)
+}
+
+/// `x'' = mu (1 - x^2) x' - frequency^2 x`
+pub(crate) fn van_der_pol_at(frequency: f64, mu: f64) -> Result<impl Jacobian<f64, 2>, ParameterError> {
+    let stiffness = frequency * frequency;
     Ok(FnSystem::with_jacobian(
-        move |_, x: &SVector<f64, 2>| SVector::from([x[1], mu * (1.0 - x[0] * x[0]) * x[1] - x[0]]),
+        move |_, x: &SVector<f64, 2>| SVector::from([x[1], mu * (1.0 - x[0] * x[0]) * x[1] - stiffness * x[0]]),
         move |_, x: &SVector<f64, 2>| {
-            SMatrix::from([[0.0, -2.0 * mu * x[0] * x[1] - 1.0], [1.0, mu * (1.0 - x[0] * x[0])]])
+            let of_place = -2.0 * mu * x[0] * x[1] - stiffness;
+            SMatrix::from([[0.0, of_place], [1.0, mu * (1.0 - x[0] * x[0])]])
         },
     ))
 }
@@ -194,7 +201,7 @@ fn a_branch_that_ends_early_keeps_its_points_and_tells_why() {
 }
 
 /// `r' = mu r + r^3 - r^5`, turning at the rate `1 + r^2`.
-fn subcritical(mu: f64) -> Result<impl Jacobian<f64, 2>, ParameterError> {
+pub(crate) fn subcritical(mu: f64) -> Result<impl Jacobian<f64, 2>, ParameterError> {
     Ok(rotor(
         move |rr| ([mu + rr - rr * rr, 1.0 + rr], [1.0 - 2.0 * rr, 1.0]),
         (0.0, 0.0),

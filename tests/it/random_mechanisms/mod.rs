@@ -11,14 +11,12 @@ mod in_c;
 mod observe;
 
 use std::panic::{AssertUnwindSafe, catch_unwind};
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicU64, Ordering};
 
 use compare::{Worst, condition, places};
 use evaluate::Place;
 use pendulum_codegen::program;
 use pendulum_codegen::program::Program;
-use testbed::random::Random;
+use testbed::random::{Random, each_seed, number};
 use testbed::trees::{Kind, Name, Tree};
 
 /// The condition of a mass matrix, its coordinates scaled alike, beyond which a scene is left out: digits are lost
@@ -32,9 +30,6 @@ const DEFAULT: u64 = 10;
 
 /// Of how many one is also compared in C, where no other number is given.
 const ONE_IN_C: u64 = 8;
-
-/// The stack of the compiler's thread, in which the generator runs.
-const STACK: usize = 8 << 20;
 
 /// What came of one draw.
 enum Tried {
@@ -67,32 +62,14 @@ struct Tally {
     failures: Vec<String>,
 }
 
-/// A number that is given from outside.
-fn number(name: &str, default: u64) -> u64 {
-    std::env::var(name).map_or(default, |text| text.parse().expect("a number"))
-}
-
 fn agree(kind: Kind, tolerance: f64) {
     let (first, count) = (number("PENDULUM_SEED", 1), number("PENDULUM_MECHANISMS", DEFAULT));
-    let (next, tally) = (AtomicU64::new(first), Mutex::new(Tally::default()));
-    let threads = std::thread::available_parallelism().map_or(1, usize::from);
-    std::thread::scope(|scope| {
-        for _ in 0..threads {
-            let work = || {
-                loop {
-                    let seed = next.fetch_add(1, Ordering::Relaxed);
-                    if seed >= first + count {
-                        break;
-                    }
-                    let tried = tried(seed, kind, tolerance);
-                    tally.lock().expect("a tally").add(seed, tried);
-                }
-            };
-            let thread = std::thread::Builder::new().stack_size(STACK);
-            thread.spawn_scoped(scope, work).expect("a thread");
-        }
-    });
-    let tally = tally.into_inner().expect("a tally");
+    let mut tally = Tally::default();
+    each_seed(
+        first..first + count,
+        |seed| tried(seed, kind, tolerance),
+        |seed, tried| tally.add(seed, tried),
+    );
     println!(
         "{kind:?}: {} agree, {} of them in C, {} are refused as singular, {} are left out; worst {}",
         tally.agree,
