@@ -9,7 +9,7 @@ pub const ROBOTS: &str = include_str!("robots.rs");
 /// # Panics
 /// If no such model is declared at the margin of the source.
 pub fn declaration<'s>(source: &'s str, name: &str) -> &'s str {
-    let head = format!("pub {name} {{");
+    let head = format!(" {name} {{");
     let inside = source
         .split("mechanism! {\n")
         .filter_map(|text| text.split("\n}\n").next());

@@ -57,17 +57,17 @@ fn joints_that_follow_move_by_the_equations_of_those_that_do_not() {
 
 #[test]
 fn they_follow_by_parts_of_turns() {
-    equals_free(
-        ARM,
-        &[
-            ("a", "coordinate: a", [1.0, 0.0], 0.0),
-            ("b", "motion: 0.3 - 0.5*a", [-0.5, 0.0], 0.3),
-            ("c", "coordinate: c", [0.0, 1.0], 0.0),
-            ("d", "motion: c * 0.25 m - 0.1", [0.0, 0.25], -0.1),
-            ("e", "motion: 0.77384*a + 2*c/3", [0.77384, 2.0 / 3.0], 0.0),
-        ],
-    );
     if share(2) == 2 {
+        equals_free(
+            ARM,
+            &[
+                ("a", "coordinate: a", [1.0, 0.0], 0.0),
+                ("b", "motion: 0.3 - 0.5*a", [-0.5, 0.0], 0.3),
+                ("c", "coordinate: c", [0.0, 1.0], 0.0),
+                ("d", "motion: c * 0.25 m - 0.1", [0.0, 0.25], -0.1),
+                ("e", "motion: 0.77384*a + 2*c/3", [0.77384, 2.0 / 3.0], 0.0),
+            ],
+        );
         // an angle that follows a length
         equals_free(
             ARM,

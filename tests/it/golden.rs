@@ -1,7 +1,8 @@
-//! The emitted code of the first scene and of all examples, to the byte, and that it is the same every time.
+//! The emitted code of eight scenes and of all examples, to the byte, and that it is the same every time.
 //!
-//! `UPDATE_EXPECT=1 cargo test -p tests --test it golden` rewrites the expected code.
+//! `UPDATE_EXPECT=1 cargo test -p tests --features thorough --test it golden` rewrites what is expected.
 
+use std::fmt::Write;
 use std::fs;
 use std::mem::take;
 use std::path::{Path, PathBuf};
@@ -9,10 +10,12 @@ use std::path::{Path, PathBuf};
 use expect_test::expect_file;
 use syn::parse::{Parse, ParseStream};
 use syn::{File, ImplItem, ImplItemMacro, Item, ItemMacro, Macro};
-use testbed::source::{SCENES, declaration};
+use testbed::source::{ROBOTS, SCENES, declaration};
 
-fn emitted() -> String {
-    code(declaration(SCENES, "DoublePendulum"))
+macro_rules! gallery {
+    ($name:literal) => {
+        include_str!(concat!("../../examples/gallery/src/", $name, ".rs"))
+    };
 }
 
 /// The code of a declaration, with what stands in `with_std!` in its place: only as items it is printed as code.
@@ -63,36 +66,58 @@ fn unwrapped<I: Parse>(items: Vec<I>, as_macro: fn(&I) -> Option<&Macro>) -> Vec
     items.flatten().collect()
 }
 
+/// Scenes that differ in kind, each with a file of its code.
+const KINDS: [(&str, &str, &str); 8] = [
+    ("eq22", SCENES, "DoublePendulum"),
+    ("ur5", ROBOTS, "Ur5"),
+    ("points_and_forces", gallery!("magnets"), "Magnets"),
+    ("four_bar", gallery!("four_bar"), "FourBar"),
+    ("ball_chain", gallery!("ball_pendulum"), "BallPendulum"),
+    ("hybrid", include_str!("../hybrid/scenes.rs"), "Block"),
+    ("inputs", include_str!("../../examples/cart_pole.rs"), "CartPole"),
+    ("driven_joints", gallery!("driven_pivot"), "DrivenPivot"),
+];
+
 #[test]
-fn the_emitted_code_is_the_expected_one() {
-    expect_file!["golden/double_pendulum.rs"].assert_eq(&emitted());
+fn emitted_code_is_the_expected_one() {
+    for (kind, source, scene) in KINDS {
+        expect_file![format!("golden/{kind}.rs")].assert_eq(&code(declaration(source, scene)));
+    }
 }
 
-/// A joint with dry friction and a stop.
+/// The code of every example, by its number of lines and a digest. It is written to `target/tmp/emitted`, so that what
+/// changed can be compared.
 #[test]
-fn the_emitted_code_of_a_hybrid_scene_is_the_expected_one() {
-    expect_file!["golden/hybrid.rs"].assert_eq(&code(declaration(include_str!("../hybrid/scenes.rs"), "Block")));
-}
-
-/// A file for each example that declares mechanisms, with the code of all of them.
-#[test]
-fn the_emitted_code_of_the_examples_is_the_expected_one() {
-    let own = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let (examples, golden) = (own.join("../examples"), own.join("it/golden/examples"));
-    let mut expected = Vec::new();
+#[cfg_attr(
+    not(feature = "thorough"),
+    ignore = "takes long: it runs with the feature `thorough`"
+)]
+fn emitted_code_of_all_examples_has_the_expected_digests() {
+    let examples = Path::new(env!("CARGO_MANIFEST_DIR")).join("../examples");
+    let written = Path::new(env!("CARGO_TARGET_TMPDIR")).join("emitted");
+    let mut digests = String::new();
     for path in sources(&examples) {
         let source = fs::read_to_string(&path).expect("text");
         let inside = source.split("\nmechanism! {\n").skip(1);
         let declarations = inside.map(|text| text.split("\n}\n").next().expect("its end"));
         let code: Vec<String> = declarations.map(code).collect();
         if !code.is_empty() {
-            let place = golden.join(path.strip_prefix(&examples).expect("an example"));
-            expect_file![&place].assert_eq(&code.join("\n"));
-            expected.push(place);
+            let (code, example) = (code.join("\n"), path.strip_prefix(&examples).expect("an example"));
+            let place = written.join(example);
+            fs::create_dir_all(place.parent().expect("a folder")).expect("a folder");
+            fs::write(place, &code).expect("a file");
+            let (example, lines) = (example.display(), code.lines().count());
+            writeln!(digests, "{example}: {lines} lines, {:016x}", digest(&code)).expect("a string");
         }
     }
-    assert!(expected.len() > 15, "{expected:#?}");
-    assert_eq!(sources(&golden), expected, "code of an example that is gone");
+    expect_file!["golden/examples.txt"].assert_eq(&digests);
+}
+
+/// FNV-1a.
+fn digest(text: &str) -> u64 {
+    text.bytes().fold(0xcbf2_9ce4_8422_2325, |digest, byte| {
+        (digest ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    })
 }
 
 /// The Rust files below a folder, in order.
@@ -109,6 +134,7 @@ fn sources(folder: &Path) -> Vec<PathBuf> {
 
 #[test]
 fn the_same_declaration_gives_the_same_code_every_time() {
+    let emitted = || code(declaration(SCENES, "DoublePendulum"));
     let first = emitted();
     // hash tables are seeded for each thread, so an order taken from one would show here
     let others: Vec<_> = (0..4).map(|_| std::thread::spawn(emitted)).collect();

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
-use super::{model, near, numbers};
+use super::{is_thorough, model, near, numbers};
 use crate::dynamics::{Dynamics, derived};
 use crate::expr::{Expr, Graph, Symbol, SymbolKind};
 use crate::form::{Forms, drive_forces, loop_wrenches};
@@ -274,11 +274,7 @@ fn assert_near(what: &str, ours: &[f64], expected: &[f64], tolerance: f64) {
 
 #[test]
 fn loops_move_as_with_multipliers() {
-    let every = if std::env::var_os("PENDULUM_THOROUGH").is_some() {
-        1
-    } else {
-        3
-    };
+    let every = if is_thorough() { 1 } else { 3 };
     for (seed, text) in SCENES.iter().enumerate().step_by(every) {
         let open_text = opened(text);
         let (graph, open_graph) = (Graph::new(), Graph::new());

@@ -26,6 +26,11 @@ use crate::parse::parse;
 /// More than any test needs.
 const BUDGET: usize = 10_000_000;
 
+/// Runs all cases rather than a share of them, as `testbed::random::share` does for other packages.
+fn is_thorough() -> bool {
+    std::env::var_os("PENDULUM_THOROUGH").is_some()
+}
+
 /// The model of a declaration, whose units do not matter to its algebra.
 fn model<'g>(graph: &'g Graph, declaration: &str) -> Model<'g> {
     with_units(graph, &declaration.replacen('{', "{ units: none,", 1))

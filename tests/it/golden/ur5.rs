@@ -1,0 +1,3581 @@
+#[allow(non_snake_case)]
+mod __Ur5 {
+    ///Parameters of [`Ur5`].
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Ur5Params {}
+    impl ::core::default::Default for Ur5Params {
+        #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+        fn default() -> Self {
+            Self {}
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl Ur5Params {
+        /// The names of the parameters, in the order of their declaration.
+        pub const NAMES: [&'static str; 0] = [];
+        /// The values of the parameters, in the order of [`NAMES`](Self::NAMES).
+        pub const fn to_array(self) -> [f64; 0] {
+            []
+        }
+        /// The parameters with these values, in the order of [`NAMES`](Self::NAMES).
+        pub const fn from_array(values: [f64; 0]) -> Self {
+            let [] = values;
+            Self {}
+        }
+    }
+    /// Universal Robots UR5: six revolute joints.
+    ///
+    /**# Equations of motion
+
+```text
+A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints
+
+A[q1, q1] = 0.4395951218175 + 0.10510116377025*c234^2 + 1.75501953841*c2^2 + 0.59155695167475*c23^2
+    + c234*(c234*(0.10971 + 0.016685526855*c6^2 + c5^2*t8) - 0.03337105371*c5*s6*c6*s234) + 0.85*t9
+    - 0.0139521246075*c23*s234 - c5^2*t8
+A[q1, q2] = A[q1, q3] + 0.408499208875*s2
+A[q1, q3] = A[q1, q4] + 0.07714261911625*s23
+A[q1, q4] = 0.00194120382525*c234 - 0.016685526855*s5*s6*c6*c234 - s5*c5*s234*t8
+A[q1, q5] = 0.016685526855*c5*s6*c6*s234 - c234*A[q5, q5]
+A[q1, q6] = -0.017136473145*s5*s234
+A[q2, q2] = A[q3, q3] + 1.77012693841 + 0.85*t9 + 0.85*t10
+A[q2, q3] = A[q3, q3] + 0.425*t9 + 0.425*t10
+A[q2, q4] = A[q3, q4] + 0.007558512375*s2*c234 - 0.007558512375*c2*s234
+A[q2, q5] = 0.016685526855*s5*s6*c6
+A[q2, q6] = 0.017136473145*c5
+A[q3, q3] = A[q4, q4] + 0.59565195167475 + 0.0139521246075*s23*c234 - 0.0139521246075*c23*s234
+A[q3, q4] = A[q4, q4] + 0.00697606230375*s23*c234 - 0.00697606230375*c23*s234
+A[q3, q5] = A[q2, q5]
+A[q3, q6] = A[q2, q6]
+A[q4, q4] = 0.25785083622975 + c5^2*t8 - 0.016685526855*c6^2
+A[q4, q5] = A[q2, q5]
+A[q4, q6] = A[q2, q6]
+A[q5, q5] = 0.236556473145 + 0.016685526855*c6^2
+A[q6, q6] = 0.017136473145
+b[q1] = 0.602212521625*c2*t0 + 0.02581996229125*t6 + 0.051322656825*c23*w23^2 + 0.017784735*s234*(t7 + 0.39225*s23*t2)
+    + s234*(c5*t20 + s5*t21) - 3.51003907682*dot(q1)*dot(q2)*s2*c2 - 0.19371331275*dot(q2)^2*c2
+    - 0.602212521625*dot(q1)^2*c2 - 1.598759275*c23*t7 - 0.59155695167475*s23*c23*t2 - 0.00028722347025*s234*t11
+    - 0.10510116377025*c234*s234*t4 - 0.001653980355*s234*w234^2 - c234*b[q5] - 0.00697606230375*c23*c234*t4
+    - 0.425*c2*(1.598759275*s23*t2 + 0.017784735*c234*t4)
+b[q2] = b[q3] + 1.75501953841*dot(q1)^2*s2*c2 - 43.486969725*c2
+    - 0.425*c2*(1.598759275*s23*w23^2 + 0.017784735*c234*w234^2) - 0.425*s2*(0.017784735*s234*t11 - 1.598759275*t6)
+b[q3] = b[q4] + 0.59155695167475*dot(q1)^2*s23*c23 + 0.679472691875*c2*s23*t0 + 0.051322656825*c23*(t1 - dot(q1)*w23)
+    - 1.598759275*c23*t22 - 0.00697606230375*c23*c234*w234^2 - 0.00697606230375*s23*s234*t11
+b[q4] = 0.10510116377025*dot(q1)^2*c234*s234 + 0.017784735*c234*(0.425*c2*t0 + 0.39225*t6) + s5*t20
+    + 0.017784735*s234*(t22 + 0.39225*s23*w23^2) - 0.001653980355*s234*(t3 - dot(q1)*w234) - c5*t21
+b[q5] = 0.236331*s234*t3 + c6*t17 + s6*t19 - 0.016911*t12*t13
+b[q6] = -(0.017136473145*dot(q5)*t13 + 0.016685526855*t14*t18 + 0.017136473145*s5*c234*t3)
+
+where
+s2 = sin(q2)
+c2 = cos(q2)
+s5 = sin(q5)
+c5 = cos(q5)
+s6 = sin(q6)
+c6 = cos(q6)
+s23 = sin(q2 + q3)
+c23 = cos(q2 + q3)
+c234 = cos(q2 + q3 + q4)
+s234 = sin(q2 + q3 + q4)
+w23 = dot(q2) + dot(q3)
+w234 = w23 + dot(q4)
+t0 = dot(q1)^2 + dot(q2)^2
+t1 = dot(q1)*dot(q2) + dot(q1)*dot(q3)
+t2 = t1 + dot(q1)*w23
+t3 = t1 + dot(q1)*dot(q4)
+t4 = t3 + dot(q1)*w234
+t5 = dot(q5) - dot(q1)*c234
+t6 = c23*(dot(q1)^2 + w23^2)
+t7 = 0.01615*dot(q1)^2 + 0.85*dot(q1)*dot(q2)*s2
+t8 = 0.016685526855*c6^2 - 0.016685526855
+t9 = c2*(1.598759275*c23 - 0.017784735*s234)
+t10 = s2*(1.598759275*s23 + 0.017784735*c234)
+t11 = dot(q1)^2 + w234^2
+t12 = c5*w234 - dot(q1)*s5*s234
+t13 = dot(q1)*c5*s234 + s5*w234
+t14 = c6*t13 - s6*t5
+t15 = dot(q5)*t12 + c5*c234*t3
+t16 = t12 + dot(q6)
+t17 = 0.016911*dot(q6)*t14 + 0.016911*c6*s234*t3 + 0.016911*s6*t15 + 0.016911*t14*t16
+t18 = c6*t5 + s6*t13
+t19 = 0.000225473145*dot(q6)*t18 + 0.000225473145*s6*s234*t3 + 0.000225473145*t16*t18 - 0.000225473145*c6*t15
+t20 = 0.126621*dot(q5)*t12 + 0.126621*t5*t12 + 0.126621*c5*c234*t3 + s6*t17 - c6*t19
+t21 = 0.10971*t5*t13 + 0.126846473145*dot(q5)*t13 + 0.016685526855*t14*t18 + 0.126846473145*s5*c234*t3
+t22 = 9.81 + 0.425*dot(q2)^2*s2
+```
+*/
+    #[derive(Clone, Copy, Debug, PartialEq)]
+    pub struct Ur5<T = f64> {
+        params: Ur5Params,
+        constants: [T; 0],
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl Ur5 {
+        /// Builds the model: checks the parameters, and computes once whatever depends on them alone.
+        ///
+        /// # Errors
+        ///
+        /// The first parameter, or combination of parameters, that is not finite or that no rigid body can
+        /// have.
+        pub fn new(
+            params: Ur5Params,
+        ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
+            #[inline]
+            fn rules<T: ::pendulum_core::real::Real>(given: [T; 0]) -> [T; 0] {
+                let [] = given;
+                []
+            }
+            #[inline]
+            fn constants<T: ::pendulum_core::real::Real>(given: [T; 0]) -> [T; 0] {
+                let [] = given;
+                []
+            }
+            let given = params.to_array();
+            for (name, value) in Ur5Params::NAMES.into_iter().zip(given) {
+                if !value.is_finite() {
+                    return Err(
+                        ::pendulum_core::ParameterError::new(
+                            name,
+                            value,
+                            "a parameter must be finite",
+                            &[],
+                        ),
+                    );
+                }
+            }
+            let [] = rules(given);
+            let constants = constants(given);
+            let names: [&'static str; 0] = [];
+            for (name, value) in names.into_iter().zip(constants) {
+                if !value.is_finite() {
+                    let given: [_; 0] = ::core::array::from_fn(|n| (
+                        Ur5Params::NAMES[n],
+                        given[n],
+                    ));
+                    return Err(
+                        ::pendulum_core::ParameterError::new(
+                            name,
+                            value,
+                            "a constant of the equations is not finite: a coordinate has no inertia, a divisor is zero, or a number is too large",
+                            &given,
+                        ),
+                    );
+                }
+            }
+            Ok(Self { params, constants })
+        }
+        /// The same model in another number type, such as `f32`. Its constants are computed in double precision
+        /// and then rounded.
+        pub fn cast<T: ::pendulum_core::real::Real>(&self) -> Ur5<T> {
+            Ur5 {
+                params: self.params,
+                constants: self.constants.map(T::from_f64),
+            }
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> Ur5<T> {
+        /// The parameters that the model was built from.
+        pub fn params(&self) -> &Ur5Params {
+            &self.params
+        }
+        /// The model with other parameters, in the same number type. Its constants are computed anew.
+        ///
+        /// # Errors
+        ///
+        /// Those of `new`.
+        pub fn with_params(
+            &self,
+            params: Ur5Params,
+        ) -> ::core::result::Result<Self, ::pendulum_core::ParameterError> {
+            Ok(<Ur5>::new(params)?.cast())
+        }
+    }
+    impl Ur5 {
+        ///The place of `q1` in the state, where it stands in rad.
+        pub const Q1: usize = 0;
+        ///The place of `dot(q1)` in the state, where it stands in rad/s.
+        pub const DOT_Q1: usize = 6;
+        ///The place of `q2` in the state, where it stands in rad.
+        pub const Q2: usize = 1;
+        ///The place of `dot(q2)` in the state, where it stands in rad/s.
+        pub const DOT_Q2: usize = 7;
+        ///The place of `q3` in the state, where it stands in rad.
+        pub const Q3: usize = 2;
+        ///The place of `dot(q3)` in the state, where it stands in rad/s.
+        pub const DOT_Q3: usize = 8;
+        ///The place of `q4` in the state, where it stands in rad.
+        pub const Q4: usize = 3;
+        ///The place of `dot(q4)` in the state, where it stands in rad/s.
+        pub const DOT_Q4: usize = 9;
+        ///The place of `q5` in the state, where it stands in rad.
+        pub const Q5: usize = 4;
+        ///The place of `dot(q5)` in the state, where it stands in rad/s.
+        pub const DOT_Q5: usize = 10;
+        ///The place of `q6` in the state, where it stands in rad.
+        pub const Q6: usize = 5;
+        ///The place of `dot(q6)` in the state, where it stands in rad/s.
+        pub const DOT_Q6: usize = 11;
+        /// The number of degrees of freedom; the state has twice as many components.
+        pub const DOF: usize = 6;
+        /// The names of the coordinates, in the order in which they, and then their rates, stand in the state.
+        pub const COORDINATES: [&'static str; 6] = ["q1", "q2", "q3", "q4", "q5", "q6"];
+        /// Counted operations of each generated function, in the form that it has and in others.
+        pub const COST: ::pendulum_core::Cost = ::pendulum_core::Cost::new(
+            &[
+                (
+                    "rhs",
+                    ::pendulum_core::FunctionCost::new(
+                            "recursion, L^T D L",
+                            ::pendulum_core::Operations::new(176, 202, 5, 5, 0, 79),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "articulated bodies",
+                                    ::pendulum_core::Operations::new(228, 276, 5, 5, 0, 109),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first, L^T D L",
+                                    ::pendulum_core::Operations::new(220, 352, 5, 5, 0, 72),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first, L^T D L",
+                                    ::pendulum_core::Operations::new(225, 358, 5, 5, 0, 72),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded, L^T D L",
+                                    ::pendulum_core::Operations::new(314, 760, 5, 5, 0, 115),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C, L^T D L",
+                                    ::pendulum_core::Operations::new(536, 551, 5, 5, 0, 73),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "jacobian",
+                    ::pendulum_core::FunctionCost::new(
+                            "recursion, L^T D L, derived in the graph",
+                            ::pendulum_core::Operations::new(740, 839, 5, 5, 0, 120),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first, L^T D L, derived and expanded",
+                                    ::pendulum_core::Operations::new(863, 1178, 5, 5, 0, 103),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first, L^T D L, derived and expanded",
+                                    ::pendulum_core::Operations::new(887, 1191, 5, 5, 0, 103),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded, L^T D L, derived in the graph",
+                                    ::pendulum_core::Operations::new(1741, 2576, 5, 5, 0, 135),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C, L^T D L, derived in the graph",
+                                    ::pendulum_core::Operations::new(2277, 2108, 5, 5, 0, 93),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "kinetic",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of parameters first",
+                            ::pendulum_core::Operations::new(52, 77, 0, 5, 0, 39),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(53, 77, 0, 5, 0, 39),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(53, 95, 0, 5, 0, 40),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "recursion",
+                                    ::pendulum_core::Operations::new(70, 92, 0, 5, 0, 51),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C",
+                                    ::pendulum_core::Operations::new(110, 127, 0, 5, 0, 47),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "potential",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of the state first",
+                            ::pendulum_core::Operations::new(5, 3, 0, 3, 0, 24),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(5, 3, 0, 3, 0, 24),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(5, 3, 0, 3, 0, 24),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C",
+                                    ::pendulum_core::Operations::new(10, 9, 0, 3, 0, 31),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "recursion",
+                                    ::pendulum_core::Operations::new(10, 9, 0, 3, 0, 31),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "mass_matrix",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of the state first",
+                            ::pendulum_core::Operations::new(36, 51, 0, 5, 0, 34),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(36, 55, 0, 5, 0, 34),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(36, 60, 0, 5, 0, 36),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "recursion",
+                                    ::pendulum_core::Operations::new(50, 49, 0, 5, 0, 41),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C",
+                                    ::pendulum_core::Operations::new(82, 94, 0, 5, 0, 39),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "bias",
+                    ::pendulum_core::FunctionCost::new(
+                            "recursion",
+                            ::pendulum_core::Operations::new(85, 114, 0, 5, 0, 46),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(166, 328, 0, 5, 0, 39),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(169, 338, 0, 5, 0, 39),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C",
+                                    ::pendulum_core::Operations::new(419, 443, 0, 5, 0, 59),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(221, 645, 0, 5, 0, 101),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "momentum",
+                    ::pendulum_core::FunctionCost::new(
+                            "closed form, factors of parameters first",
+                            ::pendulum_core::Operations::new(56, 84, 0, 5, 0, 37),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(57, 84, 0, 5, 0, 37),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "recursion",
+                                    ::pendulum_core::Operations::new(65, 85, 0, 5, 0, 47),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(64, 98, 0, 5, 0, 40),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C",
+                                    ::pendulum_core::Operations::new(105, 120, 0, 5, 0, 43),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "inverse_dynamics",
+                    ::pendulum_core::FunctionCost::new(
+                            "recursion",
+                            ::pendulum_core::Operations::new(131, 151, 0, 5, 0, 53),
+                        )
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of parameters first",
+                                    ::pendulum_core::Operations::new(209, 329, 0, 5, 0, 49),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, factors of the state first",
+                                    ::pendulum_core::Operations::new(213, 333, 0, 5, 0, 49),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "closed form, expanded",
+                                    ::pendulum_core::Operations::new(290, 735, 0, 5, 0, 107),
+                                ),
+                                ::pendulum_core::FunctionCost::new(
+                                    "A, B and C",
+                                    ::pendulum_core::Operations::new(512, 527, 0, 5, 0, 65),
+                                ),
+                            ],
+                        ),
+                ),
+                (
+                    "taylor",
+                    ::pendulum_core::FunctionCost::new(
+                            "recursion, L^T D L",
+                            ::pendulum_core::Operations::new(444, 374, 0, 0, 0, 55),
+                        )
+                        .with_products(142)
+                        .with_others(
+                            &[
+                                ::pendulum_core::FunctionCost::new(
+                                        "closed form, factors of parameters first, L^T D L",
+                                        ::pendulum_core::Operations::new(811, 714, 0, 0, 0, 47),
+                                    )
+                                    .with_products(291),
+                                ::pendulum_core::FunctionCost::new(
+                                        "closed form, factors of the state first, L^T D L",
+                                        ::pendulum_core::Operations::new(839, 737, 0, 0, 0, 47),
+                                    )
+                                    .with_products(297),
+                                ::pendulum_core::FunctionCost::new(
+                                        "A, B and C, L^T D L",
+                                        ::pendulum_core::Operations::new(1133, 798, 0, 0, 0, 65),
+                                    )
+                                    .with_products(315),
+                                ::pendulum_core::FunctionCost::new(
+                                        "closed form, expanded, L^T D L",
+                                        ::pendulum_core::Operations::new(1579, 1415, 0, 0, 0, 108),
+                                    )
+                                    .with_products(582),
+                            ],
+                        ),
+                ),
+            ],
+        );
+        /// What each part of the state is.
+        pub const LAYOUT: ::pendulum_core::StateLayout = ::pendulum_core::StateLayout::new(
+                &[
+                    ::pendulum_core::Slot::new(
+                            "q1",
+                            ::pendulum_core::SlotKind::Angle,
+                            0..1,
+                            6..7,
+                        )
+                        .periodic()
+                        .cyclic(),
+                    ::pendulum_core::Slot::new(
+                            "q2",
+                            ::pendulum_core::SlotKind::Angle,
+                            1..2,
+                            7..8,
+                        )
+                        .periodic(),
+                    ::pendulum_core::Slot::new(
+                            "q3",
+                            ::pendulum_core::SlotKind::Angle,
+                            2..3,
+                            8..9,
+                        )
+                        .periodic(),
+                    ::pendulum_core::Slot::new(
+                            "q4",
+                            ::pendulum_core::SlotKind::Angle,
+                            3..4,
+                            9..10,
+                        )
+                        .periodic(),
+                    ::pendulum_core::Slot::new(
+                            "q5",
+                            ::pendulum_core::SlotKind::Angle,
+                            4..5,
+                            10..11,
+                        )
+                        .periodic(),
+                    ::pendulum_core::Slot::new(
+                            "q6",
+                            ::pendulum_core::SlotKind::Angle,
+                            5..6,
+                            11..12,
+                        )
+                        .periodic(),
+                ],
+            )
+            .autonomous();
+        /// The equations of motion as text.
+        pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[q1, q1] = 0.4395951218175 + 0.10510116377025*c234^2 + 1.75501953841*c2^2 + 0.59155695167475*c23^2\n    + c234*(c234*(0.10971 + 0.016685526855*c6^2 + c5^2*t8) - 0.03337105371*c5*s6*c6*s234) + 0.85*t9\n    - 0.0139521246075*c23*s234 - c5^2*t8\nA[q1, q2] = A[q1, q3] + 0.408499208875*s2\nA[q1, q3] = A[q1, q4] + 0.07714261911625*s23\nA[q1, q4] = 0.00194120382525*c234 - 0.016685526855*s5*s6*c6*c234 - s5*c5*s234*t8\nA[q1, q5] = 0.016685526855*c5*s6*c6*s234 - c234*A[q5, q5]\nA[q1, q6] = -0.017136473145*s5*s234\nA[q2, q2] = A[q3, q3] + 1.77012693841 + 0.85*t9 + 0.85*t10\nA[q2, q3] = A[q3, q3] + 0.425*t9 + 0.425*t10\nA[q2, q4] = A[q3, q4] + 0.007558512375*s2*c234 - 0.007558512375*c2*s234\nA[q2, q5] = 0.016685526855*s5*s6*c6\nA[q2, q6] = 0.017136473145*c5\nA[q3, q3] = A[q4, q4] + 0.59565195167475 + 0.0139521246075*s23*c234 - 0.0139521246075*c23*s234\nA[q3, q4] = A[q4, q4] + 0.00697606230375*s23*c234 - 0.00697606230375*c23*s234\nA[q3, q5] = A[q2, q5]\nA[q3, q6] = A[q2, q6]\nA[q4, q4] = 0.25785083622975 + c5^2*t8 - 0.016685526855*c6^2\nA[q4, q5] = A[q2, q5]\nA[q4, q6] = A[q2, q6]\nA[q5, q5] = 0.236556473145 + 0.016685526855*c6^2\nA[q6, q6] = 0.017136473145\nb[q1] = 0.602212521625*c2*t0 + 0.02581996229125*t6 + 0.051322656825*c23*w23^2 + 0.017784735*s234*(t7 + 0.39225*s23*t2)\n    + s234*(c5*t20 + s5*t21) - 3.51003907682*dot(q1)*dot(q2)*s2*c2 - 0.19371331275*dot(q2)^2*c2\n    - 0.602212521625*dot(q1)^2*c2 - 1.598759275*c23*t7 - 0.59155695167475*s23*c23*t2 - 0.00028722347025*s234*t11\n    - 0.10510116377025*c234*s234*t4 - 0.001653980355*s234*w234^2 - c234*b[q5] - 0.00697606230375*c23*c234*t4\n    - 0.425*c2*(1.598759275*s23*t2 + 0.017784735*c234*t4)\nb[q2] = b[q3] + 1.75501953841*dot(q1)^2*s2*c2 - 43.486969725*c2\n    - 0.425*c2*(1.598759275*s23*w23^2 + 0.017784735*c234*w234^2) - 0.425*s2*(0.017784735*s234*t11 - 1.598759275*t6)\nb[q3] = b[q4] + 0.59155695167475*dot(q1)^2*s23*c23 + 0.679472691875*c2*s23*t0 + 0.051322656825*c23*(t1 - dot(q1)*w23)\n    - 1.598759275*c23*t22 - 0.00697606230375*c23*c234*w234^2 - 0.00697606230375*s23*s234*t11\nb[q4] = 0.10510116377025*dot(q1)^2*c234*s234 + 0.017784735*c234*(0.425*c2*t0 + 0.39225*t6) + s5*t20\n    + 0.017784735*s234*(t22 + 0.39225*s23*w23^2) - 0.001653980355*s234*(t3 - dot(q1)*w234) - c5*t21\nb[q5] = 0.236331*s234*t3 + c6*t17 + s6*t19 - 0.016911*t12*t13\nb[q6] = -(0.017136473145*dot(q5)*t13 + 0.016685526855*t14*t18 + 0.017136473145*s5*c234*t3)\n\nwhere\ns2 = sin(q2)\nc2 = cos(q2)\ns5 = sin(q5)\nc5 = cos(q5)\ns6 = sin(q6)\nc6 = cos(q6)\ns23 = sin(q2 + q3)\nc23 = cos(q2 + q3)\nc234 = cos(q2 + q3 + q4)\ns234 = sin(q2 + q3 + q4)\nw23 = dot(q2) + dot(q3)\nw234 = w23 + dot(q4)\nt0 = dot(q1)^2 + dot(q2)^2\nt1 = dot(q1)*dot(q2) + dot(q1)*dot(q3)\nt2 = t1 + dot(q1)*w23\nt3 = t1 + dot(q1)*dot(q4)\nt4 = t3 + dot(q1)*w234\nt5 = dot(q5) - dot(q1)*c234\nt6 = c23*(dot(q1)^2 + w23^2)\nt7 = 0.01615*dot(q1)^2 + 0.85*dot(q1)*dot(q2)*s2\nt8 = 0.016685526855*c6^2 - 0.016685526855\nt9 = c2*(1.598759275*c23 - 0.017784735*s234)\nt10 = s2*(1.598759275*s23 + 0.017784735*c234)\nt11 = dot(q1)^2 + w234^2\nt12 = c5*w234 - dot(q1)*s5*s234\nt13 = dot(q1)*c5*s234 + s5*w234\nt14 = c6*t13 - s6*t5\nt15 = dot(q5)*t12 + c5*c234*t3\nt16 = t12 + dot(q6)\nt17 = 0.016911*dot(q6)*t14 + 0.016911*c6*s234*t3 + 0.016911*s6*t15 + 0.016911*t14*t16\nt18 = c6*t5 + s6*t13\nt19 = 0.000225473145*dot(q6)*t18 + 0.000225473145*s6*s234*t3 + 0.000225473145*t16*t18 - 0.000225473145*c6*t15\nt20 = 0.126621*dot(q5)*t12 + 0.126621*t5*t12 + 0.126621*c5*c234*t3 + s6*t17 - c6*t19\nt21 = 0.10971*t5*t13 + 0.126846473145*dot(q5)*t13 + 0.016685526855*t14*t18 + 0.126846473145*s5*c234*t3\nt22 = 9.81 + 0.425*dot(q2)^2*s2\n";
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::System<T, 12> for Ur5<T> {
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn rhs(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 12>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 12> {
+            let [_, q_q2, q_q3, q_q4, q_q5, q_q6, qd_q1, qd_q2, qd_q3, qd_q4, qd_q5,
+            qd_q6] = x.data.0[0];
+            let t0 = q_q2 + q_q3;
+            let t1 = t0 + q_q4;
+            let (sin2, cos2) = t1.sin_cos();
+            let t3 = T::from_f64(0.10510116377025) * cos2;
+            let t4 = T::from_f64(0.017784735) * sin2;
+            let t5 = T::from_f64(0.017784735) * cos2;
+            let t6 = qd_q5 - cos2 * qd_q1;
+            let t7 = sin2 * qd_q1;
+            let t8 = qd_q2 + qd_q3;
+            let t9 = qd_q4 + t8;
+            let t10 = qd_q1 * qd_q2;
+            let t11 = t10 + qd_q1 * qd_q3;
+            let t12 = T::from_f64(2.0) * t10;
+            let t13 = qd_q1 * qd_q4 + t11;
+            let t14 = cos2 * t13;
+            let t15 = qd_q1 * qd_q1;
+            let t16 = qd_q2 * qd_q2;
+            let t17 = t15 + t16;
+            let t18 = T::from_f64(0.13585) * t15;
+            let t19 = T::from_f64(0.001653980355) * sin2;
+            let t20 = t9 * t9;
+            let t21 = t15 + t20;
+            let t22 = t4 * t21;
+            let t23 = t8 * t8;
+            let t24 = qd_q1 * t8;
+            let t25 = t15 + t23;
+            let t26 = t3 * sin2;
+            let t27 = sin2 * t13;
+            let t28 = qd_q1 * t9;
+            let t29 = t5 * t20;
+            let t30 = t11 + t24;
+            let t31 = t13 + t28;
+            let t32 = t5 * t31;
+            let [(sin33, cos33), (sin_q5, cos_q5)] = t0.sin_cos_pair(q_q5);
+            let t34 = T::from_f64(0.59155695167475) * cos33;
+            let t35 = cos33 * t34;
+            let t36 = t34 * sin33;
+            let t37 = T::from_f64(0.39225) * cos33;
+            let t38 = t37 * t4;
+            let t39 = T::from_f64(1.598759275) * cos33;
+            let t40 = sin2 * sin_q5;
+            let t41 = T::from_f64(0.017136473145) * t40;
+            let t42 = T::from_f64(1.598759275) * sin33;
+            let t43 = t5 + t42;
+            let t44 = T::from_f64(0.39225) * sin33;
+            let t45 = t5 * t44;
+            let t46 = T::from_f64(58.35506475215265) * t41;
+            let t47 = cos_q5 * t7 + sin_q5 * t9;
+            let t48 = cos_q5 * t9 - sin_q5 * t7;
+            let t49 = sin_q5 * t14 + qd_q5 * t47;
+            let t50 = cos_q5 * t14 + qd_q5 * t48;
+            let t51 = t22 - t39 * t25;
+            let t52 = qd_q6 + (t48 + qd_q6);
+            let t53 = t47 * t48;
+            let t54 = T::from_f64(0.051322656825) * cos33;
+            let [(sin_q6, cos_q6), (sin_q2, cos_q2)] = q_q6.sin_cos_pair(q_q2);
+            let t55 = T::from_f64(0.016685526855) * cos_q6;
+            let t56 = cos_q6 * t55;
+            let t57 = t55 * sin_q6;
+            let t58 = T::from_f64(0.109935473145) + t56;
+            let t59 = T::from_f64(0.016911) - t56;
+            let t60 = T::from_f64(1.75501953841) * cos_q2;
+            let t61 = cos_q2 * t60;
+            let t62 = t60 * sin_q2;
+            let t63 = cos_q5 * (t58 - T::from_f64(0.126621));
+            let t64 = cos_q5 * t63;
+            let t65 = T::from_f64(0.126621) + t64;
+            let t66 = sin2 * (cos_q5 * t57);
+            let t67 = cos2 * t3 + cos2 * (cos2 * (t65 - t59) - T::from_f64(2.0) * t66);
+            let t68 = T::from_f64(0.00460883622975) + t59 + t67;
+            let t69 = T::from_f64(0.10971) + t65 - t67;
+            let t70 = t57 * sin_q5;
+            let t71 = t63 * t40 + cos2 * t70 - T::from_f64(0.001653980355) * cos2;
+            let t72 = T::from_f64(0.0020475) + t35 + t68 - T::from_f64(2.0) * t38;
+            let t73 = t68 + t69;
+            let t74 = T::from_f64(0.59360445167475) + t69 + T::from_f64(2.0) * t45 - t35;
+            let t75 = T::from_f64(0.425) * cos_q2;
+            let t76 = t75 * (t39 - t4);
+            let t77 = T::from_f64(0.0075537) + t61 + t72 + T::from_f64(2.0) * t76;
+            let t78 = T::from_f64(0.126621) + t58;
+            let t79 = t66 - cos2 * t78;
+            let t80 = T::from_f64(-1.0) / t78;
+            let t81 = t79 * t80;
+            let t82 = t80 * t70;
+            let t83 = T::from_f64(0.017136473145) * cos_q5 * cos_q5 - t70 * t82;
+            let t84 = t73 + t45 - t38 - t83;
+            let t85 = T::from_f64(-1.0) / (t73 - t83);
+            let t86 = t72 + t74 - t83;
+            let t87 = cos_q5 * t41 + t79 * t82;
+            let t88 = T::from_f64(0.00028722347025) * cos2 + t87 - t71;
+            let t89 = T::from_f64(0.051322656825) * sin33 - T::from_f64(0.1197) * t43
+                - t71 + t87;
+            let t90 = t88 * t85;
+            let t91 = t85 * t84;
+            let t92 = T::from_f64(0.13585) * t43 + t88 * t91 + t89;
+            let t93 = T::from_f64(-1.0) / (t84 * t91 + t86);
+            let t94 = t92 * t93;
+            let t95 = T::from_f64(0.29853861244275) + t58 + t77 + t79 * t81 + t88 * t90
+                + t92 * t94;
+            let t96 = T::from_f64(0.425) * sin_q2;
+            let t97 = t5 * t96 + t84 - t4 * t75;
+            let t98 = t85 * t97;
+            let t99 = t43 * t96;
+            let t100 = t76 + t99 + t91 * t97 + t86;
+            let t101 = t93 * t100;
+            let t102 = T::from_f64(1.76257323841) + t77 + t74 + T::from_f64(2.0) * t99
+                + t97 * t98 + t100 * t101;
+            let t103 = T::from_f64(0.13585) * (t43 + T::from_f64(4.4329225) * sin_q2)
+                + t88 * t98 + t92 * t101 + t89;
+            let t104 = T::from_f64(-1.0) / (t102 - t61 - t83);
+            let t105 = t103 - T::from_f64(0.19371331275) * sin_q2;
+            let t106 = t105 * t104;
+            let t107 = cos_q6 * t6 + sin_q6 * t47;
+            let t108 = cos_q6 * t47 - sin_q6 * t6;
+            let t109 = t107 * t108;
+            let t110 = T::from_f64(0.000225473145) * (t109 - t49)
+                - T::from_f64(0.016911) * (t109 + t49);
+            let t111 = t110 - T::from_f64(0.10971) * (t49 + t6 * t47);
+            let t112 = T::from_f64(0.016911)
+                * (cos_q6 * t27 + sin_q6 * t50 + t108 * t52);
+            let t113 = T::from_f64(0.000225473145)
+                * (sin_q6 * t27 + t107 * t52 - cos_q6 * t50);
+            let t114 = T::from_f64(0.126621) * (t50 + t6 * t48) + sin_q6 * t112
+                - cos_q6 * t113;
+            let t115 = T::from_f64(0.10971) * (t27 + t53) + cos_q6 * t112 + sin_q6 * t113
+                - T::from_f64(0.126621) * (t53 - t27);
+            let t116 = T::from_f64(0.1197) * t15 - t18 - t96 * t12;
+            let t117 = t46 * t110 + T::from_f64(0.19371331275) * cos_q2 * (t15 - t17)
+                + t39 * t116 + t19 * (t15 - t21);
+            let t118 = t75 * t17;
+            let t119 = t5 * (t118 + t37 * t25) + t26 * (t21 - t20) + sin_q5 * t114;
+            let t120 = T::from_f64(-9.81) - t96 * t16;
+            let t121 = t119 + cos_q5 * t111 - t4 * (t120 - t44 * t23)
+                - t19 * (t13 - t28);
+            let t122 = t121 + t39 * t120 + t42 * t118 + t54 * (t11 - t24)
+                + t36 * (t25 - t23);
+            let t123 = cos_q5 * t110 - t82 * t115;
+            let t124 = t122 - t37 * t29 - t44 * t22 - t123;
+            let t125 = t121 - t123;
+            let t126 = t91 * t125 + t124;
+            let t127 = t62 * (t17 - t16) + t98 * t125 + t101 * t126 + t124
+                - T::from_f64(43.486969725) * cos_q2;
+            let t128 = t127 - t75 * (t29 + t42 * t23) - t96 * t51;
+            let t129 = T::from_f64(4.4329225) * cos_q2;
+            let t130 = t117 + T::from_f64(0.1197) * t51 + t90 * t125 + t94 * t126
+                + t106 * t128;
+            let t131 = t130 + t115 * (t81 - cos2) - t129 * t18 - t12 * t62 - t36 * t30;
+            let t132 = t131 - t54 * (t15 - t25) - t4 * (t116 - t44 * t30) - t26 * t31;
+            let t133 = t132 - sin2 * (sin_q5 * t111 - cos_q5 * t114) - t37 * t32
+                - t75 * (t32 + t42 * t30);
+            let t134 = T::from_f64(-1.0) / (t95 + t105 * t106 - t64 - t41 * t46)
+                * (t133 - T::from_f64(0.13585) * (t51 - t129 * t17));
+            let t135 = t104 * t128 + t106 * t134;
+            let t136 = t93 * t126 + t94 * t134 + t101 * t135;
+            let t137 = t85 * t125 + t90 * t134 + t98 * t135 + t91 * t136;
+            let t138 = t137 + (t135 + t136);
+            let t139 = t46 * t134 - T::from_f64(58.35506475215265) * t110
+                - cos_q5 * t138;
+            let t140 = t80 * t115 + t81 * t134 + t82 * t138;
+            ::pendulum_core::nalgebra::SVector::from([
+                qd_q1,
+                qd_q2,
+                qd_q3,
+                qd_q4,
+                qd_q5,
+                qd_q6,
+                t134,
+                t135,
+                t136,
+                t137,
+                t140,
+                t139,
+            ])
+        }
+        #[inline]
+        fn layout(
+            &self,
+        ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
+            Some(&<Ur5>::LAYOUT)
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Jacobian<T, 12> for Ur5<T> {
+        #[inline]
+        fn jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 12>,
+        ) -> ::pendulum_core::nalgebra::SMatrix<T, 12, 12> {
+            self.rhs_and_jacobian(t, x).1
+        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn rhs_and_jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 12>,
+        ) -> (
+            ::pendulum_core::nalgebra::SVector<T, 12>,
+            ::pendulum_core::nalgebra::SMatrix<T, 12, 12>,
+        ) {
+            let [_, q_q2, q_q3, q_q4, q_q5, q_q6, qd_q1, qd_q2, qd_q3, qd_q4, qd_q5,
+            qd_q6] = x.data.0[0];
+            let (
+                sin2,
+                cos2,
+                t5,
+                t6,
+                t7,
+                t8,
+                t10,
+                t11,
+                t16,
+                t21,
+                t22,
+                t23,
+                t25,
+                t27,
+                t28,
+                t29,
+                t30,
+                t31,
+                t32,
+                t33,
+                t34,
+                t39,
+                t41,
+                t42,
+                t46,
+                t47,
+                t49,
+                t50,
+                t51,
+                t52,
+                t53,
+                t54,
+                t55,
+                t56,
+                t57,
+                t58,
+                sin_q5,
+                cos_q5,
+                t62,
+                t63,
+                t65,
+                t66,
+                t68,
+                t70,
+                t73,
+                t74,
+                t75,
+                t78,
+                t79,
+                t88,
+                t90,
+                t91,
+                t94,
+                t99,
+                t100,
+                t101,
+                t102,
+                t103,
+                t104,
+                t105,
+                t106,
+                t107,
+                t108,
+                t109,
+                t110,
+                t111,
+                t112,
+                t113,
+                sin_q6,
+                cos_q6,
+                sin_q2,
+                cos_q2,
+                t120,
+                t121,
+                t134,
+                t139,
+                t140,
+                t141,
+                t144,
+                t149,
+                t150,
+                t152,
+                t153,
+                t155,
+                t156,
+                t159,
+                t162,
+                t164,
+                t165,
+                t167,
+                t168,
+                t169,
+                t170,
+                t174,
+                t195,
+                t196,
+                t200,
+                t201,
+                t202,
+                t203,
+                t204,
+                t205,
+                t206,
+                t209,
+                t210,
+                t211,
+                t212,
+                t213,
+                t214,
+                t215,
+                t216,
+                t219,
+                t220,
+                t222,
+                t223,
+                t224,
+                t225,
+                t227,
+                t229,
+                t233,
+                t234,
+                t235,
+                t238,
+                t239,
+                t240,
+                t243,
+                t246,
+                t250,
+                t251,
+                t252,
+                t253,
+                t254,
+            ) = {
+                let t0 = q_q2 + q_q3;
+                let t1 = t0 + q_q4;
+                let (sin2, cos2) = t1.sin_cos();
+                let t3 = T::from_f64(0.10510116377025) * cos2;
+                let t4 = cos2 * t3;
+                let t5 = t3 * sin2;
+                let t6 = T::from_f64(0.017784735) * sin2;
+                let t7 = T::from_f64(0.001653980355) * cos2;
+                let t8 = T::from_f64(0.017784735) * cos2;
+                let t9 = cos2 * qd_q1;
+                let t10 = qd_q5 - t9;
+                let t11 = sin2 * qd_q1;
+                let t12 = qd_q2 + qd_q3;
+                let t13 = qd_q4 + t12;
+                let t14 = qd_q1 * qd_q2;
+                let t15 = t14 + qd_q1 * qd_q3;
+                let t16 = T::from_f64(2.0) * t14;
+                let t17 = qd_q1 * qd_q4 + t15;
+                let t18 = cos2 * t17;
+                let t19 = qd_q1 * qd_q1;
+                let t20 = qd_q2 * qd_q2;
+                let t21 = t19 + t20;
+                let t22 = t19 - t21;
+                let t23 = T::from_f64(0.13585) * t19;
+                let t24 = qd_q1 * t12;
+                let t25 = t15 + t24;
+                let t26 = t15 - t24;
+                let t27 = T::from_f64(0.001653980355) * sin2;
+                let t28 = t13 * t13;
+                let t29 = t19 + t28;
+                let t30 = t19 - t29;
+                let t31 = t6 * t29;
+                let t32 = t12 * t12;
+                let t33 = T::from_f64(2.0) * t12;
+                let t34 = t19 + t32;
+                let t35 = t29 - t28;
+                let t36 = sin2 * t17;
+                let t37 = qd_q1 * t13;
+                let t38 = t17 - t37;
+                let t39 = t17 + t37;
+                let t40 = t34 - t32;
+                let t41 = t8 * t28;
+                let t42 = t21 - t20;
+                let t43 = t19 - t34;
+                let t44 = t8 * t39;
+                let t45 = T::from_f64(0.10510116377025) * sin2;
+                let t46 = t4 - sin2 * t45;
+                let t47 = t5 + cos2 * t45;
+                let t48 = cos2 * t13;
+                let t49 = T::from_f64(0.2717) * qd_q1;
+                let t50 = T::from_f64(2.0) * qd_q2;
+                let t51 = T::from_f64(2.0) * qd_q1;
+                let t52 = t6 * t51;
+                let t53 = t5 * t51;
+                let t54 = sin2 * t13;
+                let t55 = T::from_f64(2.0) * t13;
+                let t56 = t8 * t55;
+                let t57 = t6 * t55;
+                let t58 = t8 * t51;
+                let [(sin59, cos59), (sin_q5, cos_q5)] = t0.sin_cos_pair(q_q5);
+                let t60 = T::from_f64(0.59155695167475) * cos59;
+                let t61 = cos59 * t60;
+                let t62 = t60 * sin59;
+                let t63 = T::from_f64(0.39225) * cos59;
+                let t64 = t63 * t6;
+                let t65 = T::from_f64(1.598759275) * cos59;
+                let t66 = sin2 * sin_q5;
+                let t67 = T::from_f64(0.017136473145) * t66;
+                let t68 = T::from_f64(1.598759275) * sin59;
+                let t69 = t8 + t68;
+                let t70 = T::from_f64(0.39225) * sin59;
+                let t71 = t8 * t70;
+                let t72 = T::from_f64(0.051322656825) * sin59;
+                let t73 = T::from_f64(58.35506475215265) * t67;
+                let t74 = cos_q5 * t11 + sin_q5 * t13;
+                let t75 = cos_q5 * t13 - sin_q5 * t11;
+                let t76 = qd_q5 * t74;
+                let t77 = sin_q5 * t18 + t76;
+                let t78 = t70 * t25;
+                let t79 = t65 * t34;
+                let t80 = t31 - t79;
+                let t81 = t63 * t34;
+                let t82 = t70 * t32;
+                let t83 = qd_q5 * t75;
+                let t84 = cos_q5 * t18 + t83;
+                let t85 = t10 * t75;
+                let t86 = t75 + qd_q6;
+                let t87 = t10 * t74;
+                let t88 = t74 * t75;
+                let t89 = T::from_f64(0.051322656825) * cos59;
+                let t90 = t68 * t32;
+                let t91 = t68 * t25;
+                let t92 = sin_q5 * t9;
+                let t93 = cos_q5 * t9;
+                let t94 = qd_q6 + t86;
+                let t95 = t75 * t93 - t74 * t92;
+                let t96 = T::from_f64(0.59155695167475) * sin59;
+                let t97 = t61 - sin59 * t96;
+                let t98 = t62 + cos59 * t96;
+                let t99 = cos_q5 * sin2;
+                let t100 = sin_q5 * t48 + qd_q5 * t99;
+                let t101 = cos_q5 * t48 - qd_q5 * t66;
+                let t102 = t52 - t65 * t51;
+                let t103 = t75 * t99 - t74 * t66;
+                let t104 = t62 * t51;
+                let t105 = t70 * t33;
+                let t106 = t63 * t56;
+                let t107 = t70 * t51;
+                let t108 = t63 * t33;
+                let t109 = t93 + cos_q5 * qd_q5;
+                let t110 = t92 + sin_q5 * qd_q5;
+                let t111 = sin_q5 * t75 + cos_q5 * t74;
+                let t112 = t106 + t70 * t57;
+                let t113 = t57 - t65 * t33;
+                let [(sin_q6, cos_q6), (sin_q2, cos_q2)] = q_q6.sin_cos_pair(q_q2);
+                let t114 = T::from_f64(0.016685526855) * cos_q6;
+                let t115 = cos_q6 * t114;
+                let t116 = t114 * sin_q6;
+                let t117 = T::from_f64(0.109935473145) + t115;
+                let t118 = T::from_f64(0.016911) - t115;
+                let t119 = T::from_f64(1.75501953841) * cos_q2;
+                let t120 = cos_q2 * t119;
+                let t121 = t119 * sin_q2;
+                let t122 = cos_q5 * (t117 - T::from_f64(0.126621));
+                let t123 = cos_q5 * t122;
+                let t124 = T::from_f64(0.126621) + t123;
+                let t125 = sin2 * (cos_q5 * t116);
+                let t126 = t4 + cos2 * (cos2 * (t124 - t118) - T::from_f64(2.0) * t125);
+                let t127 = T::from_f64(0.00460883622975) + t118 + t126;
+                let t128 = T::from_f64(0.10971) + t124 - t126;
+                let t129 = t116 * sin_q5;
+                let t130 = t122 * t66 + cos2 * t129 - t7;
+                let t131 = T::from_f64(0.0020475) + t61 + t127 - T::from_f64(2.0) * t64;
+                let t132 = t127 + t128;
+                let t133 = T::from_f64(0.59360445167475) + t128 + T::from_f64(2.0) * t71
+                    - t61;
+                let t134 = T::from_f64(0.425) * cos_q2;
+                let t135 = t134 * (t65 - t6);
+                let t136 = T::from_f64(0.0075537) + t120 + t131
+                    + T::from_f64(2.0) * t135;
+                let t137 = T::from_f64(0.126621) + t117;
+                let t138 = t125 - cos2 * t137;
+                let t139 = T::from_f64(-1.0) / t137;
+                let t140 = t138 * t139;
+                let t141 = t139 * t129;
+                let t142 = T::from_f64(0.017136473145) * cos_q5 * cos_q5 - t129 * t141;
+                let t143 = t132 + t71 - t64 - t142;
+                let t144 = T::from_f64(-1.0) / (t132 - t142);
+                let t145 = t131 + t133 - t142;
+                let t146 = cos_q5 * t67 + t138 * t141;
+                let t147 = T::from_f64(0.00028722347025) * cos2 + t146 - t130;
+                let t148 = t72 - T::from_f64(0.1197) * t69 - t130 + t146;
+                let t149 = t147 * t144;
+                let t150 = t144 * t143;
+                let t151 = T::from_f64(0.13585) * t69 + t147 * t150 + t148;
+                let t152 = T::from_f64(-1.0) / (t143 * t150 + t145);
+                let t153 = t151 * t152;
+                let t154 = T::from_f64(0.29853861244275) + t117 + t136 + t138 * t140
+                    + t147 * t149 + t151 * t153;
+                let t155 = T::from_f64(4.4329225) * sin_q2;
+                let t156 = T::from_f64(0.425) * sin_q2;
+                let t157 = t8 * t156 + t143 - t6 * t134;
+                let t158 = t156 * t16 + (t23 - T::from_f64(0.1197) * t19);
+                let t159 = t144 * t157;
+                let t160 = t69 * t156;
+                let t161 = t135 + t160 + t150 * t157 + t145;
+                let t162 = t152 * t161;
+                let t163 = T::from_f64(1.76257323841) + t136 + t133
+                    + T::from_f64(2.0) * t160 + t157 * t159 + t161 * t162;
+                let t164 = T::from_f64(-1.0) / (t163 - t120 - t142);
+                let t165 = T::from_f64(0.19371331275) * sin_q2;
+                let t166 = T::from_f64(0.13585) * (t69 + t155) + t147 * t159
+                    + t151 * t162 + t148 - t165;
+                let t167 = t166 * t164;
+                let t168 = T::from_f64(-1.0) / (t154 + t166 * t167 - t123 - t67 * t73);
+                let t169 = cos_q6 * t10 + sin_q6 * t74;
+                let t170 = cos_q6 * t74 - sin_q6 * t10;
+                let t171 = t169 * t170;
+                let t172 = T::from_f64(0.000225473145) * (t171 - t77)
+                    - T::from_f64(0.016911) * (t171 + t77);
+                let t173 = t172 - T::from_f64(0.10971) * (t77 + t87);
+                let t174 = T::from_f64(0.19371331275) * cos_q2;
+                let t175 = t73 * t172 + t174 * t22 + t6 * (t158 + t78) + t27 * t30;
+                let t176 = t134 * t21;
+                let t177 = T::from_f64(9.81) + t156 * t20;
+                let t178 = t170 * qd_q6 + t170 * t86;
+                let t179 = t169 * t86;
+                let t180 = T::from_f64(0.016911) * (cos_q6 * t36 + sin_q6 * t84 + t178);
+                let t181 = t169 * qd_q6;
+                let t182 = T::from_f64(0.000225473145)
+                    * (t179 + sin_q6 * t36 + t181 - cos_q6 * t84);
+                let t183 = T::from_f64(0.126621) * (t84 + t85) + sin_q6 * t180
+                    - cos_q6 * t182;
+                let t184 = T::from_f64(0.10971) * (t36 + t88) + cos_q6 * t180
+                    + sin_q6 * t182 - T::from_f64(0.126621) * (t88 - t36);
+                let t185 = t8 * (t176 + t81) + t6 * (t177 + t82) + t5 * t35
+                    + sin_q5 * t183;
+                let t186 = t185 + cos_q5 * t173 - t27 * t38;
+                let t187 = cos_q5 * t172 - t141 * t184;
+                let t188 = t186 - t187;
+                let t189 = t186 + t68 * t176 + t89 * t26 + t62 * t40 - t65 * t177;
+                let t190 = t189 - t63 * t41 - t70 * t31 - t187;
+                let t191 = t150 * t188 + t190;
+                let t192 = t121 * t42 + t159 * t188 + t162 * t191 + t190
+                    - T::from_f64(43.486969725) * cos_q2;
+                let t193 = t192 - t134 * (t41 + t90) - t156 * t80;
+                let t194 = t175 + T::from_f64(0.1197) * t80 + t149 * t188 + t153 * t191
+                    + t167 * t193;
+                let t195 = t140 - cos2;
+                let t196 = T::from_f64(4.4329225) * cos_q2;
+                let t197 = t194 + t184 * t195 - t196 * t23 - t16 * t121 - t62 * t25;
+                let t198 = t197 - t89 * t43 - t65 * t158 - t5 * t39
+                    - sin2 * (sin_q5 * t173 - cos_q5 * t183);
+                let t199 = t198 - t63 * t44 - t134 * (t44 + t91)
+                    - T::from_f64(0.13585) * (t80 - t196 * t21);
+                let t200 = t168 * t199;
+                let t201 = t164 * t193 + t167 * t200;
+                let t202 = t152 * t191 + t153 * t200 + t162 * t201;
+                let t203 = t144 * t188 + t149 * t200 + t159 * t201 + t150 * t202;
+                let t204 = t201 + t202;
+                let t205 = t203 + t204;
+                let t206 = t139 * t184 + t140 * t200 + t141 * t205;
+                let t207 = t36 - cos2 * t200;
+                let t208 = t18 + sin2 * t200;
+                let t209 = t44 + t6 * t200;
+                let t210 = t83 + cos_q5 * t208 + sin_q5 * t205;
+                let t211 = t85 + t210;
+                let t212 = t206 + t207;
+                let t213 = t179 - (cos_q6 * t210 - t181 - sin_q6 * t212);
+                let t214 = cos_q6 * t212 + sin_q6 * t210 + t178;
+                let t215 = t134 * t200 - t158;
+                let t216 = t68 * t215
+                    - (t72 * t43 + t89 * t204 - t25 * t97 - t200 * t98);
+                let t217 = t204 * t98;
+                let t218 = cos_q5 * t205;
+                let t219 = t73 * t200 - T::from_f64(58.35506475215265) * t172 - t218;
+                let t220 = t218 - t76 - sin_q5 * t208;
+                let t221 = t219 + t220;
+                let t222 = t87 - t220;
+                let t223 = T::from_f64(0.000225473145) * (t171 + t221)
+                    - T::from_f64(0.016911) * (t171 - t221)
+                    - T::from_f64(0.10971) * t222;
+                let t224 = t134 * t16 + t156 * t200;
+                let t225 = t63 * t25 + t70 * t200;
+                let t226 = t156 * t201;
+                let t227 = t134 * t20 + t226;
+                let t228 = t70 * t204;
+                let t229 = t63 * t32 + t228;
+                let t230 = t205 * t47;
+                let t231 = t134 * t201;
+                let t232 = t231 - t177;
+                let t233 = t40 * t97 + t217 + t89 * t200 - t217 - t72 * t26 - t68 * t232;
+                let t234 = t156 * t21 - t231;
+                let t235 = t104 - t89 * t33
+                    - (T::from_f64(0.1197) * t113 - t134 * (t58 + t68 * t51));
+                let t236 = t63 * t204;
+                let t237 = t35 * t46 + t230 - t230 - t27 * t200 - t7 * t38
+                    - t8 * (t232 + t236 - t82);
+                let t238 = t236 - t70 * t34;
+                let t239 = T::from_f64(0.13585) * t200;
+                let t240 = T::from_f64(0.1197) * t200 - t176 - t226 - t239;
+                let t241 = cos_q5 * t207 + qd_q5 * t92;
+                let t242 = qd_q5 * t93 - sin_q5 * t207;
+                let t243 = sin_q6 * t11;
+                let t244 = cos_q6 * t93 - t243;
+                let t245 = T::from_f64(0.016911)
+                    * (cos_q6 * t208 + t244 * t94 - t170 * t92 - sin_q6 * t241);
+                let t246 = cos_q6 * t11;
+                let t247 = t246 + sin_q6 * t93;
+                let t248 = t170 * t247 + t169 * t244;
+                let t249 = T::from_f64(0.000225473145)
+                    * (cos_q6 * t241 + sin_q6 * t208 + t247 * t94 - t169 * t92);
+                let t250 = T::from_f64(0.126621) * (t11 * t75 - t10 * t92 - t241)
+                    + sin_q6 * t245 - cos_q6 * t249;
+                let t251 = T::from_f64(0.10971) * (t208 + t95) + cos_q6 * t245
+                    + sin_q6 * t249 - T::from_f64(0.126621) * (t95 - t208);
+                let t252 = T::from_f64(0.000225473145) * (t248 - t242)
+                    - T::from_f64(0.016911) * (t248 + t242);
+                let t253 = t252 - T::from_f64(0.10971) * (t242 + t10 * t93 + t11 * t74);
+                let t254 = t237
+                    + (t6 * (t240 - t81 - t228) + (sin_q5 * t250 + cos_q5 * t253));
+                (
+                    sin2,
+                    cos2,
+                    t5,
+                    t6,
+                    t7,
+                    t8,
+                    t10,
+                    t11,
+                    t16,
+                    t21,
+                    t22,
+                    t23,
+                    t25,
+                    t27,
+                    t28,
+                    t29,
+                    t30,
+                    t31,
+                    t32,
+                    t33,
+                    t34,
+                    t39,
+                    t41,
+                    t42,
+                    t46,
+                    t47,
+                    t49,
+                    t50,
+                    t51,
+                    t52,
+                    t53,
+                    t54,
+                    t55,
+                    t56,
+                    t57,
+                    t58,
+                    sin_q5,
+                    cos_q5,
+                    t62,
+                    t63,
+                    t65,
+                    t66,
+                    t68,
+                    t70,
+                    t73,
+                    t74,
+                    t75,
+                    t78,
+                    t79,
+                    t88,
+                    t90,
+                    t91,
+                    t94,
+                    t99,
+                    t100,
+                    t101,
+                    t102,
+                    t103,
+                    t104,
+                    t105,
+                    t106,
+                    t107,
+                    t108,
+                    t109,
+                    t110,
+                    t111,
+                    t112,
+                    t113,
+                    sin_q6,
+                    cos_q6,
+                    sin_q2,
+                    cos_q2,
+                    t120,
+                    t121,
+                    t134,
+                    t139,
+                    t140,
+                    t141,
+                    t144,
+                    t149,
+                    t150,
+                    t152,
+                    t153,
+                    t155,
+                    t156,
+                    t159,
+                    t162,
+                    t164,
+                    t165,
+                    t167,
+                    t168,
+                    t169,
+                    t170,
+                    t174,
+                    t195,
+                    t196,
+                    t200,
+                    t201,
+                    t202,
+                    t203,
+                    t204,
+                    t205,
+                    t206,
+                    t209,
+                    t210,
+                    t211,
+                    t212,
+                    t213,
+                    t214,
+                    t215,
+                    t216,
+                    t219,
+                    t220,
+                    t222,
+                    t223,
+                    t224,
+                    t225,
+                    t227,
+                    t229,
+                    t233,
+                    t234,
+                    t235,
+                    t238,
+                    t239,
+                    t240,
+                    t243,
+                    t246,
+                    t250,
+                    t251,
+                    t252,
+                    t253,
+                    t254,
+                )
+            };
+            let (
+                t306,
+                t307,
+                t308,
+                t309,
+                t311,
+                t312,
+                t316,
+                t317,
+                t318,
+                t319,
+                t321,
+                t322,
+                t326,
+                t327,
+                t328,
+                t329,
+                t331,
+                t332,
+                t348,
+                t349,
+                t350,
+                t351,
+                t353,
+                t354,
+                t361,
+                t362,
+                t363,
+                t364,
+                t366,
+                t367,
+                t393,
+                t394,
+                t395,
+                t396,
+                t398,
+                t399,
+                t427,
+                t428,
+                t429,
+                t430,
+                t432,
+                t433,
+                t441,
+                t442,
+                t443,
+                t444,
+                t446,
+                t447,
+                t451,
+                t452,
+                t453,
+                t454,
+                t456,
+                t457,
+                t467,
+                t468,
+                t469,
+                t470,
+                t472,
+                t473,
+                t480,
+                t481,
+                t482,
+                t483,
+                t485,
+                t486,
+            ) = {
+                let t255 = t140 * t251 + (t73 * t252 - t8 * (t215 + t63 * t200 - t78));
+                let t256 = t6 * (t227 + t229) + t254 - t8 * (t234 - t238);
+                let t257 = t6 * t229 + t8 * t238 + t254;
+                let t258 = cos_q5 * t252 - t141 * t251;
+                let t259 = T::from_f64(58.35506475215265) * t252;
+                let t260 = t256 - t258;
+                let t261 = t8 * t205;
+                let t262 = t31 - t261;
+                let t263 = t261 - t6 * t28;
+                let t264 = t6 * t205;
+                let t265 = t8 * t29 + t264;
+                let t266 = t41 + t264;
+                let t267 = t63 * t263 + t70 * t265;
+                let t268 = t233 - (t65 * t240 + (t63 * t262 + t267 - t70 * t266));
+                let t269 = t256 + t268 - t65 * t227 - t68 * t234 - t258;
+                let t270 = t257 + t268 - t258;
+                let t271 = t257 - t258;
+                let t272 = t254 - t267 - t258;
+                let t273 = t254 - t258;
+                let t274 = t150 * t260 + t269;
+                let t275 = t155 * t23 + t6 * (t224 + t225) + t149 * t260 + t153 * t274;
+                let t276 = T::from_f64(1.75501953841) * sin_q2;
+                let t277 = t120 - sin_q2 * t276;
+                let t278 = t121 + cos_q2 * t276;
+                let t279 = t201 * t278;
+                let t280 = T::from_f64(43.486969725) * sin_q2 + t196 * t239 + t42 * t277
+                    + t279 + t159 * t260;
+                let t281 = t65 * t204;
+                let t282 = t280 + t162 * t274 + t269 - t279 - t174 * t200
+                    - t156 * (t281 - t90 - t266);
+                let t283 = t265 + t68 * t34 - t281;
+                let t284 = t68 * t204;
+                let t285 = t134 * (t263 + t65 * t32 + t284) + t156 * t283;
+                let t286 = t282 - t134 * (t262 - t79 - t284) - t285;
+                let t287 = t275 + t167 * t286 - t165 * t22 - t174 * t201 - t16 * t277;
+                let t288 = t287 - t200 * t278 - t65 * t224
+                    - t156 * (t65 * t200 - t91 - t209);
+                let t289 = t8 * t200 - t6 * t39;
+                let t290 = T::from_f64(0.016911) * t214;
+                let t291 = T::from_f64(0.000225473145) * t214;
+                let t292 = T::from_f64(0.000225473145) * t213;
+                let t293 = T::from_f64(0.016911) * t213;
+                let t294 = sin_q6 * t290 - cos_q6 * t292;
+                let t295 = cos_q6 * t290 + sin_q6 * t292;
+                let t296 = sin_q5 * t253 - cos_q5 * t250
+                    - (T::from_f64(0.10971) * (t88 + t212) + t295
+                        - T::from_f64(0.126621) * (t88 - t212));
+                let t297 = t295 - sin_q6 * t293 - cos_q6 * t291;
+                let t298 = sin_q6 * t291 - cos_q6 * t293 - t294;
+                let t299 = T::from_f64(0.126621) * t211 + t294;
+                let t300 = sin_q5 * t223 - cos_q5 * t299;
+                let t301 = t7 * t30 - t27 * t205 - t39 * t46 - t200 * t47
+                    - (cos2 * (t300 + t251) + sin2 * t296);
+                let t302 = t301 + t255;
+                let t303 = t139 * t251;
+                let t304 = t63 * t289;
+                let t305 = t134 * (t289 + t65 * t25 + t68 * t200) - t302
+                    + (t216 + (t304 - t70 * t209 - T::from_f64(0.1197) * t283));
+                let t306 = t168
+                    * (t288 - T::from_f64(0.13585) * (t283 + t155 * t21 - t196 * t201)
+                        - t305);
+                let t307 = t164 * t286 + t167 * t306;
+                let t308 = t152 * t274 + t153 * t306 + t162 * t307;
+                let t309 = t144 * t260 + t149 * t306 + t159 * t307 + t150 * t308;
+                let t310 = t309 + (t307 + t308);
+                let t311 = t303 + t140 * t306 + t141 * t310;
+                let t312 = t73 * t306 - t259 - cos_q5 * t310;
+                let t313 = t150 * t271 + t270;
+                let t314 = t159 * t271 + t162 * t313 + t270 - t285;
+                let t315 = t6 * t225 + t149 * t271 + t153 * t313 + t167 * t314
+                    - T::from_f64(0.13585) * t283;
+                let t316 = t168 * (t315 - t305);
+                let t317 = t164 * t314 + t167 * t316;
+                let t318 = t152 * t313 + t153 * t316 + t162 * t317;
+                let t319 = t144 * t271 + t149 * t316 + t159 * t317 + t150 * t318;
+                let t320 = t319 + (t317 + t318);
+                let t321 = t303 + t140 * t316 + t141 * t320;
+                let t322 = t73 * t316 - t259 - cos_q5 * t320;
+                let t323 = t150 * t273 + t272;
+                let t324 = t159 * t273 + t162 * t323 + t272 - t134 * t263 - t156 * t265;
+                let t325 = t149 * t273 + t153 * t323 + t167 * t324
+                    + T::from_f64(-0.01615) * t265 + t302;
+                let t326 = t168 * (t325 - t304 - t134 * t289);
+                let t327 = t164 * t324 + t167 * t326;
+                let t328 = t152 * t323 + t153 * t326 + t162 * t327;
+                let t329 = t144 * t273 + t149 * t326 + t159 * t327 + t150 * t328;
+                let t330 = t329 + (t327 + t328);
+                let t331 = t303 + t140 * t326 + t141 * t330;
+                let t332 = t73 * t326 - t259 - cos_q5 * t330;
+                let t333 = sin_q6 * t75;
+                let t334 = cos_q6 * t75;
+                let t335 = t170 * t333 + t169 * t334;
+                let t336 = T::from_f64(0.000225473145) * (t335 - t210)
+                    - T::from_f64(0.016911) * (t210 + t335);
+                let t337 = t336 - T::from_f64(0.10971) * t211;
+                let t338 = T::from_f64(0.016911)
+                    * (sin_q6 * t220 + t334 * t94 - t74 * t170);
+                let t339 = T::from_f64(0.000225473145)
+                    * (t333 * t94 - t74 * t169 - cos_q6 * t220);
+                let t340 = sin_q6 * t338 - T::from_f64(0.126621) * t222 - cos_q6 * t339;
+                let t341 = cos_q6 * t338 + sin_q6 * t339
+                    + T::from_f64(-0.016911) * (t75 * t75 - t74 * t74);
+                let t342 = sin_q5 * t340 + t141 * t341 + cos_q5 * (t337 - t336) - t300;
+                let t343 = T::from_f64(0.016911) * (t333 - sin_q6 * t94);
+                let t344 = T::from_f64(0.000225473145) * (cos_q6 * t94 - t334);
+                let t345 = t342 + t150 * t342;
+                let t346 = t342 + t159 * t342 + t162 * t345;
+                let t347 = t73 * t336 + t149 * t342 + t153 * t345 + t167 * t346
+                    + t341 * t195;
+                let t348 = t168
+                    * (t347 - sin2 * (cos_q5 * (t223 - t340) + sin_q5 * (t299 + t337)));
+                let t349 = t164 * t346 + t167 * t348;
+                let t350 = t152 * t345 + t153 * t348 + t162 * t349;
+                let t351 = t144 * t342 + t149 * t348 + t159 * t349 + t150 * t350;
+                let t352 = t351 + (t349 + t350);
+                let t353 = t139 * t341 + t140 * t348 + t141 * t352;
+                let t354 = t73 * t348 - T::from_f64(58.35506475215265) * t336
+                    - cos_q5 * t352;
+                let t355 = T::from_f64(-0.016685526855) * (t170 * t170 - t169 * t169);
+                let t356 = cos_q5 * t355;
+                let t357 = t356 + sin_q5 * t297 + t141 * t298 - t356;
+                let t358 = t357 + t150 * t357;
+                let t359 = t357 + t159 * t357 + t162 * t358;
+                let t360 = t73 * t355 + t149 * t357 + t153 * t358 + t167 * t359
+                    + t298 * t195;
+                let t361 = t168 * (t360 - sin2 * (sin_q5 * t355 - cos_q5 * t297));
+                let t362 = t164 * t359 + t167 * t361;
+                let t363 = t152 * t358 + t153 * t361 + t162 * t362;
+                let t364 = t144 * t357 + t149 * t361 + t159 * t362 + t150 * t363;
+                let t365 = t364 + (t362 + t363);
+                let t366 = t139 * t298 + t140 * t361 + t141 * t365;
+                let t367 = t73 * t361 - T::from_f64(58.35506475215265) * t355
+                    - cos_q5 * t365;
+                let t368 = sin_q6 * t99 - cos2 * cos_q6;
+                let t369 = cos2 * sin_q6 + cos_q6 * t99;
+                let t370 = t170 * t368 + t169 * t369;
+                let t371 = T::from_f64(0.000225473145) * (t370 - t100)
+                    - T::from_f64(0.016911) * (t370 + t100);
+                let t372 = T::from_f64(0.016911)
+                    * (cos_q6 * t54 + sin_q6 * t101 + t369 * t94 - t170 * t66);
+                let t373 = T::from_f64(0.000225473145)
+                    * (sin_q6 * t54 + t368 * t94 - t169 * t66 - cos_q6 * t101);
+                let t374 = T::from_f64(0.126621) * (t101 - t10 * t66 - cos2 * t75)
+                    + sin_q6 * t372 - cos_q6 * t373;
+                let t375 = T::from_f64(0.10971) * (t54 + t103) + cos_q6 * t372
+                    + sin_q6 * t373 - T::from_f64(0.126621) * (t103 - t54);
+                let t376 = t371 - T::from_f64(0.10971) * (t100 + t10 * t99 - cos2 * t74);
+                let t377 = T::from_f64(0.253242) * t75 + sin_q6 * t343 - cos_q6 * t344;
+                let t378 = cos_q6 * t343 + sin_q6 * t344;
+                let t379 = t156 * t50;
+                let t380 = T::from_f64(0.2394) * qd_q1 - t49 - t379;
+                let t381 = t134 * t51;
+                let t382 = t53 + t8 * (t381 + t63 * t51) + sin_q5 * t374 + cos_q5 * t376;
+                let t383 = cos_q5 * t371 - t141 * t375;
+                let t384 = t382 + t68 * t381 + t104 - t70 * t52 - t383;
+                let t385 = t382 - t383;
+                let t386 = t150 * t385 + t384;
+                let t387 = t73 * t371 + t65 * t380 + T::from_f64(0.1197) * t102
+                    + t149 * t385 + t153 * t386;
+                let t388 = t121 * t51;
+                let t389 = t388 + t159 * t385 + t162 * t386 + t384 - t156 * t102;
+                let t390 = t387 + t167 * t389 + t375 * t195 - t196 * t49 - t121 * t50;
+                let t391 = t390 - t62 * t33 - t6 * (t380 - t105) - t5 * t55
+                    - sin2 * (sin_q5 * t376 - cos_q5 * t374);
+                let t392 = t134 * (t56 + t68 * t33);
+                let t393 = t168
+                    * (t391 - t106 - t392 - T::from_f64(0.13585) * (t102 - t196 * t51));
+                let t394 = t164 * t389 + t167 * t393;
+                let t395 = t152 * t386 + t153 * t393 + t162 * t394;
+                let t396 = t144 * t385 + t149 * t393 + t159 * t394 + t150 * t395;
+                let t397 = t396 + (t394 + t395);
+                let t398 = t139 * t375 + t140 * t393 + t141 * t397;
+                let t399 = t73 * t393 - T::from_f64(58.35506475215265) * t371
+                    - cos_q5 * t397;
+                let t400 = t156 * t51;
+                let t401 = t392 + t156 * t113;
+                let t402 = t134 * t50;
+                let t403 = cos_q6 * sin_q5;
+                let t404 = T::from_f64(0.016911)
+                    * (t246 + cos_q5 * t170 + sin_q6 * t109 + t403 * t94);
+                let t405 = sin_q6 * sin_q5;
+                let t406 = T::from_f64(0.000225473145)
+                    * (t243 + cos_q5 * t169 + t405 * t94 - cos_q6 * t109);
+                let t407 = t170 * t405 + t169 * t403;
+                let t408 = T::from_f64(0.10971) * (t11 + t111) + cos_q6 * t404
+                    + sin_q6 * t406 - T::from_f64(0.126621) * (t111 - t11);
+                let t409 = T::from_f64(0.126621) * (cos_q5 * t10 + t109) + sin_q6 * t404
+                    - cos_q6 * t406;
+                let t410 = T::from_f64(0.000225473145) * (t407 - t110)
+                    - T::from_f64(0.016911) * (t407 + t110);
+                let t411 = t410 - T::from_f64(0.10971) * (t110 + sin_q5 * t10);
+                let t412 = t53 + t27 * t55
+                    + (sin2 * (sin_q5 * t411 - cos_q5 * t409) + cos2 * t408);
+                let t413 = sin_q5 * t409 + cos_q5 * t411;
+                let t414 = t412 - (t140 * t408 + (t73 * t410 - t63 * t58));
+                let t415 = t414 + t235;
+                let t416 = t6 * (t379 + t105) + t8 * (t402 + t108) + t413;
+                let t417 = t413 + t6 * t105 + t8 * t108;
+                let t418 = cos_q5 * t410 - t141 * t408;
+                let t419 = t416 + t68 * t402 - t65 * t379 - t112 - t418;
+                let t420 = t416 - t418;
+                let t421 = t139 * t408;
+                let t422 = T::from_f64(58.35506475215265) * t410;
+                let t423 = t150 * t420 + t419;
+                let t424 = t159 * t420 + t162 * t423 + t419 - t401;
+                let t425 = t6 * (t400 + t107) + t149 * t420 + t153 * t423 + t167 * t424;
+                let t426 = t425 - t388 - t174 * t50 - t65 * t400
+                    - T::from_f64(0.13585) * (t113 - t196 * t50);
+                let t427 = t168 * (t426 - t415);
+                let t428 = t164 * t424 + t167 * t427;
+                let t429 = t152 * t423 + t153 * t427 + t162 * t428;
+                let t430 = t144 * t420 + t149 * t427 + t159 * t428 + t150 * t429;
+                let t431 = t430 + (t428 + t429);
+                let t432 = t421 + t140 * t427 + t141 * t431;
+                let t433 = t73 * t427 - t422 - cos_q5 * t431;
+                let t434 = t417 - t418;
+                let t435 = t417 - t112 - t418;
+                let t436 = t413 - t112 - t418;
+                let t437 = t413 - t418;
+                let t438 = t150 * t434 + t435;
+                let t439 = t159 * t434 + t162 * t438 + t435 - t401;
+                let t440 = t6 * t107 + t149 * t434 + t153 * t438 + t167 * t439
+                    - T::from_f64(0.13585) * t113;
+                let t441 = t168 * (t440 - t415);
+                let t442 = t164 * t439 + t167 * t441;
+                let t443 = t152 * t438 + t153 * t441 + t162 * t442;
+                let t444 = t144 * t434 + t149 * t441 + t159 * t442 + t150 * t443;
+                let t445 = t444 + (t442 + t443);
+                let t446 = t421 + t140 * t441 + t141 * t445;
+                let t447 = t73 * t441 - t422 - cos_q5 * t445;
+                let t448 = t150 * t437 + t436;
+                let t449 = t159 * t437 + t162 * t448 + t436 - t134 * t56 - t156 * t57;
+                let t450 = t149 * t437 + t153 * t448 + t167 * t449
+                    + T::from_f64(-0.01615) * t57 - t134 * t58;
+                let t451 = t168 * (t450 - t414);
+                let t452 = t164 * t449 + t167 * t451;
+                let t453 = t152 * t448 + t153 * t451 + t162 * t452;
+                let t454 = t144 * t437 + t149 * t451 + t159 * t452 + t150 * t453;
+                let t455 = t454 + (t452 + t453);
+                let t456 = t421 + t140 * t451 + t141 * t455;
+                let t457 = t73 * t451 - t422 - cos_q5 * t455;
+                let t458 = cos_q6 * t170 - sin_q6 * t169;
+                let t459 = T::from_f64(0.000225473145) * (t458 - t74)
+                    - T::from_f64(0.016911) * (t74 + t458);
+                let t460 = t459 - T::from_f64(0.21942) * t74;
+                let t461 = T::from_f64(0.033822) * t170;
+                let t462 = T::from_f64(0.00045094629) * t169;
+                let t463 = sin_q5 * t377 + t141 * t378 + cos_q5 * (t460 - t459);
+                let t464 = t463 + t150 * t463;
+                let t465 = t463 + t159 * t463 + t162 * t464;
+                let t466 = t73 * t459 + t149 * t463 + t153 * t464 + t167 * t465
+                    + t378 * t195;
+                let t467 = t168 * (t466 - sin2 * (sin_q5 * t460 - cos_q5 * t377));
+                let t468 = t164 * t465 + t167 * t467;
+                let t469 = t152 * t464 + t153 * t467 + t162 * t468;
+                let t470 = t144 * t463 + t149 * t467 + t159 * t468 + t150 * t469;
+                let t471 = t470 + (t468 + t469);
+                let t472 = t139 * t378 + t140 * t467 + t141 * t471;
+                let t473 = t73 * t467 - T::from_f64(58.35506475215265) * t459
+                    - cos_q5 * t471;
+                let t474 = sin_q6 * t461 - cos_q6 * t462;
+                let t475 = cos_q6 * t461 + sin_q6 * t462;
+                let t476 = sin_q5 * t474 + t141 * t475;
+                let t477 = t476 + t150 * t476;
+                let t478 = t476 + t159 * t476 + t162 * t477;
+                let t479 = t99 * t474 + t149 * t476 + t153 * t477 + t167 * t478
+                    + t475 * t195;
+                let t480 = t168 * t479;
+                let t481 = t164 * t478 + t167 * t480;
+                let t482 = t152 * t477 + t153 * t480 + t162 * t481;
+                let t483 = t144 * t476 + t149 * t480 + t159 * t481 + t150 * t482;
+                let t484 = t483 + (t481 + t482);
+                let t485 = t73 * t480 - cos_q5 * t484;
+                let t486 = t139 * t475 + t140 * t480 + t141 * t484;
+                (
+                    t306,
+                    t307,
+                    t308,
+                    t309,
+                    t311,
+                    t312,
+                    t316,
+                    t317,
+                    t318,
+                    t319,
+                    t321,
+                    t322,
+                    t326,
+                    t327,
+                    t328,
+                    t329,
+                    t331,
+                    t332,
+                    t348,
+                    t349,
+                    t350,
+                    t351,
+                    t353,
+                    t354,
+                    t361,
+                    t362,
+                    t363,
+                    t364,
+                    t366,
+                    t367,
+                    t393,
+                    t394,
+                    t395,
+                    t396,
+                    t398,
+                    t399,
+                    t427,
+                    t428,
+                    t429,
+                    t430,
+                    t432,
+                    t433,
+                    t441,
+                    t442,
+                    t443,
+                    t444,
+                    t446,
+                    t447,
+                    t451,
+                    t452,
+                    t453,
+                    t454,
+                    t456,
+                    t457,
+                    t467,
+                    t468,
+                    t469,
+                    t470,
+                    t472,
+                    t473,
+                    t480,
+                    t481,
+                    t482,
+                    t483,
+                    t485,
+                    t486,
+                )
+            };
+            (
+                ::pendulum_core::nalgebra::SVector::from([
+                    qd_q1,
+                    qd_q2,
+                    qd_q3,
+                    qd_q4,
+                    qd_q5,
+                    qd_q6,
+                    t200,
+                    t201,
+                    t202,
+                    t203,
+                    t206,
+                    t219,
+                ]),
+                ::pendulum_core::nalgebra::SMatrix::from([
+                    [
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                    ],
+                    [
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        t306,
+                        t307,
+                        t308,
+                        t309,
+                        t311,
+                        t312,
+                    ],
+                    [
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        t316,
+                        t317,
+                        t318,
+                        t319,
+                        t321,
+                        t322,
+                    ],
+                    [
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        t326,
+                        t327,
+                        t328,
+                        t329,
+                        t331,
+                        t332,
+                    ],
+                    [
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        t348,
+                        t349,
+                        t350,
+                        t351,
+                        t353,
+                        t354,
+                    ],
+                    [
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        t361,
+                        t362,
+                        t363,
+                        t364,
+                        t366,
+                        t367,
+                    ],
+                    [
+                        T::from_f64(1.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        t393,
+                        t394,
+                        t395,
+                        t396,
+                        t398,
+                        t399,
+                    ],
+                    [
+                        T::from_f64(0.0),
+                        T::from_f64(1.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        t427,
+                        t428,
+                        t429,
+                        t430,
+                        t432,
+                        t433,
+                    ],
+                    [
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(1.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        t441,
+                        t442,
+                        t443,
+                        t444,
+                        t446,
+                        t447,
+                    ],
+                    [
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(1.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        t451,
+                        t452,
+                        t453,
+                        t454,
+                        t456,
+                        t457,
+                    ],
+                    [
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(1.0),
+                        T::from_f64(0.0),
+                        t467,
+                        t468,
+                        t469,
+                        t470,
+                        t472,
+                        t473,
+                    ],
+                    [
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(0.0),
+                        T::from_f64(1.0),
+                        t480,
+                        t481,
+                        t482,
+                        t483,
+                        t486,
+                        t485,
+                    ],
+                ]),
+            )
+        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn time_derivative(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 12>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 12> {
+            ::pendulum_core::nalgebra::SVector::from([
+                T::from_f64(0.0),
+                T::from_f64(0.0),
+                T::from_f64(0.0),
+                T::from_f64(0.0),
+                T::from_f64(0.0),
+                T::from_f64(0.0),
+                T::from_f64(0.0),
+                T::from_f64(0.0),
+                T::from_f64(0.0),
+                T::from_f64(0.0),
+                T::from_f64(0.0),
+                T::from_f64(0.0),
+            ])
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Energy<T, 12> for Ur5<T> {
+        #[inline]
+        fn kinetic(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 12>) -> T {
+            let [_, q_q2, q_q3, q_q4, q_q5, q_q6, qd_q1, qd_q2, qd_q3, qd_q4, qd_q5,
+            qd_q6] = x.data.0[0];
+            let t0 = T::from_f64(0.017136473145) * qd_q6;
+            let t1 = qd_q3 + qd_q2;
+            let t2 = qd_q4 + t1;
+            let (sin_q4, cos_q4) = q_q4.sin_cos();
+            let t3 = T::from_f64(0.00697606230375) * sin_q4;
+            let [(sin_q6, cos_q6), (sin_q2, cos_q2)] = q_q6.sin_cos_pair(q_q2);
+            let t4 = T::from_f64(0.0083427634275) * sin_q6;
+            let [(sin_q5, cos_q5), (sin_q3, cos_q3)] = q_q5.sin_cos_pair(q_q3);
+            let t5 = sin_q6 * sin_q5;
+            let t6 = T::from_f64(0.016685526855) * t5;
+            let t7 = cos_q5 * t0 + qd_q5 * cos_q6 * t6;
+            let t8 = t5 * t6;
+            let t9 = T::from_f64(0.0083427634275) * t5 * t5;
+            let t10 = T::from_f64(0.0085682365725) * qd_q6 * qd_q6
+                + qd_q5 * qd_q5 * (T::from_f64(0.126621) - sin_q6 * t4)
+                + qd_q4 * (t7 + qd_q4 * (T::from_f64(0.120582654687375) + t9));
+            let t11 = t9 - t3;
+            let t12 = T::from_f64(0.24116530937475) + t8 - t3;
+            let t13 = sin_q3 * cos_q4 + sin_q4 * cos_q3;
+            let t14 = T::from_f64(0.007558512375) * t13;
+            let t15 = t14 - T::from_f64(0.679472691875) * cos_q3;
+            let t16 = t7 + qd_q4 * (t12 - t14)
+                + qd_q3
+                    * (T::from_f64(0.8368172610495) + t8
+                        - T::from_f64(0.0139521246075) * sin_q4 - t15);
+            let t17 = t10
+                + qd_q3
+                    * (t7 + qd_q4 * t12 + qd_q3 * (T::from_f64(0.41840863052475) + t11))
+                + qd_q2 * (t16 + qd_q2 * (T::from_f64(1.30347209972975) + t11 - t15));
+            let t18 = cos_q4 * cos_q3 - sin_q4 * sin_q3;
+            let t19 = cos_q3 * cos_q2 - sin_q3 * sin_q2;
+            let t20 = cos_q3 * sin_q2 + sin_q3 * cos_q2;
+            let t21 = T::from_f64(1.50883415126375)
+                + T::from_f64(0.679472691875) * cos_q2 * t19
+                - T::from_f64(0.877509769205) * sin_q2 * sin_q2
+                - T::from_f64(0.295778475837375) * t20 * t20;
+            let t22 = sin_q2 * t18 + t13 * cos_q2;
+            let t23 = qd_q1
+                * (t21
+                    - t22
+                        * (T::from_f64(0.007558512375) * cos_q2
+                            + T::from_f64(0.00697606230375) * t19
+                            + T::from_f64(0.115748345312625) * t22));
+            let t24 = cos_q2 * t18 - t13 * sin_q2;
+            let t25 = t23
+                + (T::from_f64(0.00194120382525) * t2 - T::from_f64(0.253242) * qd_q5)
+                    * t24 + T::from_f64(0.408499208875) * qd_q2 * sin_q2;
+            let t26 = sin_q6 * qd_q1 * t22
+                + cos_q5 * (t2 * t5 + cos_q6 * (qd_q5 - qd_q1 * t24));
+            let t27 = T::from_f64(0.016685526855)
+                * (t24 * (qd_q5 * sin_q6 - cos_q6 * sin_q5 * t2) + t22 * t26);
+            let t28 = sin_q5 * t22;
+            let t29 = t25 + T::from_f64(0.07714261911625) * t20 * t1
+                + sin_q6 * (t27 - qd_q1 * (T::from_f64(1.0) + t28 * t28) * t4);
+            t17 + qd_q1 * (t29 - t0 * t28)
+        }
+        #[inline]
+        fn potential(&self, t: T, x: &::pendulum_core::nalgebra::SVector<T, 12>) -> T {
+            let [_, q_q2, q_q3, q_q4, _, _, _, _, _, _, _, _] = x.data.0[0];
+            let t0 = q_q2 + q_q3;
+            let (_, cos1) = (q_q4 + t0).sin_cos();
+            let [(sin_q2, _), (sin2, _)] = q_q2.sin_cos_pair(t0);
+            T::from_f64(14.863711066281) - T::from_f64(43.486969725) * sin_q2
+                - T::from_f64(15.68382848775) * sin2 - T::from_f64(0.17446825035) * cos1
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> Ur5<T> {
+        ///The mass matrix.
+        #[inline]
+        pub fn mass_matrix(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 12>,
+        ) -> ::pendulum_core::nalgebra::SMatrix<T, 6, 6> {
+            let [_, q_q2, q_q3, q_q4, q_q5, q_q6, _, _, _, _, _, _] = x.data.0[0];
+            let (sin_q6, cos_q6) = q_q6.sin_cos();
+            let t0 = sin_q6 * sin_q6;
+            let t1 = sin_q6 * cos_q6;
+            let t2 = T::from_f64(0.016685526855) * t0;
+            let t3 = T::from_f64(0.253242) - t2;
+            let [(sin_q2, cos_q2), (sin_q3, cos_q3)] = q_q2.sin_cos_pair(q_q3);
+            let t4 = cos_q2 * cos_q3 - sin_q2 * sin_q3;
+            let t5 = sin_q2 * cos_q3 + cos_q2 * sin_q3;
+            let [(sin_q4, cos_q4), (sin_q5, cos_q5)] = q_q4.sin_cos_pair(q_q5);
+            let t6 = cos_q3 * cos_q4 - sin_q3 * sin_q4;
+            let t7 = sin_q3 * cos_q4 + cos_q3 * sin_q4;
+            let t8 = sin_q2 * t6 + cos_q2 * t7;
+            let t9 = cos_q2 * t6 - sin_q2 * t7;
+            let t10 = -(T::from_f64(0.017136473145) * t8 * sin_q5);
+            let t11 = T::from_f64(0.016685526855) * sin_q5;
+            let t12 = sin_q5 * t11;
+            let t13 = t11 * t1;
+            let t14 = t8
+                * ((T::from_f64(0.03337105371) - t12) * t0
+                    - T::from_f64(0.23149669062525))
+                - T::from_f64(0.01511702475) * cos_q2
+                - T::from_f64(0.0139521246075) * t4;
+            let t15 = T::from_f64(3.0176683025275)
+                + T::from_f64(1.35894538375) * cos_q2 * t4
+                + t8 * (t14 - T::from_f64(0.03337105371) * cos_q5 * t9 * t1);
+            let t16 = t15 - T::from_f64(1.75501953841) * sin_q2 * sin_q2
+                - T::from_f64(0.59155695167475) * t5 * t5 - t2;
+            let t17 = cos_q5 * (T::from_f64(0.016685526855) * t8);
+            let t18 = t1 * t17 + t9 * (t2 - T::from_f64(0.253242));
+            let t19 = sin_q5 * t0 * t17 + t9 * (T::from_f64(0.00194120382525) - t13);
+            let t20 = T::from_f64(0.07714261911625) * t5 + t19;
+            let t21 = T::from_f64(0.408499208875) * sin_q2 + t20;
+            let t22 = t12 * t0;
+            let t23 = T::from_f64(0.0139521246075) * sin_q4;
+            let t24 = T::from_f64(2.6069441994595) + T::from_f64(1.35894538375) * cos_q3
+                + t22 - T::from_f64(0.01511702475) * t7 - t23;
+            let t25 = T::from_f64(0.007558512375) * t7;
+            let t26 = T::from_f64(0.8368172610495) + t22;
+            let t27 = T::from_f64(0.679472691875) * cos_q3 - t25 - (t23 - t26);
+            let t28 = t26 - t23;
+            let t29 = T::from_f64(0.24116530937475) + t22;
+            let t30 = t29 - T::from_f64(0.00697606230375) * sin_q4;
+            let t31 = T::from_f64(0.017136473145) * cos_q5;
+            let t32 = t30 - t25;
+            let a0 = t16;
+            let a1 = t21;
+            let a2 = t20;
+            let a3 = t19;
+            let a4 = t18;
+            let a5 = t10;
+            let a6 = t24;
+            let a7 = t27;
+            let a8 = t32;
+            let a9 = t13;
+            let a10 = t31;
+            let a11 = t28;
+            let a12 = t30;
+            let a13 = t13;
+            let a14 = t31;
+            let a15 = t29;
+            let a16 = t13;
+            let a17 = t31;
+            let a18 = t3;
+            let a19 = T::from_f64(0.0);
+            let a20 = T::from_f64(0.017136473145);
+            ::pendulum_core::nalgebra::SMatrix::from([
+                [a0, a1, a2, a3, a4, a5],
+                [a1, a6, a7, a8, a9, a10],
+                [a2, a7, a11, a12, a13, a14],
+                [a3, a8, a12, a15, a16, a17],
+                [a4, a9, a13, a16, a18, a19],
+                [a5, a10, a14, a17, a19, a20],
+            ])
+        }
+        ///The bias: velocity terms, gravity and the inertia forces of the drives, as generalised forces.
+        #[inline]
+        pub fn bias(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 12>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 6> {
+            let [_, q_q2, q_q3, q_q4, q_q5, q_q6, qd_q1, qd_q2, qd_q3, qd_q4, qd_q5,
+            qd_q6] = x.data.0[0];
+            let t0 = q_q2 + q_q3;
+            let t1 = t0 + q_q4;
+            let t2 = qd_q1 * qd_q1;
+            let t3 = qd_q2 + qd_q3;
+            let t4 = t3 + qd_q4;
+            let t5 = t4 * t4;
+            let t6 = t2 + t5;
+            let t7 = t3 * t3;
+            let t8 = qd_q1 * t3;
+            let t9 = t2 + t7;
+            let t10 = T::from_f64(0.13585) * t2;
+            let t11 = qd_q1 * qd_q2;
+            let t12 = T::from_f64(2.0) * t11;
+            let t13 = t11 + qd_q1 * qd_q3;
+            let t14 = t13 + t8;
+            let t15 = t13 + qd_q1 * qd_q4;
+            let t16 = qd_q1 * t4;
+            let t17 = t15 + t16;
+            let t18 = qd_q2 * qd_q2;
+            let t19 = t2 + t18;
+            let (sin_q6, cos_q6) = q_q6.sin_cos();
+            let [(sin20, cos20), (sin_q2, cos_q2)] = t1.sin_cos_pair(q_q2);
+            let t21 = T::from_f64(0.017784735) * sin20;
+            let t22 = t21 * t6;
+            let t23 = T::from_f64(4.4329225) * cos_q2;
+            let t24 = T::from_f64(1.75501953841) * cos_q2 * sin_q2;
+            let t25 = T::from_f64(0.425) * sin_q2;
+            let t26 = T::from_f64(0.1197) * t2 - t10 - t12 * t25;
+            let t27 = T::from_f64(-9.81) - t18 * t25;
+            let t28 = T::from_f64(0.10510116377025) * sin20 * cos20;
+            let t29 = qd_q5 - qd_q1 * cos20;
+            let t30 = qd_q1 * sin20;
+            let t31 = cos20 * t15;
+            let t32 = sin20 * t15;
+            let t33 = T::from_f64(0.017784735) * cos20;
+            let t34 = t17 * t33;
+            let t35 = T::from_f64(0.425) * cos_q2;
+            let t36 = T::from_f64(0.001653980355) * sin20;
+            let t37 = t19 * t35;
+            let t38 = t5 * t33;
+            let [(sin39, cos39), (sin_q5, cos_q5)] = t0.sin_cos_pair(q_q5);
+            let t40 = T::from_f64(1.598759275) * cos39;
+            let t41 = t22 - t9 * t40;
+            let t42 = T::from_f64(0.59155695167475) * sin39 * cos39;
+            let t43 = T::from_f64(0.051322656825) * cos39;
+            let t44 = t23 * t10 + t12 * t24 + t42 * t14 + t43 * (t2 - t9);
+            let t45 = T::from_f64(0.39225) * sin39;
+            let t46 = cos_q5 * t30 + t4 * sin_q5;
+            let t47 = t4 * cos_q5 - sin_q5 * t30;
+            let t48 = cos_q6 * t29 + sin_q6 * t46;
+            let t49 = cos_q6 * t46 - t29 * sin_q6;
+            let t50 = t48 * t49;
+            let t51 = sin_q5 * t31 + qd_q5 * t46;
+            let t52 = T::from_f64(0.000225473145) * (t50 - t51)
+                - T::from_f64(0.016911) * (t50 + t51);
+            let t53 = t52 - T::from_f64(0.10971) * (t51 + t29 * t46);
+            let t54 = cos_q5 * t31 + qd_q5 * t47;
+            let t55 = t46 * t47;
+            let t56 = qd_q6 + (t47 + qd_q6);
+            let t57 = T::from_f64(0.016911) * (cos_q6 * t32 + sin_q6 * t54 + t49 * t56);
+            let t58 = T::from_f64(0.000225473145)
+                * (sin_q6 * t32 + t48 * t56 - cos_q6 * t54);
+            let t59 = T::from_f64(0.126621) * (t54 + t29 * t47) + sin_q6 * t57
+                - cos_q6 * t58;
+            let t60 = T::from_f64(0.10971) * (t32 + t55) + cos_q6 * t57 + sin_q6 * t58
+                - T::from_f64(0.126621) * (t55 - t32);
+            let t61 = t44 + t21 * (t26 - t14 * t45) + t28 * t17
+                + sin20 * (sin_q5 * t53 - cos_q5 * t59);
+            let t62 = T::from_f64(0.39225) * cos39;
+            let t63 = t33 * (t37 + t9 * t62) + t28 * (t6 - t5) + sin_q5 * t59;
+            let t64 = t63 + cos_q5 * t53 - t21 * (t27 - t7 * t45) - t36 * (t15 - t16);
+            let t65 = T::from_f64(1.598759275) * sin39;
+            let t66 = t40 * t27 + t65 * t37 + t43 * (t13 - t8) + t42 * (t9 - t7);
+            let t67 = t61 + cos20 * t60 + t62 * t34 + t35 * (t34 + t14 * t65);
+            let t68 = t66 + t64 - t62 * t38 - t45 * t22;
+            let t69 = t24 * (t19 - t18) + t68 - T::from_f64(43.486969725) * cos_q2
+                - t35 * (t38 + t7 * t65);
+            let t70 = t67 + T::from_f64(0.13585) * (t41 - t23 * t19)
+                - T::from_f64(0.19371331275) * cos_q2 * (t2 - t19);
+            ::pendulum_core::nalgebra::SVector::from([
+                T::from_f64(0.1197) * t41 - (t70 - t40 * t26 - t36 * (t2 - t6)),
+                t69 - t25 * t41,
+                t68,
+                t64,
+                t60,
+                t52,
+            ])
+        }
+        ///The momenta of the coordinates: the mass matrix times their rates.
+        #[inline]
+        pub fn momentum(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 12>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 6> {
+            let [_, q_q2, q_q3, q_q4, q_q5, q_q6, qd_q1, qd_q2, qd_q3, qd_q4, qd_q5,
+            qd_q6] = x.data.0[0];
+            let t0 = qd_q2 + qd_q3;
+            let t1 = qd_q4 + t0;
+            let t2 = T::from_f64(0.017136473145) * qd_q6;
+            let (sin_q6, cos_q6) = q_q6.sin_cos();
+            let t3 = T::from_f64(0.016685526855) * sin_q6;
+            let [(sin_q2, cos_q2), (sin_q3, cos_q3)] = q_q2.sin_cos_pair(q_q3);
+            let t4 = T::from_f64(0.408499208875) * sin_q2;
+            let t5 = cos_q3 * sin_q2 + cos_q2 * sin_q3;
+            let t6 = T::from_f64(0.07714261911625) * t5;
+            let t7 = cos_q2 * cos_q3 - sin_q3 * sin_q2;
+            let t8 = T::from_f64(3.0176683025275)
+                + T::from_f64(1.35894538375) * cos_q2 * t7
+                - T::from_f64(1.75501953841) * sin_q2 * sin_q2
+                - T::from_f64(0.59155695167475) * t5 * t5;
+            let [(sin_q4, cos_q4), (sin_q5, cos_q5)] = q_q4.sin_cos_pair(q_q5);
+            let t9 = cos_q3 * cos_q4 - sin_q4 * sin_q3;
+            let t10 = cos_q4 * sin_q3 + cos_q3 * sin_q4;
+            let t11 = cos_q2 * t9 - sin_q2 * t10;
+            let t12 = (T::from_f64(0.00194120382525) * t1
+                - T::from_f64(0.253242) * qd_q5) * t11 + qd_q2 * t4 + t0 * t6;
+            let t13 = t9 * sin_q2 + cos_q2 * t10;
+            let t14 = qd_q1
+                * (t8
+                    - t13
+                        * (T::from_f64(0.01511702475) * cos_q2
+                            + T::from_f64(0.0139521246075) * t7
+                            + T::from_f64(0.23149669062525) * t13));
+            let t15 = t13 * qd_q1;
+            let t16 = t1 * cos_q5 - sin_q5 * t15;
+            let t17 = t13 * sin_q6;
+            let t18 = t11 * cos_q6;
+            let t19 = qd_q5 * (t11 * sin_q6 + t13 * cos_q6 * cos_q5)
+                + sin_q5 * (t16 * t17 - t1 * t18);
+            let t20 = T::from_f64(0.016685526855) * (t19 - qd_q1 * sin_q6)
+                + T::from_f64(0.03337105371) * t15 * (t17 - cos_q5 * t18);
+            let t21 = t1 * sin_q5 + cos_q5 * t15;
+            let t22 = T::from_f64(0.00697606230375) * sin_q4;
+            let t23 = T::from_f64(0.24116530937475) - t22;
+            let t24 = T::from_f64(0.007558512375) * t10;
+            let t25 = T::from_f64(0.00194120382525) * t11;
+            let t26 = t6 + t25;
+            let t27 = qd_q5 - t11 * qd_q1;
+            let t28 = t2 * cos_q5 + sin_q5 * (cos_q6 * t27 + sin_q6 * t21) * t3;
+            let t29 = T::from_f64(0.0139521246075) * sin_q4;
+            let t30 = T::from_f64(0.8368172610495) - t29;
+            let t31 = T::from_f64(0.679472691875) * cos_q3 + t30 - t24;
+            let t32 = qd_q4 * (t23 - t24) + qd_q1 * (t4 + t26) + qd_q3 * t31
+                + qd_q2
+                    * (T::from_f64(2.6069441994595) + T::from_f64(1.35894538375) * cos_q3
+                        - t29 - T::from_f64(0.01511702475) * t10);
+            ::pendulum_core::nalgebra::SVector::from([
+                t12 + t14 + sin_q6 * t20 - sin_q5 * t2 * t13,
+                t32 + t28,
+                qd_q4 * t23 + qd_q3 * t30 + qd_q1 * t26 + qd_q2 * t31 + t28,
+                T::from_f64(0.24116530937475) * t1 + qd_q1 * t25 + t28 - qd_q2 * t24
+                    - t0 * t22,
+                T::from_f64(0.253242) * t27 + (cos_q6 * t21 - sin_q6 * t27) * t3,
+                T::from_f64(0.017136473145) * (qd_q6 + t16),
+            ])
+        }
+        ///The generalised forces `A qdd + b - Q` that must act beside gravity and all forces of the declaration for the accelerations `qdd`: zero along a free motion. Inputs count as zero: where each coordinate has one, these are their values.
+        #[inline]
+        pub fn inverse_dynamics(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 12>,
+            qdd: &::pendulum_core::nalgebra::SVector<T, 6>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 6> {
+            let [_, q_q2, q_q3, q_q4, q_q5, q_q6, qd_q1, qd_q2, qd_q3, qd_q4, qd_q5,
+            qd_q6] = x.data.0[0];
+            let [qdd_q1, qdd_q2, qdd_q3, qdd_q4, qdd_q5, qdd_q6] = qdd.data.0[0];
+            let t0 = qd_q1 * qd_q1;
+            let t1 = qd_q2 * qd_q2;
+            let t2 = t0 + t1;
+            let t3 = q_q2 + q_q3;
+            let t4 = qdd_q2 + qdd_q3;
+            let t5 = T::from_f64(0.13585) * t0;
+            let t6 = qd_q1 * qd_q2;
+            let t7 = T::from_f64(2.0) * t6;
+            let t8 = t6 + qd_q1 * qd_q3;
+            let t9 = t3 + q_q4;
+            let (sin10, cos10) = t9.sin_cos();
+            let t11 = T::from_f64(0.001653980355) * sin10;
+            let t12 = qd_q2 + qd_q3;
+            let t13 = t12 + qd_q4;
+            let t14 = t13 * t13;
+            let t15 = t0 + t14;
+            let t16 = T::from_f64(0.001653980355) * cos10;
+            let t17 = t4 + qdd_q4;
+            let t18 = T::from_f64(0.017784735) * sin10;
+            let t19 = T::from_f64(0.017784735) * cos10;
+            let t20 = t18 * t15 - t17 * t19;
+            let t21 = t12 * t12;
+            let t22 = qd_q1 * t12;
+            let t23 = t0 + t21;
+            let t24 = t8 + qd_q1 * qd_q4;
+            let t25 = qd_q1 * t13;
+            let t26 = t24 + t25;
+            let t27 = t26 * t19 + qdd_q1 * t18;
+            let t28 = t8 + t22;
+            let t29 = T::from_f64(0.10510116377025) * cos10;
+            let t30 = cos10 * t29;
+            let t31 = sin10 * t29;
+            let t32 = T::from_f64(0.00460883622975) + t30;
+            let t33 = qd_q5 - qd_q1 * cos10;
+            let t34 = qd_q1 * sin10;
+            let t35 = cos10 * t24 + qdd_q1 * sin10;
+            let t36 = qdd_q5 + sin10 * t24 - qdd_q1 * cos10;
+            let t37 = T::from_f64(0.13585) * qdd_q1;
+            let t38 = t14 * t19 + t18 * t17;
+            let [(sin39, cos39), (sin_q6, cos_q6)] = t3.sin_cos_pair(q_q6);
+            let t40 = T::from_f64(0.051322656825) * sin39;
+            let t41 = T::from_f64(1.598759275) * cos39;
+            let t42 = T::from_f64(1.598759275) * sin39;
+            let t43 = t20 - t23 * t41 - t4 * t42;
+            let t44 = T::from_f64(0.59155695167475) * cos39;
+            let t45 = cos39 * t44;
+            let t46 = sin39 * t44;
+            let t47 = T::from_f64(0.0020475) + t45;
+            let t48 = T::from_f64(0.051322656825) * cos39;
+            let t49 = T::from_f64(0.39225) * cos39;
+            let t50 = T::from_f64(0.39225) * sin39;
+            let [(sin_q2, cos_q2), (sin_q5, cos_q5)] = q_q2.sin_cos_pair(q_q5);
+            let t51 = T::from_f64(0.425) * cos_q2;
+            let t52 = T::from_f64(0.425) * sin_q2;
+            let t53 = T::from_f64(0.1197) * t0 + qdd_q1 * t51 - t5 - t7 * t52;
+            let t54 = T::from_f64(0.19371331275) * cos_q2 * (t0 - t2) + t40 * t4
+                + t41 * t53 + t11 * (t0 - t15);
+            let t55 = t54 + t16 * t17 + T::from_f64(0.1197) * t43
+                + t51 * (qdd_q1 * t41 - t27 - t28 * t42);
+            let t56 = T::from_f64(1.75501953841) * cos_q2;
+            let t57 = cos_q2 * t56;
+            let t58 = sin_q2 * t56;
+            let t59 = T::from_f64(0.0075537) + t57;
+            let t60 = T::from_f64(4.4329225) * cos_q2;
+            let t61 = T::from_f64(0.19371331275) * sin_q2;
+            let t62 = t55 + qdd_q1 * (T::from_f64(0.29853861244275) + t59 + t47 + t32)
+                - t60 * t5 - qdd_q2 * t61;
+            let t63 = t62 - t7 * t58 - t48 * (t0 - t23) - t46 * t28
+                - t18 * (t53 + qdd_q1 * t49 - t28 * t50);
+            let t64 = cos_q5 * t34 + t13 * sin_q5;
+            let t65 = t13 * cos_q5 - sin_q5 * t34;
+            let t66 = cos_q6 * t33 + sin_q6 * t64;
+            let t67 = cos_q6 * t64 - t33 * sin_q6;
+            let t68 = t66 * t67;
+            let t69 = t17 * cos_q5 - sin_q5 * t35 - qd_q5 * t64;
+            let t70 = qd_q5 * t65 + cos_q5 * t35 + t17 * sin_q5;
+            let t71 = qdd_q6 + t69;
+            let t72 = T::from_f64(0.000225473145) * (t68 + t71)
+                - T::from_f64(0.016911) * (t68 - t71);
+            let t73 = t72 - T::from_f64(0.10971) * (t33 * t64 - t69);
+            let t74 = t64 * t65;
+            let t75 = qd_q6 + (t65 + qd_q6);
+            let t76 = T::from_f64(0.016911) * (cos_q6 * t36 + sin_q6 * t70 + t67 * t75);
+            let t77 = T::from_f64(0.000225473145)
+                * (sin_q6 * t36 + t66 * t75 - cos_q6 * t70);
+            let t78 = T::from_f64(0.126621) * (t33 * t65 + t70) + sin_q6 * t76
+                - cos_q6 * t77;
+            let t79 = T::from_f64(0.10971) * (t36 + t74) + cos_q6 * t76 + sin_q6 * t77
+                - T::from_f64(0.126621) * (t74 - t36);
+            let t80 = t63 - t31 * t26 - sin10 * (sin_q5 * t73 - cos_q5 * t78)
+                - cos10 * t79;
+            let t81 = t31 * (t15 - t14) + qdd_q1 * t16 + sin_q5 * t78 + cos_q5 * t73;
+            let t82 = T::from_f64(4.4329225) * sin_q2;
+            let t83 = qdd_q2 * t51 - t1 * t52 - T::from_f64(9.81);
+            let t84 = t81 + t17 * (t32 + (T::from_f64(0.10971) - t30))
+                - t11 * (t24 - t25) - t18 * (t83 + t4 * t49 - t21 * t50);
+            let t85 = t41 * t83 + t46 * (t23 - t21) + t48 * (t8 - t22) + qdd_q1 * t40;
+            let t86 = T::from_f64(0.1197) * qdd_q1 - t37 - t2 * t51 - qdd_q2 * t52;
+            let t87 = t84 - t19 * (t86 - t23 * t49 - t4 * t50);
+            let t88 = t85 + t87 + t4 * (t47 + (T::from_f64(0.59360445167475) - t45))
+                - t42 * t86 - t49 * t38;
+            let t89 = t88 - t50 * t20;
+            let t90 = t82 * t37 + t58 * (t2 - t1) + t89
+                + t51 * (t4 * t41 - t38 - t21 * t42);
+            let t91 = t90 + qdd_q2 * (t59 + (T::from_f64(1.76257323841) - t57))
+                - T::from_f64(43.486969725) * cos_q2 - qdd_q1 * t61;
+            ::pendulum_core::nalgebra::SVector::from([
+                t80 - t49 * t27 - T::from_f64(0.13585) * (t43 - t60 * t2 - qdd_q2 * t82),
+                t91 - t52 * t43,
+                t89,
+                t87,
+                t79,
+                t72,
+            ])
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::taylor::TaylorSeries<T, 12>
+    for Ur5<T> {
+        type Workspace = ::pendulum_core::taylor::Products<T, 142>;
+        #[inline]
+        fn workspace(&self) -> Self::Workspace {
+            ::pendulum_core::taylor::Products::new()
+        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn series(
+            &self,
+            t: T,
+            x: &mut [::pendulum_core::nalgebra::SVector<T, 12>],
+            work: &mut Self::Workspace,
+        ) {
+            if x.len() < 2 {
+                return;
+            }
+            let (
+                a0,
+                a1,
+                a2,
+                a3,
+                a4,
+                a5,
+                a6,
+                a7,
+                a8,
+                a9,
+                a10,
+                a11,
+                h0,
+                h1,
+                h2,
+                h3,
+                h4,
+                h5,
+                h6,
+                h7,
+                h8,
+                h9,
+                h10,
+                h11,
+                h12,
+                h13,
+                h14,
+                h15,
+                h16,
+                h17,
+                h18,
+                h19,
+                h20,
+                h21,
+                h22,
+                h23,
+                h24,
+                h25,
+                h26,
+                h27,
+                h28,
+                h29,
+                h30,
+                h31,
+                h32,
+                h33,
+                h34,
+                h35,
+                h36,
+                h37,
+                h38,
+                h39,
+                h40,
+                h41,
+                h42,
+                h43,
+                h44,
+                h45,
+                h46,
+                h47,
+                h48,
+                h49,
+                h50,
+                h51,
+                h52,
+                h53,
+                h54,
+                h55,
+                h56,
+                h57,
+                h58,
+                h59,
+                h60,
+                h61,
+                h62,
+                h63,
+                h64,
+                h65,
+                h66,
+                h67,
+                h68,
+                h69,
+                h70,
+                h71,
+                h72,
+                h73,
+                h74,
+                h75,
+                h76,
+                h77,
+                h78,
+                h79,
+                h80,
+                h81,
+                h82,
+                h83,
+                h84,
+                h85,
+                h86,
+                h87,
+                h88,
+                h89,
+                h90,
+                h91,
+                h92,
+                h93,
+                h94,
+                h95,
+                h96,
+                h97,
+                h98,
+                h99,
+                h100,
+                h101,
+                h102,
+                h103,
+                h104,
+                h105,
+                h106,
+                h107,
+                h108,
+                h109,
+                h110,
+                h111,
+                h112,
+                h113,
+                h114,
+                h115,
+                h116,
+                h117,
+                h118,
+                h119,
+                h120,
+                h121,
+                h122,
+                h123,
+                h124,
+                h125,
+                h126,
+                h127,
+                h128,
+                h129,
+                h130,
+                h131,
+                h132,
+                h133,
+                h134,
+                h135,
+                h136,
+                h137,
+                h138,
+                h139,
+                h140,
+                h141,
+                h142,
+            ) = {
+                let x = &x[0];
+                {
+                    let [_, q_q2, q_q3, q_q4, q_q5, q_q6, qd_q1, qd_q2, qd_q3, qd_q4,
+                    qd_q5, qd_q6] = x.data.0[0];
+                    let t0 = q_q2 + q_q3;
+                    let t1 = t0 + q_q4;
+                    let (sin2, cos2) = t1.sin_cos();
+                    let t3 = T::from_f64(0.10510116377025) * sin2;
+                    let t4 = T::from_f64(0.00697606230375) * sin2;
+                    let t5 = T::from_f64(0.00697606230375) * cos2;
+                    let t6 = T::from_f64(0.007558512375) * cos2;
+                    let t7 = T::from_f64(0.007558512375) * sin2;
+                    let t8 = T::from_f64(0.017784735) * sin2;
+                    let t9 = T::from_f64(0.10510116377025) * cos2;
+                    let t10 = T::from_f64(0.017784735) * cos2;
+                    let t11 = qd_q1 * qd_q1;
+                    let t12 = T::from_f64(0.602212521625) * t11;
+                    let t13 = qd_q2 + qd_q3;
+                    let t14 = qd_q4 + t13;
+                    let t15 = t14 * t14;
+                    let t16 = T::from_f64(0.017784735) * t15;
+                    let t17 = t11 + t15;
+                    let t18 = T::from_f64(0.017784735) * t17;
+                    let t19 = t8 * t17;
+                    let t20 = T::from_f64(0.39225) * t19;
+                    let t21 = t13 * t13;
+                    let t22 = qd_q1 * t13;
+                    let t23 = T::from_f64(0.39225) * t21;
+                    let t24 = T::from_f64(1.598759275) * t21;
+                    let t25 = t11 + t21;
+                    let t26 = T::from_f64(1.598759275) * t25;
+                    let t27 = T::from_f64(0.39225) * t25;
+                    let t28 = qd_q2 * qd_q2;
+                    let t29 = T::from_f64(0.425) * t28;
+                    let t30 = t11 + t28;
+                    let t31 = T::from_f64(4.4329225) * t30;
+                    let t32 = T::from_f64(0.425) * t30;
+                    let t33 = t11 - t30;
+                    let t34 = T::from_f64(0.19371331275) * t33;
+                    let t35 = T::from_f64(0.13585) * t11;
+                    let t36 = qd_q1 * qd_q2;
+                    let t37 = T::from_f64(0.85) * t36;
+                    let t38 = T::from_f64(2.0) * t36;
+                    let t39 = t36 + qd_q1 * qd_q3;
+                    let t40 = t11 - t17;
+                    let t41 = t17 - t15;
+                    let t42 = t10 * t15;
+                    let t43 = T::from_f64(0.001653980355) * t40;
+                    let t44 = T::from_f64(0.39225) * t42;
+                    let t45 = T::from_f64(0.001653980355) * sin2;
+                    let t46 = qd_q5 - cos2 * qd_q1;
+                    let t47 = sin2 * qd_q1;
+                    let t48 = t39 + qd_q1 * qd_q4;
+                    let t49 = cos2 * t48;
+                    let t50 = sin2 * t9;
+                    let t51 = sin2 * t48;
+                    let t52 = qd_q1 * t14;
+                    let t53 = t48 - t52;
+                    let t54 = t48 + t52;
+                    let t55 = T::from_f64(0.017784735) * t54;
+                    let t56 = T::from_f64(0.001653980355) * t53;
+                    let t57 = t25 - t21;
+                    let t58 = t39 - t22;
+                    let t59 = t39 + t22;
+                    let t60 = T::from_f64(0.39225) * t59;
+                    let t61 = T::from_f64(1.598759275) * t59;
+                    let t62 = T::from_f64(0.051322656825) * t58;
+                    let t63 = t30 - t28;
+                    let t64 = t10 * t54;
+                    let t65 = T::from_f64(0.39225) * t64;
+                    let t66 = t11 - t25;
+                    let t67 = T::from_f64(0.051322656825) * t66;
+                    let [(sin_q6, cos_q6), (sin68, cos68)] = q_q6.sin_cos_pair(t0);
+                    let t69 = T::from_f64(0.59155695167475) * sin68;
+                    let t70 = T::from_f64(0.016685526855) * sin_q6;
+                    let t71 = T::from_f64(0.00697606230375) * cos68;
+                    let t72 = T::from_f64(0.00697606230375) * sin68;
+                    let t73 = T::from_f64(0.016911) * sin_q6;
+                    let t74 = T::from_f64(0.000225473145) * cos_q6;
+                    let t75 = T::from_f64(0.016911) * cos_q6;
+                    let t76 = T::from_f64(0.000225473145) * sin_q6;
+                    let t77 = T::from_f64(0.016685526855) * cos_q6;
+                    let t78 = sin_q6 * t77;
+                    let t79 = cos_q6 * t77;
+                    let t80 = T::from_f64(0.109935473145) + t79;
+                    let t81 = T::from_f64(0.016911) - t79;
+                    let t82 = T::from_f64(0.126621) + t80;
+                    let t83 = T::from_f64(-1.0) / t82;
+                    let t84 = T::from_f64(1.598759275) * cos68;
+                    let t85 = t84 - t8;
+                    let t86 = T::from_f64(0.425) * t85;
+                    let t87 = T::from_f64(0.59155695167475) * cos68;
+                    let t88 = cos68 * t87;
+                    let t89 = t87 * sin68;
+                    let t90 = t80 - T::from_f64(0.126621);
+                    let t91 = T::from_f64(0.39225) * cos68;
+                    let t92 = t8 * t91;
+                    let t93 = T::from_f64(1.598759275) * sin68;
+                    let t94 = t93 + t10;
+                    let t95 = T::from_f64(0.425) * t94;
+                    let t96 = T::from_f64(0.39225) * sin68;
+                    let t97 = t10 * t96;
+                    let t98 = t19 - t84 * t25;
+                    let t99 = T::from_f64(0.425) * t98;
+                    let t100 = T::from_f64(0.051322656825) * cos68;
+                    let t101 = t42 + t93 * t21;
+                    let t102 = T::from_f64(0.425) * t101;
+                    let t103 = t93 * t59 + t64;
+                    let t104 = T::from_f64(0.425) * t103;
+                    let [(sin_q5, cos_q5), (sin_q2, cos_q2)] = q_q5.sin_cos_pair(q_q2);
+                    let t105 = cos_q5 * t90;
+                    let t106 = T::from_f64(1.75501953841) * sin_q2;
+                    let t107 = T::from_f64(0.007558512375) * cos_q2;
+                    let t108 = T::from_f64(0.007558512375) * sin_q2;
+                    let t109 = T::from_f64(0.85) * sin_q2;
+                    let t110 = T::from_f64(0.602212521625) * cos_q2;
+                    let t111 = cos_q5 * t78;
+                    let t112 = t111 * sin2;
+                    let t113 = t112 - cos2 * t82;
+                    let t114 = t78 * sin_q5;
+                    let t115 = t113 * t83;
+                    let t116 = T::from_f64(0.425) * cos_q2;
+                    let t117 = t116 * t85;
+                    let t118 = T::from_f64(1.75501953841) * cos_q2;
+                    let t119 = cos_q2 * t118;
+                    let t120 = t118 * sin_q2;
+                    let t121 = T::from_f64(2.0) * t120;
+                    let t122 = cos_q5 * t105;
+                    let t123 = T::from_f64(0.126621) + t122;
+                    let t124 = t123 - t81;
+                    let t125 = cos2 * t124 - T::from_f64(2.0) * t112;
+                    let t126 = cos2 * (t9 + t125);
+                    let t127 = T::from_f64(0.00460883622975) + t81 + t126;
+                    let t128 = T::from_f64(0.10971) + t123 - t126;
+                    let t129 = T::from_f64(0.0020475) + t88 + t127
+                        - T::from_f64(2.0) * t92;
+                    let t130 = t127 + t128;
+                    let t131 = T::from_f64(0.59360445167475) + t128
+                        + T::from_f64(2.0) * t97 - t88;
+                    let t132 = T::from_f64(2.0) * t117 + (T::from_f64(0.0075537) + t119)
+                        + t129;
+                    let t133 = sin2 * sin_q5;
+                    let t134 = cos2 * (T::from_f64(0.001653980355) - t114) - t105 * t133;
+                    let t135 = t83 * t114;
+                    let t136 = t114 * t135
+                        - T::from_f64(0.017136473145) * cos_q5 * cos_q5;
+                    let t137 = t130 + t97 - t92 + t136;
+                    let t138 = T::from_f64(-1.0) / (t130 + t136);
+                    let t139 = t129 + t131 + t136;
+                    let t140 = T::from_f64(0.017136473145) * t133;
+                    let t141 = t113 * t135 + cos_q5 * t140;
+                    let t142 = T::from_f64(0.00028722347025) * cos2 + t134 + t141;
+                    let t143 = t134 + T::from_f64(0.051322656825) * sin68
+                        - T::from_f64(0.1197) * t94 + t141;
+                    let t144 = t142 * t138;
+                    let t145 = t138 * t137;
+                    let t146 = T::from_f64(0.13585) * t94 + t142 * t145 + t143;
+                    let t147 = T::from_f64(-1.0) / (t137 * t145 + t139);
+                    let t148 = t146 * t147;
+                    let t149 = t113 * t115 + (T::from_f64(0.29853861244275) + t80) + t132
+                        + t142 * t144 + t146 * t148;
+                    let t150 = T::from_f64(0.425) * sin_q2;
+                    let t151 = t10 * t150 + t137 - t116 * t8;
+                    let t152 = T::from_f64(0.1197) * t11 - t35 - t150 * t38;
+                    let t153 = T::from_f64(-9.81) - t150 * t28;
+                    let t154 = t153 - t96 * t21;
+                    let t155 = T::from_f64(1.598759275) * t152;
+                    let t156 = T::from_f64(1.598759275) * t153;
+                    let t157 = T::from_f64(0.017784735) * t154;
+                    let t158 = t138 * t151;
+                    let t159 = t94 * t150;
+                    let t160 = t117 + t159 + t145 * t151 + t139;
+                    let t161 = t147 * t160;
+                    let t162 = T::from_f64(1.76257323841) + t132 + t131
+                        + T::from_f64(2.0) * t159 + t151 * t158 + t160 * t161;
+                    let t163 = T::from_f64(0.13585)
+                        * (t94 + T::from_f64(4.4329225) * sin_q2) + t142 * t158
+                        + t146 * t161 + t143;
+                    let t164 = T::from_f64(-1.0) / (t162 + t136 - t119);
+                    let t165 = t163 - T::from_f64(0.19371331275) * sin_q2;
+                    let t166 = t165 * t164;
+                    let t167 = T::from_f64(-1.0)
+                        / (t149 + t165 * t166 - t122 - t133 * t140);
+                    let t168 = T::from_f64(0.19371331275) * cos_q2;
+                    let t169 = sin_q5 * t14 + cos_q5 * t47;
+                    let t170 = cos_q5 * t14 - sin_q5 * t47;
+                    let t171 = cos_q6 * t46 + sin_q6 * t169;
+                    let t172 = cos_q6 * t169 - sin_q6 * t46;
+                    let t173 = t171 * t172;
+                    let t174 = sin_q5 * t49 + qd_q5 * t169;
+                    let t175 = T::from_f64(0.000225473145) * (t173 - t174)
+                        - T::from_f64(0.016911) * (t173 + t174);
+                    let t176 = T::from_f64(0.1197) * t98 + t168 * t33 + t84 * t152
+                        + t40 * t45 + t133 * t175;
+                    let t177 = t175 - T::from_f64(0.10971) * (t174 + t46 * t169);
+                    let t178 = cos_q5 * t49 + qd_q5 * t170;
+                    let t179 = t169 * t170;
+                    let t180 = t152 - t96 * t59;
+                    let t181 = T::from_f64(0.017784735) * t180;
+                    let t182 = t116 * t30;
+                    let t183 = t182 + t91 * t25;
+                    let t184 = T::from_f64(1.598759275) * t182;
+                    let t185 = T::from_f64(0.017784735) * t183;
+                    let t186 = qd_q6 + qd_q6 + t170;
+                    let t187 = T::from_f64(0.016911)
+                        * (cos_q6 * t51 + sin_q6 * t178 + t186 * t172);
+                    let t188 = T::from_f64(0.000225473145)
+                        * (sin_q6 * t51 + t171 * t186 - cos_q6 * t178);
+                    let t189 = T::from_f64(0.126621) * (t178 + t46 * t170)
+                        + sin_q6 * t187 - cos_q6 * t188;
+                    let t190 = sin_q6 * t188 + T::from_f64(0.10971) * (t51 + t179)
+                        + cos_q6 * t187 - T::from_f64(0.126621) * (t179 - t51);
+                    let t191 = cos_q5 * t177 + t10 * t183 + t50 * t41 + sin_q5 * t189
+                        - t8 * t154;
+                    let t192 = t191 - t45 * t53;
+                    let t193 = t192 + t89 * t57 + t84 * t153 + t93 * t182 + t100 * t58;
+                    let t194 = sin_q5 * t177 - cos_q5 * t189;
+                    let t195 = cos_q5 * t175 - t135 * t190;
+                    let t196 = t193 - t91 * t42 - t96 * t19 - t195;
+                    let t197 = t192 - t195;
+                    let t198 = t145 * t197 + t196;
+                    let t199 = t120 * t63 + t158 * t197 + t161 * t198 + t196
+                        - T::from_f64(43.486969725) * cos_q2;
+                    let t200 = t199 - t116 * t101 - t150 * t98;
+                    let t201 = t176 + t144 * t197 + t148 * t198 + t166 * t200
+                        + t190 * (t115 - cos2);
+                    let t202 = T::from_f64(4.4329225) * cos_q2;
+                    let t203 = t201 - T::from_f64(0.13585) * (t98 - t202 * t30)
+                        - t116 * t103 - t91 * t64;
+                    let t204 = t203 - t54 * t50 - t8 * t180 - t100 * t66 - t59 * t89;
+                    let t205 = t167 * (t204 - t202 * t35 - t38 * t120 - sin2 * t194);
+                    let t206 = t164 * t200 + t166 * t205;
+                    let t207 = t147 * t198 + t148 * t205 + t161 * t206;
+                    let t208 = t138 * t197 + t144 * t205 + t158 * t206 + t145 * t207;
+                    let t209 = T::from_f64(0.017136473145) * t205;
+                    let t210 = T::from_f64(0.017136473145) * t206;
+                    let t211 = t208 + (t206 + t207);
+                    let t212 = t133 * t205 - T::from_f64(58.35506475215265) * t175
+                        - cos_q5 * t211;
+                    let t213 = t83 * t190 + t115 * t205 + t135 * t211;
+                    let t214 = T::from_f64(0.017136473145) * t212;
+                    let t215 = T::from_f64(0.017136473145) * t207;
+                    let t216 = T::from_f64(0.017136473145) * t208;
+                    (
+                        qd_q1,
+                        qd_q2,
+                        qd_q3,
+                        qd_q4,
+                        qd_q5,
+                        qd_q6,
+                        t205,
+                        t206,
+                        t207,
+                        t208,
+                        t213,
+                        t212,
+                        qd_q1,
+                        qd_q2,
+                        qd_q3,
+                        qd_q4,
+                        qd_q5,
+                        t205,
+                        t206,
+                        t207,
+                        t208,
+                        t213,
+                        sin_q2,
+                        cos_q2,
+                        sin68,
+                        cos68,
+                        t116,
+                        t150,
+                        t91,
+                        t96,
+                        sin_q5,
+                        cos_q5,
+                        sin_q6,
+                        cos_q6,
+                        t38,
+                        t214,
+                        t202,
+                        t168,
+                        t118,
+                        t84,
+                        t93,
+                        t100,
+                        t87,
+                        t13,
+                        t59,
+                        t77,
+                        t106,
+                        t69,
+                        t70,
+                        t107,
+                        t71,
+                        t90,
+                        t105,
+                        cos2,
+                        t9,
+                        t124,
+                        sin2,
+                        t78,
+                        t111,
+                        t125,
+                        t8,
+                        t133,
+                        t82,
+                        t83,
+                        t115,
+                        t114,
+                        t135,
+                        t10,
+                        t46,
+                        t47,
+                        t120,
+                        t89,
+                        t50,
+                        t45,
+                        t57,
+                        t63,
+                        t108,
+                        t72,
+                        t209,
+                        t210,
+                        t215,
+                        t216,
+                        t109,
+                        t3,
+                        t48,
+                        t14,
+                        t54,
+                        t49,
+                        t51,
+                        t41,
+                        t110,
+                        t37,
+                        t60,
+                        t73,
+                        t74,
+                        t75,
+                        t76,
+                        t61,
+                        t62,
+                        t169,
+                        t171,
+                        t172,
+                        t177,
+                        t170,
+                        t178,
+                        t186,
+                        t187,
+                        t188,
+                        t189,
+                        t194,
+                        t190,
+                        t138,
+                        t158,
+                        t145,
+                        t147,
+                        t161,
+                        t164,
+                        t18,
+                        t26,
+                        t12,
+                        t121,
+                        t67,
+                        t181,
+                        t55,
+                        t65,
+                        t104,
+                        t31,
+                        t34,
+                        t155,
+                        t43,
+                        t4,
+                        t86,
+                        t29,
+                        t156,
+                        t32,
+                        t184,
+                        t27,
+                        t185,
+                        t23,
+                        t157,
+                        t56,
+                        t16,
+                        t44,
+                        t20,
+                        t24,
+                        t102,
+                        t99,
+                        t5,
+                        t95,
+                        t6,
+                        t7,
+                        t144,
+                        t148,
+                        t166,
+                        t167,
+                    )
+                }
+            };
+            x[1] = ::pendulum_core::nalgebra::SVector::from([
+                a0,
+                a1,
+                a2,
+                a3,
+                a4,
+                a5,
+                a6,
+                a7,
+                a8,
+                a9,
+                a10,
+                a11,
+            ]);
+            let mut over_next = T::from_f64(1.0);
+            let mut newest = ::pendulum_core::taylor::Newest::new();
+            for k in 1..x.len() - 1 {
+                let order = T::from_f64(k as f64);
+                let over_order = over_next;
+                over_next = T::from_f64(1.0) / T::from_f64((k + 1) as f64);
+                let [s0, s1, s2, s3, s4, s5, s6, s7, s8, s9, s10, s11, s12, s13, s14,
+                s15, s16, s17, s18, s19, s20, s21, s22, s23, s24, s25, s26, s27, s28,
+                s29, s30, s31, s32, s33, s34, s35, s36, s37, s38, s39, s40, s41, s42,
+                s43, s44, s45, s46, s47, s48, s49, s50, s51, s52, s53, s54, s55, s56,
+                s57, s58, s59, s60, s61, s62, s63, s64, s65, s66, s67, s68, s69, s70,
+                s71, s72, s73, s74, s75, s76, s77, s78, s79, s80, s81, s82, s83, s84,
+                s85, s86, s87, s88, s89, s90, s91, s92, s93, s94, s95, s96, s97, s98,
+                s99, s100, s101, s102, s103, s104, s105, s106, s107, s108, s109, s110,
+                s111, s112, s113, s114, s115, s116, s117, s118, s119, s120, s121, s122,
+                s123, s124, s125, s126, s127, s128, s129, s130, s131, s132, s133, s134,
+                s135, s136, s137, s138, s139, s140, s141] = newest.add(work.sums(k));
+                let [x0, x1, x2, x3, x4, x5, x6, x7, x8, x9, x10, x11] = x[k].data.0[0];
+                let t0 = x6 * h0;
+                let t1 = t0 + (s1 + t0);
+                let t2 = x7 + x8;
+                let t3 = x9 + t2;
+                let t4 = t3 * h73;
+                let t5 = t4 + (s2 + t4);
+                let t6 = t1 + t5;
+                let t7 = x1 + x2;
+                let t8 = x3 + t7;
+                let t9 = over_order * s0 + t8 * h41;
+                let t10 = h48 * t6 + (T::from_f64(0.017784735) * s3 + h105 * t9);
+                let t11 = t2 * h31;
+                let t12 = t11 + (s5 + t11);
+                let t13 = t2 * h0 + (s16 + x6 * h31);
+                let t14 = t1 + t12;
+                let t15 = over_order * s4 + t7 * h12;
+                let t16 = t10
+                    - (h27 * t14 + (T::from_f64(1.598759275) * s6 - h106 * t15));
+                let t17 = over_order * s7 + x1 * h10;
+                let t18 = over_order * s10 + x1 * h11;
+                let t19 = h26 * t18 + (T::from_f64(1.75501953841) * s11 - h34 * t17);
+                let t20 = x7 * h0 + (s9 + x6 * h1);
+                let t21 = h78 * t1 + (T::from_f64(0.602212521625) * s8 - h107 * t17)
+                    + (h22 * t19 + (T::from_f64(2.0) * s12 + h108 * t20));
+                let t22 = t20 + (x8 * h0 + (s15 + x6 * h2));
+                let t23 = T::from_f64(0.1197) * t1 - T::from_f64(0.13585) * t1
+                    - (h70 * t20 + (T::from_f64(0.85) * s19 + h79 * t18));
+                let t24 = t22 + t13;
+                let t25 = t22 - t13;
+                let t26 = x9 * h0 + (s24 + x6 * h3) + t22;
+                let t27 = over_order * s13 + t7 * h13;
+                let t28 = order * t7;
+                let t29 = h30 * t27 + (T::from_f64(0.59155695167475) * s14 - h35 * t15);
+                let t30 = t1 - t14;
+                let t31 = t21 + (h59 * t24 + (s17 + h32 * t29))
+                    + (h29 * t30 + (T::from_f64(0.051322656825) * s18 - h109 * t15));
+                let t32 = t23 - (h17 * t24 + (T::from_f64(0.39225) * s20 + h80 * t27));
+                let t33 = t3 * h0 + (s25 + x6 * h73);
+                let t34 = t26 + t33;
+                let t35 = t26 - t33;
+                let t36 = over_order * s22 + t8 * h44;
+                let t37 = order * t8;
+                let t38 = h42 * t9 + (T::from_f64(0.10510116377025) * s23 - h71 * t36);
+                let t39 = t31
+                    + (h48 * t32 + (T::from_f64(0.017784735) * s21 + h110 * t9))
+                    + (h60 * t34 + (s26 + h74 * t38));
+                let t40 = h55 * t34 + (T::from_f64(0.017784735) * s65 - h111 * t36);
+                let t41 = h28 * t24 + (T::from_f64(1.598759275) * s20 + h85 * t27) + t40;
+                let t42 = x6 * h44 + (s33 + h0 * t9);
+                let t43 = over_order * s32 + x4 * h18;
+                let t44 = over_order * s27 + x4 * h19;
+                let t45 = h19 * t42 + (s34 - h57 * t43) + (t3 * h18 + (s35 + h73 * t44));
+                let t46 = t3 * h19 + (s46 - h73 * t43) - (h18 * t42 + (s47 + h57 * t44));
+                let t47 = over_order * s28 + x5 * h20;
+                let t48 = x10 - (x6 * h41 + (s29 - h0 * t36));
+                let t49 = over_order * s31 + x5 * h21;
+                let t50 = h21 * t45 + (s37 - h87 * t47)
+                    - (h20 * t48 + (s38 + h56 * t49));
+                let t51 = h21 * t48 + (s30 - h56 * t47)
+                    + (h20 * t45 + (s36 + h87 * t49));
+                let t52 = h88 * t50 + (s39 + h89 * t51);
+                let t53 = h41 * t26 + (s40 - h72 * t36);
+                let t54 = h44 * t26 + (s50 + h72 * t9);
+                let t55 = h18 * t53 + (s41 + h75 * t44) + (h4 * t45 + (s42 + x10 * h87));
+                let t56 = T::from_f64(0.000225473145) * (t52 - t55)
+                    - T::from_f64(0.016911) * (t52 + t55);
+                let t57 = t56
+                    - T::from_f64(0.10971) * (t55 + (h56 * t45 + (s43 + h87 * t48)));
+                let t58 = h19 * t53 + (s45 - h75 * t43) + (h4 * t46 + (s48 + x10 * h91));
+                let t59 = h87 * t46 + (s61 + h91 * t45);
+                let t60 = h21 * t54 + (s51 - h76 * t47)
+                    + (h20 * t58 + (s52 + h92 * t49));
+                let t61 = x11 + (x11 + t46);
+                let t62 = t60 + (h89 * t61 + (s53 + h93 * t50));
+                let t63 = T::from_f64(0.126621) * (t58 + (h56 * t46 + (s49 + h91 * t48)))
+                    + (h81 * t62 + (T::from_f64(0.016911) * s54 + h94 * t49));
+                let t64 = h20 * t54 + (s55 + h76 * t49)
+                    + (h88 * t61 + (s56 + h93 * t51));
+                let t65 = t64 - (h21 * t58 + (s57 - h92 * t47));
+                let t66 = t63
+                    - (h82 * t65 + (T::from_f64(0.000225473145) * s58 - h95 * t47));
+                let t67 = T::from_f64(0.10971) * (t54 + t59)
+                    + (h83 * t62 + (T::from_f64(0.016911) * s62 - h94 * t47));
+                let t68 = t67
+                    + (h84 * t65 + (T::from_f64(0.000225473145) * s63 + h95 * t49))
+                    - T::from_f64(0.126621) * (t59 - t54);
+                let t69 = h33 * t49 + (T::from_f64(0.016685526855) * s80 - h36 * t47);
+                let t70 = h18 * t57 + (s44 + h90 * t44)
+                    - (h19 * t66 + (s59 - h96 * t43));
+                let t71 = t39 + (h44 * t70 + (s60 + h97 * t9))
+                    + (h41 * t68 + (s64 - h98 * t36));
+                let t72 = t71 + (h16 * t40 + (T::from_f64(0.39225) * s66 - h112 * t15))
+                    + (h14 * t41 + (T::from_f64(0.425) * s67 - h113 * t17));
+                let t73 = x7 * h1;
+                let t74 = t73 + (s68 + t73);
+                let t75 = t1 + t74;
+                let t76 = t72
+                    + T::from_f64(0.13585)
+                        * (t16
+                            - (h24 * t75 + (T::from_f64(4.4329225) * s69 - h114 * t17)));
+                let t77 = t1 - t75;
+                let t78 = t76
+                    - (h25 * t77 + (T::from_f64(0.19371331275) * s70 - h115 * t17))
+                    - (h27 * t23 + (T::from_f64(1.598759275) * s71 - h116 * t15));
+                let t79 = t1 - t6;
+                let t80 = T::from_f64(0.1197) * t16
+                    - (t78
+                        - (h61 * t79 + (T::from_f64(0.001653980355) * s72 + h117 * t9)));
+                let t81 = t6 - t5;
+                let t82 = h55 * t5 + (T::from_f64(0.017784735) * s110 - h129 * t36);
+                let t83 = h33 * t47;
+                let t84 = -t47;
+                let t85 = T::from_f64(0.016685526855) * s73 - t83;
+                let t86 = t85 - t83;
+                let t87 = t83 - t85;
+                let t88 = h26 * t17;
+                let t89 = T::from_f64(1.75501953841) * s74 - t88 - t88;
+                let t90 = h30 * t15;
+                let t91 = T::from_f64(0.59155695167475) * s75 - t90 - t90;
+                let t92 = h42 * t36;
+                let t93 = h19 * t86 + (s77 - h39 * t43);
+                let t94 = h19 * t93 + (s78 - h40 * t43);
+                let t95 = t94 - t87;
+                let t96 = h19 * t69 + (s81 - h45 * t43);
+                let t97 = h44 * t96 + (s82 + h46 * t9);
+                let t98 = h41 * t95 + (s79 - h43 * t36) - T::from_f64(2.0) * t97;
+                let t99 = T::from_f64(0.10510116377025) * s76 - t92 - t92
+                    + (h41 * t98 + (s83 - h47 * t36));
+                let t100 = t87 + t99;
+                let t101 = h45 * t44 + (s89 + h18 * t69);
+                let t102 = t97 - (h41 * t86 + (s94 - h50 * t36));
+                let t103 = t68 + (s133 + h5 * t102) + (s134 + h6 * t101)
+                    + (s135 + h7 * t101);
+                let t104 = t103 + (s136 + h8 * t101) + (s137 + h9 * t86);
+                let t105 = t94 - t99;
+                let t106 = h38 * t9 + (T::from_f64(0.00697606230375) * s84 - h118 * t15);
+                let t107 = t91 + t100 - T::from_f64(2.0) * t106;
+                let t108 = t100 + t105;
+                let t109 = T::from_f64(1.598759275) * t15
+                    + T::from_f64(0.017784735) * t9;
+                let t110 = -t109;
+                let t111 = T::from_f64(0.425) * s85 - h119 * t17 - h14 * t109;
+                let t112 = t89 + t107 + T::from_f64(2.0) * t111;
+                let t113 = t86 + t112 - t94;
+                let t114 = T::from_f64(1.598759275) * t27
+                    - T::from_f64(0.017784735) * t36;
+                let t115 = h44 * t44 + (s87 + h18 * t9);
+                let t116 = h40 * t115 + (s88 + h49 * t93)
+                    + (h41 * t101 + (s90 - h53 * t36));
+                let t117 = T::from_f64(0.001653980355) * t36 + t116;
+                let t118 = t56 - (T::from_f64(0.017136473145) * s138 + h66 * t115)
+                    + (T::from_f64(0.017136473145) * s139 - h67 * t43);
+                let t119 = t118 + (T::from_f64(0.017136473145) * s140 - h68 * t43)
+                    + (T::from_f64(0.017136473145) * s141 - h69 * t43);
+                let t120 = s123 + h9 * t101;
+                let t121 = T::from_f64(0.051322656825) * t27 - t117
+                    - T::from_f64(0.1197) * t114;
+                let t122 = t117 + T::from_f64(0.00028722347025) * t36;
+                let t123 = T::from_f64(0.13585) * (t114 + T::from_f64(4.4329225) * t18)
+                    + t121 - T::from_f64(0.19371331275) * t18;
+                let t124 = T::from_f64(0.13585) * t114 + t121;
+                let t125 = t80 + (s86 + h5 * t113) + (s91 + h6 * t123)
+                    + (s92 + h7 * t124);
+                let t126 = t125 + (s93 - h8 * t122) + (s95 + h9 * t102)
+                    - (T::from_f64(0.017136473145) * s96 + h23 * t115);
+                let t127 = h136 * t18 + (T::from_f64(0.425) * s117 + h15 * t114);
+                let t128 = T::from_f64(0.017136473145) * s124 - h23 * t43;
+                let t129 = h14 * t75 + (T::from_f64(0.425) * s69 - h122 * t17);
+                let t130 = t75 - t74;
+                let t131 = h15 * t74 + (T::from_f64(0.425) * s98 + h120 * t18);
+                let t132 = -t131;
+                let t133 = h16 * t14 + (T::from_f64(0.39225) * s6 - h124 * t15) + t129;
+                let t134 = h55 * t133 + (T::from_f64(0.017784735) * s103 - h125 * t36)
+                    + (h60 * t81 + (s104 + h77 * t38));
+                let t135 = t134 + (h18 * t66 + (s105 + h96 * t44))
+                    + (h19 * t57 + (s106 - h90 * t43));
+                let t136 = T::from_f64(1.598759275) * s99 - h121 * t15 - h27 * t131
+                    + (h28 * t129 + (T::from_f64(1.598759275) * s100 + h123 * t27));
+                let t137 = t131
+                    + (h17 * t12 + (T::from_f64(0.39225) * s107 + h126 * t27));
+                let t138 = t135
+                    - (T::from_f64(0.017784735) * s108 + h127 * t9 - h48 * t137)
+                    - (h61 * t35 + (T::from_f64(0.001653980355) * s109 + h128 * t9));
+                let t139 = -t137;
+                let t140 = t14 - t12;
+                let t141 = t136
+                    + (h29 * t25 + (T::from_f64(0.051322656825) * s101 - h86 * t15))
+                    + (h59 * t140 + (s102 + h62 * t29));
+                let t142 = t141 + t138
+                    - (h16 * t82 + (T::from_f64(0.39225) * s111 - h130 * t15))
+                    - (h17 * t10 + (T::from_f64(0.39225) * s112 + h131 * t27));
+                let t143 = t82
+                    + (h28 * t12 + (T::from_f64(1.598759275) * s107 + h132 * t27));
+                let t144 = T::from_f64(43.486969725) * t17
+                    + (h58 * t130 + (s97 + h63 * t19) + t142)
+                    - (h14 * t143 + (T::from_f64(0.425) * s113 - h133 * t17));
+                let t145 = t144 - (h15 * t16 + (T::from_f64(0.425) * s114 + h134 * t18))
+                    + (s115 + h5 * t123);
+                let t146 = h135 * t27
+                    + (T::from_f64(0.00697606230375) * s116 - h65 * t36);
+                let t147 = t105 + T::from_f64(2.0) * t146 - t91;
+                let t148 = t146 + t108 - t106;
+                let t149 = t148
+                    + (h137 * t18 + (T::from_f64(0.007558512375) * s120 - h64 * t36))
+                    - (T::from_f64(0.007558512375) * s121 + h37 * t9 - h138 * t17);
+                let t150 = t112 + t147 + T::from_f64(2.0) * t127 - t89;
+                let t151 = t107 + t147;
+                let t152 = t111 + t127 + t151;
+                let t153 = t142 + (s125 + h5 * t124) + (s126 + h6 * t152)
+                    + (s127 + h7 * t151);
+                let t154 = t145 + (s118 + h6 * t150) + (s119 + h7 * t152)
+                    + (s122 + h8 * t149);
+                let t155 = t138 + (s129 - h5 * t122) + (s130 + h6 * t149)
+                    + (s131 + h7 * t148);
+                let t156 = -t15;
+                let t157 = -t17;
+                let t158 = -t36;
+                let t159 = -t43;
+                let t160 = -t122;
+                let t161 = h19 * t119;
+                let t162 = h54 * t104;
+                let t163 = t128 + (t120 + (t155 + (s132 + h8 * t108))) - t161 + t162;
+                let t164 = t128 + (t120 + (t153 + (s128 + h8 * t148))) - t161 + t162
+                    + h101 * t163;
+                let t165 = t154 + t120 + t128 - t161 + t162 + h100 * t163 + h103 * t164;
+                let t166 = t126 + h49 * t119 + h52 * t104 + h139 * t163 + h140 * t164;
+                let t167 = h142 * (t166 + h141 * t165);
+                let t168 = h104 * t165 + h141 * t167;
+                let t169 = h102 * t164 + h140 * t167 + h103 * t168;
+                let t170 = h99 * t163 + h139 * t167 + h100 * t168 + h101 * t169;
+                let t171 = h51 * t104 + h52 * t167 + h54 * t168 + h54 * t169
+                    + h54 * t170;
+                let t172 = h49 * t167 - T::from_f64(58.35506475215265) * t119
+                    - h19 * t168 - h19 * t169 - h19 * t170;
+                let t173 = order * x1;
+                let t174 = order * x4;
+                let t175 = order * x5;
+                let (left, right) = (
+                    [
+                        t37,
+                        x6,
+                        t3,
+                        t9,
+                        t28,
+                        t2,
+                        t156,
+                        t173,
+                        t157,
+                        x6,
+                        t173,
+                        t157,
+                        t20,
+                        t28,
+                        t156,
+                        x6,
+                        x6,
+                        t29,
+                        t156,
+                        t18,
+                        t27,
+                        t9,
+                        t37,
+                        t158,
+                        x6,
+                        x6,
+                        t38,
+                        t174,
+                        t175,
+                        t158,
+                        t84,
+                        t175,
+                        t174,
+                        t9,
+                        t159,
+                        t44,
+                        t49,
+                        t84,
+                        t49,
+                        t51,
+                        t158,
+                        t44,
+                        x10,
+                        t48,
+                        t44,
+                        t159,
+                        t159,
+                        t44,
+                        x10,
+                        t48,
+                        t9,
+                        t84,
+                        t49,
+                        t50,
+                        t49,
+                        t49,
+                        t51,
+                        t84,
+                        t84,
+                        t159,
+                        t9,
+                        t45,
+                        t84,
+                        t49,
+                        t158,
+                        t158,
+                        t156,
+                        t157,
+                        x7,
+                        t157,
+                        t157,
+                        t156,
+                        t9,
+                        t84,
+                        t157,
+                        t156,
+                        t158,
+                        t159,
+                        t159,
+                        t158,
+                        t84,
+                        t159,
+                        t9,
+                        t158,
+                        t156,
+                        t157,
+                        t113,
+                        t9,
+                        t93,
+                        t69,
+                        t158,
+                        t123,
+                        t124,
+                        t160,
+                        t158,
+                        t102,
+                        t115,
+                        t19,
+                        t18,
+                        t156,
+                        t27,
+                        t156,
+                        t29,
+                        t158,
+                        t38,
+                        t44,
+                        t159,
+                        t27,
+                        t9,
+                        t9,
+                        t158,
+                        t156,
+                        t27,
+                        t157,
+                        t18,
+                        t123,
+                        t158,
+                        t114,
+                        t150,
+                        t152,
+                        t158,
+                        t9,
+                        t149,
+                        t101,
+                        t159,
+                        t124,
+                        t152,
+                        t151,
+                        t148,
+                        t160,
+                        t149,
+                        t148,
+                        t108,
+                        t102,
+                        t101,
+                        t101,
+                        t101,
+                        t86,
+                        t115,
+                        t159,
+                        t159,
+                        t159,
+                    ],
+                    [
+                        t158,
+                        x6,
+                        t3,
+                        t6,
+                        t27,
+                        t2,
+                        t14,
+                        t18,
+                        t1,
+                        x7,
+                        t157,
+                        t18,
+                        t19,
+                        t156,
+                        t27,
+                        x8,
+                        t2,
+                        t24,
+                        t30,
+                        t20,
+                        t24,
+                        t32,
+                        t9,
+                        t9,
+                        x9,
+                        t3,
+                        t34,
+                        t159,
+                        t49,
+                        x6,
+                        t48,
+                        t84,
+                        t44,
+                        x6,
+                        t42,
+                        t3,
+                        t45,
+                        t45,
+                        t48,
+                        t50,
+                        t26,
+                        t53,
+                        t45,
+                        t45,
+                        t57,
+                        t53,
+                        t3,
+                        t42,
+                        t46,
+                        t46,
+                        t26,
+                        t54,
+                        t58,
+                        t61,
+                        t62,
+                        t54,
+                        t61,
+                        t58,
+                        t65,
+                        t66,
+                        t70,
+                        t46,
+                        t62,
+                        t65,
+                        t68,
+                        t34,
+                        t40,
+                        t41,
+                        x7,
+                        t75,
+                        t77,
+                        t23,
+                        t79,
+                        t84,
+                        t157,
+                        t156,
+                        t158,
+                        t86,
+                        t93,
+                        t95,
+                        t49,
+                        t69,
+                        t96,
+                        t98,
+                        t9,
+                        t110,
+                        t167,
+                        t44,
+                        t115,
+                        t44,
+                        t101,
+                        t168,
+                        t169,
+                        t170,
+                        t86,
+                        t171,
+                        t172,
+                        t130,
+                        t74,
+                        t132,
+                        t129,
+                        t25,
+                        t140,
+                        t133,
+                        t81,
+                        t66,
+                        t57,
+                        t12,
+                        t139,
+                        t35,
+                        t5,
+                        t82,
+                        t10,
+                        t143,
+                        t16,
+                        t167,
+                        t27,
+                        t18,
+                        t168,
+                        t169,
+                        t18,
+                        t157,
+                        t170,
+                        t171,
+                        t172,
+                        t167,
+                        t168,
+                        t169,
+                        t170,
+                        t167,
+                        t168,
+                        t169,
+                        t170,
+                        t167,
+                        t168,
+                        t169,
+                        t170,
+                        t171,
+                        t167,
+                        t168,
+                        t169,
+                        t170,
+                    ],
+                );
+                newest.push(k, left, right);
+                work.set(k, left, right);
+                x[k + 1] = ::pendulum_core::nalgebra::SVector::from([
+                    x6 * over_next,
+                    x7 * over_next,
+                    x8 * over_next,
+                    x9 * over_next,
+                    x10 * over_next,
+                    x11 * over_next,
+                    t167 * over_next,
+                    t168 * over_next,
+                    t169 * over_next,
+                    t170 * over_next,
+                    t171 * over_next,
+                    t172 * over_next,
+                ]);
+            }
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::taylor::CastTaylor<12> for Ur5 {
+        type Workspace<T: ::pendulum_core::real::Real> = ::pendulum_core::taylor::Products<
+            T,
+            142,
+        >;
+        #[inline]
+        fn workspace<T: ::pendulum_core::real::Real>() -> ::pendulum_core::taylor::Products<
+            T,
+            142,
+        > {
+            ::pendulum_core::taylor::Products::new()
+        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn series<T: ::pendulum_core::real::Real>(
+            system: &Ur5<T>,
+            t: T,
+            x: &mut [::pendulum_core::nalgebra::SVector<T, 12>],
+            work: &mut ::pendulum_core::taylor::Products<T, 142>,
+        ) {
+            ::pendulum_core::taylor::TaylorSeries::series(system, t, x, work);
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::CastJacobian<12> for Ur5 {
+        #[inline]
+        fn with_jacobian<T: ::pendulum_core::real::Real>(
+            model: &Ur5<T>,
+        ) -> &impl ::pendulum_core::Jacobian<T, 12> {
+            model
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl ::pendulum_core::Cast<12> for Ur5 {
+        type In<T: ::pendulum_core::real::Real> = Ur5<T>;
+        fn cast<T: ::pendulum_core::real::Real>(&self) -> Ur5<T> {
+            Ur5::cast(self)
+        }
+        #[inline]
+        fn gather<'m, T: ::pendulum_core::real::lanes::Lanes>(
+            models: impl ::core::ops::Fn(usize) -> &'m Self,
+        ) -> Ur5<T>
+        where
+            Self: 'm,
+        {
+            let scalar = <<T as ::pendulum_core::real::lanes::Lanes>::Scalar as ::pendulum_core::real::Real>::from_f64;
+            Ur5 {
+                params: models(0).params,
+                constants: ::core::array::from_fn(|k| {
+                    <T as ::pendulum_core::real::lanes::Lanes>::from_fn(|lane| scalar(
+                        models(lane).constants[k],
+                    ))
+                }),
+            }
+        }
+    }
+}
+#[allow(unreachable_pub, unused_imports)]
+pub use __Ur5::{Ur5, Ur5Params};
