@@ -169,7 +169,7 @@ fn equals_free(scene: &str, joints: &[(&str, &str, [f64; 2], f64)]) {
             text.replace(&format!("{{{name}}}"), &moves(name, own))
         })
     };
-    let free = with(&|name, _| format!("coordinate: {name}"));
+    let free = with(&|name, _| format!("coordinate: {name}")).replace("jacobian, ", "");
     let following = with(&|_, own| own.to_owned());
     let [free, following] = [free, following].map(|text| program(text.parse().expect("tokens")).expect("a scene"));
     let [all, ours] = [&free, &following].map(|program| Evaluator::new(program, &[]));

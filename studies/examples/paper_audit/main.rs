@@ -1,9 +1,9 @@
 //! The figures of `docs/src/paper-audit.md`: what the slips of the printed paper do to its results.
 //!
-//! `cargo run --release --example paper_audit` prints growth rates of the printed and of the right linearisation, the
-//! energy under the printed equations, Fig. 2 as two damped modes, and Lyapunov exponents over the amplitude, and draws
-//! them into `out/paper_audit/`. The printed forms are those of `tests/it/paper_audit`, which has a test for each of
-//! them.
+//! `cargo run --release -p studies --example paper_audit` prints growth rates of the printed and of the right
+//! linearisation, the energy under the printed equations, Fig. 2 as two damped modes, and Lyapunov exponents over the
+//! amplitude, and draws them into `out/paper_audit/`. The printed forms are those of `tests/it/paper_audit`, which has
+//! a test for each of them.
 
 mod energy;
 mod exponent;

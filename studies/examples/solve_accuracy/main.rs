@@ -1,8 +1,8 @@
 //! How accurate the generated accelerations are where one body is much lighter or heavier than the others.
 //!
-//! `cargo run --release --example solve_accuracy` compares them with 50-digit values for mass ratios from 1e-8 to 1e8,
-//! prints the worst errors, and draws them beside what the condition of the problem explains, and beside what textbooks
-//! do.
+//! `cargo run --release -p studies --example solve_accuracy` compares them with 50-digit values for mass ratios from
+//! 1e-8 to 1e8, prints the worst errors, and draws them beside what the condition of the problem explains, and beside
+//! what textbooks do.
 
 mod figure;
 mod textbook;

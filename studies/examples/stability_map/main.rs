@@ -1,9 +1,9 @@
 //! Maps of stability: over the friction of both axles, over the starts at rest, and over the amplitude; and Poincare
 //! sections.
 //!
-//! `cargo run --release --example stability_map` measures and draws them on all cores, and takes a minute of processor
-//! time in all. `-- --size N` computes N cells along each side of a map instead of 270; most of the time goes with the
-//! square of N.
+//! `cargo run --release -p studies --example stability_map` measures and draws them on all cores, and takes a minute of
+//! processor time in all. `-- --size N` computes N cells along each side of a map instead of 270; most of the time goes
+//! with the square of N.
 
 mod amplitude;
 mod friction;

@@ -1,8 +1,8 @@
 //! What accuracy takes: errors of all methods against time and evaluations, and errors of simpler models against their
 //! cost.
 //!
-//! `cargo run --release --example work_precision` measures a regular, a chaotic and a stiff motion of the double
-//! pendulum, and the small-motion model over the amplitude. It prints the tables of the book, and writes charts,
+//! `cargo run --release -p studies --example work_precision` measures a regular, a chaotic and a stiff motion of the
+//! double pendulum, and the small-motion model over the amplitude. It prints the tables of the book, and writes charts,
 //! tables and a page with all of them. It takes half a minute.
 
 mod figures;
