@@ -19,9 +19,7 @@ pub use state::IntoState;
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::hybrid::{
-    self, Constraint, Hold, Hybrid, HybridJacobian, Law, MOST, MeasureDerivatives, Response, ResponseDerivative,
-};
+use crate::hybrid::{Constraint, Hybrid, HybridJacobian, Law, MOST, MeasureDerivatives, Response, ResponseDerivative};
 use crate::inputs::Controlled;
 use crate::layout::StateLayout;
 use crate::real::Real;
@@ -113,15 +111,6 @@ pub trait System<T: Real, const N: usize> {
     fn rhs_under(&self, t: T, x: &SVector<T, N>, _forces: &[T; MOST]) -> SVector<T, N> {
         self.rhs(t, x)
     }
-
-    /// The right-hand side in a mode of a hybrid system; `rhs` of others.
-    #[inline(always)]
-    fn rhs_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N> {
-        match self.hybrid() {
-            Some(hybrid) => hybrid::called::rhs(hybrid, hold, t, x),
-            None => self.rhs(t, x),
-        }
-    }
 }
 
 /// A model that can be converted to any number type, vectors of lanes included; `N` is the length of its state.
@@ -196,45 +185,6 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
     fn hybrid_jacobian(&self) -> Option<&dyn HybridJacobian<T, N>> {
         None
     }
-
-    /// The Jacobian in a mode of a hybrid system; `jacobian` of others.
-    #[inline(always)]
-    fn jacobian_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N>
-    where
-        T: Lanes,
-    {
-        match (self.hybrid(), self.hybrid_jacobian()) {
-            (None, _) => self.jacobian(t, x),
-            (_, Some(hybrid)) => hybrid::called::rhs_and_jacobian(hybrid, hold, t, x).1,
-            (_, None) => by_state(x, |x| self.rhs_in(hold, t, x)),
-        }
-    }
-
-    /// Both at once in a mode.
-    #[inline(always)]
-    fn rhs_and_jacobian_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>)
-    where
-        T: Lanes,
-    {
-        match (self.hybrid(), self.hybrid_jacobian()) {
-            (None, _) => self.rhs_and_jacobian(t, x),
-            (_, Some(hybrid)) => hybrid::called::rhs_and_jacobian(hybrid, hold, t, x),
-            (_, None) => (self.rhs_in(hold, t, x), self.jacobian_in(hold, t, x)),
-        }
-    }
-
-    /// The derivative by the time in a mode.
-    #[inline(always)]
-    fn time_derivative_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N>
-    where
-        T: Lanes,
-    {
-        match (self.hybrid(), self.hybrid_jacobian()) {
-            (None, _) => self.time_derivative(t, x),
-            (_, Some(hybrid)) => hybrid::called::time_derivative(hybrid, hold, t, x),
-            (_, None) => by_time(self, t, |t| self.rhs_in(hold, t, x)),
-        }
-    }
 }
 
 /// A model that has its [`Jacobian`] in every number type, so that implicit methods run in lanes.
@@ -288,35 +238,6 @@ pub trait Canonical<T: Real, const N: usize>: System<T, N> {
     ) -> (SMatrix<T, N, N>, SMatrix<T, N, N>) {
         self.canonical_jacobian(t, x)
     }
-
-    /// The variables in a mode of a hybrid system, and their rates; [`canonical`](Self::canonical) of others.
-    ///
-    /// Where a rate that is a sum of components is held, the mechanism has a coordinate less: its canonical variables are
-    /// the momenta of the others, in which no force holds anything, and that rate, which stays zero, stands in the place
-    /// of the momentum that is left over.
-    #[inline(always)]
-    fn canonical_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>) {
-        match self.hybrid() {
-            Some(hybrid) => {
-                let both = self.canonical_under(t, x, &hybrid::pressing(hybrid, hold, t, x));
-                hybrid::reduced(hybrid, hold.held, x, both)
-            }
-            None => self.canonical(t, x),
-        }
-    }
-
-    /// The derivatives of both in a mode, the forces along the constraints held fixed.
-    #[inline(always)]
-    fn canonical_jacobian_in(&self, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>) {
-        match self.hybrid() {
-            Some(hybrid) => {
-                let both = self.canonical_jacobian_under(t, x, &hybrid::pressing(hybrid, hold, t, x));
-                let identity = SMatrix::from_fn(|i, j| T::from_f64(f64::from(u8::from(i == j))));
-                hybrid::reduced(hybrid, hold.held, &identity, both)
-            }
-            None => self.canonical_jacobian(t, x),
-        }
-    }
 }
 
 /// A model that knows its energy, in joules.
@@ -365,7 +286,6 @@ macro_rules! forward_system {
             gaps(t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 3]));
             hybrid() -> Option<&dyn Hybrid<T, N>>;
             rhs_under(t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> SVector<T, N>;
-            rhs_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N>;
         }
     };
 }
@@ -381,9 +301,6 @@ impl<T: Real, S: Jacobian<T, N> + ?Sized, const N: usize> Jacobian<T, N> for &S 
         rhs_and_jacobian(t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>);
         time_derivative(t: T, x: &SVector<T, N>) -> SVector<T, N> where T: Lanes;
         hybrid_jacobian() -> Option<&dyn HybridJacobian<T, N>>;
-        jacobian_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> where T: Lanes;
-        rhs_and_jacobian_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) where T: Lanes;
-        time_derivative_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N> where T: Lanes;
     }
 }
 
@@ -394,8 +311,6 @@ impl<T: Real, S: Canonical<T, N> + ?Sized, const N: usize> Canonical<T, N> for &
         canonical_under(t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> (SVector<T, N>, SVector<T, N>);
         canonical_jacobian_under(t: T, x: &SVector<T, N>, forces: &[T; MOST])
             -> (SMatrix<T, N, N>, SMatrix<T, N, N>);
-        canonical_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>);
-        canonical_jacobian_in(hold: &Hold<T>, t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>);
     }
 }
 

@@ -908,7 +908,7 @@ fn corners_come_to_rest_when_their_series_ends() {
 /// What is held moves nothing else than its forces do: derivatives in each mode against dual numbers.
 pub(crate) fn check_derivatives<S, D, const N: usize>(model: &S, dual: &D, count: usize)
 where
-    S: HybridJacobian<f64, N>,
+    S: Jacobian<f64, N>,
     D: Hybrid<Dual, N>,
 {
     for (n, (t, x, mut forces)) in places::<N>(count).enumerate() {
@@ -925,18 +925,17 @@ where
             solved: held,
         };
         let along = |t: Dual, direction: &SVector<f64, N>| {
-            pendulum_core::hybrid::rhs(dual, &lifted, t, &along(&x, direction)).map(|rate| rate.slope)
+            InMode::new(dual, &lifted)
+                .rhs(t, &along(&x, direction))
+                .map(|rate| rate.slope)
         };
         let near = |ours: SVector<f64, N>, theirs: SVector<f64, N>, what: &str| {
             let error = (ours - theirs).amax() / (1.0 + theirs.amax());
             assert!(error < 1e-9, "{what} with {held:b} held: {error:e}");
         };
-        let (rates, jacobian) = pendulum_core::hybrid::rhs_and_jacobian(model, &hold, t, &x);
-        near(
-            rates,
-            pendulum_core::hybrid::rhs(model, &hold, t, &x),
-            "right-hand side",
-        );
+        let in_mode = InMode::new(model, &hold);
+        let (rates, jacobian) = in_mode.rhs_and_jacobian(t, &x);
+        near(rates, in_mode.rhs(t, &x), "right-hand side");
         for component in 0..N {
             let direction = SVector::from_fn(|n, _| f64::from(u8::from(n == component)));
             near(
@@ -945,7 +944,7 @@ where
                 "Jacobian",
             );
         }
-        let by_time = pendulum_core::hybrid::time_derivative(model, &hold, t, &x);
+        let by_time = in_mode.time_derivative(t, &x);
         near(by_time, along(Dual::new(t, 1.0), &SVector::zeros()), "time");
     }
 }
@@ -1027,15 +1026,16 @@ fn canonical_equations_hold_in_every_mode() {
             let forces = forces.map(Dual::from_f64);
             let lifted = Hold { forces, held, solved };
             let moved = |by_time: f64, direction: &SVector<f64, N>| {
-                let (variables, rates) = dual.canonical_in(&lifted, Dual::new(t, by_time), &along(&x, direction));
+                let (variables, rates) =
+                    InMode::new(dual, &lifted).canonical(Dual::new(t, by_time), &along(&x, direction));
                 [variables, rates].map(|both| both.map(|x| x.slope))
             };
             let near = |ours: SVector<f64, N>, theirs: SVector<f64, N>, what: &str| {
                 let error = (ours - theirs).amax() / (1.0 + theirs.amax());
                 assert!(error < 1e-9, "{what} with {held:b} held: {error:e}");
             };
-            let (_, rates) = model.canonical_in(&hold, t, &x);
-            let [along_motion, _] = moved(1.0, &pendulum_core::hybrid::rhs(model, &hold, t, &x));
+            let (_, rates) = InMode::new(model, &hold).canonical(t, &x);
+            let [along_motion, _] = moved(1.0, &InMode::new(model, &hold).rhs(t, &x));
             near(rates, along_motion, "rates");
             let of_walls = model
                 .constraints()
@@ -1045,7 +1045,7 @@ fn canonical_equations_hold_in_every_mode() {
             if of_walls.clone().any(|(n, _)| held & 1 << n != 0) {
                 continue;
             }
-            let (of_variables, of_rates) = model.canonical_jacobian_in(&hold, t, &x);
+            let (of_variables, of_rates) = InMode::new(model, &hold).canonical_jacobian(t, &x);
             for component in 0..N {
                 let direction = SVector::from_fn(|n, _| f64::from(u8::from(n == component)));
                 let [variables, rates] = moved(0.0, &direction);

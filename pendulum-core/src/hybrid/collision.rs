@@ -9,7 +9,7 @@
 
 use nalgebra::SVector;
 
-use super::complementarity::{Factored, groups, impulses};
+use super::complementarity::{groups, impulses, solve_negated};
 use super::functions::{BACKWARD, Fired, UPPER};
 use super::mode::{Status, bits, set_of};
 use super::resolution::{AT_LIMIT, CONSISTENT, ORDER_MATTERS, ulps};
@@ -210,7 +210,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         // once more, for the rounding errors of what is light
         let rates = self.rates_away();
         let surplus = core::array::from_fn(|n| rates[n] - blow.leaving[n]);
-        let correction = Factored::of(&approach.matrix, blow.pushing).solve_negated(&surplus);
+        let correction = solve_negated(&approach.matrix, blow.pushing, &surplus);
         self.push(&approach.response, blow.pushing, &self.forward(&correction));
         let rates = self.rates_away();
         for n in bits(blow.members) {

@@ -82,6 +82,18 @@ impl<T: Real> Factored<T> {
     }
 }
 
+/// [`Factored::solve_negated`] of a matrix that nothing else is solved with.
+#[inline(always)]
+pub(super) fn solve_negated<T: Real>(matrix: &[[T; MOST]; MOST], chosen: u8, b: &[T; MOST]) -> [T; MOST] {
+    if chosen.is_power_of_two() {
+        let row = chosen.trailing_zeros() as usize;
+        let mut x = [T::default(); MOST];
+        x[row] = -b[row] * (T::from_f64(1.0) / matrix[row][row]);
+        return x;
+    }
+    Factored::of(matrix, chosen).solve_negated(b)
+}
+
 /// The bits below the one at a place.
 #[inline(always)]
 fn before(place: usize) -> u8 {
@@ -136,7 +148,7 @@ pub(super) fn impulses<T: Float>(matrix: &[[T; MOST]; MOST], chosen: u8, w: &[T;
     let mut best = ([zero; MOST], T::from_f64(f64::INFINITY));
     // all pushing first: mostly it is one
     for set in subsets(chosen) {
-        let p = Factored::of(matrix, independent(matrix, set)).solve_negated(&target);
+        let p = solve_negated(matrix, independent(matrix, set), &target);
         let mut violation = zero;
         for n in bits(chosen) {
             let changes = bits(chosen).map(|k| matrix[n][k] * p[k]);

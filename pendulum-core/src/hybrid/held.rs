@@ -2,15 +2,15 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::complementarity::Factored;
+use super::complementarity::{Factored, solve_negated};
 use super::mode::{Hold, bits};
 use super::{Hybrid, HybridJacobian, MOST, Response};
 use crate::real::Real;
 use crate::real::lanes::Lanes;
 
-/// The right-hand side of a hybrid system in a mode: what [`System::rhs_in`](crate::System::rhs_in) is for it.
+/// The right-hand side of a hybrid system in a mode.
 #[inline(always)]
-pub fn rhs<S, T, const N: usize>(system: &S, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N>
+pub(crate) fn rhs<S, T, const N: usize>(system: &S, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N>
 where
     S: Hybrid<T, N> + ?Sized,
     T: Real,
@@ -21,19 +21,9 @@ where
     held(system, hold, t, x).0
 }
 
-/// The derivative of [`rhs`] with respect to the state.
+/// [`rhs`] and its derivative with respect to the state.
 #[inline(always)]
-pub fn jacobian<S, T, const N: usize>(system: &S, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N>
-where
-    S: HybridJacobian<T, N> + ?Sized,
-    T: Lanes,
-{
-    rhs_and_jacobian(system, hold, t, x).1
-}
-
-/// [`rhs`] and [`jacobian`] at once.
-#[inline(always)]
-pub fn rhs_and_jacobian<S, T, const N: usize>(
+pub(crate) fn rhs_and_jacobian<S, T, const N: usize>(
     system: &S,
     hold: &Hold<T>,
     t: T,
@@ -66,7 +56,12 @@ where
 
 /// The derivative of [`rhs`] with respect to the time.
 #[inline(always)]
-pub fn time_derivative<S, T, const N: usize>(system: &S, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N>
+pub(crate) fn time_derivative<S, T, const N: usize>(
+    system: &S,
+    hold: &Hold<T>,
+    t: T,
+    x: &SVector<T, N>,
+) -> SVector<T, N>
 where
     S: HybridJacobian<T, N> + ?Sized,
     T: Lanes,
@@ -88,7 +83,7 @@ where
     T: Real,
 {
     let response = system.response(t, x, &hold.forces);
-    let forces = Factored::of(&response.matrix, hold.solved).solve_negated(&response.accelerations);
+    let forces = solve_negated(&response.matrix, hold.solved, &response.accelerations);
     let mut rates = response.rates;
     add(&mut rates, &response, hold.solved, &forces);
     pin(system, hold.held, &mut rates);
@@ -229,7 +224,7 @@ where
 }
 
 /// Canonical variables of a state and their rates, or the derivatives of both, without the momenta of what is held: see
-/// [`Canonical::canonical_in`](crate::Canonical::canonical_in).
+/// [`InMode`](super::InMode).
 #[inline(never)]
 pub(crate) fn reduced<T: Real, const N: usize, const K: usize>(
     system: &dyn Hybrid<T, N>,

@@ -2,14 +2,14 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::MOST;
 use super::functions::Fired;
-use super::held::pin;
+use super::held::{called, pin, pressing, reduced};
 use super::mode::{Hold, Mode};
+use super::{Hybrid, MOST};
 use crate::layout::StateLayout;
 use crate::real::Real;
 use crate::real::lanes::Lanes;
-use crate::system::{Canonical, Jacobian, System};
+use crate::system::{Canonical, Jacobian, System, by_state, by_time};
 use crate::taylor::TaylorSeries;
 
 /// A system in one of its modes, as a system itself: what a [`Scheme`](crate::method::Scheme) integrates. Systems that
@@ -36,6 +36,18 @@ impl<'a, S: ?Sized, T> InMode<'a, S, T> {
 }
 
 impl<S: ?Sized, T: Real> InMode<'_, S, T> {
+    /// The system, if something is held. Nothing is held of what runs in lanes.
+    #[inline(always)]
+    fn holding<const N: usize>(&self) -> Option<&dyn Hybrid<T, N>>
+    where
+        S: System<T, N>,
+    {
+        if T::LANES > 1 || self.hold.held == 0 {
+            return None;
+        }
+        self.system.hybrid()
+    }
+
     /// Makes the rates of what is held zero, exactly, in a state.
     #[inline(always)]
     pub(crate) fn pin<const N: usize>(&self, x: &mut SVector<T, N>)
@@ -69,11 +81,9 @@ pub struct Passage<T, const N: usize> {
 impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for InMode<'_, S, T> {
     #[inline(always)]
     fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
-        // nothing is held of what runs in lanes
-        if const { T::LANES > 1 } {
-            self.system.rhs_under(t, x, &self.hold.forces)
-        } else {
-            self.system.rhs_in(self.hold, t, x)
+        match self.holding() {
+            Some(hybrid) => called::rhs(hybrid, self.hold, t, x),
+            None => self.system.rhs_under(t, x, &self.hold.forces),
         }
     }
 
@@ -106,12 +116,20 @@ impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for InMode<
 impl<S: Jacobian<T, N> + ?Sized, T: Lanes, const N: usize> Jacobian<T, N> for InMode<'_, S, T> {
     #[inline(always)]
     fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
-        self.system.jacobian_in(self.hold, t, x)
+        match (self.system.hybrid(), self.system.hybrid_jacobian()) {
+            (None, _) => self.system.jacobian(t, x),
+            (_, Some(hybrid)) => called::rhs_and_jacobian(hybrid, self.hold, t, x).1,
+            (_, None) => by_state(x, |x| self.rhs(t, x)),
+        }
     }
 
     #[inline(always)]
     fn rhs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
-        self.system.rhs_and_jacobian_in(self.hold, t, x)
+        match (self.system.hybrid(), self.system.hybrid_jacobian()) {
+            (None, _) => self.system.rhs_and_jacobian(t, x),
+            (_, Some(hybrid)) => called::rhs_and_jacobian(hybrid, self.hold, t, x),
+            (_, None) => (self.rhs(t, x), self.jacobian(t, x)),
+        }
     }
 
     #[inline(always)]
@@ -119,19 +137,36 @@ impl<S: Jacobian<T, N> + ?Sized, T: Lanes, const N: usize> Jacobian<T, N> for In
     where
         T: Lanes,
     {
-        self.system.time_derivative_in(self.hold, t, x)
+        match (self.system.hybrid(), self.system.hybrid_jacobian()) {
+            (None, _) => self.system.time_derivative(t, x),
+            (_, Some(hybrid)) => called::time_derivative(hybrid, self.hold, t, x),
+            (_, None) => by_time(self, t, |t| self.rhs(t, x)),
+        }
     }
 }
 
+/// Where a rate that is a sum of components is held, the mechanism has a coordinate less: its canonical variables are
+/// the momenta of the others, in which no force holds anything, and that rate, which stays zero, stands in the place of
+/// the momentum that is left over. Forces along the constraints are held fixed in the derivatives.
 impl<S: Canonical<T, N> + ?Sized, T: Real, const N: usize> Canonical<T, N> for InMode<'_, S, T> {
     #[inline(always)]
     fn canonical(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>) {
-        self.system.canonical_in(self.hold, t, x)
+        let Some(hybrid) = self.system.hybrid() else {
+            return self.system.canonical(t, x);
+        };
+        let forces = pressing(hybrid, self.hold, t, x);
+        reduced(hybrid, self.hold.held, x, self.system.canonical_under(t, x, &forces))
     }
 
     #[inline(always)]
     fn canonical_jacobian(&self, t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>) {
-        self.system.canonical_jacobian_in(self.hold, t, x)
+        let Some(hybrid) = self.system.hybrid() else {
+            return self.system.canonical_jacobian(t, x);
+        };
+        let forces = pressing(hybrid, self.hold, t, x);
+        let identity = SMatrix::from_fn(|i, j| T::from_f64(f64::from(u8::from(i == j))));
+        let both = self.system.canonical_jacobian_under(t, x, &forces);
+        reduced(hybrid, self.hold.held, &identity, both)
     }
 }
 

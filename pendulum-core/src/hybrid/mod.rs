@@ -113,10 +113,9 @@ pub(crate) use bounds::room;
 #[cfg(feature = "std")]
 pub(crate) use complementarity::independent;
 pub(crate) use functions::Fired;
+pub use held::HeldSeries;
 #[cfg(feature = "std")]
-pub(crate) use held::forces;
-pub use held::{HeldSeries, jacobian, rhs, rhs_and_jacobian, time_derivative};
-pub(crate) use held::{called, pressing, reduced};
+pub(crate) use held::{forces, rhs, rhs_and_jacobian};
 pub use impact::Impact;
 pub use in_mode::{InMode, Passage};
 #[cfg(feature = "std")]

@@ -1,6 +1,6 @@
 //! Which mode begins: combinations of what holds and what goes are tried, those that hold most first.
 
-use super::complementarity::{Factored, depends, independent, subsets};
+use super::complementarity::{depends, independent, solve_negated, subsets};
 use super::mode::{Hold, Mode, Status, bits, set_of};
 use super::resolution::{CONSISTENT, ulps};
 use super::settling::Settling;
@@ -194,7 +194,7 @@ impl<'a, 'b, T: Float, const N: usize> Choice<'a, 'b, T, N> {
             of.forced[m].map_or(zero, |way| if way == Status::Forward { on } else { -on })
         };
         under(&mut accelerations, &|m| hold.forces[m] - self.forces[m] + pushed_on(m));
-        let unknown = Factored::of(matrix, hold.solved).solve_negated(&accelerations);
+        let unknown = solve_negated(matrix, hold.solved, &accelerations);
         under(&mut accelerations, &|m| unknown[m]);
         let mut worst = zero;
         for n in bits(self.candidates) {

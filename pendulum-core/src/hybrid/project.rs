@@ -2,7 +2,7 @@
 
 use nalgebra::SVector;
 
-use super::complementarity::{Factored, independent};
+use super::complementarity::{independent, solve_negated};
 use super::held::pin;
 use super::mode::{Hold, Status, bits, set_of};
 use super::{Hybrid, Law, MOST, Response};
@@ -80,7 +80,7 @@ pub(super) fn shift<T: Float, const N: usize>(
     solved: u8,
     surplus: &[T; MOST],
 ) {
-    let moves = Factored::of(&response.matrix, solved).solve_negated(surplus);
+    let moves = solve_negated(&response.matrix, solved, surplus);
     for n in bits(solved) {
         for component in N / 2..N {
             x[component - before] += response.columns[n][component] * moves[n];

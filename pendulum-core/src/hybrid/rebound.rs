@@ -1,7 +1,7 @@
 //! Rebounds that are too low to be followed: they end at once, after the time for which they would last.
 
 use super::MOST;
-use super::complementarity::{Factored, independent};
+use super::complementarity::{independent, solve_negated};
 use super::held::called;
 use super::mode::{Status, bits, set_of};
 use super::next_mode::Next;
@@ -61,7 +61,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         let response = self.system.response(self.t, &self.x, &[T::default(); MOST]);
         let rates = self.system.measures(self.t, &self.x).map(|[_, rate]| rate);
         let solved = independent(&response.matrix, self.resting & self.touched());
-        let impulses = Factored::of(&response.matrix, solved).solve_negated(&rates);
+        let impulses = solve_negated(&response.matrix, solved, &rates);
         self.push(&response, solved, &impulses);
     }
 

@@ -4,6 +4,8 @@ use nalgebra::SVector;
 
 use super::collision::Series;
 use super::functions::{BACKWARD, FORWARD, Fired, UPPER};
+#[cfg(feature = "std")]
+use super::in_mode::InMode;
 use super::in_mode::Passage;
 use super::mode::{Hold, Mode, Status, bits, set_of};
 use super::next_mode::ForceSizes;
@@ -94,7 +96,7 @@ where
     T: Float,
 {
     match system.hybrid() {
-        Some(hybrid) => Ok(system.rhs_in(&start(hybrid, t, x)?.hold, t, x)),
+        Some(hybrid) => Ok(InMode::new(system, &start(hybrid, t, x)?.hold).rhs(t, x)),
         None => Ok(system.rhs(t, x)),
     }
 }

@@ -6,7 +6,7 @@ use super::StabilityError;
 use super::equilibrium::{ITERATIONS, brake, come_to_rest, require_autonomous, resolution};
 use super::frictionless::Frictionless;
 use crate::error::Reason;
-use crate::hybrid::{Hybrid, MOST, Mode, Settled, Status, forces, rate, start};
+use crate::hybrid::{Hybrid, InMode, MOST, Mode, Settled, Status, forces, rate, start};
 use crate::method::require;
 use crate::system::{IntoState, Jacobian};
 
@@ -83,7 +83,7 @@ impl<const N: usize> Resting<N> {
     {
         let Some(hybrid) = system.hybrid() else { return Ok(None) };
         let Settled { x, mode, hold, .. } = start(hybrid, 0.0, &x)?;
-        let (rates, jacobian) = system.rhs_and_jacobian_in(&hold, 0.0, &x);
+        let (rates, jacobian) = InMode::new(system, &hold).rhs_and_jacobian(0.0, &x);
         // what nothing holds rests as far as rounding errors show
         let rests = rates.norm() <= resolution(&jacobian, &x);
         Ok(rests.then(|| Self {

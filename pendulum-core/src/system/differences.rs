@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::{Energy, Jacobian, System, forward, forward_system};
-use crate::hybrid::{Hold, Hybrid, MOST};
+use crate::hybrid::{Hybrid, MOST};
 use crate::layout::StateLayout;
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};

@@ -5,7 +5,7 @@ use core::fmt;
 use nalgebra::{SMatrix, SVector};
 
 use super::{Jacobian, System, forward, forward_system};
-use crate::hybrid::{Hold, Hybrid, MOST};
+use crate::hybrid::{Hybrid, MOST};
 use crate::layout::StateLayout;
 use crate::real::Real;
 use crate::real::lanes::Lanes;

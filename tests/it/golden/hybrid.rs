@@ -475,15 +475,6 @@ k4 = 1/m
         ) -> ::core::option::Option<&dyn ::pendulum_core::hybrid::Hybrid<T, 2>> {
             Some(self)
         }
-        #[inline]
-        fn rhs_in(
-            &self,
-            hold: &::pendulum_core::hybrid::Hold<T>,
-            t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 2>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
-            ::pendulum_core::hybrid::rhs(self, hold, t, x)
-        }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
     impl<T: ::pendulum_core::real::Real> ::pendulum_core::hybrid::Hybrid<T, 2>
@@ -601,45 +592,6 @@ k4 = 1/m
             &self,
         ) -> ::core::option::Option<&dyn ::pendulum_core::hybrid::HybridJacobian<T, 2>> {
             Some(self)
-        }
-        #[inline]
-        fn jacobian_in(
-            &self,
-            hold: &::pendulum_core::hybrid::Hold<T>,
-            t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 2>,
-        ) -> ::pendulum_core::nalgebra::SMatrix<T, 2, 2>
-        where
-            T: ::pendulum_core::real::lanes::Lanes,
-        {
-            ::pendulum_core::hybrid::jacobian(self, hold, t, x)
-        }
-        #[inline]
-        fn rhs_and_jacobian_in(
-            &self,
-            hold: &::pendulum_core::hybrid::Hold<T>,
-            t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 2>,
-        ) -> (
-            ::pendulum_core::nalgebra::SVector<T, 2>,
-            ::pendulum_core::nalgebra::SMatrix<T, 2, 2>,
-        )
-        where
-            T: ::pendulum_core::real::lanes::Lanes,
-        {
-            ::pendulum_core::hybrid::rhs_and_jacobian(self, hold, t, x)
-        }
-        #[inline]
-        fn time_derivative_in(
-            &self,
-            hold: &::pendulum_core::hybrid::Hold<T>,
-            t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 2>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 2>
-        where
-            T: ::pendulum_core::real::lanes::Lanes,
-        {
-            ::pendulum_core::hybrid::time_derivative(self, hold, t, x)
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

@@ -16,7 +16,6 @@ impl Items<'_> {
         let core = quote!(::pendulum_core::hybrid);
         let rhs = self.function(&format_ident!("rhs_under"), self.program.routine("rhs")?);
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
-        let hold = quote!(&self, hold: &#core::Hold<T>, t: T, x: &#vector);
         let (friction, assembly) = (self.friction(), self.assembly());
         let system = quote! {
             #inline
@@ -32,28 +31,20 @@ impl Items<'_> {
             fn hybrid(&self) -> ::core::option::Option<&dyn #core::Hybrid<T, #length>> {
                 Some(self)
             }
-            #[inline]
-            fn rhs_in(#hold) -> #vector {
-                #core::rhs(self, hold, t, x)
-            }
         };
         let system = self.implement(Some(self.named("System")), &system);
         let of_modes = self.implement(Some(quote!(#core::Hybrid<T, #length>)), &self.modes()?);
-        let jacobian = self.hybrid_jacobian(&hold);
+        let jacobian = self.hybrid_jacobian();
         Some(quote!(#system #of_modes #jacobian))
     }
 
     /// The derivatives in all modes, if the scene asks for them.
-    fn hybrid_jacobian(&self, hold: &TokenStream) -> Option<TokenStream> {
+    fn hybrid_jacobian(&self) -> Option<TokenStream> {
         let (core, length, friction) = (quote!(::pendulum_core::hybrid), self.length(), self.friction());
         let jacobian = self.program.routine("jacobian")?;
         let [vector, matrix] = [0, 1].map(|n| self.shape(jacobian.shapes[n]));
         let given = quote!(&self, t: T, x: &#vector);
         let by_time = self.time_derivative("time_derivative", &given, friction.clone());
-        let of_lanes = quote! {
-            where
-                T: ::pendulum_core::real::lanes::Lanes,
-        };
         let functions = quote! {
             #[inline]
             fn jacobian(#given) -> #matrix {
@@ -69,24 +60,6 @@ impl Items<'_> {
             #[inline]
             fn hybrid_jacobian(&self) -> ::core::option::Option<&dyn #core::HybridJacobian<T, #length>> {
                 Some(self)
-            }
-            #[inline]
-            fn jacobian_in(#hold) -> #matrix
-            #of_lanes
-            {
-                #core::jacobian(self, hold, t, x)
-            }
-            #[inline]
-            fn rhs_and_jacobian_in(#hold) -> (#vector, #matrix)
-            #of_lanes
-            {
-                #core::rhs_and_jacobian(self, hold, t, x)
-            }
-            #[inline]
-            fn time_derivative_in(#hold) -> #vector
-            #of_lanes
-            {
-                #core::time_derivative(self, hold, t, x)
             }
         };
         let of_system = self.implement(Some(self.named("Jacobian")), &functions);
