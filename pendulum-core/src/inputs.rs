@@ -1,8 +1,8 @@
 //! Models with inputs, and the laws that their inputs follow.
 //!
-//! A model with inputs becomes a [`System`] with a law for them. A closure is enough for explicit methods; what stiff
-//! methods and the analyses of [`stability`](crate::stability) require in addition, the derivative of the law, it gets
-//! in one of three ways:
+//! A model with inputs becomes a [`System`](crate::System) with a law for them. A closure is enough for explicit
+//! methods; what stiff methods and the analyses of [`stability`](crate::stability) require in addition, the derivative
+//! of the law, it gets in one of three ways:
 //!
 //! | | the law | its derivative |
 //! |---|---|---|
@@ -15,24 +15,22 @@
 //! runs in other number types, and so in an [`ensemble`](crate::Ensemble).
 
 mod law;
-
-use core::fmt;
+mod with_inputs;
 
 use nalgebra::{SMatrix, SVector};
 
 pub use law::{Generic, InputLaw, Law, LawJacobian};
+pub use with_inputs::WithInputs;
 
-use crate::hybrid::{self, Constraint, Hybrid, HybridJacobian, MOST, MeasureDerivatives, Response, ResponseDerivative};
+use crate::hybrid::{self, Constraint, MOST, MeasureDerivatives, Response, ResponseDerivative};
 use crate::layout::StateLayout;
 use crate::real::Real;
 use crate::real::lanes::Lanes;
-#[cfg(feature = "std")]
-use crate::shapes::{Shape, Shapes};
-use crate::system::{Cast, CastJacobian, Differences, Energy, Jacobian, System, WithJacobian, by_number};
+use crate::system::{by_number, forward};
 
 /// A model with `M` inputs (controls), whose values are given at each evaluation.
 ///
-/// With a law for the inputs it becomes a [`System`]: see [`inputs`](crate::inputs).
+/// With a law for the inputs it becomes a [`System`](crate::System): see [`inputs`](crate::inputs).
 #[diagnostic::on_unimplemented(
     message = "`{Self}` is not a model of {N} state components and {M} inputs",
     note = "`mechanism!` implements `Controlled` for scenes with inputs where `generate` has `rhs`"
@@ -47,7 +45,7 @@ pub trait Controlled<T: Real, const N: usize, const M: usize> {
     /// The derivative of [`rhs_with`](Controlled::rhs_with) with respect to the state, the inputs held fixed.
     fn jacobian_with(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, N>;
 
-    /// Both at once, as [`Jacobian::rhs_and_jacobian`].
+    /// Both at once, as [`Jacobian::rhs_and_jacobian`](crate::Jacobian::rhs_and_jacobian).
     #[inline]
     fn rhs_and_jacobian_with(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> (SVector<T, N>, SMatrix<T, N, N>) {
         (self.rhs_with(t, x, u), self.jacobian_with(t, x, u))
@@ -59,7 +57,8 @@ pub trait Controlled<T: Real, const N: usize, const M: usize> {
 
     /// The derivative of [`rhs_with`](Controlled::rhs_with) with respect to the time, state and inputs held fixed.
     ///
-    /// Generated models know it exactly. By default it is a central difference, as in [`Jacobian::time_derivative`].
+    /// Generated models know it exactly. By default it is a central difference, as in
+    /// [`Jacobian::time_derivative`](crate::Jacobian::time_derivative).
     #[inline]
     fn time_derivative_with(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SVector<T, N>
     where
@@ -68,56 +67,59 @@ pub trait Controlled<T: Real, const N: usize, const M: usize> {
         by_number(t, |t| self.rhs_with(t, x, u))
     }
 
-    /// What each component of the state is, as [`System::layout`].
+    /// What each component of the state is, as [`System::layout`](crate::System::layout).
     #[inline]
     fn layout(&self) -> Option<&'static StateLayout> {
         None
     }
 
-    /// Puts a state back onto its constraints, as [`System::project`]: by default there are none.
+    /// Puts a state back onto its constraints, as [`System::project`](crate::System::project): by default there are
+    /// none.
     #[inline(always)]
     fn project(&self, _t: T, _x: &mut SVector<T, N>) {}
 
-    /// Tells how far each closed loop is from its toggle, as [`System::margins`].
+    /// Tells how far each closed loop is from its toggle, as [`System::margins`](crate::System::margins).
     #[inline(always)]
     fn margins(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&'static str; 2], [T; 2])) {}
 
-    /// Reports the gap of each closed loop, as [`System::gaps`].
+    /// Reports the gap of each closed loop, as [`System::gaps`](crate::System::gaps).
     #[inline]
     fn gaps(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&'static str; 2], [T; 3])) {}
 
-    /// What hinders the motion, as [`Hybrid::constraints`]: nothing by default. Where something does, all that follows
-    /// is required as well, and with a law for its inputs the model is a [`Hybrid`].
+    /// What hinders the motion, as [`Hybrid::constraints`](crate::hybrid::Hybrid::constraints): nothing by default.
+    /// Where something does, all that follows is required as well, and with a law for its inputs the model is a
+    /// [`Hybrid`](crate::hybrid::Hybrid).
     #[inline(always)]
     fn constraints(&self) -> &'static [Constraint] {
         &[]
     }
 
-    /// [`Hybrid::laws`].
+    /// [`Hybrid::laws`](crate::hybrid::Hybrid::laws).
     #[inline]
     fn laws(&self) -> [hybrid::Law<T>; MOST] {
         [hybrid::Law::default(); MOST]
     }
 
-    /// [`Hybrid::measures`].
+    /// [`Hybrid::measures`](crate::hybrid::Hybrid::measures).
     #[inline]
     fn measures(&self, _t: T, _x: &SVector<T, N>) -> [[T; 2]; MOST] {
         [[T::default(); 2]; MOST]
     }
 
-    /// [`System::rhs_under`], under the inputs `u`.
+    /// [`System::rhs_under`](crate::System::rhs_under), under the inputs `u`.
     #[inline(always)]
     fn rhs_under_with(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs, _forces: &[T; MOST]) -> SVector<T, N> {
         self.rhs_with(t, x, u)
     }
 
-    /// [`Hybrid::response`], under the inputs `u`.
+    /// [`Hybrid::response`](crate::hybrid::Hybrid::response), under the inputs `u`.
     #[inline]
     fn response_with(&self, t: T, x: &SVector<T, N>, u: &Self::Inputs, forces: &[T; MOST]) -> Response<T, N> {
         Response::new(self.rhs_under_with(t, x, u, forces))
     }
 
-    /// [`HybridJacobian::rhs_and_jacobian_under`], the inputs held fixed.
+    /// [`HybridJacobian::rhs_and_jacobian_under`](crate::hybrid::HybridJacobian::rhs_and_jacobian_under), the inputs
+    /// held fixed.
     #[inline]
     fn rhs_and_jacobian_under_with(
         &self,
@@ -129,7 +131,8 @@ pub trait Controlled<T: Real, const N: usize, const M: usize> {
         self.rhs_and_jacobian_with(t, x, u)
     }
 
-    /// [`HybridJacobian::response_derivative`], the inputs held fixed.
+    /// [`HybridJacobian::response_derivative`](crate::hybrid::HybridJacobian::response_derivative), the inputs held
+    /// fixed.
     #[inline]
     fn response_derivative_with(
         &self,
@@ -151,7 +154,7 @@ pub trait Controlled<T: Real, const N: usize, const M: usize> {
         }
     }
 
-    /// [`HybridJacobian::measure_derivatives`].
+    /// [`HybridJacobian::measure_derivatives`](crate::hybrid::HybridJacobian::measure_derivatives).
     #[inline]
     fn measure_derivatives(&self, _t: T, _x: &SVector<T, N>) -> MeasureDerivatives<T, N> {
         let zero = T::default();
@@ -162,7 +165,33 @@ pub trait Controlled<T: Real, const N: usize, const M: usize> {
     }
 }
 
-/// A model with `M` inputs that can be converted to any number type; what [`Cast`] is for models without.
+impl<T: Real, S: Controlled<T, N, M> + ?Sized, const N: usize, const M: usize> Controlled<T, N, M> for &S {
+    type Inputs = S::Inputs;
+
+    forward! { self => (**self);
+        rhs_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SVector<T, N>;
+        jacobian_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, N>;
+        rhs_and_jacobian_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> (SVector<T, N>, SMatrix<T, N, N>);
+        input_jacobian(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, M>;
+        layout() -> Option<&'static StateLayout>;
+        project(t: T, x: &mut SVector<T, N>);
+        margins(t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 2]));
+        gaps(t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 3]));
+        time_derivative_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SVector<T, N> where T: Lanes;
+        constraints() -> &'static [Constraint];
+        laws() -> [hybrid::Law<T>; MOST];
+        measures(t: T, x: &SVector<T, N>) -> [[T; 2]; MOST];
+        rhs_under_with(t: T, x: &SVector<T, N>, u: &Self::Inputs, forces: &[T; MOST]) -> SVector<T, N>;
+        response_with(t: T, x: &SVector<T, N>, u: &Self::Inputs, forces: &[T; MOST]) -> Response<T, N>;
+        rhs_and_jacobian_under_with(t: T, x: &SVector<T, N>, u: &Self::Inputs, forces: &[T; MOST])
+            -> (SVector<T, N>, SMatrix<T, N, N>);
+        response_derivative_with(t: T, x: &SVector<T, N>, u: &Self::Inputs, forces: &[T; MOST])
+            -> ResponseDerivative<T, N> where T: Lanes;
+        measure_derivatives(t: T, x: &SVector<T, N>) -> MeasureDerivatives<T, N>;
+    }
+}
+
+/// A model with `M` inputs that can be converted to any number type; what [`Cast`](crate::Cast) is for models without.
 ///
 /// [`mechanism!`](crate::mechanism) implements it for models with inputs, in double precision.
 #[diagnostic::on_unimplemented(
@@ -170,7 +199,7 @@ pub trait Controlled<T: Real, const N: usize, const M: usize> {
     note = "`mechanism!` implements `CastControlled` for scenes with inputs where `generate` has `rhs`"
 )]
 pub trait CastControlled<const N: usize, const M: usize> {
-    /// Whether anything may hinder the motion: see [`Cast::HYBRID`].
+    /// Whether anything may hinder the motion: see [`Cast::HYBRID`](crate::Cast::HYBRID).
     const HYBRID: bool = false;
 
     /// The model in another number type.
@@ -179,342 +208,8 @@ pub trait CastControlled<const N: usize, const M: usize> {
     /// The same model in another number type; its constants are rounded.
     fn cast<T: Real>(&self) -> Self::In<T>;
 
-    /// One model per lane, as [`Cast::gather`].
+    /// One model per lane, as [`Cast::gather`](crate::Cast::gather).
     fn gather<'m, V: Lanes>(models: impl Fn(usize) -> &'m Self) -> Self::In<V>
     where
         Self: 'm;
-}
-
-/// A [`Controlled`] model whose `M` inputs follow the [`Law`] `L`: a [`System`] that can be integrated.
-///
-/// Its Jacobian is `jacobian_with + input_jacobian * K`, with the derivative `K` of the law: see
-/// [`inputs`](crate::inputs) for the ways to have one.
-#[derive(Clone, Copy)]
-pub struct WithInputs<S, L, const M: usize> {
-    system: S,
-    law: L,
-}
-
-#[cfg(feature = "std")]
-impl<S: Shapes<N>, L, const N: usize, const M: usize> Shapes<N> for WithInputs<S, L, M> {
-    fn shapes(&self, t: f64, x: &SVector<f64, N>) -> Vec<Shape> {
-        self.system.shapes(t, x)
-    }
-}
-
-impl<S, F, const M: usize> WithInputs<S, F, M> {
-    /// The model `system` with the inputs `inputs(t, x)`; generated models have it as their method `with_inputs`.
-    #[inline]
-    pub fn new<T, const N: usize>(system: S, inputs: F) -> Self
-    where
-        T: Real,
-        S: Controlled<T, N, M>,
-        F: Fn(T, &SVector<T, N>) -> S::Inputs,
-    {
-        Self { system, law: inputs }
-    }
-
-    /// The same closed loop, whose law has the derivative `derivative(t, x)` with respect to the state: a row for each
-    /// input.
-    ///
-    /// Its derivative with respect to time is a central difference of the law, for two evaluations of that: right to
-    /// about 10 digits where the law varies over times of about 1 s, and zero where time does not occur.
-    ///
-    /// ```
-    /// use pendulum_core::prelude::*;
-    ///
-    /// mechanism! {
-    ///     pub Cart {
-    ///         input push: N,
-    ///         body cart on ground { mass: 2, joint: prismatic(x), coordinate: s, torque: push }
-    ///     }
-    /// }
-    ///
-    /// // brakes hard: a stiff closed loop
-    /// let braked = Cart::new(CartParams {})?
-    ///     .with_inputs(|_t, x| CartInputs { push: -2e4 * x[1] })
-    ///     .with_derivative(|_t, _x| SMatrix::from([[0.0], [-2e4]]));
-    /// let solution = Rodas5P::new().solve(&braked, 0.0, 10.0, [0.0, 1.0])?;
-    /// assert!(solution.end()[1].abs() < 1e-9);
-    /// # Ok::<(), Box<dyn std::error::Error>>(())
-    /// ```
-    #[inline]
-    pub fn with_derivative<T, K, const N: usize>(self, derivative: K) -> WithInputs<S, WithJacobian<F, K>, M>
-    where
-        T: Real,
-        S: Controlled<T, N, M>,
-        K: Fn(T, &SVector<T, N>) -> SMatrix<T, M, N>,
-    {
-        WithInputs {
-            system: self.system,
-            law: WithJacobian::new(self.law, derivative),
-        }
-    }
-
-    /// The same closed loop, with the derivatives of the law by central differences: see [`Differences`] for their
-    /// error.
-    ///
-    /// A Jacobian takes two evaluations of the law for each component of the state, and none of the model beyond its
-    /// own Jacobians.
-    #[inline]
-    pub fn by_differences(self) -> WithInputs<S, Differences<F>, M> {
-        WithInputs {
-            system: self.system,
-            law: Differences(self.law),
-        }
-    }
-}
-
-impl<S, L, const M: usize> WithInputs<S, Generic<L>, M> {
-    /// The model `system` with a law in any number type; generated models have it as their method `with_law`.
-    #[inline]
-    pub const fn with_law<const N: usize>(system: S, law: L) -> Self
-    where
-        L: InputLaw<N, M>,
-    {
-        Self {
-            system,
-            law: Generic(law),
-        }
-    }
-}
-
-impl<T, S, L, const N: usize, const M: usize> System<T, N> for WithInputs<S, L, M>
-where
-    T: Real,
-    S: Controlled<T, N, M>,
-    L: Law<T, N, M>,
-{
-    #[inline(always)]
-    fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
-        self.system.rhs_with(t, x, &self.law.inputs(t, x).into())
-    }
-
-    #[inline(always)]
-    fn layout(&self) -> Option<&'static StateLayout> {
-        self.system.layout()
-    }
-
-    /// Not known: the law may depend on the time.
-    #[inline(always)]
-    fn is_autonomous(&self) -> Option<bool> {
-        None
-    }
-
-    #[inline(always)]
-    fn project(&self, t: T, x: &mut SVector<T, N>) {
-        self.system.project(t, x);
-    }
-
-    #[inline(always)]
-    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 2])) {
-        self.system.margins(t, x, tell);
-    }
-
-    #[inline]
-    fn gaps(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 3])) {
-        self.system.gaps(t, x, tell);
-    }
-
-    #[inline(always)]
-    fn hybrid(&self) -> Option<&dyn Hybrid<T, N>> {
-        (!self.system.constraints().is_empty()).then_some(self)
-    }
-
-    #[inline(always)]
-    fn rhs_under(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> SVector<T, N> {
-        self.system.rhs_under_with(t, x, &self.law.inputs(t, x).into(), forces)
-    }
-}
-
-impl<T, S, L, const N: usize, const M: usize> Jacobian<T, N> for WithInputs<S, L, M>
-where
-    T: Real,
-    S: Controlled<T, N, M>,
-    L: LawJacobian<T, N, M>,
-{
-    #[inline]
-    fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
-        self.rhs_and_jacobian(t, x).1
-    }
-
-    #[inline(always)]
-    fn rhs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
-        let (inputs, by_state) = self.law.inputs_and_jacobian(t, x);
-        let inputs = inputs.into();
-        let (rhs, mut jacobian) = self.system.rhs_and_jacobian_with(t, x, &inputs);
-        add_product(&mut jacobian, &self.system.input_jacobian(t, x, &inputs), &by_state);
-        (rhs, jacobian)
-    }
-
-    #[inline(always)]
-    fn time_derivative(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>
-    where
-        T: Lanes,
-    {
-        let inputs = self.law.inputs(t, x).into();
-        let by_inputs = self.system.input_jacobian(t, x, &inputs);
-        let mut derivative = self.system.time_derivative_with(t, x, &inputs);
-        add_product(&mut derivative, &by_inputs, &self.law.time_derivative(t, x));
-        derivative
-    }
-
-    #[inline(always)]
-    fn hybrid_jacobian(&self) -> Option<&dyn HybridJacobian<T, N>> {
-        (!self.system.constraints().is_empty()).then_some(self)
-    }
-}
-
-impl<T, S, L, const N: usize, const M: usize> Hybrid<T, N> for WithInputs<S, L, M>
-where
-    T: Real,
-    S: Controlled<T, N, M>,
-    L: Law<T, N, M>,
-{
-    #[inline]
-    fn constraints(&self) -> &'static [Constraint] {
-        self.system.constraints()
-    }
-
-    #[inline]
-    fn laws(&self) -> [hybrid::Law<T>; MOST] {
-        self.system.laws()
-    }
-
-    #[inline]
-    fn measures(&self, t: T, x: &SVector<T, N>) -> [[T; 2]; MOST] {
-        self.system.measures(t, x)
-    }
-
-    #[inline]
-    fn response(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> Response<T, N> {
-        self.system.response_with(t, x, &self.law.inputs(t, x).into(), forces)
-    }
-}
-
-impl<T, S, L, const N: usize, const M: usize> HybridJacobian<T, N> for WithInputs<S, L, M>
-where
-    T: Real,
-    S: Controlled<T, N, M>,
-    L: LawJacobian<T, N, M>,
-{
-    #[inline]
-    fn rhs_and_jacobian_under(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> (SVector<T, N>, SMatrix<T, N, N>) {
-        let (inputs, by_state) = self.law.inputs_and_jacobian(t, x);
-        let inputs = inputs.into();
-        let (rhs, mut jacobian) = self.system.rhs_and_jacobian_under_with(t, x, &inputs, forces);
-        // no force along a constraint changes what inputs do
-        add_product(&mut jacobian, &self.system.input_jacobian(t, x, &inputs), &by_state);
-        (rhs, jacobian)
-    }
-
-    #[inline]
-    fn response_derivative(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> ResponseDerivative<T, N>
-    where
-        T: Lanes,
-    {
-        let (inputs, by_state) = self.law.inputs_and_jacobian(t, x);
-        let inputs = inputs.into();
-        let mut derivative = self.system.response_derivative_with(t, x, &inputs, forces);
-        let by_inputs = self.system.input_jacobian(t, x, &inputs);
-        let by_time = self.law.time_derivative(t, x);
-        add_product(&mut derivative.rates, &by_inputs, &by_state);
-        add_product(&mut derivative.rates_by_time, &by_inputs, &by_time);
-        // rates of constraints, and so their accelerations, follow those of the state
-        let measures = self.system.measure_derivatives(t, x);
-        for (n, [_, slopes]) in measures.by_state[..self.system.constraints().len()].iter().enumerate() {
-            for m in 0..M {
-                let by_input = (0..N).fold(T::default(), |sum, i| sum + slopes[i] * by_inputs[(i, m)]);
-                for j in 0..N {
-                    derivative.accelerations[n][j] += by_input * by_state[(m, j)];
-                }
-                derivative.accelerations_by_time[n] += by_input * by_time[m];
-            }
-        }
-        derivative
-    }
-
-    #[inline]
-    fn measure_derivatives(&self, t: T, x: &SVector<T, N>) -> MeasureDerivatives<T, N> {
-        self.system.measure_derivatives(t, x)
-    }
-}
-
-impl<T: Real, S: Energy<T, N>, L, const N: usize, const M: usize> Energy<T, N> for WithInputs<S, L, M> {
-    #[inline]
-    fn kinetic(&self, t: T, x: &SVector<T, N>) -> T {
-        self.system.kinetic(t, x)
-    }
-
-    #[inline]
-    fn potential(&self, t: T, x: &SVector<T, N>) -> T {
-        self.system.potential(t, x)
-    }
-}
-
-/// The models may differ in their constants, and share the law.
-impl<S, L, const N: usize, const M: usize> Cast<N> for WithInputs<S, Generic<L>, M>
-where
-    S: CastControlled<N, M>,
-    L: InputLaw<N, M>,
-{
-    const HYBRID: bool = S::HYBRID;
-
-    type In<T: Real> = WithInputs<S::In<T>, Generic<L>, M>;
-
-    fn cast<T: Real>(&self) -> Self::In<T> {
-        WithInputs {
-            system: self.system.cast(),
-            law: self.law.clone(),
-        }
-    }
-
-    #[inline]
-    fn gather<'m, V: Lanes>(models: impl Fn(usize) -> &'m Self) -> Self::In<V>
-    where
-        Self: 'm,
-    {
-        WithInputs {
-            system: S::gather(|lane| &models(lane).system),
-            law: models(0).law.clone(),
-        }
-    }
-
-    fn shares_lanes(&self, other: &Self) -> bool {
-        self.law == other.law
-    }
-}
-
-impl<S, L, const N: usize, const M: usize> CastJacobian<N> for WithInputs<S, Generic<L>, M>
-where
-    S: CastControlled<N, M>,
-    L: InputLaw<N, M>,
-{
-    fn with_jacobian<T: Real>(model: &Self::In<T>) -> &impl Jacobian<T, N> {
-        model
-    }
-}
-
-/// Adds to `sum` what moves it through the inputs: its derivative by these, times theirs.
-#[inline(always)]
-fn add_product<T: Real, const N: usize, const M: usize, const K: usize>(
-    sum: &mut SMatrix<T, N, K>,
-    by_inputs: &SMatrix<T, N, M>,
-    of_inputs: &SMatrix<T, M, K>,
-) {
-    for (j, mut column) in sum.column_iter_mut().enumerate() {
-        for m in 0..M {
-            for (i, entry) in column.iter_mut().enumerate() {
-                *entry += by_inputs[(i, m)] * of_inputs[(m, j)];
-            }
-        }
-    }
-}
-
-impl<S: fmt::Debug, L, const M: usize> fmt::Debug for WithInputs<S, L, M> {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.debug_struct("WithInputs")
-            .field("system", &self.system)
-            .finish_non_exhaustive()
-    }
 }

@@ -1,8 +1,9 @@
 //! What a model offers: traits that the generated code implements, and that hand-written models can implement as well.
 //!
 //! Everywhere `x` is the state, `[q; qd]` for a mechanism: the coordinates first, then their rates, in the order of
-//! declaration and in SI units (m, rad, s). `N` is the length of the state, twice the number of degrees of freedom, and one
-//! more for each orientation: its position is a unit quaternion, its rate the angular velocity along the axes of the body.
+//! declaration and in SI units (m, rad, s). `N` is the length of the state, twice the number of degrees of freedom, and
+//! one more for each orientation: its position is a unit quaternion, its rate the angular velocity along the axes of
+//! the body.
 
 mod assembly;
 mod differences;
@@ -19,8 +20,7 @@ pub use state::IntoState;
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::hybrid::{Constraint, Hybrid, HybridJacobian, Law, MOST, MeasureDerivatives, Response, ResponseDerivative};
-use crate::inputs::Controlled;
+use crate::hybrid::{Hybrid, HybridJacobian, MOST};
 use crate::layout::StateLayout;
 use crate::real::Real;
 use crate::real::lanes::Lanes;
@@ -98,7 +98,7 @@ pub trait System<T: Real, const N: usize> {
     #[inline]
     fn gaps(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&'static str; 2], [T; 3])) {}
 
-    /// What switches between the modes of a [hybrid] system; `None`, as by default, where the equations
+    /// What switches between the modes of a [hybrid](crate::hybrid) system; `None`, as by default, where the equations
     /// are always the same.
     #[inline(always)]
     fn hybrid(&self) -> Option<&dyn Hybrid<T, N>> {
@@ -123,7 +123,7 @@ pub trait System<T: Real, const N: usize> {
             has it as `model.with_law(law)`, with a law that is generic over `Real`"
 )]
 pub trait Cast<const N: usize> {
-    /// Whether the model may be [hybrid].
+    /// Whether the model may be [hybrid](crate::hybrid).
     const HYBRID: bool = false;
 
     /// The model in another number type.
@@ -179,8 +179,8 @@ pub trait Jacobian<T: Real, const N: usize>: System<T, N> {
         by_time(self, t, |t| self.rhs(t, x))
     }
 
-    /// The derivatives of a [hybrid] system; `None`, as by default, for others, and where they are not known: each mode
-    /// is derived by central differences then, and analyses that pass changes of mode refuse it.
+    /// The derivatives of a [hybrid](crate::hybrid) system; `None`, as by default, for others, and where they are not
+    /// known: each mode is derived by central differences then, and analyses that pass changes of mode refuse it.
     #[inline(always)]
     fn hybrid_jacobian(&self) -> Option<&dyn HybridJacobian<T, N>> {
         None
@@ -208,8 +208,8 @@ pub trait CastJacobian<const N: usize>: Cast<N> {
 /// of its coordinate. Structure-preserving methods such as [`Gauss4`](crate::Gauss4) step in these variables, in which
 /// the motion without friction is a canonical map.
 ///
-/// [`mechanism!`](crate::mechanism) implements it for scenes without inputs where `generate` has `canonical`. Scenes with
-/// orientations cannot have it: an angular velocity is the rate of no coordinates.
+/// [`mechanism!`](crate::mechanism) implements it for scenes without inputs where `generate` has `canonical`. Scenes
+/// with orientations cannot have it: an angular velocity is the rate of no coordinates.
 #[diagnostic::on_unimplemented(
     message = "`{Self}` has no canonical equations",
     note = "`mechanism!` generates them for scenes without inputs where `generate` has `canonical`"
@@ -221,14 +221,15 @@ pub trait Canonical<T: Real, const N: usize>: System<T, N> {
     /// The derivatives of both with respect to the state.
     fn canonical_jacobian(&self, t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>);
 
-    /// [`canonical`](Self::canonical) of a [hybrid] system under forces along its constraints: required of these.
+    /// [`canonical`](Self::canonical) of a [hybrid](crate::hybrid) system under forces along its constraints: required
+    /// of these.
     #[inline(always)]
     fn canonical_under(&self, t: T, x: &SVector<T, N>, _forces: &[T; MOST]) -> (SVector<T, N>, SVector<T, N>) {
         self.canonical(t, x)
     }
 
-    /// [`canonical_jacobian`](Self::canonical_jacobian) of a [hybrid] system, the forces along its constraints held
-    /// fixed: required of these.
+    /// [`canonical_jacobian`](Self::canonical_jacobian) of a [hybrid](crate::hybrid) system, the forces along its
+    /// constraints held fixed: required of these.
     #[inline(always)]
     fn canonical_jacobian_under(
         &self,
@@ -319,31 +320,5 @@ impl<T: Real, S: Energy<T, N> + ?Sized, const N: usize> Energy<T, N> for &S {
         kinetic(t: T, x: &SVector<T, N>) -> T;
         potential(t: T, x: &SVector<T, N>) -> T;
         energy(t: T, x: &SVector<T, N>) -> T;
-    }
-}
-
-impl<T: Real, S: Controlled<T, N, M> + ?Sized, const N: usize, const M: usize> Controlled<T, N, M> for &S {
-    type Inputs = S::Inputs;
-
-    forward! { self => (**self);
-        rhs_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SVector<T, N>;
-        jacobian_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, N>;
-        rhs_and_jacobian_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> (SVector<T, N>, SMatrix<T, N, N>);
-        input_jacobian(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SMatrix<T, N, M>;
-        layout() -> Option<&'static StateLayout>;
-        project(t: T, x: &mut SVector<T, N>);
-        margins(t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 2]));
-        gaps(t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 3]));
-        time_derivative_with(t: T, x: &SVector<T, N>, u: &Self::Inputs) -> SVector<T, N> where T: Lanes;
-        constraints() -> &'static [Constraint];
-        laws() -> [Law<T>; MOST];
-        measures(t: T, x: &SVector<T, N>) -> [[T; 2]; MOST];
-        rhs_under_with(t: T, x: &SVector<T, N>, u: &Self::Inputs, forces: &[T; MOST]) -> SVector<T, N>;
-        response_with(t: T, x: &SVector<T, N>, u: &Self::Inputs, forces: &[T; MOST]) -> Response<T, N>;
-        rhs_and_jacobian_under_with(t: T, x: &SVector<T, N>, u: &Self::Inputs, forces: &[T; MOST])
-            -> (SVector<T, N>, SMatrix<T, N, N>);
-        response_derivative_with(t: T, x: &SVector<T, N>, u: &Self::Inputs, forces: &[T; MOST])
-            -> ResponseDerivative<T, N> where T: Lanes;
-        measure_derivatives(t: T, x: &SVector<T, N>) -> MeasureDerivatives<T, N>;
     }
 }

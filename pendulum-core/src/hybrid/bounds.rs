@@ -3,9 +3,9 @@
 use nalgebra::SVector;
 
 use super::Constraint;
-use super::functions::FORWARD;
+use super::fired::FORWARD;
 #[cfg(feature = "std")]
-use super::functions::{BACKWARD, UPPER, WAYS};
+use super::fired::{BACKWARD, UPPER, WAYS};
 #[cfg(feature = "std")]
 use super::{Law, MOST};
 use crate::method::MAX_DEGREE;

@@ -5,6 +5,7 @@ use core::cell::Cell;
 use nalgebra::SVector;
 
 use super::bounds::least;
+use super::fired::{BACKWARD, FORWARD, Fired, UPPER, Values, WAYS};
 use super::held::forces;
 use super::mode::{Hold, Mode, Status};
 use super::resolution::{SHORTEST_MODE, SIMULTANEOUS, ulps};
@@ -14,15 +15,6 @@ use crate::dense::Dense;
 use crate::method::{Known, dip, first_zero, root, unseen_bend};
 use crate::real::Float;
 
-/// How a constraint may end a mode: by each of three functions that are positive as long as the mode lasts.
-pub(super) const WAYS: usize = 3;
-/// The rate while it slips; what friction or a contact can still take before it gives way forward.
-pub(super) const FORWARD: usize = 0;
-/// The distance from the lower limit; what can still be taken before it gives way backward.
-pub(super) const BACKWARD: usize = 1;
-/// The distance from the upper limit.
-pub(super) const UPPER: usize = 2;
-
 /// An acceleration that is this part of the one at the end of a step, or less, may be a rounding error.
 const LEAST_ACCELERATION: f64 = 1e-6;
 
@@ -31,59 +23,12 @@ const LEAST_ACCELERATION: f64 = 1e-6;
 const BACK: [f64; 8] = [1e-12, 1e-9, 1e-6, 1e-3, 0.1, 0.5, 0.9, 0.99];
 const BEYOND: usize = 4;
 
-/// The functions of all constraints, those of one after those of the other; infinite where there is none.
-pub(super) type Values<T> = [[T; WAYS]; MOST];
-
 /// A place within a step, in fractions of it, with the functions there and the rates of all constraints.
 #[derive(Clone, Copy)]
 pub(super) struct Place<T> {
     pub(super) theta: T,
     pub(super) values: Values<T>,
     pub(super) rates: [T; MOST],
-}
-
-/// Which functions, as bits.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Fired(u32);
-
-impl Fired {
-    pub(super) fn has(self, constraint: usize, way: usize) -> bool {
-        self.0 & 1 << (constraint * WAYS + way) != 0
-    }
-
-    pub(super) fn insert(&mut self, constraint: usize, way: usize) {
-        self.0 |= 1 << (constraint * WAYS + way);
-    }
-
-    pub(super) fn without(self, others: Self) -> Self {
-        Self(self.0 & !others.0)
-    }
-
-    pub(crate) fn is_empty(self) -> bool {
-        self.0 == 0
-    }
-
-    /// The first constraint of which one is.
-    pub(crate) fn first(self) -> usize {
-        self.0.trailing_zeros() as usize / WAYS
-    }
-
-    /// What touches its limit where these end a mode: with what is held there, the gaps that close.
-    pub(crate) fn touching(self, mode: &Mode) -> [Status; MOST] {
-        let mut touching = mode.0;
-        for (n, way) in self.pairs().filter(|&(n, way)| way != FORWARD && !mode.is_held(n)) {
-            touching[n] = if way == BACKWARD { Status::Low } else { Status::High };
-        }
-        touching
-    }
-
-    pub(super) fn pairs(mut self) -> impl Iterator<Item = (usize, usize)> {
-        core::iter::from_fn(move || {
-            let slot = self.0.trailing_zeros() as usize;
-            self.0 &= self.0.wrapping_sub(1);
-            (slot < MOST * WAYS).then_some((slot / WAYS, slot % WAYS))
-        })
-    }
 }
 
 /// A step of a system in a mode.

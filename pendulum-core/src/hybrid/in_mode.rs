@@ -2,7 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::functions::Fired;
+use super::fired::Fired;
 use super::held::{called, pin, pressing, reduced};
 use super::mode::{Hold, Mode};
 use super::{Hybrid, MOST};

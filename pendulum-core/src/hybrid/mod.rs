@@ -85,6 +85,7 @@ mod ambiguity;
 mod bounds;
 mod collision;
 mod complementarity;
+mod fired;
 mod functions;
 mod held;
 mod impact;
@@ -96,9 +97,12 @@ mod rebound;
 mod resolution;
 #[cfg(feature = "std")]
 mod saltation;
+mod series;
+mod settled;
 mod settling;
 mod sizes;
 mod switch;
+mod view;
 mod watch;
 
 use nalgebra::{SMatrix, SVector};
@@ -112,7 +116,7 @@ pub use ambiguity::Ambiguity;
 pub(crate) use bounds::room;
 #[cfg(feature = "std")]
 pub(crate) use complementarity::independent;
-pub(crate) use functions::Fired;
+pub(crate) use fired::Fired;
 pub use held::HeldSeries;
 #[cfg(feature = "std")]
 pub(crate) use held::{forces, rhs, rhs_and_jacobian};
@@ -126,9 +130,10 @@ pub(crate) use project::project;
 pub(crate) use project::{apart, place_coordinates};
 #[cfg(feature = "std")]
 pub(crate) use saltation::{hold_tangents, saltation};
+pub(crate) use settled::Settled;
 #[cfg(feature = "std")]
 pub(crate) use switch::rate;
-pub(crate) use switch::{Settled, start, switch};
+pub(crate) use switch::{start, switch};
 pub(crate) use watch::Watch;
 
 /// The most constraints of a system.

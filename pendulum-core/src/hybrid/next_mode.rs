@@ -4,6 +4,7 @@ use super::complementarity::{depends, independent, solve_negated, subsets};
 use super::mode::{Hold, Mode, Status, bits, set_of};
 use super::resolution::{CONSISTENT, ulps};
 use super::settling::Settling;
+use super::sizes::ForceSizes;
 use super::{MOST, Response};
 use crate::real::Float;
 
@@ -18,26 +19,6 @@ pub(super) struct Next<T> {
     /// The accelerations of the constraints.
     pub(super) accelerations: [T; MOST],
     pub(super) sizes: ForceSizes<T>,
-}
-
-/// Sizes to which rounding errors of accelerations and of forces are relative, where a mode begins.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct ForceSizes<T> {
-    /// Of the terms that the acceleration of each constraint is a sum of.
-    pub(super) accelerations: [T; MOST],
-    /// Of the forces along each that take such accelerations.
-    pub(super) forces: [T; MOST],
-}
-
-impl<T: Float> ForceSizes<T> {
-    /// None at all: before an integration starts.
-    pub(super) fn none() -> Self {
-        let none = [T::default(); MOST];
-        Self {
-            accelerations: none,
-            forces: none,
-        }
-    }
 }
 
 impl<T: Float, const N: usize> Settling<'_, T, N> {

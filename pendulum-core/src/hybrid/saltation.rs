@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::complementarity::Factored;
-use super::functions::{FORWARD, Fired};
+use super::fired::{FORWARD, Fired};
 use super::held::{forces, pin, rhs};
 use super::mode::{Hold, Mode, bits, set_of};
 use super::resolution::{CONSISTENT, ulps};

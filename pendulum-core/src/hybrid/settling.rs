@@ -2,14 +2,14 @@
 
 use nalgebra::SVector;
 
-use super::collision::Series;
 use super::complementarity::{depends, independent};
 use super::held::pin;
 use super::mode::{Status, bits, set_of};
 use super::project::{apart, place_coordinates, shift};
 use super::resolution::{AT_LIMIT, ulps};
+use super::series::Series;
+use super::settled::Settled;
 use super::sizes::{Gains, Sizes};
-use super::switch::Settled;
 use super::{Hybrid, Law, MOST};
 use crate::real::Float;
 

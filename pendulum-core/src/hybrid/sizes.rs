@@ -123,3 +123,23 @@ pub(super) fn rates_at_rest<T: Float, const N: usize>(system: &dyn Hybrid<T, N>,
     at_rest.iter_mut().skip(N / 2).for_each(|rate| *rate = T::default());
     system.measures(t, &at_rest).map(|[_, rate]| rate)
 }
+
+/// Sizes to which rounding errors of accelerations and of forces are relative, where a mode begins.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct ForceSizes<T> {
+    /// Of the terms that the acceleration of each constraint is a sum of.
+    pub(super) accelerations: [T; MOST],
+    /// Of the forces along each that take such accelerations.
+    pub(super) forces: [T; MOST],
+}
+
+impl<T: Float> ForceSizes<T> {
+    /// None at all: before an integration starts.
+    pub(super) fn none() -> Self {
+        let none = [T::default(); MOST];
+        Self {
+            accelerations: none,
+            forces: none,
+        }
+    }
+}

@@ -2,14 +2,13 @@
 
 use nalgebra::SVector;
 
-use super::collision::Series;
-use super::functions::{BACKWARD, FORWARD, Fired, UPPER};
+use super::fired::{BACKWARD, FORWARD, Fired, UPPER};
 #[cfg(feature = "std")]
 use super::in_mode::InMode;
 use super::in_mode::Passage;
 use super::mode::{Hold, Mode, Status, bits, set_of};
-use super::next_mode::ForceSizes;
 use super::resolution::{AT_LIMIT, CONSISTENT, ulps};
+use super::settled::Settled;
 use super::settling::Settling;
 use super::sizes::Gains;
 use super::watch::Watch;
@@ -18,35 +17,6 @@ use crate::error::Reason;
 use crate::real::Float;
 #[cfg(feature = "std")]
 use crate::system::System;
-
-/// The state and the mode from which to go on.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Settled<T, const N: usize> {
-    pub(crate) x: SVector<T, N>,
-    pub(crate) mode: Mode,
-    pub(crate) hold: Hold<T>,
-    /// How long rebounds that are not followed would still last.
-    pub(crate) delay: T,
-    /// The impulses along the constraints.
-    pub(crate) impulses: [T; MOST],
-    pub(crate) gains: Gains<T>,
-    pub(crate) sizes: ForceSizes<T>,
-    /// The impacts so far, and the contacts that approach again: theirs follow at once.
-    pub(super) series: Series<T, N>,
-    pub(super) next: Fired,
-}
-
-impl<T: Float, const N: usize> Settled<T, N> {
-    /// The contacts whose order mattered and was not resolved, with the differences that it makes to the state.
-    pub(crate) fn ambiguity(&self) -> Option<(u8, SVector<T, N>)> {
-        self.series.ambiguity
-    }
-
-    /// The first of the contacts that approach after all impacts: they contradict each other.
-    pub(crate) fn contradiction(&self) -> Option<usize> {
-        (!self.next.is_empty()).then(|| self.next.first())
-    }
-}
 
 /// The mode in which to start from a state.
 pub(crate) fn start<T: Float, const N: usize>(

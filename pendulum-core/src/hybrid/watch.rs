@@ -2,17 +2,17 @@
 
 #[cfg(feature = "std")]
 use super::Law;
-use super::functions::{BACKWARD, FORWARD, Fired, Place, Scene, UPPER, Values, WAYS, resolution};
+use super::fired::{BACKWARD, FORWARD, Fired, UPPER, Values, WAYS};
+use super::functions::{Place, Scene, resolution};
 #[cfg(feature = "std")]
 use super::mode::Status;
 use super::mode::{Hold, Mode};
-use super::next_mode::ForceSizes;
 use super::resolution::{NOISE, ulps};
-use super::sizes::Gains;
+use super::sizes::{ForceSizes, Gains};
+use super::view::{Seen, View};
 use super::{Hybrid, MOST};
 use crate::dense::Dense;
 use crate::error::Reason;
-use crate::method::{places, unseen_bend};
 use crate::real::Float;
 #[cfg(feature = "std")]
 use crate::real::lanes::Lanes;
@@ -386,70 +386,4 @@ fn earlier_of<T: Float, const N: usize>(
         fired.insert(n, way);
     }
     Some((earliest.min(place), fired))
-}
-
-/// What is known of a step where it is searched.
-struct View<T> {
-    start: Place<T>,
-    /// Whether the mode starts with it.
-    starts: bool,
-    /// The functions that may end the mode.
-    live: Fired,
-    /// Within what of zero they may be rounding errors.
-    noise: Values<T>,
-    /// How much each gap bends between places, as far as was seen.
-    bends: [T; MOST],
-    /// In how many places forces are looked at.
-    count: usize,
-}
-
-impl<T: Float> View<T> {
-    /// Where what is not held is looked at.
-    fn places(&self, mode: &Mode) -> impl Iterator<Item = T> + use<T> {
-        let mut free = self.live.pairs().filter(|&(n, _)| !mode.is_held(n)).peekable();
-        let is_any = free.peek().is_some();
-        // what rebounds may come back at once
-        let may_come_back = free.any(|(_, way)| way != FORWARD);
-        places(self.starts && may_come_back).filter(move |_| is_any)
-    }
-
-    /// Looks at all of the step where gaps that move by themselves have ended the mode: whether they bend more than was
-    /// known before.
-    fn look_ahead<const N: usize>(&mut self, scene: &Scene<'_, T, N>, fired: Fired, known: &[T; MOST]) -> bool {
-        let is_gap = |&(n, way): &(usize, usize)| !scene.mode.is_held(n) && way != FORWARD;
-        let mut finds = false;
-        for (n, way) in fired.pairs().filter(is_gap).filter(|&(n, _)| scene.moves_by_itself(n)) {
-            let mut seen = Seen::new(scene.known(&self.start, (n, way)));
-            for theta in places(false) {
-                let (t, x) = scene.at(theta);
-                let here = scene.known(&scene.place(theta, t, &x, None), (n, way));
-                if let Some(earlier) = seen.earlier {
-                    let bend = unseen_bend([earlier, seen.last, here], self.noise[n][way]);
-                    self.bends[n] = self.bends[n].max(bend);
-                }
-                seen.go_to(here);
-            }
-            finds |= self.bends[n] > known[n];
-        }
-        finds
-    }
-}
-
-/// The two places that were looked at last.
-struct Seen<P> {
-    earlier: Option<P>,
-    last: P,
-}
-
-impl<P: Copy> Seen<P> {
-    fn new(start: P) -> Self {
-        Self {
-            earlier: None,
-            last: start,
-        }
-    }
-
-    fn go_to(&mut self, here: P) {
-        (self.earlier, self.last) = (Some(self.last), here);
-    }
 }

@@ -160,6 +160,31 @@ where
         })
     }
 
+    /// The products `h b_i f_i` of the rates of the stages of a step, and what the stages leave of its equations.
+    #[inline(always)]
+    fn residuals<S: Canonical<T, N> + ?Sized>(
+        &self,
+        system: &InMode<'_, S, T>,
+        (t, h): (T, T),
+        stages: &Vectors<T, STAGES, N>,
+    ) -> (Vectors<T, STAGES, N>, Vectors<T, STAGES, N>) {
+        let GaussTableau { c, b, w, .. } = const { &Self::TABLEAU };
+        let (mut parts, mut residuals) = (*stages, *stages);
+        let mut half = SVector::from_element(T::default());
+        for i in 0..STAGES {
+            let (variables, rates) = system.canonical(t + h * T::from_f64(c[i]), &stages[i]);
+            parts[i] = rates * (h * T::from_f64(b[i]));
+            half += parts[i] * T::from_f64(0.5);
+            // increments, which are smaller than the variables, and so are their rounding errors
+            residuals[i] = (self.start.y - variables) + self.start.lost;
+        }
+        for i in 0..STAGES {
+            let swept = |sum, j: usize| sum + parts[j] * T::from_f64(w[i][j]);
+            residuals[i] += (0..STAGES).fold(half, swept);
+        }
+        (parts, residuals)
+    }
+
     /// Solves for the stages of a step from `x` at `t`: the stages, and the products `h b_i f_i` of their rates. Not
     /// finite where a rate is not.
     #[inline]
@@ -170,7 +195,7 @@ where
         h: T,
         work: &mut Statistics,
     ) -> Result<(Vectors<T, STAGES, N>, Vectors<T, STAGES, N>), Stalled> {
-        let GaussTableau { c, b, w, modes, .. } = const { &Self::TABLEAU };
+        let GaussTableau { modes, .. } = const { &Self::TABLEAU };
         let [one_half, zero] = [0.5, 0.0].map(T::from_f64);
         let mut stages = self.predicted(x, h);
         // in the middle of the step, where the stages are on both sides
@@ -186,19 +211,7 @@ where
         for _ in 0..MAX_ITERATIONS {
             work.iterations += 1;
             work.evaluations += STAGES;
-            let (mut parts, mut residuals) = (stages, stages);
-            let mut half = SVector::from_element(zero);
-            for i in 0..STAGES {
-                let (variables, rates) = system.canonical(t + h * T::from_f64(c[i]), &stages[i]);
-                parts[i] = rates * (h * T::from_f64(b[i]));
-                half += parts[i] * one_half;
-                // increments, which are smaller than the variables, and so are their rounding errors
-                residuals[i] = (self.start.y - variables) + self.start.lost;
-            }
-            for i in 0..STAGES {
-                let swept = |sum, j: usize| sum + parts[j] * T::from_f64(w[i][j]);
-                residuals[i] += (0..STAGES).fold(half, swept);
-            }
+            let (parts, residuals) = self.residuals(system, (t, h), &stages);
             let changes = pencil.solve(&residuals);
             let (change, size) = (largest(&changes), largest(&stages));
             if !change.is_finite() {

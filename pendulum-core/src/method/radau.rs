@@ -150,6 +150,23 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
         }
     }
 
+    /// What the stages leave of the equations of a step.
+    #[inline(always)]
+    fn residuals<S>(&self, system: &S, (t, x): (T, &SVector<T, N>), t_new: T) -> [SVector<T, N>; STAGES]
+    where
+        S: System<T, N> + ?Sized,
+    {
+        let h = t_new - t;
+        let slopes: [SVector<T, N>; STAGES] = core::array::from_fn(|i| {
+            let time = if C[i] == 1.0 { t_new } else { t + h * T::from_f64(C[i]) };
+            system.rhs(time, &(x + self.rises[i]))
+        });
+        core::array::from_fn(|i| {
+            let row = A[i].map(|a| h * T::from_f64(a));
+            self.rises[i] - (slopes[0] * row[0] + slopes[1] * row[1] + slopes[2] * row[2])
+        })
+    }
+
     /// Solves for the stages.
     #[inline(always)]
     fn iterate<S>(
@@ -163,7 +180,7 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
     where
         S: System<T, N> + ?Sized,
     {
-        let (h, one) = (t_new - t, T::from_f64(1.0));
+        let one = T::from_f64(1.0);
         let ulps = T::from_f64(ULPS) * T::EPSILON;
         let (tolerance, most) = match self.tolerance {
             Some(tolerance) => (tolerance, MOST),
@@ -178,15 +195,7 @@ impl<T: Float, const N: usize> RadauStages<T, N> {
         for iteration in 1..=most {
             work.iterations += 1;
             work.evaluations += STAGES;
-            let slopes: [SVector<T, N>; STAGES] = core::array::from_fn(|i| {
-                let time = if C[i] == 1.0 { t_new } else { t + h * T::from_f64(C[i]) };
-                system.rhs(time, &(x + self.rises[i]))
-            });
-            let residuals = core::array::from_fn(|i| {
-                let row = A[i].map(|a| h * T::from_f64(a));
-                self.rises[i] - (slopes[0] * row[0] + slopes[1] * row[1] + slopes[2] * row[2])
-            });
-            let changes = pencil.solve(&residuals);
+            let changes = pencil.solve(&self.residuals(system, (t, x), t_new));
             let mut sum = T::default();
             for (rise, change) in self.rises.iter_mut().zip(&changes) {
                 *rise -= change;

@@ -192,9 +192,8 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
 
     /// Looks for one event, and passes what is found, and where in fractions of the step, to `report`.
     fn look_at(&mut self, index: usize, dense: &Dense<'_, T, N>, mut report: impl FnMut(T, What)) {
-        let Event {
-            function, direction, ..
-        } = &self.events[index];
+        let event = &self.events[index];
+        let (function, direction) = (&event.function, &event.direction);
         let seen = &mut self.seen[index];
         let value = |theta: T| function(dense.time(theta), &dense.at_fraction(theta));
         let mut note = |theta: T, passage: Passage| {
@@ -202,7 +201,7 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
                 report(theta, What::Passage(passage));
             }
         };
-        let wanted = if self.events[index].acts() {
+        let wanted = if event.acts() {
             Wanted::First(*direction)
         } else {
             Wanted::All
@@ -243,8 +242,7 @@ impl<'w, 'e, T: Float, const N: usize> Search<'w, 'e, T, N> {
                 }
                 Change::Accumulated => return report(T::default(), What::Accumulation),
             }
-            earlier = Some(last);
-            last = here;
+            (earlier, last) = (Some(last), here);
         }
         if seen.side == Side::AtStart {
             note(T::default(), Passage::Resting);

@@ -250,9 +250,7 @@ impl<C: Curve<N>, const N: usize> Tracer<'_, C, N> {
             (part, between((low.0, &low.2), (high.0, &high.2), part, &a.tangent))
         };
         let (mut part, mut u) = zero(&low, &high);
-        let mut change = f64::INFINITY;
-        let mut width = high.0;
-        let mut steepness = 0.0;
+        let (mut change, mut width, mut steepness) = (f64::INFINITY, high.0, 0.0);
         for evaluation in 1..=100 {
             // Each third halves the bracket, if it does not shrink otherwise.
             let is_slow = evaluation % 3 == 0 && high.0 - low.0 > 0.5 * mem::replace(&mut width, high.0 - low.0);

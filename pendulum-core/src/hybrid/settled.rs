@@ -1,0 +1,39 @@
+//! The state and the mode from which to go on.
+
+use nalgebra::SVector;
+
+use super::MOST;
+use super::fired::Fired;
+use super::mode::{Hold, Mode};
+use super::series::Series;
+use super::sizes::{ForceSizes, Gains};
+use crate::real::Float;
+
+/// The state and the mode from which to go on.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Settled<T, const N: usize> {
+    pub(crate) x: SVector<T, N>,
+    pub(crate) mode: Mode,
+    pub(crate) hold: Hold<T>,
+    /// How long rebounds that are not followed would still last.
+    pub(crate) delay: T,
+    /// The impulses along the constraints.
+    pub(crate) impulses: [T; MOST],
+    pub(crate) gains: Gains<T>,
+    pub(crate) sizes: ForceSizes<T>,
+    /// The impacts so far, and the contacts that approach again: theirs follow at once.
+    pub(super) series: Series<T, N>,
+    pub(super) next: Fired,
+}
+
+impl<T: Float, const N: usize> Settled<T, N> {
+    /// The contacts whose order mattered and was not resolved, with the differences that it makes to the state.
+    pub(crate) fn ambiguity(&self) -> Option<(u8, SVector<T, N>)> {
+        self.series.ambiguity
+    }
+
+    /// The first of the contacts that approach after all impacts: they contradict each other.
+    pub(crate) fn contradiction(&self) -> Option<usize> {
+        (!self.next.is_empty()).then(|| self.next.first())
+    }
+}

@@ -1,0 +1,348 @@
+//! Closed loops: a model with inputs and the law that these follow.
+
+use core::fmt;
+
+use nalgebra::{SMatrix, SVector};
+
+use super::{CastControlled, Controlled, Generic, InputLaw, Law, LawJacobian};
+use crate::hybrid::{self, Constraint, Hybrid, HybridJacobian, MOST, MeasureDerivatives, Response, ResponseDerivative};
+use crate::layout::StateLayout;
+use crate::real::Real;
+use crate::real::lanes::Lanes;
+#[cfg(feature = "std")]
+use crate::shapes::{Shape, Shapes};
+use crate::system::{Cast, CastJacobian, Differences, Energy, Jacobian, System, WithJacobian};
+
+/// A [`Controlled`] model whose `M` inputs follow the [`Law`] `L`: a [`System`] that can be integrated.
+///
+/// Its Jacobian is `jacobian_with + input_jacobian * K`, with the derivative `K` of the law: see
+/// [`inputs`](crate::inputs) for the ways to have one.
+#[derive(Clone, Copy)]
+pub struct WithInputs<S, L, const M: usize> {
+    system: S,
+    law: L,
+}
+
+#[cfg(feature = "std")]
+impl<S: Shapes<N>, L, const N: usize, const M: usize> Shapes<N> for WithInputs<S, L, M> {
+    fn shapes(&self, t: f64, x: &SVector<f64, N>) -> Vec<Shape> {
+        self.system.shapes(t, x)
+    }
+}
+
+impl<S, F, const M: usize> WithInputs<S, F, M> {
+    /// The model `system` with the inputs `inputs(t, x)`; generated models have it as their method `with_inputs`.
+    #[inline]
+    pub fn new<T, const N: usize>(system: S, inputs: F) -> Self
+    where
+        T: Real,
+        S: Controlled<T, N, M>,
+        F: Fn(T, &SVector<T, N>) -> S::Inputs,
+    {
+        Self { system, law: inputs }
+    }
+
+    /// The same closed loop, whose law has the derivative `derivative(t, x)` with respect to the state: a row for each
+    /// input.
+    ///
+    /// Its derivative with respect to time is a central difference of the law, for two evaluations of that: right to
+    /// about 10 digits where the law varies over times of about 1 s, and zero where time does not occur.
+    ///
+    /// ```
+    /// use pendulum_core::prelude::*;
+    ///
+    /// mechanism! {
+    ///     pub Cart {
+    ///         input push: N,
+    ///         body cart on ground { mass: 2, joint: prismatic(x), coordinate: s, torque: push }
+    ///     }
+    /// }
+    ///
+    /// // brakes hard: a stiff closed loop
+    /// let braked = Cart::new(CartParams {})?
+    ///     .with_inputs(|_t, x| CartInputs { push: -2e4 * x[1] })
+    ///     .with_derivative(|_t, _x| SMatrix::from([[0.0], [-2e4]]));
+    /// let solution = Rodas5P::new().solve(&braked, 0.0, 10.0, [0.0, 1.0])?;
+    /// assert!(solution.end()[1].abs() < 1e-9);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[inline]
+    pub fn with_derivative<T, K, const N: usize>(self, derivative: K) -> WithInputs<S, WithJacobian<F, K>, M>
+    where
+        T: Real,
+        S: Controlled<T, N, M>,
+        K: Fn(T, &SVector<T, N>) -> SMatrix<T, M, N>,
+    {
+        WithInputs {
+            system: self.system,
+            law: WithJacobian::new(self.law, derivative),
+        }
+    }
+
+    /// The same closed loop, with the derivatives of the law by central differences: see [`Differences`] for their
+    /// error.
+    ///
+    /// A Jacobian takes two evaluations of the law for each component of the state, and none of the model beyond its
+    /// own Jacobians.
+    #[inline]
+    pub fn by_differences(self) -> WithInputs<S, Differences<F>, M> {
+        WithInputs {
+            system: self.system,
+            law: Differences(self.law),
+        }
+    }
+}
+
+impl<S, L, const M: usize> WithInputs<S, Generic<L>, M> {
+    /// The model `system` with a law in any number type; generated models have it as their method `with_law`.
+    #[inline]
+    pub const fn with_law<const N: usize>(system: S, law: L) -> Self
+    where
+        L: InputLaw<N, M>,
+    {
+        Self {
+            system,
+            law: Generic(law),
+        }
+    }
+}
+
+impl<T, S, L, const N: usize, const M: usize> System<T, N> for WithInputs<S, L, M>
+where
+    T: Real,
+    S: Controlled<T, N, M>,
+    L: Law<T, N, M>,
+{
+    #[inline(always)]
+    fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
+        self.system.rhs_with(t, x, &self.law.inputs(t, x).into())
+    }
+
+    #[inline(always)]
+    fn layout(&self) -> Option<&'static StateLayout> {
+        self.system.layout()
+    }
+
+    /// Not known: the law may depend on the time.
+    #[inline(always)]
+    fn is_autonomous(&self) -> Option<bool> {
+        None
+    }
+
+    #[inline(always)]
+    fn project(&self, t: T, x: &mut SVector<T, N>) {
+        self.system.project(t, x);
+    }
+
+    #[inline(always)]
+    fn margins(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 2])) {
+        self.system.margins(t, x, tell);
+    }
+
+    #[inline]
+    fn gaps(&self, t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 3])) {
+        self.system.gaps(t, x, tell);
+    }
+
+    #[inline(always)]
+    fn hybrid(&self) -> Option<&dyn Hybrid<T, N>> {
+        (!self.system.constraints().is_empty()).then_some(self)
+    }
+
+    #[inline(always)]
+    fn rhs_under(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> SVector<T, N> {
+        self.system.rhs_under_with(t, x, &self.law.inputs(t, x).into(), forces)
+    }
+}
+
+impl<T, S, L, const N: usize, const M: usize> Jacobian<T, N> for WithInputs<S, L, M>
+where
+    T: Real,
+    S: Controlled<T, N, M>,
+    L: LawJacobian<T, N, M>,
+{
+    #[inline]
+    fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
+        self.rhs_and_jacobian(t, x).1
+    }
+
+    #[inline(always)]
+    fn rhs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
+        let (inputs, by_state) = self.law.inputs_and_jacobian(t, x);
+        let inputs = inputs.into();
+        let (rhs, mut jacobian) = self.system.rhs_and_jacobian_with(t, x, &inputs);
+        add_product(&mut jacobian, &self.system.input_jacobian(t, x, &inputs), &by_state);
+        (rhs, jacobian)
+    }
+
+    #[inline(always)]
+    fn time_derivative(&self, t: T, x: &SVector<T, N>) -> SVector<T, N>
+    where
+        T: Lanes,
+    {
+        let inputs = self.law.inputs(t, x).into();
+        let by_inputs = self.system.input_jacobian(t, x, &inputs);
+        let mut derivative = self.system.time_derivative_with(t, x, &inputs);
+        add_product(&mut derivative, &by_inputs, &self.law.time_derivative(t, x));
+        derivative
+    }
+
+    #[inline(always)]
+    fn hybrid_jacobian(&self) -> Option<&dyn HybridJacobian<T, N>> {
+        (!self.system.constraints().is_empty()).then_some(self)
+    }
+}
+
+impl<T, S, L, const N: usize, const M: usize> Hybrid<T, N> for WithInputs<S, L, M>
+where
+    T: Real,
+    S: Controlled<T, N, M>,
+    L: Law<T, N, M>,
+{
+    #[inline]
+    fn constraints(&self) -> &'static [Constraint] {
+        self.system.constraints()
+    }
+
+    #[inline]
+    fn laws(&self) -> [hybrid::Law<T>; MOST] {
+        self.system.laws()
+    }
+
+    #[inline]
+    fn measures(&self, t: T, x: &SVector<T, N>) -> [[T; 2]; MOST] {
+        self.system.measures(t, x)
+    }
+
+    #[inline]
+    fn response(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> Response<T, N> {
+        self.system.response_with(t, x, &self.law.inputs(t, x).into(), forces)
+    }
+}
+
+impl<T, S, L, const N: usize, const M: usize> HybridJacobian<T, N> for WithInputs<S, L, M>
+where
+    T: Real,
+    S: Controlled<T, N, M>,
+    L: LawJacobian<T, N, M>,
+{
+    #[inline]
+    fn rhs_and_jacobian_under(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> (SVector<T, N>, SMatrix<T, N, N>) {
+        let (inputs, by_state) = self.law.inputs_and_jacobian(t, x);
+        let inputs = inputs.into();
+        let (rhs, mut jacobian) = self.system.rhs_and_jacobian_under_with(t, x, &inputs, forces);
+        // no force along a constraint changes what inputs do
+        add_product(&mut jacobian, &self.system.input_jacobian(t, x, &inputs), &by_state);
+        (rhs, jacobian)
+    }
+
+    #[inline]
+    fn response_derivative(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> ResponseDerivative<T, N>
+    where
+        T: Lanes,
+    {
+        let (inputs, by_state) = self.law.inputs_and_jacobian(t, x);
+        let inputs = inputs.into();
+        let mut derivative = self.system.response_derivative_with(t, x, &inputs, forces);
+        let by_inputs = self.system.input_jacobian(t, x, &inputs);
+        let by_time = self.law.time_derivative(t, x);
+        add_product(&mut derivative.rates, &by_inputs, &by_state);
+        add_product(&mut derivative.rates_by_time, &by_inputs, &by_time);
+        // rates of constraints, and so their accelerations, follow those of the state
+        let measures = self.system.measure_derivatives(t, x);
+        for (n, [_, slopes]) in measures.by_state[..self.system.constraints().len()].iter().enumerate() {
+            for m in 0..M {
+                let by_input = (0..N).fold(T::default(), |sum, i| sum + slopes[i] * by_inputs[(i, m)]);
+                for j in 0..N {
+                    derivative.accelerations[n][j] += by_input * by_state[(m, j)];
+                }
+                derivative.accelerations_by_time[n] += by_input * by_time[m];
+            }
+        }
+        derivative
+    }
+
+    #[inline]
+    fn measure_derivatives(&self, t: T, x: &SVector<T, N>) -> MeasureDerivatives<T, N> {
+        self.system.measure_derivatives(t, x)
+    }
+}
+
+impl<T: Real, S: Energy<T, N>, L, const N: usize, const M: usize> Energy<T, N> for WithInputs<S, L, M> {
+    #[inline]
+    fn kinetic(&self, t: T, x: &SVector<T, N>) -> T {
+        self.system.kinetic(t, x)
+    }
+
+    #[inline]
+    fn potential(&self, t: T, x: &SVector<T, N>) -> T {
+        self.system.potential(t, x)
+    }
+}
+
+/// The models may differ in their constants, and share the law.
+impl<S, L, const N: usize, const M: usize> Cast<N> for WithInputs<S, Generic<L>, M>
+where
+    S: CastControlled<N, M>,
+    L: InputLaw<N, M>,
+{
+    const HYBRID: bool = S::HYBRID;
+
+    type In<T: Real> = WithInputs<S::In<T>, Generic<L>, M>;
+
+    fn cast<T: Real>(&self) -> Self::In<T> {
+        WithInputs {
+            system: self.system.cast(),
+            law: self.law.clone(),
+        }
+    }
+
+    #[inline]
+    fn gather<'m, V: Lanes>(models: impl Fn(usize) -> &'m Self) -> Self::In<V>
+    where
+        Self: 'm,
+    {
+        WithInputs {
+            system: S::gather(|lane| &models(lane).system),
+            law: models(0).law.clone(),
+        }
+    }
+
+    fn shares_lanes(&self, other: &Self) -> bool {
+        self.law == other.law
+    }
+}
+
+impl<S, L, const N: usize, const M: usize> CastJacobian<N> for WithInputs<S, Generic<L>, M>
+where
+    S: CastControlled<N, M>,
+    L: InputLaw<N, M>,
+{
+    fn with_jacobian<T: Real>(model: &Self::In<T>) -> &impl Jacobian<T, N> {
+        model
+    }
+}
+
+/// Adds to `sum` what moves it through the inputs: its derivative by these, times theirs.
+#[inline(always)]
+fn add_product<T: Real, const N: usize, const M: usize, const K: usize>(
+    sum: &mut SMatrix<T, N, K>,
+    by_inputs: &SMatrix<T, N, M>,
+    of_inputs: &SMatrix<T, M, K>,
+) {
+    for (j, mut column) in sum.column_iter_mut().enumerate() {
+        for m in 0..M {
+            for (i, entry) in column.iter_mut().enumerate() {
+                *entry += by_inputs[(i, m)] * of_inputs[(m, j)];
+            }
+        }
+    }
+}
+
+impl<S: fmt::Debug, L, const M: usize> fmt::Debug for WithInputs<S, L, M> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.debug_struct("WithInputs")
+            .field("system", &self.system)
+            .finish_non_exhaustive()
+    }
+}
