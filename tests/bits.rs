@@ -14,6 +14,7 @@ use nalgebra::{SMatrix, SVector};
 use pendulum_core::prelude::*;
 use pendulum_core::real::lanes::{Isa, LaneElement};
 use pendulum_core::{Canonical, Cast, Float, TaylorSeries};
+use testbed::digest::Digest;
 use testbed::mechanisms::*;
 use testbed::random::Random;
 use testbed::robots::*;
@@ -54,23 +55,11 @@ mechanism! {
     }
 }
 
-/// A digest of numbers, of all their bits (FNV-1a).
-struct Digest(u64);
-
-impl Digest {
-    fn new() -> Self {
-        Self(0xcbf2_9ce4_8422_2325)
-    }
-
-    fn add<T: Float>(&mut self, numbers: impl IntoIterator<Item = T>) {
-        // As `f64` every number of either type is itself, and nothing else is.
-        for byte in numbers
-            .into_iter()
-            .flat_map(|number| number.to_f64().to_bits().to_le_bytes())
-        {
-            self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3);
-        }
-    }
+/// The bytes of numbers. As `f64` every number of either type is itself, and nothing else is.
+fn bytes<T: Float>(numbers: impl IntoIterator<Item = T>) -> impl Iterator<Item = u8> {
+    numbers
+        .into_iter()
+        .flat_map(|number| number.to_f64().to_bits().to_le_bytes())
 }
 
 /// The digests, a line for each function of each model and for each method.
@@ -78,8 +67,8 @@ impl Digest {
 struct Table(String);
 
 impl Table {
-    fn row(&mut self, subject: &str, what: &str, Digest(digest): Digest) {
-        writeln!(self.0, "{subject:<18}{what:<18}{digest:016x}").expect("text");
+    fn row(&mut self, subject: &str, what: &str, digest: &Digest) {
+        writeln!(self.0, "{subject:<18}{what:<18}{:016x}", digest.value()).expect("text");
     }
 
     /// A function of time and state in many states, some of them with angles of many turns.
@@ -88,16 +77,18 @@ impl Table {
         (model, function): (&str, &str),
         f: impl Fn(T, &SVector<T, N>) -> I,
     ) {
-        let (mut random, mut digest) = (Random::new(1), Digest::new());
+        let (mut random, mut digest) = (Random::new(1), Digest::default());
         for reach in [4.0, 4.0, 4.0, 4.0, 1e3, 2e5].into_iter().cycle().take(600) {
             let x = SVector::from_fn(|i, _| {
                 let reach = if i < N / 2 { reach } else { 4.0 };
                 T::from_f64(random.between(-reach, reach))
             });
             let values = f(T::from_f64(random.between(0.0, 10.0)), &x).into_iter();
-            digest.add(values.inspect(|value| assert!(value.is_finite(), "{model} {function} at {x:?}")));
+            digest.add(bytes(
+                values.inspect(|value| assert!(value.is_finite(), "{model} {function} at {x:?}")),
+            ));
         }
-        self.row(model, function, digest);
+        self.row(model, function, &digest);
     }
 
     fn motion<S: Jacobian<f64, N> + Energy<f64, N>, const N: usize>(&mut self, name: &str, model: &S) {
@@ -142,9 +133,9 @@ impl Table {
         let span = [0.0, 1.0].map(T::from_f64);
         let end = by.stepper(system, span[0], span[1], start.map(T::from_f64));
         let end = end.and_then(|mut stepper| stepper.run()).expect("regular");
-        let mut digest = Digest::new();
-        digest.add(all(end));
-        self.row(model, method, digest);
+        let mut digest = Digest::default();
+        digest.add(bytes(all(end)));
+        self.row(model, method, &digest);
         end
     }
 

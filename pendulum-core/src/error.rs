@@ -258,9 +258,23 @@ impl fmt::Display for Reason {
                 "component {component} of the state or its derivative is not finite after a step of {h:.3e}; \
                  if the step is fixed, try a shorter one; else the right-hand side is singular or undefined there"
             ),
-            Self::CannotClose { .. } | Self::Open(_) | Self::Toggle { .. } | Self::HalfTurn { .. } => {
-                self.fmt_of_loop(f)
-            }
+            Self::CannotClose { bodies: [a, b] } => write!(
+                f,
+                "the loop that `{a}` and `{b}` close cannot close in the state to start from, or is flat there; \
+                 check the state, and the lengths if they are not the defaults"
+            ),
+            Self::Open(gap) => write!(
+                f,
+                "{gap} in the state to start from, or that a reset returns; close it by `assemble`, from a guess near \
+                 where it closes, and check lengths, places and axes"
+            ),
+            Self::Toggle { bodies, margin } => write_toggle(f, bodies, margin),
+            Self::HalfTurn { coordinate } => write!(
+                f,
+                "`{coordinate}` comes to half a turn from its `near`, or may within one step, and a force takes its \
+                 turns, which do not follow from the state: let `{coordinate}` be a coordinate of the state and \
+                 another of its loop depend, or take shorter steps"
+            ),
             Self::StepUnderflow { h, least } => write!(
                 f,
                 "the tolerance requires a step of {h:.3e}, below the minimum of {least:.3e}; \
@@ -321,38 +335,19 @@ impl fmt::Display for Reason {
     }
 }
 
-impl Reason {
-    /// The message about a closed loop.
-    fn fmt_of_loop(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        match *self {
-            Self::CannotClose { bodies: [a, b] } => write!(
-                f,
-                "the loop that `{a}` and `{b}` close cannot close in the state to start from, or is flat there; \
-                 check the state, and the lengths if they are not the defaults"
-            ),
-            Self::Open(gap) => write!(
-                f,
-                "{gap} in the state to start from, or that a reset returns; close it by `assemble`, from a guess near \
-                 where it closes, and check lengths, places and axes"
-            ),
-            Self::Toggle { bodies: [a, b], margin } if margin < AT_TOGGLE => write!(
-                f,
-                "the loop that `{a}` and `{b}` close comes to its toggle: its margin is {margin:.1e}; end the motion \
-                 before with an event on `margin({a}, {b})`, or, if the loop is to pass, let another coordinate depend"
-            ),
-            Self::Toggle { bodies: [a, b], margin } => write!(
-                f,
-                "the loop that `{a}` and `{b}` close may come to its toggle within one step, before which its margin \
-                 is {margin:.1e}; take shorter steps"
-            ),
-            Self::HalfTurn { coordinate } => write!(
-                f,
-                "`{coordinate}` comes to half a turn from its `near`, or may within one step, and a force takes its turns, \
-                 which do not follow from the state: let `{coordinate}` be a coordinate of the state and another of its \
-                 loop depend, or take shorter steps"
-            ),
-            _ => Ok(()),
-        }
+fn write_toggle(f: &mut fmt::Formatter<'_>, [a, b]: [&str; 2], margin: f64) -> fmt::Result {
+    if margin < AT_TOGGLE {
+        write!(
+            f,
+            "the loop that `{a}` and `{b}` close comes to its toggle: its margin is {margin:.1e}; end the motion \
+             before with an event on `margin({a}, {b})`, or, if the loop is to pass, let another coordinate depend"
+        )
+    } else {
+        write!(
+            f,
+            "the loop that `{a}` and `{b}` close may come to its toggle within one step, before which its margin \
+             is {margin:.1e}; take shorter steps"
+        )
     }
 }
 

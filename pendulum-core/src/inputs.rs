@@ -67,7 +67,7 @@ pub trait Controlled<T: Real, const N: usize, const M: usize> {
         by_number(t, |t| self.rhs_with(t, x, u))
     }
 
-    /// What each component of the state is, as [`System::layout`](crate::System::layout).
+    /// The components of the state, as [`System::layout`](crate::System::layout).
     #[inline]
     fn layout(&self) -> Option<&'static StateLayout> {
         None
@@ -86,8 +86,8 @@ pub trait Controlled<T: Real, const N: usize, const M: usize> {
     #[inline]
     fn gaps(&self, _t: T, _x: &SVector<T, N>, _tell: &mut dyn FnMut([&'static str; 2], [T; 3])) {}
 
-    /// What hinders the motion, as [`Hybrid::constraints`](crate::hybrid::Hybrid::constraints): nothing by default.
-    /// Where something does, all that follows is required as well, and with a law for its inputs the model is a
+    /// Constraints of the motion, as [`Hybrid::constraints`](crate::hybrid::Hybrid::constraints): none by default. A
+    /// model that has some implements all that follows as well, and with a law for its inputs it is a
     /// [`Hybrid`](crate::hybrid::Hybrid).
     #[inline(always)]
     fn constraints(&self) -> &'static [Constraint] {
@@ -199,7 +199,7 @@ impl<T: Real, S: Controlled<T, N, M> + ?Sized, const N: usize, const M: usize> C
     note = "`mechanism!` implements `CastControlled` for scenes with inputs where `generate` has `rhs`"
 )]
 pub trait CastControlled<const N: usize, const M: usize> {
-    /// Whether anything may hinder the motion: see [`Cast::HYBRID`](crate::Cast::HYBRID).
+    /// Models with constraints: see [`Cast::HYBRID`](crate::Cast::HYBRID).
     const HYBRID: bool = false;
 
     /// The model in another number type.

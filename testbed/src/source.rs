@@ -10,9 +10,15 @@ pub const ROBOTS: &str = include_str!("robots.rs");
 /// If no such model is declared at the margin of the source.
 pub fn declaration<'s>(source: &'s str, name: &str) -> &'s str {
     let head = format!(" {name} {{");
-    let inside = source
+    declarations(source)
+        .find(|text| text.contains(&head))
+        .unwrap_or_else(|| panic!("no declaration of {name}"))
+}
+
+/// The inside of each `mechanism! { .. }` at the margin of a source.
+pub fn declarations(source: &str) -> impl Iterator<Item = &str> {
+    source
         .split("mechanism! {\n")
-        .filter_map(|text| text.split("\n}\n").next());
-    let mut found = inside.filter(|text| text.contains(&head));
-    found.next().unwrap_or_else(|| panic!("no declaration of {name}"))
+        .skip(1)
+        .filter_map(|text| text.split("\n}\n").next())
 }

@@ -10,7 +10,8 @@ use std::path::{Path, PathBuf};
 use expect_test::expect_file;
 use syn::parse::{Parse, ParseStream};
 use syn::{File, ImplItem, ImplItemMacro, Item, ItemMacro, Macro};
-use testbed::source::{ROBOTS, SCENES, declaration};
+use testbed::digest::Digest;
+use testbed::source::{ROBOTS, SCENES, declaration, declarations};
 
 macro_rules! gallery {
     ($name:literal) => {
@@ -98,26 +99,20 @@ fn emitted_code_of_all_examples_has_the_expected_digests() {
     let mut digests = String::new();
     for path in sources(&examples) {
         let source = fs::read_to_string(&path).expect("text");
-        let inside = source.split("\nmechanism! {\n").skip(1);
-        let declarations = inside.map(|text| text.split("\n}\n").next().expect("its end"));
-        let code: Vec<String> = declarations.map(code).collect();
+        let code: Vec<String> = declarations(&source).map(code).collect();
         if !code.is_empty() {
             let (code, example) = (code.join("\n"), path.strip_prefix(&examples).expect("an example"));
             let place = written.join(example);
             fs::create_dir_all(place.parent().expect("a folder")).expect("a folder");
             fs::write(place, &code).expect("a file");
             let (example, lines) = (example.display(), code.lines().count());
-            writeln!(digests, "{example}: {lines} lines, {:016x}", digest(&code)).expect("a string");
+            let mut digest = Digest::default();
+            digest.add(code.bytes());
+            writeln!(digests, "{example}: {lines} lines, {:016x}", digest.value()).expect("a string");
         }
     }
+    assert!(digests.lines().count() > 15, "{digests}");
     expect_file!["golden/examples.txt"].assert_eq(&digests);
-}
-
-/// FNV-1a.
-fn digest(text: &str) -> u64 {
-    text.bytes().fold(0xcbf2_9ce4_8422_2325, |digest, byte| {
-        (digest ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    })
 }
 
 /// The Rust files below a folder, in order.

@@ -1,9 +1,9 @@
-//! What ends a mode: which functions of which constraints.
+//! The functions of constraints that end a mode, as a set.
 
 use super::MOST;
 use super::mode::{Mode, Status};
 
-/// How a constraint may end a mode: by each of three functions that are positive as long as the mode lasts.
+/// Number of functions by which a constraint may end a mode: each is positive as long as the mode lasts.
 pub(super) const WAYS: usize = 3;
 /// The rate while it slips; what friction or a contact can still take before it gives way forward.
 pub(super) const FORWARD: usize = 0;
@@ -15,7 +15,7 @@ pub(super) const UPPER: usize = 2;
 /// The functions of all constraints, those of one after those of the other; infinite where there is none.
 pub(super) type Values<T> = [[T; WAYS]; MOST];
 
-/// Which functions, as bits.
+/// A set of functions, as bits.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Fired(u32);
 
@@ -41,7 +41,7 @@ impl Fired {
         self.0.trailing_zeros() as usize / WAYS
     }
 
-    /// What touches its limit where these end a mode: with what is held there, the gaps that close.
+    /// The constraints at a limit where these end a mode: those held there, and those whose gaps close.
     pub(crate) fn touching(self, mode: &Mode) -> [Status; MOST] {
         let mut touching = mode.0;
         for (n, way) in self.pairs().filter(|&(n, way)| way != FORWARD && !mode.is_held(n)) {

@@ -9,12 +9,16 @@ use crate::real::Real;
 use crate::real::lanes::Lanes;
 
 /// The right-hand side of a hybrid system in a mode.
-#[inline(always)]
-pub(crate) fn rhs<S, T, const N: usize>(system: &S, hold: &Hold<T>, t: T, x: &SVector<T, N>) -> SVector<T, N>
-where
-    S: Hybrid<T, N> + ?Sized,
-    T: Real,
-{
+///
+/// It is not inlined, as its derivatives are not, and takes any system: one that is not hybrid has none of this in its
+/// code.
+#[inline(never)]
+pub(crate) fn rhs<T: Real, const N: usize>(
+    system: &dyn Hybrid<T, N>,
+    hold: &Hold<T>,
+    t: T,
+    x: &SVector<T, N>,
+) -> SVector<T, N> {
     if hold.held == 0 {
         return system.rhs_under(t, x, &hold.forces);
     }
@@ -22,17 +26,13 @@ where
 }
 
 /// [`rhs`] and its derivative with respect to the state.
-#[inline(always)]
-pub(crate) fn rhs_and_jacobian<S, T, const N: usize>(
-    system: &S,
+#[inline(never)]
+pub(crate) fn rhs_and_jacobian<T: Lanes, const N: usize>(
+    system: &dyn HybridJacobian<T, N>,
     hold: &Hold<T>,
     t: T,
     x: &SVector<T, N>,
-) -> (SVector<T, N>, SMatrix<T, N, N>)
-where
-    S: HybridJacobian<T, N> + ?Sized,
-    T: Lanes,
-{
+) -> (SVector<T, N>, SMatrix<T, N, N>) {
     if hold.held == 0 {
         return system.rhs_and_jacobian_under(t, x, &hold.forces);
     }
@@ -55,17 +55,13 @@ where
 }
 
 /// The derivative of [`rhs`] with respect to the time.
-#[inline(always)]
-pub(crate) fn time_derivative<S, T, const N: usize>(
-    system: &S,
+#[inline(never)]
+pub(crate) fn time_derivative<T: Lanes, const N: usize>(
+    system: &dyn HybridJacobian<T, N>,
     hold: &Hold<T>,
     t: T,
     x: &SVector<T, N>,
-) -> SVector<T, N>
-where
-    S: HybridJacobian<T, N> + ?Sized,
-    T: Lanes,
-{
+) -> SVector<T, N> {
     let derivative = system.response_derivative(t, x, &forces(system, hold, t, x));
     let factored = Factored::of(&derivative.response.matrix, hold.solved);
     let changes = factored.solve_negated(&derivative.accelerations_by_time);
@@ -148,46 +144,6 @@ impl<T: Real> HeldSeries<T> {
         S: Hybrid<T, N> + ?Sized,
     {
         pin(system, self.held, x);
-    }
-}
-
-/// The same as functions that are never inlined: a system that is not hybrid has none of this in its code.
-pub(crate) mod called {
-    use nalgebra::{SMatrix, SVector};
-
-    use super::super::mode::Hold;
-    use super::super::{Hybrid, HybridJacobian};
-    use crate::real::Real;
-    use crate::real::lanes::Lanes;
-
-    #[inline(never)]
-    pub(crate) fn rhs<T: Real, const N: usize>(
-        system: &dyn Hybrid<T, N>,
-        hold: &Hold<T>,
-        t: T,
-        x: &SVector<T, N>,
-    ) -> SVector<T, N> {
-        super::rhs(system, hold, t, x)
-    }
-
-    #[inline(never)]
-    pub(crate) fn rhs_and_jacobian<T: Lanes, const N: usize>(
-        system: &dyn HybridJacobian<T, N>,
-        hold: &Hold<T>,
-        t: T,
-        x: &SVector<T, N>,
-    ) -> (SVector<T, N>, SMatrix<T, N, N>) {
-        super::rhs_and_jacobian(system, hold, t, x)
-    }
-
-    #[inline(never)]
-    pub(crate) fn time_derivative<T: Lanes, const N: usize>(
-        system: &dyn HybridJacobian<T, N>,
-        hold: &Hold<T>,
-        t: T,
-        x: &SVector<T, N>,
-    ) -> SVector<T, N> {
-        super::time_derivative(system, hold, t, x)
     }
 }
 

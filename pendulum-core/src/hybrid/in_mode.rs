@@ -3,7 +3,7 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::fired::Fired;
-use super::held::{called, pin, pressing, reduced};
+use super::held::{self, pin, pressing, reduced};
 use super::mode::{Hold, Mode};
 use super::{Hybrid, MOST};
 use crate::layout::StateLayout;
@@ -82,7 +82,7 @@ impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for InMode<
     #[inline(always)]
     fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
         match self.holding() {
-            Some(hybrid) => called::rhs(hybrid, self.hold, t, x),
+            Some(hybrid) => held::rhs(hybrid, self.hold, t, x),
             None => self.system.rhs_under(t, x, &self.hold.forces),
         }
     }
@@ -118,7 +118,7 @@ impl<S: Jacobian<T, N> + ?Sized, T: Lanes, const N: usize> Jacobian<T, N> for In
     fn jacobian(&self, t: T, x: &SVector<T, N>) -> SMatrix<T, N, N> {
         match (self.system.hybrid(), self.system.hybrid_jacobian()) {
             (None, _) => self.system.jacobian(t, x),
-            (_, Some(hybrid)) => called::rhs_and_jacobian(hybrid, self.hold, t, x).1,
+            (_, Some(hybrid)) => held::rhs_and_jacobian(hybrid, self.hold, t, x).1,
             (_, None) => by_state(x, |x| self.rhs(t, x)),
         }
     }
@@ -127,7 +127,7 @@ impl<S: Jacobian<T, N> + ?Sized, T: Lanes, const N: usize> Jacobian<T, N> for In
     fn rhs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
         match (self.system.hybrid(), self.system.hybrid_jacobian()) {
             (None, _) => self.system.rhs_and_jacobian(t, x),
-            (_, Some(hybrid)) => called::rhs_and_jacobian(hybrid, self.hold, t, x),
+            (_, Some(hybrid)) => held::rhs_and_jacobian(hybrid, self.hold, t, x),
             (_, None) => (self.rhs(t, x), self.jacobian(t, x)),
         }
     }
@@ -139,7 +139,7 @@ impl<S: Jacobian<T, N> + ?Sized, T: Lanes, const N: usize> Jacobian<T, N> for In
     {
         match (self.system.hybrid(), self.system.hybrid_jacobian()) {
             (None, _) => self.system.time_derivative(t, x),
-            (_, Some(hybrid)) => called::time_derivative(hybrid, self.hold, t, x),
+            (_, Some(hybrid)) => held::time_derivative(hybrid, self.hold, t, x),
             (_, None) => by_time(self, t, |t| self.rhs(t, x)),
         }
     }

@@ -2,7 +2,7 @@
 
 use super::MOST;
 use super::complementarity::{independent, solve_negated};
-use super::held::called;
+use super::held::rhs;
 use super::mode::{Status, bits, set_of};
 use super::next_mode::Next;
 use super::resolution::{CONSISTENT, LOWEST_REBOUND, SHORTEST_REBOUND, ulps};
@@ -208,7 +208,7 @@ impl<'a, T: Float, const N: usize> Flight<'a, T, N> {
         self.lasted += time;
         rebounds.for_each(|rebound| self.heights[rebound.of] += rebound.rise(time));
         let now = &mut self.now;
-        let rates = called::rhs(now.system, &self.next.hold, now.t, &now.x);
+        let rates = rhs(now.system, &self.next.hold, now.t, &now.x);
         for k in N / 2..N {
             now.x[k] += time * rates[k];
         }

@@ -40,7 +40,7 @@ impl<T: Float, const N: usize> Series<T, N> {
         self.tries = 0;
     }
 
-    /// Whether they go on for too long, as where contacts contradict each other.
+    /// Returns true if there are too many of them, as where contacts contradict each other.
     pub(super) fn is_too_long(&self) -> bool {
         self.count > MOST_IMPACTS
     }

@@ -15,7 +15,7 @@ pub(crate) struct Settled<T, const N: usize> {
     pub(crate) x: SVector<T, N>,
     pub(crate) mode: Mode,
     pub(crate) hold: Hold<T>,
-    /// How long rebounds that are not followed would still last.
+    /// Duration of the rebounds that are not followed.
     pub(crate) delay: T,
     /// The impulses along the constraints.
     pub(crate) impulses: [T; MOST],

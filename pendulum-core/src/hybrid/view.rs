@@ -7,16 +7,16 @@ use super::mode::Mode;
 use crate::method::{places, unseen_bend};
 use crate::real::Float;
 
-/// What is known of a step while it is searched.
+/// A step and the bounds that its search has found.
 pub(super) struct View<T> {
     pub(super) start: Place<T>,
-    /// Whether the mode starts with it.
+    /// The mode starts with it.
     pub(super) starts: bool,
     /// The functions that may end the mode.
     pub(super) live: Fired,
     /// Within what of zero they may be rounding errors.
     pub(super) noise: Values<T>,
-    /// How much each gap bends between places, as far as was seen.
+    /// Largest bend of each gap between places that was seen.
     pub(super) bends: [T; MOST],
     /// In how many places forces are looked at.
     pub(super) count: usize,

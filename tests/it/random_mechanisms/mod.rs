@@ -26,7 +26,7 @@ const WORST_CONDITION: f64 = 1e6;
 const SINGULAR: f64 = 1e12;
 
 /// How many mechanisms of a kind are tried where no other number is given.
-const DEFAULT: u64 = 5;
+const DEFAULT: u64 = 10;
 
 /// Of how many one is also compared in C, where no other number is given.
 const ONE_IN_C: u64 = 8;
@@ -79,10 +79,7 @@ fn agree(kind: Kind, tolerance: f64) {
         shown(&tally.worst)
     );
     assert!(tally.failures.is_empty(), "{}", tally.failures.join("\n"));
-    assert!(
-        tally.agree * 5 >= count * 4 && tally.left_out * 10 <= count,
-        "too few are compared"
-    );
+    assert!(tally.agree * 10 >= count * 9, "too few are compared");
 }
 
 impl Tally {
