@@ -10,7 +10,7 @@ use super::watch::Watch;
 use super::{InLanes, Stopped, model_of};
 use crate::dense::Step;
 use crate::error::Reason;
-use crate::hybrid::{Hold, Hybrid, InMode, MOST, Status, room};
+use crate::hybrid::{Hold, Hybrid, InMode, Law, MOST, Status, room};
 use crate::method::{Estimates, Method, Modes, OneStep, Progress, Scheme, StepControl, Stepper};
 use crate::real::lanes::{LaneElement, Lanes};
 use crate::statistics::Statistics;
@@ -41,6 +41,7 @@ where
         let mut system = F::gather::<V>(|_| &self.models[0]);
         let mut scheme = self.method.family.stages::<V>(&system, Some(tolerance), true)?;
         let control = self.method.control(tolerance, scheme.error_order(), self.span)?;
+        let mut laws = [Law::default(); MOST];
         let mut hold = Hold::default();
         let mut members = Members::none();
         let mut modes: Vec<Option<Modes<T>>> = vec![None; V::LANES];
@@ -69,8 +70,11 @@ where
                     if self.models.len() > 1 {
                         system = F::gather::<V>(|lane| model_of(self.models, members.index(lane).unwrap_or(0)));
                     }
+                    if let Some(hybrid) = system.hybrid() {
+                        laws = hybrid.laws();
+                    }
                     for (n, force) in hold.forces.iter_mut().enumerate() {
-                        let of = |lane: usize| modes[lane].map_or(T::default(), |modes| modes.hold.forces[n]);
+                        let of = |lane: usize| modes[lane].as_ref().map_or(T::default(), |modes| modes.hold.forces[n]);
                         *force = V::from_fn(of);
                     }
                     let t = V::from_fn(|lane| members.t[lane]);
@@ -87,17 +91,17 @@ where
             let step = Step::new((t, x), (t_new, x_new));
             // those whose mode may end within the step take it again by themselves
             if let (Some(hybrid), Ok(_)) = (system.hybrid(), attempt) {
-                let (laws, measures) = (hybrid.laws(), hybrid.measures(t, &x));
-                let room = room(
-                    (hybrid.constraints(), &laws),
-                    &measures,
-                    scheme.dense(&in_mode, &step, work),
-                );
-                for (lane, index) in members.busy(V::LANES) {
-                    let Some(own) = &mut modes[lane] else { continue };
-                    let goes_on = (0..MOST).all(|n| {
-                        let [rate, low, high] = room[n].map(|room| room.lane(lane) > T::default());
-                        (rate || own.mode.0[n] == Status::Free) && low && high
+                let (constraints, measures) = (hybrid.constraints(), hybrid.measures(t, &x));
+                let terms = scheme.dense(&in_mode, &step, work);
+                let room = room((constraints, &laws), &measures, terms);
+                for (lane, own) in modes.iter_mut().enumerate() {
+                    let (Some(index), Some(own)) = (members.index(lane), own) else {
+                        continue;
+                    };
+                    let goes_on = (0..constraints.len()).all(|n| {
+                        let [rate, gap] = &room[n];
+                        let is_slow = rate.lane(lane) <= T::default();
+                        !(is_slow && own.mode.0[n] != Status::Free) && gap.lane(lane) > T::default()
                     });
                     if goes_on {
                         own.watch.note(&laws, &measures, lane);

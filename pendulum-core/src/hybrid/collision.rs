@@ -10,13 +10,13 @@
 use nalgebra::SVector;
 
 use super::complementarity::{groups, impulses, solve_negated};
-use super::fired::{BACKWARD, Fired, UPPER};
 use super::mode::{Status, bits, set_of};
 use super::resolution::{AT_LIMIT, CONSISTENT, ORDER_MATTERS, ulps};
 use super::series::Series;
 use super::settling::Settling;
 use super::sizes::of_kind;
 use super::switch::finish;
+use super::witness::{Fired, Witness};
 use super::{MOST, Response};
 use crate::real::Float;
 
@@ -76,7 +76,7 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
         let touched = self.touched();
         for n in bits(touched).filter(|&n| leaving[n] < -noise[n]) {
             let is_low = self.touching[n] == Status::Low;
-            next.insert(n, if is_low { BACKWARD } else { UPPER });
+            next.insert(n, if is_low { Witness::Low } else { Witness::High });
         }
         if next.is_empty() {
             bits(touched).for_each(|n| self.rest(n, leaving[n].abs() <= noise[n]));

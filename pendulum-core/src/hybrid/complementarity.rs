@@ -102,6 +102,9 @@ fn before(place: usize) -> u8 {
 
 /// Those of the chosen rows that are independent of the ones before them.
 pub(crate) fn independent<T: Float>(matrix: &[[T; MOST]; MOST], chosen: u8) -> u8 {
+    if chosen == 0 {
+        return chosen;
+    }
     let mut factored = Factored::none();
     for row in bits(chosen) {
         let is_independent = factored.push(matrix, row) > T::from_f64(INDEPENDENT) * matrix[row][row];

@@ -157,7 +157,11 @@ where
     if hold.held == 0 {
         return hold.forces;
     }
-    held(system, hold, t, x).1
+    let response = system.response(t, x, &hold.forces);
+    with_solved(
+        hold,
+        &solve_negated(&response.matrix, hold.solved, &response.accelerations),
+    )
 }
 
 /// The forces along the constraints in canonical equations that are [reduced]: those that hold sums of components are

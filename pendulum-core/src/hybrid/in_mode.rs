@@ -2,9 +2,9 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::fired::Fired;
 use super::held::{self, pin, pressing, reduced};
 use super::mode::{Hold, Mode};
+use super::witness::Fired;
 use super::{Hybrid, MOST};
 use crate::layout::StateLayout;
 use crate::real::Real;

@@ -82,28 +82,28 @@
 //! ```
 
 mod ambiguity;
-mod bounds;
 mod collision;
 mod complementarity;
-mod fired;
-mod functions;
 mod held;
 mod impact;
 mod in_mode;
 mod mode;
 mod next_mode;
+mod polynomial;
 mod project;
 mod rebound;
 mod resolution;
 #[cfg(feature = "std")]
 mod saltation;
+mod sample;
 mod series;
 mod settled;
 mod settling;
 mod sizes;
+mod step;
 mod switch;
-mod view;
 mod watch;
+mod witness;
 
 use nalgebra::{SMatrix, SVector};
 
@@ -113,10 +113,7 @@ use crate::system::System;
 
 pub use ambiguity::Ambiguity;
 #[cfg(feature = "std")]
-pub(crate) use bounds::room;
-#[cfg(feature = "std")]
 pub(crate) use complementarity::independent;
-pub(crate) use fired::Fired;
 pub use held::HeldSeries;
 #[cfg(feature = "std")]
 pub(crate) use held::{forces, rhs, rhs_and_jacobian};
@@ -125,6 +122,8 @@ pub use in_mode::{InMode, Passage};
 #[cfg(feature = "std")]
 pub(crate) use mode::set_of;
 pub use mode::{Hold, Mode, Status};
+#[cfg(feature = "std")]
+pub(crate) use polynomial::room;
 pub(crate) use project::project;
 #[cfg(feature = "std")]
 pub(crate) use project::{apart, place_coordinates};
@@ -135,6 +134,7 @@ pub(crate) use settled::Settled;
 pub(crate) use switch::rate;
 pub(crate) use switch::{start, switch};
 pub(crate) use watch::Watch;
+pub(crate) use witness::Fired;
 
 /// The most constraints of a system.
 pub const MOST: usize = 8;

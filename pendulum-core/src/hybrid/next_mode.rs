@@ -161,7 +161,7 @@ impl<'a, 'b, T: Float, const N: usize> Choice<'a, 'b, T, N> {
         let (of, matrix) = (self.of, &self.response.matrix);
         let (mut accelerations, mut sizes) = (self.response.accelerations, self.sizes);
         let mut under = |accelerations: &mut [T; MOST], forces: &dyn Fn(usize) -> T| {
-            for n in 0..MOST {
+            for n in 0..of.system.constraints().len() {
                 for m in bits(self.candidates) {
                     let change = matrix[n][m] * forces(m);
                     accelerations[n] += change;

@@ -3,10 +3,10 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::complementarity::Factored;
-use super::fired::{FORWARD, Fired};
 use super::held::{forces, pin, rhs};
 use super::mode::{Hold, Mode, bits, set_of};
 use super::resolution::{CONSISTENT, ulps};
+use super::witness::{Fired, Witness};
 use super::{HybridJacobian, MOST, Passage};
 use crate::linear::image;
 use crate::real::Float;
@@ -157,7 +157,7 @@ fn jump<T: Float, const N: usize>(
     (by_state, by_time)
 }
 
-/// The derivatives of the first function that fired, up to their sign, with respect to the state and to the time.
+/// The derivatives of the first witness that fired, up to their sign, with respect to the state and to the time.
 fn first<T: Float, const N: usize>(
     system: &dyn HybridJacobian<T, N>,
     (t, x): (T, &SVector<T, N>),
@@ -173,7 +173,7 @@ fn first<T: Float, const N: usize>(
         return (gradient, of(&derivative.accelerations_by_time));
     }
     // the rate of what slips, or the value of what reaches a limit
-    let which = usize::from(fired.has(n, FORWARD));
+    let which = usize::from(fired.has(n, Witness::Slip));
     let measures = system.measure_derivatives(t, x);
     (measures.by_state[n][which], measures.by_time[n][which])
 }

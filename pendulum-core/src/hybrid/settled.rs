@@ -3,10 +3,10 @@
 use nalgebra::SVector;
 
 use super::MOST;
-use super::fired::Fired;
 use super::mode::{Hold, Mode};
 use super::series::Series;
 use super::sizes::{ForceSizes, Gains};
+use super::witness::Fired;
 use crate::real::Float;
 
 /// The state and the mode from which to go on.

@@ -113,12 +113,22 @@ pub(super) fn of_kind<T: Float, const N: usize>(
 
 /// Whether a position is an angle; without a layout all of them are lengths.
 fn is_angle(layout: Option<&'static StateLayout>, position: usize) -> bool {
-    let mut slots = layout.into_iter().flat_map(|layout| layout.slots);
-    slots.any(|slot| slot.kind == SlotKind::Angle && slot.positions.start == position)
+    let slots = layout.map_or(&[][..], |layout| layout.slots);
+    // a slot has at least one position, so it is at its place or before
+    let mut before = slots.iter().take(position + 1).rev();
+    let slot = before.find(|slot| slot.positions.start <= position);
+    slot.is_some_and(|slot| slot.kind == SlotKind::Angle && slot.positions.start == position)
 }
 
 /// The rate of each constraint while nothing but what is driven moves.
 pub(super) fn rates_at_rest<T: Float, const N: usize>(system: &dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) -> [T; MOST] {
+    if system
+        .constraints()
+        .iter()
+        .all(|constraint| !constraint.rate.is_empty())
+    {
+        return [T::default(); MOST];
+    }
     let mut at_rest = *x;
     at_rest.iter_mut().skip(N / 2).for_each(|rate| *rate = T::default());
     system.measures(t, &at_rest).map(|[_, rate]| rate)

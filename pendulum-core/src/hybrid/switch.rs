@@ -2,7 +2,6 @@
 
 use nalgebra::SVector;
 
-use super::fired::{BACKWARD, FORWARD, Fired, UPPER};
 #[cfg(feature = "std")]
 use super::in_mode::InMode;
 use super::in_mode::Passage;
@@ -12,6 +11,7 @@ use super::settled::Settled;
 use super::settling::Settling;
 use super::sizes::Gains;
 use super::watch::Watch;
+use super::witness::{Fired, Witness};
 use super::{Hybrid, MOST};
 use crate::error::Reason;
 use crate::real::Float;
@@ -133,18 +133,25 @@ impl<T: Float, const N: usize> Settling<'_, T, N> {
                 if status.touches() {
                     self.touching[n] = status;
                 }
-                for (way, next) in [(FORWARD, Status::Forward), (BACKWARD, Status::Backward)] {
-                    if fired.has(n, way) {
+                for (force, next) in [
+                    (Witness::Forward, Status::Forward),
+                    (Witness::Backward, Status::Backward),
+                ] {
+                    if fired.has(n, force) {
                         self.forced[n] = Some(next);
                     }
                 }
                 continue;
             }
-            self.rest(n, fired.has(n, FORWARD));
+            self.rest(n, fired.has(n, Witness::Slip));
             for (distance, limit, status) in self.distances(n, &measures) {
                 let slack = ulps(AT_LIMIT, self.reach[n].max(sizes.values[n]).max(limit.abs()));
-                let way = if status == Status::Low { BACKWARD } else { UPPER };
-                if fired.has(n, way) || distance.abs() <= slack {
+                let gap = if status == Status::Low {
+                    Witness::Low
+                } else {
+                    Witness::High
+                };
+                if fired.has(n, gap) || distance.abs() <= slack {
                     self.touching[n] = status;
                     still |= u8::from(measures[n][1].abs() <= ulps(AT_LIMIT, sizes.rates[n])) << n;
                 }

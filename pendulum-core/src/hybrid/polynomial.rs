@@ -1,0 +1,255 @@
+//! Witnesses that are polynomials of the dense output.
+
+use nalgebra::SVector;
+
+use super::Constraint;
+use super::witness::Witness;
+#[cfg(feature = "std")]
+use super::{Law, MOST};
+use crate::method::{MAX_DEGREE, root};
+use crate::real::Float;
+use crate::real::lanes::Lanes;
+use crate::taylor::MAX_ORDER;
+
+/// Bounds of polynomials have this part of all their terms to spare, for rounding errors.
+const SLACK: f64 = 1e-4;
+/// Parts of a step shorter than this are not divided further.
+const SHORTEST: f64 = 1e-9;
+
+/// The terms of a polynomial of a scheme other than a Taylor series, and of any.
+const FEW: usize = MAX_DEGREE + 1;
+const MANY: usize = MAX_ORDER + 1;
+
+/// What a step in lanes leaves, at least, of the rate of each constraint in its direction, and of its distance from its
+/// limits, where nothing is held: the mode of a lane does not end where both are positive. All rates are sums of
+/// components of the state.
+#[cfg(feature = "std")]
+#[inline(always)]
+pub(crate) fn room<V: Lanes, const N: usize>(
+    (constraints, laws): (&[Constraint], &[Law<V>; MOST]),
+    measures: &[[V; 2]; MOST],
+    terms: &[SVector<V, N>],
+) -> [[V; 2]; MOST] {
+    let one = V::from_f64(1.0);
+    let mut room = [[one; 2]; MOST];
+    for (n, constraint) in constraints.iter().enumerate() {
+        let [value, rate] = measures[n];
+        let least = |witness, value, sign| least((value, sign), (constraint, witness), terms);
+        let low = laws[n].low.map_or(one, |low| least(Witness::Low, value - low, one));
+        let high = laws[n]
+            .high
+            .map_or(one, |high| least(Witness::High, high - value, -one));
+        let rate = least(Witness::Slip, rate.abs(), rate.signum());
+        room[n] = [rate, (low - high).select(low, high)];
+    }
+    room
+}
+
+/// What a witness stays above in a step: a value at its start, and `sign` times a sum of components of the state, of
+/// the polynomial `x0 + c_1 theta + c_2 theta^2 + ..`.
+#[inline(always)]
+fn least<V: Lanes, const N: usize>(start: (V, V), witness: (&Constraint, Witness), terms: &[SVector<V, N>]) -> V {
+    if terms.len() < FEW {
+        Polynomial::<V, FEW>::new(start, witness, terms).least()
+    } else {
+        Polynomial::<V, MANY>::new(start, witness, terms).least()
+    }
+}
+
+/// Whether what a witness stays above in a step is positive.
+pub(super) fn stays_positive<T: Float, const N: usize>(
+    start: (T, T),
+    witness: (&Constraint, Witness),
+    terms: &[SVector<T, N>],
+) -> bool {
+    if terms.len() < FEW {
+        Polynomial::<T, FEW>::new(start, witness, terms).stays_positive()
+    } else {
+        Polynomial::<T, MANY>::new(start, witness, terms).stays_positive()
+    }
+}
+
+/// The course of a witness in a step.
+#[derive(Clone, Copy)]
+pub(super) enum Course<T> {
+    /// It is positive, or would be but for rounding errors at the start.
+    Positive {
+        /// The value at the end.
+        end: T,
+    },
+    /// It is positive up to its first zero.
+    Zero {
+        theta: T,
+        /// The value halfway to the zero.
+        halfway: T,
+    },
+    /// It is not positive where it starts.
+    Unclear,
+}
+
+/// The course of a witness that is zero at the start within `noise`, or that `is_positive` since before. Zeros that it
+/// passes by no more than `noise` below do not count.
+pub(super) fn course<T: Float, const N: usize>(
+    start: (T, T),
+    witness: (&Constraint, Witness),
+    terms: &[SVector<T, N>],
+    (is_positive, noise): (bool, T),
+) -> Course<T> {
+    if terms.len() < FEW {
+        Polynomial::<T, FEW>::new(start, witness, terms).course(is_positive, noise)
+    } else {
+        Polynomial::<T, MANY>::new(start, witness, terms).course(is_positive, noise)
+    }
+}
+
+/// A polynomial of the fraction of a step, by its coefficients from the constant on.
+struct Polynomial<V, const TERMS: usize> {
+    coefficients: [V; TERMS],
+    degree: usize,
+}
+
+impl<V: Lanes, const TERMS: usize> Polynomial<V, TERMS> {
+    #[inline(always)]
+    fn new<const N: usize>(
+        (value, sign): (V, V),
+        (constraint, witness): (&Constraint, Witness),
+        terms: &[SVector<V, N>],
+    ) -> Self {
+        let back = if witness.is_gap() { N / 2 } else { 0 };
+        let mut coefficients = [V::default(); TERMS];
+        coefficients[0] = value;
+        for (coefficient, term) in coefficients[1..].iter_mut().zip(terms) {
+            for &(component, its) in constraint.rate {
+                *coefficient += term[component - back] * V::from_f64(f64::from(its));
+            }
+            *coefficient *= sign;
+        }
+        let degree = terms.len();
+        Self { coefficients, degree }
+    }
+
+    /// The coefficients in the basis of Bernstein, between which the polynomial lies (G. Farin, "Curves and Surfaces for
+    /// CAGD" 2002, Sec. 5.1).
+    #[inline(always)]
+    fn bernstein(&self) -> [V; TERMS] {
+        let (mut sums, mut choices) = (self.coefficients, 1.0);
+        for (power, sum) in sums.iter_mut().enumerate().take(self.degree + 1).skip(1) {
+            // over the number of ways to choose so many of all
+            choices *= (self.degree + 1 - power) as f64 / power as f64;
+            *sum *= V::from_f64(1.0 / choices);
+        }
+        for first in 0..self.degree {
+            for n in (first..self.degree).rev() {
+                let sum = sums[n];
+                sums[n + 1] += sum;
+            }
+        }
+        sums
+    }
+
+    /// The sizes of all terms but the constant together.
+    #[inline(always)]
+    fn size(&self) -> V {
+        let terms = self.coefficients[1..=self.degree].iter();
+        terms.fold(V::default(), |sum, term| sum + term.abs())
+    }
+
+    #[inline(always)]
+    fn least(&self) -> V {
+        let bernstein = self.bernstein();
+        let least = |least: V, &other: &V| (least - other).select(least, other);
+        bernstein[1..=self.degree].iter().fold(bernstein[0], least) - self.size() * V::from_f64(SLACK)
+    }
+}
+
+impl<T: Float, const TERMS: usize> Polynomial<T, TERMS> {
+    fn stays_positive(&self) -> bool {
+        // mostly its terms are too small for anything else
+        let size = self.size() * T::from_f64(1.0 + SLACK);
+        self.coefficients[0] > size || self.least() > T::default()
+    }
+
+    fn course(&self, is_positive: bool, noise: T) -> Course<T> {
+        let (zero, start) = (T::default(), self.coefficients[0]);
+        let end = self.at(T::from_f64(1.0));
+        let root = if is_positive && start > zero {
+            self.first_zero(&self.bernstein(), (zero, T::from_f64(1.0)), noise)
+        } else if !is_positive && start >= -noise && self.degree > 0 {
+            let slope = self.divided();
+            let bernstein = slope.bernstein();
+            let slack = slope.size() * T::from_f64(SLACK);
+            let (first, others) = (bernstein[0], &bernstein[1..self.degree]);
+            // what breaks loose has no acceleration yet
+            if first.abs() <= slack && !others.is_empty() && others.iter().all(|&other| other > slack) {
+                return Course::Positive { end };
+            }
+            if first <= slack {
+                return Course::Unclear;
+            }
+            let root = slope.first_zero(&bernstein, (zero, T::from_f64(1.0)), zero);
+            if root.is_some_and(|root| self.at(root * T::from_f64(0.5)) <= noise) {
+                return Course::Unclear;
+            }
+            root
+        } else {
+            return Course::Unclear;
+        };
+        match root {
+            Some(theta) => Course::Zero {
+                theta,
+                halfway: self.at(theta * T::from_f64(0.5)),
+            },
+            None => Course::Positive { end },
+        }
+    }
+
+    fn at(&self, theta: T) -> T {
+        let powers = self.coefficients[..=self.degree].iter().rev();
+        powers.fold(T::default(), |sum, &coefficient| sum * theta + coefficient)
+    }
+
+    /// Without its constant, over the fraction of the step.
+    fn divided(&self) -> Self {
+        let mut coefficients = [T::default(); TERMS];
+        coefficients[..self.degree].copy_from_slice(&self.coefficients[1..=self.degree]);
+        Self {
+            coefficients,
+            degree: self.degree - 1,
+        }
+    }
+
+    /// The first zero in a part of the step where it has these coefficients of Bernstein, the first of them positive;
+    /// not one that it passes by no more than `noise`.
+    ///
+    /// Where the coefficients change their sign once there is one zero. Halves show what is not certain of the whole (J.
+    /// M. Lane, R. F. Riesenfeld, "Bounds on a polynomial", BIT 21 (1981) 112-117).
+    fn first_zero(&self, bernstein: &[T; TERMS], (from, to): (T, T), noise: T) -> Option<T> {
+        let zero = T::default();
+        let coefficients = &bernstein[..=self.degree];
+        let (first, last) = (coefficients[0], coefficients[self.degree]);
+        if last > zero && coefficients.iter().all(|&coefficient| coefficient >= -noise) {
+            return None;
+        }
+        let changes = coefficients
+            .windows(2)
+            .filter(|pair| (pair[0] > zero) != (pair[1] > zero));
+        if changes.count() == 1 && last <= zero {
+            return Some(root(|theta| self.at(theta), (from, first), (to, last)));
+        }
+        if to - from <= T::from_f64(SHORTEST) * to {
+            return (last <= zero).then_some(to);
+        }
+        let half = T::from_f64(0.5);
+        let (mut left, mut right) = (*bernstein, *bernstein);
+        for n in 0..self.degree {
+            // de Casteljau's scheme: the ends of its rows are the halves
+            for m in 0..self.degree - n {
+                right[m] = (right[m] + right[m + 1]) * half;
+            }
+            left[n + 1] = right[0];
+        }
+        let middle = from + (to - from) * half;
+        let of_left = self.first_zero(&left, (from, middle), noise);
+        of_left.or_else(|| self.first_zero(&right, (middle, to), noise))
+    }
+}

@@ -1,0 +1,269 @@
+//! The search for witnesses in places of a step: those that are not polynomials of the dense output, or start at zero.
+
+use super::MOST;
+use super::mode::bits;
+use super::step::{Place, StepInMode};
+use super::watch::{Ended, Watch, earlier_of_two};
+use super::witness::{Fired, Values, Witness};
+use crate::error::Reason;
+use crate::method::{dip, first_zero, places, root, unseen_bend};
+use crate::real::Float;
+
+/// Forces are looked at so closely that none bends by more than this part of its size between three places.
+const MOST_BEND: f64 = 0.25;
+/// But not in more places of a step.
+const MOST_FORCES: usize = 1 << 10;
+
+impl<T: Float> Watch<T> {
+    /// Where the first of some witnesses of the state ends the mode, up to where others do.
+    pub(super) fn sample_states<const N: usize>(
+        &mut self,
+        step: &StepInMode<'_, T, N>,
+        start: (&Place<T>, bool),
+        (live, noise): (Fired, &Values<T>),
+        ended: Option<Ended<T>>,
+    ) -> Result<Option<Ended<T>>, Reason> {
+        if live.is_empty() {
+            return Ok(ended);
+        }
+        let positive = self.positive;
+        let mut bends = [T::default(); MOST];
+        let found = self.pass(step, start, (live, noise), &mut bends, ended)?;
+        // what moves by itself may do so faster than could be seen up to there
+        if let Some((_, fired)) = found
+            && look_ahead(step, start.0, (fired.and(live), noise), &mut bends)
+        {
+            self.positive = positive;
+            return self.pass(step, start, (live, noise), &mut bends, ended);
+        }
+        Ok(found)
+    }
+
+    /// Looks at one place after the other; gaps bend by `bends` between them, as far as was seen.
+    fn pass<const N: usize>(
+        &mut self,
+        step: &StepInMode<'_, T, N>,
+        (start, is_first): (&Place<T>, bool),
+        (live, noise): (Fired, &Values<T>),
+        bends: &mut [T; MOST],
+        ended: Option<Ended<T>>,
+    ) -> Result<Option<Ended<T>>, Reason> {
+        let to = ended.map_or(T::from_f64(1.0), |(theta, _)| theta);
+        let (mut earlier, mut last) = (None, *start);
+        // what rebounds may come back at once
+        let comes_back = is_first && live.pairs().any(|(_, witness)| witness.is_gap());
+        for theta in places::<T>(comes_back) {
+            let here = step.place(theta.min(to));
+            self.note_reach(step, &here);
+            let mut first = None;
+            for (n, witness) in live.pairs() {
+                let (value, noise) = (step.value(&here, (n, witness)), noise[n][witness.slot()]);
+                if value.to_f64().is_nan() {
+                    let constraint = step.system.constraints()[n].name;
+                    let t = step.dense.time(here.theta).to_f64();
+                    return Err(Reason::ConstraintNotFinite { constraint, t });
+                }
+                let place = if !self.positive.has(n, witness) {
+                    if value > noise {
+                        self.positive.insert(n, witness);
+                    }
+                    step.end_at_the_start((n, witness), noise, [start, &last, &here])
+                } else if witness.is_gap() {
+                    zero_of_gap(
+                        step,
+                        (n, witness),
+                        earlier.as_ref(),
+                        [&last, &here],
+                        (&mut bends[n], noise),
+                    )
+                } else {
+                    let at = |place: &Place<T>| (place.theta, step.value(place, (n, witness)));
+                    let rate = |theta| step.value(&step.place(theta), (n, witness));
+                    zero(rate, T::default(), earlier.as_ref().map(at), [&last, &here].map(at))
+                };
+                first = earlier_of_two(first, place.map(|theta| (theta, Fired::only(n, witness))));
+            }
+            if first.is_some() || here.theta == to {
+                return Ok(first.or(ended));
+            }
+            (earlier, last) = (Some(last), here);
+        }
+        Ok(ended)
+    }
+
+    /// Where the first of the forces of what is held passes its limit, up to where other witnesses end the mode. Each
+    /// takes an evaluation.
+    pub(super) fn sample_forces<const N: usize>(
+        &mut self,
+        step: &StepInMode<'_, T, N>,
+        live: Fired,
+        ended: Option<Ended<T>>,
+    ) -> Result<Option<Ended<T>>, Reason> {
+        let known = self.forces.take();
+        let start = known.unwrap_or_else(|| step.forces(T::default()));
+        for (n, witness) in live.pairs() {
+            if step.margin(&start, (n, witness)) > self.noise_of_force(step, n) {
+                self.positive.insert(n, witness);
+            }
+        }
+        let positive = self.positive;
+        let mut count = self.count_of_forces(step);
+        loop {
+            let (found, bend) = self.pass_forces(step, (&start, count), live, ended)?;
+            if bend > T::from_f64(MOST_BEND) && count < MOST_FORCES {
+                (count, self.positive) = (2 * count, positive);
+                continue;
+            }
+            self.width = if bend == T::default() {
+                T::from_f64(f64::INFINITY)
+            } else {
+                step.dense.step().h.abs() / T::from_f64(count as f64)
+            };
+            return Ok(found);
+        }
+    }
+
+    /// In how many places of a step forces are looked at: as many as its polynomial can have extrema, and not much
+    /// farther from each other than where they were seen to be close enough. A power of two.
+    fn count_of_forces<const N: usize>(&self, step: &StepInMode<'_, T, N>) -> usize {
+        let least = step.dense.terms().len().div_ceil(2).next_power_of_two();
+        let widest = T::from_f64(2.0) * self.width;
+        let wanted = libm::ceil((step.dense.step().h.abs() / widest).to_f64()) as usize;
+        wanted.next_power_of_two().clamp(least.max(2), MOST_FORCES)
+    }
+
+    /// Looks at forces in equal distances: what ends the mode, and how much at most a force bends between three of
+    /// these, relative to its size.
+    fn pass_forces<const N: usize>(
+        &mut self,
+        step: &StepInMode<'_, T, N>,
+        (start, count): (&[T; MOST], usize),
+        live: Fired,
+        ended: Option<Ended<T>>,
+    ) -> Result<(Option<Ended<T>>, T), Reason> {
+        let to = ended.map_or(T::from_f64(1.0), |(theta, _)| theta);
+        let (mut earlier, mut last): (Option<(T, [T; MOST])>, _) = (None, (T::default(), *start));
+        let mut noise = [T::default(); MOST];
+        bits(step.hold.held).for_each(|n| noise[n] = self.noise_of_force(step, n));
+        let mut bend = T::default();
+        for nth in 1..=count {
+            let equal = T::from_f64(nth as f64 / count as f64);
+            let theta = equal.min(to);
+            let here = (theta, step.forces(theta));
+            if theta == equal {
+                for (size, force) in self.sizes.iter_mut().zip(&here.1) {
+                    *size = size.max(force.abs());
+                }
+                if let Some(earlier) = &earlier {
+                    bend = bend.max(self.bend(step, [&earlier.1, &last.1, &here.1]));
+                }
+            }
+            let mut first = None;
+            for (n, witness) in live.pairs() {
+                let noise = noise[n];
+                let margin = |theta| step.margin(&step.forces(theta), (n, witness));
+                let at = |(theta, forces): &(T, [T; MOST])| (*theta, step.margin(forces, (n, witness)));
+                let (before, after) = (at(&last), at(&here));
+                if after.1.to_f64().is_nan() {
+                    let constraint = step.system.constraints()[n].name;
+                    let t = step.dense.time(theta).to_f64();
+                    return Err(Reason::ConstraintNotFinite { constraint, t });
+                }
+                let place = if self.positive.has(n, witness) {
+                    zero(margin, noise, earlier.as_ref().map(at), [before, after])
+                } else if after.1 + noise < T::default() {
+                    let raise = |(theta, margin): (T, T)| (theta, margin + noise);
+                    Some(step.end_since(|theta| margin(theta) + noise, raise(before), raise(after)))
+                } else {
+                    if after.1 > noise {
+                        self.positive.insert(n, witness);
+                    }
+                    None
+                };
+                first = earlier_of_two(first, place.map(|theta| (theta, Fired::only(n, witness))));
+            }
+            self.forces = Some(here.1);
+            if first.is_some() || theta == to {
+                return Ok((first.or(ended), bend));
+            }
+            (earlier, last) = (Some(last), here);
+        }
+        Ok((ended, bend))
+    }
+
+    /// How much the forces of what is held bend between three places in equal distances, relative to their sizes.
+    fn bend<const N: usize>(&self, step: &StepInMode<'_, T, N>, [first, middle, last]: [&[T; MOST]; 3]) -> T {
+        let mut most = T::default();
+        for n in bits(step.hold.held) {
+            let size = step.laws[n].sticking.max(self.sizes[n]);
+            let bend = (first[n] - middle[n] - middle[n] + last[n]).abs();
+            if bend > most * size {
+                most = bend / size;
+            }
+        }
+        most
+    }
+}
+
+/// Looks at all of a step where gaps that move by themselves have ended the mode: whether they bend more than was known
+/// before.
+fn look_ahead<T: Float, const N: usize>(
+    step: &StepInMode<'_, T, N>,
+    start: &Place<T>,
+    (fired, noise): (Fired, &Values<T>),
+    bends: &mut [T; MOST],
+) -> bool {
+    let moves = |&(n, witness): &(usize, Witness)| witness.is_gap() && step.moves_by_itself(n);
+    let mut finds = false;
+    for (n, gap) in fired.pairs().filter(moves) {
+        let known = bends[n];
+        let (mut earlier, mut last) = (None, step.known(start, (n, gap)));
+        for theta in places(false) {
+            let here = step.known(&step.place(theta), (n, gap));
+            if let Some(earlier) = earlier {
+                bends[n] = bends[n].max(unseen_bend([earlier, last, here], noise[n][gap.slot()]));
+            }
+            (earlier, last) = (Some(last), here);
+        }
+        finds |= bends[n] > known;
+    }
+    finds
+}
+
+/// Where a function that was positive first reaches zero, up to the last of three places with their values, of which the
+/// first need not be known. What stays within the noise of zero has not passed it.
+#[inline]
+fn zero<T: Float>(
+    function: impl Fn(T) -> T,
+    noise: T,
+    earlier: Option<(T, T)>,
+    [last, here]: [(T, T); 2],
+) -> Option<T> {
+    let zero = T::default();
+    if here.1 < -noise || here.1 <= zero && noise == zero {
+        let raised = if last.1 > zero { zero } else { noise };
+        let raise = |(theta, value): (T, T)| (theta, value + raised);
+        return Some(root(|theta| function(theta) + raised, raise(last), raise(here)));
+    }
+    let earlier = earlier.filter(|earlier| earlier.1 > zero)?;
+    let bottom = dip(&function, [earlier, last, here])?;
+    (bottom.1 < -noise || noise == zero).then(|| root(&function, earlier, bottom))
+}
+
+/// The same of a gap; `bend` is how much it bends between places, as far as was seen.
+fn zero_of_gap<T: Float, const N: usize>(
+    step: &StepInMode<'_, T, N>,
+    gap: (usize, Witness),
+    earlier: Option<&Place<T>>,
+    last_two: [&Place<T>; 2],
+    (bend, noise): (&mut T, T),
+) -> Option<T> {
+    let function = |theta: T| step.known(&step.place(theta), gap).1;
+    let at = |place: &Place<T>| step.known(place, gap);
+    let [last, here] = last_two.map(at);
+    let Some(earlier) = earlier.map(at).filter(|(_, [value, _])| *value > T::default()) else {
+        return first_zero(&function, (last, here), bend, noise);
+    };
+    *bend = bend.max(unseen_bend([earlier, last, here], noise));
+    first_zero(&function, (earlier, last), bend, noise).or_else(|| first_zero(&function, (last, here), bend, noise))
+}

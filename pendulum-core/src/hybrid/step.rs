@@ -1,0 +1,269 @@
+//! A step of a system in a mode, and the witnesses in it.
+
+use core::cell::Cell;
+
+use nalgebra::SVector;
+
+use super::held::forces;
+use super::mode::{Hold, Mode, Status};
+use super::polynomial::{Course, course, stays_positive};
+use super::resolution::{SHORTEST_MODE, SIMULTANEOUS, ulps};
+use super::sizes::rates_at_rest;
+use super::witness::Witness;
+use super::{Hybrid, Law, MOST};
+use crate::dense::Dense;
+use crate::method::{Known, root};
+use crate::real::Float;
+
+/// An acceleration that is this part of the one at the end of a step, or less, may be a rounding error.
+const LEAST_ACCELERATION: f64 = 1e-6;
+
+/// A step that was taken to the end of a mode is searched so far back from its end, in fractions of it, and beyond it
+/// so far as the polynomial is as exact there.
+const BACK: [f64; 8] = [1e-12, 1e-9, 1e-6, 1e-3, 0.1, 0.5, 0.9, 0.99];
+const BEYOND: usize = 4;
+
+/// A place within a step, in fractions of it, and the value and the rate of each constraint there.
+#[derive(Clone, Copy)]
+pub(super) struct Place<T> {
+    pub(super) theta: T,
+    measures: [[T; 2]; MOST],
+}
+
+/// A step of a system in a mode.
+pub(super) struct StepInMode<'a, T, const N: usize> {
+    pub(super) system: &'a dyn Hybrid<T, N>,
+    pub(super) mode: &'a Mode,
+    pub(super) hold: &'a Hold<T>,
+    pub(super) laws: [Law<T>; MOST],
+    pub(super) dense: &'a Dense<'a, T, N>,
+    /// How often the equations of motion were evaluated.
+    pub(super) evaluations: Cell<usize>,
+}
+
+impl<'a, T: Float, const N: usize> StepInMode<'a, T, N> {
+    pub(super) fn new(
+        (system, mode, hold): (&'a dyn Hybrid<T, N>, &'a Mode, &'a Hold<T>),
+        dense: &'a Dense<'a, T, N>,
+    ) -> Self {
+        Self {
+            system,
+            mode,
+            hold,
+            laws: system.laws(),
+            dense,
+            evaluations: Cell::new(0),
+        }
+    }
+
+    /// The time and the state at a place.
+    fn at(&self, theta: T) -> (T, SVector<T, N>) {
+        (self.dense.time(theta), self.dense.at_fraction(theta))
+    }
+
+    pub(super) fn place(&self, theta: T) -> Place<T> {
+        let (t, x) = self.at(theta);
+        let measures = self.system.measures(t, &x);
+        Place { theta, measures }
+    }
+
+    /// A place shortly after the end of the step, or before it: see [`Dense::about_end`].
+    pub(super) fn about_end(&self, by: T) -> Place<T> {
+        let step = self.dense.step();
+        let measures = self.system.measures(step.t1 + by * step.h, &self.dense.about_end(by));
+        let theta = T::from_f64(1.0) + by;
+        Place { theta, measures }
+    }
+
+    /// The forces along the constraints at a place, where something is held.
+    pub(super) fn forces(&self, theta: T) -> [T; MOST] {
+        let (t, x) = self.at(theta);
+        self.forces_at(t, &x)
+    }
+
+    fn forces_at(&self, t: T, x: &SVector<T, N>) -> [T; MOST] {
+        self.evaluations.set(self.evaluations.get() + 1);
+        forces(self.system, self.hold, t, x)
+    }
+
+    /// The witnesses that there are.
+    pub(super) fn witnesses(&self) -> impl Iterator<Item = (usize, Witness)> {
+        let statuses = self.mode.0.iter().enumerate().take(self.system.constraints().len());
+        let all = statuses.flat_map(|(n, &status)| Witness::of(status).iter().map(move |&witness| (n, witness)));
+        all.filter(|&(n, witness)| witness.exists(&self.laws[n]))
+    }
+
+    /// A witness of a state.
+    pub(super) fn value(&self, place: &Place<T>, (n, witness): (usize, Witness)) -> T {
+        let ([value, rate], law) = (place.measures[n], &self.laws[n]);
+        match witness {
+            Witness::Low => law.low.map_or(T::default(), |low| value - low),
+            Witness::High => law.high.map_or(T::default(), |high| high - value),
+            _ if self.mode.0[n] == Status::Backward => -rate,
+            _ => rate,
+        }
+    }
+
+    /// A witness that is a gap, with its slope.
+    pub(super) fn known(&self, place: &Place<T>, (n, gap): (usize, Witness)) -> Known<T> {
+        let h = self.dense.step().h;
+        let slope = (if gap == Witness::High { -h } else { h }) * place.measures[n][1];
+        (place.theta, [self.value(place, (n, gap)), slope])
+    }
+
+    /// A witness of the forces along the constraints.
+    pub(super) fn margin(&self, forces: &[T; MOST], (n, witness): (usize, Witness)) -> T {
+        let sticking = self.laws[n].sticking;
+        // a push forward that is too large lets it slip backward
+        if witness == Witness::Backward {
+            sticking - forces[n]
+        } else {
+            forces[n] + sticking
+        }
+    }
+
+    /// Where a witness of a state that has not been positive since the mode began ends it, from the last place but one
+    /// to the last; the first is the start of the step.
+    pub(super) fn end_at_the_start(
+        &self,
+        (n, witness): (usize, Witness),
+        noise: T,
+        [start, last, here]: [&Place<T>; 3],
+    ) -> Option<T> {
+        let at = |place: &Place<T>| (place.theta, self.value(place, (n, witness)) + noise);
+        let (before, after) = (at(last), at(here));
+        if after.1 >= T::default() {
+            return None;
+        }
+        let within = here.theta != T::from_f64(1.0);
+        if witness == Witness::Slip {
+            // where the equations push it on, it is the polynomial that goes back
+            return (!(within && self.slips_on(here.theta, n))).then_some(here.theta);
+        }
+        if within && self.leaves((n, witness), noise, [start, here]) {
+            return None;
+        }
+        if last.theta == T::default() && before.1 <= T::default() {
+            return Some(here.theta);
+        }
+        let value = |theta| self.value(&self.place(theta), (n, witness)) + noise;
+        Some(self.end_since(value, before, after))
+    }
+
+    /// Where a witness, raised by its noise, ends the mode: at a place where it was not positive, or between that and
+    /// one where it is negative.
+    pub(super) fn end_since(&self, value: impl Fn(T) -> T, before: (T, T), after: (T, T)) -> T {
+        if before.1 > T::default() {
+            return root(value, before, after);
+        }
+        // since there it has not seemed to leave, or gives way
+        before.0.max(part_of(self.dense, self.dense.step().t0, SHORTEST_MODE))
+    }
+
+    /// Whether a gap that seems to be beyond its limit leaves it: it may start there, by the error of the polynomial.
+    fn leaves(&self, (n, gap): (usize, Witness), noise: T, [start, here]: [&Place<T>; 2]) -> bool {
+        let [thrown, departs] = [start, here].map(|place| self.known(place, (n, gap)).1[1]);
+        let is_thrown_on = here.theta * thrown < -noise;
+        departs >= T::default() || !is_thrown_on && !self.is_pushed_on(here.theta, (n, gap))
+    }
+
+    /// Where a witness passes zero about a place, in fractions of a step from its end. Where it does not, it is there if
+    /// it is zero within its `noise`.
+    pub(super) fn zero_about_the_end(
+        &self,
+        place: T,
+        witness: (usize, Witness),
+        noise: impl FnOnce() -> T,
+    ) -> Option<T> {
+        let (zero, step) = (T::default(), self.dense.step());
+        let function = |by: T| match witness.1.is_force() {
+            true => self.margin(
+                &self.forces_at(step.t1 + by * step.h, &self.dense.about_end(by)),
+                witness,
+            ),
+            false => self.value(&self.about_end(by), witness),
+        };
+        let value = function(place);
+        if value == zero {
+            return Some(place);
+        }
+        let (count, towards) = if value > zero {
+            (BEYOND, 1.0)
+        } else {
+            (BACK.len(), -1.0)
+        };
+        let found = BACK[..count].iter().find_map(|about| {
+            let other = place + T::from_f64(towards * about);
+            let there = function(other);
+            ((there > zero) != (value > zero)).then(|| match value > zero {
+                true => root(function, (place, value), (other, there)),
+                false => root(function, (other, there), (place, value)),
+            })
+        });
+        found.or_else(|| (value <= noise()).then_some(place))
+    }
+
+    /// Whether a constraint moves where the state does not.
+    pub(super) fn moves_by_itself(&self, n: usize) -> bool {
+        let step = self.dense.step();
+        let mut ends = [(step.t0, &step.x0), (step.t1, &step.x1)].into_iter();
+        ends.any(|(t, x)| rates_at_rest(self.system, t, x)[n] != T::default())
+    }
+
+    /// Whether a gap is accelerated towards its limit at a place within a step.
+    fn is_pushed_on(&self, theta: T, (n, gap): (usize, Witness)) -> bool {
+        let towards = T::from_f64(if gap == Witness::High { 1.0 } else { -1.0 });
+        let [here, last] = [theta, T::from_f64(1.0)].map(|theta| towards * self.acceleration(theta, n));
+        here > T::from_f64(LEAST_ACCELERATION) * last.abs()
+    }
+
+    /// Whether what slips is accelerated in its direction at a place within a step.
+    fn slips_on(&self, theta: T, n: usize) -> bool {
+        let acceleration = self.acceleration(theta, n);
+        (acceleration > T::default()) == (self.mode.0[n] == Status::Forward)
+    }
+
+    /// The second derivative of a constraint at a place within a step.
+    fn acceleration(&self, theta: T, n: usize) -> T {
+        let (t, x) = self.at(theta);
+        let forces = self.forces_at(t, &x);
+        self.system.response(t, &x, &forces).accelerations[n]
+    }
+
+    /// Whether a witness is a polynomial of the dense output: then with the sign of its changes.
+    fn sign(&self, (n, witness): (usize, Witness)) -> Option<T> {
+        let is_polynomial = !witness.is_force() && !self.system.constraints()[n].rate.is_empty();
+        let is_negated = match witness {
+            Witness::Slip => self.mode.0[n] == Status::Backward,
+            _ => witness == Witness::High,
+        };
+        is_polynomial.then(|| T::from_f64(if is_negated { -1.0 } else { 1.0 }))
+    }
+
+    /// Whether the dense output shows that a witness that is positive stays so.
+    pub(super) fn stays_positive(&self, start: &Place<T>, (n, witness): (usize, Witness)) -> bool {
+        self.sign((n, witness)).is_some_and(|sign| {
+            let (start, constraint) = (self.value(start, (n, witness)), &self.system.constraints()[n]);
+            stays_positive((start, sign), (constraint, witness), self.dense.terms())
+        })
+    }
+
+    /// The course of a witness, as far as it is a polynomial of the dense output: see [`course`].
+    pub(super) fn course(&self, start: &Place<T>, (n, witness): (usize, Witness), known: (bool, T)) -> Course<T> {
+        self.sign((n, witness)).map_or(Course::Unclear, |sign| {
+            let (start, constraint) = (self.value(start, (n, witness)), &self.system.constraints()[n]);
+            course((start, sign), (constraint, witness), self.dense.terms(), known)
+        })
+    }
+}
+
+/// Within what part of a step ends of modes are simultaneous.
+pub(super) fn resolution<T: Float, const N: usize>(dense: &Dense<'_, T, N>, t: T) -> T {
+    part_of(dense, t, SIMULTANEOUS)
+}
+
+/// What part of a step some ulps of a time are.
+fn part_of<T: Float, const N: usize>(dense: &Dense<'_, T, N>, t: T, count: f64) -> T {
+    let h = dense.step().h.abs();
+    ulps(count, t.abs().max(h)) / h
+}
