@@ -36,7 +36,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     let model = CartPole::new(CartPoleParams::default())?;
     let upright = SVector::zeros();
     let rest = CartPoleInputs { push: 0.0 };
-    let a = model.jacobian_with(0.0, &upright, &rest);
+    let a = model.eval_with_jacobian(0.0, &upright, &rest).1;
     let b = model.input_jacobian(0.0, &upright, &rest);
     let weights = Matrix::from_diagonal(&[1.0, 10.0, 1.0, 1.0].into());
     let k = lqr(&a, &b, &weights, 0.1).ok_or("the model cannot be balanced")?;

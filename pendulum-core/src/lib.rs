@@ -82,6 +82,7 @@ pub mod system;
 pub mod tableau;
 pub mod taylor;
 
+mod constraint;
 mod control;
 #[cfg(feature = "std")]
 mod csv;
@@ -108,7 +109,10 @@ pub use real::{Float, Real};
 #[cfg(feature = "std")]
 pub use solution::{BelowTolerance, Observer, OutsideSpan, Solution};
 pub use statistics::Statistics;
-pub use system::{Canonical, Cast, CastJacobian, Energy, FnSystem, IntoState, Jacobian, System};
+pub use system::{
+    Acting, Canonical, Cast, CastJacobian, Energy, FnSystem, IntoState, Jacobian, Plant, PlantCanonical, PlantJacobian,
+    System,
+};
 pub use taylor::{CastTaylor, TaylorSeries};
 
 /// Declares a mechanism and generates its equations of motion: see [`language`].
@@ -146,7 +150,7 @@ pub mod prelude {
     #[cfg(feature = "std")]
     pub use crate::{Ensemble, Event, ObservedEnsemble, Solution, shapes::Shapes as _};
     // Their methods alone: the names stay free.
-    pub use crate::hybrid::Hybrid as _;
     pub use crate::{Canonical as _, Cast as _, Float as _, Real as _, TaylorSeries as _};
+    pub use crate::{Plant as _, PlantCanonical as _, PlantJacobian as _, taylor::HybridSeries as _};
     pub use nalgebra::{SMatrix, SVector};
 }

@@ -8,6 +8,7 @@
 mod assembly;
 mod differences;
 mod function;
+mod plant;
 mod state;
 
 #[doc(hidden)]
@@ -16,11 +17,12 @@ pub(crate) use assembly::{close, open};
 pub use differences::Differences;
 pub(crate) use differences::{by_number, by_state, by_time};
 pub use function::{FnSystem, WithJacobian, WithTimeDerivative};
+pub use plant::{Acting, Given, Hybrid, HybridJacobian, Plant, PlantCanonical, PlantJacobian, by_sign};
 pub use state::IntoState;
 
 use nalgebra::{SMatrix, SVector};
 
-use crate::hybrid::{Hybrid, HybridJacobian, MOST};
+use crate::constraint::MOST;
 use crate::layout::StateLayout;
 use crate::real::Real;
 use crate::real::lanes::Lanes;
@@ -103,13 +105,6 @@ pub trait System<T: Real, const N: usize> {
     #[inline(always)]
     fn hybrid(&self) -> Option<&dyn Hybrid<T, N>> {
         None
-    }
-
-    /// The right-hand side of a hybrid system under forces along its constraints, of which none is held: required of
-    /// these; `rhs` of others.
-    #[inline(always)]
-    fn rhs_under(&self, t: T, x: &SVector<T, N>, _forces: &[T; MOST]) -> SVector<T, N> {
-        self.rhs(t, x)
     }
 }
 
@@ -221,23 +216,11 @@ pub trait Canonical<T: Real, const N: usize>: System<T, N> {
     /// The derivatives of both with respect to the state.
     fn canonical_jacobian(&self, t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>);
 
-    /// [`canonical`](Self::canonical) of a [hybrid](crate::hybrid) system under forces along its constraints: required
-    /// of these.
+    /// The same of a [hybrid](crate::hybrid) system, given the forces along its constraints: required of these; `None`,
+    /// as by default, for others.
     #[inline(always)]
-    fn canonical_under(&self, t: T, x: &SVector<T, N>, _forces: &[T; MOST]) -> (SVector<T, N>, SVector<T, N>) {
-        self.canonical(t, x)
-    }
-
-    /// [`canonical_jacobian`](Self::canonical_jacobian) of a [hybrid](crate::hybrid) system, the forces along its
-    /// constraints held fixed: required of these.
-    #[inline(always)]
-    fn canonical_jacobian_under(
-        &self,
-        t: T,
-        x: &SVector<T, N>,
-        _forces: &[T; MOST],
-    ) -> (SMatrix<T, N, N>, SMatrix<T, N, N>) {
-        self.canonical_jacobian(t, x)
+    fn hybrid_canonical(&self) -> Option<&dyn PlantCanonical<T, N, Given = [T; MOST]>> {
+        None
     }
 }
 
@@ -286,7 +269,6 @@ macro_rules! forward_system {
             margins(t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 2]));
             gaps(t: T, x: &SVector<T, N>, tell: &mut dyn FnMut([&'static str; 2], [T; 3]));
             hybrid() -> Option<&dyn Hybrid<T, N>>;
-            rhs_under(t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> SVector<T, N>;
         }
     };
 }
@@ -309,9 +291,7 @@ impl<T: Real, S: Canonical<T, N> + ?Sized, const N: usize> Canonical<T, N> for &
     forward! { self => (**self);
         canonical(t: T, x: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>);
         canonical_jacobian(t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>);
-        canonical_under(t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> (SVector<T, N>, SVector<T, N>);
-        canonical_jacobian_under(t: T, x: &SVector<T, N>, forces: &[T; MOST])
-            -> (SMatrix<T, N, N>, SMatrix<T, N, N>);
+        hybrid_canonical() -> Option<&dyn PlantCanonical<T, N, Given = [T; MOST]>>;
     }
 }
 

@@ -8,7 +8,7 @@
 
 use nalgebra::SVector;
 
-use crate::hybrid::Hold;
+use crate::constraint::Hold;
 use crate::real::Real;
 use crate::system::{Cast, System};
 
@@ -38,14 +38,24 @@ pub trait TaylorSeries<T: Real, const N: usize>: System<T, N> {
     /// If the order is above [`MAX_ORDER`].
     fn series(&self, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace);
 
-    /// The series in a mode of a [hybrid](crate::hybrid) system: required of these; [`series`](Self::series) of others.
+    /// The same of a [hybrid](crate::hybrid) system, given its mode: required of these; `None`, as by default, for
+    /// others.
+    #[inline(always)]
+    fn hybrid_series(&self) -> Option<&dyn HybridSeries<T, N, Workspace = Self::Workspace>> {
+        None
+    }
+}
+
+/// A [hybrid](crate::hybrid) system with the power series of its motions in each mode.
+pub trait HybridSeries<T: Real, const N: usize> {
+    /// [`TaylorSeries::Workspace`].
+    type Workspace;
+
+    /// [`TaylorSeries::series`] in a mode.
     ///
     /// # Panics
     /// If the order is above [`MAX_ORDER`].
-    #[inline(always)]
-    fn series_in(&self, _hold: &Hold<T>, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace) {
-        self.series(t, x, work);
-    }
+    fn eval_series(&self, hold: &Hold<T>, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace);
 }
 
 /// A [`Cast`] with power series in every number type, lanes included.
@@ -57,23 +67,8 @@ pub trait CastTaylor<const N: usize>: Cast<N> {
     /// [`TaylorSeries::Workspace`] of the model in a number type.
     type Workspace<T: Real>: Clone;
 
-    /// [`TaylorSeries::workspace`] of the model in a number type.
-    fn workspace<T: Real>() -> Self::Workspace<T>;
-
-    /// [`TaylorSeries::series`] of the model in a number type.
-    fn series<T: Real>(system: &Self::In<T>, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace<T>);
-
-    /// [`TaylorSeries::series_in`] of the model in a number type.
-    #[inline(always)]
-    fn series_in<T: Real>(
-        system: &Self::In<T>,
-        _hold: &Hold<T>,
-        t: T,
-        x: &mut [SVector<T, N>],
-        work: &mut Self::Workspace<T>,
-    ) {
-        Self::series(system, t, x, work);
-    }
+    /// The model as one with power series; that of [`Cast::In`], where it has them.
+    fn with_series<T: Real>(model: &Self::In<T>) -> &impl TaylorSeries<T, N, Workspace = Self::Workspace<T>>;
 }
 
 impl<T: Real, S: TaylorSeries<T, N> + ?Sized, const N: usize> TaylorSeries<T, N> for &S {
@@ -90,8 +85,8 @@ impl<T: Real, S: TaylorSeries<T, N> + ?Sized, const N: usize> TaylorSeries<T, N>
     }
 
     #[inline]
-    fn series_in(&self, hold: &Hold<T>, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace) {
-        (**self).series_in(hold, t, x, work);
+    fn hybrid_series(&self) -> Option<&dyn HybridSeries<T, N, Workspace = Self::Workspace>> {
+        (**self).hybrid_series()
     }
 }
 

@@ -3,7 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use nalgebra::SVector;
-use pendulum_core::hybrid::{Hybrid, Status};
+use pendulum_core::hybrid::Status;
 use pendulum_core::prelude::*;
 use pendulum_core::stability::{Lyapunov, Resting, Shooting, Stability, StabilityError, resting, transition};
 

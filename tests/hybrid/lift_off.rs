@@ -2,7 +2,7 @@
 //! with the third power of the time, below all that a step resolves.
 
 use nalgebra::SVector;
-use pendulum_core::hybrid::{Hybrid, Status};
+use pendulum_core::hybrid::Status;
 use pendulum_core::prelude::*;
 use pendulum_core::{Reason, SolveError};
 use testbed::random::number;

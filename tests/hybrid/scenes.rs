@@ -9,7 +9,8 @@ use pendulum_core::prelude::*;
 use pendulum_core::real::Real;
 use pendulum_core::stability::equilibrium;
 use pendulum_core::system::{Differences, WithJacobian};
-use pendulum_core::{Canonical, Solution, SolveError, TaylorSeries};
+use pendulum_core::taylor::HybridSeries;
+use pendulum_core::{Canonical, Plant, Solution, SolveError, TaylorSeries};
 use testbed::dual::Dual;
 use testbed::power_series::difference;
 use testbed::power_series::{LENGTH, Series, motion};
@@ -141,9 +142,9 @@ fn forces_act_as_torques_and_forces_on_points_do() {
             on_b: forces[1],
             on_tip: forces[2],
         };
-        let (rhs, jacobian) = smooth.rhs_and_jacobian_with(t, &x, &u);
-        assert_all_near(&model.rhs_under(t, &x, &forces), &rhs, "right-hand side");
-        let (own_rhs, own_jacobian) = model.rhs_and_jacobian_under(t, &x, &forces);
+        let (rhs, jacobian) = smooth.eval_with_jacobian(t, &x, &u);
+        assert_all_near(&model.eval(t, &x, &forces), &rhs, "right-hand side");
+        let (own_rhs, own_jacobian) = model.eval_with_jacobian(t, &x, &forces);
         assert_all_near(&own_rhs, &rhs, "with its Jacobian");
         // the force on the tip is held fixed in both, and its direction changes with the place
         for (n, column) in own_jacobian.column_iter().enumerate() {
@@ -163,9 +164,9 @@ fn forces_act_as_torques_and_forces_on_points_do() {
             on_last,
             on_tip,
         };
-        let (rhs, jacobian) = smooth.rhs_and_jacobian_with(t, &x, &u);
-        assert_all_near(&model.rhs_under(t, &x, &forces), &rhs, "right-hand side");
-        let (own_rhs, own_jacobian) = model.rhs_and_jacobian_under(t, &x, &forces);
+        let (rhs, jacobian) = smooth.eval_with_jacobian(t, &x, &u);
+        assert_all_near(&model.eval(t, &x, &forces), &rhs, "right-hand side");
+        let (own_rhs, own_jacobian) = model.eval_with_jacobian(t, &x, &forces);
         assert_all_near(&own_rhs, &rhs, "with its Jacobian");
         assert!((own_jacobian - jacobian).amax() < 1e-10 * jacobian.amax());
     }
@@ -177,13 +178,13 @@ fn constraints_name_their_rates() {
     let listed = |constraints: &'static [pendulum_core::hybrid::Constraint]| -> Vec<_> {
         constraints.iter().map(|c| (c.name, c.rate.to_vec())).collect()
     };
-    let of_dry = Hybrid::<f64, 4>::constraints(&dry());
+    let of_dry = Plant::<f64, 4>::constraints(&dry());
     assert_eq!(
         listed(of_dry),
         [("a", vec![(2, 1)]), ("b", vec![(3, 1)]), ("side", vec![])]
     );
     // the order of the state is c, b, a, s; a driven joint is below `first`, and `last` turns backwards
-    let of_driven = Hybrid::<f64, 8>::constraints(&driven());
+    let of_driven = Plant::<f64, 8>::constraints(&driven());
     let expected = [
         ("s", vec![(7, 1)]),
         ("a", vec![]),
@@ -203,7 +204,7 @@ fn laws_are_those_declared() {
         ..DryParams::default()
     })
     .expect("physical");
-    let [a, b, side, none, ..] = Hybrid::<f64, 4>::laws(&model);
+    let [a, b, side, none, ..] = Plant::<f64, 4>::laws(&model);
     assert_eq!((a.slipping, a.sticking, a.low, a.high), (0.5, 0.75, None, None));
     assert_eq!(
         (b.slipping, b.sticking, b.low, b.high),
@@ -215,7 +216,7 @@ fn laws_are_those_declared() {
         (0.0, Some(0.0), None, 0.75, 0.001)
     );
     assert_eq!(none, pendulum_core::hybrid::Law::default());
-    let [_, a, b, ..] = Hybrid::<f64, 8>::laws(&driven());
+    let [_, a, b, ..] = Plant::<f64, 8>::laws(&driven());
     assert_eq!(
         (a.sticking, a.low, b.slipping, b.sticking),
         (0.0, Some(-2.0), 0.2, 0.25)
@@ -266,12 +267,12 @@ fn along<const N: usize>(x: &SVector<f64, N>, direction: &SVector<f64, N>) -> SV
 pub(crate) fn check_response<S, D, const N: usize>(model: &S, dual: &D, count: usize)
 where
     S: HybridJacobian<f64, N>,
-    D: Hybrid<Dual, N>,
+    D: System<Dual, N> + Hybrid<Dual, N>,
 {
     let lift = |forces: &[f64; MOST]| forces.map(Dual::from_f64);
     for (t, x, forces) in places(count) {
         let response = model.response(t, &x, &forces);
-        assert_all_near(&response.rates, &model.rhs_under(t, &x, &forces), "rates");
+        assert_all_near(&response.rates, &model.eval(t, &x, &forces), "rates");
         let measures = model.measures(t, &x);
         // measures along the motion: rates, and second derivatives
         let moved = along(&x, &response.rates);
@@ -364,14 +365,11 @@ fn responses_are_those_of_the_right_hand_side() {
 fn the_right_hand_side_has_friction_by_the_sign_of_each_rate() {
     let model = driven();
     for (t, x, _) in places::<8>(5) {
-        let (laws, measures) = (Hybrid::<f64, 8>::laws(&model), model.measures(t, &x));
+        let (laws, measures) = (Plant::<f64, 8>::laws(&model), model.measures(t, &x));
         let forces = from_fn(|n| -laws[n].slipping * Real::signum(measures[n][1]));
-        let rhs = model.rhs_under(t, &x, &forces);
+        let rhs = model.eval(t, &x, &forces);
         assert_eq!(model.rhs(t, &x), rhs);
-        assert_eq!(
-            model.rhs_and_jacobian(t, &x),
-            model.rhs_and_jacobian_under(t, &x, &forces)
-        );
+        assert_eq!(model.rhs_and_jacobian(t, &x), model.eval_with_jacobian(t, &x, &forces));
         // so have what it reports of the motion
         let smooth = DrivenSmooth::new(DrivenSmoothParams::default()).expect("physical");
         let [on_s, on_first, on_middle, on_last, on_tip, ..] = forces;
@@ -909,7 +907,7 @@ fn corners_come_to_rest_when_their_series_ends() {
 pub(crate) fn check_derivatives<S, D, const N: usize>(model: &S, dual: &D, count: usize)
 where
     S: Jacobian<f64, N>,
-    D: Hybrid<Dual, N>,
+    D: System<Dual, N> + Hybrid<Dual, N>,
 {
     for (n, (t, x, mut forces)) in places::<N>(count).enumerate() {
         let held = n as u8 & ((1 << count) - 1);
@@ -974,7 +972,9 @@ mechanism! {
 fn series_hold_in_every_mode() {
     fn check<S, M, const N: usize>(model: &S, series: &M, count: usize)
     where
-        S: TaylorSeries<f64, N> + Hybrid<f64, N>,
+        S: TaylorSeries<f64, N>
+            + HybridSeries<f64, N, Workspace = <S as TaylorSeries<f64, N>>::Workspace>
+            + Hybrid<f64, N>,
         M: System<Series, N>,
     {
         let mut work = model.workspace();
@@ -984,7 +984,7 @@ fn series_hold_in_every_mode() {
             let solved = held;
             let hold = Hold { forces, held, solved };
             let mut x = [start; LENGTH];
-            model.series_in(&hold, t, &mut x, &mut work);
+            model.eval_series(&hold, t, &mut x, &mut work);
             let forces = forces.map(Series::from_f64);
             let theirs = motion(&InMode::new(series, &Hold { forces, held, solved }), t, start);
             let difference = difference(&x, &theirs);

@@ -69,7 +69,7 @@ const WILD: Control = Control {
 /// Gains that put the eigenvalues of the upright cart-pole at -1, -2, -3 and -4: `[0 0 0 1] C^-1 p(A)` (Ackermann).
 fn placed(model: &CartPole) -> Control {
     let (upright, none) = (SVector::zeros(), CartPoleInputs { push: 0.0, twist: 0.0 });
-    let a = model.jacobian_with(0.0, &upright, &none);
+    let a = model.eval_with_jacobian(0.0, &upright, &none).1;
     let b: SVector<f64, 4> = model.input_jacobian(0.0, &upright, &none).column(0).into();
     let reach = SMatrix::<f64, 4, 4>::from_columns(&[b, a * b, a * a * b, a * a * a * b]);
     let last = reach.try_inverse().expect("controllable").row(3).into_owned();

@@ -6,7 +6,7 @@ use nalgebra::{SMatrix, SVector};
 use pendulum_codegen::Sources;
 use pendulum_codegen::program::Program;
 use pendulum_core::ParameterError;
-use pendulum_core::hybrid::{Hold, Hybrid, HybridJacobian, MOST, Response};
+use pendulum_core::hybrid::{Hold, MOST, Response};
 use pendulum_core::prelude::*;
 use pendulum_core::{Canonical, Controlled, TaylorSeries};
 use testbed::mechanisms::{Furuta, FurutaParams};
@@ -175,8 +175,8 @@ fn functions_of_the_platform_are_called() {
             unsigned: more[2],
             r#loop: more[3],
         };
-        let (rhs, (rates, jacobian)) = (model.rhs_with(t, &x, &u), model.rhs_and_jacobian_with(t, &x, &u));
-        let by_time = model.time_derivative_with(t, &x, &u);
+        let (rhs, (rates, jacobian)) = (model.eval(t, &x, &u), model.eval_with_jacobian(t, &x, &u));
+        let by_time = model.eval_time_derivative(t, &x, &u);
         let by_inputs: SMatrix<f64, 4, 2> = model.input_jacobian(t, &x, &u);
         let by_parameters = model.parameter_jacobian(t, &x, &u);
         let energies = [model.kinetic(t, &x), model.potential(t, &x)];
@@ -352,7 +352,7 @@ fn what_hinders_a_motion_is_the_same() {
     same(OWN, "Hindered", 0.0, |t, x, forces| {
         let x = SVector::<f64, 4>::from_column_slice(x);
         let forces: [f64; MOST] = from_fn(|n| forces.get(n).copied().unwrap_or(0.0));
-        let mut all = model.rhs_under(t, &x, &forces).as_slice().to_vec();
+        let mut all = model.eval(t, &x, &forces).as_slice().to_vec();
         let measures = model.measures(t, &x);
         all.extend(
             [0, 1]
@@ -366,7 +366,7 @@ fn what_hinders_a_motion_is_the_same() {
             all.extend(response.matrix[..2].iter().flat_map(|row| &row[..2]));
         };
         add(&mut all, &model.response(t, &x, &forces));
-        let (rates, jacobian) = model.rhs_and_jacobian_under(t, &x, &forces);
+        let (rates, jacobian) = model.eval_with_jacobian(t, &x, &forces);
         all.extend(rates.iter().chain(&jacobian));
         let derivative = model.response_derivative(t, &x, &forces);
         add(&mut all, &derivative.response);
@@ -387,15 +387,15 @@ fn what_hinders_a_motion_is_the_same() {
                 .flat_map(|&which| measures.by_time[..2].iter().map(move |row| row[which])),
         );
         all.extend([model.kinetic(t, &x), model.potential(t, &x)]);
-        let (variables, rates) = model.canonical_under(t, &x, &forces);
-        let (of_variables, of_rates) = model.canonical_jacobian_under(t, &x, &forces);
+        let (variables, rates) = model.eval_canonical(t, &x, &forces);
+        let (of_variables, of_rates) = model.eval_canonical_jacobian(t, &x, &forces);
         all.extend(variables.iter().chain(&rates).chain(&of_variables).chain(&of_rates));
         let constant = Hold {
             forces,
             ..Hold::default()
         };
         let mut series = [x; ORDER + 1];
-        model.series_in(&constant, t, &mut series, &mut model.workspace());
+        model.eval_series(&constant, t, &mut series, &mut model.workspace());
         all.extend(series[1..].iter().flatten());
         all
     });

@@ -51,7 +51,7 @@ fn joint_forces_act_as_declared() {
     let (s, theta, ds, dtheta) = (0.3_f64, 0.8_f64, -0.6_f64, 1.1_f64);
     let inputs = DrivenInputs { push: 1.5, twist: -0.4 };
     let t = 0.9_f64;
-    let rhs = model.rhs_with(t, &SVector::from([s, theta, ds, dtheta]), &inputs);
+    let rhs = model.eval(t, &SVector::from([s, theta, ds, dtheta]), &inputs);
     let (m, l, bob) = (0.4, 0.7, 0.1);
     // by hand: a rod and a point at its end on a cart
     let (first, second) = (m * l / 2.0 + bob * l, m * l * l / 3.0 + bob * l * l);
@@ -78,7 +78,7 @@ fn jacobians_by_state_and_by_inputs_are_the_derivatives() {
             push: at(4, u[0]),
             twist: at(5, u[1]),
         };
-        dual.rhs_with(Dual::new(t, 0.0), &state, &inputs)
+        dual.eval(Dual::new(t, 0.0), &state, &inputs)
             .map(|component| component.slope)
     };
     let inputs = DrivenInputs {
@@ -88,7 +88,7 @@ fn jacobians_by_state_and_by_inputs_are_the_derivatives() {
     let by_state = SMatrix::from_columns(&[0, 1, 2, 3].map(column));
     let by_inputs = SMatrix::from_columns(&[4, 5].map(column));
     assert_relative_eq!(
-        model.jacobian_with(t, &SVector::from(x), &inputs),
+        model.eval_with_jacobian(t, &SVector::from(x), &inputs).1,
         by_state,
         epsilon = 1e-13
     );
@@ -112,7 +112,7 @@ fn a_law_for_the_inputs_makes_a_system() {
         .expect("regular");
     let (t, x) = solution.last();
     assert_eq!(t, 10.0);
-    assert_eq!(closed.rhs(t, &x), model.rhs_with(t, &x, &law(t, &x)));
+    assert_eq!(closed.rhs(t, &x), model.eval(t, &x, &law(t, &x)));
     assert!(x[0].abs() < 0.5, "the cart is held");
 }
 

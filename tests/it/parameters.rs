@@ -194,7 +194,7 @@ mechanism! {
 #[test]
 fn raw_names_and_small_inertias_are_taken() {
     let model = Raw::new(RawParams::default()).expect("physical");
-    let rhs = model.rhs_with(0.0, &SVector::from([0.0, 0.0, 1.0, 2.0]), &RawInputs { r#loop: 1.0 });
+    let rhs = model.eval(0.0, &SVector::from([0.0, 0.0, 1.0, 2.0]), &RawInputs { r#loop: 1.0 });
     assert_relative_eq!(rhs[2], 1e-3, max_relative = 1e-9);
     assert_eq!(Raw::COORDINATES, ["move", "fn"]);
 }
@@ -243,7 +243,7 @@ fn accelerations_are_derived_by_every_parameter() {
         let moved = |step: f64| {
             let mut params = params;
             *field(&mut params) += step;
-            Driven::new(params).expect("physical").rhs_with(0.0, &x, &u)
+            Driven::new(params).expect("physical").eval(0.0, &x, &u)
         };
         let central = |h: f64| (moved(h) - moved(-h)) / (2.0 * h);
         let slope = (4.0 * central(0.5 * h) - central(h)) / 3.0;

@@ -136,10 +136,11 @@ where
     type Output = ();
 
     fn run<V: Lanes<Scalar = f64>>(self) {
-        let mut work = M::workspace::<V>();
         let system = M::gather::<V>(|lane| &self.0[lane]);
+        let system = M::with_series::<V>(&system);
+        let mut work = system.workspace();
         let mut x = [SVector::from_fn(|n, _| V::from_fn(|lane| self.1[lane][n])); LENGTH];
-        M::series::<V>(&system, V::from_f64(0.7), &mut x, &mut work);
+        system.series(V::from_f64(0.7), &mut x, &mut work);
         for lane in 0..V::LANES {
             let alone = self.0[lane].cast::<f64>();
             let mut scalar = [self.1[lane]; LENGTH];

@@ -335,7 +335,7 @@ fn wrenches_hold_the_loop() {
         my: moment[1],
         mz: moment[2],
     };
-    let moved = cut.rhs_with(0.3, &state, &inputs);
+    let moved = cut.eval(0.3, &state, &inputs);
     for (k, expected) in [rates[3], seconds[1], seconds[2]].into_iter().enumerate() {
         assert!(
             (moved[3 + k] - expected).abs() < 1e-12 * seconds.amax(),

@@ -1,6 +1,5 @@
 //! One mistake is one error, whatever the model is used for.
 
-use pendulum_core::hybrid::Hybrid;
 use pendulum_core::prelude::*;
 
 mechanism! {

@@ -10,11 +10,11 @@ use super::watch::Watch;
 use super::{InLanes, Stopped, model_of};
 use crate::dense::Step;
 use crate::error::Reason;
-use crate::hybrid::{Hold, Hybrid, InMode, Law, MOST, Status, room};
+use crate::hybrid::{Hold, InMode, Law, MOST, Status, room};
 use crate::method::{Estimates, Method, Modes, OneStep, Progress, Scheme, StepControl, Stepper};
 use crate::real::lanes::{LaneElement, Lanes};
 use crate::statistics::Statistics;
-use crate::system::{Cast, System};
+use crate::system::{Cast, Plant, System};
 
 impl<F, M, T, W, const N: usize> March<'_, F, M, T, W, N>
 where
@@ -30,7 +30,7 @@ where
         let constraints = model
             .as_ref()
             .and_then(System::hybrid)
-            .map_or(&[][..], Hybrid::constraints);
+            .map_or(&[][..], Plant::constraints);
         constraints.iter().all(|constraint| !constraint.rate.is_empty())
     }
 

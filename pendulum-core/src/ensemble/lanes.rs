@@ -4,7 +4,7 @@ use nalgebra::{SMatrix, SVector};
 
 use crate::control::Tolerance;
 use crate::error::Reason;
-use crate::hybrid::{Hold, Hybrid, MOST};
+use crate::hybrid::Hybrid;
 use crate::layout::StateLayout;
 use crate::linear::PerLane;
 use crate::method::{
@@ -15,7 +15,7 @@ use crate::real::Real;
 use crate::real::lanes::{LaneElement, Lanes};
 use crate::system::{Cast, CastJacobian, Jacobian, System};
 use crate::tableau::{RosenbrockMethod, Tableau};
-use crate::taylor::{CastTaylor, TaylorSeries};
+use crate::taylor::{CastTaylor, HybridSeries, TaylorSeries};
 
 /// A kind of method whose [`Scheme`] works on lanes as it does on a scalar.
 pub trait InLanes<M: Cast<N>, T: LaneElement, const N: usize>: OneStep<M::In<T>, T, N> {
@@ -145,11 +145,6 @@ impl<M: Cast<N>, T: Real, const N: usize> System<T, N> for Expanded<M, T, N> {
     fn hybrid(&self) -> Option<&dyn Hybrid<T, N>> {
         self.0.hybrid()
     }
-
-    #[inline(always)]
-    fn rhs_under(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> SVector<T, N> {
-        self.0.rhs_under(t, x, forces)
-    }
 }
 
 impl<M: CastTaylor<N>, T: Real, const N: usize> TaylorSeries<T, N> for Expanded<M, T, N> {
@@ -157,17 +152,17 @@ impl<M: CastTaylor<N>, T: Real, const N: usize> TaylorSeries<T, N> for Expanded<
 
     #[inline(always)]
     fn workspace(&self) -> Self::Workspace {
-        M::workspace()
+        M::with_series(&self.0).workspace()
     }
 
     #[inline(always)]
     fn series(&self, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace) {
-        M::series(&self.0, t, x, work);
+        M::with_series(&self.0).series(t, x, work);
     }
 
     #[inline(always)]
-    fn series_in(&self, hold: &Hold<T>, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace) {
-        M::series_in(&self.0, hold, t, x, work);
+    fn hybrid_series(&self) -> Option<&dyn HybridSeries<T, N, Workspace = Self::Workspace>> {
+        M::with_series(&self.0).hybrid_series()
     }
 }
 

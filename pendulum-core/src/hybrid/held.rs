@@ -3,8 +3,8 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::complementarity::{Factored, solve_negated};
-use super::mode::{Hold, bits};
-use super::{Hybrid, HybridJacobian, MOST, Response};
+use super::mode::bits;
+use super::{Hold, Hybrid, HybridJacobian, MOST, Response};
 use crate::real::Real;
 use crate::real::lanes::Lanes;
 
@@ -20,7 +20,7 @@ pub(crate) fn rhs<T: Real, const N: usize>(
     x: &SVector<T, N>,
 ) -> SVector<T, N> {
     if hold.held == 0 {
-        return system.rhs_under(t, x, &hold.forces);
+        return system.eval(t, x, &hold.forces);
     }
     held(system, hold, t, x).0
 }
@@ -34,7 +34,7 @@ pub(crate) fn rhs_and_jacobian<T: Lanes, const N: usize>(
     x: &SVector<T, N>,
 ) -> (SVector<T, N>, SMatrix<T, N, N>) {
     if hold.held == 0 {
-        return system.rhs_and_jacobian_under(t, x, &hold.forces);
+        return system.eval_with_jacobian(t, x, &hold.forces);
     }
     let (rates, forces) = held(system, hold, t, x);
     // the forces are as fixed as those of friction; how they change comes on top

@@ -3,9 +3,9 @@
 use nalgebra::{SMatrix, SVector};
 
 use super::held::{self, pin, pressing, reduced};
-use super::mode::{Hold, Mode};
+use super::mode::Mode;
 use super::witness::Fired;
-use super::{Hybrid, MOST};
+use super::{Hold, MOST};
 use crate::layout::StateLayout;
 use crate::real::Real;
 use crate::real::lanes::Lanes;
@@ -36,18 +36,6 @@ impl<'a, S: ?Sized, T> InMode<'a, S, T> {
 }
 
 impl<S: ?Sized, T: Real> InMode<'_, S, T> {
-    /// The system, if something is held. Nothing is held of what runs in lanes.
-    #[inline(always)]
-    fn holding<const N: usize>(&self) -> Option<&dyn Hybrid<T, N>>
-    where
-        S: System<T, N>,
-    {
-        if T::LANES > 1 || self.hold.held == 0 {
-            return None;
-        }
-        self.system.hybrid()
-    }
-
     /// Makes the rates of what is held zero, exactly, in a state.
     #[inline(always)]
     pub(crate) fn pin<const N: usize>(&self, x: &mut SVector<T, N>)
@@ -81,10 +69,13 @@ pub struct Passage<T, const N: usize> {
 impl<S: System<T, N> + ?Sized, T: Real, const N: usize> System<T, N> for InMode<'_, S, T> {
     #[inline(always)]
     fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
-        match self.holding() {
-            Some(hybrid) => held::rhs(hybrid, self.hold, t, x),
-            None => self.system.rhs_under(t, x, &self.hold.forces),
+        let Some(hybrid) = self.system.hybrid() else {
+            return self.system.rhs(t, x);
+        };
+        if T::LANES > 1 || self.hold.held == 0 {
+            return hybrid.eval(t, x, &self.hold.forces);
         }
+        held::rhs(hybrid, self.hold, t, x)
     }
 
     #[inline(always)]
@@ -151,21 +142,21 @@ impl<S: Jacobian<T, N> + ?Sized, T: Lanes, const N: usize> Jacobian<T, N> for In
 impl<S: Canonical<T, N> + ?Sized, T: Real, const N: usize> Canonical<T, N> for InMode<'_, S, T> {
     #[inline(always)]
     fn canonical(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SVector<T, N>) {
-        let Some(hybrid) = self.system.hybrid() else {
+        let (Some(hybrid), Some(plant)) = (self.system.hybrid(), self.system.hybrid_canonical()) else {
             return self.system.canonical(t, x);
         };
         let forces = pressing(hybrid, self.hold, t, x);
-        reduced(hybrid, self.hold.held, x, self.system.canonical_under(t, x, &forces))
+        reduced(hybrid, self.hold.held, x, plant.eval_canonical(t, x, &forces))
     }
 
     #[inline(always)]
     fn canonical_jacobian(&self, t: T, x: &SVector<T, N>) -> (SMatrix<T, N, N>, SMatrix<T, N, N>) {
-        let Some(hybrid) = self.system.hybrid() else {
+        let (Some(hybrid), Some(plant)) = (self.system.hybrid(), self.system.hybrid_canonical()) else {
             return self.system.canonical_jacobian(t, x);
         };
         let forces = pressing(hybrid, self.hold, t, x);
         let identity = SMatrix::from_fn(|i, j| T::from_f64(f64::from(u8::from(i == j))));
-        let both = self.system.canonical_jacobian_under(t, x, &forces);
+        let both = plant.eval_canonical_jacobian(t, x, &forces);
         reduced(hybrid, self.hold.held, &identity, both)
     }
 }
@@ -180,6 +171,9 @@ impl<S: TaylorSeries<T, N> + ?Sized, T: Real, const N: usize> TaylorSeries<T, N>
 
     #[inline(always)]
     fn series(&self, t: T, x: &mut [SVector<T, N>], work: &mut Self::Workspace) {
-        self.system.series_in(self.hold, t, x, work);
+        match self.system.hybrid_series() {
+            Some(hybrid) => hybrid.eval_series(self.hold, t, x, work),
+            None => self.system.series(t, x, work),
+        }
     }
 }

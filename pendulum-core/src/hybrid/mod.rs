@@ -23,9 +23,10 @@
 //! - No size is absolute: rounding errors are relative to lengths, angles and rates of the system.
 //!
 //! Generated models have all this from `dry_friction`, `stop` and `wall` in their declaration. A model by hand
-//! implements [`Hybrid`]:
+//! implements [`Plant`](crate::Plant), given the forces along its constraints:
 //!
 //! ```
+//! use pendulum_core::Plant;
 //! use pendulum_core::hybrid::{Constraint, Hybrid, Law, MOST, Response};
 //! use pendulum_core::prelude::*;
 //!
@@ -34,11 +35,7 @@
 //!
 //! impl System<f64, 2> for Ball {
 //!     fn rhs(&self, t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
-//!         self.rhs_under(t, x, &[0.0; MOST])
-//!     }
-//!
-//!     fn rhs_under(&self, _t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
-//!         SVector::from([x[1], forces[0] - 9.81])
+//!         self.eval(t, x, &[0.0; MOST])
 //!     }
 //!
 //!     fn hybrid(&self) -> Option<&dyn Hybrid<f64, 2>> {
@@ -46,7 +43,13 @@
 //!     }
 //! }
 //!
-//! impl Hybrid<f64, 2> for Ball {
+//! impl Plant<f64, 2> for Ball {
+//!     type Given = [f64; MOST];
+//!
+//!     fn eval(&self, _t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
+//!         SVector::from([x[1], forces[0] - 9.81])
+//!     }
+//!
 //!     fn constraints(&self) -> &'static [Constraint] {
 //!         const { &[Constraint { name: "floor", rate: &[(1, 1)] }] }
 //!     }
@@ -64,7 +67,7 @@
 //!     }
 //!
 //!     fn response(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> Response<f64, 2> {
-//!         let mut response = Response::new(self.rhs_under(t, x, forces));
+//!         let mut response = Response::new(self.eval(t, x, forces));
 //!         response.accelerations[0] = response.rates[1];
 //!         response.columns[0] = SVector::from([0.0, 1.0]);
 //!         response.matrix[0][0] = 1.0;
@@ -105,12 +108,8 @@ mod switch;
 mod watch;
 mod witness;
 
-use nalgebra::{SMatrix, SVector};
-
-use crate::real::Real;
-use crate::real::lanes::Lanes;
-use crate::system::System;
-
+pub use crate::constraint::{Constraint, Hold, Law, MOST, MeasureDerivatives, Response, ResponseDerivative};
+pub use crate::system::{Hybrid, HybridJacobian, by_sign};
 pub use ambiguity::Ambiguity;
 #[cfg(feature = "std")]
 pub(crate) use complementarity::independent;
@@ -121,7 +120,7 @@ pub use impact::Impact;
 pub use in_mode::{InMode, Passage};
 #[cfg(feature = "std")]
 pub(crate) use mode::set_of;
-pub use mode::{Hold, Mode, Status};
+pub use mode::{Mode, Status};
 #[cfg(feature = "std")]
 pub(crate) use polynomial::room;
 pub(crate) use project::project;
@@ -135,118 +134,3 @@ pub(crate) use switch::rate;
 pub(crate) use switch::{start, switch};
 pub(crate) use watch::Watch;
 pub(crate) use witness::Fired;
-
-/// The most constraints of a system.
-pub const MOST: usize = 8;
-
-/// Something that may hinder a motion: see [`hybrid`](crate::hybrid).
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Constraint {
-    /// What it is called, in messages.
-    pub name: &'static str,
-    /// For a rate that is a sum of components of the state, each with the sign 1 or -1: their places and signs. Such a
-    /// rate is exactly zero while it is held: its last component is computed from the others, and so must not occur in
-    /// the constraints before. Empty for any other rate.
-    pub rate: &'static [(usize, i8)],
-}
-
-/// The numbers of a [`Constraint`], forces in N or N m, rates in m/s or rad/s.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Law<T> {
-    /// The friction force while it slips; 0 where there is none.
-    pub slipping: T,
-    /// The largest friction force at rest. It must not be below `slipping`, which is not checked for models written by
-    /// hand.
-    pub sticking: T,
-    /// The least value.
-    pub low: Option<T>,
-    /// The largest value.
-    pub high: Option<T>,
-    /// What remains of the rate after an impact at a limit, from 0 to 1.
-    pub restitution: T,
-    /// Below this rate there is no rebound.
-    pub slow: T,
-}
-
-/// A system in any number of modes: see [`hybrid`](crate::hybrid).
-///
-/// The state is `[q; qd]`. Forces along constraints are those that do work with their rates: positive ones push
-/// forward. [`MOST`] of everything is passed, of which only the first are used.
-pub trait Hybrid<T: Real, const N: usize>: System<T, N> {
-    /// Its constraints, [`MOST`] of them at most.
-    fn constraints(&self) -> &'static [Constraint];
-
-    /// Their numbers.
-    fn laws(&self) -> [Law<T>; MOST];
-
-    /// The value and the rate of each constraint.
-    fn measures(&self, t: T, x: &SVector<T, N>) -> [[T; 2]; MOST];
-
-    /// [`System::rhs_under`], and what more force would change.
-    fn response(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> Response<T, N>;
-}
-
-/// A [`Hybrid`] that knows the derivatives of its right-hand side.
-pub trait HybridJacobian<T: Real, const N: usize>: Hybrid<T, N> {
-    /// The right-hand side under forces along the constraints, and its derivative with respect to the state.
-    fn rhs_and_jacobian_under(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> (SVector<T, N>, SMatrix<T, N, N>);
-
-    /// [`Hybrid::response`] with its derivatives, the forces held fixed.
-    fn response_derivative(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> ResponseDerivative<T, N>
-    where
-        T: Lanes;
-
-    /// The derivatives of [`Hybrid::measures`].
-    fn measure_derivatives(&self, t: T, x: &SVector<T, N>) -> MeasureDerivatives<T, N>;
-}
-
-/// What forces along constraints do.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Response<T, const N: usize> {
-    /// The right-hand side under the forces given.
-    pub rates: SVector<T, N>,
-    /// The second derivatives of the constraints by the time, under these forces.
-    pub accelerations: [T; MOST],
-    /// What a unit of further force along each constraint adds to the right-hand side.
-    pub columns: [SVector<T, N>; MOST],
-    /// What it adds to the second derivatives: entry `[i][j]` to that of `i` by a force along `j`; symmetric.
-    pub matrix: [[T; MOST]; MOST],
-}
-
-impl<T: Real, const N: usize> Response<T, N> {
-    /// With this right-hand side, and zero elsewhere.
-    #[inline(always)]
-    pub fn new(rates: SVector<T, N>) -> Self {
-        let zero = T::default();
-        Self {
-            rates,
-            accelerations: [zero; MOST],
-            columns: [SVector::from([zero; N]); MOST],
-            matrix: [[zero; MOST]; MOST],
-        }
-    }
-}
-
-/// The derivatives of the value and of the rate of each constraint.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct MeasureDerivatives<T, const N: usize> {
-    /// With respect to the state.
-    pub by_state: [[SVector<T, N>; 2]; MOST],
-    /// With respect to the time.
-    pub by_time: [[T; 2]; MOST],
-}
-
-/// A [`Response`] with its derivatives.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ResponseDerivative<T, const N: usize> {
-    /// The response.
-    pub response: Response<T, N>,
-    /// The derivative of the right-hand side with respect to the state.
-    pub rates: SMatrix<T, N, N>,
-    /// Those of the second derivatives of the constraints: a gradient for each.
-    pub accelerations: [SVector<T, N>; MOST],
-    /// The derivative of the right-hand side with respect to the time.
-    pub rates_by_time: SVector<T, N>,
-    /// Those of the second derivatives of the constraints.
-    pub accelerations_by_time: [T; MOST],
-}

@@ -86,18 +86,6 @@ impl fmt::Display for Described {
     }
 }
 
-/// What equations of motion need to know of a [`Mode`].
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Hold<T> {
-    /// The forces along the constraints that slip, or that rest only with others; 0 along the rest.
-    pub forces: [T; MOST],
-    /// The constraints whose rates are held at zero, as bits.
-    pub held: u8,
-    /// Those of them whose forces are solved for. Where these stand still, so do the others of `held`, which depend on
-    /// them.
-    pub solved: u8,
-}
-
 /// The number in which these bits are set.
 #[inline(always)]
 pub(crate) fn set_of(bits: impl Iterator<Item = usize>) -> u8 {

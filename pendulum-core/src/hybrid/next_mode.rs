@@ -1,11 +1,11 @@
 //! Which mode begins: combinations of what holds and what goes are tried, those that hold most first.
 
 use super::complementarity::{depends, independent, solve_negated, subsets};
-use super::mode::{Hold, Mode, Status, bits, set_of};
+use super::mode::{Mode, Status, bits, set_of};
 use super::resolution::{CONSISTENT, ulps};
 use super::settling::Settling;
 use super::sizes::ForceSizes;
-use super::{MOST, Response};
+use super::{Hold, MOST, Response};
 use crate::real::Float;
 
 /// What gave way is pushed on by this part of what acts on it: shortly after, it is.

@@ -34,12 +34,16 @@ pub(crate) fn room<V: Lanes, const N: usize>(
     let mut room = [[one; 2]; MOST];
     for (n, constraint) in constraints.iter().enumerate() {
         let [value, rate] = measures[n];
-        let least = |witness, value, sign| least((value, sign), (constraint, witness), terms);
-        let low = laws[n].low.map_or(one, |low| least(Witness::Low, value - low, one));
-        let high = laws[n]
-            .high
-            .map_or(one, |high| least(Witness::High, high - value, -one));
-        let rate = least(Witness::Slip, rate.abs(), rate.signum());
+        // no closures, which need not be inlined
+        let low = match laws[n].low {
+            Some(low) => least((value - low, one), (constraint, Witness::Low), terms),
+            None => one,
+        };
+        let high = match laws[n].high {
+            Some(high) => least((high - value, -one), (constraint, Witness::High), terms),
+            None => one,
+        };
+        let rate = least((rate.abs(), rate.signum()), (constraint, Witness::Slip), terms);
         room[n] = [rate, (low - high).select(low, high)];
     }
     room
@@ -47,6 +51,7 @@ pub(crate) fn room<V: Lanes, const N: usize>(
 
 /// What a witness stays above in a step: a value at its start, and `sign` times a sum of components of the state, of
 /// the polynomial `x0 + c_1 theta + c_2 theta^2 + ..`.
+#[cfg(feature = "std")]
 #[inline(always)]
 fn least<V: Lanes, const N: usize>(start: (V, V), witness: (&Constraint, Witness), terms: &[SVector<V, N>]) -> V {
     if terms.len() < FEW {
@@ -133,9 +138,9 @@ impl<V: Lanes, const TERMS: usize> Polynomial<V, TERMS> {
     #[inline(always)]
     fn bernstein(&self) -> [V; TERMS] {
         let (mut sums, mut choices) = (self.coefficients, 1.0);
-        for (power, sum) in sums.iter_mut().enumerate().take(self.degree + 1).skip(1) {
+        for (power, sum) in sums[1..=self.degree].iter_mut().enumerate() {
             // over the number of ways to choose so many of all
-            choices *= (self.degree + 1 - power) as f64 / power as f64;
+            choices *= (self.degree - power) as f64 / (power + 1) as f64;
             *sum *= V::from_f64(1.0 / choices);
         }
         for first in 0..self.degree {

@@ -4,8 +4,8 @@ use nalgebra::SVector;
 
 use super::complementarity::{independent, solve_negated};
 use super::held::pin;
-use super::mode::{Hold, Status, bits, set_of};
-use super::{Hybrid, Law, MOST, Response};
+use super::mode::{Status, bits, set_of};
+use super::{Hold, Hybrid, Law, MOST, Response};
 use crate::real::Float;
 
 /// Moves a state to where it is held: each rate to zero, and to its limit the position of whatever is `touching` one, be

@@ -4,10 +4,10 @@ use nalgebra::{SMatrix, SVector};
 
 use super::complementarity::Factored;
 use super::held::{forces, pin, rhs};
-use super::mode::{Hold, Mode, bits, set_of};
+use super::mode::{Mode, bits, set_of};
 use super::resolution::{CONSISTENT, ulps};
 use super::witness::{Fired, Witness};
-use super::{HybridJacobian, MOST, Passage};
+use super::{Hold, HybridJacobian, MOST, Passage};
 use crate::linear::image;
 use crate::real::Float;
 

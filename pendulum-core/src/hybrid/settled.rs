@@ -2,11 +2,11 @@
 
 use nalgebra::SVector;
 
-use super::MOST;
-use super::mode::{Hold, Mode};
+use super::mode::Mode;
 use super::series::Series;
 use super::sizes::{ForceSizes, Gains};
 use super::witness::Fired;
+use super::{Hold, MOST};
 use crate::real::Float;
 
 /// The state and the mode from which to go on.

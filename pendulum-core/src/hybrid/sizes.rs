@@ -12,6 +12,8 @@ use crate::real::Float;
 pub(crate) struct Gains<T> {
     by_lengths: [T; MOST],
     by_angles: [T; MOST],
+    /// What the components of the state are.
+    pub(super) layout: Option<&'static StateLayout>,
 }
 
 /// Sizes of values and rates at a state.
@@ -29,13 +31,17 @@ impl<T: Float> Gains<T> {
         Self {
             by_lengths: [T::default(); MOST],
             by_angles: [T::default(); MOST],
+            layout: None,
         }
     }
 
-    pub(super) fn near<const N: usize>(system: &dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) -> Self {
-        let mut gains = Self::none();
-        let layout = system.layout();
-        gains.note(system, t, x, layout);
+    pub(super) fn near<const N: usize>(
+        (system, layout): (&dyn Hybrid<T, N>, Option<&'static StateLayout>),
+        t: T,
+        x: &SVector<T, N>,
+    ) -> Self {
+        let mut gains = Self { layout, ..Self::none() };
+        gains.note(system, t, x);
         // the gap to a floor below a pendulum that hangs has no derivative there
         let mut turned = *x;
         for k in 0..N / 2 {
@@ -44,19 +50,13 @@ impl<T: Float> Gains<T> {
             }
         }
         if turned != *x && system.constraints().iter().any(|constraint| constraint.rate.is_empty()) {
-            gains.note(system, t, &turned, layout);
+            gains.note(system, t, &turned);
         }
         gains
     }
 
     /// Notes the derivatives at a state: a rate is linear in the rates of the coordinates.
-    fn note<const N: usize>(
-        &mut self,
-        system: &dyn Hybrid<T, N>,
-        t: T,
-        x: &SVector<T, N>,
-        layout: Option<&'static StateLayout>,
-    ) {
+    fn note<const N: usize>(&mut self, system: &dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) {
         let by_itself = rates_at_rest(system, t, x);
         for k in N / 2..N {
             let mut moving = *x;
@@ -64,7 +64,7 @@ impl<T: Float> Gains<T> {
                 *rate = T::from_f64(if other == k { 1.0 } else { 0.0 });
             }
             let measures = system.measures(t, &moving);
-            let gains = if is_angle(layout, k - N / 2) {
+            let gains = if is_angle(self.layout, k - N / 2) {
                 &mut self.by_angles
             } else {
                 &mut self.by_lengths
@@ -79,7 +79,7 @@ impl<T: Float> Gains<T> {
     /// The sizes at a state. An angle counts as 1 rad at least, which is the size of what its sine and cosine are
     /// multiplied by; the place of what moves by itself is as exact as the time is.
     pub(super) fn sizes<const N: usize>(&self, system: &dyn Hybrid<T, N>, t: T, x: &SVector<T, N>) -> Sizes<T> {
-        let layout = system.layout();
+        let layout = self.layout;
         let [length, angle] = largest(layout, x.iter().take(N / 2));
         let [speed, turning] = largest(layout, x.iter().skip(N / 2));
         let angle = angle.max(T::from_f64(1.0));

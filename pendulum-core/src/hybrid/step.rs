@@ -5,12 +5,12 @@ use core::cell::Cell;
 use nalgebra::SVector;
 
 use super::held::forces;
-use super::mode::{Hold, Mode, Status};
+use super::mode::{Mode, Status};
 use super::polynomial::{Course, course, stays_positive};
 use super::resolution::{SHORTEST_MODE, SIMULTANEOUS, ulps};
 use super::sizes::rates_at_rest;
 use super::witness::Witness;
-use super::{Hybrid, Law, MOST};
+use super::{Hold, Hybrid, Law, MOST};
 use crate::dense::Dense;
 use crate::method::{Known, root};
 use crate::real::Float;

@@ -5,27 +5,28 @@ use nalgebra::SVector;
 #[cfg(feature = "std")]
 use super::in_mode::InMode;
 use super::in_mode::Passage;
-use super::mode::{Hold, Mode, Status, bits, set_of};
+use super::mode::{Mode, Status, bits, set_of};
 use super::resolution::{AT_LIMIT, CONSISTENT, ulps};
 use super::settled::Settled;
 use super::settling::Settling;
 use super::sizes::Gains;
 use super::watch::Watch;
 use super::witness::{Fired, Witness};
-use super::{Hybrid, MOST};
+use super::{Hold, Hybrid, MOST};
 use crate::error::Reason;
+use crate::layout::StateLayout;
 use crate::real::Float;
 #[cfg(feature = "std")]
 use crate::system::System;
 
 /// The mode in which to start from a state.
 pub(crate) fn start<T: Float, const N: usize>(
-    system: &dyn Hybrid<T, N>,
+    (system, layout): (&dyn Hybrid<T, N>, Option<&'static StateLayout>),
     t: T,
     x: &SVector<T, N>,
 ) -> Result<Settled<T, N>, Reason> {
     let zero = [T::default(); MOST];
-    let mut settling = Settling::new(system, (t, x), Gains::near(system, t, x), &zero);
+    let mut settling = Settling::new(system, (t, x), Gains::near((system, layout), t, x), &zero);
     let sizes = settling.sizes();
     let measures = system.measures(t, x);
     for (n, constraint) in system.constraints().iter().enumerate() {
@@ -66,7 +67,7 @@ where
     T: Float,
 {
     match system.hybrid() {
-        Some(hybrid) => Ok(InMode::new(system, &start(hybrid, t, x)?.hold).rhs(t, x)),
+        Some(hybrid) => Ok(InMode::new(system, &start((hybrid, system.layout()), t, x)?.hold).rhs(t, x)),
         None => Ok(system.rhs(t, x)),
     }
 }

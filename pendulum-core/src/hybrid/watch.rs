@@ -2,13 +2,13 @@
 
 #[cfg(feature = "std")]
 use super::Law;
-use super::mode::{Hold, Mode};
+use super::mode::Mode;
 use super::polynomial::Course;
 use super::resolution::{NOISE, ulps};
 use super::sizes::{ForceSizes, Gains};
 use super::step::{Place, StepInMode, resolution};
 use super::witness::{Fired, Values, Witness};
-use super::{Hybrid, MOST};
+use super::{Hold, Hybrid, MOST};
 use crate::dense::Dense;
 use crate::error::Reason;
 use crate::real::Float;

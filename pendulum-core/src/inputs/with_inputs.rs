@@ -5,17 +5,20 @@ use core::fmt;
 use nalgebra::{SMatrix, SVector};
 
 use super::{CastControlled, Controlled, Generic, InputLaw, Law, LawJacobian};
-use crate::hybrid::{self, Constraint, Hybrid, HybridJacobian, MOST, MeasureDerivatives, Response, ResponseDerivative};
+use crate::hybrid::{Constraint, Law as ConstraintLaw, MOST, MeasureDerivatives, Response, ResponseDerivative};
 use crate::layout::StateLayout;
 use crate::real::Real;
 use crate::real::lanes::Lanes;
 #[cfg(feature = "std")]
 use crate::shapes::{Shape, Shapes};
-use crate::system::{Cast, CastJacobian, Differences, Energy, Jacobian, System, WithJacobian};
+use crate::system::{
+    Cast, CastJacobian, Differences, Energy, Given, Hybrid, HybridJacobian, Jacobian, Plant, PlantJacobian, System,
+    WithJacobian, by_sign,
+};
 
 /// A [`Controlled`] model whose `M` inputs follow the [`Law`] `L`: a [`System`] that can be integrated.
 ///
-/// Its Jacobian is `jacobian_with + input_jacobian * K`, with the derivative `K` of the law: see
+/// Its Jacobian is that of the model plus `input_jacobian * K`, with the derivative `K` of the law: see
 /// [`inputs`](crate::inputs) for the ways to have one.
 #[derive(Clone, Copy)]
 pub struct WithInputs<S, L, const M: usize> {
@@ -115,7 +118,7 @@ where
 {
     #[inline(always)]
     fn rhs(&self, t: T, x: &SVector<T, N>) -> SVector<T, N> {
-        self.system.rhs_with(t, x, &self.law.inputs(t, x).into())
+        self.eval(t, x, &by_sign(self, t, x))
     }
 
     #[inline(always)]
@@ -148,11 +151,6 @@ where
     fn hybrid(&self) -> Option<&dyn Hybrid<T, N>> {
         (!self.system.constraints().is_empty()).then_some(self)
     }
-
-    #[inline(always)]
-    fn rhs_under(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> SVector<T, N> {
-        self.system.rhs_under_with(t, x, &self.law.inputs(t, x).into(), forces)
-    }
 }
 
 impl<T, S, L, const N: usize, const M: usize> Jacobian<T, N> for WithInputs<S, L, M>
@@ -168,11 +166,7 @@ where
 
     #[inline(always)]
     fn rhs_and_jacobian(&self, t: T, x: &SVector<T, N>) -> (SVector<T, N>, SMatrix<T, N, N>) {
-        let (inputs, by_state) = self.law.inputs_and_jacobian(t, x);
-        let inputs = inputs.into();
-        let (rhs, mut jacobian) = self.system.rhs_and_jacobian_with(t, x, &inputs);
-        add_product(&mut jacobian, &self.system.input_jacobian(t, x, &inputs), &by_state);
-        (rhs, jacobian)
+        self.eval_with_jacobian(t, x, &by_sign(self, t, x))
     }
 
     #[inline(always)]
@@ -180,11 +174,7 @@ where
     where
         T: Lanes,
     {
-        let inputs = self.law.inputs(t, x).into();
-        let by_inputs = self.system.input_jacobian(t, x, &inputs);
-        let mut derivative = self.system.time_derivative_with(t, x, &inputs);
-        add_product(&mut derivative, &by_inputs, &self.law.time_derivative(t, x));
-        derivative
+        self.eval_time_derivative(t, x, &by_sign(self, t, x))
     }
 
     #[inline(always)]
@@ -193,19 +183,27 @@ where
     }
 }
 
-impl<T, S, L, const N: usize, const M: usize> Hybrid<T, N> for WithInputs<S, L, M>
+impl<T, S, L, const N: usize, const M: usize> Plant<T, N> for WithInputs<S, L, M>
 where
     T: Real,
     S: Controlled<T, N, M>,
     L: Law<T, N, M>,
 {
-    #[inline]
+    type Given = [T; MOST];
+
+    #[inline(always)]
+    fn eval(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> SVector<T, N> {
+        self.system
+            .eval(t, x, &S::Given::new(self.law.inputs(t, x).into(), forces))
+    }
+
+    #[inline(always)]
     fn constraints(&self) -> &'static [Constraint] {
         self.system.constraints()
     }
 
     #[inline]
-    fn laws(&self) -> [hybrid::Law<T>; MOST] {
+    fn laws(&self) -> [ConstraintLaw<T>; MOST] {
         self.system.laws()
     }
 
@@ -216,24 +214,38 @@ where
 
     #[inline]
     fn response(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> Response<T, N> {
-        self.system.response_with(t, x, &self.law.inputs(t, x).into(), forces)
+        let given = S::Given::new(self.law.inputs(t, x).into(), forces);
+        self.system.response(t, x, &given)
     }
 }
 
-impl<T, S, L, const N: usize, const M: usize> HybridJacobian<T, N> for WithInputs<S, L, M>
+/// No force along a constraint changes what inputs do.
+impl<T, S, L, const N: usize, const M: usize> PlantJacobian<T, N> for WithInputs<S, L, M>
 where
     T: Real,
     S: Controlled<T, N, M>,
     L: LawJacobian<T, N, M>,
 {
-    #[inline]
-    fn rhs_and_jacobian_under(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> (SVector<T, N>, SMatrix<T, N, N>) {
+    #[inline(always)]
+    fn eval_with_jacobian(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> (SVector<T, N>, SMatrix<T, N, N>) {
         let (inputs, by_state) = self.law.inputs_and_jacobian(t, x);
-        let inputs = inputs.into();
-        let (rhs, mut jacobian) = self.system.rhs_and_jacobian_under_with(t, x, &inputs, forces);
-        // no force along a constraint changes what inputs do
-        add_product(&mut jacobian, &self.system.input_jacobian(t, x, &inputs), &by_state);
+        let given = S::Given::new(inputs.into(), forces);
+        let (rhs, mut jacobian) = self.system.eval_with_jacobian(t, x, &given);
+        let by_inputs = self.system.input_jacobian(t, x, given.inputs());
+        add_product(&mut jacobian, &by_inputs, &by_state);
         (rhs, jacobian)
+    }
+
+    #[inline(always)]
+    fn eval_time_derivative(&self, t: T, x: &SVector<T, N>, forces: &[T; MOST]) -> SVector<T, N>
+    where
+        T: Lanes,
+    {
+        let given = S::Given::new(self.law.inputs(t, x).into(), forces);
+        let mut derivative = self.system.eval_time_derivative(t, x, &given);
+        let by_inputs = self.system.input_jacobian(t, x, given.inputs());
+        add_product(&mut derivative, &by_inputs, &self.law.time_derivative(t, x));
+        derivative
     }
 
     #[inline]
@@ -242,9 +254,9 @@ where
         T: Lanes,
     {
         let (inputs, by_state) = self.law.inputs_and_jacobian(t, x);
-        let inputs = inputs.into();
-        let mut derivative = self.system.response_derivative_with(t, x, &inputs, forces);
-        let by_inputs = self.system.input_jacobian(t, x, &inputs);
+        let given = S::Given::new(inputs.into(), forces);
+        let mut derivative = self.system.response_derivative(t, x, &given);
+        let by_inputs = self.system.input_jacobian(t, x, given.inputs());
         let by_time = self.law.time_derivative(t, x);
         add_product(&mut derivative.rates, &by_inputs, &by_state);
         add_product(&mut derivative.rates_by_time, &by_inputs, &by_time);

@@ -157,7 +157,7 @@ where
         if let Some(hybrid) = system.hybrid() {
             let rule = "a hybrid system runs forward: what has come to rest does not tell from where";
             require(t0 <= t1, "t1", t1.to_f64(), rule)?;
-            let settled = hybrid::start(hybrid, t0, &x0)?;
+            let settled = hybrid::start((hybrid, system.layout()), t0, &x0)?;
             stepper.enter(t0, settled);
         }
         if t0 != t1 {
@@ -466,7 +466,7 @@ where
         let settled = self
             .system
             .hybrid()
-            .map(|hybrid| hybrid::start(hybrid, t, &x))
+            .map(|hybrid| hybrid::start((hybrid, self.system.layout()), t, &x))
             .transpose()?;
         let (before, steps, modes) = ((self.t(), self.x()), self.steps, self.modes);
         match settled {

@@ -105,7 +105,7 @@ where
     S: Jacobian<f64, N> + ?Sized,
 {
     let found = match (system.hybrid(), system.hybrid_jacobian()) {
-        (_, Some(hybrid)) => come_to_rest(&Frictionless::new(hybrid), x),
+        (_, Some(hybrid)) => come_to_rest(&Frictionless::new(hybrid, system.layout()), x),
         (None, None) => come_to_rest(system, x),
         (Some(_), None) => {
             return Err(StabilityError::Integration(Reason::InvalidInput {

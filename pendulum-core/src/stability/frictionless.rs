@@ -14,24 +14,31 @@ use crate::system::{Jacobian, System};
 /// back to it, so that this is zero only at rest on the limits.
 pub(super) struct Frictionless<'a, const N: usize> {
     system: &'a dyn HybridJacobian<f64, N>,
+    layout: Option<&'static StateLayout>,
     mode: Mode,
     hold: Hold<f64>,
 }
 
 impl<'a, const N: usize> Frictionless<'a, N> {
-    /// With nothing held.
-    pub(super) fn new(system: &'a dyn HybridJacobian<f64, N>) -> Self {
+    /// With nothing held; `layout` is that of the system.
+    pub(super) fn new(system: &'a dyn HybridJacobian<f64, N>, layout: Option<&'static StateLayout>) -> Self {
         let (mode, hold) = (Mode::default(), Hold::default());
-        Self { system, mode, hold }
+        Self {
+            system,
+            layout,
+            mode,
+            hold,
+        }
     }
 
     /// With what touches a limit in a mode held there, about the state `x`.
-    pub(super) fn at_limits(system: &'a dyn HybridJacobian<f64, N>, mode: Mode, x: &SVector<f64, N>) -> Self {
+    pub(super) fn at_limits(self, mode: Mode, x: &SVector<f64, N>) -> Self {
+        let system = self.system;
         let held = set_of((0..MOST).filter(|&n| mode.0[n].touches()));
         let solved = independent(&system.response(0.0, x, &[0.0; MOST]).matrix, held);
         let forces = [0.0; MOST];
         let hold = Hold { forces, held, solved };
-        Self { system, mode, hold }
+        Self { mode, hold, ..self }
     }
 
     /// A state of rest to the last bit: without rates, and on the limits.
@@ -91,11 +98,7 @@ impl<const N: usize> System<f64, N> for Frictionless<'_, N> {
     }
 
     fn layout(&self) -> Option<&'static StateLayout> {
-        self.system.layout()
-    }
-
-    fn is_autonomous(&self) -> Option<bool> {
-        self.system.is_autonomous()
+        self.layout
     }
 }
 

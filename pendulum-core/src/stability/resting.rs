@@ -48,7 +48,7 @@ where
     }
     let (mut from, mut mode) = (x, Mode::default());
     for _ in 0..CHANGES {
-        let frictionless = Frictionless::at_limits(hybrid, mode, &from);
+        let frictionless = Frictionless::new(hybrid, system.layout()).at_limits(mode, &from);
         let (found, failure) = match come_to_rest(&frictionless, from) {
             Ok(x) => (x, None),
             // on its way it may have passed a limit
@@ -66,7 +66,7 @@ where
         let Some(n) = frictionless.pulled(&x, slack) else { break };
         mode.0[n] = Status::Free;
         // Newton's method might lead beyond the limit again, but the motion does not
-        from = brake(&Frictionless::at_limits(hybrid, mode, &x), x)?;
+        from = brake(&Frictionless::new(hybrid, system.layout()).at_limits(mode, &x), x)?;
     }
     let nothing = StabilityError::NoConvergence {
         iterations: ITERATIONS,
@@ -82,7 +82,7 @@ impl<const N: usize> Resting<N> {
         S: Jacobian<f64, N> + ?Sized,
     {
         let Some(hybrid) = system.hybrid() else { return Ok(None) };
-        let Settled { x, mode, hold, .. } = start(hybrid, 0.0, &x)?;
+        let Settled { x, mode, hold, .. } = start((hybrid, system.layout()), 0.0, &x)?;
         let (rates, jacobian) = InMode::new(system, &hold).rhs_and_jacobian(0.0, &x);
         // what nothing holds rests as far as rounding errors show
         let rests = rates.norm() <= resolution(&jacobian, &x);

@@ -2,8 +2,7 @@
 
 use nalgebra::{SMatrix, SVector};
 
-use super::{Energy, Jacobian, System, forward, forward_system};
-use crate::hybrid::{Hybrid, MOST};
+use super::{Energy, Hybrid, Jacobian, System, forward, forward_system};
 use crate::layout::StateLayout;
 use crate::real::lanes::Lanes;
 use crate::real::{Float, Real};

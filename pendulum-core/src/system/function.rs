@@ -4,8 +4,7 @@ use core::fmt;
 
 use nalgebra::{SMatrix, SVector};
 
-use super::{Jacobian, System, forward, forward_system};
-use crate::hybrid::{Hybrid, MOST};
+use super::{Hybrid, Jacobian, System, forward, forward_system};
 use crate::layout::StateLayout;
 use crate::real::Real;
 use crate::real::lanes::Lanes;

@@ -3,12 +3,12 @@
 use std::cell::Cell;
 
 use nalgebra::{SMatrix, SVector};
-use pendulum_core::Reason;
 use pendulum_core::hybrid::{
     Constraint, Hybrid, HybridJacobian, Law, MOST, MeasureDerivatives, Response, ResponseDerivative, Status,
 };
 use pendulum_core::prelude::*;
 use pendulum_core::stability::{Lyapunov, transition};
+use pendulum_core::{Plant, PlantJacobian, Reason};
 
 /// A ball of 1 kg above a floor.
 struct Ball {
@@ -20,11 +20,7 @@ const GRAVITY: f64 = 9.81;
 
 impl System<f64, 2> for Ball {
     fn rhs(&self, t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
-        self.rhs_under(t, x, &[0.0; MOST])
-    }
-
-    fn rhs_under(&self, _t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
-        SVector::from([x[1], forces[0] - GRAVITY])
+        self.eval(t, x, &[0.0; MOST])
     }
 
     fn hybrid(&self) -> Option<&dyn Hybrid<f64, 2>> {
@@ -32,7 +28,13 @@ impl System<f64, 2> for Ball {
     }
 }
 
-impl Hybrid<f64, 2> for Ball {
+impl Plant<f64, 2> for Ball {
+    type Given = [f64; MOST];
+
+    fn eval(&self, _t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
+        SVector::from([x[1], forces[0] - GRAVITY])
+    }
+
     fn constraints(&self) -> &'static [Constraint] {
         const {
             &[Constraint {
@@ -60,7 +62,7 @@ impl Hybrid<f64, 2> for Ball {
     }
 
     fn response(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> Response<f64, 2> {
-        let mut response = Response::new(self.rhs_under(t, x, forces));
+        let mut response = Response::new(self.eval(t, x, forces));
         response.accelerations[0] = response.rates[1];
         response.columns[0] = SVector::from([0.0, 1.0]);
         response.matrix[0][0] = 1.0;
@@ -143,13 +145,7 @@ struct Failing {
 
 impl System<f64, 2> for Failing {
     fn rhs(&self, t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
-        self.rhs_under(t, x, &[0.0; MOST])
-    }
-
-    fn rhs_under(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
-        self.evaluations.set(self.evaluations.get() + 1);
-        let is_bad = self.evaluations.get() > self.good;
-        self.ball.rhs_under(t, x, forces) * if is_bad { f64::NAN } else { 1.0 }
+        self.eval(t, x, &[0.0; MOST])
     }
 
     fn hybrid(&self) -> Option<&dyn Hybrid<f64, 2>> {
@@ -157,7 +153,15 @@ impl System<f64, 2> for Failing {
     }
 }
 
-impl Hybrid<f64, 2> for Failing {
+impl Plant<f64, 2> for Failing {
+    type Given = [f64; MOST];
+
+    fn eval(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
+        self.evaluations.set(self.evaluations.get() + 1);
+        let is_bad = self.evaluations.get() > self.good;
+        self.ball.eval(t, x, forces) * if is_bad { f64::NAN } else { 1.0 }
+    }
+
     fn constraints(&self) -> &'static [Constraint] {
         self.ball.constraints()
     }
@@ -218,11 +222,7 @@ struct Belt {
 
 impl System<f64, 2> for Belt {
     fn rhs(&self, t: f64, x: &SVector<f64, 2>) -> SVector<f64, 2> {
-        self.rhs_under(t, x, &[0.0; MOST])
-    }
-
-    fn rhs_under(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
-        SVector::from([x[1], (forces[0] - self.stiffness * (x[0] + t)) / self.mass])
+        self.eval(t, x, &[0.0; MOST])
     }
 
     fn hybrid(&self) -> Option<&dyn Hybrid<f64, 2>> {
@@ -232,7 +232,7 @@ impl System<f64, 2> for Belt {
 
 impl Jacobian<f64, 2> for Belt {
     fn jacobian(&self, t: f64, x: &SVector<f64, 2>) -> SMatrix<f64, 2, 2> {
-        self.rhs_and_jacobian_under(t, x, &[0.0; MOST]).1
+        self.eval_with_jacobian(t, x, &[0.0; MOST]).1
     }
 
     fn hybrid_jacobian(&self) -> Option<&dyn HybridJacobian<f64, 2>> {
@@ -240,7 +240,13 @@ impl Jacobian<f64, 2> for Belt {
     }
 }
 
-impl Hybrid<f64, 2> for Belt {
+impl Plant<f64, 2> for Belt {
+    type Given = [f64; MOST];
+
+    fn eval(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
+        SVector::from([x[1], (forces[0] - self.stiffness * (x[0] + t)) / self.mass])
+    }
+
     fn constraints(&self) -> &'static [Constraint] {
         const {
             &[Constraint {
@@ -267,7 +273,7 @@ impl Hybrid<f64, 2> for Belt {
     }
 
     fn response(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> Response<f64, 2> {
-        let mut response = Response::new(self.rhs_under(t, x, forces));
+        let mut response = Response::new(self.eval(t, x, forces));
         response.accelerations[0] = response.rates[1];
         response.columns[0] = SVector::from([0.0, 1.0 / self.mass]);
         response.matrix[0][0] = 1.0 / self.mass;
@@ -275,15 +281,15 @@ impl Hybrid<f64, 2> for Belt {
     }
 }
 
-impl HybridJacobian<f64, 2> for Belt {
-    fn rhs_and_jacobian_under(
+impl PlantJacobian<f64, 2> for Belt {
+    fn eval_with_jacobian(
         &self,
         t: f64,
         x: &SVector<f64, 2>,
         forces: &[f64; MOST],
     ) -> (SVector<f64, 2>, SMatrix<f64, 2, 2>) {
         (
-            self.rhs_under(t, x, forces),
+            self.eval(t, x, forces),
             SMatrix::from([[0.0, -self.stiffness / self.mass], [1.0, 0.0]]),
         )
     }
@@ -292,7 +298,7 @@ impl HybridJacobian<f64, 2> for Belt {
         let slope = -self.stiffness / self.mass;
         let mut derivative = ResponseDerivative {
             response: self.response(t, x, forces),
-            rates: self.rhs_and_jacobian_under(t, x, forces).1,
+            rates: self.eval_with_jacobian(t, x, forces).1,
             accelerations: [SVector::zeros(); MOST],
             rates_by_time: SVector::from([0.0, slope]),
             accelerations_by_time: [0.0; MOST],
@@ -364,14 +370,14 @@ impl Jacobian<f64, 2> for Ball {
     }
 }
 
-impl HybridJacobian<f64, 2> for Ball {
-    fn rhs_and_jacobian_under(
+impl PlantJacobian<f64, 2> for Ball {
+    fn eval_with_jacobian(
         &self,
         t: f64,
         x: &SVector<f64, 2>,
         forces: &[f64; MOST],
     ) -> (SVector<f64, 2>, SMatrix<f64, 2, 2>) {
-        (self.rhs_under(t, x, forces), self.jacobian(t, x))
+        (self.eval(t, x, forces), self.jacobian(t, x))
     }
 
     fn response_derivative(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> ResponseDerivative<f64, 2> {
@@ -472,14 +478,7 @@ const CLOSE: f64 = 0.5;
 
 impl System<f64, 4> for Carts {
     fn rhs(&self, t: f64, x: &SVector<f64, 4>) -> SVector<f64, 4> {
-        self.rhs_under(t, x, &[0.0; MOST])
-    }
-
-    fn rhs_under(&self, _t: f64, x: &SVector<f64, 4>, forces: &[f64; MOST]) -> SVector<f64, 4> {
-        let [to_ground, between] = [self.stiffness[0] * x[0], self.stiffness[1] * (x[1] - x[0] - 1.0)];
-        let first = forces[0] - forces[2] - to_ground + between;
-        let second = forces[1] + forces[2] - between;
-        SVector::from([x[2], x[3], first / self.masses[0], second / self.masses[1]])
+        self.eval(t, x, &[0.0; MOST])
     }
 
     fn hybrid(&self) -> Option<&dyn Hybrid<f64, 4>> {
@@ -487,7 +486,16 @@ impl System<f64, 4> for Carts {
     }
 }
 
-impl Hybrid<f64, 4> for Carts {
+impl Plant<f64, 4> for Carts {
+    type Given = [f64; MOST];
+
+    fn eval(&self, _t: f64, x: &SVector<f64, 4>, forces: &[f64; MOST]) -> SVector<f64, 4> {
+        let [to_ground, between] = [self.stiffness[0] * x[0], self.stiffness[1] * (x[1] - x[0] - 1.0)];
+        let first = forces[0] - forces[2] - to_ground + between;
+        let second = forces[1] + forces[2] - between;
+        SVector::from([x[2], x[3], first / self.masses[0], second / self.masses[1]])
+    }
+
     fn constraints(&self) -> &'static [Constraint] {
         const {
             &[
@@ -527,7 +535,7 @@ impl Hybrid<f64, 4> for Carts {
     }
 
     fn response(&self, t: f64, x: &SVector<f64, 4>, forces: &[f64; MOST]) -> Response<f64, 4> {
-        let mut response = Response::new(self.rhs_under(t, x, forces));
+        let mut response = Response::new(self.eval(t, x, forces));
         let [a, b] = self.masses.map(|mass| 1.0 / mass);
         let rates = response.rates;
         response.accelerations[..3].copy_from_slice(&[rates[2], rates[3], rates[3] - rates[2]]);
@@ -606,11 +614,7 @@ struct Mirrored(Carts);
 
 impl System<f64, 4> for Mirrored {
     fn rhs(&self, t: f64, x: &SVector<f64, 4>) -> SVector<f64, 4> {
-        self.rhs_under(t, x, &[0.0; MOST])
-    }
-
-    fn rhs_under(&self, t: f64, x: &SVector<f64, 4>, forces: &[f64; MOST]) -> SVector<f64, 4> {
-        -self.0.rhs_under(t, &-x, forces)
+        self.eval(t, x, &[0.0; MOST])
     }
 
     fn hybrid(&self) -> Option<&dyn Hybrid<f64, 4>> {
@@ -618,7 +622,13 @@ impl System<f64, 4> for Mirrored {
     }
 }
 
-impl Hybrid<f64, 4> for Mirrored {
+impl Plant<f64, 4> for Mirrored {
+    type Given = [f64; MOST];
+
+    fn eval(&self, t: f64, x: &SVector<f64, 4>, forces: &[f64; MOST]) -> SVector<f64, 4> {
+        -self.0.eval(t, &-x, forces)
+    }
+
     fn constraints(&self) -> &'static [Constraint] {
         const {
             &[
@@ -688,16 +698,18 @@ impl System<f64, 2> for Wrong {
         self.ball.rhs(t, x)
     }
 
-    fn rhs_under(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
-        self.ball.rhs_under(t, x, forces)
-    }
-
     fn hybrid(&self) -> Option<&dyn Hybrid<f64, 2>> {
         Some(self)
     }
 }
 
-impl Hybrid<f64, 2> for Wrong {
+impl Plant<f64, 2> for Wrong {
+    type Given = [f64; MOST];
+
+    fn eval(&self, t: f64, x: &SVector<f64, 2>, forces: &[f64; MOST]) -> SVector<f64, 2> {
+        self.ball.eval(t, x, forces)
+    }
+
     fn constraints(&self) -> &'static [Constraint] {
         // not of a coordinate
         const {

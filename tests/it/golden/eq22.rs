@@ -900,21 +900,14 @@ k11 = -m*c*d/(inertia + m*c^2)
             12,
         >;
         #[inline]
-        fn workspace<T: ::pendulum_core::real::Real>() -> ::pendulum_core::taylor::Products<
+        fn with_series<T: ::pendulum_core::real::Real>(
+            model: &DoublePendulum<T>,
+        ) -> &impl ::pendulum_core::taylor::TaylorSeries<
             T,
-            12,
+            4,
+            Workspace = ::pendulum_core::taylor::Products<T, 12>,
         > {
-            ::pendulum_core::taylor::Products::new()
-        }
-        #[cfg_attr(debug_assertions, inline)]
-        #[cfg_attr(not(debug_assertions), inline(always))]
-        fn series<T: ::pendulum_core::real::Real>(
-            system: &DoublePendulum<T>,
-            t: T,
-            x: &mut [::pendulum_core::nalgebra::SVector<T, 4>],
-            work: &mut ::pendulum_core::taylor::Products<T, 12>,
-        ) {
-            ::pendulum_core::taylor::TaylorSeries::series(system, t, x, work);
+            model
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

@@ -431,33 +431,11 @@ k4 = 1/m
         pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[s, s] = m\nQ[s] = force(s) + pull\n\nand along what hinders the motion\nforce(s): dry friction of mu, at rest up to at_rest; stops at -10 and 1, restitution 0.5\n";
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl<T: ::pendulum_core::real::Real> ::pendulum_core::System<T, 2> for Block<T> {
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Plant<T, 2> for Block<T> {
+        type Given = [T; ::pendulum_core::hybrid::MOST];
         #[cfg_attr(debug_assertions, inline)]
         #[cfg_attr(not(debug_assertions), inline(always))]
-        fn rhs(
-            &self,
-            t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 2>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
-            let (laws, measures) = (
-                ::pendulum_core::hybrid::Hybrid::<T, 2>::laws(self),
-                ::pendulum_core::hybrid::Hybrid::<T, 2>::measures(self, t, x),
-            );
-            let mut forces = [T::from_f64(0.0); ::pendulum_core::hybrid::MOST];
-            for n in 0..1 {
-                forces[n] = -laws[n].slipping * measures[n][1].signum();
-            }
-            ::pendulum_core::System::rhs_under(self, t, x, &forces)
-        }
-        #[inline]
-        fn layout(
-            &self,
-        ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
-            Some(&<Block>::LAYOUT)
-        }
-        #[cfg_attr(debug_assertions, inline)]
-        #[cfg_attr(not(debug_assertions), inline(always))]
-        fn rhs_under(
+        fn eval(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
@@ -469,16 +447,6 @@ k4 = 1/m
             let k4 = self.constants[4];
             ::pendulum_core::nalgebra::SVector::from([qd_s, k4 * (k2 + f0)])
         }
-        #[inline]
-        fn hybrid(
-            &self,
-        ) -> ::core::option::Option<&dyn ::pendulum_core::hybrid::Hybrid<T, 2>> {
-            Some(self)
-        }
-    }
-    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl<T: ::pendulum_core::real::Real> ::pendulum_core::hybrid::Hybrid<T, 2>
-    for Block<T> {
         #[inline]
         fn constraints(&self) -> &'static [::pendulum_core::hybrid::Constraint] {
             const {
@@ -543,62 +511,11 @@ k4 = 1/m
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Jacobian<T, 2> for Block<T> {
-        #[inline]
-        fn jacobian(
-            &self,
-            t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 2>,
-        ) -> ::pendulum_core::nalgebra::SMatrix<T, 2, 2> {
-            self.rhs_and_jacobian(t, x).1
-        }
-        #[inline]
-        fn rhs_and_jacobian(
-            &self,
-            t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 2>,
-        ) -> (
-            ::pendulum_core::nalgebra::SVector<T, 2>,
-            ::pendulum_core::nalgebra::SMatrix<T, 2, 2>,
-        ) {
-            let (laws, measures) = (
-                ::pendulum_core::hybrid::Hybrid::<T, 2>::laws(self),
-                ::pendulum_core::hybrid::Hybrid::<T, 2>::measures(self, t, x),
-            );
-            let mut forces = [T::from_f64(0.0); ::pendulum_core::hybrid::MOST];
-            for n in 0..1 {
-                forces[n] = -laws[n].slipping * measures[n][1].signum();
-            }
-            ::pendulum_core::hybrid::HybridJacobian::rhs_and_jacobian_under(
-                self,
-                t,
-                x,
-                &forces,
-            )
-        }
-        #[inline]
-        fn time_derivative(
-            &self,
-            t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 2>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
-            ::pendulum_core::nalgebra::SVector::from([
-                T::from_f64(0.0),
-                T::from_f64(0.0),
-            ])
-        }
-        #[inline]
-        fn hybrid_jacobian(
-            &self,
-        ) -> ::core::option::Option<&dyn ::pendulum_core::hybrid::HybridJacobian<T, 2>> {
-            Some(self)
-        }
-    }
-    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl<T: ::pendulum_core::real::Real> ::pendulum_core::hybrid::HybridJacobian<T, 2>
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::PlantJacobian<T, 2>
     for Block<T> {
-        #[inline]
-        fn rhs_and_jacobian_under(
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn eval_with_jacobian(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 2>,
@@ -618,6 +535,19 @@ k4 = 1/m
                     [T::from_f64(1.0), T::from_f64(0.0)],
                 ]),
             )
+        }
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn eval_time_derivative(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+            forces: &[T; ::pendulum_core::hybrid::MOST],
+        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
+            ::pendulum_core::nalgebra::SVector::from([
+                T::from_f64(0.0),
+                T::from_f64(0.0),
+            ])
         }
         #[inline]
         fn response_derivative(
@@ -693,6 +623,84 @@ k4 = 1/m
             ];
             derivatives.by_time[0] = [T::from_f64(0.0), T::from_f64(0.0)];
             derivatives
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::System<T, 2> for Block<T> {
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
+        fn rhs(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 2> {
+            ::pendulum_core::Plant::eval(
+                self,
+                t,
+                x,
+                &::pendulum_core::hybrid::by_sign(self, t, x),
+            )
+        }
+        #[inline]
+        fn layout(
+            &self,
+        ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
+            Some(&<Block>::LAYOUT)
+        }
+        #[inline]
+        fn hybrid(
+            &self,
+        ) -> ::core::option::Option<&dyn ::pendulum_core::hybrid::Hybrid<T, 2>> {
+            Some(self)
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Jacobian<T, 2> for Block<T> {
+        #[inline]
+        fn jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::nalgebra::SMatrix<T, 2, 2> {
+            self.rhs_and_jacobian(t, x).1
+        }
+        #[inline]
+        fn rhs_and_jacobian(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> (
+            ::pendulum_core::nalgebra::SVector<T, 2>,
+            ::pendulum_core::nalgebra::SMatrix<T, 2, 2>,
+        ) {
+            ::pendulum_core::PlantJacobian::eval_with_jacobian(
+                self,
+                t,
+                x,
+                &::pendulum_core::hybrid::by_sign(self, t, x),
+            )
+        }
+        #[inline]
+        fn time_derivative(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 2>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 2>
+        where
+            T: ::pendulum_core::real::lanes::Lanes,
+        {
+            ::pendulum_core::PlantJacobian::eval_time_derivative(
+                self,
+                t,
+                x,
+                &::pendulum_core::hybrid::by_sign(self, t, x),
+            )
+        }
+        #[inline]
+        fn hybrid_jacobian(
+            &self,
+        ) -> ::core::option::Option<&dyn ::pendulum_core::hybrid::HybridJacobian<T, 2>> {
+            Some(self)
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

@@ -401,12 +401,11 @@ k8 = -0.5/(1/3*l)
         pub const EQUATIONS: &'static str = "A qdd + b = Q, where A is symmetric, b holds velocity terms and gravity, Q the forces of the joints\n\nA[s, s] = cart + pole\nA[s, theta] = -0.5*pole*l*cos(theta)\nA[theta, theta] = 1/3*pole*l^2\nb[s] = 0.5*pole*l*dot(theta)^2*sin(theta)\nb[theta] = -0.5*pole*l*g*sin(theta)\nQ[s] = push\n";
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
-    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Controlled<T, 4, 1>
-    for CartPole<T> {
-        type Inputs = CartPoleInputs<T>;
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Plant<T, 4> for CartPole<T> {
+        type Given = CartPoleInputs<T>;
         #[cfg_attr(debug_assertions, inline)]
         #[cfg_attr(not(debug_assertions), inline(always))]
-        fn rhs_with(
+        fn eval(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 4>,
@@ -433,24 +432,13 @@ k8 = -0.5/(1/3*l)
                 t1 * t2 - k6 * t0,
             ])
         }
-        #[inline]
-        fn layout(
-            &self,
-        ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
-            Some(&<CartPole>::LAYOUT)
-        }
-        #[inline]
-        fn jacobian_with(
-            &self,
-            t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 4>,
-            u: &CartPoleInputs<T>,
-        ) -> ::pendulum_core::nalgebra::SMatrix<T, 4, 4> {
-            self.rhs_and_jacobian_with(t, x, u).1
-        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::PlantJacobian<T, 4>
+    for CartPole<T> {
         #[cfg_attr(debug_assertions, inline)]
         #[cfg_attr(not(debug_assertions), inline(always))]
-        fn rhs_and_jacobian_with(
+        fn eval_with_jacobian(
             &self,
             t: T,
             x: &::pendulum_core::nalgebra::SVector<T, 4>,
@@ -507,6 +495,26 @@ k8 = -0.5/(1/3*l)
         }
         #[cfg_attr(debug_assertions, inline)]
         #[cfg_attr(not(debug_assertions), inline(always))]
+        fn eval_time_derivative(
+            &self,
+            t: T,
+            x: &::pendulum_core::nalgebra::SVector<T, 4>,
+            u: &CartPoleInputs<T>,
+        ) -> ::pendulum_core::nalgebra::SVector<T, 4> {
+            ::pendulum_core::nalgebra::SVector::from([
+                T::from_f64(0.0),
+                T::from_f64(0.0),
+                T::from_f64(0.0),
+                T::from_f64(0.0),
+            ])
+        }
+    }
+    #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]
+    impl<T: ::pendulum_core::real::Real> ::pendulum_core::Controlled<T, 4, 1>
+    for CartPole<T> {
+        type Inputs = CartPoleInputs<T>;
+        #[cfg_attr(debug_assertions, inline)]
+        #[cfg_attr(not(debug_assertions), inline(always))]
         fn input_jacobian(
             &self,
             t: T,
@@ -524,20 +532,11 @@ k8 = -0.5/(1/3*l)
                 [T::from_f64(0.0), T::from_f64(0.0), t0, -(k8 * t0 * cos_theta)],
             ])
         }
-        #[cfg_attr(debug_assertions, inline)]
-        #[cfg_attr(not(debug_assertions), inline(always))]
-        fn time_derivative_with(
+        #[inline]
+        fn layout(
             &self,
-            t: T,
-            x: &::pendulum_core::nalgebra::SVector<T, 4>,
-            u: &CartPoleInputs<T>,
-        ) -> ::pendulum_core::nalgebra::SVector<T, 4> {
-            ::pendulum_core::nalgebra::SVector::from([
-                T::from_f64(0.0),
-                T::from_f64(0.0),
-                T::from_f64(0.0),
-                T::from_f64(0.0),
-            ])
+        ) -> ::core::option::Option<&'static ::pendulum_core::StateLayout> {
+            Some(&<CartPole>::LAYOUT)
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

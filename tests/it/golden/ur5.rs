@@ -3526,21 +3526,14 @@ t22 = 9.81 + 0.425*dot(q2)^2*s2
             142,
         >;
         #[inline]
-        fn workspace<T: ::pendulum_core::real::Real>() -> ::pendulum_core::taylor::Products<
+        fn with_series<T: ::pendulum_core::real::Real>(
+            model: &Ur5<T>,
+        ) -> &impl ::pendulum_core::taylor::TaylorSeries<
             T,
-            142,
+            12,
+            Workspace = ::pendulum_core::taylor::Products<T, 142>,
         > {
-            ::pendulum_core::taylor::Products::new()
-        }
-        #[cfg_attr(debug_assertions, inline)]
-        #[cfg_attr(not(debug_assertions), inline(always))]
-        fn series<T: ::pendulum_core::real::Real>(
-            system: &Ur5<T>,
-            t: T,
-            x: &mut [::pendulum_core::nalgebra::SVector<T, 12>],
-            work: &mut ::pendulum_core::taylor::Products<T, 142>,
-        ) {
-            ::pendulum_core::taylor::TaylorSeries::series(system, t, x, work);
+            model
         }
     }
     #[allow(clippy::all, clippy::pedantic, non_snake_case, unused_variables)]

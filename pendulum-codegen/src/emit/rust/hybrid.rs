@@ -1,6 +1,6 @@
 //! Models whose motion something hinders.
 
-use proc_macro2::{Ident, Literal, TokenStream};
+use proc_macro2::{Literal, TokenStream};
 use quote::{ToTokens, format_ident, quote};
 
 use super::block::Piece;
@@ -10,70 +10,88 @@ use super::{Items, count};
 use crate::program::{Constraint, Routine, Shape};
 
 impl Items<'_> {
-    /// The motion in all its modes, of a scene without inputs.
+    /// The motion given what acts on it, of a scene on which something does.
+    pub(super) fn plant(&self) -> Option<TokenStream> {
+        let (inline, (given, name)) = (inlined_into_lanes(), self.acting()?);
+        let eval = self.function(&format_ident!("eval"), self.program.routine("rhs")?);
+        let modes = self
+            .program
+            .routine("response")
+            .and_then(|response| self.modes(response));
+        let functions = quote! {
+            type Given = #given;
+            #inline
+            #eval
+            #modes
+        };
+        let plant = self.implement(Some(self.named("Plant")), &functions);
+        let jacobian = self.program.routine("jacobian").map(|jacobian| {
+            let both = self.function(&format_ident!("eval_with_jacobian"), jacobian);
+            let vector = self.shape(jacobian.shapes[0]);
+            let arguments = quote!(&self, t: T, x: &#vector, #name: &#given);
+            let by_time = self.time_derivative("eval_time_derivative", &arguments);
+            let of_modes = self.program.routine("response_derivative");
+            let of_modes = of_modes.and_then(|derivative| self.derivatives_of_modes(derivative));
+            let functions = quote!(#inline #both #inline #by_time #of_modes);
+            self.implement(Some(self.named("PlantJacobian")), &functions)
+        });
+        Some(quote!(#plant #jacobian))
+    }
+
+    /// A system that is given forces along its constraints alone: by itself, friction acts by the sign of each rate.
     pub(super) fn hybrid(&self) -> Option<TokenStream> {
+        self.program.routine("rhs")?;
         let (inline, length, layout) = (inlined_into_lanes(), self.length(), self.layout());
-        let core = quote!(::pendulum_core::hybrid);
-        let rhs = self.function(&format_ident!("rhs_under"), self.program.routine("rhs")?);
+        let (core, assembly) = (quote!(::pendulum_core::hybrid), self.assembly());
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
-        let (friction, assembly) = (self.friction(), self.assembly());
         let system = quote! {
             #inline
             fn rhs(&self, t: T, x: &#vector) -> #vector {
-                #friction
-                ::pendulum_core::System::rhs_under(self, t, x, &forces)
+                ::pendulum_core::Plant::eval(self, t, x, &#core::by_sign(self, t, x))
             }
             #layout
             #assembly
-            #inline
-            #rhs
             #[inline]
             fn hybrid(&self) -> ::core::option::Option<&dyn #core::Hybrid<T, #length>> {
                 Some(self)
             }
         };
         let system = self.implement(Some(self.named("System")), &system);
-        let of_modes = self.implement(Some(quote!(#core::Hybrid<T, #length>)), &self.modes()?);
-        let jacobian = self.hybrid_jacobian();
-        Some(quote!(#system #of_modes #jacobian))
+        let jacobian = self.program.routine("jacobian").map(|jacobian| {
+            let matrix = self.shape(jacobian.shapes[1]);
+            let lanes = quote!(::pendulum_core::real::lanes::Lanes);
+            let functions = quote! {
+                #[inline]
+                fn jacobian(&self, t: T, x: &#vector) -> #matrix {
+                    self.rhs_and_jacobian(t, x).1
+                }
+                #[inline]
+                fn rhs_and_jacobian(&self, t: T, x: &#vector) -> (#vector, #matrix) {
+                    ::pendulum_core::PlantJacobian::eval_with_jacobian(self, t, x, &#core::by_sign(self, t, x))
+                }
+                #[inline]
+                fn time_derivative(&self, t: T, x: &#vector) -> #vector
+                where
+                    T: #lanes,
+                {
+                    ::pendulum_core::PlantJacobian::eval_time_derivative(self, t, x, &#core::by_sign(self, t, x))
+                }
+                #[inline]
+                fn hybrid_jacobian(&self) -> ::core::option::Option<&dyn #core::HybridJacobian<T, #length>> {
+                    Some(self)
+                }
+            };
+            self.implement(Some(self.named("Jacobian")), &functions)
+        });
+        Some(quote!(#system #jacobian))
     }
 
-    /// The derivatives in all modes, if the scene asks for them.
-    fn hybrid_jacobian(&self) -> Option<TokenStream> {
-        let (core, length, friction) = (quote!(::pendulum_core::hybrid), self.length(), self.friction());
-        let jacobian = self.program.routine("jacobian")?;
-        let [vector, matrix] = [0, 1].map(|n| self.shape(jacobian.shapes[n]));
-        let given = quote!(&self, t: T, x: &#vector);
-        let by_time = self.time_derivative("time_derivative", &given, friction.clone());
-        let functions = quote! {
-            #[inline]
-            fn jacobian(#given) -> #matrix {
-                self.rhs_and_jacobian(t, x).1
-            }
-            #[inline]
-            fn rhs_and_jacobian(#given) -> (#vector, #matrix) {
-                #friction
-                #core::HybridJacobian::rhs_and_jacobian_under(self, t, x, &forces)
-            }
-            #[inline]
-            #by_time
-            #[inline]
-            fn hybrid_jacobian(&self) -> ::core::option::Option<&dyn #core::HybridJacobian<T, #length>> {
-                Some(self)
-            }
-        };
-        let of_system = self.implement(Some(self.named("Jacobian")), &functions);
-        let functions = self.derivatives_of_modes()?;
-        let of_modes = self.implement(Some(quote!(#core::HybridJacobian<T, #length>)), &functions);
-        Some(quote!(#of_system #of_modes))
-    }
-
-    /// What hinders the motion, and what forces along it do: methods of `Hybrid`, or of `Controlled` with inputs.
-    pub(super) fn modes(&self) -> Option<TokenStream> {
+    /// What hinders the motion, and what forces along it do: methods of `Plant`.
+    fn modes(&self, response: &Routine) -> Option<TokenStream> {
         let core = quote!(::pendulum_core::hybrid);
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
         let [constraints, laws, measures] = [self.constraint_list(), self.laws(), self.measures()?];
-        let response = self.of_response(self.program.routine("response")?, |values| self.response(values));
+        let response = self.of_response(response, |values| self.response(values));
         Some(quote! {
             #[inline]
             fn constraints(&self) -> &'static [#core::Constraint] {
@@ -88,71 +106,51 @@ impl Items<'_> {
         })
     }
 
-    /// The derivatives of these, if the scene has them: methods of `HybridJacobian`, or of `Controlled` with inputs.
-    pub(super) fn derivatives_of_modes(&self) -> Option<TokenStream> {
+    /// The derivatives of these: methods of `PlantJacobian`.
+    fn derivatives_of_modes(&self, derivative: &Routine) -> Option<TokenStream> {
         let (core, length) = (quote!(::pendulum_core::hybrid), self.length());
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
-        let name = self.under_inputs("rhs_and_jacobian_under");
-        let both = self.function(&name, self.program.routine("jacobian")?);
-        let derivative = self.program.routine("response_derivative")?;
         let derivative = self.of_response(derivative, |values| self.response_derivative(values));
         let of_measures = self.measure_derivatives()?;
         let of_measures = quote! {
             #[inline]
             fn measure_derivatives(&self, t: T, x: &#vector) -> #core::MeasureDerivatives<T, #length> #of_measures
         };
-        Some(quote!(#[inline] #both #[inline] #derivative #of_measures))
+        Some(quote!(#[inline] #derivative #of_measures))
     }
 
-    /// The name that a function has in the trait that takes the inputs, where there are any.
-    fn under_inputs(&self, name: &str) -> Ident {
-        let suffix = if self.program.inputs.is_empty() { "" } else { "_with" };
-        format_ident!("{name}{suffix}")
-    }
-
-    /// The canonical equations under forces along what hinders the motion, if the scene asks for them.
-    pub(super) fn canonical_under(&self) -> Option<TokenStream> {
-        let friction = self.friction();
+    /// The canonical equations given what acts, and by themselves, if the scene asks for them.
+    pub(super) fn hybrid_canonical(&self) -> Option<TokenStream> {
+        let (core, length) = (quote!(::pendulum_core::hybrid), self.length());
         let vector = self.shape(Shape::Vector(self.program.layout.len()));
+        let (given, _) = self.acting()?;
         let functions = ["canonical", "canonical_jacobian"].map(|name| {
             let routine = self.program.routine(name)?;
-            let (name, under) = (format_ident!("{name}"), format_ident!("{name}_under"));
+            let (name, eval) = (format_ident!("{name}"), format_ident!("eval_{name}"));
             let [one, other] = [0, 1].map(|n| self.shape(routine.shapes[n]));
-            let function = self.function(&under, routine);
-            Some(quote! {
+            let function = self.function(&eval, routine);
+            let by_itself = quote! {
                 #[inline]
                 fn #name(&self, t: T, x: &#vector) -> (#one, #other) {
-                    #friction
-                    self.#under(t, x, &forces)
+                    ::pendulum_core::PlantCanonical::#eval(self, t, x, &#core::by_sign(self, t, x))
                 }
-                #[inline]
-                #function
-            })
+            };
+            Some((quote!(#[inline] #function), by_itself))
         });
-        let functions: Option<TokenStream> = functions.into_iter().collect();
-        Some(self.implement(Some(self.named("Canonical")), &functions?))
-    }
-
-    /// A statement for the forces where friction acts by the sign of each rate, and nothing else does.
-    pub(super) fn friction(&self) -> TokenStream {
-        let (length, constraints) = (self.length(), count(self.program.constraints.len()));
-        let of_trait = match self.program.inputs.len() {
-            0 => quote!(::pendulum_core::hybrid::Hybrid::<T, #length>),
-            inputs => {
-                let inputs = count(inputs);
-                quote!(::pendulum_core::Controlled::<T, #length, #inputs>)
+        let functions: Option<Vec<_>> = functions.into_iter().collect();
+        let (of_plant, by_itself): (TokenStream, TokenStream) = functions?.into_iter().unzip();
+        let of_plant = self.implement(Some(self.named("PlantCanonical")), &of_plant);
+        let canonical = quote! {
+            #by_itself
+            #[inline]
+            fn hybrid_canonical(
+                &self,
+            ) -> ::core::option::Option<&dyn ::pendulum_core::PlantCanonical<T, #length, Given = #given>> {
+                Some(self)
             }
         };
-        quote! {
-            let (laws, measures) = (
-                #of_trait::laws(self),
-                #of_trait::measures(self, t, x),
-            );
-            let mut forces = [T::from_f64(0.0); ::pendulum_core::hybrid::MOST];
-            for n in 0..#constraints {
-                forces[n] = -laws[n].slipping * measures[n][1].signum();
-            }
-        }
+        let canonical = self.implement(Some(self.named("Canonical")), &canonical);
+        Some(quote!(#of_plant #canonical))
     }
 
     fn constraint_list(&self) -> TokenStream {
@@ -257,8 +255,8 @@ impl Items<'_> {
             "response" => quote!(#core::Response<T, #length>),
             _ => quote!(#core::ResponseDerivative<T, #length>),
         };
-        let name = self.under_inputs(&routine.name);
-        let block = self.block(&routine.block, result);
+        let name = format_ident!("{}", routine.name);
+        let block = self.body(routine, result);
         quote!(fn #name(#arguments) -> #output #block)
     }
 

@@ -33,20 +33,20 @@ pub(super) fn is_inherent(name: &str) -> bool {
 impl Items<'_> {
     /// The implementations of the traits, and the methods beside them.
     pub(super) fn routines(&self) -> TokenStream {
-        let motion = if !self.program.inputs.is_empty() {
+        let [is_plain, is_controlled] = [self.acting().is_none(), !self.program.inputs.is_empty()];
+        let motion = if is_plain { self.system() } else { self.plant() };
+        let closed = if is_controlled {
             self.controlled()
-        } else if self.program.constraints.is_empty() {
-            self.system()
         } else {
-            self.hybrid()
+            (!is_plain).then(|| self.hybrid()).flatten()
         };
-        let canonical = if self.program.constraints.is_empty() {
+        let canonical = if is_plain {
             self.of_trait("Canonical")
         } else {
-            self.canonical_under()
+            self.hybrid_canonical()
         };
         let energy = self.of_trait("Energy");
-        [motion, canonical, energy, self.inherent()]
+        [motion, closed, canonical, energy, self.inherent()]
             .into_iter()
             .flatten()
             .collect()
@@ -89,7 +89,7 @@ impl Items<'_> {
             let arguments = self.arguments(routine);
             let matrix = self.shape(routine.shapes[1]);
             let both = self.function(&format_ident!("rhs_and_jacobian"), routine);
-            let time_derivative = self.time_derivative("time_derivative", &arguments, TokenStream::new());
+            let time_derivative = self.time_derivative("time_derivative", &arguments);
             let functions = quote! {
                 #[inline]
                 fn jacobian(#arguments) -> #matrix {
@@ -210,17 +210,13 @@ impl Items<'_> {
         })
     }
 
-    /// The derivative of the right-hand side by the time, after some statements; zeros where the time does not occur.
-    pub(super) fn time_derivative(&self, name: &str, arguments: &TokenStream, given: TokenStream) -> TokenStream {
+    /// The derivative of the right-hand side by the time; zeros where the time does not occur.
+    pub(super) fn time_derivative(&self, name: &str, arguments: &TokenStream) -> TokenStream {
         let name = format_ident!("{name}");
         let state = Shape::Vector(self.program.layout.len());
         let vector = self.shape(state);
         let block = match self.program.routine("time_derivative") {
-            Some(routine) if given.is_empty() => self.block(&routine.block, |values| value(state, values)),
-            Some(routine) => {
-                let block = self.block(&routine.block, |values| value(state, values));
-                quote!({ #given #block })
-            }
+            Some(routine) => self.body(routine, |values| value(state, values)),
             None => {
                 let zeros = value(state, &vec![number(0.0); state.len()]);
                 quote!({ #zeros })
@@ -231,61 +227,19 @@ impl Items<'_> {
         }
     }
 
+    /// What only a model with inputs has, and a law for these.
     fn controlled(&self) -> Option<TokenStream> {
-        let (rhs, jacobian) = (self.program.routine("rhs")?, self.program.routine("jacobian")?);
+        let by_inputs = self.program.routine("input_jacobian")?;
         let (inline, length, inputs) = (inlined_into_lanes(), self.length(), count(self.program.inputs.len()));
-        let (name, matrix) = (self.inputs_name(), self.shape(jacobian.shapes[1]));
-        let vector = self.shape(jacobian.shapes[0]);
-        let arguments = quote!(&self, t: T, x: &#vector, u: &#name<T>);
-        let by_inputs = self.function(
-            &format_ident!("input_jacobian"),
-            self.program.routine("input_jacobian")?,
-        );
-        let is_hybrid = !self.program.constraints.is_empty();
-        let friction = if is_hybrid { self.friction() } else { TokenStream::new() };
-        let by_time = self.time_derivative("time_derivative_with", &arguments, friction.clone());
-        let [rhs, both] = if is_hybrid {
-            let rhs_under = self.function(&format_ident!("rhs_under_with"), rhs);
-            let (modes, derivatives) = (self.modes()?, self.derivatives_of_modes()?);
-            [
-                quote! {
-                    fn rhs_with(#arguments) -> #vector {
-                        #friction
-                        self.rhs_under_with(t, x, u, &forces)
-                    }
-                    #inline
-                    #rhs_under
-                    #modes
-                },
-                quote! {
-                    fn rhs_and_jacobian_with(#arguments) -> (#vector, #matrix) {
-                        #friction
-                        self.rhs_and_jacobian_under_with(t, x, u, &forces)
-                    }
-                    #derivatives
-                },
-            ]
-        } else {
-            [("rhs_with", rhs), ("rhs_and_jacobian_with", jacobian)]
-                .map(|(name, routine)| self.function(&format_ident!("{name}"), routine))
-        };
+        let (name, vector) = (self.inputs_name(), self.shape(Shape::Vector(self.program.layout.len())));
+        let by_inputs = self.function(&format_ident!("input_jacobian"), by_inputs);
         let (layout, assembly) = (self.layout(), self.assembly());
         let functions = quote! {
             type Inputs = #name<T>;
             #inline
-            #rhs
+            #by_inputs
             #layout
             #assembly
-            #[inline]
-            fn jacobian_with(#arguments) -> #matrix {
-                self.rhs_and_jacobian_with(t, x, u).1
-            }
-            #inline
-            #both
-            #inline
-            #by_inputs
-            #inline
-            #by_time
         };
         let controlled = self.implement(
             Some(quote!(::pendulum_core::Controlled<T, #length, #inputs>)),
@@ -410,25 +364,46 @@ impl Items<'_> {
             [one] => one.clone(),
             several => quote!((#(#several),*)),
         };
-        let block = self.block(&routine.block, |values| result(&routine.shapes, values));
+        let block = self.body(routine, |values| result(&routine.shapes, values));
         quote!(fn #name(#arguments) -> #output #block)
+    }
+
+    /// The body of a function that takes the [arguments](Self::arguments) of a routine.
+    pub(super) fn body(&self, routine: &Routine, result: impl FnOnce(&[Piece]) -> TokenStream) -> TokenStream {
+        let block = self.block(&routine.block, result);
+        match [Argument::Inputs, Argument::Forces].map(|argument| routine.arguments.contains(&argument)) {
+            [true, true] => quote!({ let (u, forces) = (&given.inputs, &given.forces); #block }),
+            _ => block,
+        }
+    }
+
+    /// The type of what acts on the model from outside, and what it is called, if something does.
+    pub(super) fn acting(&self) -> Option<(TokenStream, Ident)> {
+        let inputs = self.inputs_name();
+        let inputs = quote!(#inputs<T>);
+        let (given, name) = match (self.program.inputs.is_empty(), self.program.constraints.is_empty()) {
+            (true, true) => return None,
+            (false, true) => (inputs, "u"),
+            (true, false) => (quote!([T; ::pendulum_core::hybrid::MOST]), "forces"),
+            (false, false) => (quote!(::pendulum_core::Acting<#inputs, T>), "given"),
+        };
+        Some((given, format_ident!("{name}")))
     }
 
     pub(super) fn arguments(&self, routine: &Routine) -> TokenStream {
         let state = self.shape(Shape::Vector(self.program.layout.len()));
         let mut arguments = quote!(&self, t: T, x: &#state);
-        for argument in &routine.arguments {
-            arguments.extend(match argument {
-                Argument::Inputs => {
-                    let inputs = self.inputs_name();
-                    quote!(, u: &#inputs<T>)
-                }
-                Argument::Forces => quote!(, forces: &[T; ::pendulum_core::hybrid::MOST]),
-                Argument::Accelerations => {
-                    let vector = self.shape(Shape::Vector(self.program.layout.dof()));
-                    quote!(, qdd: &#vector)
-                }
-            });
+        let takes = |argument: &Argument| routine.arguments.contains(argument);
+        if takes(&Argument::Forces) {
+            let (given, name) = self.acting().expect("constraints");
+            arguments.extend(quote!(, #name: &#given));
+        } else if takes(&Argument::Inputs) {
+            let inputs = self.inputs_name();
+            arguments.extend(quote!(, u: &#inputs<T>));
+        }
+        if takes(&Argument::Accelerations) {
+            let vector = self.shape(Shape::Vector(self.program.layout.dof()));
+            arguments.extend(quote!(, qdd: &#vector));
         }
         arguments
     }

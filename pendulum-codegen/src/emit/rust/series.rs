@@ -18,79 +18,67 @@ impl Items<'_> {
         let (real, core) = (quote!(::pendulum_core::real::Real), quote!(::pendulum_core::taylor));
         let vector = quote!(::pendulum_core::nalgebra::SVector<T, #length>);
         let (start, orders) = (self.start(series), self.orders(series));
-        let [arguments, of_modes, of_all_modes] = self.series_in_modes();
-        Some(quote! {
-            #allowed
-            impl<T: #real> #core::TaylorSeries<T, #length> for #name<T> {
-                type Workspace = #core::Products<T, #slots>;
-                #[inline]
-                fn workspace(&self) -> Self::Workspace {
-                    #core::Products::new()
-                }
-                #of_modes
-                #inline
-                fn #arguments {
-                    if x.len() < 2 {
-                        return;
-                    }
-                    #start
-                    #orders
-                }
-            }
-            #allowed
-            impl #core::CastTaylor<#length> for #name {
-                type Workspace<T: #real> = #core::Products<T, #slots>;
-                #[inline]
-                fn workspace<T: #real>() -> #core::Products<T, #slots> {
-                    #core::Products::new()
-                }
-                #inline
-                fn series<T: #real>(system: &#name<T>, t: T, x: &mut [#vector], work: &mut #core::Products<T, #slots>) {
-                    #core::TaylorSeries::series(system, t, x, work);
-                }
-                #of_all_modes
-            }
-        })
-    }
-
-    /// The head of the function that computes the series, and where something hinders the motion those beside it: the
-    /// series where friction acts by the sign of each rate, and that in a mode for `CastTaylor`.
-    fn series_in_modes(&self) -> [TokenStream; 3] {
-        let (name, length) = (&self.head.name, self.length());
-        let vector = quote!(::pendulum_core::nalgebra::SVector<T, #length>);
-        let hold = quote!(::pendulum_core::hybrid::Hold<T>);
         let given = quote!(t: T, x: &mut [#vector], work: &mut Self::Workspace);
-        if self.program.constraints.is_empty() {
-            return [quote!(series(&self, #given)), TokenStream::new(), TokenStream::new()];
-        }
-        let (friction, inline) = (self.friction(), inlined_into_lanes());
-        [
-            quote!(series_in(&self, hold: &#hold, #given)),
-            quote! {
+        let body = quote! {
+            if x.len() < 2 {
+                return;
+            }
+            #start
+            #orders
+        };
+        let workspace = quote!(#core::Products<T, #slots>);
+        let hold = quote!(::pendulum_core::hybrid::Hold);
+        let (series, of_modes) = if self.program.constraints.is_empty() {
+            (quote!(#inline fn series(&self, #given) { #body }), None)
+        } else {
+            let series = quote! {
                 #inline
                 fn series(&self, #given) {
-                    let forces = {
-                        let Some(x) = x.first() else { return };
-                        #friction
-                        forces
-                    };
-                    let hold = ::pendulum_core::hybrid::Hold { forces, ..::core::default::Default::default() };
-                    self.series_in(&hold, t, x, work);
+                    let Some(start) = x.first() else { return };
+                    let forces = ::pendulum_core::hybrid::by_sign(self, t, start);
+                    let hold = #hold { forces, ..::core::default::Default::default() };
+                    #core::HybridSeries::eval_series(self, &hold, t, x, work);
                 }
-            },
-            quote! {
+                #[inline]
+                fn hybrid_series(
+                    &self,
+                ) -> ::core::option::Option<&dyn #core::HybridSeries<T, #length, Workspace = Self::Workspace>> {
+                    Some(self)
+                }
+            };
+            let of_modes = quote! {
+                type Workspace = #workspace;
                 #inline
-                fn series_in<T: ::pendulum_core::real::Real>(
-                    system: &#name<T>,
-                    hold: &#hold,
-                    t: T,
-                    x: &mut [#vector],
-                    work: &mut Self::Workspace<T>,
-                ) {
-                    ::pendulum_core::taylor::TaylorSeries::series_in(system, hold, t, x, work);
+                fn eval_series(&self, hold: &#hold<T>, #given) { #body }
+            };
+            (
+                series,
+                Some(self.implement(Some(quote!(#core::HybridSeries<T, #length>)), &of_modes)),
+            )
+        };
+        let of_series = quote! {
+            type Workspace = #workspace;
+            #[inline]
+            fn workspace(&self) -> Self::Workspace {
+                #core::Products::new()
+            }
+            #series
+        };
+        let of_series = self.implement(Some(quote!(#core::TaylorSeries<T, #length>)), &of_series);
+        Some(quote! {
+            #of_series
+            #of_modes
+            #allowed
+            impl #core::CastTaylor<#length> for #name {
+                type Workspace<T: #real> = #workspace;
+                #[inline]
+                fn with_series<T: #real>(
+                    model: &#name<T>,
+                ) -> &impl #core::TaylorSeries<T, #length, Workspace = #workspace> {
+                    model
                 }
-            },
-        ]
+            }
+        })
     }
 
     /// Order 0, which gives the state of order 1 and what the orders beyond have in common.

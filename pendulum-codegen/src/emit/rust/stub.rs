@@ -109,14 +109,21 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
     let controlled = (!is_hybrid).then(|| {
         quote! {
             #allowed
-            impl<T: #real, const N: usize, const M: usize> ::pendulum_core::Controlled<T, N, M> for #name<T> {
-                type Inputs = #inputs<T>;
-                fn rhs_with(#system, _: &Self::Inputs) -> #vector {
+            impl<T: #real, const N: usize> ::pendulum_core::Plant<T, N> for #name<T> {
+                type Given = #inputs<T>;
+                fn eval(#system, _: &#inputs<T>) -> #vector {
                     *x
                 }
-                fn jacobian_with(#inherent, _: &Self::Inputs) -> #matrix<T, N, N> {
-                    #zeros
+            }
+            #allowed
+            impl<T: #real, const N: usize> ::pendulum_core::PlantJacobian<T, N> for #name<T> {
+                fn eval_with_jacobian(#system, _: &#inputs<T>) -> (#vector, #matrix<T, N, N>) {
+                    (*x, #zeros)
                 }
+            }
+            #allowed
+            impl<T: #real, const N: usize, const M: usize> ::pendulum_core::Controlled<T, N, M> for #name<T> {
+                type Inputs = #inputs<T>;
                 fn input_jacobian(#inherent, _: &Self::Inputs) -> #matrix<T, N, M> {
                     #zeros
                 }
@@ -141,7 +148,11 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
         let vector = quote!(#matrix<T, #length, 1>);
         quote! {
             #allowed
-            impl<T: #real #any_length> #core::Hybrid<T, #length> for #name<T> {
+            impl<T: #real #any_length> ::pendulum_core::Plant<T, #length> for #name<T> {
+                type Given = [T; #core::MOST];
+                fn eval(&self, _: T, x: &#vector, _: &[T; #core::MOST]) -> #vector {
+                    *x
+                }
                 fn constraints(&self) -> &'static [#core::Constraint] {
                     &[]
                 }
@@ -284,8 +295,11 @@ pub(crate) fn stub(scene: &Scene) -> TokenStream {
         #allowed
         impl<const N: usize> ::pendulum_core::CastTaylor<N> for #name {
             type Workspace<T: #real> = ();
-            fn workspace<T: #real>() {}
-            fn series<T: #real>(_: &#name<T>, _: T, _: &mut [#vector], _: &mut ()) {}
+            fn with_series<T: #real>(
+                model: &#name<T>,
+            ) -> &impl ::pendulum_core::TaylorSeries<T, N, Workspace = ()> {
+                model
+            }
         }
         #allowed
         impl<T: #real, const N: usize> ::pendulum_core::Jacobian<T, N> for #name<T> {

@@ -1,0 +1,186 @@
+//! Models on which something acts from outside.
+
+use nalgebra::{SMatrix, SVector};
+
+use super::by_number;
+use crate::constraint::{Constraint, Law, MOST, MeasureDerivatives, Response, ResponseDerivative};
+use crate::real::Real;
+use crate::real::lanes::Lanes;
+
+/// A model on which something acts from outside: inputs, or forces along constraints, or both.
+///
+/// The state is `[q; qd]`. [`MOST`] constraints are passed everywhere, of which only the first are used. A model that
+/// has some implements all methods; without any, [`eval`](Self::eval) is enough.
+#[diagnostic::on_unimplemented(
+    message = "nothing acts on `{Self}` from outside, or it cannot be told what",
+    note = "`mechanism!` implements `Plant` for scenes with inputs, dry friction, stops or walls where `generate` has \
+            `rhs`; other models are a `System`"
+)]
+pub trait Plant<T: Real, const N: usize> {
+    /// What acts: the inputs of a [`Controlled`](crate::Controlled) model, the forces along the constraints of a
+    /// [hybrid](crate::hybrid) one, or [`Acting`] where there are both.
+    ///
+    /// Forces along constraints are those that do work with their rates: positive ones push forward.
+    type Given;
+
+    /// The time derivative of the state.
+    fn eval(&self, t: T, x: &SVector<T, N>, given: &Self::Given) -> SVector<T, N>;
+
+    /// The constraints of the motion, [`MOST`] of them at most: none by default.
+    #[inline(always)]
+    fn constraints(&self) -> &'static [Constraint] {
+        &[]
+    }
+
+    /// Their numbers.
+    #[inline]
+    fn laws(&self) -> [Law<T>; MOST] {
+        [Law::default(); MOST]
+    }
+
+    /// The value and the rate of each constraint.
+    #[inline]
+    fn measures(&self, _t: T, _x: &SVector<T, N>) -> [[T; 2]; MOST] {
+        [[T::default(); 2]; MOST]
+    }
+
+    /// [`eval`](Self::eval), and what more force along the constraints would change.
+    #[inline]
+    fn response(&self, t: T, x: &SVector<T, N>, given: &Self::Given) -> Response<T, N> {
+        Response::new(self.eval(t, x, given))
+    }
+}
+
+/// A [`Plant`] that knows its derivatives, what acts held fixed.
+#[diagnostic::on_unimplemented(
+    message = "`{Self}` has no derivatives given what acts on it",
+    note = "`mechanism!` generates them for scenes with inputs, and for those with dry friction, stops or walls unless \
+            `generate` leaves out `jacobian`"
+)]
+pub trait PlantJacobian<T: Real, const N: usize>: Plant<T, N> {
+    /// [`Plant::eval`], and its derivative with respect to the state.
+    fn eval_with_jacobian(&self, t: T, x: &SVector<T, N>, given: &Self::Given) -> (SVector<T, N>, SMatrix<T, N, N>);
+
+    /// The derivative of [`Plant::eval`] with respect to the time.
+    ///
+    /// Generated models know it exactly. By default it is a central difference, as in
+    /// [`Jacobian::time_derivative`](crate::Jacobian::time_derivative).
+    #[inline]
+    fn eval_time_derivative(&self, t: T, x: &SVector<T, N>, given: &Self::Given) -> SVector<T, N>
+    where
+        T: Lanes,
+    {
+        by_number(t, |t| self.eval(t, x, given))
+    }
+
+    /// [`Plant::response`] with its derivatives.
+    #[inline]
+    fn response_derivative(&self, t: T, x: &SVector<T, N>, given: &Self::Given) -> ResponseDerivative<T, N>
+    where
+        T: Lanes,
+    {
+        let zero = T::default();
+        ResponseDerivative {
+            response: self.response(t, x, given),
+            rates: self.eval_with_jacobian(t, x, given).1,
+            accelerations: [SVector::from([zero; N]); MOST],
+            rates_by_time: self.eval_time_derivative(t, x, given),
+            accelerations_by_time: [zero; MOST],
+        }
+    }
+
+    /// The derivatives of [`Plant::measures`].
+    #[inline]
+    fn measure_derivatives(&self, _t: T, _x: &SVector<T, N>) -> MeasureDerivatives<T, N> {
+        let zero = T::default();
+        MeasureDerivatives {
+            by_state: [[SVector::from([zero; N]); 2]; MOST],
+            by_time: [[zero; 2]; MOST],
+        }
+    }
+}
+
+/// A [`Plant`] with [canonical](crate::Canonical) equations.
+pub trait PlantCanonical<T: Real, const N: usize>: Plant<T, N> {
+    /// [`Canonical::canonical`](crate::Canonical::canonical).
+    fn eval_canonical(&self, t: T, x: &SVector<T, N>, given: &Self::Given) -> (SVector<T, N>, SVector<T, N>);
+
+    /// [`Canonical::canonical_jacobian`](crate::Canonical::canonical_jacobian), what acts held fixed.
+    fn eval_canonical_jacobian(
+        &self,
+        t: T,
+        x: &SVector<T, N>,
+        given: &Self::Given,
+    ) -> (SMatrix<T, N, N>, SMatrix<T, N, N>);
+}
+
+/// A [`Plant`] on which nothing but the forces along its constraints acts: a system in any number of modes, see
+/// [`hybrid`](crate::hybrid).
+pub trait Hybrid<T: Real, const N: usize>: Plant<T, N, Given = [T; MOST]> {}
+
+impl<T: Real, S: Plant<T, N, Given = [T; MOST]> + ?Sized, const N: usize> Hybrid<T, N> for S {}
+
+/// A [`Hybrid`] that knows its derivatives.
+pub trait HybridJacobian<T: Real, const N: usize>: Hybrid<T, N> + PlantJacobian<T, N> {}
+
+impl<T: Real, S: PlantJacobian<T, N, Given = [T; MOST]> + ?Sized, const N: usize> HybridJacobian<T, N> for S {}
+
+/// Inputs, and forces along constraints.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Acting<U, T> {
+    /// The inputs.
+    pub inputs: U,
+    /// The forces, in N or N m.
+    pub forces: [T; MOST],
+}
+
+/// What acts on a plant with the inputs `U`: these alone, or [`Acting`].
+pub trait Given<U, T> {
+    /// From the inputs, and the forces along its constraints.
+    fn new(inputs: U, forces: &[T; MOST]) -> Self;
+
+    /// The inputs.
+    fn inputs(&self) -> &U;
+}
+
+impl<U, T> Given<U, T> for U {
+    #[inline(always)]
+    fn new(inputs: U, _forces: &[T; MOST]) -> U {
+        inputs
+    }
+
+    #[inline(always)]
+    fn inputs(&self) -> &U {
+        self
+    }
+}
+
+impl<U, T: Copy> Given<U, T> for Acting<U, T> {
+    #[inline(always)]
+    fn new(inputs: U, forces: &[T; MOST]) -> Self {
+        Self {
+            inputs,
+            forces: *forces,
+        }
+    }
+
+    #[inline(always)]
+    fn inputs(&self) -> &U {
+        &self.inputs
+    }
+}
+
+/// The forces along the constraints where friction acts by the sign of each rate, and nothing else does: those of a
+/// right-hand side by itself.
+#[inline(always)]
+pub fn by_sign<T: Real, const N: usize>(plant: &(impl Plant<T, N> + ?Sized), t: T, x: &SVector<T, N>) -> [T; MOST] {
+    let mut forces = [T::default(); MOST];
+    if plant.constraints().is_empty() {
+        return forces;
+    }
+    let (laws, measures) = (plant.laws(), plant.measures(t, x));
+    for n in 0..plant.constraints().len() {
+        forces[n] = -laws[n].slipping * measures[n][1].signum();
+    }
+    forces
+}
